@@ -1,0 +1,38 @@
+#pragma once
+// `carom observe`: what an eye at one event of the board sees of points fixed to bodies.
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/scenario.h"
+#include "engine/event.h"
+
+namespace carom {
+
+/// A point fixed to a puck or a body, from its centre, in its rest frame.
+struct BodyPoint {
+  std::string body;
+  Vec3 offset_m{0.0};
+};
+
+/// A point is asked for of something that is not in the scenario.
+class UnknownBody : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+struct ObserveOptions {
+  std::filesystem::path scenario;
+  Event event;                    ///< of the eye, board frame
+  Vec3 beta{0.0};                 ///< of the observer, board frame; below 1
+  std::vector<BodyPoint> points;  ///< none: the centres of all
+  std::optional<std::filesystem::path> json;
+};
+
+/// Returns the exit status. Throws InputErrors for a bad scenario, UnknownBody for a wrong name.
+int runObserve(const ObserveOptions& options);
+
+}  // namespace carom

@@ -1,0 +1,292 @@
+#include "app/rig.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <string_view>
+
+#include "app/toml_file.h"
+
+namespace carom {
+
+namespace {
+
+/// Walls are measured with a tape: corners may miss a rectangle by this much.
+constexpr double kCornerMiss_m = 0.002;
+/// Edges below this make no wall.
+constexpr double kShortestEdge_m = 0.001;
+constexpr int kMostPixels = 16384;  // the largest texture of common GPUs
+constexpr int kMostRanks = 4096;
+constexpr int kMostSensors = 256;
+
+glm::dvec3 toVec3(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+glm::ivec2 toPixels(const std::array<double, 2>& a) {
+  return {static_cast<int>(a[0]), static_cast<int>(a[1])};
+}
+
+double readUnit_m(const TomlTable& root) {
+  constexpr std::array<std::string_view, 5> kNames{"mm", "cm", "in", "ft",
+                                                   "m"};  // an unknown one stands for the smallest
+  constexpr std::array<double, 5> kMetres{1e-3, 1e-2, 0.0254, 0.3048, 1.0};
+  return kMetres[root.choice("unit", kNames)];
+}
+
+RoomAxes readAxes(const TomlTable& root) {
+  constexpr std::array<std::string_view, 2> kNames{"x-right y-up z-back", "x-right y-forward z-up"};
+  const std::array<RoomAxes, 2> axes{RoomAxes{.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}},
+                                     RoomAxes{.right = {1, 0, 0}, .up = {0, 0, 1}, .forward = {0, 1, 0}}};
+  return axes[root.choice("axes", kNames)];
+}
+
+/// { translation, rotation_deg }: turned about the fixed x, then y, then z axis, then moved.
+Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
+  const auto table = parent.table(key);
+  if (!table) return {};
+  constexpr Range kTurn{.least = -360.0, .most = 360.0};
+  const std::array<double, 3> none{0.0, 0.0, 0.0};
+  const glm::dvec3 turn_rad = glm::radians(toVec3(table->numbers<3>("rotation_deg", kTurn, none)));
+  const glm::dquat aboutX = glm::angleAxis(turn_rad.x, glm::dvec3(1, 0, 0));
+  const glm::dquat aboutY = glm::angleAxis(turn_rad.y, glm::dvec3(0, 1, 0));
+  const glm::dquat aboutZ = glm::angleAxis(turn_rad.z, glm::dvec3(0, 0, 1));
+  return {toVec3(table->numbers<3>("translation", {}, none)) * unit_m, aboutZ * aboutY * aboutX};
+}
+
+TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m) {
+  constexpr std::array<std::string_view, 2> kKinds{"simulated", "recorded"};  // in the order of TrackerKind
+  constexpr std::array<std::string_view, 5> kLater{"vrpn", "dtrack", "natnet", "polhemus-usb", "hid-imu"};
+  TrackerSetup tracker;
+  tracker.name = table.text("name");
+  const std::string kind = table.text("kind");
+  const bool known = std::find(kLater.begin(), kLater.end(), kind) != kLater.end();
+  if (known) {
+    table.fault("kind", fmt::format("trackers of kind '{}' are not supported yet, expected '{}'", kind,
+                                    fmt::join(kKinds, "' or '")));
+    table.has("source");
+  } else {
+    tracker.kind = static_cast<TrackerKind>(table.choice("kind", kKinds));
+    if (tracker.kind == TrackerKind::recorded) {
+      tracker.source = file.existingFile(table, "source");
+    } else {
+      table.refuse("source", "has no meaning for a simulated tracker, expected none");
+    }
+  }
+  constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
+  tracker.latency_s = table.number("latency_ms", kLatency_ms, 0.0) * 1e-3;
+  tracker.roomFromTracker = readPose(table, "room_from_tracker", unit_m);
+  return tracker;
+}
+
+/// `tracker` and `sensor` of the head or the hand.
+SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>& trackers) {
+  SensorChoice choice;
+  const std::string name = table.text("tracker");
+  const auto found = std::find_if(trackers.begin(), trackers.end(),
+                                  [&](const auto& tracker) { return tracker.name == name; });
+  choice.tracker = static_cast<std::size_t>(found - trackers.begin());
+  if (found == trackers.end() && table.has("tracker") && !name.empty()) {
+    std::vector<std::string> names;
+    for (const TrackerSetup& tracker : trackers) names.push_back(tracker.name);
+    table.fault(
+        "tracker",
+        names.empty()
+            ? fmt::format("there is no tracker '{}', expected a [[tracker]] of that name", name)
+            : fmt::format("there is no tracker '{}', expected '{}'", name, fmt::join(names, "' or '")));
+  }
+  choice.sensor = table.integer("sensor", 0, kMostSensors, 0);
+  return choice;
+}
+
+HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m) {
+  HeadSetup head;
+  constexpr double kWidestEyes_m = 1.0;
+  head.sensor = readSensor(table, trackers);
+  const Range range{.least = 0.0, .most = kWidestEyes_m / unit_m};
+  head.eyeSeparation_m = table.number("eye_separation", range, head.eyeSeparation_m / unit_m) * unit_m;
+  head.eyesFromSensor = readPose(table, "eyes_from_sensor", unit_m);
+  return head;
+}
+
+WindowPlacement readWindow(const TomlTable& table) {
+  constexpr Range kPlace_px{.least = -65536.0, .most = 65536.0};
+  constexpr Range kSize_px{.least = 1.0, .most = kMostPixels};
+  return {.monitor = table.integer("monitor", 0, 63, 0),
+          .position_px = toPixels(table.wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
+          .size_px = toPixels(table.wholeNumbers<2>("size", kSize_px)),
+          .fullscreen = table.flag("fullscreen", false)};
+}
+
+/// Complains where the three or four corners are no rectangle.
+void checkRectangle(const TomlTable& table, const Wall& wall, const std::optional<glm::dvec3>& upperRight_m) {
+  const glm::dvec3 along = wall.lowerRight_m - wall.lowerLeft_m;
+  const glm::dvec3 up = wall.upperLeft_m - wall.lowerLeft_m;
+  const double width_m = glm::length(along), height_m = glm::length(up);
+  if (!(width_m >= kShortestEdge_m)) {
+    return table.fault(
+        "lower_right",
+        fmt::format("wall '{}' has no width, expected lower_right apart from lower_left", wall.name));
+  }
+  if (!(height_m >= kShortestEdge_m)) {
+    return table.fault(
+        "upper_left",
+        fmt::format("wall '{}' has no height, expected upper_left apart from lower_left", wall.name));
+  }
+  const glm::dvec3 corner_m = glm::cross(along, up) / (width_m * height_m);
+  if (!(glm::length(corner_m) >= kShortestEdge_m)) {
+    return table.fault(
+        "upper_left",
+        fmt::format("the corners of wall '{}' lie on one line, expected a rectangle", wall.name));
+  }
+  const double miss_m = std::abs(glm::dot(along, up)) / width_m;
+  if (!(miss_m <= kCornerMiss_m)) {
+    table.fault("upper_left",
+                fmt::format("upper_left of wall '{}' misses the right angle at lower_left by {:.1f} mm, "
+                            "expected at most {:.0f} mm",
+                            wall.name, miss_m * 1e3, kCornerMiss_m * 1e3));
+  }
+  if (!upperRight_m) return;
+  const double fourthMiss_m = glm::distance(*upperRight_m, wall.lowerRight_m + up);
+  if (!(fourthMiss_m <= kCornerMiss_m)) {
+    table.fault("upper_right",
+                fmt::format("upper_right of wall '{}' is {:.1f} mm from where the other corners put it, "
+                            "expected at most {:.0f} mm",
+                            wall.name, fourthMiss_m * 1e3, kCornerMiss_m * 1e3));
+  }
+}
+
+/// A wall as the file gives it, before its corners are checked.
+struct WallText {
+  TomlTable table;
+  Wall wall;
+  std::optional<glm::dvec3> upperRight_m;
+  double displayLatency_s = 0.0;
+};
+
+WallText readWall(const TomlTable& table, double unit_m, bool hasOneWindow) {
+  constexpr std::array<std::string_view, 9> kStereo{"mono",        "left",         "right",
+                                                    "quad-buffer", "side-by-side", "top-bottom",
+                                                    "anaglyph",    "interlaced",   "checkerboard"};
+  constexpr Range kPixels{.least = 1.0, .most = kMostPixels};
+  constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
+  Wall wall;
+  wall.name = table.text("name");
+  wall.lowerLeft_m = toVec3(table.numbers<3>("lower_left", {})) * unit_m;
+  wall.lowerRight_m = toVec3(table.numbers<3>("lower_right", {})) * unit_m;
+  wall.upperLeft_m = toVec3(table.numbers<3>("upper_left", {})) * unit_m;
+  std::optional<glm::dvec3> upperRight_m;
+  if (table.has("upper_right")) upperRight_m = toVec3(table.numbers<3>("upper_right", {})) * unit_m;
+  wall.pixels = toPixels(table.wholeNumbers<2>("pixels", kPixels));
+  wall.node = table.integer("node", 0, kMostRanks, 0);
+  wall.stereo = static_cast<StereoMode>(table.choice("stereo", kStereo, 0));
+  wall.window.size_px = wall.pixels;
+  const auto window = hasOneWindow ? table.requiredTable("window") : table.table("window");
+  if (window) wall.window = readWindow(*window);
+  for (const std::string_view key : {"warp", "blend", "black_level", "flip"}) {
+    table.refuse(key, "is not supported yet, expected no such key");
+  }
+  const double latency_s = table.number("display_latency_ms", kLatency_ms, 0.0) * 1e-3;
+  return {table, wall, upperRight_m, latency_s};
+}
+
+/// File names of captured pictures are made of it.
+void checkWallName(const TomlTable& table, const std::string& name) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  });
+  if (!plain) table.fault("name", fmt::format("name is '{}', expected letters, digits, - and _ only", name));
+}
+
+template <class Named>
+void checkUnique(const std::vector<TomlTable>& tables, std::string_view key, const std::vector<Named>& items,
+                 const auto& valueOf) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto taken = std::find_if(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(i),
+                                    [&](const Named& item) { return valueOf(item) == valueOf(items[i]); });
+    if (taken == items.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+    const auto first = static_cast<std::size_t>(taken - items.begin());
+    tables[i].fault(key, fmt::format("the {} '{}' is taken in line {}, expected another", key,
+                                     valueOf(items[i]), tables[first].place(key).line));
+  }
+}
+
+bool meet(const WindowPlacement& a, const WindowPlacement& b) {
+  const glm::ivec2 low = glm::max(a.position_px, b.position_px);
+  const glm::ivec2 high = glm::min(a.position_px + a.size_px, b.position_px + b.size_px);
+  return low.x < high.x && low.y < high.y;
+}
+
+/// In a rig with one window, every wall has its own place inside.
+void checkPlaces(const Rig& rig, const std::vector<TomlTable>& tables) {
+  for (std::size_t i = 0; i < rig.walls.size(); ++i) {
+    const WindowPlacement& place = rig.walls[i].window;
+    const glm::ivec2 high = place.position_px + place.size_px;
+    const auto complain = [&](const std::string& what) { tables[i].fault("window", what); };
+    if (place.position_px.x < 0 || place.position_px.y < 0 || high.x > rig.oneWindow->size_px.x ||
+        high.y > rig.oneWindow->size_px.y) {
+      complain(fmt::format("wall '{}' reaches out of the one window, expected a place within {} × {} pixels",
+                           rig.walls[i].name, rig.oneWindow->size_px.x, rig.oneWindow->size_px.y));
+    }
+    if (place.fullscreen) complain("a place inside the one window cannot be fullscreen, expected false");
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!meet(place, rig.walls[j].window)) continue;
+      complain(fmt::format("walls '{}' and '{}' overlap in the one window, expected places apart",
+                           rig.walls[j].name, rig.walls[i].name));
+    }
+  }
+}
+
+/// What can be checked once every value by itself is right.
+void checkTogether(const TomlTable& root, const Rig& rig, const std::vector<WallText>& walls) {
+  checkUnique(root.tables("tracker"), "name", rig.trackers, [](const TrackerSetup& t) { return t.name; });
+  checkUnique(root.tables("node"), "rank", rig.nodes, [](const NodeSetup& node) { return node.rank; });
+  const std::vector<TomlTable> tables = root.tables("wall");
+  checkUnique(tables, "name", rig.walls, [](const Wall& wall) { return wall.name; });
+  for (const WallText& text : walls) {
+    checkWallName(text.table, text.wall.name);
+    checkRectangle(text.table, text.wall, text.upperRight_m);
+    if (text.displayLatency_s == rig.displayLatency_s) continue;
+    text.table.fault("display_latency_ms",
+                     fmt::format("walls with different latencies are not supported yet, expected "
+                                 "{} as on the first wall",
+                                 rig.displayLatency_s * 1e3));
+  }
+  if (rig.oneWindow) checkPlaces(rig, tables);
+}
+
+}  // namespace
+
+Rig readRig(const std::filesystem::path& path) {
+  const TomlFile file(path);
+  const TomlTable& root = file.root();
+  const double unit_m = readUnit_m(root);
+  Rig rig;
+  rig.title = root.text("title", path.stem().string());
+  rig.axes = readAxes(root);
+  constexpr Range kDisplay_hz{.least = 1.0, .most = 1000.0};
+  rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
+  for (const TomlTable& table : root.tables("tracker"))
+    rig.trackers.push_back(readTracker(file, table, unit_m));
+  if (const auto head = root.requiredTable("head")) rig.head = readHead(*head, rig.trackers, unit_m);
+  if (const auto hand = root.table("hand")) rig.hand = readSensor(*hand, rig.trackers);
+  for (const TomlTable& table : root.tables("node")) {
+    rig.nodes.push_back({.rank = table.integer("rank", 0, kMostRanks), .display = table.text("display")});
+  }
+  if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
+
+  std::vector<WallText> walls;
+  for (const TomlTable& table : root.tables("wall")) {
+    walls.push_back(readWall(table, unit_m, rig.oneWindow.has_value()));
+    rig.walls.push_back(walls.back().wall);
+  }
+  if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
+  file.throwFaults();
+  rig.displayLatency_s = walls.front().displayLatency_s;
+  checkTogether(root, rig, walls);
+  file.throwFaults();
+  return rig;
+}
+
+}  // namespace carom

@@ -1,0 +1,76 @@
+#pragma once
+// A rig file: the walls of a room, who draws them, and how the person in it is tracked. The room keeps the
+// axes of its file; every length here is in metres.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "cave/wall.h"
+#include "engine/pose.h"
+
+namespace carom {
+
+/// Unit vectors of the person's directions in the axes of the rig.
+struct RoomAxes {
+  glm::dvec3 right{1.0, 0.0, 0.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  glm::dvec3 forward{0.0, 0.0, -1.0};
+};
+
+enum class TrackerKind {
+  simulated,  ///< made up by the program
+  recorded,   ///< played from a trace
+};
+
+struct TrackerSetup {
+  std::string name;
+  TrackerKind kind = TrackerKind::simulated;
+  double latency_s = 0.0;        ///< known age of its samples where they do not say it themselves
+  std::filesystem::path source;  ///< of a recorded one: the trace; exists
+  Pose roomFromTracker;
+};
+
+/// A sensor of a tracker.
+struct SensorChoice {
+  std::size_t tracker = 0;  ///< index into Rig::trackers
+  int sensor = 0;
+};
+
+struct HeadSetup {
+  SensorChoice sensor;
+  double eyeSeparation_m = 0.064;
+  /// Takes the sensor's coordinates to those of the eyes (origin midway between them, the person's
+  /// right, up and forward along the rig's axes).
+  Pose eyesFromSensor;
+};
+
+/// Where a rank of a cluster draws.
+struct NodeSetup {
+  int rank = 0;
+  std::string display;  ///< X display, such as ":0.0"
+};
+
+struct Rig {
+  std::string title;
+  RoomAxes axes;
+  double display_hz = 60.0;
+  double displayLatency_s = 0.0;  ///< from the swap to the photons, the same for all walls
+  HeadSetup head;
+  std::optional<SensorChoice> hand;
+  std::vector<TrackerSetup> trackers;
+  std::vector<NodeSetup> nodes;  ///< empty: every rank uses the display it finds
+  std::vector<Wall> walls;       ///< at least one; rectangles to 2 mm
+  /// Where given, the only window of all walls; each wall's `window` is then a place inside it.
+  std::optional<WindowPlacement> oneWindow;
+};
+
+/// Reads and checks the whole file. Throws InputErrors (app/toml_file.h), which names every fault's place.
+/// Traces are looked for beside the file, then in the configuration folder.
+Rig readRig(const std::filesystem::path& file);
+
+}  // namespace carom

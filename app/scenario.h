@@ -1,0 +1,44 @@
+#pragma once
+// A scenario file: the light speed, the board, what moves on and over it, and where the observer starts.
+
+#include <filesystem>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/billiard.h"
+#include "engine/event.h"
+#include "engine/world_line.h"
+
+namespace carom {
+
+/// A body that moves as told and collides with nothing: a rod, a train, a clock.
+struct ToldBody {
+  std::string name;
+  /// Board frame; its radius is infinite, since how far a mesh reaches is not known here. The centre's clock
+  /// shows 0 at `appears_s` where the file gives it, else at board time 0.
+  WorldLine worldLine;
+  std::optional<std::filesystem::path> mesh;  ///< exists; in metres, in the body's rest frame
+};
+
+/// Where the platform that carries the room starts. Board frame.
+struct ObserverStart {
+  Vec3 position_m{0.0, -1.6, -0.75};         ///< of the room's floor origin
+  double facing_rad = std::numbers::pi / 2;  ///< of the room's forward, anticlockwise from +x
+  Vec3 beta{0.0};                            ///< v/c of the platform
+};
+
+struct Scenario {
+  std::string title;
+  BilliardSetup billiard;                                        ///< can be played
+  std::vector<std::optional<std::filesystem::path>> puckMeshes;  ///< one for each puck; scaled to its radius
+  std::vector<ToldBody> bodies;
+  ObserverStart observer;
+};
+
+/// Reads and checks the whole file. Throws InputErrors (app/toml_file.h), which names every fault's place.
+/// Meshes are looked for beside the file, then in the configuration folder.
+Scenario readScenario(const std::filesystem::path& file);
+
+}  // namespace carom

@@ -1,0 +1,22 @@
+#pragma once
+// `carom simulate`: every collision of a scenario's game and its states.
+
+#include <filesystem>
+#include <optional>
+
+namespace carom {
+
+struct SimulateOptions {
+  std::filesystem::path scenario;
+  double until_s = 0.0;                       ///< board time, not negative
+  std::optional<double> every_s;              ///< also the states at 0, every_s, 2 every_s, …
+  std::optional<std::filesystem::path> json;  ///< none: a table for people on standard output
+};
+
+/// The most states that one run gives out.
+inline constexpr double kMostStates = 1e6;
+
+/// Returns the exit status. Throws InputErrors for a bad scenario.
+int runSimulate(const SimulateOptions& options);
+
+}  // namespace carom

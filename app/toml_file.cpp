@@ -1,0 +1,388 @@
+#include "app/toml_file.h"
+
+// toml++ asserts what malformed files can violate; without its assertions it reports them as errors.
+#ifndef NDEBUG
+#define NDEBUG
+#endif
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace carom {
+
+namespace {
+
+constexpr std::size_t kMostBytes = 1 << 20;
+
+/// Text from a file as it may be shown on a terminal: no control characters.
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+      '?');
+  return shown;
+}
+
+FilePlace placeOf(const toml::source_region& region) {
+  return {std::max(1, static_cast<int>(region.begin.line)),
+          std::max(1, static_cast<int>(region.begin.column))};
+}
+
+std::string_view kindOf(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::table:
+      return "a table";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string wordsFor(const Range& range, bool whole) {
+  return fmt::format("{} {} {} {} {:g}", whole ? "a whole number" : "a number",
+                     range.above ? "above" : "from", fmt::format("{:g}", range.least),
+                     range.above ? "up to" : "to", range.most);
+}
+
+bool within(const Range& range, double value) {
+  return (range.above ? value > range.least : value >= range.least) && value <= range.most;
+}
+
+std::string readWhole(const std::filesystem::path& file) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputErrors({InputError(file.string(), 1, 1, what)});
+  };
+  std::error_code failed;
+  if (!std::filesystem::exists(file, failed)) refuse("there is no such file");
+  if (std::filesystem::is_directory(file, failed)) refuse("this is a folder, expected a TOML file");
+  std::ifstream in(file, std::ios::binary);
+  std::string text(kMostBytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!in.is_open() || in.bad()) refuse("the file cannot be read");
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > kMostBytes) refuse("the file is too large, expected at most 1 MiB");
+  return text;
+}
+
+/// The first letter beyond ASCII outside quotes and comments, where TOML has none. Must be found before
+/// toml++ 3.3 meets it: its table of white space has undefined behaviour there.
+std::optional<FilePlace> strayLetter(std::string_view text) {
+  FilePlace place;
+  std::string_view quote;  // that ends the text at hand; "\n" in a comment; empty outside both
+  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::string_view rest = text.substr(i);
+    std::size_t length = 1;  // bytes of this step, all in one line
+    if (quote.empty()) {
+      if (byte >= 0x80) return place;
+      if (byte == '#') quote = "\n";
+      for (const std::string_view mark : {"\"\"\"", "'''", "\"", "'"}) {
+        if (!quote.empty() || !rest.starts_with(mark)) continue;
+        quote = mark;
+        length = mark.size();
+      }
+    } else if (byte == '\\' && quote[0] == '"' && rest.size() > 1 && rest[1] != '\n') {
+      length = 2;
+    } else if (rest.starts_with(quote)) {
+      length = quote.size();
+      while (quote.size() == 3 && length < 5 && length < rest.size() && rest[length] == quote[0]) ++length;
+      quote = {};
+    } else if (byte == '\n' && quote.size() == 1) {
+      quote = {};
+    }
+    i += length - 1;
+    place.column += (byte & 0xC0) == 0x80 ? 0 : static_cast<int>(length);
+    if (byte == '\n') place = {place.line + 1, 1};
+  }
+  return {};
+}
+
+/// Least number of letters to add, drop, change or swap with a neighbour to make `a` into `b`.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string_view> nearestWord(std::string_view mistyped, std::span<const std::string> known) {
+  constexpr std::size_t kLongestWord = 64;
+  std::optional<std::string_view> nearest;
+  std::size_t least = std::max<std::size_t>(2, mistyped.size() / 3) + 1;
+  for (const std::string& word : known) {
+    if (mistyped.size() > kLongestWord) break;
+    // A unit forgotten or added (length for length_m) is near, however short the word.
+    const bool prefix = word.starts_with(mistyped) || mistyped.starts_with(word);
+    const std::size_t distance = prefix ? 1 : editDistance(mistyped, word);
+    if (distance < least && distance < word.size()) {
+      least = distance;
+      nearest = word;
+    }
+  }
+  return nearest;
+}
+
+InputErrors::InputErrors(std::vector<InputError> faults)
+    : InputError(faults.front()), faults_(std::move(faults)) {}
+
+struct TomlFile::Document {
+  std::filesystem::path file;
+  toml::table root;
+  std::vector<InputError> faults;
+  std::map<const toml::table*, std::shared_ptr<TomlTable::State>> opened;
+  std::optional<TomlTable> rootTable;
+};
+
+struct TomlTable::State {
+  TomlFile::Document& document;
+  const toml::table& table;
+  FilePlace place;
+  std::vector<std::string> asked;
+  std::vector<std::string> missing;
+
+  const toml::node* find(std::string_view key) {
+    if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.emplace_back(key);
+    return table.get(key);
+  }
+  void fault(FilePlace where, std::string message) {
+    document.faults.emplace_back(document.file.string(), where.line, where.column, std::move(message));
+  }
+  void wrong(std::string_view key, const toml::node& node, std::string_view expected) {
+    fault(placeOf(node.source()), fmt::format("{} is {}, expected {}", key, kindOf(node), expected));
+  }
+  /// The key's value, or null with a fault noted where it is required.
+  const toml::node* ask(std::string_view key, bool optional) {
+    const toml::node* node = find(key);
+    const bool noted = std::find(missing.begin(), missing.end(), key) != missing.end();
+    if (!node && !optional && !noted) missing.emplace_back(key);
+    return node;
+  }
+  static std::shared_ptr<State> open(TomlFile::Document& document, const toml::table& table) {
+    auto& state = document.opened[&table];
+    if (!state) state = std::make_shared<State>(State{document, table, placeOf(table.source()), {}, {}});
+    return state;
+  }
+  std::optional<double> numberOf(std::string_view name, const toml::node& node, const Range& range,
+                                 bool whole);
+  void noteUnknownAndMissing();
+};
+
+std::optional<double> TomlTable::State::numberOf(std::string_view name, const toml::node& node,
+                                                 const Range& range, bool whole) {
+  std::optional<double> value;
+  if (const auto* integer = node.as_integer()) value = static_cast<double>(integer->get());
+  if (const auto* floating = node.as_floating_point(); floating && !whole) value = floating->get();
+  if (!value) {
+    wrong(name, node, wordsFor(range, whole));
+  } else if (!within(range, *value)) {
+    fault(placeOf(node.source()), fmt::format("{} is {}, expected {}", name, *value, wordsFor(range, whole)));
+    value.reset();
+  }
+  return value;
+}
+
+void TomlTable::State::noteUnknownAndMissing() {
+  for (auto&& [key, value] : table) {
+    if (std::find(asked.begin(), asked.end(), key.str()) != asked.end()) continue;
+    const auto nearest = nearestWord(key.str(), asked);
+    const bool absent = nearest && !table.contains(*nearest);
+    fault(placeOf(key.source()),
+          absent ? fmt::format("unknown key '{}', expected '{}'?", printable(key.str()), *nearest)
+                 : fmt::format("unknown key '{}', expected one of {}", printable(key.str()),
+                               fmt::join(asked, ", ")));
+    if (absent) std::erase(missing, *nearest);
+    asked.emplace_back(key.str());
+  }
+  for (const std::string& key : missing) fault(place, fmt::format("{} is missing here", key));
+  missing.clear();
+}
+
+bool TomlTable::has(std::string_view key) const { return state_->find(key) != nullptr; }
+
+double TomlTable::number(std::string_view key, const Range& range, std::optional<double> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  const auto value = node ? state_->numberOf(key, *node, range, false) : std::nullopt;
+  return value.value_or(fallback.value_or(range.most));
+}
+
+int TomlTable::integer(std::string_view key, int least, int most, std::optional<int> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  const Range range{static_cast<double>(least), static_cast<double>(most)};
+  const auto value = node ? state_->numberOf(key, *node, range, true) : std::nullopt;
+  return value ? static_cast<int>(*value) : fallback.value_or(least);
+}
+
+bool TomlTable::flag(std::string_view key, std::optional<bool> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  if (!node) return fallback.value_or(false);
+  if (const auto* value = node->as_boolean()) return value->get();
+  state_->wrong(key, *node, "true or false");
+  return fallback.value_or(false);
+}
+
+std::string TomlTable::text(std::string_view key, std::optional<std::string> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  if (!node) return fallback.value_or("");
+  const auto* value = node->as_string();
+  if (value && !value->get().empty()) return printable(value->get());
+  if (value) {
+    fault(key, fmt::format("{} is empty, expected a text", key));
+  } else {
+    state_->wrong(key, *node, "a text in quotes");
+  }
+  return fallback.value_or("");
+}
+
+std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> names,
+                              std::optional<std::size_t> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  if (!node) return fallback.value_or(0);
+  const auto* value = node->as_string();
+  const auto found = value ? std::find(names.begin(), names.end(), value->get()) : names.end();
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string given = value ? fmt::format("'{}'", printable(value->get())) : std::string(kindOf(*node));
+  state_->fault(placeOf(node->source()),
+                fmt::format("{} is {}, expected '{}'", key, given, fmt::join(names, "' or '")));
+  return fallback.value_or(0);
+}
+
+void TomlTable::readNumbers(std::string_view key, const Range& range, bool optional, bool whole,
+                            std::span<double> result) const {
+  const toml::node* node = state_->ask(key, optional);
+  if (!node) return;
+  const toml::array* array = node->as_array();
+  if (!array) return state_->wrong(key, *node, fmt::format("an array of {} numbers", result.size()));
+  if (array->size() != result.size()) {
+    return state_->fault(placeOf(node->source()), fmt::format("{} has {} values, expected {} numbers", key,
+                                                              array->size(), result.size()));
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const auto value = state_->numberOf(fmt::format("{}[{}]", key, i), (*array)[i], range, whole);
+    if (value) result[i] = *value;
+  }
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) const {
+  const toml::node* node = state_->find(key);
+  if (!node) return {};
+  if (const toml::table* table = node->as_table()) return TomlTable(State::open(state_->document, *table));
+  state_->wrong(key, *node, fmt::format("one table [{}]", key));
+  return {};
+}
+
+std::optional<TomlTable> TomlTable::requiredTable(std::string_view key) const {
+  state_->ask(key, false);
+  return table(key);
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  std::vector<TomlTable> result;
+  const toml::node* node = state_->find(key);
+  if (!node) return result;
+  const toml::array* array = node->as_array();
+  if (!array) {
+    state_->wrong(key, *node, fmt::format("tables [[{}]]", key));
+    return result;
+  }
+  for (const toml::node& element : *array) {
+    if (const toml::table* table = element.as_table()) {
+      result.push_back(TomlTable(State::open(state_->document, *table)));
+    } else {
+      state_->wrong(key, element, fmt::format("tables [[{}]]", key));
+    }
+  }
+  return result;
+}
+
+void TomlTable::refuse(std::string_view key, const std::string& why) const {
+  if (state_->find(key)) fault(key, fmt::format("{} {}", key, why));
+}
+
+FilePlace TomlTable::place(std::string_view key) const {
+  const toml::node* node = state_->table.get(key);
+  return node ? placeOf(node->source()) : state_->place;
+}
+
+FilePlace TomlTable::place() const { return state_->place; }
+
+void TomlTable::fault(FilePlace where, std::string message) const {
+  state_->fault(where, std::move(message));
+}
+
+TomlFile::TomlFile(const std::filesystem::path& file) : document_(std::make_unique<Document>()) {
+  document_->file = file;
+  const std::string text = readWhole(file);
+  if (const auto stray = strayLetter(text)) {
+    throw InputErrors({InputError(file.string(), stray->line, stray->column,
+                                  "a letter beyond ASCII, expected it in quotes or in a comment only")});
+  }
+  try {
+    document_->root = toml::parse(std::string_view(text), std::string_view(file.native()));
+  } catch (const toml::parse_error& error) {
+    const FilePlace where = placeOf(error.source());
+    throw InputErrors({InputError(file.string(), where.line, where.column, printable(error.description()))});
+  }
+  document_->rootTable = TomlTable(TomlTable::State::open(*document_, document_->root));
+}
+
+TomlFile::~TomlFile() = default;
+
+const TomlTable& TomlFile::root() const { return *document_->rootTable; }
+
+void TomlFile::throwFaults() const {
+  for (const auto& [table, state] : document_->opened) state->noteUnknownAndMissing();
+  if (document_->faults.empty()) return;
+  const auto key = [](const InputError& fault) {
+    return std::tuple(fault.line(), fault.column(), std::string_view(fault.message()));
+  };
+  std::vector<InputError>& faults = document_->faults;
+  std::sort(faults.begin(), faults.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  faults.erase(std::unique(faults.begin(), faults.end(),
+                           [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+               faults.end());
+  throw InputErrors(document_->faults);
+}
+
+std::filesystem::path TomlFile::existingFile(const TomlTable& table, std::string_view key) const {
+  const std::filesystem::path given = table.text(key);
+  const std::filesystem::path beside = document_->file.parent_path() / given;
+  const std::filesystem::path shipped = std::filesystem::path(CAROM_CONFIG_DIR) / given;
+  std::error_code failed;
+  for (const auto& candidate : {beside, shipped}) {
+    if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
+  }
+  if (table.has(key) && !given.empty()) {
+    table.fault(key, fmt::format("{} '{}' is no file, expected one beside this file or in {}", key,
+                                 given.string(), CAROM_CONFIG_DIR));
+  }
+  return {};
+}
+
+}  // namespace carom

@@ -1,0 +1,4 @@
+# cmake -DIN=file.glsl -DOUT=file.h -DNAME=name -P embed_shader.cmake: a text as a C++ string constant.
+file(READ "${IN}" text)
+file(WRITE "${OUT}.new" "#pragma once\nnamespace carom::shaders {\ninline constexpr char ${NAME}[] = R\"glsl(${text})glsl\";\n}\n")
+file(RENAME "${OUT}.new" "${OUT}")

@@ -1,0 +1,51 @@
+#pragma once
+// Meshes from formulas: patches of a surface, cut into cells fine enough to bend where light makes straight
+// edges look curved.
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace carom {
+
+/// A point of a patch: where it is (metres) and what the paint needs to know there.
+struct PatchPoint {
+  glm::dvec3 place{0.0};
+  glm::dvec3 surface{0.0};
+};
+
+class MeshBuilder {
+ public:
+  /// The patch at(u, v), u and v in [0, 1], in cellsU × cellsV cells. Its outer side is ∂u × ∂v.
+  void addPatch(int cellsU, int cellsV, const std::function<PatchPoint(double u, double v)>& at);
+
+  /// A flat parallelogram from `corner` along `alongU` and `alongV`, in cells no larger than `cell_m`.
+  void addFlat(const glm::dvec3& corner, const glm::dvec3& alongU, const glm::dvec3& alongV, double cell_m);
+
+  /// A surface of revolution about the vertical through `foot`: from `profile[i]` = (radius, height above the
+  /// foot) to the next, each step its own facet ring, outer side to the right of the way.
+  void addTurned(const glm::dvec3& foot, const std::vector<glm::dvec2>& profile, int sectors);
+
+  std::size_t pointCount() const { return points_.size(); }
+
+  /// Points, normals, triangles and the point array "surface", in single precision.
+  vtkSmartPointer<vtkPolyData> build() const;
+
+ private:
+  struct Point {
+    PatchPoint patch;
+    glm::dvec3 normal{0.0};
+  };
+  std::vector<Point> points_;
+  std::vector<std::array<std::size_t, 3>> triangles_;
+};
+
+/// How many cells of at most `cell_m` a length needs.
+int cellsFor(double length_m, double cell_m);
+
+}  // namespace carom

@@ -1,0 +1,30 @@
+#pragma once
+// A wall as one eye sees it: a texture that the drawing context fills and every window and capture reads.
+
+#include <glm/vec2.hpp>
+
+namespace carom {
+
+/// An 8-bit RGBA texture, sRGB encoded, rows from the bottom up, with a framebuffer to draw into it. Made and
+/// destroyed with the drawing context current (Graphics::makeCurrent); the texture is shared with every
+/// window.
+class WallPicture {
+ public:
+  explicit WallPicture(const glm::ivec2& size_px);
+  ~WallPicture();
+  WallPicture(const WallPicture&) = delete;
+  WallPicture& operator=(const WallPicture&) = delete;
+
+  void clear();  ///< to black
+
+  unsigned texture() const { return texture_; }
+  unsigned framebuffer() const { return framebuffer_; }  ///< of the drawing context
+  const glm::ivec2& size_px() const { return size_px_; }
+
+ private:
+  glm::ivec2 size_px_;
+  unsigned texture_ = 0;
+  unsigned framebuffer_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,11 @@
+// Cloth with a faint 10 cm grid and the game's three spots. surface.xy: length and width of the board (metres).
+Painted paint() {
+  vec2 at = place.xy * 10.0;
+  float grid = max(lines(at.x, 0.03), lines(at.y, 0.03));
+  vec3 green = mix(colour, colour * 0.70, grid);
+  // The cushions take some of the hall's light from the cloth beside them.
+  vec2 fromCushion_m = 0.5 * surface.xy - abs(place.xy);
+  green *= 0.72 + 0.28 * clamp(min(fromCushion_m.x, fromCushion_m.y) / 0.05, 0.0, 1.0);
+  float fromSpot_m = min(length(place.xy), length(vec2(abs(place.x) - 0.25 * surface.x, place.y)));
+  return Painted(mix(vec3(0.75), green, edge(fromSpot_m - 0.008)), vec3(0.0), 1.0);
+}

@@ -1,0 +1,104 @@
+#include "cave/stereo.h"
+
+#include <vtk_glew.h>
+
+#include "cave/gl_program.h"
+#include "shaders/stereo_frag.h"
+#include "shaders/stereo_vert.h"
+
+namespace carom {
+namespace {
+
+/// `mode` of shaders/stereo.frag.glsl.
+int packingOf(StereoMode mode) {
+  switch (mode) {
+    case StereoMode::sideBySide:
+      return 1;
+    case StereoMode::topBottom:
+      return 2;
+    case StereoMode::anaglyph:
+      return 3;
+    case StereoMode::interlaced:
+      return 4;
+    case StereoMode::checkerboard:
+      return 5;
+    case StereoMode::mono:
+    case StereoMode::left:
+    case StereoMode::right:
+    case StereoMode::quadBuffer:
+      return 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<Eye> eyesOf(StereoMode mode) {
+  switch (mode) {
+    case StereoMode::mono:
+      return {Eye::mono};
+    case StereoMode::left:
+      return {Eye::left};
+    case StereoMode::right:
+      return {Eye::right};
+    default:
+      return {Eye::left, Eye::right};
+  }
+}
+
+const char* nameOf(Eye eye) {
+  switch (eye) {
+    case Eye::left:
+      return "left";
+    case Eye::right:
+      return "right";
+    case Eye::mono:
+      return "mono";
+  }
+  return "mono";
+}
+
+StereoPacker::StereoPacker() : program_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
+  glGenVertexArrays(1, &vertexArray_);
+  glUseProgram(program_);
+  glUniform1i(glGetUniformLocation(program_, "leftPicture"), 0);
+  glUniform1i(glGetUniformLocation(program_, "rightPicture"), 1);
+}
+
+StereoPacker::~StereoPacker() {
+  glDeleteVertexArrays(1, &vertexArray_);
+  glDeleteProgram(program_);
+}
+
+void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) const {
+  if (pane.stereo == StereoMode::quadBuffer && pane.right) {
+    Pane oneEye = pane;
+    oneEye.right = nullptr;
+    glDrawBuffer(GL_BACK_LEFT);
+    fill(oneEye, windowSize_px, 0);
+    oneEye.left = pane.right;
+    glDrawBuffer(GL_BACK_RIGHT);
+    fill(oneEye, windowSize_px, 0);
+    glDrawBuffer(GL_BACK);
+    return;
+  }
+  fill(pane, windowSize_px, packingOf(pane.stereo));
+}
+
+void StereoPacker::fill(const Pane& pane, const glm::ivec2& windowSize_px, int mode) const {
+  const WallPicture& right = pane.right ? *pane.right : *pane.left;
+  glDisable(GL_DEPTH_TEST);
+  glViewport(pane.position_px.x, windowSize_px.y - pane.position_px.y - pane.size_px.y, pane.size_px.x,
+             pane.size_px.y);
+  glUseProgram(program_);
+  glUniform1i(glGetUniformLocation(program_, "mode"), mode);
+  glUniform1f(glGetUniformLocation(program_, "windowHeight_px"), static_cast<float>(windowSize_px.y));
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, pane.left->texture());
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, right.texture());
+  glBindVertexArray(vertexArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace carom

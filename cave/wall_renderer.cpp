@@ -1,0 +1,257 @@
+#include "cave/wall_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkCullerCollection.h>
+#include <vtkDataObject.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkOpenGLBufferObject.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLState.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+#include <vtkShaderProperty.h>
+#include <vtkTextureObject.h>
+#include <vtk_glew.h>
+#include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "cave/body_shaders.h"
+#include "cave/off_axis.h"
+
+namespace carom {
+namespace {
+
+using GpuLeg = kernel_float::LegView;
+static_assert(sizeof(GpuLeg) == 14 * 4 * sizeof(float), "shaders/leg_at.glsl reads fourteen texels a leg");
+
+constexpr float kAlways_m = -1e30F;     // stands for a body that always existed
+constexpr float kDecalNearer = 0.002F;  // share of the distance by which a decal is drawn nearer
+
+/// Where the legs of one body lie in the buffer.
+struct LegRange {
+  int first = 0;
+  int count = 0;
+  float appears_m = kAlways_m;
+};
+
+/// What the shaders of all parts need, for one eye and one wall.
+struct EyeUniforms {
+  glm::mat4 clipFromHead{1.0F};
+  glm::mat4 boardFromHead{1.0F};
+  glm::vec3 eyeOnBoard_m{0.0F};
+  int observedWhole_s = 0;
+  float observedPart_s = 0.0F;
+  int legTexels = 0;  ///< texture unit
+  std::vector<LegRange> ranges;
+  std::array<glm::vec3, 3> lamps_m{};
+  float lightSpeed_m_s = 0.0F;
+};
+
+/// Sets one part's uniforms and the OpenGL state it needs when VTK is about to draw it.
+class PartUniforms : public vtkCommand {
+ public:
+  static PartUniforms* New() { return new PartUniforms; }
+
+  void Execute(vtkObject*, unsigned long, void* programPointer) override {
+    vtkShaderProgram& program = *static_cast<vtkShaderProgram*>(programPointer);
+    const LegRange& legs = eye->ranges[part->body];
+    const bool decal = part->paint == Paint::shadow;
+    state->SetEnumState(GL_BLEND, decal);
+    state->SetEnumState(GL_CLIP_DISTANCE0, legs.appears_m > kAlways_m);
+    program.SetUniformi("legTexels", eye->legTexels);
+    program.SetUniformi("firstLeg", legs.first);
+    program.SetUniformi("legCount", legs.count);
+    program.SetUniformf("appears_m", legs.appears_m);
+    set(program, "clipFromHead", eye->clipFromHead);
+    set(program, "boardFromHead", eye->boardFromHead);
+    program.SetUniform3f("eyeOnBoard_m", glm::value_ptr(eye->eyeOnBoard_m));
+    program.SetUniform3fv("lamps_m", 3, reinterpret_cast<const float(*)[3]>(eye->lamps_m.data()));
+    program.SetUniform3f("colour", glm::value_ptr(part->colour));
+    program.SetUniformf("gloss", part->gloss);
+    program.SetUniformf("nearer", decal ? kDecalNearer : 0.0F);
+    if (part->paint != Paint::clock) return;
+    program.SetUniformi("observedWhole_s", eye->observedWhole_s);
+    program.SetUniformf("observedPart_s", eye->observedPart_s);
+    program.SetUniformf("lightSpeed_m_s", eye->lightSpeed_m_s);
+  }
+
+  const ScenePart* part = nullptr;
+  const EyeUniforms* eye = nullptr;
+  vtkOpenGLState* state = nullptr;
+
+ private:
+  /// VTK wants the elements in the order that OpenGL does.
+  static void set(vtkShaderProgram& program, const char* name, const glm::mat4& matrix) {
+    program.SetUniformMatrix4x4(name, const_cast<float*>(glm::value_ptr(matrix)));
+  }
+};
+
+}  // namespace
+
+struct WallRenderer::Drawing {
+  Graphics* graphics = nullptr;
+  Scene scene;
+  EyeUniforms eye;
+  std::vector<GpuLeg> legs;
+  glm::ivec2 buffer_px{0};
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkOpenGLBufferObject> legBuffer;
+  vtkNew<vtkTextureObject> legTexture;
+
+  void prepareWindow(int samples);
+  void addPart(const ScenePart& part);
+  void takeLegs(std::span<const BodyView> bodies);
+  void upload();
+  void drawScene(const WallPicture& picture);
+};
+
+void WallRenderer::Drawing::prepareWindow(int samples) {
+  window->SetOwnContext(0);
+  window->SetReadyForRendering(true);
+  window->SetIsCurrent(true);
+  window->SetIsDirect(1);
+  window->SetSupportsOpenGL(1);
+  window->SetMapped(1);
+  window->SetOffScreenRendering(1);
+  window->SetFrameBlitModeToNoBlit();
+  window->SetMultiSamples(samples > 1 ? samples : 0);
+  window->SetSwapBuffers(0);
+  window->AddRenderer(renderer);
+  window->OpenGLInit();
+
+  renderer->SetBackground(0.0, 0.0, 0.0);
+  renderer->GetCullers()->RemoveAllItems();  // they cull where Euclid would see things
+  renderer->AutomaticLightCreationOff();
+  vtkNew<vtkCamera> camera;  // unused by the shaders; without one VTK would measure the scene
+  renderer->SetActiveCamera(camera);
+}
+
+void WallRenderer::Drawing::addPart(const ScenePart& part) {
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  mapper->SetInputData(part.mesh);
+  mapper->StaticOn();
+  mapper->ScalarVisibilityOff();
+  mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  mapper->MapDataArrayToVertexAttribute("surfaceMC", "surface", vtkDataObject::FIELD_ASSOCIATION_POINTS);
+
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  const bool oneLeg = part.body == kRestingBody;  // whose world line has one leg
+  actor->GetShaderProperty()->SetVertexShaderCode(bodyVertexShader(oneLeg, part.paint).c_str());
+  actor->GetShaderProperty()->SetFragmentShaderCode(surfaceFragmentShader(part.paint).c_str());
+  actor->ForceOpaqueOn();
+
+  const auto uniforms = vtkSmartPointer<PartUniforms>::New();
+  uniforms->part = &part;
+  uniforms->eye = &eye;
+  uniforms->state = window->GetState();
+  mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
+  renderer->AddActor(actor);
+}
+
+void WallRenderer::Drawing::takeLegs(std::span<const BodyView> bodies) {
+  legs.clear();
+  eye.ranges.clear();
+  for (const BodyView& body : bodies) {
+    eye.ranges.push_back({static_cast<int>(legs.size()), static_cast<int>(body.legs.size()),
+                          std::max(static_cast<float>(body.appears_m), kAlways_m)});
+    for (const LegView& leg : body.legs) legs.push_back(toFloat(leg));
+  }
+}
+
+void WallRenderer::Drawing::upload() {
+  legBuffer->Upload(reinterpret_cast<const float*>(legs.data()), legs.size() * sizeof(GpuLeg) / sizeof(float),
+                    vtkOpenGLBufferObject::TextureBuffer);
+  if (legTexture->GetHandle() == 0) {
+    legTexture->SetContext(window);
+    legTexture->CreateTextureBuffer(static_cast<unsigned>(14 * legs.size()), 4, VTK_FLOAT, legBuffer);
+  }
+}
+
+void WallRenderer::Drawing::drawScene(const WallPicture& picture) {
+  const glm::ivec2 size = picture.size_px();
+  // VTK's buffers grow to the largest picture and stay: made anew for every size they would cost more than
+  // the drawing.
+  buffer_px = glm::max(buffer_px, size);
+  window->SetSize(buffer_px.x, buffer_px.y);
+  renderer->SetViewport(0.0, 0.0, static_cast<double>(size.x) / buffer_px.x,
+                        static_cast<double>(size.y) / buffer_px.y);
+  legTexture->Activate();
+  eye.legTexels = legTexture->GetTextureUnit();
+  window->Render();
+  legTexture->Deactivate();
+
+  vtkOpenGLState::ScopedglEnableDisable scissor(window->GetState(), GL_SCISSOR_TEST);
+  window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+  window->GetState()->PushFramebufferBindings();
+  window->GetRenderFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+  window->GetRenderFramebuffer()->ActivateReadBuffer(0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer());
+  glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  window->GetState()->PopFramebufferBindings();
+}
+
+WallRenderer::WallRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, int samples)
+    : drawing_(std::make_unique<Drawing>()) {
+  graphics.makeCurrent();
+  drawing_->graphics = &graphics;
+  drawing_->scene = scene;
+  drawing_->eye.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
+  for (std::size_t i = 0; i < 3; ++i) drawing_->eye.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
+  drawing_->prepareWindow(samples);
+  for (const ScenePart& part : drawing_->scene.parts) drawing_->addPart(part);
+}
+
+WallRenderer::~WallRenderer() {
+  drawing_->graphics->makeCurrent();
+  drawing_->legTexture->ReleaseGraphicsResources(drawing_->window);
+  drawing_->legBuffer->ReleaseGraphicsResources();
+  drawing_->window->Finalize();
+}
+
+void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies) {
+  if (bodies.size() != drawing_->scene.bodyCount) {
+    throw std::invalid_argument(fmt::format("the scene has {} bodies, views of {} were given",
+                                            drawing_->scene.bodyCount, bodies.size()));
+  }
+  if (bodies[kRestingBody].legs.size() != 1) {
+    throw std::invalid_argument("what rests on the board has turned");
+  }
+  drawing_->graphics->makeCurrent();
+  drawing_->takeLegs(bodies);
+  drawing_->upload();
+  drawing_->eye.boardFromHead = glm::mat4(headFromBoard.inverse().matrix());
+  drawing_->eye.eyeOnBoard_m = glm::vec3(eye.observation.r_m);
+  const double whole_s = std::floor(eye.observation.t_s);
+  drawing_->eye.observedWhole_s = static_cast<int>(whole_s);
+  drawing_->eye.observedPart_s = static_cast<float>(eye.observation.t_s - whole_s);
+}
+
+bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPicture& picture) {
+  drawing_->graphics->makeCurrent();
+  const std::optional<glm::dmat4> projection = clipFromEye(wall, eyeInRoom_m);
+  if (!projection) {
+    picture.clear();
+    return false;
+  }
+  drawing_->eye.clipFromHead = glm::mat4(*projection);
+  drawing_->drawScene(picture);
+  return true;
+}
+
+}  // namespace carom

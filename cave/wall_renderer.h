@@ -1,0 +1,43 @@
+#pragma once
+// Draws the scene as one eye sees it on one wall, into a texture. The emission solve runs in the vertex
+// shader (engine/emission_kernel.glsl), over legs that were prepared in double for that eye.
+//
+//   renderer.look(observer.headFromBoard, eye, bodyViews);          // once an eye
+//   renderer.draw(wall, eye.positionInRoom_m, picture);             // for each wall of that eye
+
+#include <memory>
+#include <span>
+
+#include "cave/picture.h"
+#include "cave/scene.h"
+#include "cave/wall.h"
+#include "cave/window.h"
+#include "engine/light_cone.h"
+#include "engine/lorentz.h"
+#include "engine/observer.h"
+
+namespace carom {
+
+class WallRenderer {
+ public:
+  /// `samples`: of multisample antialiasing (1: none). Keeps `graphics`; makes its context current in every
+  /// call.
+  WallRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, int samples = 4);
+  ~WallRenderer();
+  WallRenderer(const WallRenderer&) = delete;
+  WallRenderer& operator=(const WallRenderer&) = delete;
+
+  /// Takes over what one eye receives: `bodies[i]` is body i of the scene, seen by `eye` in the frame
+  /// `headFromBoard`. Throws std::invalid_argument if there are not as many bodies as the scene has.
+  void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies);
+
+  /// Draws what the eye last given to `look` sees on `wall` from `eyeInRoom_m` (the tracked eye, as it will
+  /// be when the photons leave the wall). False, with a black picture, if the eye is on or behind the wall.
+  bool draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPicture& picture);
+
+ private:
+  struct Drawing;  // VTK's
+  std::unique_ptr<Drawing> drawing_;
+};
+
+}  // namespace carom

@@ -1,0 +1,180 @@
+#include "cave/window.h"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <vtk_glew.h>
+
+namespace carom {
+namespace {
+
+std::string lastGlfwError() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description ? description : "no reason given";
+}
+
+[[noreturn]] void failWithoutDisplay(const std::string& reason) {
+  const char* display = std::getenv("DISPLAY");
+  const std::string where = display && *display
+                                ? fmt::format("no X display: cannot open \"{}\" ({})", display, reason)
+                                : std::string("no X display: the environment variable DISPLAY is not set");
+  throw std::runtime_error(where +
+                           "; start one, e.g. with: xvfb-run -a -s \"-screen 0 1920x1200x24\" COMMAND");
+}
+
+void askForContext() {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+}
+
+WindowInput& inputOf(GLFWwindow* window) {
+  return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+}
+
+void onKey(GLFWwindow* window, int key, int /*scancode*/, int action, int /*modifiers*/) {
+  if (action != GLFW_REPEAT) inputOf(window).keys.push_back({key, action == GLFW_PRESS});
+}
+
+void onClose(GLFWwindow* window) { inputOf(window).closeRequested = true; }
+
+GLFWmonitor* monitorOf(const WindowPlacement& placement) {
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  if (placement.monitor < 0 || placement.monitor >= count) {
+    throw std::runtime_error(
+        fmt::format("there is no monitor {}: this display has {}, counted from 0", placement.monitor, count));
+  }
+  return monitors[placement.monitor];
+}
+
+}  // namespace
+
+Graphics::Graphics(const std::string& display) {
+  if (!display.empty()) setenv("DISPLAY", display.c_str(), 1);
+  if (!glfwInit()) failWithoutDisplay(lastGlfwError());
+  askForContext();
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  context_ = glfwCreateWindow(16, 16, "drawing", nullptr, nullptr);
+  if (!context_) {
+    const std::string reason = lastGlfwError();
+    glfwTerminate();
+    throw std::runtime_error("this X display offers no OpenGL 3.2: " + reason);
+  }
+  makeCurrent();
+  glewExperimental = GL_TRUE;
+  if (const GLenum status = glewInit(); status != GLEW_OK) {
+    glfwTerminate();
+    throw std::runtime_error(fmt::format("the OpenGL functions cannot be loaded: {}",
+                                         reinterpret_cast<const char*>(glewGetErrorString(status))));
+  }
+  input_.keys.reserve(64);
+}
+
+Graphics::~Graphics() {
+  makeCurrent();
+  if (drawn_) glDeleteSync(static_cast<GLsync>(drawn_));
+  glfwTerminate();
+}
+
+void Graphics::makeCurrent() const {
+  if (glfwGetCurrentContext() != context_) glfwMakeContextCurrent(context_);
+}
+
+void Graphics::finishDrawing() {
+  makeCurrent();
+  if (drawn_) glDeleteSync(static_cast<GLsync>(drawn_));
+  drawn_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  glFlush();
+}
+
+const WindowInput& Graphics::poll() {
+  input_.keys.clear();
+  glfwPollEvents();
+  return input_;
+}
+
+std::string Graphics::rendererName() const {
+  makeCurrent();
+  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+
+Window::Window(Graphics& graphics, const std::string& title, const WindowPlacement& placement,
+               bool quadBuffer)
+    : graphics_(graphics) {
+  GLFWmonitor* monitor = monitorOf(placement);
+  askForContext();
+  glfwWindowHint(GLFW_STEREO, quadBuffer ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_DECORATED, GLFW_TRUE);
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a wall must not vanish when another takes the focus
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  glm::ivec2 size_px = placement.size_px;
+  if (placement.fullscreen) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    size_px = {mode->width, mode->height};
+    glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
+  }
+  window_ = glfwCreateWindow(size_px.x, size_px.y, title.c_str(), placement.fullscreen ? monitor : nullptr,
+                             graphics.context_);
+  if (!window_) {
+    const std::string reason = lastGlfwError();
+    throw std::runtime_error(
+        quadBuffer
+            ? fmt::format("window \"{}\": this display offers no quad-buffer stereo ({}); choose another "
+                          "stereo mode, e.g. \"side-by-side\"",
+                          title, reason)
+            : fmt::format("window \"{}\" cannot be opened: {}", title, reason));
+  }
+  if (!placement.fullscreen) {
+    glm::ivec2 origin_px{0};
+    glfwGetMonitorPos(monitor, &origin_px.x, &origin_px.y);
+    glfwSetWindowPos(window_, origin_px.x + placement.position_px.x, origin_px.y + placement.position_px.y);
+  }
+  glfwSetWindowUserPointer(window_, &graphics.input_);
+  glfwSetKeyCallback(window_, onKey);
+  glfwSetWindowCloseCallback(window_, onClose);
+  glfwShowWindow(window_);
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(0);
+  packer_ = std::make_unique<StereoPacker>();
+}
+
+Window::~Window() {
+  glfwMakeContextCurrent(window_);
+  packer_.reset();
+  glfwDestroyWindow(window_);
+  graphics_.makeCurrent();
+}
+
+void Window::show(std::span<const Pane> panes) {
+  glfwMakeContextCurrent(window_);
+  if (graphics_.drawn_) glWaitSync(static_cast<GLsync>(graphics_.drawn_), 0, GL_TIMEOUT_IGNORED);
+  const glm::ivec2 size = size_px();
+  glViewport(0, 0, size.x, size.y);
+  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  for (const Pane& pane : panes) packer_->draw(pane, size);
+}
+
+void Window::swap() { glfwSwapBuffers(window_); }
+
+void Window::setVsync(bool on) {
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(on ? 1 : 0);
+}
+
+glm::ivec2 Window::size_px() const {
+  glm::ivec2 size{0};
+  glfwGetFramebufferSize(window_, &size.x, &size.y);
+  return size;
+}
+
+bool Window::isDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+
+}  // namespace carom

@@ -1,0 +1,90 @@
+#pragma once
+// OpenGL contexts and visible windows, by GLFW. One hidden window owns the context in which every wall is
+// drawn into textures; visible windows share those textures and only pack them.
+//
+// Use from the main thread only.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "cave/stereo.h"
+#include "cave/wall.h"
+
+struct GLFWwindow;
+
+namespace carom {
+
+/// A key pressed or released in any visible window; `key` is GLFW's (GLFW_KEY_W and so on).
+struct KeyInput {
+  int key = 0;
+  bool pressed = false;
+};
+
+/// What happened in the windows since the last poll.
+struct WindowInput {
+  std::vector<KeyInput> keys;  ///< in order
+  bool closeRequested = false;
+};
+
+/// GLFW and the hidden window with the drawing context. One per process.
+class Graphics {
+ public:
+  /// Throws std::runtime_error, in words for the person at the machine, if there is no X display or no
+  /// OpenGL 3.2 on it. `display` (e.g. ":0.1") is used instead of $DISPLAY where given.
+  explicit Graphics(const std::string& display = {});
+  ~Graphics();
+  Graphics(const Graphics&) = delete;
+  Graphics& operator=(const Graphics&) = delete;
+
+  /// Makes the drawing context current.
+  void makeCurrent() const;
+
+  /// Hands the drawing done so far to the windows: they wait (on the GPU) for it. Call after all walls
+  /// are drawn, before Window::show.
+  void finishDrawing();
+
+  /// Processes what the windows received; call once a drawn frame. The span of keys is valid until the next.
+  const WindowInput& poll();
+
+  GLFWwindow* context() const { return context_; }
+  std::string rendererName() const;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)"
+
+ private:
+  friend class Window;
+  GLFWwindow* context_ = nullptr;
+  void* drawn_ = nullptr;  // GLsync: the last frame's drawing
+  WindowInput input_;
+};
+
+/// A visible window.
+class Window {
+ public:
+  /// Throws std::runtime_error if the monitor does not exist or quad-buffer stereo is asked for but not
+  /// offered by the display.
+  Window(Graphics& graphics, const std::string& title, const WindowPlacement& placement,
+         bool quadBuffer = false);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Draws the panes (not yet visible: see swap). Leaves this window's context current.
+  void show(std::span<const Pane> panes);
+
+  /// Makes what was shown visible; waits for the display's refresh if `setVsync(true)`.
+  void swap();
+  void setVsync(bool on);
+
+  glm::ivec2 size_px() const;  ///< of its framebuffer
+  bool isDown(int key) const;
+
+ private:
+  Graphics& graphics_;
+  GLFWwindow* window_ = nullptr;
+  std::unique_ptr<StereoPacker> packer_;
+};
+
+}  // namespace carom

@@ -1,0 +1,73 @@
+#pragma once
+// The celerity of a tracked point from its noisy positions: an interacting-multiple-model Kalman filter
+// (Blom and Bar-Shalom 1988). Each model holds another idea of how vigorously a head moves at present, from
+// standing still to hurrying; every sample tells how likely each is, and the estimate is their mean.
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "devices/tracker_noise.h"
+
+namespace carom {
+
+/// Causal, for uneven sampling, the same in every orientation of the axes (noise and motion are taken as
+/// isotropic, and the axes are judged together). No allocation; the same bits in every run.
+class CelerityFilter {
+ public:
+  explicit CelerityFilter(double trackerSigma_m) : noise_(trackerSigma_m) {}
+
+  /// Begins anew at a position, with nothing known of its motion.
+  void start(double time_s, const glm::dvec3& position_m);
+
+  /// The next position, at a later time than the last.
+  void update(double time_s, const glm::dvec3& position_m);
+
+  /// All at the time of the last position.
+  const glm::dvec3& position_m() const { return mean_.position_m; }
+  const glm::dvec3& celerity_m_s() const { return mean_.celerity_m_s; }
+  glm::dmat3 celerityCovariance_m2_s2() const;
+
+  /// How late the celerity is while it grows evenly, at the gains of this moment: the error of celerity
+  /// for each m/s² of constant acceleration. It is that of the moving models; a still head has none.
+  double lag_s() const;
+
+  /// Where the point will be, `ahead_s` after the last position.
+  glm::dvec3 predictedPosition_m(double ahead_s) const;
+
+  /// Variance (one component) by which the celerity may have changed, `ahead_s` after the last position.
+  double celerityChange_m2_s2(double ahead_s) const;
+
+  double trackerSigma_m() const { return noise_.sigma_m(); }
+
+  static constexpr int kModels = 5;
+
+ private:
+  /// Position, celerity and acceleration of the point.
+  struct State {
+    glm::dvec3 position_m{0.0};
+    glm::dvec3 celerity_m_s{0.0};
+    glm::dvec3 acceleration_m_s2{0.0};
+  };
+
+  /// What one model believes. Gains depend on times alone, so one covariance of (position, celerity,
+  /// acceleration) serves all three axes.
+  struct Belief {
+    double probability = 0.0;
+    State state;
+    glm::dmat3 covariance{0.0};
+    glm::dvec3 rampError{0.0};  // true − estimated state, had the point accelerated at 1 m/s² all the time
+  };
+
+  using Beliefs = std::array<Belief, kModels>;
+  static Beliefs mixed(const Beliefs& beliefs, double interval_s);
+  double correct(Belief& belief, const glm::dvec3& position_m) const;
+  void average();
+
+  double time_s_ = 0.0;
+  Beliefs beliefs_;
+  State mean_;
+  TrackerNoise noise_;
+};
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+#pragma once
+// What is wrong with a file that came from outside, and where: thrown by every reader of files.
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace carom {
+
+/// A fault in an input file. `what()` is "FILE:LINE:COLUMN: MESSAGE"; programs print it behind "error: ".
+/// Lines and columns count from 1, columns in bytes; a fault of the file as a whole (missing, unreadable)
+/// is at 1:1. The message says what is wrong and what was expected.
+class InputError : public std::runtime_error {
+ public:
+  InputError(std::string file, int line, int column, std::string message)
+      : std::runtime_error(file + ':' + std::to_string(line) + ':' + std::to_string(column) + ": " + message),
+        file_(std::move(file)),
+        line_(line),
+        column_(column),
+        message_(std::move(message)) {}
+
+  const std::string& file() const { return file_; }
+  int line() const { return line_; }
+  int column() const { return column_; }
+  const std::string& message() const { return message_; }
+
+ private:
+  std::string file_;
+  int line_;
+  int column_;
+  std::string message_;
+};
+
+}  // namespace carom

@@ -1,0 +1,31 @@
+#pragma once
+// A tracker that plays a recording.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "devices/tracker.h"
+
+namespace carom {
+
+/// Delivers a trace's samples at their own spacing, the first of them at session time 0. At its end the
+/// person stands where the recording left them: the last pose goes on at the trace's median spacing.
+class RecordedTracker : public Tracker {
+ public:
+  /// `samples`: not empty, times strictly increasing (as readTrace gives them). `name`: for people.
+  RecordedTracker(std::vector<TrackerSample> samples, std::string name);
+
+  void poll(double now_s, std::vector<TrackerSample>& samples) override;
+  std::string description() const override;
+
+ private:
+  TrackerSample at(std::size_t index) const;
+
+  std::vector<TrackerSample> samples_;  // times from 0
+  std::string name_;
+  double spacing_s_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,202 @@
+#include "engine/anticipation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace carom {
+
+namespace {
+
+std::vector<CushionPlane> cushionsOf(const std::optional<Board>& board) {
+  if (!board) return {};
+  const double x = 0.5 * board->length_m, y = 0.5 * board->width_m;
+  return {{0, 1.0, x}, {0, -1.0, x}, {1, 1.0, y}, {1, -1.0, y}};  // in the order of `Cushion`
+}
+
+std::vector<std::size_t> byName(const std::vector<Puck>& pucks) {
+  std::vector<std::size_t> order(pucks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return pucks[a].name < pucks[b].name; });
+  return order;
+}
+
+}  // namespace
+
+Anticipation::Anticipation(const BilliardSetup& setup)
+    : c_m_s_(setup.lightSpeed_m_s),
+      convention_(setup.rules.collisionEvent == CollisionEvent::centre
+                      ? TurnConvention::newsAtCentre
+                      : TurnConvention::simultaneousWithContact),
+      puckRestitution_(setup.rules.puckRestitution),
+      cushionRestitution_(setup.rules.cushionRestitution),
+      brake_(setup.rules.friction_m_s2 / (c_m_s_ * c_m_s_)),
+      cushions_(cushionsOf(setup.board)),
+      next_(setup.pucks.size()),
+      suitors_(setup.pucks.size()),
+      queue_(static_cast<int>(setup.pucks.size())) {
+  double lowX = kNever, lowY = kNever, highX = -kNever, highY = -kNever;
+  for (const std::size_t file : byName(setup.pucks)) {
+    const Puck& puck = setup.pucks[file];
+    const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta));
+    Player player;
+    player.leg = {{0.0, puck.position_m.x, puck.position_m.y},
+                  fourVelocity(gamma * puck.beta.x, gamma * puck.beta.y),
+                  0.0,
+                  brake_};
+    player.mass = puck.mass_kg;
+    player.height = 0.5 * puck.height_m;
+    player.file = file;
+    discs_.push_back({player.leg.start, player.leg.u, puck.radius_m, kNever});
+    players_.push_back(player);
+    largestRadius_ = std::max(largestRadius_, puck.radius_m);
+    gammaBound_ = std::max(gammaBound_, 1.25 * player.leg.u.t);
+    hindsight_ = std::max(hindsight_, 4.0 * player.leg.u.t * puck.radius_m);
+    lowX = std::min(lowX, puck.position_m.x), highX = std::max(highX, puck.position_m.x);
+    lowY = std::min(lowY, puck.position_m.y), highY = std::max(highY, puck.position_m.y);
+  }
+  if (setup.board) {
+    boxLowX_ = -0.5 * setup.board->length_m, boxWidth_ = setup.board->length_m;
+    boxLowY_ = -0.5 * setup.board->width_m, boxHeight_ = setup.board->width_m;
+  } else if (!players_.empty()) {
+    boxLowX_ = lowX, boxWidth_ = highX - lowX, boxLowY_ = lowY, boxHeight_ = highY - lowY;
+  }
+  for (const Stroke& stroke : setup.strokes) enlist(stroke);
+  predictAll();
+}
+
+void Anticipation::addStroke(const Stroke& stroke) { predict(enlist(stroke)); }
+
+int Anticipation::enlist(const Stroke& stroke) {
+  const auto player =
+      std::find_if(players_.begin(), players_.end(), [&](const Player& p) { return p.file == stroke.puck; });
+  PuckStroke own;
+  own.hand.t = stroke.at_s * c_m_s_;
+  own.fromHand = stroke.from_m.has_value();
+  if (stroke.from_m) {
+    own.hand.x = stroke.from_m->x, own.hand.y = stroke.from_m->y;
+    own.height = stroke.from_m->z - player->height;
+  }
+  own.px = stroke.momentum_kg_m_s.x / c_m_s_, own.py = stroke.momentum_kg_m_s.y / c_m_s_;
+  player->strokes.push_back(static_cast<int>(strokes_.size()));
+  strokes_.push_back(own);
+  return static_cast<int>(player - players_.begin());
+}
+
+bool Anticipation::playUntil(double limit, std::size_t collisions, Chronicle& chronicle) {
+  if (players_.empty()) return true;
+  while (queue_.firstDue() <= limit || someoneWaitsBelow(limit)) {
+    if (chronicle.collisionCount() >= collisions) return false;
+    step(chronicle);
+  }
+  return true;
+}
+
+// A puck put off behind a later one may still have something to do before `limit`.
+bool Anticipation::someoneWaitsBelow(double limit) {
+  std::erase_if(raised_, [&](int i) { return queue_.due(i) <= next_[i].due(); });
+  return std::any_of(raised_.begin(), raised_.end(),
+                     [&](int i) { return next_[i].ownTime <= limit || next_[i].otherTime <= limit; });
+}
+
+void Anticipation::step(Chronicle& chronicle) {
+  const int i = queue_.first();
+  clock_ = std::max(clock_, queue_.firstDue());
+  Player& player = players_[i];
+  const Appointment appointment = next_[i];
+  if (player.crossing < appointment.ownTime) return crossCell(i);
+  switch (appointment.kind) {
+    case Kind::none:
+      return;
+    case Kind::turn:
+      beginDecided(i);
+      break;
+    case Kind::stroke:
+      strike(i, appointment.with, chronicle);
+      break;
+    case Kind::cushion:
+      bounce(i, appointment, chronicle);
+      break;
+    case Kind::pair:
+      return meet(i, chronicle);
+  }
+  if (cellsTooSmall_) return predictAll();
+  predict(i);
+  predictSuitors(i);
+}
+
+// A contact happens when it is the next thing in both pucks' own time.
+void Anticipation::meet(int i, Chronicle& chronicle) {
+  const Appointment a = next_[i];
+  const int j = a.with;
+  const Appointment& theirs = next_[j];
+  const bool mutual = theirs.kind == Kind::pair && theirs.with == i;
+  if (!mutual && theirs.ownTime < a.otherTime && !waitsForItself(i)) {
+    queue_.setDue(i, std::nextafter(std::max(queue_.due(i), queue_.due(j)), kNever));
+    raised_.push_back(i);
+    return;
+  }
+  const bool inOrder = i < j;
+  Appointment ordered = a;
+  if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
+  collide(inOrder ? i : j, inOrder ? j : i, ordered, chronicle);
+  if (cellsTooSmall_) return predictAll();
+  predict(i);
+  predict(j);
+  predictSuitors(i);
+  predictSuitors(j);
+}
+
+// Do the pucks that this one waits for wait, in the end, for it? Then no order is right, and the first due
+// goes.
+bool Anticipation::waitsForItself(int i) const {
+  int at = next_[i].with;
+  for (std::size_t steps = 0; steps <= players_.size(); ++steps) {
+    const Appointment& a = next_[at];
+    if (a.kind != Kind::pair) return false;
+    if (a.with == i) return true;
+    const Appointment& theirs = next_[a.with];
+    if (theirs.kind == Kind::pair && theirs.with == at) return false;
+    at = a.with;
+  }
+  return true;
+}
+
+void Anticipation::crossCell(int i) {
+  Player& player = players_[i];
+  const int axis = player.crossingAxis, way = player.crossingStep;
+  const int into = cells_.beside(cells_.cellOf(i), axis, way);
+  cells_.move(i, into);
+  scheduleCrossing(i);
+  Appointment best = next_[i];
+  cells_.forEachAhead(into, axis, way, [&](int other) { considerPair(i, other, best); });
+  considerCushions(i, best);
+  if (best.ownTime == next_[i].ownTime && best.with == next_[i].with) return schedule(i);
+  makeAppointment(i, best);
+}
+
+Ledger Anticipation::ledger() const {
+  Vec21 motion;
+  for (std::size_t i = 0; i < players_.size(); ++i) {
+    motion = motion + lastLeg(static_cast<int>(i)).u * players_[i].mass;
+  }
+  const auto account = [&](const Vec21& p) {
+    return Ledger::Account{p.t * c_m_s_ * c_m_s_, {p.x * c_m_s_, p.y * c_m_s_}};
+  };
+  return {account(motion),           account(accounts_.radiated), account(accounts_.taken),
+          account(accounts_.braked), account(accounts_.given),    accounts_.heat * c_m_s_ * c_m_s_};
+}
+
+void Anticipation::restore(Chronicle& chronicle) const {
+  for (const Player& player : players_) {
+    chronicle.keepLegs(player.file, player.begun);
+    for (const Decided& decided : player.decided) {
+      chronicle.addLeg(player.file, decided.leg, decided.news);
+      chronicle.changeTurn(decided.collision, player.file,
+                           {decided.leg.start, decided.uBefore, decided.leg.properTime}, decided.leg.u);
+    }
+  }
+}
+
+}  // namespace carom

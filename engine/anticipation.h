@@ -1,0 +1,180 @@
+#pragma once
+// The anticipation of `Billiard` (billiard.h, which says what happens in which order): each puck holds its
+// next appointment, a queue says whose is due first, and only what an event changed is predicted anew.
+// Inside, c = 1 (times in metres of light) and the pucks are numbered in the order of their names.
+
+#include <limits>
+#include <vector>
+
+#include "engine/billiard.h"
+#include "engine/cell_grid.h"
+#include "engine/chronicle.h"
+#include "engine/cushion_contact.h"
+#include "engine/due_queue.h"
+#include "engine/kick.h"
+#include "engine/puck_contact.h"
+#include "engine/puck_leg.h"
+
+namespace carom {
+
+/// A game that can be copied: a copy is a point in the game to which one can return.
+class Anticipation {
+ public:
+  explicit Anticipation(const BilliardSetup& setup);
+
+  /// Commits everything that is due at or before board time `limit`, and what that must wait for; or stops,
+  /// returning false, when the chronicle holds that many collisions.
+  bool playUntil(double limit, std::size_t collisions, Chronicle& chronicle);
+  /// How much later than its contact and than its first turn a collision can come due.
+  double hindsight() const { return hindsight_; }
+  /// The latest board time anything committed so far was due at.
+  double clock() const { return clock_; }
+
+  void addStroke(const Stroke& stroke);
+  /// Takes back what was written since this copy of the game was made.
+  void restore(Chronicle& chronicle) const;
+
+  Ledger ledger() const;
+  std::span<const JamNote> jams() const { return jams_; }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  enum class Kind : unsigned char { none, turn, stroke, cushion, pair };  // in the order of equal times
+  // What a puck meets next.
+  struct Appointment {
+    Kind kind = Kind::none;
+    bool withoutDelay = false;
+    int with = -1;               // the other puck, the cushion or the stroke
+    unsigned otherLeg = 0;       // the number of the leg on which the other puck was found
+    double ownTime = kNever;     // board time of this puck's centre
+    double otherTime = -kNever;  // and of the other's
+    double touchAt = 0.0;  // with friction: board time at which the straight flights touch the world lines
+    double due() const { return ownTime > otherTime ? ownTime : otherTime; }
+  };
+  // A leg that is certain, but that the centre has not begun.
+  struct Decided {
+    Leg leg;
+    Vec21 news;
+    Vec21 uBefore;
+    std::size_t collision = 0;
+    int cushion = -1;
+    double heat = 0.0;              // of this puck
+    Vec21 radiated, taken, braked;  // four-momenta booked with it
+  };
+  struct Met {
+    int puck;
+    unsigned leg;
+  };
+  struct Player {
+    Leg leg;  // that it follows
+    double mass = 0.0;
+    double height = 0.0;       // of the centre
+    std::size_t file = 0;      // place in the setup
+    std::size_t begun = 1;     // legs begun
+    double now = 0.0;          // board time up to which its events are done
+    double crossing = kNever;  // when its centre leaves its cell, and which way
+    int crossingAxis = 0, crossingStep = 0;
+    unsigned legNumber = 0;
+    int lastPartner = -1;      // with whom it collided last, if nothing else happened since
+    unsigned metCushions = 0;  // whose contact with this leg is dealt with, one bit each
+    int kicksInRun = 0;
+    double runBegan = -kNever, lastKick = -kNever;
+    bool jammed = false;
+    std::vector<Decided> decided;
+    std::vector<Met> met;      // pucks, on the named leg of theirs, whose contact with this leg is dealt with
+    std::vector<int> strokes;  // still to come
+  };
+  struct PuckStroke {
+    Vec21 hand;
+    double height = 0.0;  // of the hand above the centre
+    bool fromHand = false;
+    double px = 0.0, py = 0.0;  // momentum over c
+  };
+  struct Accounts {
+    Vec21 radiated, taken, braked, given;
+    double heat = 0.0;
+  };
+
+  // anticipation.cpp: what happens next
+  int enlist(const Stroke& stroke);
+  void step(Chronicle& chronicle);
+  bool someoneWaitsBelow(double limit);
+  void meet(int i, Chronicle& chronicle);
+  bool waitsForItself(int i) const;
+  void crossCell(int i);
+
+  // anticipation_predict.cpp: what will happen
+  void predict(int i);
+  void predictAll();
+  void layOutCells();
+  void considerCushions(int i, Appointment& best) const;
+  void considerCushion(int i, int cushion, Appointment& best) const;
+  void considerStrokes(int i, Appointment& best) const;
+  void considerPair(int i, int other, Appointment& best);
+  static bool isEarlier(double ownTime, int with, const Appointment& than);
+  std::optional<Meeting> meetingOf(int first, int second, double& touchAt) const;
+  void scheduleCrossing(int i);
+  void schedule(int i);
+  void predictSuitors(int of);
+  void makeAppointment(int i, const Appointment& a);
+  // Has the other puck decided something since that voids it?
+  bool isVoid(const Appointment& a) const {
+    return a.kind == Kind::pair &&
+           (players_[a.with].legNumber != a.otherLeg || a.otherTime >= discs_[a.with].turnsAt ||
+            a.otherTime < players_[a.with].now);
+  }
+
+  // anticipation_commit.cpp: what happened
+  struct Place {
+    Moment turn;
+    bool tooLate = false;  // a later turn is decided already
+  };
+  void collide(int first, int second, const Appointment& a, Chronicle& chronicle);
+  void bounce(int i, const Appointment& a, Chronicle& chronicle);
+  void strike(int i, int stroke, Chronicle& chronicle);
+  Moment turnOnFollowedLeg(int i, int which, const PairContact& contact, bool simultaneous) const;
+  Place placeTurn(int i, const Vec21& news, const Moment* onFollowedLeg, Chronicle& chronicle);
+  void bounceAt(int i, int cushion, const CushionContact& contact, Chronicle& chronicle);
+  void decide(int i, const Decided& decided, const Moment& turn, Chronicle& chronicle);
+  void beginLeg(int i, const Leg& leg);
+  void beginDecided(int i);
+  double restitution(int i, double usual, double turnTime);
+  const Leg& lastLeg(int i) const {
+    return players_[i].decided.empty() ? players_[i].leg : players_[i].decided.back().leg;
+  }
+  void noteKick(int i, const Vec21& turn);
+
+  // Fixed by the setup.
+  double c_m_s_;
+  TurnConvention convention_;
+  double puckRestitution_, cushionRestitution_;
+  double brake_;  // friction over c²
+  std::vector<CushionPlane> cushions_;
+  double largestRadius_ = 0.0;
+  double boxLowX_ = 0.0, boxLowY_ = 0.0, boxWidth_ = 0.0, boxHeight_ = 0.0;
+  std::vector<PuckStroke> strokes_;
+
+  // The state of the game, by puck.
+  std::vector<Disc> discs_;  // of the legs being followed; what the search for partners reads
+  std::vector<Player> players_;
+  std::vector<Appointment> next_;
+  struct Suitor {
+    int first = -1;              // of those whose next appointment is with this puck
+    int next = -1, before = -1;  // beside this puck in the list of the one that it will meet
+  };
+  std::vector<Suitor> suitors_;
+  DueQueue queue_;
+  CellGrid cells_;
+  std::vector<int> scratch_;
+  std::vector<int> raised_;  // pucks that were put off until others have had their events
+  double gammaBound_ = 1.0;  // that the cells are made for
+  double pairReach_ = 0.0;   // from how far apart two pucks must know of each other
+  bool cellsTooSmall_ = false;
+  double hindsight_ = 0.0;
+  double clock_ = 0.0;
+  Accounts accounts_;
+  std::vector<JamNote> jams_;
+};
+
+}  // namespace carom

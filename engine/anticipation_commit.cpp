@@ -1,0 +1,268 @@
+// What comes of an appointment: turns, kicks, and what is then certain.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/anticipation.h"
+#include "engine/braked_contact.h"
+
+namespace carom {
+
+namespace {
+
+// Two turns closer than this, in metres of light, are one: what is left of a cancellation when a corner's two
+// kicks arrive together.
+double sameTurn_m(double radius) { return 1e-9 * radius; }
+
+constexpr int kKicksOfAJam = 64;
+constexpr double kJamPerRadius = 1e-6;  // of the time in which light crosses the radius
+
+}  // namespace
+
+void Anticipation::collide(int first, int second, const Appointment& a, Chronicle& chronicle) {
+  const std::array<int, 2> who{first, second};
+  const bool braked = brake_ != 0.0;
+  const auto flight = [&](int i) {
+    return braked ? flightAt({players_[i].leg, discs_[i].radius}, a.touchAt) : discs_[i];
+  };
+  const PairContact contact = contactOf(flight(first), flight(second), a.withoutDelay);
+  players_[first].met.push_back({second, players_[second].legNumber});
+  players_[second].met.push_back({first, players_[first].legNumber});
+
+  const std::array<double, 2> mass{players_[first].mass, players_[second].mass};
+  if (!kickPair(contact.U, contact.n, {lastLeg(first).u, lastLeg(second).u}, mass, 1.0))
+    return;  // they recede
+
+  const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;
+  std::array<Moment, 2> turn;
+  for (int k = 0; k < 2; ++k) {
+    const Moment onFollowedLeg = turnOnFollowedLeg(who[k], k, contact, simultaneous);
+    const Place place =
+        placeTurn(who[k], simultaneous ? onFollowedLeg.x : contact.event, &onFollowedLeg, chronicle);
+    if (place.tooLate) return;
+    turn[k] = place.turn;
+  }
+  const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
+                            restitution(second, puckRestitution_, turn[1].x.t));
+  const std::optional<PairKick> kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u}, mass, e);
+  if (!kick) return;
+
+  const double heat = kick->heat[0] + kick->heat[1];
+  const std::size_t collision = chronicle.addCollision(std::nullopt, contact.event, heat * c_m_s_ * c_m_s_);
+  accounts_.heat += heat;
+  for (int k = 0; k < 2; ++k) {
+    const int i = who[k];
+    chronicle.addTurn(collision, players_[i].file, turn[k], kick->u[k]);
+    Decided decided;
+    decided.leg = {turn[k].x, kick->u[k], turn[k].properTime, brake_};
+    decided.news = a.withoutDelay ? turn[k].x : contact.event;
+    decided.collision = collision;
+    decided.heat = kick->heat[k];
+    decided.radiated = kick->u[k] * kick->heat[k];
+    players_[i].now = k == 0 ? a.ownTime : a.otherTime;
+    decide(i, decided, turn[k], chronicle);
+    noteKick(i, turn[k].x);
+    players_[i].lastPartner = who[1 - k];
+  }
+}
+
+void Anticipation::bounce(int i, const Appointment& a, Chronicle& chronicle) {
+  Player& player = players_[i];
+  player.metCushions |= 1u << a.with;
+  const CushionPlane& plane = cushions_[a.with];
+  const std::optional<CushionContact> contact = findContact(player.leg, discs_[i].radius, plane, convention_);
+  if (!contact) return;
+  CushionContact placed = *contact;
+  if (!player.decided.empty()) {
+    if (contact->withoutDelay) return;
+    const Place place = placeTurn(i, contact->event, &contact->turn, chronicle);
+    if (place.tooLate) return;
+    placed.turn = place.turn;
+  }
+  player.now = a.ownTime;
+  bounceAt(i, a.with, placed, chronicle);
+}
+
+// Commits the kick of a cushion at contact.turn, on the last leg decided.
+void Anticipation::bounceAt(int i, int cushion, const CushionContact& contact, Chronicle& chronicle) {
+  Player& player = players_[i];
+  const double e = restitution(i, cushionRestitution_, contact.turn.x.t);
+  const std::optional<CushionKick> kick = kickOffCushion(cushions_[cushion], contact.turn.u, player.mass, e);
+  if (!kick) return;
+  accounts_.heat += kick->heat;
+  Decided decided;
+  decided.collision =
+      chronicle.addCollision(static_cast<Cushion>(cushion), contact.event, kick->heat * c_m_s_ * c_m_s_);
+  chronicle.addTurn(decided.collision, player.file, contact.turn, kick->u);
+  decided.leg = {contact.turn.x, kick->u, contact.turn.properTime, brake_};
+  decided.news = contact.withoutDelay ? contact.turn.x : contact.event;
+  decided.cushion = cushion;
+  decided.heat = kick->heat;
+  decided.radiated = kick->u * kick->heat;
+  decided.taken = contact.turn.u * player.mass - kick->u * (player.mass + kick->heat);
+  decide(i, decided, contact.turn, chronicle);
+  noteKick(i, contact.turn.x);
+  player.lastPartner = -1;
+}
+
+Moment Anticipation::turnOnFollowedLeg(int i, int which, const PairContact& contact,
+                                       bool simultaneous) const {
+  const Leg& leg = players_[i].leg;
+  if (brake_ == 0.0) {
+    return momentAfter(leg, std::max(0.0, simultaneous ? contact.simultaneous[which] : contact.news[which]));
+  }
+  const Moment turn =
+      simultaneous ? simultaneousWith(leg, contact.event, contact.U) : newsArrives(leg, contact.event);
+  return turn.x.t < leg.start.t ? momentAt(leg, leg.start.t) : turn;
+}
+
+// Where the future cone of the news meets the centre's world line as it stands. On the leg being followed the
+// caller knows; on a leg that is only decided, cushions that it reaches before are bounced off first.
+Anticipation::Place Anticipation::placeTurn(int i, const Vec21& news, const Moment* onFollowedLeg,
+                                            Chronicle& chronicle) {
+  const Player& player = players_[i];
+  const double same = sameTurn_m(discs_[i].radius);
+  if (player.decided.empty()) return {*onFollowedLeg, false};
+  if (onFollowedLeg && onFollowedLeg->x.t < player.decided.front().leg.start.t - same * player.leg.u.t) {
+    return {*onFollowedLeg, true};
+  }
+  while (true) {
+    const Leg leg = lastLeg(i);
+    Moment turn = newsArrives(leg, news);
+    if (turn.x.t < leg.start.t) {
+      if (turn.x.t < leg.start.t - same * leg.u.t) return {turn, true};
+      turn = {leg.start, leg.u, leg.properTime};
+    }
+    int cushionBefore = -1;
+    CushionContact before;
+    before.turn = turn;
+    for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
+      const auto contact = findContact(leg, discs_[i].radius, cushions_[cushion], convention_);
+      if (contact && contact->turn.x.t < before.turn.x.t - same * leg.u.t)
+        cushionBefore = cushion, before = *contact;
+    }
+    if (cushionBefore < 0) return {turn, false};
+    bounceAt(i, cushionBefore, before, chronicle);
+  }
+}
+
+void Anticipation::decide(int i, const Decided& given, const Moment& turn, Chronicle& chronicle) {
+  Player& player = players_[i];
+  Decided decided = given;
+  decided.uBefore = turn.u;
+  decided.braked = (lastLeg(i).u - turn.u) * player.mass;
+  accounts_.radiated = accounts_.radiated + decided.radiated;
+  accounts_.taken = accounts_.taken + decided.taken;
+  accounts_.braked = accounts_.braked + decided.braked;
+  chronicle.addLeg(player.file, decided.leg, decided.news);
+  hindsight_ = std::max(hindsight_, 4.0 * decided.leg.u.t * discs_[i].radius);
+  if (convention_ == TurnConvention::newsAtCentre && decided.leg.u.t > gammaBound_) cellsTooSmall_ = true;
+
+  const bool now = player.decided.empty() &&
+                   (turn.x.t <= player.now || convention_ == TurnConvention::simultaneousWithContact);
+  if (now) {
+    beginLeg(i, decided.leg);
+  } else {
+    player.decided.push_back(decided);
+    discs_[i].turnsAt = player.decided.front().leg.start.t;
+  }
+}
+
+void Anticipation::beginLeg(int i, const Leg& leg) {
+  Player& player = players_[i];
+  player.leg = leg;
+  player.now = leg.start.t;
+  ++player.legNumber;
+  ++player.begun;
+  player.met.clear();
+  player.metCushions = 0;
+  discs_[i].start = leg.start;
+  discs_[i].u = leg.u;
+  discs_[i].turnsAt = player.decided.empty() ? kNever : player.decided.front().leg.start.t;
+}
+
+void Anticipation::beginDecided(int i) {
+  Player& player = players_[i];
+  const Leg leg = player.decided.front().leg;
+  player.decided.erase(player.decided.begin());
+  beginLeg(i, leg);
+}
+
+// The stroke changes the leg being followed. Kicks decided but still on their way keep their impulse (a
+// cushion: its law) and act where their news meets the new motion.
+void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
+  Player& player = players_[i];
+  const PuckStroke& s = strokes_[stroke];
+  const auto sum = [&] {
+    return accounts_.radiated + accounts_.taken + accounts_.braked + lastLeg(i).u * player.mass;
+  };
+  const Vec21 before = sum();
+  std::erase(player.strokes, stroke);
+  const std::vector<Decided> onTheirWay = std::move(player.decided);
+  player.decided.clear();
+  for (const Decided& old : onTheirWay) {
+    accounts_.radiated = accounts_.radiated - old.radiated;
+    accounts_.taken = accounts_.taken - old.taken;
+    accounts_.braked = accounts_.braked - old.braked;
+  }
+  chronicle.keepLegs(player.file, player.begun);
+
+  const Moment struck =
+      s.fromHand ? newsArrives(player.leg, s.hand, s.height) : momentAt(player.leg, s.hand.t);
+  const Vec21 u = fourVelocity(struck.u.x + s.px / player.mass, struck.u.y + s.py / player.mass);
+  Decided decided;
+  decided.leg = {struck.x, u, struck.properTime, brake_};
+  decided.news = struck.x;
+  player.now = struck.x.t;
+  decide(i, decided, struck, chronicle);
+  player.lastPartner = -1;
+
+  for (Decided old : onTheirWay) {
+    const Leg leg = lastLeg(i);
+    const Moment onLeg = newsArrives(leg, old.news);
+    Place place = placeTurn(i, old.news, player.decided.empty() ? &onLeg : nullptr, chronicle);
+    if (place.turn.x.t < leg.start.t) place.turn = {leg.start, leg.u, leg.properTime};
+    const Moment& turn = place.turn;
+    const double oldHeat = old.heat;
+    old.leg.start = turn.x;
+    old.leg.properTime = turn.properTime;
+    if (old.cushion >= 0) {
+      const double e = restitution(i, cushionRestitution_, turn.x.t);
+      const auto kick = kickOffCushion(cushions_[old.cushion], turn.u, player.mass, e);
+      old.heat = kick ? kick->heat : 0.0;
+      old.leg.u = kick ? kick->u : turn.u;
+      old.taken = turn.u * player.mass - old.leg.u * (player.mass + old.heat);
+    } else {
+      old.leg.u =
+          fourVelocity(turn.u.x + old.leg.u.x - old.uBefore.x, turn.u.y + old.leg.u.y - old.uBefore.y);
+    }
+    old.radiated = old.leg.u * old.heat;
+    accounts_.heat += old.heat - oldHeat;
+    chronicle.addHeat(old.collision, (old.heat - oldHeat) * c_m_s_ * c_m_s_);
+    chronicle.changeTurn(old.collision, player.file, turn, old.leg.u);
+    decide(i, old, turn, chronicle);
+  }
+  accounts_.given = accounts_.given + (sum() - before);
+}
+
+double Anticipation::restitution(int i, double usual, double turnTime) {
+  Player& player = players_[i];
+  const double window = kJamPerRadius * discs_[i].radius;
+  if (player.jammed && turnTime - player.lastKick > window) player.jammed = false, player.kicksInRun = 0;
+  return player.jammed ? 0.0 : usual;
+}
+
+void Anticipation::noteKick(int i, const Vec21& turn) {
+  Player& player = players_[i];
+  player.lastKick = turn.t;
+  if (player.jammed) return;
+  if (player.kicksInRun == 0 || turn.t - player.runBegan > kJamPerRadius * discs_[i].radius) {
+    player.runBegan = turn.t;
+    player.kicksInRun = 0;
+  }
+  if (++player.kicksInRun < kKicksOfAJam) return;
+  player.jammed = true;
+  jams_.push_back({player.file, {turn.t / c_m_s_, {turn.x, turn.y, player.height}}});
+}
+
+}  // namespace carom

@@ -1,0 +1,219 @@
+#pragma once
+// The carom billiard: pucks gliding on the board, colliding with each other and with the cushions,
+// found ahead of time and delivered as knots of world lines.
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "engine/event.h"
+#include "engine/world_line.h"
+
+namespace carom {
+
+using Vec2 = glm::dvec2;
+
+struct Board {
+  double length_m = 0.0;  ///< along x, inner edge to inner edge, centred on the origin
+  double width_m = 0.0;   ///< along y
+};
+
+struct Puck {
+  std::string name;
+  double radius_m = 0.0;
+  double height_m = 0.0;
+  double mass_kg = 0.0;
+  Vec2 position_m{0.0};  ///< of the centre at board time 0
+  Vec2 beta{0.0};        ///< v/c at board time 0
+};
+
+/// Where a puck's centre changes its motion.
+enum class CollisionEvent {
+  centre,   ///< when the news of the contact has reached it
+  contact,  ///< simultaneously with the contact, in the frame of equal speeds
+};
+
+struct PhysicsRules {
+  double puckRestitution = 1.0;
+  double cushionRestitution = 1.0;
+  double friction_m_s2 = 0.0;
+  CollisionEvent collisionEvent = CollisionEvent::centre;
+};
+
+/// A cue stroke: kicks a puck's centre. It acts where the light of the stroke meets the centre's world line,
+/// so that nothing anyone has already seen can change. A kick that is still on its way to the centre (a
+/// collision's, whose news has not arrived) keeps its impulse and acts when its news meets the new motion.
+struct Stroke {
+  std::size_t puck = 0;        ///< index into the setup's pucks
+  double at_s = 0.0;           ///< board time at which the hand strikes, or at which the centre is kicked
+  std::optional<Vec3> from_m;  ///< the hand's place; none: the centre itself
+  Vec2 momentum_kg_m_s{0.0};
+};
+
+struct BilliardSetup {
+  double lightSpeed_m_s = 0.0;
+  std::optional<Board> board;  ///< none: an open plane without cushions
+  PhysicsRules rules;
+  std::vector<Puck> pucks;
+  std::vector<Stroke> strokes;
+};
+
+enum class Cushion { plusX, minusX, plusY, minusY };
+
+/// A puck's centre changes its motion.
+struct Turn {
+  std::size_t puck = 0;
+  Event event;
+  Vec2 betaBefore{0.0};
+  Vec2 betaAfter{0.0};
+  double properTime_s = 0.0;  ///< the puck's own clock
+};
+
+/// The turns of one collision: one or two, held in place.
+class Turns {
+ public:
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const Turn* begin() const { return turns_.data(); }
+  const Turn* end() const { return turns_.data() + size_; }
+  Turn* begin() { return turns_.data(); }
+  Turn* end() { return turns_.data() + size_; }
+  const Turn& operator[](std::size_t i) const { return turns_[i]; }
+  Turn& operator[](std::size_t i) { return turns_[i]; }
+  const Turn& front() const { return turns_.front(); }
+  void push_back(const Turn& turn) { turns_.at(size_++) = turn; }
+
+ private:
+  std::array<Turn, 2> turns_;
+  std::size_t size_ = 0;
+};
+
+struct Collision {
+  std::optional<Cushion> cushion;  ///< none: puck with puck
+  Event contact;
+  Turns turns;  ///< one for each puck that took part
+  double heat_j = 0.0;
+};
+
+/// Where energy and momentum went. Always, at any moment of the game and whatever is still pending,
+///   motion + radiated + takenByCushions + lostToFriction − givenByStrokes
+/// is what the motion was at the start. `motion` is that of the legs already decided, at their beginnings.
+struct Ledger {
+  struct Account {
+    double energy_j = 0.0;  ///< with the rest energies
+    Vec2 momentum_kg_m_s{0.0};
+  };
+  Account motion;
+  Account radiated;         ///< heat: each puck's share leaves it in its own rest frame
+  Account takenByCushions;  ///< momentum alone
+  Account lostToFriction;
+  Account givenByStrokes;
+  double heat_j = 0.0;  ///< Σ (m' − m) c²
+};
+
+/// What the guard against endless collisions in a finite time did: see `Billiard`.
+struct JamNote {
+  std::size_t puck = 0;
+  Event event;  ///< the turn at which it stepped in
+};
+
+/// What of the world lines changed since the last time it was asked for.
+struct Changes {
+  struct NewKnot {
+    std::size_t puck = 0;
+    Knot knot;
+  };
+  /// If set: first forget, of every puck, the knots whose turn is at or after this board time
+  /// (`WorldLine::truncateFrom`); the new knots then replace them.
+  std::optional<double> truncatedFrom_s;
+  std::vector<NewKnot> knots;  ///< each puck's in the order of time
+};
+
+class Anticipation;
+class Chronicle;
+
+/// Plays the game ahead: finds every contact before it happens (puck_contact.h, cushion_contact.h), commits
+/// its outcome (kick.h) and delivers the new legs of the world lines.
+///
+/// What happens in which order:
+/// * A puck meets its contacts, cushions included, in the order of its own proper time; where two pucks that
+///   meet have had different numbers of events, the one behind is waited for. Equal times go by name, so the
+///   order of the pucks in the setup changes no bit of any result.
+/// * Until the news of a contact has reached its centre, a puck follows its old leg and its contacts are
+///   found on that leg; their outcomes use the momenta already decided, and pucks that by these recede are
+///   not kicked. Kicks apply in the order of their turns. If a kick's turn would lie before the last one
+///   decided, the whole collision is dropped, not one puck's half of it: so momentum is always conserved. A
+///   cushion that a decided leg reaches before such a turn is committed first: so no centre ever leaves the
+///   table.
+/// * A pair that has collided does not collide again until one of the two has had another event. With
+///   friction, which can bring them together again, until they have separated.
+/// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
+///   without delay: the pair at the later of the two starts in the equal-speed frame, and its news starts at
+///   each centre.
+/// * Inelastic or jammed pucks can collide without end in a finite time. A puck whose last 64 kicks fell
+///   within a millionth of the time that light needs to cross its radius is taken to be jammed: its kicks are
+///   perfectly plastic until it has been left in peace for as long. `jams` tells where.
+///
+/// With friction, the contact of two pucks is at the first board time t at which Dpar = dmin for the flights
+/// that touch the two world lines at t, and kicks act on the momenta the pucks have at their turns.
+class Billiard {
+ public:
+  /// Refuses what cannot be played with std::invalid_argument that names the puck and the values: a light
+  /// speed, radius, height, mass, board or restitution out of range, not a number, |β| >= 1, equal names,
+  /// friction × radius >= c²/2, pucks that overlap at t = 0 on the board, a puck in a cushion, a stroke on no
+  /// puck or that arrives before t = 0.
+  explicit Billiard(const BilliardSetup& setup);
+  ~Billiard();
+  Billiard(Billiard&&) noexcept;
+  Billiard& operator=(Billiard&&) noexcept;
+
+  /// Commits every collision whose contact or first turn is at or before board time `t_s`, and perhaps some
+  /// that are a little later. What is committed does not depend on the steps in which one advances.
+  void advanceTo(double t_s);
+
+  /// Adds a stroke. What was computed at or after its arrival is discarded and computed anew, up to the same
+  /// board time; everything outside the future of the arrival keeps its bits. Returns the board time of the
+  /// arrival. Throws std::invalid_argument for a stroke on no puck, not finite, or arriving before t = 0 or
+  /// in what `forgetBefore` has forgotten.
+  double strike(const Stroke& stroke);
+
+  /// One world line for each puck, in the order of the setup; complete up to the time advanced to.
+  std::span<const WorldLine> worldLines() const;
+  /// In the order in which they were committed.
+  std::span<const Collision> collisions() const;
+  /// Knots added since the last call, and whether a stroke took some back.
+  Changes takeChanges();
+
+  Ledger ledger() const;
+  std::span<const JamNote> jams() const;
+
+  /// Forgets the legs that ended and the collisions that were over before board time `t_s`. Strokes can no
+  /// longer arrive before it.
+  void forgetBefore(double t_s);
+
+ private:
+  void play();
+  void rewind(double t_s);
+  void keepSnapshot();
+  void noteChanges(const std::vector<std::vector<Knot>>& before);
+  double arrivalOnKnownLegs_s(const Stroke& stroke) const;
+
+  struct Snapshot;
+  BilliardSetup setup_;
+  std::unique_ptr<Chronicle> chronicle_;
+  std::unique_ptr<Anticipation> game_;
+  std::vector<Snapshot> snapshots_;  // in the order of time
+  std::size_t nextSnapshot_ = 64;    // when there are that many collisions
+  double advancedTo_s_ = 0.0;
+  double forgottenBefore_s_ = 0.0;
+  std::vector<std::size_t> reported_;  // of each puck's knots, counted from the start of the game
+  std::optional<double> truncatedFrom_s_;
+};
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+#pragma once
+// Which of the machine's vector instructions a loop over many vertices is compiled for. Each loop is written
+// once, inlined into one function per set, and chosen at run time; without fused multiply-adds all sets give
+// the same bits.
+
+/// Before a function: compiled for AVX2, where there is such a thing.
+#if defined(__x86_64__)
+#define CAROM_AVX2 [[gnu::target("avx2")]]
+#else
+#define CAROM_AVX2
+#endif
+
+namespace carom {
+
+enum class InstructionSet { baseline, avx2 };
+
+/// The widest set that this machine has. (AVX-512 would gain a tenth on meshes in cache and nothing beyond:
+/// square roots, divisions and memory bound these loops, and are no faster there.)
+inline InstructionSet bestInstructionSet() {
+#if defined(__x86_64__)
+  static const bool avx2 = __builtin_cpu_supports("avx2");
+  return avx2 ? InstructionSet::avx2 : InstructionSet::baseline;
+#else
+  return InstructionSet::baseline;
+#endif
+}
+
+}  // namespace carom

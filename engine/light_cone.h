@@ -1,0 +1,48 @@
+#pragma once
+// What an eye sees: for one observation event, the emission events of a body's points on its past cone.
+//
+// The solve is made in the rest frame of each leg (see engine/emission_kernel.glsl for the equations);
+// here a world line becomes the few numbers a leg that the solve needs, in double.
+
+#include <optional>
+#include <vector>
+
+#include "engine/emission_kernel.h"
+#include "engine/event.h"
+#include "engine/lorentz.h"
+#include "engine/world_line.h"
+
+namespace carom {
+
+using LegView = kernel::LegView;
+
+/// The legs of one body on which any of its points may have emitted the light that one eye receives.
+struct BodyView {
+  std::vector<LegView> legs;  ///< never empty
+  std::size_t firstLeg = 0;   ///< index in the world line of the first of them
+  double appears_m = 0.0;     ///< c (appears − t_o): a point whose light left before this is unseen
+};
+
+/// The same numbers as the GPU takes them.
+kernel_float::LegView toFloat(const LegView& leg);
+
+/// Fills `view` (its memory is reused) for an eye at the board event `observation` whose head frame is
+/// `headFromBoard`; the seen places are in that frame, from the eye.
+void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view);
+
+/// Where and when the light that the eye receives was emitted.
+struct Emission {
+  Event event;           ///< board frame
+  Displacement seen;     ///< emission − observation, in the head frame
+  Vec3 u{0.0};           ///< γβ of the point at emission, board frame
+  double doppler = 1.0;  ///< ν_seen/ν_emitted
+  double properTime_s =
+      0.0;  ///< along the point's own world line, from `appears_s` where given, else from board time 0
+};
+
+/// The emission event of one body-fixed point, `offset_m` from the centre in the body's rest frame; none
+/// if the body did not exist yet on the eye's past cone.
+std::optional<Emission> emission(const WorldLine& line, const Vec3& offset_m, const Event& observation,
+                                 const Lorentz& headFromBoard);
+
+}  // namespace carom

@@ -1,0 +1,39 @@
+#include "engine/observer.h"
+
+#include <cmath>
+
+namespace carom {
+
+Observer::Observer(const Lorentz& boardFromRoom, const Event& roomOrigin, const Head& head)
+    : boardFromRoom_(boardFromRoom),
+      headEvent_(roomOrigin + boardFromRoom * Displacement{0.0, head.roomFromHead.position_m}),
+      head_(head) {}
+
+void Observer::step(double dtau_s, const Head& head) {
+  const double c_m_s = boardFromRoom_.lightSpeed_m_s();
+  Vec3 step_m = head.roomFromHead.position_m - head_.roomFromHead.position_m;
+  if (!(glm::length(step_m) <= kGlitchCelerity_m_s * dtau_s)) step_m = Vec3(0.0);
+  // dT = sqrt(dτ² + |dx|²/c²)
+  const double roomTime_s = std::hypot(dtau_s, glm::length(step_m) / c_m_s);
+  headEvent_ = headEvent_ + boardFromRoom_ * Displacement{roomTime_s, step_m};
+  properTime_s_ += dtau_s;
+  head_ = head;
+}
+
+void Observer::thrust(const Vec3& deltaUInRoom) {
+  boardFromRoom_ =
+      (boardFromRoom_ * Lorentz::boost(deltaUInRoom, boardFromRoom_.lightSpeed_m_s())).orthonormalised();
+}
+
+ObserverView Observer::view(double eyeSeparation_m) const {
+  const double c_m_s = boardFromRoom_.lightSpeed_m_s();
+  const Lorentz boardFromHead = boardFromRoom_ * Lorentz::boost(head_.celerity_m_s / c_m_s, c_m_s);
+  const Vec3 right_m = head_.roomFromHead.orientation * Vec3(0.5 * eyeSeparation_m, 0.0, 0.0);
+  const auto eye = [&](const Vec3& offset_m) {
+    return EyeView{headEvent_ + boardFromHead * Displacement{0.0, offset_m},
+                   head_.roomFromHead.position_m + offset_m};
+  };
+  return {boardFromHead.inverse(), {eye(-right_m), eye(right_m), eye(Vec3(0.0))}, properTime_s_};
+}
+
+}  // namespace carom

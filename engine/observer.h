@@ -1,0 +1,67 @@
+#pragma once
+// The person: a world line of their own, walked by a tracked head inside a room that may itself be moving.
+//
+// The person's clock is their proper time τ. A tracked step dx made in dτ is a celerity, which has no
+// upper limit: room time advances by dT = sqrt(dτ² + |dx|²/c²), so the world line is timelike whatever
+// the person does.
+
+#include <array>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "engine/event.h"
+#include "engine/lorentz.h"
+#include "engine/pose.h"
+
+namespace carom {
+
+/// The tracked head at one drawn frame. Room frame.
+struct Head {
+  Pose roomFromHead;       ///< of the midpoint between the eyes; head axes x right
+  Vec3 celerity_m_s{0.0};  ///< filtered dx/dτ of that midpoint
+};
+
+/// One eye: the board event at which it receives light, and where it is in the room (for the walls).
+struct EyeView {
+  Event observation;
+  Vec3 positionInRoom_m{0.0};
+};
+
+/// The left eye, the right eye and the point between them.
+struct ObserverView {
+  Lorentz headFromBoard;        ///< axes of the head frame are parallel to the room's
+  std::array<EyeView, 3> eyes;  ///< left, right, middle
+  double properTime_s = 0.0;    ///< the person's own clock
+};
+
+/// A tracked step faster than this celerity is a glitch of the tracker, not travel.
+inline constexpr double kGlitchCelerity_m_s = 12.0;
+
+class Observer {
+ public:
+  /// The head's first place is `head`; `boardFromRoom` is the room's attitude and motion, and `roomOrigin`
+  /// the board event of the room's origin at the moment (in the room's frame) of the start.
+  Observer(const Lorentz& boardFromRoom, const Event& roomOrigin, const Head& head);
+
+  /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s moves the
+  /// person's place in the room, as re-anchoring, but not along the world line.
+  void step(double dtau_s, const Head& head);
+
+  /// Changes the room's motion by a boost of Δu = γβ in the room's own frame, at the head's present event.
+  void thrust(const Vec3& deltaUInRoom);
+
+  /// The eyes, `eyeSeparation_m` apart, simultaneous for the head.
+  ObserverView view(double eyeSeparation_m) const;
+
+  const Event& headEvent() const { return headEvent_; }  ///< on the board
+  const Lorentz& boardFromRoom() const { return boardFromRoom_; }
+  double properTime_s() const { return properTime_s_; }
+
+ private:
+  Lorentz boardFromRoom_;
+  Event headEvent_;
+  Head head_;
+  double properTime_s_ = 0.0;
+};
+
+}  // namespace carom

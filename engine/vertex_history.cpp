@@ -1,0 +1,188 @@
+#include "engine/vertex_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/emission_kernel.h"
+#include "engine/root.h"
+
+namespace carom {
+namespace {
+
+// L(v) d = d + (1/γ − 1)(d·v̂)v̂ = d − (d·u) u/(γ(γ+1))
+Vec3 contracted(const Vec3& d, const Vec3& u) {
+  const double gamma = gammaFromU(u);
+  return d - u * (glm::dot(d, u) / (gamma * (gamma + 1.0)));
+}
+
+/// Where a piece crosses the future light cone of `news`, in board time.
+Event crossing(const VertexPiece& piece, const Event& news, double c_m_s) {
+  if (piece.glide) {
+    const double t_s = rootOfIncreasing(
+        [&](double t) { return c_m_s * (t - news.t_s) - glm::length(placeAt(piece, t, c_m_s) - news.r_m); },
+        news.t_s);
+    return {t_s, placeAt(piece, t_s, c_m_s)};
+  }
+  const Displacement from = piece.start - news;
+  const kernel::Piece line{{c_m_s * from.dt_s, from.dr_m}, betaFromU(piece.u)};
+  const glm::dvec4 at = kernel::crossingOf(line, glm::dvec4(0.0));
+  return news + Displacement{at.x / c_m_s, {at.y, at.z, at.w}};
+}
+
+/// Where a piece crosses the past light cone of the eye: c (T − s) = |X − v s|.
+Event retardedEvent(const VertexPiece& piece, const Event& observation, double c_m_s) {
+  if (piece.glide) {
+    const double t_s = rootOfIncreasing(
+        [&](double t) {
+          return glm::length(observation.r_m - placeAt(piece, t, c_m_s)) - c_m_s * (observation.t_s - t);
+        },
+        observation.t_s);
+    return {t_s, placeAt(piece, t_s, c_m_s)};
+  }
+  const Displacement eye = observation - piece.start;
+  const Vec3 beta = betaFromU(piece.u);
+  const double gamma = gammaFromU(piece.u);
+  const double T = c_m_s * eye.dt_s;
+  const double distance = glm::length(eye.dr_m);
+  const double b = T - glm::dot(beta, eye.dr_m);
+  const double product = (T - distance) * (T + distance);
+  const double root = std::sqrt(std::max(b * b - product / (gamma * gamma), 0.0));
+  const double s = b > 0.0 ? product / (b + root) : (b - root) * gamma * gamma;
+  return piece.start + Displacement{s / c_m_s, beta * s};
+}
+
+/// The piece on which the point follows the leg of `knot`; its clock is set by who appends it.
+VertexPiece pieceOnLeg(const Knot& knot, const Vec3& offset_m, const Event& start) {
+  VertexPiece piece{start, knot.u, 0.0, std::nullopt};
+  if (knot.deceleration_m_s2 > 0.0) piece.glide = {knot, offset_m};
+  return piece;
+}
+
+/// Where a point that leaves `left` at catchUpSpeed, in the rest frame of the knot's turn, meets its place on
+/// the leg that begins there.
+Event joining(const Knot& knot, const Vec3& offset_m, const Event& left, double c_m_s) {
+  const Lorentz boardFromBody = Lorentz::boost(knot.u, c_m_s);
+  const Lorentz bodyFromBoard = boardFromBody.inverse();
+  if (knot.deceleration_m_s2 > 0.0) {
+    const VertexPiece leg = pieceOnLeg(knot, offset_m, left);
+    const double t_s = rootOfIncreasing(
+        [&](double t) {
+          const Displacement way = bodyFromBoard * (Event{t, placeAt(leg, t, c_m_s)} - left);
+          return kernel::catchUpSpeed() * c_m_s * way.dt_s - glm::length(way.dr_m);
+        },
+        left.t_s);
+    return {t_s, placeAt(leg, t_s, c_m_s)};
+  }
+  const Displacement leftInBody = bodyFromBoard * (left - knot.turn);
+  const double gap_m = glm::length(offset_m - leftInBody.dr_m);
+  return knot.turn +
+         boardFromBody * Displacement{leftInBody.dt_s + gap_m / (kernel::catchUpSpeed() * c_m_s), offset_m};
+}
+
+/// γβ of the straight way from one event to a later one; of something at rest in the knot's frame if they are
+/// one.
+Vec3 uBetween(const Event& from, const Event& to, const Knot& knot, double c_m_s) {
+  const Displacement way = to - from;
+  const double properTime_m2 = interval_m2(way, c_m_s);
+  return properTime_m2 > 0.0 ? way.dr_m / std::sqrt(properTime_m2) : knot.u;
+}
+
+/// Cuts the history where the news of `knot` arrives and leads it to the leg that begins there.
+void turn(std::vector<VertexPiece>& history, const Knot& knot, const Vec3& offset_m, double c_m_s) {
+  Event left = crossing(history.back(), knot.news, c_m_s);
+  while (history.size() > 1 && left.t_s < history.back().start.t_s) {
+    history.pop_back();
+    left = crossing(history.back(), knot.news, c_m_s);
+  }
+  const Event joined = joining(knot, offset_m, left, c_m_s);
+  const VertexPiece catchingUp{left, uBetween(left, joined, knot, c_m_s),
+                               properTimeAt(history.back(), left.t_s, c_m_s), std::nullopt};
+  VertexPiece onLeg = pieceOnLeg(knot, offset_m, joined);
+  onLeg.properTime_s = properTimeAt(catchingUp, joined.t_s, c_m_s);
+  history.push_back(catchingUp);
+  history.push_back(onLeg);
+}
+
+/// ∫ f from a to b by Simpson's rule, halved until it no longer changes.
+template <typename Function>
+double integral(const Function& f, double a, double b) {
+  double previous = NAN;
+  for (int intervals = 8; intervals <= 1 << 16; intervals *= 2) {
+    const double h = (b - a) / intervals;
+    double sum = f(a) + f(b);
+    for (int i = 1; i < intervals; ++i) sum += (i % 2 == 0 ? 2.0 : 4.0) * f(a + i * h);
+    const double value = sum * h / 3.0;
+    if (std::abs(value - previous) <= 1e-13 * std::abs(value)) return value;
+    previous = value;
+  }
+  return previous;
+}
+
+}  // namespace
+
+Vec3 placeAt(const VertexPiece& piece, double t_s, double c_m_s) {
+  if (!piece.glide) return piece.start.r_m + betaFromU(piece.u) * (c_m_s * (t_s - piece.start.t_s));
+  const Motion centre = motionOnLeg(piece.glide->knot, t_s, c_m_s);
+  return centre.event.r_m + contracted(piece.glide->offset_m, centre.u);
+}
+
+// On a glide with d∥ along the motion: β = (u/γ)(1 + a d∥/(c²γ²)), from d(1/γ)/dt = a u/(c γ³).
+Vec3 uAt(const VertexPiece& piece, double t_s, double c_m_s) {
+  if (!piece.glide) return piece.u;
+  const Knot& knot = piece.glide->knot;
+  const Vec3 u = motionOnLeg(knot, t_s, c_m_s).u;
+  const double size = glm::length(u);
+  if (size == 0.0 || t_s <= knot.turn.t_s) return u;
+  const double gamma = gammaFromU(u);
+  const double along_m = glm::dot(piece.glide->offset_m, u) / size;
+  return uFromBeta(u / gamma * (1.0 + knot.deceleration_m_s2 * along_m / (c_m_s * c_m_s * gamma * gamma)));
+}
+
+double properTimeAt(const VertexPiece& piece, double t_s, double c_m_s) {
+  if (!piece.glide) return piece.properTime_s + (t_s - piece.start.t_s) / gammaFromU(piece.u);
+  const Knot& knot = piece.glide->knot;
+  const auto rate = [&](double t) { return 1.0 / gammaFromU(uAt(piece, t, c_m_s)); };
+  // The rate has kinks where the leg begins and where the body comes to rest.
+  const double rest_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
+  double sum_s = piece.properTime_s;
+  double from_s = piece.start.t_s;
+  for (const double kink_s : {std::min(knot.turn.t_s, t_s), std::min(rest_s, t_s), t_s}) {
+    if (kink_s <= from_s && kink_s != t_s) continue;
+    // Just inside the interval: at the turn itself the rate is the earlier leg's.
+    sum_s +=
+        integral([&](double t) { return rate(std::max(t, std::nextafter(from_s, kink_s))); }, from_s, kink_s);
+    from_s = kink_s;
+  }
+  return sum_s;
+}
+
+std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset_m) {
+  const double c_m_s = line.lightSpeed_m_s();
+  const Knot& first = line.knots().front();
+  const Event start{first.turn.t_s, first.turn.r_m + contracted(offset_m, first.u)};
+  std::vector<VertexPiece> history{pieceOnLeg(first, offset_m, start)};
+  for (const Knot& knot : line.knots().subspan(1)) turn(history, knot, offset_m, c_m_s);
+
+  const double zero_s = std::isfinite(line.appears_s()) ? line.appears_s() : 0.0;
+  const double atZero_s = properTimeAt(pieceAt(history, zero_s), zero_s, c_m_s);
+  for (VertexPiece& piece : history) piece.properTime_s -= atZero_s;
+  return history;
+}
+
+const VertexPiece& pieceAt(const std::vector<VertexPiece>& history, double t_s) {
+  const auto after = std::upper_bound(history.begin() + 1, history.end(), t_s,
+                                      [](double t, const VertexPiece& piece) { return t < piece.start.t_s; });
+  return *(after - 1);
+}
+
+Event eventOnPastCone(const std::vector<VertexPiece>& history, const Event& observation, double c_m_s) {
+  // The latest piece that begins inside the past cone.
+  const auto inside = [&](const VertexPiece& piece) {
+    const Displacement d = observation - piece.start;
+    return d.dt_s >= 0.0 && c_m_s * d.dt_s >= glm::length(d.dr_m);
+  };
+  const auto firstOutside = std::partition_point(history.begin() + 1, history.end(), inside);
+  return retardedEvent(*(firstOutside - 1), observation, c_m_s);
+}
+
+}  // namespace carom

@@ -1,0 +1,48 @@
+#pragma once
+// Runs carom as a person does, from the shell.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/temporary_folder.h"
+
+namespace carom::test {
+
+struct ProgramResult {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+/// `arguments` reach the program as they are.
+inline ProgramResult runCarom(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
+  std::string command = CAROM_PROGRAM;
+  for (const std::string& argument : arguments) command += " '" + argument + "'";
+  const auto out = folder / "stdout.txt", err = folder / "stderr.txt";
+  const int ended = std::system((command + " >'" + out.string() + "' 2>'" + err.string() + "'").c_str());
+  ProgramResult result{WIFEXITED(ended) ? WEXITSTATUS(ended) : -1, contentOf(out), contentOf(err)};
+  std::filesystem::remove(out);
+  std::filesystem::remove(err);
+  return result;
+}
+
+/// A number as files take it: bit for bit.
+inline std::string exact(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+/// The cases kept beside a working checkout; null, with the test skipped by the caller, where they are not.
+inline nlohmann::json sharedCases(const std::string& name) {
+  std::ifstream file(std::string(CAROM_SHARED_DIR) + "/cases/" + name);
+  return file ? nlohmann::json::parse(file) : nlohmann::json();
+}
+
+}  // namespace carom::test

@@ -1,0 +1,201 @@
+#include "app/rig.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <regex>
+
+#include "app/temporary_folder.h"
+#include "app/toml_file.h"
+
+namespace carom {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr double kRounding_m = 1e-12;
+
+const std::string kGood =
+    "unit = 'mm'\n"
+    "axes = 'x-right y-up z-back'\n"
+    "[head]\n"
+    "tracker = 'cap'\n"
+    "eye_separation = 62\n"
+    "[[tracker]]\n"
+    "name = 'cap'\n"
+    "kind = 'simulated'\n"
+    "[[wall]]\n"
+    "name = 'front'\n"
+    "lower_left = [-1500, 0, -1500]\n"
+    "lower_right = [1500, 0, -1500]\n"
+    "upper_left = [-1500, 2000, -1500]\n"
+    "pixels = [1920, 1280]\n";
+
+Rig read(const std::string& text) {
+  const TemporaryFolder folder;
+  return readRig(folder.file("given.toml", text));
+}
+
+/// kGood with one piece of it changed.
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+void expectNear(const glm::dvec3& a, const glm::dvec3& b) {
+  EXPECT_NEAR(glm::distance(a, b), 0.0, kRounding_m) << a.x << ' ' << a.y << ' ' << a.z;
+}
+
+TEST(Rig, ReadsLengthsInEveryUnit) {
+  const std::vector<std::pair<std::string, double>> units{
+      {"m", 1.0}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}};
+  for (const auto& [unit, metres] : units) {
+    const Rig rig =
+        read("unit = '" + unit +
+             "'\naxes = 'x-right y-up z-back'\n[head]\ntracker = 'a'\neyes_from_sensor = { translation = [0, "
+             "1, 0] }\n"
+             "[[tracker]]\nname = 'a'\nkind = 'simulated'\nroom_from_tracker = { translation = [1, 0, 0] }\n"
+             "[[wall]]\nname = 'w'\nlower_left = [0, 0, 0]\nlower_right = [4, 0, 0]\nupper_left = [0, 3, 0]\n"
+             "pixels = [4, 3]\n");
+    expectNear(rig.walls.at(0).lowerRight_m, {4 * metres, 0, 0});
+    expectNear(rig.walls.at(0).upperLeft_m, {0, 3 * metres, 0});
+    expectNear(rig.head.eyesFromSensor.position_m, {0, metres, 0});
+    expectNear(rig.trackers.at(0).roomFromTracker.position_m, {metres, 0, 0});
+    EXPECT_NEAR(rig.head.eyeSeparation_m, 0.064, kRounding_m) << "the default is in metres whatever the unit";
+  }
+}
+
+TEST(Rig, KeepsItsAxesAndNamesTheirDirections) {
+  for (const char* axes : {"x-right y-up z-back", "x-right y-forward z-up"}) {
+    const RoomAxes room = read(changed("x-right y-up z-back", axes)).axes;
+    expectNear(glm::cross(room.right, room.forward), room.up);
+  }
+  expectNear(read(kGood).axes.up, {0, 1, 0});
+  expectNear(read(changed("x-right y-up z-back", "x-right y-forward z-up")).axes.forward, {0, 1, 0});
+}
+
+TEST(Rig, TurnsAboutXThenYThenZ) {
+  const Pose pose = read(changed("eye_separation = 62", "eyes_from_sensor = { rotation_deg = [90, 0, 90] }"))
+                        .head.eyesFromSensor;
+  expectNear(pose * glm::dvec3(0, 1, 0), {0, 0, 1});  // x takes y to z, which z leaves
+  expectNear(pose * glm::dvec3(0, 0, 1), {1, 0, 0});  // x takes z to −y, z takes that to x
+}
+
+TEST(Rig, LeavesOutWhatIsOptional) {
+  const Rig rig = read(kGood);
+  EXPECT_EQ(rig.display_hz, 60.0);
+  EXPECT_NEAR(rig.head.eyeSeparation_m, 0.062, kRounding_m);
+  EXPECT_FALSE(rig.hand);
+  EXPECT_FALSE(rig.oneWindow);
+  EXPECT_TRUE(rig.nodes.empty());
+  EXPECT_EQ(rig.walls.at(0).stereo, StereoMode::mono);
+  EXPECT_EQ(rig.walls[0].window.size_px, glm::ivec2(1920, 1280));
+  EXPECT_EQ(rig.displayLatency_s, 0.0);
+}
+
+TEST(Rig, EveryShippedFileIsRight) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/rigs")) {
+    SCOPED_TRACE(entry.path());
+    EXPECT_NO_THROW(readRig(entry.path()));
+    ++count;
+  }
+  EXPECT_GE(count, 3);
+}
+
+TEST(Rig, ShippedCaveIsAClosedCornerSeenFromInside) {
+  for (const char* name : {"/rigs/desk.toml", "/rigs/four-walls-cluster.toml"}) {
+    const Rig rig = readRig(std::string(CAROM_CONFIG_DIR) + name);
+    ASSERT_EQ(rig.walls.size(), 4u);
+    const glm::dvec3 person_m = 1.7 * rig.axes.up;
+    for (const Wall& wall : rig.walls) {
+      // right × up points from the wall to the person.
+      const glm::dvec3 normal =
+          glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m);
+      EXPECT_GT(glm::dot(normal, person_m - wall.lowerLeft_m), 0.0) << wall.name;
+      EXPECT_EQ(wall.stereo, StereoMode::sideBySide);
+    }
+  }
+}
+
+TEST(Rig, WallsMayMissARectangleByTwoMillimetres) {
+  EXPECT_NO_THROW(read(changed("[-1500, 2000, -1500]", "[-1498.1, 2000, -1500]")));
+  EXPECT_THROW(read(changed("[-1500, 2000, -1500]", "[-1497.9, 2000, -1500]")), InputErrors);
+  EXPECT_NO_THROW(read(kGood + "upper_right = [1500, 2001.9, -1500]\n"));
+  EXPECT_THROW(read(kGood + "upper_right = [1500, 2002.1, -1500]\n"), InputErrors);
+}
+
+struct Fault {
+  const char* what;
+  std::string text;
+  int line, column;
+  const char* words;
+};
+
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
+
+class RigFaults : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(RigFaults, ArePlacedAndExplained) {
+  try {
+    read(GetParam().text);
+    FAIL() << "was taken: " << GetParam().what;
+  } catch (const InputErrors& error) {
+    EXPECT_EQ(error.line(), GetParam().line) << error.what();
+    EXPECT_EQ(error.column(), GetParam().column) << error.what();
+    EXPECT_NE(error.message().find(GetParam().words), std::string::npos) << error.what();
+    EXPECT_EQ(error.faults().size(), 1u) << error.faults().back().what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RigFaults,
+    ::testing::Values(
+        Fault{"unit", changed("'mm'", "'furlong'"), 1, 8, "'mm' or 'cm'"},
+        Fault{"axes", changed("z-back", "z-front"), 2, 8, "x-right y-forward z-up"},
+        Fault{"number with junk", changed("[1500, 0, -1500]", "[1500, 0/05, -1500]"), 12, 23,
+              "expected digit"},
+        Fault{"head without tracker", changed("tracker = 'cap'\n", ""), 3, 1, "tracker is missing"},
+        Fault{"unknown tracker", changed("tracker = 'cap'", "tracker = 'hat'"), 4, 11, "'cap'"},
+        Fault{"tracker kind", changed("'simulated'", "'psychic'"), 8, 8, "'simulated' or 'recorded'"},
+        Fault{"tracker for later", changed("'simulated'", "'vrpn'\nsource = 'Head@tcp://host:3883'"), 8, 8,
+              "not supported yet, expected 'simulated' or 'recorded'"},
+        Fault{"trace is missing", changed("'simulated'", "'recorded'\nsource = 'no.csv'"), 9, 10, "no.csv"},
+        Fault{"trace is not given", changed("'simulated'", "'recorded'"), 6, 1, "source is missing"},
+        Fault{"latency", changed("'simulated'", "'simulated'\nlatency_ms = -1"), 9, 14, "from 0"},
+        Fault{"no walls", kGood.substr(0, kGood.find("[[wall]]")), 1, 1, "[[wall]]"},
+        Fault{"no width", changed("[1500, 0, -1500]", "[-1500, 0, -1500]"), 12, 15, "no width"},
+        Fault{"no height", changed("[-1500, 2000, -1500]", "[-1500, 0, -1500]"), 13, 14, "no height"},
+        Fault{"line", changed("[-1500, 2000, -1500]", "[0, 0, -1500]"), 13, 14, "one line"},
+        Fault{"skew", changed("[-1500, 2000, -1500]", "[-1450, 2000, -1500]"), 13, 14, "by 50.0 mm"},
+        Fault{"fourth corner", kGood + "upper_right = [1500, 2030, -1500]\n", 15, 15, "30.0 mm"},
+        Fault{"no pixels", changed("[1920, 1280]", "[1920, 0]"), 14, 17, "from 1"},
+        Fault{"half a pixel", changed("[1920, 1280]", "[1920, 0.5]"), 14, 17, "whole number"},
+        Fault{"stereo", kGood + "stereo = 'both'\n", 15, 10, "'side-by-side'"},
+        Fault{"warp", kGood + "warp = 'a.pfm'\n", 15, 8, "not supported yet"},
+        Fault{"blend", kGood + "blend = 'a.png'\n", 15, 9, "not supported yet"},
+        Fault{"black level", kGood + "black_level = 0.1\n", 15, 15, "not supported yet"},
+        Fault{"flip", kGood + "flip = true\n", 15, 8, "not supported yet"},
+        Fault{"wall name", changed("'front'", "'../front'"), 10, 8, "letters"},
+        Fault{"same wall", kGood + kGood.substr(kGood.find("[[wall]]")), 16, 8, "taken in line 10"},
+        Fault{"window", kGood + "window = { position = [0, 0] }\n", 15, 10, "size is missing"},
+        Fault{
+            "place outside",
+            changed("[head]", "[one_window]\nsize = [100, 100]\n[head]") + "window = { size = [101, 100] }\n",
+            17, 10, "reaches out"},
+        Fault{"place not given", changed("[head]", "[one_window]\nsize = [100, 100]\n[head]"), 11, 1,
+              "window is missing"},
+        Fault{"same rank",
+              changed("[head]",
+                      "[[node]]\nrank = 0\ndisplay = ':0'\n[[node]]\nrank = 0\ndisplay = ':1'\n[head]"),
+              7, 8, "taken in line 4"}),
+    [](const auto& tested) {
+      std::string name = tested.param.what;
+      std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+      return name;
+    });
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,27 @@
+"""Every shipped scenario and rig fits the JSON Schema that its first line names."""
+
+import pathlib
+import sys
+import tomllib
+
+try:
+    import jsonschema
+except ImportError:
+    print("skipped: python3-jsonschema is not installed")
+    sys.exit(77)
+
+import json
+
+config = pathlib.Path(sys.argv[1])
+files = sorted(config.glob("scenarios/*.toml")) + sorted(config.glob("rigs/*.toml"))
+assert files, "no shipped files found"
+for file in files:
+    text = file.read_text()
+    first = text.splitlines()[0]
+    assert first.startswith("#:schema "), f"{file}: the first line names no schema"
+    schema = json.loads((file.parent / first.removeprefix("#:schema ")).read_text())
+    jsonschema.Draft7Validator.check_schema(schema)
+    jsonschema.validate(tomllib.loads(text), schema, cls=jsonschema.Draft7Validator)
+    misspelt = tomllib.loads(text) | {"titel": "x"}
+    assert not jsonschema.Draft7Validator(schema).is_valid(misspelt), f"{file}: the schema lets unknown keys pass"
+    print(f"{file.name} fits")

@@ -1,0 +1,262 @@
+// `carom simulate` against exact collisions, computed elsewhere to 30 digits by brute force.
+
+#include "app/simulate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/program.h"
+#include "app/scenario.h"
+
+namespace carom {
+namespace {
+
+using nlohmann::json;
+using test::exact;
+using test::runCarom;
+using test::sharedCases;
+using test::TemporaryFolder;
+
+const std::string kThreePucks = CAROM_CONFIG_DIR "/scenarios/three-pucks.toml";
+
+std::string vectorText(double x, double y) { return "[" + exact(x) + ", " + exact(y) + "]"; }
+
+std::string puckText(const std::string& name, double radius, double mass, const std::string& place,
+                     const std::string& beta) {
+  return "[[puck]]\nname = \"" + name + "\"\nradius_m = " + exact(radius) + "\nmass_kg = " + exact(mass) +
+         "\nposition_m = " + place + "\nbeta = " + beta + "\n";
+}
+
+json simulate(const TemporaryFolder& folder, const std::string& scenario, double until_s,
+              const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{
+      "simulate", folder.file("scenario.toml", scenario), "--until", exact(until_s), "--json", "-"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const auto result = runCarom(folder, arguments);
+  EXPECT_EQ(result.status, 0) << result.err << scenario;
+  return result.status == 0 ? json::parse(result.out) : json();
+}
+
+void expectNear(const json& vector, double x, double y, double tolerance) {
+  EXPECT_NEAR(vector.at(0).get<double>(), x, tolerance);
+  EXPECT_NEAR(vector.at(1).get<double>(), y, tolerance);
+}
+
+/// The scenario of a two-puck case.
+std::string pairScenario(const json& input, double restitution) {
+  const double c = input["c"];
+  std::string text =
+      "light_speed_m_s = " + exact(c) + "\n[physics]\npuck_restitution = " + exact(restitution) + "\n";
+  for (int i = 0; i < 2; ++i) {
+    const json& puck = input["pucks"][i];
+    text +=
+        puckText(i == 0 ? "first" : "second", puck["R"], puck["m"], vectorText(puck["r"][0], puck["r"][1]),
+                 vectorText(puck["v"][0].get<double>() / c, puck["v"][1].get<double>() / c));
+  }
+  return text;
+}
+
+/// A collision's turns of the pucks named first and second.
+json turnOf(const json& collision, const std::string& name) {
+  for (const json& turn : collision["turns"]) {
+    if (turn["puck"] == name) return turn;
+  }
+  ADD_FAILURE() << "no turn of " << name << " in " << collision;
+  return {};
+}
+
+void checkPair(const json& testCase, const json& found, const json& velocitiesAfter) {
+  const json& expected = testCase["expected"]["frames"]["cov"];
+  const double tolerance = testCase["tol_abs"], c = testCase["input"]["c"];
+  ASSERT_GE(found["collisions"].size(), 1u);
+  const json& collision = found["collisions"][0];
+  EXPECT_EQ(collision["kind"], "puck-puck");
+  EXPECT_NEAR(collision["contact"]["t_s"].get<double>(), expected["contact"]["t"].get<double>(), tolerance);
+  expectNear(collision["contact"]["r_m"], expected["contact"]["r"][0], expected["contact"]["r"][1],
+             tolerance);
+  for (int i = 0; i < 2; ++i) {
+    const json turn = turnOf(collision, i == 0 ? "first" : "second");
+    const json& centre = expected["centre_delayed"][i];
+    EXPECT_NEAR(turn["t_s"].get<double>(), centre["t"].get<double>(), tolerance);
+    expectNear(turn["r_m"], centre["r"][0], centre["r"][1], tolerance);
+    EXPECT_NEAR(turn["proper_time_s"].get<double>(), expected["tau_delayed"][i].get<double>(), tolerance);
+    const json& before = testCase["input"]["pucks"][i]["v"];
+    expectNear(turn["beta_before"], before[0].get<double>() / c, before[1].get<double>() / c, tolerance);
+    const json& after = velocitiesAfter[i];
+    expectNear(turn["beta_after"], after[0].get<double>() / c, after[1].get<double>() / c, tolerance);
+  }
+}
+
+TEST(Simulate, PucksCollideAsExactCasesSay) {
+  const json cases = sharedCases("puck_collisions.json");
+  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const TemporaryFolder folder;
+  int hits = 0;
+  for (const json& testCase : cases["cases"]) {
+    SCOPED_TRACE(testCase["id"].get<std::string>() + " " + testCase["input"]["group"].get<std::string>());
+    const std::string status = testCase["expected"]["status"];
+    if (status == "overlap_at_t0") {
+      const auto result =
+          runCarom(folder, {"check", folder.file("scenario.toml", pairScenario(testCase["input"], 1.0))});
+      EXPECT_EQ(result.status, 1);
+      continue;
+    }
+    if (status != "hit") {
+      constexpr double kLong_s = 1e3;
+      EXPECT_TRUE(simulate(folder, pairScenario(testCase["input"], 1.0), kLong_s)["collisions"].empty());
+      continue;
+    }
+    ++hits;
+    const json& expected = testCase["expected"]["frames"]["cov"];
+    const double contact_s = expected["contact"]["t"].get<double>();
+    const double until_s = std::max(contact_s, 0.0) + 1e-6 * (1.0 + std::abs(contact_s));
+    checkPair(testCase, simulate(folder, pairScenario(testCase["input"], 1.0), until_s), expected["v_after"]);
+    for (const json& damped : testCase["expected"]["restitution_cov"]) {
+      SCOPED_TRACE("restitution " + damped["e"].dump());
+      checkPair(testCase, simulate(folder, pairScenario(testCase["input"], damped["e"]), until_s),
+                damped["impulse"]["v_after"]);
+    }
+  }
+  EXPECT_GT(hits, 5);
+}
+
+/// A puck before one of its table's cushions, the others far away. The case's table reaches from (0, 0); ours
+/// is centred, with `origin` of the case's frame at our coordinates.
+struct CushionSetup {
+  std::string scenario;
+  std::string cushion;
+  Vec2 origin;
+};
+
+CushionSetup beforeCushion(const json& input, const std::string& wall, double restitution) {
+  const double c = input["c"];
+  const Vec2 table(input["table"][0], input["table"][1]), r(input["r"][0], input["r"][1]);
+  const Vec2 beta = Vec2(input["v"][0], input["v"][1]) / c;
+  const bool alongX = wall == "right" || wall == "left";
+  constexpr double kFar_m = 100.0;
+  const Vec2 size = alongX ? Vec2(table.x, kFar_m) : Vec2(kFar_m, table.y);
+  const Vec2 origin = alongX ? Vec2(-0.5 * table.x, -r.y) : Vec2(-r.x, -0.5 * table.y);
+  const Vec2 place = r + origin;
+  const std::string text =
+      "light_speed_m_s = " + exact(c) + "\n[board]\nlength_m = " + exact(size.x) +
+      "\nwidth_m = " + exact(size.y) + "\n[physics]\ncushion_restitution = " + exact(restitution) + "\n" +
+      puckText("puck", input["R"], 1.0, vectorText(place.x, place.y), vectorText(beta.x, beta.y));
+  const std::string cushion = wall == "right" ? "+x" : wall == "left" ? "-x" : wall == "top" ? "+y" : "-y";
+  return {text, cushion, origin};
+}
+
+TEST(Simulate, CushionsThrowBackAsExactCasesSay) {
+  const json cases = sharedCases("puck_cushion.json");
+  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const TemporaryFolder folder;
+  for (const json& testCase : cases["cases"]) {
+    const json& input = testCase["input"];
+    const double tolerance = testCase["tol_abs"], c = input["c"];
+    for (const auto& [wall, expected] : testCase["expected"]["walls"].items()) {
+      for (const json& after : expected["v_after"]) {
+        SCOPED_TRACE(testCase["id"].get<std::string>() + " " + wall + " restitution " + after["e"].dump());
+        const CushionSetup setup = beforeCushion(input, wall, after["e"]);
+        const json& centre = expected["puck"]["centre_delayed"];
+        const json found = simulate(folder, setup.scenario, centre["t"].get<double>() + 1e-9);
+        ASSERT_EQ(found["collisions"].size(), 1u);
+        const json& collision = found["collisions"][0];
+        EXPECT_EQ(collision["kind"], "puck-cushion");
+        EXPECT_EQ(collision["cushion"], setup.cushion);
+        const json& contact = expected["puck"]["contact"];
+        EXPECT_NEAR(collision["contact"]["t_s"].get<double>(), contact["t"].get<double>(), tolerance);
+        expectNear(collision["contact"]["r_m"], contact["r"][0].get<double>() + setup.origin.x,
+                   contact["r"][1].get<double>() + setup.origin.y, tolerance);
+        const json turn = turnOf(collision, "puck");
+        // The cushion takes momentum and no energy: with E = γ m c² kept, m' = m γ/γ'.
+        const auto gamma = [](const json& beta) {
+          return 1.0 /
+                 std::sqrt(1.0 - std::pow(beta[0].get<double>(), 2) - std::pow(beta[1].get<double>(), 2));
+        };
+        constexpr double kMass_kg = 1.0, kHeatRounding_j = 1e-11;
+        EXPECT_NEAR(collision["heat_j"].get<double>(),
+                    (gamma(turn["beta_before"]) / gamma(turn["beta_after"]) - 1.0) * kMass_kg * c * c,
+                    kHeatRounding_j);
+        EXPECT_NEAR(turn["t_s"].get<double>(), centre["t"].get<double>(), tolerance);
+        expectNear(turn["r_m"], centre["r"][0].get<double>() + setup.origin.x,
+                   centre["r"][1].get<double>() + setup.origin.y, tolerance);
+        EXPECT_NEAR(turn["proper_time_s"].get<double>(), centre["tau"].get<double>(), tolerance);
+        expectNear(turn["beta_after"], after["impulse"]["v"][0].get<double>() / c,
+                   after["impulse"]["v"][1].get<double>() / c, tolerance);
+      }
+    }
+  }
+}
+
+TEST(Simulate, GivesTheBitsOfTheEngine) {
+  const TemporaryFolder folder;
+  const auto result =
+      runCarom(folder, {"simulate", kThreePucks, "--until", "10", "--every", "0.5", "--json", "-"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json found = json::parse(result.out);
+  const Scenario scenario = readScenario(kThreePucks);
+  Billiard billiard(scenario.billiard);
+  billiard.advanceTo(10.0);
+
+  EXPECT_EQ(found["light_speed_m_s"].get<double>(), 1.42);
+  ASSERT_FALSE(found["collisions"].empty());
+  ASSERT_LE(found["collisions"].size(), billiard.collisions().size());
+  for (std::size_t i = found["collisions"].size(); i < billiard.collisions().size(); ++i) {
+    EXPECT_GT(billiard.collisions()[i].contact.t_s, 10.0) << "the engine may look a little further ahead";
+  }
+  for (std::size_t i = 0; i < found["collisions"].size(); ++i) {
+    const Collision& collision = billiard.collisions()[i];
+    EXPECT_EQ(found["collisions"][i]["contact"]["t_s"].get<double>(), collision.contact.t_s);
+    EXPECT_EQ(found["collisions"][i]["turns"].size(), collision.turns.size());
+    for (const Turn& turn : collision.turns) {
+      const json told = turnOf(found["collisions"][i], scenario.billiard.pucks[turn.puck].name);
+      EXPECT_EQ(told["beta_after"][0].get<double>(), turn.betaAfter.x);
+      EXPECT_EQ(told["t_s"].get<double>(), turn.event.t_s);
+    }
+  }
+  ASSERT_EQ(found["states"].size(), 21u);
+  for (int i = 0; i <= 20; ++i) {
+    const json& state = found["states"][i];
+    EXPECT_EQ(state["t_s"].get<double>(), 0.5 * i);
+    for (std::size_t puck = 0; puck < 3; ++puck) {
+      const Motion motion = billiard.worldLines()[puck].at(0.5 * i);
+      EXPECT_EQ(state["r_m"][puck][0].get<double>(), motion.event.r_m.x);
+      EXPECT_EQ(state["r_m"][puck][1].get<double>(), motion.event.r_m.y);
+      EXPECT_EQ(state["beta"][puck][0].get<double>(), betaFromU(motion.u).x);
+    }
+  }
+  for (std::size_t puck = 0; puck < 3; ++puck) {
+    EXPECT_EQ(found["pucks"][puck]["name"], scenario.billiard.pucks[puck].name);
+    EXPECT_EQ(found["pucks"][puck]["r_m"], found["states"][20]["r_m"][puck]);
+    EXPECT_EQ(found["pucks"][puck]["t_s"].get<double>(), 10.0);
+    EXPECT_EQ(found["pucks"][puck]["proper_time_s"].get<double>(),
+              billiard.worldLines()[puck].at(10.0).properTime_s);
+  }
+}
+
+TEST(Simulate, StatesStandAtWholeSteps) {
+  const TemporaryFolder folder;
+  const std::string scenario = "light_speed_m_s = 2\n" + puckText("a", 1.0, 1.0, "[1, 0]", "[0.5, 0]");
+  const json found = simulate(folder, scenario, 0.7, {"--every", "0.1"});
+  ASSERT_EQ(found["states"].size(), 8u);
+  EXPECT_LE(found["states"][7]["t_s"].get<double>(), 0.7);
+  EXPECT_EQ(simulate(folder, scenario, 0.0, {"--every", "0.1"})["states"].size(), 1u);
+  EXPECT_FALSE(simulate(folder, scenario, 1.0).contains("states"));
+  EXPECT_EQ(simulate(folder, scenario, 1.0)["pucks"][0]["r_m"][0].get<double>(), 2.0);
+}
+
+TEST(Simulate, WritesAFileAsWellAsATable) {
+  const TemporaryFolder folder;
+  const auto written =
+      runCarom(folder, {"simulate", kThreePucks, "--until", "5", "--json", folder / "game.json"});
+  EXPECT_EQ(written.status, 0);
+  EXPECT_EQ(written.out, "");
+  EXPECT_TRUE(json::accept(test::contentOf(folder / "game.json")));
+  EXPECT_EQ(folder.entries(), 1);
+  const auto table = runCarom(folder, {"simulate", kThreePucks, "--until", "5"});
+  EXPECT_EQ(table.status, 0);
+  EXPECT_NE(table.out.find("collisions up to t = 5 s"), std::string::npos) << table.out;
+}
+
+}  // namespace
+}  // namespace carom

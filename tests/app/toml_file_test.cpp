@@ -1,0 +1,138 @@
+#include "app/toml_file.h"
+
+#include <gtest/gtest.h>
+
+#include "app/temporary_folder.h"
+
+namespace carom {
+namespace {
+
+using test::TemporaryFolder;
+
+/// "LINE:COLUMN MESSAGE" of every fault that `read` notes in a file of this text.
+template <class Read>
+std::vector<std::string> faultsOf(const std::string& text, const Read& read) {
+  const TemporaryFolder folder;
+  std::vector<std::string> shown;
+  try {
+    const TomlFile file(folder.file("given.toml", text));
+    read(file, file.root());
+    file.throwFaults();
+  } catch (const InputErrors& errors) {
+    for (const InputError& fault : errors.faults()) {
+      EXPECT_EQ(fault.file(), (folder / "given.toml").string());
+      shown.push_back(std::to_string(fault.line()) + ":" + std::to_string(fault.column()) + " " +
+                      fault.message());
+    }
+    EXPECT_STREQ(errors.what(), errors.faults().front().what());
+  }
+  return shown;
+}
+
+using Faults = std::vector<std::string>;
+
+TEST(TomlFile, ReadsEveryKindOfValue) {
+  const auto faults = faultsOf(
+      "number = 1.5\nwhole = 3\nyes = true\nword = 'text'\nkind = 'b'\npair = [1, 2.5]\n[inner]\nx = "
+      "1\n[[many]]\n"
+      "x = 1\n[[many]]\nx = 2\n",
+      [](const TomlFile&, const TomlTable& root) {
+        EXPECT_EQ(root.number("number", {}), 1.5);
+        EXPECT_EQ(root.number("whole", {}), 3.0) << "whole numbers do where numbers are wanted";
+        EXPECT_EQ(root.integer("whole", 0, 5), 3);
+        EXPECT_TRUE(root.flag("yes"));
+        EXPECT_EQ(root.text("word"), "text");
+        constexpr std::array<std::string_view, 2> kKinds{"a", "b"};
+        EXPECT_EQ(root.choice("kind", kKinds), 1u);
+        EXPECT_EQ(root.numbers<2>("pair", {}), (std::array<double, 2>{1.0, 2.5}));
+        ASSERT_TRUE(root.table("inner"));
+        EXPECT_EQ(root.table("inner")->number("x", {}), 1.0);
+        ASSERT_EQ(root.tables("many").size(), 2u);
+        EXPECT_EQ(root.tables("many")[0].number("x", {}), 1.0);
+        EXPECT_EQ(root.tables("many")[1].number("x", {}), 2.0);
+        EXPECT_EQ(root.number("absent", {}, 7.0), 7.0);
+        EXPECT_TRUE(root.tables("none").empty());
+      });
+  EXPECT_EQ(faults, Faults{});
+}
+
+TEST(TomlFile, SaysWhatIsWrongAndWhatWasExpected) {
+  const auto faults =
+      faultsOf("a = 'x'\nb = -1\nc = nan\nd = [1, 'y']\ne = 2.5\nf = 1\ng = 'blue'\nh = [1]\ni = ''\n",
+               [](const TomlFile&, const TomlTable& root) {
+                 constexpr std::array<std::string_view, 2> kColours{"red", "green"};
+                 root.number("a", {});
+                 root.number("b", kPositive);
+                 root.number("c", {});
+                 root.numbers<2>("d", {});
+                 root.integer("e", 0, 9);
+                 root.flag("f");
+                 root.choice("g", kColours);
+                 root.numbers<3>("h", {});
+                 root.text("i");
+               });
+  EXPECT_EQ(faults, (Faults{
+                        "1:5 a is a text, expected a number from -1e+09 to 1e+09",
+                        "2:5 b is -1, expected a number above 0 up to 1e+09",
+                        "3:5 c is nan, expected a number from -1e+09 to 1e+09",
+                        "4:9 d[1] is a text, expected a number from -1e+09 to 1e+09",
+                        "5:5 e is a number, expected a whole number from 0 to 9",
+                        "6:5 f is a whole number, expected true or false",
+                        "7:5 g is 'blue', expected 'red' or 'green'",
+                        "8:5 h has 1 values, expected 3 numbers",
+                        "9:5 i is empty, expected a text",
+                    }));
+}
+
+TEST(TomlFile, NoticesUnknownKeysAndGuessesWhatWasMeant) {
+  const auto read = [](const TomlFile&, const TomlTable& root) {
+    root.number("length_m", {});
+    root.number("width_m", {}, 1.0);
+  };
+  EXPECT_EQ(faultsOf("lenght_m = 1\n", read), Faults{"1:1 unknown key 'lenght_m', expected 'length_m'?"});
+  EXPECT_EQ(faultsOf("length = 1\n", read), Faults{"1:1 unknown key 'length', expected 'length_m'?"});
+  EXPECT_EQ(faultsOf("length_m = 1\ncolour = 2\n", read),
+            Faults{"2:1 unknown key 'colour', expected one of length_m, width_m"});
+  EXPECT_EQ(faultsOf("width_m = 2\n", read), Faults{"1:1 length_m is missing here"});
+  EXPECT_EQ(faultsOf("length_m = 1\n\"\\u001b[31m\" = 2\n", read),
+            Faults{"2:1 unknown key '?[31m', expected one of length_m, width_m"})
+      << "nothing from a file may steer the terminal";
+}
+
+TEST(TomlFile, RefusesWhatIsNoToml) {
+  const auto nothing = [](const TomlFile&, const TomlTable&) {};
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"a = 0/05\n", "1:6 "},     {"a = 1\na = 2\n", "2:5 "}, {"a = [1, 2\n", "1:11 "},
+      {"a = \"\xff\"\n", "1:5 "}, {"a = 1e999\n", "1:10 "},   {std::string("a = 1\0", 6), "1:6 "},
+  };
+  for (const auto& [text, place] : cases) {
+    const auto faults = faultsOf(text, nothing);
+    ASSERT_EQ(faults.size(), 1u) << text;
+    EXPECT_EQ(faults[0].substr(0, place.size()), place) << text << faults[0];
+  }
+  EXPECT_EQ(faultsOf(std::string(2 << 20, '\n'), nothing),
+            Faults{"1:1 the file is too large, expected at most 1 MiB"});
+}
+
+TEST(TomlFile, RefusesMissingFilesAndFolders) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(TomlFile(folder / "absent.toml"), InputErrors);
+  EXPECT_THROW(TomlFile(folder / "."), InputErrors);
+}
+
+TEST(TomlFile, SurvivesDeepNesting) {
+  const auto faults = faultsOf("a = " + std::string(100000, '['), [](const TomlFile&, const TomlTable&) {});
+  EXPECT_EQ(faults.size(), 1u);
+}
+
+TEST(NearestWord, ForgivesSlipsOnly) {
+  const std::vector<std::string> known{"radius_m", "mass_kg", "beta"};
+  EXPECT_EQ(nearestWord("raduis_m", known), "radius_m");
+  EXPECT_EQ(nearestWord("mass", known), "mass_kg");
+  EXPECT_EQ(nearestWord("bet", known), "beta");
+  EXPECT_FALSE(nearestWord("temperature", known));
+  EXPECT_FALSE(nearestWord(std::string(1000, 'x'), known));
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,95 @@
+// What a frame of the billiard costs, and how many collisions a second the anticipation plays.
+
+#include <benchmark/benchmark.h>
+
+#include "engine/billiard.h"
+#include "engine/gas.h"
+
+namespace carom {
+namespace {
+
+// Pairs of pucks that meet head on again and again between the short cushions, as in the paper's measurement:
+// each pair runs along its own lane.
+BilliardSetup pairsSetup(int pucks) {
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = 1.42;
+  setup.board = Board{2.84, 1.42};
+  for (int i = 0; i < pucks; ++i) {
+    const double y = 1.42 * ((i / 2 + 0.5) / ((pucks + 1) / 2) - 0.5);
+    const double x = i % 2 == 0 ? -0.7 : 0.7;
+    setup.pucks.push_back({std::to_string(i), 0.0305, 0.02, 0.2, {x, y}, {i % 2 == 0 ? 0.8 : -0.8, 0.0}});
+  }
+  return setup;
+}
+
+double moveAll(const Billiard& billiard, double t_s) {
+  double sum = 0.0;
+  for (const WorldLine& line : billiard.worldLines()) sum += line.at(t_s).event.r_m.x;
+  return sum;
+}
+
+// A frame in which nothing collides: play on, and every puck's place. The first contact is at 0.59 s.
+void idleFrame(benchmark::State& state) {
+  Billiard billiard(pairsSetup(static_cast<int>(state.range(0))));
+  double t_s = 0.0;
+  for (auto _ : state) {
+    t_s = t_s < 0.3 ? t_s + 1e-9 : 0.0;
+    billiard.advanceTo(t_s);
+    benchmark::DoNotOptimize(moveAll(billiard, t_s));
+  }
+}
+
+// The frames in which all pairs, or all pucks and cushions, collide at once; the legs and all are kept.
+void collisionFrame(benchmark::State& state) {
+  const BilliardSetup setup = pairsSetup(static_cast<int>(state.range(0)));
+  std::size_t collisions = 0, frames = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Billiard billiard(setup);
+    state.ResumeTiming();
+    for (int frame = 0; frame < 12; ++frame) {  // one collision of every puck in each
+      billiard.advanceTo(0.7 + 1.13 * frame);
+      benchmark::DoNotOptimize(moveAll(billiard, 0.7 + 1.13 * frame));
+    }
+    frames += 12;
+    collisions += billiard.collisions().size();
+  }
+  state.counters["frame"] = benchmark::Counter(static_cast<double>(frames),
+                                               benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["collisions_a_frame"] = static_cast<double>(collisions) / static_cast<double>(frames);
+}
+
+void gas(benchmark::State& state) {
+  const int count = static_cast<int>(state.range(0));
+  const double coverage = static_cast<double>(state.range(1)) * 1e-4;
+  Billiard billiard(test::gasSetup(count, coverage, 2.5, 1));
+  double t_s = 0.0;
+  while (billiard.collisions().size() < static_cast<std::size_t>(2 * count)) billiard.advanceTo(t_s += 0.01);
+  std::size_t collisions = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    billiard.forgetBefore(t_s);
+    const std::size_t before = billiard.collisions().size();
+    state.ResumeTiming();
+    while (billiard.collisions().size() < before + 20000) billiard.advanceTo(t_s += 0.01);
+    collisions += billiard.collisions().size() - before;
+  }
+  state.counters["collisions_a_second"] =
+      benchmark::Counter(static_cast<double>(collisions), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK(idleFrame)->Name("idle_frame/pucks")->Arg(2)->Arg(10)->Arg(20);
+BENCHMARK(collisionFrame)->Name("collision_frame/pucks")->Arg(2)->Arg(10)->Arg(20);
+BENCHMARK(gas)
+    ->Unit(benchmark::kMillisecond)
+    ->ArgNames({"pucks", "coverage_per_10000"})
+    ->Args({200, 1000})
+    ->Args({1000, 1000})
+    ->Args({10000, 1000})
+    ->Args({100000, 1000})
+    ->Args({1000, 25});
+
+}  // namespace
+}  // namespace carom
+
+BENCHMARK_MAIN();

@@ -1,0 +1,84 @@
+// Run under mpirun with several ranks (see CMakeLists.txt): each rank is one process of the test.
+#include "cave/cluster.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace carom {
+namespace {
+
+Cluster* cluster = nullptr;
+
+WorldLine history() { return WorldLine({{0.0, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}, 1.42, 0.1); }
+
+/// A frame as rank 0 makes it: `number` knots of a body that stands still.
+FrameState frameWithKnots(std::uint64_t number) {
+  FrameState state;
+  state.record.number = number;
+  state.record.display_s = static_cast<double>(number) / 60.0;
+  state.record.observer.headFromBoard = Lorentz::boost({0.1 * static_cast<double>(number), 0.0, 0.3}, 1.42);
+  for (std::uint64_t i = 0; i < number; ++i) {
+    const double t_s = 100.0 * static_cast<double>(number) + static_cast<double>(i);
+    state.knots.push_back({0, {{t_s, Vec3(0.0)}, Vec3(0.0), t_s, {}, 0.0}});
+  }
+  return state;
+}
+
+TEST(Cluster, EveryRankHoldsRankZerosRecordAndKnots) {
+  std::vector<WorldLine> histories{history()};
+  std::size_t expectedKnots = 1;
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    FrameState state = cluster->rank() == 0 ? frameWithKnots(number) : FrameState{};
+    cluster->share(state);
+    const FrameState expected = frameWithKnots(number);
+    expectedKnots += number;
+    ASSERT_EQ(state.record.number, number);
+    ASSERT_EQ(state.record.observer.headFromBoard.matrix(), expected.record.observer.headFromBoard.matrix());
+    applyFrame(state, histories);
+    ASSERT_EQ(histories[0].knots().size(), expectedKnots);
+    ASSERT_NO_THROW(cluster->swapTogether(state, digestOf(state, histories)));
+  }
+}
+
+TEST(Cluster, ARankThatDiffersIsNamed) {
+  if (cluster->size() < 2) GTEST_SKIP() << "needs two ranks";
+  FrameState state = cluster->rank() == 0 ? frameWithKnots(3) : FrameState{};
+  cluster->share(state);
+  std::vector<WorldLine> histories{history()};
+  applyFrame(state, histories);
+  if (cluster->rank() == 1) histories[0].truncateFrom(302.0);  // this node lost a knot
+  try {
+    cluster->swapTogether(state, digestOf(state, histories));
+    FAIL() << "the difference went unnoticed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "frame 3: the histories differ from rank 0's on node 1");
+  }
+}
+
+TEST(Cluster, TheLowestFailedRankIsKnownToAll) {
+  EXPECT_EQ(cluster->firstFailed(false), -1);
+  EXPECT_EQ(cluster->firstFailed(cluster->rank() == cluster->size() - 1), cluster->size() - 1);
+  EXPECT_EQ(cluster->firstFailed(true), 0);
+}
+
+TEST(Cluster, TruncationComesBeforeTheNewKnots) {
+  std::vector<WorldLine> histories{history()};
+  applyFrame(frameWithKnots(3), histories);     // turns at 300, 301, 302
+  FrameState rewound = frameWithKnots(4);  // 400 … 403
+  rewound.record.truncateFrom_s = 301.0;
+  applyFrame(rewound, histories);
+  ASSERT_EQ(histories[0].knots().size(), 6U);
+  EXPECT_EQ(histories[0].knots()[1].turn.t_s, 300.0);
+  EXPECT_EQ(histories[0].knots()[2].turn.t_s, 400.0);
+}
+
+}  // namespace
+}  // namespace carom
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  carom::Cluster theCluster;
+  carom::cluster = &theCluster;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,183 @@
+// The emission kernel as the graphics card computes it, against the same text in double.
+#include <gtest/gtest.h>
+#include <vtk_glew.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "cave/body_shaders.h"
+#include "cave/window.h"
+#include "engine/light_cone.h"
+#include "engine/random_world.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+// Error allowed, as a share of the distance (the larger of that in the head frame and that in the body frame,
+// since a fast observer sees far things near): 10 µm at 5 m.
+constexpr double kOfDistance = 2e-6;
+
+/// One vertex: on which legs of the buffer, and where in the body.
+struct Input {
+  glm::vec3 offset_m{0.0F};
+  int firstLeg = 0;
+  int legCount = 0;
+};
+
+struct Output {
+  glm::vec3 seen_m{0.0F};
+  float distanceInBody_m = 0.0F;
+  float boardTime_m = 0.0F;
+};
+
+GLuint compileSolver() {
+  const std::string text = "#version 150\n" + emissionKernelText(false) + R"(
+    in vec3 offset_m;
+    in ivec2 range;
+    out vec3 seen_m;
+    out float distanceInBody_m;
+    out float boardTime_m;
+    void main() {
+      VertexEmission emission = solveEmission(range.x, range.y, offset_m);
+      LegView leg = legAt(range.x, emission.leg);
+      seen_m = seenFromEye(leg, emission.event);
+      distanceInBody_m = distanceInBody(leg, emission.event);
+      boardTime_m = boardTimeOf(leg, emission.event);
+    })";
+  const GLuint program = glCreateProgram();
+  const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
+  const char* source = text.c_str();
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  glAttachShader(program, shader);
+  glBindAttribLocation(program, 0, "offset_m");
+  glBindAttribLocation(program, 1, "range");
+  const std::array<const char*, 3> outputs{"seen_m", "distanceInBody_m", "boardTime_m"};
+  glTransformFeedbackVaryings(program, 3, outputs.data(), GL_INTERLEAVED_ATTRIBS);
+  glLinkProgram(program);
+  std::string log(8192, '\0');
+  glGetShaderInfoLog(shader, 8192, nullptr, log.data());
+  GLint linked = GL_FALSE;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  EXPECT_EQ(linked, GL_TRUE) << log.c_str();
+  return program;
+}
+
+/// Runs the solver on the graphics card over all inputs.
+std::vector<Output> solveByShader(const std::vector<kernel_float::LegView>& legs,
+                                  const std::vector<Input>& inputs) {
+  const GLuint program = compileSolver();
+  std::array<GLuint, 3> buffers{};
+  GLuint vertices = 0;
+  GLuint texture = 0;
+  glGenBuffers(3, buffers.data());
+  glGenVertexArrays(1, &vertices);
+  glGenTextures(1, &texture);
+  glBindBuffer(GL_TEXTURE_BUFFER, buffers[0]);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(legs.size() * sizeof(legs[0])), legs.data(),
+               GL_STATIC_DRAW);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffers[0]);
+
+  glBindVertexArray(vertices);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers[1]);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(inputs.size() * sizeof(Input)), inputs.data(),
+               GL_STATIC_DRAW);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Input), nullptr);
+  glVertexAttribIPointer(1, 2, GL_INT, sizeof(Input), reinterpret_cast<const void*>(sizeof(glm::vec3)));
+  glEnableVertexAttribArray(0);
+  glEnableVertexAttribArray(1);
+
+  std::vector<Output> outputs(inputs.size());
+  const auto bytes = static_cast<GLsizeiptr>(outputs.size() * sizeof(Output));
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers[2]);
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+  glUseProgram(program);
+  glUniform1i(glGetUniformLocation(program, "legTexels"), 0);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(inputs.size()));
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, outputs.data());
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+  return outputs;
+}
+
+struct Cases {
+  std::vector<kernel_float::LegView> legs;
+  std::vector<Input> inputs;
+  std::vector<BodyView> views;
+  int manyLegs = 0;
+};
+
+/// Bodies of the sizes of a puck and of a hall, at rest and up to `maxBeta`, seen by eyes that move up to
+/// 0.99 c.
+Cases makeCases(std::uint64_t seed, int count, double maxBeta, int maxBounces) {
+  Cases cases;
+  test::Random random(seed);
+  for (int i = 0; i < count; ++i) {
+    const bool hall = maxBounces == 0 && i % 4 == 0;
+    const double radius_m = hall ? 10.0 : random.in(0.02, 0.3);
+    const int bounces = static_cast<int>(random.in(0.0, maxBounces + 1.0));
+    const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, bounces, 0.5, hall ? 0.0 : maxBeta);
+    const Event eye{random.in(-1.0, line.knots().back().turn.t_s + 3.0), random.inBox(2.0)};
+    BodyView view;
+    viewBody(line, eye, Lorentz::boost(random.u(0.99), kC_m_s), view);
+    const glm::vec3 offset_m(random.inBall(radius_m));
+    cases.inputs.push_back(
+        {offset_m, static_cast<int>(cases.legs.size()), static_cast<int>(view.legs.size())});
+    for (const LegView& leg : view.legs) cases.legs.push_back(toFloat(leg));
+    if (view.legs.size() > 1) ++cases.manyLegs;
+    cases.views.push_back(std::move(view));
+  }
+  return cases;
+}
+
+/// The largest error over all cases, as a share of the distance.
+double worstError(const Cases& cases) {
+  const std::vector<Output> outputs = solveByShader(cases.legs, cases.inputs);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const BodyView& view = cases.views[i];
+    const kernel::VertexEmission emission = kernel::solveEmission(
+        view.legs.data(), static_cast<int>(view.legs.size()), glm::dvec3(cases.inputs[i].offset_m));
+    const LegView& leg = view.legs[static_cast<std::size_t>(emission.leg)];
+    const glm::dvec3 seen_m = kernel::seenFromEye(leg, emission.event);
+    const double distance_m = std::max(glm::length(seen_m), kernel::distanceInBody(leg, emission.event));
+    const double error = glm::length(glm::dvec3(outputs[i].seen_m) - seen_m) / distance_m;
+    const double timeError = std::abs(outputs[i].boardTime_m - kernel::boardTimeOf(leg, emission.event)) /
+                             std::abs(kernel::boardTimeOf(leg, emission.event));
+    EXPECT_LT(error, kOfDistance) << "case " << i << ", " << view.legs.size() << " legs, offset "
+                                  << cases.inputs[i].offset_m.x << " " << cases.inputs[i].offset_m.y << " "
+                                  << cases.inputs[i].offset_m.z << ", seen " << glm::length(seen_m)
+                                  << " m away";
+    EXPECT_LT(timeError, kOfDistance) << "case " << i;
+    worst = std::max(worst, error);
+  }
+  return worst;
+}
+
+TEST(EmissionShader, AgreesWithDoubleOnStraightLegs) {
+  Graphics graphics;
+  const Cases cases = makeCases(11, 10000, 0.99, 0);
+  const double worst = worstError(cases);
+  RecordProperty("worst_share_of_distance", std::to_string(worst * 1e9) + "e-9");
+  std::printf("worst error: %.2g of the distance\n", worst);
+}
+
+TEST(EmissionShader, AgreesWithDoubleThroughBounces) {
+  Graphics graphics;
+  const Cases cases = makeCases(12, 10000, 0.9, 6);
+  EXPECT_GT(cases.manyLegs, 2000);
+  const double worst = worstError(cases);
+  std::printf("worst error: %.2g of the distance, %d cases with several legs\n", worst, cases.manyLegs);
+}
+
+}  // namespace
+}  // namespace carom

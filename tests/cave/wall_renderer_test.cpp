@@ -1,0 +1,229 @@
+// Whole pictures against the emission of every vertex solved in double and projected.
+#include "cave/wall_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "cave/capture.h"
+#include "cave/off_axis.h"
+#include "cave/puck_model.h"
+#include "cave/table_model.h"
+#include "engine/random_world.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+constexpr double kPixels =
+    1.01;  // a pixel is lit if its middle is covered: half a pixel on either side, and rounding
+
+/// A scene of one white shining puck, body 1, and nothing that rests.
+Scene glowingPuck(double radius_m) {
+  Scene scene;
+  scene.bodyCount = 2;
+  for (ScenePart& part : puckParts(radius_m, 0.8 * radius_m, 1, glm::vec3(1.0F))) {
+    if (part.paint != Paint::puck) continue;
+    part.paint = Paint::lamp;
+    scene.parts.push_back(part);
+  }
+  return scene;
+}
+
+/// A wall of 4 × 4 m, 1 m in front of the eye, its middle towards `direction`.
+Wall wallTowards(const glm::dvec3& eye_m, const glm::dvec3& direction, const glm::ivec2& pixels) {
+  const glm::dvec3 forward = glm::normalize(direction);
+  const glm::dvec3 aside = std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, aside));
+  const glm::dvec3 up = glm::cross(right, forward);
+  Wall wall;
+  wall.lowerLeft_m = eye_m + forward - 2.0 * right - 2.0 * up;
+  wall.lowerRight_m = wall.lowerLeft_m + 4.0 * right;
+  wall.upperLeft_m = wall.lowerLeft_m + 4.0 * up;
+  wall.pixels = pixels;
+  return wall;
+}
+
+/// left, right, bottom, top in pixels; left > right if there is nothing.
+using Box = std::array<double, 4>;
+
+void include(Box& box, double x, double y) {
+  box = {std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y)};
+}
+
+Box litBox(const Image& image) {
+  Box box{1e9, -1e9, 1e9, -1e9};
+  for (int y = 0; y < image.size_px.y; ++y) {
+    for (int x = 0; x < image.size_px.x; ++x) {
+      const std::size_t at =
+          3 * (static_cast<std::size_t>(y) * image.size_px.x + static_cast<std::size_t>(x));
+      if (image.rgb[at] > 0) include(box, x + 0.5, y + 0.5);
+    }
+  }
+  return box;
+}
+
+/// The same from the engine: every vertex's emission, seen from the eye, projected to the wall.
+Box expectedBox(const Scene& scene, const WorldLine& line, const Event& eye, const Lorentz& headFromBoard,
+                const glm::dmat4& clip, const glm::ivec2& pixels) {
+  Box box{1e9, -1e9, 1e9, -1e9};
+  for (const ScenePart& part : scene.parts) {
+    for (vtkIdType i = 0; i < part.mesh->GetNumberOfPoints(); ++i) {
+      const double* offset = part.mesh->GetPoint(i);
+      const auto seen = emission(line, {offset[0], offset[1], offset[2]}, eye, headFromBoard);
+      if (!seen) continue;
+      const glm::dvec4 p = clip * glm::dvec4(seen->seen.dr_m, 1.0);
+      include(box, (p.x / p.w + 1.0) * 0.5 * pixels.x, (p.y / p.w + 1.0) * 0.5 * pixels.y);
+    }
+  }
+  return box;
+}
+
+/// What rests, and the puck.
+std::array<BodyView, 2> viewsOf(const WorldLine& line, const Event& eye, const Lorentz& headFromBoard) {
+  std::array<BodyView, 2> views;
+  viewBody(WorldLine(Knot{}, kC_m_s), eye, headFromBoard, views[0]);
+  viewBody(line, eye, headFromBoard, views[1]);
+  return views;
+}
+
+class WallRendererTest : public testing::Test {
+ protected:
+  /// Draws `line` for one eye on a wall towards it, and says what is lit and what should be.
+  std::array<Box, 2> litAndExpected(WallRenderer& renderer, const Scene& scene, const WorldLine& line,
+                                    const Event& eye, const Lorentz& headFromBoard,
+                                    const glm::ivec2& pixels) {
+    const glm::dvec3 eyeInRoom_m(0.2, -0.1, 1.6);
+    const auto centre = emission(line, Vec3(0.0), eye, headFromBoard);
+    const Wall wall = wallTowards(eyeInRoom_m, centre ? centre->seen.dr_m : glm::dvec3(0, 1, 0), pixels);
+    WallPicture picture(pixels);
+    renderer.look(headFromBoard, {eye, eyeInRoom_m}, viewsOf(line, eye, headFromBoard));
+    EXPECT_TRUE(renderer.draw(wall, eyeInRoom_m, picture));
+    return {litBox(readBack(picture)),
+            expectedBox(scene, line, eye, headFromBoard, *clipFromEye(wall, eyeInRoom_m), pixels)};
+  }
+
+  Graphics graphics_;
+};
+
+TEST_F(WallRendererTest, BouncingBodiesAppearWhereTheirVerticesAreSeen) {
+  test::Random random(21);
+  const Scene scene = glowingPuck(0.15);
+  WallRenderer renderer(graphics_, scene, kC_m_s, 1);
+  int drawn = 0;
+  for (int i = 0; i < 150; ++i) {
+    const WorldLine line = randomWorldLine(random, kC_m_s, 0.2, static_cast<int>(random.in(0, 5)), 0.5, 0.9);
+    const Event eye{random.in(0.0, line.knots().back().turn.t_s + 2.0), random.inBox(2.5)};
+    const Lorentz headFromBoard = Lorentz::boost(random.u(0.95), kC_m_s);
+    const glm::ivec2 pixels(i % 3 == 0 ? 300 : 400, i % 2 == 0 ? 400 : 260);
+    const auto [lit, expected] = litAndExpected(renderer, scene, line, eye, headFromBoard, pixels);
+    const bool within =
+        expected[0] > 3 && expected[1] < pixels.x - 3 && expected[2] > 3 && expected[3] < pixels.y - 3;
+    if (!within || expected[1] - expected[0] < 6 || expected[3] - expected[2] < 6) continue;
+    ++drawn;
+    for (std::size_t side = 0; side < 4; ++side) {
+      // The outermost vertices of a thin tip may cover no pixel's middle: then less is lit, never more.
+      const double beyond = side % 2 == 0 ? expected[side] - lit[side] : lit[side] - expected[side];
+      ASSERT_LT(beyond, kPixels) << "case " << i << " side " << side;
+      ASSERT_GT(beyond, -3.0) << "case " << i << " side " << side << ": " << lit[side] << " for "
+                              << expected[side];
+    }
+  }
+  EXPECT_GT(drawn, 40);
+}
+
+TEST_F(WallRendererTest, ABodyWhoseLightHasNotArrivedIsNotDrawn) {
+  const Scene scene = glowingPuck(0.3);
+  WallRenderer renderer(graphics_, scene, kC_m_s, 1);
+  const Lorentz atRest(kC_m_s);
+  const WorldLine line({{0.0, {0.0, 2.0, 0.0}}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s, 0.4,
+                       5.0);  // appears at 5 s
+  const double arrives_s = 5.0 + 2.0 / kC_m_s;
+  const auto before =
+      litAndExpected(renderer, scene, line, {arrives_s - 0.25, Vec3(0.0)}, atRest, {200, 200});
+  EXPECT_GT(before[0][0], before[0][1]) << "nothing is lit";
+  const auto after = litAndExpected(renderer, scene, line, {arrives_s + 0.4, Vec3(0.0)}, atRest, {200, 200});
+  EXPECT_NEAR(after[0][0], after[1][0], 1.0);
+  EXPECT_NEAR(after[0][1], after[1][1], 1.0);
+  // When the light of its middle arrives, its near half is seen and its far half is not.
+  const auto half = litAndExpected(renderer, scene, line, {arrives_s, Vec3(0.0)}, atRest, {200, 200});
+  EXPECT_LT(half[0][0], half[0][1]);
+}
+
+TEST_F(WallRendererTest, AnEyeBehindTheWallSeesBlack) {
+  const Scene scene = glowingPuck(0.3);
+  WallRenderer renderer(graphics_, scene, kC_m_s, 1);
+  const WorldLine line({{0.0, {0.0, 2.0, 0.0}}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s);
+  renderer.look(Lorentz(kC_m_s), {}, viewsOf(line, {}, Lorentz(kC_m_s)));
+  const Wall wall = wallTowards({0, 0, 0}, {0, 1, 0}, {64, 64});
+  WallPicture picture({64, 64});
+  EXPECT_TRUE(renderer.draw(wall, {0, 0, 0}, picture));
+  EXPECT_LT(litBox(readBack(picture))[0], 64.0);
+  EXPECT_FALSE(renderer.draw(wall, {0, 2, 0}, picture));
+  EXPECT_GT(litBox(readBack(picture))[0], 64.0);
+}
+
+TEST_F(WallRendererTest, TheSameFrameGivesTheSamePixels) {
+  BilliardSetup setup;
+  setup.board = Board{2.84, 1.42};
+  const Scene scene = buildScene(setup, {});
+  const WorldLine resting(Knot{}, kC_m_s);
+  const Event eye{3.0, {0.0, -1.6, 0.9}};
+  const Lorentz headFromBoard = Lorentz::boost(uFromBeta({0.3, 0.6, 0.0}), kC_m_s);
+  BodyView view;
+  viewBody(resting, eye, headFromBoard, view);
+  const Wall wall = wallTowards({0, 0, 1.65}, {0, 1, 0}, {320, 240});
+  std::array<Image, 2> images;
+  for (Image& image : images) {
+    WallRenderer renderer(graphics_, scene, kC_m_s, 4);
+    WallPicture picture(wall.pixels);
+    renderer.look(headFromBoard, {eye, {0, 0, 1.65}}, {&view, 1});
+    renderer.draw(wall, {0, 0, 1.65}, picture);
+    image = readBack(picture);
+  }
+  EXPECT_EQ(images[0].rgb, images[1].rgb);
+  EXPECT_GT(*std::max_element(images[0].rgb.begin(), images[0].rgb.end()), 100);
+}
+
+// A clock 2 m away shows the time t_o − 2 m/c at which light left it, to a tenth of a second, and nothing
+// finer.
+TEST_F(WallRendererTest, AClockShowsTheTimeAtWhichItsLightLeft) {
+  Scene scene;
+  scene.bodyCount = 1;
+  ClockMaker clocks;
+  clocks.add({0.0, 2.0, -0.23 * 0.5}, {0.0, -1.0, 0.0}, 0.5);  // its middle level with the eye
+  scene.parts = clocks.parts();
+  const double distance_m = 2.0 - 0.5 * 0.05;  // to its face
+  const auto clockAt = [&](double emitted_s, double c_m_s) {
+    WallRenderer renderer(graphics_, scene, c_m_s, 1);
+    const EyeView eye{{emitted_s + distance_m / c_m_s, Vec3(0.0)}, Vec3(0.0)};
+    BodyView view;
+    viewBody(restingWorldLine(c_m_s), eye.observation, Lorentz(c_m_s), view);
+    const Wall wall = wallTowards({0, 0, 0}, {0, 1, 0}, {600, 600});
+    WallPicture picture(wall.pixels);
+    renderer.look(Lorentz(c_m_s), eye, {&view, 1});
+    renderer.draw(wall, {0, 0, 0}, picture);
+    return readBack(picture).rgb;
+  };
+  const auto reference = clockAt(12.35, kC_m_s);
+  EXPECT_TRUE(clockAt(12.301, kC_m_s) == reference);
+  EXPECT_TRUE(clockAt(12.399, kC_m_s) == reference);
+  EXPECT_FALSE(clockAt(12.299, kC_m_s) == reference);
+  EXPECT_FALSE(clockAt(12.401, kC_m_s) == reference);
+  EXPECT_TRUE(clockAt(12.35, 7.0) == reference) << "whatever the speed of light";
+  EXPECT_TRUE(clockAt(1012.35, kC_m_s) == clockAt(2012.35, kC_m_s)) << "it begins again after 999.9";
+  EXPECT_FALSE(clockAt(2.35, kC_m_s) == reference);
+  EXPECT_FALSE(clockAt(-12.25, kC_m_s) == reference) << "a minus sign";
+  EXPECT_TRUE(clockAt(-12.21, kC_m_s) == clockAt(-12.29, kC_m_s));
+}
+
+TEST_F(WallRendererTest, AnotherNumberOfBodiesIsRefused) {
+  WallRenderer renderer(graphics_, glowingPuck(0.1), kC_m_s, 1);
+  EXPECT_THROW(renderer.look(Lorentz(kC_m_s), {}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,264 @@
+#include "devices/head_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <random>
+
+#include "devices/simulated_tracker.h"
+
+namespace carom {
+namespace {
+
+constexpr double kRate_hz = 60.0;
+constexpr double kFrame_s = 1.0 / kRate_hz;
+constexpr double kSlew_m_s = 1.0;  // how fast a pose may come over to where samples came back
+
+Pose at(const glm::dvec3& position_m) { return {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)}; }
+
+// A head on a given path with noise of 0.3 mm, sampled at 60 Hz.
+class Walker {
+ public:
+  explicit Walker(std::function<glm::dvec3(double)> path) : path_(std::move(path)) {}
+
+  SampleUse sample(double time_s) {
+    const double x = normal_(random_), y = normal_(random_), z = normal_(random_);
+    return filter.add(time_s, at(path_(time_s) + glm::dvec3(x, y, z)));
+  }
+  /// Samples from one frame to before another.
+  void sample(int first, int end) {
+    for (int i = first; i < end; ++i) ASSERT_EQ(sample(i * kFrame_s), SampleUse::Used) << i;
+  }
+
+  HeadFilter filter;
+
+ private:
+  std::function<glm::dvec3(double)> path_;
+  std::mt19937_64 random_{21};
+  std::normal_distribution<double> normal_{0.0, 0.0003};
+};
+
+glm::dvec3 stroll(double time_s) { return {time_s, 1.7, 0.0}; }  // 1 m/s along x
+glm::dvec3 stand(double) { return {0.0, 1.7, 0.0}; }
+
+TEST(HeadFilter, BeforeTheFirstSampleNothingIsKnown) {
+  const HeadEstimate head = HeadFilter().at(3.0);
+  EXPECT_EQ(head.known, Known::Lost);
+  EXPECT_EQ(head.celerity_m_s, glm::dvec3(0.0));
+  EXPECT_EQ(head.pose.position_m, glm::dvec3(0.0));
+  EXPECT_GE(head.sigma_m_s, 0.5);
+  EXPECT_STREQ(toString(head.known), "lost");
+}
+
+TEST(HeadFilter, SaysHowThePoseIsKnown) {
+  Walker walker(stroll);
+  walker.sample(0, 120);
+  const double last_s = 119 * kFrame_s;
+  EXPECT_EQ(walker.filter.at(last_s).known, Known::Measured);
+  EXPECT_EQ(walker.filter.at(last_s + 0.03).known, Known::Predicted);
+  EXPECT_EQ(walker.filter.at(last_s + 0.15).known, Known::Held);
+  EXPECT_EQ(walker.filter.at(last_s + 0.5).known, Known::Lost);
+}
+
+TEST(HeadFilter, PredictsThePoseButNotTheCelerity) {
+  Walker walker(stroll);
+  walker.sample(0, 180);
+  const double last_s = 179 * kFrame_s;
+  const HeadEstimate now = walker.filter.at(last_s), later = walker.filter.at(last_s + 0.035);
+  EXPECT_NEAR(now.pose.position_m.x, last_s, 0.001);
+  EXPECT_NEAR(later.pose.position_m.x, last_s + 0.035, 0.003);
+  EXPECT_EQ(later.celerity_m_s, now.celerity_m_s);
+  EXPECT_GT(later.sigma_m_s, now.sigma_m_s);  // it may have changed since
+  EXPECT_NEAR(later.lag_s, now.lag_s + 0.035, 1e-12);
+}
+
+TEST(HeadFilter, PredictsATurn) {
+  HeadFilter filter;
+  const double rate_rad_s = 1.2;
+  for (int i = 0; i < 120; ++i) {
+    filter.add(i * kFrame_s,
+               {glm::dvec3(0.0), glm::angleAxis(rate_rad_s * i * kFrame_s, glm::dvec3(0, 1, 0))});
+  }
+  const double then_s = 119 * kFrame_s + 0.04;
+  const glm::dquat expected = glm::angleAxis(rate_rad_s * then_s, glm::dvec3(0, 1, 0));
+  EXPECT_GT(std::abs(glm::dot(filter.at(then_s).pose.orientation, expected)), std::cos(0.5 * 0.001));
+}
+
+TEST(HeadFilter, TheOtherSignOfAQuaternionIsTheSameTurn) {
+  HeadFilter plain, flipped;
+  for (int i = 0; i < 60; ++i) {
+    const glm::dquat q = glm::angleAxis(0.02 * i, glm::normalize(glm::dvec3(1, 2, 3)));
+    plain.add(i * kFrame_s, {glm::dvec3(0.0), q});
+    flipped.add(i * kFrame_s, {glm::dvec3(0.0), i % 2 ? -q : q});
+  }
+  const glm::dquat a = plain.at(1.0).pose.orientation, b = flipped.at(1.0).pose.orientation;
+  EXPECT_NEAR(std::abs(glm::dot(a, b)), 1.0, 1e-12);
+}
+
+TEST(HeadFilter, RefusesWhatIsNoSample) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Walker walker(stand);
+  EXPECT_EQ(walker.filter.add(nan, at({0, 0, 0})), SampleUse::Unusable);
+  walker.sample(0, 10);
+  EXPECT_EQ(walker.filter.add(9 * kFrame_s, at({0, 1.7, 0})), SampleUse::Unusable);
+  EXPECT_EQ(walker.filter.add(5 * kFrame_s, at({0, 1.7, 0})), SampleUse::Unusable);
+  EXPECT_EQ(walker.filter.add(10 * kFrame_s, at({0, nan, 0})), SampleUse::Unusable);
+  EXPECT_EQ(walker.filter.add(10 * kFrame_s, {{0, 1.7, 0}, glm::dquat(0, 0, 0, 0)}), SampleUse::Unusable);
+  EXPECT_EQ(walker.filter.add(10 * kFrame_s, {{0, 1.7, 0}, glm::dquat(nan, 0, 0, 0)}), SampleUse::Unusable);
+  EXPECT_EQ(walker.sample(10 * kFrame_s), SampleUse::Used);
+}
+
+TEST(HeadFilter, AGlitchLeavesNoTrace) {
+  Walker walker(stand), calm(stand);
+  walker.sample(0, 120);
+  calm.sample(0, 120);
+  EXPECT_EQ(walker.filter.add(120 * kFrame_s, at({0.5, 1.7, 0.0})), SampleUse::Glitch);
+  walker.sample(121, 180);
+  calm.sample(121, 180);
+  const HeadEstimate head = walker.filter.at(179 * kFrame_s), expected = calm.filter.at(179 * kFrame_s);
+  EXPECT_EQ(head.celerity_m_s, expected.celerity_m_s);
+  EXPECT_EQ(head.pose.position_m, expected.pose.position_m);
+}
+
+// A step of celerity above 12 m/s is a glitch, one below is travel, at any rate.
+TEST(HeadFilter, TwelveMetresASecondIsTheLimit) {
+  for (const double rate_hz : {60.0, 120.0, 240.0}) {
+    HeadFilter below, above;
+    for (int i = 0; i < 60; ++i) {
+      below.add(i / rate_hz, at({0, 0, 0}));
+      above.add(i / rate_hz, at({0, 0, 0}));
+    }
+    EXPECT_EQ(below.add(60 / rate_hz, at({11.9 / rate_hz, 0, 0})), SampleUse::Used) << rate_hz;
+    EXPECT_EQ(above.add(60 / rate_hz, at({12.8 / rate_hz, 0, 0})), SampleUse::Glitch) << rate_hz;
+  }
+}
+
+constexpr double kSettling_m_s = 0.02;  // while celerity is estimated anew; a raw difference is 0.025
+
+// The tracker jumps and stays there: not travel, and the pose comes over at a bounded speed.
+TEST(HeadFilter, AJumpToANewPlaceIsNotTravel) {
+  for (const double jump_m : {0.25, 1.0, 5.0}) {
+    Walker walker([jump_m](double t) { return stand(t) + glm::dvec3(t > 2.01 ? jump_m : 0.0, 0, 0); });
+    glm::dvec3 shown = stand(0);
+    int used = 0;
+    for (int i = 0; i < 60 * 10; ++i) {
+      used += walker.sample(i * kFrame_s) == SampleUse::Used;
+      const HeadEstimate head = walker.filter.at(i * kFrame_s);
+      ASSERT_TRUE(i < 30 || glm::length(head.celerity_m_s) < kSettling_m_s) << jump_m << " m, frame " << i;
+      ASSERT_TRUE(i < 30 || glm::distance(head.pose.position_m, shown) < kSlew_m_s * kFrame_s + 0.001)
+          << jump_m << " m, frame " << i;
+      shown = head.pose.position_m;
+    }
+    EXPECT_GE(used, 60 * 10 - 20);
+    EXPECT_NEAR(shown.x, jump_m, 0.001);
+  }
+}
+
+// While walking, some samples are elsewhere: the walk goes on.
+TEST(HeadFilter, ABurstOfGlitchesIsBridged) {
+  for (const int burst : {1, 3, 6, 12}) {
+    Walker walker(stroll);
+    walker.sample(0, 180);
+    for (int i = 180; i < 180 + burst; ++i) {
+      EXPECT_EQ(walker.filter.add(i * kFrame_s, at({-1.0, 1.0, 2.0})), SampleUse::Glitch) << i;
+    }
+    walker.sample(180 + burst, 300);
+    const HeadEstimate head = walker.filter.at(299 * kFrame_s);
+    EXPECT_NEAR(head.celerity_m_s.x, 1.0, 0.02) << burst;
+    EXPECT_NEAR(head.pose.position_m.x, 299 * kFrame_s, 0.001) << burst;
+  }
+}
+
+TEST(HeadFilter, NonsenseIsNeverTakenForAPlace) {
+  Walker walker(stand);
+  walker.sample(0, 120);
+  std::mt19937_64 random(31);
+  std::uniform_real_distribution<double> uniform(-50.0, 50.0);
+  for (int i = 120; i < 400; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    EXPECT_EQ(walker.filter.add(i * kFrame_s, at({x, y, z})), SampleUse::Glitch) << i;
+  }
+  const HeadEstimate head = walker.filter.at(400 * kFrame_s);
+  EXPECT_EQ(head.known, Known::Lost);
+  EXPECT_TRUE(glm::distance(head.pose.position_m, stand(0)) < 0.01);
+}
+
+// Walking at 1 m/s, samples stop for a while: celerity fades to zero within 0.3 s of the last sample; when
+// they return, neither pose nor celerity jumps, and both are right again soon.
+TEST(HeadFilter, LossAndReturnAreSmooth) {
+  for (const int missing : {10, 18, 60, 300}) {
+    Walker walker(stroll);
+    walker.sample(0, 180);
+    const double last_s = 179 * kFrame_s;
+    glm::dvec3 shown = walker.filter.at(last_s).pose.position_m;
+    glm::dvec3 celerity = walker.filter.at(last_s).celerity_m_s;
+    for (int i = 180; i < 180 + missing + 480; ++i) {
+      if (i >= 180 + missing) {
+        ASSERT_EQ(walker.sample(i * kFrame_s), SampleUse::Used);
+      }
+      const HeadEstimate head = walker.filter.at(i * kFrame_s);
+      const double sinceLast_s = i * kFrame_s - last_s;
+      if (i < 180 + missing && sinceLast_s >= 0.3) {
+        ASSERT_EQ(head.celerity_m_s, glm::dvec3(0.0));
+      }
+      // The user's own walk, the slewing and a little of the filter's settling.
+      ASSERT_TRUE(glm::distance(head.pose.position_m, shown) < (1.0 + kSlew_m_s + 0.3) * kFrame_s)
+          << missing << " missing, frame " << i;
+      // Full celerity in no less than 0.2 s.
+      ASSERT_TRUE(glm::distance(head.celerity_m_s, celerity) < 1.2 * kFrame_s / 0.2)
+          << missing << " missing, frame " << i;
+      shown = head.pose.position_m;
+      celerity = head.celerity_m_s;
+    }
+    const double end_s = (180 + missing + 479) * kFrame_s;
+    EXPECT_NEAR(celerity.x, 1.0, 0.02);
+    EXPECT_NEAR(shown.x, end_s, 0.001) << missing;
+  }
+}
+
+TEST(HeadFilter, TheErrorOfAFadingCelerityIsStated) {
+  Walker walker(stroll);
+  walker.sample(0, 180);
+  for (const double after_s : {0.12, 0.2, 0.29, 1.0}) {
+    const HeadEstimate head = walker.filter.at(179 * kFrame_s + after_s);
+    EXPECT_GT(head.sigma_m_s, 0.9 * std::abs(1.0 - head.celerity_m_s.x)) << after_s;
+  }
+}
+
+TEST(HeadFilter, TheSameSamplesGiveTheSameBits) {
+  SimulatedTracker tracker({.seed = 17});
+  std::vector<TrackerSample> samples;
+  tracker.poll(20.0, samples);
+  HeadFilter one, other;
+  for (const TrackerSample& sample : samples) {
+    one.add(sample.time_s, sample.pose);
+    other.add(sample.time_s, sample.pose);
+    other.at(sample.time_s + 0.01);  // asking changes nothing
+  }
+  const HeadEstimate a = one.at(20.03), b = other.at(20.03);
+  EXPECT_EQ(a.pose.position_m, b.pose.position_m);
+  EXPECT_EQ(a.pose.orientation, b.pose.orientation);
+  EXPECT_EQ(a.celerity_m_s, b.celerity_m_s);
+  EXPECT_EQ(a.sigma_m_s, b.sigma_m_s);
+}
+
+// Calendar time leaves only a quarter of a microsecond: no more than that is lost.
+TEST(HeadFilter, WorksOnCalendarTime) {
+  Walker walker(stroll);
+  HeadFilter calendar;
+  const double epoch_s = 1.7e9;
+  for (int i = 0; i < 240; ++i) {
+    const glm::dvec3 position_m = stroll(i * kFrame_s);
+    walker.filter.add(i * kFrame_s, at(position_m));
+    ASSERT_EQ(calendar.add(epoch_s + i * kFrame_s, at(position_m)), SampleUse::Used);
+  }
+  EXPECT_TRUE(glm::distance(calendar.at(epoch_s + 4.0).celerity_m_s, walker.filter.at(4.0).celerity_m_s) <
+              1e-3);
+}
+
+}  // namespace
+}  // namespace carom

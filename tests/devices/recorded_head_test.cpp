@@ -1,0 +1,64 @@
+// How well the celerity of a recorded head is found: RMS error, lag and noise at rest.
+
+#include "devices/recorded_head.h"
+
+#include <gtest/gtest.h>
+
+#include "devices/head_filter.h"
+
+namespace carom {
+namespace {
+
+FilterMaker headFilter() {
+  return [] {
+    return [filter = HeadFilter()](double time_s, const glm::dvec3& position_m) mutable {
+      filter.add(time_s, {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)});
+      return filter.at(time_s).celerity_m_s;
+    };
+  };
+}
+
+struct Limit {
+  int rate_hz;
+  double error_m_s, lag_s, rest_m_s;
+};
+
+TEST(RecordedHead, CelerityIsFoundWithinTheLimits) {
+  const auto path = recordedHead(2000, 8000);
+  if (!path) GTEST_SKIP() << "no recording in " CAROM_SHARED_DIR;
+  for (const Limit limit : {Limit{60, 0.0089, 0.011, 0.0006}, Limit{120, 0.0081, 0.010, 0.0005},
+                            Limit{240, 0.0072, 0.009, 0.0005}}) {
+    const FilterScore score = scoreOf(resampled(*path, limit.rate_hz), limit.rate_hz, headFilter());
+    EXPECT_LE(score.error_m_s, limit.error_m_s) << limit.rate_hz << " Hz";
+    EXPECT_LE(score.lag_s, limit.lag_s) << limit.rate_hz << " Hz";
+    EXPECT_LE(score.rest_m_s, limit.rest_m_s) << limit.rate_hz << " Hz";
+  }
+}
+
+// The stated standard deviation and lag against what the recording shows.
+TEST(RecordedHead, StatedErrorAndLagAreThoseSeen) {
+  const auto path = recordedHead(2000, 8000);
+  if (!path) GTEST_SKIP() << "no recording in " CAROM_SHARED_DIR;
+  for (const int rate_hz : {60, 120, 240}) {
+    double variance = 0.0, lag_s = 0.0;
+    int count = 0;
+    const auto watched = [&]() -> VelocityFilter {
+      return [&, filter = HeadFilter()](double time_s, const glm::dvec3& position_m) mutable {
+        filter.add(time_s, {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)});
+        const HeadEstimate head = filter.at(time_s);
+        if (time_s < 20.0) return head.celerity_m_s;  // settling, and the sensor at rest
+        variance += head.sigma_m_s * head.sigma_m_s;
+        lag_s += head.lag_s;
+        ++count;
+        return head.celerity_m_s;
+      };
+    };
+    const FilterScore score = scoreOf(resampled(*path, rate_hz), rate_hz, watched);
+    EXPECT_LT(score.error_m_s, std::sqrt(variance / count)) << rate_hz << " Hz";
+    EXPECT_GT(score.error_m_s, 0.5 * std::sqrt(variance / count)) << rate_hz << " Hz";
+    EXPECT_NEAR(lag_s / count, score.lag_s, 0.006) << rate_hz << " Hz";
+  }
+}
+
+}  // namespace
+}  // namespace carom

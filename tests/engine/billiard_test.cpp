@@ -1,0 +1,3 @@
+#include "engine/billiard.h"
+#include <gtest/gtest.h>
+TEST(Billiard, dummy) {}

@@ -1,0 +1,55 @@
+#pragma once
+// Seeded random world lines, offsets and eyes for tests; every generator prints as the case it made.
+
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "engine/world_line.h"
+
+namespace carom::test {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  /// Uniform in [low, high), the same on every platform.
+  double in(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
+  }
+  Vec3 inBox(double half) { return {in(-half, half), in(-half, half), in(-half, half)}; }
+  Vec3 direction() {
+    for (;;) {
+      const Vec3 v = inBox(1.0);
+      const double length = glm::length(v);
+      if (length > 0.1 && length < 1.0) return v / length;
+    }
+  }
+  Vec3 inBall(double radius) { return direction() * (radius * std::cbrt(in(0.0, 1.0))); }
+  Vec3 u(double maxBeta) { return uFromBeta(direction() * in(0.0, maxBeta)); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A body that bounces `bounces` times, `spacing_s` board seconds apart on average. As for a puck, the news
+/// of each bounce comes from a point of the body and reaches the centre at the turn.
+inline WorldLine randomWorldLine(Random& random, double c_m_s, double radius_m, int bounces, double spacing_s,
+                                 double maxBeta, double friction_m_s2 = 0.0) {
+  Knot knot{{random.in(-1.0, 0.0), random.inBox(1.0)}, random.u(maxBeta), 0.0, {}, 0.0};
+  knot.news = knot.turn;
+  WorldLine line(knot, c_m_s, radius_m);
+  for (int i = 0; i < bounces; ++i) {
+    const Knot& last = line.knots().back();
+    const double t_s = last.turn.t_s + random.in(0.02, 2.0) * spacing_s;
+    const Motion motion = motionOnLeg(last, t_s, c_m_s);
+    const double depth_m = random.in(0.0, radius_m);
+    const Displacement newsInBody{-depth_m / c_m_s, random.direction() * depth_m};
+    Knot next{motion.event, random.u(maxBeta), motion.properTime_s, {}, friction_m_s2};
+    next.news = motion.event + Lorentz::boost(motion.u, c_m_s) * newsInBody;
+    line.append(next);
+  }
+  return line;
+}
+
+}  // namespace carom::test

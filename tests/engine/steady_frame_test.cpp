@@ -1,0 +1,53 @@
+// Once things have found their size, a frame of the engine allocates nothing.
+
+#include <gtest/gtest.h>
+
+#include "counted_new.h"
+#include "engine/meshes.h"
+#include "engine/ring_view.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+
+TEST(SteadyFrame, RigidBodiesAllocateNothing) {
+  test::Random random(61);
+  const test::Cloud cloud = test::randomCloud(random, 2000, 0.1);
+  const WorldLine line = test::randomWorldLine(random, kC_m_s, 0.1, 20, 0.3, 0.9);
+  RigidMeshView view(line, cloud.points());
+  test::SeenCloud seen(2000);
+  std::size_t allocations = 0;
+  for (int round = 0; round < 2; ++round) {  // the first round finds the longest chain of legs
+    const std::size_t before = test::allocationCount();
+    for (double t_s = -1.0; t_s < 9.0; t_s += 1.0 / 60.0) {
+      view.look({t_s, {0.3, 0.2, 0.1}}, Lorentz(kC_m_s));
+      view.see(0, seen.points());
+    }
+    allocations = test::allocationCount() - before;
+  }
+  EXPECT_EQ(allocations, 0U);
+}
+
+TEST(SteadyFrame, SampledMeshesAllocateNothingEvenWhileTheyAreRecorded) {
+  test::Random random(62);
+  const test::Cloud cloud = test::randomCloud(random, 500, 0.1);
+  const std::vector<float> simultaneous(500);
+  VertexRing ring(500, 100, kC_m_s);
+  RingView view(ring);
+  test::SeenCloud seen(500);
+  std::size_t before = 0;
+  for (int frame = 0; frame < 600; ++frame) {  // the ring fills, overflows, and is trimmed
+    if (frame == 10) before = test::allocationCount();
+    const double t_s = frame / 60.0;
+    ring.append({{t_s, {0.2 * std::sin(t_s), 0.0, 0.0}}, simultaneous, cloud.x, cloud.y, cloud.z});
+    const Event eye{frame < 300 ? 0.5 : t_s, {0.0, -0.5, 0.3}};
+    ring.trim({&eye, 1});
+    view.look(eye, Lorentz(kC_m_s));
+    view.see(0, seen.points());
+  }
+  EXPECT_EQ(test::allocationCount() - before, 0U);
+}
+
+}  // namespace
+}  // namespace carom

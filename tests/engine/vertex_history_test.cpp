@@ -1,0 +1,83 @@
+#include "engine/vertex_history.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/random_world.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+constexpr double kRounding_m = 1e-11;  // coordinates of metres, a chain of 20 boosts with γ up to 2.3
+
+TEST(VertexHistory, ContinuousAndSlowerThanLightThroughChainsOfBounces) {
+  test::Random random(5);
+  int pieces = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const int bounces = static_cast<int>(random.in(1, 21));
+    const WorldLine line = randomWorldLine(random, kC_m_s, 0.1, bounces, random.in(0.02, 2.0), 0.9);
+    const Vec3 offset_m = random.inBall(0.1);
+    const auto history = vertexHistory(line, offset_m);
+    SCOPED_TRACE(testing::Message() << "world line " << i << " with " << bounces << " bounces");
+    for (std::size_t k = 0; k + 1 < history.size(); ++k, ++pieces) {
+      const Displacement d = history[k + 1].start - history[k].start;
+      const Vec3 expected_m = betaFromU(history[k].u) * (kC_m_s * d.dt_s);
+      if (k > 0) {  // the first piece has no beginning
+        ASSERT_GE(d.dt_s, -1e-12);
+      }
+      ASSERT_LT(glm::length(d.dr_m - expected_m), kRounding_m);
+      ASSERT_LT(glm::length(betaFromU(history[k].u)), 1.0);
+      if (k > 0) {
+        ASSERT_GE(history[k + 1].properTime_s, history[k].properTime_s - 1e-12);
+      }
+    }
+  }
+  EXPECT_GT(pieces, 20000);
+}
+
+// Under friction: u and the clock of a gliding point are those of its places.
+TEST(VertexHistory, GlidingPointsMoveAsTheirPlacesDo) {
+  test::Random random(12);
+  const double h_s = 1e-4;
+  for (int i = 0; i < 100; ++i) {
+    const WorldLine line = randomWorldLine(random, kC_m_s, 0.1, 4, 2.0, 0.9, random.in(0.05, 4.0));
+    const auto history = vertexHistory(line, random.inBall(0.1));
+    SCOPED_TRACE(testing::Message() << "world line " << i);
+    for (std::size_t k = 1; k + 1 < history.size(); ++k) {
+      const VertexPiece& piece = history[k];
+      const double end_s = history[k + 1].start.t_s;
+      ASSERT_LT(glm::length(placeAt(piece, end_s, kC_m_s) - history[k + 1].start.r_m), kRounding_m);
+      ASSERT_NEAR(properTimeAt(piece, end_s, kC_m_s), history[k + 1].properTime_s, 1e-9);
+      const double t_s = random.in(piece.start.t_s, end_s);
+      if (end_s - piece.start.t_s < 10 * h_s) continue;
+      const Vec3 step_m = placeAt(piece, t_s + h_s, kC_m_s) - placeAt(piece, t_s - h_s, kC_m_s);
+      const Vec3 beta = step_m / (2.0 * h_s * kC_m_s);
+      ASSERT_LT(glm::length(beta - betaFromU(uAt(piece, t_s, kC_m_s))),
+                1e-3);  // a kink may lie within the step
+      const double tick_s = properTimeAt(piece, t_s + h_s, kC_m_s) - properTimeAt(piece, t_s - h_s, kC_m_s);
+      ASSERT_NEAR(tick_s / (2.0 * h_s), std::sqrt(1.0 - glm::dot(beta, beta)), 1e-3);
+    }
+  }
+}
+
+TEST(VertexHistory, TheCentreFollowsItsKnots) {
+  test::Random random(6);
+  const WorldLine line = randomWorldLine(random, kC_m_s, 0.1, 12, 0.5, 0.9);
+  const auto history = vertexHistory(line, Vec3(0.0));
+  for (double t_s = -2.0; t_s < 8.0; t_s += 0.01) {
+    const VertexPiece& piece = pieceAt(history, t_s);
+    ASSERT_LT(glm::length(placeAt(piece, t_s, kC_m_s) - line.at(t_s).event.r_m), kRounding_m) << t_s;
+  }
+}
+
+TEST(VertexHistory, ClockShowsZeroAtBoardTimeZeroOrAtAppearance) {
+  const Knot knot{{-3.0, Vec3(0.0)}, uFromBeta({0.6, 0.0, 0.0}), 0.0, {}, 0.0};
+  const auto always = vertexHistory(WorldLine(knot, kC_m_s), {0.1, 0.0, 0.0});
+  EXPECT_NEAR(properTimeAt(always.front(), 0.0, kC_m_s), 0.0, 1e-15);
+  EXPECT_NEAR(properTimeAt(always.front(), 1.0, kC_m_s), 0.8, 1e-15);
+  const auto later = vertexHistory(WorldLine(knot, kC_m_s, 0.1, 2.0), {0.1, 0.0, 0.0});
+  EXPECT_NEAR(properTimeAt(later.front(), 2.0, kC_m_s), 0.0, 1e-15);
+}
+
+}  // namespace
+}  // namespace carom

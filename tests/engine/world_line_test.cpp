@@ -1,0 +1,89 @@
+#include "engine/world_line.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/random_world.h"
+#include "engine/vertex_history.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+
+TEST(WorldLine, LegsHoldFromTheirTurns) {
+  const Knot first{{0.0, Vec3(0.0)}, uFromBeta({0.5, 0.0, 0.0}), 0.0, {}, 0.0};
+  WorldLine line(first, kC_m_s);
+  const Motion turn = line.at(2.0);
+  EXPECT_NEAR(turn.event.r_m.x, 0.5 * kC_m_s * 2.0, 1e-15);
+  EXPECT_NEAR(turn.properTime_s, 2.0 * std::sqrt(0.75), 1e-15);
+  line.append({turn.event, uFromBeta({0.0, 0.8, 0.0}), turn.properTime_s, turn.event, 0.0});
+  EXPECT_EQ(line.at(-5.0).leg, 0U);
+  EXPECT_EQ(line.at(3.0).leg, 1U);
+  EXPECT_NEAR(line.at(3.0).event.r_m.y, 0.8 * kC_m_s, 1e-15);
+  EXPECT_NEAR(line.at(-1.0).event.r_m.x, -0.5 * kC_m_s, 1e-15);
+}
+
+TEST(WorldLine, RefusesJumpsAndTimeGoingBack) {
+  WorldLine line({{0.0, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s);
+  EXPECT_THROW(line.append({{1.0, {0.1, 0.0, 0.0}}, Vec3(0.0), 1.0, {}, 0.0}), std::invalid_argument);
+  EXPECT_THROW(line.append({{-1.0, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}), std::invalid_argument);
+  EXPECT_THROW(line.append({{NAN, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}), std::invalid_argument);
+  EXPECT_EQ(line.knots().size(), 1U);
+}
+
+TEST(WorldLine, TruncationForgetsTheFuture) {
+  test::Random random(3);
+  WorldLine line = randomWorldLine(random, kC_m_s, 0.1, 10, 1.0, 0.9);
+  const WorldLine whole = line;
+  const double cut_s = line.knots()[6].turn.t_s;
+  line.truncateFrom(cut_s);
+  ASSERT_EQ(line.knots().size(), 6U);
+  EXPECT_TRUE(line.settlesBeforeNext(5));
+  for (std::size_t i = 6; i < whole.knots().size(); ++i) line.append(whole.knots()[i]);
+  for (std::size_t i = 0; i < whole.knots().size(); ++i) {
+    EXPECT_EQ(line.settlesBeforeNext(i), whole.settlesBeforeNext(i));
+    EXPECT_EQ(line.settled_s(i), whole.settled_s(i));
+  }
+}
+
+// Constant proper deceleration by steps: du/dt = −a/c, dx/dt = c u/γ, dτ/dt = 1/γ.
+TEST(WorldLine, FrictionLegMatchesNumericalIntegration) {
+  const double a_m_s2 = 0.7;
+  const Knot knot{{1.0, {0.2, 0.0, 0.0}}, {0.0, 1.5, 0.0}, 3.0, {}, a_m_s2};
+  const double stop_s = 1.5 * kC_m_s / a_m_s2;
+  for (const double dt_s : {0.5, 2.0, stop_s, stop_s + 1.0}) {
+    const int steps = 200000;
+    const double h_s = dt_s / steps;
+    double y_m = 0.0;
+    double tau_s = 3.0;
+    for (int i = 0; i < steps; ++i) {
+      const double u = std::max(0.0, 1.5 - a_m_s2 / kC_m_s * (i + 0.5) * h_s);
+      y_m += kC_m_s * u / std::sqrt(1 + u * u) * h_s;
+      tau_s += h_s / std::sqrt(1 + u * u);
+    }
+    const Motion motion = motionOnLeg(knot, 1.0 + dt_s, kC_m_s);
+    EXPECT_NEAR(motion.event.r_m.y, y_m, 1e-9) << dt_s;
+    EXPECT_NEAR(motion.properTime_s, tau_s, 1e-9) << dt_s;
+    EXPECT_NEAR(motion.u.y, std::max(0.0, 1.5 - a_m_s2 / kC_m_s * dt_s), 1e-12) << dt_s;
+  }
+}
+
+// The bound against what points really do.
+TEST(WorldLine, EveryPointHasJoinedItsLegWhenItIsSettled) {
+  test::Random random(4);
+  for (int i = 0; i < 300; ++i) {
+    const double radius_m = 0.05;
+    const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, 6, random.in(0.05, 2.0), 0.9);
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 offset_m = random.inBall(radius_m);
+      const auto history = vertexHistory(line, offset_m);
+      const Knot& last = line.knots().back();
+      // The last piece begins where the point joins the last leg.
+      const Displacement joined = Lorentz::boost(-last.u, kC_m_s) * (history.back().start - last.turn);
+      ASSERT_LE(joined.dt_s, line.settled_s(line.knots().size() - 1)) << "case " << i << " point " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom
