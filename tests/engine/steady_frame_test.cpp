@@ -13,10 +13,10 @@ constexpr double kC_m_s = 1.42;
 
 TEST(SteadyFrame, RigidBodiesAllocateNothing) {
   test::Random random(61);
-  const test::Cloud cloud = test::randomCloud(random, 2000, 0.1);
+  const test::Cloud cloud = test::randomCloud(random, 100, 0.1);
   const WorldLine line = test::randomWorldLine(random, kC_m_s, 0.1, 20, 0.3, 0.9);
   RigidMeshView view(line, cloud.points());
-  test::SeenCloud seen(2000);
+  test::SeenCloud seen(100);
   std::size_t allocations = 0;
   for (int round = 0; round < 2; ++round) {  // the first round finds the longest chain of legs
     const std::size_t before = test::allocationCount();
