@@ -1,5 +1,8 @@
 #include "app/cave_session.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <glm/gtc/quaternion.hpp>
@@ -98,6 +101,28 @@ std::unique_ptr<Play> startPlay(const Rig& rig, const Scenario& scenario, Clock&
                                      observer, Game(scenario), rig.head.eyeSeparation_m, options.frames});
 }
 
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    throw std::runtime_error(fmt::format("--capture {}: {}, expected a folder or a name for one",
+                                         folder.string(), failed.message()));
+  }
+}
+
+/// What is about to be seen, for the person at rank 0.
+void announce(const Rig& rig, const Scenario& scenario, const Cluster& cluster, const CaveOptions& options) {
+  fmt::print(stderr, "{} (light at {} m/s) in {}: {} walls, {} node{}.\n", scenario.title,
+             scenario.billiard.lightSpeed_m_s, rig.title, rig.walls.size(), cluster.size(),
+             cluster.size() == 1 ? "" : "s");
+  for (const Wall& wall : rig.walls) {
+    if (wall.node < cluster.size()) continue;
+    fmt::print(stderr, "Wall {} asks for node {}; node {} draws it.\n", wall.name, wall.node,
+               wall.node % cluster.size());
+  }
+  if (!options.frames) fmt::print(stderr, "Escape, Q or the window's button ends the session.\n");
+}
+
 void runSession(Cluster& cluster, const CaveOptions& options) {
   Rig rig;
   std::optional<Scenario> scenario;
@@ -123,11 +148,13 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
     play = startPlay(rig, *scenario, *clock, options);
   });
   together(cluster, [&] {
-    if (options.capture) std::filesystem::create_directories(*options.capture);
+    if (options.capture) makeFolder(*options.capture);
   });
 
+  if (play) announce(rig, *scenario, cluster, options);
   Node node{cluster, *graphics, *walls, startingHistories(*scenario), options.capture};
   runFrames(node, play.get());
+  if (play && options.capture) fmt::print(stderr, "The pictures are in {}.\n", options.capture->string());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/frame_loop.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -30,6 +31,13 @@ void decide(Play& play, FrameState& state) {
   state.record.last = play.frames && times.number + 1 >= *play.frames;
 }
 
+/// A line now and then while a session of given length runs.
+void sayHowFar(const Play& play, const FrameRecord& record) {
+  if (play.frames && (record.number + 1) % 30 == 0) {
+    fmt::print(stderr, "frame {} of {}\n", record.number + 1, *play.frames);
+  }
+}
+
 /// Someone at this node wants the session to end: Escape, Q, or the window's own button.
 bool wantsToEnd(Graphics& graphics) {
   const WindowInput& input = graphics.poll();
@@ -53,6 +61,7 @@ void runFrames(Node& node, Play* play) {
     const bool wanted = node.cluster.firstFailed(wantsToEnd(node.graphics)) >= 0;
     node.cluster.swapTogether(state, digestOf(state, node.histories));
     node.walls.swap();
+    if (play) sayHowFar(*play, state.record);
     ended = wanted || state.record.last;
   }
 }

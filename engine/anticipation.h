@@ -59,6 +59,7 @@ class Anticipation {
     Vec21 uBefore;
     std::size_t collision = 0;
     int cushion = -1;
+    bool atOnce = false;
     double heat = 0.0;              // of this puck
     Vec21 radiated, taken, braked;  // four-momenta booked with it
   };
@@ -72,7 +73,7 @@ class Anticipation {
     double height = 0.0;       // of the centre
     std::size_t file = 0;      // place in the setup
     std::size_t begun = 1;     // legs begun
-    double now = 0.0;          // board time up to which its events are done
+    double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
     double crossing = kNever;  // when its centre leaves its cell, and which way
     int crossingAxis = 0, crossingStep = 0;
     unsigned legNumber = 0;
@@ -122,7 +123,7 @@ class Anticipation {
   bool isVoid(const Appointment& a) const {
     return a.kind == Kind::pair &&
            (players_[a.with].legNumber != a.otherLeg || a.otherTime >= discs_[a.with].turnsAt ||
-            a.otherTime < players_[a.with].now);
+            a.otherTime < players_[a.with].decidedAt);
   }
 
   // anticipation_commit.cpp: what happened

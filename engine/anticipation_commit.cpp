@@ -16,6 +16,7 @@ double sameTurn_m(double radius) { return 1e-9 * radius; }
 
 constexpr int kKicksOfAJam = 64;
 constexpr double kJamPerRadius = 1e-6;  // of the time in which light crosses the radius
+constexpr double kStill = 1e-9;         // of light speed: slower than this, jammed pucks do not kick
 
 }  // namespace
 
@@ -45,7 +46,7 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
   const std::optional<PairKick> kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u}, mass, e);
-  if (!kick) return;
+  if (!kick || (e == 0.0 && kick->closing < kStill && (players_[first].jammed || players_[second].jammed))) return;
 
   const double heat = kick->heat[0] + kick->heat[1];
   const std::size_t collision = chronicle.addCollision(std::nullopt, contact.event, heat * c_m_s_ * c_m_s_);
@@ -59,7 +60,7 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
     decided.collision = collision;
     decided.heat = kick->heat[k];
     decided.radiated = kick->u[k] * kick->heat[k];
-    players_[i].now = k == 0 ? a.ownTime : a.otherTime;
+    players_[i].decidedAt = k == 0 ? a.ownTime : a.otherTime;
     decide(i, decided, turn[k], chronicle);
     noteKick(i, turn[k].x);
     players_[i].lastPartner = who[1 - k];
@@ -79,7 +80,7 @@ void Anticipation::bounce(int i, const Appointment& a, Chronicle& chronicle) {
     if (place.tooLate) return;
     placed.turn = place.turn;
   }
-  player.now = a.ownTime;
+  player.decidedAt = a.ownTime;
   bounceAt(i, a.with, placed, chronicle);
 }
 
@@ -158,9 +159,9 @@ void Anticipation::decide(int i, const Decided& given, const Moment& turn, Chron
   hindsight_ = std::max(hindsight_, 4.0 * decided.leg.u.t * discs_[i].radius);
   if (convention_ == TurnConvention::newsAtCentre && decided.leg.u.t > gammaBound_) cellsTooSmall_ = true;
 
-  const bool now = player.decided.empty() &&
-                   (turn.x.t <= player.now || convention_ == TurnConvention::simultaneousWithContact);
-  if (now) {
+  const bool atOnce = player.decided.empty() && (turn.x.t <= player.leg.start.t || decided.atOnce ||
+                                                 convention_ == TurnConvention::simultaneousWithContact);
+  if (atOnce) {
     beginLeg(i, decided.leg);
   } else {
     player.decided.push_back(decided);
@@ -171,7 +172,7 @@ void Anticipation::decide(int i, const Decided& given, const Moment& turn, Chron
 void Anticipation::beginLeg(int i, const Leg& leg) {
   Player& player = players_[i];
   player.leg = leg;
-  player.now = leg.start.t;
+  player.decidedAt = -kNever;
   ++player.legNumber;
   ++player.begun;
   player.met.clear();
@@ -213,7 +214,7 @@ void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
   Decided decided;
   decided.leg = {struck.x, u, struck.properTime, brake_};
   decided.news = struck.x;
-  player.now = struck.x.t;
+  decided.atOnce = true;
   decide(i, decided, struck, chronicle);
   player.lastPartner = -1;
 

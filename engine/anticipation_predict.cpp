@@ -25,9 +25,8 @@ void Anticipation::layOutCells() {
       gammaBound_ = 2.0 * lastLeg(static_cast<int>(&player - players_.data())).u.t;
     }
   }
-  const double reach =
-      (convention_ == TurnConvention::simultaneousWithContact ? 2.0 : 2.0 * gammaBound_ + 1.0) *
-      largestRadius_;
+  pairReach_ = (convention_ == TurnConvention::simultaneousWithContact ? 2.0 : 2.0 * gammaBound_ + 1.0) *
+               largestRadius_;
   const double onePuckEach = std::sqrt(boxWidth_ * boxHeight_ / std::max(1, count));
   const double edge = 1.01 * std::max(pairReach_, onePuckEach);
   const auto fit = [&](double length) {
@@ -50,7 +49,7 @@ void Anticipation::predictAll() {
 
 void Anticipation::predict(int i) {
   Player& player = players_[i];
-  const double behind = std::max(0.0, clock_ - next_[i].ownTime);
+  const double behind = std::max(0.0, clock_ - std::max(next_[i].ownTime, player.leg.start.t));
   const Vec21 x = momentAt(player.leg, std::max(clock_, player.leg.start.t)).x;
   const int cell = cells_.cellAt(x.x, x.y);
   if (cell != cells_.cellOf(i)) cells_.move(i, cell);
@@ -63,10 +62,7 @@ void Anticipation::predict(int i) {
   }
   if (!player.strokes.empty()) considerStrokes(i, best);
   // A puck that was waited for is behind the others: those it can meet may be farther off by now.
-  const double reach =
-      (convention_ == TurnConvention::simultaneousWithContact ? 2.0 : 2.0 * gammaBound_ + 1.0) *
-      largestRadius_;
-  const double reachInCells = (reach + 2.0 * behind) / cells_.cellEdge();
+  const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
   cells_.forEachNear(cell,
                      reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0)),
                      [&](int other) { considerPair(i, other, best); });
@@ -119,10 +115,10 @@ void Anticipation::considerPair(int i, int other, Appointment& best) {
   const double own = meeting->ownTime[i == first ? 0 : 1], theirs = meeting->ownTime[i == first ? 1 : 0];
   const Player& partner = players_[other];
   if (own >= discs_[i].turnsAt || theirs >= discs_[other].turnsAt) return;  // found again on the leg after
-  if (own < player.now || theirs < partner.now) return;  // something else was decided after that
+  if (own < player.decidedAt || theirs < partner.decidedAt) return;  // what came after it is decided already
   const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, next_[other]);
   if (!mine && !also) return;
-  if (brake_ == 0.0 && player.lastPartner == other && partner.lastPartner == i) return;
+  if (player.lastPartner == other && partner.lastPartner == i) return;
   for (const Met& met : player.met) {
     if (met.puck == other && met.leg == partner.legNumber) return;
   }
@@ -142,18 +138,15 @@ void Anticipation::considerPair(int i, int other, Appointment& best) {
 
 std::optional<Meeting> Anticipation::meetingOf(int first, int second, double& touchAt) const {
   if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
-  const Player& a = players_[first];
-  const Player& b = players_[second];
-  const bool barred = a.lastPartner == second && b.lastPartner == first;
-  const auto found =
-      findBrakedMeeting({a.leg, discs_[first].radius}, {b.leg, discs_[second].radius}, convention_, barred);
+  const auto found = findBrakedMeeting({players_[first].leg, discs_[first].radius},
+                                       {players_[second].leg, discs_[second].radius}, convention_);
   if (!found) return std::nullopt;
   touchAt = found->touchAt;
   return found->meeting;
 }
 
-// A cushion is at least as near as the edge of a cell when it is touched, so only those of the outermost cells
-// matter.
+// A cushion is at least as near as the edge of a cell when it is touched, so only those of the outermost
+// cells matter.
 void Anticipation::considerCushions(int i, Appointment& best) const {
   const int cell = cells_.cellOf(i);
   for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
@@ -169,7 +162,7 @@ void Anticipation::considerCushion(int i, int cushion, Appointment& best) const 
   const std::optional<CushionContact> contact =
       findContact(player.leg, discs_[i].radius, cushions_[cushion], convention_);
   if (!contact) return;
-  const double own = std::max(contact->ownTime, player.now);
+  const double own = contact->ownTime;
   if (own >= discs_[i].turnsAt || own > best.ownTime) return;
   if (own == best.ownTime && best.kind <= Kind::cushion) return;
   best = {};
@@ -202,7 +195,8 @@ void Anticipation::scheduleCrossing(int i) {
     const int step = u > 0.0 ? 1 : -1;
     if (u == 0.0 || !cells_.canLeave(cell, axis, step)) continue;
     const double when = reaches(player.leg, axis, cells_.edge(cell, axis, step));
-    if (when < player.crossing) player.crossing = when, player.crossingAxis = axis, player.crossingStep = step;
+    if (when < player.crossing)
+      player.crossing = when, player.crossingAxis = axis, player.crossingStep = step;
   }
 }
 

@@ -151,14 +151,14 @@ class Chronicle;
 ///   decided, the whole collision is dropped, not one puck's half of it: so momentum is always conserved. A
 ///   cushion that a decided leg reaches before such a turn is committed first: so no centre ever leaves the
 ///   table.
-/// * A pair that has collided does not collide again until one of the two has had another event. With
-///   friction, which can bring them together again, until they have separated.
+/// * A pair that has collided does not collide again until one of the two has had another event.
 /// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
 ///   without delay: the pair at the later of the two starts in the equal-speed frame, and its news starts at
 ///   each centre.
 /// * Inelastic or jammed pucks can collide without end in a finite time. A puck whose last 64 kicks fell
-///   within a millionth of the time that light needs to cross its radius is taken to be jammed: its kicks are
-///   perfectly plastic until it has been left in peace for as long. `jams` tells where.
+///   within a millionth of the time that light needs to cross its radius is taken to be jammed: until it has
+///   been left in peace for as long, its kicks are perfectly plastic, and pucks that close on it at less than
+///   1e-9 c do not kick. `jams` tells where.
 ///
 /// With friction, the contact of two pucks is at the first board time t at which Dpar = dmin for the flights
 /// that touch the two world lines at t, and kicks act on the momenta the pucks have at their turns.

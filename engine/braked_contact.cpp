@@ -65,7 +65,7 @@ BrakedMeeting meetingAt(const BrakedDisc& first, const BrakedDisc& second, doubl
   for (int k = 0; k < 2; ++k) {
     const BrakedDisc& disc = k == 0 ? first : second;
     const double own = delayed ? contact.news[k] - disc.radius : contact.simultaneous[k];
-    found.meeting.ownTime[k] = std::max(disc.leg.start.t, t + (k == 0 ? flight1 : flight2).u.t * own);
+    found.meeting.ownTime[k] = t + (k == 0 ? flight1 : flight2).u.t * own;
   }
   return found;
 }
@@ -78,28 +78,24 @@ Disc flightAt(const BrakedDisc& disc, double t) {
 }
 
 std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
-                                               TurnConvention convention, bool separatedFirst) {
+                                               TurnConvention convention) {
   const double reach = first.radius + second.radius;
   const double touching = 1e-13 * reach * reach;
   const double rest = std::max(restsAt(first.leg), restsAt(second.leg));
   double t = std::max(first.leg.start.t, second.leg.start.t);
 
-  if (!separatedFirst && clearanceAt(first, second, t).value <= touching) {
+  if (clearanceAt(first, second, t).value <= touching) {
     const std::optional<Meeting> meeting = findMeeting(flightAt(first, t), flightAt(second, t), convention);
     if (meeting) return BrakedMeeting{*meeting, t};
   }
-  bool apart = !separatedFirst;
   while (t < rest) {
     const Clearance s = clearanceAt(first, second, t);
     if (s.speed == 0.0) return std::nullopt;
-    if (s.value > touching && s.slope >= 0.0) apart = true;
-    const bool closing = s.slope < 0.0;
-    if (apart && s.value <= touching && s.value > -touching && closing &&
-        approach(flightAt(first, t), flightAt(second, t))) {
+    if (std::abs(s.value) <= touching && s.slope < 0.0 && approach(flightAt(first, t), flightAt(second, t))) {
       return meetingAt(first, second, t - s.value / s.slope, convention);
     }
     double step = safeStep(s, reach);
-    // Through a zero that is no contact (they recede, or have not been apart): past it by a hair.
+    // Past a zero that is no contact, where they recede, by a hair.
     if (std::abs(s.value) <= touching) step = std::max(step, 1e-12 * reach / s.speed);
     t += std::max(step, 4.0 * std::numeric_limits<double>::epsilon() * (t + reach));
   }

@@ -22,10 +22,9 @@ struct BrakedMeeting {
 /// The straight flight that touches a leg at board time `t`.
 Disc flightAt(const BrakedDisc& disc, double t);
 
-/// The first meeting at or after both starts; each of their momentary bounds keeps the search from stepping
-/// over one. `separatedFirst`: only one after the two have been apart and receding, as friction can bring
-/// them together again.
+/// The first meeting at or after both starts. Bounds of how fast the gap can close keep the search from stepping
+/// over one.
 std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
-                                               TurnConvention convention, bool separatedFirst);
+                                               TurnConvention convention);
 
 }  // namespace carom

@@ -16,6 +16,7 @@ class CellGrid {
       : lowX_(lowX),
         lowY_(lowY),
         cell_(cell),
+        perCell_(1.0 / cell),
         columns_(columns),
         rows_(rows),
         first_(static_cast<std::size_t>(columns) * rows, kNone),

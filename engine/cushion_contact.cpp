@@ -66,7 +66,7 @@ std::optional<CushionContact> findContact(const Leg& leg, double radius, const C
   const double atTurn = delayed ? radius / (std::sqrt(1.0 + un * un) + un) : atContact;
   if (!(y > atTurn)) {  // the news is there already
     contact.withoutDelay = true;
-    contact.ownTime = leg.start.t;
+    contact.ownTime = leg.start.t - (delayed ? leg.u.t * radius : 0.0);
     contact.turn = {leg.start, leg.u, leg.properTime};
     contact.event =
         delayed ? besideCentre(leg.start, cushion) : contactOnBoard(contact.turn, radius, cushion);
@@ -81,7 +81,7 @@ std::optional<CushionContact> findContact(const Leg& leg, double radius, const C
     if (!t) return std::nullopt;
     atOwnContact = momentAt(leg, *t);
   }
-  contact.ownTime = std::max(leg.start.t, atOwnContact.x.t);
+  contact.ownTime = atOwnContact.x.t;
   if (!delayed) {
     contact.turn = atOwnContact;
     contact.event = contactOnBoard(atOwnContact, radius, cushion);

@@ -31,7 +31,7 @@ struct CushionPlane {
 };
 
 struct CushionContact {
-  double ownTime = 0.0;  ///< board time of the centre at its own moment of the contact, not before the start
+  double ownTime = 0.0;  ///< as in `Meeting`
   Vec21 event;           ///< C; for `withoutDelay` the place on the cushion beside the centre, when it turns
   Moment turn;           ///< the centre as it turns, still with its incoming velocity
   bool withoutDelay = false;  ///< already in contact when the leg began

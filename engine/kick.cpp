@@ -15,6 +15,7 @@ std::optional<PairKick> kickPair(const Vec21& U, const Vec21& n, const std::arra
   const double gained = (1.0 - restitution * restitution) * p1k * p1k / -kk;  // m'² − m²
 
   PairKick kick;
+  kick.closing = -p1k / std::sqrt(-kk) * (1.0 / mass[0] + 1.0 / mass[1]);
   for (int i = 0; i < 2; ++i) {
     const double m = mass[i];
     const double after = std::sqrt(m * m + gained);

@@ -20,6 +20,7 @@ namespace carom {
 struct PairKick {
   std::array<Vec21, 2> u;        ///< four-velocities afterwards
   std::array<double, 2> heat{};  ///< m' − m of each, in units of mass
+  double closing = 0.0;          ///< celerity at which they closed along the normal, for slow ones
 };
 
 /// None if the momenta recede from each other along the normal.

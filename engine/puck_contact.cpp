@@ -91,12 +91,15 @@ std::optional<Meeting> findMeeting(const Disc& first, const Disc& second, TurnCo
   }
   if (real) {
     return Meeting{
-        {first.start.t + first.u.t * std::max(0.0, own1), second.start.t + second.u.t * std::max(0.0, own2)},
+        {first.start.t + first.u.t * own1, second.start.t + second.u.t * own2},
         false};
   }
   if (heardAfterStart || bothFirst || !(approaching > 0.0) || touch.atLaterStart > touch.dmin)
     return std::nullopt;
-  return meetingWithoutDelay(first, second, touch);
+  Meeting meeting = meetingWithoutDelay(first, second, touch);
+  meeting.ownTime[0] -= first.u.t * first.radius;
+  meeting.ownTime[1] -= second.u.t * second.radius;
+  return meeting;
 }
 
 PairContact contactOf(const Disc& first, const Disc& second, bool withoutDelay) {

@@ -34,19 +34,22 @@ struct Disc {
 
 /// How two discs meet, as far as it matters for whether and in which order things happen.
 struct Meeting {
-  std::array<double, 2> ownTime{};  ///< board time of each centre at its own moment of the contact, not
-                                    ///< before the start of its flight
+  /// Board time of each centre at its own moment of the contact; where turns wait for the news, so long before
+  /// the turn that the order of these is the order of the turns. Before the start of the flight, if the rim was
+  /// in contact by then.
+  std::array<double, 2> ownTime{};
   bool withoutDelay = false;        ///< already in contact and approaching when the later flight began
 };
 
-/// A quick no for most pairs: false if the flights certainly do not meet, because b > R1 + R2 or, where turns are
-/// simultaneous with the contact, because they recede.
+/// A quick no for most pairs: false if the flights certainly do not meet, because b > R1 + R2 or, where turns
+/// are simultaneous with the contact, because they recede.
 inline bool mayMeet(const Disc& first, const Disc& second, TurnConvention convention) {
   const Vec21 D = second.start - first.start;
   const double reach = first.radius + second.radius;
   const double gammaRel = dot(first.u, second.u);
   const double triple = dot(cross(first.u, second.u), D);
-  const double rounding = 1e-9;  // far above what rounding does to these sums, far below what matters for speed
+  const double rounding =
+      1e-9;  // far above what rounding does to these sums, far below what matters for speed
   const double s2 = gammaRel * gammaRel * (1.0 + rounding) - 1.0;  // γrel² − 1
   if (triple * triple > reach * reach * s2) return false;
   if (convention == TurnConvention::newsAtCentre) return true;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/emission_kernel.h"
+#include "engine/portable_math.h"
 
 namespace carom {
 
@@ -22,13 +23,16 @@ Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s) {
   }
   const double a = knot.deceleration_m_s2 / c_m_s;  // of u, per second
   const double u0 = glm::length(knot.u);
-  const double glide_s = std::min(dt_s, u0 / a);
-  const double u1 = std::max(0.0, u0 - a * glide_s);
+  if (u0 == 0.0) return {{t_s, knot.turn.r_m}, knot.u, knot.properTime_s + dt_s, 0};
+  const bool rests = dt_s >= u0 / a;
+  const double glide_s = rests ? u0 / a : dt_s;
+  const double u1 = rests ? 0.0 : u0 - a * glide_s;
   const double gamma1 = std::sqrt(1.0 + u1 * u1);
-  const Vec3 direction = u0 > 0.0 ? knot.u / u0 : Vec3(0.0);
-  // γ0 − γ1 = (u0² − u1²)/(γ0 + γ1) does not cancel.
+  const Vec3 direction = knot.u / u0;
+  // γ0 − γ1 = (u0² − u1²)/(γ0 + γ1) and η0 − η1 = asinh((u0² − u1²)/(u0 γ1 + u1 γ0)) do not cancel.
   const double distance_m = c_m_s * glide_s * (u0 + u1) / (gamma0 + gamma1);
-  const double properTime_s = (std::asinh(u0) - std::asinh(u1)) / a + (dt_s - glide_s);
+  const double rapidityLost = portableAsinh(a * glide_s * (u0 + u1) / (u0 * gamma1 + u1 * gamma0));
+  const double properTime_s = rapidityLost / a + (dt_s - glide_s);
   return {{t_s, knot.turn.r_m + direction * distance_m}, direction * u1, knot.properTime_s + properTime_s, 0};
 }
 

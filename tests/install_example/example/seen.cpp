@@ -24,7 +24,8 @@ int main() {
 
   const double length_m = seenX_m[1] - seenX_m[0];
   const double expected = std::sqrt((1.0 + beta) / (1.0 - beta));
-  std::printf("It looks %.4f m long and %.4f times as blue; both should be %.4f.\n", length_m, doppler[0], expected);
+  std::printf("It looks %.4f m long and %.4f times as blue; both should be %.4f.\n", length_m, doppler[0],
+              expected);
   const bool right = std::abs(length_m - expected) < 1e-3 && std::abs(doppler[0] - expected) < 1e-3;
   return right ? 0 : 1;
 }
