@@ -94,7 +94,7 @@ std::unique_ptr<Play> startPlay(const Rig& rig, const Scenario& scenario, Clock&
                                 const CaveOptions& options) {
   const double c_m_s = scenario.billiard.lightSpeed_m_s;
   HeadTracking tracking(rig);
-  const HeadEstimate first = tracking.at({0, 0.0, 1.0 / rig.display_hz, 0.0});
+  const HeadEstimate first = tracking.at({0, 0.0, 1.0 / rig.display_hz + rig.displayLatency_s, 0.0});
   const Observer observer(boardFromRoom(scenario.observer, rig.axes, c_m_s),
                           {0.0, scenario.observer.position_m}, {first.pose, first.celerity_m_s});
   return std::make_unique<Play>(Play{Pacer(clock, rig.display_hz, rig.displayLatency_s), std::move(tracking),

@@ -25,6 +25,7 @@ void Game::advance(double t_s, FrameState& state) {
   billiard_.advanceTo(t_s);
   const Changes changes = billiard_.takeChanges();
   state.record.truncateFrom_s = changes.truncatedFrom_s.value_or(std::numeric_limits<double>::infinity());
+  state.record.pucks = billiard_.worldLines().size();
   state.knots.clear();
   for (const Changes::NewKnot& change : changes.knots) {
     state.knots.push_back({kFirstPuck + change.puck, change.knot});

@@ -23,6 +23,8 @@ struct Header {
 }  // namespace
 
 Cluster::Cluster() {
+  // A rank that waits gives its core to those that draw; a person's own setting stands.
+  setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
   MPI_Init(nullptr, nullptr);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);

@@ -7,7 +7,9 @@ namespace carom {
 
 void applyFrame(const FrameState& state, std::span<WorldLine> histories) {
   if (std::isfinite(state.record.truncateFrom_s)) {
-    for (WorldLine& history : histories) history.truncateFrom(state.record.truncateFrom_s);
+    for (WorldLine& history : histories.subspan(1, state.record.pucks)) {
+      history.truncateFrom(state.record.truncateFrom_s);
+    }
   }
   for (const BodyKnot& knot : state.knots) {
     if (knot.body >= histories.size())

@@ -23,8 +23,10 @@ struct FrameRecord {
   std::uint64_t number = 0;
   double display_s = 0.0;  ///< session clock: when the light of this frame leaves the walls
   ObserverView observer{Lorentz(1.0), {}, 0.0};
-  /// Every body forgets the knots whose turn is at or after this board time, before the new ones are added.
+  /// The pucks, bodies 1 to `pucks`, forget the knots whose turn is at or after this board time, before the
+  /// new ones are added.
   double truncateFrom_s = std::numeric_limits<double>::infinity();
+  std::uint64_t pucks = 0;
   std::uint64_t last = 0;  ///< 1: the session ends after this frame
 };
 static_assert(std::is_trivially_copyable_v<FrameRecord> && std::is_trivially_copyable_v<BodyKnot>);

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-/// `mode` of shaders/stereo.frag.glsl.
+/// `mode` of shaders/stereo_frag.glsl.
 int packingOf(StereoMode mode) {
   switch (mode) {
     case StereoMode::sideBySide:

@@ -1,5 +1,7 @@
 #include "cave/wall_set.h"
 
+#include <algorithm>
+
 #include "cave/capture.h"
 #include "cave/stereo.h"
 
@@ -20,7 +22,9 @@ WallSet::WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, 
   }
   if (!visible || walls_.empty()) return;
   if (oneWindow) {
-    windows_.push_back(std::make_unique<Window>(graphics_, "Carom", *oneWindow));
+    const bool quadBuffer = std::any_of(
+        walls_.begin(), walls_.end(), [](const Wall& wall) { return wall.stereo == StereoMode::quadBuffer; });
+    windows_.push_back(std::make_unique<Window>(graphics_, "Carom", *oneWindow, quadBuffer));
   } else {
     for (const Wall& wall : walls_) {
       windows_.push_back(std::make_unique<Window>(graphics_, "Carom: " + wall.name, wall.window,

@@ -67,24 +67,26 @@ class Anticipation {
     int puck;
     unsigned leg;
   };
-  struct Player {
-    Leg leg;  // that it follows
-    double mass = 0.0;
-    double height = 0.0;       // of the centre
-    std::size_t file = 0;      // place in the setup
-    std::size_t begun = 1;     // legs begun
+  // A puck beside its disc. What others read of it lies together.
+  struct alignas(64) Player {
     double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
-    double crossing = kNever;  // when its centre leaves its cell, and which way
-    int crossingAxis = 0, crossingStep = 0;
     unsigned legNumber = 0;
     int lastPartner = -1;      // with whom it collided last, if nothing else happened since
-    unsigned metCushions = 0;  // whose contact with this leg is dealt with, one bit each
-    int kicksInRun = 0;
-    double runBegan = -kNever, lastKick = -kNever;
-    bool jammed = false;
-    std::vector<Decided> decided;
     std::vector<Met> met;      // pucks, on the named leg of theirs, whose contact with this leg is dealt with
+    unsigned metCushions = 0;  // the same of cushions, one bit each
+    int crossingAxis = 0, crossingStep = 0;
+    double crossing = kNever;  // when and which way its centre leaves its cell
+
+    Leg leg;  // that it follows
+    std::vector<Decided> decided;
     std::vector<int> strokes;  // still to come
+    double mass = 0.0;
+    double height = 0.0;    // of the centre
+    std::size_t file = 0;   // place in the setup
+    std::size_t begun = 1;  // legs begun
+    double runBegan = -kNever, lastKick = -kNever;
+    int kicksInRun = 0;
+    bool jammed = false;
   };
   struct PuckStroke {
     Vec21 hand;

@@ -46,7 +46,8 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
   const std::optional<PairKick> kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u}, mass, e);
-  if (!kick || (e == 0.0 && kick->closing < kStill && (players_[first].jammed || players_[second].jammed))) return;
+  if (!kick || (e == 0.0 && kick->closing < kStill && (players_[first].jammed || players_[second].jammed)))
+    return;
 
   const double heat = kick->heat[0] + kick->heat[1];
   const std::size_t collision = chronicle.addCollision(std::nullopt, contact.event, heat * c_m_s_ * c_m_s_);

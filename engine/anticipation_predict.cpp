@@ -159,6 +159,11 @@ void Anticipation::considerCushions(int i, Appointment& best) const {
 
 void Anticipation::considerCushion(int i, int cushion, Appointment& best) const {
   const Player& player = players_[i];
+  // No earlier than straight flight to R (1 + u_n) from the plane, as R sqrt(1 + u_n²) is less; a glide is
+  // slower.
+  const double un = cushions_[cushion].towards(player.leg.u);
+  const double atLeast = cushions_[cushion].inside(player.leg.start) - discs_[i].radius * (1.0 + un);
+  if (atLeast * player.leg.u.t > (best.ownTime - player.leg.start.t) * un) return;
   const std::optional<CushionContact> contact =
       findContact(player.leg, discs_[i].radius, cushions_[cushion], convention_);
   if (!contact) return;

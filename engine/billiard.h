@@ -167,7 +167,7 @@ class Billiard {
   /// Refuses what cannot be played with std::invalid_argument that names the puck and the values: a light
   /// speed, radius, height, mass, board or restitution out of range, not a number, |β| >= 1, equal names,
   /// friction × radius >= c²/2, pucks that overlap at t = 0 on the board, a puck in a cushion, a stroke on no
-  /// puck or that arrives before t = 0.
+  /// puck or before t = 0.
   explicit Billiard(const BilliardSetup& setup);
   ~Billiard();
   Billiard(Billiard&&) noexcept;

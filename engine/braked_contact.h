@@ -22,8 +22,8 @@ struct BrakedMeeting {
 /// The straight flight that touches a leg at board time `t`.
 Disc flightAt(const BrakedDisc& disc, double t);
 
-/// The first meeting at or after both starts. Bounds of how fast the gap can close keep the search from stepping
-/// over one.
+/// The first meeting at or after both starts. Bounds of how fast the gap can close keep the search from
+/// stepping over one.
 std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
                                                TurnConvention convention);
 

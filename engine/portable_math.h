@@ -8,7 +8,7 @@ namespace carom {
 /// ln x of a positive, finite x; within 2 units in the last place.
 double portableLog(double x);
 
-/// asinh x = sign(x) ln(|x| + sqrt(1 + x²)), for rapidities; within 3 units in the last place.
+/// asinh x = sign(x) ln(|x| + sqrt(1 + x²)), for rapidities; within 4 units in the last place.
 double portableAsinh(double x);
 
 }  // namespace carom

@@ -90,9 +90,7 @@ std::optional<Meeting> findMeeting(const Disc& first, const Disc& second, TurnCo
     real = (own1 >= 0.0 || first.start.t == 0.0) && (own2 >= 0.0 || second.start.t == 0.0);
   }
   if (real) {
-    return Meeting{
-        {first.start.t + first.u.t * own1, second.start.t + second.u.t * own2},
-        false};
+    return Meeting{{first.start.t + first.u.t * own1, second.start.t + second.u.t * own2}, false};
   }
   if (heardAfterStart || bothFirst || !(approaching > 0.0) || touch.atLaterStart > touch.dmin)
     return std::nullopt;

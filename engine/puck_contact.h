@@ -34,11 +34,11 @@ struct Disc {
 
 /// How two discs meet, as far as it matters for whether and in which order things happen.
 struct Meeting {
-  /// Board time of each centre at its own moment of the contact; where turns wait for the news, so long before
-  /// the turn that the order of these is the order of the turns. Before the start of the flight, if the rim was
-  /// in contact by then.
+  /// Board time of each centre at its own moment of the contact; where turns wait for the news, so long
+  /// before the turn that the order of these is the order of the turns. Before the start of the flight, if
+  /// the rim was in contact by then.
   std::array<double, 2> ownTime{};
-  bool withoutDelay = false;        ///< already in contact and approaching when the later flight began
+  bool withoutDelay = false;  ///< already in contact and approaching when the later flight began
 };
 
 /// A quick no for most pairs: false if the flights certainly do not meet, because b > R1 + R2 or, where turns

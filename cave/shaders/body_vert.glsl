@@ -51,9 +51,11 @@ void main() {
 
   vec3 fromEye_m = (boardFromHead * vec4(-length(seen), seen)).yzw;
   vec3 onBoard_m = eyeOnBoard_m + fromEye_m;
+  // A vertex that is catching up is lit as on its incoming leg: its colour must not flash.
+  if (emission.catchingUp) leg = legAt(firstLeg, emission.leg - 1);
   float gamma = leg.toBoardTime.x;  // its first row takes (c t, x) to γ (c t + β·x)
   vec3 u = leg.toBoardTime.yzw;
-  vec3 toEye = (leg.eye - emission.event.yzw) / distanceInBody(leg, emission.event);
+  vec3 toEye = inBodyFrame(normalize(-fromEye_m), gamma, u);
   vec3 normal = normalMC * inversesqrt(max(dot(normalMC, normalMC), 1e-12));  // a spike of a mesh may have none
 
   light = hallLight(normal);

@@ -63,14 +63,21 @@ TEST(Cluster, TheLowestFailedRankIsKnownToAll) {
 }
 
 TEST(Cluster, TruncationComesBeforeTheNewKnots) {
-  std::vector<WorldLine> histories{history()};
-  applyFrame(frameWithKnots(3), histories);     // turns at 300, 301, 302
+  std::vector<WorldLine> histories{history(), history(), history()};  // the board, a puck, a told body
+  FrameState first = frameWithKnots(3);                               // turns at 300, 301, 302
+  for (BodyKnot& knot : first.knots) knot.body = 1;
+  applyFrame(first, histories);
+  for (BodyKnot& knot : first.knots) knot.body = 2;
+  applyFrame(first, histories);
   FrameState rewound = frameWithKnots(4);  // 400 … 403
+  for (BodyKnot& knot : rewound.knots) knot.body = 1;
   rewound.record.truncateFrom_s = 301.0;
+  rewound.record.pucks = 1;
   applyFrame(rewound, histories);
-  ASSERT_EQ(histories[0].knots().size(), 6U);
-  EXPECT_EQ(histories[0].knots()[1].turn.t_s, 300.0);
-  EXPECT_EQ(histories[0].knots()[2].turn.t_s, 400.0);
+  ASSERT_EQ(histories[1].knots().size(), 6U);
+  EXPECT_EQ(histories[1].knots()[1].turn.t_s, 300.0);
+  EXPECT_EQ(histories[1].knots()[2].turn.t_s, 400.0);
+  EXPECT_EQ(histories[2].knots().size(), 4U) << "a told body lost its turns";
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ std::string transcript(const Billiard& billiard, const std::vector<Puck>& pucks)
     std::ostringstream line;
     line << std::hexfloat << pucks[i].name;
     for (const Knot& k : billiard.worldLines()[i].knots()) {
-      line << ' ' << k.turn.t_s << ' ' << k.turn.r_m.x << ' ' << k.turn.r_m.y << ' ' << k.u.x << ' ' << k.u.y << ' '
-           << k.properTime_s << ' ' << k.news.t_s << ' ' << k.news.r_m.x << ' ' << k.news.r_m.y;
+      line << ' ' << k.turn.t_s << ' ' << k.turn.r_m.x << ' ' << k.turn.r_m.y << ' ' << k.u.x << ' ' << k.u.y
+           << ' ' << k.properTime_s << ' ' << k.news.t_s << ' ' << k.news.r_m.x << ' ' << k.news.r_m.y;
     }
     lines.push_back(line.str());
   }
@@ -58,7 +58,8 @@ void expectBalanced(const Billiard& billiard, const Ledger& start, double tolera
   const Vec2 momentum = now.motion.momentum_kg_m_s + now.radiated.momentum_kg_m_s +
                         now.takenByCushions.momentum_kg_m_s + now.lostToFriction.momentum_kg_m_s -
                         now.givenByStrokes.momentum_kg_m_s;
-  EXPECT_TRUE(std::abs(energy / start.motion.energy_j - 1.0) <= tolerance) << energy << " " << start.motion.energy_j;
+  EXPECT_TRUE(std::abs(energy / start.motion.energy_j - 1.0) <= tolerance)
+      << energy << " " << start.motion.energy_j;
   EXPECT_TRUE(glm::length(momentum - start.motion.momentum_kg_m_s) <= tolerance * start.motion.energy_j);
 }
 
@@ -99,7 +100,8 @@ TEST(Billiard, refusesWhatCannotBePlayed) {
 // Contraction makes room: two pucks side by side along their motion overlap at rest, not at γ = 2.
 TEST(Billiard, pucksOverlapAsTheBoardShowsThem) {
   BilliardSetup setup = threePucks();
-  setup.pucks = {{"a", 0.03, 0.02, 0.2, {0.0, 0.0}, {0.0, 0.0}}, {"b", 0.03, 0.02, 0.2, {0.05, 0.0}, {0.0, 0.0}}};
+  setup.pucks = {{"a", 0.03, 0.02, 0.2, {0.0, 0.0}, {0.0, 0.0}},
+                 {"b", 0.03, 0.02, 0.2, {0.05, 0.0}, {0.0, 0.0}}};
   EXPECT_THROW(Billiard{setup}, std::invalid_argument);
   for (Puck& puck : setup.pucks) puck.beta = {std::sqrt(0.75), 0.0};
   EXPECT_NO_THROW(Billiard{setup});
@@ -124,6 +126,32 @@ TEST(Billiard, orderOfPucksAndStepsChangeNoBit) {
   }
 }
 
+// The cells that keep a puck from looking at every other change no bit: with a puck so large that all the
+// others share a cell, far from them, these do just the same.
+TEST(Billiard, cellsChangeNoBit) {
+  for (const CollisionEvent convention : {CollisionEvent::centre, CollisionEvent::contact}) {
+    BilliardSetup setup = test::gasSetup(150, 0.1, 2.0, 17);
+    setup.board.reset();
+    setup.rules.collisionEvent = convention;
+    // Towards the middle, faster from farther away, so that many meet.
+    for (Puck& puck : setup.pucks) puck.beta = -puck.position_m * 1.2 + 0.3 * puck.beta;
+    BilliardSetup oneCell = setup;
+    oneCell.pucks.push_back({"zz", 10.0, 0.02, 1.0, {100.0, 0.0}, {0.0, 0.0}});
+    Billiard with(setup), without(oneCell);
+    const double until_s = 2.0;
+    with.advanceTo(until_s);
+    without.advanceTo(until_s);
+    EXPECT_GT(with.collisions().size(), 300u);
+    for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+      const Motion a = with.worldLines()[i].at(until_s), b = without.worldLines()[i].at(until_s);
+      EXPECT_EQ(a.event.r_m, b.event.r_m);
+      EXPECT_EQ(a.u, b.u);
+      EXPECT_EQ(a.properTime_s, b.properTime_s);
+      EXPECT_EQ(a.leg, b.leg);
+    }
+  }
+}
+
 // For a target at rest, tan θ1 tan θ2 = 2/(γ+1).
 TEST(Billiard, anglesOfTwoEqualPucks) {
   for (const double gamma : {1.25, 2.0, 7.0, 70.0}) {
@@ -137,15 +165,19 @@ TEST(Billiard, anglesOfTwoEqualPucks) {
       Billiard billiard(setup);
       billiard.advanceTo(3.0);
       ASSERT_EQ(billiard.collisions().size(), 1u);
-      const Vec2 one = billiard.collisions()[0].turns[0].betaAfter, two = billiard.collisions()[0].turns[1].betaAfter;
+      const Vec2 one = billiard.collisions()[0].turns[0].betaAfter,
+                 two = billiard.collisions()[0].turns[1].betaAfter;
       const double product = -(one.y / one.x) * (two.y / two.x);
       EXPECT_TRUE(std::abs(product - 2.0 / (gammaOf({beta, 0.0}) + 1.0)) <= 1e-9 * gamma) << product;
-      EXPECT_TRUE(std::abs(std::atan2(std::abs(two.y), two.x) - std::atan(2.0 * std::tan(std::asin(std::abs(impact) / 2.0)) / (gamma + 1.0))) <= 1e-9 * gamma);
+      EXPECT_TRUE(std::abs(std::atan2(std::abs(two.y), two.x) -
+                           std::atan(2.0 * std::tan(std::asin(std::abs(impact) / 2.0)) / (gamma + 1.0))) <=
+                  1e-9 * gamma);
     }
   }
 }
 
-// At a cushion the centre turns y = R (sqrt(1 + γ²β_n²) − γβ_n) inside ("centre") or R sqrt(1 − β_n²) ("contact").
+// At a cushion the centre turns y = R (sqrt(1 + γ²β_n²) − γβ_n) inside ("centre") or R sqrt(1 − β_n²)
+// ("contact").
 TEST(Billiard, cushionTurnsTheCentreInside) {
   for (const double beta : {0.1, 0.5, 0.9, 0.99, 0.9999}) {
     for (const CollisionEvent convention : {CollisionEvent::centre, CollisionEvent::contact}) {
@@ -157,7 +189,8 @@ TEST(Billiard, cushionTurnsTheCentreInside) {
       for (const Collision& collision : billiard.collisions()) {
         const Turn& turn = collision.turns[0];
         const bool alongX = *collision.cushion == Cushion::plusX || *collision.cushion == Cushion::minusX;
-        const double betaN = std::abs(alongX ? turn.betaBefore.x : turn.betaBefore.y), un = gammaOf(turn.betaBefore) * betaN;
+        const double betaN = std::abs(alongX ? turn.betaBefore.x : turn.betaBefore.y),
+                     un = gammaOf(turn.betaBefore) * betaN;
         const double y = alongX ? 1.0 - std::abs(turn.event.r_m.x) : 0.5 - std::abs(turn.event.r_m.y);
         const double expected = convention == CollisionEvent::centre ? 0.05 * (std::sqrt(1.0 + un * un) - un)
                                                                      : 0.05 * std::sqrt(1.0 - betaN * betaN);
@@ -199,7 +232,8 @@ TEST(Billiard, onePuckAmongCushionsIsReversible) {
 TEST(Billiard, exactCorner) {
   for (const double e : {1.0, 0.5}) {
     for (const CollisionEvent convention : {CollisionEvent::centre, CollisionEvent::contact}) {
-      SCOPED_TRACE(testing::Message() << e << (convention == CollisionEvent::centre ? " centre" : " contact"));
+      SCOPED_TRACE(testing::Message()
+                   << e << (convention == CollisionEvent::centre ? " centre" : " contact"));
       BilliardSetup setup = table(2.0, 2.0);
       setup.rules.collisionEvent = convention;
       setup.rules.cushionRestitution = e;
@@ -235,7 +269,9 @@ void expectInside(const Billiard& billiard, const Board& board) {
 // Corners, heavy and light pucks, high speeds: no centre ever leaves the table, and all is balanced.
 TEST(Billiard, noCentreLeavesTheTable) {
   std::mt19937_64 random(77);
-  const auto in = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() >> 11) * 0x1.0p-53; };
+  const auto in = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1.0p-53;
+  };
   for (int game = 0; game < 300; ++game) {
     BilliardSetup setup = table(in(0.4, 1.0), in(0.4, 1.0));
     setup.rules.collisionEvent = game % 2 == 0 ? CollisionEvent::centre : CollisionEvent::contact;
@@ -244,26 +280,33 @@ TEST(Billiard, noCentreLeavesTheTable) {
     if (game % 5 == 0) setup.rules.friction_m_s2 = in(0.0, 0.5);
     const double x = 0.25 * setup.board->length_m, y = 0.25 * setup.board->width_m;
     for (int i = 0; i < 4; ++i) {
-      const double angle = in(0.0, 2.0 * std::numbers::pi), beta = game % 7 == 0 ? in(0.99, 0.9999) : in(0.0, 0.99);
-      setup.pucks.push_back({std::to_string(i), in(0.01, 0.09), 0.02, std::pow(10.0, in(-2.0, 1.0)),
-                             {(i % 2 ? x : -x), (i / 2 ? y : -y)}, {beta * std::cos(angle), beta * std::sin(angle)}});
+      const double angle = in(0.0, 2.0 * std::numbers::pi),
+                   beta = game % 7 == 0 ? in(0.99, 0.9999) : in(0.0, 0.99);
+      setup.pucks.push_back({std::to_string(i),
+                             in(0.01, 0.09),
+                             0.02,
+                             std::pow(10.0, in(-2.0, 1.0)),
+                             {(i % 2 ? x : -x), (i / 2 ? y : -y)},
+                             {beta * std::cos(angle), beta * std::sin(angle)}});
     }
     SCOPED_TRACE(testing::Message() << "game " << game);
     Billiard billiard(setup);
     const Ledger start = billiard.ledger();
-    for (double t_s = 0.5; t_s <= 20.0 && billiard.collisions().size() < 3000; t_s += 0.5) billiard.advanceTo(t_s);
+    for (double t_s = 0.5; t_s <= 20.0 && billiard.collisions().size() < 3000; t_s += 0.5)
+      billiard.advanceTo(t_s);
     expectInside(billiard, *setup.board);
     expectBalanced(billiard, start, 1e-9);
     if (HasFailure()) return;
   }
 }
 
-// A puck that fits between two cushions only while it is contracted: elastic, it goes on; losing speed, it jams,
-// which is noted, and then moves along the gap alone.
+// A puck that fits between two cushions only while it is contracted: elastic, it goes on; losing speed, it
+// jams, which is noted, and then moves along the gap alone.
 TEST(Billiard, squeezedPuck) {
   for (const CollisionEvent convention : {CollisionEvent::centre, CollisionEvent::contact}) {
     for (const double e : {1.0, 0.9}) {
-      SCOPED_TRACE(testing::Message() << e << (convention == CollisionEvent::centre ? " centre" : " contact"));
+      SCOPED_TRACE(testing::Message()
+                   << e << (convention == CollisionEvent::centre ? " centre" : " contact"));
       BilliardSetup setup = table(2.0, 0.09);
       setup.rules.collisionEvent = convention;
       setup.rules.cushionRestitution = e;
@@ -302,7 +345,8 @@ TEST(Billiard, inelasticCollapseEnds) {
     BilliardSetup setup = table(2.0, 1.0);
     setup.rules.collisionEvent = convention;
     setup.rules.puckRestitution = setup.rules.cushionRestitution = 0.1;
-    setup.pucks = {{"light", 0.05, 0.02, 0.01, {0.8, 0.0}, {0.0, 0.0}}, {"heavy", 0.05, 0.02, 1.0, {0.0, 0.0}, {0.5, 0.0}}};
+    setup.pucks = {{"light", 0.05, 0.02, 0.01, {0.8, 0.0}, {0.0, 0.0}},
+                   {"heavy", 0.05, 0.02, 1.0, {0.0, 0.0}, {0.5, 0.0}}};
     Billiard billiard(setup);
     const Ledger start = billiard.ledger();
     billiard.advanceTo(20.0);
@@ -341,19 +385,22 @@ TEST(BilliardStroke, actsWhereItsLightArrives) {
   EXPECT_EQ(direct.worldLines()[2].knots()[1].turn.t_s, 0.125);
 }
 
-// Strokes that come while the game has long been played ahead give the same bits as the same strokes written in
-// the setup, whatever was rewound.
+// Strokes that come while the game has long been played ahead give the same bits as the same strokes written
+// in the setup, whatever was rewound.
 TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
   for (const CollisionEvent convention : {CollisionEvent::centre, CollisionEvent::contact}) {
     BilliardSetup setup = test::gasSetup(20, 0.1, 1.6, 21);
     setup.rules.collisionEvent = convention;
     std::mt19937_64 random(5);
-    const auto in = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() >> 11) * 0x1.0p-53; };
+    const auto in = [&](double low, double high) {
+      return low + (high - low) * static_cast<double>(random() >> 11) * 0x1.0p-53;
+    };
     Billiard live(setup);
     BilliardSetup scripted = setup;
     for (int i = 0; i < 30; ++i) {
       live.advanceTo(2.0 + i);  // far ahead of the stroke
-      Stroke stroke{static_cast<std::size_t>(in(0.0, 20.0)), 0.2 + i, std::nullopt, {in(-1.0, 1.0), in(-1.0, 1.0)}};
+      Stroke stroke{
+          static_cast<std::size_t>(in(0.0, 20.0)), 0.2 + i, std::nullopt, {in(-1.0, 1.0), in(-1.0, 1.0)}};
       if (i % 2 == 0) stroke.from_m = Vec3(in(-0.1, 0.1), in(-0.1, 0.1), in(0.0, 0.1));
       live.strike(stroke);
       scripted.strokes.push_back(stroke);
@@ -378,7 +425,8 @@ TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
 TEST(BilliardStroke, duringAPendingTurn) {
   BilliardSetup setup;
   setup.lightSpeed_m_s = 1.0;
-  setup.pucks = {{"a", 0.1, 0.02, 1.0, {-0.5, 0.0}, {0.5, 0.0}}, {"b", 0.1, 0.02, 2.0, {0.5, 0.0}, {0.0, 0.0}}};
+  setup.pucks = {{"a", 0.1, 0.02, 1.0, {-0.5, 0.0}, {0.5, 0.0}},
+                 {"b", 0.1, 0.02, 2.0, {0.5, 0.0}, {0.0, 0.0}}};
   Billiard undisturbed(setup);
   undisturbed.advanceTo(3.0);
   ASSERT_EQ(undisturbed.collisions().size(), 1u);
@@ -394,13 +442,18 @@ TEST(BilliardStroke, duringAPendingTurn) {
   EXPECT_EQ(after.turns[0].betaAfter, before.turns[0].betaAfter);
   const Turn &was = before.turns[1], &is = after.turns[1];
   // On the future cone of the contact still.
-  const Displacement news = is.event - Event{after.contact.t_s, {after.contact.r_m.x, after.contact.r_m.y, is.event.r_m.z}};
+  const Displacement news =
+      is.event - Event{after.contact.t_s, {after.contact.r_m.x, after.contact.r_m.y, is.event.r_m.z}};
   EXPECT_TRUE(std::abs(interval_m2(news, 1.0)) <= kRounding);
-  const auto impulse = [](const Turn& turn) { return 2.0 * (gammaOf(turn.betaAfter) * turn.betaAfter - gammaOf(turn.betaBefore) * turn.betaBefore); };
+  const auto impulse = [](const Turn& turn) {
+    return 2.0 * (gammaOf(turn.betaAfter) * turn.betaAfter - gammaOf(turn.betaBefore) * turn.betaBefore);
+  };
   EXPECT_TRUE(glm::length(impulse(was) - impulse(is)) <= kRounding);
-  EXPECT_TRUE(glm::length(2.0 * gammaOf(is.betaBefore) * is.betaBefore - stroke.momentum_kg_m_s) <= kRounding);
+  EXPECT_TRUE(glm::length(2.0 * gammaOf(is.betaBefore) * is.betaBefore - stroke.momentum_kg_m_s) <=
+              kRounding);
   expectBalanced(billiard, start, 1e-12);
-  EXPECT_TRUE(glm::length(billiard.ledger().givenByStrokes.momentum_kg_m_s - stroke.momentum_kg_m_s) <= kRounding);
+  EXPECT_TRUE(glm::length(billiard.ledger().givenByStrokes.momentum_kg_m_s - stroke.momentum_kg_m_s) <=
+              kRounding);
 }
 
 // A copy that only follows `takeChanges`, as the nodes of a cluster do, holds the same world lines.
@@ -412,7 +465,8 @@ TEST(BilliardStroke, changesAreEnoughToFollow) {
   bool truncated = false;
   for (int frame = 1; frame <= 600; ++frame) {
     billiard.advanceTo(0.05 * frame + 1.0);
-    if (frame % 37 == 0) billiard.strike({static_cast<std::size_t>(frame % 12), 0.05 * frame, std::nullopt, {0.5, 0.1}});
+    if (frame % 37 == 0)
+      billiard.strike({static_cast<std::size_t>(frame % 12), 0.05 * frame, std::nullopt, {0.5, 0.1}});
     if (frame % 100 == 0) billiard.forgetBefore(0.05 * frame - 3.0);
     const Changes changes = billiard.takeChanges();
     if (changes.truncatedFrom_s) {
@@ -422,7 +476,8 @@ TEST(BilliardStroke, changesAreEnoughToFollow) {
     }
     for (const Changes::NewKnot& added : changes.knots) copy[added.puck].append(added.knot);
     for (std::size_t i = 0; i < copy.size(); ++i) {
-      const Motion here = copy[i].at(0.05 * frame + 1.0), there = billiard.worldLines()[i].at(0.05 * frame + 1.0);
+      const Motion here = copy[i].at(0.05 * frame + 1.0),
+                   there = billiard.worldLines()[i].at(0.05 * frame + 1.0);
       ASSERT_EQ(here.event.r_m, there.event.r_m) << "frame " << frame << " puck " << i;
       ASSERT_EQ(here.u, there.u);
     }

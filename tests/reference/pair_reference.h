@@ -1,8 +1,8 @@
 #pragma once
-// A slow way to the contact of two pucks, by other means than the engine's closed form: both pucks are boosted
-// into the frame of equal and opposite speeds, drawn there as two ellipses, each contracted along its own motion,
-// and moved until their contact function reaches 1. The kick is found by solving for it: along the rims' common
-// normal, conserving four-momentum and both rest masses. In long double.
+// A slow way to the contact of two pucks, by other means than the engine's closed form: both pucks are
+// boosted into the frame of equal and opposite speeds, drawn there as two ellipses, each contracted along its
+// own motion, and moved until their contact function reaches 1. The kick is found by solving for it: along
+// the rims' common normal, conserving four-momentum and both rest masses. In long double.
 
 #include <array>
 #include <cmath>
@@ -50,8 +50,8 @@ inline Flight inFrame(const ReferencePuck& puck, Real fx, Real fy) {
   return {a, (b.x - a.x) / (b.t - a.t), (b.y - a.y) / (b.t - a.t), puck.radius};
 }
 
-/// Perram and Wertheim's contact function at time t of the frame: below 1 the ellipses overlap. With it the point
-/// at which it is reached, and the rims' normal there.
+/// Perram and Wertheim's contact function at time t of the frame: below 1 the ellipses overlap. With it the
+/// point at which it is reached, and the rims' normal there.
 struct ContactFunction {
   Real value, px, py, nx, ny;
 };
@@ -94,8 +94,10 @@ inline Point arrival(const Point& news, const ReferencePuck& puck) {
 }
 
 // q = λ (ε, nx, ny) with p1 + q and p2 − q on their mass shells, in the equal-speed frame:
-//   2 (p1·q) + q² = 0  and  −2 (p2·q) + q² = 0.   Divided by λ, their difference gives ε, then either gives λ.
-inline std::array<Real, 3> solveKick(const std::array<Real, 3>& p1, const std::array<Real, 3>& p2, Real nx, Real ny) {
+//   2 (p1·q) + q² = 0  and  −2 (p2·q) + q² = 0.   Divided by λ, their difference gives ε, then either gives
+//   λ.
+inline std::array<Real, 3> solveKick(const std::array<Real, 3>& p1, const std::array<Real, 3>& p2, Real nx,
+                                     Real ny) {
   const Real n1 = p1[1] * nx + p1[2] * ny, n2 = p2[1] * nx + p2[2] * ny, nn = nx * nx + ny * ny;
   const Real epsilon = (n1 + n2) / (p1[0] + p2[0]);
   const Real lambda = 2 * (n1 - epsilon * p1[0]) / (epsilon * epsilon - nn);
@@ -110,7 +112,8 @@ inline std::optional<ReferenceContact> slowContact(const ReferencePuck& one, con
   const Flight a = inFrame(one, fx, fy), b = inFrame(two, fx, fy);
   // Closest approach of the centres, from which the contact lies at most reach/relative speed before.
   const Real wx = b.vx - a.vx, wy = b.vy - a.vy, w2 = wx * wx + wy * wy;
-  const Real dx = b.at.x - b.vx * b.at.t - a.at.x + a.vx * a.at.t, dy = b.at.y - b.vy * b.at.t - a.at.y + a.vy * a.at.t;
+  const Real dx = b.at.x - b.vx * b.at.t - a.at.x + a.vx * a.at.t,
+             dy = b.at.y - b.vy * b.at.t - a.at.y + a.vy * a.at.t;
   const Real closest = -(dx * wx + dy * wy) / w2;
   if (contactFunction(a, b, closest).value >= 1) return std::nullopt;
   Real before = closest - 2 * (one.radius + two.radius) / std::sqrt(w2), after = closest;
@@ -126,7 +129,8 @@ inline std::optional<ReferenceContact> slowContact(const ReferencePuck& one, con
   for (int k = 0; k < 2; ++k) {
     const Flight& flight = k == 0 ? a : b;
     const Real dt = after - flight.at.t;
-    result.turnAtContact[k] = boosted({after, flight.at.x + flight.vx * dt, flight.at.y + flight.vy * dt}, -fx, -fy);
+    result.turnAtContact[k] =
+        boosted({after, flight.at.x + flight.vx * dt, flight.at.y + flight.vy * dt}, -fx, -fy);
     result.turnAtNews[k] = arrival(result.contact, *pucks[k]);
   }
   const auto momentum = [](const Flight& f, Real mass) {

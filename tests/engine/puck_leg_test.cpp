@@ -1,0 +1,80 @@
+#include "engine/puck_leg.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine/world_line.h"
+
+namespace carom {
+namespace {
+
+constexpr double kRounding = 1e-11;  // metres, over legs of some ten metres
+
+class Random {
+ public:
+  double in(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
+  }
+  Leg leg(double brake) {
+    return {{in(-1.0, 1.0), in(-1.0, 1.0), in(-1.0, 1.0)},
+            fourVelocity(in(-2.0, 2.0), in(-2.0, 2.0)),
+            in(0.0, 5.0),
+            brake};
+  }
+
+ private:
+  std::mt19937_64 engine_{3};
+};
+
+// The physics' leg and the world line's are one motion.
+TEST(PuckLeg, movesAsTheWorldLineDoes) {
+  Random random;
+  const double c = 1.42;
+  for (int i = 0; i < 1000; ++i) {
+    const Leg leg = random.leg(i % 2 == 0 ? 0.0 : random.in(0.1, 1.0));
+    const Knot knot{{leg.start.t / c, {leg.start.x, leg.start.y, 0.0}},
+                    {leg.u.x, leg.u.y, 0.0},
+                    leg.properTime / c,
+                    {},
+                    leg.brake * c * c};
+    const double t = leg.start.t + random.in(-1.0, 12.0);
+    const Moment moment = momentAt(leg, t);
+    const Motion motion = motionOnLeg(knot, t / c, c);
+    EXPECT_TRUE(glm::length(motion.event.r_m - Vec3(moment.x.x, moment.x.y, 0.0)) <= kRounding);
+    EXPECT_TRUE(glm::length(motion.u - Vec3(moment.u.x, moment.u.y, 0.0)) <= kRounding);
+    EXPECT_TRUE(std::abs(motion.properTime_s * c - moment.properTime) <= kRounding);
+  }
+}
+
+// Each solver's answer, put back into what it was to solve.
+TEST(PuckLeg, solversSolve) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE(i);
+    const Leg leg = random.leg(i % 2 == 0 ? 0.0 : random.in(0.1, 1.0));
+    const Vec21 event{leg.start.t + random.in(0.0, 3.0), random.in(-1.0, 1.0), random.in(-1.0, 1.0)};
+    const double height = random.in(-1.0, 1.0);
+    const Moment news = newsArrives(leg, event, height);
+    const double distance = std::hypot(news.x.x - event.x, news.x.y - event.y, height);
+    EXPECT_TRUE(std::abs(news.x.t - event.t - distance) <= kRounding);
+    EXPECT_TRUE(std::abs(momentAt(leg, news.x.t).x.x - news.x.x) <= kRounding);
+
+    const Vec21 U = fourVelocity(random.in(-1.0, 1.0), random.in(-1.0, 1.0));
+    const Moment simultaneous = simultaneousWith(leg, event, U);
+    EXPECT_TRUE(std::abs(dot(U, simultaneous.x - event)) <= kRounding);
+    EXPECT_TRUE(std::abs(momentAt(leg, simultaneous.x.t).x.y - simultaneous.x.y) <= kRounding);
+
+    const double bound = leg.start.x + std::copysign(random.in(0.0, 2.0), leg.u.x);
+    const double when = reaches(leg, 0, bound);
+    if (std::isfinite(when)) {
+      EXPECT_TRUE(std::abs(momentAt(leg, when).x.x - bound) <= kRounding);
+    } else {
+      EXPECT_LT(std::abs(momentAt(leg, restsAt(leg)).x.x - leg.start.x), std::abs(bound - leg.start.x));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom
