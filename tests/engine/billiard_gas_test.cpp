@@ -90,7 +90,8 @@ TEST(BilliardGas, juettnerLawOfTheTest) {
   const std::filesystem::path path = std::filesystem::path(CAROM_SHARED_DIR) / "cases" / "gas.json";
   std::ifstream file(path);
   if (!file) GTEST_SKIP() << "no shared cases here";
-  for (const auto& one : nlohmann::json::parse(file)["cases"]) {
+  const nlohmann::json shared = nlohmann::json::parse(file);
+  for (const auto& one : shared["cases"]) {
     const double T = one["input"]["T_over_m"];
     EXPECT_NEAR(juettnerTemperature(one["expected"]["mean_E"]), T, 1e-12);
     for (const auto& point : one["expected"]["cdf_at_E"]) {
