@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "engine/balance.h"
 #include "engine/billiard.h"
 #include "engine/gas.h"
 
@@ -53,17 +54,6 @@ void expectInsideTable(const Billiard& billiard, const Board& board) {
   EXPECT_GT(least_m, 0.0);
 }
 
-void expectBalanced(const Billiard& billiard, const Ledger& start, double tolerance) {
-  const Ledger now = billiard.ledger();
-  const double energy = now.motion.energy_j + now.radiated.energy_j + now.takenByCushions.energy_j +
-                        now.lostToFriction.energy_j - now.givenByStrokes.energy_j;
-  const Vec2 momentum = now.motion.momentum_kg_m_s + now.radiated.momentum_kg_m_s +
-                        now.takenByCushions.momentum_kg_m_s + now.lostToFriction.momentum_kg_m_s -
-                        now.givenByStrokes.momentum_kg_m_s;
-  EXPECT_TRUE(std::abs(energy / start.motion.energy_j - 1.0) <= tolerance) << energy;
-  EXPECT_TRUE(glm::length(momentum - start.motion.momentum_kg_m_s) <= tolerance * start.motion.energy_j);
-}
-
 TEST(BilliardGas, thermalisesToJuettner) {
   // 200 pucks, R/L = 0.002, ⟨E⟩ = 2.5 m: T = m. 240 samples of all pucks, in between which a puck collides
   // several times; their distance from the law is then that of 48 000 independent ones, 0.006 at 5 %.
@@ -79,7 +69,7 @@ TEST(BilliardGas, thermalisesToJuettner) {
     billiard.advanceTo(t_s += 10.0);
     for (const WorldLine& line : billiard.worldLines()) energies.push_back(gammaFromU(line.at(t_s).u));
   }
-  expectBalanced(billiard, start, kBalance);
+  test::expectBalanced(billiard, start, kBalance);
   expectInsideTable(billiard, *setup.board);
   EXPECT_LT(kolmogorovSmirnov(energies, juettnerTemperature(2.5)), kLargestDistance);
   EXPECT_TRUE(billiard.jams().empty());
@@ -111,7 +101,7 @@ TEST(BilliardGas, conservesOverAMillionCollisions) {
     collisions += billiard.collisions().size() - before;
     billiard.forgetBefore(t_s - 1.0);
   }
-  expectBalanced(billiard, start, kBalance);
+  test::expectBalanced(billiard, start, kBalance);
   expectInsideTable(billiard, *setup.board);
 }
 
@@ -129,7 +119,7 @@ TEST(BilliardGas, newsAtTheCentre) {
         billiard.advanceTo(t_s);
       EXPECT_GT(billiard.collisions().size(), 1000u);
       EXPECT_EQ(billiard.ledger().heat_j > 0.0, restitution < 1.0);
-      expectBalanced(billiard, start, kBalance);
+      test::expectBalanced(billiard, start, kBalance);
       expectInsideTable(billiard, *setup.board);
     }
   }

@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "engine/balance.h"
 #include "engine/gas.h"
 
 namespace carom {
@@ -49,18 +50,6 @@ std::string transcript(const Billiard& billiard, const std::vector<Puck>& pucks)
   std::string all;
   for (const std::string& line : lines) all += line + '\n';
   return all;
-}
-
-void expectBalanced(const Billiard& billiard, const Ledger& start, double tolerance) {
-  const Ledger now = billiard.ledger();
-  const double energy = now.motion.energy_j + now.radiated.energy_j + now.takenByCushions.energy_j +
-                        now.lostToFriction.energy_j - now.givenByStrokes.energy_j;
-  const Vec2 momentum = now.motion.momentum_kg_m_s + now.radiated.momentum_kg_m_s +
-                        now.takenByCushions.momentum_kg_m_s + now.lostToFriction.momentum_kg_m_s -
-                        now.givenByStrokes.momentum_kg_m_s;
-  EXPECT_TRUE(std::abs(energy / start.motion.energy_j - 1.0) <= tolerance)
-      << energy << " " << start.motion.energy_j;
-  EXPECT_TRUE(glm::length(momentum - start.motion.momentum_kg_m_s) <= tolerance * start.motion.energy_j);
 }
 
 std::string refusal(const std::function<void(BilliardSetup&)>& spoil) {
@@ -295,7 +284,7 @@ TEST(Billiard, noCentreLeavesTheTable) {
     for (double t_s = 0.5; t_s <= 20.0 && billiard.collisions().size() < 3000; t_s += 0.5)
       billiard.advanceTo(t_s);
     expectInside(billiard, *setup.board);
-    expectBalanced(billiard, start, 1e-9);
+    test::expectBalanced(billiard, start, 1e-9);
     if (HasFailure()) return;
   }
 }
@@ -315,7 +304,7 @@ TEST(Billiard, squeezedPuck) {
       const Ledger start = billiard.ledger();
       billiard.advanceTo(30.0);
       expectInside(billiard, *setup.board);
-      expectBalanced(billiard, start, 1e-10);
+      test::expectBalanced(billiard, start, 1e-10);
       EXPECT_EQ(billiard.jams().empty(), e == 1.0);
       if (e < 1.0) {
         EXPECT_TRUE(std::abs(billiard.worldLines()[0].at(30.0).u.y) <= kRounding);
@@ -351,7 +340,7 @@ TEST(Billiard, inelasticCollapseEnds) {
     const Ledger start = billiard.ledger();
     billiard.advanceTo(20.0);
     expectInside(billiard, *setup.board);
-    expectBalanced(billiard, start, 1e-10);
+    test::expectBalanced(billiard, start, 1e-10);
     EXPECT_LT(billiard.collisions().size(), 10000u);
   }
 }
@@ -416,8 +405,8 @@ TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
       EXPECT_EQ(live.collisions()[i].turns[0].event.t_s, whole.collisions()[i].turns[0].event.t_s);
       EXPECT_EQ(live.collisions()[i].heat_j, whole.collisions()[i].heat_j);
     }
-    expectBalanced(whole, start, 1e-10);
-    expectBalanced(live, start, 1e-10);
+    test::expectBalanced(whole, start, 1e-10);
+    test::expectBalanced(live, start, 1e-10);
   }
 }
 
@@ -451,7 +440,7 @@ TEST(BilliardStroke, duringAPendingTurn) {
   EXPECT_TRUE(glm::length(impulse(was) - impulse(is)) <= kRounding);
   EXPECT_TRUE(glm::length(2.0 * gammaOf(is.betaBefore) * is.betaBefore - stroke.momentum_kg_m_s) <=
               kRounding);
-  expectBalanced(billiard, start, 1e-12);
+  test::expectBalanced(billiard, start, 1e-12);
   EXPECT_TRUE(glm::length(billiard.ledger().givenByStrokes.momentum_kg_m_s - stroke.momentum_kg_m_s) <=
               kRounding);
 }
