@@ -2,175 +2,145 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
 #include <memory>
-#include <stdexcept>
 
 #include "app/frame_loop.h"
-#include "app/rig.h"
-#include "app/scenario.h"
-#include "app/toml_file.h"
-#include "cave/scene.h"
+#include "app/keys.h"
+#include "app/open_tracker.h"
+#include "app/session_file.h"
+#include "app/stage.h"
 
 namespace carom {
 namespace {
 
-/// Raised on every rank once one has failed: that one has said why.
-struct RankFailed {};
-
-/// What to tell the person; names the node where it is not the one they sit at.
-std::string messageOf(const Cluster& cluster, const std::exception& error) {
-  const std::string node = cluster.rank() == 0 ? "" : " (node " + std::to_string(cluster.rank()) + ")";
-  const auto* input = dynamic_cast<const InputErrors*>(&error);
-  if (!input) return std::string("error: ") + error.what() + node;
-  std::string lines;
-  for (const InputError& fault : input->faults()) {
-    lines += (lines.empty() ? "error: " : "\nerror: ") + std::string(fault.what()) + node;
+/// A dozen swaps of nothing tell whether swaps wait for the display.
+bool swapsWait(WallSet& walls, Clock& clock, double display_hz) {
+  std::array<double, 12> returned_s{};
+  for (double& swap_s : returned_s) {
+    walls.swap();
+    swap_s = clock.now_s();
   }
-  return lines;
+  return swapsWaitFor(display_hz, returned_s);
 }
 
-/// Runs `step` on every rank; if it fails on any, the lowest such rank says why and the session ends
-/// everywhere.
-void together(const Cluster& cluster, const std::function<void()>& step) {
-  std::string message;
-  try {
-    step();
-  } catch (const std::exception& error) {
-    message = messageOf(cluster, error);
-  }
-  const int failed = cluster.firstFailed(!message.empty());
-  if (failed < 0) return;
-  if (failed == cluster.rank()) std::fprintf(stderr, "%s\n", message.c_str());
-  throw RankFailed{};
+/// Time as a session lives it: simulated for a given number of frames, unless a device tracks the head.
+std::unique_ptr<Clock> clockOf(const Rig& rig, const CaveOptions& options,
+                               std::chrono::steady_clock::time_point start) {
+  const bool device = isDevice(rig.trackers[rig.head.sensor.tracker].kind);
+  if (options.frames && !device) return std::make_unique<SimulatedClock>();
+  if (options.frames)
+    fmt::print(stderr, "The head is tracked by a device: the frames are shown in real time.\n");
+  return std::make_unique<SteadyClock>(start);
 }
 
-/// The room's attitude and motion: its floor's right, forward and up on the board, boosted by the platform's
-/// β.
-Lorentz boardFromRoom(const ObserverStart& start, const RoomAxes& axes, double c_m_s) {
-  const glm::dvec3 forward(std::cos(start.facing_rad), std::sin(start.facing_rad), 0.0);
-  const glm::dvec3 up(0.0, 0.0, 1.0);
-  const glm::dmat3 board(glm::cross(forward, up), forward, up);
-  const glm::dmat3 room(axes.right, axes.forward, axes.up);
-  const glm::dquat turn = glm::normalize(glm::quat_cast(board * glm::transpose(room)));
-  return Lorentz::boost(uFromBeta(start.beta), c_m_s) * Lorentz::rotation(turn, c_m_s);
-}
-
-Scene sceneOf(const Scenario& scenario) {
-  const auto pathOf = [](const auto& mesh) { return mesh ? mesh->string() : std::string(); };
-  std::vector<BodyLooks> pucks;
-  for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) {
-    const Puck& puck = scenario.billiard.pucks[i];
-    pucks.push_back({puck.name, pathOf(scenario.puckMeshes[i]), puck.radius_m, puck.height_m});
-  }
-  std::vector<BodyLooks> told;
-  for (const ToldBody& body : scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
-  Hall hall;
-  hall.floor_m = scenario.observer.position_m.z;
-  return buildScene(scenario.billiard, pucks, told, hall);
-}
-
-std::vector<Wall> wallsOf(const Rig& rig, const Cluster& cluster) {
-  std::vector<Wall> walls;
-  for (const Wall& wall : rig.walls) {
-    if (cluster.draws(wall)) walls.push_back(wall);
-  }
-  return walls;
-}
-
-std::string displayOf(const Rig& rig, int rank) {
-  for (const NodeSetup& node : rig.nodes) {
-    if (node.rank == rank) return node.display;
-  }
-  return {};
-}
-
-/// The person and the game at the start of the session.
-std::unique_ptr<Play> startPlay(const Rig& rig, const Scenario& scenario, Clock& clock,
-                                const CaveOptions& options) {
-  const double c_m_s = scenario.billiard.lightSpeed_m_s;
-  HeadTracking tracking(rig);
-  const HeadEstimate first = tracking.at({0, 0.0, 1.0 / rig.display_hz + rig.displayLatency_s, 0.0});
-  const Observer observer(boardFromRoom(scenario.observer, rig.axes, c_m_s),
-                          {0.0, scenario.observer.position_m}, {first.pose, first.celerity_m_s});
-  return std::make_unique<Play>(Play{Pacer(clock, rig.display_hz, rig.displayLatency_s), std::move(tracking),
-                                     observer, Game(scenario), rig.head.eyeSeparation_m, options.frames});
-}
-
-void makeFolder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) {
-    throw std::runtime_error(fmt::format("--capture {}: {}, expected a folder or a name for one",
-                                         folder.string(), failed.message()));
-  }
+/// The person and the game at the start of the session, or after the last frame of the one that goes on.
+std::unique_ptr<Play> startPlay(Stage& stage, std::unique_ptr<Clock> clock,
+                                std::chrono::steady_clock::time_point start, const CaveOptions& options,
+                                const std::optional<FrameRecord>& before) {
+  const Rig& rig = stage.rig;
+  Person person(rig, stage.scenario, start, before);
+  const bool waits = !options.frames && !options.noWindow && swapsWait(*stage.walls, *clock, rig.display_hz);
+  const std::uint64_t firstFrame = before ? before->number + 1 : 0;
+  std::optional<std::uint64_t> lastFrame;
+  if (options.frames) lastFrame = firstFrame + *options.frames - 1;
+  Pacer pacer(*clock, rig.display_hz, rig.displayLatency_s, waits, firstFrame);
+  return std::make_unique<Play>(Play{std::move(clock),
+                                     pacer,
+                                     std::move(person),
+                                     Game(stage.scenario),
+                                     rig.head.eyeSeparation_m,
+                                     lastFrame,
+                                     before ? before->switches : options.switches,
+                                     nullptr,
+                                     {}});
 }
 
 /// What is about to be seen, for the person at rank 0.
-void announce(const Rig& rig, const Scenario& scenario, const Cluster& cluster, const CaveOptions& options) {
-  fmt::print(stderr, "{} (light at {} m/s) in {}: {} walls, {} node{}.\n", scenario.title,
-             scenario.billiard.lightSpeed_m_s, rig.title, rig.walls.size(), cluster.size(),
-             cluster.size() == 1 ? "" : "s");
-  for (const Wall& wall : rig.walls) {
+void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& options) {
+  const std::vector<Wall>& walls = stage.rig.walls;
+  fmt::print(stderr, "{} (light at {} m/s) in {}: {} wall{}, {} node{}.\n", stage.scenario.title,
+             stage.scenario.billiard.lightSpeed_m_s, stage.rig.title, walls.size(),
+             walls.size() == 1 ? "" : "s", cluster.size(), cluster.size() == 1 ? "" : "s");
+  for (const Wall& wall : walls) {
     if (wall.node < cluster.size()) continue;
     fmt::print(stderr, "Wall {} asks for node {}; node {} draws it.\n", wall.name, wall.node,
                wall.node % cluster.size());
   }
-  if (!options.frames) fmt::print(stderr, "Escape, Q or the window's button ends the session.\n");
+  for (int rank = 0; rank < cluster.size(); ++rank) {
+    const bool draws = std::any_of(walls.begin(), walls.end(),
+                                   [&](const Wall& wall) { return wall.node % cluster.size() == rank; });
+    if (!draws) fmt::print(stderr, "warning: node {} has no wall to draw.\n", rank);
+  }
+  if (!options.noWindow) sayKeys();
+  fmt::print(stderr, "{}", tessellationReport(stage.scene, stage.tessellation));
+}
+
+/// The file that the session is written to: --session, new or gone on with; none without it.
+std::unique_ptr<Journal> openJournal(const CaveOptions& options, const StageOptions& inputs,
+                                     const Stage& stage) {
+  if (!options.session) return nullptr;
+  const SessionFacts facts{CAROM_VERSION,           inputs.rig.file,
+                           inputs.scenario.file,    textOf(inputs.rig),
+                           textOf(inputs.scenario), stage.scenario.billiard.lightSpeed_m_s};
+  const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  return std::make_unique<Journal>(*options.session, facts, options.resume, say);
+}
+
+/// What a session that goes on goes on from.
+struct Before {
+  SessionFacts facts;
+  std::optional<FrameRecord> last;  ///< none: it ended before its first frame
+};
+
+Before whatWas(const std::filesystem::path& file) {
+  SessionFile session(file);
+  Before before{session.facts(), {}};
+  for (FrameState state; session.next(state);) before.last = state.record;
+  return before;
 }
 
 void runSession(Cluster& cluster, const CaveOptions& options) {
-  Rig rig;
-  std::optional<Scenario> scenario;
+  StageOptions inputs{{options.rig, {}}, {options.scenario, {}}, true, options.capture, options.noWindow};
+  Before before;
   together(cluster, [&] {
-    rig = readRig(options.rig);
-    scenario = readScenario(options.scenario);
+    if (cluster.rank() > 0 || !options.session) return;
+    if (!options.resume && std::filesystem::exists(*options.session)) {
+      throw std::runtime_error(fmt::format(
+          "session file {}: it is there already, expected a new name, or --resume to go on with it",
+          options.session->string()));
+    }
+    if (!options.resume) return;
+    before = whatWas(*options.session);
+    inputs.rig = {before.facts.rig, before.facts.rigText};
+    inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
   });
-
-  std::unique_ptr<Graphics> graphics;
-  std::unique_ptr<WallSet> walls;
-  std::unique_ptr<Clock> clock;
+  if (options.resume) shareInputs(cluster, inputs);
+  Stage stage = openStage(cluster, inputs);
   std::unique_ptr<Play> play;
   together(cluster, [&] {
-    graphics = std::make_unique<Graphics>(displayOf(rig, cluster.rank()));
-    walls = std::make_unique<WallSet>(*graphics, sceneOf(*scenario), scenario->billiard.lightSpeed_m_s,
-                                      wallsOf(rig, cluster), rig.oneWindow, !options.noWindow);
     if (cluster.rank() > 0) return;
-    if (options.frames) {
-      clock = std::make_unique<SimulatedClock>();
-    } else {
-      clock = std::make_unique<SteadyClock>();
-    }
-    play = startPlay(rig, *scenario, *clock, options);
+    const double lived_s = before.last ? before.last->display_s : 0.0;
+    const auto start =
+        std::chrono::steady_clock::now() - std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(lived_s));
+    auto clock = clockOf(stage.rig, options, start);
+    clock->sleepUntil(lived_s);
+    play = startPlay(stage, std::move(clock), start, options, before.last);
+    play->journal = openJournal(options, inputs, stage);
   });
-  together(cluster, [&] {
-    if (options.capture) makeFolder(*options.capture);
-  });
-
-  if (play) announce(rig, *scenario, cluster, options);
-  Node node{cluster, *graphics, *walls, startingHistories(*scenario), options.capture};
-  runFrames(node, play.get());
+  if (play) announce(stage, cluster, options);
+  runFrames({cluster, stage, options.capture}, play.get());
+  if (play && options.session) fmt::print(stderr, "The session is in {}.\n", options.session->string());
   if (play && options.capture) fmt::print(stderr, "The pictures are in {}.\n", options.capture->string());
 }
 
 }  // namespace
 
 int runCave(const CaveOptions& options) {
-  Cluster cluster;
-  try {
-    runSession(cluster, options);
-    return 0;
-  } catch (const RankFailed&) {
-    return 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", messageOf(cluster, error).c_str());
-    if (cluster.size() > 1) cluster.abort();
-    return 1;
-  }
+  return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); });
 }
 
 }  // namespace carom

@@ -2,27 +2,30 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 #include <string_view>
 
+#include "app/import.h"
 #include "app/rig.h"
+#include "app/rig_room.h"
+#include "app/room_check.h"
 #include "app/scenario.h"
 #include "app/toml_file.h"
+#include "app/traces.h"
 #include "engine/lorentz.h"
 
 namespace carom {
 
 namespace {
 
-enum class FileKind { scenario, rig };
+enum class FileKind { scenario, rig, foreignRoom };
 
 /// Told by what is in it.
 FileKind kindOf(const std::filesystem::path& path) {
   const auto refuse = [&](const char* what) { throw InputErrors({InputError(path.string(), 1, 1, what)}); };
-  if (path.extension() == ".pvx")
-    refuse("ParaView files are not supported yet, expected a scenario or a rig");
-  if (path.extension() == ".json") refuse("SGCT files are not supported yet, expected a scenario or a rig");
+  if (isForeignRoom(path)) return FileKind::foreignRoom;
   const TomlFile file(path);
   for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke"}) {
     if (file.root().has(key)) return FileKind::scenario;
@@ -34,50 +37,62 @@ FileKind kindOf(const std::filesystem::path& path) {
   return FileKind::scenario;
 }
 
-constexpr double kMetresPerFoot = 0.3048;
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
 
-void tell(const Wall& wall) {
-  constexpr std::array<std::string_view, 9> kStereo{
-      "mono, one picture",      "the left eye's picture alone", "the right eye's picture alone",
-      "stereo by quad-buffer",  "stereo side by side",          "stereo top and bottom",
-      "stereo in red and cyan", "stereo in alternate lines",    "stereo in a checkerboard"};
-  const double width_m = glm::distance(wall.lowerLeft_m, wall.lowerRight_m);
-  const double height_m = glm::distance(wall.lowerLeft_m, wall.upperLeft_m);
-  fmt::print(
-      "wall {}: {:.0f} × {:.0f} mm ({:.2f} × {:.2f} ft), {} × {} pixels an eye, {:.1f} px/m across, {:.1f} "
-      "px/m up, "
-      "{}, drawn by rank {}\n",
-      wall.name, width_m * 1e3, height_m * 1e3, width_m / kMetresPerFoot, height_m / kMetresPerFoot,
-      wall.pixels.x, wall.pixels.y, wall.pixels.x / width_m, wall.pixels.y / height_m,
-      kStereo[static_cast<std::size_t>(wall.stereo)], wall.node);
+void tellWalls(const Room& room) {
+  for (const RoomWall& wall : room.walls) fmt::print("{}\n", wordsFor(wall, room));
+  if (room.oneWindow) {
+    fmt::print("all walls in one window of {} × {} pixels\n", room.oneWindow->size_px.x,
+               room.oneWindow->size_px.y);
+  }
+}
+
+/// Of every kind of room.
+void tellHead(const Room& room) {
+  const glm::dvec3& eyes_m = room.viewer.eyes_m;
+  fmt::print("distances are seen from {}, eyes at ({}, {}, {}) mm\n", room.viewer.words,
+             std::lround(eyes_m.x * 1e3), std::lround(eyes_m.y * 1e3), std::lround(eyes_m.z * 1e3));
+  for (const NodeSetup& node : room.nodes)
+    fmt::print("rank {} draws on display {}\n", node.rank, node.display);
+}
+
+int tellForeignRoom(const std::filesystem::path& path) {
+  const Room room = readForeignRoom(path);
+  const bool failed = printFindings(path, findingsOf(room));
+  fmt::print("{}: {} of {}{}\n", room.title, room.format, counted(room.walls.size(), "wall"),
+             failed ? " that can be read" : "");
+  tellWalls(room);
+  fmt::print("head: eyes {:.1f} mm apart\n", room.eyeSeparation_m * 1e3);
+  tellHead(room);
+  for (const std::string& assumption : room.assumptions) fmt::print("assumed: {}\n", assumption);
+  return failed ? 1 : 0;
 }
 
 void tellRig(const std::filesystem::path& path) {
-  const Rig rig = readRig(path);
-  fmt::print("{}: a rig of {} walls at {} Hz\n", rig.title, rig.walls.size(), rig.display_hz);
-  for (const Wall& wall : rig.walls) tell(wall);
-  if (rig.oneWindow) {
-    fmt::print("all walls in one window of {} × {} pixels\n", rig.oneWindow->size_px.x,
-               rig.oneWindow->size_px.y);
-  }
+  const PlacedRig placed = readPlacedRig(path);
+  const Rig& rig = placed.rig;
+  openTraces(rig);
+  const Room room = roomOf(placed, path);
+  printFindings(path, findingsOf(room));
+  fmt::print("{}: a rig of {} at {} Hz\n", rig.title, counted(rig.walls.size(), "wall"), rig.display_hz);
+  tellWalls(room);
   for (const TrackerSetup& tracker : rig.trackers) {
-    if (tracker.kind == TrackerKind::recorded) {
-      fmt::print("tracker {}: recorded, from {}\n", tracker.name, tracker.source.string());
-    } else {
-      fmt::print("tracker {}: simulated\n", tracker.name);
-    }
+    const std::string from = tracker.source.empty() ? "" : ", from " + tracker.source.string();
+    fmt::print("tracker {}: {}{}\n", tracker.name, toString(tracker.kind), from);
   }
   fmt::print("head: tracker {}, sensor {}, eyes {:.1f} mm apart\n",
              rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor,
              rig.head.eyeSeparation_m * 1e3);
   if (rig.hand)
     fmt::print("hand: tracker {}, sensor {}\n", rig.trackers[rig.hand->tracker].name, rig.hand->sensor);
-  for (const NodeSetup& node : rig.nodes)
-    fmt::print("rank {} draws on display {}\n", node.rank, node.display);
+  tellHead(room);
 }
 
-void tellScenario(const std::filesystem::path& path) {
+void tellScenario(const std::filesystem::path& path, const std::function<void(const Scenario&)>& openMeshes) {
   const Scenario scenario = readScenario(path);
+  if (openMeshes) openMeshes(scenario);
   const BilliardSetup& setup = scenario.billiard;
   fmt::print("{}: a scenario with light at {} m/s\n", scenario.title, setup.lightSpeed_m_s);
   if (setup.board) {
@@ -97,9 +112,9 @@ void tellScenario(const std::filesystem::path& path) {
   }
   for (const ToldBody& body : scenario.bodies) {
     const std::size_t turns = body.worldLine.knots().size() - 1;
-    fmt::print("body {}: moves as told, turns {} times\n", body.name, turns);
+    fmt::print("body {}: moves as told, turns {}\n", body.name, counted(turns, "time"));
   }
-  fmt::print("{} scripted strokes\n", setup.strokes.size());
+  fmt::print("{}\n", counted(setup.strokes.size(), "scripted stroke"));
   const Vec3& p = scenario.observer.position_m;
   fmt::print("observer: the room's floor origin starts at ({}, {}, {}) mm with {:.4g} c\n", p.x * 1e3,
              p.y * 1e3, p.z * 1e3, glm::length(scenario.observer.beta));
@@ -107,11 +122,16 @@ void tellScenario(const std::filesystem::path& path) {
 
 }  // namespace
 
-int runCheck(const std::filesystem::path& file) {
-  if (kindOf(file) == FileKind::scenario) {
-    tellScenario(file);
-  } else {
-    tellRig(file);
+int runCheck(const std::filesystem::path& file, const std::function<void(const Scenario&)>& openMeshes) {
+  switch (kindOf(file)) {
+    case FileKind::scenario:
+      tellScenario(file, openMeshes);
+      break;
+    case FileKind::rig:
+      tellRig(file);
+      break;
+    case FileKind::foreignRoom:
+      return tellForeignRoom(file);
   }
   return 0;
 }

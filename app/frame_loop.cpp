@@ -1,14 +1,15 @@
 #include "app/frame_loop.h"
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "app/keys.h"
+
 namespace carom {
 namespace {
 
-Head headOf(const HeadEstimate& estimate) { return {estimate.pose, estimate.celerity_m_s}; }
+constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
 
 /// The latest board time at which an eye receives light.
 double latestObservation_s(const ObserverView& observer) {
@@ -18,50 +19,54 @@ double latestObservation_s(const ObserverView& observer) {
 }
 
 /// The person and the game at the frame's display time, as the record that all ranks will hold.
-void decide(Play& play, FrameState& state) {
+void decide(Play& play, std::span<const WorldLine> histories, FrameState& state) {
   const FrameTimes times = play.pacer.next();
-  const HeadEstimate head = play.head.at(times);
-  play.observer.step(times.step_s, headOf(head));
-  const ObserverView observer = play.observer.view(play.eyeSeparation_m);
+  const ObserverView observer = play.person.at(times, play.eyeSeparation_m);
   state.record = {};
   play.game.advance(latestObservation_s(observer), state);
+  if (times.number % kFramesBetweenForgetting == 0) play.game.forget(histories, observer, state);
   state.record.number = times.number;
   state.record.display_s = times.display_s;
   state.record.observer = observer;
-  state.record.last = play.frames && times.number + 1 >= *play.frames;
+  state.record.last = play.lastFrame && times.number >= *play.lastFrame;
+  state.record.switches = play.switches;
+  state.record.controls = play.controls;
 }
 
-/// A line now and then while a session of given length runs.
-void sayHowFar(const Play& play, const FrameRecord& record) {
-  if (play.frames && (record.number + 1) % 30 == 0) {
-    fmt::print(stderr, "frame {} of {}\n", record.number + 1, *play.frames);
-  }
+void obeyKeys(Play& play, const WindowInput& input) {
+  turnSwitches(input, play.switches);
+  steerWalls(input, play.controls);
+  setEyesApart(input, play.eyeSeparation_m);
 }
 
-/// Someone at this node wants the session to end: Escape, Q, or the window's own button.
-bool wantsToEnd(Graphics& graphics) {
-  const WindowInput& input = graphics.poll();
-  return input.closeRequested || std::any_of(input.keys.begin(), input.keys.end(), [](const KeyInput& key) {
-           return key.pressed && (key.key == GLFW_KEY_ESCAPE || key.key == GLFW_KEY_Q);
-         });
+/// The frame is on the walls.
+void finish(Play& play, const FrameState& state) {
+  play.pacer.swapped();
+  if (play.journal) play.journal->add(state, play.person.head(), play.person.samples());
+  const std::uint64_t shown = state.record.number + 1;
+  if (play.lastFrame && shown % 30 == 0) fmt::print(stderr, "frame {} of {}\n", shown, *play.lastFrame + 1);
 }
 
 }  // namespace
 
-void runFrames(Node& node, Play* play) {
+void runFrames(const Node& node, Play* play) {
+  Stage& stage = node.stage;
   FrameState state;
   bool ended = false;
   while (!ended) {
-    if (play) decide(*play, state);
+    if (play) decide(*play, stage.histories, state);
     node.cluster.share(state);
-    applyFrame(state, node.histories);
-    node.walls.draw(state.record.observer, node.histories);
-    node.walls.show();
-    if (node.capture) node.walls.capture(*node.capture, state.record.number);
-    const bool wanted = node.cluster.firstFailed(wantsToEnd(node.graphics)) >= 0;
-    node.cluster.swapTogether(state, digestOf(state, node.histories));
-    node.walls.swap();
-    if (play) sayHowFar(*play, state.record);
+    applyFrame(state, stage.histories);
+    stage.walls->draw(state.record, stage.histories);
+    stage.walls->show();
+    if (node.capture) stage.walls->capture(*node.capture, state.record.number);
+    const WindowInput& input = stage.graphics->poll();
+    if (play) obeyKeys(*play, input);
+    const bool wanted = node.cluster.swapTogether(state, stage.histories, wantsToEnd(input), [play] {
+      if (play) play->pacer.drawn();
+    });
+    stage.walls->swap();
+    if (play) finish(*play, state);
     ended = wanted || state.record.last;
   }
 }

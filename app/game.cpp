@@ -1,8 +1,10 @@
 #include "app/game.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "cave/scene.h"
+#include "engine/light_cone.h"
 
 namespace carom {
 namespace {
@@ -19,17 +21,43 @@ std::vector<WorldLine> startingHistories(const Scenario& scenario) {
   return histories;
 }
 
+double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer) {
+  Event eye = observer.eyes.back().observation;
+  eye.t_s -= kEyesMayRunBack_m / observer.headFromBoard.lightSpeed_m_s();
+  double before_s = eye.t_s;
+  BodyView view;
+  for (const WorldLine& body : bodies) {
+    for (const std::uint8_t contraction : {std::uint8_t{1}, std::uint8_t{0}}) {
+      Switches switches;
+      switches.contraction = contraction;
+      viewBody(body, eye, observer.headFromBoard, view, switches);
+      before_s = std::min(before_s, body.knots()[view.firstLeg].turn.t_s);
+    }
+  }
+  return before_s;
+}
+
 Game::Game(const Scenario& scenario) : billiard_(scenario.billiard) { billiard_.takeChanges(); }
 
 void Game::advance(double t_s, FrameState& state) {
   billiard_.advanceTo(t_s);
   const Changes changes = billiard_.takeChanges();
   state.record.truncateFrom_s = changes.truncatedFrom_s.value_or(std::numeric_limits<double>::infinity());
+  // A game's first frame brings all of it: a session file that it goes on with has parts of it already.
+  if (!begun_) state.record.truncateFrom_s = 0.0;
+  begun_ = true;
   state.record.pucks = billiard_.worldLines().size();
   state.knots.clear();
   for (const Changes::NewKnot& change : changes.knots) {
     state.knots.push_back({kFirstPuck + change.puck, change.knot});
   }
+}
+
+void Game::forget(std::span<const WorldLine> histories, const ObserverView& observer, FrameState& state) {
+  const double before_s =
+      forgettableBefore_s(histories.subspan(kFirstPuck, billiard_.worldLines().size()), observer);
+  billiard_.forgetBefore(before_s);
+  state.record.forgetBefore_s = before_s;
 }
 
 }  // namespace carom

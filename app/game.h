@@ -1,6 +1,7 @@
 #pragma once
 // The game as rank 0 plays it: the billiard, ahead of what anyone can see, and what of it is new each frame.
 
+#include <span>
 #include <vector>
 
 #include "app/scenario.h"
@@ -13,6 +14,15 @@ namespace carom {
 /// the game adds arrive with the frames.
 std::vector<WorldLine> startingHistories(const Scenario& scenario);
 
+/// No eye of this person, now or later, sees a leg of these bodies that ended before this board time. A leg
+/// is past when all points of the body have been seen to join a later one, from the middle of the eyes as it
+/// was kEyesMayRunBack_m/c earlier (engine/light_cone.h): the middle moves slower than light, so its past
+/// cone only grows. The eyes are up to 0.1 m from it and simultaneous with it for the head, so on the board
+/// up to γ × 0.1 m away and γβ × 0.1 m/c earlier; they are inside its past cone of then while γ(1 + β) × 0.1
+/// m is less than kEyesMayRunBack_m: up to γ = 500.
+double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer);
+inline constexpr double kEyesMayRunBack_m = 100.0;
+
 class Game {
  public:
   explicit Game(const Scenario& scenario);
@@ -20,8 +30,13 @@ class Game {
   /// Plays on to board time `t_s` and adds to `state` the knots that no frame has carried yet.
   void advance(double t_s, FrameState& state);
 
+  /// Forgets what `forgettableBefore_s` allows, and has every rank forget it with this frame. `histories`: of
+  /// every body of the scene.
+  void forget(std::span<const WorldLine> histories, const ObserverView& observer, FrameState& state);
+
  private:
   Billiard billiard_;
+  bool begun_ = false;
 };
 
 }  // namespace carom

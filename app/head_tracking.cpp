@@ -1,40 +1,31 @@
 #include "app/head_tracking.h"
 
-#include "devices/recorded_tracker.h"
-#include "devices/simulated_tracker.h"
-#include "devices/trace.h"
+#include <fmt/format.h>
+
+#include "app/open_tracker.h"
 
 namespace carom {
-namespace {
 
-constexpr double kStandingEyes_m = 1.7;  // above the floor, until the tracker has said otherwise
-
-}  // namespace
-
-std::unique_ptr<Tracker> openTracker(const TrackerSetup& setup, const RoomAxes& axes) {
-  switch (setup.kind) {
-    case TrackerKind::recorded:
-      return std::make_unique<RecordedTracker>(readTrace(setup.source), setup.name);
-    case TrackerKind::simulated:
-      break;
-  }
-  SimulatedPerson person;
-  person.axes = {axes.right, axes.up, axes.forward};
-  return std::make_unique<SimulatedTracker>(person);
-}
-
-HeadTracking::HeadTracking(const Rig& rig)
+HeadTracking::HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart)
     : setup_(rig.head),
       roomFromTracker_(rig.trackers[rig.head.sensor.tracker].roomFromTracker),
       latency_s_(rig.trackers[rig.head.sensor.tracker].latency_s),
-      tracker_(openTracker(rig.trackers[rig.head.sensor.tracker], rig.axes)),
+      tracker_(openTracker(rig.trackers[rig.head.sensor.tracker], rig.axes, sessionStart)),
+      watch_(rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor),
       standing_{rig.axes.up * kStandingEyes_m, {1.0, 0.0, 0.0, 0.0}} {
-  samples_.reserve(64);
+  constexpr std::size_t kMostSamples = 4096;  // of one frame: more than a device's queue holds
+  samples_.reserve(kMostSamples);
 }
 
 HeadEstimate HeadTracking::at(const FrameTimes& times) {
   samples_.clear();
   tracker_->poll(times.begin_s, samples_);
+  watch_.see(times.begin_s, samples_);
+  if (watch_.isDue(times.begin_s)) {
+    if (const auto line = watch_.look(times.begin_s, tracker_->health(times.begin_s))) {
+      fmt::print(stderr, "{}\n", *line);
+    }
+  }
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
   for (const TrackerSample& sample : samples_) {
     if (sample.sensor != setup_.sensor.sensor) continue;

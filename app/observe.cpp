@@ -107,12 +107,17 @@ std::string tableOf(const ObserveOptions& options, const Scenario& scenario,
 
 }  // namespace
 
-int runObserve(const ObserveOptions& options) {
+int runObserve(const ObserveOptions& options, const SeenSceneText& seenScene) {
+  if (options.vtp && !seenScene) {
+    throw std::runtime_error("--vtp: this program was built without VTK, expected a build that has it");
+  }
   const Scenario scenario = readScenario(options.scenario);
   const std::vector<std::string> names = namesIn(scenario);
   const std::vector<BodyPoint> points = options.points.empty() ? centresOf(names) : options.points;
   checkNames(points, names);
   WholeFile out(options.json.value_or("-"));
+  std::optional<WholeFile> scene;
+  if (options.vtp) scene.emplace(*options.vtp);
 
   Billiard billiard(scenario.billiard);
   billiard.advanceTo(options.event.t_s);
@@ -125,6 +130,9 @@ int runObserve(const ObserveOptions& options) {
         std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.name == point.body; });
     seen.push_back({point, emission(*body->line, point.offset_m, options.event, headFromBoard)});
   }
+  const std::string sceneText =
+      scene ? seenScene(scenario, billiard.worldLines(), options.event, headFromBoard) : std::string();
+  if (scene) scene->commit(sceneText);
   out.commit(options.json ? jsonOf(options, seen) : tableOf(options, scenario, seen));
   return 0;
 }

@@ -2,13 +2,17 @@
 // `carom observe`: what an eye at one event of the board sees of points fixed to bodies.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "app/scenario.h"
 #include "engine/event.h"
+#include "engine/lorentz.h"
+#include "engine/world_line.h"
 
 namespace carom {
 
@@ -30,9 +34,16 @@ struct ObserveOptions {
   Vec3 beta{0.0};                 ///< of the observer, board frame; below 1
   std::vector<BodyPoint> points;  ///< none: the centres of all
   std::optional<std::filesystem::path> json;
+  std::optional<std::filesystem::path> vtp;  ///< the whole seen scene
 };
 
-/// Returns the exit status. Throws InputErrors for a bad scenario, UnknownBody for a wrong name.
-int runObserve(const ObserveOptions& options);
+/// The bytes of the whole seen scene's file: of a scenario and its pucks' world lines, for an eye at an event
+/// whose rest frame is `headFromBoard`.
+using SeenSceneText = std::function<std::string(const Scenario& scenario, std::span<const WorldLine> pucks,
+                                                const Event& observation, const Lorentz& headFromBoard)>;
+
+/// Returns the exit status. Throws InputErrors for a bad scenario, UnknownBody for a wrong name. `seenScene`
+/// is what makes the .vtp file; a program built without VTK has none, and refuses.
+int runObserve(const ObserveOptions& options, const SeenSceneText& seenScene = {});
 
 }  // namespace carom

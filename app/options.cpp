@@ -12,16 +12,32 @@
 #include <vector>
 
 #include "app/check.h"
+#include "app/filter.h"
+#include "app/import.h"
 #include "app/observe.h"
 #include "app/simulate.h"
 #include "app/toml_file.h"
+#include "app/track.h"
 #ifdef CAROM_WITH_CAVE
 #include "app/cave_session.h"
+#include "app/diagram.h"
+#include "app/pattern.h"
+#include "app/replay.h"
+#include "app/scenario_scene.h"
 #endif
 
 namespace carom {
 
 namespace {
+
+// What needs VTK: not there in builds for the sanitizers.
+#ifdef CAROM_WITH_CAVE
+const SeenSceneText kSeenScene = seenSceneVtp;
+const std::function<void(const Scenario&)> kOpenMeshes = openMeshes;
+#else
+const SeenSceneText kSeenScene;
+const std::function<void(const Scenario&)> kOpenMeshes;
+#endif
 
 /// The whole text is one number that this program can calculate with, within the range.
 CLI::Validator numberIn(const Range& range, const std::string& expected) {
@@ -75,7 +91,7 @@ void addObserve(CLI::App& app, int& status) {
     std::filesystem::path scenario;
     std::vector<double> event, beta{0.0, 0.0, 0.0};
     std::vector<Point> points;
-    std::optional<std::filesystem::path> json;
+    std::optional<std::filesystem::path> json, vtp;
   };
   CLI::App* command = app.add_subcommand("observe", "What an eye at one event of the board sees");
   auto line = std::make_shared<Line>();
@@ -96,16 +112,17 @@ void addObserve(CLI::App& app, int& status) {
       ->type_name("NAME DX DY DZ")
       ->allow_extra_args(false);
   addJson(*command, line->json);
+  command->add_option("--vtp", line->vtp, "Write the whole seen scene to this file, as a mesh for ParaView")
+      ->type_name("FILE");
   command->footer(
       "Example: an eye 1 m above the board's edge, walking along it at half the speed of light\n"
       "  carom observe config/scenarios/three-pucks.toml --event 2 0 -0.7 1 --beta 0.5 0 0 --point red 0.03 "
       "0 0");
   command->callback([line, &status] {
-    ObserveOptions options{line->scenario,
-                           {line->event[0], {line->event[1], line->event[2], line->event[3]}},
-                           toVec3(line->beta),
-                           {},
-                           line->json};
+    ObserveOptions options{
+        line->scenario,     {line->event[0], {line->event[1], line->event[2], line->event[3]}},
+        toVec3(line->beta), {},
+        line->json,         line->vtp};
     if (!(glm::dot(options.beta, options.beta) < 1.0)) {
       throw CLI::ValidationError("--beta", "is not below the speed of light, expected a magnitude under 1");
     }
@@ -117,22 +134,113 @@ void addObserve(CLI::App& app, int& status) {
       options.points.push_back({name, offset_m});
     }
     try {
-      status = runObserve(options);
+      status = runObserve(options, kSeenScene);
     } catch (const UnknownBody& error) {
       throw CLI::ValidationError(error.what());
     }
   });
 }
 
+void addFilter(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("filter", "Run a recorded tracker trace through the head filter of a session");
+  auto options = std::make_shared<FilterOptions>();
+  command->add_option("TRACE", options->trace, "Trace: time_s,x_m,y_m,z_m and perhaps qx,qy,qz,qw")
+      ->required();
+  command->add_option("--light-speed", options->lightSpeed_m_s, "Light speed for what the eye would see, m/s")
+      ->capture_default_str()
+      ->type_name("C")
+      ->check(numberIn(kPositive, "a speed above 0 up to 1e9 m/s"));
+  command
+      ->add_option("--csv", options->csv,
+                   "Write position, celerity and its standard deviation, a row for each of the trace's; - is "
+                   "standard output. Left out: a summary")
+      ->type_name("FILE");
+  command->footer(
+      "Each row out is made of its own row and earlier ones only.\n"
+      "Example:\n  carom filter config/traces/walk.csv --light-speed 1.42");
+  command->callback([options, &status] { status = runFilter(*options); });
+}
+
+void addTrack(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("track", "Watch the trackers of a rig, and record the head");
+  auto options = std::make_shared<TrackOptions>();
+  auto list = std::make_shared<bool>(false);
+  const std::filesystem::path config = CAROM_CONFIG_DIR;
+  options->rig = config / "rigs/desk.toml";
+  command->add_option("--rig", options->rig, "Rig file whose trackers to watch")->capture_default_str();
+  command
+      ->add_option("--record", options->record,
+                   "Write the samples of the head's sensor to this trace; it appears, whole, at the end")
+      ->type_name("TRACE");
+  command->add_option("--seconds", options->seconds, "End after so long; left out: at Ctrl-C")
+      ->type_name("S")
+      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  command->add_flag("--list", *list, "Only say what is plugged in");
+  command->footer(
+      "Columns: age, since the newest pose held; jitter, of the intervals; rest, the noise of a coordinate "
+      "while the sensor last kept still; dropouts, intervals of over one and a half usual ones.\n"
+      "Example:\n  carom track --rig config/rigs/desk.toml --record walk.csv --seconds 60");
+  command->callback([options, list, &status] { status = *list ? runTrackList() : runTrack(*options); });
+}
+
 void addCheck(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("check", "Examine a scenario or a rig and say what is in it");
+  CLI::App* command =
+      app.add_subcommand("check", "Examine a scenario or a room and say what is in it and what is odd");
   auto file = std::make_shared<std::filesystem::path>();
-  command->add_option("FILE", *file, "Scenario or rig")->required();
+  command->add_option("FILE", *file, "Scenario, rig, .pvx of ParaView or .json of SGCT")->required();
+#ifdef CAROM_WITH_CAVE
+  auto pattern = std::make_shared<bool>(false);
+  auto capture = std::make_shared<std::optional<std::filesystem::path>>();
+  auto* show = command->add_flag("--pattern", *pattern,
+                                 "Show test patterns on a rig's walls instead, until Escape; under mpirun on "
+                                 "every node's");
+  command
+      ->add_option("--capture", *capture,
+                   "Folder for the patterns as pictures, without a window: WALL-EYE-FRAME.png, frame 0 the "
+                   "test patterns, 1 to 3 the seam pattern after 0, 1 and 2 s")
+      ->type_name("DIR")
+      ->needs(show);
+#endif
   command->footer("Example:\n  carom check config/rigs/desk.toml");
-  command->callback([file, &status] { status = runCheck(*file); });
+  command->callback([=, &status] {
+#ifdef CAROM_WITH_CAVE
+    if (*pattern) {
+      status = runPattern({*file, *capture});
+      return;
+    }
+#endif
+    status = runCheck(*file, kOpenMeshes);
+  });
+}
+
+void addImport(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("import", "Turn another program's room file into a rig");
+  auto options = std::make_shared<ImportOptions>();
+  command->add_option("FILE", options->file, ".pvx of ParaView or .json of SGCT")->required();
+  command->add_option("-o,--output", options->rig, "The rig to write; must not exist. - is standard output")
+      ->required()
+      ->type_name("RIG.toml");
+  command->footer("Example:\n  carom import cave.pvx -o cave.toml");
+  command->callback([options, &status] { status = runImport(*options); });
 }
 
 #ifdef CAROM_WITH_CAVE
+/// Turns a switch as "NAME=on" or "NAME=off" says.
+void turnSwitch(const std::string& text, Switches& switches) {
+  for (const NamedSwitch& s : kNamedSwitches) {
+    for (const bool on : {false, true}) {
+      if (text != fmt::format("{}={}", s.name, on ? "on" : "off")) continue;
+      switches.*s.value = on;
+      return;
+    }
+  }
+  throw CLI::ValidationError(
+      "--switch", fmt::format("'{}' is wrong, expected retardation, contraction, aberration, colour or "
+                              "searchlight, then =on or =off",
+                              text));
+}
+
 void addCave(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
   auto options = std::make_shared<CaveOptions>();
@@ -148,22 +256,112 @@ void addCave(CLI::App& app, int& status) {
       ->add_option("--capture", options->capture,
                    "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
       ->type_name("DIR");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--switch",
+          [options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) turnSwitch(text, options->switches);
+          },
+          "An effect to begin with on or off: retardation, contraction, aberration (on), colour, searchlight "
+          "(off). May be given again. Keys 1 to 5 turn them later")
+      ->type_name("NAME=on|off")
+      ->allow_extra_args(false);
+  auto* session =
+      command
+          ->add_option("--session", options->session,
+                       "Write the session to this new file (SQLite): every frame, sample and turn")
+          ->type_name("DB");
+  command
+      ->add_flag("--resume", options->resume,
+                 "Go on from the end of the session file, with its rig and scenario")
+      ->needs(session)
+      ->excludes(command->get_option("--rig"))
+      ->excludes(command->get_option("--scenario"))
+      ->excludes(command->get_option("--switch"));
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
   command->footer(
       "Examples:\n  carom cave\n  carom cave --frames 90 --capture pictures --no-window\n"
+      "  carom cave --switch colour=on --switch searchlight=on\n"
       "  mpirun -n 4 carom cave --rig config/rigs/four-walls-cluster.toml");
   command->callback([options, &status] { status = runCave(*options); });
 }
 #endif
 
+#ifdef CAROM_WITH_CAVE
+void addReplay(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("replay", "Show a recorded session again, as it was or as another person sees it");
+  auto options = std::make_shared<ReplayOptions>();
+  command->add_option("SESSION", options->session, "Session file")->required();
+  command
+      ->add_option("--observer", options->observer,
+                   "Trace of another person's head, in the room: the same game, seen by them")
+      ->type_name("TRACE");
+  command
+      ->add_option("--capture", options->capture,
+                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
+      ->type_name("DIR");
+  command->add_flag("--no-window", options->noWindow,
+                    "Draw without showing, as fast as it goes; an X display is still needed");
+  command->footer(
+      "Examples:\n  carom replay game.db\n  carom replay game.db --observer config/traces/walk.csv --capture "
+      "pictures --no-window");
+  command->callback([options, &status] { status = runReplay(*options); });
+}
+
+void addDiagram(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("diagram", "Draw the spacetime diagram of a scenario or of a recorded session");
+  auto options = std::make_shared<DiagramOptions>();
+  command->add_option("SOURCE", options->source, "Scenario (.toml) or session file")->required();
+  command->add_option("-o,--output", options->figure, "The figure: FIG.svg or FIG.png")
+      ->required()
+      ->type_name("FIG");
+  command->add_option("--along", options->along, "The board's axis beside time: x or y")
+      ->capture_default_str()
+      ->check(CLI::IsMember({'x', 'y'}));
+  command
+      ->add_option("--from", options->from_s,
+                   "Board time at the lower edge; left out: 5 s before the present event")
+      ->type_name("S")
+      ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  command
+      ->add_option("--until", options->until_s,
+                   "Board time of the present event; left out: 5 s, or a session's end")
+      ->type_name("S")
+      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  command->footer("Example:\n  carom diagram config/scenarios/three-pucks.toml -o three-pucks.svg");
+  command->callback([options, &status] {
+    if (options->from_s && options->until_s && !(*options->from_s < *options->until_s)) {
+      throw CLI::ValidationError("--from", "is not before --until");
+    }
+    status = runDiagram(*options);
+  });
+}
+#endif
+
+/// What was wrong, and which help says what is right.
+std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
+  const std::vector<CLI::App*> given = app->get_subcommands();
+  std::string what = error.what();
+  if (given.empty() && error.get_name() == "RequiredError") {
+    std::string names;
+    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; })) {
+      names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    const std::vector<std::string> rest = app->remaining();
+    what = fmt::format("{}, expected one of {}",
+                       rest.empty() ? "no command is given" : "'" + rest[0] + "' is no command", names);
+  }
+  return fmt::format("error: {}\nRun {}{} --help for what is expected.\n", what, app->get_display_name(),
+                     given.empty() ? "" : " " + given[0]->get_name());
+}
+
 }  // namespace
 
 void addCommands(CLI::App& app, int& status) {
   app.require_subcommand(1);
-  app.failure_message([](const CLI::App* command, const CLI::Error& error) {
-    return fmt::format("error: {}\nRun {} --help for what is expected.\n", error.what(),
-                       command->get_display_name());
-  });
+  app.failure_message(failureMessage);
   app.set_version_flag("--version", CAROM_VERSION, "Print the version");
   app.set_help_all_flag("--help-all", "Print the help of every command");
   app.footer(
@@ -174,8 +372,13 @@ void addCommands(CLI::App& app, int& status) {
   addSimulate(app, status);
   addObserve(app, status);
   addCheck(app, status);
+  addImport(app, status);
+  addFilter(app, status);
+  addTrack(app, status);
 #ifdef CAROM_WITH_CAVE
   addCave(app, status);
+  addDiagram(app, status);
+  addReplay(app, status);
 #endif
 }
 

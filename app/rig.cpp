@@ -7,21 +7,22 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <span>
+#include <stdexcept>
 #include <string_view>
 
+#include "app/open_tracker.h"
+#include "app/rectangle.h"
 #include "app/toml_file.h"
+#include "cave/warp_mesh.h"
 
 namespace carom {
 
 namespace {
 
-/// Walls are measured with a tape: corners may miss a rectangle by this much.
-constexpr double kCornerMiss_m = 0.002;
-/// Edges below this make no wall.
-constexpr double kShortestEdge_m = 0.001;
 constexpr int kMostPixels = 16384;  // the largest texture of common GPUs
 constexpr int kMostRanks = 4096;
-constexpr int kMostSensors = 256;
+constexpr int kMostSensors = 65535;
 
 glm::dvec3 toVec3(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 glm::ivec2 toPixels(const std::array<double, 2>& a) {
@@ -55,25 +56,39 @@ Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
   return {toVec3(table->numbers<3>("translation", {}, none)) * unit_m, aboutZ * aboutY * aboutX};
 }
 
-TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m) {
-  constexpr std::array<std::string_view, 2> kKinds{"simulated", "recorded"};  // in the order of TrackerKind
-  constexpr std::array<std::string_view, 5> kLater{"vrpn", "dtrack", "natnet", "polhemus-usb", "hid-imu"};
+/// In the order of TrackerKind.
+constexpr std::array<std::string_view, 7> kTrackerKinds{"simulated", "recorded",     "vrpn",   "dtrack",
+                                                        "natnet",    "polhemus-usb", "hid-imu"};
+
+/// In the order of StereoMode and of Flip.
+constexpr std::array<std::string_view, 9> kStereoModes{"mono",        "left",         "right",
+                                                       "quad-buffer", "side-by-side", "top-bottom",
+                                                       "anaglyph",    "interlaced",   "checkerboard"};
+constexpr std::array<std::string_view, 4> kFlips{"none", "horizontal", "vertical", "both"};
+
+/// Where a tracker's samples come from.
+std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, TrackerKind kind,
+                                 const RoomAxes& axes) {
+  if (kind == TrackerKind::recorded) return file.existingFile(table, "source");
+  if (kind == TrackerKind::simulated) {
+    table.refuse("source", "has no meaning for a simulated tracker, expected none");
+    return {};
+  }
+  const std::string source = table.text("source");
+  if (source.empty()) return {};  // complained of already
+  try {
+    transportOf(kind, source, axes);
+  } catch (const std::invalid_argument& wrong) {
+    table.fault("source", wrong.what());
+  }
+  return source;
+}
+
+TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m, const RoomAxes& axes) {
   TrackerSetup tracker;
   tracker.name = table.text("name");
-  const std::string kind = table.text("kind");
-  const bool known = std::find(kLater.begin(), kLater.end(), kind) != kLater.end();
-  if (known) {
-    table.fault("kind", fmt::format("trackers of kind '{}' are not supported yet, expected '{}'", kind,
-                                    fmt::join(kKinds, "' or '")));
-    table.has("source");
-  } else {
-    tracker.kind = static_cast<TrackerKind>(table.choice("kind", kKinds));
-    if (tracker.kind == TrackerKind::recorded) {
-      tracker.source = file.existingFile(table, "source");
-    } else {
-      table.refuse("source", "has no meaning for a simulated tracker, expected none");
-    }
-  }
+  tracker.kind = static_cast<TrackerKind>(table.choice("kind", kTrackerKinds));
+  tracker.source = readSource(file, table, tracker.kind, axes);
   constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
   tracker.latency_s = table.number("latency_ms", kLatency_ms, 0.0) * 1e-3;
   tracker.roomFromTracker = readPose(table, "room_from_tracker", unit_m);
@@ -121,34 +136,14 @@ WindowPlacement readWindow(const TomlTable& table) {
 
 /// Complains where the three or four corners are no rectangle.
 void checkRectangle(const TomlTable& table, const Wall& wall, const std::optional<glm::dvec3>& upperRight_m) {
-  const glm::dvec3 along = wall.lowerRight_m - wall.lowerLeft_m;
-  const glm::dvec3 up = wall.upperLeft_m - wall.lowerLeft_m;
-  const double width_m = glm::length(along), height_m = glm::length(up);
-  if (!(width_m >= kShortestEdge_m)) {
-    return table.fault(
-        "lower_right",
-        fmt::format("wall '{}' has no width, expected lower_right apart from lower_left", wall.name));
-  }
-  if (!(height_m >= kShortestEdge_m)) {
-    return table.fault(
-        "upper_left",
-        fmt::format("wall '{}' has no height, expected upper_left apart from lower_left", wall.name));
-  }
-  const glm::dvec3 corner_m = glm::cross(along, up) / (width_m * height_m);
-  if (!(glm::length(corner_m) >= kShortestEdge_m)) {
-    return table.fault(
-        "upper_left",
-        fmt::format("the corners of wall '{}' lie on one line, expected a rectangle", wall.name));
-  }
-  const double miss_m = std::abs(glm::dot(along, up)) / width_m;
-  if (!(miss_m <= kCornerMiss_m)) {
-    table.fault("upper_left",
-                fmt::format("upper_left of wall '{}' misses the right angle at lower_left by {:.1f} mm, "
-                            "expected at most {:.0f} mm",
-                            wall.name, miss_m * 1e3, kCornerMiss_m * 1e3));
+  const ThreeCorners corners{{wall.lowerRight_m, wall.lowerLeft_m, wall.upperLeft_m},
+                             {"lower_right", "lower_left", "upper_left"}};
+  if (const auto fault = rectangleFault(wall.name, corners)) {
+    return table.fault(corners.names[fault->corner], fault->what);
   }
   if (!upperRight_m) return;
-  const double fourthMiss_m = glm::distance(*upperRight_m, wall.lowerRight_m + up);
+  const glm::dvec3 expected_m = wall.lowerRight_m + wall.upperLeft_m - wall.lowerLeft_m;
+  const double fourthMiss_m = glm::distance(*upperRight_m, expected_m);
   if (!(fourthMiss_m <= kCornerMiss_m)) {
     table.fault("upper_right",
                 fmt::format("upper_right of wall '{}' is {:.1f} mm from where the other corners put it, "
@@ -162,15 +157,47 @@ struct WallText {
   TomlTable table;
   Wall wall;
   std::optional<glm::dvec3> upperRight_m;
-  double displayLatency_s = 0.0;
 };
 
-WallText readWall(const TomlTable& table, double unit_m, bool hasOneWindow) {
-  constexpr std::array<std::string_view, 9> kStereo{"mono",        "left",         "right",
-                                                    "quad-buffer", "side-by-side", "top-bottom",
-                                                    "anaglyph",    "interlaced",   "checkerboard"};
-  constexpr Range kPixels{.least = 1.0, .most = kMostPixels};
+/// The file that a wall's key names, empty where it names none. `kinds` are the endings that can be read.
+std::filesystem::path readWallFile(const TomlFile& file, const TomlTable& table, std::string_view key,
+                                   std::span<const std::string_view> kinds) {
+  if (!table.has(key)) return {};
+  const std::filesystem::path found = file.existingFile(table, key);
+  const std::string ending = found.extension().string();
+  if (!found.empty() && std::find(kinds.begin(), kinds.end(), ending) == kinds.end()) {
+    table.fault(key, fmt::format("{} is '{}', expected a file ending in {}", key, found.filename().string(),
+                                 fmt::join(kinds, " or ")));
+  }
+  return found;
+}
+
+/// A file that is no such mesh is named with the place in it.
+void checkWarp(const TomlTable& table, const std::filesystem::path& warp) {
+  if (warp.extension() != ".pfm" && warp.extension() != ".obj") return;  // none, or complained of already
+  try {
+    readWarp(warp);
+  } catch (const std::runtime_error& fault) {
+    table.fault("warp", fault.what());
+  }
+}
+
+/// What stands between the picture and the screen: the projector.
+void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
+  constexpr std::array<std::string_view, 2> kMeshes{".pfm", ".obj"};
+  constexpr std::array<std::string_view, 5> kPictures{".png", ".jpg", ".jpeg", ".tif", ".tiff"};
+  constexpr Range kLevel{.least = 0.0, .most = 1.0};
   constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
+  wall.warp = readWallFile(file, table, "warp", kMeshes);
+  checkWarp(table, wall.warp);
+  wall.blend = readWallFile(file, table, "blend", kPictures);
+  wall.blackLevel = table.number("black_level", kLevel, 0.0);
+  wall.flip = static_cast<Flip>(table.choice("flip", kFlips, 0));
+  wall.displayLatency_s = table.number("display_latency_ms", kLatency_ms, 0.0) * 1e-3;
+}
+
+WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow) {
+  constexpr Range kPixels{.least = 1.0, .most = kMostPixels};
   Wall wall;
   wall.name = table.text("name");
   wall.lowerLeft_m = toVec3(table.numbers<3>("lower_left", {})) * unit_m;
@@ -180,15 +207,22 @@ WallText readWall(const TomlTable& table, double unit_m, bool hasOneWindow) {
   if (table.has("upper_right")) upperRight_m = toVec3(table.numbers<3>("upper_right", {})) * unit_m;
   wall.pixels = toPixels(table.wholeNumbers<2>("pixels", kPixels));
   wall.node = table.integer("node", 0, kMostRanks, 0);
-  wall.stereo = static_cast<StereoMode>(table.choice("stereo", kStereo, 0));
+  wall.stereo = static_cast<StereoMode>(table.choice("stereo", kStereoModes, 0));
   wall.window.size_px = wall.pixels;
   const auto window = hasOneWindow ? table.requiredTable("window") : table.table("window");
   if (window) wall.window = readWindow(*window);
-  for (const std::string_view key : {"warp", "blend", "black_level", "flip"}) {
-    table.refuse(key, "is not supported yet, expected no such key");
-  }
-  const double latency_s = table.number("display_latency_ms", kLatency_ms, 0.0) * 1e-3;
-  return {table, wall, upperRight_m, latency_s};
+  readProjector(file, table, wall);
+  return {table, wall, upperRight_m};
+}
+
+WallPlaces placesOf(const TomlTable& table) {
+  return {.wall = table.place(),
+          .name = table.place("name"),
+          .corner = table.place("upper_left"),
+          .pixels = table.place("pixels"),
+          .node = table.place("node"),
+          .window = table.place("window"),
+          .blend = table.place("blend")};
 }
 
 /// File names of captured pictures are made of it.
@@ -247,7 +281,7 @@ void checkTogether(const TomlTable& root, const Rig& rig, const std::vector<Wall
   for (const WallText& text : walls) {
     checkWallName(text.table, text.wall.name);
     checkRectangle(text.table, text.wall, text.upperRight_m);
-    if (text.displayLatency_s == rig.displayLatency_s) continue;
+    if (text.wall.displayLatency_s == rig.displayLatency_s) continue;
     text.table.fault("display_latency_ms",
                      fmt::format("walls with different latencies are not supported yet, expected "
                                  "{} as on the first wall",
@@ -256,37 +290,59 @@ void checkTogether(const TomlTable& root, const Rig& rig, const std::vector<Wall
   if (rig.oneWindow) checkPlaces(rig, tables);
 }
 
-}  // namespace
-
-Rig readRig(const std::filesystem::path& path) {
-  const TomlFile file(path);
+PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
   const TomlTable& root = file.root();
-  const double unit_m = readUnit_m(root);
-  Rig rig;
-  rig.title = root.text("title", path.stem().string());
+  PlacedRig placed;
+  const double unit_m = placed.unit_m = readUnit_m(root);
+  Rig& rig = placed.rig;
+  rig.title = root.text("title", name);
   rig.axes = readAxes(root);
   constexpr Range kDisplay_hz{.least = 1.0, .most = 1000.0};
   rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
   for (const TomlTable& table : root.tables("tracker"))
-    rig.trackers.push_back(readTracker(file, table, unit_m));
-  if (const auto head = root.requiredTable("head")) rig.head = readHead(*head, rig.trackers, unit_m);
+    rig.trackers.push_back(readTracker(file, table, unit_m, rig.axes));
+  if (const auto head = root.requiredTable("head")) {
+    rig.head = readHead(*head, rig.trackers, unit_m);
+    placed.head = head->place();
+    placed.eyeSeparation = head->place("eye_separation");
+  }
   if (const auto hand = root.table("hand")) rig.hand = readSensor(*hand, rig.trackers);
   for (const TomlTable& table : root.tables("node")) {
     rig.nodes.push_back({.rank = table.integer("rank", 0, kMostRanks), .display = table.text("display")});
+    placed.nodes.push_back(table.place());
   }
   if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
 
   std::vector<WallText> walls;
   for (const TomlTable& table : root.tables("wall")) {
-    walls.push_back(readWall(table, unit_m, rig.oneWindow.has_value()));
+    walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));
     rig.walls.push_back(walls.back().wall);
+    placed.walls.push_back(placesOf(table));
   }
   if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
   file.throwFaults();
-  rig.displayLatency_s = walls.front().displayLatency_s;
+  rig.displayLatency_s = rig.walls.front().displayLatency_s;
   checkTogether(root, rig, walls);
   file.throwFaults();
-  return rig;
+  return placed;
+}
+
+}  // namespace
+
+std::string_view toString(TrackerKind kind) { return kTrackerKinds[static_cast<std::size_t>(kind)]; }
+
+std::string_view toString(StereoMode mode) { return kStereoModes[static_cast<std::size_t>(mode)]; }
+
+std::string_view toString(Flip flip) { return kFlips[static_cast<std::size_t>(flip)]; }
+
+Rig readRig(const std::filesystem::path& path) { return readPlacedRig(path).rig; }
+
+Rig readRig(const std::filesystem::path& path, const std::string& kept) {
+  return readPlacedRig(TomlFile(path, kept), path.stem().string()).rig;
+}
+
+PlacedRig readPlacedRig(const std::filesystem::path& path) {
+  return readPlacedRig(TomlFile(path), path.stem().string());
 }
 
 }  // namespace carom

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "app/input_file.h"
 #include "cave/wall.h"
 #include "engine/pose.h"
 
@@ -25,13 +27,26 @@ struct RoomAxes {
 enum class TrackerKind {
   simulated,  ///< made up by the program
   recorded,   ///< played from a trace
+  vrpn,
+  dtrack,
+  natnet,
+  polhemusUsb,
+  hidImu,
 };
+
+/// As a rig file names it.
+std::string_view toString(TrackerKind kind);
+std::string_view toString(StereoMode mode);
+std::string_view toString(Flip flip);
+
+/// Where eyes are above the floor, until a tracker has said otherwise.
+inline constexpr double kStandingEyes_m = 1.7;
 
 struct TrackerSetup {
   std::string name;
   TrackerKind kind = TrackerKind::simulated;
   double latency_s = 0.0;        ///< known age of its samples where they do not say it themselves
-  std::filesystem::path source;  ///< of a recorded one: the trace; exists
+  std::filesystem::path source;  ///< of a recorded one: the trace; exists. Of a device: its address
   Pose roomFromTracker;
 };
 
@@ -69,8 +84,32 @@ struct Rig {
   std::optional<WindowPlacement> oneWindow;
 };
 
-/// Reads and checks the whole file. Throws InputErrors (app/toml_file.h), which names every fault's place.
+/// Where the parts of a wall stand in its file; where one is left out, the place of its wall.
+struct WallPlaces {
+  FilePlace wall;
+  FilePlace name;
+  FilePlace corner;  ///< the one that is to blame where the wall is askew
+  FilePlace pixels;
+  FilePlace node;
+  FilePlace window;
+  FilePlace blend;
+};
+
+/// A rig and where its parts stand in the file.
+struct PlacedRig {
+  Rig rig;
+  std::vector<WallPlaces> walls;
+  std::vector<FilePlace> nodes;
+  FilePlace head;
+  FilePlace eyeSeparation;
+  double unit_m = 1.0;  ///< of the file's lengths
+};
+
+/// Reads and checks the whole file. Throws InputErrors (app/input_file.h), which names every fault's place.
 /// Traces are looked for beside the file, then in the configuration folder.
 Rig readRig(const std::filesystem::path& file);
+PlacedRig readPlacedRig(const std::filesystem::path& file);
+/// The same of what the file held when a session was recorded.
+Rig readRig(const std::filesystem::path& file, const std::string& kept);
 
 }  // namespace carom

@@ -290,13 +290,10 @@ std::vector<Stroke> resolveStrokes(const std::vector<StrokeText>& texts, const s
   return strokes;
 }
 
-}  // namespace
-
-Scenario readScenario(const std::filesystem::path& path) {
-  const TomlFile file(path);
+Scenario readScenario(const TomlFile& file, const std::string& name) {
   const TomlTable& root = file.root();
   Scenario scenario;
-  scenario.title = root.text("title", path.stem().string());
+  scenario.title = root.text("title", name);
   scenario.billiard.lightSpeed_m_s = root.number("light_speed_m_s", kPositive);
   if (const auto board = root.table("board")) scenario.billiard.board = readBoard(*board);
   const auto physics = root.table("physics");
@@ -329,6 +326,16 @@ Scenario readScenario(const std::filesystem::path& path) {
          body.mesh});
   }
   return scenario;
+}
+
+}  // namespace
+
+Scenario readScenario(const std::filesystem::path& path) {
+  return readScenario(TomlFile(path), path.stem().string());
+}
+
+Scenario readScenario(const std::filesystem::path& path, const std::string& kept) {
+  return readScenario(TomlFile(path, kept), path.stem().string());
 }
 
 }  // namespace carom

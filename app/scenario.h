@@ -40,5 +40,7 @@ struct Scenario {
 /// Reads and checks the whole file. Throws InputErrors (app/toml_file.h), which names every fault's place.
 /// Meshes are looked for beside the file, then in the configuration folder.
 Scenario readScenario(const std::filesystem::path& file);
+/// The same of what the file held when a session was recorded.
+Scenario readScenario(const std::filesystem::path& file, const std::string& kept);
 
 }  // namespace carom

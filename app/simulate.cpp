@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -122,7 +124,8 @@ std::string jsonOf(const Scenario& scenario, const Billiard& billiard, const Sim
 
 std::string stateLine(double t_s, const std::string& name, const PuckState& state) {
   return fmt::format("{:10.4f}  {:<12} {:8.4f} {:8.4f}   {:7.4f} {:7.4f}   {:10.4f}\n", t_s, name,
-                     state.position_m.x, state.position_m.y, state.beta.x, state.beta.y, state.properTime_s);
+                     state.position_m.x, state.position_m.y, state.beta.x + 0.0, state.beta.y + 0.0,
+                     state.properTime_s);  // at rest: 0, not -0
 }
 
 std::string tableOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options) {
@@ -159,17 +162,88 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
   return text;
 }
 
-/// Plays in steps, so that a long game can say how far it is to a person who watches.
-void play(Billiard& billiard, double until_s) {
-  constexpr int kSteps = 100;
-  const bool watched = ::isatty(STDERR_FILENO) == 1;
-  if (!watched) return billiard.advanceTo(until_s);
-  for (int i = 1; i <= kSteps; ++i) {
-    const double t_s = i == kSteps ? until_s : until_s * i / kSteps;
-    billiard.advanceTo(t_s);
-    fmt::print(stderr, "\rt = {:.6g} of {:.6g} s, {} collisions", t_s, until_s, billiard.collisions().size());
+/// The ledger with what friction took on the last legs up to `until_s`, which it books when they end.
+Ledger ledgerAt(const Scenario& scenario, const Billiard& billiard, double until_s) {
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  Ledger ledger = billiard.ledger();
+  for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) {
+    const WorldLine& line = billiard.worldLines()[i];
+    const Knot& last = line.knots().back();
+    if (last.turn.t_s >= until_s) continue;
+    const Vec3 u = line.at(until_s).u;
+    const double momentum = scenario.billiard.pucks[i].mass_kg * c_m_s;
+    const double energy_j = momentum * c_m_s * (gammaFromU(last.u) - gammaFromU(u));
+    const Vec2 momentum_kg_m_s = momentum * Vec2(last.u - u);
+    ledger.motion.energy_j -= energy_j, ledger.motion.momentum_kg_m_s -= momentum_kg_m_s;
+    ledger.lostToFriction.energy_j += energy_j, ledger.lostToFriction.momentum_kg_m_s += momentum_kg_m_s;
   }
-  fmt::print(stderr, "\r\033[K");
+  return ledger;
+}
+
+std::string balanceOf(const Scenario& scenario, const Ledger& start, const Ledger& end) {
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  double rest_j = 0.0;
+  for (const Puck& puck : scenario.billiard.pucks) rest_j += puck.mass_kg * c_m_s * c_m_s;
+  const auto energy = [](std::string_view what, double energy_j) {
+    return fmt::format("  {:<34} {:14.8g} J\n", what, energy_j);
+  };
+  const auto both = [](std::string_view what, const Ledger::Account& account) {
+    return fmt::format("  {:<34} {:14.8g} J   {:12.6g} {:12.6g}\n", what, account.energy_j,
+                       account.momentum_kg_m_s.x, account.momentum_kg_m_s.y);
+  };
+  const auto kinetic = [rest_j](const Ledger& ledger) {
+    return Ledger::Account{ledger.motion.energy_j - rest_j, ledger.motion.momentum_kg_m_s};
+  };
+  return "\nBalance of all that is decided by then:   energy           momentum x, y in kg m/s\n" +
+         both("kinetic, at the start", kinetic(start)) + both("+ what strokes gave", end.givenByStrokes) +
+         both("= kinetic, now", kinetic(end)) + both("+ radiated as heat", end.radiated) +
+         both("+ taken by cushions", end.takenByCushions) + both("+ lost to friction", end.lostToFriction) +
+         energy("heat, in the pucks' rest frames", end.heat_j);
+}
+
+/// Says on standard error how far a long game is.
+class Progress {
+ public:
+  void say(double t_s, double until_s, std::size_t collisions) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + (watched_ ? std::chrono::milliseconds(200) : std::chrono::seconds(5));
+    fmt::print(stderr, "{}t = {:.6g} of {:.6g} s, {} collisions{}", watched_ ? "\r" : "", t_s, until_s,
+               collisions, watched_ ? "" : "\n");
+    said_ = true;
+  }
+  ~Progress() {
+    if (said_ && watched_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  bool watched_ = ::isatty(STDERR_FILENO) == 1;
+  bool said_ = false;
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+};
+
+/// Plays in steps of about a tenth of a second of the user's time.
+void play(Billiard& billiard, double until_s) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto kStep = std::chrono::milliseconds(100);
+  Progress progress;
+  double step_s = 1e-6 * until_s;
+  for (double t_s = 0.0; t_s < until_s;) {
+    const Clock::time_point begin = Clock::now();
+    t_s = std::min(t_s + step_s, until_s);
+    billiard.advanceTo(t_s);
+    step_s = std::max(step_s, 1e-9 * until_s);
+    step_s *= Clock::now() - begin < kStep / 2 ? 2.0 : Clock::now() - begin > kStep ? 0.5 : 1.0;
+    const std::size_t collisions = billiard.collisions().size();
+    if (collisions > kMostCollisions) {
+      throw std::runtime_error(fmt::format(
+          "more than {} collisions, by board time {:.6g} s of {:.6g} s: they are all kept for the "
+          "answer; expected an earlier --until",
+          kMostCollisions, t_s, until_s));
+    }
+    progress.say(t_s, until_s, collisions);
+  }
+  billiard.advanceTo(until_s);
 }
 
 }  // namespace
@@ -178,6 +252,7 @@ int runSimulate(const SimulateOptions& options) {
   const Scenario scenario = readScenario(options.scenario);
   WholeFile out(options.json.value_or("-"));
   Billiard billiard(scenario.billiard);
+  const Ledger start = billiard.ledger();
   play(billiard, options.until_s);
   if (!billiard.jams().empty()) {
     fmt::print(stderr,
@@ -185,7 +260,9 @@ int runSimulate(const SimulateOptions& options) {
                billiard.jams().size(), scenario.billiard.pucks[billiard.jams().front().puck].name,
                billiard.jams().front().event.t_s);
   }
-  out.commit(options.json ? jsonOf(scenario, billiard, options) : tableOf(scenario, billiard, options));
+  out.commit(options.json ? jsonOf(scenario, billiard, options)
+                          : tableOf(scenario, billiard, options) +
+                                balanceOf(scenario, start, ledgerAt(scenario, billiard, options.until_s)));
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // `carom simulate`: every collision of a scenario's game and its states.
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -15,6 +16,9 @@ struct SimulateOptions {
 
 /// The most states that one run gives out.
 inline constexpr double kMostStates = 1e6;
+
+/// The most collisions that one run keeps, about 4 kB each while the JSON is made.
+inline constexpr std::size_t kMostCollisions = 1200000;
 
 /// Returns the exit status. Throws InputErrors for a bad scenario.
 int runSimulate(const SimulateOptions& options);

@@ -10,8 +10,6 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -19,17 +17,6 @@
 namespace carom {
 
 namespace {
-
-constexpr std::size_t kMostBytes = 1 << 20;
-
-/// Text from a file as it may be shown on a terminal: no control characters.
-std::string printable(std::string_view text) {
-  std::string shown(text);
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
-      '?');
-  return shown;
-}
 
 FilePlace placeOf(const toml::source_region& region) {
   return {std::max(1, static_cast<int>(region.begin.line)),
@@ -53,32 +40,6 @@ std::string_view kindOf(const toml::node& node) {
     default:
       return "a date or time";
   }
-}
-
-std::string wordsFor(const Range& range, bool whole) {
-  return fmt::format("{} {} {} {} {:g}", whole ? "a whole number" : "a number",
-                     range.above ? "above" : "from", fmt::format("{:g}", range.least),
-                     range.above ? "up to" : "to", range.most);
-}
-
-bool within(const Range& range, double value) {
-  return (range.above ? value > range.least : value >= range.least) && value <= range.most;
-}
-
-std::string readWhole(const std::filesystem::path& file) {
-  const auto refuse = [&](const std::string& what) {
-    throw InputErrors({InputError(file.string(), 1, 1, what)});
-  };
-  std::error_code failed;
-  if (!std::filesystem::exists(file, failed)) refuse("there is no such file");
-  if (std::filesystem::is_directory(file, failed)) refuse("this is a folder, expected a TOML file");
-  std::ifstream in(file, std::ios::binary);
-  std::string text(kMostBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!in.is_open() || in.bad()) refuse("the file cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > kMostBytes) refuse("the file is too large, expected at most 1 MiB");
-  return text;
 }
 
 /// The first letter beyond ASCII outside quotes and comments, where TOML has none. Must be found before
@@ -114,43 +75,7 @@ std::optional<FilePlace> strayLetter(std::string_view text) {
   return {};
 }
 
-/// Least number of letters to add, drop, change or swap with a neighbour to make `a` into `b`.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-      }
-    }
-  }
-  return d[a.size()][b.size()];
-}
-
 }  // namespace
-
-std::optional<std::string_view> nearestWord(std::string_view mistyped, std::span<const std::string> known) {
-  constexpr std::size_t kLongestWord = 64;
-  std::optional<std::string_view> nearest;
-  std::size_t least = std::max<std::size_t>(2, mistyped.size() / 3) + 1;
-  for (const std::string& word : known) {
-    if (mistyped.size() > kLongestWord) break;
-    // A unit forgotten or added (length for length_m) is near, however short the word.
-    const bool prefix = word.starts_with(mistyped) || mistyped.starts_with(word);
-    const std::size_t distance = prefix ? 1 : editDistance(mistyped, word);
-    if (distance < least && distance < word.size()) {
-      least = distance;
-      nearest = word;
-    }
-  }
-  return nearest;
-}
-
-InputErrors::InputErrors(std::vector<InputError> faults)
-    : InputError(faults.front()), faults_(std::move(faults)) {}
 
 struct TomlFile::Document {
   std::filesystem::path file;
@@ -166,6 +91,7 @@ struct TomlTable::State {
   FilePlace place;
   std::vector<std::string> asked;
   std::vector<std::string> missing;
+  std::vector<std::string> unknown;  // already complained of
 
   const toml::node* find(std::string_view key) {
     if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.emplace_back(key);
@@ -186,7 +112,7 @@ struct TomlTable::State {
   }
   static std::shared_ptr<State> open(TomlFile::Document& document, const toml::table& table) {
     auto& state = document.opened[&table];
-    if (!state) state = std::make_shared<State>(State{document, table, placeOf(table.source()), {}, {}});
+    if (!state) state = std::make_shared<State>(State{document, table, placeOf(table.source()), {}, {}, {}});
     return state;
   }
   std::optional<double> numberOf(std::string_view name, const toml::node& node, const Range& range,
@@ -209,8 +135,11 @@ std::optional<double> TomlTable::State::numberOf(std::string_view name, const to
 }
 
 void TomlTable::State::noteUnknownAndMissing() {
+  const auto contains = [](const std::vector<std::string>& keys, std::string_view key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
   for (auto&& [key, value] : table) {
-    if (std::find(asked.begin(), asked.end(), key.str()) != asked.end()) continue;
+    if (contains(asked, key.str()) || contains(unknown, key.str())) continue;
     const auto nearest = nearestWord(key.str(), asked);
     const bool absent = nearest && !table.contains(*nearest);
     fault(placeOf(key.source()),
@@ -218,7 +147,7 @@ void TomlTable::State::noteUnknownAndMissing() {
                  : fmt::format("unknown key '{}', expected one of {}", printable(key.str()),
                                fmt::join(asked, ", ")));
     if (absent) std::erase(missing, *nearest);
-    asked.emplace_back(key.str());
+    unknown.emplace_back(key.str());
   }
   for (const std::string& key : missing) fault(place, fmt::format("{} is missing here", key));
   missing.clear();
@@ -336,9 +265,10 @@ void TomlTable::fault(FilePlace where, std::string message) const {
   state_->fault(where, std::move(message));
 }
 
-TomlFile::TomlFile(const std::filesystem::path& file) : document_(std::make_unique<Document>()) {
+TomlFile::TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept)
+    : document_(std::make_unique<Document>()) {
   document_->file = file;
-  const std::string text = readWhole(file);
+  const std::string text = kept ? *kept : readText(file, "a TOML file");
   if (const auto stray = strayLetter(text)) {
     throw InputErrors({InputError(file.string(), stray->line, stray->column,
                                   "a letter beyond ASCII, expected it in quotes or in a comment only")});

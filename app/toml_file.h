@@ -12,38 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "devices/input_error.h"
+#include "app/input_file.h"
 
 namespace carom {
-
-/// All faults of one file, in the order of its lines. As an InputError it is the first of them.
-class InputErrors : public InputError {
- public:
-  /// `faults` is not empty.
-  explicit InputErrors(std::vector<InputError> faults);
-  const std::vector<InputError>& faults() const { return faults_; }
-
- private:
-  std::vector<InputError> faults_;
-};
-
-/// Where something stands in a file; lines and columns count from 1.
-struct FilePlace {
-  int line = 1;
-  int column = 1;
-};
-
-/// Lengths (m), times (s) and the like lie within this: a file's numbers then never overflow when squared.
-inline constexpr double kFurthest = 1e9;
-
-/// What a number may be.
-struct Range {
-  double least = -kFurthest;
-  double most = kFurthest;
-  bool above = false;  ///< `least` itself is excluded
-};
-inline constexpr Range kPositive{.least = 0.0, .above = true};
-inline constexpr Range kNotNegative{.least = 0.0};
 
 /// One table of a file. Each reading function asks for one key. Where the key is wrong the fault is noted
 /// and a stand-in returned (the fallback if there is one), so that reading goes on; a key without fallback
@@ -104,7 +75,8 @@ class TomlTable {
 class TomlFile {
  public:
   /// Throws InputErrors where the file cannot be read (at 1:1), is over 1 MiB or is no TOML.
-  explicit TomlFile(const std::filesystem::path& file);
+  /// `kept`: what the file once held, to be read in its stead.
+  explicit TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept = {});
   ~TomlFile();
   TomlFile(const TomlFile&) = delete;
   TomlFile& operator=(const TomlFile&) = delete;
@@ -122,8 +94,5 @@ class TomlFile {
   struct Document;
   std::unique_ptr<Document> document_;
 };
-
-/// The words of `known` nearest to a mistyped one; none if all are far.
-std::optional<std::string_view> nearestWord(std::string_view mistyped, std::span<const std::string> known);
 
 }  // namespace carom

@@ -1,9 +1,12 @@
 #include "cave/body_shaders.h"
 
 #include "shaders/body_vert.h"
+#include "shaders/colour_texel.h"
+#include "shaders/doppler_kernel.h"
 #include "shaders/emission_kernel.h"
 #include "shaders/leg_at.h"
 #include "shaders/legs.h"
+#include "shaders/light_types.h"
 #include "shaders/paint_bands.h"
 #include "shaders/paint_clock.h"
 #include "shaders/paint_cloth.h"
@@ -48,24 +51,41 @@ const char* paintText(Paint paint) {
   return shaders::paint_plain;
 }
 
+/// What differs from one program to another.
+std::string variantText(Paint paint, const Switches& switches) {
+  const auto define = [](const char* name, bool value) {
+    return std::string("#define ") + name + (value ? " true\n" : " false\n");
+  };
+  std::string text = define("RETARDED", switches.retardation) + define("CONTRACTED", switches.contraction) +
+                     define("ABERRATED", switches.aberration) + define("COLOURED", switches.colour) +
+                     define("SEARCHLIGHT", switches.searchlight);
+  if (switches == kNoSwitches) text += "#define EUCLID\n";
+  if (switches.colour) text += "#define COLOUR\n";
+  if (paint == Paint::clock) text += "#define CLOCK\n";
+  if (paint == Paint::clock || paint == Paint::lamp) text += "#define GLOWS\n";
+  return text + shaders::light_types;
+}
+
 }  // namespace
 
-std::string emissionKernelText(bool oneLeg) {
+std::string kernelText(Legs legs) {
   std::string text = shaders::legs;
+  if (legs != Legs::many) text += "#define ONE_LEG\n";
+  if (legs == Legs::rest) text += "#define RESTS\n";
   text += shaders::emission_kernel;
   text += shaders::leg_at;
-  text += oneLeg ? "#define LEG_COUNT 1\n" : "#define LEG_COUNT legCount\n";
+  text += shaders::doppler_kernel;
+  text += shaders::colour_texel;
   return text;
 }
 
-std::string bodyVertexShader(bool oneLeg, Paint paint) {
-  const std::string switches = paint == Paint::clock ? "#define CLOCK\n" : "";
-  return kPreamble + switches + emissionKernelText(oneLeg) + shaders::body_vert;
+std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches) {
+  return kPreamble + variantText(paint, switches) + kernelText(legs) + shaders::body_vert;
 }
 
-std::string surfaceFragmentShader(Paint paint) {
+std::string surfaceFragmentShader(Paint paint, const Switches& switches) {
   const std::string marker = "//CAROM::Paint";
-  std::string text = kPreamble + shaders::surface_frag;
+  std::string text = kPreamble + variantText(paint, switches) + shaders::surface_frag;
   text.replace(text.find(marker), marker.size(), paintText(paint));
   return text;
 }

@@ -4,14 +4,22 @@
 #include <string>
 
 #include "cave/scene.h"
+#include "engine/switches.h"
 
 namespace carom {
 
-/// The emission kernel as GLSL with all it needs. `oneLeg`: for bodies that never turn, whose legs beyond the
-/// first the compiler may then leave out.
-std::string emissionKernelText(bool oneLeg);
+/// What is known of the body's legs when the shader is compiled: the less it moves, the quicker.
+enum class Legs {
+  rest,  ///< one, at rest on the board
+  one,   ///< one, straight
+  many,  ///< any
+};
 
-std::string bodyVertexShader(bool oneLeg, Paint paint);
-std::string surfaceFragmentShader(Paint paint);
+/// The kernels of emission and colour as GLSL with all they need.
+std::string kernelText(Legs legs);
+
+/// One program for each state of the switches: what is off costs nothing.
+std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches);
+std::string surfaceFragmentShader(Paint paint, const Switches& switches);
 
 }  // namespace carom

@@ -1,20 +1,39 @@
 #pragma once
 // The nodes of a room, under OpenMPI: rank 0 shares each frame's record, all swap together. A single process
 // runs the same code with one rank.
+//
+// In the frames every wait has an end and a name. A node that keeps the others waiting is named after 0.5 s,
+// and again when it is back; after 10 s (60 s while nodes warm up, in their first frames) the session ends.
+// When a node dies, mpirun asks the others to end; they say which one is gone and end within half a second.
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "cave/frame_digest.h"
 #include "cave/frame_state.h"
 #include "cave/wall.h"
 
 namespace carom {
 
+/// A line for the person at rank 0.
+using Say = std::function<void(const std::string&)>;
+
+/// Nodes hold different things that must be the same. Thrown on every rank, with the same words.
+class NodesDiffer : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 class Cluster {
  public:
-  /// Starts MPI. One per process.
-  Cluster();
+  /// Starts MPI. One per process. `say`: where lines about late and lost nodes go; standard error if empty.
+  explicit Cluster(Say say = {});
   ~Cluster();
   Cluster(const Cluster&) = delete;
   Cluster& operator=(const Cluster&) = delete;
@@ -31,21 +50,43 @@ class Cluster {
   /// The lowest rank whose `failed` is true, or −1. Every rank must call it.
   int firstFailed(bool failed) const;
 
+  /// Every rank must hold the same `content`, of which `what` is the name: throws NodesDiffer, naming the
+  /// first node that holds another.
+  void agree(const std::string& what, std::string_view content) const;
+
+  /// What each node draws, for the lines about it: all of `walls`, of all nodes.
+  void nameNodes(std::span<const Wall> walls);
+
+  /// Rank 0's text replaces everyone's.
+  void share(std::string& text) const;
+
   /// Rank 0's state replaces everyone's. Allocates only when a frame brings more knots than any before.
   void share(FrameState& state);
 
-  /// Waits until every rank has drawn the frame, then returns, everywhere, so that all can swap. `digest` is
-  /// of what this rank drew from: throws std::runtime_error naming the frame and the nodes that differ from
-  /// rank 0.
-  void swapTogether(const FrameState& state, std::uint64_t digest);
+  /// Waits until every rank has drawn the frame and rank 0's `untilSwap` has returned, so that all can swap;
+  /// true if `wantsToEnd` is on any rank. Throws NodesDiffer if a rank drew from other numbers than rank 0,
+  /// naming the frame, the node, the field and, of a history, the body.
+  bool swapTogether(const FrameState& state, std::span<const WorldLine> histories, bool wantsToEnd,
+                    const std::function<void()>& untilSwap = {});
 
  private:
+  struct Room;  // what the ranks say to each other, and the requests under way
+
+  void fromRankZero(void* bytes, std::size_t count) const;
+  void await(std::size_t requests, bool fromAll) const;
+  bool done(std::size_t requests) const;
+  int firstPending(std::size_t requests) const;
+  bool livesHere(int rank) const;
+  [[noreturn]] void giveUp(const std::string& why, bool others) const;
+  std::string whereHistoriesPart(std::span<const WorldLine> histories, int other) const;
+  std::string nameOf(int rank) const;
+
+  Say say_;
   int rank_ = 0;
   int size_ = 1;
-  std::vector<std::uint64_t> digests_;
+  std::uint64_t frames_ = 0;        // swapped so far
+  std::vector<std::string> names_;  // of the walls of each rank
+  std::unique_ptr<Room> room_;
 };
-
-/// Digest of a frame's record and of the histories' newest knots, of the same bits on every rank.
-std::uint64_t digestOf(const FrameState& state, std::span<const WorldLine> histories);
 
 }  // namespace carom

@@ -8,7 +8,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "cave/wall_controls.h"
 #include "engine/observer.h"
+#include "engine/switches.h"
 #include "engine/world_line.h"
 
 namespace carom {
@@ -27,7 +29,11 @@ struct FrameRecord {
   /// new ones are added.
   double truncateFrom_s = std::numeric_limits<double>::infinity();
   std::uint64_t pucks = 0;
+  /// Then the pucks forget the legs that ended before this board time: no eye will see them any more.
+  double forgetBefore_s = -std::numeric_limits<double>::infinity();
   std::uint64_t last = 0;  ///< 1: the session ends after this frame
+  Switches switches;       ///< which effects are drawn
+  WallControls controls;   ///< what else the operator has chosen
 };
 static_assert(std::is_trivially_copyable_v<FrameRecord> && std::is_trivially_copyable_v<BodyKnot>);
 
@@ -37,7 +43,7 @@ struct FrameState {
   std::vector<BodyKnot> knots;
 };
 
-/// Brings the histories up to the frame: truncates, then appends.
+/// Brings the histories up to the frame: truncates, appends, forgets.
 void applyFrame(const FrameState& state, std::span<WorldLine> histories);
 
 }  // namespace carom

@@ -11,10 +11,11 @@
 
 namespace carom {
 
-/// Floor, walls, ceiling, columns, wall clocks. `tableSize_m`: of the table's footprint (0: no table).
-std::vector<ScenePart> hallParts(const Hall& hall, const glm::dvec2& tableSize_m);
+/// Floor, walls, ceiling, columns, wall clocks, in cells no larger than `cell_m`. `tableSize_m`: of the
+/// table's footprint (0: no table).
+std::vector<ScenePart> hallParts(const Hall& hall, const glm::dvec2& tableSize_m, double cell_m);
 
 /// Three hanging lamps along x at these places.
-std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m);
+std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m, double cell_m);
 
 }  // namespace carom

@@ -40,7 +40,8 @@ void setTuple(vtkFloatArray& array, std::size_t i, const glm::dvec3& value) {
 }  // namespace
 
 int cellsFor(double length_m, double cell_m) {
-  return std::max(1, static_cast<int>(std::ceil(length_m / cell_m - 1e-9)));
+  constexpr double kMost = 1000.0;  // of a patch's side: a board of kilometres must not ask for all memory
+  return std::max(1, static_cast<int>(std::ceil(std::min(length_m / cell_m - 1e-9, kMost))));
 }
 
 void MeshBuilder::addPatch(int cellsU, int cellsV, const std::function<PatchPoint(double, double)>& at) {
@@ -53,11 +54,16 @@ void MeshBuilder::addPatch(int cellsU, int cellsV, const std::function<PatchPoin
     }
   }
   const std::size_t row = static_cast<std::size_t>(cellsU) + 1;
+  const auto length_m = [&](std::size_t p, std::size_t q) {
+    return glm::distance(points_[p].patch.place, points_[q].patch.place);
+  };
   for (std::size_t j = 0; j < static_cast<std::size_t>(cellsV); ++j) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(cellsU); ++i) {
       const std::size_t a = first + j * row + i;
-      triangles_.push_back({a, a + 1, a + 1 + row});
-      triangles_.push_back({a, a + 1 + row, a + row});
+      const std::size_t b = a + 1, c = b + row, d = a + row;
+      const bool alongAc = length_m(a, c) <= length_m(b, d);  // cut by the shorter diagonal
+      triangles_.push_back({a, b, alongAc ? c : d});
+      triangles_.push_back({alongAc ? a : b, c, d});
     }
   }
 }
@@ -68,9 +74,13 @@ void MeshBuilder::addFlat(const glm::dvec3& corner, const glm::dvec3& alongU, co
            [&](double u, double v) { return PatchPoint{corner + u * alongU + v * alongV}; });
 }
 
-void MeshBuilder::addTurned(const glm::dvec3& foot, const std::vector<glm::dvec2>& profile, int sectors) {
+void MeshBuilder::addTurned(const glm::dvec3& foot, const std::vector<glm::dvec2>& profile, int sectors,
+                            double cell_m) {
+  double widest_m = 0.0;
+  for (const glm::dvec2& p : profile) widest_m = std::max(widest_m, p.x);
+  const int around = std::max(sectors, cellsFor(2.0 * std::numbers::pi * widest_m, cell_m));
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-    addPatch(sectors, 1, [&](double u, double v) {
+    addPatch(around, cellsFor(glm::distance(profile[i], profile[i + 1]), cell_m), [&](double u, double v) {
       const double angle_rad = 2.0 * std::numbers::pi * u;
       const glm::dvec2 p = profile[i] + v * (profile[i + 1] - profile[i]);
       return PatchPoint{foot + glm::dvec3(p.x * std::cos(angle_rad), p.x * std::sin(angle_rad), p.y)};

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <vtkPolyData.h>
@@ -28,8 +29,9 @@ class MeshBuilder {
   void addFlat(const glm::dvec3& corner, const glm::dvec3& alongU, const glm::dvec3& alongV, double cell_m);
 
   /// A surface of revolution about the vertical through `foot`: from `profile[i]` = (radius, height above the
-  /// foot) to the next, each step its own facet ring, outer side to the right of the way.
-  void addTurned(const glm::dvec3& foot, const std::vector<glm::dvec2>& profile, int sectors);
+  /// foot) to the next, each step its own facet rings, outer side to the right of the way. At least `sectors`
+  /// around; no cell larger than `cell_m`.
+  void addTurned(const glm::dvec3& foot, const std::vector<glm::dvec2>& profile, int sectors, double cell_m);
 
   std::size_t pointCount() const { return points_.size(); }
 
@@ -44,6 +46,9 @@ class MeshBuilder {
   std::vector<Point> points_;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };
+
+/// Of models that are as coarse as they can be drawn.
+inline constexpr double kAnyCell_m = std::numeric_limits<double>::infinity();
 
 /// How many cells of at most `cell_m` a length needs.
 int cellsFor(double length_m, double cell_m);

@@ -1,7 +1,11 @@
 #pragma once
 // When frames begin and when their light leaves the walls.
 
+#include <array>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace carom {
 
@@ -21,10 +25,10 @@ class Clock {
   virtual void sleepUntil(double t_s) = 0;
 };
 
-/// The machine's steady clock, from 0 at its making.
+/// The machine's steady clock, from 0 at its making or at a moment before.
 class SteadyClock : public Clock {
  public:
-  SteadyClock();
+  explicit SteadyClock(std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now());
   double now_s() override;
   void sleepUntil(double t_s) override;
 
@@ -43,19 +47,54 @@ class SimulatedClock : public Clock {
   double now_s_ = 0.0;
 };
 
-/// Frames begin at multiples of the display's period; a frame that came too late for its period takes the
-/// next. Its light leaves the walls one period after it began, and `displayLatency_s` later still.
+/// Aims each frame at a swap: one of the display's ticks. A frame begins before its tick by as long as
+/// drawing has lately taken, and a margin; if it would come too late all the same it is aimed at a later
+/// tick.
+///
+/// A display whose swaps wait for it (vsync) shows its ticks; their phase and period are then followed, since
+/// a "60 Hz" display may run at 59.94. Where swaps return at once the pacer's own ticks hold, and `drawn`
+/// waits for them, so that frames follow each other evenly all the same.
+///
+///     for (;;) { times = pacer.next(); …draw…; pacer.drawn(); …swap…; pacer.swapped(); }
 class Pacer {
  public:
-  Pacer(Clock& clock, double display_hz, double displayLatency_s);
+  /// `displayLatency_s`: from the swap to the photons. `firstFrame`: the number of the first one.
+  /// `swapsWait`: whether swaps return at the display's ticks (swapsWaitFor tells).
+  Pacer(Clock& clock, double display_hz, double displayLatency_s, bool swapsWait = false,
+        std::uint64_t firstFrame = 0);
+
+  /// Waits until the next frame should begin.
   FrameTimes next();
+  /// The frame is drawn, on every node: returns a moment before its tick.
+  void drawn();
+  /// It has been swapped.
+  void swapped();
+
+  /// Frames that were swapped over half a period after the tick they were aimed at.
+  std::uint64_t missed() const { return missed_; }
 
  private:
+  static constexpr std::size_t kRemembered = 32;
+
+  double usualDrawing_s() const;
+  double longestDrawing_s() const;
+  void follow(double tick_s);
+
   Clock& clock_;
-  double period_s_;
   double latency_s_;
-  std::uint64_t number_ = 0;
-  std::uint64_t period_ = 0;  // counts the display's periods since the session's start
+  double nominalPeriod_s_;
+  double period_s_;
+  bool swapsWait_;
+  double tick_s_;  // that the frame at hand is aimed at
+  double begin_s_ = 0.0;
+  std::uint64_t number_;
+  bool begun_ = false;
+  std::uint64_t missed_ = 0;
+  std::array<double, kRemembered> drawing_s_;  // how long the last frames took
 };
+
+/// Whether swaps wait for a display of so many ticks a second, from the times at which a dozen of them
+/// returned that had nothing to draw.
+bool swapsWaitFor(double display_hz, std::span<const double> returned_s);
 
 }  // namespace carom

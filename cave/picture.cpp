@@ -42,6 +42,21 @@ void WallPicture::clear() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawBefore));
 }
 
+void WallPicture::fill(std::span<const std::uint8_t> rgb) {
+  if (rgb.size() != 3 * static_cast<std::size_t>(size_px_.x) * static_cast<std::size_t>(size_px_.y)) {
+    throw std::invalid_argument(fmt::format("{} bytes were given for a picture of {} x {} pixels", rgb.size(),
+                                            size_px_.x, size_px_.y));
+  }
+  GLint textureBefore = 0, alignmentBefore = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &textureBefore);
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignmentBefore);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_px_.x, size_px_.y, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(textureBefore));
+  glPixelStorei(GL_UNPACK_ALIGNMENT, alignmentBefore);
+}
+
 WallPicture::~WallPicture() {
   glDeleteFramebuffers(1, &framebuffer_);
   glDeleteTextures(1, &texture_);

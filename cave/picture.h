@@ -1,6 +1,9 @@
 #pragma once
 // A wall as one eye sees it: a texture that the drawing context fills and every window and capture reads.
 
+#include <cstdint>
+#include <span>
+
 #include <glm/vec2.hpp>
 
 namespace carom {
@@ -16,6 +19,8 @@ class WallPicture {
   WallPicture& operator=(const WallPicture&) = delete;
 
   void clear();  ///< to black
+  /// Holds these pixels from now on: RGB, rows from the bottom up, as many as the picture has.
+  void fill(std::span<const std::uint8_t> rgb);
 
   unsigned texture() const { return texture_; }
   unsigned framebuffer() const { return framebuffer_; }  ///< of the drawing context

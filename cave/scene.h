@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 #include <glm/vec3.hpp>
 
+#include "cave/tessellation.h"
 #include "engine/billiard.h"
 #include "engine/world_line.h"
 
@@ -44,7 +45,7 @@ struct ScenePart {
 /// How a puck, or a body that moves as told, looks.
 struct BodyLooks {
   std::string name;       ///< "white", "yellow", "red" … give the colour; others take one of a palette
-  std::string meshPath;   ///< .obj .stl .ply .vtk .vtp; empty: the built-in puck, or for told bodies a rod of
+  std::string meshPath;   ///< as readMeshFile takes it; empty: the built-in puck, or for told bodies a rod of
                           ///< 1 m along x
   double radius_m = 0.0;  ///< a puck's mesh is scaled to it; 0: as it is
   double height_m = 0.0;  ///< of the built-in puck
@@ -56,20 +57,41 @@ struct Hall {
   glm::dvec3 size_m{14.0, 12.0, 5.0};
 };
 
+/// How a kind of things was divided, for the person.
+struct MeshNote {
+  std::string kind;            ///< "Puck", "Body" or, at rest, "The"
+  std::string name;            ///< "red"
+  std::size_t vertices = 0;    ///< as they would be without slow light
+  std::size_t divided = 0;     ///< and as they are drawn
+  std::size_t most = 0;        ///< they may become
+  double longestEdge_m = 0.0;  ///< then
+};
+
 /// Bodies are numbered: 0 is everything at rest on the board, then the pucks, then the told bodies, as given.
 struct Scene {
   std::vector<ScenePart> parts;
   std::size_t bodyCount = 0;
+  /// Of each body: how far from its centre its points reach (its world line's radius).
+  std::vector<double> reach_m;
+  std::vector<MeshNote> notes;          ///< table, hall, then each body
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
 };
 
 /// The body of all that rests on the board.
 inline constexpr std::size_t kRestingBody = 0;
 
-/// Of `setup` only the board is looked at. Throws std::runtime_error if a mesh file cannot be read or is
-/// empty.
+/// Of `setup` only the board is looked at. Throws MeshFault (cave/mesh_file.h) for a mesh file at fault.
 Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
-                 std::span<const BodyLooks> told = {}, const Hall& hall = {});
+                 std::span<const BodyLooks> told = {}, const Hall& hall = {},
+                 const Tessellation& tessellation = {});
+
+/// What a session says of them, one line for each kind of things and one for all. "Exact to half a pixel" is
+/// meant for eyes at least kNearestEye_m away and for heads up to the speed named (cave/tessellation.h).
+std::string tessellationReport(const Scene& scene, const Tessellation& tessellation);
+
+/// The same world lines, each body's radius widened to `reach_m[body]` where its points reach further than
+/// the physics knows (a mesh taller than its puck): which legs an eye must look at depends on it.
+std::vector<WorldLine> reachingTo(std::span<const WorldLine> histories, std::span<const double> reach_m);
 
 /// The world line of what rests on the board.
 inline WorldLine restingWorldLine(double lightSpeed_m_s) { return WorldLine(Knot{}, lightSpeed_m_s); }

@@ -1,8 +1,10 @@
 #include "cave/stereo.h"
 
 #include <vtk_glew.h>
+#include <glm/common.hpp>
 
 #include "cave/gl_program.h"
+#include "cave/projector.h"
 #include "shaders/stereo_frag.h"
 #include "shaders/stereo_vert.h"
 
@@ -29,6 +31,13 @@ int packingOf(StereoMode mode) {
       return 0;
   }
   return 0;
+}
+
+/// The part of a pane that one eye's picture is packed into; all of it where the eyes take turns.
+glm::ivec2 eyeSize_px(const Pane& pane) {
+  if (pane.stereo == StereoMode::sideBySide) return {(pane.size_px.x + 1) / 2, pane.size_px.y};
+  if (pane.stereo == StereoMode::topBottom) return {pane.size_px.x, (pane.size_px.y + 1) / 2};
+  return pane.size_px;
 }
 
 }  // namespace
@@ -66,11 +75,25 @@ StereoPacker::StereoPacker() : program_(makeProgram("stereo", shaders::stereo_ve
 }
 
 StereoPacker::~StereoPacker() {
+  projectors_.clear();
   glDeleteVertexArrays(1, &vertexArray_);
   glDeleteProgram(program_);
 }
 
-void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) const {
+Pane StereoPacker::projected(const Pane& pane) {
+  std::unique_ptr<Projector>& projector = projectors_[pane.projection];
+  if (!projector) projector = std::make_unique<Projector>(*pane.projection);
+  const glm::ivec2 size_px = glm::max(eyeSize_px(pane), glm::ivec2(1));
+  Pane result = pane;
+  result.projection = nullptr;
+  const Eye first = pane.stereo == StereoMode::right ? Eye::right : Eye::left;
+  result.left = &projector->project(*pane.left, first, size_px);
+  if (pane.right) result.right = &projector->project(*pane.right, Eye::right, size_px);
+  return result;
+}
+
+void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) {
+  if (pane.projection) return draw(projected(pane), windowSize_px);
   if (pane.stereo == StereoMode::quadBuffer && pane.right) {
     Pane oneEye = pane;
     oneEye.right = nullptr;

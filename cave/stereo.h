@@ -1,6 +1,8 @@
 #pragma once
 // Packing of the left and the right picture of a wall into what a display or projector expects.
 
+#include <map>
+#include <memory>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -9,6 +11,9 @@
 #include "cave/wall.h"
 
 namespace carom {
+
+class Projector;
+struct Projection;
 
 /// The pictures that a wall with this stereo mode needs: {mono}, {left}, {right} or {left, right}.
 std::vector<Eye> eyesOf(StereoMode mode);
@@ -23,6 +28,7 @@ struct Pane {
   StereoMode stereo = StereoMode::mono;
   glm::ivec2 position_px{0};  ///< of its top left corner in the window, from the window's top left
   glm::ivec2 size_px{0};
+  const Projection* projection = nullptr;  ///< null where the pictures go to the window as they are
 };
 
 /// Draws panes into the window whose context is current. One per context; made and destroyed in it.
@@ -33,14 +39,17 @@ class StereoPacker {
   StereoPacker(const StereoPacker&) = delete;
   StereoPacker& operator=(const StereoPacker&) = delete;
 
-  /// `windowSize_px` is the size of the current framebuffer.
-  void draw(const Pane& pane, const glm::ivec2& windowSize_px) const;
+  /// `windowSize_px` is the size of the current framebuffer. Each eye's picture is projected first, then
+  /// packed: which window pixel is whose does not depend on the projection, which must outlive this.
+  void draw(const Pane& pane, const glm::ivec2& windowSize_px);
 
  private:
+  Pane projected(const Pane& pane);
   void fill(const Pane& pane, const glm::ivec2& windowSize_px, int mode) const;
 
   unsigned program_ = 0;
   unsigned vertexArray_ = 0;
+  std::map<const Projection*, std::unique_ptr<Projector>> projectors_;  // made when first drawn
 };
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 // A wall of the room as the rig file gives it: where it stands, its pixels, who draws it and how its two
 // eyes reach the person. Room frame, metres.
 
+#include <filesystem>
 #include <string>
 
 #include <glm/vec2.hpp>
@@ -23,6 +24,14 @@ enum class StereoMode {
   checkerboard,
 };
 
+/// How the projector mirrors its picture on the way to the eye; the picture is mirrored before it, too.
+enum class Flip {
+  none,
+  horizontal,  ///< left and right: seen from the other side of the screen
+  vertical,
+  both,  ///< upside down: hung from the ceiling
+};
+
 /// Where a visible window lies on its monitor (or, in a rig with one window for all walls, where the
 /// wall's picture lies in that window). Pixels from the top left.
 struct WindowPlacement {
@@ -42,6 +51,11 @@ struct Wall {
   int node = 0;          ///< MPI rank that draws it
   WindowPlacement window;
   StereoMode stereo = StereoMode::mono;
+  std::filesystem::path warp;   ///< mesh that bends the picture to the screen (.pfm, .obj); empty: none
+  std::filesystem::path blend;  ///< picture that dims where projectors overlap; empty: none
+  double blackLevel = 0.0;      ///< what black is lifted to, of the brightest: evens out overlaps
+  Flip flip = Flip::none;
+  double displayLatency_s = 0.0;  ///< from the swap to the photons
 };
 
 }  // namespace carom

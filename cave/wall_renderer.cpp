@@ -31,6 +31,8 @@
 
 #include "cave/body_shaders.h"
 #include "cave/off_axis.h"
+#include "engine/doppler_colour.h"
+#include "engine/exposure.h"
 
 namespace carom {
 namespace {
@@ -50,16 +52,28 @@ struct LegRange {
 
 /// What the shaders of all parts need, for one eye and one wall.
 struct EyeUniforms {
-  glm::mat4 clipFromHead{1.0F};
-  glm::mat4 boardFromHead{1.0F};
+  glm::mat4 clipFromDrawn{1.0F};
+  glm::mat4 drawnFromSeen{1.0F};
+  glm::mat4 boardFromDrawn{1.0F};
+  glm::vec4 headOnBoard{1.0F, 0.0F, 0.0F, 0.0F};
   glm::vec3 eyeOnBoard_m{0.0F};
+  glm::vec3 exposure{0.0F};
   int observedWhole_s = 0;
   float observedPart_s = 0.0F;
-  int legTexels = 0;  ///< texture unit
+  int legTexels = 0;     ///< texture unit
+  int colourTexels = 0;  ///< texture unit
+  std::vector<GpuLeg> legs;
   std::vector<LegRange> ranges;
   std::array<glm::vec3, 3> lamps_m{};
   float lightSpeed_m_s = 0.0F;
 };
+
+/// Where the body of a leg is drawn, if its frame is the drawn one, moved to the centre: when all switches
+/// are off.
+glm::mat4 placement(const GpuLeg& leg) {
+  const auto column = [&](int i) { return glm::vec4(leg.toSeenX[i], leg.toSeenY[i], leg.toSeenZ[i], 0.0F); };
+  return {column(1), column(2), column(3), glm::vec4(leg.seenCentre, 1.0F)};
+}
 
 /// Sets one part's uniforms and the OpenGL state it needs when VTK is about to draw it.
 class PartUniforms : public vtkCommand {
@@ -76,9 +90,16 @@ class PartUniforms : public vtkCommand {
     program.SetUniformi("firstLeg", legs.first);
     program.SetUniformi("legCount", legs.count);
     program.SetUniformf("appears_m", legs.appears_m);
-    set(program, "clipFromHead", eye->clipFromHead);
-    set(program, "boardFromHead", eye->boardFromHead);
+    program.SetUniformi("colourTexels", eye->colourTexels);
+    const GpuLeg& first = eye->legs[static_cast<std::size_t>(legs.first)];
+    program.SetUniform4fv("onlyLeg", 14, reinterpret_cast<const float(*)[4]>(&first));
+    set(program, "drawnFromBody", placement(first));
+    set(program, "clipFromDrawn", eye->clipFromDrawn);
+    set(program, "drawnFromSeen", eye->drawnFromSeen);
+    set(program, "boardFromDrawn", eye->boardFromDrawn);
+    program.SetUniform4f("headOnBoard", glm::value_ptr(eye->headOnBoard));
     program.SetUniform3f("eyeOnBoard_m", glm::value_ptr(eye->eyeOnBoard_m));
+    program.SetUniform3f("exposure", glm::value_ptr(eye->exposure));
     program.SetUniform3fv("lamps_m", 3, reinterpret_cast<const float(*)[3]>(eye->lamps_m.data()));
     program.SetUniform3f("colour", glm::value_ptr(part->colour));
     program.SetUniformf("gloss", part->gloss);
@@ -105,16 +126,27 @@ class PartUniforms : public vtkCommand {
 struct WallRenderer::Drawing {
   Graphics* graphics = nullptr;
   Scene scene;
+  Switches switches;
   EyeUniforms eye;
-  std::vector<GpuLeg> legs;
+  struct PartActor {
+    vtkSmartPointer<vtkActor> actor;
+    Legs legs;
+    const ScenePart* part;
+  };
+  std::vector<PartActor> actors;
   glm::ivec2 buffer_px{0};
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkOpenGLBufferObject> legBuffer;
   vtkNew<vtkTextureObject> legTexture;
+  vtkNew<vtkOpenGLBufferObject> colourBuffer;
+  vtkNew<vtkTextureObject> colourTexture;
 
   void prepareWindow(int samples);
-  void addPart(const ScenePart& part);
+  void prepareColours();
+  void addPart(const ScenePart& part, Legs legs);
+  void chooseShaders();
+  void takeHead(const Lorentz& headFromBoard);
   void takeLegs(std::span<const BodyView> bodies);
   void upload();
   void drawScene(const WallPicture& picture);
@@ -141,7 +173,18 @@ void WallRenderer::Drawing::prepareWindow(int samples) {
   renderer->SetActiveCamera(camera);
 }
 
-void WallRenderer::Drawing::addPart(const ScenePart& part) {
+void WallRenderer::Drawing::prepareColours() {
+  const ColourTable table;
+  const std::size_t texels = table.texels().size();
+  colourBuffer->Upload(reinterpret_cast<const float*>(table.texels().data()), 4 * texels,
+                       vtkOpenGLBufferObject::TextureBuffer);
+  colourTexture->SetContext(window);
+  colourTexture->CreateTextureBuffer(static_cast<unsigned>(texels), 4, VTK_FLOAT, colourBuffer);
+}
+
+/// A part of a body that can turn has two actors, of which one is seen: for a body that the eye sees on one
+/// straight leg the shader is much shorter. They share the mesh's buffers.
+void WallRenderer::Drawing::addPart(const ScenePart& part, Legs legs) {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputData(part.mesh);
   mapper->StaticOn();
@@ -151,9 +194,6 @@ void WallRenderer::Drawing::addPart(const ScenePart& part) {
 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  const bool oneLeg = part.body == kRestingBody;  // whose world line has one leg
-  actor->GetShaderProperty()->SetVertexShaderCode(bodyVertexShader(oneLeg, part.paint).c_str());
-  actor->GetShaderProperty()->SetFragmentShaderCode(surfaceFragmentShader(part.paint).c_str());
   actor->ForceOpaqueOn();
 
   const auto uniforms = vtkSmartPointer<PartUniforms>::New();
@@ -162,24 +202,50 @@ void WallRenderer::Drawing::addPart(const ScenePart& part) {
   uniforms->state = window->GetState();
   mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
   renderer->AddActor(actor);
+  actors.push_back({actor.Get(), legs, &part});
+}
+
+/// VTK keeps the programs it has made: switching back costs little.
+void WallRenderer::Drawing::chooseShaders() {
+  for (const auto& [actor, legs, part] : actors) {
+    vtkShaderProperty& shaders = *actor->GetShaderProperty();
+    shaders.SetVertexShaderCode(bodyVertexShader(legs, part->paint, switches).c_str());
+    shaders.SetFragmentShaderCode(surfaceFragmentShader(part->paint, switches).c_str());
+  }
+}
+
+void WallRenderer::Drawing::takeHead(const Lorentz& headFromBoard) {
+  const SeenFrame frame(headFromBoard, switches);
+  eye.drawnFromSeen = glm::mat4(frame.drawnFromSeen.matrix());
+  eye.boardFromDrawn = glm::mat4(frame.drawnFromBoard.inverse().matrix());
+  const Vec3 u = headFromBoard.inverse().u();
+  eye.headOnBoard = glm::vec4(gammaFromU(u), u);
+  const Exposure exposure =
+      exposureFor(glm::length(betaFromU(u)), switches.colour != 0, switches.searchlight != 0);
+  eye.exposure = {exposure.gain, exposure.rise, exposure.fall};
 }
 
 void WallRenderer::Drawing::takeLegs(std::span<const BodyView> bodies) {
-  legs.clear();
+  eye.legs.clear();
   eye.ranges.clear();
   for (const BodyView& body : bodies) {
-    eye.ranges.push_back({static_cast<int>(legs.size()), static_cast<int>(body.legs.size()),
+    eye.ranges.push_back({static_cast<int>(eye.legs.size()), static_cast<int>(body.legs.size()),
                           std::max(static_cast<float>(body.appears_m), kAlways_m)});
-    for (const LegView& leg : body.legs) legs.push_back(toFloat(leg));
+    for (const LegView& leg : body.legs) eye.legs.push_back(toFloat(leg));
+  }
+  for (const auto& [actor, legs, part] : actors) {
+    const LegRange& range = eye.ranges[part->body];
+    const bool many = range.count > 1 || eye.legs[static_cast<std::size_t>(range.first)].glide.w > 0.0F;
+    actor->SetVisibility(many == (legs == Legs::many));
   }
 }
 
 void WallRenderer::Drawing::upload() {
-  legBuffer->Upload(reinterpret_cast<const float*>(legs.data()), legs.size() * sizeof(GpuLeg) / sizeof(float),
-                    vtkOpenGLBufferObject::TextureBuffer);
+  legBuffer->Upload(reinterpret_cast<const float*>(eye.legs.data()),
+                    eye.legs.size() * sizeof(GpuLeg) / sizeof(float), vtkOpenGLBufferObject::TextureBuffer);
   if (legTexture->GetHandle() == 0) {
     legTexture->SetContext(window);
-    legTexture->CreateTextureBuffer(static_cast<unsigned>(14 * legs.size()), 4, VTK_FLOAT, legBuffer);
+    legTexture->CreateTextureBuffer(static_cast<unsigned>(14 * eye.legs.size()), 4, VTK_FLOAT, legBuffer);
   }
 }
 
@@ -192,8 +258,11 @@ void WallRenderer::Drawing::drawScene(const WallPicture& picture) {
   renderer->SetViewport(0.0, 0.0, static_cast<double>(size.x) / buffer_px.x,
                         static_cast<double>(size.y) / buffer_px.y);
   legTexture->Activate();
+  colourTexture->Activate();
   eye.legTexels = legTexture->GetTextureUnit();
+  eye.colourTexels = colourTexture->GetTextureUnit();
   window->Render();
+  colourTexture->Deactivate();
   legTexture->Deactivate();
 
   vtkOpenGLState::ScopedglEnableDisable scissor(window->GetState(), GL_SCISSOR_TEST);
@@ -214,17 +283,30 @@ WallRenderer::WallRenderer(Graphics& graphics, const Scene& scene, double lightS
   drawing_->eye.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
   for (std::size_t i = 0; i < 3; ++i) drawing_->eye.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
   drawing_->prepareWindow(samples);
-  for (const ScenePart& part : drawing_->scene.parts) drawing_->addPart(part);
+  drawing_->prepareColours();
+  for (const ScenePart& part : drawing_->scene.parts) {
+    if (part.body == kRestingBody) {
+      drawing_->addPart(part, Legs::rest);
+    } else {
+      drawing_->addPart(part, Legs::one);
+      drawing_->addPart(part, Legs::many);
+    }
+  }
+  drawing_->chooseShaders();
 }
 
 WallRenderer::~WallRenderer() {
   drawing_->graphics->makeCurrent();
-  drawing_->legTexture->ReleaseGraphicsResources(drawing_->window);
+  for (vtkTextureObject* texture : {drawing_->legTexture.Get(), drawing_->colourTexture.Get()}) {
+    texture->ReleaseGraphicsResources(drawing_->window);
+  }
   drawing_->legBuffer->ReleaseGraphicsResources();
+  drawing_->colourBuffer->ReleaseGraphicsResources();
   drawing_->window->Finalize();
 }
 
-void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies) {
+void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
+                        const Switches& switches) {
   if (bodies.size() != drawing_->scene.bodyCount) {
     throw std::invalid_argument(fmt::format("the scene has {} bodies, views of {} were given",
                                             drawing_->scene.bodyCount, bodies.size()));
@@ -235,7 +317,10 @@ void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::s
   drawing_->graphics->makeCurrent();
   drawing_->takeLegs(bodies);
   drawing_->upload();
-  drawing_->eye.boardFromHead = glm::mat4(headFromBoard.inverse().matrix());
+  const bool switched = switches != drawing_->switches;
+  drawing_->switches = switches;
+  if (switched) drawing_->chooseShaders();
+  drawing_->takeHead(headFromBoard);
   drawing_->eye.eyeOnBoard_m = glm::vec3(eye.observation.r_m);
   const double whole_s = std::floor(eye.observation.t_s);
   drawing_->eye.observedWhole_s = static_cast<int>(whole_s);
@@ -249,7 +334,7 @@ bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPic
     picture.clear();
     return false;
   }
-  drawing_->eye.clipFromHead = glm::mat4(*projection);
+  drawing_->eye.clipFromDrawn = glm::mat4(*projection);
   drawing_->drawScene(picture);
   return true;
 }

@@ -15,6 +15,7 @@
 #include "engine/light_cone.h"
 #include "engine/lorentz.h"
 #include "engine/observer.h"
+#include "engine/switches.h"
 
 namespace carom {
 
@@ -27,9 +28,11 @@ class WallRenderer {
   WallRenderer(const WallRenderer&) = delete;
   WallRenderer& operator=(const WallRenderer&) = delete;
 
-  /// Takes over what one eye receives: `bodies[i]` is body i of the scene, seen by `eye` in the frame
-  /// `headFromBoard`. Throws std::invalid_argument if there are not as many bodies as the scene has.
-  void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies);
+  /// Takes over what one eye receives: `bodies[i]` is body i of the scene, viewed by `eye` in the frame
+  /// `headFromBoard` with these switches. The first frame after a change of switches takes longer. Throws
+  /// std::invalid_argument if there are not as many bodies as the scene has.
+  void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
+            const Switches& switches = {});
 
   /// Draws what the eye last given to `look` sees on `wall` from `eyeInRoom_m` (the tracked eye, as it will
   /// be when the photons leave the wall). False, with a black picture, if the eye is on or behind the wall.

@@ -1,9 +1,11 @@
 #include "cave/wall_set.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "cave/capture.h"
 #include "cave/stereo.h"
+#include "cave/test_pattern.h"
 
 namespace carom {
 
@@ -21,6 +23,7 @@ WallSet::WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, 
     }
   }
   if (!visible || walls_.empty()) return;
+  for (const Wall& wall : walls_) projections_.push_back(projectionOf(wall));
   if (oneWindow) {
     const bool quadBuffer = std::any_of(
         walls_.begin(), walls_.end(), [](const Wall& wall) { return wall.stereo == StereoMode::quadBuffer; });
@@ -34,7 +37,8 @@ WallSet::WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, 
   windows_.front()->setVsync(true);  // one wait a frame is enough for all windows of a node
 }
 
-void WallSet::draw(const ObserverView& observer, std::span<const WorldLine> histories) {
+void WallSet::drawSession(const ObserverView& observer, std::span<const WorldLine> histories,
+                          const Switches& switches) {
   for (const Eye eye : {Eye::left, Eye::right, Eye::mono}) {
     const EyeView& eyeView = observer.eyes[static_cast<std::size_t>(eye)];
     bool looked = false;
@@ -42,14 +46,46 @@ void WallSet::draw(const ObserverView& observer, std::span<const WorldLine> hist
       if (wallEye.eye != eye) continue;
       if (!looked) {
         for (std::size_t body = 0; body < bodies_.size(); ++body) {
-          viewBody(histories[body], eyeView.observation, observer.headFromBoard, bodies_[body]);
+          viewBody(histories[body], eyeView.observation, observer.headFromBoard, bodies_[body], switches);
         }
-        renderer_.look(observer.headFromBoard, eyeView, bodies_);
+        renderer_.look(observer.headFromBoard, eyeView, bodies_, switches);
         looked = true;
       }
       renderer_.draw(walls_[wallEye.wall], eyeView.positionInRoom_m, *wallEye.picture);
     }
   }
+}
+
+void WallSet::draw(const FrameRecord& record, std::span<const WorldLine> histories) {
+  const WallControls& controls = record.controls;
+  blank_ = controls.blank != 0;
+  if (controls.shown == Shown::testPattern && !blank_) return drawTestPatterns(controls.eyesSwapped != 0);
+  testPatterns_.reset();
+  if (controls.shown == Shown::session && !blank_) {
+    ObserverView observer = record.observer;
+    if (controls.eyesSwapped) std::swap(observer.eyes[0], observer.eyes[1]);
+    return drawSession(observer, histories, record.switches);
+  }
+  graphics_.makeCurrent();
+  for (const WallEye& wallEye : wallEyes_) {
+    if (blank_) {
+      wallEye.picture->clear();
+    } else {
+      seams_.draw(walls_[wallEye.wall], record.display_s, *wallEye.picture);
+    }
+  }
+}
+
+/// They stand still: made once, kept until something else is shown.
+void WallSet::drawTestPatterns(bool eyesSwapped) {
+  if (testPatterns_ == eyesSwapped) return;
+  graphics_.makeCurrent();
+  for (const WallEye& wallEye : wallEyes_) {
+    Eye eye = wallEye.eye;
+    if (eyesSwapped && eye != Eye::mono) eye = eye == Eye::left ? Eye::right : Eye::left;
+    wallEye.picture->fill(testPattern(walls_[wallEye.wall], eye).rgb);
+  }
+  testPatterns_ = eyesSwapped;
 }
 
 void WallSet::capture(const std::filesystem::path& directory, std::uint64_t frame) {
@@ -64,6 +100,10 @@ void WallSet::show() {
   if (windows_.empty()) return;
   graphics_.finishDrawing();
   panes_.clear();
+  if (blank_) {  // black as the screens are, without the level that black is lifted to
+    for (const auto& window : windows_) window->show({});
+    return;
+  }
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
     const WindowPlacement& place = walls_[wall].window;
     if (oneWindow_) {
@@ -89,8 +129,12 @@ const WallPicture* WallSet::pictureOf(std::size_t wall, Eye eye) const {
 
 Pane WallSet::paneOf(std::size_t wall, const glm::ivec2& position_px, const glm::ivec2& size_px) const {
   const std::vector<Eye> eyes = eyesOf(walls_[wall].stereo);
-  return {pictureOf(wall, eyes.front()), eyes.size() > 1 ? pictureOf(wall, eyes[1]) : nullptr,
-          walls_[wall].stereo, position_px, size_px};
+  return {pictureOf(wall, eyes.front()),
+          eyes.size() > 1 ? pictureOf(wall, eyes[1]) : nullptr,
+          walls_[wall].stereo,
+          position_px,
+          size_px,
+          projections_[wall] ? &*projections_[wall] : nullptr};
 }
 
 }  // namespace carom

@@ -23,8 +23,8 @@ double medianSpacing_s(const std::vector<TrackerSample>& samples) {
 
 }  // namespace
 
-RecordedTracker::RecordedTracker(std::vector<TrackerSample> samples, std::string name)
-    : samples_(std::move(samples)), name_(std::move(name)), spacing_s_(medianSpacing_s(samples_)) {
+RecordedTracker::RecordedTracker(std::vector<TrackerSample> samples)
+    : samples_(std::move(samples)), spacing_s_(medianSpacing_s(samples_)) {
   if (samples_.empty()) throw std::invalid_argument("RecordedTracker: no samples");
   const double first_s = samples_.front().time_s;
   for (TrackerSample& sample : samples_) sample.time_s -= first_s;
@@ -39,10 +39,6 @@ TrackerSample RecordedTracker::at(std::size_t index) const {
 
 void RecordedTracker::poll(double now_s, std::vector<TrackerSample>& samples) {
   for (TrackerSample next = at(next_); next.time_s <= now_s; next = at(++next_)) samples.push_back(next);
-}
-
-std::string RecordedTracker::description() const {
-  return "recording " + name_ + ", " + std::to_string(samples_.size()) + " samples";
 }
 
 }  // namespace carom

@@ -2,7 +2,6 @@
 // A tracker that plays a recording.
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "devices/tracker.h"
@@ -13,17 +12,15 @@ namespace carom {
 /// person stands where the recording left them: the last pose goes on at the trace's median spacing.
 class RecordedTracker : public Tracker {
  public:
-  /// `samples`: not empty, times strictly increasing (as readTrace gives them). `name`: for people.
-  RecordedTracker(std::vector<TrackerSample> samples, std::string name);
+  /// `samples`: not empty, times strictly increasing (as readTrace gives them).
+  explicit RecordedTracker(std::vector<TrackerSample> samples);
 
   void poll(double now_s, std::vector<TrackerSample>& samples) override;
-  std::string description() const override;
 
  private:
   TrackerSample at(std::size_t index) const;
 
   std::vector<TrackerSample> samples_;  // times from 0
-  std::string name_;
   double spacing_s_;
   std::size_t next_ = 0;
 };

@@ -146,9 +146,4 @@ void SimulatedTracker::poll(double now_s, std::vector<TrackerSample>& samples) {
   }
 }
 
-std::string SimulatedTracker::description() const {
-  return "simulated person " + std::to_string(person_.seed) + ", " +
-         std::to_string(std::lround(person_.rate_hz)) + " Hz";
-}
-
 }  // namespace carom

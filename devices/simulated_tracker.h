@@ -48,7 +48,6 @@ class SimulatedTracker : public Tracker {
   explicit SimulatedTracker(const SimulatedPerson& person = {});
 
   void poll(double now_s, std::vector<TrackerSample>& samples) override;
-  std::string description() const override;
 
   /// The true motion at the time of the newest sample delivered.
   const TrueMotion& truth() const { return truth_; }

@@ -46,9 +46,13 @@ void TrackerNoise::add(double time_s, const glm::dvec3& position_m) {
   const double recentShare = -std::expm1(-interval_s / kRecent_s);
   recentNoise_m2_ += recentShare * (noise_m2 - recentNoise_m2_);
   recentSpread_m2_ += recentShare * (spread_m2 - recentSpread_m2_);
-  if (recentSpread_m2_ <= kStillSpread * recentNoise_m2_) {
+  if (isStill()) {
     variance_m2_ += -std::expm1(-interval_s / kMemory_s) * (noise_m2 - variance_m2_);
   }
+}
+
+bool TrackerNoise::isStill() const {
+  return count_ == 4 && recentSpread_m2_ <= kStillSpread * recentNoise_m2_;
 }
 
 double TrackerNoise::sigma_m() const {

@@ -21,6 +21,9 @@ class TrackerNoise {
 
   double sigma_m() const;
 
+  /// Whether the sensor keeps its place at present, as far as its noise lets one see.
+  bool isStill() const;
+
  private:
   std::array<double, 4> times_s_{};
   std::array<glm::dvec3, 4> positions_m_{};

@@ -14,6 +14,8 @@ std::vector<CushionPlane> cushionsOf(const std::optional<Board>& board) {
   return {{0, 1.0, x}, {0, -1.0, x}, {1, 1.0, y}, {1, -1.0, y}};  // in the order of `Cushion`
 }
 
+constexpr std::size_t kPucksInCache = 2000;
+
 std::vector<std::size_t> byName(const std::vector<Puck>& pucks) {
   std::vector<std::size_t> order(pucks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -33,8 +35,7 @@ Anticipation::Anticipation(const BilliardSetup& setup)
       cushionRestitution_(setup.rules.cushionRestitution),
       brake_(setup.rules.friction_m_s2 / (c_m_s_ * c_m_s_)),
       cushions_(cushionsOf(setup.board)),
-      next_(setup.pucks.size()),
-      suitors_(setup.pucks.size()),
+      prospects_(setup.pucks.size()),
       queue_(static_cast<int>(setup.pucks.size())) {
   double lowX = kNever, lowY = kNever, highX = -kNever, highY = -kNever;
   for (const std::size_t file : byName(setup.pucks)) {
@@ -86,26 +87,67 @@ int Anticipation::enlist(const Stroke& stroke) {
 
 bool Anticipation::playUntil(double limit, std::size_t collisions, Chronicle& chronicle) {
   if (players_.empty()) return true;
-  while (queue_.firstDue() <= limit || someoneWaitsBelow(limit)) {
-    if (chronicle.collisionCount() >= collisions) return false;
+  bool played = false;
+  for (; queue_.firstDue() <= limit || someoneWaitsBelow(limit); played = true) {
+    if (chronicle.collisionCount() >= collisions) {
+      chronicle.complete();
+      return false;
+    }
     step(chronicle);
   }
+  if (played) chronicle.complete();
   return true;
 }
 
 // A puck put off behind a later one may still have something to do before `limit`.
 bool Anticipation::someoneWaitsBelow(double limit) {
-  std::erase_if(raised_, [&](int i) { return queue_.due(i) <= next_[i].due(); });
-  return std::any_of(raised_.begin(), raised_.end(),
-                     [&](int i) { return next_[i].ownTime <= limit || next_[i].otherTime <= limit; });
+  if (raised_.empty()) return false;
+  std::erase_if(raised_, [&](int i) { return queue_.due(i) <= prospects_[i].next.due(); });
+  return std::any_of(raised_.begin(), raised_.end(), [&](int i) {
+    return prospects_[i].next.ownTime <= limit || prospects_[i].next.otherTime <= limit;
+  });
+}
+
+void Anticipation::fetchDiscs(int found) const {
+  for (int n = 0; n < found; ++n) __builtin_prefetch(&discs_[near_[n]]);
+}
+
+// Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
+// they are needed: first a puck's own, then, when its turn is near, those of the pucks around it.
+void Anticipation::fetchSoon() {
+  const auto fetch = [&](int i) {
+    __builtin_prefetch(&prospects_[i]);
+    __builtin_prefetch(&discs_[i]);
+    const char* player = reinterpret_cast<const char*>(&players_[i]);
+    for (std::size_t byte = 0; byte < sizeof(Player); byte += 64) __builtin_prefetch(player + byte);
+  };
+  for (int k = 1; k < static_cast<int>(fetched_.size()); ++k) {
+    const int i = queue_.soon(k);
+    if (i < 0 || i == fetched_[k]) continue;
+    fetched_[k] = i;
+    if (k > 4) {
+      fetch(i);
+      continue;
+    }
+    const Appointment& next = prospects_[i].next;
+    const int axis = leavesFirst(i), cell = cells_.cellOf(i);
+    if (players_[i].leavesCell[axis] < next.ownTime) {
+      const int way = wayAlong(i, axis);
+      fetchDiscs(cells_.findAhead(cells_.beside(cell, axis, way), axis, way, near_.data()));
+    } else {
+      if (next.kind == Kind::pair) fetch(next.with);
+      fetchDiscs(cells_.findNear(cell, 1, near_.data()));
+    }
+  }
 }
 
 void Anticipation::step(Chronicle& chronicle) {
   const int i = queue_.first();
   clock_ = std::max(clock_, queue_.firstDue());
-  Player& player = players_[i];
-  const Appointment appointment = next_[i];
-  if (player.crossing < appointment.ownTime) return crossCell(i);
+  if (players_.size() > kPucksInCache) fetchSoon();
+  const Appointment appointment = prospects_[i].next;
+  const int axis = leavesFirst(i);
+  if (players_[i].leavesCell[axis] < appointment.ownTime) return crossCell(i, axis);
   switch (appointment.kind) {
     case Kind::none:
       return;
@@ -128,19 +170,23 @@ void Anticipation::step(Chronicle& chronicle) {
 
 // A contact happens when it is the next thing in both pucks' own time.
 void Anticipation::meet(int i, Chronicle& chronicle) {
-  const Appointment a = next_[i];
+  const Appointment a = prospects_[i].next;
   const int j = a.with;
-  const Appointment& theirs = next_[j];
+  const Appointment& theirs = prospects_[j].next;
   const bool mutual = theirs.kind == Kind::pair && theirs.with == i;
   if (!mutual && theirs.ownTime < a.otherTime && !waitsForItself(i)) {
     queue_.setDue(i, std::nextafter(std::max(queue_.due(i), queue_.due(j)), kNever));
     raised_.push_back(i);
     return;
   }
+  if (players_.size() > kPucksInCache) fetchDiscs(cells_.findNear(cells_.cellOf(j), 1, near_.data()));
   const bool inOrder = i < j;
   Appointment ordered = a;
   if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
+  const unsigned legs[2] = {players_[i].legNumber, players_[j].legNumber};
   collide(inOrder ? i : j, inOrder ? j : i, ordered, chronicle);
+  if (players_[i].legNumber == legs[0]) players_[i].met.push_back({j, legs[1]});
+  if (players_[j].legNumber == legs[1]) players_[j].met.push_back({i, legs[0]});
   if (cellsTooSmall_) return predictAll();
   predict(i);
   predict(j);
@@ -151,28 +197,28 @@ void Anticipation::meet(int i, Chronicle& chronicle) {
 // Do the pucks that this one waits for wait, in the end, for it? Then no order is right, and the first due
 // goes.
 bool Anticipation::waitsForItself(int i) const {
-  int at = next_[i].with;
+  int at = prospects_[i].next.with;
   for (std::size_t steps = 0; steps <= players_.size(); ++steps) {
-    const Appointment& a = next_[at];
+    const Appointment& a = prospects_[at].next;
     if (a.kind != Kind::pair) return false;
     if (a.with == i) return true;
-    const Appointment& theirs = next_[a.with];
+    const Appointment& theirs = prospects_[a.with].next;
     if (theirs.kind == Kind::pair && theirs.with == at) return false;
     at = a.with;
   }
   return true;
 }
 
-void Anticipation::crossCell(int i) {
-  Player& player = players_[i];
-  const int axis = player.crossingAxis, way = player.crossingStep;
+void Anticipation::crossCell(int i, int axis) {
+  const int way = wayAlong(i, axis);
   const int into = cells_.beside(cells_.cellOf(i), axis, way);
   cells_.move(i, into);
-  scheduleCrossing(i);
-  Appointment best = next_[i];
-  cells_.forEachAhead(into, axis, way, [&](int other) { considerPair(i, other, best); });
+  players_[i].leavesCell[axis] = leavesCell(i, axis);
+  const Appointment& before = prospects_[i].next;
+  Appointment best = before;
+  considerPairs(i, cells_.findAhead(into, axis, way, near_.data()), best);
   considerCushions(i, best);
-  if (best.ownTime == next_[i].ownTime && best.with == next_[i].with) return schedule(i);
+  if (best.ownTime == before.ownTime && best.with == before.with) return schedule(i);
   makeAppointment(i, best);
 }
 

@@ -71,11 +71,10 @@ class Anticipation {
   struct alignas(64) Player {
     double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
     unsigned legNumber = 0;
-    int lastPartner = -1;      // with whom it collided last, if nothing else happened since
-    std::vector<Met> met;      // pucks, on the named leg of theirs, whose contact with this leg is dealt with
-    unsigned metCushions = 0;  // the same of cushions, one bit each
-    int crossingAxis = 0, crossingStep = 0;
-    double crossing = kNever;  // when and which way its centre leaves its cell
+    int lastPartner = -1;  // with whom it collided last, if nothing else happened since
+    std::vector<Met> met;  // pucks, on the named leg of theirs, whose contact with this leg is dealt with
+    std::array<double, 2> leavesCell{kNever, kNever};  // when its centre does, along each axis
+    unsigned metCushions = 0;                          // as `met`, of cushions, one bit each
 
     Leg leg;  // that it follows
     std::vector<Decided> decided;
@@ -103,21 +102,28 @@ class Anticipation {
   int enlist(const Stroke& stroke);
   void step(Chronicle& chronicle);
   bool someoneWaitsBelow(double limit);
+  void fetchSoon();
+  void fetchDiscs(int found) const;
   void meet(int i, Chronicle& chronicle);
   bool waitsForItself(int i) const;
-  void crossCell(int i);
+  void crossCell(int i, int axis);
 
   // anticipation_predict.cpp: what will happen
   void predict(int i);
   void predictAll();
+  int enterCell(int i);
   void layOutCells();
   void considerCushions(int i, Appointment& best) const;
   void considerCushion(int i, int cushion, Appointment& best) const;
   void considerStrokes(int i, Appointment& best) const;
+  void considerPairs(int i, int found, Appointment& best);
   void considerPair(int i, int other, Appointment& best);
   static bool isEarlier(double ownTime, int with, const Appointment& than);
   std::optional<Meeting> meetingOf(int first, int second, double& touchAt) const;
-  void scheduleCrossing(int i);
+  double leavesCell(int i, int axis) const;
+  int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
+  // The axis along which its centre leaves its cell first.
+  int leavesFirst(int i) const { return players_[i].leavesCell[1] < players_[i].leavesCell[0] ? 1 : 0; }
   void schedule(int i);
   void predictSuitors(int of);
   void makeAppointment(int i, const Appointment& a);
@@ -161,18 +167,19 @@ class Anticipation {
   // The state of the game, by puck.
   std::vector<Disc> discs_;  // of the legs being followed; what the search for partners reads
   std::vector<Player> players_;
-  std::vector<Appointment> next_;
-  struct Suitor {
-    int first = -1;              // of those whose next appointment is with this puck
-    int next = -1, before = -1;  // beside this puck in the list of the one that it will meet
+  struct alignas(64) Prospect {
+    Appointment next;
+    int firstSuitor = -1;                    // of those whose next appointment is with this puck
+    int nextSuitor = -1, suitorBefore = -1;  // beside this puck in the list of the one that it will meet
   };
-  std::vector<Suitor> suitors_;
+  std::vector<Prospect> prospects_;
   DueQueue queue_;
   CellGrid cells_;
-  std::vector<int> scratch_;
-  std::vector<int> raised_;  // pucks that were put off until others have had their events
-  double gammaBound_ = 1.0;  // that the cells are made for
-  double pairReach_ = 0.0;   // from how far apart two pucks must know of each other
+  std::vector<int> near_, void_;   // scratch
+  std::array<int, 21> fetched_{};  // by place in the queue: whose data are already on their way from memory
+  std::vector<int> raised_;        // pucks that were put off until others have had their events
+  double gammaBound_ = 1.0;        // that the cells are made for
+  double pairReach_ = 0.0;         // from how far apart two pucks must know of each other
   bool cellsTooSmall_ = false;
   double hindsight_ = 0.0;
   double clock_ = 0.0;

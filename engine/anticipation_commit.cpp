@@ -27,8 +27,6 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
     return braked ? flightAt({players_[i].leg, discs_[i].radius}, a.touchAt) : discs_[i];
   };
   const PairContact contact = contactOf(flight(first), flight(second), a.withoutDelay);
-  players_[first].met.push_back({second, players_[second].legNumber});
-  players_[second].met.push_back({first, players_[first].legNumber});
 
   const std::array<double, 2> mass{players_[first].mass, players_[second].mass};
   if (!kickPair(contact.U, contact.n, {lastLeg(first).u, lastLeg(second).u}, mass, 1.0))

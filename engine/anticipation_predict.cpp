@@ -10,7 +10,7 @@ namespace carom {
 
 namespace {
 
-constexpr int kPucksWithoutCells = 32;
+constexpr std::size_t kPucksWithoutCells = 32;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ constexpr int kPucksWithoutCells = 32;
 // * simultaneous with the contact, reach = R1 + R2 whatever the speeds;
 // * by the puck's own simultaneity, R2 + R1 γ (1 + β β_2) < (2γ + 1) R.
 void Anticipation::layOutCells() {
-  const int count = static_cast<int>(players_.size());
+  const auto count = players_.size();
   for (const Player& player : players_) {
     if (lastLeg(static_cast<int>(&player - players_.data())).u.t > gammaBound_) {
       gammaBound_ = 2.0 * lastLeg(static_cast<int>(&player - players_.data())).u.t;
@@ -27,12 +27,14 @@ void Anticipation::layOutCells() {
   }
   pairReach_ = (convention_ == TurnConvention::simultaneousWithContact ? 2.0 : 2.0 * gammaBound_ + 1.0) *
                largestRadius_;
-  const double onePuckEach = std::sqrt(boxWidth_ * boxHeight_ / std::max(1, count));
+  const double onePuckEach =
+      std::sqrt(boxWidth_ * boxHeight_ / static_cast<double>(std::max<std::size_t>(1, count)));
   const double edge = 1.01 * std::max(pairReach_, onePuckEach);
   const auto fit = [&](double length) {
     return count <= kPucksWithoutCells ? 1 : std::max(1, static_cast<int>(std::min(length / edge, 4096.0)));
   };
-  cells_ = CellGrid(boxLowX_, boxLowY_, edge, fit(boxWidth_), fit(boxHeight_), count);
+  cells_ = CellGrid(boxLowX_, boxLowY_, edge, fit(boxWidth_), fit(boxHeight_), static_cast<int>(count));
+  near_.resize(count + CellGrid::kSpare);
   cellsTooSmall_ = false;
 }
 
@@ -40,62 +42,73 @@ void Anticipation::predictAll() {
   layOutCells();
   const int count = static_cast<int>(players_.size());
   for (int i = 0; i < count; ++i) {
-    const Vec21 x = momentAt(players_[i].leg, std::max(clock_, players_[i].leg.start.t)).x;
-    cells_.move(i, cells_.cellAt(x.x, x.y));
+    enterCell(i);
     makeAppointment(i, {});
   }
   for (int i = 0; i < count; ++i) predict(i);
 }
 
 void Anticipation::predict(int i) {
-  Player& player = players_[i];
-  const double behind = std::max(0.0, clock_ - std::max(next_[i].ownTime, player.leg.start.t));
-  const Vec21 x = momentAt(player.leg, std::max(clock_, player.leg.start.t)).x;
-  const int cell = cells_.cellAt(x.x, x.y);
-  if (cell != cells_.cellOf(i)) cells_.move(i, cell);
-  scheduleCrossing(i);
-
   Appointment best;
-  if (!player.decided.empty()) {
+  if (!players_[i].decided.empty()) {
     best.kind = Kind::turn;
     best.ownTime = discs_[i].turnsAt;
   }
-  if (!player.strokes.empty()) considerStrokes(i, best);
-  // A puck that was waited for is behind the others: those it can meet may be farther off by now.
-  const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
-  cells_.forEachNear(cell,
-                     reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0)),
-                     [&](int other) { considerPair(i, other, best); });
+  if (!strokes_.empty()) considerStrokes(i, best);
+  if (players_.size() <= kPucksWithoutCells) {
+    for (int other = 0; other < static_cast<int>(players_.size()); ++other) {
+      if (other == i || (brake_ == 0.0 && !mayMeet(discs_[i], discs_[other], convention_))) continue;
+      considerPair(i, other, best);
+    }
+  } else {
+    // A puck that was waited for is behind the others: those it can meet may be farther off by now.
+    const double behind =
+        std::max(0.0, clock_ - std::max(prospects_[i].next.ownTime, players_[i].leg.start.t));
+    const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
+    const int reach = reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0));
+    considerPairs(i, cells_.findNear(enterCell(i), reach, near_.data()), best);
+  }
   considerCushions(i, best);
   makeAppointment(i, best);
 }
 
+// Puts the puck into the cell where its leg has it now.
+int Anticipation::enterCell(int i) {
+  const Leg& leg = players_[i].leg;
+  const Vec21 x = momentAt(leg, std::max(clock_, leg.start.t)).x;
+  const int cell = cells_.cellAt(x.x, x.y);
+  if (cell != cells_.cellOf(i)) cells_.move(i, cell);
+  players_[i].leavesCell = {leavesCell(i, 0), leavesCell(i, 1)};
+  return cell;
+}
+
 void Anticipation::makeAppointment(int i, const Appointment& a) {
-  if (next_[i].kind == Kind::pair) {  // leave the list of the other
-    const Suitor& own = suitors_[i];
-    (own.before < 0 ? suitors_[next_[i].with].first : suitors_[own.before].next) = own.next;
-    if (own.next >= 0) suitors_[own.next].before = own.before;
+  Prospect& own = prospects_[i];
+  if (own.next.kind == Kind::pair) {  // leave the list of the other
+    (own.suitorBefore < 0 ? prospects_[own.next.with].firstSuitor : prospects_[own.suitorBefore].nextSuitor) =
+        own.nextSuitor;
+    if (own.nextSuitor >= 0) prospects_[own.nextSuitor].suitorBefore = own.suitorBefore;
   }
-  next_[i] = a;
+  own.next = a;
   if (a.kind == Kind::pair) {
-    const int first = suitors_[a.with].first;
-    suitors_[i].before = -1;
-    suitors_[i].next = first;
-    if (first >= 0) suitors_[first].before = i;
-    suitors_[a.with].first = i;
+    int& first = prospects_[a.with].firstSuitor;
+    own.suitorBefore = -1;
+    own.nextSuitor = first;
+    if (first >= 0) prospects_[first].suitorBefore = i;
+    first = i;
   }
   schedule(i);
 }
 
 // Those that counted on meeting this puck look for something else if that has become void.
 void Anticipation::predictSuitors(int of) {
-  scratch_.clear();
-  for (int i = suitors_[of].first; i >= 0; i = suitors_[i].next) {
-    if (isVoid(next_[i])) scratch_.push_back(i);
+  void_.clear();
+  for (int i = prospects_[of].firstSuitor; i >= 0; i = prospects_[i].nextSuitor) {
+    if (isVoid(prospects_[i].next)) void_.push_back(i);
   }
-  std::sort(scratch_.begin(), scratch_.end());
-  for (const int i : scratch_) {
-    if (isVoid(next_[i])) predict(i);
+  std::sort(void_.begin(), void_.end());
+  for (const int i : void_) {
+    if (isVoid(prospects_[i].next)) predict(i);
   }
 }
 
@@ -104,10 +117,27 @@ bool Anticipation::isEarlier(double ownTime, int with, const Appointment& than) 
   return ownTime < than.ownTime || (ownTime == than.ownTime && than.kind == Kind::pair && with < than.with);
 }
 
+// Of the first `found` of near_: first those are sorted out that certainly do not meet, without a branch, and
+// while the others' data are on their way from memory.
+void Anticipation::considerPairs(int i, int found, Appointment& best) {
+  int* const near = near_.data();
+  for (int k = 0; k < found; ++k) __builtin_prefetch(&discs_[near[k]]);
+  int kept = 0;
+  const Disc disc = discs_[i];
+  const TurnConvention convention = convention_;
+  const bool braked = brake_ != 0.0;
+  for (int k = 0; k < found; ++k) {
+    const int other = near[k];
+    near[kept] = other;
+    kept += static_cast<int>((other != i) & (braked || mayMeet(disc, discs_[other], convention)));
+  }
+  for (int k = 0; k < kept; ++k)
+    __builtin_prefetch(&prospects_[near[k]]), __builtin_prefetch(&players_[near[k]]);
+  for (int k = 0; k < kept; ++k) considerPair(i, near[k], best);
+}
+
 void Anticipation::considerPair(int i, int other, Appointment& best) {
-  if (other == i) return;
   const int first = std::min(i, other), second = std::max(i, other);
-  if (brake_ == 0.0 && !mayMeet(discs_[first], discs_[second], convention_)) return;
   const Player& player = players_[i];
   double touchAt = 0.0;
   const std::optional<Meeting> meeting = meetingOf(first, second, touchAt);
@@ -116,7 +146,7 @@ void Anticipation::considerPair(int i, int other, Appointment& best) {
   const Player& partner = players_[other];
   if (own >= discs_[i].turnsAt || theirs >= discs_[other].turnsAt) return;  // found again on the leg after
   if (own < player.decidedAt || theirs < partner.decidedAt) return;  // what came after it is decided already
-  const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, next_[other]);
+  const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, prospects_[other].next);
   if (!mine && !also) return;
   if (player.lastPartner == other && partner.lastPartner == i) return;
   for (const Met& met : player.met) {
@@ -149,6 +179,7 @@ std::optional<Meeting> Anticipation::meetingOf(int first, int second, double& to
 // cells matter.
 void Anticipation::considerCushions(int i, Appointment& best) const {
   const int cell = cells_.cellOf(i);
+  if (!cells_.isAtRim(cell)) return;
   for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
     const CushionPlane& plane = cushions_[cushion];
     if (cells_.canLeave(cell, plane.axis, plane.sign > 0.0 ? 1 : -1)) continue;
@@ -191,23 +222,18 @@ void Anticipation::considerStrokes(int i, Appointment& best) const {
   }
 }
 
-void Anticipation::scheduleCrossing(int i) {
-  Player& player = players_[i];
-  const int cell = cells_.cellOf(i);
-  player.crossing = kNever;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double u = axis == 0 ? player.leg.u.x : player.leg.u.y;
-    const int step = u > 0.0 ? 1 : -1;
-    if (u == 0.0 || !cells_.canLeave(cell, axis, step)) continue;
-    const double when = reaches(player.leg, axis, cells_.edge(cell, axis, step));
-    if (when < player.crossing)
-      player.crossing = when, player.crossingAxis = axis, player.crossingStep = step;
-  }
+double Anticipation::leavesCell(int i, int axis) const {
+  const Leg& leg = players_[i].leg;
+  const double u = axis == 0 ? leg.u.x : leg.u.y;
+  const int cell = cells_.cellOf(i), step = wayAlong(i, axis);
+  if (u == 0.0 || !cells_.canLeave(cell, axis, step)) return kNever;
+  return reaches(leg, axis, cells_.edge(cell, axis, step));
 }
 
 void Anticipation::schedule(int i) {
-  const Appointment& a = next_[i];
-  queue_.setDue(i, players_[i].crossing < a.ownTime ? players_[i].crossing : a.due());
+  const Appointment& a = prospects_[i].next;
+  const double leaves = std::min(players_[i].leavesCell[0], players_[i].leavesCell[1]);
+  queue_.setDue(i, leaves < a.ownTime ? leaves : a.due());
 }
 
 }  // namespace carom

@@ -6,6 +6,8 @@ namespace carom {
 
 namespace {
 
+constexpr std::size_t kMostNewLegs = 256;
+
 Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }
 
 }  // namespace
@@ -25,14 +27,32 @@ Chronicle::Chronicle(const BilliardSetup& setup)
 }
 
 void Chronicle::addLeg(std::size_t puck, const Leg& leg, const Vec21& news) {
-  lines_[puck].append({eventOf(puck, leg.start),
-                       {leg.u.x, leg.u.y, 0.0},
-                       leg.properTime / c_m_s_,
-                       eventOf(puck, news),
-                       friction_m_s2_});
+  newLegs_.push_back({puck, leg, news});
+  if (newLegs_.size() == kMostNewLegs) complete();
+}
+
+// The ends of the world lines are scattered over the memory: those of the legs to come are asked for while
+// one is added.
+void Chronicle::complete() {
+  constexpr std::size_t kLines = 16, kEnds = 8;  // legs ahead
+  for (std::size_t k = 0; k < newLegs_.size(); ++k) {
+    if (k + kLines < newLegs_.size()) {
+      const char* line = reinterpret_cast<const char*>(&lines_[newLegs_[k + kLines].puck]);
+      __builtin_prefetch(line), __builtin_prefetch(line + 64);
+    }
+    if (k + kEnds < newLegs_.size()) lines_[newLegs_[k + kEnds].puck].fetchEnd();
+    const auto& [puck, leg, news] = newLegs_[k];
+    lines_[puck].append({eventOf(puck, leg.start),
+                         {leg.u.x, leg.u.y, 0.0},
+                         leg.properTime / c_m_s_,
+                         eventOf(puck, news),
+                         friction_m_s2_});
+  }
+  newLegs_.clear();
 }
 
 void Chronicle::keepLegs(std::size_t puck, std::size_t legs) {
+  complete();
   lines_[puck].keepFirst(legs - forgottenLegs_[puck]);
 }
 
@@ -66,6 +86,7 @@ void Chronicle::addHeat(std::size_t collision, double heat_j) {
 void Chronicle::keepCollisions(std::size_t count) { collisions_.resize(count - forgottenCollisions_); }
 
 void Chronicle::forgetBefore(double t_s) {
+  complete();
   for (std::size_t puck = 0; puck < lines_.size(); ++puck)
     forgottenLegs_[puck] += lines_[puck].forgetBefore(t_s);
   const auto over = std::find_if(collisions_.begin(), collisions_.end(), [t_s](const Collision& collision) {

@@ -13,8 +13,11 @@ class Chronicle {
  public:
   explicit Chronicle(const BilliardSetup& setup);
 
-  /// Adds a leg to a puck's world line; `news` is the event from which the rest of the puck learns of it.
+  /// Adds a leg to a puck's world line, with the next `complete`; `news` is the event from which the rest of
+  /// the puck learns of it.
   void addLeg(std::size_t puck, const Leg& leg, const Vec21& news);
+  /// Brings the world lines up to date.
+  void complete();
   /// Forgets all legs of a puck but the first `legs`, counted from the start of the game.
   void keepLegs(std::size_t puck, std::size_t legs);
   std::size_t legs(std::size_t puck) const { return forgottenLegs_[puck] + lines_[puck].knots().size(); }
@@ -35,6 +38,11 @@ class Chronicle {
   std::span<const Collision> collisions() const { return collisions_; }
 
  private:
+  struct NewLeg {
+    std::size_t puck = 0;
+    Leg leg;
+    Vec21 news;
+  };
   Event eventOf(std::size_t puck, const Vec21& x) const;
   Turn turnOf(std::size_t puck, const Moment& before, const Vec21& uAfter) const;
 
@@ -42,6 +50,7 @@ class Chronicle {
   double friction_m_s2_;
   std::vector<double> height_m_;  // of each puck's centre
   std::vector<WorldLine> lines_;
+  std::vector<NewLeg> newLegs_;  // not in the lines yet
   std::vector<Collision> collisions_;
   std::vector<std::size_t> forgottenLegs_;
   std::size_t forgottenCollisions_ = 0;

@@ -3,6 +3,15 @@
 // vec3, vec4, mat3, KERNEL (what a function definition begins with), the type COLOUR_TABLE by which the texels
 // of a ColourTable are reached and, afterwards, the function colourTexel.
 
+/// ν_B/ν_A of light that travels along the unit vector `ray` of frame A, where B moves with (γ, u): the light's
+/// wave vector against B's four-velocity. Frame A is the board for all lamps, bodies and heads.
+KERNEL real dopplerInto(real gamma, vec3 u, vec3 ray) { return gamma - dot(u, ray); }
+
+/// The direction in B of the same light: a rotation-free boost of (1, ray).
+KERNEL vec3 aberratedInto(real gamma, vec3 u, vec3 ray) {
+  return (ray + u * (dot(u, ray) / (gamma + real(1)) - real(1))) / dopplerInto(gamma, u, ray);
+}
+
 /// Light in six narrow bands: radiance at 420, 465, 515, 570, 630 and 700 nm, as it arrives at the head, in
 /// units of the reference light's there.
 struct Bands {

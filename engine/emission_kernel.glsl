@@ -5,6 +5,11 @@
 //
 // Where: in the rest frame of a leg, its origin at the event at which the body's centre emitted the light
 // that the eye receives. Times are lengths (c t, metres) and come first in a vec4: (c t, x, y, z).
+//
+// Two effects can be switched off (engine/switches.h), for whole views:
+//   retarded false:   events are taken at the observation's board time, and so is the origin;
+//   contracted false: at each board time a vertex is at the centre's place + d: it turns with the centre;
+//   both false:       then no frame is needed: the leg's is the board's, moved to the centre.
 
 /// One leg of one body as one eye sees it; made in double, once a body, leg and eye.
 struct LegView {
@@ -20,7 +25,7 @@ struct LegView {
   vec4 originInThis;   // the previous leg's origin, in this frame
   mat4 fromPrevious;   // displacements of the previous leg's frame, in this one
   vec4 glide;          // under friction: direction of motion on the board, then deceleration/c² (1/m); 0: none
-  vec4 glideTimes;     // u at the turn, u at the origin; board c t from the origin to the turn, to rest
+  vec4 glideTimes;     // u at the turn, u at the origin; board c t from the origin to the turn (of every leg), to rest
 };
 
 LegView legAt(LEGS legs, int i);
@@ -77,12 +82,25 @@ KERNEL vec4 emissionOn(Piece piece, LegView leg) {
   return along(piece, product / (b + root));
 }
 
+/// Where a piece is at the observation's board time: c (t − t_o) = 0.
+KERNEL vec4 momentOn(Piece piece, LegView leg) {
+  real now = leg.boardTime + dot(leg.toBoardTime, piece.start);
+  return along(piece, -now / dot(leg.toBoardTime, vec4(real(1), piece.velocity)));
+}
+
+/// L(v)⁻¹ d = d + u (u·d)/(γ+1): what rests there has on the board the uncontracted offset d.
+KERNEL vec3 stretched(LegView leg, vec3 d) {
+  vec3 u = vec3(leg.toBoardTime.y, leg.toBoardTime.z, leg.toBoardTime.w);
+  return d + u * (dot(u, d) / (leg.toBoardTime.x + real(1)));
+}
+
 /// The speed at which a vertex catches up with its outgoing leg, in the rest frame of that leg (at its turn).
 KERNEL real catchUpSpeed() { return real(0.9); }
 
 // A body under friction has a leg that is no straight line. The frame is then the momentary rest frame at the
 // origin, and a vertex is found by its board time s from the origin (c = 1). On the board, along the motion,
 //   u = u_o − a s   (before the turn u_turn, after the stop 0)     centre: ∫ u/γ ds     vertex: d∥/γ from it
+// (uncontracted: d∥)
 // with ∫ u/γ ds from r to o = (γ_o − γ_r)/a = (r − o)(u_o + u_r)/(γ_o + γ_r), which does not cancel.
 
 KERNEL real gammaOf(real u) { return sqrt(real(1) + u * u); }
@@ -94,7 +112,7 @@ KERNEL real glideU(LegView leg, real s) {
 }
 
 /// The vertex's event at board time s.
-KERNEL vec4 glideEvent(LegView leg, vec3 d, real s) {
+KERNEL vec4 glideEvent(LegView leg, vec3 d, real s, bool contracted) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   real uO = leg.glideTimes.y;
   real gammaO = gammaOf(uO);
@@ -103,17 +121,18 @@ KERNEL vec4 glideEvent(LegView leg, vec3 d, real s) {
   real u = glideU(leg, s);
   real gamma = gammaOf(u);
   real along_d = dot(d, n);
-  real place = (r - o) * (uO + u) / (gammaO + gamma) + (s - r) * u / gamma + o * uO / gammaO + along_d / gamma;
+  real place = (r - o) * (uO + u) / (gammaO + gamma) + (s - r) * u / gamma + o * uO / gammaO +
+               along_d / (contracted ? gamma : real(1));
   return vec4(gammaO * s - uO * place, d + n * (gammaO * place - uO * s - along_d));
 }
 
 /// How the event moves with s.
-KERNEL vec4 glideFlow(LegView leg, vec3 d, real s) {
+KERNEL vec4 glideFlow(LegView leg, vec3 d, real s, bool contracted) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   real uO = leg.glideTimes.y;
   real u = glideU(leg, s);
   real gamma = gammaOf(u);
-  bool gliding = s > leg.glideTimes.z && s < leg.glideTimes.w;
+  bool gliding = contracted && s > leg.glideTimes.z && s < leg.glideTimes.w;
   real v = u / gamma * (real(1) + (gliding ? leg.glide.w * dot(d, n) / (gamma * gamma) : real(0)));
   return vec4(gammaOf(uO) - uO * v, n * (gammaOf(uO) * v - uO));
 }
@@ -122,11 +141,11 @@ KERNEL vec4 glideFlow(LegView leg, vec3 d, real s) {
 KERNEL int glideSteps() { return 8; }
 
 /// Where the vertex crosses the past cone of the eye: l0 − t = |e − x|.
-KERNEL real glideEmission(LegView leg, vec3 d) {
+KERNEL real glideEmission(LegView leg, vec3 d, bool contracted) {
   real s = dot(leg.toBoardTime, vec4(-extraDistance(leg, d), d));
   for (int i = 0; i < glideSteps(); ++i) {
-    vec4 a = glideEvent(leg, d, s);
-    vec4 flow = glideFlow(leg, d, s);
+    vec4 a = glideEvent(leg, d, s, contracted);
+    vec4 flow = glideFlow(leg, d, s, contracted);
     vec3 toEye = leg.eye - vec3(a.y, a.z, a.w);
     real distance = max(length(toEye), real(1e-6));
     s = s + (leg.distance - a.x - distance) / (flow.x - dot(vec3(flow.y, flow.z, flow.w), toEye) / distance);
@@ -138,8 +157,8 @@ KERNEL real glideEmission(LegView leg, vec3 d) {
 KERNEL real glideCrossing(LegView leg, vec3 d, vec4 news) {
   real s = dot(leg.toBoardTime, vec4(news.x + length(d - vec3(news.y, news.z, news.w)), d));
   for (int i = 0; i < glideSteps(); ++i) {
-    vec4 a = glideEvent(leg, d, s);
-    vec4 flow = glideFlow(leg, d, s);
+    vec4 a = glideEvent(leg, d, s, true);
+    vec4 flow = glideFlow(leg, d, s, true);
     vec3 fromNews = vec3(a.y - news.y, a.z - news.z, a.w - news.w);
     real distance = max(length(fromNews), real(1e-6));
     s = s - (a.x - news.x - distance) / (flow.x - dot(vec3(flow.y, flow.z, flow.w), fromNews) / distance);
@@ -156,8 +175,8 @@ KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
   real gap = length(d - vec3(start.y, start.z, start.w));
   real s = dot(leg.toBoardTime, vec4(start.x + gap / catchUpSpeed(), d));
   for (int i = 0; i < glideSteps(); ++i) {
-    vec4 way = glideEvent(leg, d, s) - start;
-    vec4 flow = glideFlow(leg, d, s);
+    vec4 way = glideEvent(leg, d, s, true) - start;
+    vec4 flow = glideFlow(leg, d, s, true);
     vec3 x = vec3(way.y, way.z, way.w);
     vec3 f = vec3(flow.y, flow.z, flow.w);
     vec3 xTurn = x + n * ((gamma - real(1)) * dot(x, n) - u * way.x);
@@ -171,9 +190,32 @@ KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
 }
 
 /// The vertex's emission if it kept to this leg always.
-KERNEL vec4 emissionOnLeg(LegView leg, vec3 d) {
-  if (leg.glide.w > real(0)) return glideEvent(leg, d, glideEmission(leg, d));
-  return vec4(-extraDistance(leg, d), d);
+KERNEL vec4 emissionOnLeg(LegView leg, vec3 d, bool retarded, bool contracted) {
+  if (!retarded && !contracted) return vec4(real(0), d);
+  if (leg.glide.w > real(0)) {
+    return glideEvent(leg, d, retarded ? glideEmission(leg, d, contracted) : -leg.boardTime, contracted);
+  }
+  vec3 place = contracted ? d : stretched(leg, d);
+  if (!retarded) return momentOn(Piece(vec4(real(0), place), vec3(real(0))), leg);
+  return vec4(-extraDistance(leg, place), place);
+}
+
+/// Uncontracted, all points of a body turn with its centre: the emission on the latest leg that has begun by
+/// then. World lines are continuous and slower than light, so this is the only one.
+KERNEL VertexEmission uncontractedEmission(LEGS legs, int legCount, vec3 d, bool retarded) {
+  VertexEmission emission;
+  emission.event = emissionOnLeg(legAt(legs, 0), d, retarded, false);
+  emission.leg = 0;
+  emission.catchingUp = false;
+  for (int i = 1; i < legCount; ++i) {
+    LegView leg = legAt(legs, i);
+    vec4 onLeg = emissionOnLeg(leg, d, retarded, false);
+    if (dot(leg.toBoardTime, onLeg) >= leg.glideTimes.z) {
+      emission.event = onLeg;
+      emission.leg = i;
+    }
+  }
+  return emission;
 }
 
 /// The emission event of the vertex at intrinsic offset d of a body that has these legs.
@@ -181,10 +223,11 @@ KERNEL vec4 emissionOnLeg(LegView leg, vec3 d) {
 /// A vertex keeps to its leg until the news that ends it, spreading at c, arrives (A), then catches up with
 /// its place on the next leg, at catchUpSpeed there (B). News that arrives earlier than B cuts that short.
 /// So every vertex has a continuous world line slower than light, and exactly one emission event.
-KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d) {
+KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retarded, bool contracted) {
+  if (!contracted) return uncontractedEmission(legs, legCount, d, retarded);
   LegView leg = legAt(legs, 0);
   VertexEmission emission;
-  emission.event = emissionOnLeg(leg, d);
+  emission.event = emissionOnLeg(leg, d, retarded, true);
   emission.leg = 0;
   emission.catchingUp = false;
   if (legCount == 1) return emission;
@@ -203,8 +246,8 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d) {
     if (leg.glide.w > real(0)) {
       // What lies behind A is from now on its chord: only news that comes out of turn could tell.
       real s = glideCrossing(leg, d, next.newsInPrevious);
-      vec4 flow = glideFlow(leg, d, s);
-      a = glideEvent(leg, d, s);
+      vec4 flow = glideFlow(leg, d, s, true);
+      a = glideEvent(leg, d, s, true);
       if (count > 1 && a.x > pieces[count - 1].start.x) flow = a - pieces[count - 1].start;
       if (count == 1) pieces[0].start = a;
       pieces[count - 1].velocity = vec3(flow.y, flow.z, flow.w) / flow.x;
@@ -238,7 +281,7 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d) {
     rest.start = vec4(a.x + gapLength / catchUpSpeed(), d);
     rest.velocity = vec3(real(0));
     if (next.glide.w > real(0)) {
-      rest.start = glideEvent(next, d, glideJoining(next, d, a));
+      rest.start = glideEvent(next, d, glideJoining(next, d, a), true);
       vec4 step = rest.start - a;
       way.velocity = step.x > real(0) ? vec3(step.y, step.z, step.w) / step.x : vec3(real(0));
     }
@@ -247,9 +290,10 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d) {
     count = count + 2;
 
     if (reached) {
-      vec4 onLeg = emissionOnLeg(next, d);
+      vec4 onLeg = emissionOnLeg(next, d, retarded, true);
       emission.catchingUp = onLeg.x < rest.start.x;
-      emission.event = emission.catchingUp ? emissionOn(way, next) : onLeg;
+      emission.event = onLeg;
+      if (emission.catchingUp) emission.event = retarded ? emissionOn(way, next) : momentOn(way, next);
       emission.leg = i;
       here = emission.event;
     }
@@ -268,3 +312,9 @@ KERNEL real distanceInBody(LegView leg, vec4 event) { return leg.distance - even
 
 /// c (t − t_o): how long ago the light left, in board time (negative).
 KERNEL real boardTimeOf(LegView leg, vec4 event) { return leg.boardTime + dot(leg.toBoardTime, event); }
+
+/// A place from the eye, taken for where light that arrives now comes from, (−|x|, x), in another frame.
+KERNEL vec3 rayThrough(mat4 otherFromThis, vec3 x) {
+  vec4 ray = otherFromThis * vec4(-length(x), x);
+  return vec3(ray.y, ray.z, ray.w);
+}

@@ -23,6 +23,10 @@ inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
 #include "engine/emission_kernel.glsl"
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
+/// With both effects on.
+inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
+  return solveEmission(legs, legCount, d, true, true);
+}
 }  // namespace carom::kernel
 
 namespace carom::kernel_float {
@@ -36,6 +40,10 @@ inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
 #include "engine/emission_kernel.glsl"
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
+/// With both effects on.
+inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
+  return solveEmission(legs, legCount, d, true, true);
+}
 }  // namespace carom::kernel_float
 
 #undef LEGS

@@ -12,22 +12,28 @@ namespace {
 
 glm::dvec4 metres(const Displacement& d, double c_m_s) { return {c_m_s * d.dt_s, d.dr_m}; }
 
-/// Can news of `knot` have been seen by the eye at all: is the observation in its causal future?
-bool seenFrom(const Knot& knot, const Event& observation, double c_m_s) {
-  const Displacement d = observation - knot.news;
-  return d.dt_s >= 0.0 && interval_m2(d, c_m_s) >= 0.0;
+/// Can any point of the body be seen on the leg of `knot`: has its news come, or without contraction its
+/// turn?
+bool mayBeSeenOn(const Knot& knot, const Event& observation, double radius_m, double c_m_s,
+                 const Switches& switches) {
+  const Displacement d = observation - (switches.contraction ? knot.news : knot.turn);
+  if (!switches.retardation) return d.dt_s >= 0.0;
+  const double reach_m = c_m_s * d.dt_s + (switches.contraction ? 0.0 : radius_m);
+  return reach_m >= glm::length(d.dr_m) && d.dt_s >= 0.0;
 }
 
-/// The latest leg whose beginning can be seen by the eye.
-std::size_t lastLeg(const WorldLine& line, const Event& observation) {
+/// The latest leg that can be seen by the eye.
+std::size_t lastLeg(const WorldLine& line, const Event& observation, const Switches& switches) {
   const auto knots = line.knots();
   std::size_t i = knots.size() - 1;
-  while (i > 0 && !seenFrom(knots[i], observation, line.lightSpeed_m_s())) --i;
+  while (i > 0 && !mayBeSeenOn(knots[i], observation, line.radius_m(), line.lightSpeed_m_s(), switches)) --i;
   return i;
 }
 
-/// The centre's event on the eye's past cone if it kept to the leg of `knot` always.
-Motion centreEmission(const Knot& knot, const Event& observation, double c_m_s) {
+/// The centre's event on the eye's past cone (without retardation: at its board time) if it kept to the leg
+/// of `knot` always.
+Motion centreEmission(const Knot& knot, const Event& observation, double c_m_s, const Switches& switches) {
+  if (!switches.retardation) return motionOnLeg(knot, observation.t_s, c_m_s);
   if (knot.deceleration_m_s2 > 0.0) {
     const double t_s = rootOfIncreasing(
         [&](double t) {
@@ -44,41 +50,56 @@ Motion centreEmission(const Knot& knot, const Event& observation, double c_m_s) 
           knot.properTime_s + eye.dt_s - distance_s, 0};
 }
 
-/// The latest leg, up to `last`, that all points had joined before they emitted the light that the eye
-/// receives and before any later news: earlier legs need not be looked at.
-std::size_t firstLeg(const WorldLine& line, const Event& observation, std::size_t last) {
-  const double c_m_s = line.lightSpeed_m_s();
+/// Had all points joined the leg before they emitted the light that the eye receives, and before later news?
+bool allJoined(const WorldLine& line, std::size_t leg, const Motion& centre, bool isLast,
+               const Switches& switches) {
+  const Knot& knot = line.knots()[leg];
+  const double radius_s = line.radius_m() / line.lightSpeed_m_s();
+  if (!switches.contraction) {
+    // Board times of points differ from the centre's by at most (R/c)/(1 − β) = (R/c) γ(γ + u).
+    const double gamma = gammaFromU(knot.u);
+    const double spread_s = switches.retardation ? radius_s * gamma * (gamma + glm::length(knot.u)) : 0.0;
+    return centre.event.t_s - spread_s >= knot.turn.t_s;
+  }
+  // In the body's rest frame the earliest light that the eye receives left at most R/c before the centre's;
+  // and what is simultaneous on the board is there at most R/c apart.
+  const double earliest_s = centre.properTime_s - knot.properTime_s - radius_s;
+  return earliest_s >= line.settled_s(leg) && (isLast || line.settlesBeforeNext(leg));
+}
+
+/// The latest leg, up to `last`, that all points had joined: earlier ones need not be looked at.
+std::size_t firstLeg(const WorldLine& line, const Event& observation, std::size_t last,
+                     const Switches& switches) {
   for (std::size_t i = last; i > 0; --i) {
-    const Knot& knot = line.knots()[i];
-    // In the body's rest frame the earliest light that the eye receives left at most R/c before the centre's.
-    const double earliest_s =
-        centreEmission(knot, observation, c_m_s).properTime_s - knot.properTime_s - line.radius_m() / c_m_s;
-    const bool settled = earliest_s >= line.settled_s(i);
-    if (settled && (i == last || line.settlesBeforeNext(i))) return i;
+    const Motion centre = centreEmission(line.knots()[i], observation, line.lightSpeed_m_s(), switches);
+    if (allJoined(line, i, centre, i == last, switches)) return i;
   }
   return 0;
 }
 
 /// One leg as the eye sees it; `centre` is the centre's emission on it.
 LegView viewLeg(const Knot& knot, const Motion& centre, const Event& observation,
-                const Lorentz& headFromBoard) {
-  const double c_m_s = headFromBoard.lightSpeed_m_s();
+                const Lorentz& seenFromBoard, const Switches& switches) {
+  const double c_m_s = seenFromBoard.lightSpeed_m_s();
   const Lorentz boardFromBody = Lorentz::boost(centre.u, c_m_s);
-  const glm::dmat4 headFromBody = glm::transpose((headFromBoard * boardFromBody).matrix());  // rows
+  const bool rigid = !switches.retardation && !switches.contraction;
+  const Lorentz seenFromLeg = rigid ? seenFromBoard : seenFromBoard * boardFromBody;
+  const glm::dmat4 rows = glm::transpose(seenFromLeg.matrix());
   const Displacement centreFromEye = centre.event - observation;
   LegView leg{};
   leg.eye = (boardFromBody.inverse() * -centreFromEye).dr_m;
   leg.distance = glm::length(leg.eye);
-  leg.seenCentre = (headFromBoard * centreFromEye).dr_m;
+  leg.seenCentre = (seenFromBoard * centreFromEye).dr_m;
   leg.boardTime = c_m_s * centreFromEye.dt_s;
-  leg.toSeenX = headFromBody[1];
-  leg.toSeenY = headFromBody[2];
-  leg.toSeenZ = headFromBody[3];
+  leg.toSeenX = rows[1];
+  leg.toSeenY = rows[2];
+  leg.toSeenZ = rows[3];
   leg.toBoardTime = glm::transpose(boardFromBody.matrix())[0];
+  const double turn_m = c_m_s * (knot.turn.t_s - centre.event.t_s);
+  leg.glideTimes.z = turn_m;
   const double uTurn = glm::length(knot.u);
   if (knot.deceleration_m_s2 > 0.0 && uTurn > 0.0) {
     const double a = knot.deceleration_m_s2 / (c_m_s * c_m_s);
-    const double turn_m = c_m_s * (knot.turn.t_s - centre.event.t_s);
     leg.glide = {knot.u / uTurn, a};
     leg.glideTimes = {uTurn, glm::length(centre.u), turn_m, turn_m + uTurn / a};
   }
@@ -120,17 +141,33 @@ kernel_float::LegView toFloat(const LegView& leg) {
           glm::vec4(leg.glideTimes)};
 }
 
-void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view) {
+SeenFrame::SeenFrame(const Lorentz& headFromBoard, const Switches& switches)
+    : seenFromBoard(headFromBoard),
+      drawnFromSeen(headFromBoard.lightSpeed_m_s()),
+      drawnFromBoard(headFromBoard) {
+  // A transform is a rotation, then a boost by the velocity that the board has in the head's frame.
+  const Lorentz headFromTurned = Lorentz::boost(headFromBoard.u(), headFromBoard.lightSpeed_m_s());
+  const Lorentz turnedFromBoard = headFromTurned.inverse() * headFromBoard;
+  if (!switches.aberration) drawnFromBoard = turnedFromBoard;
+  if (!switches.aberration || !switches.retardation) seenFromBoard = turnedFromBoard;
+  if (switches.aberration && !switches.retardation) drawnFromSeen = headFromTurned;
+}
+
+void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view,
+              const Switches& switches) {
   const double c_m_s = line.lightSpeed_m_s();
   const auto knots = line.knots();
-  const std::size_t last = lastLeg(line, observation);
-  view.firstLeg = firstLeg(line, observation, last);
+  const Lorentz seenFromBoard = SeenFrame(headFromBoard, switches).seenFromBoard;
+  const std::size_t last = lastLeg(line, observation, switches);
+  view.retarded = switches.retardation != 0;
+  view.contracted = switches.contraction != 0;
+  view.firstLeg = firstLeg(line, observation, last, switches);
   view.appears_m = c_m_s * (line.appears_s() - observation.t_s);
   view.legs.clear();
   Motion previous;
   for (std::size_t i = view.firstLeg; i <= last; ++i) {
-    const Motion centre = centreEmission(knots[i], observation, c_m_s);
-    view.legs.push_back(viewLeg(knots[i], centre, observation, headFromBoard));
+    const Motion centre = centreEmission(knots[i], observation, c_m_s, switches);
+    view.legs.push_back(viewLeg(knots[i], centre, observation, seenFromBoard, switches));
     if (i > view.firstLeg) joinLegs(knots[i], previous, centre, c_m_s, view.legs.back());
     previous = centre;
   }

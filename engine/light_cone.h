@@ -10,6 +10,7 @@
 #include "engine/emission_kernel.h"
 #include "engine/event.h"
 #include "engine/lorentz.h"
+#include "engine/switches.h"
 #include "engine/world_line.h"
 
 namespace carom {
@@ -21,14 +22,30 @@ struct BodyView {
   std::vector<LegView> legs;  ///< never empty
   std::size_t firstLeg = 0;   ///< index in the world line of the first of them
   double appears_m = 0.0;     ///< c (appears − t_o): a point whose light left before this is unseen
+  bool retarded = true;       ///< what the kernel is to be told of the switches
+  bool contracted = true;
 };
 
 /// The same numbers as the GPU takes them.
 kernel_float::LegView toFloat(const LegView& leg);
 
+/// The frame in which the kernel gives seen places, from the eye, and what then becomes of them.
+struct SeenFrame {
+  SeenFrame(const Lorentz& headFromBoard, const Switches& switches);
+
+  /// The head's, or without retardation or aberration the board's with the head's axes.
+  Lorentz seenFromBoard;
+  /// Without retardation: rayThrough() this matrix makes seen places drawn ones. Otherwise they are.
+  Lorentz drawnFromSeen;
+  /// The frame in which walls draw: the head's, or without aberration the board's with the head's axes.
+  Lorentz drawnFromBoard;
+};
+
 /// Fills `view` (its memory is reused) for an eye at the board event `observation` whose head frame is
-/// `headFromBoard`; the seen places are in that frame, from the eye.
-void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view);
+/// `headFromBoard`; the seen places are in that frame (or else as SeenFrame says), from the eye. Of the
+/// switches, colour and searchlight do not matter.
+void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view,
+              const Switches& switches = {});
 
 /// Where and when the light that the eye receives was emitted.
 struct Emission {

@@ -147,7 +147,7 @@ bool glides(const LegView& leg) { return leg.glide.w > 0.0; }
 /// (γ, γβ) in the frame of the leg of a vertex that keeps to it: at rest, but for friction.
 glm::dvec4 fourVelocity(const LegView& leg, const Vec3& offset, const glm::dvec4& event) {
   if (!glides(leg)) return {1.0, 0.0, 0.0, 0.0};
-  const glm::dvec4 flow = kernel::glideFlow(leg, offset, glm::dot(leg.toBoardTime, event));
+  const glm::dvec4 flow = kernel::glideFlow(leg, offset, glm::dot(leg.toBoardTime, event), true);
   const Vec3 step(flow.y, flow.z, flow.w);
   return flow / std::sqrt(flow.x * flow.x - glm::dot(step, step));
 }
@@ -204,6 +204,7 @@ std::size_t hideUnseen(const Block& block, float appears_m) {
 std::size_t seePoints(const BodyView& view, const Points& offsets, const SeenPoints& seen,
                       InstructionSet instructions) {
   assert(offsets.size() == seen.size());
+  assert(view.retarded && view.contracted);
   const std::array<FloatLeg, 2> legs{toFloat(view.legs.front()), toFloat(view.legs.back())};
   const bool mayBeUnseen = std::isfinite(view.appears_m);
   const bool details = mayBeUnseen || !seen.doppler.empty() || !seen.boardTime_m.empty();

@@ -47,7 +47,7 @@ struct SeenPoints {
 };
 
 /// Solves for the points at the intrinsic `offsets` (from the centre, in the body's rest frame) of the body
-/// that one eye sees as `view`. Returns how many of them are unseen.
+/// that one eye sees as `view`, with retardation and contraction. Returns how many of them are unseen.
 ///
 /// A vertex that is catching up with its leg after a bounce has the Doppler factor of its incoming leg: it
 /// is lit and coloured as that, or its colour would flash.

@@ -9,6 +9,14 @@ Observer::Observer(const Lorentz& boardFromRoom, const Event& roomOrigin, const 
       headEvent_(roomOrigin + boardFromRoom * Displacement{0.0, head.roomFromHead.position_m}),
       head_(head) {}
 
+Observer Observer::at(const Event& headEvent, double properTime_s, const Lorentz& boardFromRoom,
+                      const Head& head) {
+  Observer observer(boardFromRoom, headEvent, head);
+  observer.headEvent_ = headEvent;
+  observer.properTime_s_ = properTime_s;
+  return observer;
+}
+
 void Observer::step(double dtau_s, const Head& head) {
   const double c_m_s = boardFromRoom_.lightSpeed_m_s();
   Vec3 step_m = head.roomFromHead.position_m - head_.roomFromHead.position_m;

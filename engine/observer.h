@@ -43,6 +43,10 @@ class Observer {
   /// the board event of the room's origin at the moment (in the room's frame) of the start.
   Observer(const Lorentz& boardFromRoom, const Event& roomOrigin, const Head& head);
 
+  /// A person whose head is at a known board event and has lived `properTime_s`.
+  static Observer at(const Event& headEvent, double properTime_s, const Lorentz& boardFromRoom,
+                     const Head& head);
+
   /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s moves the
   /// person's place in the room, as re-anchoring, but not along the world line.
   void step(double dtau_s, const Head& head);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/emission_kernel.h"
 #include "engine/root.h"
@@ -167,6 +168,30 @@ std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset
   const double atZero_s = properTimeAt(pieceAt(history, zero_s), zero_s, c_m_s);
   for (VertexPiece& piece : history) piece.properTime_s -= atZero_s;
   return history;
+}
+
+double joinedAfter_s(const WorldLine& line) {
+  constexpr int kAround = 16;
+  const double c_m_s = line.lightSpeed_m_s();
+  const std::span<const Knot> knots = line.knots();
+  std::size_t from = knots.size() - 1;
+  while (from > 0 && !(from + 1 < knots.size() && line.settlesBeforeNext(from))) --from;
+  const Knot& last = knots.back();
+  const Lorentz bodyFromBoard = Lorentz::boost(-last.u, c_m_s);
+  double longest_s = 0.0;
+  std::vector<VertexPiece> history;
+  for (int k = 0; k < 2 * kAround; ++k) {
+    // On the equator and half way up; motion is in the plane, so below is as above.
+    const double around = 2.0 * std::numbers::pi * (k % kAround) / kAround;
+    const double level = k < kAround ? 1.0 : std::numbers::sqrt2 / 2.0;
+    const Vec3 offset_m = line.radius_m() * Vec3(level * std::cos(around), level * std::sin(around),
+                                                 std::sqrt(1.0 - level * level));
+    const Event start{knots[from].turn.t_s, knots[from].turn.r_m + contracted(offset_m, knots[from].u)};
+    history.assign(1, pieceOnLeg(knots[from], offset_m, start));
+    for (const Knot& knot : knots.subspan(from + 1)) turn(history, knot, offset_m, c_m_s);
+    longest_s = std::max(longest_s, (bodyFromBoard * (history.back().start - last.turn)).dt_s);
+  }
+  return 1.5 * longest_s;
 }
 
 const VertexPiece& pieceAt(const std::vector<VertexPiece>& history, double t_s) {

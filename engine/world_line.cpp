@@ -40,8 +40,24 @@ WorldLine::WorldLine(const Knot& first, double c_m_s, double radius_m, double ap
     : c_m_s_(c_m_s),
       radius_m_(radius_m),
       appears_s_(appears_s),
+      origin_(first),
       knots_{first},
-      settling_{{-std::numeric_limits<double>::infinity(), radius_m, true}} {}
+      settling_{{-std::numeric_limits<double>::infinity(), radius_m, true, radius_m}} {}
+
+namespace {
+
+// A displacement as seen from the rest frame of u: its time (of light, in metres) is u·d, and its length
+// follows from the interval d² that all frames share.
+struct RestFrameSplit {
+  double time_m, distance_m;
+};
+
+RestFrameSplit inRestFrame(const Vec3& u, const Displacement& d, double c_m_s) {
+  const double time_m = gammaFromU(u) * c_m_s * d.dt_s - glm::dot(u, d.dr_m);
+  return {time_m, std::sqrt(std::max(0.0, time_m * time_m - interval_m2(d, c_m_s)))};
+}
+
+}  // namespace
 
 // c = 1, origin at the turn. A point at x, |x| ≤ ρ, of the old leg's rest frame leaves it at A when the news
 // (t_n, x_n) arrives: t_A = t_n + |x − x_n|, so |t_A| ≤ |t_n + |x_n|| + ρ. Seen from the new leg's rest
@@ -49,26 +65,29 @@ WorldLine::WorldLine(const Knot& first, double c_m_s, double radius_m, double ap
 // two bounds; from there the point needs at most (|x_A| + R)/catchUpSpeed.
 WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before) const {
   const std::size_t last = knots_.size() - 1;
-  const Lorentz oldFromBoard = Lorentz::boost(-before.u, c_m_s_);
-  const Displacement news = oldFromBoard * (next.news - next.turn);
-  const double radiusThen_m = settling_[last].beforeNext ? radius_m_ : settling_[last].reach_m;
-  const double reachOld_m = std::abs(c_m_s_ * news.dt_s + glm::length(news.dr_m)) + radiusThen_m;
+  const RestFrameSplit news = inRestFrame(before.u, next.news - next.turn, c_m_s_);
+  const double radiusThen_m = settling_[last].reachAtNext_m;
+  const double reachOld_m = std::abs(news.time_m + news.distance_m) + radiusThen_m;
   const double gammaRelative =
       std::max(1.0, gammaFromU(before.u) * gammaFromU(next.u) - glm::dot(before.u, next.u));
   const double expEta = gammaRelative + std::sqrt(gammaRelative * gammaRelative - 1.0);
   const double reach_m = std::max(radius_m_, expEta * reachOld_m);
   const double join_s = (reach_m + (reach_m + radius_m_) / kernel::catchUpSpeed()) / c_m_s_;
   // Friction moves the goal by less than the way to it while R a < c²/2.
-  return {next.deceleration_m_s2 > 0.0 ? 2.0 * join_s : join_s, reach_m, true};
+  return {next.deceleration_m_s2 > 0.0 ? 2.0 * join_s : join_s, reach_m, true, radius_m_};
 }
 
 void WorldLine::noteNext(const Knot& next) {
   // In the body's rest frame the centre's clock, when it sees the news made, is at most |x_n|/c ahead of it.
   const Knot& last = knots_.back();
   const Motion then = motionOnLeg(last, next.news.t_s, c_m_s_);
-  const Displacement news = Lorentz::boost(-then.u, c_m_s_) * (next.news - then.event);
-  const double age_s = then.properTime_s - last.properTime_s - glm::length(news.dr_m) / c_m_s_;
-  settling_.back().beforeNext = age_s >= settling_.back().after_s;
+  const RestFrameSplit news = inRestFrame(then.u, next.news - then.event, c_m_s_);
+  const double age_s = then.properTime_s - last.properTime_s - news.distance_m / c_m_s_;
+  // A point that has not joined by then would do so by after_s, moving slower than light all the way.
+  const double left_m = c_m_s_ * (settling_.back().after_s - age_s);
+  settling_.back().beforeNext = !(left_m > 0.0);
+  settling_.back().reachAtNext_m =
+      left_m > 0.0 ? std::min(settling_.back().reach_m, radius_m_ + left_m) : radius_m_;
 }
 
 void WorldLine::append(const Knot& knot) {
@@ -84,7 +103,16 @@ void WorldLine::append(const Knot& knot) {
   knots_.push_back(knot);
 }
 
+void WorldLine::settlesAfter(double after_s) {
+  Settling& last = settling_.back();
+  if (!(after_s < last.after_s)) return;
+  last.after_s = after_s;
+  // They join slower than light.
+  last.reach_m = std::min(last.reach_m, radius_m_ + c_m_s_ * after_s);
+}
+
 void WorldLine::truncateFrom(double t_s) {
+  if (forgotten_ && knots_.front().turn.t_s >= t_s) *this = WorldLine(origin_, c_m_s_, radius_m_, appears_s_);
   const auto firstGone = std::find_if(knots_.begin() + 1, knots_.end(),
                                       [t_s](const Knot& knot) { return knot.turn.t_s >= t_s; });
   keepFirst(static_cast<std::size_t>(firstGone - knots_.begin()));
@@ -103,6 +131,7 @@ std::size_t WorldLine::forgetBefore(double t_s) {
                      knots_.begin() - 1;
   knots_.erase(knots_.begin(), knots_.begin() + ended);
   settling_.erase(settling_.begin(), settling_.begin() + ended);
+  forgotten_ = forgotten_ || ended > 0;
   return static_cast<std::size_t>(ended);
 }
 

@@ -43,7 +43,18 @@ class WorldLine {
   /// of the coordinates' size; throws std::invalid_argument otherwise.
   void append(const Knot& knot);
 
-  /// Forgets every knot but the first whose turn is at or after `t_s`.
+  /// Has the last knots brought from memory, which `append` needs.
+  void fetchEnd() const {
+    const char* end = reinterpret_cast<const char*>(knots_.data() + knots_.size());
+    for (int byte = -128; byte <= 64; byte += 64) __builtin_prefetch(end + byte);
+  }
+
+  /// The bounds of when all points have joined grow with every turn that comes before they have. Where better
+  /// is known of the last leg (joinedAfter_s of vertex_history.h), this says so.
+  void settlesAfter(double after_s);
+
+  /// Forgets every knot but the first whose turn is at or after `t_s`. Where that is all that `forgetBefore`
+  /// has left, the line begins anew, with the leg it was made with.
   void truncateFrom(double t_s);
   /// Forgets every knot but the first `knots`, at least one.
   void keepFirst(std::size_t knots);
@@ -71,6 +82,7 @@ class WorldLine {
     double after_s = 0.0;
     double reach_m = 0.0;  // how far from the centre a point can be until then, in the leg's rest frame
     bool beforeNext = true;
+    double reachAtNext_m = 0.0;  // the same when the news that ends this leg is made
   };
   Settling settlingOf(const Knot& next, const Motion& before) const;
   void noteNext(const Knot& next);
@@ -78,6 +90,8 @@ class WorldLine {
   double c_m_s_;
   double radius_m_;
   double appears_s_;
+  Knot origin_;
+  bool forgotten_ = false;  // legs before knots_.front()
   std::vector<Knot> knots_;
   std::vector<Settling> settling_;
 };

@@ -1,14 +1,19 @@
 // A vertex of a body: from its place in the body's rest frame to where the eye sees it, and how it is lit there.
+// RETARDED, CONTRACTED, ABERRATED, COLOURED and SEARCHLIGHT are true or false: the switches. EUCLID is defined if
+// all are off, COLOUR if colours shift, CLOCK for clocks, GLOWS for what has light of its own.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
 in vec3 surfaceMC;  // for painting
 
 uniform int firstLeg;          // of this body, in legTexels
-uniform int legCount;         // reached as LEG_COUNT: 1 for what rests
+uniform int legCount;          // reached as LEG_COUNT: 1 for what rests
+uniform mat4 drawnFromBody;    // EUCLID: the body's place, without a solve
 uniform float appears_m;       // c (t − t_o) before which the body did not exist
-uniform mat4 clipFromHead;     // head frame, from the eye
-uniform mat4 boardFromHead;    // displacements (c t, x, y, z)
+uniform mat4 clipFromDrawn;    // the frame in which walls draw: the head's, or as the switches say; from the eye
+uniform mat4 drawnFromSeen;    // displacements (c t, x, y, z), here and in the next line
+uniform mat4 boardFromDrawn;
+uniform vec4 headOnBoard;      // γ, γβ
 uniform vec3 eyeOnBoard_m;     // where the eye receives the light
 uniform vec3 lamps_m[3];       // at rest on the board
 uniform float gloss;
@@ -16,59 +21,121 @@ uniform float nearer;          // share by which decals are drawn nearer than th
 
 out vec3 place;       // vertexMC, for painting
 out vec3 surface;
-out vec3 light;       // received by the surface: times its colour is what it sends to the eye (linear)
-out float shine;      // mirrored to the eye by its varnish
+out LIGHT light;      // received by the surface: times its colour is what the eye receives (linear)
+#ifdef GLOWS
+out LIGHT glow;       // the same for light of its own
+#endif
+out SHINE shine;      // mirrored to the eye by its varnish
 out float boardTime_m;  // c (t − t_o) of the emission
 
-const vec3 kLampColour = vec3(1.0, 0.90, 0.76);
 const float kLampStrength_m2 = 1.1;  // light on a surface at 1 m that faces the lamp
 
-/// The direction (in the body's rest frame, u = γβ its motion) in which light travels that travels along
-/// `direction` on the board: aberration, a rotation-free boost of the light's four-vector (1, direction).
-vec3 inBodyFrame(vec3 direction, float gamma, vec3 u) {
-  return (direction + u * (dot(u, direction) / (gamma + 1.0) - 1.0)) / (gamma - dot(u, direction));
-}
+/// The hall's own light, white: soft, from above more than from below.
+float hallLight(vec3 normal) { return mix(0.32, 0.66, 0.5 + 0.5 * normal.z); }
 
-/// The hall's own light: soft, from above more than from below.
-vec3 hallLight(vec3 normal) { return mix(vec3(0.34, 0.32, 0.29), vec3(0.66, 0.66, 0.68), 0.5 + 0.5 * normal.z); }
+#ifdef COLOUR
+// Of two sorts of light, both a black body's; the lamp's is 0.848 times as hot as the reference.
+Bands hallSpectrum(float doppler) { return blackBody(doppler); }
+Bands lampSpectrum(float doppler) { return blackBody(0.848 * doppler); }
+const float kLampPower = 1.88;  // in units of its own white at rest: then kLampColour below is what it shows
+#endif
+
+/// Where the vertex is drawn, from the eye, and where and how fast it was. Sets boardTime_m.
+struct Sight {
+  vec3 drawn;
+  float gamma;
+  vec3 u;
+};
+
+#ifdef EUCLID
+Sight sightOf(vec3 d) {
+  boardTime_m = 0.0;
+  return Sight((drawnFromBody * vec4(d, 1.0)).xyz, 1.0, vec3(0.0));
+}
+#else
+Sight sightOf(vec3 d) {
+  VertexEmission emission = solveEmission(firstLeg, LEG_COUNT, d, RETARDED, CONTRACTED);
+  LegView leg = legAt(firstLeg, emission.leg);
+  vec3 drawn = seenFromEye(leg, emission.event);
+  if (ABERRATED && !RETARDED) drawn = rayThrough(drawnFromSeen, drawn);
+  boardTime_m = RETARDED ? boardTimeOf(leg, emission.event) : 0.0;
+  // A vertex that is catching up is lit as on its incoming leg: its colour must not flash.
+  if (emission.catchingUp) leg = legAt(firstLeg, emission.leg - 1);
+  // The first row of toBoardTime takes (c t, x) to γ (c t + β·x).
+  return Sight(drawn, leg.toBoardTime.x, leg.toBoardTime.yzw);
+}
+#endif
+
+/// The direction, in the body's rest frame, of light that travels along `ray` on the board.
+vec3 inBodyFrame(Sight sight, vec3 ray) {
+  return ABERRATED ? aberratedInto(sight.gamma, sight.u, ray) : ray;
+}
 
 void main() {
   vec3 d = vertexMC.xyz;
-  VertexEmission emission = solveEmission(firstLeg, LEG_COUNT, d);
-  LegView leg = legAt(firstLeg, emission.leg);
-  vec3 seen = seenFromEye(leg, emission.event);
-  boardTime_m = boardTimeOf(leg, emission.event);
+  Sight sight = sightOf(d);
 #ifdef CLOCK
-  // A clock shows one time: when light left the middle of its face, a rectangle of width surfaceMC.z.
-  vec2 fromMiddle = (surfaceMC.xy / vec2(4.0, 1.0) - 0.5) * surfaceMC.z * vec2(1.0, 0.4);
-  vec3 right = cross(vec3(0.0, 0.0, 1.0), normalMC);
-  VertexEmission middle = solveEmission(firstLeg, LEG_COUNT, d - right * fromMiddle.x - vec3(0.0, 0.0, fromMiddle.y));
-  boardTime_m = boardTimeOf(legAt(firstLeg, middle.leg), middle.event);
+  if (RETARDED) {
+    // A clock shows one time: when light left the middle of its face, a rectangle of width surfaceMC.z.
+    vec2 fromMiddle = (surfaceMC.xy / vec2(4.0, 1.0) - 0.5) * surfaceMC.z * vec2(1.0, 0.4);
+    vec3 right = cross(vec3(0.0, 0.0, 1.0), normalMC);
+    sightOf(d - right * fromMiddle.x - vec3(0.0, 0.0, fromMiddle.y));
+  }
 #endif
 
-  gl_Position = clipFromHead * vec4(seen * (1.0 - nearer), 1.0);
+  gl_Position = clipFromDrawn * vec4(sight.drawn * (1.0 - nearer), 1.0);
   gl_ClipDistance[0] = boardTime_m - appears_m;
 
-  vec3 fromEye_m = (boardFromHead * vec4(-length(seen), seen)).yzw;
+  vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn)
+                             : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
   vec3 onBoard_m = eyeOnBoard_m + fromEye_m;
-  // A vertex that is catching up is lit as on its incoming leg: its colour must not flash.
-  if (emission.catchingUp) leg = legAt(firstLeg, emission.leg - 1);
-  float gamma = leg.toBoardTime.x;  // its first row takes (c t, x) to γ (c t + β·x)
-  vec3 u = leg.toBoardTime.yzw;
-  vec3 toEye = inBodyFrame(normalize(-fromEye_m), gamma, u);
+  vec3 towardsEye = normalize(-fromEye_m);
+  float toHead = dopplerInto(headOnBoard.x, headOnBoard.yzw, towardsEye) /
+                 dopplerInto(sight.gamma, sight.u, towardsEye);
+  float headPower = radiancePower(toHead, COLOURED, SEARCHLIGHT);
+  vec3 toEye = inBodyFrame(sight, towardsEye);
   vec3 normal = normalMC * inversesqrt(max(dot(normalMC, normalMC), 1e-12));  // a spike of a mesh may have none
 
-  light = hallLight(normal);
+  // The hall's light as if all of it came from where light on a matt surface does on average, 2/3 being the mean
+  // cosine: from direction n of the body's sky D = 1/(γ − u·n).
+  float hallToBody = 1.0 / dopplerInto(sight.gamma, sight.u, normal * (2.0 / 3.0));
+  float hall = hallLight(normal) * headPower * radiancePower(hallToBody, COLOURED, SEARCHLIGHT);
+#ifdef COLOUR
+  Bands received = added(Bands(vec4(0.0), vec2(0.0)), hall, hallSpectrum(hallToBody * toHead));
+  shine = vec3(0.0);
+#else
+  light = vec3(hall);
   shine = 0.0;
+#endif
   for (int i = 0; i < 3; ++i) {
     vec3 ray = onBoard_m - lamps_m[i];
-    vec3 toLamp = -inBodyFrame(normalize(ray), gamma, u);
-    float strength = kLampStrength_m2 / (dot(ray, ray) + 0.3);
+    vec3 lampRay = normalize(ray);
+    vec3 toLamp = -inBodyFrame(sight, lampRay);
+    float lampToBody = dopplerInto(sight.gamma, sight.u, lampRay);
+    float strength = kLampStrength_m2 / (dot(ray, ray) + 0.3) * headPower *
+                     lampPower(lampToBody, COLOURED, SEARCHLIGHT);
     float facing = max(dot(normal, toLamp), 0.0);
-    light += kLampColour * (strength * facing);
     float mirrored = max(dot(normal, normalize(toLamp + toEye)), 0.0);
-    shine += facing > 0.0 ? gloss * strength * pow(mirrored, 60.0) : 0.0;
+    float varnish = facing > 0.0 ? gloss * strength * pow(mirrored, 60.0) : 0.0;
+#ifdef COLOUR
+    Bands lamp = lampSpectrum(lampToBody * toHead);
+    received = added(received, kLampPower * strength * facing, lamp);
+    shine += kLampPower * varnish * seenWhite(lamp);
+#else
+    light += kLampColour * (strength * facing);
+    shine += varnish;
+#endif
   }
+#ifdef COLOUR
+  light = seenColour(0, received, toHead);
+#endif
+#ifdef GLOWS
+#ifdef COLOUR
+  glow = headPower * seenColour(0, hallSpectrum(toHead), toHead);
+#else
+  glow = vec3(headPower);
+#endif
+#endif
   place = d;
   surface = surfaceMC;
 }

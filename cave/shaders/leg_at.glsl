@@ -1,22 +1,40 @@
+// Where legs come from: a single one from uniforms. Of that it is known that it is straight, and of what rests on
+// the board, the velocity too: all that follows from friction and from motion then falls away.
+
+#ifdef ONE_LEG
+uniform vec4 onlyLeg[14];
+#define LEG_TEXEL(i) onlyLeg[i]
+#define LEG_COUNT 1
+#define GLIDE vec4(0.0)
+#else
+uniform samplerBuffer legTexels;
+#define LEG_TEXEL(i) texelFetch(legTexels, at + i)
+#define LEG_COUNT legCount
+#define GLIDE LEG_TEXEL(12)
+#endif
+#ifdef RESTS
+#define BOARD_TIME_ROW vec4(1.0, 0.0, 0.0, 0.0)
+#else
+#define BOARD_TIME_ROW LEG_TEXEL(5)
+#endif
 
 LegView legAt(int first, int i) {
   int at = 14 * (first + i);
-  vec4 a = texelFetch(legTexels, at);
-  vec4 b = texelFetch(legTexels, at + 1);
+  vec4 a = LEG_TEXEL(0);
+  vec4 b = LEG_TEXEL(1);
   LegView leg;
   leg.eye = a.xyz;
   leg.distance = a.w;
   leg.seenCentre = b.xyz;
   leg.boardTime = b.w;
-  leg.toSeenX = texelFetch(legTexels, at + 2);
-  leg.toSeenY = texelFetch(legTexels, at + 3);
-  leg.toSeenZ = texelFetch(legTexels, at + 4);
-  leg.toBoardTime = texelFetch(legTexels, at + 5);
-  leg.newsInPrevious = texelFetch(legTexels, at + 6);
-  leg.originInThis = texelFetch(legTexels, at + 7);
-  leg.fromPrevious = mat4(texelFetch(legTexels, at + 8), texelFetch(legTexels, at + 9),
-                          texelFetch(legTexels, at + 10), texelFetch(legTexels, at + 11));
-  leg.glide = texelFetch(legTexels, at + 12);
-  leg.glideTimes = texelFetch(legTexels, at + 13);
+  leg.toSeenX = LEG_TEXEL(2);
+  leg.toSeenY = LEG_TEXEL(3);
+  leg.toSeenZ = LEG_TEXEL(4);
+  leg.toBoardTime = BOARD_TIME_ROW;
+  leg.newsInPrevious = LEG_TEXEL(6);
+  leg.originInThis = LEG_TEXEL(7);
+  leg.fromPrevious = mat4(LEG_TEXEL(8), LEG_TEXEL(9), LEG_TEXEL(10), LEG_TEXEL(11));
+  leg.glide = GLIDE;
+  leg.glideTimes = LEG_TEXEL(13);
   return leg;
 }

@@ -1,9 +1,10 @@
-// What the emission kernel needs to know of its surroundings, as GLSL. Legs lie in a texture buffer, fourteen
-// texels each, in the order of LegView's members.
+// What the kernels need to know of their surroundings, as GLSL. Legs lie in a texture buffer, fourteen texels
+// each, in the order of LegView's members; the table of shifted colours in another.
 #define real float
 #define KERNEL
 #define LEGS int
+#define COLOUR_TABLE int
 #ifndef MAX_PIECES
 #define MAX_PIECES 8
 #endif
-uniform samplerBuffer legTexels;
+uniform samplerBuffer colourTexels;

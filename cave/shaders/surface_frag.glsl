@@ -2,11 +2,15 @@
 
 in vec3 place;          // in the body's rest frame, from its centre (metres)
 in vec3 surface;        // what the model says for painting
-in vec3 light;          // received (linear)
-in float shine;         // mirrored by its varnish
+in LIGHT light;         // times the share reflected is what the eye receives (linear)
+#ifdef GLOWS
+in LIGHT glow;          // times light of its own is that
+#endif
+in SHINE shine;         // mirrored by its varnish
 in float boardTime_m;   // c (t − t_o) of the emission
 
 uniform vec3 colour;    // linear, the share reflected
+uniform vec3 exposure;  // gain, rise, fall: engine/exposure.h
 
 //VTK::Output::Dec
 
@@ -38,9 +42,19 @@ vec3 toScreen(vec3 linear) {
   return max(1.2345 * sqrt(x) - 0.2172 * x - 0.0231, 0.0);
 }
 
+/// Linear light as the picture is exposed: the brightest is 1.
+vec3 exposed(vec3 linear) {
+  vec3 x = max(exposure.x * linear, 0.0);
+  return x * (1.0 + exposure.y * x) / (1.0 + exposure.z * x);
+}
+
 //CAROM::Paint
 
 void main() {
   Painted painted = paint();
-  gl_FragData[0] = vec4(toScreen(painted.reflects * light + shine + painted.shines), painted.cover);
+  vec3 seen = light * painted.reflects + SHINE_COLOUR * shine;
+#ifdef GLOWS
+  seen += glow * painted.shines;
+#endif
+  gl_FragData[0] = vec4(toScreen(exposed(seen)), painted.cover);
 }

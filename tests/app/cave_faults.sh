@@ -26,12 +26,30 @@ sed 's/^light_speed_m_s = .*/light_speed_m_s = -1.42/' "$config/scenarios/three-
 printf 'time_s,x_m,y_m,z_m\n0.0,0,1.7,0\n0.1,0,nan,0\n' >"$out/bad.csv"
 sed "s#^source = .*#source = \"$out/bad.csv\"#" "$config/rigs/desk.toml" >"$out/trace.toml"
 
+printf 'v 0 0 0\nv nan 0 0\n' >"$out/bad.obj"
+sed 's/^name = "red"/&\nmesh = "bad.obj"/' "$config/scenarios/three-pucks.toml" >"$out/mesh.toml"
+
+cp "$out/bad.csv" "$out/blend.png"
+printf 'PF\n4 2\n-1.0\n' >"$out/warp.pfm"
+for key in blend warp; do
+  [ "$key" = blend ] && file=blend.png || file=warp.pfm
+  sed "s/^pixels = .*/&\n$key = \"$file\"/" "$config/rigs/single-screen.toml" >"$out/$key.toml"
+done
+
 expect "junk after a number in the rig" 1 "^error: $out/junk.toml:[0-9]+:[0-9]+: " \
   "$carom" $(session --rig "$out/junk.toml")
 expect "light speed below zero" 1 "^error: $out/slow.toml:[0-9]+:[0-9]+: " \
   "$carom" $(session --scenario "$out/slow.toml")
 expect "no such rig" 1 "^error: $out/none.toml:1:1: " "$carom" $(session --rig "$out/none.toml")
 expect "a trace with NaN" 1 "^error: $out/bad.csv:3:[0-9]+: " "$carom" $(session --rig "$out/trace.toml")
+expect "the trace before the display" 1 "^error: $out/bad.csv:3:[0-9]+: " \
+  env DISPLAY=:4711 "$carom" $(session --rig "$out/trace.toml")
+expect "a mesh with NaN" 1 "^error: $out/bad.obj:2:3: " \
+  env DISPLAY=:4711 "$carom" $(session --scenario "$out/mesh.toml")
+expect "a blend that is no picture" 1 "^error: $out/blend.toml:[0-9]+:[0-9]+: $out/blend.png:1:1: is no such picture" \
+  env DISPLAY=:4711 "$carom" $(session --rig "$out/blend.toml")
+expect "a warp cut off" 1 "^error: $out/warp.toml:[0-9]+:[0-9]+: $out/warp.pfm:1:1: 4 × 2 points take 96 bytes" \
+  env DISPLAY=:4711 "$carom" $(session --rig "$out/warp.toml")
 expect "no display" 1 "^error: .*display" env DISPLAY=:4711 "$carom" $(session)
 expect "a wrong argument" 2 "frames" "$carom" cave --frames many
 expect "the same on every node, said once" 1 "^error: $out/junk.toml:[0-9]+:[0-9]+: " \

@@ -15,10 +15,10 @@ TEST(Check, TellsWhatARigIs) {
   const auto result = runCarom(folder, {"check", CAROM_CONFIG_DIR "/rigs/four-walls-cluster.toml"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
-  EXPECT_NE(
-      result.out.find("wall front: 3000 × 3000 mm (9.84 × 9.84 ft), 1080 × 1080 pixels an eye, 360.0 px/m"),
-      std::string::npos)
-      << result.out;
+  for (const char* words : {"front: 3.000 × 3.000 m (9.84 ft), 360 px/m, 1.50 m ahead",
+                            "3000 × 3000 mm, 1080 × 1080 pixels an eye", "1.70 m below"}) {
+    EXPECT_NE(result.out.find(words), std::string::npos) << result.out;
+  }
   EXPECT_NE(result.out.find("eyes 64.0 mm apart"), std::string::npos) << result.out;
 }
 
@@ -29,6 +29,41 @@ TEST(Check, TellsWhatAScenarioIs) {
   EXPECT_NE(result.out.find("light at 1.42 m/s"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("puck white: radius 30.5 mm"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("0.8 c (γ = 1.667)"), std::string::npos) << result.out;
+}
+
+TEST(Check, CountsInWords) {
+  const TemporaryFolder folder;
+  const auto result = runCarom(folder, {"check", CAROM_CONFIG_DIR "/rigs/single-screen.toml"});
+  EXPECT_NE(result.out.find("a rig of 1 wall at 60 Hz"), std::string::npos) << result.out;
+}
+
+TEST(Check, WarnsAndGoesOn) {
+  const TemporaryFolder folder;
+  std::string text = test::contentOf(CAROM_CONFIG_DIR "/rigs/single-screen.toml");
+  const std::string right = "eye_separation = 0.064";
+  text.replace(text.find(right), right.size(), "eye_separation = 0.21");
+  const std::string file = folder.file("feet.toml", text);
+  const auto result = runCarom(folder, {"check", file});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err.rfind("warning: " + file + ":11:18: the eyes are 210.0 mm apart", 0), 0u)
+      << result.err;
+}
+
+TEST(Check, TellsErrorsOfForeignRoomsAndWhatIsRightInThem) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file(
+      "room.pvx",
+      "<pvx>\n<Machine Name='Front' Geometry='300x300+0+0' LowerLeft='-1 -1 -1' LowerRight='1 -1 -1' "
+      "UpperRight='1 1 -1'/>\n"
+      "<Machine Name='Left' Geometry='300x300+0+0' LowerLeft='-1 -1 1' LowerRight='-1 -1 -1' "
+      "UpperRight='-1 1 -1'\n IgnoredKey='garbage'/>\n<Machine LowerLeft='a b c'/></pvx>\n");
+  const auto result = runCarom(folder, {"check", file});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("warning: " + file + ":4:2: unknown key 'IgnoredKey'"), std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("error: " + file + ":5:1: "), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("Front: 2.000 × 2.000 m (6.56 ft), 150 px/m, 1.00 m ahead"), std::string::npos)
+      << result.out;
 }
 
 TEST(Check, RefusesWhatItDoesNotKnow) {

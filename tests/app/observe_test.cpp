@@ -190,6 +190,20 @@ TEST(Observe, FollowsTheGame) {
   }
 }
 
+TEST(Observe, WithoutVtkRefusesTheSeenScene) {
+  const TemporaryFolder folder;
+  ObserveOptions options;
+  options.scenario = CAROM_CONFIG_DIR "/scenarios/three-pucks.toml";
+  options.vtp = folder / "seen.vtp";
+  try {
+    runObserve(options);
+    ADD_FAILURE() << "it went on";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("without VTK"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(folder.entries(), 0);
+}
+
 TEST(Observe, WritesAFileAsWellAsATable) {
   const TemporaryFolder folder;
   const std::string scenario = CAROM_CONFIG_DIR "/scenarios/parallel-tracks.toml";

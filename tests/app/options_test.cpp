@@ -18,7 +18,7 @@ TEST(Options, HelpTeaches) {
   const TemporaryFolder folder;
   const auto help = runCarom(folder, {"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"simulate", "observe", "check"}) {
+  for (const char* command : {"simulate", "observe", "check", "filter", "track"}) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
     const auto own = runCarom(folder, {command, "--help"});
     EXPECT_EQ(own.status, 0);
@@ -50,6 +50,9 @@ TEST(Options, WrongArgumentsEndWithTwo) {
       {"observe", kThreePucks, "--event", "0", "0", "0", "0", "--point", "white", "0", "0", "nan"},
       {"observe", kThreePucks, "--event", "0", "0", "0", "0", "--point", "whit", "0", "0", "0"},
       {"check"},
+      {"cave", "--switch", "colour"},
+      {"cave", "--switch", "colour=maybe"},
+      {"cave", "--switch", "smell=on"},
   };
   for (const auto& arguments : wrong) {
     std::string line;

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 #include <regex>
+#include <tuple>
 
 #include "app/temporary_folder.h"
 #include "app/toml_file.h"
@@ -67,6 +68,21 @@ TEST(Rig, ReadsLengthsInEveryUnit) {
   }
 }
 
+TEST(Rig, ReadsEveryKindOfTracker) {
+  const std::vector<std::tuple<const char*, TrackerKind, const char*>> kinds{
+      {"vrpn", TrackerKind::vrpn, "Head@tcp://host:3883"},
+      {"dtrack", TrackerKind::dtrack, "udp://224.0.1.0:5000?interface=192.168.1.5"},
+      {"natnet", TrackerKind::natnet, "udp://192.168.1.10?group=239.255.42.99"},
+      {"polhemus-usb", TrackerKind::polhemusUsb, "0f44:ff12"},
+      {"hid-imu", TrackerKind::hidImu, "2833:0001"}};
+  for (const auto& [name, kind, source] : kinds) {
+    const Rig rig = read(changed("'simulated'", std::string("'") + name + "'\nsource = '" + source + "'"));
+    EXPECT_EQ(rig.trackers.at(0).kind, kind);
+    EXPECT_EQ(rig.trackers[0].source, source);
+    EXPECT_EQ(toString(kind), name);
+  }
+}
+
 TEST(Rig, KeepsItsAxesAndNamesTheirDirections) {
   for (const char* axes : {"x-right y-up z-back", "x-right y-forward z-up"}) {
     const RoomAxes room = read(changed("x-right y-up z-back", axes)).axes;
@@ -120,6 +136,43 @@ TEST(Rig, ShippedCaveIsAClosedCornerSeenFromInside) {
   }
 }
 
+TEST(Rig, CarriesWhatTheProjectorDoes) {
+  const TemporaryFolder folder;
+  folder.file("warp.pfm", "PF\n4 2\n-1.0\n" + std::string(4 * 2 * 12, '\0'));
+  folder.file("blend.png", "");
+  const Wall wall = readRig(folder.file("given.toml", kGood + "warp = 'warp.pfm'\nblend = 'blend.png'\n"
+                                                              "black_level = 0.02\nflip = 'both'\n"
+                                                              "display_latency_ms = 12.5\n"))
+                        .walls.at(0);
+  EXPECT_EQ(wall.warp, folder / "warp.pfm");
+  EXPECT_EQ(wall.blend, folder / "blend.png");
+  EXPECT_EQ(wall.blackLevel, 0.02);
+  EXPECT_EQ(wall.flip, Flip::both);
+  EXPECT_NEAR(wall.displayLatency_s, 0.0125, 1e-15);
+}
+
+TEST(Rig, NamesWhatIsWrongInAWarpAtItsOwnLine) {
+  const TemporaryFolder folder;
+  const auto warp = folder.file("warp.obj", "v 0 0 0\nv nan 0 0\n");
+  try {
+    readRig(folder.file("given.toml", kGood + "warp = 'warp.obj'\n"));
+    FAIL() << "the warp is broken";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::pair(error.line(), error.column()), std::pair(15, 8));
+    EXPECT_TRUE(error.message().starts_with(warp.string() + ":2:3: 'nan' is wrong")) << error.what();
+  }
+}
+
+TEST(Rig, EyesMayShareAWindow) {
+  // A projector for each eye: two walls with equal corners, side by side in the one window.
+  std::string second = kGood.substr(kGood.find("[[wall]]"));
+  second.replace(second.find("front"), 5, "front-right");
+  const std::string text = changed("[head]", "[one_window]\nsize = [200, 100]\n[head]") +
+                           "window = { size = [100, 100] }\nstereo = 'left'\n" + second +
+                           "window = { size = [100, 100], position = [100, 0] }\nstereo = 'right'\n";
+  EXPECT_EQ(read(text).walls.size(), 2u);
+}
+
 TEST(Rig, WallsMayMissARectangleByTwoMillimetres) {
   EXPECT_NO_THROW(read(changed("[-1500, 2000, -1500]", "[-1498.1, 2000, -1500]")));
   EXPECT_THROW(read(changed("[-1500, 2000, -1500]", "[-1497.9, 2000, -1500]")), InputErrors);
@@ -160,8 +213,15 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"head without tracker", changed("tracker = 'cap'\n", ""), 3, 1, "tracker is missing"},
         Fault{"unknown tracker", changed("tracker = 'cap'", "tracker = 'hat'"), 4, 11, "'cap'"},
         Fault{"tracker kind", changed("'simulated'", "'psychic'"), 8, 8, "'simulated' or 'recorded'"},
-        Fault{"tracker for later", changed("'simulated'", "'vrpn'\nsource = 'Head@tcp://host:3883'"), 8, 8,
-              "not supported yet, expected 'simulated' or 'recorded'"},
+        Fault{"VRPN address", changed("'simulated'", "'vrpn'\nsource = 'tcp://host:3883'"), 9, 10,
+              "expected one such as 'Head@tcp://host:3883'"},
+        Fault{"DTRACK address", changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:99999'"), 9, 10,
+              "expected a number from 1 to 65535"},
+        Fault{"NatNet group", changed("'simulated'", "'natnet'\nsource = 'udp://h?group=10.0.0.1'"), 9, 10,
+              "expected a multicast address"},
+        Fault{"USB address", changed("'simulated'", "'polhemus-usb'\nsource = 'FASTRAK'"), 9, 10,
+              "expected vid:pid or vid:pid:serial"},
+        Fault{"device without source", changed("'simulated'", "'hid-imu'"), 6, 1, "source"},
         Fault{"trace is missing", changed("'simulated'", "'recorded'\nsource = 'no.csv'"), 9, 10, "no.csv"},
         Fault{"trace is not given", changed("'simulated'", "'recorded'"), 6, 1, "source is missing"},
         Fault{"latency", changed("'simulated'", "'simulated'\nlatency_ms = -1"), 9, 14, "from 0"},
@@ -174,10 +234,12 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"no pixels", changed("[1920, 1280]", "[1920, 0]"), 14, 17, "from 1"},
         Fault{"half a pixel", changed("[1920, 1280]", "[1920, 0.5]"), 14, 17, "whole number"},
         Fault{"stereo", kGood + "stereo = 'both'\n", 15, 10, "'side-by-side'"},
-        Fault{"warp", kGood + "warp = 'a.pfm'\n", 15, 8, "not supported yet"},
-        Fault{"blend", kGood + "blend = 'a.png'\n", 15, 9, "not supported yet"},
-        Fault{"black level", kGood + "black_level = 0.1\n", 15, 15, "not supported yet"},
-        Fault{"flip", kGood + "flip = true\n", 15, 8, "not supported yet"},
+        Fault{"no such warp", kGood + "warp = 'no.pfm'\n", 15, 8, "'no.pfm' is no file"},
+        Fault{"warp of another kind", kGood + "warp = 'rigs/desk.toml'\n", 15, 8, "ending in .pfm or .obj"},
+        Fault{"blend of another kind", kGood + "blend = 'rigs/desk.toml'\n", 15, 9, "ending in .png"},
+        Fault{"black level", kGood + "black_level = 1.1\n", 15, 15, "from 0 to 1"},
+        Fault{"flip", kGood + "flip = true\n", 15, 8, "'none' or 'horizontal'"},
+        Fault{"latency of a wall", kGood + "display_latency_ms = -1\n", 15, 22, "from 0"},
         Fault{"wall name", changed("'front'", "'../front'"), 10, 8, "letters"},
         Fault{"same wall", kGood + kGood.substr(kGood.find("[[wall]]")), 16, 8, "taken in line 10"},
         Fault{"window", kGood + "window = { position = [0, 0] }\n", 15, 10, "size is missing"},

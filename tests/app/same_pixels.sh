@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # same_pixels.sh CAROM CONFIG: four walls drawn by 1, 2 and 4 processes, and twice by 1, are the same files,
-# byte for byte, and there is something on them.
+# byte for byte, and there is something on them. With every effect on. What a projector does to a wall's picture is
+# not in its file.
 set -euo pipefail
 carom=$1
 config=$2
@@ -9,7 +10,8 @@ trap 'rm -rf "$out"' EXIT
 
 play() {  # RANKS FOLDER
   mpirun --allow-run-as-root --oversubscribe -n "$1" "$carom" cave --rig "$config/rigs/four-walls-cluster.toml" \
-    --scenario "$config/scenarios/three-pucks.toml" --frames 6 --capture "$out/$2" --no-window
+    --scenario "$config/scenarios/three-pucks.toml" --frames 6 --capture "$out/$2" --no-window \
+    --switch colour=on --switch searchlight=on
 }
 
 play 1 one
@@ -27,4 +29,11 @@ views=$(md5sum "$out"/one/*-000005.png | cut -d' ' -f1 | sort -u | wc -l)
 if cmp -s "$out/one/front-left-000000.png" "$out/one/front-left-000005.png"; then
   echo "nothing moved between the first and the last frame"; exit 1
 fi
+
+rig=$config/rigs/single-screen.toml
+sed 's/^pixels = .*/&\nflip = "both"\nblack_level = 0.3/' "$rig" >"$out/projector.toml"
+"$carom" cave --rig "$rig" --frames 2 --capture "$out/plain"
+"$carom" cave --rig "$out/projector.toml" --frames 2 --capture "$out/projected"
+[ -e "$out/plain/screen-mono-000001.png" ] || { echo "nothing was captured beside a window"; exit 1; }
+diff -r "$out/plain" "$out/projected" || { echo "captured pictures differ where there is a projector"; exit 1; }
 echo "48 pictures, the same on 1, 2 and 4 processes and in a second run"

@@ -25,3 +25,17 @@ for file in files:
     misspelt = tomllib.loads(text) | {"titel": "x"}
     assert not jsonschema.Draft7Validator(schema).is_valid(misspelt), f"{file}: the schema lets unknown keys pass"
     print(f"{file.name} fits")
+
+# What no shipped rig has: the keys of a wall's projector, right and wrong.
+rig = tomllib.loads((config / "rigs/desk.toml").read_text())
+schema = jsonschema.Draft7Validator(json.loads((config / "rig.schema.json").read_text()))
+for values, right in [
+    ({"warp": "a.pfm", "blend": "b.png", "black_level": 0.1, "flip": "both", "display_latency_ms": 5}, True),
+    ({"warp": "a.txt"}, False),
+    ({"blend": "b.obj"}, False),
+    ({"black_level": 1.1}, False),
+    ({"flip": True}, False),
+]:
+    tried = rig | {"wall": [rig["wall"][0] | values]}
+    assert schema.is_valid(tried) == right, f"the schema judges {values} wrongly"
+print("the keys of a projector are judged rightly")

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "app/program.h"
 #include "app/scenario.h"
@@ -256,6 +258,181 @@ TEST(Simulate, WritesAFileAsWellAsATable) {
   const auto table = runCarom(folder, {"simulate", kThreePucks, "--until", "5"});
   EXPECT_EQ(table.status, 0);
   EXPECT_NE(table.out.find("collisions up to t = 5 s"), std::string::npos) << table.out;
+}
+
+/// A puck at `beta` strikes an equal one at rest, off its centre by `offset` radii; c = 1 m/s, radius 1 m.
+json scattered(const TemporaryFolder& folder, double beta, double offset, bool contact) {
+  const std::string rules = contact ? "[physics]\ncollision_event = \"contact\"\n" : "";
+  const json found =
+      simulate(folder,
+               "light_speed_m_s = 1.0\n" + rules +
+                   puckText("moving", 1.0, 1.0, vectorText(-5.0, offset), vectorText(beta, 0.0)) +
+                   puckText("resting", 1.0, 1.0, "[0.0, 0.0]", "[0.0, 0.0]"),
+               20.0 / beta);
+  EXPECT_EQ(found["collisions"].size(), 1u);
+  return found;
+}
+
+double angleOf(const json& beta) { return std::atan2(beta[1].get<double>(), beta[0].get<double>()); }
+
+TEST(Simulate, ScattersAsKnown) {
+  const json cases = sharedCases("known_results.json");
+  if (cases.is_null()) GTEST_SKIP() << "the known results are not beside this checkout";
+  const TemporaryFolder folder;
+  int count = 0;
+  for (const json& testCase : cases["cases"]) {
+    if (testCase["kind"] != "scatter") continue;
+    SCOPED_TRACE(testCase["id"].get<std::string>());
+    const json& expected = testCase["expected"];
+    const double tolerance = testCase["tol"];
+    const json found =
+        scattered(folder, testCase["input"]["beta"], testCase["input"]["b_over_R"].get<double>(), false);
+    const json first = turnOf(found["collisions"][0], "moving")["beta_after"];
+    const json second = turnOf(found["collisions"][0], "resting")["beta_after"];
+    expectNear(first, expected["v1_after"][0], expected["v1_after"][1], tolerance);
+    expectNear(second, expected["v2_after"][0], expected["v2_after"][1], tolerance);
+    EXPECT_NEAR(std::abs(angleOf(first)), expected["theta1"].get<double>(), tolerance);
+    EXPECT_NEAR(std::abs(angleOf(second)), expected["theta2"].get<double>(), tolerance);
+    ++count;
+  }
+  EXPECT_GT(count, 0);
+}
+
+// tan θ1 tan θ2 = 2/(γ+1) for a target at rest, in both conventions. Rounding of β near 1 enters γ by γ²
+// ulps.
+TEST(Simulate, AnglesAfterACollision) {
+  const TemporaryFolder folder;
+  for (const double gamma : {1.25, 2.0, 7.0, 70.0}) {
+    for (const bool contact : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "gamma " << gamma << (contact ? " contact" : " centre"));
+      const json found = scattered(folder, std::sqrt(1.0 - 1.0 / (gamma * gamma)), 0.7, contact);
+      const json& collision = found["collisions"][0];
+      const double first = angleOf(turnOf(collision, "moving")["beta_after"]),
+                   second = angleOf(turnOf(collision, "resting")["beta_after"]);
+      EXPECT_NEAR(-std::tan(first) * std::tan(second), 2.0 / (gamma + 1.0), 1e-14 * gamma * gamma);
+    }
+  }
+}
+
+// What cannot be played is named, with its place in the file, and nothing is written.
+TEST(Simulate, RefusesWhatCannotBePlayed) {
+  struct Fault {
+    std::string scenario, says;
+  };
+  const std::string head = "light_speed_m_s = 1.0\n[board]\nlength_m = 2.0\nwidth_m = 1.0\n";
+  const auto one = [&](const std::string& radius, const std::string& mass, const std::string& place,
+                       const std::string& beta) {
+    return head + "[[puck]]\nname = \"odd\"\nradius_m = " + radius + "\nheight_m = 0.02\nmass_kg = " + mass +
+           "\nposition_m = " + place + "\nbeta = " + beta + "\n";
+  };
+  const std::string still = "[0.0, 0.0]";
+  const std::vector<Fault> faults{
+      {head + puckText("a", 0.05, 1.0, still, still) + puckText("b", 0.05, 1.0, "[0.09, 0.0]", still),
+       "overlap"},
+      {one("0.05", "1.0", "[0.97, 0.0]", still), "cushion"},
+      {one("0.05", "1.0", "[0.0, 3.0]", still), "cushion"},
+      {one("0.05", "1.0", still, "[1.0, 0.0]"), "beta"},
+      {one("0.05", "1.0", still, "[0.8, 0.8]"), "beta"},
+      {one("0.05", "0.0", still, still), "mass_kg"},
+      {one("0.05", "-1.0", still, still), "mass_kg"},
+      {one("0.0", "1.0", still, still), "radius_m"},
+      {one("-0.05", "1.0", still, still), "radius_m"},
+      {one("nan", "1.0", still, still), "radius_m"},
+      {one("0.05", "inf", still, still), "mass_kg"},
+      {one("0.05", "1.0", "[nan, 0.0]", still), "position_m"},
+      {one("0.05", "1.0", still, "[0.0, nan]"), "beta"}};
+  const TemporaryFolder folder;
+  for (const Fault& fault : faults) {
+    SCOPED_TRACE(fault.scenario);
+    const std::string file = folder.file("odd.toml", fault.scenario);
+    const auto result = runCarom(folder, {"simulate", file, "--until", "1", "--json", folder / "out.json"});
+    EXPECT_EQ(result.status, 1);
+    const std::string place = "error: " + file + ":";
+    EXPECT_EQ(result.err.substr(0, place.size()), place) << result.err;
+    int line = 0, column = 0;
+    EXPECT_EQ(std::sscanf(result.err.c_str() + place.size(), "%d:%d:", &line, &column), 2) << result.err;
+    EXPECT_GT(line, 5);
+    EXPECT_NE(result.err.find(fault.says), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.json"));
+  }
+}
+
+/// All centres stay on the table of 2 m by 1 m (1e-12 m: rounding), at every state.
+void expectOnTable(const json& found, std::size_t pucks) {
+  ASSERT_EQ(found["pucks"].size(), pucks);
+  for (const json& state : found["states"]) {
+    ASSERT_EQ(state["r_m"].size(), pucks);
+    for (const json& r : state["r_m"]) {
+      EXPECT_TRUE(std::abs(r[0].get<double>()) <= 1.0 + 1e-12 && std::abs(r[1].get<double>()) <= 0.5 + 1e-12)
+          << state;
+    }
+  }
+}
+
+// Two pucks driven into a corner; a puck between two others; one at β = (0.6, 0.6) into a corner, so that it
+// meets the second cushion within the news of the first. In both conventions, elastic and not: it ends,
+// nobody is lost, nobody leaves, and the pucks listed in another order do the same to the last bit.
+TEST(Simulate, CrowdsComeOutOfCorners) {
+  const auto scenario = [](bool contact, double restitution, std::vector<std::string> pucks) {
+    std::string text = "light_speed_m_s = 1.0\n[board]\nlength_m = 2.0\nwidth_m = 1.0\n[physics]\n";
+    if (contact) text += "collision_event = \"contact\"\n";
+    text +=
+        "puck_restitution = " + exact(restitution) + "\ncushion_restitution = " + exact(restitution) + "\n";
+    for (const std::string& puck : pucks) text += puck;
+    return text;
+  };
+  const std::vector<std::vector<std::string>> crowds{{puckText("a", 0.05, 1.0, "[0.8, 0.3]", "[0.6, 0.6]")},
+                                                     {puckText("a", 0.05, 1.0, "[0.8, 0.3]", "[0.6, 0.6]"),
+                                                      puckText("b", 0.05, 1.0, "[0.6, 0.1]", "[0.65, 0.65]")},
+                                                     {puckText("a", 0.05, 1.0, "[-0.5, 0.0]", "[0.8, 0.0]"),
+                                                      puckText("b", 0.05, 0.1, "[0.0, 0.0]", "[0.0, 0.0]"),
+                                                      puckText("c", 0.05, 1.0, "[0.5, 0.0]", "[-0.8, 0.0]")}};
+  const TemporaryFolder folder;
+  for (std::vector<std::string> pucks : crowds) {
+    for (const bool contact : {false, true}) {
+      for (const double restitution : {1.0, 0.5, 0.0}) {
+        SCOPED_TRACE(scenario(contact, restitution, pucks));
+        const json found = simulate(folder, scenario(contact, restitution, pucks), 5.0, {"--every", "0.05"});
+        expectOnTable(found, pucks.size());
+        std::vector<std::string> turned(pucks.rbegin(), pucks.rend());
+        json other = simulate(folder, scenario(contact, restitution, turned), 5.0, {"--every", "0.05"});
+        std::reverse(other["pucks"].begin(), other["pucks"].end());
+        EXPECT_EQ(found["pucks"], other["pucks"]);
+        EXPECT_EQ(found["collisions"].size(), other["collisions"].size());
+      }
+    }
+  }
+}
+
+// What would fill the memory ends with a reason; what a person waits for says how far it is.
+TEST(Simulate, EndsWhereItWouldKeepTooMuch) {
+  const TemporaryFolder folder;
+  const auto result =
+      runCarom(folder, {"simulate", kThreePucks, "--until", "1e9", "--json", folder / "game.json"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("collisions, by board time"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("expected an earlier --until"), std::string::npos) << result.err;
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+// What friction leaves, in closed form: from u0 = γβ, a glide of c² (γ0 − 1)/a in c u0/a, then rest.
+TEST(Simulate, FrictionStopsAPuck) {
+  const TemporaryFolder folder;
+  const double c = 1.42, a = 0.3, beta = 0.8, u0 = beta / std::sqrt(1.0 - beta * beta),
+               gamma0 = std::sqrt(1.0 + u0 * u0);
+  const json found = simulate(folder,
+                              "light_speed_m_s = 1.42\n[physics]\nfriction_m_s2 = 0.3\n" +
+                                  puckText("one", 0.05, 1.0, "[-1.0, 0.0]", vectorText(beta, 0.0)),
+                              10.0, {"--every", "1.0"});
+  const double stop_s = c * u0 / a;
+  for (const json& state : found["states"]) {
+    const double t_s = std::min(state["t_s"].get<double>(), stop_s), u = u0 - a * t_s / c;
+    const double gamma = std::sqrt(1.0 + u * u);
+    EXPECT_NEAR(state["r_m"][0][0].get<double>(), -1.0 + c * c / a * (gamma0 - gamma), 1e-13);
+    EXPECT_NEAR(state["beta"][0][0].get<double>(), u / gamma, 1e-14);
+  }
+  const double rest_s = 10.0 - stop_s;
+  EXPECT_NEAR(found["pucks"][0]["proper_time_s"].get<double>(), c / a * std::asinh(u0) + rest_s, 1e-13);
 }
 
 }  // namespace

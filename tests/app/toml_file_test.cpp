@@ -134,5 +134,21 @@ TEST(NearestWord, ForgivesSlipsOnly) {
   EXPECT_FALSE(nearestWord(std::string(1000, 'x'), known));
 }
 
+TEST(TomlFile, UnknownKeysAreNeverAmongTheExpected) {
+  const test::TemporaryFolder folder;
+  const TomlFile file(folder.file("given.toml", "zebra = 1\nxylophone = 2\nquagga = 3\n"));
+  file.root().has("length_m");
+  try {
+    file.throwFaults();
+    FAIL();
+  } catch (const InputErrors& errors) {
+    ASSERT_EQ(errors.faults().size(), 3u);
+    for (const InputError& fault : errors.faults()) {
+      EXPECT_NE(fault.message().find("expected one of length_m"), std::string::npos) << fault.what();
+      EXPECT_TRUE(fault.message().ends_with("length_m")) << fault.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -275,8 +275,8 @@ void registerRows() {
   const std::vector<std::size_t> tableSizes{1488, 4960, 20'000};
   const Row rows[]{{"copy", copy, sizes, true},
                    {"affine", affine, sizes, true},
-                   {"paper_table", paperTable<seeInStep>, tableSizes, false},
-                   {"paper_table_one_by_one", paperTable<seeOneByOne>, tableSizes, false},
+                   {"paper_table_in_step", paperTable<seeInStep>, tableSizes, false},
+                   {"paper_table", paperTable<seeOneByOne>, tableSizes, false},
                    {"emission", emission, sizes, true},
                    {"emission_bounce", emissionBounce, sizes, true},
                    {"ring", ring, sizes, true}};

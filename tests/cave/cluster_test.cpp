@@ -37,7 +37,7 @@ TEST(Cluster, EveryRankHoldsRankZerosRecordAndKnots) {
     ASSERT_EQ(state.record.observer.headFromBoard.matrix(), expected.record.observer.headFromBoard.matrix());
     applyFrame(state, histories);
     ASSERT_EQ(histories[0].knots().size(), expectedKnots);
-    ASSERT_NO_THROW(cluster->swapTogether(state, digestOf(state, histories)));
+    ASSERT_NO_THROW(EXPECT_FALSE(cluster->swapTogether(state, histories, false)));
   }
 }
 
@@ -47,13 +47,41 @@ TEST(Cluster, ARankThatDiffersIsNamed) {
   cluster->share(state);
   std::vector<WorldLine> histories{history()};
   applyFrame(state, histories);
+  Wall front{}, left{};
+  front.name = "front";
+  left.name = "left";
+  left.node = 1;
+  cluster->nameNodes(std::vector<Wall>{front, left});
   if (cluster->rank() == 1) histories[0].truncateFrom(302.0);  // this node lost a knot
   try {
-    cluster->swapTogether(state, digestOf(state, histories));
+    cluster->swapTogether(state, histories, false);
     FAIL() << "the difference went unnoticed";
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "frame 3: the histories differ from rank 0's on node 1");
+  } catch (const NodesDiffer& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "frame 3: node 1 (left) drew from other numbers than node 0: histories, body 0, number of knots");
   }
+}
+
+TEST(Cluster, TheFirstNodeWithOtherContentIsNamed) {
+  EXPECT_NO_THROW(cluster->agree("rig", "walls"));
+  if (cluster->size() < 2) return;
+  try {
+    cluster->agree("rig", cluster->rank() == cluster->size() - 1 ? "other walls" : "walls");
+    FAIL() << "the difference went unnoticed";
+  } catch (const NodesDiffer& error) {
+    EXPECT_EQ(error.what(), "node " + std::to_string(cluster->size() - 1) +
+                                " has another rig than node 0, expected the same on every node");
+  }
+}
+
+TEST(Cluster, OneRankThatWantsToEndEndsAll) {
+  std::vector<WorldLine> histories{history()};
+  FrameState state = cluster->rank() == 0 ? frameWithKnots(0) : FrameState{};
+  cluster->share(state);
+  EXPECT_FALSE(cluster->swapTogether(state, histories, false));
+  cluster->share(state);
+  EXPECT_TRUE(cluster->swapTogether(state, histories, cluster->rank() == cluster->size() - 1));
 }
 
 TEST(Cluster, TheLowestFailedRankIsKnownToAll) {

@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkMassProperties.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <set>
 
 namespace carom {
 namespace {
@@ -32,7 +35,7 @@ TEST(MeshBuilder, ATurnedCylinderHasItsAreaAndOutwardNormals) {
   MeshBuilder builder;
   const double r = 0.5;
   const double h = 2.0;
-  builder.addTurned({0, 0, 0}, {{0, 0}, {r, 0}, {r, h}, {0, h}}, 400);
+  builder.addTurned({0, 0, 0}, {{0, 0}, {r, 0}, {r, h}, {0, h}}, 400, kAnyCell_m);
   const auto mesh = builder.build();
   vtkNew<vtkMassProperties> mass;
   mass->SetInputData(mesh);
@@ -43,6 +46,31 @@ TEST(MeshBuilder, ATurnedCylinderHasItsAreaAndOutwardNormals) {
     const double* place = mesh->GetPoint(i);
     const glm::dvec3 fromMiddle(place[0], place[1], place[2] - 0.5 * h);
     ASSERT_GT(glm::dot(n, fromMiddle), 0.1) << "point " << i;
+  }
+}
+
+TEST(MeshBuilder, ATurnedSurfaceIsDividedAroundAndAlong) {
+  MeshBuilder builder;
+  builder.addTurned({0, 0, 0}, {{0.5, 0}, {0.5, 1}}, 8, 0.1);
+  EXPECT_EQ(builder.pointCount(), (32U + 1U) * (10U + 1U)) << "π m around, 1 m up";
+}
+
+// Sheared cells are cut by their shorter diagonal, or that would be the longest edge.
+TEST(MeshBuilder, ShearedCellsHaveNoLongDiagonals) {
+  for (const double shear : {-0.8, 0.8}) {
+    MeshBuilder builder;
+    builder.addFlat({0, 0, 0}, {1, 0, 0}, {shear, 1, 0}, 2.0);
+    const auto mesh = builder.build();
+    const std::set<vtkIdType> shorter = shear > 0 ? std::set<vtkIdType>{1, 2} : std::set<vtkIdType>{0, 3};
+    for (vtkIdType cell = 0; cell < 2; ++cell) {
+      vtkNew<vtkIdList> ids;
+      mesh->GetCellPoints(cell, ids);
+      const std::set<vtkIdType> corners(ids->begin(), ids->end());
+      EXPECT_TRUE(std::includes(corners.begin(), corners.end(), shorter.begin(), shorter.end())) << shear;
+    }
+    vtkNew<vtkMassProperties> mass;
+    mass->SetInputData(mesh);
+    EXPECT_NEAR(mass->GetSurfaceArea(), 1.0, 1e-6);
   }
 }
 

@@ -52,7 +52,7 @@ class Stereo : public testing::Test {
   /// What the packed pane holds; at(x, y) counts from the upper left, as windows do.
   std::function<Rgb(int, int)> packed(StereoMode mode, glm::ivec2 position = {0, 0},
                                       glm::ivec2 size = {kSize_px, kSize_px}) {
-    const StereoPacker packer;
+    StereoPacker packer;
     glBindFramebuffer(GL_FRAMEBUFFER, window_->framebuffer());
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);

@@ -9,62 +9,19 @@
 #include <glm/geometric.hpp>
 
 #include "cave/capture.h"
+#include "cave/glowing_puck.h"
 #include "cave/off_axis.h"
-#include "cave/puck_model.h"
 #include "cave/table_model.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
+using namespace test;
+
 constexpr double kC_m_s = 1.42;
 constexpr double kPixels =
     1.01;  // a pixel is lit if its middle is covered: half a pixel on either side, and rounding
-
-/// A scene of one white shining puck, body 1, and nothing that rests.
-Scene glowingPuck(double radius_m) {
-  Scene scene;
-  scene.bodyCount = 2;
-  for (ScenePart& part : puckParts(radius_m, 0.8 * radius_m, 1, glm::vec3(1.0F))) {
-    if (part.paint != Paint::puck) continue;
-    part.paint = Paint::lamp;
-    scene.parts.push_back(part);
-  }
-  return scene;
-}
-
-/// A wall of 4 × 4 m, 1 m in front of the eye, its middle towards `direction`.
-Wall wallTowards(const glm::dvec3& eye_m, const glm::dvec3& direction, const glm::ivec2& pixels) {
-  const glm::dvec3 forward = glm::normalize(direction);
-  const glm::dvec3 aside = std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, aside));
-  const glm::dvec3 up = glm::cross(right, forward);
-  Wall wall;
-  wall.lowerLeft_m = eye_m + forward - 2.0 * right - 2.0 * up;
-  wall.lowerRight_m = wall.lowerLeft_m + 4.0 * right;
-  wall.upperLeft_m = wall.lowerLeft_m + 4.0 * up;
-  wall.pixels = pixels;
-  return wall;
-}
-
-/// left, right, bottom, top in pixels; left > right if there is nothing.
-using Box = std::array<double, 4>;
-
-void include(Box& box, double x, double y) {
-  box = {std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y)};
-}
-
-Box litBox(const Image& image) {
-  Box box{1e9, -1e9, 1e9, -1e9};
-  for (int y = 0; y < image.size_px.y; ++y) {
-    for (int x = 0; x < image.size_px.x; ++x) {
-      const std::size_t at =
-          3 * (static_cast<std::size_t>(y) * image.size_px.x + static_cast<std::size_t>(x));
-      if (image.rgb[at] > 0) include(box, x + 0.5, y + 0.5);
-    }
-  }
-  return box;
-}
 
 /// The same from the engine: every vertex's emission, seen from the eye, projected to the wall.
 Box expectedBox(const Scene& scene, const WorldLine& line, const Event& eye, const Lorentz& headFromBoard,
@@ -194,7 +151,7 @@ TEST_F(WallRendererTest, AClockShowsTheTimeAtWhichItsLightLeft) {
   Scene scene;
   scene.bodyCount = 1;
   ClockMaker clocks;
-  clocks.add({0.0, 2.0, -0.23 * 0.5}, {0.0, -1.0, 0.0}, 0.5);  // its middle level with the eye
+  clocks.add({0.0, 2.0, -0.23 * 0.5}, {0.0, -1.0, 0.0}, 0.5, kAnyCell_m);  // its middle level with the eye
   scene.parts = clocks.parts();
   const double distance_m = 2.0 - 0.5 * 0.05;  // to its face
   const auto clockAt = [&](double emitted_s, double c_m_s) {

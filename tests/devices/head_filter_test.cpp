@@ -8,7 +8,10 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
+#include <thread>
+#include <vector>
 
+#include "devices/recorded_tracker.h"
 #include "devices/simulated_tracker.h"
 
 namespace carom {
@@ -244,6 +247,96 @@ TEST(HeadFilter, TheSameSamplesGiveTheSameBits) {
   EXPECT_EQ(a.pose.orientation, b.pose.orientation);
   EXPECT_EQ(a.celerity_m_s, b.celerity_m_s);
   EXPECT_EQ(a.sigma_m_s, b.sigma_m_s);
+}
+
+// The session's way from a sensor to the eyes: a sensor that turns on the spot carries the eyes about, and
+// the celerity is ω × lever arm.
+TEST(HeadFilter, TurningAboutTheSensorMovesTheEyes) {
+  const Pose sensorFromEyes{{0.0, -0.06, -0.12}, glm::dquat(1.0, 0.0, 0.0, 0.0)};
+  const glm::dvec3 turn_rad_s(0.0, 1.2, 0.0);
+  HeadFilter filter;
+  Pose eyes;
+  for (int i = 0; i < 240; ++i) {
+    const Pose sensor{{0.3, 1.7, 0.1}, glm::angleAxis(turn_rad_s.y * i * kFrame_s, glm::dvec3(0, 1, 0))};
+    eyes = sensor * sensorFromEyes;
+    ASSERT_EQ(filter.add(i * kFrame_s, eyes), SampleUse::Used);
+  }
+  const glm::dvec3 lever_m = eyes.position_m - glm::dvec3(0.3, 1.7, 0.1);
+  const glm::dvec3 expected_m_s = glm::cross(turn_rad_s, lever_m);
+  // It circles: the stated lag at an acceleration of ω² × 0.12 m, and a bias as of even motion.
+  const HeadEstimate head = filter.at(239 * kFrame_s);
+  const double late_m_s = head.lag_s * 1.2 * 1.2 * 0.12;
+  EXPECT_TRUE(glm::distance(head.celerity_m_s, expected_m_s) < late_m_s + 0.0025)
+      << glm::distance(head.celerity_m_s, expected_m_s) << " m/s, of which late " << late_m_s;
+  EXPECT_LT(late_m_s, 0.004);
+  EXPECT_NEAR(glm::length(expected_m_s), 0.144, 1e-9);
+}
+
+// Noise of rotation at the end of a lever arm is noise of position: still, the head is still, and the noise
+// is known for what it is.
+TEST(HeadFilter, NoiseOfRotationThroughTheLeverArmIsKnown) {
+  const double noise_rad = 0.003, lever_m = 0.15, noise_m = 0.0003;
+  const Pose sensorFromEyes{{0.0, 0.0, -lever_m}, glm::dquat(1.0, 0.0, 0.0, 0.0)};
+  std::mt19937_64 random(61);
+  std::normal_distribution<double> normal;
+  HeadFilter filter;
+  double square = 0.0;
+  int count = 0;
+  for (int i = 0; i < 60 * 60; ++i) {
+    const double x = normal(random), y = normal(random), z = normal(random);
+    const double a = normal(random), b = normal(random), c = normal(random);
+    const glm::dvec3 turn_rad = noise_rad * glm::dvec3(a, b, c);
+    const Pose sensor{noise_m * glm::dvec3(x, y, z), glm::normalize(glm::dquat(1.0, 0.5 * turn_rad))};
+    filter.add(i * kFrame_s, sensor * sensorFromEyes);
+    if (i < 600) continue;
+    const glm::dvec3 celerity_m_s = filter.at(i * kFrame_s).celerity_m_s;
+    square += glm::dot(celerity_m_s, celerity_m_s) / 3.0;
+    ++count;
+  }
+  // Two of the three coordinates of the eyes swing with the sensor.
+  const double expected_m =
+      std::sqrt(noise_m * noise_m + 2.0 / 3.0 * lever_m * lever_m * noise_rad * noise_rad);
+  EXPECT_NEAR(filter.trackerSigma_m() / expected_m, 1.0, 0.15);
+  EXPECT_LT(std::sqrt(square / count), 0.001);  // m/s: what is asked of a still head with less noise
+}
+
+// The same samples on several threads at once, asked in other frames: the same bits.
+TEST(HeadFilter, ThreadsAndFramesDoNotMatter) {
+  SimulatedTracker tracker({.seed = 18});
+  std::vector<TrackerSample> samples;
+  tracker.poll(20.0, samples);
+  const auto played = [&samples](double frame_s) {
+    RecordedTracker recorded(samples);
+    HeadFilter filter;
+    std::vector<TrackerSample> polled;
+    for (double now_s = 0.0; now_s < 19.9; now_s += frame_s) {
+      polled.clear();
+      recorded.poll(now_s, polled);
+      for (const TrackerSample& sample : polled) filter.add(sample.time_s, sample.pose);
+      filter.at(now_s);
+    }
+    polled.clear();
+    recorded.poll(19.9, polled);
+    for (const TrackerSample& sample : polled) filter.add(sample.time_s, sample.pose);
+    return filter.at(20.0);
+  };
+  const HeadEstimate expected = played(kFrame_s);
+  for (const int threads : {1, 2, 4, 8}) {
+    std::vector<HeadEstimate> found(threads);
+    {
+      std::vector<std::jthread> running;
+      for (int i = 0; i < threads; ++i) {
+        running.emplace_back([&found, &played, i] { found[i] = played((1.0 + 0.37 * i) / 90.0); });
+      }
+    }
+    for (const HeadEstimate& head : found) {
+      EXPECT_EQ(head.pose.position_m, expected.pose.position_m) << threads;
+      EXPECT_EQ(head.pose.orientation, expected.pose.orientation) << threads;
+      EXPECT_EQ(head.celerity_m_s, expected.celerity_m_s) << threads;
+      EXPECT_EQ(head.celerityCovariance_m2_s2, expected.celerityCovariance_m2_s2) << threads;
+      EXPECT_EQ(head.lag_s, expected.lag_s) << threads;
+    }
+  }
 }
 
 // Calendar time leaves only a quarter of a microsecond: no more than that is lost.

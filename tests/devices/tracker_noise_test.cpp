@@ -46,6 +46,16 @@ TEST(TrackerNoise, StaysAsItIsWhileTheSensorMoves) {
   EXPECT_EQ(estimate.sigma_m(), 0.0003);
 }
 
+TEST(TrackerNoise, SaysWhetherTheSensorIsStill) {
+  TrackerNoise estimate(0.0003);
+  Noise noise(0.0003);
+  EXPECT_FALSE(estimate.isStill());  // nothing is known yet
+  for (int i = 0; i < 300; ++i) estimate.add(i / 60.0, noise());
+  EXPECT_TRUE(estimate.isStill());
+  for (int i = 0; i < 30; ++i) estimate.add(5.0 + i / 60.0, glm::dvec3(i / 60.0 * 0.1, 0, 0) + noise());
+  EXPECT_FALSE(estimate.isStill());
+}
+
 TEST(TrackerNoise, HasALeastValue) {
   TrackerNoise estimate(0.0003);
   for (int i = 0; i < 6000; ++i) estimate.add(i / 60.0, glm::dvec3(1, 2, 3));

@@ -72,6 +72,11 @@ TEST(BilliardGas, thermalisesToJuettner) {
   test::expectBalanced(billiard, start, kBalance);
   expectInsideTable(billiard, *setup.board);
   EXPECT_LT(kolmogorovSmirnov(energies, juettnerTemperature(2.5)), kLargestDistance);
+  // Equipartition: p·v = p²/E is on average 2T in the plane; 3 % is four standard deviations.
+  double virial = 0.0;
+  for (const double energy : energies) virial += (energy * energy - 1.0) / energy;
+  virial /= static_cast<double>(energies.size());
+  EXPECT_NEAR(virial / (2.0 * juettnerTemperature(2.5)), 1.0, 0.03);
   EXPECT_TRUE(billiard.jams().empty());
 }
 

@@ -54,6 +54,7 @@ inline double screenSteps(const Vec3& a, const Vec3& b) {
   for (int i = 0; i < 3; ++i) {
     const double steps = 255.0 * std::abs(encoded(a[i]) - encoded(b[i]));
     if (!(steps <= largest)) largest = steps;
+    if (std::isnan(largest)) break;
   }
   return largest;
 }

@@ -85,5 +85,21 @@ TEST(WorldLine, EveryPointHasJoinedItsLegWhenItIsSettled) {
   }
 }
 
+TEST(WorldLine, WhatHasBeenForgottenCanBeginAnew) {
+  test::Random random(12);
+  const WorldLine whole = test::randomWorldLine(random, 1.42, 0.03, 20, 0.5, 0.8);
+  WorldLine line = whole;
+  ASSERT_GT(line.forgetBefore(whole.knots()[8].turn.t_s), 0U);
+  const double start_s = whole.knots()[0].turn.t_s;
+  line.truncateFrom(start_s);
+  ASSERT_EQ(line.knots().size(), 1U);
+  EXPECT_EQ(line.at(start_s - 1.0).event.r_m, whole.at(start_s - 1.0).event.r_m);
+  for (const Knot& knot : whole.knots().subspan(1)) line.append(knot);
+  for (std::size_t knot = 0; knot < whole.knots().size(); ++knot) {
+    EXPECT_EQ(line.settled_s(knot), whole.settled_s(knot)) << "knot " << knot;
+    EXPECT_EQ(line.settlesBeforeNext(knot), whole.settlesBeforeNext(knot)) << "knot " << knot;
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -1,0 +1,37 @@
+#pragma once
+// Charts of lines as SVG or PNG files, drawn by VTK without a display.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace carom {
+
+struct ChartLine {
+  enum class Style { solid, dashed, dotted, marks };
+  std::string name;                ///< in the legend; empty: not there
+  std::vector<glm::dvec2> points;  ///< in the axes' units
+  glm::vec3 colour{0.0F};          ///< sRGB, 0 … 1
+  float width_px = 2.0F;           ///< of marks: their size
+  Style style = Style::solid;
+};
+
+struct Chart {
+  std::string title, xTitle, yTitle;
+  glm::dvec2 xRange{0.0, 1.0}, yRange{0.0, 1.0};
+  std::vector<ChartLine> lines;
+  glm::ivec2 size_px{1000, 1000};
+};
+
+/// The margins of a chart: what is left of `size_px` inside them shows the ranges. The legend stands on the
+/// right.
+inline constexpr int kChartLeft_px = 90, kChartRight_px = 280, kChartBottom_px = 80, kChartTop_px = 60;
+
+/// Writes the chart, whole or not at all; `file` ends in .svg or .png. Throws std::runtime_error that names
+/// the file and what is wrong.
+void writeChart(const Chart& chart, const std::filesystem::path& file);
+
+}  // namespace carom

@@ -1,0 +1,19 @@
+#pragma once
+// `carom filter`: a recorded trace through the head filter of a session.
+
+#include <filesystem>
+#include <optional>
+
+namespace carom {
+
+struct FilterOptions {
+  std::filesystem::path trace;
+  double lightSpeed_m_s = 1.42;              ///< for what the eye would see of it
+  std::optional<std::filesystem::path> csv;  ///< none: a summary for people on standard output
+};
+
+/// One row out for each row in, made of that row and those before it. Returns the exit status. Throws
+/// InputError for a bad trace.
+int runFilter(const FilterOptions& options);
+
+}  // namespace carom

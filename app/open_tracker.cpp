@@ -1,0 +1,62 @@
+#include "app/open_tracker.h"
+
+#include <stdexcept>
+
+#include "devices/dtrack_tracker.h"
+#include "devices/hid_imu_tracker.h"
+#include "devices/natnet_tracker.h"
+#include "devices/polhemus_tracker.h"
+#include "devices/recorded_tracker.h"
+#include "devices/simulated_tracker.h"
+#include "devices/trace.h"
+#include "devices/vrpn_tracker.h"
+
+namespace carom {
+namespace {
+
+PersonAxes personAxes(const RoomAxes& axes) { return {axes.right, axes.up, axes.forward}; }
+
+UsbAddress usbAddress(const std::string& source) {
+  const auto address = parseUsbAddress(source);
+  if (!address) {
+    throw std::invalid_argument("source is '" + source +
+                                "', expected vid:pid or vid:pid:serial, such as '0f44:ff12'");
+  }
+  return *address;
+}
+
+}  // namespace
+
+bool isDevice(TrackerKind kind) { return kind != TrackerKind::simulated && kind != TrackerKind::recorded; }
+
+Transport transportOf(TrackerKind kind, const std::string& source, const RoomAxes& axes) {
+  switch (kind) {
+    case TrackerKind::vrpn:
+      return vrpnTransport(readVrpnSource(source));
+    case TrackerKind::dtrack:
+      return dtrackTransport(readDtrackSource(source));
+    case TrackerKind::natnet:
+      return natnetTransport(readNatnetSource(source));
+    case TrackerKind::polhemusUsb:
+      return polhemusTransport(usbAddress(source));
+    case TrackerKind::hidImu:
+      return hidImuTransport(usbAddress(source), axes.up * kStandingEyes_m, personAxes(axes));
+    case TrackerKind::simulated:
+    case TrackerKind::recorded:
+      break;
+  }
+  throw std::logic_error("transportOf: this tracker is no device");
+}
+
+std::unique_ptr<Tracker> openTracker(const TrackerSetup& setup, const RoomAxes& axes,
+                                     std::chrono::steady_clock::time_point sessionStart) {
+  if (setup.kind == TrackerKind::recorded) return std::make_unique<RecordedTracker>(readTrace(setup.source));
+  if (setup.kind == TrackerKind::simulated) {
+    SimulatedPerson person;
+    person.axes = personAxes(axes);
+    return std::make_unique<SimulatedTracker>(person);
+  }
+  return std::make_unique<DeviceTracker>(transportOf(setup.kind, setup.source.string(), axes), sessionStart);
+}
+
+}  // namespace carom

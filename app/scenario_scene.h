@@ -1,0 +1,33 @@
+#pragma once
+// From a scenario file to what there is to see of it.
+
+#include <span>
+#include <string>
+
+#include "app/rig.h"
+#include "app/scenario.h"
+#include "cave/scene.h"
+#include "cave/tessellation.h"
+#include "engine/event.h"
+#include "engine/lorentz.h"
+#include "engine/world_line.h"
+
+namespace carom {
+
+/// Fine enough for the rig's finest pixel as a person sees it who stands at the room's origin; `renderer` is
+/// what draws (Graphics::rendererName): a processor is given fewer vertices than a graphics card.
+Tessellation tessellationFor(const Rig& rig, const std::string& renderer);
+
+/// Table, hall, pucks and told bodies; the meshes have been opened.
+Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation);
+
+/// Opens every mesh of the scenario. Throws InputErrors with the fault of each that cannot be read.
+void openMeshes(const Scenario& scenario);
+
+/// What an eye at `observation`, whose rest frame is `headFromBoard`, sees of the whole scene: the bytes of a
+/// .vtp file (cave/seen_mesh.h). `pucks`: their world lines. Says on standard error how much is unseen.
+/// Throws as openMeshes does.
+std::string seenSceneVtp(const Scenario& scenario, std::span<const WorldLine> pucks, const Event& observation,
+                         const Lorentz& headFromBoard);
+
+}  // namespace carom

@@ -1,0 +1,40 @@
+#pragma once
+// Reading a session's journal (app/journal.h) again.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/journal.h"
+#include "cave/frame_state.h"
+
+namespace carom {
+
+/// A recorded session, frame by frame. May be opened while the session is still being written.
+class SessionFile {
+ public:
+  /// Throws std::runtime_error that says what is wrong with the file and what was expected: missing, not a
+  /// session file, damaged, of a newer version, locked.
+  explicit SessionFile(const std::filesystem::path& file);
+  ~SessionFile();
+  SessionFile(const SessionFile&) = delete;
+  SessionFile& operator=(const SessionFile&) = delete;
+
+  const SessionFacts& facts() const { return facts_; }
+  /// The numbers of the first and the last frame; none if the session ended before its first.
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> frames() const;
+
+  /// The next frame in the order of their numbers, with its knots; false after the last. Throws
+  /// std::runtime_error where the file turns out to be damaged.
+  bool next(FrameState& state);
+  /// The next frame will be the first again.
+  void rewind();
+
+ private:
+  struct Tables;
+  std::filesystem::path file_;
+  std::unique_ptr<Tables> tables_;
+  SessionFacts facts_;
+};
+
+}  // namespace carom

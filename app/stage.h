@@ -1,0 +1,78 @@
+#pragma once
+// What every node needs to show a game, live or recorded: the rig and the scenario, a display, the scene and
+// its walls.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/rig.h"
+#include "app/scenario.h"
+#include "cave/cluster.h"
+#include "cave/scene.h"
+#include "cave/tessellation.h"
+#include "cave/wall_set.h"
+
+namespace carom {
+
+/// A file that people wrote, as it is or, where it is given, as it was when a session was recorded.
+struct InputFile {
+  std::filesystem::path file;
+  std::optional<std::string> kept;
+};
+
+/// What it holds; empty where it cannot be read.
+std::string textOf(const InputFile& input);
+
+struct StageOptions {
+  InputFile rig, scenario;
+  bool live = false;  ///< the rig's trackers will be used: their traces are read before a window opens
+  std::optional<std::filesystem::path>
+      capture;  ///< folder for every wall and eye of every frame; made if it is not there
+  bool noWindow = false;
+};
+
+struct Stage {
+  Rig rig;
+  Scenario scenario;
+  std::unique_ptr<Graphics> graphics;
+  Tessellation tessellation;
+  Scene scene;
+  std::unique_ptr<WallSet> walls;
+  std::vector<WorldLine> histories;  ///< of every body of the scene, at the start of the game
+};
+
+/// Gives every node rank 0's rig and scenario, which it has from a session file.
+void shareInputs(const Cluster& cluster, StageOptions& options);
+
+/// Reads the files, makes sure that every node holds the same, opens this node's windows. Throws RankFailed
+/// on every rank when one of them cannot; that one has said why.
+Stage openStage(Cluster& cluster, const StageOptions& options);
+
+/// The walls that this rank draws.
+std::vector<Wall> wallsOf(const Rig& rig, const Cluster& cluster);
+
+/// Reads the walls' blend pictures once before there is a window; throws InputErrors, which name what is
+/// wrong at its line of the rig.
+void openBlends(const InputFile& input, const Rig& rig);
+
+/// The X display of a rank; empty: the one it finds.
+std::string displayOf(const Rig& rig, int rank);
+
+/// Makes a folder for pictures where there is none. Throws std::runtime_error, which names it and --capture.
+void makeFolder(const std::filesystem::path& folder);
+
+/// Raised on every rank once one has failed and said why.
+struct RankFailed {};
+
+/// Runs `step` on every rank; if it fails on any, the lowest such rank says why and RankFailed is thrown
+/// everywhere.
+void together(const Cluster& cluster, const std::function<void()>& step);
+
+/// Runs a whole session on this rank. Its exit status: 0, or 1 after a message on standard error.
+int runOnCluster(const std::function<void(Cluster&)>& session);
+
+}  // namespace carom

@@ -1,0 +1,44 @@
+#pragma once
+// What a person should be told of a tracker while a session runs: one line when something is wrong for long
+// enough to matter, one when it is well again.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "devices/tracker.h"
+
+namespace carom {
+
+class TrackerWatch {
+ public:
+  /// The tracker's name in the rig, and the sensor that is wanted of it.
+  TrackerWatch(std::string name, int sensor);
+
+  /// Notes what came up to `now_s`. Cheap, for every frame.
+  void see(double now_s, std::span<const TrackerSample> samples);
+
+  /// Whether it is time to look at the tracker's health again: a few times a second.
+  bool isDue(double now_s) const { return now_s >= due_s_; }
+
+  /// The line, if there is a new one.
+  std::optional<std::string> look(double now_s, const TrackerHealth& health);
+
+ private:
+  enum class Trouble { none, failed, connecting, silent, unseen };
+
+  Trouble troubleOf(double now_s, const TrackerHealth& health) const;
+  std::string line(Trouble trouble, const TrackerHealth& health) const;
+
+  std::string name_;
+  int sensor_;
+  double seen_s_ = 0.0;  // the wanted sensor, or the session's start
+  bool wasSeen_ = false;
+  std::vector<int> otherSensors_;
+  double well_s_ = 0.0;  // when it last delivered, or the session's start
+  double due_s_ = 0.0;
+  Trouble told_ = Trouble::none;
+};
+
+}  // namespace carom

@@ -1,0 +1,73 @@
+#include "cave/frame_digest.h"
+
+#define XXH_INLINE_ALL  // used as a header
+#include <xxhash.h>
+
+#include <type_traits>
+
+namespace carom {
+namespace {
+
+/// Digests values one after the other, never the padding between them.
+class Digest {
+ public:
+  template <typename T>
+  requires std::is_arithmetic_v<T> Digest& operator<<(const T& value) {
+    digest_ = XXH3_64bits_withSeed(&value, sizeof value, digest_);
+    return *this;
+  }
+  Digest& operator<<(const Vec3& v) { return *this << v.x << v.y << v.z; }
+  Digest& operator<<(const Event& event) { return *this << event.t_s << event.r_m; }
+  Digest& operator<<(const Knot& knot) {
+    return *this << knot.turn << knot.u << knot.properTime_s << knot.news << knot.deceleration_m_s2;
+  }
+
+  operator std::uint64_t() const { return digest_; }
+
+ private:
+  std::uint64_t digest_ = 0;
+};
+
+std::uint64_t digestOf(const ObserverView& observer) {
+  Digest digest;
+  const auto& matrix = observer.headFromBoard.matrix();
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) digest << matrix[column][row];
+  }
+  for (const EyeView& eye : observer.eyes) digest << eye.observation << eye.positionInRoom_m;
+  return digest;
+}
+
+/// The newest knot and how many there are: a history that lost or gained one differs from then on.
+std::uint64_t digestOfNewest(std::span<const WorldLine> histories) {
+  Digest digest;
+  for (const WorldLine& history : histories) digest << history.knots().size() << history.knots().back();
+  return digest;
+}
+
+}  // namespace
+
+FrameDigest digestOf(const FrameState& state, std::span<const WorldLine> histories) {
+  const FrameRecord& record = state.record;
+  Digest switches, knots;
+  for (const NamedSwitch& named : kNamedSwitches) switches << record.switches.*named.value;
+  switches << static_cast<std::uint8_t>(record.controls.shown) << record.controls.blank
+           << record.controls.eyesSwapped;
+  knots << record.truncateFrom_s << record.pucks << record.forgetBefore_s;
+  for (const BodyKnot& knot : state.knots) knots << knot.body << knot.knot;
+  return {{Digest() << record.number, Digest() << record.display_s, digestOf(record.observer), switches,
+           knots, digestOfNewest(histories)}};
+}
+
+HistoryDigest digestOf(const WorldLine& history) {
+  Digest turns, velocities, properTimes, news;
+  for (const Knot& knot : history.knots()) {
+    turns << knot.turn;
+    velocities << knot.u << knot.deceleration_m_s2;
+    properTimes << knot.properTime_s;
+    news << knot.news;
+  }
+  return {{history.knots().size(), turns, velocities, properTimes, news}};
+}
+
+}  // namespace carom

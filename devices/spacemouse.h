@@ -1,0 +1,17 @@
+#pragma once
+// A 3Dconnexion SpaceMouse: six axes and buttons to steer by.
+
+#include "devices/device_tracker.h"
+#include "devices/hid_device.h"
+
+namespace carom {
+
+/// Whether it is one. Its makers' other devices (mice, keyboards) are not.
+bool isSpaceMouse(const HidEntry& entry);
+
+/// The first SpaceMouse that is plugged in, whenever that is. Delivers axes and buttons of sensor 0 as
+/// SpaceMouseDecoder numbers them, no poses. An axis that the device says no more of for 50 ms is zero; when
+/// it is unplugged, all axes are zero and all buttons are let go.
+Transport spaceMouseTransport();
+
+}  // namespace carom

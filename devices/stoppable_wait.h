@@ -1,0 +1,18 @@
+#pragma once
+// Waiting on a device's thread, which has to end when it is asked to.
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+
+namespace carom {
+
+/// Waits so long, or until a stop is asked for.
+inline void waitUnlessStopped(const std::stop_token& stop, std::chrono::milliseconds duration) {
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any().wait_for(lock, stop, duration, [] { return false; });
+}
+
+}  // namespace carom

@@ -1,0 +1,25 @@
+#pragma once
+// A tracker behind a VRPN server, reached by TCP.
+
+#include <string>
+#include <string_view>
+
+#include "devices/device_tracker.h"
+#include "devices/socket.h"
+
+namespace carom {
+
+/// The device `sender` of a server.
+struct VrpnSource {
+  std::string sender;
+  Endpoint server;
+};
+
+/// Reads "Head@tcp://host:3883"; the port may be left out. Throws std::invalid_argument.
+VrpnSource readVrpnSource(std::string_view text);
+
+/// Keeps a connection to the server. Device times are the server's clock; a connection on which nothing comes
+/// for 5 s, not even the answers to our pings, is given up and made anew.
+Transport vrpnTransport(const VrpnSource& source);
+
+}  // namespace carom

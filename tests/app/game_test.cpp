@@ -1,0 +1,81 @@
+// A game of hours, as the frame loop plays it: what no eye can see any more is forgotten, and nobody sees a
+// difference.
+
+#include "app/game.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "engine/light_cone.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEyeSeparation_m = 0.064;
+
+bool sameBits(const BodyView& a, const BodyView& b) {
+  const auto bytes = [](const BodyView& view) { return std::as_bytes(std::span<const LegView>(view.legs)); };
+  return a.appears_m == b.appears_m && a.legs.size() == b.legs.size() &&
+         std::memcmp(bytes(a).data(), bytes(b).data(), bytes(a).size()) == 0;
+}
+
+std::size_t knotsOf(std::span<const WorldLine> histories) {
+  std::size_t knots = 0;
+  for (const WorldLine& history : histories) knots += history.knots().size();
+  return knots;
+}
+
+// A person walks to and fro beside the table, at up to 3 m/s of celerity, for four hours of their time. Of
+// the histories one copy forgets and one does not; at moments all over the session both eyes see the same
+// bits in both, with contraction and without.
+TEST(Game, ForgetsOnlyWhatNoEyeSeesAnyMore) {
+  const Scenario scenario = readScenario(CAROM_CONFIG_DIR "/scenarios/three-pucks.toml");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  Game game(scenario);
+  std::vector<WorldLine> kept = startingHistories(scenario), forgetting = kept;
+  const auto headAt = [](double t_s) {
+    const double swing_m = 2.0, perSecond = 1.5;
+    Head head;
+    head.roomFromHead.position_m = {swing_m * std::sin(perSecond * t_s), 0.0, 1.7};
+    head.celerity_m_s = {swing_m * perSecond * std::cos(perSecond * t_s), 0.0, 0.0};
+    return head;
+  };
+  Observer observer(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, headAt(0.0));
+
+  const double step_s = 0.1, end_s = 4.0 * 3600.0;
+  std::size_t mostKnots = 0, compared = 0;
+  FrameState state;
+  BodyView all, left;
+  for (int frame = 0; frame * step_s < end_s; ++frame) {
+    observer.step(step_s, headAt(frame * step_s));
+    const ObserverView eyes = observer.view(kEyeSeparation_m);
+    state.record = {};
+    game.advance(eyes.eyes[2].observation.t_s + 1.0, state);
+    applyFrame(state, kept);
+    if (frame % 100 == 0) game.forget(forgetting, eyes, state);
+    applyFrame(state, forgetting);
+    mostKnots = std::max(mostKnots, knotsOf(forgetting));
+    if (frame % 97 != 0) continue;
+    for (const EyeView& eye : eyes.eyes) {
+      for (std::size_t body = 0; body < kept.size(); ++body) {
+        for (const std::uint8_t contraction : {std::uint8_t{1}, std::uint8_t{0}}) {
+          Switches switches;
+          switches.contraction = contraction;
+          viewBody(kept[body], eye.observation, eyes.headFromBoard, all, switches);
+          viewBody(forgetting[body], eye.observation, eyes.headFromBoard, left, switches);
+          ASSERT_TRUE(sameBits(all, left)) << "body " << body << " at " << eye.observation.t_s << " s";
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 10000u);
+  EXPECT_GT(knotsOf(kept), 10000u);
+  // Two minutes of the game, of four hours (and more on the board's clock).
+  EXPECT_LT(mostKnots, knotsOf(kept) / 50);
+}
+
+}  // namespace
+}  // namespace carom

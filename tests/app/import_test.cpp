@@ -1,0 +1,126 @@
+#include "app/import.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/program.h"
+#include "app/rig_room.h"
+#include "app/room_check.h"
+
+namespace carom {
+namespace {
+
+using test::contentOf;
+using test::runCarom;
+using test::TemporaryFolder;
+
+// Coordinates are written to a thousandth of a millimetre.
+constexpr double kWritten_m = 0.6e-6;
+
+const std::string kCorner =
+    "<pvx>\n<EyeSeparation Value='0.063'/>\n"
+    "<Machine Name='Front' Geometry='1000x1000+0+0' Environment='DISPLAY=:0' StereoType='Crystal Eyes'\n"
+    "  LowerLeft='-1.5 -1.6 -1.5' LowerRight='1.5 -1.6 -1.5' UpperRight='1.5 1.4 -1.5'/>\n"
+    "<Machine Name='the floor' Geometry='1000x1000+1000+0' Environment='DISPLAY=:0'\n"
+    "  LowerLeft='-1.5 -1.6 1.5' LowerRight='1.5 -1.6 1.5' UpperRight='1.5 -1.6 -1.5'/>\n</pvx>\n";
+
+TEST(Import, MakesARigThatChecksClean) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("corner.pvx", kCorner), rig = folder / "corner.toml";
+  const auto made = runCarom(folder, {"import", file, "-o", rig});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(made.err.find("warning"), std::string::npos) << made.err;
+  const PlacedRig placed = readPlacedRig(rig);
+  ASSERT_EQ(placed.rig.walls.size(), 2u);
+  EXPECT_EQ(placed.rig.walls[1].name, "the-floor");
+  EXPECT_EQ(placed.rig.walls[1].node, 1);
+  EXPECT_EQ(placed.rig.walls[0].stereo, StereoMode::quadBuffer);
+  EXPECT_EQ(placed.rig.head.eyeSeparation_m, 0.063);
+  // The floor has come up to zero, the walls with it, and the viewer's eyes are where they were before them.
+  EXPECT_NEAR(glm::distance(placed.rig.walls[0].lowerLeft_m, {-1.5, 0.0, -1.5}), 0.0, kWritten_m);
+  EXPECT_NEAR(glm::distance(placed.rig.walls[0].upperLeft_m, {-1.5, 3.0, -1.5}), 0.0, kWritten_m);
+  EXPECT_NEAR(glm::distance(roomOf(placed, rig).viewer.eyes_m, {0.0, 1.6, 0.0}), 0.0, kWritten_m);
+  EXPECT_TRUE(placed.rig.nodes.empty()) << "one display for all is no difference";
+  const auto checked = runCarom(folder, {"check", rig});
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_EQ(checked.err, "");
+}
+
+TEST(Import, StatesWhatItAssumed) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("corner.pvx", kCorner), rig = folder / "corner.toml";
+  const auto made = runCarom(folder, {"import", file, "-o", rig});
+  for (const char* words :
+       {"metres", "axes", "tracker", "mono", "rank", "moved by [0.0, 1.6, 0.0] m", "60 Hz"}) {
+    EXPECT_NE(made.err.find(words), std::string::npos) << words << '\n' << made.err;
+    EXPECT_NE(contentOf(rig).find(words), std::string::npos) << words << '\n' << contentOf(rig);
+  }
+}
+
+TEST(Import, KeepsDisplaysThatTellRanksApart) {
+  const TemporaryFolder folder;
+  std::string text = kCorner;
+  text.replace(text.rfind(":0"), 2, ":0.1");
+  const std::string file = folder.file("corner.pvx", text), rig = folder / "corner.toml";
+  ASSERT_EQ(runCarom(folder, {"import", file, "-o", rig}).status, 0);
+  const Rig read = readRig(rig);
+  ASSERT_EQ(read.nodes.size(), 2u);
+  EXPECT_EQ(read.nodes[1].display, ":0.1");
+}
+
+TEST(Import, WritesNothingWhereThereIsAnError) {
+  const TemporaryFolder folder;
+  std::string text = kCorner;
+  text.replace(text.find("1.5 -1.6 1.5'"), 12, "1.5 -1/6 1.5");
+  const std::string file = folder.file("corner.pvx", text);
+  const auto made = runCarom(folder, {"import", file, "-o", folder / "corner.toml"});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_EQ(made.err.rfind("error: " + file + ":6:", 0), 0u) << made.err;
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(Import, WritesOverNothing) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("corner.pvx", kCorner), rig = folder.file("corner.toml", "mine");
+  const auto made = runCarom(folder, {"import", file, "-o", rig});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_NE(made.err.find("is there already"), std::string::npos) << made.err;
+  EXPECT_EQ(contentOf(rig), "mine");
+}
+
+TEST(Import, RefusesWhatIsNoRoomOrNoRig) {
+  const TemporaryFolder folder;
+  const std::string other = folder.file("room.toml", "unit = 'm'\n");
+  EXPECT_NE(runCarom(folder, {"import", other, "-o", folder / "a.toml"}).err.find(".pvx"), std::string::npos);
+  EXPECT_EQ(runCarom(folder, {"import", other}).status, 2);
+  // Eyes further apart than a rig takes.
+  std::string text = kCorner;
+  const std::string wide = folder.file("wide.pvx", text.replace(text.find("0.063"), 5, "6.3"));
+  const auto made = runCarom(folder, {"import", wide, "-o", folder / "a.toml"});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_NE(made.err.find("eye_separation"), std::string::npos) << made.err;
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST(Import, FourRoomsOfOtherPrograms) {
+  const std::filesystem::path rooms = CAROM_SHARED_DIR "/data/rooms";
+  if (!std::filesystem::exists(rooms)) GTEST_SKIP() << "the room files of other programs are not here";
+  const TemporaryFolder folder;
+  const std::string typo = rooms / "ParaView__Examples__left_right_floor.pvx";
+  const auto refused = runCarom(folder, {"import", typo, "-o", folder / "typo.toml"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("error: " + typo + ":25:30: '0/05'"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("50 mm"), std::string::npos) << refused.err;
+  for (const char* name :
+       {"ParaView__Examples__trivial.pvx", "sgct-docs__projectionplane.json", "sgct__config__3DTV.json"}) {
+    const std::string rig = folder / (std::string(name) + ".toml");
+    EXPECT_EQ(runCarom(folder, {"import", rooms / name, "-o", rig}).status, 0) << name;
+    const auto checked = runCarom(folder, {"check", rig});
+    EXPECT_EQ(checked.status, 0) << name << checked.err;
+    EXPECT_EQ(checked.err, "") << name;
+  }
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,224 @@
+#include "app/pvx_file.h"
+
+#include <gtest/gtest.h>
+
+#include "app/room_check.h"
+#include "app/temporary_folder.h"
+
+namespace carom {
+namespace {
+
+using test::TemporaryFolder;
+
+Room read(const std::string& text) {
+  const TemporaryFolder folder;
+  return readPvx(folder.file("room.pvx", text));
+}
+
+std::string machine(const std::string& attributes) {
+  return "<pvx>\n<Machine " + attributes + "/>\n</pvx>\n";
+}
+
+const std::string kFloor =
+    "Name='Floor' Geometry='640x360+740+1560' LowerLeft='-1.13 -0.635 0.05'\n"
+    "  LowerRight='1.13 -0.635 0.05' UpperRight='1.13 -0.635 -1.22'";
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(PvxFile, ReadsAWall) {
+  const Room room =
+      read(machine(kFloor + " StereoType='Crystal Eyes' FullScreen='1' Environment='DISPLAY=:0.4'"));
+  EXPECT_TRUE(room.findings.empty()) << room.findings[0].text;
+  ASSERT_EQ(room.walls.size(), 1u);
+  const Wall& wall = room.walls[0].wall;
+  EXPECT_EQ(wall.name, "Floor");
+  EXPECT_EQ(wall.pixels, glm::ivec2(640, 360));
+  EXPECT_EQ(wall.window.position_px, glm::ivec2(740, 1560));
+  EXPECT_TRUE(wall.window.fullscreen);
+  EXPECT_EQ(wall.stereo, StereoMode::quadBuffer);
+  EXPECT_EQ(wall.lowerLeft_m, glm::dvec3(-1.13, -0.635, 0.05));
+  EXPECT_EQ(wall.upperLeft_m, glm::dvec3(-1.13, -0.635, -1.22));
+  ASSERT_EQ(room.nodes.size(), 1u);
+  EXPECT_EQ(room.nodes[0].display, ":0.4");
+  EXPECT_EQ(room.eyeSeparation_m, 0.065);
+}
+
+TEST(PvxFile, RanksAreThePlacesOfMachines) {
+  const std::string one = "<Machine Name='a' LowerLeft='-1 -1 -1' LowerRight='1 -1 -1' UpperRight='1 1 -1'/>";
+  const Room room =
+      read("<pvx><Process Type='client'/><Process Type='server'>\n<EyeSeparation Value='0.06'/>" + one + one +
+           "</Process></pvx>");
+  ASSERT_EQ(room.walls.size(), 2u);
+  EXPECT_EQ(room.walls[0].wall.node, 0);
+  EXPECT_EQ(room.walls[1].wall.node, 1);
+  EXPECT_EQ(room.walls[1].wall.name, "a-2") << "names of a rig are unique";
+  EXPECT_EQ(room.eyeSeparation_m, 0.06);
+}
+
+struct Fault {
+  const char* what;
+  std::string text;
+  int line, column;
+  std::vector<const char*> words;
+  bool error = true;
+};
+
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
+
+class PvxFaults : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(PvxFaults, ArePlacedAndExplained) {
+  const Room room = read(GetParam().text);
+  ASSERT_EQ(room.findings.size(), 1u) << (room.findings.empty() ? "none" : room.findings.back().text);
+  const Finding& finding = room.findings[0];
+  EXPECT_EQ(finding.at.line, GetParam().line) << finding.text;
+  EXPECT_EQ(finding.at.column, GetParam().column) << finding.text;
+  EXPECT_EQ(finding.kind == Finding::Kind::error, GetParam().error) << finding.text;
+  for (const char* words : GetParam().words)
+    EXPECT_NE(finding.text.find(words), std::string::npos) << finding.text;
+}
+
+const std::string kGood = machine(kFloor);
+
+INSTANTIATE_TEST_SUITE_P(
+    All, PvxFaults,
+    ::testing::Values(
+        // The corner at z = 0 instead of 0.05, against an edge of 1.22 m: atan(0.05 / 2.26) = 1.27 degrees.
+        Fault{"junk in the middle corner",
+              changed(kGood, "'1.13 -0.635 0.05'", "'1.13 -0.635  0/05'"),
+              3,
+              28,
+              {"'0/05'", "takes it for 0", "50 mm off", "27 mm (1.27 degrees) out of square"}},
+        // The wall is a rectangle whatever its depth is here: no harm to be told.
+        Fault{"junk in an end",
+              changed(kGood, "0.635 -1.22", "0.635 -1,22"),
+              3,
+              57,
+              {"'-1,22'", "is no number"}},
+        Fault{"junk in another end",
+              changed(kGood, "'-1.13 -0.635 0.05'", "'-1.13 -0.635 O.05'"),
+              2,
+              75,
+              {"'O.05'", "takes it for 0", "50 mm off"}},
+        Fault{"a number too few",
+              changed(kGood, "'1.13 -0.635 0.05'", "'1.13 -0.635'"),
+              3,
+              15,
+              {"has 2 values"}},
+        Fault{"not finite", changed(kGood, "'1.13 -0.635 0.05'", "'1.13 -0.635 nan'"), 3, 27, {"'nan'"}},
+        Fault{"too far",
+              changed(kGood, "'1.13 -0.635 0.05'", "'1.13 -0.635 1e10'"),
+              3,
+              27,
+              {"out of range", "1e+09"}},
+        Fault{"a corner missing",
+              changed(kGood, "LowerRight='1.13 -0.635 0.05'", ""),
+              2,
+              1,
+              {"LowerRight is missing"}},
+        // As once found in the file of a room in use: -1.5 for -1.524.
+        Fault{"askew",
+              machine("Name='LTL' Geometry='2560x1600+0+0' LowerLeft='-1.524 -0.381 1.524'\n"
+                      "LowerRight='-1.524 -0.381 -1.524' UpperRight='-1.524 1.524 -1.5'"),
+              3,
+              47,
+              {"UpperRight of wall 'LTL' misses the right angle at LowerRight by 24.0 mm", "89.28 degrees"}},
+        Fault{"no width", changed(kGood, "'-1.13 -0.635 0.05'", "'1.13 -0.635 0.05'"), 2, 62, {"no width"}},
+        Fault{"geometry", changed(kGood, "640x360+740+1560", "640x360"), 2, 33, {"WIDTHxHEIGHT+X+Y"}},
+        Fault{"geometry with junk", changed(kGood, "+1560", "+1560px"), 2, 33, {"640x360+740+1560px"}},
+        Fault{"no pixels", changed(kGood, "640x360", "0x360"), 2, 33, {"0x360"}},
+        Fault{"eyes with junk",
+              changed(kGood, "<pvx>", "<pvx><EyeSeparation Value='0.065m'/>"),
+              1,
+              28,
+              {"'0.065m'"}},
+        Fault{"viewer", changed(kGood, "Name=", "ViewerId='1/' Name="), 2, 20, {"'1/'"}},
+        Fault{"second viewer", changed(kGood, "Name=", "ViewerId='1' Name="), 2, 20, {"viewer 1"}, false},
+        Fault{"no machine", "<pvx>\n</pvx>", 1, 1, {"<Machine>"}},
+        Fault{"another root", "<scene/>", 1, 1, {"<scene>", "<pvx>"}},
+        Fault{"unknown key", changed(kGood, "Name=", "IgnoredKey='x' Name="), 2, 10, {"'IgnoredKey'"}, false},
+        Fault{"misspelt key",
+              changed(kGood, "Geometry=", "Geomtry='1x1+0+0' Geometry="),
+              2,
+              23,
+              {"'Geomtry'", "'Geometry'?"},
+              false},
+        Fault{"unknown element", changed(kGood, "<pvx>", "<pvx><Wall/>"), 1, 6, {"'Wall'"}, false},
+        Fault{"stereo",
+              changed(kGood, "Name=", "StereoType='LineInterlaced' Name="),
+              2,
+              22,
+              {"'LineInterlaced'", "'Interlaced'"},
+              false},
+        Fault{"no corners",
+              machine("Name='localhost' Geometry='300x300+300+0'"),
+              2,
+              1,
+              {"no corners", "1000 mm ahead", "536 × 536 mm"},
+              false}),
+    [](const auto& tested) {
+      std::string name = tested.param.what;
+      std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+      return name;
+    });
+
+TEST(PvxFile, RefusesWhatIsNoXml) {
+  const std::vector<std::tuple<std::string, int, int>> files{
+      {"<pvx>\n  <Machine Name=Left/>\n</pvx>", 2, 17},
+      {"<pvx>\n<Machine Name='a' Name='b'/></pvx>", 2, 19},
+      {"<!DOCTYPE pvx [<!ENTITY a 'aaaa'>]>\n<pvx>&a;</pvx>", 1, 15},
+      {"", 1, 1},
+      {"<pvx>", 1, 6}};
+  for (const auto& [text, line, column] : files) {
+    try {
+      read(text);
+      ADD_FAILURE() << "was taken: " << text;
+    } catch (const InputErrors& error) {
+      EXPECT_EQ(error.line(), line) << text << ": " << error.what();
+      EXPECT_EQ(error.column(), column) << text << ": " << error.what();
+    }
+  }
+  std::string deep;
+  for (int i = 0; i < 10000; ++i) deep += "<pvx>";
+  EXPECT_THROW(read(deep), InputErrors);
+}
+
+TEST(PvxFile, OddRoomsAreJudged) {
+  // Halves of a floor with pixels of 840 x 1050 px/m, one of them through the viewer's eyes.
+  const Room room = read(
+      "<pvx>\n"
+      "<Machine Name='FloorTop' Geometry='2560x1600+0+0' LowerLeft='-1.524 -1.524 0'\n"
+      "  LowerRight='1.524 -1.524 0' UpperRight='1.524 -1.524 -1.524'/>\n"
+      "<Machine Name='Front2' Geometry='2560x1812+0+0' LowerLeft='-1 -1 1'\n"
+      "  LowerRight='1 -1 -1' UpperRight='1 1 -1'/>\n"
+      "</pvx>");
+  const std::vector<Finding> findings = judgeRoom(room);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].at.line, 2);
+  EXPECT_EQ(findings[0].at.column, 36);
+  EXPECT_NE(findings[0].text.find("839.9 px/m across, 1049.9 px/m up"), std::string::npos)
+      << findings[0].text;
+  EXPECT_EQ(findings[1].at.line, 4);
+  EXPECT_NE(findings[1].text.find("in the plane of wall 'Front2'"), std::string::npos) << findings[1].text;
+}
+
+TEST(PvxFile, ShippedExamplesOfParaViewAreJudgedRightly) {
+  const std::filesystem::path rooms = CAROM_SHARED_DIR "/data/rooms";
+  if (!std::filesystem::exists(rooms)) GTEST_SKIP() << "the room files of other programs are not here";
+  const Room typo = readPvx(rooms / "ParaView__Examples__left_right_floor.pvx");
+  ASSERT_EQ(typo.findings.size(), 1u);
+  EXPECT_EQ(typo.findings[0].at.line, 25);
+  EXPECT_EQ(typo.findings[0].at.column, 30);
+  for (const char* words : {"'0/05'", "0.05", "50 mm", "27 mm"}) {
+    EXPECT_NE(typo.findings[0].text.find(words), std::string::npos) << typo.findings[0].text;
+  }
+  EXPECT_TRUE(typo.hasErrors());
+  EXPECT_FALSE(readPvx(rooms / "ParaView__Examples__trivial.pvx").hasErrors());
+}
+
+}  // namespace
+}  // namespace carom

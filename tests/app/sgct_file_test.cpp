@@ -1,0 +1,213 @@
+#include "app/sgct_file.h"
+
+#include <gtest/gtest.h>
+
+#include "app/room_check.h"
+#include "app/temporary_folder.h"
+
+namespace carom {
+namespace {
+
+using test::TemporaryFolder;
+
+Room read(const std::string& text) {
+  const TemporaryFolder folder;
+  return readSgct(folder.file("room.json", text));
+}
+
+const std::string kGood = R"({
+  "version": 1, "masteraddress": "localhost",
+  "nodes": [{ "address": "localhost", "port": 20400, "windows": [{
+    "pos": { "x": 50, "y": 60 }, "size": { "x": 1280, "y": 720 },
+    "viewports": [{
+      "projection": {
+        "type": "ProjectionPlane",
+        "lowerleft": { "x": -1.6, "y": -0.9, "z": 0.0 },
+        "upperleft": { "x": -1.6, "y": 0.9, "z": 0.0 },
+        "upperright": { "x": 1.6, "y": 0.9, "z": 0.0 }
+      }
+    }]
+  }] }],
+  "users": [{ "eyeseparation": 0.06, "pos": { "x": 0, "y": 0, "z": 4.0 } }]
+}
+)";
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(SgctFile, ReadsAWall) {
+  const Room room = read(kGood);
+  EXPECT_TRUE(room.findings.empty()) << room.findings[0].text;
+  EXPECT_TRUE(judgeRoom(room).empty()) << judgeRoom(room)[0].text;
+  ASSERT_EQ(room.walls.size(), 1u);
+  const Wall& wall = room.walls[0].wall;
+  EXPECT_EQ(wall.name, "front") << "named for where it is: SGCT has no names";
+  EXPECT_EQ(wall.lowerRight_m, glm::dvec3(1.6, -0.9, 0.0));
+  EXPECT_EQ(wall.pixels, glm::ivec2(1280, 720));
+  EXPECT_EQ(wall.window.position_px, glm::ivec2(50, 60));
+  EXPECT_EQ(wall.stereo, StereoMode::mono);
+  EXPECT_EQ(room.eyeSeparation_m, 0.06);
+  EXPECT_EQ(room.viewer.eyes_m, glm::dvec3(0, 0, 4));
+  EXPECT_FALSE(room.oneWindow);
+}
+
+TEST(SgctFile, ViewportsShareTheirWindow) {
+  // Two halves, the lower for the left eye; SGCT counts from the lower left.
+  std::string text = changed(R"("viewports": [{)", R"("viewports": [{ "pos": { "x": 0, "y": 0.5 },
+      "size": { "x": 1, "y": 0.5 }, "eye": "right",)");
+  const std::size_t begin = text.find("{ \"pos\": { \"x\": 0, \"y\": 0.5"), end = text.find("}]\n  }] }]");
+  std::string second = text.substr(begin, end + 1 - begin);
+  second.replace(second.find("0.5"), 3, "0.0").replace(second.find("right"), 5, "left");
+  text.insert(end + 1, ", " + second);
+  const Room room = read(text);
+  EXPECT_TRUE(room.findings.empty()) << room.findings[0].text;
+  ASSERT_EQ(room.walls.size(), 2u);
+  ASSERT_TRUE(room.oneWindow);
+  EXPECT_EQ(room.oneWindow->position_px, glm::ivec2(50, 60));
+  EXPECT_EQ(room.walls[0].wall.window.position_px, glm::ivec2(0, 0));
+  EXPECT_EQ(room.walls[0].wall.stereo, StereoMode::right);
+  EXPECT_EQ(room.walls[1].wall.window.position_px, glm::ivec2(0, 360));
+  EXPECT_EQ(room.walls[1].wall.window.size_px, glm::ivec2(1280, 360));
+  EXPECT_EQ(room.walls[1].wall.stereo, StereoMode::left);
+  EXPECT_EQ(room.walls[1].wall.name, "front-2");
+}
+
+struct Fault {
+  const char* what;
+  std::string text;
+  int line, column;
+  std::vector<const char*> words;
+  bool error = true;
+};
+
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
+
+class SgctFaults : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(SgctFaults, ArePlacedAndExplained) {
+  const Room room = read(GetParam().text);
+  ASSERT_FALSE(room.findings.empty());
+  const Finding& finding = room.findings[0];
+  EXPECT_EQ(room.findings.size(), 1u) << finding.text << '\n' << room.findings.back().text;
+  EXPECT_EQ(finding.at.line, GetParam().line) << finding.text;
+  EXPECT_EQ(finding.at.column, GetParam().column) << finding.text;
+  EXPECT_EQ(finding.kind == Finding::Kind::error, GetParam().error) << finding.text;
+  for (const char* words : GetParam().words)
+    EXPECT_NE(finding.text.find(words), std::string::npos) << finding.text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SgctFaults,
+    ::testing::Values(
+        Fault{"a number in quotes",
+              changed("\"z\": 0.0 },\n        \"upperleft", "\"z\": \"0/05\" },\n        \"upperleft"),
+              8,
+              51,
+              {"z is the text '0/05'", "expected a number"}},
+        Fault{"a coordinate missing",
+              changed(", \"z\": 0.0 },\n        \"upperleft", " },\n        \"upperleft"),
+              8,
+              22,
+              {"z is missing in lowerleft"}},
+        Fault{"a corner missing",
+              changed("\"upperleft\": { \"x\": -1.6, \"y\": 0.9, \"z\": 0.0 },", ""),
+              6,
+              21,
+              {"upperleft is missing"}},
+        Fault{"askew",
+              changed("1.6, \"y\": 0.9, \"z\": 0.0 }\n", "1.6, \"y\": 0.95, \"z\": 0.0 }\n"),
+              10,
+              23,
+              {"upperright of wall", "right angle at upperleft by 50.0 mm"}},
+        Fault{"half a pixel",
+              changed("1280", "1280.5"),
+              4,
+              49,
+              {"x is 1280.5, expected a whole number from 1"}},
+        Fault{"no size", changed(", \"size\": { \"x\": 1280, \"y\": 720 }", ""), 3, 66, {"size is missing"}},
+        Fault{"too far", changed("\"z\": 4.0", "\"z\": 4e10"), 14, 68, {"expected a number from"}},
+        Fault{"eyes below zero", changed("0.06", "-0.06"), 14, 32, {"eyeseparation is -0.06"}},
+        Fault{"no wall", R"({ "version": 1 })", 1, 1, {"no viewport here shows a flat wall"}},
+        Fault{"no object", "[1]", 1, 1, {"an array"}},
+        Fault{"unknown key", changed("\"version\"", "\"versoin\""), 2, 3, {"'versoin'", "'version'?"}, false},
+        Fault{"key given twice",
+              changed("\"version\": 1,", "\"version\": 1, \"version\": 2,"),
+              2,
+              3,
+              {"given twice"},
+              false},
+        Fault{"stereo",
+              changed("\"pos\": { \"x\": 50", "\"stereo\": \"LineInterlaced\", \"pos\": { \"x\": 50"),
+              4,
+              15,
+              {"'LineInterlaced'", "'side_by_side'"},
+              false},
+        Fault{"no such user",
+              changed("\"projection\": {", "\"user\": \"me\", \"projection\": {"),
+              6,
+              15,
+              {"no user 'me'"},
+              false},
+        Fault{"two users",
+              changed("\"users\": [", "\"users\": [{ \"pos\": { \"x\": 0, \"y\": 0, \"z\": 4 } }, "),
+              14,
+              84,
+              {"2 users"},
+              false},
+        Fault{"blend",
+              changed("\"projection\": {", "\"blendmask\": \"a.png\", \"projection\": {"),
+              6,
+              20,
+              {"blendmask"},
+              false}),
+    [](const auto& tested) {
+      std::string name = tested.param.what;
+      std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+      return name;
+    });
+
+TEST(SgctFile, SaysWhichProjectionsItCannotUse) {
+  const std::size_t begin = kGood.find("\"type\""), end = kGood.find("      }\n    }]");
+  std::string text = kGood;
+  text.replace(begin, end - begin, R"("type": "PlanarProjection", "fov": { "hfov": 80, "vfov": 60 } )");
+  const Room room = read(text);
+  ASSERT_EQ(room.findings.size(), 2u);
+  EXPECT_EQ(room.findings[0].at.line, 7);
+  EXPECT_NE(room.findings[0].text.find("'PlanarProjection' is an opening angle"), std::string::npos);
+  EXPECT_TRUE(room.hasErrors()) << "no wall is left";
+}
+
+TEST(SgctFile, RefusesWhatIsNoJson) {
+  const std::vector<std::tuple<std::string, int, int>> files{{changed("0.0 },\n", "0/05 },\n"), 8, 52},
+                                                             {changed("1280", "1e999"), 4, 49},
+                                                             {"{\n  \"a\": [1, 2\n", 3, 1},
+                                                             {"", 1, 1},
+                                                             {"{} x", 1, 4}};
+  for (const auto& [text, line, column] : files) {
+    try {
+      read(text);
+      ADD_FAILURE() << "was taken: " << text;
+    } catch (const InputErrors& error) {
+      EXPECT_EQ(error.line(), line) << text << ": " << error.what();
+      EXPECT_EQ(error.column(), column) << text << ": " << error.what();
+    }
+  }
+  EXPECT_THROW(read(std::string(100000, '[')), InputErrors);
+}
+
+TEST(SgctFile, ShippedExamplesOfSgctAreRight) {
+  const std::filesystem::path rooms = CAROM_SHARED_DIR "/data/rooms";
+  if (!std::filesystem::exists(rooms)) GTEST_SKIP() << "the room files of other programs are not here";
+  for (const char* name : {"sgct-docs__projectionplane.json", "sgct__config__3DTV.json"}) {
+    const Room room = readSgct(rooms / name);
+    EXPECT_TRUE(room.findings.empty()) << name << ": " << room.findings[0].text;
+    EXPECT_TRUE(judgeRoom(room).empty()) << name << ": " << judgeRoom(room)[0].text;
+  }
+}
+
+}  // namespace
+}  // namespace carom

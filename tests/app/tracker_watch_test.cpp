@@ -1,0 +1,76 @@
+#include "app/tracker_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+
+namespace carom {
+namespace {
+
+using State = TrackerHealth::State;
+
+/// What is said while a tracker lives through `stateAt`; samples of `sensor` come while it delivers.
+std::vector<std::pair<double, std::string>> said(const std::function<TrackerHealth(double)>& healthAt,
+                                                 int sensor, double until_s) {
+  TrackerWatch watch("cap", 3);
+  std::vector<std::pair<double, std::string>> lines;
+  for (int frame = 0; frame < static_cast<int>(until_s * 60); ++frame) {
+    const double now_s = frame / 60.0;
+    const TrackerHealth health = healthAt(now_s);
+    TrackerSample sample;
+    sample.sensor = sensor;
+    watch.see(now_s, {&sample, health.state == State::delivering ? 1u : 0u});
+    if (!watch.isDue(now_s)) continue;
+    if (const auto line = watch.look(now_s, health)) lines.emplace_back(now_s, *line);
+  }
+  return lines;
+}
+
+TrackerHealth healthOf(State state, std::string message = {}) { return {state, std::move(message)}; }
+
+TEST(TrackerWatch, SaysNothingWhileAllIsWell) {
+  const auto brief = [](double now_s) {  // silent for three seconds
+    return healthOf(now_s > 4 && now_s < 7 ? State::silent : State::delivering);
+  };
+  EXPECT_TRUE(said(brief, 3, 20.0).empty());
+}
+
+TEST(TrackerWatch, TellsOnceOfSilenceAndOnceOfItsEnd) {
+  const auto lines =
+      said([](double now_s) { return healthOf(now_s > 2 && now_s < 12 ? State::silent : State::delivering); },
+           3, 30.0);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].second, "Tracker cap: silent for 5 s; the head is held");
+  EXPECT_NEAR(lines[0].first, 7.0, 0.5);  // it is looked at every quarter of a second
+  EXPECT_EQ(lines[1].second, "Tracker cap: delivers");
+  EXPECT_NEAR(lines[1].first, 12.0, 0.5);
+}
+
+TEST(TrackerWatch, NamesTheSensorsThatThereAre) {
+  const auto lines = said([](double) { return healthOf(State::delivering); }, 1, 20.0);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].second, "Tracker cap: sensor 3 never came; this tracker has sent sensors 1");
+}
+
+TEST(TrackerWatch, PassesOnWhatNeedsHelpAtOnce) {
+  const auto lines = said(
+      [](double now_s) {
+        return now_s < 1 ? healthOf(State::failed, "needs firmware") : healthOf(State::delivering);
+      },
+      3, 10.0);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].second, "Tracker cap: needs firmware");
+  EXPECT_EQ(lines[0].first, 0.0);
+}
+
+TEST(TrackerWatch, TellsThatAConnectionIsTriedAgain) {
+  const auto lines =
+      said([](double) { return healthOf(State::connecting, "no connection to 10.0.0.1:3883"); }, 3, 60.0);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].second, "Tracker cap: no connection to 10.0.0.1:3883; it is tried again");
+  EXPECT_NEAR(lines[0].first, 2.0, 0.5);
+}
+
+}  // namespace
+}  // namespace carom

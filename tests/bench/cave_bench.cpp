@@ -1,0 +1,257 @@
+// What relativity costs in drawing: frames of four walls for two eyes, with and without; and a million
+// vertices on the way through the vertex shader and on the way through the CPU.
+//
+// Needs an X display: tests/with_display build/release/bin/cave_bench
+
+#include <benchmark/benchmark.h>
+#include <vtk_glew.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cave/mesh_builder.h"
+#include "cave/scene.h"
+#include "cave/wall_renderer.h"
+#include "engine/mesh_emission.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+constexpr Switches kAllOn{1, 1, 1, 1, 1};
+constexpr Switches kUnsolved{0, 0, 1, 0, 0};  // the shader has all to do but the solve
+
+/// Walls of a room of 3 m around its origin: front, left, right, floor.
+std::array<Wall, 4> walls() {
+  const auto wall = [](const glm::dvec3& lowerLeft, const glm::dvec3& lowerRight,
+                       const glm::dvec3& upperLeft) {
+    Wall w;
+    w.lowerLeft_m = lowerLeft;
+    w.lowerRight_m = lowerRight;
+    w.upperLeft_m = upperLeft;
+    w.pixels = {960, 960};
+    return w;
+  };
+  return {wall({-1.5, 1.5, 0}, {1.5, 1.5, 0}, {-1.5, 1.5, 3}),
+          wall({-1.5, -1.5, 0}, {-1.5, 1.5, 0}, {-1.5, -1.5, 3}),
+          wall({1.5, 1.5, 0}, {1.5, -1.5, 0}, {1.5, 1.5, 3}),
+          wall({-1.5, -1.5, 0}, {1.5, -1.5, 0}, {-1.5, 1.5, 0})};
+}
+
+/// A scene, its bodies' world lines, and two eyes of a head that walks beside the board.
+class Room {
+ public:
+  Room(Graphics& graphics, const Scene& scene, std::vector<WorldLine> histories)
+      : graphics_(graphics), scene_(scene), histories_(std::move(histories)), bodies_(scene.bodyCount) {
+    for (const ScenePart& part : scene.parts) vertices_ += part.mesh->GetNumberOfPoints();
+  }
+
+  /// One for each state of the switches: then nothing is rebuilt while we measure.
+  std::unique_ptr<WallRenderer> makeRenderer() const {
+    return std::make_unique<WallRenderer>(graphics_, scene_, kC_m_s, 1);
+  }
+
+  /// One frame: four walls, two eyes, drawn to the end.
+  void draw(WallRenderer& renderer, const Switches& switches, double t_s) {
+    for (const double side : {-0.032, 0.032}) {
+      const EyeView eye{{t_s, {side, -1.6, 0.85}}, {side, 0.0, 1.6}};
+      for (std::size_t body = 0; body < bodies_.size(); ++body) {
+        viewBody(histories_[body], eye.observation, headFromBoard_, bodies_[body], switches);
+      }
+      renderer.look(headFromBoard_, eye, bodies_, switches);
+      for (std::size_t i = 0; i < walls_.size(); ++i) {
+        renderer.draw(walls_[i], eye.positionInRoom_m, *pictures_[(side > 0.0 ? 4 : 0) + i]);
+      }
+    }
+    glFinish();
+  }
+
+  double vertices() const { return static_cast<double>(vertices_); }
+  const Lorentz& headFromBoard() const { return headFromBoard_; }
+  const WorldLine& history(std::size_t body) const { return histories_[body]; }
+
+ private:
+  Graphics& graphics_;
+  const Scene& scene_;
+  std::vector<WorldLine> histories_;
+  std::vector<BodyView> bodies_;
+  vtkIdType vertices_ = 0;
+  Lorentz headFromBoard_ = Lorentz::boost({-0.5, 0.1, 0.05}, kC_m_s);
+  std::array<Wall, 4> walls_ = carom::walls();
+  std::array<std::unique_ptr<WallPicture>, 8> pictures_ = makePictures();
+
+  static std::array<std::unique_ptr<WallPicture>, 8> makePictures() {
+    std::array<std::unique_ptr<WallPicture>, 8> pictures;
+    for (auto& picture : pictures) picture = std::make_unique<WallPicture>(glm::ivec2(960, 960));
+    return pictures;
+  }
+};
+
+using Seconds = std::chrono::duration<double>;
+
+template <typename Function>
+double secondsOf(const Function& function) {
+  const auto start = std::chrono::steady_clock::now();
+  function();
+  return Seconds(std::chrono::steady_clock::now() - start).count();
+}
+
+double medianOf(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// Three pucks at 0.5 to 0.8 c in a hall; they have met cushions and each other by the time of the frames.
+struct Game {
+  BilliardSetup setup;
+  Scene scene;
+  std::vector<WorldLine> histories{restingWorldLine(kC_m_s)};
+
+  Game() {
+    setup.lightSpeed_m_s = kC_m_s;
+    setup.board = Board{2.84, 1.42};
+    setup.pucks = {{"white", 0.0305, 0.02, 0.2, {-0.9, 0.0}, {0.8, 0.0}},
+                   {"yellow", 0.0305, 0.02, 0.2, {0.49, 0.29}, {0.0, 0.5}},
+                   {"red", 0.0305, 0.02, 0.2, {0.48, -0.017}, {0.0, 0.0}}};
+    std::vector<BodyLooks> looks;
+    for (const Puck& puck : setup.pucks) looks.push_back({puck.name, "", puck.radius_m, puck.height_m});
+    scene = buildScene(setup, looks);
+    Billiard billiard(setup);
+    billiard.advanceTo(12.0);
+    for (const WorldLine& line : billiard.worldLines()) histories.push_back(line);
+  }
+};
+
+/// A single body of a million vertices, 4 m across, passing the eye at 0.5 c.
+struct Million {
+  Scene scene;
+  std::vector<WorldLine> histories{
+      restingWorldLine(kC_m_s),
+      WorldLine({{5.0, {0.0, 1.0, 0.0}}, uFromBeta({0.5, 0.0, 0.0}), 0.0, {}, 0.0}, kC_m_s, 3.0)};
+
+  Million() {
+    MeshBuilder mesh;
+    mesh.addPatch(999, 999, [](double u, double v) {
+      return PatchPoint{{4.0 * u - 2.0, 4.0 * v - 2.0, 0.1 * std::sin(20.0 * u)}};
+    });
+    scene.parts = {{1, mesh.build(), Paint::plain, glm::vec3(0.6F, 0.3F, 0.1F), 0.3F}};
+    scene.bodyCount = 2;
+    scene.lamps_m = {{{-1.0, 0.0, 1.45}, {0.0, 0.0, 1.45}, {1.0, 0.0, 1.45}}};
+  }
+};
+
+/// One state of the switches, drawn and timed.
+struct Drawn {
+  const char* name;
+  Switches switches;
+  std::unique_ptr<WallRenderer> renderer;
+  std::vector<double> times_s;
+  std::vector<double> processor_s;  // of all threads
+};
+
+/// Frames in turn with each state of the switches, so that whatever else the machine does strikes all alike.
+/// Counters: median milliseconds a frame, by the wall's clock and of processors, and these of the first
+/// state's.
+void measureInTurn(benchmark::State& state, Room& room) {
+  std::array<Drawn, 4> states{{{"euclid", kNoSwitches, {}, {}, {}},
+                               {"relativity", {}, {}, {}, {}},
+                               {"with_colour", kAllOn, {}, {}, {}},
+                               {"unsolved", kUnsolved, {}, {}, {}}}};
+  double t_s = 3.0;
+  for (Drawn& drawn : states) {
+    drawn.renderer = room.makeRenderer();
+    room.draw(*drawn.renderer, drawn.switches, t_s);  // compiles
+  }
+  for (auto _ : state) {
+    t_s = t_s < 8.0 ? t_s + 1.0 / 60.0 : 3.0;
+    for (Drawn& drawn : states) {
+      const std::clock_t before = std::clock();
+      drawn.times_s.push_back(secondsOf([&] { room.draw(*drawn.renderer, drawn.switches, t_s); }));
+      drawn.processor_s.push_back(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+    }
+  }
+  state.counters["vertices"] = room.vertices();
+  for (const Drawn& drawn : states) {
+    const std::string name = drawn.name;
+    state.counters[name + "_ms"] = 1e3 * medianOf(drawn.times_s);
+    state.counters[name + "_cpu_ms"] = 1e3 * medianOf(drawn.processor_s);
+    state.counters[name + "_ratio"] = medianOf(drawn.times_s) / medianOf(states[0].times_s);
+    state.counters[name + "_cpu_ratio"] = medianOf(drawn.processor_s) / medianOf(states[0].processor_s);
+  }
+}
+
+Graphics& graphics() {
+  static Graphics graphics;
+  return graphics;
+}
+
+// Four walls of 960 × 960, two eyes, no multisampling.
+void frame(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Game game;
+  Room room(graphics(), game.scene, game.histories);
+  measureInTurn(state, room);
+}
+
+// The same with a million vertices.
+void million(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Million body;
+  Room room(graphics(), body.scene, body.histories);
+  measureInTurn(state, room);
+}
+
+// The way through the CPU: a million vertices solved on one thread and handed to OpenGL, for two eyes. A
+// frame is then this and what `million` says of unsolved ones.
+void millionSolvedAndUploaded(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Million body;
+  Room room(graphics(), body.scene, body.histories);
+  constexpr std::size_t kCount = 1000000;
+  std::vector<float> offsets(3 * kCount), seen(3 * kCount);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double* p = body.scene.parts[0].mesh->GetPoint(static_cast<vtkIdType>(i));
+    for (std::size_t k = 0; k < 3; ++k) offsets[k * kCount + i] = static_cast<float>(p[k]);
+  }
+  const auto third = [&](std::vector<float>& values, std::size_t k) {
+    return std::span<float>(values).subspan(k * kCount, kCount);
+  };
+  const Points points{third(offsets, 0), third(offsets, 1), third(offsets, 2)};
+  const SeenPoints places{third(seen, 0), third(seen, 1), third(seen, 2), {}, {}};
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  BodyView view;
+  std::vector<double> solve_s, upload_s;
+  for (auto _ : state) {
+    for (const double side : {-0.032, 0.032}) {
+      solve_s.push_back(secondsOf([&] {
+        viewBody(room.history(1), {4.0, {side, -1.6, 0.85}}, room.headFromBoard(), view);
+        seePoints(view, points, places);
+      }));
+      upload_s.push_back(secondsOf([&] {
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(seen.size() * sizeof(float)), seen.data(),
+                     GL_STREAM_DRAW);
+        glFinish();
+      }));
+    }
+  }
+  glDeleteBuffers(1, &buffer);
+  state.counters["solve_ms"] = 2e3 * medianOf(solve_s);
+  state.counters["upload_ms"] = 2e3 * medianOf(upload_s);
+}
+
+BENCHMARK(frame)->Unit(benchmark::kMillisecond);
+BENCHMARK(million)->Unit(benchmark::kMillisecond);
+BENCHMARK(millionSolvedAndUploaded)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace carom
+
+BENCHMARK_MAIN();

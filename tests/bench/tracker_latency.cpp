@@ -1,0 +1,104 @@
+// How long a sample takes from its sending until a frame loop can read it: through the loopback, the
+// transport's thread, the decoder and the queue. With a core to spare, and with every core loaded by other
+// work. (Times are kept on one clock, since sender and reader are one program.)
+//   tracker_latency [SECONDS]     each of the two parts takes so long; 10 if not given
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "devices/dtrack_tracker.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::microseconds;
+
+constexpr int kRate_hz = 240;
+constexpr std::uint16_t kPort = 45123;
+constexpr std::chrono::milliseconds kBegin{200};  // the tracker listens by then
+
+double since_s(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Sends frames whose x says their number, and notes when each was sent.
+void send(std::vector<std::atomic<double>>& sent_s, Clock::time_point start) {
+  const int descriptor = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(kPort);
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  for (std::size_t i = 0; i < sent_s.size(); ++i) {
+    std::this_thread::sleep_until(start + kBegin + i * microseconds(1'000'000 / kRate_hz));
+    const double due_s = static_cast<double>(i) / kRate_hz;
+    const std::string frame = "fr " + std::to_string(i + 1) + "\r\nts " + std::to_string(due_s) +
+                              "\r\n6d 1 [0 1.000][" + std::to_string(i) + " 0 0][1 0 0 0 1 0 0 0 1]\r\n";
+    sent_s[i] = since_s(start);
+    sendto(descriptor, frame.data(), frame.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
+  }
+  close(descriptor);
+}
+
+void measure(const char* what, int seconds, unsigned loaded) {
+  std::atomic<bool> ended = false;
+  std::vector<std::jthread> load;
+  for (unsigned i = 0; i < loaded; ++i) {
+    load.emplace_back([&ended] {
+      volatile double x = 1.0;
+      while (!ended) x = std::sqrt(x + 1.0);
+    });
+  }
+  const Clock::time_point start = Clock::now();
+  carom::DeviceTracker tracker(
+      carom::dtrackTransport(carom::readDtrackSource("udp://127.0.0.1:" + std::to_string(kPort))), start);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  std::vector<std::atomic<double>> sent_s(static_cast<std::size_t>(seconds) * kRate_hz);
+  std::jthread sender([&] { send(sent_s, start); });
+  std::vector<double> delays_s;
+  std::vector<carom::TrackerSample> samples;
+  samples.reserve(4096);
+  // A frame loop polls once a frame; this one, all the time, so that only the way to the queue is seen.
+  while (delays_s.size() < sent_s.size() && since_s(start) < seconds + 2.0) {
+    samples.clear();
+    tracker.poll(1e9, samples);
+    const double now_s = since_s(start);
+    for (const carom::TrackerSample& sample : samples) {
+      const auto number = static_cast<std::size_t>(std::lround(sample.pose.position_m.x * 1e3));
+      delays_s.push_back(now_s - sent_s.at(number));
+    }
+    std::this_thread::sleep_for(microseconds(20));
+  }
+  ended = true;
+  if (delays_s.empty()) {
+    std::fprintf(stderr, "nothing came: is port %d taken?\n", kPort);
+    std::exit(1);
+  }
+  std::sort(delays_s.begin(), delays_s.end());
+  const auto part = [&](double p) {
+    return delays_s[static_cast<std::size_t>(p * static_cast<double>(delays_s.size() - 1))] * 1e6;
+  };
+  std::printf(
+      "%-28s %6zu of %zu samples   median %5.0f µs   99 %% %5.0f µs   99.9 %% %5.0f µs   all %5.0f µs\n",
+      what, delays_s.size(), sent_s.size(), part(0.5), part(0.99), part(0.999), part(1.0));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int seconds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 10;
+  measure("with a core to spare:", seconds, 0);
+  measure("with every core loaded:", seconds, std::max(1u, std::thread::hardware_concurrency()));
+  return 0;
+}

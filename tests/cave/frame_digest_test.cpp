@@ -1,0 +1,28 @@
+// Whether nodes that show different things are found out.
+#include "cave/frame_digest.h"
+
+#include <gtest/gtest.h>
+
+namespace carom {
+namespace {
+
+constexpr std::size_t kSwitchesField = 3;
+
+TEST(FrameDigest, EachOfTheOperatorsChoicesCounts) {
+  ASSERT_STREQ(FrameDigest::kFields[kSwitchesField], "switches");
+  const FrameState plain;
+  for (const WallControls& controls :
+       {WallControls{Shown::testPattern, 0, 0}, WallControls{Shown::seamPattern, 0, 0},
+        WallControls{Shown::session, 1, 0}, WallControls{Shown::session, 0, 1}}) {
+    FrameState other;
+    other.record.controls = controls;
+    const FrameDigest expected = digestOf(plain, {}), found = digestOf(other, {});
+    for (std::size_t field = 0; field < FrameDigest::kFields.size(); ++field) {
+      EXPECT_EQ(expected.fields[field] != found.fields[field], field == kSwitchesField)
+          << FrameDigest::kFields[field];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,570 @@
+// Walls as they are drawn against rays traced backwards and meshes solved by halving
+// (reference/ray_reference.h): every body's silhouette at 1920 × 1920, to a pixel.
+#include "reference/ray_reference.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "app/scenario.h"
+#include "cave/puck_model.h"
+#include "cave/reference_views.h"
+#include "engine/mesh_emission.h"
+#include "engine/random_world.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+constexpr int kWall_px = 1920;
+constexpr double kWall_m = 3.0, kWallDistance_m = 1.5;  // a wall of a CAVE from its middle
+constexpr double kSilhouette_px = 1.0;
+// In the middle of a bounce the front of the news runs across the facets of a puck, and what is bent within a
+// facet is drawn straight: off by less than half its largest edge, an eighth of the puck's width.
+constexpr double kFacetShare = 0.0625;
+
+/// A body of a picture, for the reference.
+struct ReferenceBody {
+  int number = 0;
+  std::vector<reference::Leg> legs;
+  std::optional<reference::Shape> shape;  // for ray tracing
+  reference::Mesh fine;                   // for halving
+  std::vector<Vec3> rim;                  // its outermost points
+};
+
+ReferenceBody puckBody(int number, const WorldLine& line, double radius_m, double height_m) {
+  ReferenceBody body{number,
+                     test::referenceLegs(line),
+                     reference::puckShape(radius_m, height_m),
+                     reference::puckMesh(radius_m, height_m, 4),
+                     {}};
+  const reference::Mesh coarse = reference::puckMesh(radius_m, height_m, 1);
+  for (std::size_t i = 0; i < coarse.points.size(); i += 2) body.rim.push_back(coarse.points[i]);
+  return body;
+}
+
+ReferenceBody meshBody(int number, const WorldLine& line, vtkPolyData& mesh) {
+  constexpr std::size_t kBruteForce = 6000;  // triangles
+  ReferenceBody body{number, test::referenceLegs(line), {}, test::referenceMesh(mesh), {}};
+  for (std::size_t i = 0; i < body.fine.points.size(); i += 1 + body.fine.points.size() / 300) {
+    body.rim.push_back(body.fine.points[i]);
+  }
+  if (body.fine.triangles.size() > kBruteForce) return body;
+  body.shape = reference::meshShape(body.fine);
+  body.fine = reference::fourTimesFiner(body.fine);
+  return body;
+}
+
+/// One body as one eye sees it on one screen.
+class ReferenceView {
+ public:
+  ReferenceView(const ReferenceBody& body, const reference::Eye& eye, const reference::Screen& screen)
+      : body_(body), legs_(test::knownTo(eye, body.legs)), eye_(eye), screen_(screen) {
+    bool braked = false;
+    for (const reference::Leg& leg : legs_) braked = braked || leg.brake > 0.0;
+    settled_ = reference::commonLeg(legs_, body.rim, eye).has_value();
+    traced_ = body.shape && settled_ && !braked;
+    if (!traced_) mesh_.emplace(legs_, body.fine, eye, screen);
+    for (const Vec3& d : body.rim) {
+      const auto p = screen.pixelOf(eye.seen(reference::PointLine(legs_, d).emission(eye.event)));
+      if (!(p.depth > 0.02)) {
+        behind_ = true;
+        continue;
+      }
+      left_ = std::min(left_, p.x), right_ = std::max(right_, p.x);
+      bottom_ = std::min(bottom_, p.y), top_ = std::max(top_, p.y);
+    }
+    const double margin_px = 8.0 + 0.05 * std::max(right_ - left_, top_ - bottom_);
+    left_ -= margin_px, right_ += margin_px, bottom_ -= margin_px, top_ += margin_px;
+  }
+
+  int number() const { return body_.number; }
+  bool traced() const { return traced_; }
+  bool settled() const { return settled_; }  ///< no point of it is on its way between two legs
+  bool behind() const { return behind_; }    ///< some of it is beside or behind the eye
+  bool onScreen() const {
+    return right_ > 0 && top_ > 0 && left_ < screen_.width && bottom_ < screen_.height;
+  }
+  bool mayCover(double x, double y) const { return x >= left_ && x <= right_ && y >= bottom_ && y <= top_; }
+  std::array<int, 4> box() const {
+    const auto within = [](double at, double most) { return static_cast<int>(std::clamp(at, 0.0, most)); };
+    return {within(left_, screen_.width), within(right_, screen_.width), within(bottom_, screen_.height),
+            within(top_, screen_.height)};
+  }
+
+  std::optional<double> depthAt(double x, double y) const {
+    if (!mayCover(x, y)) return std::nullopt;
+    return traced_ ? tracedDepth(x, y) : mesh_->depthAt(x, y);
+  }
+  std::optional<double> tracedDepth(double x, double y) const {
+    const Vec3 direction = screen_.direction(x, y);
+    const auto distance = reference::trace(legs_, *body_.shape, eye_, direction);
+    return distance ? std::optional(screen_.depthAlong(direction, *distance)) : std::nullopt;
+  }
+
+ private:
+  const ReferenceBody& body_;
+  std::vector<reference::Leg> legs_;
+  reference::Eye eye_;
+  reference::Screen screen_;
+  bool traced_ = false, settled_ = false, behind_ = false;
+  std::optional<reference::SeenMesh> mesh_;
+  double left_ = 1e9, right_ = -1e9, bottom_ = 1e9, top_ = -1e9;
+};
+
+/// Would a picture that shows body `number` (0: none) at a place of the screen be right? Pucks in contact lie
+/// within each other by fractions of a millimetre until the news has arrived; which of two is nearer by less
+/// than a hundredth of the distance is left to the facets of their rims.
+bool isRight(const std::vector<ReferenceView>& views, int number, double x, double y) {
+  constexpr double kTouching = 1.01;
+  double nearest = std::numeric_limits<double>::infinity(), shown = nearest;
+  for (const ReferenceView& view : views) {
+    const auto depth = view.depthAt(x, y);
+    if (!depth) continue;
+    nearest = std::min(nearest, *depth);
+    if (view.number() == number) shown = *depth;
+  }
+  return number == 0 ? std::isinf(nearest) : std::isfinite(shown) && shown <= nearest * kTouching;
+}
+
+/// How far from (x, y) something first is right, to a twentieth of itself; infinite beyond a hundred pixels.
+template <typename IsRight>
+double distanceTo_px(const IsRight& right, double x, double y) {
+  for (double radius = 0.05; radius < 100.0; radius *= 1.05) {
+    for (int i = 0; i < 24; ++i) {
+      const double angle = i * std::numbers::pi / 12.0;
+      if (right(x + radius * std::cos(angle), y + radius * std::sin(angle))) return radius;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+struct Comparison {
+  double worst_px = 0.0;         ///< farthest that a drawn silhouette lies from the reference's
+  double worstTurning_px = 0.0;  ///< the same near bodies in the middle of a bounce
+  double turningShare = 0.0;     ///< the same as a share of the body's width
+  long lit = 0, checked = 0, differing = 0;
+  int bodies = 0, tracedBodies = 0, turningBodies = 0;
+
+  void add(const Comparison& other) {
+    worst_px = std::max(worst_px, other.worst_px);
+    worstTurning_px = std::max(worstTurning_px, other.worstTurning_px);
+    turningShare = std::max(turningShare, other.turningShare);
+    lit += other.lit, checked += other.checked, differing += other.differing;
+    bodies += other.bodies, tracedBodies += other.tracedBodies, turningBodies += other.turningBodies;
+  }
+  void print(const char* what) const {
+    std::printf(
+        "%s: %d silhouettes (%d by rays), %ld pixels lit, %ld checked, %ld differ, the worst by %.2f px; "
+        "%d in the middle of a bounce, by %.2f px, %.4f of the width\n",
+        what, bodies, tracedBodies, lit, checked, differing, worst_px, turningBodies, worstTurning_px,
+        turningShare);
+  }
+};
+
+/// Is the pixel within two of a silhouette, or one of a grid of 8 by 8?
+bool worthChecking(const Image& image, int x, int y) {
+  if (x % 8 == 0 && y % 8 == 0) return true;
+  const int number = test::numberAt(image, x, y);
+  for (int dy = -2; dy <= 2; dy += 2) {
+    for (int dx = -2; dx <= 2; dx += 2) {
+      const int nx = x + dx, ny = y + dy;
+      if (nx < 0 || ny < 0 || nx >= image.size_px.x || ny >= image.size_px.y) continue;
+      if (test::numberAt(image, nx, ny) != number) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether every lit pixel of the picture lies where the reference expects a body at all.
+long litOutside(const Image& image, const std::vector<ReferenceView>& views, Comparison& comparison) {
+  long outside = 0;
+  for (int y = 0; y < image.size_px.y; ++y) {
+    for (int x = 0; x < image.size_px.x; ++x) {
+      if (test::numberAt(image, x, y) == 0) continue;
+      ++comparison.lit;
+      const bool expected = std::any_of(views.begin(), views.end(), [&](const ReferenceView& view) {
+        return view.mayCover(x + 0.5, y + 0.5);
+      });
+      outside += expected ? 0 : 1;
+    }
+  }
+  return outside;
+}
+
+Comparison compare(const Image& image, const std::vector<ReferenceView>& views) {
+  Comparison comparison;
+  EXPECT_EQ(litOutside(image, views, comparison), 0);
+  const auto nearTurning = [&](int x, int y) {
+    return std::any_of(views.begin(), views.end(), [&](const ReferenceView& view) {
+      return !view.settled() && view.mayCover(x + 0.5, y + 0.5);
+    });
+  };
+  for (const ReferenceView& view : views) {
+    if (!view.onScreen()) continue;
+    ++comparison.bodies;
+    comparison.tracedBodies += view.traced() ? 1 : 0;
+    comparison.turningBodies += view.settled() ? 0 : 1;
+    const auto [left, end, bottom, top] = view.box();
+    for (int y = bottom; y < top; ++y) {
+      for (int x = left; x < end; ++x) {
+        if (!worthChecking(image, x, y)) continue;
+        ++comparison.checked;
+        const int number = test::numberAt(image, x, y);
+        const auto right = [&](double px, double py) { return isRight(views, number, px, py); };
+        if (right(x + 0.5, y + 0.5)) continue;
+        ++comparison.differing;
+        const double off_px = distanceTo_px(right, x + 0.5, y + 0.5);
+        const bool turning = nearTurning(x, y);
+        double& worst = turning ? comparison.worstTurning_px : comparison.worst_px;
+        worst = std::max(worst, off_px);
+        const double share = off_px / std::max(end - left, top - bottom);
+        if (turning && off_px > kSilhouette_px)
+          comparison.turningShare = std::max(comparison.turningShare, share);
+      }
+    }
+  }
+  return comparison;
+}
+
+/// The bodies on a wall; none if one of them reaches beside or behind the eye.
+std::vector<ReferenceView> viewsOn(const Wall& wall, const std::vector<ReferenceBody>& bodies,
+                                   const test::Look& look, double c_m_s) {
+  const reference::Screen screen = test::screenOf(wall, look.inRoom_m);
+  std::vector<ReferenceView> views;
+  for (const ReferenceBody& body : bodies) views.emplace_back(body, look.eye(c_m_s), screen);
+  const bool behind = std::any_of(views.begin(), views.end(),
+                                  [](const ReferenceView& view) { return view.behind() && view.onScreen(); });
+  if (behind) views.clear();
+  return views;
+}
+
+/// The wall of a CAVE that the eye sees a place of a body on.
+Wall wallTowards(const test::Look& look, const ReferenceBody& body, double c_m_s) {
+  const reference::Eye eye = look.eye(c_m_s);
+  const auto legs = test::knownTo(eye, body.legs);
+  const Vec3 seen = eye.seen(reference::PointLine(legs, Vec3(0.0)).emission(eye.event));
+  return test::squareWall(look.inRoom_m, seen, kWallDistance_m, kWall_m, kWall_px);
+}
+
+// ---- shipped scenarios ----------------------------------------------------------------------------------
+
+/// A scenario being played, and the few bodies of it that are looked at.
+struct Game {
+  Scenario scenario;
+  std::vector<WorldLine> lines;       // of all bodies, in the scene's order
+  std::vector<ReferenceBody> bodies;  // the target first
+  Scene scene;                        // of these alone, each with its number
+  Scene fineScene;                    // the same, its pucks with the reference's mesh
+};
+
+/// The pucks of the first collisions, the one that turns first before all others; without collisions, the
+/// first pucks.
+std::vector<std::size_t> interestingPucks(const Scenario& scenario, const Billiard& billiard) {
+  constexpr std::size_t kMost = 4;
+  std::vector<std::size_t> pucks;
+  const auto add = [&](std::size_t puck) {
+    if (pucks.size() < kMost && std::find(pucks.begin(), pucks.end(), puck) == pucks.end())
+      pucks.push_back(puck);
+  };
+  for (const Collision& collision : billiard.collisions()) {
+    for (const Turn& turn : collision.turns) add(turn.puck);
+  }
+  for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) add(i);
+  return pucks;
+}
+
+Game play(const std::filesystem::path& file) {
+  constexpr double kUntil_s = 8.0;
+  Game game{readScenario(file), {}, {}, {}, {}};
+  const BilliardSetup& setup = game.scenario.billiard;
+  Billiard billiard(setup);
+  billiard.advanceTo(kUntil_s);
+  game.lines.assign(billiard.worldLines().begin(), billiard.worldLines().end());
+  for (const ToldBody& body : game.scenario.bodies) game.lines.push_back(body.worldLine);
+
+  const auto pathOf = [](const auto& mesh) { return mesh ? mesh->string() : std::string(); };
+  std::vector<BodyLooks> pucks, told;
+  for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+    pucks.push_back({setup.pucks[i].name, pathOf(game.scenario.puckMeshes[i]), setup.pucks[i].radius_m,
+                     setup.pucks[i].height_m});
+  }
+  for (const ToldBody& body : game.scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
+  const Scene whole = buildScene(setup, pucks, told);
+  game.scene.bodyCount = whole.bodyCount;
+  game.fineScene.bodyCount = whole.bodyCount;
+
+  const auto partOf = [&](std::size_t body) {
+    return std::find_if(
+               whole.parts.begin(), whole.parts.end(),
+               [&](const ScenePart& part) { return part.body == body && part.paint != Paint::shadow; })
+        ->mesh;
+  };
+  std::vector<std::size_t> chosen = interestingPucks(game.scenario, billiard);
+  for (std::size_t i = 0; i < told.size() && i < 2; ++i) {
+    if (!std::isfinite(game.scenario.bodies[i].worldLine.appears_s())) chosen.push_back(pucks.size() + i);
+  }
+  for (const std::size_t i : chosen) {
+    const int number = static_cast<int>(game.bodies.size()) + 1;
+    const bool builtIn = i < pucks.size() && pucks[i].meshPath.empty();
+    game.bodies.push_back(builtIn ? puckBody(number, game.lines[i], pucks[i].radius_m, pucks[i].height_m)
+                                  : meshBody(number, game.lines[i], *partOf(i + 1)));
+    test::addNumbered(game.scene, whole, i + 1, number);
+    test::addNumbered(game.fineScene, whole, i + 1, number);
+    if (builtIn) game.fineScene.parts.back().mesh = test::polyData(game.bodies.back().fine);
+  }
+  return game;
+}
+
+/// An eye near the place where the target is at time `t` (c t) that sees its centre as it is then.
+test::Look lookAt(const ReferenceBody& target, double t, const Vec3& fromTarget_m, const Vec3& beta,
+                  double c_m_s) {
+  const Vec3 place_m = reference::PointLine(target.legs, Vec3(0.0)).at(t);
+  const Vec3 turn_m = target.legs.size() > 1 ? target.legs[1].turn.r : place_m;
+  const Vec3 eye_m = turn_m + fromTarget_m;
+  return {{(t + glm::length(eye_m - place_m)) / c_m_s, eye_m}, beta};
+}
+
+/// Times of the target (c t) to look at: before its first bounce, during it, after it; or one if there is
+/// none.
+std::vector<double> interestingTimes(const ReferenceBody& target, const Vec3& fromTarget_m, double c_m_s) {
+  if (target.legs.size() == 1) return {c_m_s * 1.0};
+  const double turn = target.legs[1].turn.t, step = 0.02;
+  const auto legAt = [&](double t) {
+    const reference::Eye eye = lookAt(target, t, fromTarget_m, Vec3(0.0), c_m_s).eye(c_m_s);
+    return reference::commonLeg(test::knownTo(eye, target.legs), target.rim, eye);
+  };
+  double before = turn - step, after = turn + step;
+  for (int i = 0; i < 200 && legAt(before) != 0; ++i) before -= step;
+  for (int i = 0; i < 200 && legAt(after).value_or(0) == 0; ++i) after += step;
+  std::vector<double> turning;
+  for (double t = before; t < after; t += 0.2 * step) {
+    if (!legAt(t)) turning.push_back(t);
+  }
+  const double during = turning.empty() ? turn : turning[turning.size() / 2];
+  return {before, during, after};
+}
+
+class RayReference : public testing::Test {
+ protected:
+  Graphics graphics_;
+};
+
+TEST_F(RayReference, SilhouettesOfEveryShippedScenario) {
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
+    if (entry.path().extension() == ".toml") files.insert(entry.path());
+  }
+  EXPECT_GE(files.size(), 2U);
+  const Vec3 fromTarget_m(0.12, -0.45, 0.3);
+  Comparison all, allFine;
+  for (const std::filesystem::path& file : files) {
+    const Game game = play(file);
+    if (game.bodies.empty()) continue;
+    const double c_m_s = game.scenario.billiard.lightSpeed_m_s;
+    WallRenderer renderer(graphics_, game.scene, c_m_s, 1);
+    WallRenderer fineRenderer(graphics_, game.fineScene, c_m_s, 1);
+    Comparison of;
+    for (const double t : interestingTimes(game.bodies.front(), fromTarget_m, c_m_s)) {
+      for (const Vec3& beta : {Vec3(0.0), 0.7 * glm::normalize(Vec3(0.8, 0.6, 0.1)),
+                               0.95 * glm::normalize(fromTarget_m + Vec3(0.1, 0.0, 0.0))}) {
+        SCOPED_TRACE(testing::Message() << file.filename() << ", target as at " << t / c_m_s
+                                        << " s, observer at " << glm::length(beta) << " c");
+        const test::Look look = lookAt(game.bodies.front(), t, fromTarget_m, beta, c_m_s);
+        const Wall wall = wallTowards(look, game.bodies.front(), c_m_s);
+        const auto views = viewsOn(wall, game.bodies, look, c_m_s);
+        if (views.empty()) continue;
+        const Comparison picture = compare(test::drawn(graphics_, renderer, game.lines, look, wall), views);
+        EXPECT_GT(picture.lit, 0);
+        EXPECT_LT(picture.worst_px, kSilhouette_px);
+        EXPECT_LT(picture.turningShare, kFacetShare);
+        of.add(picture);
+        if (picture.turningBodies == 0) continue;
+        const Comparison fine = compare(test::drawn(graphics_, fineRenderer, game.lines, look, wall), views);
+        EXPECT_LT(std::max(fine.worst_px, fine.worstTurning_px), kSilhouette_px) << "drawn finely";
+        allFine.add(fine);
+      }
+    }
+    of.print(file.filename().c_str());
+    EXPECT_GE(of.bodies, 1) << file;
+    all.add(of);
+  }
+  all.print("all scenarios");
+  allFine.print("those with a body in the middle of a bounce, drawn finely");
+  EXPECT_GT(all.tracedBodies, 10);
+  EXPECT_GE(all.turningBodies, 3);
+}
+
+// ---- random flights -------------------------------------------------------------------------------------
+
+/// The mesh that is drawn: the built-in puck's, or the reference's own, four times finer.
+enum class Drawn { builtIn, fine };
+
+Scene puckScene(double radius_m, double height_m, Drawn drawn) {
+  Scene plain;
+  plain.parts = puckParts(radius_m, height_m, 1, glm::vec3(1.0F));
+  if (drawn == Drawn::fine)
+    plain.parts.back().mesh = test::polyData(reference::puckMesh(radius_m, height_m, 4));
+  Scene scene;
+  scene.bodyCount = 2;
+  test::addNumbered(scene, plain, 1, 1);
+  return scene;
+}
+
+/// Are the outlines of a size that tells something?
+bool tellingSize(const ReferenceBody& body, const reference::Eye& eye, const reference::Screen& screen) {
+  const ReferenceBody outline{body.number, body.legs, {}, {}, body.rim};
+  const auto [left, right, bottom, top] = ReferenceView(outline, eye, screen).box();
+  const int least = std::min(right - left, top - bottom), most = std::max(right - left, top - bottom);
+  return least > 40 && most < 900;
+}
+
+/// Looks at random flights until `pictures` of them are large enough to tell something.
+template <typename MakeLine, typename Accept>
+Comparison compareRandom(Graphics& graphics, std::uint64_t seed, int pictures, Drawn drawn,
+                         const MakeLine& makeLine, const Accept& accept) {
+  test::Random random(seed);
+  Comparison all;
+  const std::array<double, 3> observers{0.0, 0.7, 0.95};
+  for (int tries = 0, made = 0; made < pictures && tries < 100 * pictures; ++tries) {
+    const double radius_m = random.in(0.03, 0.08), height_m = random.in(0.3, 1.0) * radius_m;
+    const WorldLine line = makeLine(random, radius_m);
+    const std::vector<ReferenceBody> bodies{puckBody(1, line, radius_m, height_m)};
+    const double beta = observers[static_cast<std::size_t>(made % 3)];
+    const double t = kC_m_s * (line.knots().back().turn.t_s + random.in(-0.2, 0.4));
+    test::Look look =
+        lookAt(bodies[0], t, random.direction() * random.in(0.3, 1.0), random.direction() * beta, kC_m_s);
+    const reference::Eye eye = look.eye(kC_m_s);
+    if (!accept(bodies[0], eye)) continue;
+    const Wall wall = wallTowards(look, bodies[0], kC_m_s);
+    if (!tellingSize(bodies[0], eye, test::screenOf(wall, look.inRoom_m))) continue;
+    WallRenderer renderer(graphics, puckScene(radius_m, height_m, drawn), kC_m_s, 1);
+    SCOPED_TRACE(testing::Message() << "try " << tries << " of seed " << seed << ": radius " << radius_m
+                                    << " m, speed " << glm::length(bodies[0].legs.back().v)
+                                    << " c, observer at " << beta << " c");
+    const auto views = viewsOn(wall, bodies, look, kC_m_s);
+    if (views.empty()) continue;
+    const Comparison picture = compare(test::drawn(graphics, renderer, {&line, 1}, look, wall), views);
+    EXPECT_GT(picture.lit, 0);
+    EXPECT_LT(std::max(picture.worst_px, picture.worstTurning_px), kSilhouette_px);
+    all.add(picture);
+    ++made;
+  }
+  return all;
+}
+
+TEST_F(RayReference, StraightFlightsUpTo99HundredthsOfLight) {
+  const auto line = [](test::Random& random, double radius_m) {
+    const std::array<double, 3> speeds{0.6, 0.9, 0.99};
+    const double speed = speeds[static_cast<std::size_t>(random.in(0.0, 3.0))];
+    const Knot knot{{0.0, random.inBox(0.5)}, uFromBeta(random.direction() * speed), 0.0, {}, 0.0};
+    return WorldLine(knot, kC_m_s, radius_m);
+  };
+  const Comparison all = compareRandom(graphics_, 61, 30, Drawn::builtIn, line,
+                                       [](const ReferenceBody&, const reference::Eye&) { return true; });
+  all.print("straight flights");
+  EXPECT_EQ(all.tracedBodies, 30);
+}
+
+TEST_F(RayReference, BodiesInTheMiddleOfABounceUpToNineTenthsOfLight) {
+  const auto line = [](test::Random& random, double radius_m) {
+    return randomWorldLine(random, kC_m_s, radius_m, 1 + static_cast<int>(random.in(0.0, 3.0)), 0.3, 0.9);
+  };
+  const auto turning = [](const ReferenceBody& body, const reference::Eye& eye) {
+    const auto legs = test::knownTo(eye, body.legs);
+    return legs.size() > 1 && !reference::commonLeg(legs, body.rim, eye);
+  };
+  const Comparison all = compareRandom(graphics_, 62, 18, Drawn::fine, line, turning);
+  all.print("in the middle of a bounce");
+  EXPECT_EQ(all.turningBodies, 18);
+}
+
+// The two ways of the reference share no step: rays in the body's rest frame, halving on the board.
+TEST(RayReferenceItself, RaysAndHalvingAgree) {
+  test::Random random(63);
+  double worst_px = 0.0;
+  int covered = 0;
+  for (int i = 0; i < 12; ++i) {
+    const double radius_m = random.in(0.05, 0.15);
+    const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, i % 3, 1.5, 0.9);
+    const ReferenceBody body = puckBody(1, line, radius_m, radius_m);
+    const test::Look look =
+        lookAt(body, kC_m_s * (line.knots().back().turn.t_s + 1.0), random.direction() * random.in(0.5, 1.0),
+               random.direction() * 0.7, kC_m_s);
+    const reference::Screen screen = test::screenOf(wallTowards(look, body, kC_m_s), look.inRoom_m);
+    const ReferenceView view(body, look.eye(kC_m_s), screen);
+    if (!view.traced() || view.behind()) continue;
+    const auto legs = test::knownTo(look.eye(kC_m_s), body.legs);
+    const reference::SeenMesh mesh(legs, body.fine, look.eye(kC_m_s), screen);
+    const auto [left, right, bottom, top] = view.box();
+    for (int k = 0; k < 2000; ++k) {
+      const double x = random.in(left, right), y = random.in(bottom, top);
+      const auto ray = view.tracedDepth(x, y), halved = mesh.depthAt(x, y);
+      if (ray.has_value() != halved.has_value()) {
+        const auto agrees = [&](double px, double py) {
+          return mesh.depthAt(px, py).has_value() == ray.has_value();
+        };
+        worst_px = std::max(worst_px, distanceTo_px(agrees, x, y));
+      } else if (ray) {
+        ++covered;
+        // 288 flat sectors: the sagitta R (1 − cos(π/288)), as a share of the distance, seen at a slant.
+        ASSERT_NEAR(*ray / *halved, 1.0, 3e-3) << "case " << i << " at " << x << " " << y;
+      }
+    }
+  }
+  std::printf("rays and halving: outlines within %.2f px, %d depths compared\n", worst_px, covered);
+  EXPECT_LT(worst_px, 0.3);
+  EXPECT_GT(covered, 3000);
+}
+
+// Where the solve in float puts the very vertices that are drawn, against halving of their world lines.
+TEST(RayReferenceItself, VerticesInTheMiddleOfABounce) {
+  test::Random random(64);
+  double worst_px = 0.0;
+  long vertices = 0, catchingUp = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double radius_m = random.in(0.03, 0.15);
+    const WorldLine line =
+        randomWorldLine(random, kC_m_s, radius_m, 1 + static_cast<int>(random.in(0.0, 4.0)), 0.2, 0.9);
+    const reference::Mesh mesh =
+        test::referenceMesh(*puckParts(radius_m, radius_m, 1, glm::vec3(1.0F)).back().mesh);
+    std::vector<float> x, y, z;
+    for (const Vec3& p : mesh.points) {
+      x.push_back(static_cast<float>(p.x)), y.push_back(static_cast<float>(p.y)),
+          z.push_back(static_cast<float>(p.z));
+    }
+    const ReferenceBody body{1, test::referenceLegs(line), {}, {}, {}};
+    const test::Look look =
+        lookAt(body, kC_m_s * (line.knots().back().turn.t_s + random.in(-0.05, 0.15)),
+               random.direction() * random.in(0.3, 1.0), random.direction() * random.in(0, 0.95), kC_m_s);
+    const reference::Eye eye = look.eye(kC_m_s);
+    BodyView view;
+    viewBody(line, look.observation, look.headFromBoard(kC_m_s), view);
+    std::vector<float> seenX(x.size()), seenY(x.size()), seenZ(x.size());
+    seePoints(view, {x, y, z}, {seenX, seenY, seenZ, {}, {}});
+    for (std::size_t k = 0; k < x.size(); k += 7) {
+      const reference::PointLine point(body.legs, mesh.points[k]);
+      const reference::Event emission = point.emission(eye.event);
+      const Vec3 exact = eye.seen(emission);
+      const Vec3 solved(seenX[k], seenY[k], seenZ[k]);
+      // As pixels of a wall that is looked at square: its width is 1920 for 3 m at 1.5 m.
+      const double angle = glm::length(glm::cross(exact, solved)) / glm::dot(exact, exact);
+      worst_px = std::max(worst_px, angle * kWall_px * kWallDistance_m / kWall_m);
+      ASSERT_LT(angle, 1e-4) << "world line " << i << " vertex " << k;
+      ASSERT_NEAR(glm::length(solved) / glm::length(exact), 1.0, 1e-4)
+          << "world line " << i << " vertex " << k;
+      ++vertices;
+      catchingUp += point.catchingUpAt(emission.t) ? 1 : 0;
+    }
+  }
+  std::printf("vertices: %ld, %ld of them catching up, the worst %.4f px off\n", vertices, catchingUp,
+              worst_px);
+  EXPECT_LT(worst_px, 0.05);
+  EXPECT_GT(catchingUp, 1000);
+}
+
+}  // namespace
+}  // namespace carom

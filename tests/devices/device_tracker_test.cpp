@@ -1,0 +1,196 @@
+// What a device's thread delivers, as the frame sees it.
+
+#include "devices/device_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+namespace carom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using State = TrackerHealth::State;
+
+double since_s(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Reading poseOf(int sensor, double device_s) {
+  Reading reading;
+  reading.sensor = sensor;
+  reading.device_s = device_s;
+  return reading;
+}
+
+/// Waits for what a thread brings about; the limit only ends a test that has failed.
+template <class Condition>
+bool comesTrue(const Condition& condition) {
+  for (int i = 0; i < 5000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  return false;
+}
+
+/// A transport that does one thing and then waits for the end.
+Transport once(std::function<void(DeviceSink&)> act) {
+  return [act = std::move(act)](const std::stop_token& stop, DeviceSink& sink) {
+    act(sink);
+    while (!stop.stop_requested()) std::this_thread::sleep_for(milliseconds(1));
+  };
+}
+
+TEST(DeviceTracker, GivesDeviceTimesLessTheLatency) {
+  const auto start = Clock::now() - std::chrono::seconds(100);
+  DeviceTracker tracker(once([&](DeviceSink& sink) {
+                          sink.connected();
+                          for (int i = 0; i < 60; ++i) {
+                            // Every tenth packet is 9 ms behind the others.
+                            Reading reading = poseOf(0, 7000.0 + 0.01 * i);
+                            reading.latency_s = 0.004;
+                            const double arrival_s = 10.0 + 0.01 * i + (i % 10 == 5 ? 0.009 : 0.0);
+                            sink.deliver({&reading, 1},
+                                         start + std::chrono::duration_cast<Clock::duration>(
+                                                     std::chrono::duration<double>(arrival_s)));
+                          }
+                        }),
+                        start);
+  ASSERT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).samples == 60; }));
+  std::vector<TrackerSample> samples;
+  tracker.poll(10.3, samples);
+  EXPECT_LT(samples.size(), 40u) << "later ones wait for their time";
+  tracker.poll(200.0, samples);
+  ASSERT_EQ(samples.size(), 60u);
+  for (int i = 0; i < 60; ++i) EXPECT_NEAR(samples[i].time_s, 10.0 + 0.01 * i - 0.004, 1e-6) << i;
+}
+
+TEST(DeviceTracker, StampsWithTheArrivalWhereTheDeviceHasNoClock) {
+  const auto start = Clock::now() - std::chrono::seconds(10);
+  DeviceTracker tracker(once([&](DeviceSink& sink) {
+                          Reading reading = poseOf(0, std::nan(""));
+                          sink.deliver({&reading, 1}, start + std::chrono::seconds(3));
+                        }),
+                        start);
+  std::vector<TrackerSample> samples;
+  ASSERT_TRUE(comesTrue([&] { return tracker.poll(10.0, samples), !samples.empty(); }));
+  EXPECT_EQ(samples[0].time_s, 3.0);
+}
+
+TEST(DeviceTracker, DropsWhatComesAfterALaterOneOfItsSensor) {
+  const auto start = Clock::now() - std::chrono::seconds(10);
+  DeviceTracker tracker(
+      once([&](DeviceSink& sink) {
+        const Reading readings[]{poseOf(0, 1.0),  poseOf(1, 1.0),  poseOf(0, 1.1),
+                                 poseOf(0, 1.09), poseOf(1, 1.09), poseOf(0, 1.1)};
+        for (int i = 0; i < 6; ++i) {
+          sink.deliver({&readings[i], 1}, start + milliseconds(2000 + (i < 2 ? 0 : 100 + i)));
+        }
+      }),
+      start);
+  ASSERT_TRUE(comesTrue([&] { return tracker.health(10.0).samples == 4 && tracker.health(10.0).late == 2; }));
+  std::vector<TrackerSample> samples;
+  tracker.poll(10.0, samples);
+  ASSERT_EQ(samples.size(), 4u);
+  EXPECT_EQ(samples[3].sensor, 1);
+}
+
+TEST(DeviceTracker, HandsOverInputsBesideSamples) {
+  const auto start = Clock::now() - std::chrono::seconds(10);
+  DeviceTracker tracker(once([&](DeviceSink& sink) {
+                          Reading pressed = poseOf(2, 5.0);
+                          pressed.kind = Reading::Kind::button;
+                          pressed.index = 3;
+                          pressed.value = 1.0;
+                          const Reading readings[]{poseOf(0, 5.0), pressed};
+                          sink.deliver(readings, start + std::chrono::seconds(1));
+                        }),
+                        start);
+  std::vector<TrackerSample> samples;
+  std::vector<Reading> inputs;
+  ASSERT_TRUE(comesTrue([&] {
+    tracker.poll(10.0, samples);
+    tracker.takeInputs(inputs);
+    return !inputs.empty();
+  }));
+  ASSERT_EQ(inputs.size(), 1u);
+  EXPECT_EQ(inputs[0].index, 3);
+  EXPECT_EQ(inputs[0].device_s, 1.0) << "on the session's clock";
+  tracker.poll(10.0, samples);
+  inputs.clear();
+  tracker.takeInputs(inputs);
+  EXPECT_TRUE(inputs.empty()) << "each is handed over once";
+}
+
+TEST(DeviceTracker, TellsHowItFares) {
+  const auto start = Clock::now();
+  std::atomic<int> step = 0;
+  DeviceTracker tracker(
+      [&](const std::stop_token& stop, DeviceSink& sink) {
+        int done = 0;
+        while (!stop.stop_requested()) {
+          std::this_thread::sleep_for(milliseconds(1));
+          if (done == step) continue;
+          ++done;
+          const Reading reading = poseOf(0, std::nan(""));
+          if (done == 1) sink.connected();
+          if (done == 2) sink.deliver({&reading, 1}, Clock::now());
+          if (done == 3) sink.disconnected("pulled out");
+          if (done == 4) sink.connected();
+          if (done == 5) sink.missed(7), sink.refused();
+          if (done == 6) throw std::runtime_error("no such device");
+        }
+      },
+      start, 0.2);
+  const auto becomes = [&](State state) {
+    return comesTrue([&] { return tracker.health(since_s(start)).state == state; });
+  };
+  EXPECT_TRUE(becomes(State::connecting));
+  step = 1;
+  EXPECT_TRUE(becomes(State::connecting)) << "nothing has come yet";
+  step = 2;
+  EXPECT_TRUE(becomes(State::delivering));
+  EXPECT_TRUE(becomes(State::silent)) << "nothing more comes";
+  step = 3;
+  EXPECT_TRUE(becomes(State::connecting));
+  EXPECT_EQ(tracker.health(since_s(start)).message, "pulled out");
+  step = 4;
+  EXPECT_TRUE(becomes(State::silent));
+  EXPECT_EQ(tracker.health(since_s(start)).reconnections, 1u);
+  step = 5;
+  EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).refused == 1; }));
+  EXPECT_EQ(tracker.health(since_s(start)).gaps, 7u);
+  step = 6;
+  EXPECT_TRUE(becomes(State::failed));
+  EXPECT_EQ(tracker.health(since_s(start)).message, "no such device");
+}
+
+TEST(DeviceTracker, AForgottenTrackerKeepsItsBounds) {
+  const auto start = Clock::now() - std::chrono::seconds(100);
+  constexpr int kMany = 10000;
+  std::atomic<bool> done = false;
+  DeviceTracker tracker(once([&](DeviceSink& sink) {
+                          for (int i = 0; i < kMany; ++i) {
+                            const Reading reading = poseOf(0, 0.001 * i);
+                            sink.deliver({&reading, 1}, start + milliseconds(i));
+                          }
+                          done = true;
+                        }),
+                        start);
+  ASSERT_TRUE(comesTrue([&] { return done.load(); }));
+  const TrackerHealth health = tracker.health(100.0);
+  EXPECT_GT(health.overflowed, 0u);
+  EXPECT_EQ(health.samples + health.overflowed, static_cast<std::uint64_t>(kMany));
+  std::vector<TrackerSample> samples;
+  tracker.poll(100.0, samples);
+  EXPECT_EQ(samples.size(), health.samples);
+  EXPECT_EQ(std::string(toString(State::silent)), "silent");
+}
+
+}  // namespace
+}  // namespace carom

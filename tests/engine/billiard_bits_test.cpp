@@ -1,0 +1,61 @@
+// The same bits on every run, at every optimisation and with every instruction set: digests of whole games,
+// recorded once. This file is compiled several times, together with the physics: see CMakeLists.txt.
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "engine/billiard.h"
+#include "engine/game_digest.h"
+
+namespace carom {
+namespace {
+
+constexpr CollisionEvent kCentre = CollisionEvent::centre, kContact = CollisionEvent::contact;
+
+struct Game {
+  const char* name;
+  CollisionEvent collisionEvent;
+  double restitution, friction_m_s2;
+  bool mixed;  // sizes and masses
+  int pucks;
+  bool strokes;
+  double until_s;
+  std::uint64_t digest;
+};
+
+void PrintTo(const Game& game, std::ostream* out) { *out << game.name; }
+
+BilliardSetup setupOf(const Game& game) {
+  BilliardSetup setup = test::exactGas(game.pucks, 0.1, 0.9, game.mixed, 1);
+  setup.rules.collisionEvent = game.collisionEvent;
+  setup.rules.puckRestitution = setup.rules.cushionRestitution = game.restitution;
+  setup.rules.friction_m_s2 = game.friction_m_s2;
+  if (game.strokes) {
+    setup.strokes.push_back({2, 0.5, std::nullopt, {0.5, 0.2}});
+    setup.strokes.push_back({4, 0.2, Vec3{0.0, 0.0, 0.1}, {-0.5, 1.2}});
+  }
+  return setup;
+}
+
+class BilliardBits : public testing::TestWithParam<Game> {};
+
+TEST_P(BilliardBits, areTheRecordedOnes) {
+  const Game& game = GetParam();
+  Billiard billiard(setupOf(game));
+  billiard.advanceTo(game.until_s);
+  EXPECT_GT(billiard.collisions().size(), 200u);
+  EXPECT_EQ(test::digestOf(billiard), game.digest) << std::hex << "0x" << test::digestOf(billiard);
+}
+
+INSTANTIATE_TEST_SUITE_P(, BilliardBits,
+                         testing::Values(Game{"few", kCentre, 1.0, 0.0, true, 9, false, 20.0, 0xc071c1f5393fc9ce},
+                                         Game{"struck", kCentre, 0.9, 0.0, true, 9, true, 20.0, 0x2d6c0188c6330492},
+                                         Game{"centre", kCentre, 0.9, 0.0, true, 200, false, 1.0, 0xbacb3e0a9a5f1a91},
+                                         Game{"contact", kContact, 1.0, 0.0, false, 1000, false, 0.5, 0x24da2b720492e780},
+                                         Game{"many", kContact, 1.0, 0.0, true, 5000, false, 0.1, 0xefc40b50d38de81a},
+                                         Game{"gliding", kCentre, 0.9, 0.05, true, 60, true, 3.0, 0x3562f37eae341795}),
+                         [](const auto& game) { return std::string(game.param.name); });
+
+}  // namespace
+}  // namespace carom

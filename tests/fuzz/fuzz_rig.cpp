@@ -1,0 +1,13 @@
+// Rig files of anything.
+
+#include "app/rig.h"
+#include "devices/input_error.h"
+#include "fuzz/file_of.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  try {
+    carom::readRig(carom::test::fileOf(bytes, size));
+  } catch (const carom::InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,13 @@
+// Scenario files of anything.
+
+#include "app/scenario.h"
+#include "devices/input_error.h"
+#include "fuzz/file_of.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  try {
+    carom::readScenario(carom::test::fileOf(bytes, size));
+  } catch (const carom::InputError&) {
+  }
+  return 0;
+}
