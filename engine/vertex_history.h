@@ -34,7 +34,8 @@ std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset
 
 /// How long after the last turn, by the centre's own clock, the points on the edge of the body (its radius)
 /// have joined the last leg: found by following points all around it from the last leg that all had joined.
-/// The longest of them, and half as much again for those in between. Without friction on the last leg.
+/// The longest of them, and half as much again for those in between. For turns in the board's plane, and
+/// without friction on the last leg.
 double joinedAfter_s(const WorldLine& line);
 
 /// The piece on which the point is at board time `t_s`.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/random_world.h"
 
 namespace carom {
@@ -77,6 +79,48 @@ TEST(VertexHistory, ClockShowsZeroAtBoardTimeZeroOrAtAppearance) {
   EXPECT_NEAR(properTimeAt(always.front(), 1.0, kC_m_s), 0.8, 1e-15);
   const auto later = vertexHistory(WorldLine(knot, kC_m_s, 0.1, 2.0), {0.1, 0.0, 0.0});
   EXPECT_NEAR(properTimeAt(later.front(), 2.0, kC_m_s), 0.0, 1e-15);
+}
+
+// A puck kicked to and fro, often before all of it has heard: every point has joined a leg when the line says
+// so, and the line does not say so much too late, however many the turns.
+TEST(VertexHistory, AllPointsHaveJoinedWhenTheLineSaysSo) {
+  test::Random random(9);
+  const double radius_m = 0.05;
+  int unsettled = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto inPlane = [&](double maxBeta) {
+      const double angle = random.in(0.0, 6.2831853), beta = random.in(0.0, maxBeta);
+      return Vec3(beta * std::cos(angle), beta * std::sin(angle), 0.0);
+    };
+    Knot first;
+    first.u = uFromBeta(inPlane(0.8));
+    WorldLine line(first, kC_m_s, radius_m);
+    for (int turn = 0; turn < 12; ++turn) {
+      const Knot& last = line.knots().back();
+      const Motion motion = motionOnLeg(last, last.turn.t_s + random.in(0.005, 0.5), kC_m_s);
+      const Vec3 rim_m = inPlane(1.0) * radius_m;
+      Knot next{motion.event, uFromBeta(inPlane(0.8)), motion.properTime_s, {}, 0.0};
+      next.news =
+          motion.event + Lorentz::boost(motion.u, kC_m_s) * Displacement{-glm::length(rim_m) / kC_m_s, rim_m};
+      line.append(next);
+      if (line.settlesBeforeNext(line.knots().size() - 2)) continue;
+      line.settlesAfter(joinedAfter_s(line));
+      ++unsettled;
+    }
+    const Knot& last = line.knots().back();
+    const Lorentz bodyFromBoard = Lorentz::boost(-last.u, kC_m_s);
+    double longest_s = 0.0;
+    for (int point = 0; point < 100; ++point) {
+      const Event joined = vertexHistory(line, random.inBall(radius_m)).back().start;
+      longest_s = std::max(longest_s, (bodyFromBoard * (joined - last.turn)).dt_s);
+    }
+    const double said_s = line.settled_s(line.knots().size() - 1);
+    EXPECT_LE(longest_s, said_s) << "world line " << i;
+    // Fifty times the time in which light crosses the radius: a bound that grew with every turn is far
+    // beyond.
+    EXPECT_LT(said_s, longest_s + 50.0 * radius_m / kC_m_s) << "world line " << i;
+  }
+  EXPECT_GT(unsettled, 300);
 }
 
 }  // namespace
