@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/chart_file.h"
 #include "app/game.h"
@@ -74,7 +73,6 @@ Subject subjectOf(const std::filesystem::path& file, const std::optional<double>
   for (FrameState state; session.next(state);) {
     const Event& here = state.record.observer.eyes[2].observation;
     if (until_s && here.t_s > *until_s) break;
-    state.record.forgetBefore_s = -std::numeric_limits<double>::infinity();  // all of it is drawn
     applyFrame(state, subject.lines);
     subject.mine.push_back(here);
     subject.beta = betaFromU(state.record.observer.headFromBoard.inverse().u());

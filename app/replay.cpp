@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <memory>
 
 #include "app/keys.h"
@@ -58,10 +57,7 @@ class SeenByAnother : public Source {
         end_s_(lengthOf_s(trace)) {
     // Played through, so that what strokes took back is gone.
     std::vector<WorldLine> histories = stage.histories;
-    for (FrameState frame; session.next(frame);) {
-      frame.record.forgetBefore_s = -std::numeric_limits<double>::infinity();  // this person may be behind
-      applyFrame(frame, histories);
-    }
+    for (FrameState frame; session.next(frame);) applyFrame(frame, histories);
     for (std::size_t body = 0; body < histories.size(); ++body) {
       const auto known = stage.histories[body].knots().size();
       for (const Knot& knot : histories[body].knots().subspan(known)) game_.push_back({body, knot});
