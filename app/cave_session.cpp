@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include "app/frame_loop.h"
-#include "app/keys.h"
+#include "app/live_source.h"
 #include "app/open_tracker.h"
 #include "app/session_file.h"
 #include "app/stage.h"
@@ -16,46 +17,13 @@
 namespace carom {
 namespace {
 
-/// A dozen swaps of nothing tell whether swaps wait for the display.
-bool swapsWait(WallSet& walls, Clock& clock, double display_hz) {
-  std::array<double, 12> returned_s{};
-  for (double& swap_s : returned_s) {
-    walls.swap();
-    swap_s = clock.now_s();
-  }
-  return swapsWaitFor(display_hz, returned_s);
-}
-
 /// Time as a session lives it: simulated for a given number of frames, unless a device tracks the head.
-std::unique_ptr<Clock> clockOf(const Rig& rig, const CaveOptions& options,
+std::unique_ptr<Clock> clockOf(const Stage& stage, const CaveOptions& options,
                                std::chrono::steady_clock::time_point start) {
-  const bool device = isDevice(rig.trackers[rig.head.sensor.tracker].kind);
-  if (options.frames && !device) return std::make_unique<SimulatedClock>();
+  if (!stage.realTime) return std::make_unique<SimulatedClock>();
   if (options.frames)
     fmt::print(stderr, "The head is tracked by a device: the frames are shown in real time.\n");
   return std::make_unique<SteadyClock>(start);
-}
-
-/// The person and the game at the start of the session, or after the last frame of the one that goes on.
-std::unique_ptr<Play> startPlay(Stage& stage, std::unique_ptr<Clock> clock,
-                                std::chrono::steady_clock::time_point start, const CaveOptions& options,
-                                const std::optional<FrameRecord>& before) {
-  const Rig& rig = stage.rig;
-  Person person(rig, stage.scenario, start, before);
-  const bool waits = !options.frames && !options.noWindow && swapsWait(*stage.walls, *clock, rig.display_hz);
-  const std::uint64_t firstFrame = before ? before->number + 1 : 0;
-  std::optional<std::uint64_t> lastFrame;
-  if (options.frames) lastFrame = firstFrame + *options.frames - 1;
-  Pacer pacer(*clock, rig.display_hz, rig.displayLatency_s, waits, firstFrame);
-  return std::make_unique<Play>(Play{std::move(clock),
-                                     pacer,
-                                     std::move(person),
-                                     Game(stage.scenario),
-                                     rig.head.eyeSeparation_m,
-                                     lastFrame,
-                                     before ? before->switches : options.switches,
-                                     nullptr,
-                                     {}});
 }
 
 /// What is about to be seen, for the person at rank 0.
@@ -74,7 +42,13 @@ void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& opt
                                    [&](const Wall& wall) { return wall.node % cluster.size() == rank; });
     if (!draws) fmt::print(stderr, "warning: node {} has no wall to draw.\n", rank);
   }
-  if (!options.noWindow) sayKeys();
+  const bool drawsHere = std::any_of(walls.begin(), walls.end(),
+                                     [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
+  const bool hasWindow = !options.noWindow && (drawsHere || options.outside);
+  if (hasWindow) sayKeys(KeysOf::session);
+  if (!hasWindow && !options.frames) {
+    fmt::print(stderr, "There are no keys: node 0 has no window. Ctrl+C ends the session.\n");
+  }
   fmt::print(stderr, "{}", tessellationReport(stage.scene, stage.tessellation));
 }
 
@@ -82,9 +56,9 @@ void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& opt
 std::unique_ptr<Journal> openJournal(const CaveOptions& options, const StageOptions& inputs,
                                      const Stage& stage) {
   if (!options.session) return nullptr;
-  const SessionFacts facts{CAROM_VERSION,           inputs.rig.file,
-                           inputs.scenario.file,    textOf(inputs.rig),
-                           textOf(inputs.scenario), stage.scenario.billiard.lightSpeed_m_s};
+  SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
+                     textOf(inputs.rig), textOf(inputs.scenario), stage.scenario.billiard.lightSpeed_m_s};
+  for (const Puck& puck : stage.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
   const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   return std::make_unique<Journal>(*options.session, facts, options.resume, say);
 }
@@ -102,8 +76,40 @@ Before whatWas(const std::filesystem::path& file) {
   return before;
 }
 
+/// What the session begins with: asked for, or left by the one that goes on.
+Controls firstControls(const Stage& stage, const CaveOptions& options, const Before& before) {
+  Controls controls = controlsAtStart(stage);
+  controls.switches = options.switches;
+  controls.views = options.views;
+  if (!before.last) return controls;
+  controls.switches = before.last->switches;
+  controls.views = before.last->views;
+  controls.views.frozen = 0;
+  controls.lightSpeed_m_s = before.last->lightSpeed_m_s;
+  const auto& eyes = before.last->observer.eyes;
+  // To a tenth of a micrometre: as it was set, not as rounding left it.
+  controls.eyeSeparation_m =
+      std::round(glm::distance(eyes[0].positionInRoom_m, eyes[1].positionInRoom_m) * 1e7) / 1e7;
+  return controls;
+}
+
+/// At the start of the game, or after the last frame of the session that goes on.
+std::unique_ptr<LiveSource> sourceOf(const Stage& stage, const CaveOptions& options,
+                                     const StageOptions& inputs, const Before& before) {
+  using SystemClock = std::chrono::steady_clock;
+  const double lived_s = before.last ? before.last->display_s : 0.0;
+  const auto start = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
+                                              std::chrono::duration<double>(lived_s));
+  LiveStart live{start, clockOf(stage, options, start), stage.swapsWait, before.last, options.frames};
+  live.clock->sleepUntil(lived_s);
+  auto source = std::make_unique<LiveSource>(stage, std::move(live));
+  source->keep(openJournal(options, inputs, stage));
+  return source;
+}
+
 void runSession(Cluster& cluster, const CaveOptions& options) {
-  StageOptions inputs{{options.rig, {}}, {options.scenario, {}}, true, options.capture, options.noWindow};
+  StageOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
+                      options.noWindow,  options.frames.has_value(), options.outside};
   Before before;
   together(cluster, [&] {
     if (cluster.rank() > 0 || !options.session) return;
@@ -119,22 +125,20 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   });
   if (options.resume) shareInputs(cluster, inputs);
   Stage stage = openStage(cluster, inputs);
-  std::unique_ptr<Play> play;
+  std::unique_ptr<LiveSource> source;
+  std::optional<Lead> lead;
   together(cluster, [&] {
     if (cluster.rank() > 0) return;
-    const double lived_s = before.last ? before.last->display_s : 0.0;
-    const auto start =
-        std::chrono::steady_clock::now() - std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                               std::chrono::duration<double>(lived_s));
-    auto clock = clockOf(stage.rig, options, start);
-    clock->sleepUntil(lived_s);
-    play = startPlay(stage, std::move(clock), start, options, before.last);
-    play->journal = openJournal(options, inputs, stage);
+    source = sourceOf(stage, options, inputs, before);
+    lead.emplace(Lead{*source, KeysOf::session, firstControls(stage, options, before)});
   });
-  if (play) announce(stage, cluster, options);
-  runFrames({cluster, stage, options.capture}, play.get());
-  if (play && options.session) fmt::print(stderr, "The session is in {}.\n", options.session->string());
-  if (play && options.capture) fmt::print(stderr, "The pictures are in {}.\n", options.capture->string());
+  if (lead) announce(stage, cluster, options);
+  runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
+  source.reset();  // the session file is whole
+  if (lead && options.session) fmt::print(stderr, "The session is in {}.\n", options.session->string());
+  stage.recording->finish();
+  if (lead && options.recording.capture)
+    fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
 }
 
 }  // namespace

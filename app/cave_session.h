@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/recording.h"
+#include "cave/time_views.h"
 #include "engine/switches.h"
 
 namespace carom {
@@ -13,11 +15,13 @@ struct CaveOptions {
   std::filesystem::path rig;
   std::filesystem::path scenario;
   std::optional<std::uint64_t> frames;           ///< play so many in simulated time, then end
-  std::optional<std::filesystem::path> capture;  ///< folder for every wall and eye of every frame
+  RecordingOptions recording;                    ///< pictures and movie
   std::optional<std::filesystem::path> session;  ///< the session file to write
   bool resume = false;  ///< go on from the end of `session`, with its rig and scenario
   bool noWindow = false;
   Switches switches;  ///< at the start
+  TimeViews views;    ///< at the start
+  bool outside = false;  ///< the first node shows the room from outside, too
 };
 
 /// Runs a session to its end; under mpirun, this rank's part of it. The exit status: 0, or 1 after a message

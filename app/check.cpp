@@ -27,7 +27,7 @@ FileKind kindOf(const std::filesystem::path& path) {
   const auto refuse = [&](const char* what) { throw InputErrors({InputError(path.string(), 1, 1, what)}); };
   if (isForeignRoom(path)) return FileKind::foreignRoom;
   const TomlFile file(path);
-  for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke"}) {
+  for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke", "flash"}) {
     if (file.root().has(key)) return FileKind::scenario;
   }
   for (const char* key : {"wall", "unit", "axes", "head", "tracker", "one_window", "display_hz"}) {
@@ -115,6 +115,7 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
     fmt::print("body {}: moves as told, turns {}\n", body.name, counted(turns, "time"));
   }
   fmt::print("{}\n", counted(setup.strokes.size(), "scripted stroke"));
+  if (!setup.flashes.empty()) fmt::print("flashes of light: {}\n", setup.flashes.size());
   const Vec3& p = scenario.observer.position_m;
   fmt::print("observer: the room's floor origin starts at ({}, {}, {}) mm with {:.4g} c\n", p.x * 1e3,
              p.y * 1e3, p.z * 1e3, glm::length(scenario.observer.beta));

@@ -66,20 +66,21 @@ Subject subjectOf(const std::filesystem::path& file, const std::optional<double>
   Subject subject{scenario.title,
                   session.facts().lightSpeed_m_s,
                   namesOf(scenario),
-                  startingHistories(scenario),
+                  {},
                   scenario.billiard.board,
                   {},
                   {}};
+  World world{startingHistories(scenario), {}};
   for (FrameState state; session.next(state);) {
     const Event& here = state.record.observer.eyes[2].observation;
     if (until_s && here.t_s > *until_s) break;
-    applyFrame(state, subject.lines);
+    applyFrame(state, world);
     subject.mine.push_back(here);
     subject.beta = betaFromU(state.record.observer.headFromBoard.inverse().u());
   }
   if (subject.mine.empty())
     throw std::runtime_error(fmt::format("session file {}: no frame of it is that early", file.string()));
-  subject.lines.erase(subject.lines.begin());  // what rests on the board
+  subject.lines.assign(world.histories.begin() + 1, world.histories.end());  // without what rests on the board
   return subject;
 }
 

@@ -2,73 +2,81 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "app/keys.h"
+#include "app/frame_watch.h"
 
 namespace carom {
 namespace {
 
-constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
+constexpr std::uint64_t kFramesBetweenNews = 30;
 
-/// The latest board time at which an eye receives light.
-double latestObservation_s(const ObserverView& observer) {
-  double latest_s = observer.eyes.front().observation.t_s;
-  for (const EyeView& eye : observer.eyes) latest_s = std::max(latest_s, eye.observation.t_s);
-  return latest_s;
-}
-
-/// The person and the game at the frame's display time, as the record that all ranks will hold.
-void decide(Play& play, std::span<const WorldLine> histories, FrameState& state) {
-  const FrameTimes times = play.pacer.next();
-  const ObserverView observer = play.person.at(times, play.eyeSeparation_m);
-  state.record = {};
-  play.game.advance(latestObservation_s(observer), state);
-  if (times.number % kFramesBetweenForgetting == 0) play.game.forget(histories, observer, state);
-  state.record.number = times.number;
-  state.record.display_s = times.display_s;
-  state.record.observer = observer;
-  state.record.last = play.lastFrame && times.number >= *play.lastFrame;
-  state.record.switches = play.switches;
-  state.record.controls = play.controls;
-}
-
-void obeyKeys(Play& play, const WindowInput& input) {
-  turnSwitches(input, play.switches);
-  steerWalls(input, play.controls);
-  setEyesApart(input, play.eyeSeparation_m);
-}
-
-/// The frame is on the walls.
-void finish(Play& play, const FrameState& state) {
-  play.pacer.swapped();
-  if (play.journal) play.journal->add(state, play.person.head(), play.person.samples());
-  const std::uint64_t shown = state.record.number + 1;
-  if (play.lastFrame && shown % 30 == 0) fmt::print(stderr, "frame {} of {}\n", shown, *play.lastFrame + 1);
+/// The operator's wishes take effect with the next frame.
+void obey(Lead& lead, const WindowInput& input, const FrameState& state) {
+  // Keys change what is shown: in a recording, what it says.
+  lead.controls.switches = state.record.switches;
+  lead.controls.walls = state.record.controls;
+  lead.controls.views = state.record.views;
+  const Controls before = lead.controls;
+  obeyKeys(input, lead.keys, state.record.display_s, lead.controls);
+  for (const ControlChange& change : changesOf(before, lead.controls)) {
+    fmt::print(stderr, "{}: {}\n", change.what, change.value);
+    lead.source.changed(state.record.number, change);
+  }
+  if (asksForKeys(input)) sayKeys(lead.keys);
 }
 
 }  // namespace
 
-void runFrames(const Node& node, Play* play) {
-  Stage& stage = node.stage;
+Node nodeOf(Cluster& cluster, Stage& stage) {
+  return {cluster,    *stage.graphics,      *stage.walls,  stage.world, *stage.recording,
+          stage.lock, stage.rig.display_hz, stage.realTime, stage.outside.get(), stage.boardFromRoom};
+}
+
+Controls controlsAtStart(const Stage& stage) {
+  Controls controls;
+  controls.eyeSeparation_m = stage.rig.head.eyeSeparation_m;
+  controls.lightSpeed_m_s = stage.scenario.billiard.lightSpeed_m_s;
+  return controls;
+}
+
+void runFrames(const Node& node, Lead* lead) {
   FrameState state;
+  FrameWatch watch(node.cluster, node.lock, node.display_hz);
   bool ended = false;
   while (!ended) {
-    if (play) decide(*play, stage.histories, state);
+    watch.begin();
+    if (lead) {
+      lead->source.next(lead->controls, state);
+      watch.decided(lead->source.deciding());
+    }
     node.cluster.share(state);
-    applyFrame(state, stage.histories);
-    stage.walls->draw(state.record, stage.histories);
-    stage.walls->show();
-    if (node.capture) stage.walls->capture(*node.capture, state.record.number);
-    const WindowInput& input = stage.graphics->poll();
-    if (play) obeyKeys(*play, input);
-    const bool wanted = node.cluster.swapTogether(state, stage.histories, wantsToEnd(input), [play] {
-      if (play) play->pacer.drawn();
+    watch.mark(FramePart::share);
+    applyFrame(state, node.world);
+    node.walls.draw(state.record, node.world);
+    if (node.outside) node.outside->draw(state.record, node.boardFromRoom, node.world.histories, node.walls);
+    node.walls.show(watch.view(state.record));
+    if (node.outside) node.outside->show();
+    node.recording.take(node.walls, node.outside, state.record);
+    watch.mark(FramePart::submit);
+    if (node.realTime) {
+      node.walls.awaitShown();  // so that the swap follows the others' at once
+      watch.mark(FramePart::draw);
+    }
+    const WindowInput& input = node.graphics.poll();
+    if (lead) obey(*lead, input, state);
+    const bool wanted = node.cluster.swapTogether(state, node.world, wantsToEnd(input), [lead] {
+      if (lead) lead->source.drawn();
     });
-    stage.walls->swap();
-    if (play) finish(*play, state);
+    watch.mark(FramePart::wait);
+    node.walls.swap();
+    if (node.outside) node.outside->swap();
+    watch.swapped(state.record, lead && node.realTime ? &lead->source : nullptr);
+    if (lead) lead->source.shown(state);
     ended = wanted || state.record.last;
+    if (lead && node.recording.captures() && (state.record.number + 1) % kFramesBetweenNews == 0) {
+      fmt::print(stderr, "frame {}\n", state.record.number + 1);
+    }
   }
+  if (lead && node.realTime) watch.sayHowItWent();
 }
 
 }  // namespace carom

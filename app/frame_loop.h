@@ -1,40 +1,41 @@
 #pragma once
 // The frame loop: from the tracker to the photons.
 
-#include <filesystem>
-#include <optional>
-#include <vector>
-
-#include "app/game.h"
-#include "app/journal.h"
-#include "app/person.h"
+#include "app/frame_source.h"
+#include "app/keys.h"
 #include "app/stage.h"
 #include "cave/cluster.h"
-#include "cave/pacer.h"
+#include "cave/wall_set.h"
 
 namespace carom {
-
-/// What rank 0 alone has: the tracked person and the game.
-struct Play {
-  std::unique_ptr<Clock> clock;
-  Pacer pacer;
-  Person person;
-  Game game;
-  double eyeSeparation_m = 0.064;
-  std::optional<std::uint64_t> lastFrame;  ///< end after the one of this number
-  Switches switches;                       ///< as the keys left them
-  std::unique_ptr<Journal> journal;        ///< none: the session is not written
-  WallControls controls = {};              ///< as the keys left them
-};
 
 /// What every rank has.
 struct Node {
   Cluster& cluster;
-  Stage& stage;
-  std::optional<std::filesystem::path> capture;
+  Graphics& graphics;
+  WallSet& walls;
+  World& world;  ///< empty where there is no game
+  Recording& recording;
+  NodeLock& lock;
+  double display_hz;
+  bool realTime;
+  RoomView* outside = nullptr;  ///< where the room is shown from outside, too
+  Lorentz boardFromRoom{1.0};   ///< for it
 };
 
-/// Frame after frame until the last. `play` is rank 0's, null elsewhere.
-void runFrames(const Node& node, Play* play);
+/// What rank 0 alone has.
+struct Lead {
+  FrameSource& source;
+  KeysOf keys;
+  Controls controls;
+};
+
+Node nodeOf(Cluster& cluster, Stage& stage);
+
+/// As rig and scenario begin.
+Controls controlsAtStart(const Stage& stage);
+
+/// Frame after frame until the last, or until somebody wants to end. `lead` is rank 0's, null elsewhere.
+void runFrames(const Node& node, Lead* lead);
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 #include "app/game.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "cave/scene.h"
@@ -39,14 +40,34 @@ double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView
 
 Game::Game(const Scenario& scenario) : billiard_(scenario.billiard) { billiard_.takeChanges(); }
 
+void Game::playToNowOf(const ObserverView& observer) {
+  constexpr double kNear_s = 1e-6;  // some micrometres of way
+  const Event& head = observer.eyes[2].observation;
+  const Vec3 beta_s_m =
+      betaFromU(observer.headFromBoard.inverse().u()) / observer.headFromBoard.lightSpeed_m_s();
+  for (std::size_t puck = 0; puck < billiard_.worldLines().size(); ++puck) {
+    // The head's moment: t = t_o + β·(r(t) − r_o)/c. Each turn is nearer by β v/c < 1.
+    double now_s = head.t_s, before_s = now_s - 1.0;
+    while (std::abs(now_s - before_s) > kNear_s) {
+      billiard_.advanceTo(now_s);
+      before_s = now_s;
+      now_s = head.t_s + glm::dot(beta_s_m, billiard_.worldLines()[puck].at(now_s).event.r_m - head.r_m);
+    }
+    const WorldLine& line = billiard_.worldLines()[puck];
+    billiard_.advanceTo(now_s + line.radius_m() / line.lightSpeed_m_s());  // of its rim, too
+  }
+}
+
 void Game::advance(double t_s, FrameState& state) {
   billiard_.advanceTo(t_s);
   const Changes changes = billiard_.takeChanges();
   state.record.truncateFrom_s = changes.truncatedFrom_s.value_or(std::numeric_limits<double>::infinity());
+  state.record.eventsKept = changes.eventsKept;
   // A game's first frame brings all of it: a session file that it goes on with has parts of it already.
-  if (!begun_) state.record.truncateFrom_s = 0.0;
+  if (!begun_) state.record.truncateFrom_s = 0.0, state.record.eventsKept = 0;
   begun_ = true;
   state.record.pucks = billiard_.worldLines().size();
+  state.events = changes.events;
   state.knots.clear();
   for (const Changes::NewKnot& change : changes.knots) {
     state.knots.push_back({kFirstPuck + change.puck, change.knot});

@@ -27,6 +27,10 @@ class Game {
  public:
   explicit Game(const Scenario& scenario);
 
+  /// Plays on until every puck's way is known as far as the head's own moment, which may lie ahead on the
+  /// board.
+  void playToNowOf(const ObserverView& observer);
+
   /// Plays on to board time `t_s` and adds to `state` the knots that no frame has carried yet.
   void advance(double t_s, FrameState& state);
 

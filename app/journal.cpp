@@ -13,33 +13,50 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 #include <vector>
+
+#include "app/controls.h"
+#include "app/stored_event.h"
 
 namespace carom {
 namespace {
 
 constexpr std::size_t kMostWaiting = 36000;  // frames: ten minutes at 60 Hz
 constexpr std::chrono::milliseconds kRetry{500};
+constexpr int kBusy_ms = 2000;  // how long somebody who reads the file is waited for
 
 constexpr const char* kTables = R"(
 CREATE TABLE session(key TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE frame(number INTEGER PRIMARY KEY, display_s REAL, proper_time_s REAL, t_s REAL, x_m REAL, y_m REAL, z_m REAL,
-  known TEXT, celerity_x_m_s REAL, celerity_y_m_s REAL, celerity_z_m_s REAL, switches INTEGER, truncate_from_s REAL,
-  record BLOB);
+  known TEXT, celerity_x_m_s REAL, celerity_y_m_s REAL, celerity_z_m_s REAL, switches INTEGER, views INTEGER,
+  truncate_from_s REAL, record BLOB, events BLOB);
 CREATE TABLE knot(frame INTEGER, body INTEGER, t_s REAL, x_m REAL, y_m REAL, z_m REAL, u_x REAL, u_y REAL, u_z REAL,
   proper_time_s REAL, knot BLOB);
 CREATE INDEX knot_of_frame ON knot(frame);
 CREATE TABLE sample(time_s REAL, sensor INTEGER, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, qz REAL);
+CREATE TABLE event(number INTEGER PRIMARY KEY, kind TEXT, pucks TEXT, cushion TEXT, t_s REAL, x_m REAL, y_m REAL,
+  z_m REAL, heat_j REAL);
+CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, beta_before_x REAL,
+  beta_before_y REAL, beta_after_x REAL, beta_after_y REAL, proper_time_s REAL);
+CREATE INDEX turn_of_event ON turn(event);
+CREATE TABLE input(frame INTEGER, what TEXT, value TEXT);
+CREATE TABLE answer(frame INTEGER, lesson TEXT, question TEXT, answer TEXT);
+CREATE TABLE run(first_frame INTEGER, started_utc TEXT, program TEXT);
+CREATE TABLE latency(display_s REAL, frame INTEGER, node INTEGER, part TEXT, frames INTEGER, median_s REAL, p99_s REAL,
+  most_s REAL, jitter_s REAL);
 )";
 
 // The records of frames and knots are kept byte by byte: another layout is another version of the tables.
-static_assert(sizeof(FrameRecord) == 368 && sizeof(BodyKnot) == 112, "count kJournalVersion up, then these");
+static_assert(sizeof(FrameRecord) == 592 && sizeof(BodyKnot) == 112 && sizeof(StoredEvent) == 216,
+              "count kJournalVersion up, then these");
 
 struct FrameRow {
   FrameRecord record;
   Known known;
   glm::dvec3 celerity_m_s;
+  std::size_t events;  // of the batch's, in order
 };
 
 struct KnotRow {
@@ -47,17 +64,37 @@ struct KnotRow {
   BodyKnot knot;
 };
 
+struct InputRow {
+  std::uint64_t frame;
+  std::string what, value;
+};
+
+struct AnswerRow {
+  std::uint64_t frame;
+  std::string lesson, question, answer;
+};
+
 /// Rows that wait to be written.
 struct Batch {
   std::vector<FrameRow> frames;
+  std::vector<GameEvent> events;
   std::vector<KnotRow> knots;
+  std::vector<InputRow> inputs;
+  std::vector<AnswerRow> answers;
   std::vector<TrackerSample> samples;
+  std::vector<LatencyRow> latencies;
 
-  bool empty() const { return frames.empty() && knots.empty() && samples.empty(); }
+  bool empty() const {
+    return frames.empty() && knots.empty() && inputs.empty() && answers.empty() && samples.empty();
+  }
   void clear() {
     frames.clear();
+    events.clear();
+    inputs.clear();
+    answers.clear();
     knots.clear();
     samples.clear();
+    latencies.clear();
   }
 };
 
@@ -69,6 +106,17 @@ int bitsOf(const Switches& switches) {
   }
   return bits;
 }
+
+/// In the order of kNamedViews.
+int bitsOf(const TimeViews& views) {
+  int bits = 0;
+  for (std::size_t i = 0; i < kNamedViews.size(); ++i) {
+    if (views.*kNamedViews[i].value) bits |= 1 << i;
+  }
+  return bits;
+}
+
+std::string utcNow() { return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))); }
 
 /// The bytes of a value as this program holds it.
 template <typename T>
@@ -82,6 +130,22 @@ void bind(SQLite::Statement& row, int& column, const glm::dvec3& v) {
 template <typename T>
 void bind(SQLite::Statement& row, int& column, const BytesOf<T>& bytes) {
   row.bindNoCopy(column++, &bytes.value, static_cast<int>(sizeof bytes.value));
+}
+void bind(SQLite::Statement& row, int& column, std::span<const StoredEvent> events) {
+  if (events.empty()) {
+    row.bind(column++);
+  } else {
+    row.bindNoCopy(column++, events.data(), static_cast<int>(events.size_bytes()));
+  }
+}
+void bind(SQLite::Statement& row, int& column, std::string_view text) {
+  row.bind(column++, std::string(text));
+}
+void bind(SQLite::Statement& row, int& column, std::uint64_t number) {
+  row.bind(column++, static_cast<std::int64_t>(number));
+}
+void bind(SQLite::Statement& row, int& column, const Vec2& v) {
+  for (const double component : {v.x, v.y}) row.bind(column++, component);
 }
 template <typename T>
 void bind(SQLite::Statement& row, int& column, const T& value) {
@@ -101,7 +165,7 @@ void put(SQLite::Statement& row, const T&... values) {
 class Tables {
  public:
   explicit Tables(const std::filesystem::path& file)
-      : database_(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) {
+      : database_(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusy_ms) {
     database_.exec("PRAGMA journal_mode = WAL");
     // Enough for a killed program; a machine that loses power may lose the last seconds, never the file.
     database_.exec("PRAGMA synchronous = NORMAL");
@@ -114,13 +178,29 @@ class Tables {
     database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion));
     SQLite::Statement row(database_, "INSERT INTO session VALUES(?, ?)");
     put(row, "program", facts.program);
-    put(row, "started_utc", fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))));
+    put(row, "started_utc", utcNow());
     put(row, "light_speed_m_s", facts.lightSpeed_m_s);
     put(row, "rig_file", std::filesystem::absolute(facts.rig).string());
     put(row, "rig", facts.rigText);
     put(row, "scenario_file", std::filesystem::absolute(facts.scenario).string());
     put(row, "scenario", facts.scenarioText);
     transaction.commit();
+  }
+
+  /// Notes that a run of the program begins to write, now or again.
+  void begin(const SessionFacts& facts) {
+    pucks_ = facts.pucks;
+    const auto version = database_.execAndGet("PRAGMA user_version").getInt();
+    if (version != kJournalVersion) {
+      throw std::runtime_error(fmt::format("session file {}: version {} of the tables, expected version {}",
+                                           database_.getFilename(), version, kJournalVersion));
+    }
+    listed_ = static_cast<std::uint64_t>(
+        database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM event").getInt64());
+    const std::int64_t first =
+        database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM frame").getInt64();
+    SQLite::Statement row(database_, "INSERT INTO run VALUES(?, ?, ?)");
+    put(row, first, utcNow(), facts.program);
   }
 
   /// One whole file again, that can be read where nothing can be written.
@@ -135,14 +215,21 @@ class Tables {
   void write(const Batch& batch) {
     SQLite::Transaction transaction(database_);
     SQLite::Statement& frame =
-        statement(frame_, "INSERT OR REPLACE INTO frame VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+        statement(frame_, "INSERT OR REPLACE INTO frame VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+    std::span<const GameEvent> events = batch.events;
     for (const FrameRow& row : batch.frames) {
+      const std::span<const GameEvent> brought = events.first(row.events);
+      events = events.subspan(row.events);
+      list(brought, row.record.eventsKept);
+      bytes_.clear();
+      for (const GameEvent& event : brought) bytes_.push_back(stored(event));
       const FrameRecord& record = row.record;
       const Event& middle = record.observer.eyes[2].observation;
       put(frame, static_cast<std::int64_t>(record.number), record.display_s, record.observer.properTime_s,
           middle.t_s, middle.r_m, toString(row.known), row.celerity_m_s, bitsOf(record.switches),
-          record.truncateFrom_s, BytesOf{record});
+          bitsOf(record.views), record.truncateFrom_s, BytesOf{record}, std::span<const StoredEvent>(bytes_));
     }
+    writeInputs(batch);
     SQLite::Statement& knot = statement(knot_, "INSERT INTO knot VALUES(?,?,?,?,?,?,?,?,?,?,?)");
     for (const KnotRow& row : batch.knots) {
       const Knot& k = row.knot.knot;
@@ -154,10 +241,59 @@ class Tables {
       const glm::dquat& q = s.pose.orientation;
       put(sample, s.time_s, s.sensor, s.pose.position_m, q.w, q.x, q.y, q.z);
     }
+    SQLite::Statement& latency = statement(latency_, "INSERT INTO latency VALUES(?,?,?,?,?,?,?,?,?)");
+    for (const LatencyRow& row : batch.latencies) {
+      const PartStatistics& s = row.statistics;
+      put(latency, row.display_s, static_cast<std::int64_t>(row.frame), row.node,
+          kFrameParts[static_cast<std::size_t>(row.part)], static_cast<std::int64_t>(s.frames),
+          static_cast<double>(s.median_s), static_cast<double>(s.p99_s), static_cast<double>(s.most_s),
+          static_cast<double>(s.jitter_s));
+    }
     transaction.commit();
   }
 
  private:
+  /// The table of events becomes what it is after a frame: those from `kept` on go, these come.
+  void list(std::span<const GameEvent> brought, std::uint64_t kept) {
+    if (kept < listed_) {
+      for (const char* sql : {"DELETE FROM event WHERE number >= ?", "DELETE FROM turn WHERE event >= ?"}) {
+        SQLite::Statement old(database_, sql);
+        put(old, kept);
+      }
+      listed_ = kept;
+    }
+    if (brought.empty()) return;
+    SQLite::Statement& row = statement(event_, "INSERT OR REPLACE INTO event VALUES(?,?,?,?,?,?,?,?,?)");
+    SQLite::Statement& turnRow = statement(turn_, "INSERT INTO turn VALUES(?,?,?,?,?,?,?,?,?,?,?)");
+    for (const GameEvent& event : brought) {
+      std::string pucks;
+      for (const Turn& turn : event.turns) {
+        pucks += (pucks.empty() ? "" : ", ") + nameOf(turn.puck);
+        put(turnRow, event.number, nameOf(turn.puck), turn.event.t_s, turn.event.r_m, turn.betaBefore,
+            turn.betaAfter, turn.properTime_s);
+      }
+      put(row, event.number, carom::nameOf(event.kind), pucks,
+          event.cushion ? carom::nameOf(*event.cushion) : std::string_view(), event.at.t_s, event.at.r_m,
+          event.heat_j);
+      listed_ = event.number + 1;
+    }
+  }
+
+  void writeInputs(const Batch& batch) {
+    if (!batch.inputs.empty()) {
+      SQLite::Statement row(database_, "INSERT INTO input VALUES(?,?,?)");
+      for (const InputRow& input : batch.inputs) put(row, input.frame, input.what, input.value);
+    }
+    if (!batch.answers.empty()) {
+      SQLite::Statement row(database_, "INSERT INTO answer VALUES(?,?,?,?)");
+      for (const AnswerRow& a : batch.answers) put(row, a.frame, a.lesson, a.question, a.answer);
+    }
+  }
+
+  std::string nameOf(std::size_t puck) const {
+    return puck < pucks_.size() ? pucks_[puck] : fmt::format("puck {}", puck + 1);
+  }
+
   SQLite::Statement& statement(std::optional<SQLite::Statement>& kept, const char* sql) {
     if (!kept) kept.emplace(database_, sql);
     kept->tryReset();
@@ -165,7 +301,10 @@ class Tables {
   }
 
   SQLite::Database database_;
-  std::optional<SQLite::Statement> frame_, knot_, sample_;
+  std::vector<std::string> pucks_;  // their names
+  std::uint64_t listed_ = 0;        // events in their table
+  std::vector<StoredEvent> bytes_;  // scratch
+  std::optional<SQLite::Statement> frame_, event_, turn_, knot_, sample_, latency_;
 };
 
 /// Held while a session writes to a file, by the system's own lock: it goes with the process.
@@ -203,6 +342,7 @@ struct Journal::Writer {
         lock(path, goOn),
         tables(path) {
     if (!goOn) tables.make(facts);
+    tables.begin(facts);
     thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
   }
 
@@ -287,9 +427,29 @@ void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<c
                                  writer_->file.string(), state.record.number));
     return;
   }
-  waiting.frames.push_back({state.record, head.known, head.celerity_m_s});
+  waiting.frames.push_back({state.record, head.known, head.celerity_m_s, state.events.size()});
+  waiting.events.insert(waiting.events.end(), state.events.begin(), state.events.end());
   waiting.samples.insert(waiting.samples.end(), samples.begin(), samples.end());
   writer_->changed.notify_one();
+}
+
+void Journal::addInput(std::uint64_t frame, const std::string& what, const std::string& value) {
+  const std::scoped_lock hold(writer_->mutex);
+  writer_->waiting.inputs.push_back({frame, what, value});
+  writer_->changed.notify_one();
+}
+
+void Journal::addAnswer(std::uint64_t frame, const std::string& lesson, const std::string& question,
+                        const std::string& answer) {
+  const std::scoped_lock hold(writer_->mutex);
+  writer_->waiting.answers.push_back({frame, lesson, question, answer});
+  writer_->changed.notify_one();
+}
+
+void Journal::add(std::span<const LatencyRow> rows) {
+  const std::scoped_lock hold(writer_->mutex);
+  std::vector<LatencyRow>& waiting = writer_->waiting.latencies;
+  waiting.insert(waiting.end(), rows.begin(), rows.end());
 }
 
 }  // namespace carom

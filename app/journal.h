@@ -5,22 +5,43 @@
 //   session(key, value)
 //       What was played: program, rig and scenario with their texts, light speed, start (UTC).
 //   frame(number, display_s, proper_time_s, t_s, x_m, y_m, z_m, known, celerity_x_m_s …, switches,
-//         truncate_from_s, record)
+//         views, truncate_from_s, record, events)
 //       One row a frame. t_s … z_m: the event at which the point between the eyes received the frame's light.
-//       `record`: the whole record as this version's program holds it.
+//       switches: a bit each, retardation 1, contraction 2, aberration 4, colour 8, searchlight 16. views: now on the
+//       board 1, my now 2, paths 4, events 8, clocks 16, split 32, frozen 64. `record`: the whole record as this
+//       version's program holds it; `events`: what it brought to the list of events (app/stored_event.h). What a stroke
+//       later took back stays here: so it was shown.
 //   knot(frame, body, t_s, x_m, y_m, z_m, u_x, u_y, u_z, proper_time_s, knot)
 //       Legs that a frame brought; u = γβ. Bodies count as in the scenario: 0 the board, then the pucks, then
 //       what is told.
+//   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j)
+//       What happened, as it is in the end: rows that a stroke took back are gone. Numbers are in the order in which
+//       the game decided. kind: puck-puck, puck-cushion, stroke, flash. pucks: names, with commas between. t_s … z_m:
+//       the contact, the hand's stroke, the flash. The game is known a little further than it was seen.
+//   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y, proper_time_s)
+//       How each puck of an event turned, by its name; proper time on its own clock.
+//   input(frame, what, value)
+//       What the operator and the hands did, in words: it holds from this frame on.
+//   answer(frame, lesson, question, answer)
+//       What a visitor answered.
+//   run(first_frame, started_utc, program)
+//       Each run of the program that wrote here: the first, and one whenever the session was gone on with.
 //   sample(time_s, sensor, x_m, y_m, z_m, qw, qx, qy, qz)
 //       What the tracker of the head delivered.
+//   latency(display_s, frame, node, part, frames, median_s, p99_s, most_s, jitter_s)
+//       Of a session in real time, once a second for each node and part of a frame (cave/frame_stamps.h): statistics
+//       over the last second's frames, of which `frame` is the newest. `late` is what an interval between swaps was
+//       longer than the display's period. Some 100 bytes a row, at most eight rows a node and second.
 // `PRAGMA user_version` is the version of this list.
 
 #include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cave/cluster.h"
+#include "cave/frame_stamps.h"
 #include "cave/frame_state.h"
 #include "devices/head_filter.h"
 #include "devices/tracker.h"
@@ -30,7 +51,7 @@ namespace carom {
 /// How a SQLite file tells that it is a journal ("Caro"), and the version of its tables. A file of a newer
 /// one is not read.
 inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 1;
+inline constexpr int kJournalVersion = 2;
 
 /// What a journal begins with.
 struct SessionFacts {
@@ -38,6 +59,7 @@ struct SessionFacts {
   std::filesystem::path rig, scenario;
   std::string rigText, scenarioText;
   double lightSpeed_m_s = 0.0;
+  std::vector<std::string> pucks = {};  ///< their names, in the scenario's order; not read back
 };
 
 /// Written by a thread of its own, one transaction a batch of frames, so that a frame only copies its rows.
@@ -56,6 +78,14 @@ class Journal {
   /// One frame: what was drawn, how the head was known, what the tracker had delivered for it. Waits for
   /// nothing.
   void add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples);
+
+  /// What the operator or a hand did, to hold from a frame on.
+  void addInput(std::uint64_t frame, const std::string& what, const std::string& value);
+  void addAnswer(std::uint64_t frame, const std::string& lesson, const std::string& question,
+                 const std::string& answer);
+
+  /// Where the nodes' time went; written with the next frame.
+  void add(std::span<const LatencyRow> rows);
 
  private:
   struct Writer;

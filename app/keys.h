@@ -1,32 +1,36 @@
 #pragma once
 // The keys of a session. They work in any of rank 0's windows; ending it, in any window of any node.
 
-#include "cave/wall_controls.h"
+#include <string>
+#include <vector>
+
+#include "app/controls.h"
 #include "cave/window.h"
-#include "engine/switches.h"
 
 namespace carom {
 
 /// Escape, Q, or a window's own button.
 bool wantsToEnd(const WindowInput& input);
 
-/// Turns the switches whose keys were pressed, 1 to 5, and says so on standard error.
-void turnSwitches(const WindowInput& input, Switches& switches);
+/// Where keys are pressed: not every key means something everywhere.
+enum class KeysOf { session, replay, patterns };
 
-/// T shows the test patterns, the seam pattern, the session again (`inSession`; where there is none, the test
-/// patterns again); B makes all walls black and lit again; X
-/// swaps the eyes. Says so on standard error.
-void steerWalls(const WindowInput& input, WallControls& controls, bool inSession = true);
+/// One line of the keyboard's map.
+struct KeyLine {
+  std::string keys;  ///< "1", "+ −"
+  std::string does;  ///< in a few words
+};
 
-/// Between 0 and this (metres), in whole steps, the eyes can be set apart.
-inline constexpr double kMostEyeSeparation_m = 0.08;
-inline constexpr double kEyeSeparationStep_m = 0.001;
+/// What the keys do, in the order of the table.
+std::vector<KeyLine> keyMap(KeysOf place);
 
-/// + and − set the eyes further apart and closer by a step, and say how far they are.
-void setEyesApart(const WindowInput& input, double& eyeSeparation_m);
+/// Changes the controls as the pressed keys say. `now_s`: the session's time, from which the arrows go.
+void obeyKeys(const WindowInput& input, KeysOf place, double now_s, Controls& controls);
+
+/// True if the key of the keyboard's map was pressed.
+bool asksForKeys(const WindowInput& input);
 
 /// Says on standard error what the keys do.
-void sayKeys();
-void sayPatternKeys();  ///< where there is no session
+void sayKeys(KeysOf place);
 
 }  // namespace carom

@@ -1,6 +1,9 @@
 #include "app/open_tracker.h"
 
+#include <limits>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "devices/dtrack_tracker.h"
 #include "devices/hid_imu_tracker.h"
@@ -8,6 +11,7 @@
 #include "devices/polhemus_tracker.h"
 #include "devices/recorded_tracker.h"
 #include "devices/simulated_tracker.h"
+#include "devices/spacemouse.h"
 #include "devices/trace.h"
 #include "devices/vrpn_tracker.h"
 
@@ -41,6 +45,8 @@ Transport transportOf(TrackerKind kind, const std::string& source, const RoomAxe
       return polhemusTransport(usbAddress(source));
     case TrackerKind::hidImu:
       return hidImuTransport(usbAddress(source), axes.up * kStandingEyes_m, personAxes(axes));
+    case TrackerKind::spaceMouse:
+      return spaceMouseTransport(source.empty() ? std::nullopt : std::optional(usbAddress(source)));
     case TrackerKind::simulated:
     case TrackerKind::recorded:
       break;
@@ -56,7 +62,13 @@ std::unique_ptr<Tracker> openTracker(const TrackerSetup& setup, const RoomAxes& 
     person.axes = personAxes(axes);
     return std::make_unique<SimulatedTracker>(person);
   }
-  return std::make_unique<DeviceTracker>(transportOf(setup.kind, setup.source.string(), axes), sessionStart);
+  Transport transport = transportOf(setup.kind, setup.source.string(), axes);
+  if (setup.kind != TrackerKind::spaceMouse) {
+    return std::make_unique<DeviceTracker>(std::move(transport), sessionStart);
+  }
+  // It says nothing while nobody touches it.
+  constexpr double kNeverSilent_s = std::numeric_limits<double>::infinity();
+  return std::make_unique<DeviceTracker>(std::move(transport), sessionStart, kNeverSilent_s);
 }
 
 }  // namespace carom

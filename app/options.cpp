@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/check.h"
+#include "app/config_folder.h"
 #include "app/filter.h"
 #include "app/import.h"
 #include "app/observe.h"
@@ -20,10 +21,14 @@
 #include "app/track.h"
 #ifdef CAROM_WITH_CAVE
 #include "app/cave_session.h"
+#include "app/controls.h"
 #include "app/diagram.h"
+#include "app/events.h"
+#include "app/export.h"
 #include "app/pattern.h"
 #include "app/replay.h"
 #include "app/scenario_scene.h"
+#include "cave/movie.h"
 #endif
 
 namespace carom {
@@ -55,6 +60,16 @@ CLI::Validator numberIn(const Range& range, const std::string& expected) {
       "");
 }
 
+/// Puts the shipped file in the place of its bare name.
+CLI::Validator shipped(const std::string& kind) {
+  return CLI::Validator(
+      [kind](std::string& text) {
+        text = shippedFile(text, kind).string();
+        return std::string();
+      },
+      "");
+}
+
 Vec3 toVec3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
 void addJson(CLI::App& command, std::optional<std::filesystem::path>& json) {
@@ -66,7 +81,9 @@ void addSimulate(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("simulate", "Play a scenario: every collision, and where the pucks are");
   auto options = std::make_shared<SimulateOptions>();
-  command->add_option("SCENARIO", options->scenario, "Scenario file")->required();
+  command->add_option("SCENARIO", options->scenario, "Scenario file, or the name of a shipped one")
+      ->required()
+      ->transform(shipped("scenarios"));
   command->add_option("--until", options->until_s, "Board time to play to, in seconds")
       ->required()
       ->type_name("S")
@@ -76,7 +93,7 @@ void addSimulate(CLI::App& app, int& status) {
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
   addJson(*command, options->json);
   command->footer(
-      "Example:\n  carom simulate config/scenarios/three-pucks.toml --until 10 --every 0.5 --json game.json");
+      "Example:\n  carom simulate three-pucks --until 10 --every 0.5 --json game.json");
   command->callback([options, &status] {
     if (options->every_s && options->until_s / *options->every_s > kMostStates) {
       throw CLI::ValidationError("--every", "gives over a million states, expected a longer step");
@@ -95,7 +112,9 @@ void addObserve(CLI::App& app, int& status) {
   };
   CLI::App* command = app.add_subcommand("observe", "What an eye at one event of the board sees");
   auto line = std::make_shared<Line>();
-  command->add_option("SCENARIO", line->scenario, "Scenario file")->required();
+  command->add_option("SCENARIO", line->scenario, "Scenario file, or the name of a shipped one")
+      ->required()
+      ->transform(shipped("scenarios"));
   command->add_option("--event", line->event, "Board time (s) and place (m) at which the eye receives light")
       ->required()
       ->expected(4)
@@ -116,7 +135,7 @@ void addObserve(CLI::App& app, int& status) {
       ->type_name("FILE");
   command->footer(
       "Example: an eye 1 m above the board's edge, walking along it at half the speed of light\n"
-      "  carom observe config/scenarios/three-pucks.toml --event 2 0 -0.7 1 --beta 0.5 0 0 --point red 0.03 "
+      "  carom observe three-pucks --event 2 0 -0.7 1 --beta 0.5 0 0 --point red 0.03 "
       "0 0");
   command->callback([line, &status] {
     ObserveOptions options{
@@ -146,7 +165,8 @@ void addFilter(CLI::App& app, int& status) {
       app.add_subcommand("filter", "Run a recorded tracker trace through the head filter of a session");
   auto options = std::make_shared<FilterOptions>();
   command->add_option("TRACE", options->trace, "Trace: time_s,x_m,y_m,z_m and perhaps qx,qy,qz,qw")
-      ->required();
+      ->required()
+      ->transform(shipped("traces"));
   command->add_option("--light-speed", options->lightSpeed_m_s, "Light speed for what the eye would see, m/s")
       ->capture_default_str()
       ->type_name("C")
@@ -158,7 +178,7 @@ void addFilter(CLI::App& app, int& status) {
       ->type_name("FILE");
   command->footer(
       "Each row out is made of its own row and earlier ones only.\n"
-      "Example:\n  carom filter config/traces/walk.csv --light-speed 1.42");
+      "Example:\n  carom filter walk --light-speed 1.42");
   command->callback([options, &status] { status = runFilter(*options); });
 }
 
@@ -166,9 +186,10 @@ void addTrack(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("track", "Watch the trackers of a rig, and record the head");
   auto options = std::make_shared<TrackOptions>();
   auto list = std::make_shared<bool>(false);
-  const std::filesystem::path config = CAROM_CONFIG_DIR;
-  options->rig = config / "rigs/desk.toml";
-  command->add_option("--rig", options->rig, "Rig file whose trackers to watch")->capture_default_str();
+  options->rig = configFolder() / "rigs/desk.toml";
+  command->add_option("--rig", options->rig, "Rig file whose trackers to watch")
+      ->capture_default_str()
+      ->transform(shipped("rigs"));
   command
       ->add_option("--record", options->record,
                    "Write the samples of the head's sensor to this trace; it appears, whole, at the end")
@@ -180,7 +201,7 @@ void addTrack(CLI::App& app, int& status) {
   command->footer(
       "Columns: age, since the newest pose held; jitter, of the intervals; rest, the noise of a coordinate "
       "while the sensor last kept still; dropouts, intervals of over one and a half usual ones.\n"
-      "Example:\n  carom track --rig config/rigs/desk.toml --record walk.csv --seconds 60");
+      "Example:\n  carom track --rig desk --record walk.csv --seconds 60");
   command->callback([options, list, &status] { status = *list ? runTrackList() : runTrack(*options); });
 }
 
@@ -188,7 +209,10 @@ void addCheck(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("check", "Examine a scenario or a room and say what is in it and what is odd");
   auto file = std::make_shared<std::filesystem::path>();
-  command->add_option("FILE", *file, "Scenario, rig, .pvx of ParaView or .json of SGCT")->required();
+  command->add_option("FILE", *file, "Scenario, rig, .pvx of ParaView or .json of SGCT")
+      ->required()
+      ->transform(shipped("rigs"))
+      ->transform(shipped("scenarios"));
 #ifdef CAROM_WITH_CAVE
   auto pattern = std::make_shared<bool>(false);
   auto capture = std::make_shared<std::optional<std::filesystem::path>>();
@@ -202,7 +226,7 @@ void addCheck(CLI::App& app, int& status) {
       ->type_name("DIR")
       ->needs(show);
 #endif
-  command->footer("Example:\n  carom check config/rigs/desk.toml");
+  command->footer("Example:\n  carom check desk");
   command->callback([=, &status] {
 #ifdef CAROM_WITH_CAVE
     if (*pattern) {
@@ -241,21 +265,58 @@ void turnSwitch(const std::string& text, Switches& switches) {
                               text));
 }
 
+/// Turns a view of time on.
+void showView(const std::string& name, TimeViews& views) {
+  std::string names;
+  for (const NamedView& view : kNamedViews) {
+    if (name == view.name) {
+      views.*view.value = 1;
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(view.name);
+  }
+  throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
+}
+
+void addOutside(CLI::App& command, bool& outside) {
+  command.add_flag("--outside", outside,
+                   "Show the room from outside, too: its walls, the person, the table where it is. With --capture "
+                   "also as outside-mono-FRAME.png");
+}
+
+void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie) {
+  command
+      .add_option("--movie", movie,
+                  "Movie of this node's walls, the left eye's, encoded by the program ffmpeg: .mp4, .webm or .ogv. "
+                  "With several nodes each writes its own: FILE-node1.mp4 is node 1's")
+      ->type_name("FILE")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            if (isMovieName(text)) return std::string();
+            return fmt::format("'{}' is wrong, expected a name that ends in {}", text, kMovieEndings);
+          },
+          ""));
+}
+
 void addCave(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
   auto options = std::make_shared<CaveOptions>();
-  const std::filesystem::path config = CAROM_CONFIG_DIR;
-  options->rig = config / "rigs/desk.toml";
-  options->scenario = config / "scenarios/three-pucks.toml";
-  command->add_option("--rig", options->rig, "Rig file: walls and trackers")->capture_default_str();
-  command->add_option("--scenario", options->scenario, "Scenario file")->capture_default_str();
+  options->rig = configFolder() / "rigs/desk.toml";
+  options->scenario = configFolder() / "scenarios/three-pucks.toml";
+  command->add_option("--rig", options->rig, "Rig file: walls and trackers")
+      ->capture_default_str()
+      ->transform(shipped("rigs"));
+  command->add_option("--scenario", options->scenario, "Scenario file")
+      ->capture_default_str()
+      ->transform(shipped("scenarios"));
   command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));
   command
-      ->add_option("--capture", options->capture,
+      ->add_option("--capture", options->recording.capture,
                    "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
       ->type_name("DIR");
+  addMovie(*command, options->recording.movie);
   command
       ->add_option_function<std::vector<std::string>>(
           "--switch",
@@ -265,6 +326,16 @@ void addCave(CLI::App& app, int& status) {
           "An effect to begin with on or off: retardation, contraction, aberration (on), colour, searchlight "
           "(off). May be given again. Keys 1 to 5 turn them later")
       ->type_name("NAME=on|off")
+      ->allow_extra_args(false);
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--view",
+          [options](const std::vector<std::string>& names) {
+            for (const std::string& name : names) showView(name, options->views);
+          },
+          "A view of time to begin with: board-now, my-now, paths, events, clocks, split, frozen. May be given "
+          "again. Keys turn them later")
+      ->type_name("NAME")
       ->allow_extra_args(false);
   auto* session =
       command
@@ -277,12 +348,14 @@ void addCave(CLI::App& app, int& status) {
       ->needs(session)
       ->excludes(command->get_option("--rig"))
       ->excludes(command->get_option("--scenario"))
-      ->excludes(command->get_option("--switch"));
+      ->excludes(command->get_option("--switch"))
+      ->excludes(command->get_option("--view"));
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  addOutside(*command, options->outside);
   command->footer(
       "Examples:\n  carom cave\n  carom cave --frames 90 --capture pictures --no-window\n"
       "  carom cave --switch colour=on --switch searchlight=on\n"
-      "  mpirun -n 4 carom cave --rig config/rigs/four-walls-cluster.toml");
+      "  mpirun -n 4 carom cave --rig four-walls-cluster");
   command->callback([options, &status] { status = runCave(*options); });
 }
 #endif
@@ -296,24 +369,136 @@ void addReplay(CLI::App& app, int& status) {
   command
       ->add_option("--observer", options->observer,
                    "Trace of another person's head, in the room: the same game, seen by them")
-      ->type_name("TRACE");
+      ->type_name("TRACE")
+      ->transform(shipped("traces"));
+  command->add_flag("--walk", options->walk, "Walk about in the game yourself: the rig's tracker follows you")
+      ->excludes(command->get_option("--observer"));
   command
-      ->add_option("--capture", options->capture,
+      ->add_option_function<std::vector<double>>(
+          "--beta",
+          [options](const std::vector<double>& beta) {
+            options->beta = toVec3(beta);
+            if (glm::dot(*options->beta, *options->beta) < 1.0) return;
+            throw CLI::ValidationError("--beta",
+                                       "is not below the speed of light, expected a magnitude under 1");
+          },
+          "The velocity of the other person's room over c, on the board")
+      ->expected(3)
+      ->type_name("BX BY BZ")
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  command
+      ->add_option("--capture", options->recording.capture,
                    "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
       ->type_name("DIR");
+  addMovie(*command, options->recording.movie);
   command->add_flag("--no-window", options->noWindow,
                     "Draw without showing, as fast as it goes; an X display is still needed");
+  addOutside(*command, options->outside);
   command->footer(
-      "Examples:\n  carom replay game.db\n  carom replay game.db --observer config/traces/walk.csv --capture "
-      "pictures --no-window");
+      "Examples:\n  carom replay game.db\n  carom replay game.db --observer walk --capture "
+      "pictures --no-window\n  carom replay game.db --walk --beta 0.6 0 0\n"
+      "Keys: Space pauses, arrows go back and on and change the speed, R runs backwards, H tells the others.");
   command->callback([options, &status] { status = runReplay(*options); });
+}
+
+void addExport(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand(
+      "export", "Write what was seen in a recorded session as numbers, or as meshes for ParaView");
+  auto options = std::make_shared<ExportOptions>();
+  command->add_option("SESSION", options->session, "Session file")->required();
+  command
+      ->add_option("--observer", options->observer,
+                   "Trace of another person's head, in the room: what they see of the same game")
+      ->type_name("TRACE")
+      ->transform(shipped("traces"));
+  command->add_option("--every", options->every, "Only frames whose numbers are multiples of this")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L));
+  command
+      ->add_option("--csv", options->csv,
+                   "Write a row for each frame and body to this file: the observer's event, where and when the light "
+                   "left the body's centre, where it is seen and how it is shifted; - is standard output")
+      ->type_name("FILE");
+  command
+      ->add_option("--paraview", options->paraview,
+                   "New folder for the whole seen scene of each frame: ParaView opens DIR/seen.pvd")
+      ->type_name("DIR");
+  command->footer(
+      "Both as carom observe has them, for the point between the eyes; board frame, seconds and metres. A frame's "
+      "meshes take some megabytes: --every 30 is two a second.\n"
+      "Examples:\n  carom export game.db --csv seen.csv\n"
+      "  carom export game.db --observer walk --every 30 --paraview seen");
+  command->callback([options, &status] {
+    if (!options->csv && !options->paraview) {
+      throw CLI::ValidationError("export", "nothing is to be written, expected --csv FILE, --paraview DIR or both");
+    }
+    status = runExport(*options);
+  });
+}
+
+void addEvents(CLI::App& app, int& status) {
+  struct Line {
+    EventsOptions options;
+    std::vector<double> velocity{0.0, 0.0, 0.0};
+    std::vector<std::tuple<double, double, double>> places;
+    std::vector<std::uint64_t> pair;
+  };
+  CLI::App* command =
+      app.add_subcommand("events", "List what happened, in any frame, and what light told of it");
+  auto line = std::make_shared<Line>();
+  command->add_option("SOURCE", line->options.source, "Session file or scenario")
+      ->required()
+      ->transform(shipped("scenarios"));
+  command->add_option("--velocity", line->velocity, "v/c on the board of another frame, to list them in, too")
+      ->expected(3)
+      ->type_name("BX BY BZ")
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  command->add_option("--until", line->options.until_s,
+                      "Board time of the last event; left out: 10 s, or a session's end")
+      ->type_name("S")
+      ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  command
+      ->add_option("--place", line->places,
+                   "Who rests at this place of the board (m): when light brings them the news of each. May be "
+                   "given again")
+      ->type_name("X Y Z")
+      ->allow_extra_args(false);
+  command->add_option("--pair", line->pair, "Only the two events of these numbers")
+      ->expected(2)
+      ->type_name("A B");
+  command
+      ->add_option("--csv", line->options.csv,
+                   "Write them to this file, a row an event; - is standard output. Left out: a table")
+      ->type_name("FILE");
+  command->footer(
+      "A session says also in which frame, and when, the light of each reached the person's head.\n"
+      "Examples:\n  carom events game.db --velocity 0.5 0 0\n"
+      "  carom events two-cushions --until 2 --velocity 0.5 0 0 --place 0 -1 0.3 --csv events.csv");
+  command->callback([line, &status] {
+    EventsOptions& options = line->options;
+    options.movingBeta = toVec3(line->velocity);
+    if (!(glm::dot(options.movingBeta, options.movingBeta) < 1.0)) {
+      throw CLI::ValidationError("--velocity",
+                                 "is not below the speed of light, expected a magnitude under 1");
+    }
+    for (const auto& [x, y, z] : line->places) {
+      options.places_m.emplace_back(x, y, z);
+      if (!(glm::length(options.places_m.back()) <= kFurthest)) {
+        throw CLI::ValidationError("--place", "is no place, expected numbers between -1e9 and 1e9");
+      }
+    }
+    if (!line->pair.empty()) options.pair = {line->pair[0], line->pair[1]};
+    status = runEvents(options);
+  });
 }
 
 void addDiagram(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("diagram", "Draw the spacetime diagram of a scenario or of a recorded session");
   auto options = std::make_shared<DiagramOptions>();
-  command->add_option("SOURCE", options->source, "Scenario (.toml) or session file")->required();
+  command->add_option("SOURCE", options->source, "Scenario or session file")
+      ->required()
+      ->transform(shipped("scenarios"));
   command->add_option("-o,--output", options->figure, "The figure: FIG.svg or FIG.png")
       ->required()
       ->type_name("FIG");
@@ -330,7 +515,7 @@ void addDiagram(CLI::App& app, int& status) {
                    "Board time of the present event; left out: 5 s, or a session's end")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
-  command->footer("Example:\n  carom diagram config/scenarios/three-pucks.toml -o three-pucks.svg");
+  command->footer("Example:\n  carom diagram three-pucks -o three-pucks.svg");
   command->callback([options, &status] {
     if (options->from_s && options->until_s && !(*options->from_s < *options->until_s)) {
       throw CLI::ValidationError("--from", "is not before --until");
@@ -366,8 +551,8 @@ void addCommands(CLI::App& app, int& status) {
   app.set_help_all_flag("--help-all", "Print the help of every command");
   app.footer(
       "Start with:\n  carom cave                                        the default session\n"
-      "  carom check config/rigs/desk.toml                 what a file says\n"
-      "  carom simulate config/scenarios/three-pucks.toml --until 10\n"
+      "  carom check desk                                  what a file says\n"
+      "  carom simulate three-pucks --until 10\n"
       "Each command explains itself: carom simulate --help");
   addSimulate(app, status);
   addObserve(app, status);
@@ -377,8 +562,10 @@ void addCommands(CLI::App& app, int& status) {
   addTrack(app, status);
 #ifdef CAROM_WITH_CAVE
   addCave(app, status);
+  addEvents(app, status);
   addDiagram(app, status);
   addReplay(app, status);
+  addExport(app, status);
 #endif
 }
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/frame_loop.h"
 #include "app/import.h"
-#include "app/keys.h"
 #include "app/rig.h"
 #include "app/stage.h"
 #include "cave/cluster.h"
@@ -21,6 +21,7 @@ struct Patterns {
   Rig rig;
   std::unique_ptr<Graphics> graphics;
   std::unique_ptr<WallSet> walls;
+  std::unique_ptr<Recording> recording;
 };
 
 Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
@@ -32,9 +33,8 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
     }
     patterns.rig = readRig(options.rig);
     openBlends({options.rig, {}}, patterns.rig);
-    if (options.capture) makeFolder(*options.capture);
   });
-  cluster.agree("rig", textOf({options.rig, {}}));
+  agreeOnRig(cluster, {options.rig, {}}, patterns.rig);
   cluster.nameNodes(patterns.rig.walls);
   together(cluster, [&] {
     const Rig& rig = patterns.rig;
@@ -42,47 +42,65 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
     const double anyLightSpeed_m_s = 1.0;
     patterns.walls = std::make_unique<WallSet>(*patterns.graphics, Scene{}, anyLightSpeed_m_s,
                                                wallsOf(rig, cluster), rig.oneWindow, !options.capture);
+    patterns.recording = std::make_unique<Recording>(*patterns.graphics, RecordingOptions{options.capture, {}},
+                                                     cluster, rig, false);
   });
   return patterns;
 }
 
-void capturePatterns(Cluster& cluster, Patterns& patterns, const std::filesystem::path& folder) {
-  FrameState state;
-  for (std::uint64_t number = 0; number < 4; ++number) {
-    state.record.number = number;
-    state.record.controls.shown = number == 0 ? Shown::testPattern : Shown::seamPattern;
-    state.record.display_s = number == 0 ? 0.0 : static_cast<double>(number - 1);
-    cluster.share(state);
-    patterns.walls->draw(state.record, {});
-    together(cluster, [&] { patterns.walls->capture(folder, number); });
-  }
-  if (cluster.rank() == 0) fmt::print(stderr, "The pictures are in {}.\n", folder.string());
-}
+/// The patterns as the operator chooses them, one frame at each of the display's ticks.
+class ChosenPatterns : public FrameSource {
+ public:
+  explicit ChosenPatterns(const Rig& rig) : pacer_(clock_, rig.display_hz, rig.displayLatency_s) {}
 
-void showPatterns(Cluster& cluster, Patterns& patterns) {
-  SteadyClock clock(std::chrono::steady_clock::now());
-  Pacer pacer(clock, patterns.rig.display_hz, patterns.rig.displayLatency_s);
-  const bool leads = cluster.rank() == 0;
-  WallControls controls{Shown::testPattern};
-  FrameState state;
-  for (bool ended = false; !ended;) {
-    if (leads) {
-      const FrameTimes times = pacer.next();
-      state.record.number = times.number;
-      state.record.display_s = times.display_s;
-      state.record.controls = controls;
-    }
-    cluster.share(state);
-    patterns.walls->draw(state.record, {});
-    patterns.walls->show();
-    const WindowInput& input = patterns.graphics->poll();
-    if (leads) steerWalls(input, controls, false);
-    ended = cluster.swapTogether(state, {}, wantsToEnd(input), [&] {
-      if (leads) pacer.drawn();
-    });
-    patterns.walls->swap();
-    if (leads) pacer.swapped();
+  void next(const Controls& controls, FrameState& state) override {
+    const FrameTimes times = pacer_.next();
+    state.record.number = times.number;
+    state.record.display_s = times.display_s;
+    state.record.controls = controls.walls;
   }
+  void drawn() override { pacer_.drawn(); }
+  void shown(const FrameState&) override { pacer_.swapped(); }
+
+ private:
+  SteadyClock clock_;
+  Pacer pacer_;
+};
+
+/// All of them once, for pictures: the test patterns, then the seam pattern at 0, 1 and 2 s.
+class EveryPattern : public FrameSource {
+ public:
+  void next(const Controls& controls, FrameState& state) override {
+    state.record.number = number_;
+    state.record.display_s = number_ == 0 ? 0.0 : static_cast<double>(number_ - 1);
+    state.record.controls = controls.walls;
+    state.record.controls.shown = number_ == 0 ? Shown::testPattern : Shown::seamPattern;
+    state.record.last = number_ == 3;
+    ++number_;
+  }
+
+ private:
+  std::uint64_t number_ = 0;
+};
+
+void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& options) {
+  std::unique_ptr<FrameSource> source;
+  if (options.capture) {
+    source = std::make_unique<EveryPattern>();
+  } else {
+    source = std::make_unique<ChosenPatterns>(patterns.rig);
+  }
+  const bool leads = cluster.rank() == 0;
+  if (leads && !options.capture) sayKeys(KeysOf::patterns);
+  Lead lead{*source, KeysOf::patterns, {}};
+  lead.controls.walls.shown = Shown::testPattern;
+  World nothing;
+  NodeLock lock = patterns.walls->lockSwaps(patterns.rig.frameLock);
+  runFrames({cluster, *patterns.graphics, *patterns.walls, nothing, *patterns.recording, lock,
+             patterns.rig.display_hz, !options.capture},
+            leads ? &lead : nullptr);
+  patterns.recording->finish();
+  if (leads && options.capture) fmt::print(stderr, "The pictures are in {}.\n", options.capture->string());
 }
 
 }  // namespace
@@ -90,9 +108,7 @@ void showPatterns(Cluster& cluster, Patterns& patterns) {
 int runPattern(const PatternOptions& options) {
   return runOnCluster([&](Cluster& cluster) {
     Patterns patterns = openPatterns(cluster, options);
-    if (options.capture) return capturePatterns(cluster, patterns, *options.capture);
-    if (cluster.rank() == 0) sayPatternKeys();
-    showPatterns(cluster, patterns);
+    showPatterns(cluster, patterns, options);
   });
 }
 

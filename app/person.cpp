@@ -7,22 +7,11 @@
 namespace carom {
 namespace {
 
-/// The room's attitude and motion: its floor's right, forward and up on the board, boosted by the platform's
-/// β.
-Lorentz boardFromRoom(const ObserverStart& start, const RoomAxes& axes, double c_m_s) {
-  const glm::dvec3 forward(std::cos(start.facing_rad), std::sin(start.facing_rad), 0.0);
-  const glm::dvec3 up(0.0, 0.0, 1.0);
-  const glm::dmat3 board(glm::cross(forward, up), forward, up);
-  const glm::dmat3 room(axes.right, axes.forward, axes.up);
-  const glm::dquat turn = glm::normalize(glm::quat_cast(board * glm::transpose(room)));
-  return Lorentz::boost(uFromBeta(start.beta), c_m_s) * Lorentz::rotation(turn, c_m_s);
-}
-
 Head headOf(const HeadEstimate& estimate) { return {estimate.pose, estimate.celerity_m_s}; }
 
 Observer startOf(const Rig& rig, const Scenario& scenario, const Head& head,
                  const std::optional<FrameRecord>& before) {
-  const Lorentz room = boardFromRoom(scenario.observer, rig.axes, scenario.billiard.lightSpeed_m_s);
+  const Lorentz room = startingRoom(scenario.observer, rig.axes, scenario.billiard.lightSpeed_m_s);
   if (!before) return Observer(room, {0.0, scenario.observer.position_m}, head);
   const ObserverView& last = before->observer;
   return Observer::at(last.eyes[2].observation, last.properTime_s, room, head);
@@ -36,15 +25,36 @@ FrameTimes firstTimes(const Rig& rig, const std::optional<FrameRecord>& before) 
 
 }  // namespace
 
+Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double c_m_s) {
+  const glm::dvec3 forward(std::cos(start.facing_rad), std::sin(start.facing_rad), 0.0);
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  const glm::dmat3 board(glm::cross(forward, up), forward, up);
+  const glm::dmat3 room(axes.right, axes.forward, axes.up);
+  const glm::dquat turn = glm::normalize(glm::quat_cast(board * glm::transpose(room)));
+  return Lorentz::boost(uFromBeta(start.beta), c_m_s) * Lorentz::rotation(turn, c_m_s);
+}
+
 Person::Person(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
                const std::optional<FrameRecord>& before)
     : tracking_(rig, sessionStart),
       head_(tracking_.at(firstTimes(rig, before))),
       observer_(startOf(rig, scenario, headOf(head_), before)) {}
 
-ObserverView Person::at(const FrameTimes& times, double eyeSeparation_m) {
+ObserverView Person::at(const FrameTimes& times, double eyeSeparation_m, double pace) {
   head_ = tracking_.at(times);
-  observer_.step(times.step_s, headOf(head_));
+  observer_.step(times.step_s, headOf(head_), pace);
+  return observer_.view(eyeSeparation_m);
+}
+
+ObserverView Person::round(const ObserverView& sight, const FrameTimes& times, double eyeSeparation_m) {
+  head_ = tracking_.at(times);
+  observer_.step(0.0, headOf(head_));
+  return walkedRound(sight, observer_.view(eyeSeparation_m));
+}
+
+ObserverView Person::through(const FrameTimes& times, double eyeSeparation_m, double roomTime_s) {
+  head_ = tracking_.at(times);
+  observer_.stroll(roomTime_s, headOf(head_));
   return observer_.view(eyeSeparation_m);
 }
 

@@ -14,6 +14,10 @@
 
 namespace carom {
 
+/// The room's attitude and motion on the board, as a scenario begins: its floor's right, forward and up, boosted
+/// by the platform's β.
+Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double lightSpeed_m_s);
+
 class Person {
  public:
   /// Stands where the scenario begins, or, with `before`, at the event at which an earlier session's last
@@ -22,11 +26,20 @@ class Person {
   Person(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
          const std::optional<FrameRecord>& before = {});
 
-  /// Lives on to the frame's display; the eyes then, so far apart.
-  ObserverView at(const FrameTimes& times, double eyeSeparation_m);
+  /// Lives on to the frame's display; the eyes then, so far apart. `pace`: how many of the game's seconds go
+  /// by in one of the person's.
+  ObserverView at(const FrameTimes& times, double eyeSeparation_m, double pace = 1.0);
+
+  /// The person's time stands still, and so does what they see: they walk round it. `sight`: at that moment.
+  ObserverView round(const ObserverView& sight, const FrameTimes& times, double eyeSeparation_m);
+
+  /// Walks about in a game while so much of the room's time goes by, or is gone back: their own motion is not
+  /// seen (Observer::stroll).
+  ObserverView through(const FrameTimes& times, double eyeSeparation_m, double roomTime_s);
 
   /// The head at that display, and what the tracker had delivered for it.
   const HeadEstimate& head() const { return head_; }
+  Tracked tracked() const { return tracking_.tracked(); }
   std::span<const TrackerSample> samples() const { return tracking_.samples(); }
 
  private:

@@ -2,155 +2,91 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <memory>
+#include <stdexcept>
 
-#include "app/keys.h"
+#include "app/frame_loop.h"
 #include "app/person.h"
-#include "app/session_file.h"
-#include "app/stage.h"
+#include "app/recorded_source.h"
+#include "app/visitor_source.h"
 #include "devices/trace.h"
 
 namespace carom {
 namespace {
 
-/// Where a replay's frames come from, on rank 0.
-class Source {
- public:
-  virtual ~Source() = default;
-  /// The next frame, its record marked if it is the last.
-  virtual void next(FrameState& state) = 0;
+bool isVisit(const ReplayOptions& options) { return options.observer || options.walk || options.beta; }
+
+/// The session's rig and scenario, from its file.
+std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, StageOptions& inputs) {
+  auto session = std::make_unique<SessionFile>(options.session);
+  if (!session->frames()) {
+    throw std::runtime_error(
+        fmt::format("session file {}: it ended before its first frame", options.session.string()));
+  }
+  if (options.observer) readTrace(*options.observer);
+  inputs.rig = {session->facts().rig, session->facts().rigText};
+  inputs.scenario = {session->facts().scenario, session->facts().scenarioText};
+  return session;
+}
+
+/// Where the frames come from, and the clock that they go by.
+struct Frames {
+  std::unique_ptr<Clock> clock;
+  std::unique_ptr<FrameSource> source;
 };
 
-/// As it was seen.
-class AsRecorded : public Source {
- public:
-  AsRecorded(SessionFile& session, Clock& clock) : session_(session), clock_(clock) {
-    more_ = session_.next(ahead_);
+Frames framesOf(const ReplayOptions& options, const Stage& stage, SessionFile& session) {
+  std::optional<RecordedGame> game;
+  if (isVisit(options)) game = wholeGame(session, historiesAtStart(stage));
+  Frames frames;
+  const auto start = std::chrono::steady_clock::now();
+  if (stage.realTime) {
+    frames.clock = std::make_unique<SteadyClock>(start);
+  } else {
+    frames.clock = std::make_unique<SimulatedClock>();
   }
-
-  void next(FrameState& state) override {
-    std::swap(state, ahead_);
-    more_ = session_.next(ahead_);
-    state.record.last = !more_;
-    if (!begun_) start_s_ = state.record.display_s - clock_.now_s();
-    begun_ = true;
-    clock_.sleepUntil(state.record.display_s - start_s_);
+  if (game) {
+    const Visitor visitor{options.observer, options.beta, stage.realTime && !options.observer};
+    frames.source = std::make_unique<VisitorSource>(stage.rig, stage.scenario, visitor, std::move(*game),
+                                                    VisitTime{*frames.clock, start, stage.swapsWait});
+  } else {
+    frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(stage), stage.rig.display_hz,
+                                                     *frames.clock);
   }
-
- private:
-  SessionFile& session_;
-  Clock& clock_;
-  FrameState ahead_;
-  bool more_ = false;
-  bool begun_ = false;
-  double start_s_ = 0.0;
-};
-
-/// The same game for somebody else, whose head a trace tells. All of the game's history is brought with the
-/// first frame: this person's board time is their own.
-class SeenByAnother : public Source {
- public:
-  SeenByAnother(SessionFile& session, const Stage& stage, const std::filesystem::path& trace, Clock& clock)
-      : stage_(stage),
-        person_(rigWith(stage.rig, trace), stage.scenario, std::chrono::steady_clock::now()),
-        pacer_(clock, stage.rig.display_hz, stage.rig.displayLatency_s),
-        end_s_(lengthOf_s(trace)) {
-    // Played through, so that what strokes took back is gone.
-    std::vector<WorldLine> histories = stage.histories;
-    for (FrameState frame; session.next(frame);) applyFrame(frame, histories);
-    for (std::size_t body = 0; body < histories.size(); ++body) {
-      const auto known = stage.histories[body].knots().size();
-      for (const Knot& knot : histories[body].knots().subspan(known)) game_.push_back({body, knot});
-    }
-  }
-
-  void next(FrameState& state) override {
-    const FrameTimes times = pacer_.next();
-    state.record = {};
-    state.record.number = times.number;
-    state.record.display_s = times.display_s;
-    state.record.observer = person_.at(times, stage_.rig.head.eyeSeparation_m);
-    state.record.last = times.display_s + times.step_s > end_s_;
-    state.knots.clear();
-    std::swap(state.knots, game_);
-    pacer_.drawn();
-    pacer_.swapped();
-  }
-
- private:
-  static Rig rigWith(Rig rig, const std::filesystem::path& trace) {
-    TrackerSetup& tracker = rig.trackers[rig.head.sensor.tracker];
-    tracker = {};
-    tracker.kind = TrackerKind::recorded;
-    tracker.source = trace;
-    rig.head.sensor.sensor = 0;
-    rig.head.eyesFromSensor = {};
-    return rig;
-  }
-  static double lengthOf_s(const std::filesystem::path& trace) {
-    const std::vector<TrackerSample> samples = readTrace(trace);
-    return samples.back().time_s - samples.front().time_s;
-  }
-
-  const Stage& stage_;
-  Person person_;
-  Pacer pacer_;
-  double end_s_;
-  std::vector<BodyKnot> game_;
-};
-
-void showFrames(Cluster& cluster, Stage& stage, Source* source, const ReplayOptions& options) {
-  FrameState state;
-  for (bool ended = false; !ended;) {
-    if (source) source->next(state);
-    cluster.share(state);
-    applyFrame(state, stage.histories);
-    stage.walls->draw(state.record, stage.histories);
-    stage.walls->show();
-    if (options.capture) stage.walls->capture(*options.capture, state.record.number);
-    const bool wanted = cluster.swapTogether(state, stage.histories, wantsToEnd(stage.graphics->poll()));
-    stage.walls->swap();
-    if (source && (state.record.number + 1) % 30 == 0)
-      fmt::print(stderr, "frame {}\n", state.record.number + 1);
-    ended = wanted || state.record.last;
-  }
+  return frames;
 }
 
 void replay(Cluster& cluster, const ReplayOptions& options) {
   std::unique_ptr<SessionFile> session;
   StageOptions inputs;
-  inputs.capture = options.capture;
-  inputs.noWindow = options.noWindow;
+  inputs.recording = options.recording;
+  inputs.noWindow = inputs.simulated = options.noWindow;
+  inputs.live = isVisit(options) && !options.observer;
+  inputs.outside = options.outside;
   together(cluster, [&] {
-    if (cluster.rank() > 0) return;
-    session = std::make_unique<SessionFile>(options.session);
-    if (!session->frames())
-      throw std::runtime_error(
-          fmt::format("session file {}: it ended before its first frame", options.session.string()));
-    if (options.observer) readTrace(*options.observer);
-    inputs.rig = {session->facts().rig, session->facts().rigText};
-    inputs.scenario = {session->facts().scenario, session->facts().scenarioText};
+    if (cluster.rank() == 0) session = openSession(options, inputs);
   });
   shareInputs(cluster, inputs);
   Stage stage = openStage(cluster, inputs);
+  if (options.beta) {
+    ObserverStart start = stage.scenario.observer;
+    start.beta = *options.beta;
+    stage.boardFromRoom = startingRoom(start, stage.rig.axes, stage.scenario.billiard.lightSpeed_m_s);
+  }
 
-  std::unique_ptr<Clock> clock;
-  std::unique_ptr<Source> source;
+  Frames frames;
+  std::optional<Lead> lead;
   together(cluster, [&] {
     if (cluster.rank() > 0) return;
-    if (options.noWindow) {
-      clock = std::make_unique<SimulatedClock>();
-    } else {
-      clock = std::make_unique<SteadyClock>(std::chrono::steady_clock::now());
-    }
-    if (options.observer) {
-      source = std::make_unique<SeenByAnother>(*session, stage, *options.observer, *clock);
-    } else {
-      source = std::make_unique<AsRecorded>(*session, *clock);
-    }
+    frames = framesOf(options, stage, *session);
+    lead.emplace(Lead{*frames.source, KeysOf::replay, controlsAtStart(stage)});
+    if (!options.noWindow) sayKeys(KeysOf::replay);
   });
-  showFrames(cluster, stage, source.get(), options);
-  if (source && options.capture) fmt::print(stderr, "The pictures are in {}.\n", options.capture->string());
+  runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
+  stage.recording->finish();
+  if (lead && options.recording.capture)
+    fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
 }
 
 }  // namespace

@@ -1,17 +1,22 @@
 #pragma once
-// `carom replay`: a recorded session again, as it was seen or as another person would have seen it.
+// `carom replay`: a recorded session again, as it was seen or as another person sees it.
 
 #include <filesystem>
 #include <optional>
+
+#include "app/recording.h"
+#include "engine/event.h"
 
 namespace carom {
 
 struct ReplayOptions {
   std::filesystem::path session;
-  std::optional<std::filesystem::path>
-      observer;  ///< a trace of the head (room axes): another person in the same game
-  std::optional<std::filesystem::path> capture;  ///< folder for every wall and eye of every frame
-  bool noWindow = false;                         ///< as fast as it goes
+  std::optional<std::filesystem::path> observer;  ///< a trace of another person's head (room axes)
+  bool walk = false;                              ///< another person: whom the rig's tracker follows
+  std::optional<Vec3> beta;                       ///< v/c of the other person's room on the board
+  RecordingOptions recording;                     ///< pictures and movie
+  bool noWindow = false;                          ///< as fast as it goes
+  bool outside = false;                           ///< the first node shows the room from outside, too
 };
 
 /// The exit status: 0, or 1 after a message on standard error.

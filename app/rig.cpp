@@ -57,13 +57,13 @@ Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
 }
 
 /// In the order of TrackerKind.
-constexpr std::array<std::string_view, 7> kTrackerKinds{"simulated", "recorded",     "vrpn",   "dtrack",
-                                                        "natnet",    "polhemus-usb", "hid-imu"};
+constexpr std::array<std::string_view, 8> kTrackerKinds{
+    "simulated", "recorded", "vrpn", "dtrack", "natnet", "polhemus-usb", "hid-imu", "spacemouse"};
 
 /// In the order of StereoMode and of Flip.
-constexpr std::array<std::string_view, 9> kStereoModes{"mono",        "left",         "right",
-                                                       "quad-buffer", "side-by-side", "top-bottom",
-                                                       "anaglyph",    "interlaced",   "checkerboard"};
+constexpr std::array<std::string_view, 10> kStereoModes{
+    "mono",       "left",     "right",      "quad-buffer",  "side-by-side",
+    "top-bottom", "anaglyph", "interlaced", "checkerboard", "anaglyph-grey"};
 constexpr std::array<std::string_view, 4> kFlips{"none", "horizontal", "vertical", "both"};
 
 /// Where a tracker's samples come from.
@@ -74,6 +74,7 @@ std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, T
     table.refuse("source", "has no meaning for a simulated tracker, expected none");
     return {};
   }
+  if (kind == TrackerKind::spaceMouse && !table.has("source")) return {};  // the first that is plugged in
   const std::string source = table.text("source");
   if (source.empty()) return {};  // complained of already
   try {
@@ -119,19 +120,35 @@ HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trac
   HeadSetup head;
   constexpr double kWidestEyes_m = 1.0;
   head.sensor = readSensor(table, trackers);
+  if (head.sensor.tracker < trackers.size() &&
+      trackers[head.sensor.tracker].kind == TrackerKind::spaceMouse) {
+    table.fault("tracker", "a spacemouse sends no poses, expected a tracker that does");
+  }
   const Range range{.least = 0.0, .most = kWidestEyes_m / unit_m};
   head.eyeSeparation_m = table.number("eye_separation", range, head.eyeSeparation_m / unit_m) * unit_m;
   head.eyesFromSensor = readPose(table, "eyes_from_sensor", unit_m);
   return head;
 }
 
+constexpr Range kPlace_px{.least = -65536.0, .most = 65536.0};
+constexpr Range kSize_px{.least = 1.0, .most = kMostPixels};
+
 WindowPlacement readWindow(const TomlTable& table) {
-  constexpr Range kPlace_px{.least = -65536.0, .most = 65536.0};
-  constexpr Range kSize_px{.least = 1.0, .most = kMostPixels};
   return {.monitor = table.integer("monitor", 0, 63, 0),
           .position_px = toPixels(table.wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
           .size_px = toPixels(table.wholeNumbers<2>("size", kSize_px)),
           .fullscreen = table.flag("fullscreen", false)};
+}
+
+/// A wall's window, and its part of it where it shares one.
+void readWallWindow(const TomlTable& table, bool hasOneWindow, Wall& wall) {
+  wall.window = readWindow(table);
+  const auto part = table.table("viewport");
+  if (!part) return;
+  wall.viewport = Viewport{toPixels(part->wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
+                           toPixels(part->wholeNumbers<2>("size", kSize_px))};
+  if (hasOneWindow)
+    table.fault("viewport", "a place inside the one window has no viewport of its own, expected none");
 }
 
 /// Complains where the three or four corners are no rectangle.
@@ -210,7 +227,7 @@ WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, b
   wall.stereo = static_cast<StereoMode>(table.choice("stereo", kStereoModes, 0));
   wall.window.size_px = wall.pixels;
   const auto window = hasOneWindow ? table.requiredTable("window") : table.table("window");
-  if (window) wall.window = readWindow(*window);
+  if (window) readWallWindow(*window, hasOneWindow, wall);
   readProjector(file, table, wall);
   return {table, wall, upperRight_m};
 }
@@ -246,29 +263,65 @@ void checkUnique(const std::vector<TomlTable>& tables, std::string_view key, con
   }
 }
 
-bool meet(const WindowPlacement& a, const WindowPlacement& b) {
+bool meet(const Viewport& a, const Viewport& b) {
   const glm::ivec2 low = glm::max(a.position_px, b.position_px);
   const glm::ivec2 high = glm::min(a.position_px + a.size_px, b.position_px + b.size_px);
   return low.x < high.x && low.y < high.y;
 }
 
-/// In a rig with one window, every wall has its own place inside.
+/// A wall's part of a window that it shares, with the window.
+struct SharedPlace {
+  WindowPlacement window;
+  Viewport part;
+};
+
+std::optional<SharedPlace> sharedPlaceOf(const Rig& rig, const Wall& wall) {
+  if (rig.oneWindow) return SharedPlace{*rig.oneWindow, {wall.window.position_px, wall.window.size_px}};
+  if (wall.viewport) return SharedPlace{wall.window, *wall.viewport};
+  return {};
+}
+
+/// Walls that share a window have each their own place inside.
 void checkPlaces(const Rig& rig, const std::vector<TomlTable>& tables) {
+  const char* window = rig.oneWindow ? "the one window" : "their window";
   for (std::size_t i = 0; i < rig.walls.size(); ++i) {
-    const WindowPlacement& place = rig.walls[i].window;
-    const glm::ivec2 high = place.position_px + place.size_px;
+    const auto place = sharedPlaceOf(rig, rig.walls[i]);
+    if (!place) continue;
+    const glm::ivec2 low = place->part.position_px, high = low + place->part.size_px,
+                     size = place->window.size_px;
     const auto complain = [&](const std::string& what) { tables[i].fault("window", what); };
-    if (place.position_px.x < 0 || place.position_px.y < 0 || high.x > rig.oneWindow->size_px.x ||
-        high.y > rig.oneWindow->size_px.y) {
-      complain(fmt::format("wall '{}' reaches out of the one window, expected a place within {} × {} pixels",
-                           rig.walls[i].name, rig.oneWindow->size_px.x, rig.oneWindow->size_px.y));
+    if (low.x < 0 || low.y < 0 || high.x > size.x || high.y > size.y) {
+      complain(fmt::format("wall '{}' reaches out of {}, expected a place within {} × {} pixels",
+                           rig.walls[i].name, rig.oneWindow ? window : "its window", size.x, size.y));
     }
-    if (place.fullscreen) complain("a place inside the one window cannot be fullscreen, expected false");
+    if (rig.oneWindow && rig.walls[i].window.fullscreen)
+      complain("a place inside the one window cannot be fullscreen, expected false");
     for (std::size_t j = 0; j < i; ++j) {
-      if (!meet(place, rig.walls[j].window)) continue;
-      complain(fmt::format("walls '{}' and '{}' overlap in the one window, expected places apart",
-                           rig.walls[j].name, rig.walls[i].name));
+      const auto other = sharedPlaceOf(rig, rig.walls[j]);
+      if (!other || rig.walls[j].node != rig.walls[i].node || other->window != place->window ||
+          !meet(place->part, other->part))
+        continue;
+      complain(fmt::format("walls '{}' and '{}' overlap in {}, expected places apart", rig.walls[j].name,
+                           rig.walls[i].name, window));
     }
+  }
+}
+
+/// Light should leave all walls together, that of the slowest. The others' pictures wait for it, by whole
+/// frames: what is left is half a frame at most.
+void holdBackTheFast(Rig& rig, const std::vector<TomlTable>& tables) {
+  constexpr double kMostHeld_s = 0.1;  // pictures take memory; displays that differ by more are mistaken
+  for (const Wall& wall : rig.walls)
+    rig.displayLatency_s = std::max(rig.displayLatency_s, wall.displayLatency_s);
+  for (std::size_t i = 0; i < rig.walls.size(); ++i) {
+    Wall& wall = rig.walls[i];
+    const double ahead_s = rig.displayLatency_s - wall.displayLatency_s;
+    wall.heldFrames = static_cast<std::size_t>(std::lround(ahead_s * rig.display_hz));
+    if (ahead_s <= kMostHeld_s) continue;
+    tables[i].fault("display_latency_ms",
+                    fmt::format("wall '{}' is {:.1f} ms faster than the slowest wall, expected at most {:.0f} "
+                                "ms between the walls of a room",
+                                wall.name, ahead_s * 1e3, kMostHeld_s * 1e3));
   }
 }
 
@@ -281,13 +334,8 @@ void checkTogether(const TomlTable& root, const Rig& rig, const std::vector<Wall
   for (const WallText& text : walls) {
     checkWallName(text.table, text.wall.name);
     checkRectangle(text.table, text.wall, text.upperRight_m);
-    if (text.wall.displayLatency_s == rig.displayLatency_s) continue;
-    text.table.fault("display_latency_ms",
-                     fmt::format("walls with different latencies are not supported yet, expected "
-                                 "{} as on the first wall",
-                                 rig.displayLatency_s * 1e3));
   }
-  if (rig.oneWindow) checkPlaces(rig, tables);
+  checkPlaces(rig, tables);
 }
 
 PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
@@ -299,6 +347,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
   rig.axes = readAxes(root);
   constexpr Range kDisplay_hz{.least = 1.0, .most = 1000.0};
   rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
+  rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock", kFrameLocks, 0));
   for (const TomlTable& table : root.tables("tracker"))
     rig.trackers.push_back(readTracker(file, table, unit_m, rig.axes));
   if (const auto head = root.requiredTable("head")) {
@@ -321,8 +370,8 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
   }
   if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
   file.throwFaults();
-  rig.displayLatency_s = rig.walls.front().displayLatency_s;
   checkTogether(root, rig, walls);
+  holdBackTheFast(rig, root.tables("wall"));
   file.throwFaults();
   return placed;
 }

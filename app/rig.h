@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/input_file.h"
+#include "cave/frame_lock.h"
 #include "cave/wall.h"
 #include "engine/pose.h"
 
@@ -32,6 +33,7 @@ enum class TrackerKind {
   natnet,
   polhemusUsb,
   hidImu,
+  spaceMouse,  ///< buttons and axes, no poses
 };
 
 /// As a rig file names it.
@@ -74,13 +76,14 @@ struct Rig {
   std::string title;
   RoomAxes axes;
   double display_hz = 60.0;
-  double displayLatency_s = 0.0;  ///< from the swap to the photons, the same for all walls
+  double displayLatency_s = 0.0;  ///< from the swap to the photons, of the slowest wall
+  FrameLock frameLock = FrameLock::software;
   HeadSetup head;
   std::optional<SensorChoice> hand;
   std::vector<TrackerSetup> trackers;
   std::vector<NodeSetup> nodes;  ///< empty: every rank uses the display it finds
   std::vector<Wall> walls;       ///< at least one; rectangles to 2 mm
-  /// Where given, the only window of all walls; each wall's `window` is then a place inside it.
+  /// Where given, the only window of each node; a wall's `window` is then a place inside it.
   std::optional<WindowPlacement> oneWindow;
 };
 

@@ -162,7 +162,8 @@ class Judge {
   /// The window scales the picture; it should not stretch it. Packed pictures may keep their shape or be
   /// squeezed into their halves, as televisions take them.
   void judgeWindow(const RoomWall& wall) {
-    const glm::dvec2 window(wall.wall.window.size_px), picture(wall.wall.pixels);
+    const glm::dvec2 window(wall.wall.viewport ? wall.wall.viewport->size_px : wall.wall.window.size_px);
+    const glm::dvec2 picture(wall.wall.pixels);
     const bool sideBySide = wall.wall.stereo == StereoMode::sideBySide;
     const bool topBottom = wall.wall.stereo == StereoMode::topBottom;
     const auto fits = [&](double stretch) {
@@ -389,6 +390,7 @@ class Judge {
     if (room_.oneWindow || a.wall.node != b.wall.node || a.wall.window.monitor != b.wall.window.monitor)
       return;
     const WindowPlacement &p = a.wall.window, &q = b.wall.window;
+    if (a.wall.viewport && b.wall.viewport && p == q) return;  // the same window
     const glm::ivec2 shared = glm::min(p.position_px + p.size_px, q.position_px + q.size_px) -
                               glm::max(p.position_px, q.position_px);
     if (shared.x <= 0 || shared.y <= 0) return;
@@ -441,7 +443,7 @@ std::string_view sideOf(const Wall& wall, const RoomAxes& axes) { return lookedA
 
 std::string wordsFor(const RoomWall& wall, const Room& room) {
   constexpr double kMetresPerFoot = 0.3048;
-  constexpr std::array<std::string_view, 9> kStereo{"mono",
+  constexpr std::array<std::string_view, 10> kStereo{"mono",
                                                     "the left eye alone",
                                                     "the right eye alone",
                                                     "stereo by quad-buffer",
@@ -449,7 +451,8 @@ std::string wordsFor(const RoomWall& wall, const Room& room) {
                                                     "stereo top and bottom",
                                                     "stereo in red and cyan",
                                                     "stereo in alternate lines",
-                                                    "stereo in a checkerboard"};
+                                                    "stereo in a checkerboard",
+                                                    "stereo in red and cyan, without colours"};
   const double width = width_m(wall.wall), height = height_m(wall.wall);
   const double right = wall.wall.pixels.x / width, up = wall.wall.pixels.y / height;
   const bool equal = std::abs(width - height) <= kMeet_m;

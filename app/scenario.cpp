@@ -186,10 +186,17 @@ StrokeText readStroke(const TomlTable& table) {
   return text;
 }
 
-void checkNames(const std::vector<TomlTable>& pucks, const std::vector<TomlTable>& bodies) {
+Flash readFlash(const TomlTable& table, std::size_t index) {
+  return {table.text("name", fmt::format("flash {}", index + 1)),
+          {table.number("at_s", kNotNegative), toVec3(table.numbers<3>("r_m", {}))}};
+}
+
+void checkNames(const std::vector<TomlTable>& pucks, const std::vector<TomlTable>& bodies,
+                const std::vector<TomlTable>& flashes) {
   std::map<std::string, FilePlace> first;
-  for (const auto* tables : {&pucks, &bodies}) {
+  for (const auto* tables : {&pucks, &bodies, &flashes}) {
     for (const TomlTable& table : *tables) {
+      if (tables == &flashes && !table.has("name")) continue;
       const std::string name = table.text("name");
       const auto [known, isNew] = first.emplace(name, table.place("name"));
       if (isNew) continue;
@@ -310,9 +317,12 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   for (const TomlTable& body : bodyTables) bodies.push_back(readBody(file, body));
   std::vector<StrokeText> strokes;
   for (const TomlTable& stroke : root.tables("stroke")) strokes.push_back(readStroke(stroke));
+  const std::vector<TomlTable> flashes = root.tables("flash");
+  for (const TomlTable& flash : flashes)
+    scenario.billiard.flashes.push_back(readFlash(flash, scenario.billiard.flashes.size()));
   file.throwFaults();
 
-  checkNames(pucks, bodyTables);
+  checkNames(pucks, bodyTables, flashes);
   checkPlaces(scenario.billiard, pucks);
   if (physics) checkFriction(scenario.billiard, *physics);
   scenario.billiard.strokes = resolveStrokes(strokes, scenario.billiard.pucks);

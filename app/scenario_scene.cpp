@@ -7,7 +7,6 @@
 
 #include "app/toml_file.h"
 #include "cave/mesh_file.h"
-#include "cave/seen_mesh.h"
 
 namespace carom {
 
@@ -62,15 +61,19 @@ void openMeshes(const Scenario& scenario) {
   if (!faults.empty()) throw InputErrors(std::move(faults));
 }
 
-std::string seenSceneVtp(const Scenario& scenario, std::span<const WorldLine> pucks, const Event& observation,
-                         const Lorentz& headFromBoard) {
-  openMeshes(scenario);
-  const Scene scene = sceneOf(scenario, {});
+std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks) {
   std::vector<SeenBody> bodies{{"table and hall", restingWorldLine(scenario.billiard.lightSpeed_m_s)}};
   for (std::size_t i = 0; i < pucks.size(); ++i)
     bodies.push_back({scenario.billiard.pucks[i].name, pucks[i]});
   for (const ToldBody& body : scenario.bodies) bodies.push_back({body.name, body.worldLine});
-  const SeenMesh seen = seenMesh(scene, bodies, observation, headFromBoard);
+  return bodies;
+}
+
+std::string seenSceneVtp(const Scenario& scenario, std::span<const WorldLine> pucks, const Event& observation,
+                         const Lorentz& headFromBoard) {
+  openMeshes(scenario);
+  const SeenMesh seen =
+      seenMesh(sceneOf(scenario, {}), seenBodies(scenario, pucks), observation, headFromBoard);
   fmt::print(stderr, "The seen scene: {} points; {} are unseen, and {} triangles with them.\n",
              seen.mesh->GetNumberOfPoints(), seen.unseenPoints, seen.unseenTriangles);
   return vtpText(seen);

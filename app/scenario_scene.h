@@ -3,10 +3,12 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/rig.h"
 #include "app/scenario.h"
 #include "cave/scene.h"
+#include "cave/seen_mesh.h"
 #include "cave/tessellation.h"
 #include "engine/event.h"
 #include "engine/lorentz.h"
@@ -23,6 +25,9 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation);
 
 /// Opens every mesh of the scenario. Throws InputErrors with the fault of each that cannot be read.
 void openMeshes(const Scenario& scenario);
+
+/// The bodies of the scenario's scene. `pucks`: their world lines.
+std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks);
 
 /// What an eye at `observation`, whose rest frame is `headFromBoard`, sees of the whole scene: the bytes of a
 /// .vtp file (cave/seen_mesh.h). `pucks`: their world lines. Says on standard error how much is unseen.

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "app/stored_event.h"
+
 namespace carom {
 namespace {
 
@@ -43,6 +45,19 @@ void read(const SQLite::Column& column, T& value) {
   std::memcpy(static_cast<void*>(&value), column.getBlob(), sizeof value);
 }
 
+void readEvents(const SQLite::Column& column, FrameState& state) {
+  state.events.clear();
+  const auto bytes = static_cast<std::size_t>(column.getBytes());
+  StoredEvent event;
+  for (std::size_t at = 0; at < bytes; at += sizeof event) {
+    const bool whole = bytes - at >= sizeof event;
+    if (whole) std::memcpy(&event, static_cast<const char*>(column.getBlob()) + at, sizeof event);
+    const auto known = whole ? restored(event, state.record.pucks) : std::nullopt;
+    if (!known) throw std::runtime_error(fmt::format("frame {}: no such event can be", state.record.number));
+    state.events.push_back(*known);
+  }
+}
+
 }  // namespace
 
 struct SessionFile::Tables {
@@ -50,7 +65,7 @@ struct SessionFile::Tables {
     database.setBusyTimeout(1000);
   }
   void prepare() {
-    frame.emplace(database, "SELECT number, record FROM frame ORDER BY number");
+    frame.emplace(database, "SELECT number, record, events FROM frame WHERE number >= ? ORDER BY number");
     knot.emplace(database, "SELECT body, knot FROM knot WHERE frame = ? ORDER BY rowid");
   }
   std::string fact(const char* key) {
@@ -65,6 +80,7 @@ struct SessionFile::Tables {
 
 SessionFile::SessionFile(const std::filesystem::path& file) : file_(file) {
   if (!std::filesystem::exists(file)) refuse(file, "there is no such file");
+  if (std::filesystem::is_directory(file)) refuse(file, "this is a folder, expected a session file");
   try {
     tables_ = std::make_unique<Tables>(file);
     SQLite::Database& database = tables_->database;
@@ -77,6 +93,10 @@ SessionFile::SessionFile(const std::filesystem::path& file) : file_(file) {
              fmt::format("a newer carom wrote it (version {} of the tables), expected at most version {}",
                          version, kJournalVersion));
     }
+    if (version < kJournalVersion) {
+      refuse(file, fmt::format("an older carom wrote it (version {} of the tables), expected version {}",
+                               version, kJournalVersion));
+    }
     const std::string check = database.execAndGet("PRAGMA quick_check").getString();
     if (check != "ok")
       refuse(file, "it is damaged (" + check + "); sqlite3 FILE .recover may save what is left");
@@ -87,6 +107,7 @@ SessionFile::SessionFile(const std::filesystem::path& file) : file_(file) {
               tables_->fact("scenario"),
               database.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble()};
     tables_->prepare();
+    goTo(0);
   } catch (const SQLite::Exception& error) {
     refuse(file, error);
   }
@@ -107,6 +128,7 @@ bool SessionFile::next(FrameState& state) try {
   read(tables_->frame->getColumn(1), state.record);
   // To others, or from a session that was gone on with, more may be seen than was then.
   state.record.forgetBefore_s = -std::numeric_limits<double>::infinity();
+  readEvents(tables_->frame->getColumn(2), state);
   state.knots.clear();
   SQLite::Statement& knot = *tables_->knot;
   knot.reset();
@@ -123,6 +145,18 @@ bool SessionFile::next(FrameState& state) try {
   refuse(file_, error.what());
 }
 
-void SessionFile::rewind() { tables_->frame->reset(); }
+void SessionFile::goTo(std::uint64_t number) {
+  tables_->frame->reset();
+  tables_->frame->bind(1, static_cast<std::int64_t>(number));
+}
+
+std::uint64_t SessionFile::frameAt(double display_s) const {
+  SQLite::Statement row(
+      tables_->database,
+      "SELECT coalesce((SELECT max(number) FROM frame WHERE display_s <= ?), min(number)) FROM frame");
+  row.bind(1, display_s);
+  row.executeStep();
+  return static_cast<std::uint64_t>(row.getColumn(0).getInt64());
+}
 
 }  // namespace carom

@@ -27,8 +27,10 @@ class SessionFile {
   /// The next frame in the order of their numbers, with its knots; false after the last. Throws
   /// std::runtime_error where the file turns out to be damaged.
   bool next(FrameState& state);
-  /// The next frame will be the first again.
-  void rewind();
+  /// The next frame will be the first whose number is at least this.
+  void goTo(std::uint64_t number);
+  /// The last frame that was on the walls at this time of the session's clock; the first, if none was yet.
+  std::uint64_t frameAt(double display_s) const;
 
  private:
   struct Tables;

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -34,19 +33,15 @@ PuckState stateAt(const WorldLine& line, double t_s) {
   return {Vec2(motion.event.r_m), Vec2(betaFromU(motion.u)), motion.properTime_s};
 }
 
-std::string_view nameOf(Cushion cushion) {
-  constexpr std::array<std::string_view, 4> kNames{"+x", "-x", "+y", "-y"};  // in the order of Cushion
-  return kNames[static_cast<std::size_t>(cushion)];
-}
-
 /// The collisions whose contact or first turn is at or before `until_s`, as they were committed; the turns of
 /// each in the order of the file's pucks.
-std::vector<Collision> collisionsUntil(const Billiard& billiard, double until_s) {
-  std::vector<Collision> listed;
-  for (Collision collision : billiard.collisions()) {
+std::vector<GameEvent> collisionsUntil(const Billiard& billiard, double until_s) {
+  std::vector<GameEvent> listed;
+  for (GameEvent collision : billiard.events()) {
+    if (collision.kind == EventKind::stroke || collision.kind == EventKind::flash) continue;
     const bool turned = std::any_of(collision.turns.begin(), collision.turns.end(),
                                     [&](const Turn& turn) { return turn.event.t_s <= until_s; });
-    if (!turned && collision.contact.t_s > until_s) continue;
+    if (!turned && collision.at.t_s > until_s) continue;
     Turns& turns = collision.turns;
     if (turns.size() == 2 && turns[1].puck < turns[0].puck) std::swap(turns[0], turns[1]);
     listed.push_back(collision);
@@ -64,7 +59,7 @@ std::vector<double> stateTimes_s(double until_s, double every_s) {
 
 Json toJson(const Event& event) { return {{"t_s", event.t_s}, {"r_m", vectorJson(Vec2(event.r_m))}}; }
 
-Json toJson(const Collision& collision, const std::vector<Puck>& pucks) {
+Json toJson(const GameEvent& collision, const std::vector<Puck>& pucks) {
   Json names = Json::array(), turns = Json::array();
   for (const Turn& turn : collision.turns) {
     names.push_back(pucks[turn.puck].name);
@@ -75,9 +70,9 @@ Json toJson(const Collision& collision, const std::vector<Puck>& pucks) {
                      {"beta_after", vectorJson(turn.betaAfter)},
                      {"proper_time_s", turn.properTime_s}});
   }
-  Json json{{"kind", collision.cushion ? "puck-cushion" : "puck-puck"}, {"pucks", names}};
+  Json json{{"kind", nameOf(collision.kind)}, {"pucks", names}};
   if (collision.cushion) json["cushion"] = nameOf(*collision.cushion);
-  json["contact"] = toJson(collision.contact);
+  json["contact"] = toJson(collision.at);
   json["turns"] = turns;
   json["heat_j"] = collision.heat_j;
   return json;
@@ -111,7 +106,7 @@ std::string jsonOf(const Scenario& scenario, const Billiard& billiard, const Sim
   const std::vector<Puck>& pucks = scenario.billiard.pucks;
   Json json{{"light_speed_m_s", scenario.billiard.lightSpeed_m_s}};
   json["collisions"] = Json::array();
-  for (const Collision& collision : collisionsUntil(billiard, options.until_s)) {
+  for (const GameEvent& collision : collisionsUntil(billiard, options.until_s)) {
     json["collisions"].push_back(toJson(collision, pucks));
   }
   json["pucks"] = Json::array();
@@ -131,7 +126,7 @@ std::string stateLine(double t_s, const std::string& name, const PuckState& stat
 std::string tableOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options) {
   const std::vector<Puck>& pucks = scenario.billiard.pucks;
   std::string text = fmt::format("{}, light at {} m/s\n\n", scenario.title, scenario.billiard.lightSpeed_m_s);
-  const std::vector<Collision> collisions = collisionsUntil(billiard, options.until_s);
+  const std::vector<GameEvent> collisions = collisionsUntil(billiard, options.until_s);
   text += fmt::format("{} collisions up to t = {} s, and how each puck turns:\n", collisions.size(),
                       options.until_s);
   if (!collisions.empty()) {
@@ -139,14 +134,14 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
         " contact s         x m      y m   puck         meets        turns s    v/c before x, y      v/c "
         "after x, y\n";
   }
-  for (const Collision& collision : collisions) {
+  for (const GameEvent& collision : collisions) {
     for (std::size_t i = 0; i < collision.turns.size(); ++i) {
       const Turn& turn = collision.turns[i];
       const std::string other = collision.cushion ? fmt::format("cushion {}", nameOf(*collision.cushion))
                                                   : pucks[collision.turns[1 - i].puck].name;
       text += fmt::format(
           "{:10.4f}  {:10.4f} {:8.4f}   {:<12} {:<12} {:7.4f}   {:7.4f} {:7.4f}     {:7.4f} {:7.4f}\n",
-          collision.contact.t_s, collision.contact.r_m.x, collision.contact.r_m.y, pucks[turn.puck].name,
+          collision.at.t_s, collision.at.r_m.x, collision.at.r_m.y, pucks[turn.puck].name,
           other, turn.event.t_s, turn.betaBefore.x, turn.betaBefore.y, turn.betaAfter.x, turn.betaAfter.y);
     }
   }
@@ -234,7 +229,7 @@ void play(Billiard& billiard, double until_s) {
     billiard.advanceTo(t_s);
     step_s = std::max(step_s, 1e-9 * until_s);
     step_s *= Clock::now() - begin < kStep / 2 ? 2.0 : Clock::now() - begin > kStep ? 0.5 : 1.0;
-    const std::size_t collisions = billiard.collisions().size();
+    const std::size_t collisions = billiard.events().size();
     if (collisions > kMostCollisions) {
       throw std::runtime_error(fmt::format(
           "more than {} collisions, by board time {:.6g} s of {:.6g} s: they are all kept for the "

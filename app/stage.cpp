@@ -2,14 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
 #include "app/game.h"
+#include "app/open_tracker.h"
+#include "app/person.h"
+#include "app/mesh_buffers.h"
 #include "app/scenario_scene.h"
 #include "app/toml_file.h"
 #include "app/traces.h"
+#include "cave/pacer.h"
+#include "cave/table_model.h"
 
 namespace carom {
 namespace {
@@ -31,20 +38,40 @@ std::string bytesOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// A mesh and the files that it needs beside itself.
+void agreeOnMesh(const Cluster& cluster, const std::optional<std::filesystem::path>& mesh) {
+  if (!mesh) return;
+  const std::string content = bytesOf(*mesh);
+  cluster.agree("mesh " + mesh->filename().string(), content);
+  for (const std::filesystem::path& buffer : meshBuffers(*mesh, content)) {
+    cluster.agree(fmt::format("buffer {} of mesh {}", buffer.filename().string(), mesh->filename().string()),
+                  bytesOf(buffer));
+  }
+}
+
 /// Every node runs the same program on the same files; throws on every rank where one does not.
-void agreeOnInputs(const Cluster& cluster, const StageOptions& options, const Scenario& scenario) {
+void agreeOnInputs(const Cluster& cluster, const StageOptions& options, const Rig& rig,
+                   const Scenario& scenario) {
   if (cluster.size() == 1) return;
   cluster.agree("version of the program", CAROM_VERSION);
-  cluster.agree("rig", textOf(options.rig));
+  agreeOnRig(cluster, options.rig, rig);
   cluster.agree("scenario", textOf(options.scenario));
-  const auto agreeOnMesh = [&](const std::optional<std::filesystem::path>& mesh) {
-    if (mesh) cluster.agree("mesh " + mesh->filename().string(), bytesOf(*mesh));
-  };
-  for (const auto& mesh : scenario.puckMeshes) agreeOnMesh(mesh);
-  for (const ToldBody& body : scenario.bodies) agreeOnMesh(body.mesh);
+  for (const auto& mesh : scenario.puckMeshes) agreeOnMesh(cluster, mesh);
+  for (const ToldBody& body : scenario.bodies) agreeOnMesh(cluster, body.mesh);
 }
 
 }  // namespace
+
+void agreeOnRig(const Cluster& cluster, const InputFile& input, const Rig& rig) {
+  cluster.agree("rig", textOf(input));
+  for (const Wall& wall : rig.walls) {
+    for (const auto& [what, file] : {std::pair("warp", &wall.warp), std::pair("blend", &wall.blend)}) {
+      if (file->empty()) continue;
+      cluster.agree(fmt::format("{} {} of wall '{}'", what, file->filename().string(), wall.name),
+                    bytesOf(*file));
+    }
+  }
+}
 
 std::vector<Wall> wallsOf(const Rig& rig, const Cluster& cluster) {
   std::vector<Wall> walls;
@@ -127,6 +154,40 @@ void shareInputs(const Cluster& cluster, StageOptions& options) {
   }
 }
 
+namespace {
+
+/// Swaps of nothing, on all nodes together: drivers settle, swap groups begin. Whether swaps wait for the
+/// display.
+bool warmUp(const Cluster& cluster, const Stage& stage) {
+  std::array<double, 12> returned_s{};
+  for (double& swap_s : returned_s) {
+    cluster.firstFailed(false);  // all are here
+    stage.walls->swap();
+    swap_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  if (cluster.rank() == 0) {
+    fmt::print(stderr, "{} empty frames were swapped on every node to warm up.\n", returned_s.size());
+  }
+  return swapsWaitFor(stage.rig.display_hz, returned_s);
+}
+
+/// The view from outside; its table is coarse, for nothing bends there.
+void openOutside(Stage& stage, bool visible) {
+  const ObserverStart& start = stage.scenario.observer;
+  constexpr double kCell_m = 0.05;
+  std::vector<ScenePart> table;
+  if (const auto& board = stage.scenario.billiard.board) table = tableParts(*board, start.position_m.z, kCell_m);
+  stage.outside =
+      std::make_unique<RoomView>(*stage.graphics, factsOf(stage.rig), stage.scene, table, visible);
+  stage.boardFromRoom = startingRoom(start, stage.rig.axes, stage.scenario.billiard.lightSpeed_m_s);
+}
+
+}  // namespace
+
+RoomFacts factsOf(const Rig& rig) {
+  return {rig.walls, rig.axes.up, rig.axes.forward, inverse(rig.head.eyesFromSensor)};
+}
+
 Stage openStage(Cluster& cluster, const StageOptions& options) {
   Stage stage;
   together(cluster, [&] {
@@ -138,7 +199,7 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
     openBlends(options.rig, stage.rig);
     if (options.live && cluster.rank() == 0) openTraces(stage.rig);
   });
-  agreeOnInputs(cluster, options, stage.scenario);
+  agreeOnInputs(cluster, options, stage.rig, stage.scenario);
   cluster.nameNodes(stage.rig.walls);
   together(cluster, [&] {
     stage.graphics = std::make_unique<Graphics>(displayOf(stage.rig, cluster.rank()));
@@ -147,12 +208,27 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
     stage.walls =
         std::make_unique<WallSet>(*stage.graphics, stage.scene, stage.scenario.billiard.lightSpeed_m_s,
                                   wallsOf(stage.rig, cluster), stage.rig.oneWindow, !options.noWindow);
+    stage.walls->standIn(factsOf(stage.rig));
+    if (options.outside && cluster.rank() == 0) openOutside(stage, !options.noWindow);
   });
+  stage.realTime =
+      !options.simulated || (options.live && isDevice(stage.rig.trackers[stage.rig.head.sensor.tracker].kind));
   together(cluster, [&] {
-    if (options.capture) makeFolder(*options.capture);
+    stage.recording = std::make_unique<Recording>(*stage.graphics, options.recording, cluster, stage.rig,
+                                                  stage.realTime);
   });
-  stage.histories = reachingTo(startingHistories(stage.scenario), stage.scene.reach_m);
+  stage.lock = stage.walls->lockSwaps(stage.rig.frameLock);
+  if (!stage.lock.whyNot().empty()) {
+    fmt::print(stderr, "warning: {}: frame_lock = \"swap-group\": {}; the nodes' messages alone hold the swaps "
+               "together.\n", cluster.nameOf(cluster.rank()), stage.lock.whyNot());
+  }
+  if (stage.realTime && !options.noWindow) stage.swapsWait = warmUp(cluster, stage);
+  stage.world = {historiesAtStart(stage), {}};
   return stage;
+}
+
+std::vector<WorldLine> historiesAtStart(const Stage& stage) {
+  return reachingTo(startingHistories(stage.scenario), stage.scene.reach_m);
 }
 
 }  // namespace carom

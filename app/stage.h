@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "app/recording.h"
 #include "app/rig.h"
 #include "app/scenario.h"
 #include "cave/cluster.h"
+#include "cave/room_view.h"
 #include "cave/scene.h"
 #include "cave/tessellation.h"
 #include "cave/wall_set.h"
@@ -30,9 +32,10 @@ std::string textOf(const InputFile& input);
 struct StageOptions {
   InputFile rig, scenario;
   bool live = false;  ///< the rig's trackers will be used: their traces are read before a window opens
-  std::optional<std::filesystem::path>
-      capture;  ///< folder for every wall and eye of every frame; made if it is not there
+  RecordingOptions recording;
   bool noWindow = false;
+  bool simulated = false;  ///< in simulated time, unless a device tracks the head
+  bool outside = false;    ///< rank 0 shows the room from outside, too
 };
 
 struct Stage {
@@ -42,7 +45,13 @@ struct Stage {
   Tessellation tessellation;
   Scene scene;
   std::unique_ptr<WallSet> walls;
-  std::vector<WorldLine> histories;  ///< of every body of the scene, at the start of the game
+  std::unique_ptr<RoomView> outside;  ///< where it was asked for
+  Lorentz boardFromRoom{1.0};         ///< the room's attitude and motion, for it
+  World world;
+  std::unique_ptr<Recording> recording;
+  NodeLock lock;           ///< of this node's swaps
+  bool realTime = true;    ///< not in simulated time
+  bool swapsWait = false;  ///< on rank 0: swaps return at the display's ticks (cave/pacer.h)
 };
 
 /// Gives every node rank 0's rig and scenario, which it has from a session file.
@@ -52,8 +61,18 @@ void shareInputs(const Cluster& cluster, StageOptions& options);
 /// on every rank when one of them cannot; that one has said why.
 Stage openStage(Cluster& cluster, const StageOptions& options);
 
+/// The bodies' histories before the game.
+std::vector<WorldLine> historiesAtStart(const Stage& stage);
+
+/// What the walls' aids and the view from outside know of a rig's room.
+RoomFacts factsOf(const Rig& rig);
+
 /// The walls that this rank draws.
 std::vector<Wall> wallsOf(const Rig& rig, const Cluster& cluster);
+
+/// Makes sure that every node holds the same rig, the files of its projectors included. Throws NodesDiffer on
+/// every rank where one does not.
+void agreeOnRig(const Cluster& cluster, const InputFile& input, const Rig& rig);
 
 /// Reads the walls' blend pictures once before there is a window; throws InputErrors, which name what is
 /// wrong at its line of the rig.

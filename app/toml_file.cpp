@@ -14,6 +14,8 @@
 #include <tuple>
 #include <utility>
 
+#include "app/config_folder.h"
+
 namespace carom {
 
 namespace {
@@ -303,14 +305,14 @@ void TomlFile::throwFaults() const {
 std::filesystem::path TomlFile::existingFile(const TomlTable& table, std::string_view key) const {
   const std::filesystem::path given = table.text(key);
   const std::filesystem::path beside = document_->file.parent_path() / given;
-  const std::filesystem::path shipped = std::filesystem::path(CAROM_CONFIG_DIR) / given;
+  const std::filesystem::path shipped = configFolder() / given;
   std::error_code failed;
   for (const auto& candidate : {beside, shipped}) {
     if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
   }
   if (table.has(key) && !given.empty()) {
     table.fault(key, fmt::format("{} '{}' is no file, expected one beside this file or in {}", key,
-                                 given.string(), CAROM_CONFIG_DIR));
+                                 given.string(), configFolder().string()));
   }
   return {};
 }

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/input_monitor.h"
 #include "app/open_tracker.h"
 #include "app/rig.h"
 #include "app/sensor_monitor.h"
@@ -59,7 +60,8 @@ struct Watched {
   const TrackerSetup* setup = nullptr;
   std::unique_ptr<Tracker> tracker;
   std::map<int, SensorMonitor> sensors;
-  std::size_t losses = 0;  // said by the device itself
+  std::map<int, InputMonitor> inputs;  // of the sensors that have some
+  std::size_t losses = 0;              // said by the device itself
 };
 
 /// The head's sensor as a trace. Made at once, so that a place that cannot be written to is told at once.
@@ -137,6 +139,14 @@ std::string trackerLine(const Watched& watched, double now_s) {
   return line + '\n';
 }
 
+std::string inputLines(const Watched& watched) {
+  std::string lines;
+  for (const auto& [sensor, inputs] : watched.inputs) {
+    lines += fmt::format("  {} sensor {}: {}\n", watched.setup->name, sensor, inputs.text());
+  }
+  return lines;
+}
+
 std::string tableOf(const std::vector<Watched>& all, double now_s) {
   std::string text = kColumns;
   for (const Watched& watched : all) {
@@ -144,7 +154,7 @@ std::string tableOf(const std::vector<Watched>& all, double now_s) {
       text += sensorLine(watched.setup->name, sensor, monitor.figures(now_s - watched.setup->latency_s));
     }
   }
-  for (const Watched& watched : all) text += trackerLine(watched, now_s);
+  for (const Watched& watched : all) text += trackerLine(watched, now_s) + inputLines(watched);
   return text;
 }
 
@@ -182,6 +192,9 @@ void take(Watched& watched, std::size_t number, double now_s, Recording* recordi
   for (const Reading& input : inputs) {
     if (input.kind == Reading::Kind::battery) watched.sensors[input.sensor].setBattery(input.value);
     if (input.kind == Reading::Kind::lost) ++watched.losses;
+    if (input.kind == Reading::Kind::button || input.kind == Reading::Kind::axis) {
+      watched.inputs[input.sensor].add(input);
+    }
   }
 }
 
@@ -211,7 +224,7 @@ int runTrack(const TrackOptions& options) {
   const SteadyTime start = std::chrono::steady_clock::now();
   std::vector<Watched> all;
   for (const TrackerSetup& setup : rig.trackers) {
-    all.push_back({&setup, openTracker(setup, rig.axes, start), {}, 0});
+    all.push_back({&setup, openTracker(setup, rig.axes, start), {}, {}, 0});
   }
   std::unique_ptr<Recording> recording;
   if (options.record) recording = std::make_unique<Recording>(*options.record, rig);

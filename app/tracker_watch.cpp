@@ -37,8 +37,11 @@ std::optional<std::string> TrackerWatch::look(double now_s, const TrackerHealth&
   const Trouble trouble = troubleOf(now_s, health);
   const bool tooSoon = trouble == Trouble::none && told_ != Trouble::none && now_s - seen_s_ > kLookEvery_s;
   if (trouble == told_ || tooSoon) return {};
+  const std::string what = trouble == Trouble::none ? returnLine(now_s) : line(trouble, health);
+  if (told_ == Trouble::none && wasSeen_) missedSince_s_ = seen_s_;
+  if (trouble == Trouble::none) missedSince_s_.reset();
   told_ = trouble;
-  return fmt::format("Tracker {}: {}", name_, line(trouble, health));
+  return fmt::format("Tracker {}: {}", name_, what);
 }
 
 TrackerWatch::Trouble TrackerWatch::troubleOf(double now_s, const TrackerHealth& health) const {
@@ -59,21 +62,29 @@ std::string TrackerWatch::line(Trouble trouble, const TrackerHealth& health) con
   const std::string held = wasSeen_ ? "; the head is held" : "";
   switch (trouble) {
     case Trouble::none:
-      return "delivers";
+      break;
     case Trouble::failed:
       return health.message + held;
     case Trouble::connecting:
       return (health.message.empty() ? "nothing has come yet" : health.message) + "; it is tried again" +
              held;
     case Trouble::silent:
-      return fmt::format("silent for {:.0f} s{}", kSilent_s, held);
+      return fmt::format("silent since second {:.1f} of the session{}", seen_s_, held);
     case Trouble::unseen:
       break;
   }
-  if (wasSeen_) return fmt::format("sensor {} has not been seen for {:.0f} s{}", sensor_, kSilent_s, held);
+  if (wasSeen_) {
+    return fmt::format("sensor {} has not been seen since second {:.1f} of the session{}", sensor_, seen_s_,
+                       held);
+  }
   return fmt::format(
       "sensor {} never came; this tracker has sent {}", sensor_,
       otherSensors_.empty() ? "no poses" : fmt::format("sensors {}", fmt::join(otherSensors_, ", ")));
+}
+
+std::string TrackerWatch::returnLine(double now_s) const {
+  if (!missedSince_s_) return "delivers";
+  return fmt::format("delivers again, after {:.1f} s", now_s - *missedSince_s_);
 }
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 #pragma once
 // What a person should be told of a tracker while a session runs: one line when something is wrong for long
-// enough to matter, one when it is well again.
+// enough to matter (5 s of silence), and since which second of the session, one when it is well again, and
+// after how long.
 
 #include <optional>
 #include <span>
@@ -30,6 +31,7 @@ class TrackerWatch {
 
   Trouble troubleOf(double now_s, const TrackerHealth& health) const;
   std::string line(Trouble trouble, const TrackerHealth& health) const;
+  std::string returnLine(double now_s) const;
 
   std::string name_;
   int sensor_;
@@ -39,6 +41,7 @@ class TrackerWatch {
   double well_s_ = 0.0;  // when it last delivered, or the session's start
   double due_s_ = 0.0;
   Trouble told_ = Trouble::none;
+  std::optional<double> missedSince_s_;  // the wanted sensor had been seen, and then came what was told
 };
 
 }  // namespace carom

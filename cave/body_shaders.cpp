@@ -2,6 +2,7 @@
 
 #include "shaders/body_vert.h"
 #include "shaders/colour_texel.h"
+#include "shaders/digits.h"
 #include "shaders/doppler_kernel.h"
 #include "shaders/emission_kernel.h"
 #include "shaders/leg_at.h"
@@ -11,6 +12,7 @@
 #include "shaders/paint_clock.h"
 #include "shaders/paint_cloth.h"
 #include "shaders/paint_floor.h"
+#include "shaders/paint_ghost.h"
 #include "shaders/paint_lamp.h"
 #include "shaders/paint_panels.h"
 #include "shaders/paint_plain.h"
@@ -25,7 +27,7 @@ namespace {
 // VTK puts the version line here.
 const std::string kPreamble = "//VTK::System::Dec\n";
 
-const char* paintText(Paint paint) {
+std::string paintText(Paint paint) {
   switch (paint) {
     case Paint::plain:
       return shaders::paint_plain;
@@ -44,7 +46,7 @@ const char* paintText(Paint paint) {
     case Paint::shadow:
       return shaders::paint_shadow;
     case Paint::clock:
-      return shaders::paint_clock;
+      return std::string(shaders::digits) + shaders::paint_clock;
     case Paint::lamp:
       return shaders::paint_lamp;
   }
@@ -52,13 +54,18 @@ const char* paintText(Paint paint) {
 }
 
 /// What differs from one program to another.
-std::string variantText(Paint paint, const Switches& switches) {
+std::string variantText(Paint paint, const Switches& switches, Moment moment) {
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " true\n" : " false\n");
   };
-  std::string text = define("RETARDED", switches.retardation) + define("CONTRACTED", switches.contraction) +
+  const bool ghost = moment != Moment::seen;
+  const bool retarded = !ghost && switches.retardation;
+  const bool boardNow = moment == Moment::boardNow || (!ghost && !switches.retardation);
+  std::string text = define("RETARDED", retarded) + define("BOARD_NOW", boardNow) +
+                     define("CONTRACTED", switches.contraction || moment == Moment::myNow) +
                      define("ABERRATED", switches.aberration) + define("COLOURED", switches.colour) +
                      define("SEARCHLIGHT", switches.searchlight);
+  if (ghost) return text + "#define GHOST\n" + define("CROSSED", moment == Moment::myNow);
   if (switches == kNoSwitches) text += "#define EUCLID\n";
   if (switches.colour) text += "#define COLOUR\n";
   if (paint == Paint::clock) text += "#define CLOCK\n";
@@ -79,14 +86,15 @@ std::string kernelText(Legs legs) {
   return text;
 }
 
-std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches) {
-  return kPreamble + variantText(paint, switches) + kernelText(legs) + shaders::body_vert;
+std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, Moment moment) {
+  return kPreamble + variantText(paint, switches, moment) + kernelText(legs) + shaders::body_vert;
 }
 
-std::string surfaceFragmentShader(Paint paint, const Switches& switches) {
+std::string surfaceFragmentShader(Paint paint, const Switches& switches, Moment moment) {
   const std::string marker = "//CAROM::Paint";
-  std::string text = kPreamble + variantText(paint, switches) + shaders::surface_frag;
-  text.replace(text.find(marker), marker.size(), paintText(paint));
+  std::string text = kPreamble + variantText(paint, switches, moment) + shaders::surface_frag;
+  const std::string painting = moment == Moment::seen ? paintText(paint) : shaders::paint_ghost;
+  text.replace(text.find(marker), marker.size(), painting);
   return text;
 }
 

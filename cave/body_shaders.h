@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cave/scene.h"
+#include "engine/light_cone.h"
 #include "engine/switches.h"
 
 namespace carom {
@@ -18,8 +19,10 @@ enum class Legs {
 /// The kernels of emission and colour as GLSL with all they need.
 std::string kernelText(Legs legs);
 
-/// One program for each state of the switches: what is off costs nothing.
-std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches);
-std::string surfaceFragmentShader(Paint paint, const Switches& switches);
+/// One program for each state of the switches: what is off costs nothing. Bodies at a moment are drawn as
+/// ghosts, whatever their paint.
+std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches,
+                             Moment moment = Moment::seen);
+std::string surfaceFragmentShader(Paint paint, const Switches& switches, Moment moment = Moment::seen);
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include <fmt/format.h>
 #include <vtkImageData.h>
@@ -19,6 +20,12 @@
 
 namespace carom {
 namespace {
+
+constexpr std::size_t kMostWaiting_bytes = std::size_t{256} << 20;  // of pictures that wait for their encoding
+constexpr std::size_t kMostWaiting = 8;  // frames of them
+
+/// Half of the processors: the others draw.
+unsigned encoders() { return std::clamp(std::thread::hardware_concurrency() / 2, 1U, 8U); }
 
 /// Writes beside the file and renames: the file appears whole or not at all.
 void writeWhole(const std::filesystem::path& path, std::string_view bytes) {
@@ -71,6 +78,60 @@ void writePng(const Image& image, const std::filesystem::path& path) {
   vtkUnsignedCharArray* png = encoder->GetResult();
   writeWhole(path, {reinterpret_cast<const char*>(png->GetPointer(0)),
                     static_cast<std::size_t>(png->GetNumberOfValues())});
+}
+
+Capture::Capture(std::filesystem::path directory, WhenFull whenFull)
+    : directory_(std::move(directory)), whenFull_(whenFull) {}
+
+Capture::~Capture() = default;
+
+void Capture::write(Job& job) {
+  job.image.size_px = job.size_px;
+  job.image.rgb.resize(job.rgba.size() / 4 * 3);
+  for (std::size_t from = 0, to = 0; from < job.rgba.size(); from += 4, to += 3) {
+    std::copy_n(&job.rgba[from], 3, &job.image.rgb[to]);
+  }
+  writePng(job.image, job.path);
+}
+
+void Capture::take(std::uint64_t frame, std::span<const Taken> pictures) {
+  if (pictures.empty()) return;
+  if (!queue_) {
+    std::size_t bytes = 0;
+    for (const Taken& taken : pictures) {
+      bytes = std::max(bytes, 4 * static_cast<std::size_t>(taken.picture->size_px().x) *
+                                  static_cast<std::size_t>(taken.picture->size_px().y));
+    }
+    const std::size_t capacity =
+        std::clamp(kMostWaiting_bytes / bytes, 3 * pictures.size(), kMostWaiting * pictures.size());
+    queue_ = std::make_unique<WorkQueue<Job>>(capacity, encoders(), write);
+  }
+  fetch(pictures.size());  // of the last frame; what is older is waited for
+  if (whenFull_ == WhenFull::drop && queue_->room() < pictures.size() + reader_.underWay()) {
+    ++dropped_;
+    return;
+  }
+  for (const Taken& taken : pictures) {
+    reader_.ask(*taken.picture);
+    asked_.push_back(capturePath(directory_, *taken.wall, taken.eye, frame));
+  }
+}
+
+void Capture::fetch(std::size_t most) {
+  reader_.fetch(most, [this](const glm::ivec2& size_px, std::span<const std::uint8_t> rgba) {
+    Job job = queue_->spare();
+    job.path = std::move(asked_.front());
+    asked_.pop_front();
+    job.size_px = size_px;
+    job.rgba.assign(rgba.begin(), rgba.end());
+    queue_->add(std::move(job));
+  });
+}
+
+void Capture::finish() {
+  if (!queue_) return;
+  fetch(0);
+  queue_->finish();
 }
 
 }  // namespace carom

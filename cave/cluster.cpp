@@ -35,16 +35,18 @@ constexpr double kSpin_s = 0.002;         // waits shorter than this take no nap
 constexpr std::chrono::microseconds kNap{100};
 constexpr int kShared = 1, kDrawn = 2, kLastWords = 3;  // tags of messages
 
-/// What precedes the knots in a frame's message.
+/// What precedes the knots and events in a frame's message.
 struct Header {
   FrameRecord record;
   std::uint64_t knots = 0;
+  std::uint64_t events = 0;
 };
 
 /// What a rank says when it has drawn a frame.
 struct Drawn {
   FrameDigest digest;
   std::uint64_t wantsToEnd = 0;
+  NodeReport before;
 };
 
 /// What rank 0 makes of it.
@@ -152,11 +154,13 @@ void Cluster::share(std::string& text) const {
 
 void Cluster::share(FrameState& state) {
   if (size_ == 1) return;
-  Header header{state.record, state.knots.size()};
+  Header header{state.record, state.knots.size(), state.events.size()};
   fromRankZero(&header, sizeof header);
   state.record = header.record;
   state.knots.resize(header.knots);
+  state.events.resize(header.events);
   if (!state.knots.empty()) fromRankZero(state.knots.data(), state.knots.size() * sizeof(BodyKnot));
+  if (!state.events.empty()) fromRankZero(state.events.data(), state.events.size() * sizeof(GameEvent));
 }
 
 /// Rank 0's bytes to every rank. One message each, not a broadcast, whose tree hides who is late.
@@ -174,7 +178,13 @@ void Cluster::fromRankZero(void* bytes, std::size_t count) const {
   await(static_cast<std::size_t>(size_ - 1), true);
 }
 
-bool Cluster::swapTogether(const FrameState& state, std::span<const WorldLine> histories, bool wantsToEnd,
+void Cluster::report(const NodeReport& mine) { room_->drawn[static_cast<std::size_t>(rank_)].before = mine; }
+
+const NodeReport& Cluster::reportOf(int rank) const {
+  return room_->drawn[static_cast<std::size_t>(rank)].before;
+}
+
+bool Cluster::swapTogether(const FrameState& state, const World& world, bool wantsToEnd,
                            const std::function<void()>& untilSwap) {
   wantsToEnd = wantsToEnd || terminationAsked();
   if (size_ == 1) {
@@ -183,7 +193,8 @@ bool Cluster::swapTogether(const FrameState& state, std::span<const WorldLine> h
   }
   std::vector<MPI_Request>& requests = room_->requests;
   Drawn& mine = room_->drawn[static_cast<std::size_t>(rank_)];
-  mine = {digestOf(state, histories), wantsToEnd};
+  mine.digest = digestOf(state, world);
+  mine.wantsToEnd = wantsToEnd;
 
   if (rank_ == kRankOfDevices) {
     for (int rank = 1; rank < size_; ++rank) {
@@ -202,10 +213,10 @@ bool Cluster::swapTogether(const FrameState& state, std::span<const WorldLine> h
 
   if (verdict.different < 0) return verdict.end != 0;
   const std::string_view field = FrameDigest::kFields[verdict.field];
-  throw NodesDiffer(
-      fmt::format("frame {}: {} drew from other numbers than node 0: {}{}", state.record.number,
-                  nameOf(verdict.different), field,
-                  field == "histories" ? whereHistoriesPart(histories, verdict.different) : std::string()));
+  throw NodesDiffer(fmt::format(
+      "frame {}: {} drew from other numbers than node 0: {}{}", state.record.number,
+      nameOf(verdict.different), field,
+      field == "histories" ? whereHistoriesPart(world.histories, verdict.different) : std::string()));
 }
 
 /// Of two nodes' histories, the first body and field that differ. Every rank must call it.
@@ -240,7 +251,8 @@ void Cluster::await(std::size_t requests, bool fromAll) const {
     if (pending == static_cast<int>(requests)) continue;  // the last one came this moment
     const int awaited = fromAll ? pending + 1 : kRankOfDevices;
     if (waited_s - asked_s > kLastWords_s + rank_ * kRankZerosTurn_s && !livesHere(awaited)) {
-      giveUp(fmt::format("error: {} is gone: the session ends.", nameOf(awaited)), false);
+      const char* what = isHere(awaited) ? "is gone" : "does not answer";
+      giveUp(fmt::format("error: {} {}: the session ends.", nameOf(awaited), what), false);
     }
     if (waited_s > patience_s) {
       giveUp(fmt::format("error: {} has not answered for {:.0f} s: the session ends.", nameOf(awaited),
@@ -261,11 +273,15 @@ bool Cluster::done(std::size_t requests) const {
   return all != 0;
 }
 
+bool Cluster::isHere(int rank) const {
+  return room_->places[static_cast<std::size_t>(rank)].host ==
+         room_->places[static_cast<std::size_t>(rank_)].host;
+}
+
 /// Whether a rank is a living process of this machine. Of other machines nothing is known.
 bool Cluster::livesHere(int rank) const {
-  const Place& place = room_->places[static_cast<std::size_t>(rank)];
-  const bool here = place.host == room_->places[static_cast<std::size_t>(rank_)].host;
-  return here && kill(static_cast<pid_t>(place.process), 0) == 0;
+  const auto process = static_cast<pid_t>(room_->places[static_cast<std::size_t>(rank)].process);
+  return isHere(rank) && kill(process, 0) == 0;
 }
 
 int Cluster::firstPending(std::size_t requests) const {

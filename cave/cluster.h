@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cave/frame_digest.h"
+#include "cave/frame_stamps.h"
 #include "cave/frame_state.h"
 #include "cave/wall.h"
 
@@ -57,16 +58,25 @@ class Cluster {
   /// What each node draws, for the lines about it: all of `walls`, of all nodes.
   void nameNodes(std::span<const Wall> walls);
 
+  /// "node 1 (left)".
+  std::string nameOf(int rank) const;
+
   /// Rank 0's text replaces everyone's.
   void share(std::string& text) const;
 
-  /// Rank 0's state replaces everyone's. Allocates only when a frame brings more knots than any before.
+  /// Rank 0's state replaces everyone's. Allocates only when a frame brings more knots or events
+  /// than any before.
   void share(FrameState& state);
+
+  /// What this node says of the frame before: it travels with the word that this one is drawn.
+  void report(const NodeReport& mine);
+  /// On rank 0, what each node has said with the last frame that was swapped; by rank.
+  const NodeReport& reportOf(int rank) const;
 
   /// Waits until every rank has drawn the frame and rank 0's `untilSwap` has returned, so that all can swap;
   /// true if `wantsToEnd` is on any rank. Throws NodesDiffer if a rank drew from other numbers than rank 0,
   /// naming the frame, the node, the field and, of a history, the body.
-  bool swapTogether(const FrameState& state, std::span<const WorldLine> histories, bool wantsToEnd,
+  bool swapTogether(const FrameState& state, const World& world, bool wantsToEnd,
                     const std::function<void()>& untilSwap = {});
 
  private:
@@ -76,10 +86,10 @@ class Cluster {
   void await(std::size_t requests, bool fromAll) const;
   bool done(std::size_t requests) const;
   int firstPending(std::size_t requests) const;
+  bool isHere(int rank) const;  // on this rank's machine
   bool livesHere(int rank) const;
   [[noreturn]] void giveUp(const std::string& why, bool others) const;
   std::string whereHistoriesPart(std::span<const WorldLine> histories, int other) const;
-  std::string nameOf(int rank) const;
 
   Say say_;
   int rank_ = 0;

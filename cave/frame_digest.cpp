@@ -22,6 +22,17 @@ class Digest {
     return *this << knot.turn << knot.u << knot.properTime_s << knot.news << knot.deceleration_m_s2;
   }
 
+  Digest& operator<<(const GameEvent& event) {
+    *this << event.number << static_cast<std::uint8_t>(event.kind)
+          << (event.cushion ? static_cast<int>(*event.cushion) : -1) << event.which << event.at
+          << event.heat_j << event.turns.size();
+    for (const Turn& turn : event.turns) {
+      *this << turn.puck << turn.event << turn.betaBefore.x << turn.betaBefore.y << turn.betaAfter.x
+            << turn.betaAfter.y << turn.properTime_s;
+    }
+    return *this;
+  }
+
   operator std::uint64_t() const { return digest_; }
 
  private:
@@ -34,7 +45,18 @@ std::uint64_t digestOf(const ObserverView& observer) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) digest << matrix[column][row];
   }
-  for (const EyeView& eye : observer.eyes) digest << eye.observation << eye.positionInRoom_m;
+  for (const EyeView& eye : observer.eyes) {
+    digest << eye.observation << eye.positionInRoom_m << eye.seenFromInRoom_m;
+  }
+  digest << observer.properTime_s;
+  return digest;
+}
+
+std::uint64_t digestOf(const TimeViews& views) {
+  Digest digest;
+  digest << views.boardNow << views.myNow << views.paths << views.events << views.clocks << views.split
+         << views.frozen;
+  for (const NamedSwitch& named : kNamedSwitches) digest << views.beside.*named.value;
   return digest;
 }
 
@@ -45,18 +67,36 @@ std::uint64_t digestOfNewest(std::span<const WorldLine> histories) {
   return digest;
 }
 
+/// The same of the list of events.
+std::uint64_t digestOfNewest(std::span<const GameEvent> events) {
+  Digest digest;
+  digest << events.size();
+  if (!events.empty()) digest << events.front().number << events.back();
+  return digest;
+}
+
 }  // namespace
 
-FrameDigest digestOf(const FrameState& state, std::span<const WorldLine> histories) {
+FrameDigest digestOf(const FrameState& state, const World& world) {
   const FrameRecord& record = state.record;
   Digest switches, knots;
   for (const NamedSwitch& named : kNamedSwitches) switches << record.switches.*named.value;
   switches << static_cast<std::uint8_t>(record.controls.shown) << record.controls.blank
-           << record.controls.eyesSwapped;
+           << record.controls.eyesSwapped << record.controls.trackerCross << record.controls.latency
+           << record.lightSpeed_m_s << digestOf(record.views);
+  Digest tracked;
+  for (const Pose& pose : {record.tracked.roomFromHeadSensor, record.tracked.roomFromHand}) {
+    const glm::dquat& q = pose.orientation;
+    tracked << pose.position_m << q.w << q.x << q.y << q.z;
+  }
+  tracked << record.tracked.headKnown << record.tracked.handKnown;
   knots << record.truncateFrom_s << record.pucks << record.forgetBefore_s;
   for (const BodyKnot& knot : state.knots) knots << knot.body << knot.knot;
-  return {{Digest() << record.number, Digest() << record.display_s, digestOf(record.observer), switches,
-           knots, digestOfNewest(histories)}};
+  Digest events;
+  events << record.eventsKept;
+  for (const GameEvent& event : state.events) events << event;
+  return {{Digest() << record.number << record.last, Digest() << record.display_s, digestOf(record.observer),
+           switches, tracked, knots, events, digestOfNewest(world.histories), digestOfNewest(world.events)}};
 }
 
 HistoryDigest digestOf(const WorldLine& history) {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 
 #include "cave/frame_state.h"
@@ -12,14 +11,15 @@ namespace carom {
 
 /// What a node draws a frame from, field by field, as digests: the same on every node, or something is wrong.
 struct FrameDigest {
-  static constexpr std::array<const char*, 6> kFields = {"frame number", "display time", "observer",
-                                                         "switches",     "new knots",    "histories"};
+  static constexpr std::array<const char*, 9> kFields = {"frame number", "display time",   "observer",
+                                                         "switches",     "tracked places", "new knots",
+                                                         "new events",   "histories",      "events"};
   std::array<std::uint64_t, kFields.size()> fields{};
 
   bool operator==(const FrameDigest&) const = default;
 };
 
-FrameDigest digestOf(const FrameState& state, std::span<const WorldLine> histories);
+FrameDigest digestOf(const FrameState& state, const World& world);
 
 /// A body's history, field by field: tells where two histories part.
 struct HistoryDigest {

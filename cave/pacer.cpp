@@ -38,7 +38,8 @@ Pacer::Pacer(Clock& clock, double display_hz, double displayLatency_s, bool swap
       period_s_(nominalPeriod_s_),
       swapsWait_(swapsWait),
       tick_s_(clock.now_s()),
-      number_(firstFrame) {
+      number_(firstFrame),
+      begun_(firstFrame > 0) {
   drawing_s_.fill(period_s_ / 2);  // until it is known
 }
 
@@ -60,9 +61,7 @@ void Pacer::drawn() {
 }
 
 void Pacer::swapped() {
-  const double now_s = clock_.now_s();
-  if (now_s - tick_s_ > period_s_ / 2) ++missed_;
-  if (swapsWait_) follow(now_s);
+  if (swapsWait_) follow(clock_.now_s());
 }
 
 /// The display has just ticked: a loop of second order over phase and period.

@@ -58,7 +58,8 @@ class SimulatedClock : public Clock {
 ///     for (;;) { times = pacer.next(); …draw…; pacer.drawn(); …swap…; pacer.swapped(); }
 class Pacer {
  public:
-  /// `displayLatency_s`: from the swap to the photons. `firstFrame`: the number of the first one.
+  /// `displayLatency_s`: from the swap to the photons. `firstFrame`: the number of the first one; above 0, the one
+  /// before it is taken to have been shown just now, so that the person lives on from there.
   /// `swapsWait`: whether swaps return at the display's ticks (swapsWaitFor tells).
   Pacer(Clock& clock, double display_hz, double displayLatency_s, bool swapsWait = false,
         std::uint64_t firstFrame = 0);
@@ -69,9 +70,6 @@ class Pacer {
   void drawn();
   /// It has been swapped.
   void swapped();
-
-  /// Frames that were swapped over half a period after the tick they were aimed at.
-  std::uint64_t missed() const { return missed_; }
 
  private:
   static constexpr std::size_t kRemembered = 32;
@@ -88,8 +86,7 @@ class Pacer {
   double tick_s_;  // that the frame at hand is aimed at
   double begin_s_ = 0.0;
   std::uint64_t number_;
-  bool begun_ = false;
-  std::uint64_t missed_ = 0;
+  bool begun_;
   std::array<double, kRemembered> drawing_s_;  // how long the last frames took
 };
 

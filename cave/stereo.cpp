@@ -24,6 +24,8 @@ int packingOf(StereoMode mode) {
       return 4;
     case StereoMode::checkerboard:
       return 5;
+    case StereoMode::anaglyphGrey:
+      return 6;
     case StereoMode::mono:
     case StereoMode::left:
     case StereoMode::right:

@@ -8,15 +8,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkStdString.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "cave/stereo.h"
+#include "cave/text_ink.h"
 
 namespace carom {
 namespace {
@@ -130,47 +126,6 @@ void drawEyeBar(Canvas& canvas, Eye eye) {
   const double left = eye == Eye::left ? Layout::kEyeBar : 1.0 - Layout::kEyeBar - Layout::kEyeBarWidth;
   fillShare(canvas, {left, Layout::kEyeBarRows.x}, {left + Layout::kEyeBarWidth, Layout::kEyeBarRows.y},
             eye == Eye::left ? kLeftColour : kRightColour);
-}
-
-/// How much ink a text puts on each pixel of its own box, 0 to 255; rows from the bottom.
-struct Ink {
-  glm::ivec2 size_px{0};
-  std::vector<std::uint8_t> alpha;
-};
-
-/// VTK's picture of a text is wider than the text: only where there is ink.
-Ink inked(vtkImageData& rgba) {
-  const glm::ivec2 size(rgba.GetDimensions()[0], rgba.GetDimensions()[1]);
-  const auto* bytes = static_cast<const std::uint8_t*>(rgba.GetScalarPointer());
-  const auto alpha = [&](int x, int y) { return bytes[4 * (y * size.x + x) + 3]; };
-  glm::ivec2 from = size, to(0);
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x) {
-      if (alpha(x, y) == 0) continue;
-      from = glm::min(from, {x, y});
-      to = glm::max(to, {x + 1, y + 1});
-    }
-  }
-  Ink made{glm::max(to - from, 0), {}};
-  for (int y = from.y; y < to.y; ++y) {
-    for (int x = from.x; x < to.x; ++x) made.alpha.push_back(alpha(x, y));
-  }
-  return made;
-}
-
-Ink ink(const std::string& text, int height_px) {
-  vtkNew<vtkTextProperty> style;
-  style->SetFontFamilyToArial();  // VTK brings it along
-  style->SetFontSize(height_px);
-  vtkNew<vtkImageData> rgba;
-  glm::ivec2 box{0};
-  constexpr int kPointsArePixels_dpi = 72;
-  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  if (!renderer || !renderer->RenderString(style, vtkStdString(text), rgba, &box[0], kPointsArePixels_dpi,
-                                           vtkTextRenderer::FreeType)) {
-    return {};
-  }
-  return inked(*rgba);
 }
 
 /// White on black; smaller where it would be wider than `widest` of the picture. `anchor` is the text's place

@@ -2,7 +2,9 @@
 // A wall of the room as the rig file gives it: where it stands, its pixels, who draws it and how its two
 // eyes reach the person. Room frame, metres.
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <glm/vec2.hpp>
@@ -19,9 +21,10 @@ enum class StereoMode {
   quadBuffer,
   sideBySide,
   topBottom,
-  anaglyph,
+  anaglyph,  ///< for red and cyan glasses; colours as far as they do not fight between the eyes
   interlaced,
   checkerboard,
+  anaglyphGrey,  ///< for red and cyan glasses, without colours: every brightness is kept
 };
 
 /// How the projector mirrors its picture on the way to the eye; the picture is mirrored before it, too.
@@ -39,6 +42,14 @@ struct WindowPlacement {
   glm::ivec2 position_px{0};
   glm::ivec2 size_px{0};
   bool fullscreen = false;
+
+  bool operator==(const WindowPlacement&) const = default;
+};
+
+/// A part of a window, in pixels from its top left.
+struct Viewport {
+  glm::ivec2 position_px{0};
+  glm::ivec2 size_px{0};
 };
 
 /// A rectangle by three of its corners, as seen from inside the room.
@@ -50,12 +61,16 @@ struct Wall {
   glm::ivec2 pixels{0};  ///< per eye: what is drawn and captured
   int node = 0;          ///< MPI rank that draws it
   WindowPlacement window;
+  /// Its part of the window, which it then shares with all walls of its node that name the same window and
+  /// a part; none: all of it.
+  std::optional<Viewport> viewport;
   StereoMode stereo = StereoMode::mono;
   std::filesystem::path warp;   ///< mesh that bends the picture to the screen (.pfm, .obj); empty: none
   std::filesystem::path blend;  ///< picture that dims where projectors overlap; empty: none
   double blackLevel = 0.0;      ///< what black is lifted to, of the brightest: evens out overlaps
   Flip flip = Flip::none;
   double displayLatency_s = 0.0;  ///< from the swap to the photons
+  std::size_t heldFrames = 0;     ///< its pictures wait so long for the light of slower walls
 };
 
 }  // namespace carom

@@ -27,10 +27,13 @@
 #include <vtkTextureObject.h>
 #include <vtk_glew.h>
 #include <glm/common.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cave/body_shaders.h"
 #include "cave/off_axis.h"
+#include "cave/time_marks.h"
+#include "cave/view_colours.h"
 #include "engine/doppler_colour.h"
 #include "engine/exposure.h"
 
@@ -38,10 +41,12 @@ namespace carom {
 namespace {
 
 using GpuLeg = kernel_float::LegView;
-static_assert(sizeof(GpuLeg) == 14 * 4 * sizeof(float), "shaders/leg_at.glsl reads fourteen texels a leg");
+constexpr int kTexels = 15;
+static_assert(sizeof(GpuLeg) == kTexels * 4 * sizeof(float), "shaders/leg_at.glsl reads fifteen texels a leg");
 
 constexpr float kAlways_m = -1e30F;     // stands for a body that always existed
 constexpr float kDecalNearer = 0.002F;  // share of the distance by which a decal is drawn nearer
+constexpr float kHatch = 0.5F;          // of a ghost, of how far its body reaches from its centre
 
 /// Where the legs of one body lie in the buffer.
 struct LegRange {
@@ -50,10 +55,16 @@ struct LegRange {
   float appears_m = kAlways_m;
 };
 
+/// The bodies as they are seen, or their ghosts.
+struct Layer {
+  std::vector<LegRange> ranges;  ///< of each body; empty: not drawn
+  glm::mat4 drawnFromSeen{1.0F};
+  bool made = false;  ///< there are actors
+};
+
 /// What the shaders of all parts need, for one eye and one wall.
 struct EyeUniforms {
   glm::mat4 clipFromDrawn{1.0F};
-  glm::mat4 drawnFromSeen{1.0F};
   glm::mat4 boardFromDrawn{1.0F};
   glm::vec4 headOnBoard{1.0F, 0.0F, 0.0F, 0.0F};
   glm::vec3 eyeOnBoard_m{0.0F};
@@ -63,7 +74,7 @@ struct EyeUniforms {
   int legTexels = 0;     ///< texture unit
   int colourTexels = 0;  ///< texture unit
   std::vector<GpuLeg> legs;
-  std::vector<LegRange> ranges;
+  std::array<Layer, 3> layers;  ///< as Moment numbers them
   std::array<glm::vec3, 3> lamps_m{};
   float lightSpeed_m_s = 0.0F;
 };
@@ -82,9 +93,11 @@ class PartUniforms : public vtkCommand {
 
   void Execute(vtkObject*, unsigned long, void* programPointer) override {
     vtkShaderProgram& program = *static_cast<vtkShaderProgram*>(programPointer);
-    const LegRange& legs = eye->ranges[part->body];
+    const Layer& layer = eye->layers[static_cast<std::size_t>(moment)];
+    const LegRange& legs = layer.ranges[part->body];
+    const bool ghost = moment != Moment::seen;
     const bool decal = part->paint == Paint::shadow;
-    state->SetEnumState(GL_BLEND, decal);
+    state->SetEnumState(GL_BLEND, decal || ghost);
     state->SetEnumState(GL_CLIP_DISTANCE0, legs.appears_m > kAlways_m);
     program.SetUniformi("legTexels", eye->legTexels);
     program.SetUniformi("firstLeg", legs.first);
@@ -92,10 +105,10 @@ class PartUniforms : public vtkCommand {
     program.SetUniformf("appears_m", legs.appears_m);
     program.SetUniformi("colourTexels", eye->colourTexels);
     const GpuLeg& first = eye->legs[static_cast<std::size_t>(legs.first)];
-    program.SetUniform4fv("onlyLeg", 14, reinterpret_cast<const float(*)[4]>(&first));
+    program.SetUniform4fv("onlyLeg", kTexels, reinterpret_cast<const float(*)[4]>(&first));
     set(program, "drawnFromBody", placement(first));
     set(program, "clipFromDrawn", eye->clipFromDrawn);
-    set(program, "drawnFromSeen", eye->drawnFromSeen);
+    set(program, "drawnFromSeen", layer.drawnFromSeen);
     set(program, "boardFromDrawn", eye->boardFromDrawn);
     program.SetUniform4f("headOnBoard", glm::value_ptr(eye->headOnBoard));
     program.SetUniform3f("eyeOnBoard_m", glm::value_ptr(eye->eyeOnBoard_m));
@@ -103,7 +116,11 @@ class PartUniforms : public vtkCommand {
     program.SetUniform3fv("lamps_m", 3, reinterpret_cast<const float(*)[3]>(eye->lamps_m.data()));
     program.SetUniform3f("colour", glm::value_ptr(part->colour));
     program.SetUniformf("gloss", part->gloss);
-    program.SetUniformf("nearer", decal ? kDecalNearer : 0.0F);
+    program.SetUniformf("nearer", decal || ghost ? kDecalNearer : 0.0F);
+    if (ghost) {
+      program.SetUniform3f("ghostColour", glm::value_ptr(ghostColour));
+      program.SetUniformf("hatch_m", hatch_m);
+    }
     if (part->paint != Paint::clock) return;
     program.SetUniformi("observedWhole_s", eye->observedWhole_s);
     program.SetUniformf("observedPart_s", eye->observedPart_s);
@@ -113,6 +130,9 @@ class PartUniforms : public vtkCommand {
   const ScenePart* part = nullptr;
   const EyeUniforms* eye = nullptr;
   vtkOpenGLState* state = nullptr;
+  Moment moment = Moment::seen;
+  glm::vec3 ghostColour{0.0F};  ///< linear
+  float hatch_m = 1.0F;         ///< from stripe to stripe of a ghost
 
  private:
   /// VTK wants the elements in the order that OpenGL does.
@@ -123,7 +143,7 @@ class PartUniforms : public vtkCommand {
 
 }  // namespace
 
-struct WallRenderer::Drawing {
+struct WallRenderer::Stage {
   Graphics* graphics = nullptr;
   Scene scene;
   Switches switches;
@@ -131,6 +151,7 @@ struct WallRenderer::Drawing {
   struct PartActor {
     vtkSmartPointer<vtkActor> actor;
     Legs legs;
+    Moment moment;
     const ScenePart* part;
   };
   std::vector<PartActor> actors;
@@ -144,15 +165,17 @@ struct WallRenderer::Drawing {
 
   void prepareWindow(int samples);
   void prepareColours();
-  void addPart(const ScenePart& part, Legs legs);
+  void addPart(const ScenePart& part, Legs legs, Moment moment = Moment::seen);
+  void addGhosts(Moment moment);
   void chooseShaders();
   void takeHead(const Lorentz& headFromBoard);
-  void takeLegs(std::span<const BodyView> bodies);
+  void takeLegs(Moment moment, std::span<const BodyView> bodies);
+  void chooseActors();
   void upload();
-  void drawScene(const WallPicture& picture);
+  void drawScene(const WallPicture& picture, const glm::ivec2& size, const WallDrawing& drawing);
 };
 
-void WallRenderer::Drawing::prepareWindow(int samples) {
+void WallRenderer::Stage::prepareWindow(int samples) {
   window->SetOwnContext(0);
   window->SetReadyForRendering(true);
   window->SetIsCurrent(true);
@@ -173,7 +196,7 @@ void WallRenderer::Drawing::prepareWindow(int samples) {
   renderer->SetActiveCamera(camera);
 }
 
-void WallRenderer::Drawing::prepareColours() {
+void WallRenderer::Stage::prepareColours() {
   const ColourTable table;
   const std::size_t texels = table.texels().size();
   colourBuffer->Upload(reinterpret_cast<const float*>(table.texels().data()), 4 * texels,
@@ -184,7 +207,7 @@ void WallRenderer::Drawing::prepareColours() {
 
 /// A part of a body that can turn has two actors, of which one is seen: for a body that the eye sees on one
 /// straight leg the shader is much shorter. They share the mesh's buffers.
-void WallRenderer::Drawing::addPart(const ScenePart& part, Legs legs) {
+void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, Moment moment) {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputData(part.mesh);
   mapper->StaticOn();
@@ -200,23 +223,44 @@ void WallRenderer::Drawing::addPart(const ScenePart& part, Legs legs) {
   uniforms->part = &part;
   uniforms->eye = &eye;
   uniforms->state = window->GetState();
+  uniforms->moment = moment;
+  if (moment != Moment::seen) {
+    uniforms->ghostColour = linearOf(moment == Moment::boardNow ? kBoardNowColour : kMyNowColour);
+    uniforms->hatch_m = kHatch * static_cast<float>(scene.reach_m.empty() ? 1.0 : scene.reach_m[part.body]);
+  }
   mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
   renderer->AddActor(actor);
-  actors.push_back({actor.Get(), legs, &part});
+  actors.push_back({actor.Get(), legs, moment, &part});
+}
+
+/// After all else: one looks through them.
+void WallRenderer::Stage::addGhosts(Moment moment) {
+  Layer& layer = eye.layers[static_cast<std::size_t>(moment)];
+  if (layer.made) return;
+  layer.made = true;
+  for (const ScenePart& part : scene.parts) {
+    if (part.body == kRestingBody || part.paint == Paint::shadow) continue;
+    addPart(part, Legs::one, moment);
+    addPart(part, Legs::many, moment);
+  }
+  chooseShaders();
 }
 
 /// VTK keeps the programs it has made: switching back costs little.
-void WallRenderer::Drawing::chooseShaders() {
-  for (const auto& [actor, legs, part] : actors) {
+void WallRenderer::Stage::chooseShaders() {
+  for (const auto& [actor, legs, moment, part] : actors) {
     vtkShaderProperty& shaders = *actor->GetShaderProperty();
-    shaders.SetVertexShaderCode(bodyVertexShader(legs, part->paint, switches).c_str());
-    shaders.SetFragmentShaderCode(surfaceFragmentShader(part->paint, switches).c_str());
+    shaders.SetVertexShaderCode(bodyVertexShader(legs, part->paint, switches, moment).c_str());
+    shaders.SetFragmentShaderCode(surfaceFragmentShader(part->paint, switches, moment).c_str());
   }
 }
 
-void WallRenderer::Drawing::takeHead(const Lorentz& headFromBoard) {
+void WallRenderer::Stage::takeHead(const Lorentz& headFromBoard) {
+  for (const Moment moment : {Moment::seen, Moment::boardNow, Moment::myNow}) {
+    eye.layers[static_cast<std::size_t>(moment)].drawnFromSeen =
+        glm::mat4(SeenFrame(headFromBoard, switches, moment).drawnFromSeen.matrix());
+  }
   const SeenFrame frame(headFromBoard, switches);
-  eye.drawnFromSeen = glm::mat4(frame.drawnFromSeen.matrix());
   eye.boardFromDrawn = glm::mat4(frame.drawnFromBoard.inverse().matrix());
   const Vec3 u = headFromBoard.inverse().u();
   eye.headOnBoard = glm::vec4(gammaFromU(u), u);
@@ -225,32 +269,40 @@ void WallRenderer::Drawing::takeHead(const Lorentz& headFromBoard) {
   eye.exposure = {exposure.gain, exposure.rise, exposure.fall};
 }
 
-void WallRenderer::Drawing::takeLegs(std::span<const BodyView> bodies) {
-  eye.legs.clear();
-  eye.ranges.clear();
+void WallRenderer::Stage::takeLegs(Moment moment, std::span<const BodyView> bodies) {
+  std::vector<LegRange>& ranges = eye.layers[static_cast<std::size_t>(moment)].ranges;
+  ranges.clear();
   for (const BodyView& body : bodies) {
-    eye.ranges.push_back({static_cast<int>(eye.legs.size()), static_cast<int>(body.legs.size()),
-                          std::max(static_cast<float>(body.appears_m), kAlways_m)});
+    ranges.push_back({static_cast<int>(eye.legs.size()), static_cast<int>(body.legs.size()),
+                      std::max(static_cast<float>(body.appears_m), kAlways_m)});
     for (const LegView& leg : body.legs) eye.legs.push_back(toFloat(leg));
   }
-  for (const auto& [actor, legs, part] : actors) {
-    const LegRange& range = eye.ranges[part->body];
+}
+
+void WallRenderer::Stage::chooseActors() {
+  for (const auto& [actor, legs, moment, part] : actors) {
+    const std::vector<LegRange>& ranges = eye.layers[static_cast<std::size_t>(moment)].ranges;
+    if (ranges.empty()) {
+      actor->SetVisibility(false);
+      continue;
+    }
+    const LegRange& range = ranges[part->body];
     const bool many = range.count > 1 || eye.legs[static_cast<std::size_t>(range.first)].glide.w > 0.0F;
     actor->SetVisibility(many == (legs == Legs::many));
   }
 }
 
-void WallRenderer::Drawing::upload() {
+void WallRenderer::Stage::upload() {
   legBuffer->Upload(reinterpret_cast<const float*>(eye.legs.data()),
                     eye.legs.size() * sizeof(GpuLeg) / sizeof(float), vtkOpenGLBufferObject::TextureBuffer);
   if (legTexture->GetHandle() == 0) {
     legTexture->SetContext(window);
-    legTexture->CreateTextureBuffer(static_cast<unsigned>(14 * eye.legs.size()), 4, VTK_FLOAT, legBuffer);
+    legTexture->CreateTextureBuffer(static_cast<unsigned>(kTexels * eye.legs.size()), 4, VTK_FLOAT, legBuffer);
   }
 }
 
-void WallRenderer::Drawing::drawScene(const WallPicture& picture) {
-  const glm::ivec2 size = picture.size_px();
+void WallRenderer::Stage::drawScene(const WallPicture& picture, const glm::ivec2& size,
+                                    const WallDrawing& drawing) {
   // VTK's buffers grow to the largest picture and stay: made anew for every size they would cost more than
   // the drawing.
   buffer_px = glm::max(buffer_px, size);
@@ -264,6 +316,9 @@ void WallRenderer::Drawing::drawScene(const WallPicture& picture) {
   window->Render();
   colourTexture->Deactivate();
   legTexture->Deactivate();
+  if (drawing.marks) {
+    drawing.marks->draw(eye.clipFromDrawn, window->GetRenderFramebuffer()->GetFBOIndex(), size);
+  }
 
   vtkOpenGLState::ScopedglEnableDisable scissor(window->GetState(), GL_SCISSOR_TEST);
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
@@ -271,71 +326,80 @@ void WallRenderer::Drawing::drawScene(const WallPicture& picture) {
   window->GetRenderFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
   window->GetRenderFramebuffer()->ActivateReadBuffer(0);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer());
-  glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBlitFramebuffer(0, 0, size.x, size.y, drawing.left_px, 0, drawing.left_px + size.x, size.y,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
   window->GetState()->PopFramebufferBindings();
 }
 
 WallRenderer::WallRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, int samples)
-    : drawing_(std::make_unique<Drawing>()) {
+    : stage_(std::make_unique<Stage>()) {
   graphics.makeCurrent();
-  drawing_->graphics = &graphics;
-  drawing_->scene = scene;
-  drawing_->eye.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
-  for (std::size_t i = 0; i < 3; ++i) drawing_->eye.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
-  drawing_->prepareWindow(samples);
-  drawing_->prepareColours();
-  for (const ScenePart& part : drawing_->scene.parts) {
+  stage_->graphics = &graphics;
+  stage_->scene = scene;
+  stage_->eye.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
+  for (std::size_t i = 0; i < 3; ++i) stage_->eye.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
+  stage_->prepareWindow(samples);
+  stage_->prepareColours();
+  for (const ScenePart& part : stage_->scene.parts) {
     if (part.body == kRestingBody) {
-      drawing_->addPart(part, Legs::rest);
+      stage_->addPart(part, Legs::rest);
     } else {
-      drawing_->addPart(part, Legs::one);
-      drawing_->addPart(part, Legs::many);
+      stage_->addPart(part, Legs::one);
+      stage_->addPart(part, Legs::many);
     }
   }
-  drawing_->chooseShaders();
+  stage_->chooseShaders();
 }
 
 WallRenderer::~WallRenderer() {
-  drawing_->graphics->makeCurrent();
-  for (vtkTextureObject* texture : {drawing_->legTexture.Get(), drawing_->colourTexture.Get()}) {
-    texture->ReleaseGraphicsResources(drawing_->window);
+  stage_->graphics->makeCurrent();
+  for (vtkTextureObject* texture : {stage_->legTexture.Get(), stage_->colourTexture.Get()}) {
+    texture->ReleaseGraphicsResources(stage_->window);
   }
-  drawing_->legBuffer->ReleaseGraphicsResources();
-  drawing_->colourBuffer->ReleaseGraphicsResources();
-  drawing_->window->Finalize();
+  stage_->legBuffer->ReleaseGraphicsResources();
+  stage_->colourBuffer->ReleaseGraphicsResources();
+  stage_->window->Finalize();
 }
 
 void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-                        const Switches& switches) {
-  if (bodies.size() != drawing_->scene.bodyCount) {
+                        const Switches& switches, const Ghosts& ghosts) {
+  for (const std::span<const BodyView> views : {bodies, ghosts.boardNow, ghosts.myNow}) {
+    if (views.size() == stage_->scene.bodyCount || (views.empty() && views.data() != bodies.data())) continue;
     throw std::invalid_argument(fmt::format("the scene has {} bodies, views of {} were given",
-                                            drawing_->scene.bodyCount, bodies.size()));
+                                            stage_->scene.bodyCount, views.size()));
   }
   if (bodies[kRestingBody].legs.size() != 1) {
     throw std::invalid_argument("what rests on the board has turned");
   }
-  drawing_->graphics->makeCurrent();
-  drawing_->takeLegs(bodies);
-  drawing_->upload();
-  const bool switched = switches != drawing_->switches;
-  drawing_->switches = switches;
-  if (switched) drawing_->chooseShaders();
-  drawing_->takeHead(headFromBoard);
-  drawing_->eye.eyeOnBoard_m = glm::vec3(eye.observation.r_m);
+  stage_->graphics->makeCurrent();
+  stage_->eye.legs.clear();
+  stage_->takeLegs(Moment::seen, bodies);
+  stage_->takeLegs(Moment::boardNow, ghosts.boardNow);
+  stage_->takeLegs(Moment::myNow, ghosts.myNow);
+  stage_->upload();
+  const bool switched = switches != stage_->switches;
+  stage_->switches = switches;
+  if (switched) stage_->chooseShaders();
+  if (!ghosts.boardNow.empty()) stage_->addGhosts(Moment::boardNow);
+  if (!ghosts.myNow.empty()) stage_->addGhosts(Moment::myNow);
+  stage_->chooseActors();
+  stage_->takeHead(headFromBoard);
+  stage_->eye.eyeOnBoard_m = glm::vec3(eye.observation.r_m);
   const double whole_s = std::floor(eye.observation.t_s);
-  drawing_->eye.observedWhole_s = static_cast<int>(whole_s);
-  drawing_->eye.observedPart_s = static_cast<float>(eye.observation.t_s - whole_s);
+  stage_->eye.observedWhole_s = static_cast<int>(whole_s);
+  stage_->eye.observedPart_s = static_cast<float>(eye.observation.t_s - whole_s);
 }
 
-bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPicture& picture) {
-  drawing_->graphics->makeCurrent();
+bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPicture& picture,
+                        const WallDrawing& drawing) {
+  stage_->graphics->makeCurrent();
   const std::optional<glm::dmat4> projection = clipFromEye(wall, eyeInRoom_m);
   if (!projection) {
     picture.clear();
     return false;
   }
-  drawing_->eye.clipFromDrawn = glm::mat4(*projection);
-  drawing_->drawScene(picture);
+  stage_->eye.clipFromDrawn = glm::mat4(glm::translate(*projection, drawing.seenFromEye_m));
+  stage_->drawScene(picture, wall.pixels, drawing);
   return true;
 }
 

@@ -19,6 +19,21 @@
 
 namespace carom {
 
+class TimeMarks;
+
+/// The bodies at a moment, drawn as ghosts beside what is seen: each as many as the scene has, or none.
+/// Viewed with Moment::boardNow and Moment::myNow.
+struct Ghosts {
+  std::span<const BodyView> boardNow, myNow;
+};
+
+/// Where and with what a wall is drawn.
+struct WallDrawing {
+  glm::dvec3 seenFromEye_m{0.0};  ///< where seen places are counted from, from the eye; room axes
+  int left_px = 0;                ///< column of the picture in which the wall begins
+  TimeMarks* marks = nullptr;     ///< drawn among the bodies
+};
+
 class WallRenderer {
  public:
   /// `samples`: of multisample antialiasing (1: none). Keeps `graphics`; makes its context current in every
@@ -29,18 +44,21 @@ class WallRenderer {
   WallRenderer& operator=(const WallRenderer&) = delete;
 
   /// Takes over what one eye receives: `bodies[i]` is body i of the scene, viewed by `eye` in the frame
-  /// `headFromBoard` with these switches. The first frame after a change of switches takes longer. Throws
-  /// std::invalid_argument if there are not as many bodies as the scene has.
+  /// `headFromBoard` with these switches. The first frame after a change of switches takes longer, as does the
+  /// first with ghosts of a kind. Throws std::invalid_argument if there are not as many bodies as the scene
+  /// has.
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-            const Switches& switches = {});
+            const Switches& switches = {}, const Ghosts& ghosts = {});
 
   /// Draws what the eye last given to `look` sees on `wall` from `eyeInRoom_m` (the tracked eye, as it will
-  /// be when the photons leave the wall). False, with a black picture, if the eye is on or behind the wall.
-  bool draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPicture& picture);
+  /// be when the photons leave the wall), into as many columns of the picture as the wall has. False, with a
+  /// black picture, if the eye is on or behind the wall.
+  bool draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPicture& picture,
+            const WallDrawing& drawing = {});
 
  private:
-  struct Drawing;  // VTK's
-  std::unique_ptr<Drawing> drawing_;
+  struct Stage;  // VTK's
+  std::unique_ptr<Stage> stage_;
 };
 
 }  // namespace carom

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "cave/capture.h"
 #include "cave/stereo.h"
 #include "cave/test_pattern.h"
 
@@ -12,51 +11,61 @@ namespace carom {
 WallSet::WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls,
                  const std::optional<WindowPlacement>& oneWindow, bool visible)
     : graphics_(graphics),
-      renderer_(graphics, scene, lightSpeed_m_s),
-      walls_(std::move(walls)),
-      oneWindow_(oneWindow.has_value()),
-      bodies_(scene.bodyCount) {
+      session_(graphics, scene, lightSpeed_m_s),
+      walls_(std::move(walls)) {
   graphics_.makeCurrent();
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
+    firstEyeOf_.push_back(wallEyes_.size());
     for (const Eye eye : eyesOf(walls_[wall].stereo)) {
-      wallEyes_.push_back({wall, eye, std::make_unique<WallPicture>(walls_[wall].pixels)});
+      wallEyes_.push_back({wall, eye, PictureQueue(walls_[wall].pixels, walls_[wall].heldFrames)});
     }
   }
+  firstEyeOf_.push_back(wallEyes_.size());
   if (!visible || walls_.empty()) return;
   for (const Wall& wall : walls_) projections_.push_back(projectionOf(wall));
-  if (oneWindow) {
-    const bool quadBuffer = std::any_of(
-        walls_.begin(), walls_.end(), [](const Wall& wall) { return wall.stereo == StereoMode::quadBuffer; });
-    windows_.push_back(std::make_unique<Window>(graphics_, "Carom", *oneWindow, quadBuffer));
-  } else {
-    for (const Wall& wall : walls_) {
-      windows_.push_back(std::make_unique<Window>(graphics_, "Carom: " + wall.name, wall.window,
-                                                  wall.stereo == StereoMode::quadBuffer));
-    }
-  }
-  windows_.front()->setVsync(true);  // one wait a frame is enough for all windows of a node
+  openWindows(oneWindow);
 }
 
-void WallSet::drawSession(const ObserverView& observer, std::span<const WorldLine> histories,
-                          const Switches& switches) {
+void WallSet::openWindows(const std::optional<WindowPlacement>& oneWindow) {
+  for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
+    const Wall& shown = walls_[wall];
+    if (oneWindow) {  // the wall's own placement is a part of it
+      walls_[wall].viewport = Viewport{shown.window.position_px, shown.window.size_px};
+      walls_[wall].window = *oneWindow;
+    }
+    const bool shared = shown.viewport.has_value();
+    const auto found = std::find_if(windows_.begin(), windows_.end(), [&](const WallWindow& window) {
+      return shared && window.shared && window.node == shown.node && window.placement == shown.window;
+    });
+    if (found != windows_.end()) {
+      found->walls.push_back(wall);
+    } else {
+      windows_.push_back({shown.window, shown.node, shared, {wall}, nullptr});
+    }
+  }
+  for (WallWindow& window : windows_) {
+    std::string title;
+    bool quadBuffer = false;
+    for (const std::size_t wall : window.walls) {
+      title += (title.empty() ? "Carom: " : ", ") + walls_[wall].name;
+      quadBuffer = quadBuffer || walls_[wall].stereo == StereoMode::quadBuffer;
+    }
+    window.window = std::make_unique<Window>(graphics_, title, window.placement, quadBuffer);
+  }
+  windows_.front().window->setVsync(true);  // one wait a frame is enough for all windows of a node
+}
+
+void WallSet::drawSession(const FrameRecord& record, const World& world, const ObserverView& observer) {
   for (const Eye eye : {Eye::left, Eye::right, Eye::mono}) {
-    const EyeView& eyeView = observer.eyes[static_cast<std::size_t>(eye)];
-    bool looked = false;
-    for (const WallEye& wallEye : wallEyes_) {
-      if (wallEye.eye != eye) continue;
-      if (!looked) {
-        for (std::size_t body = 0; body < bodies_.size(); ++body) {
-          viewBody(histories[body], eyeView.observation, observer.headFromBoard, bodies_[body], switches);
-        }
-        renderer_.look(observer.headFromBoard, eyeView, bodies_, switches);
-        looked = true;
-      }
-      renderer_.draw(walls_[wallEye.wall], eyeView.positionInRoom_m, *wallEye.picture);
+    pictured_.clear();
+    for (WallEye& wallEye : wallEyes_) {
+      if (wallEye.eye == eye) pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next()});
     }
+    session_.draw(record, world, observer, observer.eyes[static_cast<std::size_t>(eye)], pictured_);
   }
 }
 
-void WallSet::draw(const FrameRecord& record, std::span<const WorldLine> histories) {
+void WallSet::draw(const FrameRecord& record, const World& world) {
   const WallControls& controls = record.controls;
   blank_ = controls.blank != 0;
   if (controls.shown == Shown::testPattern && !blank_) return drawTestPatterns(controls.eyesSwapped != 0);
@@ -64,76 +73,120 @@ void WallSet::draw(const FrameRecord& record, std::span<const WorldLine> histori
   if (controls.shown == Shown::session && !blank_) {
     ObserverView observer = record.observer;
     if (controls.eyesSwapped) std::swap(observer.eyes[0], observer.eyes[1]);
-    return drawSession(observer, histories, record.switches);
+    drawSession(record, world, observer);
+    return drawAids(record, observer);
   }
   graphics_.makeCurrent();
-  for (const WallEye& wallEye : wallEyes_) {
+  for (WallEye& wallEye : wallEyes_) {
+    WallPicture& picture = wallEye.pictures.next();
     if (blank_) {
-      wallEye.picture->clear();
+      picture.clear();
     } else {
-      seams_.draw(walls_[wallEye.wall], record.display_s, *wallEye.picture);
+      seams_.draw(walls_[wallEye.wall], record.display_s, picture);
     }
   }
+}
+
+void WallSet::standIn(const RoomFacts& room) {
+  room_ = room;
+  front_ = frontWall(room);
+}
+
+void WallSet::drawAids(const FrameRecord& record, const ObserverView& observer) {
+  graphics_.makeCurrent();
+  words_.follow(record);
+  for (WallEye& wallEye : wallEyes_) {
+    const Wall& wall = walls_[wallEye.wall];
+    const WallPicture& picture = wallEye.pictures.drawn();
+    const glm::dvec3& eye_m = observer.eyes[static_cast<std::size_t>(wallEye.eye)].positionInRoom_m;
+    const bool isFront = front_ && standSame(*front_, wall);
+    if (isFront) words_.draw(wall, picture);
+    aids_.draw(room_, wall, isFront, eye_m, record, picture);
+  }
+}
+
+const WallPicture* WallSet::pictureOf(const std::string& wall) const {
+  for (const WallEye& wallEye : wallEyes_) {
+    if (walls_[wallEye.wall].name == wall) return &wallEye.pictures.drawn();
+  }
+  return nullptr;
 }
 
 /// They stand still: made once, kept until something else is shown.
 void WallSet::drawTestPatterns(bool eyesSwapped) {
   if (testPatterns_ == eyesSwapped) return;
   graphics_.makeCurrent();
-  for (const WallEye& wallEye : wallEyes_) {
+  for (WallEye& wallEye : wallEyes_) {
     Eye eye = wallEye.eye;
     if (eyesSwapped && eye != Eye::mono) eye = eye == Eye::left ? Eye::right : Eye::left;
-    wallEye.picture->fill(testPattern(walls_[wallEye.wall], eye).rgb);
+    const Image pattern = testPattern(walls_[wallEye.wall], eye);
+    for (std::size_t i = 0; i <= walls_[wallEye.wall].heldFrames; ++i)
+      wallEye.pictures.next().fill(pattern.rgb);
   }
   testPatterns_ = eyesSwapped;
 }
 
-void WallSet::capture(const std::filesystem::path& directory, std::uint64_t frame) {
+void WallSet::capture(Capture& capture, std::uint64_t frame) const {
   graphics_.makeCurrent();
+  taken_.clear();
   for (const WallEye& wallEye : wallEyes_) {
-    writePng(readBack(*wallEye.picture),
-             capturePath(directory, walls_[wallEye.wall].name, wallEye.eye, frame));
+    taken_.push_back({&wallEye.pictures.drawn(), &walls_[wallEye.wall].name, wallEye.eye});
+  }
+  capture.take(frame, taken_);
+}
+
+void WallSet::film(Movie& movie, double display_s) const {
+  graphics_.makeCurrent();
+  filmed_.clear();
+  for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
+    filmed_.push_back(&wallEyes_[firstEyeOf_[wall]].pictures.drawn());
+  }
+  movie.add(display_s, filmed_);
+}
+
+NodeLock WallSet::lockSwaps(FrameLock asked) {
+  if (asked == FrameLock::software) return {};
+  std::vector<SwapGroupCalls::Drawable> drawables;
+  for (const WallWindow& window : windows_) drawables.push_back(window.window->drawable());
+  if (!windows_.empty()) windows_.front().window->makeCurrent();
+  NodeLock lock(swapGroupOfDriver(), std::move(drawables));
+  if (lock.state() != LockState::software) {
+    for (const WallWindow& window : windows_) window.window->setVsync(true);
+  }
+  return lock;
+}
+
+void WallSet::show(const LatencyView* latency) {
+  graphics_.finishDrawing();
+  std::function<void()> over;
+  if (latency) over = [latency] { drawLatency(*latency); };
+  for (const WallWindow& window : windows_) {
+    panes_.clear();
+    const glm::ivec2 size_px = window.window->size_px();
+    // Where it is blank: black as the screens are, without the level that black is lifted to.
+    for (std::size_t i = 0; i < window.walls.size() && !blank_; ++i)
+      panes_.push_back(paneOf(window.walls[i], size_px));
+    window.window->show(panes_, over);
   }
 }
 
-void WallSet::show() {
-  if (windows_.empty()) return;
-  graphics_.finishDrawing();
-  panes_.clear();
-  if (blank_) {  // black as the screens are, without the level that black is lifted to
-    for (const auto& window : windows_) window->show({});
-    return;
-  }
-  for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
-    const WindowPlacement& place = walls_[wall].window;
-    if (oneWindow_) {
-      panes_.push_back(paneOf(wall, place.position_px, place.size_px));
-    } else {
-      const Pane whole = paneOf(wall, {0, 0}, windows_[wall]->size_px());
-      windows_[wall]->show({&whole, 1});
-    }
-  }
-  if (oneWindow_) windows_.front()->show(panes_);
+void WallSet::awaitShown() {
+  graphics_.awaitDrawing();
+  for (const WallWindow& window : windows_) window.window->awaitShown();
 }
 
 void WallSet::swap() {
-  for (const auto& window : windows_) window->swap();
+  for (const WallWindow& window : windows_) window.window->swap();
 }
 
-const WallPicture* WallSet::pictureOf(std::size_t wall, Eye eye) const {
-  for (const WallEye& wallEye : wallEyes_) {
-    if (wallEye.wall == wall && wallEye.eye == eye) return wallEye.picture.get();
-  }
-  return nullptr;
-}
-
-Pane WallSet::paneOf(std::size_t wall, const glm::ivec2& position_px, const glm::ivec2& size_px) const {
-  const std::vector<Eye> eyes = eyesOf(walls_[wall].stereo);
-  return {pictureOf(wall, eyes.front()),
-          eyes.size() > 1 ? pictureOf(wall, eyes[1]) : nullptr,
+Pane WallSet::paneOf(std::size_t wall, const glm::ivec2& window_px) const {
+  const Viewport place = walls_[wall].viewport.value_or(Viewport{{0, 0}, window_px});
+  const std::size_t first = firstEyeOf_[wall], second = first + 1;
+  return {&wallEyes_[first].pictures.shown(),
+          second < firstEyeOf_[wall + 1] ? &wallEyes_[second].pictures.shown() : nullptr,
           walls_[wall].stereo,
-          position_px,
-          size_px,
+          place.position_px,
+          place.size_px,
           projections_[wall] ? &*projections_[wall] : nullptr};
 }
 

@@ -3,20 +3,25 @@
 // windows that show them.
 
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "cave/capture.h"
+#include "cave/frame_lock.h"
 #include "cave/frame_state.h"
-#include "cave/picture.h"
+#include "cave/latency_overlay.h"
+#include "cave/movie.h"
+#include "cave/picture_queue.h"
 #include "cave/projector.h"
+#include "cave/room_aids.h"
+#include "cave/room_facts.h"
+#include "cave/room_words.h"
 #include "cave/seam_pattern.h"
+#include "cave/session_view.h"
 #include "cave/wall.h"
-#include "cave/wall_renderer.h"
 #include "cave/window.h"
-#include "engine/light_cone.h"
 #include "engine/observer.h"
 #include "engine/world_line.h"
 
@@ -24,48 +29,76 @@ namespace carom {
 
 class WallSet {
  public:
-  /// `oneWindow`: where given, all walls share that window; otherwise each has its own. Without `visible`
-  /// nothing is shown; the pictures are the same.
+  /// `oneWindow`: where given, all walls of a node share that window; otherwise each has its own, or its
+  /// viewport in one. A rank that draws for several nodes opens the windows of each. Without `visible` nothing
+  /// is shown; the pictures are the same.
   WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls,
           const std::optional<WindowPlacement>& oneWindow, bool visible);
 
+  /// What the aids over the session (cave/room_aids.h, cave/room_words.h) know of the room; without it, no more
+  /// than the walls themselves, and no words.
+  void standIn(const RoomFacts& room);
+
   /// Draws every wall as both eyes see the bodies, or what the operator has put in their place: a pattern, or
-  /// black. `histories[i]` is body i of the scene.
-  void draw(const FrameRecord& record, std::span<const WorldLine> histories);
+  /// black. `world.histories[i]` is body i of the scene.
+  void draw(const FrameRecord& record, const World& world);
 
-  /// Writes every picture as DIR/<wall>-<eye>-<frame>.png.
-  void capture(const std::filesystem::path& directory, std::uint64_t frame);
+  /// The newest picture of a wall, its left eye's where it has one for each; null where this node draws no wall
+  /// of that name.
+  const WallPicture* pictureOf(const std::string& wall) const;
 
-  /// Puts the pictures into the windows, not yet visible; `swap` makes them so.
-  void show();
+  /// Hands over every picture, and each wall's first (its left eye's) for the movie.
+  void capture(Capture& capture, std::uint64_t frame) const;
+  void film(Movie& movie, double display_s) const;
+
+  /// Puts the pictures into the windows, not yet visible; `swap` makes them so. Of a wall that is held back,
+  /// those of an earlier frame. `latency`: what to say over them; null: nothing.
+  void show(const LatencyView* latency = nullptr);
+  /// Waits until all of it is drawn: a swap then shows it at once.
+  void awaitShown();
   void swap();
 
-  const std::vector<Wall>& walls() const { return walls_; }
+  /// The lock of this node's swaps, as the rig asks for it.
+  NodeLock lockSwaps(FrameLock asked);
 
  private:
   struct WallEye {
     std::size_t wall = 0;
     Eye eye = Eye::mono;
-    std::unique_ptr<WallPicture> picture;
+    PictureQueue pictures;
   };
-  const WallPicture* pictureOf(std::size_t wall, Eye eye) const;
-  void drawSession(const ObserverView& observer, std::span<const WorldLine> histories,
-                   const Switches& switches);
+  /// A window and the walls in it.
+  struct WallWindow {
+    WindowPlacement placement;
+    int node = 0;
+    bool shared = false;
+    std::vector<std::size_t> walls;
+    std::unique_ptr<Window> window;
+  };
+  void openWindows(const std::optional<WindowPlacement>& oneWindow);
+  void drawSession(const FrameRecord& record, const World& world, const ObserverView& observer);
   void drawTestPatterns(bool eyesSwapped);
-  Pane paneOf(std::size_t wall, const glm::ivec2& position_px, const glm::ivec2& size_px) const;
+  void drawAids(const FrameRecord& record, const ObserverView& observer);
+  Pane paneOf(std::size_t wall, const glm::ivec2& window_px) const;
 
   Graphics& graphics_;
-  WallRenderer renderer_;
+  SessionView session_;
   std::vector<Wall> walls_;
-  bool oneWindow_;
-  std::vector<WallEye> wallEyes_;
+  std::vector<WallEye> wallEyes_;  // of each wall its one or two, the left eye's first
+  std::vector<std::size_t> firstEyeOf_;  // of each wall, in there; and where the last ends
   SeamPattern seams_;
+  RoomFacts room_;
+  std::optional<Wall> front_;  // where the words are
+  RoomAids aids_;
+  RoomWords words_;
   std::optional<bool> testPatterns_;  // the pictures hold them, with the eyes swapped or not
   bool blank_ = false;
   std::vector<std::optional<Projection>> projections_;  // of each wall, where there are windows
-  std::vector<std::unique_ptr<Window>> windows_;
-  std::vector<BodyView> bodies_;
+  std::vector<WallWindow> windows_;
+  std::vector<PicturedWall> pictured_;  // of one eye
   std::vector<Pane> panes_;
+  mutable std::vector<Capture::Taken> taken_;
+  mutable std::vector<const WallPicture*> filmed_;
 };
 
 }  // namespace carom

@@ -11,6 +11,13 @@
 namespace carom {
 namespace {
 
+constexpr float kText_px = 18.0F;
+constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a card that takes longer hangs
+
+void await(void* sync) {
+  if (sync) glClientWaitSync(static_cast<GLsync>(sync), 0, kLongestDrawing_ns);
+}
+
 std::string lastGlfwError() {
   const char* description = nullptr;
   glfwGetError(&description);
@@ -41,6 +48,8 @@ WindowInput& inputOf(GLFWwindow* window) {
 void onKey(GLFWwindow* window, int key, int /*scancode*/, int action, int /*modifiers*/) {
   if (action != GLFW_REPEAT) inputOf(window).keys.push_back({key, action == GLFW_PRESS});
 }
+
+void onScroll(GLFWwindow* window, double /*sideways*/, double notches) { inputOf(window).wheel += notches; }
 
 void onClose(GLFWwindow* window) { inputOf(window).closeRequested = true; }
 
@@ -94,8 +103,11 @@ void Graphics::finishDrawing() {
   glFlush();
 }
 
+void Graphics::awaitDrawing() const { await(drawn_); }
+
 const WindowInput& Graphics::poll() {
   input_.keys.clear();
+  input_.wheel = 0.0;
   glfwPollEvents();
   return input_;
 }
@@ -131,28 +143,34 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
                           title, reason)
             : fmt::format("window \"{}\" cannot be opened: {}", title, reason));
   }
-  if (!placement.fullscreen) {
+  if (placement.fullscreen) {
+    glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);  // nothing of the desk on a wall
+  } else {
     glm::ivec2 origin_px{0};
     glfwGetMonitorPos(monitor, &origin_px.x, &origin_px.y);
     glfwSetWindowPos(window_, origin_px.x + placement.position_px.x, origin_px.y + placement.position_px.y);
   }
   glfwSetWindowUserPointer(window_, &graphics.input_);
   glfwSetKeyCallback(window_, onKey);
+  glfwSetScrollCallback(window_, onScroll);
   glfwSetWindowCloseCallback(window_, onClose);
   glfwShowWindow(window_);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(0);
+  drawable_ = currentDrawable();
   packer_ = std::make_unique<StereoPacker>();
 }
 
 Window::~Window() {
   glfwMakeContextCurrent(window_);
+  if (shown_) glDeleteSync(static_cast<GLsync>(shown_));
+  gui_.reset();
   packer_.reset();
   glfwDestroyWindow(window_);
   graphics_.makeCurrent();
 }
 
-void Window::show(std::span<const Pane> panes) {
+void Window::show(std::span<const Pane> panes, const std::function<void()>& over) {
   glfwMakeContextCurrent(window_);
   if (graphics_.drawn_) glWaitSync(static_cast<GLsync>(graphics_.drawn_), 0, GL_TIMEOUT_IGNORED);
   const glm::ivec2 size = size_px();
@@ -160,12 +178,25 @@ void Window::show(std::span<const Pane> panes) {
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT);
   for (const Pane& pane : panes) packer_->draw(pane, size);
+  if (over) {
+    if (!gui_) gui_ = std::make_unique<Gui>(kText_px);
+    gui_->begin(size);
+    over();
+    gui_->end();
+  }
+  if (shown_) glDeleteSync(static_cast<GLsync>(shown_));
+  shown_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  glFlush();
 }
+
+void Window::awaitShown() const { await(shown_); }
 
 void Window::swap() { glfwSwapBuffers(window_); }
 
+void Window::makeCurrent() const { glfwMakeContextCurrent(window_); }
+
 void Window::setVsync(bool on) {
-  glfwMakeContextCurrent(window_);
+  makeCurrent();
   glfwSwapInterval(on ? 1 : 0);
 }
 
@@ -176,5 +207,17 @@ glm::ivec2 Window::size_px() const {
 }
 
 bool Window::isDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+
+PointerInput Window::takePointer() {
+  PointerInput input;
+  glm::dvec2 place_px(0.0);
+  glfwGetCursorPos(window_, &place_px.x, &place_px.y);
+  const bool dragging = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+  if (dragging && dragging_) input.dragged_px = place_px - pointer_px_;
+  dragging_ = dragging;
+  pointer_px_ = place_px;
+  if (glfwGetWindowAttrib(window_, GLFW_HOVERED)) input.wheel = graphics_.input_.wheel;
+  return input;
+}
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 //
 // Use from the main thread only.
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,6 +12,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "cave/frame_lock.h"
+#include "cave/gui.h"
 #include "cave/stereo.h"
 #include "cave/wall.h"
 
@@ -28,6 +31,13 @@ struct KeyInput {
 struct WindowInput {
   std::vector<KeyInput> keys;  ///< in order
   bool closeRequested = false;
+  double wheel = 0.0;  ///< notches, over any window
+};
+
+/// What the pointer did over one window. Pixels count right and down.
+struct PointerInput {
+  glm::dvec2 dragged_px{0.0};  ///< with the left button down
+  double wheel = 0.0;          ///< notches, forwards
 };
 
 /// GLFW and the hidden window with the drawing context. One per process.
@@ -46,6 +56,9 @@ class Graphics {
   /// Hands the drawing done so far to the windows: they wait (on the GPU) for it. Call after all walls
   /// are drawn, before Window::show.
   void finishDrawing();
+
+  /// Waits until what was drawn before the last finishDrawing is drawn.
+  void awaitDrawing() const;
 
   /// Processes what the windows received; call once a drawn frame. The span of keys is valid until the next.
   const WindowInput& poll();
@@ -71,20 +84,33 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Draws the panes (not yet visible: see swap). Leaves this window's context current.
-  void show(std::span<const Pane> panes);
+  /// Draws the panes and, in a Gui over them, what `over` draws (not yet visible: see swap). Leaves this
+  /// window's context current.
+  void show(std::span<const Pane> panes, const std::function<void()>& over = {});
+
+  /// Waits until what was shown is drawn. Any context may be current.
+  void awaitShown() const;
 
   /// Makes what was shown visible; waits for the display's refresh if `setVsync(true)`.
   void swap();
+  void makeCurrent() const;
   void setVsync(bool on);
 
   glm::ivec2 size_px() const;  ///< of its framebuffer
   bool isDown(int key) const;
+  /// Since the last call; call once a poll.
+  PointerInput takePointer();
+  SwapGroupCalls::Drawable drawable() const { return drawable_; }
 
  private:
   Graphics& graphics_;
   GLFWwindow* window_ = nullptr;
+  glm::dvec2 pointer_px_{0.0};  // when it was last asked for
+  bool dragging_ = false;       // then
+  SwapGroupCalls::Drawable drawable_ = 0;
   std::unique_ptr<StereoPacker> packer_;
+  std::unique_ptr<Gui> gui_;  // from its first use on
+  void* shown_ = nullptr;     // GLsync: the last frame's drawing in this window
 };
 
 }  // namespace carom

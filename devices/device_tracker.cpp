@@ -12,6 +12,7 @@
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include "devices/device_clock.h"
+#include "devices/prompt_thread.h"
 
 namespace carom {
 namespace {
@@ -114,12 +115,12 @@ double DeviceTracker::Shared::made_s(const Reading& reading, double arrival_s) {
 void DeviceTracker::Shared::deliver(std::span<const Reading> readings,
                                     std::chrono::steady_clock::time_point arrival) {
   const double arrival_s = since_s(sessionStart, arrival);
+  if (!readings.empty()) newestArrival_s = arrival_s;
   for (Reading reading : readings) {
     const double made = made_s(reading, arrival_s);
     const double delay_s = arrival_s - made;
     reading.device_s = made - reading.latency_s;
     if (reading.kind == Reading::Kind::pose) {
-      newestArrival_s = arrival_s;
       const bool useful = delay_s <= kUseless_s && newest.advance(reading.sensor, reading.device_s);
       if (!useful || delay_s > kLate_s) ++late;
       if (!useful) continue;
@@ -145,6 +146,7 @@ void DeviceTracker::Shared::connected() {
 }
 
 void DeviceTracker::Shared::listen(const std::stop_token& stopToken, const Transport& transport) {
+  askForPromptness();
   try {
     transport(stopToken, *this);
   } catch (const std::exception& error) {
@@ -203,7 +205,8 @@ TrackerHealth DeviceTracker::health(double now_s) const {
       health.state = State::connecting;
       break;
     case Shared::Link::up:
-      health.state = newestArrival_s < 0.0                          ? State::connecting
+      health.state = std::isinf(shared_->silence_s)                 ? State::delivering
+                     : newestArrival_s < 0.0                        ? State::connecting
                      : now_s - newestArrival_s > shared_->silence_s ? State::silent
                                                                     : State::delivering;
       break;

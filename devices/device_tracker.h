@@ -34,13 +34,14 @@ class DeviceSink {
 /// Listens to one device until asked to stop, reconnecting by itself. Throws nothing.
 using Transport = std::function<void(std::stop_token stop, DeviceSink& sink)>;
 
-/// Runs a transport on a thread of its own. Device times become times of the session's clock through a
-/// DeviceClock; readings without one are stamped with their arrival. Late samples (before one already
-/// delivered of the same sensor) are counted and dropped.
+/// Runs a transport on a thread of its own, which asks to be prompt (devices/prompt_thread.h). Device times
+/// become times of the session's clock through a DeviceClock; readings without one are stamped with their
+/// arrival. Late samples (before one already delivered of the same sensor) are counted and dropped.
 class DeviceTracker : public Tracker {
  public:
-  /// `sessionStart`: where the session's clock reads zero. `silence_s`: how long without a sample until it
-  /// counts as silent.
+  /// `sessionStart`: where the session's clock reads zero. `silence_s`: how long without any reading, be it a
+  /// pose, a button or an axis, until it counts as silent; infinite for a device that speaks only while it is
+  /// used, which then delivers as long as it is connected.
   DeviceTracker(Transport transport, std::chrono::steady_clock::time_point sessionStart,
                 double silence_s = 0.25);
   ~DeviceTracker() override;  ///< stops the thread within 0.3 s

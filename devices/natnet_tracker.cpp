@@ -63,7 +63,9 @@ class Session {
 
   void take(Socket& socket) {
     Ipv4 sender;
-    while (const auto count = socket.receive(bytes_, &sender)) {
+    while (!stop_.stop_requested()) {  // datagrams may come faster than they are understood
+      const auto count = socket.receive(bytes_, &sender);
+      if (!count) return;
       const auto arrival = Clock::now();
       if (sender.address != server_.address) continue;
       heard_ = arrival;

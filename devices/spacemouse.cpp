@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "devices/hid_transport.h"
@@ -23,11 +25,24 @@ constexpr std::array<std::uint16_t, 9> kByLogitech{0xc605, 0xc621, 0xc623, 0xc62
                                                    0xc627, 0xc628, 0xc629, 0xc62b};
 constexpr std::uint16_t k3Dconnexion = 0x256f;
 
+bool isMaker(std::uint16_t vendor, std::uint16_t product) {
+  return vendor == k3Dconnexion || (vendor == kLogitech && std::find(kByLogitech.begin(), kByLogitech.end(),
+                                                                     product) != kByLogitech.end());
+}
+
 class SpaceMouse : public HidListener {
  public:
-  std::string name() const override { return "SpaceMouse"; }
+  explicit SpaceMouse(std::optional<UsbAddress> address) : address_(std::move(address)) {}
 
-  bool wants(const HidEntry& entry) const override { return isSpaceMouse(entry); }
+  std::string name() const override {
+    return address_ ? "SpaceMouse (" + toString(*address_) + ')' : "SpaceMouse";
+  }
+
+  bool wants(const HidEntry& entry) const override {
+    if (!isSpaceMouse(entry)) return false;
+    return !address_ || (entry.vendor == address_->vendor && entry.product == address_->product &&
+                         (address_->serial.empty() || entry.serial == address_->serial));
+  }
 
   void connected(HidDevice&) override {
     decoder_ = {};
@@ -57,6 +72,7 @@ class SpaceMouse : public HidListener {
     readings_.clear();
   }
 
+  std::optional<UsbAddress> address_;
   SpaceMouseDecoder decoder_;
   std::vector<Reading> readings_;
   TimePoint lastCame_{};
@@ -65,15 +81,18 @@ class SpaceMouse : public HidListener {
 }  // namespace
 
 bool isSpaceMouse(const HidEntry& entry) {
-  const bool maker = entry.vendor == k3Dconnexion ||
-                     (entry.vendor == kLogitech &&
-                      std::find(kByLogitech.begin(), kByLogitech.end(), entry.product) != kByLogitech.end());
-  return maker && entry.usagePage == 1 && entry.usage == 8;  // generic desktop, multi-axis controller
+  // generic desktop, multi-axis controller
+  return isMaker(entry.vendor, entry.product) && entry.usagePage == 1 && entry.usage == 8;
 }
 
-Transport spaceMouseTransport() {
-  return [](const std::stop_token& stop, DeviceSink& sink) {
-    SpaceMouse mouse;
+Transport spaceMouseTransport(const std::optional<UsbAddress>& address) {
+  if (address && !isMaker(address->vendor, address->product)) {
+    throw std::invalid_argument(toString(*address) +
+                                " is no SpaceMouse: expected one such as 046d:c626 or 256f:c635, or no "
+                                "source for the first that is plugged in");
+  }
+  return [address](const std::stop_token& stop, DeviceSink& sink) {
+    SpaceMouse mouse(address);
     listenToHid(stop, sink, mouse);
   };
 }

@@ -25,8 +25,8 @@ struct TrackerSample {
 struct TrackerHealth {
   enum class State {
     connecting,  ///< nothing has come yet, or it is being looked for again
-    delivering,  ///< samples come
-    silent,      ///< connected, but samples are overdue
+    delivering,  ///< samples, buttons or axes come
+    silent,      ///< connected, but these are overdue
     failed,      ///< it cannot work without someone's help: `message` says what
   };
   State state = State::connecting;

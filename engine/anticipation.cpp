@@ -64,6 +64,10 @@ Anticipation::Anticipation(const BilliardSetup& setup)
     boxLowX_ = lowX, boxWidth_ = highX - lowX, boxLowY_ = lowY, boxHeight_ = highY - lowY;
   }
   for (const Stroke& stroke : setup.strokes) enlist(stroke);
+  for (const Flash& flash : setup.flashes)
+    flashes_.emplace_back(static_cast<std::uint32_t>(flashes_.size()), flash.at);
+  std::stable_sort(flashes_.begin(), flashes_.end(),
+                   [](const auto& a, const auto& b) { return a.second.t_s < b.second.t_s; });
   predictAll();
 }
 
@@ -85,18 +89,28 @@ int Anticipation::enlist(const Stroke& stroke) {
   return static_cast<int>(player - players_.begin());
 }
 
-bool Anticipation::playUntil(double limit, std::size_t collisions, Chronicle& chronicle) {
-  if (players_.empty()) return true;
+bool Anticipation::playUntil(double limit, std::size_t events, Chronicle& chronicle) {
   bool played = false;
-  for (; queue_.firstDue() <= limit || someoneWaitsBelow(limit); played = true) {
-    if (chronicle.collisionCount() >= collisions) {
+  for (; !players_.empty() && (queue_.firstDue() <= limit || someoneWaitsBelow(limit)); played = true) {
+    if (chronicle.eventCount() >= events) {
       chronicle.complete();
       return false;
     }
+    flashUntil(queue_.firstDue(), chronicle);
     step(chronicle);
   }
   if (played) chronicle.complete();
+  flashUntil(limit, chronicle);
   return true;
+}
+
+// Flashes take their places in the list of events when everything due before them has been committed.
+void Anticipation::flashUntil(double limit, Chronicle& chronicle) {
+  for (; flashed_ < flashes_.size() && flashes_[flashed_].second.t_s * c_m_s_ <= limit; ++flashed_) {
+    const auto& [place, flash] = flashes_[flashed_];
+    chronicle.addFlash(place, flash);
+    clock_ = std::max(clock_, flash.t_s * c_m_s_);
+  }
 }
 
 // A puck put off behind a later one may still have something to do before `limit`.
@@ -239,7 +253,7 @@ void Anticipation::restore(Chronicle& chronicle) const {
     chronicle.keepLegs(player.file, player.begun);
     for (const Decided& decided : player.decided) {
       chronicle.addLeg(player.file, decided.leg, decided.news);
-      chronicle.changeTurn(decided.collision, player.file,
+      chronicle.changeTurn(decided.event, player.file,
                            {decided.leg.start, decided.uBefore, decided.leg.properTime}, decided.leg.u);
     }
   }

@@ -23,8 +23,8 @@ class Anticipation {
   explicit Anticipation(const BilliardSetup& setup);
 
   /// Commits everything that is due at or before board time `limit`, and what that must wait for; or stops,
-  /// returning false, when the chronicle holds that many collisions.
-  bool playUntil(double limit, std::size_t collisions, Chronicle& chronicle);
+  /// returning false, when the chronicle holds that many events.
+  bool playUntil(double limit, std::size_t events, Chronicle& chronicle);
   /// How much later than its contact and than its first turn a collision can come due.
   double hindsight() const { return hindsight_; }
   /// The latest board time anything committed so far was due at.
@@ -57,7 +57,7 @@ class Anticipation {
     Leg leg;
     Vec21 news;
     Vec21 uBefore;
-    std::size_t collision = 0;
+    std::uint64_t event = 0;  // its number
     int cushion = -1;
     bool atOnce = false;
     double heat = 0.0;              // of this puck
@@ -100,6 +100,7 @@ class Anticipation {
 
   // anticipation.cpp: what happens next
   int enlist(const Stroke& stroke);
+  void flashUntil(double limit, Chronicle& chronicle);
   void step(Chronicle& chronicle);
   bool someoneWaitsBelow(double limit);
   void fetchSoon();
@@ -163,6 +164,7 @@ class Anticipation {
   double largestRadius_ = 0.0;
   double boxLowX_ = 0.0, boxLowY_ = 0.0, boxWidth_ = 0.0, boxHeight_ = 0.0;
   std::vector<PuckStroke> strokes_;
+  std::vector<std::pair<std::uint32_t, Event>> flashes_;  // in the order of time, beside their place in the setup
 
   // The state of the game, by puck.
   std::vector<Disc> discs_;  // of the legs being followed; what the search for partners reads
@@ -177,6 +179,7 @@ class Anticipation {
   CellGrid cells_;
   std::vector<int> near_, void_;   // scratch
   std::array<int, 21> fetched_{};  // by place in the queue: whose data are already on their way from memory
+  std::size_t flashed_ = 0;  // of the flashes
   std::vector<int> raised_;        // pucks that were put off until others have had their events
   double gammaBound_ = 1.0;        // that the cells are made for
   double pairReach_ = 0.0;         // from how far apart two pucks must know of each other

@@ -48,7 +48,7 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
     return;
 
   const double heat = kick->heat[0] + kick->heat[1];
-  const std::size_t collision = chronicle.addCollision(std::nullopt, contact.event, heat * c_m_s_ * c_m_s_);
+  const std::uint64_t collision = chronicle.addCollision(std::nullopt, contact.event, heat * c_m_s_ * c_m_s_);
   accounts_.heat += heat;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
@@ -56,7 +56,7 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
     Decided decided;
     decided.leg = {turn[k].x, kick->u[k], turn[k].properTime, brake_};
     decided.news = a.withoutDelay ? turn[k].x : contact.event;
-    decided.collision = collision;
+    decided.event = collision;
     decided.heat = kick->heat[k];
     decided.radiated = kick->u[k] * kick->heat[k];
     players_[i].decidedAt = k == 0 ? a.ownTime : a.otherTime;
@@ -91,9 +91,9 @@ void Anticipation::bounceAt(int i, int cushion, const CushionContact& contact, C
   if (!kick) return;
   accounts_.heat += kick->heat;
   Decided decided;
-  decided.collision =
+  decided.event =
       chronicle.addCollision(static_cast<Cushion>(cushion), contact.event, kick->heat * c_m_s_ * c_m_s_);
-  chronicle.addTurn(decided.collision, player.file, contact.turn, kick->u);
+  chronicle.addTurn(decided.event, player.file, contact.turn, kick->u);
   decided.leg = {contact.turn.x, kick->u, contact.turn.properTime, brake_};
   decided.news = contact.withoutDelay ? contact.turn.x : contact.event;
   decided.cushion = cushion;
@@ -214,6 +214,9 @@ void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
   decided.leg = {struck.x, u, struck.properTime, brake_};
   decided.news = struck.x;
   decided.atOnce = true;
+  decided.event = chronicle.addStroke(static_cast<std::uint32_t>(stroke), s.fromHand ? s.hand : struck.x,
+                                      player.height + (s.fromHand ? s.height : 0.0));
+  chronicle.addTurn(decided.event, player.file, struck, u);
   decide(i, decided, struck, chronicle);
   player.lastPartner = -1;
 
@@ -238,8 +241,8 @@ void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
     }
     old.radiated = old.leg.u * old.heat;
     accounts_.heat += old.heat - oldHeat;
-    chronicle.addHeat(old.collision, (old.heat - oldHeat) * c_m_s_ * c_m_s_);
-    chronicle.changeTurn(old.collision, player.file, turn, old.leg.u);
+    chronicle.addHeat(old.event, (old.heat - oldHeat) * c_m_s_ * c_m_s_);
+    chronicle.changeTurn(old.event, player.file, turn, old.leg.u);
     decide(i, old, turn, chronicle);
   }
   accounts_.given = accounts_.given + (sum() - before);

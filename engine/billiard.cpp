@@ -16,7 +16,7 @@ namespace {
 // Points of the game to which a stroke can return: kept the more densely the nearer they are to the present.
 constexpr std::size_t kSnapshots = 24;
 constexpr std::size_t kSnapshotPucks = 100000;  // in all of them together
-constexpr std::size_t kLeastBetween = 64;       // collisions
+constexpr std::size_t kLeastBetween = 64;       // events
 constexpr std::size_t kBetweenPerPuck = 8;
 
 std::size_t betweenSnapshots(const BilliardSetup& setup) {
@@ -32,7 +32,7 @@ bool sameKnot(const Knot& a, const Knot& b) {
 
 struct Billiard::Snapshot {
   Anticipation game;
-  std::size_t collisions = 0;
+  std::size_t events = 0;
   std::size_t strokes = 0;
 };
 
@@ -59,14 +59,14 @@ void Billiard::play() {
   while (!game_->playUntil(advancedTo_s_ * setup_.lightSpeed_m_s + game_->hindsight(), nextSnapshot_,
                            *chronicle_)) {
     keepSnapshot();
-    nextSnapshot_ = chronicle_->collisionCount() + betweenSnapshots(setup_);
+    nextSnapshot_ = chronicle_->eventCount() + betweenSnapshots(setup_);
   }
 }
 
 // When there are too many, the one goes whose absence leaves the smallest gap, compared with its age.
 void Billiard::keepSnapshot() {
   const std::size_t most = std::clamp<std::size_t>(kSnapshotPucks / setup_.pucks.size(), 2, kSnapshots);
-  snapshots_.push_back({*game_, chronicle_->collisionCount(), setup_.strokes.size()});
+  snapshots_.push_back({*game_, chronicle_->eventCount(), setup_.strokes.size()});
   if (snapshots_.size() <= most) return;
   const double present = snapshots_.back().game.clock();
   std::size_t spare = 0;
@@ -127,14 +127,14 @@ void Billiard::rewind(double t_s) {
   if (snapshots_.empty()) {
     game_ = std::make_unique<Anticipation>(setup_);
     game_->restore(*chronicle_);
-    chronicle_->keepCollisions(0);
+    chronicle_->keepEvents(0);
     nextSnapshot_ = betweenSnapshots(setup_);
   } else {
     const Snapshot& from = snapshots_.back();
     *game_ = from.game;
-    chronicle_->keepCollisions(from.collisions);
+    chronicle_->keepEvents(from.events);
     game_->restore(*chronicle_);
-    nextSnapshot_ = from.collisions + betweenSnapshots(setup_);
+    nextSnapshot_ = from.events + betweenSnapshots(setup_);
     for (std::size_t i = from.strokes; i < setup_.strokes.size(); ++i) game_->addStroke(setup_.strokes[i]);
   }
   play();
@@ -169,6 +169,10 @@ Changes Billiard::takeChanges() {
     for (std::size_t k = first; k < knots.size(); ++k) changes.knots.push_back({puck, knots[k]});
     reported_[puck] = chronicle_->legs(puck);
   }
+  changes.eventsKept = std::min<std::uint64_t>(reportedEvents_, chronicle_->takeUnchangedEvents());
+  const std::size_t kept = changes.eventsKept - std::min(changes.eventsKept, chronicle_->forgottenEvents());
+  changes.events.assign(events().begin() + static_cast<std::ptrdiff_t>(kept), events().end());
+  reportedEvents_ = chronicle_->eventCount();
   return changes;
 }
 
@@ -185,7 +189,7 @@ void Billiard::forgetBefore(double t_s) {
 }
 
 std::span<const WorldLine> Billiard::worldLines() const { return chronicle_->worldLines(); }
-std::span<const Collision> Billiard::collisions() const { return chronicle_->collisions(); }
+std::span<const GameEvent> Billiard::events() const { return chronicle_->events(); }
 Ledger Billiard::ledger() const { return game_->ledger(); }
 std::span<const JamNote> Billiard::jams() const { return game_->jams(); }
 

@@ -2,22 +2,19 @@
 // The carom billiard: pucks gliding on the board, colliding with each other and with the cushions,
 // found ahead of time and delivered as knots of world lines.
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
-
 #include "engine/event.h"
+#include "engine/game_event.h"
 #include "engine/world_line.h"
 
 namespace carom {
-
-using Vec2 = glm::dvec2;
 
 struct Board {
   double length_m = 0.0;  ///< along x, inner edge to inner edge, centred on the origin
@@ -56,49 +53,19 @@ struct Stroke {
   Vec2 momentum_kg_m_s{0.0};
 };
 
+/// Light that starts from a point at rest on the board. The pucks take no notice; it is one of the events.
+struct Flash {
+  std::string name;
+  Event at;
+};
+
 struct BilliardSetup {
   double lightSpeed_m_s = 0.0;
   std::optional<Board> board;  ///< none: an open plane without cushions
   PhysicsRules rules;
   std::vector<Puck> pucks;
   std::vector<Stroke> strokes;
-};
-
-enum class Cushion { plusX, minusX, plusY, minusY };
-
-/// A puck's centre changes its motion.
-struct Turn {
-  std::size_t puck = 0;
-  Event event;
-  Vec2 betaBefore{0.0};
-  Vec2 betaAfter{0.0};
-  double properTime_s = 0.0;  ///< the puck's own clock
-};
-
-/// The turns of one collision: one or two, held in place.
-class Turns {
- public:
-  std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
-  const Turn* begin() const { return turns_.data(); }
-  const Turn* end() const { return turns_.data() + size_; }
-  Turn* begin() { return turns_.data(); }
-  Turn* end() { return turns_.data() + size_; }
-  const Turn& operator[](std::size_t i) const { return turns_[i]; }
-  Turn& operator[](std::size_t i) { return turns_[i]; }
-  const Turn& front() const { return turns_.front(); }
-  void push_back(const Turn& turn) { turns_.at(size_++) = turn; }
-
- private:
-  std::array<Turn, 2> turns_;
-  std::size_t size_ = 0;
-};
-
-struct Collision {
-  std::optional<Cushion> cushion;  ///< none: puck with puck
-  Event contact;
-  Turns turns;  ///< one for each puck that took part
-  double heat_j = 0.0;
+  std::vector<Flash> flashes;
 };
 
 /// Where energy and momentum went. Always, at any moment of the game and whatever is still pending,
@@ -123,7 +90,7 @@ struct JamNote {
   Event event;  ///< the turn at which it stepped in
 };
 
-/// What of the world lines changed since the last time it was asked for.
+/// What of the world lines and of the events changed since the last time it was asked for.
 struct Changes {
   struct NewKnot {
     std::size_t puck = 0;
@@ -133,6 +100,9 @@ struct Changes {
   /// (`WorldLine::truncateFrom`); the new knots then replace them.
   std::optional<double> truncatedFrom_s;
   std::vector<NewKnot> knots;  ///< each puck's in the order of time
+  /// Of the list of events: first forget those from this number on; the new ones, numbered from here, follow.
+  std::uint64_t eventsKept = 0;
+  std::vector<GameEvent> events;
 };
 
 class Anticipation;
@@ -173,8 +143,8 @@ class Billiard {
   Billiard(Billiard&&) noexcept;
   Billiard& operator=(Billiard&&) noexcept;
 
-  /// Commits every collision whose contact or first turn is at or before board time `t_s`, and perhaps some
-  /// that are a little later. What is committed does not depend on the steps in which one advances.
+  /// Commits every event whose contact or first turn is at or before board time `t_s`, and perhaps some that
+  /// are a little later. What is committed does not depend on the steps in which one advances.
   void advanceTo(double t_s);
 
   /// Adds a stroke. What was computed at or after its arrival is discarded and computed anew, up to the same
@@ -185,15 +155,16 @@ class Billiard {
 
   /// One world line for each puck, in the order of the setup; complete up to the time advanced to.
   std::span<const WorldLine> worldLines() const;
-  /// In the order in which they were committed.
-  std::span<const Collision> collisions() const;
-  /// Knots added since the last call, and whether a stroke took some back.
+  /// In the order in which they were committed. A stroke can change the turns of those before it whose news
+  /// was on its way.
+  std::span<const GameEvent> events() const;
+  /// Knots and events added or changed since the last call, and whether a stroke took some back.
   Changes takeChanges();
 
   Ledger ledger() const;
   std::span<const JamNote> jams() const;
 
-  /// Forgets the legs that ended and the collisions that were over before board time `t_s`. Strokes can no
+  /// Forgets the legs that ended and the events that were over before board time `t_s`. Strokes can no
   /// longer arrive before it.
   void forgetBefore(double t_s);
 
@@ -209,10 +180,11 @@ class Billiard {
   std::unique_ptr<Chronicle> chronicle_;
   std::unique_ptr<Anticipation> game_;
   std::vector<Snapshot> snapshots_;  // in the order of time
-  std::size_t nextSnapshot_ = 64;    // when there are that many collisions
+  std::size_t nextSnapshot_ = 64;    // when there are that many events
   double advancedTo_s_ = 0.0;
   double forgottenBefore_s_ = 0.0;
   std::vector<std::size_t> reported_;  // of each puck's knots, counted from the start of the game
+  std::uint64_t reportedEvents_ = 0;
   std::optional<double> truncatedFrom_s_;
 };
 

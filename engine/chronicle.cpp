@@ -56,45 +56,71 @@ void Chronicle::keepLegs(std::size_t puck, std::size_t legs) {
   lines_[puck].keepFirst(legs - forgottenLegs_[puck]);
 }
 
-std::size_t Chronicle::addCollision(std::optional<Cushion> cushion, const Vec21& contact, double heat_j) {
-  Collision collision;
-  collision.cushion = cushion;
-  collision.contact = {contact.t / c_m_s_, {contact.x, contact.y, 0.0}};
-  collision.heat_j = heat_j;
-  collisions_.push_back(collision);
-  return collisionCount() - 1;
+GameEvent& Chronicle::add(EventKind kind, const Event& at) {
+  GameEvent& event = events_.emplace_back();
+  event.number = eventCount() - 1;
+  event.kind = kind;
+  event.at = at;
+  return event;
 }
 
-void Chronicle::addTurn(std::size_t collision, std::size_t puck, const Moment& before, const Vec21& uAfter) {
-  Collision& noted = collisions_[collision - forgottenCollisions_];
+std::uint64_t Chronicle::addCollision(std::optional<Cushion> cushion, const Vec21& contact, double heat_j) {
+  GameEvent& event = add(cushion ? EventKind::puckCushion : EventKind::puckPuck,
+                         {contact.t / c_m_s_, {contact.x, contact.y, 0.0}});
+  event.cushion = cushion;
+  event.heat_j = heat_j;
+  return event.number;
+}
+
+std::uint64_t Chronicle::addStroke(std::uint32_t stroke, const Vec21& at, double height_m) {
+  GameEvent& event = add(EventKind::stroke, {at.t / c_m_s_, {at.x, at.y, height_m}});
+  event.which = stroke;
+  return event.number;
+}
+
+std::uint64_t Chronicle::addFlash(std::uint32_t flash, const Event& at) {
+  GameEvent& event = add(EventKind::flash, at);
+  event.which = flash;
+  return event.number;
+}
+
+void Chronicle::addTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter) {
+  GameEvent& noted = events_[event - forgottenEvents_];
   noted.turns.push_back(turnOf(puck, before, uAfter));
-  noted.contact.r_m.z = noted.turns[0].event.r_m.z;
+  if (noted.kind != EventKind::stroke) noted.at.r_m.z = noted.turns[0].event.r_m.z;
 }
 
-void Chronicle::changeTurn(std::size_t collision, std::size_t puck, const Moment& before,
-                           const Vec21& uAfter) {
-  if (collision < forgottenCollisions_) return;
-  for (Turn& turn : collisions_[collision - forgottenCollisions_].turns) {
+GameEvent& Chronicle::change(std::uint64_t event) {
+  unchangedEvents_ = std::min(unchangedEvents_, event);
+  return events_[event - forgottenEvents_];
+}
+
+void Chronicle::changeTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter) {
+  if (event < forgottenEvents_) return;
+  for (Turn& turn : change(event).turns) {
     if (turn.puck == puck) turn = turnOf(puck, before, uAfter);
   }
 }
 
-void Chronicle::addHeat(std::size_t collision, double heat_j) {
-  if (collision >= forgottenCollisions_) collisions_[collision - forgottenCollisions_].heat_j += heat_j;
+void Chronicle::addHeat(std::uint64_t event, double heat_j) {
+  if (event >= forgottenEvents_) change(event).heat_j += heat_j;
 }
 
-void Chronicle::keepCollisions(std::size_t count) { collisions_.resize(count - forgottenCollisions_); }
+void Chronicle::keepEvents(std::uint64_t count) {
+  events_.resize(count - forgottenEvents_);
+  unchangedEvents_ = std::min(unchangedEvents_, count);
+}
 
 void Chronicle::forgetBefore(double t_s) {
   complete();
   for (std::size_t puck = 0; puck < lines_.size(); ++puck)
     forgottenLegs_[puck] += lines_[puck].forgetBefore(t_s);
-  const auto over = std::find_if(collisions_.begin(), collisions_.end(), [t_s](const Collision& collision) {
-    return std::any_of(collision.turns.begin(), collision.turns.end(),
-                       [t_s](const Turn& turn) { return turn.event.t_s >= t_s; });
+  const auto over = std::find_if(events_.begin(), events_.end(), [t_s](const GameEvent& event) {
+    return event.at.t_s >= t_s || std::any_of(event.turns.begin(), event.turns.end(),
+                                              [t_s](const Turn& turn) { return turn.event.t_s >= t_s; });
   });
-  forgottenCollisions_ += static_cast<std::size_t>(over - collisions_.begin());
-  collisions_.erase(collisions_.begin(), over);
+  forgottenEvents_ += static_cast<std::uint64_t>(over - events_.begin());
+  events_.erase(events_.begin(), over);
 }
 
 Event Chronicle::eventOf(std::size_t puck, const Vec21& x) const {

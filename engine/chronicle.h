@@ -1,7 +1,8 @@
 #pragma once
-// What a game has delivered so far: the pucks' world lines and the list of collisions, in SI units and in the
+// What a game has delivered so far: the pucks' world lines and the list of events, in SI units and in the
 // order of the setup. The game itself works with c = 1 and with the pucks in the order of their names.
 
+#include <utility>
 #include <vector>
 
 #include "engine/billiard.h"
@@ -22,20 +23,26 @@ class Chronicle {
   void keepLegs(std::size_t puck, std::size_t legs);
   std::size_t legs(std::size_t puck) const { return forgottenLegs_[puck] + lines_[puck].knots().size(); }
 
-  /// Returns the collision's number, counted from the start of the game.
-  std::size_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, double heat_j);
-  void addTurn(std::size_t collision, std::size_t puck, const Moment& before, const Vec21& uAfter);
-  /// Replaces the turn of a puck in a collision; nothing if the collision is already forgotten.
-  void changeTurn(std::size_t collision, std::size_t puck, const Moment& before, const Vec21& uAfter);
-  void addHeat(std::size_t collision, double heat_j);
-  void keepCollisions(std::size_t count);
-  std::size_t collisionCount() const { return forgottenCollisions_ + collisions_.size(); }
+  // Events: these return their numbers, counted from the start of the game; their turns follow.
+  std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, double heat_j);
+  /// A stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
+  std::uint64_t addStroke(std::uint32_t stroke, const Vec21& at, double height_m);
+  std::uint64_t addFlash(std::uint32_t flash, const Event& at);
+  void addTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter);
+  /// Replaces the turn of a puck in an event; nothing if the event is already forgotten.
+  void changeTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter);
+  void addHeat(std::uint64_t event, double heat_j);
+  void keepEvents(std::uint64_t count);
+  std::uint64_t eventCount() const { return forgottenEvents_ + events_.size(); }
+  std::uint64_t forgottenEvents() const { return forgottenEvents_; }
+  /// How many of the first events are as they were when this was last asked.
+  std::uint64_t takeUnchangedEvents() { return std::exchange(unchangedEvents_, eventCount()); }
 
-  /// Forgets legs that ended and collisions that were over before board time `t_s`.
+  /// Forgets legs that ended and events that were over before board time `t_s`.
   void forgetBefore(double t_s);
 
   std::span<const WorldLine> worldLines() const { return lines_; }
-  std::span<const Collision> collisions() const { return collisions_; }
+  std::span<const GameEvent> events() const { return events_; }
 
  private:
   struct NewLeg {
@@ -43,6 +50,9 @@ class Chronicle {
     Leg leg;
     Vec21 news;
   };
+  GameEvent& add(EventKind kind, const Event& at);
+  /// An event that will be changed.
+  GameEvent& change(std::uint64_t event);
   Event eventOf(std::size_t puck, const Vec21& x) const;
   Turn turnOf(std::size_t puck, const Moment& before, const Vec21& uAfter) const;
 
@@ -51,9 +61,10 @@ class Chronicle {
   std::vector<double> height_m_;  // of each puck's centre
   std::vector<WorldLine> lines_;
   std::vector<NewLeg> newLegs_;  // not in the lines yet
-  std::vector<Collision> collisions_;
+  std::vector<GameEvent> events_;
   std::vector<std::size_t> forgottenLegs_;
-  std::size_t forgottenCollisions_ = 0;
+  std::uint64_t forgottenEvents_ = 0;
+  std::uint64_t unchangedEvents_ = 0;
 };
 
 }  // namespace carom

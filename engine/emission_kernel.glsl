@@ -7,9 +7,12 @@
 // that the eye receives. Times are lengths (c t, metres) and come first in a vec4: (c t, x, y, z).
 //
 // Two effects can be switched off (engine/switches.h), for whole views:
-//   retarded false:   events are taken at the observation's board time, and so is the origin;
+//   retarded false:   events are taken where a plane of simultaneity through the observation cuts the world
+//                     lines, and so is the origin: the board's plane, or the head's. With m the row that takes
+//                     an event of this frame to its time in the plane's, the event is where m·(c t, x) = 0;
 //   contracted false: at each board time a vertex is at the centre's place + d: it turns with the centre;
-//   both false:       then no frame is needed: the leg's is the board's, moved to the centre.
+//   both false:       the plane is the board's; then no frame is needed: the leg's is the board's, moved to the
+//                     centre.
 
 /// One leg of one body as one eye sees it; made in double, once a body, leg and eye.
 struct LegView {
@@ -26,6 +29,7 @@ struct LegView {
   mat4 fromPrevious;   // displacements of the previous leg's frame, in this one
   vec4 glide;          // under friction: direction of motion on the board, then deceleration/c² (1/m); 0: none
   vec4 glideTimes;     // u at the turn, u at the origin; board c t from the origin to the turn (of every leg), to rest
+  vec4 toMoment;       // m: row that gives the time of an event in the frame whose moment is shown, from the origin
 };
 
 LegView legAt(LEGS legs, int i);
@@ -82,10 +86,11 @@ KERNEL vec4 emissionOn(Piece piece, LegView leg) {
   return along(piece, product / (b + root));
 }
 
-/// Where a piece is at the observation's board time: c (t − t_o) = 0.
+/// Where a piece crosses the plane of the moment that is shown: m·(start + s (1, w)) = 0. What is slower than
+/// light crosses it once, upwards: m·(1, w) > 0.
 KERNEL vec4 momentOn(Piece piece, LegView leg) {
-  real now = leg.boardTime + dot(leg.toBoardTime, piece.start);
-  return along(piece, -now / dot(leg.toBoardTime, vec4(real(1), piece.velocity)));
+  real now = dot(leg.toMoment, piece.start);
+  return along(piece, -now / dot(leg.toMoment, vec4(real(1), piece.velocity)));
 }
 
 /// L(v)⁻¹ d = d + u (u·d)/(γ+1): what rests there has on the board the uncontracted offset d.
@@ -153,6 +158,18 @@ KERNEL real glideEmission(LegView leg, vec3 d, bool contracted) {
   return s;
 }
 
+/// Where it crosses the plane of the moment that is shown: m·a(s) = 0. From where it would if it went straight.
+KERNEL real glideMoment(LegView leg, vec3 d, bool contracted) {
+  Piece straight;
+  straight.start = vec4(real(0), d);
+  straight.velocity = vec3(real(0));
+  real s = dot(leg.toBoardTime, momentOn(straight, leg));
+  for (int i = 0; i < glideSteps(); ++i) {
+    s = s - dot(leg.toMoment, glideEvent(leg, d, s, contracted)) / dot(leg.toMoment, glideFlow(leg, d, s, contracted));
+  }
+  return s;
+}
+
 /// Where it crosses the future cone of the news: t − t_n = |x − x_n|.
 KERNEL real glideCrossing(LegView leg, vec3 d, vec4 news) {
   real s = dot(leg.toBoardTime, vec4(news.x + length(d - vec3(news.y, news.z, news.w)), d));
@@ -193,7 +210,8 @@ KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
 KERNEL vec4 emissionOnLeg(LegView leg, vec3 d, bool retarded, bool contracted) {
   if (!retarded && !contracted) return vec4(real(0), d);
   if (leg.glide.w > real(0)) {
-    return glideEvent(leg, d, retarded ? glideEmission(leg, d, contracted) : -leg.boardTime, contracted);
+    real s = retarded ? glideEmission(leg, d, contracted) : glideMoment(leg, d, contracted);
+    return glideEvent(leg, d, s, contracted);
   }
   vec3 place = contracted ? d : stretched(leg, d);
   if (!retarded) return momentOn(Piece(vec4(real(0), place), vec3(real(0))), leg);

@@ -25,6 +25,9 @@ struct Head {
 struct EyeView {
   Event observation;
   Vec3 positionInRoom_m{0.0};
+  /// Where in the room its seen places are counted from: where it is, or, while a sight is frozen, where it
+  /// was.
+  Vec3 seenFromInRoom_m{0.0};
 };
 
 /// The left eye, the right eye and the point between them.
@@ -33,6 +36,10 @@ struct ObserverView {
   std::array<EyeView, 3> eyes;  ///< left, right, middle
   double properTime_s = 0.0;    ///< the person's own clock
 };
+
+/// The sight of one moment, from the middle of the eyes, walked round: the light is that of `sight`, for both eyes,
+/// the eyes' places in the room are those of `now`.
+ObserverView walkedRound(const ObserverView& sight, const ObserverView& now);
 
 /// A tracked step faster than this celerity is a glitch of the tracker, not travel.
 inline constexpr double kGlitchCelerity_m_s = 12.0;
@@ -48,8 +55,13 @@ class Observer {
                      const Head& head);
 
   /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s moves the
-  /// person's place in the room, as re-anchoring, but not along the world line.
-  void step(double dtau_s, const Head& head);
+  /// person's place in the room, as re-anchoring, but not along the world line. `pace`: how many seconds of the
+  /// board's light speed go by in one of the person's, whose light is so many times as fast.
+  void step(double dtau_s, const Head& head, double pace = 1.0);
+
+  /// Goes with the head wherever it is in the room, in so much of the room's time: as nobody could. For looking
+  /// at a recorded game whose time stands still or runs otherwise; the head counts as at rest in the room.
+  void stroll(double roomTime_s, const Head& head);
 
   /// Changes the room's motion by a boost of Δu = γβ in the room's own frame, at the head's present event.
   void thrust(const Vec3& deltaUInRoom);

@@ -145,6 +145,12 @@ void checkStroke(const BilliardSetup& setup, const Stroke& stroke, std::size_t n
   }
 }
 
+void checkFlash(const Flash& flash) {
+  const Vec3& r = flash.at.r_m;
+  if (!std::isfinite(flash.at.t_s) || !std::isfinite(r.x) || !std::isfinite(r.y) || !std::isfinite(r.z))
+    refuse("flash \"", flash.name, "\": expected numbers");
+}
+
 void checkSetup(const BilliardSetup& setup) {
   checkRules(setup);
   std::unordered_set<std::string> names;
@@ -161,6 +167,7 @@ void checkSetup(const BilliardSetup& setup) {
            ") m overlap at t = 0: expected them to be apart");
   });
   for (std::size_t i = 0; i < setup.strokes.size(); ++i) checkStroke(setup, setup.strokes[i], i);
+  for (const Flash& flash : setup.flashes) checkFlash(flash);
 }
 
 }  // namespace carom

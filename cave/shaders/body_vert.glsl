@@ -1,6 +1,7 @@
 // A vertex of a body: from its place in the body's rest frame to where the eye sees it, and how it is lit there.
-// RETARDED, CONTRACTED, ABERRATED, COLOURED and SEARCHLIGHT are true or false: the switches. EUCLID is defined if
-// all are off, COLOUR if colours shift, CLOCK for clocks, GLOWS for what has light of its own.
+// RETARDED, CONTRACTED, ABERRATED, COLOURED and SEARCHLIGHT are true or false: the switches; BOARD_NOW if bodies are
+// where they are at the observation's board time. EUCLID is defined if all switches are off, COLOUR if colours
+// shift, CLOCK for clocks, GLOWS for what has light of its own, GHOST for bodies at a moment, which show no light.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
@@ -21,11 +22,15 @@ uniform float nearer;          // share by which decals are drawn nearer than th
 
 out vec3 place;       // vertexMC, for painting
 out vec3 surface;
+#ifdef GHOST
+out vec3 fromEye_m;   // where it is drawn
+#else
 out LIGHT light;      // received by the surface: times its colour is what the eye receives (linear)
 #ifdef GLOWS
 out LIGHT glow;       // the same for light of its own
 #endif
 out SHINE shine;      // mirrored to the eye by its varnish
+#endif
 out float boardTime_m;  // c (t − t_o) of the emission
 
 const float kLampStrength_m2 = 1.1;  // light on a surface at 1 m that faces the lamp
@@ -57,8 +62,8 @@ Sight sightOf(vec3 d) {
   VertexEmission emission = solveEmission(firstLeg, LEG_COUNT, d, RETARDED, CONTRACTED);
   LegView leg = legAt(firstLeg, emission.leg);
   vec3 drawn = seenFromEye(leg, emission.event);
-  if (ABERRATED && !RETARDED) drawn = rayThrough(drawnFromSeen, drawn);
-  boardTime_m = RETARDED ? boardTimeOf(leg, emission.event) : 0.0;
+  if (ABERRATED && BOARD_NOW) drawn = rayThrough(drawnFromSeen, drawn);
+  boardTime_m = BOARD_NOW ? 0.0 : boardTimeOf(leg, emission.event);
   // A vertex that is catching up is lit as on its incoming leg: its colour must not flash.
   if (emission.catchingUp) leg = legAt(firstLeg, emission.leg - 1);
   // The first row of toBoardTime takes (c t, x) to γ (c t + β·x).
@@ -71,21 +76,9 @@ vec3 inBodyFrame(Sight sight, vec3 ray) {
   return ABERRATED ? aberratedInto(sight.gamma, sight.u, ray) : ray;
 }
 
-void main() {
-  vec3 d = vertexMC.xyz;
-  Sight sight = sightOf(d);
-#ifdef CLOCK
-  if (RETARDED) {
-    // A clock shows one time: when light left the middle of its face, a rectangle of width surfaceMC.z.
-    vec2 fromMiddle = (surfaceMC.xy / vec2(4.0, 1.0) - 0.5) * surfaceMC.z * vec2(1.0, 0.4);
-    vec3 right = cross(vec3(0.0, 0.0, 1.0), normalMC);
-    sightOf(d - right * fromMiddle.x - vec3(0.0, 0.0, fromMiddle.y));
-  }
-#endif
-
-  gl_Position = clipFromDrawn * vec4(sight.drawn * (1.0 - nearer), 1.0);
-  gl_ClipDistance[0] = boardTime_m - appears_m;
-
+#ifndef GHOST
+/// Follows the light from hall and lamps to the eye.
+void lightUp(Sight sight) {
   vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn)
                              : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
   vec3 onBoard_m = eyeOnBoard_m + fromEye_m;
@@ -136,6 +129,28 @@ void main() {
   glow = vec3(headPower);
 #endif
 #endif
+}
+#endif
+
+void main() {
+  vec3 d = vertexMC.xyz;
+  Sight sight = sightOf(d);
+#ifdef CLOCK
+  if (RETARDED) {
+    // A clock shows one time: when light left the middle of its face, a rectangle of width surfaceMC.z.
+    vec2 fromMiddle = (surfaceMC.xy / vec2(4.0, 1.0) - 0.5) * surfaceMC.z * vec2(1.0, 0.4);
+    vec3 right = cross(vec3(0.0, 0.0, 1.0), normalMC);
+    sightOf(d - right * fromMiddle.x - vec3(0.0, 0.0, fromMiddle.y));
+  }
+#endif
+
+  gl_Position = clipFromDrawn * vec4(sight.drawn * (1.0 - nearer), 1.0);
+  gl_ClipDistance[0] = boardTime_m - appears_m;
   place = d;
   surface = surfaceMC;
+#ifdef GHOST
+  fromEye_m = sight.drawn;
+#else
+  lightUp(sight);
+#endif
 }

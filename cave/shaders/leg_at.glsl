@@ -2,7 +2,7 @@
 // the board, the velocity too: all that follows from friction and from motion then falls away.
 
 #ifdef ONE_LEG
-uniform vec4 onlyLeg[14];
+uniform vec4 onlyLeg[15];
 #define LEG_TEXEL(i) onlyLeg[i]
 #define LEG_COUNT 1
 #define GLIDE vec4(0.0)
@@ -14,12 +14,14 @@ uniform samplerBuffer legTexels;
 #endif
 #ifdef RESTS
 #define BOARD_TIME_ROW vec4(1.0, 0.0, 0.0, 0.0)
+#define MOMENT_ROW BOARD_TIME_ROW
 #else
 #define BOARD_TIME_ROW LEG_TEXEL(5)
+#define MOMENT_ROW LEG_TEXEL(14)
 #endif
 
 LegView legAt(int first, int i) {
-  int at = 14 * (first + i);
+  int at = 15 * (first + i);
   vec4 a = LEG_TEXEL(0);
   vec4 b = LEG_TEXEL(1);
   LegView leg;
@@ -36,5 +38,6 @@ LegView legAt(int first, int i) {
   leg.fromPrevious = mat4(LEG_TEXEL(8), LEG_TEXEL(9), LEG_TEXEL(10), LEG_TEXEL(11));
   leg.glide = GLIDE;
   leg.glideTimes = LEG_TEXEL(13);
+  leg.toMoment = MOMENT_ROW;
   return leg;
 }

@@ -1,4 +1,4 @@
-// What the kernels need to know of their surroundings, as GLSL. Legs lie in a texture buffer, fourteen texels
+// What the kernels need to know of their surroundings, as GLSL. Legs lie in a texture buffer, fifteen texels
 // each, in the order of LegView's members; the table of shifted colours in another.
 #define real float
 #define KERNEL

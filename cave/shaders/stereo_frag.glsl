@@ -7,8 +7,10 @@ uniform float windowHeight_px;
 in vec2 place;
 out vec4 colour;
 
-// Red–cyan with the least rivalry: red from the left eye's luminance (Rec. 709), the rest from the right.
-vec3 anaglyph(vec3 left, vec3 right) { return vec3(dot(left, vec3(0.2126, 0.7152, 0.0722)), right.gb); }
+float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }  // Rec. 709
+
+// Red–cyan with the least rivalry: red from the left eye's luminance, the rest from the right.
+vec3 anaglyph(vec3 left, vec3 right) { return vec3(luminance(left), right.gb); }
 
 void main() {
   // The display's own row and column decide which eye's filter lies before a pixel.
@@ -29,5 +31,8 @@ void main() {
   }
   vec3 seenLeft = texture(leftPicture, at).rgb;
   vec3 seenRight = texture(rightPicture, at).rgb;
-  colour = vec4(mode == 3 ? anaglyph(seenLeft, seenRight) : toRight ? seenRight : seenLeft, 1.0);
+  vec3 shown = toRight ? seenRight : seenLeft;
+  if (mode == 3) shown = anaglyph(seenLeft, seenRight);
+  if (mode == 6) shown = anaglyph(seenLeft, vec3(luminance(seenRight)));
+  colour = vec4(shown, 1.0);
 }

@@ -2,11 +2,13 @@
 
 in vec3 place;          // in the body's rest frame, from its centre (metres)
 in vec3 surface;        // what the model says for painting
+#ifndef GHOST
 in LIGHT light;         // times the share reflected is what the eye receives (linear)
 #ifdef GLOWS
 in LIGHT glow;          // times light of its own is that
 #endif
 in SHINE shine;         // mirrored by its varnish
+#endif
 in float boardTime_m;   // c (t − t_o) of the emission
 
 uniform vec3 colour;    // linear, the share reflected
@@ -52,9 +54,13 @@ vec3 exposed(vec3 linear) {
 
 void main() {
   Painted painted = paint();
+#ifdef GHOST
+  gl_FragData[0] = vec4(toScreen(painted.shines), painted.cover);
+#else
   vec3 seen = light * painted.reflects + SHINE_COLOUR * shine;
 #ifdef GLOWS
   seen += glow * painted.shines;
 #endif
   gl_FragData[0] = vec4(toScreen(exposed(seen)), painted.cover);
+#endif
 }

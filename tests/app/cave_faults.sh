@@ -50,6 +50,10 @@ expect "a blend that is no picture" 1 "^error: $out/blend.toml:[0-9]+:[0-9]+: $o
   env DISPLAY=:4711 "$carom" $(session --rig "$out/blend.toml")
 expect "a warp cut off" 1 "^error: $out/warp.toml:[0-9]+:[0-9]+: $out/warp.pfm:1:1: 4 × 2 points take 96 bytes" \
   env DISPLAY=:4711 "$carom" $(session --rig "$out/warp.toml")
+sed 's/^stereo = .*/stereo = "quad-buffer"/' "$config/rigs/single-screen.toml" >"$out/quad.toml"
+expect "quad-buffer stereo on a display without" 1 \
+  '^error: window "Carom: screen": this display offers no quad-buffer stereo .*; choose another stereo mode' \
+  "$carom" cave --frames 1 --capture "$out/pictures" --rig "$out/quad.toml"
 expect "no display" 1 "^error: .*display" env DISPLAY=:4711 "$carom" $(session)
 expect "a wrong argument" 2 "frames" "$carom" cave --frames many
 expect "the same on every node, said once" 1 "^error: $out/junk.toml:[0-9]+:[0-9]+: " \

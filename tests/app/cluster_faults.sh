@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # cluster_faults.sh CAROM CONFIG: what a room of four nodes says and does when one of them dies, stops, differs
-# from the others or has no display.
+# from the others in any file or has no display. What is wrong is said within two seconds: of its happening, or of
+# the time that a session takes to start.
 set -uo pipefail
 carom=$1
 config=$2
@@ -59,7 +60,9 @@ ended "the node of the devices dies" 2000 '^error: node 0 \(.+\) is gone'
 
 start
 kill -STOP "${nodes[1]}"
-sleep 3
+sleep 2
+says '^node 1 \(.+\) is late' || fail "a node stops: expected to hear within 2 s that it is late"
+sleep 1
 kill -CONT "${nodes[1]}"
 sleep 1.5
 says '^node 1 \(.+\) is late' && says '^node 1 \(.+\) is back after [23]\.[0-9] s' ||
@@ -71,13 +74,75 @@ millisecondsToEnd >/dev/null
 pgrep -f "$out/room.toml" >/dev/null && fail "asked to end: a process is left"
 job=
 
-"${mpi[@]}" -n 3 "$carom" cave --rig "$out/room.toml" --frames 3 --no-window : \
-  -n 1 "$carom" cave --rig "$out/other.toml" --frames 3 --no-window 2>"$out/stderr" && fail "a node with another rig: expected exit status 1"
-says '^error: node 3 .*rig' || fail "a node with another rig: expected to hear which"
+now_ms() { echo $((${EPOCHREALTIME/./} / 1000)); }
+began=$(now_ms)
+"${mpi[@]}" -n 4 "$carom" cave --rig "$out/room.toml" --frames 1 --no-window 2>"$out/stderr" || fail "nothing is wrong"
+usual=$(($(now_ms) - began))
+
+refused() {  # NAME PATTERN COMMAND …: exit status 1 and one such line, 2 s after the usual start at the latest
+  local name=$1 pattern=$2 began took
+  shift 2
+  began=$(now_ms)
+  "$@" 2>"$out/stderr" && fail "$name: expected exit status 1"
+  took=$(($(now_ms) - began))
+  [ "$(grep -cE '^error: ' "$out/stderr")" -eq 1 ] && says "$pattern" || fail "$name: expected one line like '$pattern'"
+  [ "$took" -lt $((usual + 2000)) ] || fail "$name: took $took ms, $usual when nothing is wrong"
+  echo "$name: $(grep -E '^error: ' "$out/stderr") ($took ms; a session that starts, $usual)"
+}
+refused "a node with another rig" '^error: node 3 has another rig than node 0' \
+  "${mpi[@]}" -n 3 "$carom" cave --rig "$out/room.toml" --frames 3 --no-window : \
+  -n 1 "$carom" cave --rig "$out/other.toml" --frames 3 --no-window
+
+# Files of the same names beside equal rigs and scenarios.
+for node in a b; do
+  mkdir "$out/$node"
+  sed 's/^pixels = .*/&\nwarp = "screen.obj"\nblend = "edge.png"/' "$config/rigs/single-screen.toml" >"$out/$node/room.toml"
+  sed 's/^name = "red"/&\nmesh = "puck.gltf"/' "$config/scenarios/three-pucks.toml" >"$out/$node/game.toml"
+  cat >"$out/$node/screen.obj" <<'OBJ'
+v -1 -1
+v 1 -1
+v 0 1
+vt 0 0
+vt 1 0
+vt 0.5 1
+f 1 2 3
+OBJ
+  base64 -d >"$out/$node/edge.png" <<<"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVQI12P4DwABAQEAG7buVgAAAABJRU5ErkJggg=="
+  cat >"$out/$node/puck.gltf" <<'GLTF'
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "buffers": [{"uri": "puck.bin", "byteLength": 36}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}]}
+GLTF
+  # (0, 0, 0), (1, 0, 0), (0, 1, 0) as floats
+  printf '%b' '\0\0\0\0\0\0\0\0\0\0\0\0' '\0\0\0200\077\0\0\0\0\0\0\0\0' '\0\0\0\0\0\0\0200\077\0\0\0\0' >"$out/$node/puck.bin"
+done
+cp -r "$out/b" "$out/same"
+# Node 0 reads the files of folder a, node 1 those of folder b.
+cave=("$carom" cave --frames 3 --no-window)
+twoFolders=("${mpi[@]}" -n 1 "${cave[@]}" --rig "$out/a/room.toml" --scenario "$out/a/game.toml" :
+  -n 1 "${cave[@]}" --rig "$out/b/room.toml" --scenario "$out/b/game.toml")
+differently() {  # NAME PATTERN FILE: with another of these in folder b
+  refused "$1" "$2" "${twoFolders[@]}"
+  cp "$out/same/$3" "$out/b/$3"
+}
+"${twoFolders[@]}" 2>"$out/stderr" || fail "equal files: expected no complaint"
+sed -i 's/^v 0 1/v 0.1 1/' "$out/b/screen.obj"
+differently "another warp" "^error: node 1 has another warp screen.obj of wall 'screen' than node 0" screen.obj
+printf 'beyond its end' >>"$out/b/edge.png"
+differently "another blend" "^error: node 1 has another blend edge.png of wall 'screen' than node 0" edge.png
+printf '%b' '\0\0\0\0\0\0\0\0\0\0\0\0' '\0\0\0200\077\0\0\0\0\0\0\0\0' '\0\0\0\0\0\0\0\0100\0\0\0\0' >"$out/b/puck.bin"
+differently "another buffer of a glTF" "^error: node 1 has another buffer puck.bin of mesh puck.gltf than node 0" puck.bin
+printf ' ' >>"$out/b/puck.gltf"
+differently "another glTF" "^error: node 1 has another mesh puck.gltf than node 0" puck.gltf
+printf 'beyond its end' >>"$out/b/edge.png"
+refused "patterns with another blend" "^error: node 1 has another blend edge.png of wall 'screen' than node 0" \
+  "${mpi[@]}" -n 1 "$carom" check "$out/a/room.toml" --pattern --capture "$out/patterns" : \
+  -n 1 "$carom" check "$out/b/room.toml" --pattern --capture "$out/patterns"
 
 printf '\n[[node]]\nrank = 2\ndisplay = ":4711"\n' >>"$out/room.toml"
-"${mpi[@]}" -n 4 "$carom" cave --rig "$out/room.toml" --frames 3 --no-window 2>"$out/stderr" && fail "a node without a display: expected exit status 1"
-says '^error: .*:4711.*node 2' || fail "a node without a display: expected to hear which"
+refused "a node without a display" '^error: .*:4711.*node 2' \
+  "${mpi[@]}" -n 4 "$carom" cave --rig "$out/room.toml" --frames 3 --no-window
 
 [ "$failures" -eq 0 ] && echo "every fault ended, or went on, as it should, and was named"
 exit "$failures"

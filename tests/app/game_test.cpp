@@ -34,7 +34,7 @@ TEST(Game, ForgetsOnlyWhatNoEyeSeesAnyMore) {
   const Scenario scenario = readScenario(CAROM_CONFIG_DIR "/scenarios/three-pucks.toml");
   const double c_m_s = scenario.billiard.lightSpeed_m_s;
   Game game(scenario);
-  std::vector<WorldLine> kept = startingHistories(scenario), forgetting = kept;
+  World kept{startingHistories(scenario), {}}, forgetting = kept;
   const auto headAt = [](double t_s) {
     const double swing_m = 2.0, perSecond = 1.5;
     Head head;
@@ -54,17 +54,17 @@ TEST(Game, ForgetsOnlyWhatNoEyeSeesAnyMore) {
     state.record = {};
     game.advance(eyes.eyes[2].observation.t_s + 1.0, state);
     applyFrame(state, kept);
-    if (frame % 100 == 0) game.forget(forgetting, eyes, state);
+    if (frame % 100 == 0) game.forget(forgetting.histories, eyes, state);
     applyFrame(state, forgetting);
-    mostKnots = std::max(mostKnots, knotsOf(forgetting));
+    mostKnots = std::max(mostKnots, knotsOf(forgetting.histories));
     if (frame % 97 != 0) continue;
     for (const EyeView& eye : eyes.eyes) {
-      for (std::size_t body = 0; body < kept.size(); ++body) {
+      for (std::size_t body = 0; body < kept.histories.size(); ++body) {
         for (const std::uint8_t contraction : {std::uint8_t{1}, std::uint8_t{0}}) {
           Switches switches;
           switches.contraction = contraction;
-          viewBody(kept[body], eye.observation, eyes.headFromBoard, all, switches);
-          viewBody(forgetting[body], eye.observation, eyes.headFromBoard, left, switches);
+          viewBody(kept.histories[body], eye.observation, eyes.headFromBoard, all, switches);
+          viewBody(forgetting.histories[body], eye.observation, eyes.headFromBoard, left, switches);
           ASSERT_TRUE(sameBits(all, left)) << "body " << body << " at " << eye.observation.t_s << " s";
           ++compared;
         }
@@ -72,9 +72,39 @@ TEST(Game, ForgetsOnlyWhatNoEyeSeesAnyMore) {
     }
   }
   EXPECT_GT(compared, 10000u);
-  EXPECT_GT(knotsOf(kept), 10000u);
+  EXPECT_GT(knotsOf(kept.histories), 10000u);
   // Two minutes of the game, of four hours (and more on the board's clock).
-  EXPECT_LT(mostKnots, knotsOf(kept) / 50);
+  EXPECT_LT(mostKnots, knotsOf(kept.histories) / 50);
+}
+
+// A session that goes on brings all of the game with its first frame, over what the file has of it already.
+TEST(Game, ItsFirstFrameBringsAllKnotsAndEvents) {
+  Scenario scenario = readScenario(CAROM_CONFIG_DIR "/scenarios/three-pucks.toml");
+  scenario.billiard.flashes = {{"lamp", {1.0, {0.0, 0.0, 0.5}}}};
+  World lived{startingHistories(scenario), {}}, again = lived;
+  FrameState state;
+  Game game(scenario);
+  for (int frame = 1; frame <= 100; ++frame) {
+    state.record = {};
+    game.advance(0.1 * frame, state);
+    applyFrame(state, lived);
+  }
+  ASSERT_GT(lived.events.size(), 5u);
+  again.events = {lived.events.begin(), lived.events.begin() + 3};  // as the file has them
+  Game resumed(scenario);
+  state.record = {};
+  resumed.advance(10.0, state);
+  applyFrame(state, again);
+  ASSERT_EQ(again.events.size(), lived.events.size());
+  bool flashed = false;
+  for (std::size_t i = 0; i < again.events.size(); ++i) {
+    EXPECT_EQ(again.events[i].number, i);
+    EXPECT_EQ(again.events[i].at.t_s, lived.events[i].at.t_s);
+    EXPECT_EQ(again.events[i].kind, lived.events[i].kind);
+    flashed = flashed || again.events[i].kind == EventKind::flash;
+  }
+  EXPECT_TRUE(flashed);
+  EXPECT_EQ(knotsOf(again.histories), knotsOf(lived.histories));
 }
 
 }  // namespace

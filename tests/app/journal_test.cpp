@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstring>
@@ -16,6 +17,7 @@
 #include <thread>
 
 #include "app/session_file.h"
+#include "app/stored_event.h"
 #include "temporary_folder.h"
 
 namespace carom {
@@ -27,7 +29,19 @@ using test::TemporaryFolder;
 const SessionFacts kFacts{"carom 0",        "rigs/desk.toml",  "scenarios/three-pucks.toml",
                           "unit = \"m\"\n", "title = \"é\"\n", 1.42};
 
-/// A frame whose every number depends on its own; each third brings knots.
+GameEvent eventOf(std::uint64_t number, double x) {
+  GameEvent event;
+  event.number = number;
+  event.kind = number % 2 == 0 ? EventKind::puckCushion : EventKind::puckPuck;
+  if (number % 2 == 0) event.cushion = Cushion::minusY;
+  event.at = {x, {0.1, -x, 0.01}};
+  event.heat_j = 1e-3 * x;
+  for (std::size_t puck = 0; puck < 1 + number % 2; ++puck)
+    event.turns.push_back({puck, {x, {x, 0.2, 0.01}}, {0.1, x}, {-0.1, x}, x / 3.0});
+  return event;
+}
+
+/// A frame whose every number depends on its own; each third brings knots, each fourth an event.
 FrameState frameOf(std::uint64_t number) {
   FrameState state;
   const double x = 0.1 * static_cast<double>(number);
@@ -37,6 +51,9 @@ FrameState frameOf(std::uint64_t number) {
   state.record.observer.properTime_s = x / 7.0;
   for (EyeView& eye : state.record.observer.eyes) eye = {{x, {x / 3.0, -0.0, 1.7}}, {0.032, 1.7, x}};
   state.record.switches.colour = number % 2;
+  state.record.pucks = 2;
+  state.record.eventsKept = (number + 3) / 4;
+  if (number % 4 == 0) state.events.push_back(eventOf(number / 4, x));
   if (number % 3 == 0) {
     state.knots.push_back({1, {{x, {x, 0.0, 0.01}}, {-0.0, 0.3, 0.0}, x, {x, {x, 0.0, 0.01}}, 0.0}});
     state.knots.push_back({2, {{x, {0.0, x, 0.01}}, {0.3, 0.0, 0.0}, x, {}, 0.1}});
@@ -44,8 +61,15 @@ FrameState frameOf(std::uint64_t number) {
   return state;
 }
 
+bool sameBits(const GameEvent& a, const GameEvent& b) {
+  const StoredEvent one = stored(a), other = stored(b);
+  return std::memcmp(&one, &other, sizeof one) == 0;
+}
+
 bool sameBits(const FrameState& a, const FrameState& b) {
-  return std::memcmp(&a.record, &b.record, sizeof a.record) == 0 && a.knots.size() == b.knots.size() &&
+  return std::equal(a.events.begin(), a.events.end(), b.events.begin(), b.events.end(),
+                    [](const GameEvent& x, const GameEvent& y) { return sameBits(x, y); }) &&
+         std::memcmp(&a.record, &b.record, sizeof a.record) == 0 && a.knots.size() == b.knots.size() &&
          (a.knots.empty() ||
           std::memcmp(a.knots.data(), b.knots.data(), a.knots.size() * sizeof(BodyKnot)) == 0);
 }
@@ -83,7 +107,7 @@ TEST(Journal, WhatWasWrittenIsReadWithTheSameBits) {
   EXPECT_EQ(session.facts().rigText, kFacts.rigText);
   EXPECT_EQ(session.facts().lightSpeed_m_s, 1.42);
   EXPECT_EQ(session.frames(), (std::pair<std::uint64_t, std::uint64_t>(0, 499)));
-  for (int pass = 0; pass < 2; ++pass, session.rewind()) {
+  for (int pass = 0; pass < 2; ++pass, session.goTo(0)) {
     FrameState state;
     for (const FrameState& expected : written) {
       ASSERT_TRUE(session.next(state));
@@ -113,6 +137,144 @@ TEST(Journal, PlainSqlTellsWhatHappened) {
   EXPECT_EQ(knots.getColumn(1).getDouble(), 0.3);
 }
 
+TEST(Journal, LatenciesAreRowsOfNodeAndPart) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  const PartStatistics statistics{60, 0.25F, 0.5F, 0.75F, 0.125F};
+  const std::vector<LatencyRow> rows{{3.5, 210, 0, FramePart::sample, statistics},
+                                     {3.5, 209, 1, FramePart::late, statistics}};
+  {
+    Journal journal(file, kFacts, false, {});
+    journal.add(rows);
+    journal.add(frameOf(0), head(), {});
+  }
+  SQLite::Database database(file.string());
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM latency").getInt(), 2);
+  SQLite::Statement row(database, "SELECT * FROM latency WHERE node = 1");
+  ASSERT_TRUE(row.executeStep());
+  EXPECT_EQ(row.getColumn("display_s").getDouble(), 3.5);
+  EXPECT_EQ(row.getColumn("frame").getInt(), 209);
+  EXPECT_EQ(row.getColumn("part").getString(), "late");
+  EXPECT_EQ(row.getColumn("frames").getInt(), 60);
+  EXPECT_EQ(row.getColumn("median_s").getDouble(), 0.25);
+  EXPECT_EQ(row.getColumn("p99_s").getDouble(), 0.5);
+  EXPECT_EQ(row.getColumn("most_s").getDouble(), 0.75);
+  EXPECT_EQ(row.getColumn("jitter_s").getDouble(), 0.125);
+}
+
+std::vector<std::string> column(SQLite::Database& database, const std::string& sql) {
+  std::vector<std::string> values;
+  for (SQLite::Statement row(database, sql); row.executeStep();) values.push_back(row.getColumn(0).getString());
+  return values;
+}
+
+using Strings = std::vector<std::string>;
+
+TEST(Journal, EventsAndTurnsCanBeReadWithPlainSql) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  SessionFacts facts = kFacts;
+  facts.pucks = {"white", "red"};
+  {
+    Journal journal(file, facts, false, {});
+    for (std::uint64_t number = 0; number < 5; ++number) journal.add(frameOf(number), head(), {});
+  }
+  SQLite::Database database(file.string());
+  SQLite::Statement row(database, "SELECT number, kind, pucks, cushion, t_s, y_m, heat_j FROM event ORDER BY number");
+  ASSERT_TRUE(row.executeStep());
+  EXPECT_EQ(row.getColumn(1).getString(), "puck-cushion");
+  EXPECT_EQ(row.getColumn(2).getString(), "white");
+  EXPECT_EQ(row.getColumn(3).getString(), "-y");
+  ASSERT_TRUE(row.executeStep());
+  const GameEvent expected = eventOf(1, 0.4);
+  EXPECT_EQ(row.getColumn(0).getInt(), 1);
+  EXPECT_EQ(row.getColumn(1).getString(), "puck-puck");
+  EXPECT_EQ(row.getColumn(2).getString(), "white, red");
+  EXPECT_EQ(row.getColumn(3).getString(), "");
+  EXPECT_EQ(row.getColumn(4).getDouble(), expected.at.t_s);
+  EXPECT_EQ(row.getColumn(5).getDouble(), expected.at.r_m.y);
+  EXPECT_EQ(row.getColumn(6).getDouble(), expected.heat_j);
+  EXPECT_FALSE(row.executeStep());
+  EXPECT_EQ(column(database, "SELECT puck FROM turn ORDER BY event, puck"), (Strings{"white", "red", "white"}));
+  EXPECT_EQ(database.execAndGet("SELECT beta_after_y FROM turn WHERE event = 1 AND puck = 'red'").getDouble(),
+            expected.turns[1].betaAfter.y);
+}
+
+// At the end the tables tell the game as it was in the end; the frames keep what was known when they were shown.
+TEST(Journal, EventsThatAStrokeTookBackAreGoneFromTheTableButNotFromTheFrames) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  const auto frame = [](std::uint64_t number, std::uint64_t kept, std::vector<GameEvent> events) {
+    FrameState state;
+    state.record.number = number;
+    state.record.pucks = 2;
+    state.record.eventsKept = kept;
+    state.events = std::move(events);
+    return state;
+  };
+  const std::vector<FrameState> frames{
+      frame(0, 0, {eventOf(0, 1.0), eventOf(1, 2.0), eventOf(2, 3.0)}), frame(1, 3, {}),
+      frame(2, 1, {eventOf(1, 2.5)}),
+      // The next session begins with all of the game once more.
+      frame(3, 0, {eventOf(0, 1.0), eventOf(1, 2.5), eventOf(2, 4.0)})};
+  {
+    Journal journal(file, kFacts, false, {});
+    for (int i = 0; i < 3; ++i) journal.add(frames[i], head(), {});
+  }
+  {
+    SQLite::Database database(file.string());
+    EXPECT_EQ(column(database, "SELECT t_s FROM event ORDER BY number"), (Strings{"1.0", "2.5"}));
+    EXPECT_EQ(column(database, "SELECT t_s FROM turn ORDER BY event"), (Strings{"1.0", "2.5", "2.5"}));
+  }
+  { Journal(file, kFacts, true, {}).add(frames[3], head(), {}); }
+  SQLite::Database database(file.string());
+  EXPECT_EQ(column(database, "SELECT t_s FROM event ORDER BY number"), (Strings{"1.0", "2.5", "4.0"}));
+  EXPECT_EQ(column(database, "SELECT t_s FROM turn ORDER BY event"), (Strings{"1.0", "2.5", "2.5", "4.0"}));
+  EXPECT_EQ(column(database, "SELECT first_frame FROM run"), (Strings{"0", "3"})) << "each run is noted";
+  SessionFile session(file);
+  FrameState state;
+  for (const FrameState& expected : frames) {
+    ASSERT_TRUE(session.next(state));
+    EXPECT_EQ(state.record.eventsKept, expected.record.eventsKept);
+    ASSERT_EQ(state.events.size(), expected.events.size());
+    for (std::size_t i = 0; i < expected.events.size(); ++i)
+      EXPECT_TRUE(sameBits(state.events[i], expected.events[i]));
+  }
+}
+
+TEST(Journal, KeepsWhatWasDoneAndAnswered) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  {
+    Journal journal(file, kFacts, false, {});
+    journal.addInput(7, "colour", "on");
+    journal.addAnswer(9, "lesson 1", "Which came first?", "neither; it's 'both'");
+  }
+  SQLite::Database database(file.string());
+  EXPECT_EQ(column(database, "SELECT frame || what || value FROM input"), Strings{"7colouron"});
+  EXPECT_EQ(column(database, "SELECT frame || lesson || question || answer FROM answer"),
+            Strings{"9lesson 1Which came first?neither; it's 'both'"});
+}
+
+TEST(StoredEvent, AnyBytesAreAnEventOrNone) {
+  std::mt19937 random(3);
+  int events = 0;
+  for (int run = 0; run < 20000; ++run) {
+    StoredEvent bytes = stored(eventOf(run % 2, 0.1 * run));
+    auto* byte = reinterpret_cast<unsigned char*>(&bytes);
+    for (int i = 0; i < 3; ++i) byte[random() % sizeof bytes] = static_cast<unsigned char>(random());
+    const auto event = restored(bytes, 2);
+    if (!event) continue;
+    ++events;
+    ASSERT_LE(event->turns.size(), 2u);
+    for (const Turn& turn : event->turns) ASSERT_LT(turn.puck, 2u);
+    ASSERT_FALSE(nameOf(event->kind).empty());
+    ASSERT_TRUE(!event->cushion || !nameOf(*event->cushion).empty());
+  }
+  EXPECT_GT(events, 1000) << "harmless changes pass";
+  EXPECT_LT(events, 19000);
+}
+
 TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
   TemporaryFolder folder;
   auto* handedOver = static_cast<std::atomic<std::uint64_t>*>(
@@ -120,7 +282,7 @@ TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
   ASSERT_NE(handedOver, MAP_FAILED);
   std::mt19937 random(5);
   std::uniform_int_distribution<int> moment_ms(1, 250);
-  for (int run = 0; run < 12; ++run) {
+  for (int run = 0; run < 100; ++run) {
     const auto file = folder / (std::to_string(run) + ".db");
     handedOver->store(0);
     const pid_t child = fork();
@@ -137,10 +299,17 @@ TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
     std::this_thread::sleep_for(after_ms * 1ms);
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
-    SessionFile session(file);
+    SCOPED_TRACE(testing::Message() << "seed 5, run " << run << ", killed after " << after_ms << " ms");
     std::uint64_t found = 0;
-    for (FrameState state; session.next(state); ++found) ASSERT_TRUE(sameBits(state, frameOf(found)));
-    EXPECT_GE(found + 2, handedOver->load()) << "killed after " << after_ms << " ms";
+    {
+      SessionFile session(file);
+      for (FrameState state; session.next(state); ++found) ASSERT_TRUE(sameBits(state, frameOf(found)));
+    }
+    EXPECT_GE(found + 2, handedOver->load());
+    EXPECT_EQ(SQLite::Database(file.string()).execAndGet("PRAGMA integrity_check").getString(), "ok");
+    { Journal(file, kFacts, true, {}).add(frameOf(found), head(), {}); }
+    EXPECT_EQ(SessionFile(file).frames(), (std::pair<std::uint64_t, std::uint64_t>(0, found)));
+    std::filesystem::remove(file);
   }
   munmap(handedOver, 4096);
 }
@@ -215,6 +384,8 @@ TEST(SessionFile, SaysWhatIsWrongWithAFile) {
   }
   EXPECT_NE(refusalOf(folder / "none.db").find("no such file"), std::string::npos);
 
+  EXPECT_NE(refusalOf(folder / "").find("a folder"), std::string::npos) << refusalOf(folder / "");
+
   const auto text = folder / "text.db";
   std::ofstream(text) << std::string(5000, 'x');
   EXPECT_NE(refusalOf(text).find("no session file"), std::string::npos) << refusalOf(text);
@@ -228,6 +399,25 @@ TEST(SessionFile, SaysWhatIsWrongWithAFile) {
   std::filesystem::copy_file(file, newer);
   SQLite::Database(newer.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 99");
   EXPECT_NE(refusalOf(newer).find("newer carom wrote it (version 99"), std::string::npos) << refusalOf(newer);
+
+  const auto older = folder / "older.db";
+  std::filesystem::copy_file(file, older);
+  SQLite::Database(older.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1");
+  EXPECT_NE(refusalOf(older).find("an older carom wrote it (version 1"), std::string::npos) << refusalOf(older);
+  EXPECT_THROW(Journal(older, kFacts, true, {}), std::runtime_error);
+
+  const auto odd = folder / "odd.db";
+  std::filesystem::copy_file(file, odd);
+  SQLite::Database(odd.string(), SQLite::OPEN_READWRITE).exec("UPDATE frame SET events = zeroblob(217) WHERE number = 8");
+  SessionFile oddSession(odd);
+  FrameState state;
+  for (int frame = 0; frame < 8; ++frame) ASSERT_TRUE(oddSession.next(state));
+  try {
+    oddSession.next(state);
+    ADD_FAILURE() << "half an event was read";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("frame 8"), std::string::npos) << error.what();
+  }
 
   const auto locked = folder / "locked.db";
   std::filesystem::copy_file(file, locked);

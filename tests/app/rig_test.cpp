@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <regex>
 #include <tuple>
@@ -83,6 +84,18 @@ TEST(Rig, ReadsEveryKindOfTracker) {
   }
 }
 
+TEST(Rig, MayHaveASpaceMouse) {
+  const std::string mouse = kGood + "[[tracker]]\nname = 'mouse'\nkind = 'spacemouse'\n";
+  const Rig first = read(mouse);
+  const Rig addressed = read(mouse + "source = '046d:c626:S1'\n[hand]\ntracker = 'mouse'\n");
+  ASSERT_EQ(first.trackers.size(), 2u);
+  EXPECT_EQ(first.trackers[1].kind, TrackerKind::spaceMouse);
+  EXPECT_EQ(first.trackers[1].source, "");
+  EXPECT_EQ(addressed.trackers[1].source, "046d:c626:S1");
+  EXPECT_EQ(addressed.hand->tracker, 1u);
+  EXPECT_EQ(toString(TrackerKind::spaceMouse), "spacemouse");
+}
+
 TEST(Rig, KeepsItsAxesAndNamesTheirDirections) {
   for (const char* axes : {"x-right y-up z-back", "x-right y-forward z-up"}) {
     const RoomAxes room = read(changed("x-right y-up z-back", axes)).axes;
@@ -109,6 +122,13 @@ TEST(Rig, LeavesOutWhatIsOptional) {
   EXPECT_EQ(rig.walls.at(0).stereo, StereoMode::mono);
   EXPECT_EQ(rig.walls[0].window.size_px, glm::ivec2(1920, 1280));
   EXPECT_EQ(rig.displayLatency_s, 0.0);
+  EXPECT_EQ(rig.frameLock, FrameLock::software);
+}
+
+TEST(Rig, MayAskTheGraphicsCardsForTheFrameLock) {
+  EXPECT_EQ(read("frame_lock = 'swap-group'\n" + kGood).frameLock, FrameLock::swapGroup);
+  EXPECT_EQ(read("frame_lock = 'software'\n" + kGood).frameLock, FrameLock::software);
+  EXPECT_THROW(read("frame_lock = 'genlock'\n" + kGood), InputErrors);
 }
 
 TEST(Rig, EveryShippedFileIsRight) {
@@ -173,6 +193,45 @@ TEST(Rig, EyesMayShareAWindow) {
   EXPECT_EQ(read(text).walls.size(), 2u);
 }
 
+/// A second wall on the place of kGood's, named `second`, with these lines instead of a window and stereo.
+std::string withSecond(const std::string& firstsLines, const std::string& secondsLines) {
+  std::string second = kGood.substr(kGood.find("[[wall]]"));
+  second.replace(second.find("front"), 5, "second");
+  return kGood + firstsLines + second + secondsLines;
+}
+
+TEST(Rig, WallsOfANodeShareAWindowByViewports) {
+  const std::string window = "window = { size = [200, 100], viewport = { size = [100, 100]";
+  const Rig rig = read(withSecond(window + " } }\n", window + ", position = [100, 0] } }\n"));
+  ASSERT_TRUE(rig.walls[0].viewport && rig.walls[1].viewport);
+  EXPECT_TRUE(rig.walls[0].window == rig.walls[1].window);
+  EXPECT_EQ(rig.walls[1].viewport->position_px, glm::ivec2(100, 0));
+  EXPECT_EQ(rig.walls[1].viewport->size_px, glm::ivec2(100, 100));
+  EXPECT_NO_THROW(read(withSecond(window + " } }\n", window + " } }\nnode = 1\n"))) << "windows of two nodes";
+}
+
+TEST(Rig, EachNodeHasItsOneWindow) {
+  const std::string text = withSecond("window = { size = [100, 100] }\n", "window = { size = [100, 100] }\nnode = 1\n");
+  std::string one = text;
+  one.replace(one.find("[head]"), 6, "[one_window]\nsize = [100, 100]\n[head]");
+  EXPECT_EQ(read(one).walls.size(), 2u);
+}
+
+// 60 Hz: a frame is 16.7 ms. What is left after whole frames is at most half of one.
+TEST(Rig, FastWallsWaitForTheSlowest) {
+  const auto held = [](double first_ms, double second_ms) {
+    const Rig rig = read(withSecond("display_latency_ms = " + std::to_string(first_ms) + "\n",
+                                    "display_latency_ms = " + std::to_string(second_ms) + "\n"));
+    EXPECT_NEAR(rig.displayLatency_s, std::max(first_ms, second_ms) * 1e-3, 1e-9);
+    return std::pair(rig.walls[0].heldFrames, rig.walls[1].heldFrames);
+  };
+  using Held = std::pair<std::size_t, std::size_t>;
+  EXPECT_EQ(held(20.0, 20.0), Held(0, 0));
+  EXPECT_EQ(held(20.0, 12.0), Held(0, 0));
+  EXPECT_EQ(held(20.0, 11.0), Held(0, 1));
+  EXPECT_EQ(held(5.0, 40.0), Held(2, 0));
+}
+
 TEST(Rig, WallsMayMissARectangleByTwoMillimetres) {
   EXPECT_NO_THROW(read(changed("[-1500, 2000, -1500]", "[-1498.1, 2000, -1500]")));
   EXPECT_THROW(read(changed("[-1500, 2000, -1500]", "[-1497.9, 2000, -1500]")), InputErrors);
@@ -222,6 +281,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"USB address", changed("'simulated'", "'polhemus-usb'\nsource = 'FASTRAK'"), 9, 10,
               "expected vid:pid or vid:pid:serial"},
         Fault{"device without source", changed("'simulated'", "'hid-imu'"), 6, 1, "source"},
+        Fault{"no SpaceMouse", kGood + "[[tracker]]\nname = 'm'\nkind = 'spacemouse'\nsource = '2833:0001'\n",
+              18, 10, "is no SpaceMouse"},
+        Fault{"SpaceMouse as head", changed("'simulated'", "'spacemouse'"), 4, 11, "sends no poses"},
         Fault{"trace is missing", changed("'simulated'", "'recorded'\nsource = 'no.csv'"), 9, 10, "no.csv"},
         Fault{"trace is not given", changed("'simulated'", "'recorded'"), 6, 1, "source is missing"},
         Fault{"latency", changed("'simulated'", "'simulated'\nlatency_ms = -1"), 9, 14, "from 0"},
@@ -247,6 +309,20 @@ INSTANTIATE_TEST_SUITE_P(
             "place outside",
             changed("[head]", "[one_window]\nsize = [100, 100]\n[head]") + "window = { size = [101, 100] }\n",
             17, 10, "reaches out"},
+        Fault{"viewport outside",
+              kGood + "window = { size = [100, 100], viewport = { size = [101, 100] } }\n", 15, 10,
+              "reaches out of its window"},
+        Fault{"viewport inside the one window",
+              changed("[head]", "[one_window]\nsize = [100, 100]\n[head]") +
+                  "window = { size = [100, 100], viewport = { size = [50, 50] } }\n",
+              17, 42, "expected none"},
+        Fault{"viewports on each other",
+              withSecond("window = { size = [100, 100], viewport = { size = [60, 100] } }\n",
+                         "window = { size = [100, 100], viewport = { position = [50, 0], size = [50, 100] } }\n"),
+              22, 10, "overlap in their window"},
+        Fault{"walls too different",
+              withSecond("display_latency_ms = 5\n", "display_latency_ms = 200\n"), 15, 22,
+              "is 195.0 ms faster than the slowest"},
         Fault{"place not given", changed("[head]", "[one_window]\nsize = [100, 100]\n[head]"), 11, 1,
               "window is missing"},
         Fault{"same rank",

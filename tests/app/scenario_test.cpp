@@ -68,6 +68,17 @@ TEST(Scenario, LeavesOutWhatIsOptional) {
   EXPECT_FALSE(scenario.puckMeshes.at(0));
 }
 
+TEST(Scenario, TakesFlashes) {
+  const Scenario scenario = read("light_speed_m_s = 2\n[[flash]]\nat_s = 3\nr_m = [0, -0.9, 0.3]\n"
+                                 "[[flash]]\nname = 'lamp'\nat_s = 0\nr_m = [1, 2, 3]\n");
+  const std::vector<Flash>& flashes = scenario.billiard.flashes;
+  ASSERT_EQ(flashes.size(), 2u);
+  EXPECT_EQ(flashes[0].name, "flash 1");
+  EXPECT_EQ(flashes[0].at.t_s, 3.0);
+  EXPECT_EQ(flashes[0].at.r_m, Vec3(0, -0.9, 0.3));
+  EXPECT_EQ(flashes[1].name, "lamp");
+}
+
 TEST(Scenario, TakesStrokes) {
   const Scenario scenario =
       read("light_speed_m_s = 2\n" + puckText("a", 1.0, {0, 0}, {0, 0}) +
@@ -279,6 +290,10 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"stroke before the game",
               kHead + kPuck + "[[stroke]]\nat_s = -1\npuck = 'a'\nmomentum_kg_m_s = [1, 0]\n", 9, 8,
               "from 0"},
+        Fault{"flash before the game", kHead + "[[flash]]\nat_s = -1\nr_m = [0, 0, 0]\n", 3, 8, "from 0"},
+        Fault{"flash nowhere", kHead + "[[flash]]\nat_s = 1\n", 2, 1, "r_m is missing"},
+        Fault{"flash of a puck's name",
+              kHead + kPuck + "[[flash]]\nname = 'a'\nat_s = 1\nr_m = [0, 0, 0]\n", 9, 8, "is taken"},
         Fault{"no legs", kHead + "[[body]]\nname = 'r'\nat = { t_s = 0, r_m = [0, 0, 0] }\n", 2, 1,
               "[[body.leg]]"},
         Fault{"empty legs", kHead + "[[body]]\nname = 'r'\nat = { t_s = 0, r_m = [0, 0, 0] }\nleg = []\n", 5,

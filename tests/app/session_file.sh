@@ -37,11 +37,37 @@ done
 
 "${session[@]}" --resume --frames 6 2>"$out/stderr" || fail "a session gone on with: $(cat "$out/stderr")"
 [ "$(frames)" = "$((last + 7))|0|$((last + 6))" ] || fail "a session gone on with: $(frames)"
+# Its first frame follows the last one: a period later for the walls and for the person, and the step between the two
+# events lasts that long for the person: dt² - dr²/c² = dτ², c = 1.42 m/s.
+follows=$(sqlite3 "$out/game.db" "
+  SELECT abs(b.display_s - a.display_s - 1 / 60.0) < 1e-9 AND abs(b.proper_time_s - a.proper_time_s - 1 / 60.0) < 1e-9
+    AND abs(dt * dt - dr2 / (1.42 * 1.42) - 1 / 3600.0) < 1e-9
+  FROM frame a, frame b, (SELECT y.t_s - x.t_s AS dt, (y.x_m - x.x_m) * (y.x_m - x.x_m)
+      + (y.y_m - x.y_m) * (y.y_m - x.y_m) + (y.z_m - x.z_m) * (y.z_m - x.z_m) AS dr2
+    FROM frame x, frame y WHERE x.number = $last AND y.number = $last + 1)
+  WHERE a.number = $last AND b.number = $last + 1")
+[ "$follows" = 1 ] || fail "a session gone on with: its first frame does not follow frame $last: $(
+  sqlite3 "$out/game.db" "SELECT * FROM frame WHERE number BETWEEN $last AND $last + 1" | cut -c1-200)"
 
 "$carom" replay "$out/game.db" --capture "$out/one" --no-window 2>"$out/stderr" || fail "replay: $(cat "$out/stderr")"
 "${mpi[@]}" -n 4 "$carom" replay "$out/game.db" --capture "$out/four" --no-window 2>"$out/stderr" ||
   fail "replay on four processes: $(cat "$out/stderr")"
-diff -r "$out/seen" "$out/one" || fail "a replay differs from what was seen"
-diff -r "$out/seen" "$out/four" || fail "a replay on four processes differs from what was seen"
+for picture in "$out"/seen/*.png; do # the last ones before the kill were not written
+  cmp "$picture" "$out/one/$(basename "$picture")" || fail "a replay differs from what was seen"
+done
+[ "$(find "$out/one" -name '*.png' | wc -l)" -eq $((8 * (last + 7))) ] || fail "a replay has not every picture"
+diff -r "$out/one" "$out/four" || fail "a replay on four processes differs from one on one"
+"$carom" events "$out/game.db" --csv "$out/events.csv" 2>"$out/stderr" || fail "its events: $(cat "$out/stderr")"
+[ "$(sqlite3 "$out/game.db" "SELECT count(*) FROM event WHERE t_s <= (SELECT max(t_s) FROM frame)")" = \
+  "$(($(wc -l <"$out/events.csv") - 1))" ] || fail "its events: $(cat "$out/events.csv")"
+[ "$(sqlite3 "$out/game.db" "SELECT group_concat(first_frame) FROM run")" = "0,$((last + 1))" ] || fail "its runs"
 "$carom" diagram "$out/game.db" -o "$out/game.svg" 2>"$out/stderr" || fail "its diagram: $(cat "$out/stderr")"
+# A scenario whose mesh is gone is named, with its line.
+cp "$out/game.db" "$out/bare.db"
+sqlite3 "$out/bare.db" "UPDATE session SET value = replace(value, 'mass_kg = 0.2', 'mass_kg = 0.2' || char(10) ||
+  'mesh = \"gone.obj\"') WHERE key = 'scenario'"
+for command in "replay $out/bare.db --no-window" "events $out/bare.db"; do
+  "$carom" $command 2>"$out/stderr" && fail "$command: without its mesh"
+  grep -q "^error: .*three-pucks.toml:[0-9]*:[0-9]*: mesh 'gone.obj'" "$out/stderr" || fail "$command: $(cat "$out/stderr")"
+done
 echo "killed after frame $last, gone on with to $((last + 6)), $(find "$out/seen" -name '*.png' | wc -l) pictures the same again"

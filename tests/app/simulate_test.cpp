@@ -202,13 +202,13 @@ TEST(Simulate, GivesTheBitsOfTheEngine) {
 
   EXPECT_EQ(found["light_speed_m_s"].get<double>(), 1.42);
   ASSERT_FALSE(found["collisions"].empty());
-  ASSERT_LE(found["collisions"].size(), billiard.collisions().size());
-  for (std::size_t i = found["collisions"].size(); i < billiard.collisions().size(); ++i) {
-    EXPECT_GT(billiard.collisions()[i].contact.t_s, 10.0) << "the engine may look a little further ahead";
+  ASSERT_LE(found["collisions"].size(), billiard.events().size());
+  for (std::size_t i = found["collisions"].size(); i < billiard.events().size(); ++i) {
+    EXPECT_GT(billiard.events()[i].at.t_s, 10.0) << "the engine may look a little further ahead";
   }
   for (std::size_t i = 0; i < found["collisions"].size(); ++i) {
-    const Collision& collision = billiard.collisions()[i];
-    EXPECT_EQ(found["collisions"][i]["contact"]["t_s"].get<double>(), collision.contact.t_s);
+    const GameEvent& collision = billiard.events()[i];
+    EXPECT_EQ(found["collisions"][i]["contact"]["t_s"].get<double>(), collision.at.t_s);
     EXPECT_EQ(found["collisions"][i]["turns"].size(), collision.turns.size());
     for (const Turn& turn : collision.turns) {
       const json told = turnOf(found["collisions"][i], scenario.billiard.pucks[turn.puck].name);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <functional>
 #include <utility>
 
@@ -41,10 +42,33 @@ TEST(TrackerWatch, TellsOnceOfSilenceAndOnceOfItsEnd) {
       said([](double now_s) { return healthOf(now_s > 2 && now_s < 12 ? State::silent : State::delivering); },
            3, 30.0);
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0].second, "Tracker cap: silent for 5 s; the head is held");
+  EXPECT_EQ(lines[0].second, "Tracker cap: silent since second 2.0 of the session; the head is held");
   EXPECT_NEAR(lines[0].first, 7.0, 0.5);  // it is looked at every quarter of a second
-  EXPECT_EQ(lines[1].second, "Tracker cap: delivers");
   EXPECT_NEAR(lines[1].first, 12.0, 0.5);
+  double away_s = 0.0;
+  ASSERT_EQ(std::sscanf(lines[1].second.c_str(), "Tracker cap: delivers again, after %lf s", &away_s), 1)
+      << lines[1].second;
+  EXPECT_NEAR(away_s, lines[1].first - 2.0, 0.1);
+}
+
+// The second silence is told with its own beginning.
+TEST(TrackerWatch, TellsOfEverySilence) {
+  const auto lines = said(
+      [](double now_s) {
+        const bool away = (now_s > 2 && now_s < 12) || (now_s > 20 && now_s < 28);
+        return healthOf(away ? State::silent : State::delivering);
+      },
+      3, 40.0);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[2].second, "Tracker cap: silent since second 20.0 of the session; the head is held");
+  EXPECT_TRUE(lines[3].second.starts_with("Tracker cap: delivers again, after 8.")) << lines[3].second;
+}
+
+TEST(TrackerWatch, OneThatComesLateHasNotComeAgain) {
+  const auto lines = said(
+      [](double now_s) { return healthOf(now_s < 10 ? State::connecting : State::delivering); }, 3, 20.0);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[1].second, "Tracker cap: delivers");
 }
 
 TEST(TrackerWatch, NamesTheSensorsThatThereAre) {

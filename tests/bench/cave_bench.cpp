@@ -72,6 +72,17 @@ class Room {
     glFinish();
   }
 
+  /// The first wall for one eye alone, drawn to the end.
+  void drawOneView(WallRenderer& renderer, const Switches& switches, double t_s) {
+    const EyeView eye{{t_s, {-0.032, -1.6, 0.85}}, {-0.032, 0.0, 1.6}};
+    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+      viewBody(histories_[body], eye.observation, headFromBoard_, bodies_[body], switches);
+    }
+    renderer.look(headFromBoard_, eye, bodies_, switches);
+    renderer.draw(walls_[0], eye.positionInRoom_m, *pictures_[0]);
+    glFinish();
+  }
+
   double vertices() const { return static_cast<double>(vertices_); }
   const Lorentz& headFromBoard() const { return headFromBoard_; }
   const WorldLine& history(std::size_t body) const { return histories_[body]; }
@@ -199,7 +210,35 @@ void frame(benchmark::State& state) {
   measureInTurn(state, room);
 }
 
-// The same with a million vertices.
+// Eight views (four walls, two eyes) in one process beside one view in one process: what a view costs must not
+// grow with their number. In turn, with and without the emission solve.
+void views(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Game game;
+  Room room(graphics(), game.scene, game.histories);
+  const auto solved = room.makeRenderer(), unsolved = room.makeRenderer();
+  room.draw(*solved, {}, 3.0);
+  room.draw(*unsolved, kUnsolved, 3.0);
+  std::vector<double> eight_s, one_s, unsolved_s;
+  const auto processorTimeOf = [](const auto& function) {
+    const std::clock_t before = std::clock();
+    function();
+    return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  };
+  double t_s = 3.0;
+  for (auto _ : state) {
+    t_s = t_s < 8.0 ? t_s + 1.0 / 60.0 : 3.0;
+    one_s.push_back(processorTimeOf([&] { room.drawOneView(*solved, {}, t_s); }));
+    eight_s.push_back(processorTimeOf([&] { room.draw(*solved, {}, t_s); }));
+    unsolved_s.push_back(processorTimeOf([&] { room.draw(*unsolved, kUnsolved, t_s); }));
+  }
+  state.counters["one_cpu_ms"] = 1e3 * medianOf(one_s);
+  state.counters["eight_cpu_ms"] = 1e3 * medianOf(eight_s);
+  state.counters["eight_to_one"] = medianOf(eight_s) / medianOf(one_s);
+  state.counters["solve_share"] = 1.0 - medianOf(unsolved_s) / medianOf(eight_s);
+}
+
+// The same as `frame` with a million vertices.
 void million(benchmark::State& state) {
   graphics().makeCurrent();
   const Million body;
@@ -248,6 +287,7 @@ void millionSolvedAndUploaded(benchmark::State& state) {
 }
 
 BENCHMARK(frame)->Unit(benchmark::kMillisecond);
+BENCHMARK(views)->Unit(benchmark::kMillisecond);
 BENCHMARK(million)->Unit(benchmark::kMillisecond);
 BENCHMARK(millionSolvedAndUploaded)->Unit(benchmark::kMillisecond);
 

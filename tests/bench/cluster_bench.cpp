@@ -28,15 +28,15 @@ int main() {
   constexpr std::uint64_t kFrames = 20000;
   Cluster cluster;
   const WorldLine still({{0.0, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}, 1.42, 0.1);
-  std::vector<WorldLine> histories(4, still);
+  World world{std::vector<WorldLine>(4, still), {}};
   FrameState state;
   std::vector<double> took_us;
   for (std::uint64_t number = 0; number < kFrames; ++number) {
     if (cluster.rank() == 0) state = frameOf(number);
     const auto start = std::chrono::steady_clock::now();
     cluster.share(state);
-    applyFrame(state, histories);
-    cluster.swapTogether(state, histories, false);
+    applyFrame(state, world);
+    cluster.swapTogether(state, world, false);
     took_us.push_back(
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
   }

@@ -51,9 +51,9 @@ void collisionFrame(benchmark::State& state) {
     t_s += period_s;
     billiard.advanceTo(t_s);
     benchmark::DoNotOptimize(moveAll(billiard, t_s));
-    collisions += billiard.collisions().size() - known;
+    collisions += billiard.events().size() - known;
     if (++frame % 64 == 0) billiard.forgetBefore(t_s - 32.0 * period_s);  // as a session does
-    known = billiard.collisions().size();
+    known = billiard.events().size();
   }
   state.counters["collisions_a_frame"] =
       static_cast<double>(collisions) / static_cast<double>(state.iterations());
@@ -64,15 +64,15 @@ void gas(benchmark::State& state) {
   const double coverage = static_cast<double>(state.range(1)) * 1e-4;
   Billiard billiard(test::gasSetup(count, coverage, 2.5, 1));
   double t_s = 0.0;
-  while (billiard.collisions().size() < static_cast<std::size_t>(2 * count)) billiard.advanceTo(t_s += 0.01);
+  while (billiard.events().size() < static_cast<std::size_t>(2 * count)) billiard.advanceTo(t_s += 0.01);
   std::size_t collisions = 0;
   for (auto _ : state) {
     state.PauseTiming();
     billiard.forgetBefore(t_s);
-    const std::size_t before = billiard.collisions().size();
+    const std::size_t before = billiard.events().size();
     state.ResumeTiming();
-    while (billiard.collisions().size() < before + 20000) billiard.advanceTo(t_s += 0.01);
-    collisions += billiard.collisions().size() - before;
+    while (billiard.events().size() < before + 20000) billiard.advanceTo(t_s += 0.01);
+    collisions += billiard.events().size() - before;
   }
   state.counters["collisions_a_second"] =
       benchmark::Counter(static_cast<double>(collisions), benchmark::Counter::kIsRate);

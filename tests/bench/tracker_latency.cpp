@@ -2,9 +2,14 @@
 // transport's thread, the decoder and the queue. With a core to spare, and with every core loaded by other
 // work. (Times are kept on one clock, since sender and reader are one program.)
 //   tracker_latency [SECONDS]     each of the two parts takes so long; 10 if not given
+//
+// The device's thread asks the system to be prompt (devices/prompt_thread.h); what it was granted is printed.
+// Sender and reader ask for a little more, so that their own waiting for a processor is not counted; where
+// that is refused, it is.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <sched.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -19,6 +24,7 @@
 #include <vector>
 
 #include "devices/dtrack_tracker.h"
+#include "devices/prompt_thread.h"
 
 namespace {
 
@@ -33,8 +39,15 @@ double since_s(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Lets the calling thread run before the device's.
+void goBeforeTheDevice() {
+  const sched_param second{sched_get_priority_min(SCHED_RR) + 1};
+  sched_setscheduler(0, SCHED_RR | SCHED_RESET_ON_FORK, &second);
+}
+
 /// Sends frames whose x says their number, and notes when each was sent.
 void send(std::vector<std::atomic<double>>& sent_s, Clock::time_point start) {
+  goBeforeTheDevice();
   const int descriptor = socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in to{};
   to.sin_family = AF_INET;
@@ -67,6 +80,7 @@ void measure(const char* what, int seconds, unsigned loaded) {
   std::vector<std::atomic<double>> sent_s(static_cast<std::size_t>(seconds) * kRate_hz);
   std::jthread sender([&] { send(sent_s, start); });
   std::vector<double> delays_s;
+  delays_s.reserve(sent_s.size());
   std::vector<carom::TrackerSample> samples;
   samples.reserve(4096);
   // A frame loop polls once a frame; this one, all the time, so that only the way to the queue is seen.
@@ -94,10 +108,26 @@ void measure(const char* what, int seconds, unsigned loaded) {
       what, delays_s.size(), sent_s.size(), part(0.5), part(0.99), part(0.999), part(1.0));
 }
 
+const char* nameOf(carom::Promptness granted) {
+  switch (granted) {
+    case carom::Promptness::realTime:
+      return "real-time";
+    case carom::Promptness::nicer:
+      return "a better nice value";
+    case carom::Promptness::usual:
+      break;
+  }
+  return "nothing: refused";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const int seconds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 10;
+  std::jthread([] {
+    std::printf("granted to a device's thread: %s\n", nameOf(carom::askForPromptness()));
+  }).join();
+  goBeforeTheDevice();
   measure("with a core to spare:", seconds, 0);
   measure("with every core loaded:", seconds, std::max(1u, std::thread::hardware_concurrency()));
   return 0;

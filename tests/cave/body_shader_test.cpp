@@ -109,7 +109,7 @@ class BodyProgram {
     glUniform1i(at("colourTexels"), 1);
     glUniform1i(at("firstLeg"), 0);
     glUniform1i(at("legCount"), static_cast<int>(legs.size()));
-    glUniform4fv(at("onlyLeg"), 14, reinterpret_cast<const float*>(legs.data()));
+    glUniform4fv(at("onlyLeg"), 15, reinterpret_cast<const float*>(legs.data()));
     glUniformMatrix4fv(at("drawnFromSeen"), 1, GL_FALSE, glm::value_ptr(drawnFromSeen));
     glUniformMatrix4fv(at("boardFromDrawn"), 1, GL_FALSE, glm::value_ptr(boardFromDrawn));
     glUniform4f(at("headOnBoard"), static_cast<float>(gammaFromU(u)), static_cast<float>(u.x),

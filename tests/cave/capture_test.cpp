@@ -7,6 +7,7 @@
 #include <vtkPNGReader.h>
 
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "cave/window.h"
@@ -58,6 +59,88 @@ TEST(Capture, ReadsAPictureBack) {
   const Image image = readBack(picture);
   EXPECT_EQ(image.size_px, glm::ivec2(5, 3));
   EXPECT_EQ(image.rgb, std::vector<std::uint8_t>(45, 0));
+}
+
+/// Pictures of a frame, each of one colour of its own.
+void paint(WallPicture& picture, std::uint64_t frame, int eye) {
+  std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(picture.size_px().x * picture.size_px().y));
+  for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<std::uint8_t>(37 * frame + 91U * eye + i);
+  picture.fill(rgb);
+}
+
+std::string bytesOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Capture, WhatIsCapturedOnTheWayIsWhatWasDrawnThen) {
+  const Folder folder;
+  Graphics graphics;
+  WallPicture left({61, 33}), right({40, 40});
+  const std::string wall = "front";
+  Capture capture(folder.path, WhenFull::wait);
+  constexpr std::uint64_t kFrames = 60;  // more than the queue holds
+  for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
+    paint(left, frame, 0);
+    paint(right, frame, 1);
+    const std::vector<Capture::Taken> taken{{&left, &wall, Eye::left}, {&right, &wall, Eye::right}};
+    capture.take(frame, taken);
+  }
+  capture.finish();
+  EXPECT_EQ(capture.dropped(), 0U);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 2 * static_cast<std::ptrdiff_t>(kFrames));
+  const fs::path expected = folder.path / "expected";
+  for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
+    paint(left, frame, 0);
+    paint(right, frame, 1);
+    writePng(readBack(left), expected);
+    EXPECT_EQ(bytesOf(capturePath(folder.path, wall, Eye::left, frame)), bytesOf(expected)) << frame;
+    writePng(readBack(right), expected);
+    EXPECT_EQ(bytesOf(capturePath(folder.path, wall, Eye::right, frame)), bytesOf(expected)) << frame;
+  }
+}
+
+TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
+  const Folder folder;
+  Graphics graphics;
+  WallPicture large({1500, 1500});
+  const std::string wall = "front";
+  Capture capture(folder.path, WhenFull::drop);
+  constexpr std::uint64_t kFrames = 60;
+  for (std::uint64_t frame = 0; frame < kFrames; ++frame) {  // each takes milliseconds to encode
+    const std::vector<Capture::Taken> taken{{&large, &wall, Eye::left}, {&large, &wall, Eye::right}};
+    capture.take(frame, taken);
+  }
+  capture.finish();
+  EXPECT_GT(capture.dropped(), 0U);
+  std::uint64_t whole = 0;
+  for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
+    const bool there = fs::exists(capturePath(folder.path, wall, Eye::left, frame));
+    EXPECT_EQ(there, fs::exists(capturePath(folder.path, wall, Eye::right, frame)))
+        << "half of frame " << frame;
+    whole += there;
+  }
+  EXPECT_EQ(whole, kFrames - capture.dropped());
+  EXPECT_GT(whole, 0U);
+}
+
+TEST(Capture, WhatCannotBeWrittenIsSaid) {
+  Graphics graphics;
+  WallPicture picture({8, 8});
+  const std::string wall = "front";
+  Capture capture("/nowhere/at/all", WhenFull::wait);
+  const auto takeAll = [&] {
+    const std::vector<Capture::Taken> taken{{&picture, &wall, Eye::mono}};
+    for (std::uint64_t frame = 0; frame < 100; ++frame) capture.take(frame, taken);
+    capture.finish();
+  };
+  try {
+    takeAll();
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("/nowhere/at/all/front-mono-000000.png"), std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

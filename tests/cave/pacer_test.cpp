@@ -60,17 +60,14 @@ TEST(Pacer, ADisplaysTicksAreFollowedAndFramesBeginAsLateAsIsSafe) {
     Display display(1.0 / hz, 0.0071);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> drawing_s(0.004, 0.006);
-    std::uint64_t missed = 0;
     for (int i = 0; i < 600; ++i) {
       const FrameTimes times = pacer.next();
       const double shown_s = display.show(clock, pacer, drawing_s(random), true);
-      if (i == 200) missed = pacer.missed();
       if (i < 200) continue;
       EXPECT_NEAR(times.display_s, shown_s, 0.0001) << hz << " Hz, frame " << i;  // 0.1 mm of walking
       EXPECT_NEAR(times.step_s, 1.0 / hz, 0.0001) << hz << " Hz, frame " << i;
       EXPECT_LT(shown_s - times.begin_s, 0.006 + 0.002) << "latency: the longest drawing and a margin";
     }
-    EXPECT_EQ(pacer.missed(), missed) << hz << " Hz";
   }
 }
 
@@ -90,7 +87,6 @@ TEST(Pacer, WithoutWaitingSwapsFramesAreEvenAllTheSame) {
     }
     last_s = shown_s;
   }
-  EXPECT_EQ(pacer.missed(), 0U);
 }
 
 TEST(Pacer, AHiccupCostsTheFramesItLastsAndThePersonLivesThemAll) {
@@ -98,6 +94,7 @@ TEST(Pacer, AHiccupCostsTheFramesItLastsAndThePersonLivesThemAll) {
   Pacer pacer(clock, 60.0, 0.0);
   Display display(1.0, 0.0);
   double lived_s = 0.0;
+  int late = 0;
   for (int i = 0; i < 100; ++i) {
     const FrameTimes times = pacer.next();
     lived_s += times.step_s;
@@ -105,9 +102,10 @@ TEST(Pacer, AHiccupCostsTheFramesItLastsAndThePersonLivesThemAll) {
     if (i != 51) {
       EXPECT_LT(times.step_s, 1.5 / 60.0) << "frame " << i;
     }
-    display.show(clock, pacer, i == 50 ? 3.4 / 60.0 : 0.005, false);
+    const double shown_s = display.show(clock, pacer, i == 50 ? 3.4 / 60.0 : 0.005, false);
+    if (shown_s - times.display_s > 0.5 / 60.0) ++late;
   }
-  EXPECT_EQ(pacer.missed(), 1U);
+  EXPECT_EQ(late, 1);
 }
 
 TEST(Pacer, DrawingThatTakesLongerThanAPeriodTakesEverySecondTick) {

@@ -270,7 +270,7 @@ std::vector<std::size_t> interestingPucks(const Scenario& scenario, const Billia
     if (pucks.size() < kMost && std::find(pucks.begin(), pucks.end(), puck) == pucks.end())
       pucks.push_back(puck);
   };
-  for (const Collision& collision : billiard.collisions()) {
+  for (const GameEvent& collision : billiard.events()) {
     for (const Turn& turn : collision.turns) add(turn.puck);
   }
   for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) add(i);

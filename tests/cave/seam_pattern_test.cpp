@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "app/rig.h"
@@ -56,38 +59,90 @@ std::vector<double> heights_m(const Wall& wall, const Image& image, bool atRight
   return lines;
 }
 
-/// Along the lower edge of the front wall and the upper edge of the floor: lines of x.
-std::vector<double> widths_m(const Wall& wall, const Image& image, bool atTop) {
-  std::vector<double> lines = middles(image, 0, {0, atTop ? wall.pixels.y - 1 : 0}, {1, 0}, wall.pixels.x);
-  for (double& line : lines) {
-    line = wall.lowerLeft_m.x + line / wall.pixels.x * (wall.lowerRight_m.x - wall.lowerLeft_m.x);
-  }
-  return lines;
-}
-
 const Wall& named(const Rig& rig, const std::string& name) {
   return *std::find_if(rig.walls.begin(), rig.walls.end(),
                        [&](const Wall& wall) { return wall.name == name; });
 }
 
-void expectSame(const std::vector<double>& one_m, const std::vector<double>& other_m) {
-  ASSERT_EQ(one_m.size(), other_m.size());
-  ASSERT_GE(one_m.size(), 5u);  // 3 m of edge, a line every half metre, perhaps one cut off at an end
-  constexpr double kHalfPixel_m = 0.0025;  // 3 m over 600 pixels
-  for (std::size_t i = 0; i < one_m.size(); ++i) EXPECT_NEAR(one_m[i], other_m[i], kHalfPixel_m) << i;
+/// A place on a wall, as shares of its width and height.
+glm::dvec2 onWall(const Wall& wall, const glm::dvec3& place) {
+  const glm::dvec3 across = wall.lowerRight_m - wall.lowerLeft_m, up = wall.upperLeft_m - wall.lowerLeft_m;
+  const glm::dvec3 from = place - wall.lowerLeft_m;
+  return {glm::dot(from, across) / glm::dot(across, across), glm::dot(from, up) / glm::dot(up, up)};
 }
 
-TEST_F(Seams, LinesMeetAtTheSharedEdgesOfTheDesk) {
-  const Rig rig = desk();
-  const Wall &front = named(rig, "front"), &left = named(rig, "left"), &right = named(rig, "right"),
-             &floor = named(rig, "floor");
-  for (const double time_s : {0.7, 1.234, 77.1, 5000.3}) {
-    SCOPED_TRACE(time_s);
-    const Image onFront = drawn(front, time_s);
-    expectSame(heights_m(left, drawn(left, time_s), true), heights_m(front, onFront, false));
-    expectSame(heights_m(front, onFront, true), heights_m(right, drawn(right, time_s), false));
-    expectSame(widths_m(front, onFront, false), widths_m(floor, drawn(floor, time_s), true));
+/// Along an edge of a wall, whose ends are corners of it: metres from `from` at which the lines cross it of
+/// the planes across `axis`.
+std::vector<double> crossings_m(const Wall& wall, const Image& image, const glm::dvec3& from,
+                                const glm::dvec3& to, int axis) {
+  const glm::ivec2 last = wall.pixels - 1;
+  const auto pixelOf = [&](const glm::dvec3& corner) {
+    return glm::ivec2(glm::round(onWall(wall, corner) * glm::dvec2(last)));
+  };
+  const glm::ivec2 start = pixelOf(from), way = pixelOf(to) - start;
+  const int count = std::max(std::abs(way.x), std::abs(way.y)) + 1;
+  std::vector<double> lines = middles(image, axis, start, way / (count - 1), count);
+  for (double& line : lines) line *= glm::distance(from, to) / count;
+  return lines;
+}
+
+void expectSame(const std::vector<double>& one_m, const std::vector<double>& other_m, double halfPixel_m) {
+  ASSERT_EQ(one_m.size(), other_m.size());
+  ASSERT_GE(one_m.size(), 5u);  // 3 m of edge, a line every half metre, perhaps one cut off at an end
+  for (std::size_t i = 0; i < one_m.size(); ++i) EXPECT_NEAR(one_m[i], other_m[i], halfPixel_m) << i;
+}
+
+std::array<glm::dvec3, 4> cornersOf(const Wall& wall) {
+  return {wall.lowerLeft_m, wall.lowerRight_m, wall.lowerRight_m + wall.upperLeft_m - wall.lowerLeft_m,
+          wall.upperLeft_m};
+}
+
+/// The corners that two walls share: none, or the ends of an edge.
+std::vector<glm::dvec3> sharedCorners(const Wall& a, const Wall& b) {
+  std::vector<glm::dvec3> shared;
+  for (const glm::dvec3& corner : cornersOf(a)) {
+    for (const glm::dvec3& other : cornersOf(b)) {
+      if (glm::distance(corner, other) < 1e-9) shared.push_back(corner);
+    }
   }
+  return shared;
+}
+
+/// The axis that an edge runs along, or −1.
+int axisOf(const glm::dvec3& edge) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(edge[axis]) > 0.999 * glm::length(edge)) return axis;
+  }
+  return -1;
+}
+
+TEST_F(Seams, LinesMeetAtEverySharedEdgeOfEveryShippedRig) {
+  std::size_t most = 0;
+  for (const auto& file : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/rigs")) {
+    const Rig rig = readRig(file.path());
+    for (const double time_s : {0.7, 77.1, 5000.3}) {
+      std::vector<Image> images;
+      for (const Wall& wall : rig.walls) images.push_back(drawn(wall, time_s));
+      std::size_t edges = 0;
+      for (std::size_t i = 0; i < rig.walls.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const Wall &a = rig.walls[i], &b = rig.walls[j];
+          const auto shared = sharedCorners(a, b);
+          if (shared.size() != 2) continue;
+          ++edges;
+          SCOPED_TRACE(testing::Message()
+                       << rig.title << ", " << a.name << " and " << b.name << ", " << time_s << " s");
+          const int axis = axisOf(shared[1] - shared[0]);
+          ASSERT_GE(axis, 0);
+          const double pixel_m = glm::distance(shared[0], shared[1]) / std::min(a.pixels.x, b.pixels.x);
+          expectSame(crossings_m(a, images[i], shared[0], shared[1], axis),
+                     crossings_m(b, images[j], shared[0], shared[1], axis), 0.5 * pixel_m);
+        }
+      }
+      most = std::max(most, edges);
+    }
+  }
+  EXPECT_EQ(most, 8U) << "front, left, right, floor and ceiling meet along eight edges";
 }
 
 // Against the planes themselves, by hand: at 1.2 s they have gone 0.12 m.

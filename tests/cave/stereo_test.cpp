@@ -101,6 +101,14 @@ TEST_F(Stereo, AnaglyphTakesRedFromTheLeftEyeAndTheRestFromTheRight) {
   EXPECT_EQ(colour[2], kRight[2]);
 }
 
+TEST_F(Stereo, GreyAnaglyphKeepsBothEyesBrightness) {
+  const Rgb colour = packed(StereoMode::anaglyphGrey)(30, 30);
+  const auto brightness = [](const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; };
+  EXPECT_NEAR(colour[0], brightness(kLeft), 1.0);
+  EXPECT_NEAR(colour[1], brightness(kRight), 1.0);
+  EXPECT_NEAR(colour[2], brightness(kRight), 1.0);
+}
+
 TEST_F(Stereo, InterlacedAlternatesRowsOfTheWindow) {
   const auto at = packed(StereoMode::interlaced, {8, 9}, {40, 40});
   for (int y = 20; y < 40; ++y) EXPECT_EQ(at(20, y), y % 2 == 0 ? kLeft : kRight) << "row " << y;

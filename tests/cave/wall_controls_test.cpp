@@ -22,8 +22,10 @@ class Controls : public testing::Test {
     record.observer.headFromBoard = Lorentz(kC_m_s);
     record.observer.eyes = {EyeView{{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 0.0, 0.0}},
                             EyeView{{0.0, {0.03, 0.0, 0.0}}, {0.03, 0.0, 0.0}}, EyeView{}};
-    walls_.draw(record, histories_);
-    walls_.capture(folder_ / "", 0);
+    walls_.draw(record, world_);
+    Capture capture(folder_ / "", WhenFull::wait);
+    walls_.capture(capture, 0);
+    capture.finish();
     return {{"left", test::contentOf(folder_ / "wall-left-000000.png")},
             {"right", test::contentOf(folder_ / "wall-right-000000.png")}};
   }
@@ -38,8 +40,8 @@ class Controls : public testing::Test {
   test::TemporaryFolder folder_;
   Graphics graphics_;
   WallSet walls_{graphics_, test::glowingPuck(0.2), kC_m_s, oneWall(), std::nullopt, false};
-  const std::vector<WorldLine> histories_{WorldLine(Knot{}, kC_m_s),
-                                          WorldLine({{0.0, {0.1, 2.0, 0.3}}, {}, 0.0, {}, 0.0}, kC_m_s)};
+  const World world_{{WorldLine(Knot{}, kC_m_s),
+                                          WorldLine({{0.0, {0.1, 2.0, 0.3}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};
 };
 
 TEST_F(Controls, SwappedEyesSwapTheirPictures) {

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 
@@ -168,6 +169,38 @@ TEST(DeviceTracker, TellsHowItFares) {
   step = 6;
   EXPECT_TRUE(becomes(State::failed));
   EXPECT_EQ(tracker.health(since_s(start)).message, "no such device");
+}
+
+TEST(DeviceTracker, ButtonsAndAxesAreLife) {
+  const auto start = Clock::now();
+  for (const auto kind : {Reading::Kind::button, Reading::Kind::axis}) {
+    DeviceTracker tracker(once([&](DeviceSink& sink) {
+                            sink.connected();
+                            Reading reading;
+                            reading.kind = kind;
+                            sink.deliver({&reading, 1}, Clock::now());
+                          }),
+                          start, 60.0);
+    EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).state == State::delivering; }));
+    EXPECT_EQ(tracker.health(since_s(start)).samples, 0u);
+    EXPECT_EQ(tracker.health(since_s(start) + 120.0).state, State::silent);
+  }
+}
+
+TEST(DeviceTracker, OneThatSpeaksOnlyWhileItIsUsedIsNeverSilent) {
+  const auto start = Clock::now();
+  std::atomic<bool> pulledOut = false;
+  DeviceTracker tracker(
+      [&](const std::stop_token& stop, DeviceSink& sink) {
+        sink.connected();
+        while (!stop.stop_requested() && !pulledOut) std::this_thread::sleep_for(milliseconds(1));
+        sink.disconnected("pulled out");
+      },
+      start, std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).state == State::delivering; }));
+  EXPECT_EQ(tracker.health(1e6).state, State::delivering);
+  pulledOut = true;
+  EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).state == State::connecting; }));
 }
 
 TEST(DeviceTracker, AForgottenTrackerKeepsItsBounds) {

@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <thread>
 
 #include "devices/device_list.h"
 #include "devices/device_tracker.h"
 #include "devices/hid_imu_tracker.h"
 #include "devices/hidraw_node.h"
+#include "devices/network_peer.h"
 #include "devices/rift_report.h"
 #include "devices/spacemouse.h"
 #include "devices/witness.h"
@@ -21,6 +24,7 @@ using Clock = std::chrono::steady_clock;
 using test::Bytes;
 using test::HidrawNode;
 using test::MockedKernel;
+using test::Watched;
 using test::Witness;
 
 double axisValue(const std::vector<Reading>& readings, int index) {
@@ -31,10 +35,12 @@ double axisValue(const std::vector<Reading>& readings, int index) {
   return value;
 }
 
+constexpr double kNeverSilent_s = std::numeric_limits<double>::infinity();
+
 struct SpaceMouseOnDesk {
   MockedKernel kernel;
   HidrawNode node{0x046d, 0xc626, "3Dconnexion SpaceNavigator", 1, 8};
-  Witness witness{spaceMouseTransport()};
+  Witness witness{spaceMouseTransport({})};
   bool plugged = false;
 
   void plugIn() {
@@ -84,7 +90,7 @@ TEST(SpaceMouseHid, PulledOutItStandsStillAndItComesBack) {
   MockedKernel kernel;
   HidrawNode node(0x256f, 0xc635, "SpaceMouse Compact", 1, 8),
       back(0x256f, 0xc635, "SpaceMouse Compact", 1, 8);
-  Witness witness(spaceMouseTransport());
+  Witness witness(spaceMouseTransport({}));
   ASSERT_TRUE(witness.until([&] { return witness.told("disconnected: SpaceMouse is not plugged in"); }));
   node.plugInto(kernel);
   node.send({3, 2});
@@ -105,6 +111,48 @@ TEST(SpaceMouseHid, PulledOutItStandsStillAndItComesBack) {
   ASSERT_TRUE(witness.untilReadings(readings.size() + 6));
   EXPECT_EQ(axisValue(witness.readings(), 1), -1.0);
   EXPECT_EQ(axisValue(witness.readings(), 3), 0.5);
+}
+
+TEST(SpaceMouseHid, IsWellWhileNobodyTouchesItAndHandsOverItsInputs) {
+  using State = TrackerHealth::State;
+  MockedKernel kernel;
+  HidrawNode node(0x046d, 0xc626, "SpaceNavigator", 1, 8), back(0x046d, 0xc626, "SpaceNavigator", 1, 8);
+  Watched mouse(spaceMouseTransport({}), kNeverSilent_s);
+  ASSERT_TRUE(mouse.comesTrue([&] { return !mouse.health().message.empty(); }));
+  EXPECT_EQ(mouse.health().state, State::connecting);
+  EXPECT_EQ(mouse.health().message, "SpaceMouse is not plugged in");
+  node.plugInto(kernel);
+  ASSERT_TRUE(mouse.comesTo(State::delivering)) << "untouched";
+  EXPECT_EQ(mouse.health().message, "");
+  EXPECT_TRUE(mouse.inputs.empty());
+  node.send({1, 0x5e, 1, 0, 0, 0, 0});
+  node.send({3, 2});
+  ASSERT_TRUE(mouse.comesTrue([&] { return mouse.inputs.size() >= 5; }));  // three axes, one back, a button
+  EXPECT_EQ(axisValue({mouse.inputs.begin(), mouse.inputs.begin() + 3}, 0), 1.0);
+  EXPECT_TRUE(std::any_of(mouse.inputs.begin(), mouse.inputs.end(), [](const Reading& reading) {
+    return reading.kind == Reading::Kind::button && reading.index == 1 && reading.value == 1.0;
+  }));
+  EXPECT_TRUE(mouse.samples.empty());
+  node.unplugFrom(kernel);
+  ASSERT_TRUE(mouse.comesTo(State::connecting));
+  kernel.detach(HidrawNode::kNode);
+  back.plugInto(kernel);
+  ASSERT_TRUE(mouse.comesTo(State::delivering));
+  EXPECT_EQ(mouse.health().reconnections, 1u);
+}
+
+TEST(SpaceMouseHid, OneOfSeveralIsChosenByItsAddress) {
+  MockedKernel kernel;
+  HidrawNode node(0x046d, 0xc626, "SpaceNavigator", 1, 8);
+  node.plugInto(kernel);
+  const Witness other(spaceMouseTransport(UsbAddress{0x046d, 0xc626, "S2"})),
+      model(spaceMouseTransport(UsbAddress{0x256f, 0xc635, {}})),
+      this_(spaceMouseTransport(UsbAddress{0x046d, 0xc626, "S1"}));
+  EXPECT_TRUE(this_.until([&] { return this_.told("connected"); }));
+  EXPECT_TRUE(other.until([&] { return other.told("disconnected: SpaceMouse (046d:c626:S2) is not"); }));
+  EXPECT_TRUE(model.until([&] { return model.told("disconnected: SpaceMouse (256f:c635) is not"); }));
+  EXPECT_FALSE(other.told("connected") || model.told("connected"));
+  EXPECT_THROW(spaceMouseTransport(UsbAddress{0x2833, 0x0001, {}}), std::invalid_argument);
 }
 
 TEST(SpaceMouseHid, HostileLengthsAreRefusedOrHarmless) {
@@ -130,7 +178,7 @@ TEST(SpaceMouseHid, HostileLengthsAreRefusedOrHarmless) {
 TEST(SpaceMouseHid, MiceAndKeyboardsOfTheSameMakersAreNotOne) {
   MockedKernel kernel;
   HidrawNode cadMouse(0x256f, 0xc650, "CadMouse", 1, 2);
-  Witness witness(spaceMouseTransport());
+  Witness witness(spaceMouseTransport({}));
   cadMouse.plugInto(kernel);
   std::this_thread::sleep_for(700ms);  // it looks every 0.5 s
   EXPECT_FALSE(witness.told("connected"));
@@ -177,11 +225,15 @@ TEST(HeadsetHid, TurnsWithItsGyroscopeOnItsOwnClock) {
   const Clock::time_point start = Clock::now();
   DeviceTracker tracker(hidImuTransport({0x2833, 1, {}}, {0.0, 1.7, 0.0}), start);
   std::vector<TrackerSample> samples;
-  // Half a second of its clock, which wraps on the way; sent in lumps, as a busy machine would read it.
+  for (int i = 0; i < 5000 && node.features().empty(); ++i) std::this_thread::sleep_for(1ms);  // it is open
+  // Half a second of its clock, which wraps on the way and runs as ours does; sent in lumps, as a busy
+  // machine would read it.
   std::uint16_t time_ms = 65300;
-  for (int lump = 0; lump < 50; ++lump) {
-    for (int i = 0; i < 10; ++i) node.send(turningDk1(time_ms++));
+  const Clock::time_point begun = Clock::now();
+  for (int sent = 0; sent < 500;) {
     std::this_thread::sleep_for(10ms);
+    const auto due = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begun).count();
+    for (; sent < std::min<long>(due, 500); ++sent) node.send(turningDk1(time_ms++));
   }
   const auto yaw = [](const TrackerSample& sample) {
     const glm::dquat& q = sample.pose.orientation;
@@ -199,8 +251,8 @@ TEST(HeadsetHid, TurnsWithItsGyroscopeOnItsOwnClock) {
   EXPECT_NEAR(yaw(last), 0.499, 1e-6);
   EXPECT_NEAR(last.pose.orientation.x, 0.0, 1e-9);
   EXPECT_NEAR(last.pose.orientation.z, 0.0, 1e-9);
-  // The lumps came over longer than the device's half second, as the machine pleased; samples keep to the
-  // device's, within a lump or two by which the first arrivals were late.
+  // The lumps came as late as the machine pleased; samples keep to the device's times, within a lump or two
+  // by which the first arrivals were late.
   EXPECT_GT(samples.size(), 450u);
   for (const TrackerSample& sample : samples) {
     if (yaw(sample) < 0.1) continue;
@@ -216,6 +268,36 @@ TEST(HeadsetHid, IsKeptAwake) {
   ASSERT_TRUE(witness.until([&] { return node.features().size() >= 2; }));  // every 3 s
   EXPECT_EQ(node.features()[0], (Bytes{8, 0, 0, 0x10, 0x27}));
   EXPECT_EQ(node.features()[1], (Bytes{8, 0, 0, 0x10, 0x27}));
+}
+
+TEST(HeadsetHid, SilenceUnpluggingAndItsReturn) {
+  using State = TrackerHealth::State;
+  MockedKernel kernel;
+  HidrawNode node(0x2833, 0x0001, "Tracker DK", 3, 5), back(0x2833, 0x0001, "Tracker DK", 3, 5);
+  Watched head(hidImuTransport({0x2833, 1, {}}, {0.0, 1.7, 0.0}));
+  node.plugInto(kernel);
+  std::uint16_t time_ms = 100;
+  const auto turnsIn = [&](HidrawNode& headset) {
+    head.samples.clear();
+    return head.comesTrue([&] {
+      for (int i = 0; i < 2; ++i) headset.send(turningDk1(time_ms++));
+      return head.samples.size() >= 20;
+    });
+  };
+  ASSERT_TRUE(turnsIn(node));
+  EXPECT_EQ(head.health().state, State::delivering);
+  ASSERT_TRUE(head.comesTo(State::silent));
+  ASSERT_TRUE(turnsIn(node));
+  EXPECT_EQ(head.health().reconnections, 0u);
+  node.unplugFrom(kernel);
+  ASSERT_TRUE(head.comesTo(State::connecting));
+  EXPECT_EQ(head.health().message, "Oculus Rift DK1 (2833:0001) was unplugged");
+  kernel.detach(HidrawNode::kNode);
+  time_ms = 7;  // its clock starts anew
+  back.plugInto(kernel);
+  ASSERT_TRUE(turnsIn(back));
+  EXPECT_EQ(head.health().state, State::delivering);
+  EXPECT_EQ(head.health().reconnections, 1u);
 }
 
 TEST(HeadsetHid, CountsWhatTheDeviceCouldNotSendAndWhatIsTooShort) {

@@ -118,6 +118,18 @@ TEST(NatnetTracker, ComesBackAfterTheServerStartedAnewInAnotherVersion) {
   EXPECT_EQ(head.health().reconnections, 1u);
 }
 
+// Motive in edit mode: it answers, and sends no frames.
+TEST(NatnetTracker, AServerWithoutFramesIsSilentNotGone) {
+  Server server(4, 1);
+  Watched head(transportTo(server.port()), 0.1);
+  ASSERT_TRUE(delivers(head, server));
+  ASSERT_TRUE(head.comesTo(State::silent));
+  std::this_thread::sleep_for(std::chrono::milliseconds(3500));  // longer than one that is gone is waited for
+  EXPECT_EQ(head.health().state, State::silent) << head.health().message;
+  ASSERT_TRUE(delivers(head, server));
+  EXPECT_EQ(head.health().reconnections, 0u);
+}
+
 TEST(NatnetTracker, ListensToItsServerAlone) {
   Server server(3, 0);
   Watched head(transportTo(server.port()));

@@ -44,7 +44,7 @@ TEST_P(BilliardBits, areTheRecordedOnes) {
   const Game& game = GetParam();
   Billiard billiard(setupOf(game));
   billiard.advanceTo(game.until_s);
-  EXPECT_GT(billiard.collisions().size(), 200u);
+  EXPECT_GT(billiard.events().size(), 200u);
   EXPECT_EQ(test::digestOf(billiard), game.digest) << std::hex << "0x" << test::digestOf(billiard);
 }
 

@@ -67,15 +67,15 @@ TEST(BilliardCases, twoPucks) {
       Billiard billiard(setup);
       if (expected["status"] != "hit") {
         billiard.advanceTo(1e6);
-        EXPECT_EQ(billiard.collisions().size(), 0u);
+        EXPECT_EQ(billiard.events().size(), 0u);
         continue;
       }
       const double check_s = expected["t_check"];
       billiard.advanceTo(check_s);
-      ASSERT_EQ(billiard.collisions().size(), 1u);
-      const Collision& collision = billiard.collisions()[0];
+      ASSERT_EQ(billiard.events().size(), 1u);
+      const GameEvent& collision = billiard.events()[0];
       const Json& cov = expected["frames"]["cov"];
-      expectEvent(collision.contact, cov["contact"], tolerance, "contact");
+      expectEvent(collision.at, cov["contact"], tolerance, "contact");
       const Json& state = expected["state_at_t_check"][centre ? "delayed" : "contact"];
       for (std::size_t i = 0; i < 2; ++i) {
         SCOPED_TRACE(i);
@@ -104,9 +104,9 @@ TEST(BilliardCases, twoPucksWithRestitution) {
       setup.rules.puckRestitution = restitution["e"];
       Billiard billiard(setup);
       billiard.advanceTo(one["expected"]["t_check"]);
-      ASSERT_GE(billiard.collisions().size(), 1u);
+      ASSERT_GE(billiard.events().size(), 1u);
       for (std::size_t i = 0; i < 2; ++i) {
-        expectVelocity(billiard.collisions()[0].turns[i].betaAfter, setup.lightSpeed_m_s,
+        expectVelocity(billiard.events()[0].turns[i].betaAfter, setup.lightSpeed_m_s,
                        restitution["impulse"]["v_after"][i], one["tol_abs"]);
       }
     }
@@ -135,14 +135,14 @@ TEST(BilliardCases, cushions) {
                         pair(input["v"]) / setup.lightSpeed_m_s}};
         Billiard billiard(setup);
         billiard.advanceTo(20.0);
-        ASSERT_GE(billiard.collisions().size(), 1u);
-        const Collision& collision = billiard.collisions()[0];
+        ASSERT_GE(billiard.events().size(), 1u);
+        const GameEvent& collision = billiard.events()[0];
         const std::string wall = walls[static_cast<int>(*collision.cushion)];
         EXPECT_EQ(wall,
                   one["expected"]["first_wall"][centre ? "puck/centre_delayed" : "board/centre_contact"]);
         const Json& expected = one["expected"]["walls"][wall];
         const Json& events = expected[centre ? "puck" : "board"];
-        Event contact = collision.contact, turn = collision.turns[0].event;
+        Event contact = collision.at, turn = collision.turns[0].event;
         for (Event* event : {&contact, &turn}) event->r_m += Vec3(0.5 * table.x, 0.5 * table.y, 0.0);
         expectEvent(contact, events["contact"], tolerance, "contact");
         expectEvent(turn, events[centre ? "centre_delayed" : "centre_contact"], tolerance, "turn");
@@ -176,9 +176,9 @@ TEST(BilliardCases, scatter) {
                    {"2", R, 0.02, 1.0, {0.0, 0.0}, {0.0, 0.0}}};
     Billiard billiard(setup);
     billiard.advanceTo(200.0);
-    ASSERT_EQ(billiard.collisions().size(), 1u);
-    const Vec2 v1 = billiard.collisions()[0].turns[0].betaAfter,
-               v2 = billiard.collisions()[0].turns[1].betaAfter;
+    ASSERT_EQ(billiard.events().size(), 1u);
+    const Vec2 v1 = billiard.events()[0].turns[0].betaAfter,
+               v2 = billiard.events()[0].turns[1].betaAfter;
     expectVelocity(v1, setup.lightSpeed_m_s, expected["v1_after"], tolerance);
     expectVelocity(v2, setup.lightSpeed_m_s, expected["v2_after"], tolerance);
     EXPECT_WITHIN(std::atan2(std::abs(v1.y), v1.x), expected["theta1"].get<double>(), tolerance);

@@ -64,7 +64,7 @@ TEST(BilliardGas, thermalisesToJuettner) {
   const Ledger start = billiard.ledger();
   std::vector<double> energies;
   double t_s = 0.0;
-  while (billiard.collisions().size() < 6000) billiard.advanceTo(t_s += 1.0);
+  while (billiard.events().size() < 6000) billiard.advanceTo(t_s += 1.0);
   for (int sample = 0; sample < 240; ++sample) {
     billiard.advanceTo(t_s += 10.0);
     for (const WorldLine& line : billiard.worldLines()) energies.push_back(gammaFromU(line.at(t_s).u));
@@ -101,9 +101,9 @@ TEST(BilliardGas, conservesOverAMillionCollisions) {
   const Ledger start = billiard.ledger();
   std::size_t collisions = 0;
   for (double t_s = 1.0; collisions < 1000000; t_s += 1.0) {
-    const std::size_t before = billiard.collisions().size();
+    const std::size_t before = billiard.events().size();
     billiard.advanceTo(t_s);
-    collisions += billiard.collisions().size() - before;
+    collisions += billiard.events().size() - before;
     billiard.forgetBefore(t_s - 1.0);
   }
   test::expectBalanced(billiard, start, kBalance);
@@ -120,9 +120,9 @@ TEST(BilliardGas, newsAtTheCentre) {
       setup.rules.puckRestitution = setup.rules.cushionRestitution = restitution;
       Billiard billiard(setup);
       const Ledger start = billiard.ledger();
-      for (double t_s = 0.1; billiard.collisions().size() < 2000 && t_s < 300.0; t_s += 0.1)
+      for (double t_s = 0.1; billiard.events().size() < 2000 && t_s < 300.0; t_s += 0.1)
         billiard.advanceTo(t_s);
-      EXPECT_GT(billiard.collisions().size(), 1000u);
+      EXPECT_GT(billiard.events().size(), 1000u);
       EXPECT_EQ(billiard.ledger().heat_j > 0.0, restitution < 1.0);
       test::expectBalanced(billiard, start, kBalance);
       expectInsideTable(billiard, *setup.board);

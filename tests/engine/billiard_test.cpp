@@ -109,8 +109,8 @@ TEST(Billiard, orderOfPucksAndStepsChangeNoBit) {
     std::shuffle(shuffled.pucks.begin(), shuffled.pucks.end(), std::mt19937_64(4));
     Billiard stepped(shuffled);
     for (int i = 1; i <= 800; ++i) stepped.advanceTo(0.01 * i);
-    EXPECT_GT(straight.collisions().size(), 500u);
-    EXPECT_EQ(straight.collisions().size(), stepped.collisions().size());
+    EXPECT_GT(straight.events().size(), 500u);
+    EXPECT_EQ(straight.events().size(), stepped.events().size());
     EXPECT_EQ(transcript(straight, setup.pucks), transcript(stepped, shuffled.pucks));
   }
 }
@@ -130,7 +130,7 @@ TEST(Billiard, cellsChangeNoBit) {
     const double until_s = 2.0;
     with.advanceTo(until_s);
     without.advanceTo(until_s);
-    EXPECT_GT(with.collisions().size(), 300u);
+    EXPECT_GT(with.events().size(), 300u);
     for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
       const Motion a = with.worldLines()[i].at(until_s), b = without.worldLines()[i].at(until_s);
       EXPECT_EQ(a.event.r_m, b.event.r_m);
@@ -153,9 +153,9 @@ TEST(Billiard, anglesOfTwoEqualPucks) {
                      {"b", 0.03, 0.02, 0.2, {0.0, 0.0}, {0.0, 0.0}}};
       Billiard billiard(setup);
       billiard.advanceTo(3.0);
-      ASSERT_EQ(billiard.collisions().size(), 1u);
-      const Vec2 one = billiard.collisions()[0].turns[0].betaAfter,
-                 two = billiard.collisions()[0].turns[1].betaAfter;
+      ASSERT_EQ(billiard.events().size(), 1u);
+      const Vec2 one = billiard.events()[0].turns[0].betaAfter,
+                 two = billiard.events()[0].turns[1].betaAfter;
       const double product = -(one.y / one.x) * (two.y / two.x);
       EXPECT_TRUE(std::abs(product - 2.0 / (gammaOf({beta, 0.0}) + 1.0)) <= 1e-9 * gamma) << product;
       EXPECT_TRUE(std::abs(std::atan2(std::abs(two.y), two.x) -
@@ -175,7 +175,7 @@ TEST(Billiard, cushionTurnsTheCentreInside) {
       setup.pucks = {{"one", 0.05, 0.02, 1.0, {0.1, 0.0}, {0.8 * beta, 0.6 * beta}}};
       Billiard billiard(setup);
       billiard.advanceTo(50.0);
-      for (const Collision& collision : billiard.collisions()) {
+      for (const GameEvent& collision : billiard.events()) {
         const Turn& turn = collision.turns[0];
         const bool alongX = *collision.cushion == Cushion::plusX || *collision.cushion == Cushion::minusX;
         const double betaN = std::abs(alongX ? turn.betaBefore.x : turn.betaBefore.y),
@@ -185,11 +185,11 @@ TEST(Billiard, cushionTurnsTheCentreInside) {
                                                                      : 0.05 * std::sqrt(1.0 - betaN * betaN);
         // Near a corner the news meets a leg that has turned meanwhile, farther inside.
         EXPECT_TRUE(y >= expected - 1e-9) << y << " " << expected;
-        if (&collision == &billiard.collisions()[0] || convention == CollisionEvent::contact) {
+        if (&collision == &billiard.events()[0] || convention == CollisionEvent::contact) {
           EXPECT_TRUE(std::abs(y - expected) <= 1e-9) << y << " " << expected;
         }
       }
-      EXPECT_GT(billiard.collisions().size(), beta > 0.3 ? 20u : 2u);
+      EXPECT_GT(billiard.events().size(), beta > 0.3 ? 20u : 2u);
     }
   }
 }
@@ -203,7 +203,7 @@ TEST(Billiard, onePuckAmongCushionsIsReversible) {
     setup.pucks = {{"one", 0.0305, 0.02, 0.2, {0.123, -0.321}, {0.71, 0.43}}};
     Billiard forth(setup);
     double until_s = 0.0;
-    while (forth.collisions().size() < 50) forth.advanceTo(until_s += 0.5);
+    while (forth.events().size() < 50) forth.advanceTo(until_s += 0.5);
     const Motion end = forth.worldLines()[0].at(until_s);
     BilliardSetup reversed = setup;
     reversed.pucks[0].position_m = Vec2(end.event.r_m);
@@ -229,8 +229,8 @@ TEST(Billiard, exactCorner) {
       setup.pucks = {{"one", 0.05, 0.02, 1.0, {0.25, 0.25}, {0.6, 0.6}}};
       Billiard billiard(setup);
       billiard.advanceTo(1.5);
-      ASSERT_EQ(billiard.collisions().size(), 2u);
-      const Collision &first = billiard.collisions()[0], &second = billiard.collisions()[1];
+      ASSERT_EQ(billiard.events().size(), 2u);
+      const GameEvent &first = billiard.events()[0], &second = billiard.events()[1];
       EXPECT_EQ(*first.cushion, Cushion::plusX);
       EXPECT_EQ(*second.cushion, Cushion::plusY);
       EXPECT_EQ(second.turns[0].betaBefore, first.turns[0].betaAfter);
@@ -281,7 +281,7 @@ TEST(Billiard, noCentreLeavesTheTable) {
     SCOPED_TRACE(testing::Message() << "game " << game);
     Billiard billiard(setup);
     const Ledger start = billiard.ledger();
-    for (double t_s = 0.5; t_s <= 20.0 && billiard.collisions().size() < 3000; t_s += 0.5)
+    for (double t_s = 0.5; t_s <= 20.0 && billiard.events().size() < 3000; t_s += 0.5)
       billiard.advanceTo(t_s);
     expectInside(billiard, *setup.board);
     test::expectBalanced(billiard, start, 1e-9);
@@ -322,8 +322,8 @@ TEST(Billiard, aMillionCollisionsInASecond) {
   setup.pucks = {{"one", 0.05, 0.02, 1.0, {0.0, 0.0}, {0.0, beta}}};
   Billiard billiard(setup);
   billiard.advanceTo(1.0);
-  const auto until = std::count_if(billiard.collisions().begin(), billiard.collisions().end(),
-                                   [](const Collision& collision) { return collision.contact.t_s <= 1.0; });
+  const auto until = std::count_if(billiard.events().begin(), billiard.events().end(),
+                                   [](const GameEvent& collision) { return collision.at.t_s <= 1.0; });
   EXPECT_NEAR(static_cast<double>(until), beta / gap_m, 1.0);
   EXPECT_TRUE(billiard.jams().empty());
 }
@@ -341,7 +341,7 @@ TEST(Billiard, inelasticCollapseEnds) {
     billiard.advanceTo(20.0);
     expectInside(billiard, *setup.board);
     test::expectBalanced(billiard, start, 1e-10);
-    EXPECT_LT(billiard.collisions().size(), 10000u);
+    EXPECT_LT(billiard.events().size(), 10000u);
   }
 }
 
@@ -374,6 +374,83 @@ TEST(BilliardStroke, actsWhereItsLightArrives) {
   EXPECT_EQ(direct.worldLines()[2].knots()[1].turn.t_s, 0.125);
 }
 
+void expectSame(const GameEvent& a, const GameEvent& b) {
+  EXPECT_EQ(a.number, b.number);
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.cushion, b.cushion);
+  EXPECT_EQ(a.which, b.which);
+  EXPECT_EQ(a.at.t_s, b.at.t_s);
+  EXPECT_EQ(a.at.r_m, b.at.r_m);
+  EXPECT_EQ(a.heat_j, b.heat_j);
+  ASSERT_EQ(a.turns.size(), b.turns.size());
+  for (std::size_t i = 0; i < a.turns.size(); ++i) {
+    EXPECT_EQ(a.turns[i].puck, b.turns[i].puck);
+    EXPECT_EQ(a.turns[i].event.t_s, b.turns[i].event.t_s);
+    EXPECT_EQ(a.turns[i].event.r_m, b.turns[i].event.r_m);
+    EXPECT_EQ(a.turns[i].betaBefore, b.turns[i].betaBefore);
+    EXPECT_EQ(a.turns[i].betaAfter, b.turns[i].betaAfter);
+    EXPECT_EQ(a.turns[i].properTime_s, b.turns[i].properTime_s);
+  }
+}
+
+// A stroke is an event at the hand, whose turn is the arrival of its light; a flash is one without turns. Both
+// stand in the list where the game comes to them.
+TEST(BilliardEvents, strokesAndFlashesAreAmongThem) {
+  BilliardSetup setup = threePucks();
+  const Stroke stroke{1, 1.0, Vec3(0.0, -0.9, 0.3), {0.1, -0.05}};
+  setup.strokes = {{2, 0.125, std::nullopt, {0.0, 0.2}}, stroke};
+  setup.flashes = {{"late", {0.5, {0.0, 0.1, 0.2}}}, {"early", {0.0, {0.3, 0.0, 0.0}}}};
+  Billiard billiard(setup);
+  billiard.advanceTo(6.0);
+  std::vector<const GameEvent*> strokes, flashes;
+  for (const GameEvent& event : billiard.events()) {
+    if (event.kind == EventKind::stroke) strokes.push_back(&event);
+    if (event.kind == EventKind::flash) flashes.push_back(&event);
+  }
+  ASSERT_EQ(flashes.size(), 2u);
+  EXPECT_EQ(flashes[0]->which, 1u);
+  EXPECT_EQ(flashes[0]->number, 0u);
+  EXPECT_EQ(flashes[0]->at.r_m, Vec3(0.3, 0.0, 0.0));
+  EXPECT_EQ(flashes[1]->at.t_s, 0.5);
+  EXPECT_TRUE(flashes[1]->turns.empty());
+  ASSERT_EQ(strokes.size(), 2u);
+  EXPECT_EQ(strokes[0]->which, 0u);
+  EXPECT_EQ(strokes[0]->at.t_s, 0.125);
+  EXPECT_EQ(strokes[0]->at.r_m, billiard.worldLines()[2].at(0.125).event.r_m) << "at the centre itself";
+  EXPECT_EQ(strokes[1]->at.t_s, stroke.at_s);
+  EXPECT_TRUE(glm::length(strokes[1]->at.r_m - *stroke.from_m) <= kRounding) << "at the hand";
+  ASSERT_EQ(strokes[1]->turns.size(), 1u);
+  const Turn& turn = strokes[1]->turns[0];
+  EXPECT_EQ(turn.puck, 1u);
+  EXPECT_TRUE(std::abs(interval_m2(turn.event - strokes[1]->at, setup.lightSpeed_m_s)) <= kRounding);
+  const double mc = 0.2 * setup.lightSpeed_m_s;
+  const Vec2 given =
+      mc * (gammaOf(turn.betaAfter) * turn.betaAfter - gammaOf(turn.betaBefore) * turn.betaBefore);
+  EXPECT_TRUE(glm::length(given - stroke.momentum_kg_m_s) <= kRounding);
+}
+
+TEST(BilliardEvents, doNotDependOnTheStepsInWhichOneAdvances) {
+  BilliardSetup setup = test::gasSetup(12, 0.1, 1.6, 31);
+  std::mt19937_64 random(7);
+  const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1.0p-53; };
+  for (int i = 0; i < 60; ++i) setup.flashes.push_back({"", {20.0 * unit(), {0.0, 0.0, 0.1}}});
+  setup.strokes = {{3, 5.0, Vec3(0.1, 0.1, 0.4), {0.5, 0.0}}};
+  Billiard straight(setup), stepped(setup);
+  straight.advanceTo(20.0);
+  for (double t_s = 0.0; t_s < 20.0;) stepped.advanceTo(t_s = std::min(20.0, t_s + 0.1 * unit()));
+  ASSERT_EQ(straight.events().size(), stepped.events().size());
+  EXPECT_GT(straight.events().size(), 200u);
+  for (std::size_t i = 0; i < straight.events().size(); ++i) {
+    SCOPED_TRACE(i);
+    expectSame(straight.events()[i], stepped.events()[i]);
+  }
+  Billiard alone({1.0, {}, {}, {}, {}, {{"", {2.0, {}}}}});  // without pucks
+  alone.advanceTo(1.0);
+  EXPECT_EQ(alone.events().size(), 0u);
+  alone.advanceTo(2.0);
+  EXPECT_EQ(alone.events().size(), 1u);
+}
+
 // Strokes that come while the game has long been played ahead give the same bits as the same strokes written
 // in the setup, whatever was rewound.
 TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
@@ -384,6 +461,7 @@ TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
     const auto in = [&](double low, double high) {
       return low + (high - low) * static_cast<double>(random() >> 11) * 0x1.0p-53;
     };
+    for (int i = 0; i < 40; ++i) setup.flashes.push_back({"", {in(0.0, 40.0), {0.1, 0.2, 0.3}}});
     Billiard live(setup);
     BilliardSetup scripted = setup;
     for (int i = 0; i < 30; ++i) {
@@ -398,12 +476,13 @@ TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
     Billiard whole(scripted);
     const Ledger start = whole.ledger();
     whole.advanceTo(40.0);
-    EXPECT_GT(whole.collisions().size(), 1000u);
+    EXPECT_GT(whole.events().size(), 1000u);
     EXPECT_EQ(transcript(live, setup.pucks), transcript(whole, setup.pucks));
-    ASSERT_EQ(live.collisions().size(), whole.collisions().size());
-    for (std::size_t i = 0; i < live.collisions().size(); ++i) {
-      EXPECT_EQ(live.collisions()[i].turns[0].event.t_s, whole.collisions()[i].turns[0].event.t_s);
-      EXPECT_EQ(live.collisions()[i].heat_j, whole.collisions()[i].heat_j);
+    ASSERT_EQ(live.events().size(), whole.events().size());
+    for (std::size_t i = 0; i < live.events().size(); ++i) {
+      SCOPED_TRACE(i);
+      expectSame(live.events()[i], whole.events()[i]);
+      EXPECT_EQ(live.events()[i].number, i);
     }
     test::expectBalanced(whole, start, 1e-10);
     test::expectBalanced(live, start, 1e-10);
@@ -418,21 +497,21 @@ TEST(BilliardStroke, duringAPendingTurn) {
                  {"b", 0.1, 0.02, 2.0, {0.5, 0.0}, {0.0, 0.0}}};
   Billiard undisturbed(setup);
   undisturbed.advanceTo(3.0);
-  ASSERT_EQ(undisturbed.collisions().size(), 1u);
-  const Collision before = undisturbed.collisions()[0];
-  const double between_s = 0.5 * (before.contact.t_s + before.turns[1].event.t_s);
+  ASSERT_EQ(undisturbed.events().size(), 1u);
+  const GameEvent before = undisturbed.events()[0];
+  const double between_s = 0.5 * (before.at.t_s + before.turns[1].event.t_s);
   const Stroke stroke{1, between_s, std::nullopt, {0.3, 0.4}};
   Billiard billiard(withStroke(setup, stroke));
   const Ledger start = billiard.ledger();
   billiard.advanceTo(3.0);
-  ASSERT_EQ(billiard.collisions().size(), 1u);
-  const Collision& after = billiard.collisions()[0];
-  EXPECT_EQ(after.contact.t_s, before.contact.t_s);
+  ASSERT_EQ(billiard.events().size(), 2u) << "the collision and the stroke";
+  const GameEvent& after = billiard.events()[0];
+  EXPECT_EQ(after.at.t_s, before.at.t_s);
   EXPECT_EQ(after.turns[0].betaAfter, before.turns[0].betaAfter);
   const Turn &was = before.turns[1], &is = after.turns[1];
   // On the future cone of the contact still.
   const Displacement news =
-      is.event - Event{after.contact.t_s, {after.contact.r_m.x, after.contact.r_m.y, is.event.r_m.z}};
+      is.event - Event{after.at.t_s, {after.at.r_m.x, after.at.r_m.y, is.event.r_m.z}};
   EXPECT_TRUE(std::abs(interval_m2(news, 1.0)) <= kRounding);
   const auto impulse = [](const Turn& turn) {
     return 2.0 * (gammaOf(turn.betaAfter) * turn.betaAfter - gammaOf(turn.betaBefore) * turn.betaBefore);
@@ -451,7 +530,8 @@ TEST(BilliardStroke, changesAreEnoughToFollow) {
   setup.rules.collisionEvent = CollisionEvent::centre;
   Billiard billiard(setup);
   std::vector<WorldLine> copy(billiard.worldLines().begin(), billiard.worldLines().end());
-  bool truncated = false;
+  std::vector<GameEvent> events;
+  bool truncated = false, changed = false;
   for (int frame = 1; frame <= 600; ++frame) {
     billiard.advanceTo(0.05 * frame + 1.0);
     if (frame % 37 == 0)
@@ -464,6 +544,12 @@ TEST(BilliardStroke, changesAreEnoughToFollow) {
       for (WorldLine& line : copy) line.truncateFrom(*changes.truncatedFrom_s);
     }
     for (const Changes::NewKnot& added : changes.knots) copy[added.puck].append(added.knot);
+    changed = changed || changes.eventsKept < events.size();
+    ASSERT_LE(changes.eventsKept, events.size());
+    events.resize(changes.eventsKept);
+    events.insert(events.end(), changes.events.begin(), changes.events.end());
+    ASSERT_GE(events.size(), billiard.events().size());
+    for (const GameEvent& event : billiard.events()) expectSame(events[event.number], event);
     for (std::size_t i = 0; i < copy.size(); ++i) {
       const Motion here = copy[i].at(0.05 * frame + 1.0),
                    there = billiard.worldLines()[i].at(0.05 * frame + 1.0);
@@ -472,6 +558,8 @@ TEST(BilliardStroke, changesAreEnoughToFollow) {
     }
   }
   EXPECT_TRUE(truncated);
+  EXPECT_TRUE(changed);
+  EXPECT_LT(billiard.events().size(), events.size());
   // What was forgotten is gone, what is needed is not.
   EXPECT_LT(billiard.worldLines()[0].knots().size(), copy[0].knots().size());
   EXPECT_THROW(billiard.strike({0, 1.0, std::nullopt, {0.1, 0.0}}), std::invalid_argument);

@@ -133,10 +133,10 @@ TEST(BrakedContact, tendsToStraightFlight) {
     Billiard braked(setup);
     straight.advanceTo(0.4);
     braked.advanceTo(0.4);
-    ASSERT_GE(straight.collisions().size(), 10u);
+    ASSERT_GE(straight.events().size(), 10u);
     for (std::size_t i = 0; i < 10; ++i) {
-      const Collision &a = straight.collisions()[i], &b = braked.collisions()[i];
-      EXPECT_TRUE(std::abs(a.contact.t_s - b.contact.t_s) <= 1e-8);
+      const GameEvent &a = straight.events()[i], &b = braked.events()[i];
+      EXPECT_TRUE(std::abs(a.at.t_s - b.at.t_s) <= 1e-8);
       for (std::size_t k = 0; k < a.turns.size(); ++k) {
         EXPECT_EQ(a.turns[k].puck, b.turns[k].puck);
         EXPECT_TRUE(std::abs(a.turns[k].event.t_s - b.turns[k].event.t_s) <= 1e-8);
@@ -154,7 +154,7 @@ TEST(BrakedContact, aGasComesToRest) {
   Billiard billiard(setup);
   const Ledger start = billiard.ledger();
   billiard.advanceTo(30.0);
-  EXPECT_GT(billiard.collisions().size(), 100u);
+  EXPECT_GT(billiard.events().size(), 100u);
   for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
     const Motion a = billiard.worldLines()[i].at(30.0);
     EXPECT_EQ(a.u, Vec3(0.0));

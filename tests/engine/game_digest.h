@@ -35,9 +35,10 @@ inline std::uint64_t digestOf(const Billiard& billiard) {
       digest.add(knot.u.x), digest.add(knot.u.y), digest.add(knot.properTime_s);
     }
   }
-  for (const Collision& collision : billiard.collisions()) {
+  for (const GameEvent& collision : billiard.events()) {
+    if (collision.kind == EventKind::stroke || collision.kind == EventKind::flash) continue;
     digest.add(collision.cushion ? static_cast<std::uint64_t>(*collision.cushion) : 4);
-    digest.add(collision.contact), digest.add(collision.heat_j);
+    digest.add(collision.at), digest.add(collision.heat_j);
     for (const Turn& turn : collision.turns) {
       digest.add(turn.event), digest.add(turn.betaBefore), digest.add(turn.betaAfter);
     }

@@ -1,0 +1,62 @@
+#pragma once
+// How evenly frames follow each other, where their time goes and whether the nodes' swaps are locked:
+// measured on every node, gathered on rank 0.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/frame_source.h"
+#include "cave/cluster.h"
+#include "cave/frame_lock.h"
+#include "cave/frame_stamps.h"
+#include "cave/latency_overlay.h"
+
+namespace carom {
+
+class FrameWatch {
+ public:
+  FrameWatch(Cluster& cluster, NodeLock& lock, double display_hz);
+
+  void begin() { stopwatch_.begin(); }
+  void mark(FramePart part) { stopwatch_.mark(part); }
+  /// On rank 0: the frame has been decided.
+  void decided(const Deciding& deciding);
+
+  /// What this node's overlay says; null where it is off. Its numbers are those of up to a quarter of a
+  /// second ago, over the last five.
+  const LatencyView* view(const FrameRecord& record);
+
+  /// The frame is on the walls. On rank 0: what the nodes said with it is taken, locks that were lost or are
+  /// back are said on standard error, and once a second `source` is given the statistics of each node and
+  /// part.
+  void swapped(const FrameRecord& record, FrameSource* source);
+
+  /// On rank 0, a line for each node on standard error: frames, ticks of the display without a new one, and
+  /// the 99th percentile of lateness.
+  void sayHowItWent() const;
+
+ private:
+  struct NodeFrames {
+    std::string name;
+    FrameHistory frames;
+    SessionLateness lateness;
+    LockState lock = LockState::software;
+  };
+  void gather();
+  void tell(const FrameRecord& record, FrameSource& source);
+
+  Cluster& cluster_;
+  NodeLock& lock_;
+  double display_hz_;
+  std::size_t second_, window_;  // in frames
+  FrameStopwatch stopwatch_;
+  FrameHistory own_;
+  std::vector<NodeFrames> nodes_;  // rank 0's
+  std::vector<LatencyRow> rows_;
+  std::size_t untilTold_;
+  LatencyView view_;
+  std::size_t viewedFor_ = 0;  // frames
+};
+
+}  // namespace carom

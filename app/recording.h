@@ -1,0 +1,52 @@
+#pragma once
+// What a session leaves behind of its pictures: files of every wall and eye, a movie.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace carom {
+
+class Capture;
+class Cluster;
+class Graphics;
+class Movie;
+class RoomView;
+class WallSet;
+struct FrameRecord;
+struct Rig;
+
+struct RecordingOptions {
+  std::optional<std::filesystem::path> capture;  ///< folder for every picture of every frame; made if needed
+  std::optional<std::filesystem::path> movie;
+};
+
+/// Of one node.
+class Recording {
+ public:
+  /// Throws std::runtime_error, in words for the person, where a folder or file cannot be written.
+  /// `realTime`: what cannot be written in time is left out, and counted.
+  Recording(Graphics& graphics, const RecordingOptions& options, const Cluster& cluster, const Rig& rig,
+            bool realTime);
+  ~Recording();  ///< without `finish` there is no movie
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+
+  bool captures() const { return capture_ != nullptr; }
+
+  /// The frame that was drawn last; the view from outside, where there is one, among the pictures.
+  void take(const WallSet& walls, const RoomView* outside, const FrameRecord& record);
+
+  /// Returns when all is written, and says on standard error where the movie is and what was left out. Throws
+  /// std::runtime_error where something could not be written.
+  void finish();
+
+ private:
+  Graphics& graphics_;
+  std::string node_;  // for messages; empty where there is only one
+  std::unique_ptr<Capture> capture_;
+  std::unique_ptr<Movie> movie_;
+};
+
+}  // namespace carom

@@ -1,0 +1,22 @@
+#pragma once
+// Words as ink on pixels, by VTK's FreeType.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace carom {
+
+/// How much ink a text puts on each pixel of its own box, 0 to 255; rows from the bottom.
+struct Ink {
+  glm::ivec2 size_px{0};
+  std::vector<std::uint8_t> alpha;
+  int below_px = 0;  ///< from the foot of its line, the same for all texts of that height, up to the box
+};
+
+/// A line of UTF-8 in Arial; capitals are about 0.72 of `height_px` high. Empty where there is no ink.
+Ink ink(const std::string& text, int height_px);
+
+}  // namespace carom

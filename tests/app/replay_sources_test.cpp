@@ -1,0 +1,407 @@
+// Going to and fro in a recorded session, and visiting a recorded game: which frames come, when, and what the
+// eyes in them see, against the session as it was lived and against the game as the physics plays it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <sstream>
+
+#include "app/game.h"
+#include "app/journal.h"
+#include "app/person.h"
+#include "app/recorded_source.h"
+#include "app/visitor_source.h"
+#include "engine/billiard.h"
+#include "engine/light_cone.h"
+#include "temporary_folder.h"
+
+namespace carom {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr std::uint64_t kFrames = 240;
+constexpr double kHz = 60.0, kPeriod_s = 1.0 / kHz;
+constexpr double kSame_s = 1e-11;  // board times and light paths of seconds, in double
+
+std::string walkText(double seconds, double speed_m_s) {
+  std::ostringstream text("time_s,x_m,y_m,z_m\n", std::ios::ate);
+  text.precision(17);
+  for (double t_s = 0.0; t_s <= seconds; t_s += 0.01) {
+    text << t_s << ',' << 0.3 * std::sin(speed_m_s * t_s / 0.3) << ",1.6," << 0.1 * std::cos(t_s) << '\n';
+  }
+  return text.str();
+}
+
+double latest_s(const ObserverView& observer) {
+  double t_s = observer.eyes[0].observation.t_s;
+  for (const EyeView& eye : observer.eyes) t_s = std::max(t_s, eye.observation.t_s);
+  return t_s;
+}
+
+/// Where and when the light left that each eye receives from points of all bodies.
+std::vector<Event> lightOf(std::span<const WorldLine> histories, const ObserverView& observer) {
+  std::vector<Event> light;
+  for (const WorldLine& line : histories) {
+    const double r_m = line.radius_m();
+    for (const Vec3& point :
+         {Vec3(0.0), Vec3(r_m, 0, 0), Vec3(-r_m, 0, 0), Vec3(0, r_m, 0), Vec3(0, -r_m, 0)}) {
+      for (const EyeView& eye : observer.eyes) {
+        const auto emitted = emission(line, point, eye.observation, observer.headFromBoard);
+        light.push_back(emitted ? emitted->event : Event{-1e300, {}});
+      }
+    }
+  }
+  return light;
+}
+
+void expectSame(const std::vector<Event>& a, const std::vector<Event>& b, double c_m_s) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_LT(std::abs(a[i].t_s - b[i].t_s), kSame_s) << "point " << i;
+    ASSERT_LT(glm::distance(a[i].r_m, b[i].r_m), kSame_s * c_m_s) << "point " << i;
+  }
+}
+
+template <typename T>
+bool sameBits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+/// A session of four seconds: as it was lived, and its file. Colour is on from frame 30 to 59.
+class ReplaySources : public testing::Test {
+ protected:
+  ReplaySources()
+      : rig_(rigBesideItsTrace()),
+        scenario_(readScenario(CAROM_CONFIG_DIR "/scenarios/three-pucks.toml")),
+        atStart_(startingHistories(scenario_)) {
+    play();
+    session_ = std::make_unique<SessionFile>(folder_ / "game.db");
+    Billiard billiard(scenario_.billiard);
+    billiard.advanceTo(30.0);
+    truth_ = atStart_;
+    for (std::size_t i = 0; i < billiard.worldLines().size(); ++i) truth_[i + 1] = billiard.worldLines()[i];
+  }
+
+  Rig rigBesideItsTrace() const {
+    folder_.file("walk.csv", walkText(9.0, 0.4));
+    return readRig(
+        folder_.file("room.toml",
+                     "unit = \"m\"\naxes = \"x-right y-up z-back\"\n[head]\ntracker = \"walker\"\n"
+                     "[[tracker]]\nname = \"walker\"\nkind = \"recorded\"\nsource = \"walk.csv\"\n"
+                     "[[wall]]\nname = \"front\"\nlower_left = [-1, 0, -1]\nlower_right = [1, 0, -1]\n"
+                     "upper_left = [-1, 2, -1]\npixels = [64, 64]\nstereo = \"mono\"\n"
+                     "window = { position = [0, 0], size = [64, 64] }\n"));
+  }
+
+  void play() {
+    SimulatedClock clock;
+    Pacer pacer(clock, kHz, 0.0);
+    Person person(rig_, scenario_, {});
+    Game game(scenario_);
+    Journal journal(
+        folder_ / "game.db",
+        {"carom", folder_ / "room.toml", "three-pucks.toml", "", "", scenario_.billiard.lightSpeed_m_s},
+        false, [](const std::string& line) { ADD_FAILURE() << line; });
+    while (lived_.size() < kFrames) {
+      const FrameTimes times = pacer.next();
+      FrameState& frame = lived_.emplace_back();
+      frame.record.observer = person.at(times, 0.064);
+      frame.record.number = times.number;
+      frame.record.display_s = times.display_s;
+      frame.record.switches.colour = times.number >= 30 && times.number < 60;
+      frame.record.tracked = person.tracked();
+      game.advance(latest_s(frame.record.observer), frame);
+      journal.add(frame, person.head(), person.samples());
+      pacer.drawn();
+      pacer.swapped();
+    }
+  }
+
+  /// What was seen in a frame of the session, as the game was known then.
+  std::vector<Event> livedLight(std::uint64_t number) const {
+    World world{atStart_, {}};
+    for (std::uint64_t i = 0; i <= number; ++i) applyFrame(lived_[i], world);
+    return lightOf(world.histories, lived_[number].record.observer);
+  }
+
+  double c_m_s() const { return scenario_.billiard.lightSpeed_m_s; }
+
+  const TemporaryFolder folder_;
+  Rig rig_;
+  Scenario scenario_;
+  std::vector<WorldLine> atStart_;
+  std::vector<FrameState> lived_;
+  std::unique_ptr<SessionFile> session_;
+  std::vector<WorldLine> truth_;  ///< much longer than the session
+};
+
+/// A source with an operator, and the world that its frames make.
+struct Show {
+  Show(FrameSource& frames, std::vector<WorldLine> atStart) : source(frames), world{std::move(atStart), {}} {}
+
+  const FrameRecord& next() {
+    source.next(controls, frame);
+    applyFrame(frame, world);
+    source.drawn();
+    source.shown(frame);
+    controls.switches = frame.record.switches;  // as the frame loop does
+    controls.walls = frame.record.controls;
+    controls.views = frame.record.views;
+    return frame.record;
+  }
+  void goTo(double session_s) {
+    ++controls.playback.jumps;
+    controls.playback.goTo_s = session_s;
+  }
+
+  FrameSource& source;
+  World world;
+  Controls controls;
+  FrameState frame;
+};
+
+TEST_F(ReplaySources, LeftAloneEveryFrameComesAsItWasAtItsTime) {
+  SimulatedClock clock;
+  RecordedSource source(*session_, atStart_, kHz, clock);
+  Show show(source, atStart_);
+  for (std::uint64_t number = 0; number < kFrames; ++number) {
+    FrameRecord record = show.next();
+    EXPECT_EQ(record.last, number + 1 == kFrames ? 1u : 0u);
+    record.last = 0;
+    ASSERT_TRUE(sameBits(record, lived_[number].record)) << "frame " << number;
+    ASSERT_EQ(show.frame.knots.size(), lived_[number].knots.size()) << "no more is known than was then";
+    EXPECT_NEAR(clock.now_s(), static_cast<double>(number) * kPeriod_s, 1e-9);
+  }
+}
+
+TEST_F(ReplaySources, GoneThroughToAndFroTheRightFramesComeAndSeeTheSame) {
+  SimulatedClock clock;
+  RecordedSource source(*session_, atStart_, kHz, clock);
+  Show show(source, atStart_);
+  struct Step {
+    const char* what;
+    std::function<void(Controls&)> act;
+    std::vector<std::uint64_t> frames;
+    double periods;  // of the display, from frame to frame
+  };
+  const auto rate = [](double value) { return [value](Controls& c) { c.playback.rate = value; }; };
+  const auto pause = [](Controls& c) { c.playback.paused = !c.playback.paused; };
+  const auto jump = [&](double session_s) { return [&show, session_s](Controls&) { show.goTo(session_s); }; };
+  const double first_s = lived_[0].record.display_s;
+  const std::vector<Step> steps{
+      {"from the beginning", rate(1.0), {0, 1, 2, 3, 4, 5}, 1.0},
+      {"paused", pause, {5, 5, 5}, 1.0},
+      {"and on", pause, {6, 7, 8}, 1.0},
+      {"on to 2 s", jump(first_s + 120.4 * kPeriod_s), {120, 121, 122}, 1.0},
+      {"half as fast", rate(0.5), {123, 124, 125, 126}, 2.0},
+      {"twice as fast", rate(2.0), {128, 130, 132}, 1.0},
+      {"backwards", rate(-1.0), {131, 130, 129, 128}, 1.0},
+      {"four times, backwards", rate(-4.0), {124, 120, 116}, 1.0},
+      {"as it was lived", rate(1.0), {117, 118}, 1.0},
+      {"paused there", pause, {118, 118}, 1.0},
+      {"elsewhere, and paused", jump(first_s + 10.4 * kPeriod_s), {10, 10}, 1.0},
+      {"before the beginning", jump(-3.0), {0, 0}, 1.0},
+      {"on, backwards at the beginning",
+       [&](Controls& c) {
+         c.playback = {false, -2.0, c.playback.jumps, 0.0};
+       },
+       {0, 0},
+       1.0},
+      {"after the end", jump(1e6), {239}, 1.0},
+      {"backwards from the end", rate(-2.0), {237, 235, 233}, 1.0},
+      {"to the end", rate(16.0), {239, 239, 239}, 1.0},
+      {"where the last stays", rate(1.0), {239, 239}, 1.0},
+      {"and back", jump(first_s + 100.4 * kPeriod_s), {100, 101}, 1.0},
+  };
+  const std::size_t all =
+      wholeGame(*std::make_unique<SessionFile>(folder_ / "game.db"), atStart_).news.knots.size();
+  ASSERT_GT(all, 6u) << "a game with bounces";
+  bool left = false;
+  for (const Step& step : steps) {
+    SCOPED_TRACE(step.what);
+    step.act(show.controls);
+    left = left || std::string(step.what) == "on to 2 s";
+    bool first = true;
+    for (const std::uint64_t number : step.frames) {
+      const double before_s = clock.now_s();
+      const FrameRecord& record = show.next();
+      ASSERT_EQ(record.number, number);
+      EXPECT_EQ(record.last, 0u);
+      ASSERT_TRUE(sameBits(record.observer, lived_[number].record.observer)) << "frame " << number;
+      EXPECT_EQ(record.switches, lived_[number].record.switches);
+      expectSame(lightOf(show.world.histories, record.observer), livedLight(number), c_m_s());
+      if (!first) {
+        EXPECT_NEAR(clock.now_s() - before_s, step.periods * kPeriod_s, 1e-9) << "frame " << number;
+      }
+      EXPECT_LE(clock.now_s() - before_s, 2.0 * kPeriod_s + 1e-9) << "nobody waits for a jump";
+      first = false;
+      std::size_t known = 0;
+      for (std::size_t i = 0; i < atStart_.size(); ++i) {
+        known += show.world.histories[i].knots().size() - atStart_[i].knots().size();
+      }
+      if (left) {
+        EXPECT_EQ(known, all) << "frame " << number << ": the histories are whole";
+      }
+    }
+  }
+}
+
+TEST_F(ReplaySources, WhatTheOperatorTurnsStaysAndTheRestIsAsItWas) {
+  SimulatedClock clock;
+  RecordedSource source(*session_, atStart_, kHz, clock);
+  Show show(source, atStart_);
+  for (std::uint64_t number = 0; number < 80; ++number) {
+    if (number == 40) show.controls.switches.colour ^= 1;  // it is on: off
+    if (number == 50) show.controls.views.paths ^= 1;
+    const FrameRecord& record = show.next();
+    const bool lived = lived_[number].record.switches.colour != 0;
+    EXPECT_EQ(record.switches.colour != 0, number < 40 && lived) << "frame " << number;
+    EXPECT_EQ(record.switches.aberration, 1) << "frame " << number;
+    EXPECT_EQ(record.views.paths != 0, number >= 50) << "frame " << number;
+  }
+}
+
+TEST_F(ReplaySources, AFrozenSightIsWalkedRoundAndEachFreezingTakesItsOwn) {
+  SimulatedClock clock;
+  RecordedSource source(*session_, atStart_, kHz, clock);
+  Show show(source, atStart_);
+  for (const std::uint64_t begin : {10, 30}) {
+    while (show.next().number + 1 < begin) {
+    }
+    show.controls.views.frozen = 1;
+    for (std::uint64_t number = begin; number < begin + 8; ++number) {
+      const FrameRecord& record = show.next();
+      ASSERT_EQ(record.number, number);
+      for (const EyeView& eye : record.observer.eyes) {
+        EXPECT_EQ(eye.observation.t_s, lived_[begin].record.observer.eyes[2].observation.t_s);
+      }
+      EXPECT_EQ(record.observer.eyes[0].positionInRoom_m,
+                lived_[number].record.observer.eyes[0].positionInRoom_m);
+    }
+    show.controls.views.frozen = 0;
+    const FrameRecord& record = show.next();
+    EXPECT_TRUE(sameBits(record.observer, lived_[record.number].record.observer));
+  }
+}
+
+TEST_F(ReplaySources, AVisitorSeesTheGameAsSomeoneWhoLivesThere) {
+  const auto trace = folder_.file("other.csv", walkText(3.0, 0.9));
+  for (const Vec3& beta : {Vec3(0.0), Vec3(0.5, -0.2, 0.0)}) {
+    SimulatedClock clock, livedClock;
+    VisitorSource source(rig_, scenario_, {trace, beta, false}, wholeGame(*session_, atStart_), {clock, {}});
+    Show show(source, atStart_);
+    Rig rig = rig_;
+    rig.trackers[0].source = trace;
+    Scenario scenario = scenario_;
+    scenario.observer.beta = beta;
+    Person person(rig, scenario, {});
+    Pacer pacer(livedClock, kHz, 0.0);
+    std::uint64_t frames = 0;
+    while (!show.frame.record.last) {
+      const FrameRecord& record = show.next();
+      const FrameTimes times = pacer.next();
+      ASSERT_TRUE(sameBits(record.observer, person.at(times, rig_.head.eyeSeparation_m)))
+          << "frame " << frames;
+      ASSERT_EQ(record.display_s, times.display_s);
+      pacer.drawn();
+      pacer.swapped();
+      expectSame(lightOf(show.world.histories, record.observer), lightOf(truth_, record.observer), c_m_s());
+      ++frames;
+    }
+    EXPECT_NEAR(static_cast<double>(frames), 3.0 * kHz, 2.0) << "as long as the trace";
+  }
+}
+
+/// The room's time of the head: its own frame's, from where and when it began.
+double roomTime_s(const ObserverView& view, const ObserverStart& start, double c_m_s) {
+  const Vec3 beta = start.beta;
+  const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
+  const Event& head = view.eyes[2].observation;
+  return gamma * (head.t_s - glm::dot(beta, head.r_m - start.position_m) / c_m_s);
+}
+
+TEST_F(ReplaySources, AVisitorsRoomTimeGoesAsTheOperatorWishes) {
+  for (const Vec3& beta : {Vec3(0.0), Vec3(0.4, 0.3, 0.0)}) {
+    SimulatedClock clock;
+    Visitor visitor{{}, beta, true};
+    VisitorSource source(rig_, scenario_, visitor, wholeGame(*session_, atStart_), {clock, {}});
+    Show show(source, atStart_);
+    ObserverStart start = scenario_.observer;
+    start.beta = beta;
+    const auto now_s = [&] { return roomTime_s(show.frame.record.observer, start, c_m_s()); };
+    const auto play = [&](int frames) {
+      for (int i = 0; i < frames; ++i) {
+        const FrameRecord& record = show.next();
+        expectSame(lightOf(show.world.histories, record.observer), lightOf(truth_, record.observer), c_m_s());
+      }
+    };
+    play(40);
+    double before_s = now_s();
+    EXPECT_GT(before_s, 39 * kPeriod_s) << "who walks has more of the room's time go by than of their own";
+    for (const double rate : {2.0, 0.5, -1.0}) {
+      show.controls.playback.rate = rate;
+      play(12);
+      EXPECT_NEAR(now_s() - before_s, 12 * rate * kPeriod_s, 1e-12) << rate;
+      EXPECT_LT(glm::distance(betaFromU(show.frame.record.observer.headFromBoard.inverse().u()), beta), 1e-14)
+          << "their own motion is not seen";
+      before_s = now_s();
+    }
+    show.controls.playback = {true, 1.0, 0, 0.0};
+    play(9);
+    EXPECT_NEAR(now_s(), before_s, 1e-12) << "paused";
+    show.controls.playback.paused = false;
+    show.goTo(show.frame.record.display_s + 1.0);
+    play(1);
+    EXPECT_NEAR(now_s() - before_s, 1.0, 1e-12) << "a second on";
+    before_s = now_s();
+    show.goTo(show.frame.record.display_s - 1.0);
+    play(1);
+    EXPECT_NEAR(now_s() - before_s, -1.0, 1e-12) << "a second back";
+    show.goTo(0.0);
+    play(1);
+    EXPECT_NEAR(now_s(), 0.0, 1e-12) << "the beginning";
+    show.controls.playback.rate = -4.0;
+    play(5);
+    EXPECT_NEAR(now_s(), 0.0, 1e-12) << "there is nothing before it";
+  }
+}
+
+TEST_F(ReplaySources, NobodySeesWhatWasNotRecorded) {
+  // A trace that goes on for longer than the game: the frames end.
+  const auto trace = folder_.file("long.csv", walkText(9.0, 0.4));
+  SimulatedClock clock;
+  VisitorSource source(rig_, scenario_, {trace, {}, false}, wholeGame(*session_, atStart_), {clock, {}});
+  Show show(source, atStart_);
+  std::uint64_t frames = 0;
+  for (; !show.frame.record.last; ++frames) {
+    const FrameRecord& record = show.next();
+    expectSame(lightOf(show.world.histories, record.observer), lightOf(truth_, record.observer), c_m_s());
+    ASSERT_LT(frames, 9.0 * kHz);
+  }
+  EXPECT_GT(frames, kFrames) << "what is far is seen late";
+
+  // Who may stay stays where it ends, and may go back.
+  SimulatedClock stayingClock;
+  VisitorSource staying(rig_, scenario_, {trace, {}, true}, wholeGame(*session_, atStart_),
+                        {stayingClock, {}});
+  Show stay(staying, atStart_);
+  double end_s = 0.0;
+  for (int i = 0; i < 8 * 60 - 2; ++i) {
+    end_s = stay.next().observer.eyes[2].observation.t_s;
+    if (i % 40 == 0)
+      expectSame(lightOf(stay.world.histories, stay.frame.record.observer),
+                 lightOf(truth_, stay.frame.record.observer), c_m_s());
+  }
+  EXPECT_FALSE(stay.frame.record.last);
+  EXPECT_EQ(stay.next().observer.eyes[2].observation.t_s, end_s) << "time stands still";
+  stay.goTo(stay.frame.record.display_s + 1.0);
+  EXPECT_NEAR(stay.next().observer.eyes[2].observation.t_s, end_s, 1e-12) << "there is nothing to go on to";
+  stay.goTo(stay.frame.record.display_s - 1.0);
+  EXPECT_NEAR(stay.next().observer.eyes[2].observation.t_s, end_s - 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace carom
