@@ -109,7 +109,7 @@ std::unique_ptr<LiveSource> sourceOf(const Stage& stage, const CaveOptions& opti
 
 void runSession(Cluster& cluster, const CaveOptions& options) {
   StageOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
-                      options.noWindow,  options.frames.has_value(), options.outside};
+                      options.noWindow,  options.frames.has_value(), options.outside, options.diagram};
   Before before;
   together(cluster, [&] {
     if (cluster.rank() > 0 || !options.session) return;

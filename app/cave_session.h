@@ -22,6 +22,7 @@ struct CaveOptions {
   Switches switches;  ///< at the start
   TimeViews views;    ///< at the start
   bool outside = false;  ///< the first node shows the room from outside, too
+  bool diagram = false;  ///< and the spacetime diagram
 };
 
 /// Runs a session to its end; under mpirun, this rank's part of it. The exit status: 0, or 1 after a message

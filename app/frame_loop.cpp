@@ -28,7 +28,7 @@ void obey(Lead& lead, const WindowInput& input, const FrameState& state) {
 
 Node nodeOf(Cluster& cluster, Stage& stage) {
   return {cluster,    *stage.graphics,      *stage.walls,  stage.world, *stage.recording,
-          stage.lock, stage.rig.display_hz, stage.realTime, stage.outside.get(), stage.boardFromRoom};
+          stage.lock, stage.rig.display_hz, stage.realTime, stage.outside.get(), stage.diagram.get(), stage.boardFromRoom};
 }
 
 Controls controlsAtStart(const Stage& stage) {
@@ -55,6 +55,7 @@ void runFrames(const Node& node, Lead* lead) {
     if (node.outside) node.outside->draw(state.record, node.boardFromRoom, node.world.histories, node.walls);
     node.walls.show(watch.view(state.record));
     if (node.outside) node.outside->show();
+    if (node.diagram) node.diagram->show(state.record, node.world);
     node.recording.take(node.walls, node.outside, state.record);
     watch.mark(FramePart::submit);
     if (node.realTime) {
@@ -69,6 +70,7 @@ void runFrames(const Node& node, Lead* lead) {
     watch.mark(FramePart::wait);
     node.walls.swap();
     if (node.outside) node.outside->swap();
+    if (node.diagram) node.diagram->swap();
     watch.swapped(state.record, lead && node.realTime ? &lead->source : nullptr);
     if (lead) lead->source.shown(state);
     ended = wanted || state.record.last;

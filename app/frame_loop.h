@@ -19,7 +19,8 @@ struct Node {
   NodeLock& lock;
   double display_hz;
   bool realTime;
-  RoomView* outside = nullptr;  ///< where the room is shown from outside, too
+  RoomView* outside = nullptr;       ///< where the room is shown from outside, too
+  DiagramWindow* diagram = nullptr;  ///< where the spacetime diagram is shown
   Lorentz boardFromRoom{1.0};   ///< for it
 };
 

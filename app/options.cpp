@@ -278,7 +278,9 @@ void showView(const std::string& name, TimeViews& views) {
   throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
 }
 
-void addOutside(CLI::App& command, bool& outside) {
+void addOutside(CLI::App& command, bool& outside, bool& diagram) {
+  command.add_flag("--diagram", diagram,
+                   "Show the spacetime diagram in a window of its own: my axes tilt as I move");
   command.add_flag("--outside", outside,
                    "Show the room from outside, too: its walls, the person, the table where it is. With --capture "
                    "also as outside-mono-FRAME.png");
@@ -351,7 +353,7 @@ void addCave(CLI::App& app, int& status) {
       ->excludes(command->get_option("--switch"))
       ->excludes(command->get_option("--view"));
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
-  addOutside(*command, options->outside);
+  addOutside(*command, options->outside, options->diagram);
   command->footer(
       "Examples:\n  carom cave\n  carom cave --frames 90 --capture pictures --no-window\n"
       "  carom cave --switch colour=on --switch searchlight=on\n"
@@ -368,7 +370,8 @@ void addReplay(CLI::App& app, int& status) {
   command->add_option("SESSION", options->session, "Session file")->required();
   command
       ->add_option("--observer", options->observer,
-                   "Trace of another person's head, in the room: the same game, seen by them")
+                   "Trace of another person's head, in the room: the same game, seen by them, until they would see "
+                   "what was not recorded")
       ->type_name("TRACE")
       ->transform(shipped("traces"));
   command->add_flag("--walk", options->walk, "Walk about in the game yourself: the rig's tracker follows you")
@@ -393,7 +396,7 @@ void addReplay(CLI::App& app, int& status) {
   addMovie(*command, options->recording.movie);
   command->add_flag("--no-window", options->noWindow,
                     "Draw without showing, as fast as it goes; an X display is still needed");
-  addOutside(*command, options->outside);
+  addOutside(*command, options->outside, options->diagram);
   command->footer(
       "Examples:\n  carom replay game.db\n  carom replay game.db --observer walk --capture "
       "pictures --no-window\n  carom replay game.db --walk --beta 0.6 0 0\n"

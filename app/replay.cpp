@@ -64,6 +64,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   inputs.noWindow = inputs.simulated = options.noWindow;
   inputs.live = isVisit(options) && !options.observer;
   inputs.outside = options.outside;
+  inputs.diagram = options.diagram;
   together(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });

@@ -17,6 +17,7 @@ struct ReplayOptions {
   RecordingOptions recording;                     ///< pictures and movie
   bool noWindow = false;                          ///< as fast as it goes
   bool outside = false;                           ///< the first node shows the room from outside, too
+  bool diagram = false;  ///< and the spacetime diagram
 };
 
 /// The exit status: 0, or 1 after a message on standard error.

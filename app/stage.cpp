@@ -210,6 +210,9 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
                                   wallsOf(stage.rig, cluster), stage.rig.oneWindow, !options.noWindow);
     stage.walls->standIn(factsOf(stage.rig));
     if (options.outside && cluster.rank() == 0) openOutside(stage, !options.noWindow);
+    if (options.diagram && cluster.rank() == 0 && !options.noWindow) {
+      stage.diagram = std::make_unique<DiagramWindow>(*stage.graphics, stage.scenario);
+    }
   });
   stage.realTime =
       !options.simulated || (options.live && isDevice(stage.rig.trackers[stage.rig.head.sensor.tracker].kind));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/diagram_window.h"
 #include "app/recording.h"
 #include "app/rig.h"
 #include "app/scenario.h"
@@ -36,6 +37,7 @@ struct StageOptions {
   bool noWindow = false;
   bool simulated = false;  ///< in simulated time, unless a device tracks the head
   bool outside = false;    ///< rank 0 shows the room from outside, too
+  bool diagram = false;    ///< and the spacetime diagram, where there are windows
 };
 
 struct Stage {
@@ -46,6 +48,7 @@ struct Stage {
   Scene scene;
   std::unique_ptr<WallSet> walls;
   std::unique_ptr<RoomView> outside;  ///< where it was asked for
+  std::unique_ptr<DiagramWindow> diagram;  ///< where it was asked for
   Lorentz boardFromRoom{1.0};         ///< the room's attitude and motion, for it
   World world;
   std::unique_ptr<Recording> recording;
