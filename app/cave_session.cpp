@@ -11,6 +11,7 @@
 #include "app/frame_loop.h"
 #include "app/live_source.h"
 #include "app/open_tracker.h"
+#include "app/scenario_scene.h"
 #include "app/session_file.h"
 #include "app/stage.h"
 
@@ -49,6 +50,10 @@ void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& opt
   if (!hasWindow && !options.frames) {
     fmt::print(stderr, "There are no keys: node 0 has no window. Ctrl+C ends the session.\n");
   }
+  const std::string renderer = stage.graphics->rendererName();
+  if (drawsOnProcessor(renderer)) {
+    fmt::print(stderr, "Drawn without a graphics card, by {}: slower than the display.\n", renderer);
+  }
   fmt::print(stderr, "{}", tessellationReport(stage.scene, stage.tessellation));
 }
 
@@ -72,7 +77,11 @@ struct Before {
 Before whatWas(const std::filesystem::path& file) {
   SessionFile session(file);
   Before before{session.facts(), {}};
-  for (FrameState state; session.next(state);) before.last = state.record;
+  if (const auto frames = session.frames()) {
+    session.goTo(frames->second);
+    FrameState state;
+    if (session.next(state)) before.last = state.record;
+  }
   return before;
 }
 

@@ -14,6 +14,7 @@ const char* onOrOff(std::uint8_t value) { return value ? "on" : "off"; }
 }  // namespace
 
 std::vector<ControlChange> changesOf(const Controls& before, const Controls& after) {
+  if (before == after) return {};
   std::vector<ControlChange> changes;
   const auto note = [&](std::string what, const auto& was, const auto& is, std::string value) {
     if (was != is) changes.push_back({std::move(what), std::move(value)});

@@ -39,7 +39,7 @@ DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<
   for (FrameState state; session.next(state);) {
     const Event& here = state.record.observer.eyes[2].observation;
     if (until_s && here.t_s > *until_s) break;
-    applyFrame(state, world);
+    session.apply(state, world);
     subject.mine.push_back(here);
     subject.beta = betaFromU(state.record.observer.headFromBoard.inverse().u());
   }
@@ -48,6 +48,7 @@ DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<
   subject.lines.assign(world.histories.begin() + 1,
                        world.histories.end());  // without what rests on the board
   subject.events = world.events;
+  subject.knownUntil_s = subject.mine.back().t_s;
   return subject;
 }
 

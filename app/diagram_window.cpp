@@ -145,6 +145,7 @@ void DiagramWindow::follow(const FrameRecord& record, const World& world) {
   subject_.beta = betaFromU(record.observer.headFromBoard.inverse().u());
   subject_.lines.assign(world.histories.begin() + 1, world.histories.end());
   subject_.events = world.events;
+  subject_.knownUntil_s = here.t_s;
   chart_ = spacetimeChart(subject_, {'x', here.t_s - kShown_s});
 }
 

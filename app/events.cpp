@@ -57,7 +57,7 @@ Subject recorded(const std::filesystem::path& file, const std::optional<double>&
   subject.isSession = true;
   World world{startingHistories(scenario), {}};
   for (FrameState state; session.next(state);) {
-    applyFrame(state, world);
+    session.apply(state, world);
     const ObserverView& observer = state.record.observer;
     subject.head.push_back({state.record.number, observer.eyes[2].observation, observer.properTime_s});
   }
@@ -162,8 +162,9 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   std::string text = fmt::format("{}, light at {} m/s: {} event{}\n", subject.title, subject.c_m_s,
                                  rows.size(), rows.size() == 1 ? "" : "s");
   if (moves) {
-    text += fmt::format("moving frame ('): v/c = {} on the board, its origin the board's\n",
-                        vectorText(options.movingBeta));
+    text += fmt::format(
+        "moving frame ('): v/c = {} on the board, its origin the board's\n",
+        fmt::format("({}, {}, {})", options.movingBeta.x, options.movingBeta.y, options.movingBeta.z));
   }
   for (std::size_t i = 0; i < options.places_m.size(); ++i)
     text += fmt::format("place {}: at rest at {} m\n", i + 1, vectorText(options.places_m[i]));

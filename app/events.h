@@ -19,6 +19,7 @@ struct EventsOptions {
   std::optional<std::filesystem::path> csv;  ///< none: a table for people on standard output
 };
 
+// clang-format off
 /// The columns of the CSV, one row an event, in the order of board time:
 ///   number, kind, who, cushion, heat_j     as in the session file (app/journal.h); who: pucks, or the flash
 ///   t_s, x_m, y_m, z_m, order              on the board; order from 1, shared by events at the same time
@@ -26,9 +27,12 @@ struct EventsOptions {
 ///   next, interval                         number of the next row's event; timelike, lightlike or spacelike
 ///   proper_time_s                          timelike: of a clock that goes from one to the other
 ///   distance_m                             spacelike: where they happen at once
-///   beta_x, beta_y, beta_z                 v/c on the board of that clock; or of the slowest for whom they
-///   do seen_frame, seen_t_s, seen_proper_time_s   of a session: when its light reached the person's head
+///   beta_x, beta_y, beta_z                 v/c on the board of that clock; or of the slowest for whom they are at once
+///   seen_frame, seen_t_s,                  of a session: when its light reached the person's head
+///     seen_proper_time_s
 ///   place_1_t_s, …                         of --place: when it reached who rests there
+// clang-format on
+///
 /// Returns the exit status; throws InputErrors or std::runtime_error.
 int runEvents(const EventsOptions& options);
 

@@ -24,6 +24,13 @@ void obey(Lead& lead, const WindowInput& input, const FrameState& state) {
   if (asksForKeys(input)) sayKeys(lead.keys);
 }
 
+/// For who waits for frames that nobody watches.
+void sayProgress(const FrameSource& source, std::uint64_t shown) {
+  if (shown % kFramesBetweenNews != 0) return;
+  const std::optional<std::uint64_t> end = source.end();
+  fmt::print(stderr, "frame {}{}\n", shown, end ? fmt::format(" of {}", *end) : "");
+}
+
 }  // namespace
 
 Node nodeOf(Cluster& cluster, Stage& stage) {
@@ -74,11 +81,9 @@ void runFrames(const Node& node, Lead* lead) {
     watch.swapped(state.record, lead && node.realTime ? &lead->source : nullptr);
     if (lead) lead->source.shown(state);
     ended = wanted || state.record.last;
-    if (lead && node.recording.captures() && (state.record.number + 1) % kFramesBetweenNews == 0) {
-      fmt::print(stderr, "frame {}\n", state.record.number + 1);
-    }
+    if (lead && !node.realTime) sayProgress(lead->source, state.record.number + 1);
   }
-  if (lead && node.realTime) watch.sayHowItWent();
+  if (lead && lead->keys == KeysOf::session && node.realTime) watch.sayHowItWent();
 }
 
 }  // namespace carom

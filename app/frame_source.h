@@ -2,6 +2,7 @@
 // Where frames come from, on rank 0: a game that is played, a recorded one, patterns.
 
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "app/controls.h"
@@ -25,6 +26,8 @@ class FrameSource {
   virtual void next(const Controls& controls, FrameState& state) = 0;
   /// Of the last `next`.
   virtual Deciding deciding() const { return {}; }
+  /// The number of the last frame plus one, where it is known.
+  virtual std::optional<std::uint64_t> end() const { return std::nullopt; }
   /// Every node has drawn it: returns when it is time to swap.
   virtual void drawn() {}
   /// It is on the walls.

@@ -25,11 +25,9 @@ FrameWatch::FrameWatch(Cluster& cluster, NodeLock& lock, double display_hz)
     : cluster_(cluster),
       lock_(lock),
       display_hz_(display_hz),
-      second_(framesIn(1.0, display_hz)),
       window_(framesIn(kWindow_s, display_hz)),
       stopwatch_(display_hz),
-      own_(window_),
-      untilTold_(second_) {
+      own_(window_) {
   view_.node = cluster.nameOf(cluster.rank());
   view_.display_hz = display_hz;
   view_.lockWhyNot = lock.whyNot();
@@ -70,9 +68,11 @@ void FrameWatch::swapped(const FrameRecord& record, FrameSource* source) {
   own_.add(stopwatch_.swapped(record.number));
   if (source) {
     gather();
-    if (--untilTold_ == 0) {
+    ++untold_;
+    if (record.display_s - told_s_ >= 1.0) {
       tell(record, *source);
-      untilTold_ = second_;
+      told_s_ = record.display_s;
+      untold_ = 0;
     }
   }
   lock_.swapped(steadySeconds());
@@ -106,7 +106,7 @@ void FrameWatch::tell(const FrameRecord& record, FrameSource& source) {
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     const FrameHistory& frames = nodes_[node].frames;
     for (std::size_t part = 0; part < kFrameParts.size(); ++part) {
-      const PartStatistics statistics = frames.statistics(static_cast<FramePart>(part), second_);
+      const PartStatistics statistics = frames.statistics(static_cast<FramePart>(part), untold_);
       if (statistics.frames == 0) continue;
       rows_.push_back({record.display_s, frames.newest().frame, static_cast<int>(node),
                        static_cast<FramePart>(part), statistics});

@@ -49,12 +49,13 @@ class FrameWatch {
   Cluster& cluster_;
   NodeLock& lock_;
   double display_hz_;
-  std::size_t second_, window_;  // in frames
+  std::size_t window_;  // in frames
   FrameStopwatch stopwatch_;
   FrameHistory own_;
   std::vector<NodeFrames> nodes_;  // rank 0's
   std::vector<LatencyRow> rows_;
-  std::size_t untilTold_;
+  std::size_t untold_ = 0;  // frames
+  double told_s_ = 0.0;     // session clock
   LatencyView view_;
   std::size_t viewedFor_ = 0;  // frames
 };

@@ -2,9 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/open_tracker.h"
 
 namespace carom {
+namespace {
+
+/// From its first samples the filter cannot tell noise from motion: so long the velocity comes in little by
+/// little, or the hall would hop when a session begins.
+constexpr double kFirst_s = 0.5;
+
+}  // namespace
 
 HeadTracking::HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart)
     : setup_(rig.head),
@@ -66,10 +75,14 @@ HeadEstimate HeadTracking::at(const FrameTimes& times) {
   for (const TrackerSample& sample : samples_) {
     if (sample.sensor != setup_.sensor.sensor) continue;
     filter_.add(sample.time_s - latency_s_, roomFromTracker_ * sample.pose * sensorFromEyes);
-    tracked_ = true;
+    if (!firstTracked_s_) firstTracked_s_ = times.display_s;
   }
   HeadEstimate head = filter_.at(times.display_s);
-  if (!tracked_) head.pose = standing_;
+  if (!firstTracked_s_) {
+    head.pose = standing_;
+  } else {
+    head.celerity_m_s *= std::min((times.display_s - *firstTracked_s_) / kFirst_s, 1.0);
+  }
   return head;
 }
 

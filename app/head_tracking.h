@@ -66,7 +66,7 @@ class HeadTracking {
   std::vector<TrackerSample> handSamples_;
   double begin_s_ = 0.0;  // of the frame
   Pose standing_;         // shown until the first sample
-  bool tracked_ = false;  // there has been one
+  std::optional<double> firstTracked_s_;  // display time of the first frame with a sample
 };
 
 }  // namespace carom

@@ -212,7 +212,19 @@ class Tables {
     }
   }
 
+  /// All of it or, when it throws, nothing.
   void write(const Batch& batch) {
+    const std::uint64_t listedBefore = listed_;
+    try {
+      writeAll(batch);
+    } catch (...) {
+      listed_ = listedBefore;
+      throw;
+    }
+  }
+
+ private:
+  void writeAll(const Batch& batch) {
     SQLite::Transaction transaction(database_);
     SQLite::Statement& frame =
         statement(frame_, "INSERT OR REPLACE INTO frame VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
@@ -252,7 +264,6 @@ class Tables {
     transaction.commit();
   }
 
- private:
   /// The table of events becomes what it is after a frame: those from `kept` on go, these come.
   void list(std::span<const GameEvent> brought, std::uint64_t kept) {
     if (kept < listed_) {
@@ -372,11 +383,6 @@ struct Journal::Writer {
     return waiting.empty();
   }
 
-  void sayOnce(const std::string& line) {
-    if (!overfull) say(line);
-    overfull = true;
-  }
-
   bool written(const Batch& batch) {
     try {
       tables.write(batch);
@@ -398,7 +404,7 @@ struct Journal::Writer {
   FileLock lock;  // closed after the tables: closing any handle on the file would drop SQLite's own locks
   Tables tables;
   bool troubled = false;  // the writing thread's
-  bool overfull = false;  // the session's
+  bool ended = false;     // the session's: a frame was lost, so what followed could not be understood
 
   std::mutex mutex;
   std::condition_variable_any changed;
@@ -421,12 +427,14 @@ Journal::~Journal() {
 void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples) {
   const std::scoped_lock hold(writer_->mutex);
   Batch& waiting = writer_->waiting;
-  for (const BodyKnot& knot : state.knots) waiting.knots.push_back({state.record.number, knot});
+  if (writer_->ended) return;
   if (waiting.frames.size() >= kMostWaiting) {
-    writer_->sayOnce(fmt::format("warning: the session file {} lacks the frames from {} on.",
-                                 writer_->file.string(), state.record.number));
+    writer_->ended = true;
+    writer_->say(fmt::format("warning: the session file {} lacks the frames from {} on.",
+                             writer_->file.string(), state.record.number));
     return;
   }
+  for (const BodyKnot& knot : state.knots) waiting.knots.push_back({state.record.number, knot});
   waiting.frames.push_back({state.record, head.known, head.celerity_m_s, state.events.size()});
   waiting.events.insert(waiting.events.end(), state.events.begin(), state.events.end());
   waiting.samples.insert(waiting.samples.end(), samples.begin(), samples.end());
@@ -448,6 +456,7 @@ void Journal::addAnswer(std::uint64_t frame, const std::string& lesson, const st
 
 void Journal::add(std::span<const LatencyRow> rows) {
   const std::scoped_lock hold(writer_->mutex);
+  if (writer_->ended) return;
   std::vector<LatencyRow>& waiting = writer_->waiting.latencies;
   waiting.insert(waiting.end(), rows.begin(), rows.end());
 }

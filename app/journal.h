@@ -65,7 +65,8 @@ struct SessionFacts {
 /// Written by a thread of its own, one transaction a batch of frames, so that a frame only copies its rows.
 /// What has been handed over is on its way at once: a killed program lacks two frames at the most. When the
 /// disk is full, or the file cannot be written for another reason, the session goes on: it is said once, rows
-/// wait (ten minutes of them; later ones are lost) and are written when it works again, which is said, too.
+/// wait and are written when it works again, which is said, too. Of frames ten minutes wait: the file then ends
+/// before the first that is lost, for good, as later ones would build on it.
 class Journal {
  public:
   /// Makes the file, or with `goOn` goes on with the one that is there. Throws std::runtime_error if there is

@@ -63,6 +63,10 @@ void LiveSource::noteDeciding(double begin_s, std::chrono::steady_clock::time_po
   deciding_.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
 
+std::optional<std::uint64_t> LiveSource::end() const {
+  return lastFrame_ ? std::optional(*lastFrame_ + 1) : std::nullopt;
+}
+
 void LiveSource::drawn() { pacer_.drawn(); }
 
 void LiveSource::shown(const FrameState& state) {

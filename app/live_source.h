@@ -35,6 +35,7 @@ class LiveSource : public FrameSource {
 
   void next(const Controls& controls, FrameState& state) override;
   Deciding deciding() const override { return deciding_; }
+  std::optional<std::uint64_t> end() const override;
   void drawn() override;
   void shown(const FrameState& state) override;
   void changed(std::uint64_t number, const ControlChange& change) override;

@@ -5,12 +5,18 @@
 #include <limits>
 
 namespace carom {
+namespace {
+
+/// Of a frame: a gap in the recording must not leave the other nodes waiting, nor the keys.
+constexpr double kLongestStay_s = 0.25;
+
+}  // namespace
 
 RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart) {
   RecordedGame game{{{atStart.begin(), atStart.end()}, {}}, {}};
   session.goTo(0);
   for (FrameState frame; session.next(frame);) {
-    applyFrame(frame, game.world);
+    session.apply(frame, game.world);
     game.pucks = game.news.record.pucks = frame.record.pucks;
     for (const EyeView& eye : frame.record.observer.eyes) {
       game.known_s = std::max(game.known_s, eye.observation.t_s);
@@ -94,7 +100,8 @@ void RecordedSource::next(const Controls& controls, FrameState& state) {
     std::swap(shown_, ahead_);
     readAhead();
     const double step_s = std::abs(shown_.record.display_s - before_s);
-    due_s_ = std::max(due_s_ + step_s / std::abs(controls.playback.rate), clock_.now_s());
+    const double stay_s = std::min(step_s / std::abs(controls.playback.rate), kLongestStay_s);
+    due_s_ = std::max(due_s_ + stay_s, clock_.now_s());
   } else {
     due_s_ = std::max(due_s_, clock_.now_s()) + period_s_;
   }
@@ -133,5 +140,7 @@ void RecordedSource::obey(const Controls& controls, FrameRecord& record) {
 }
 
 void RecordedSource::drawn() { clock_.sleepUntil(due_s_); }
+
+std::optional<std::uint64_t> RecordedSource::end() const { return session_.frames()->second + 1; }
 
 }  // namespace carom

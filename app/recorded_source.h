@@ -53,6 +53,7 @@ class RecordedSource : public FrameSource {
   /// Once the operator has been elsewhere all of the game is known in every frame; then the last frame stays.
   /// What the operator has not changed is as it was.
   void next(const Controls& controls, FrameState& state) override;
+  std::optional<std::uint64_t> end() const override;
   void drawn() override;
 
  private:

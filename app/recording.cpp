@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+
 #include "app/stage.h"
 #include "cave/capture.h"
 #include "cave/movie.h"
@@ -11,7 +13,7 @@ namespace carom {
 
 Recording::Recording(Graphics& graphics, const RecordingOptions& options, const Cluster& cluster,
                      const Rig& rig, bool realTime)
-    : graphics_(graphics) {
+    : graphics_(graphics), cluster_(cluster), realTime_(realTime) {
   const WhenFull whenFull = realTime ? WhenFull::drop : WhenFull::wait;
   const std::vector<Wall> walls = wallsOf(rig, cluster);
   if (cluster.size() > 1) node_ = " of " + cluster.nameOf(cluster.rank());
@@ -32,28 +34,59 @@ Recording::~Recording() {
   capture_.reset();
 }
 
+/// What fails is said, and nothing more is made of that part.
+template <typename Part, typename Work>
+void Recording::attempt(std::unique_ptr<Part>& part, const char* outcome, const Work& work) {
+  if (!part) return;
+  try {
+    work();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}{}: {}\n", outcome, node_, error.what());
+    failed_ = true;
+    graphics_.makeCurrent();
+    part.reset();
+  }
+}
+
 void Recording::take(const WallSet& walls, const RoomView* outside, const FrameRecord& record) {
-  if (capture_) walls.capture(*capture_, record.number);
-  if (capture_ && outside) outside->capture(*capture_, record.number);
-  if (movie_) walls.film(*movie_, record.display_s);
+  const auto capture = [&] {
+    if (captured_ == record.number) return;
+    captured_ = record.number;
+    if (outside) capture_->include(outside->taken());
+    walls.capture(*capture_, record.number);
+  };
+  const auto film = [&] { walls.film(*movie_, record.display_s); };
+  if (realTime_) {
+    attempt(capture_, "the session goes on, without more pictures", capture);
+    attempt(movie_, "the session goes on, without the movie", film);
+    return;
+  }
+  if (capture_) capture();
+  if (movie_) film();
 }
 
 void Recording::finish() {
   graphics_.makeCurrent();
-  if (capture_) capture_->finish();
-  if (capture_ && capture_->dropped() > 0) {
-    fmt::print(stderr,
-               "warning: pictures{} of {} frames were left out: they came faster than they are written.\n",
-               node_, capture_->dropped());
-  }
-  if (!movie_) return;
+  attempt(capture_, "the session ends, without all pictures", [this] { finishCapture(); });
+  attempt(movie_, "the session ends, without the movie", [this] { finishMovie(); });
+  if (cluster_.firstFailed(failed_) >= 0) throw RankFailed{};
+}
+
+void Recording::finishCapture() {
+  capture_->finish();
+  if (capture_->dropped() == 0) return;
+  fmt::print(stderr,
+             "warning: pictures{} of {} frames were left out: they came faster than they are written.\n",
+             node_, capture_->dropped());
+}
+
+void Recording::finishMovie() {
   movie_->finish();
   fmt::print(stderr, "The movie{} is in {}.\n", node_, movie_->file().string());
-  if (movie_->dropped() > 0) {
-    fmt::print(stderr,
-               "warning: in the movie{}, {} frames were left out: they came faster than they are encoded.\n",
-               node_, movie_->dropped());
-  }
+  if (movie_->dropped() == 0) return;
+  fmt::print(stderr,
+             "warning: in the movie{}, {} frames were left out: they came faster than they are encoded.\n",
+             node_, movie_->dropped());
 }
 
 }  // namespace carom

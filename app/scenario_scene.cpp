@@ -18,15 +18,17 @@ std::string pathOf(const std::optional<std::filesystem::path>& mesh) {
 
 }  // namespace
 
+bool drawsOnProcessor(const std::string& renderer) {
+  return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
+}
+
 Tessellation tessellationFor(const Rig& rig, const std::string& renderer) {
   // Eight views of half a million vertices: a few milliseconds on a graphics card, a second on two processor
   // cores.
   constexpr std::size_t kMostOnCard = 500000;
   Tessellation tessellation;
   tessellation.pixel_rad = finestPixel_rad(rig.walls, rig.axes.up * kStandingEyes_m);
-  const bool onProcessor =
-      renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
-  if (!onProcessor) tessellation.mostVertices = kMostOnCard;
+  if (!drawsOnProcessor(renderer)) tessellation.mostVertices = kMostOnCard;
   return tessellation;
 }
 

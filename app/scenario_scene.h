@@ -16,6 +16,9 @@
 
 namespace carom {
 
+/// Whether OpenGL of this name is a processor's work, without a graphics card.
+bool drawsOnProcessor(const std::string& renderer);
+
 /// Fine enough for the rig's finest pixel as a person sees it who stands at the room's origin; `renderer` is
 /// what draws (Graphics::rendererName): a processor is given fewer vertices than a graphics card.
 Tessellation tessellationFor(const Rig& rig, const std::string& renderer);

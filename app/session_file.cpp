@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
+#include "app/controls.h"
 #include "app/stored_event.h"
 
 namespace carom {
@@ -53,9 +57,94 @@ void readEvents(const SQLite::Column& column, FrameState& state) {
     const bool whole = bytes - at >= sizeof event;
     if (whole) std::memcpy(&event, static_cast<const char*>(column.getBlob()) + at, sizeof event);
     const auto known = whole ? restored(event, state.record.pucks) : std::nullopt;
-    if (!known) throw std::runtime_error(fmt::format("frame {}: no such event can be", state.record.number));
+    if (!known) throw std::runtime_error("no such event can be");
     state.events.push_back(*known);
   }
+}
+
+void expectFinite(const char* field, std::initializer_list<double> values) {
+  for (const double value : values) {
+    if (!std::isfinite(value))
+      throw std::runtime_error(fmt::format("{} is {}, expected a finite number", field, value));
+  }
+}
+void expectFinite(const char* field, const Vec3& v) { expectFinite(field, {v.x, v.y, v.z}); }
+void expectFinite(const char* field, const Event& e) { expectFinite(field, {e.t_s, e.r_m.x, e.r_m.y, e.r_m.z}); }
+void expectFinite(const char* field, const Pose& pose) {
+  const glm::dquat& q = pose.orientation;
+  expectFinite(field, pose.position_m);
+  expectFinite(field, {q.w, q.x, q.y, q.z});
+}
+
+void expectFlag(const char* field, std::uint64_t value) {
+  if (value > 1) throw std::runtime_error(fmt::format("{} is {}, expected 0 or 1", field, value));
+}
+void expectFlags(const Switches& switches) {
+  for (const NamedSwitch& named : kNamedSwitches) expectFlag(named.name, switches.*named.value);
+}
+
+void expectPossible(const ObserverView& observer) {
+  const Lorentz& headFromBoard = observer.headFromBoard;
+  const double c_m_s = headFromBoard.lightSpeed_m_s();
+  expectFinite("the head's frame", {c_m_s});
+  if (!(c_m_s > 0.0))
+    throw std::runtime_error(fmt::format("the head's light speed is {} m/s, expected more than 0", c_m_s));
+  for (int column = 0; column < 4; ++column) {
+    const glm::dvec4& v = headFromBoard.matrix()[column];
+    expectFinite("the head's frame", {v.x, v.y, v.z, v.w});
+  }
+  for (const EyeView& eye : observer.eyes) {
+    expectFinite("an eye's event", eye.observation);
+    expectFinite("an eye's place in the room", eye.positionInRoom_m);
+    expectFinite("the place that an eye sees from", eye.seenFromInRoom_m);
+  }
+  expectFinite("the person's proper time", {observer.properTime_s});
+}
+
+void expectPossible(const WallControls& walls) {
+  if (walls.shown > Shown::seamPattern) {
+    throw std::runtime_error(fmt::format("controls.shown is {}, expected 0 to {}", static_cast<int>(walls.shown),
+                                         static_cast<int>(Shown::seamPattern)));
+  }
+  expectFlag("controls.blank", walls.blank);
+  expectFlag("controls.eyesSwapped", walls.eyesSwapped);
+  expectFlag("controls.trackerCross", walls.trackerCross);
+  expectFlag("controls.latency", walls.latency);
+}
+
+/// As this program could have written it with the frame of that number, of a game with that light speed.
+const FrameRecord& checked(const FrameRecord& record, std::int64_t number, double gameLightSpeed_m_s) {
+  if (record.number != static_cast<std::uint64_t>(number))
+    throw std::runtime_error(fmt::format("its record is of frame {}", record.number));
+  expectFinite("display_s", {record.display_s});
+  expectPossible(record.observer);
+  if (std::isnan(record.truncateFrom_s))
+    throw std::runtime_error("truncateFrom_s is no number, expected a board time or infinity");
+  const double c_m_s = record.lightSpeed_m_s;
+  const bool settable = c_m_s >= kLeastLightSpeed_m_s && c_m_s <= kMostLightSpeed_m_s;
+  if (!settable && c_m_s != gameLightSpeed_m_s) {
+    throw std::runtime_error(fmt::format("lightSpeed_m_s is {}, expected {} to {} or the game's {}", c_m_s,
+                                         kLeastLightSpeed_m_s, kMostLightSpeed_m_s, gameLightSpeed_m_s));
+  }
+  expectFlag("last", record.last);
+  expectFlags(record.switches);
+  expectPossible(record.controls);
+  for (const NamedView& named : kNamedViews) expectFlag(named.name, record.views.*named.value);
+  expectFlags(record.views.beside);
+  expectFinite("the head sensor's pose", record.tracked.roomFromHeadSensor);
+  expectFinite("the hand's pose", record.tracked.roomFromHand);
+  expectFlag("tracked.headKnown", record.tracked.headKnown);
+  expectFlag("tracked.handKnown", record.tracked.handKnown);
+  return record;
+}
+
+const Knot& checked(const Knot& knot) {
+  expectFinite("a knot's turn", knot.turn);
+  expectFinite("a knot's u", knot.u);
+  expectFinite("a knot's proper time", {knot.properTime_s});
+  expectFinite("a knot's news", knot.news);
+  expectFinite("a knot's deceleration", {knot.deceleration_m_s2});
+  return knot;
 }
 
 }  // namespace
@@ -67,6 +156,10 @@ struct SessionFile::Tables {
   void prepare() {
     frame.emplace(database, "SELECT number, record, events FROM frame WHERE number >= ? ORDER BY number");
     knot.emplace(database, "SELECT body, knot FROM knot WHERE frame = ? ORDER BY rowid");
+    // Two searches of the key; both in one SELECT would read every row.
+    ends.emplace(database,
+                 "SELECT (SELECT min(number) FROM frame WHERE number >= 0), (SELECT max(number) FROM frame)");
+    shown.emplace(database, "SELECT number, display_s FROM frame WHERE number >= ? ORDER BY number LIMIT 1");
   }
   std::string fact(const char* key) {
     SQLite::Statement row(database, "SELECT value FROM session WHERE key = ?");
@@ -75,7 +168,7 @@ struct SessionFile::Tables {
   }
 
   SQLite::Database database;
-  std::optional<SQLite::Statement> frame, knot;
+  std::optional<SQLite::Statement> frame, knot, ends, shown;
 };
 
 SessionFile::SessionFile(const std::filesystem::path& file) : file_(file) {
@@ -116,16 +209,19 @@ SessionFile::SessionFile(const std::filesystem::path& file) : file_(file) {
 SessionFile::~SessionFile() = default;
 
 std::optional<std::pair<std::uint64_t, std::uint64_t>> SessionFile::frames() const {
-  SQLite::Statement row(tables_->database, "SELECT min(number), max(number) FROM frame");
-  if (!row.executeStep() || row.getColumn(0).isNull()) return std::nullopt;
-  return std::pair{static_cast<std::uint64_t>(row.getColumn(0).getInt64()),
-                   static_cast<std::uint64_t>(row.getColumn(1).getInt64())};
+  SQLite::Statement& row = *tables_->ends;
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> ends;
+  if (row.executeStep() && !row.getColumn(0).isNull()) {
+    ends.emplace(static_cast<std::uint64_t>(row.getColumn(0).getInt64()),
+                 static_cast<std::uint64_t>(row.getColumn(1).getInt64()));
+  }
+  row.reset();
+  return ends;
 }
 
-bool SessionFile::next(FrameState& state) try {
-  if (!tables_->frame->executeStep()) return false;
-  const std::int64_t number = tables_->frame->getColumn(0).getInt64();
+void SessionFile::readFrame(std::int64_t number, FrameState& state) {
   read(tables_->frame->getColumn(1), state.record);
+  checked(state.record, number, facts_.lightSpeed_m_s);
   // To others, or from a session that was gone on with, more may be seen than was then.
   state.record.forgetBefore_s = -std::numeric_limits<double>::infinity();
   readEvents(tables_->frame->getColumn(2), state);
@@ -137,12 +233,27 @@ bool SessionFile::next(FrameState& state) try {
     BodyKnot& added = state.knots.emplace_back();
     added.body = static_cast<std::uint64_t>(knot.getColumn(0).getInt64());
     read(knot.getColumn(1), added.knot);
+    checked(added.knot);
+  }
+}
+
+bool SessionFile::next(FrameState& state) try {
+  if (!tables_->frame->executeStep()) return false;
+  const std::int64_t number = tables_->frame->getColumn(0).getInt64();
+  try {
+    readFrame(number, state);
+  } catch (const SQLite::Exception&) {
+    throw;
+  } catch (const std::exception& error) {
+    refuseFrame(static_cast<std::uint64_t>(number), error.what());
   }
   return true;
 } catch (const SQLite::Exception& error) {
   refuse(file_, error);
-} catch (const std::exception& error) {
-  refuse(file_, error.what());
+}
+
+void SessionFile::refuseFrame(std::uint64_t number, const std::string& what) const {
+  refuse(file_, fmt::format("frame {}: {}", number, what));
 }
 
 void SessionFile::goTo(std::uint64_t number) {
@@ -150,13 +261,25 @@ void SessionFile::goTo(std::uint64_t number) {
   tables_->frame->bind(1, static_cast<std::int64_t>(number));
 }
 
+// Bisects, as display_s grows with the number.
 std::uint64_t SessionFile::frameAt(double display_s) const {
-  SQLite::Statement row(
-      tables_->database,
-      "SELECT coalesce((SELECT max(number) FROM frame WHERE display_s <= ?), min(number)) FROM frame");
-  row.bind(1, display_s);
-  row.executeStep();
-  return static_cast<std::uint64_t>(row.getColumn(0).getInt64());
+  const auto ends = frames();
+  if (!ends) return 0;
+  std::uint64_t number = ends->first, after = ends->second + 1;
+  SQLite::Statement& row = *tables_->shown;
+  while (number + 1 < after) {
+    const std::uint64_t middle = number + (after - number) / 2;
+    row.bind(1, static_cast<std::int64_t>(middle));
+    const bool found = row.executeStep();
+    const std::uint64_t there = found ? static_cast<std::uint64_t>(row.getColumn(0).getInt64()) : after;
+    if (there < after && row.getColumn(1).getDouble() <= display_s) {
+      number = there;
+    } else {
+      after = middle;
+    }
+    row.reset();
+  }
+  return number;
 }
 
 }  // namespace carom

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "app/journal.h"
 #include "cave/frame_state.h"
@@ -25,8 +27,15 @@ class SessionFile {
   std::optional<std::pair<std::uint64_t, std::uint64_t>> frames() const;
 
   /// The next frame in the order of their numbers, with its knots; false after the last. Throws
-  /// std::runtime_error where the file turns out to be damaged.
+  /// std::runtime_error, that names the file and the frame, where the file turns out to be damaged.
   bool next(FrameState& state);
+  /// Brings the world up to a frame of this session (applyFrame). Throws std::runtime_error, that names the file
+  /// and the frame, where it does not go on from what the world is.
+  void apply(const FrameState& state, World& world) const try {
+    applyFrame(state, world);
+  } catch (const std::logic_error& error) {
+    refuseFrame(state.record.number, error.what());
+  }
   /// The next frame will be the first whose number is at least this.
   void goTo(std::uint64_t number);
   /// The last frame that was on the walls at this time of the session's clock; the first, if none was yet.
@@ -34,6 +43,8 @@ class SessionFile {
 
  private:
   struct Tables;
+  void readFrame(std::int64_t number, FrameState& state);
+  [[noreturn]] void refuseFrame(std::uint64_t number, const std::string& what) const;
   std::filesystem::path file_;
   std::unique_ptr<Tables> tables_;
   SessionFacts facts_;

@@ -116,8 +116,10 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
     }
   }
   for (std::size_t i = 0; i < subject.lines.size(); ++i) {
-    ChartLine line =
-        lineOf(subject.lines[i], plane, from_s, std::max(until_s, chart.yRange.y / subject.c_m_s));
+    const double known_s = std::max(subject.knownUntil_s, subject.lines[i].knots().back().turn.t_s);
+    const double end_s = std::min(known_s, std::max(until_s, chart.yRange.y / subject.c_m_s));
+    if (end_s <= from_s) continue;
+    ChartLine line = lineOf(subject.lines[i], plane, from_s, end_s);
     line.name = subject.names[i];
     line.colour = inkOf(subject.names[i], i);
     line.width_px = 2.5F;

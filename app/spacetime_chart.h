@@ -2,6 +2,7 @@
 // The spacetime diagram: the world lines, mine among them, and at my present event its light cones and my
 // axes.
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct DiagramSubject {
   std::vector<Event> mine;        ///< my world line, to the present event; never empty
   Vec3 beta{0.0};                 ///< mine, there
   std::vector<GameEvent> events;  ///< that are marked
+  /// Board time up to which all of this is known; lines end there, or with their last turn.
+  double knownUntil_s = std::numeric_limits<double>::infinity();
 };
 
 /// Of a scenario, before it is played.

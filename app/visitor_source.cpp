@@ -78,7 +78,8 @@ ObserverView VisitorSource::goOn(const Playback& playback, const FrameTimes& tim
   if (jumps) by_s = playback.goTo_s > 0.0 ? playback.goTo_s - display_s_ : -roomTime_s_;
   const ObserverView view = lives ? person_.at(times, eyeSeparation_m_)
                                   : person_.through(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
-  if (latestSeen_s(view) <= game_.known_s) return view;
+  heldBack_ = latestSeen_s(view) > game_.known_s;
+  if (!heldBack_) return view;
   return person_.through(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
 }
 
@@ -94,7 +95,7 @@ bool VisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
   const double seen_s = latestSeen_s(view), step_s = seen_s - seen_s_.value_or(seen_s);
   seen_s_ = seen_s;
   if (end_s_ && times.display_s + times.step_s > *end_s_) return true;
-  if (mayStay_ || seen_s + 2.0 * step_s <= game_.known_s) return false;
+  if (mayStay_ || (!heldBack_ && seen_s + 2.0 * step_s <= game_.known_s)) return false;
   fmt::print(stderr, "What comes after board time {:.2f} s was not recorded: the visit ends.\n", seen_s);
   return true;
 }
@@ -105,6 +106,7 @@ void VisitorSource::next(const Controls& controls, FrameState& state) {
   game_.news = {};
   FrameRecord& record = state.record;
   record.number = times.number;
+  record.pucks = game_.pucks;
   record.observer = look(controls, times);
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;

@@ -63,6 +63,7 @@ class VisitorSource : public FrameSource {
   RecordedGame game_;
   double roomTime_s_ = 0.0;       ///< of the head at the frame before
   double display_s_ = 0.0;        ///< of the frame before
+  bool heldBack_ = false;         ///< the last frame would have shown what was not recorded
   std::optional<double> seen_s_;  ///< the latest board time that was seen in the frame before
   unsigned jumps_ = 0;
   std::optional<ObserverView> sight_;  ///< of the frame before: to be frozen

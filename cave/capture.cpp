@@ -1,6 +1,7 @@
 #include "cave/capture.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -27,10 +28,12 @@ constexpr std::size_t kMostWaiting = 8;  // frames of them
 /// Half of the processors: the others draw.
 unsigned encoders() { return std::clamp(std::thread::hardware_concurrency() / 2, 1U, 8U); }
 
-/// Writes beside the file and renames: the file appears whole or not at all.
+/// Writes beside the file and renames: the file appears whole or not at all. Several threads may write the
+/// same one.
 void writeWhole(const std::filesystem::path& path, std::string_view bytes) {
+  static std::atomic<std::uint64_t> writings = 0;
   std::filesystem::path partial = path;
-  partial += ".partial";
+  partial += fmt::format(".{}.partial", ++writings);
   std::ofstream file(partial, std::ios::binary | std::ios::trunc);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
@@ -95,26 +98,29 @@ void Capture::write(Job& job) {
 }
 
 void Capture::take(std::uint64_t frame, std::span<const Taken> pictures) {
-  if (pictures.empty()) return;
+  frame_.insert(frame_.end(), pictures.begin(), pictures.end());
+  if (frame_.empty()) return;
   if (!queue_) {
     std::size_t bytes = 0;
-    for (const Taken& taken : pictures) {
+    for (const Taken& taken : frame_) {
       bytes = std::max(bytes, 4 * static_cast<std::size_t>(taken.picture->size_px().x) *
                                   static_cast<std::size_t>(taken.picture->size_px().y));
     }
     const std::size_t capacity =
-        std::clamp(kMostWaiting_bytes / bytes, 3 * pictures.size(), kMostWaiting * pictures.size());
+        std::clamp(kMostWaiting_bytes / bytes, 3 * frame_.size(), kMostWaiting * frame_.size());
     queue_ = std::make_unique<WorkQueue<Job>>(capacity, encoders(), write);
   }
-  fetch(pictures.size());  // of the last frame; what is older is waited for
-  if (whenFull_ == WhenFull::drop && queue_->room() < pictures.size() + reader_.underWay()) {
+  fetch(frame_.size());  // of the last frame; what is older is waited for
+  if (whenFull_ == WhenFull::drop && queue_->room() < frame_.size() + reader_.underWay()) {
     ++dropped_;
+    frame_.clear();
     return;
   }
-  for (const Taken& taken : pictures) {
-    reader_.ask(*taken.picture);
-    asked_.push_back(capturePath(directory_, *taken.wall, taken.eye, frame));
+  for (std::size_t i = 0; i < frame_.size(); ++i) {
+    reader_.ask(*frame_[i].picture, i);
+    asked_.push_back(capturePath(directory_, *frame_[i].wall, frame_[i].eye, frame));
   }
+  frame_.clear();
 }
 
 void Capture::fetch(std::size_t most) {

@@ -52,6 +52,8 @@ class Capture {
     const std::string* wall = nullptr;
     Eye eye = Eye::mono;
   };
+  /// One more picture for the next `take`, which may not be drawn into until then.
+  void include(const Taken& picture) { frame_.push_back(picture); }
   /// Takes all pictures of a frame, or none. Throws std::runtime_error, naming the file, once one could not
   /// be written.
   void take(std::uint64_t frame, std::span<const Taken> pictures);
@@ -74,6 +76,7 @@ class Capture {
   std::filesystem::path directory_;
   WhenFull whenFull_;
   std::uint64_t dropped_ = 0;
+  std::vector<Taken> frame_;  // the pictures of the next one
   PictureReader reader_;
   std::deque<std::filesystem::path> asked_;  // where the pictures go that are being read back
   std::unique_ptr<WorkQueue<Job>> queue_;    // from the first frame on

@@ -115,10 +115,10 @@ class SessionLateness {
 
  private:
   static constexpr double kBin_s = 1e-4;
-  static constexpr std::size_t kBins = 1000;  // the last holds all that is later
+  static constexpr std::size_t kBins = 100000;  // the last, of 10 s, holds all that is later
 
   double period_s_;
-  std::array<std::uint64_t, kBins> bins_{};
+  std::vector<std::uint64_t> bins_ = std::vector<std::uint64_t>(kBins);
   std::uint64_t frames_ = 0, missed_ = 0;
 };
 

@@ -118,6 +118,8 @@ MovieLayout movieLayout(std::span<const Wall> walls, bool inOneWindow) {
 class Movie::Encoder {
  public:
   Encoder(const std::filesystem::path& file, const glm::ivec2& size_px, double frames_hz) : file_(file) {
+    std::error_code notThere;
+    if (std::filesystem::is_directory(file, notThere)) fail("it is a folder, expected the name of a file");
     partial_ = file;
     partial_ += ".partial";
     const int made = open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
@@ -155,8 +157,11 @@ class Movie::Encoder {
     if (status != 0) fail(fmt::format("ffmpeg ended with status {}", status));
     std::error_code failed;
     std::filesystem::rename(partial_, file_, failed);
-    if (failed) fail(failed.message());
     kept_ = true;
+    if (!failed) return;
+    const std::string why = failed.message();
+    if (!std::filesystem::exists(partial_, failed)) fail(why);
+    fail(fmt::format("{}; the whole movie is {}", why, partial_.string()));
   }
 
  private:
@@ -289,7 +294,7 @@ void Movie::add(double display_s, std::span<const WallPicture* const> pictures) 
                    picture_.size_px());
     }
   }
-  reader_.ask(picture_);
+  reader_.ask(picture_, 0);
   asked_.push_back(tick_);
 }
 

@@ -57,7 +57,8 @@ class Movie {
   /// std::runtime_error once ffmpeg has failed.
   void add(double display_s, std::span<const WallPicture* const> pictures);
 
-  /// Returns when the movie is a file. Throws as `add` does.
+  /// Returns when the movie is a file. Throws as `add` does; where it only cannot have its name, it stays under
+  /// the other, which is said.
   void finish();
 
   std::uint64_t dropped() const { return dropped_; }  ///< frames

@@ -121,8 +121,7 @@ void PathRibbons::follow(std::span<const WorldLine> pucks, double now_s) {
            0};
     // What is seen lies back by its light's way.
     const double seenFrom_s = now_s - kPast_s - kAhead_s - 20.0 / pucks[i].lightSpeed_m_s();
-    const double until_s = std::max(madeUntil_s_, knots.back().turn.t_s);
-    addWay(pucks[i], seenFrom_s, until_s, base_s_, corners_);
+    addWay(pucks[i], seenFrom_s, madeUntil_s_, base_s_, corners_);
     way.count = static_cast<int>(corners_.size()) - way.first;
   }
   GLint bufferBefore = 0;
@@ -138,7 +137,8 @@ void PathRibbons::look(std::span<const WorldLine> pucks, const Event& observatio
   eyeOnBoard_m_ = glm::vec3(observation.r_m);
   for (std::size_t i = 0; i < pucks.size(); ++i) {
     ways_[i].seen_s = static_cast<float>(centreSeen(pucks[i], observation, switches).event.t_s - base_s_);
-    ways_[i].known_s = static_cast<float>(std::max(now_s, pucks[i].knots().back().turn.t_s) - base_s_);
+    const double known_s = std::max(now_s, pucks[i].knots().back().turn.t_s);
+    ways_[i].known_s = static_cast<float>(std::min(known_s, madeUntil_s_) - base_s_);
   }
 }
 

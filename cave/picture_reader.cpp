@@ -24,9 +24,14 @@ PictureReader::~PictureReader() {
 }
 
 /// A buffer of this size, bound for packing.
-unsigned PictureReader::bufferFor(const glm::ivec2& size_px) {
-  const auto fits = std::find_if(spare_.begin(), spare_.end(),
-                                 [&](const Asked& spare) { return spare.size_px == size_px; });
+unsigned PictureReader::bufferFor(std::size_t view, const glm::ivec2& size_px) {
+  std::erase_if(spare_, [&](const Asked& spare) {
+    const bool outgrown = spare.view == view && spare.size_px != size_px;
+    if (outgrown) glDeleteBuffers(1, &spare.buffer);
+    return outgrown;
+  });
+  const auto fits =
+      std::find_if(spare_.begin(), spare_.end(), [&](const Asked& spare) { return spare.view == view; });
   unsigned buffer = 0;
   if (fits != spare_.end()) {
     buffer = fits->buffer;
@@ -40,17 +45,17 @@ unsigned PictureReader::bufferFor(const glm::ivec2& size_px) {
   return buffer;
 }
 
-void PictureReader::ask(const WallPicture& picture) {
+void PictureReader::ask(const WallPicture& picture, std::size_t view) {
   GLint readBefore = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   const glm::ivec2 size_px = picture.size_px();
-  const unsigned buffer = bufferFor(size_px);
+  const unsigned buffer = bufferFor(view, size_px);
   glReadPixels(0, 0, size_px.x, size_px.y, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
-  asked_.push_back({buffer, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), size_px});
+  asked_.push_back({view, buffer, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), size_px});
 }
 
 void PictureReader::fetch(std::size_t most, const Fetch& fetched) {
@@ -62,7 +67,7 @@ void PictureReader::fetch(std::size_t most, const Fetch& fetched) {
     if (state == GL_TIMEOUT_EXPIRED && patience_ns == 0) return;
     asked_.pop_front();
     glDeleteSync(static_cast<GLsync>(oldest.arrived));
-    spare_.push_back({oldest.buffer, nullptr, oldest.size_px});
+    spare_.push_back({oldest.view, oldest.buffer, nullptr, oldest.size_px});
     glBindBuffer(GL_PIXEL_PACK_BUFFER, oldest.buffer);
     const std::size_t bytes = bytesOf(oldest.size_px);
     const void* pixels =

@@ -23,8 +23,9 @@ class PictureReader {
   PictureReader(const PictureReader&) = delete;
   PictureReader& operator=(const PictureReader&) = delete;
 
-  /// Asks for the picture as it is drawn so far.
-  void ask(const WallPicture& picture);
+  /// Asks for the picture as it is drawn so far. `view`: which of a frame's pictures it is; where its size
+  /// changes, what was kept for the old one goes.
+  void ask(const WallPicture& picture, std::size_t view);
 
   /// RGBA, rows from the bottom up; valid during the call.
   using Fetch = std::function<void(const glm::ivec2& size_px, std::span<const std::uint8_t> rgba)>;
@@ -37,11 +38,12 @@ class PictureReader {
 
  private:
   struct Asked {
+    std::size_t view = 0;
     unsigned buffer = 0;
     void* arrived = nullptr;  // GLsync
     glm::ivec2 size_px{0};
   };
-  unsigned bufferFor(const glm::ivec2& size_px);
+  unsigned bufferFor(std::size_t view, const glm::ivec2& size_px);
 
   std::deque<Asked> asked_;
   std::vector<Asked> spare_;  // buffers that can be used again

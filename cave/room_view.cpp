@@ -563,11 +563,9 @@ void RoomView::draw(const FrameRecord& record, const Lorentz& boardFromRoom,
 
 const WallPicture& RoomView::picture() const { return *drawing_->picture; }
 
-void RoomView::capture(Capture& capture, std::uint64_t frame) const {
+Capture::Taken RoomView::taken() const {
   static const std::string kName = "outside";
-  drawing_->graphics.makeCurrent();
-  const Capture::Taken taken{drawing_->picture.get(), &kName, Eye::mono};
-  capture.take(frame, {&taken, 1});
+  return {drawing_->picture.get(), &kName, Eye::mono};
 }
 
 void RoomView::show() {

@@ -36,8 +36,8 @@ class RoomView {
             const WallSet& walls);
 
   const WallPicture& picture() const;
-  /// Has it written as outside-mono-FRAME.png.
-  void capture(Capture& capture, std::uint64_t frame) const;
+  /// It, to be written as outside-mono-FRAME.png.
+  Capture::Taken taken() const;
 
   /// Into the window, if there is one; `swap` makes it visible. There, a drag turns the room and the wheel
   /// comes nearer.

@@ -241,7 +241,7 @@ void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
     }
     old.radiated = old.leg.u * old.heat;
     accounts_.heat += old.heat - oldHeat;
-    chronicle.addHeat(old.event, (old.heat - oldHeat) * c_m_s_ * c_m_s_);
+    if (old.cushion >= 0) chronicle.setHeat(old.event, old.heat * c_m_s_ * c_m_s_);
     chronicle.changeTurn(old.event, player.file, turn, old.leg.u);
     decide(i, old, turn, chronicle);
   }

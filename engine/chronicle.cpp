@@ -102,8 +102,8 @@ void Chronicle::changeTurn(std::uint64_t event, std::size_t puck, const Moment& 
   }
 }
 
-void Chronicle::addHeat(std::uint64_t event, double heat_j) {
-  if (event >= forgottenEvents_) change(event).heat_j += heat_j;
+void Chronicle::setHeat(std::uint64_t event, double heat_j) {
+  if (event >= forgottenEvents_) change(event).heat_j = heat_j;
 }
 
 void Chronicle::keepEvents(std::uint64_t count) {

@@ -31,7 +31,7 @@ class Chronicle {
   void addTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter);
   /// Replaces the turn of a puck in an event; nothing if the event is already forgotten.
   void changeTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter);
-  void addHeat(std::uint64_t event, double heat_j);
+  void setHeat(std::uint64_t event, double heat_j);
   void keepEvents(std::uint64_t count);
   std::uint64_t eventCount() const { return forgottenEvents_ + events_.size(); }
   std::uint64_t forgottenEvents() const { return forgottenEvents_; }

@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <mutex>
 #include <random>
 #include <thread>
@@ -47,6 +48,7 @@ FrameState frameOf(std::uint64_t number) {
   const double x = 0.1 * static_cast<double>(number);
   state.record.number = number;
   state.record.display_s = x / 6.0;
+  state.record.lightSpeed_m_s = kFacts.lightSpeed_m_s;
   state.record.observer.headFromBoard = Lorentz::boost({x, -x, 0.3}, 1.42);
   state.record.observer.properTime_s = x / 7.0;
   for (EyeView& eye : state.record.observer.eyes) eye = {{x, {x / 3.0, -0.0, 1.7}}, {0.032, 1.7, x}};
@@ -66,10 +68,17 @@ bool sameBits(const GameEvent& a, const GameEvent& b) {
   return std::memcmp(&one, &other, sizeof one) == 0;
 }
 
+/// Of all fields: what lies between them is nothing.
+bool sameBits(FrameRecord a, FrameRecord b) {
+  __builtin_clear_padding(&a);
+  __builtin_clear_padding(&b);
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
 bool sameBits(const FrameState& a, const FrameState& b) {
   return std::equal(a.events.begin(), a.events.end(), b.events.begin(), b.events.end(),
                     [](const GameEvent& x, const GameEvent& y) { return sameBits(x, y); }) &&
-         std::memcmp(&a.record, &b.record, sizeof a.record) == 0 && a.knots.size() == b.knots.size() &&
+         sameBits(a.record, b.record) && a.knots.size() == b.knots.size() &&
          (a.knots.empty() ||
           std::memcmp(a.knots.data(), b.knots.data(), a.knots.size() * sizeof(BodyKnot)) == 0);
 }
@@ -207,6 +216,7 @@ TEST(Journal, EventsThatAStrokeTookBackAreGoneFromTheTableButNotFromTheFrames) {
   const auto frame = [](std::uint64_t number, std::uint64_t kept, std::vector<GameEvent> events) {
     FrameState state;
     state.record.number = number;
+    state.record.lightSpeed_m_s = kFacts.lightSpeed_m_s;
     state.record.pucks = 2;
     state.record.eventsKept = kept;
     state.events = std::move(events);
@@ -276,6 +286,11 @@ TEST(StoredEvent, AnyBytesAreAnEventOrNone) {
 }
 
 TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  constexpr auto kFrame = 16ms;  // as a session at 60 Hz
+#else
+  constexpr auto kFrame = 8ms;  // twice as fast
+#endif
   TemporaryFolder folder;
   auto* handedOver = static_cast<std::atomic<std::uint64_t>*>(
       mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
@@ -291,7 +306,7 @@ TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
       for (std::uint64_t number = 0;; ++number) {
         journal.add(frameOf(number), head(), {});
         handedOver->store(number + 1);
-        std::this_thread::sleep_for(4ms);  // four times as fast as a session
+        std::this_thread::sleep_for(kFrame);
       }
     }
     while (handedOver->load() == 0) std::this_thread::sleep_for(1ms);
@@ -351,6 +366,89 @@ TEST(Journal, AFullDiskDoesNotEndTheSessionAndLosesNothingOnceThereIsRoom) {
   std::uint64_t found = 0;
   for (FrameState state; session.next(state); ++found) ASSERT_TRUE(sameBits(state, frameOf(found)));
   EXPECT_EQ(found, 1500U);
+}
+
+/// Lines that a journal said, from its own thread.
+class Lines {
+ public:
+  Say say() {
+    return [this](const std::string& line) {
+      const std::scoped_lock hold(mutex_);
+      said_.push_back(line);
+    };
+  }
+  std::vector<std::string> said() const {
+    const std::scoped_lock hold(mutex_);
+    return said_;
+  }
+  void waitFor(std::size_t lines) const {
+    for (int wait = 0; wait < 2000 && said().size() < lines; ++wait) std::this_thread::sleep_for(10ms);
+    ASSERT_EQ(said().size(), lines);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> said_;
+};
+
+/// From now on the file refuses rows of frames.
+void refuseFrames(const std::filesystem::path& file) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE, 2000);
+  database.exec("CREATE TRIGGER full BEFORE INSERT ON frame BEGIN SELECT RAISE(ABORT, 'full'); END");
+}
+void takeFrames(const std::filesystem::path& file) {
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE, 2000).exec("DROP TRIGGER full");
+}
+
+TEST(Journal, WhatAStrokeTookBackIsGoneAlsoIfTheFileCouldNotBeWrittenThen) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  FrameState first = frameOf(0), stroke = frameOf(1);
+  first.record.eventsKept = 0;
+  first.events = {eventOf(0, 1.0), eventOf(1, 2.0), eventOf(2, 3.0)};
+  stroke.record.eventsKept = 1;
+  { Journal(file, kFacts, false, {}).add(first, head(), {}); }
+  refuseFrames(file);
+  Lines lines;
+  {
+    Journal journal(file, kFacts, true, lines.say());
+    journal.add(stroke, head(), {});
+    lines.waitFor(1);
+    takeFrames(file);
+    lines.waitFor(2);
+  }
+  SQLite::Database database(file.string());
+  EXPECT_EQ(column(database, "SELECT t_s FROM event ORDER BY number"), (Strings{"1.0"}));
+  EXPECT_EQ(column(database, "SELECT t_s FROM turn ORDER BY event"), (Strings{"1.0"}));
+}
+
+// What comes after a lost frame would build on its knots and events: the file ends before it, and is whole.
+TEST(Journal, AfterALostFrameTheFileEndsWhole) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  Lines lines;
+  constexpr std::uint64_t kMoreThanWait = 36010;
+  {
+    Journal journal(file, kFacts, false, lines.say());
+    refuseFrames(file);
+    journal.add(frameOf(0), head(), {});
+    lines.waitFor(1);
+    for (std::uint64_t number = 1; number < kMoreThanWait; ++number) journal.add(frameOf(number), head(), {});
+    lines.waitFor(2);  // once, of all that are lost
+    takeFrames(file);
+    lines.waitFor(3);
+    for (std::uint64_t number = kMoreThanWait; number < kMoreThanWait + 10; ++number)
+      journal.add(frameOf(number), head(), {});
+  }
+  ASSERT_EQ(lines.said().size(), 3U);
+  SessionFile session(file);
+  std::uint64_t found = 0;
+  for (FrameState state; session.next(state); ++found)
+    ASSERT_TRUE(sameBits(state, frameOf(found))) << "frame " << found;
+  EXPECT_EQ(found, 36001U) << "ten minutes, and the one that was being written";
+  EXPECT_NE(lines.said()[1].find("from 36001 on"), std::string::npos) << lines.said()[1];
+  SQLite::Database database(file.string());
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM knot WHERE frame > 36000").getInt(), 0);
 }
 
 TEST(Journal, AFileThatIsThereIsNotWrittenOver) {
@@ -424,6 +522,102 @@ TEST(SessionFile, SaysWhatIsWrongWithAFile) {
   SQLite::Database holder(locked.string(), SQLite::OPEN_READWRITE);
   holder.exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; CREATE TABLE mine(x)");
   EXPECT_NE(refusalOf(locked).find("locked"), std::string::npos) << refusalOf(locked);
+}
+
+TEST(SessionFile, FindsTheFrameOfATime) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  std::mt19937 random(11);
+  std::vector<FrameState> frames;
+  {
+    Journal journal(file, kFacts, false, {});
+    for (std::uint64_t number = 7; number < 400; number += 1 + random() % 3) {  // with gaps
+      frames.push_back(frameOf(number));
+      journal.add(frames.back(), head(), {});
+    }
+  }
+  const SessionFile session(file);
+  EXPECT_EQ(session.frames(),
+            (std::pair<std::uint64_t, std::uint64_t>(7, frames.back().record.number)));
+  for (int run = 0; run < 500; ++run) {
+    double time_s = std::uniform_real_distribution<>(-1.0, 8.0)(random);
+    if (run % 2 == 0) time_s = frames[random() % frames.size()].record.display_s;
+    std::uint64_t expected = 7;  // by going through all
+    for (const FrameState& frame : frames)
+      if (frame.record.display_s <= time_s) expected = frame.record.number;
+    ASSERT_EQ(session.frameAt(time_s), expected) << "seed 11, run " << run << ", " << time_s << " s";
+  }
+}
+
+TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  struct Damage {
+    const char* said;
+    void (*make)(FrameState&);
+  };
+  const std::vector<Damage> damages{
+      {"controls.shown is 9", [](FrameState& s) { s.record.controls.shown = static_cast<Shown>(9); }},
+      {"controls.blank is 2", [](FrameState& s) { s.record.controls.blank = 2; }},
+      {"colour is 255", [](FrameState& s) { s.record.switches.colour = 255; }},
+      {"paths is 3", [](FrameState& s) { s.record.views.paths = 3; }},
+      {"searchlight is 4", [](FrameState& s) { s.record.views.beside.searchlight = 4; }},
+      {"tracked.handKnown is 2", [](FrameState& s) { s.record.tracked.handKnown = 2; }},
+      {"last is 7", [](FrameState& s) { s.record.last = 7; }},
+      {"display_s is nan", [](FrameState& s) { s.record.display_s = kNan; }},
+      {"lightSpeed_m_s is nan", [](FrameState& s) { s.record.lightSpeed_m_s = kNan; }},
+      {"lightSpeed_m_s is 0", [](FrameState& s) { s.record.lightSpeed_m_s = 0.0; }},
+      {"lightSpeed_m_s is 1e+300", [](FrameState& s) { s.record.lightSpeed_m_s = 1e300; }},
+      {"truncateFrom_s", [](FrameState& s) { s.record.truncateFrom_s = kNan; }},
+      {"the head's frame is", [](FrameState& s) { s.record.observer.headFromBoard = Lorentz(kNan); }},
+      {"the head's light speed is -1", [](FrameState& s) { s.record.observer.headFromBoard = Lorentz(-1.0); }},
+      {"the head's frame is",
+       [](FrameState& s) { s.record.observer.headFromBoard = Lorentz::boost({kNan, 0.0, 0.0}, 1.42); }},
+      {"an eye's event", [](FrameState& s) { s.record.observer.eyes[1].observation.r_m.z = kNan; }},
+      {"an eye's place", [](FrameState& s) { s.record.observer.eyes[2].positionInRoom_m.x = kNan; }},
+      {"that an eye sees from", [](FrameState& s) { s.record.observer.eyes[0].seenFromInRoom_m.y = kNan; }},
+      {"proper time", [](FrameState& s) { s.record.observer.properTime_s = kNan; }},
+      {"head sensor", [](FrameState& s) { s.record.tracked.roomFromHeadSensor.orientation.w = kNan; }},
+      {"the hand's", [](FrameState& s) { s.record.tracked.roomFromHand.position_m.y = kNan; }},
+      {"a knot's turn", [](FrameState& s) { s.knots[0].knot.turn.t_s = kNan; }},
+      {"a knot's u", [](FrameState& s) { s.knots[1].knot.u.y = kNan; }},
+      {"a knot's proper time", [](FrameState& s) { s.knots[1].knot.properTime_s = kNan; }},
+      {"a knot's news", [](FrameState& s) { s.knots[1].knot.news.r_m.x = kNan; }},
+      {"a knot's deceleration", [](FrameState& s) { s.knots[1].knot.deceleration_m_s2 = kNan; }}};
+  TemporaryFolder folder;
+  for (const Damage& damage : damages) {
+    SCOPED_TRACE(damage.said);
+    const auto file = folder / "game.db";
+    {
+      Journal journal(file, kFacts, false, {});
+      FrameState damaged = frameOf(3);
+      damage.make(damaged);
+      journal.add(frameOf(0), head(), {});
+      journal.add(damaged, head(), {});
+    }
+    SessionFile session(file);
+    FrameState state;
+    ASSERT_TRUE(session.next(state));
+    try {
+      session.next(state);
+      ADD_FAILURE() << "accepted";
+    } catch (const std::runtime_error& error) {
+      for (const std::string& part : {std::string("game.db"), std::string("frame 3"), std::string(damage.said)})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+    std::filesystem::remove(file);
+  }
+  const auto file = folder / "game.db";
+  { Journal(file, kFacts, false, {}).add(frameOf(3), head(), {}); }
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("UPDATE frame SET number = 5");
+  SessionFile session(file);
+  FrameState state;
+  try {
+    session.next(state);
+    ADD_FAILURE() << "another frame's record was accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("frame 5: its record is of frame 3"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(SessionFile, DamagedBytesAreFoundOrReadAsTheyWereNeverACrash) {

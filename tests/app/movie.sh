@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # movie.sh CAROM CONFIG: the movie of a session has its frames, looks as its pictures do, is one for each node, and is
-# made again from the session file; without ffmpeg nothing begins.
+# made again from the session file and whole where a picture cannot be written; without ffmpeg nothing begins.
 set -uo pipefail
 carom=$1
 config=$2
@@ -39,6 +39,13 @@ awk -v psnr="$other" 'BEGIN { exit !(psnr < 25) }' || fail "another wall looks t
 
 "$carom" replay "$out/game.db" --movie "$out/again.mp4" --no-window 2>"$out/stderr" || fail "replay: $(cat "$out/stderr")"
 [ "$(facts "$out/again.mp4")" = "600,400,60/1,6" ] || fail "the replay's movie: $(facts "$out/again.mp4")"
+
+mkdir -p "$out/live/front-left-000000.png" # in real time: this picture cannot be written, the movie goes on
+"$carom" replay "$out/game.db" --capture "$out/live" --movie "$out/live.mp4" 2>"$out/stderr"
+[ $? -eq 1 ] || fail "pictures are missing, expected exit status 1: $(cat "$out/stderr")"
+[ "$(grep -c "^error: .*front-left-000000.png" "$out/stderr")" = 1 ] || fail "what is missing, once: $(cat "$out/stderr")"
+grep -qF "The movie is in $out/live.mp4." "$out/stderr" && [ -s "$out/live.mp4" ] ||
+  fail "no movie where a picture cannot be written: $(cat "$out/stderr")"
 
 mpirun --allow-run-as-root --oversubscribe -n 2 "$carom" cave --rig "$out/cluster.toml" --frames 5 --no-window \
   --movie "$out/cave.webm" 2>"$out/stderr" || fail "two nodes: $(cat "$out/stderr")"

@@ -127,9 +127,9 @@ expect(max((math.hypot(*row[4:7]) for row in walked), default=0.0) > 0.5 * WALK_
 expect(len({row[7:10] for row in held if row[0] > last + FADED_S + 0.2}) == 1, "a head that is held moves on the board")
 expect(len({row[7] for row in rows if row[0] > back + 0.5}) > 1, "the head does not walk on when the tracker is back")
 
-# Board time goes on by dt = sqrt(dτ² + |dx|²/c²), and the shown head moves by its walk (by prediction at most
-# twice as fast) and by the slide back. A head that was put elsewhere would take 0.2 s and more in one frame.
-fastest = math.hypot(1.0, (2.0 * WALK_M_S + SLIDE_M_S) / LIGHT_M_S)
+# Board time goes on by dt = sqrt(dτ² + |dx|²/c²), and the shown head moves by its walk (by prediction at most three
+# times as fast, from its first samples) and by the slide back. A head that was put elsewhere would take 0.2 s and more in one frame.
+fastest = math.hypot(1.0, (3.0 * WALK_M_S + SLIDE_M_S) / LIGHT_M_S)
 for earlier, later in zip(rows, rows[1:]):
     lived, passed = later[1] - earlier[1], later[2] - earlier[2]
     moved_m = math.dist(earlier[7:10], later[7:10])

@@ -48,6 +48,7 @@ int main() {
       FrameState state;
       state.record.number = static_cast<std::uint64_t>(number);
       state.record.display_s = time_s;
+      state.record.lightSpeed_m_s = c_m_s;
       state.record.observer = observer.view(0.064);
       state.record.pucks = billiard.worldLines().size();
       state.record.tracked = {head.roomFromHead, {}, 1, 0};

@@ -5,10 +5,13 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
+#include <vtk_glew.h>
 
+#include <atomic>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 #include "cave/window.h"
 
@@ -43,6 +46,33 @@ TEST(Capture, AWrittenPngReadsBackTheSame) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1) << "nothing else is left behind";
 }
 
+TEST(Capture, SeveralMayWriteTheSameFile) {
+  const Folder folder;
+  const fs::path path = folder.path / "front-left-000000.png", expected = folder.path / "expected.png";
+  const Image image{{200, 100}, std::vector<std::uint8_t>(60000, 77)};
+  writePng(image, expected);
+  std::atomic<int> failures = 0;
+  {
+    std::vector<std::jthread> writers;
+    for (int writer = 0; writer < 8; ++writer) {
+      writers.emplace_back([&] {
+        for (int i = 0; i < 20; ++i) {
+          try {
+            writePng(image, path);
+          } catch (const std::runtime_error&) {
+            ++failures;
+          }
+        }
+      });
+    }
+  }
+  EXPECT_EQ(failures, 0);
+  std::ifstream written(path, std::ios::binary), whole(expected, std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}),
+            std::string(std::istreambuf_iterator<char>(whole), {}));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 2) << "nothing else is left behind";
+}
+
 TEST(Capture, AFolderThatIsNotThereIsNamed) {
   try {
     writePng({{1, 1}, {0, 0, 0}}, "/nowhere/at/all.png");
@@ -71,6 +101,35 @@ void paint(WallPicture& picture, std::uint64_t frame, int eye) {
 std::string bytesOf(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Capture, AViewThatIsResizedKeepsNoBuffersOfItsOldSizes) {
+  Graphics graphics;
+  const auto buffers = [] {
+    int there = 0;
+    for (GLuint name = 1; name < 2000; ++name) there += glIsBuffer(name) == GL_TRUE;
+    return there;
+  };
+  const WallPicture wall({20, 10});
+  const int before = buffers();
+  PictureReader reader;
+  for (int width = 1; width <= 50; ++width) {
+    WallPicture window({width, 10});
+    paint(window, static_cast<std::uint64_t>(width), 0);
+    reader.ask(wall, 0);
+    reader.ask(window, 1);
+    std::vector<std::vector<std::uint8_t>> fetched;
+    reader.fetch(0, [&](const glm::ivec2&, std::span<const std::uint8_t> rgba) {
+      fetched.emplace_back(rgba.begin(), rgba.end());
+    });
+    ASSERT_EQ(fetched.size(), 2U);
+    EXPECT_EQ(fetched[0].size(), 4U * 20 * 10);
+    const Image expected = readBack(window);
+    ASSERT_EQ(fetched[1].size(), expected.rgb.size() / 3 * 4) << width;
+    for (std::size_t i = 0; i < expected.rgb.size(); ++i)
+      ASSERT_EQ(fetched[1][i / 3 * 4 + i % 3], expected.rgb[i]) << width;
+  }
+  EXPECT_EQ(buffers(), before + 2);
 }
 
 TEST(Capture, WhatIsCapturedOnTheWayIsWhatWasDrawnThen) {
@@ -104,11 +163,12 @@ TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
   const Folder folder;
   Graphics graphics;
   WallPicture large({1500, 1500});
-  const std::string wall = "front";
+  const std::string wall = "front", outside = "outside";
   Capture capture(folder.path, WhenFull::drop);
   constexpr std::uint64_t kFrames = 60;
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {  // each takes milliseconds to encode
     const std::vector<Capture::Taken> taken{{&large, &wall, Eye::left}, {&large, &wall, Eye::right}};
+    capture.include({&large, &outside, Eye::mono});
     capture.take(frame, taken);
   }
   capture.finish();
@@ -117,6 +177,8 @@ TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
     const bool there = fs::exists(capturePath(folder.path, wall, Eye::left, frame));
     EXPECT_EQ(there, fs::exists(capturePath(folder.path, wall, Eye::right, frame)))
+        << "half of frame " << frame;
+    EXPECT_EQ(there, fs::exists(capturePath(folder.path, outside, Eye::mono, frame)))
         << "half of frame " << frame;
     whole += there;
   }

@@ -178,6 +178,9 @@ TEST(Movie, WhatIsWrongIsSaidAndNothingIsLeftBehind) {
   };
   EXPECT_EQ(failureOf("/nowhere/at/all.mp4"), "movie /nowhere/at/all.mp4: No such file or directory");
 
+  EXPECT_EQ(failureOf(folder.path),
+            "movie " + folder.path.string() + ": it is a folder, expected the name of a file");
+
   const std::string path = std::getenv("PATH");
   setenv("PATH", folder.path.c_str(), 1);
   const std::string missing = failureOf(folder.path / "a.mp4");
@@ -200,6 +203,30 @@ TEST(Movie, WhatIsWrongIsSaidAndNothingIsLeftBehind) {
   { Movie unfinished(folder.path / "c.mp4", layout, 60.0, WhenFull::wait); }
   fs::remove(folder.path / "ffmpeg");
   EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
+TEST(Movie, WhereItCannotHaveItsNameItStaysUnderTheOther) {
+  const Folder folder;
+  Graphics graphics;
+  const fs::path file = folder.path / "taken.mp4";
+  WallPicture picture({32, 32});
+  const std::array<const WallPicture*, 1> pictures{&picture};
+  std::string said;
+  try {
+    Movie movie(file, movieLayout(std::vector<Wall>{wallOf("a", {32, 32}, StereoMode::mono)}, false), 60.0,
+                WhenFull::wait);
+    for (int frame = 0; frame < 5; ++frame) movie.add(frame / 60.0, pictures);
+    fs::create_directory(file);
+    movie.finish();
+  } catch (const std::runtime_error& error) {
+    said = error.what();
+  }
+  EXPECT_EQ(said,
+            "movie " + file.string() + ": Is a directory; the whole movie is " + file.string() + ".partial");
+  EXPECT_EQ(outputOf("ffprobe -loglevel error -count_frames -select_streams v:0 -show_entries "
+                     "stream=nb_read_frames -of csv=p=0 '" +
+                     file.string() + ".partial'"),
+            "5\n");
 }
 
 }  // namespace

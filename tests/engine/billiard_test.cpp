@@ -489,6 +489,41 @@ TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
   }
 }
 
+// The heat of a bounce on its way is changed by a stroke, and is again what it was when the stroke is rewound.
+TEST(BilliardStroke, rewindingGivesTheHeatOfAScriptedGame) {
+  BilliardSetup setup = test::gasSetup(60, 0.3, 1.6, 22);
+  setup.rules.collisionEvent = CollisionEvent::centre;
+  setup.rules.cushionRestitution = 0.98;
+  Billiard live(setup);
+  live.advanceTo(4.0);
+  BilliardSetup scripted = setup;
+  // Three strokes on each of the pucks whose bounce is on its way around a snapshot: each goes back to that. In the
+  // order of time, as going back further would make the bounce anew.
+  for (std::size_t i = 0; i < live.events().size(); ++i) {
+    const GameEvent event = live.events()[i];
+    if (event.kind != EventKind::puckCushion || event.number % 480 < 460) continue;
+    const Turn& turn = event.turns[0];
+    for (const double part : {0.99, 0.98, 0.97}) {
+      const double at_s = event.at.t_s + part * (turn.event.t_s - event.at.t_s);
+      const Stroke stroke{turn.puck, at_s, std::nullopt, {0.01 * part, -0.02}};
+      live.strike(stroke);
+      scripted.strokes.push_back(stroke);
+    }
+  }
+  EXPECT_GT(scripted.strokes.size(), 20u);
+  live.advanceTo(5.0);
+  Billiard whole(scripted);
+  whole.advanceTo(5.0);
+  ASSERT_EQ(live.events().size(), whole.events().size());
+  double heat_j = 0.0;
+  for (std::size_t i = 0; i < live.events().size(); ++i) {
+    SCOPED_TRACE(i);
+    expectSame(live.events()[i], whole.events()[i]);
+    heat_j += live.events()[i].heat_j;
+  }
+  EXPECT_NEAR(heat_j, live.ledger().heat_j, 1e-10 * heat_j) << "the events' heat is the ledger's";
+}
+
 // While a kick is on its way to the centre, a stroke changes where it arrives, not its impulse.
 TEST(BilliardStroke, duringAPendingTurn) {
   BilliardSetup setup;
