@@ -42,4 +42,11 @@ unsigned makeProgram(const std::string& name, const std::string& vertexText,
   return program;
 }
 
+void setAttribute(unsigned program, const char* name, int size, std::size_t stride, std::size_t offset) {
+  const auto location = static_cast<GLuint>(glGetAttribLocation(program, name));
+  glEnableVertexAttribArray(location);
+  glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                        reinterpret_cast<const void*>(offset));
+}
+
 }  // namespace carom

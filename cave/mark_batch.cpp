@@ -114,16 +114,10 @@ MarkDrawer::MarkDrawer()
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
   glBindVertexArray(vertexArray_);
   glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  const auto attribute = [&](const char* name, int size, std::size_t offset) {
-    const auto location = static_cast<GLuint>(glGetAttribLocation(program_, name));
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(MarkCorner),
-                          reinterpret_cast<const void*>(offset));
-  };
-  attribute("drawn_m", 3, offsetof(MarkCorner, drawn_m));
-  attribute("ink", 4, offsetof(MarkCorner, colour));
-  attribute("on", 2, offsetof(MarkCorner, on));
-  attribute("what", 2, offsetof(MarkCorner, what));
+  setAttribute(program_, "drawn_m", 3, sizeof(MarkCorner), offsetof(MarkCorner, drawn_m));
+  setAttribute(program_, "ink", 4, sizeof(MarkCorner), offsetof(MarkCorner, colour));
+  setAttribute(program_, "on", 2, sizeof(MarkCorner), offsetof(MarkCorner, on));
+  setAttribute(program_, "what", 2, sizeof(MarkCorner), offsetof(MarkCorner, what));
   glBindVertexArray(static_cast<GLuint>(arrayBefore));
   glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
 }

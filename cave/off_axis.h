@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "cave/wall.h"
@@ -18,6 +19,9 @@ struct ClipRange {
   double near_m = 0.03;
   double far_m = 5000.0;
 };
+
+/// A wall's width and height in metres.
+glm::dvec2 sizeOf_m(const Wall& wall);
 
 /// An eye that comes closer to a wall's plane than this has no picture on it (metres).
 inline constexpr double kNearestToWall_m = 1e-3;

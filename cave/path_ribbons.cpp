@@ -73,14 +73,8 @@ PathRibbons::PathRibbons() : program_(makeProgram("path", shaders::path_vert, sh
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
   glBindVertexArray(vertexArray_);
   glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  const auto attribute = [&](const char* name, int size, std::size_t offset) {
-    const auto location = static_cast<GLuint>(glGetAttribLocation(program_, name));
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Corner),
-                          reinterpret_cast<const void*>(offset));
-  };
-  attribute("place_m", 2, offsetof(Corner, place_m));
-  attribute("way", 3, offsetof(Corner, across_m));
+  setAttribute(program_, "place_m", 2, sizeof(Corner), offsetof(Corner, place_m));
+  setAttribute(program_, "way", 3, sizeof(Corner), offsetof(Corner, across_m));
   glBindVertexArray(static_cast<GLuint>(arrayBefore));
   glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
 }

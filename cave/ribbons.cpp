@@ -17,13 +17,6 @@ namespace {
 constexpr double kThinnest_px = 0.6;  // half a width; thinner lines would break up
 constexpr double kNearest = 1e-3;     // of clip w, the distance from the eye: metres
 
-void setAttribute(unsigned program, const char* name, int size, std::size_t stride, std::size_t offset) {
-  const auto location = static_cast<GLuint>(glGetAttribLocation(program, name));
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
-}
-
 /// Pixels that a metre across the line of sight has at w = 1: the part of the matrix's x row that is not
 /// along the direction in which w grows.
 double pixelsAcross(const glm::dmat4& clip, double half_px) {

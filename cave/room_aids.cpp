@@ -19,11 +19,6 @@
 namespace carom {
 namespace {
 
-glm::dvec2 sizeOf_m(const Wall& wall) {
-  return {glm::length(wall.lowerRight_m - wall.lowerLeft_m),
-          glm::length(wall.upperLeft_m - wall.lowerLeft_m)};
-}
-
 /// The grid around one point: where, and how strong.
 glm::vec3 warningOf(const Wall& wall, const glm::dvec3& place_m) {
   const NearestOnWall nearest = nearestOn(wall, place_m);

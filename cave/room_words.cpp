@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl_program.h"
+#include "cave/off_axis.h"
 #include "cave/plain_state.h"
 #include "cave/view_colours.h"
 #include "engine/lorentz.h"
@@ -27,11 +28,6 @@ constexpr double kMostOfWall = 0.6;         // of its width, for the panel
 constexpr std::array<std::uint8_t, 4> kGround{12, 14, 18, 175};  // dark; half of the picture shows through
 constexpr std::uint8_t kWhite = 235;
 constexpr glm::vec3 kSeenMark(0.92F);
-
-glm::dvec2 sizeOf_m(const Wall& wall) {
-  return {glm::length(wall.lowerRight_m - wall.lowerLeft_m),
-          glm::length(wall.upperLeft_m - wall.lowerLeft_m)};
-}
 
 /// Lines one after the other into memory that is used again.
 class Lines {

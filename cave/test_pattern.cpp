@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "cave/off_axis.h"
 #include "cave/stereo.h"
 #include "cave/text_ink.h"
 
@@ -60,11 +61,6 @@ class Canvas {
 
   Image image_;
 };
-
-glm::dvec2 sizeOf_m(const Wall& wall) {
-  return {glm::length(wall.lowerRight_m - wall.lowerLeft_m),
-          glm::length(wall.upperLeft_m - wall.lowerLeft_m)};
-}
 
 /// Lines a step apart, across the whole picture, each on the pixel in which it lies.
 void drawLines(Canvas& canvas, const glm::dvec2& pxPerM, double step_m, const Colour& colour) {
