@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cave/lesson_words.h"
 #include "cave/time_views.h"
 #include "cave/wall_controls.h"
 #include "engine/switches.h"
@@ -33,6 +34,9 @@ struct Controls {
   /// the person's, this ÷ the scenario's light speed. Board clocks go on counting the game's.
   double lightSpeed_m_s = 1.42;
   Playback playback;
+  LessonState lesson;
+  unsigned tours = 0;  ///< counts up with every wish to set out on the scenario's own drive
+  std::string play;    ///< the scenario file to go on with, instead of this one; empty: none
 
   bool operator==(const Controls&) const = default;
 };
@@ -57,12 +61,14 @@ struct NamedView {
   const char* name;
   std::uint8_t TimeViews::*value;
 };
-inline constexpr std::array<NamedView, 7> kNamedViews{{{"board-now", &TimeViews::boardNow},
+inline constexpr std::array<NamedView, 9> kNamedViews{{{"board-now", &TimeViews::boardNow},
                                                        {"my-now", &TimeViews::myNow},
                                                        {"paths", &TimeViews::paths},
                                                        {"events", &TimeViews::events},
                                                        {"clocks", &TimeViews::clocks},
                                                        {"split", &TimeViews::split},
-                                                       {"frozen", &TimeViews::frozen}}};
+                                                       {"frozen", &TimeViews::frozen},
+                                                       {"ruler", &TimeViews::ruler},
+                                                       {"angles", &TimeViews::angles}}};
 
 }  // namespace carom

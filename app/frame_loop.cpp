@@ -35,7 +35,7 @@ void sayProgress(const FrameSource& source, std::uint64_t shown) {
 
 Node nodeOf(Cluster& cluster, Stage& stage) {
   return {cluster,    *stage.graphics,      *stage.walls,  stage.world, *stage.recording,
-          stage.lock, stage.rig.display_hz, stage.realTime, stage.outside.get(), stage.diagram.get(), stage.boardFromRoom};
+          stage.lock, stage.rig.display_hz, stage.realTime, stage.outside.get(), stage.diagram.get()};
 }
 
 Controls controlsAtStart(const Stage& stage) {
@@ -59,7 +59,7 @@ void runFrames(const Node& node, Lead* lead) {
     watch.mark(FramePart::share);
     applyFrame(state, node.world);
     node.walls.draw(state.record, node.world);
-    if (node.outside) node.outside->draw(state.record, node.boardFromRoom, node.world.histories, node.walls);
+    if (node.outside) node.outside->draw(state.record, node.world.histories, node.walls);
     node.walls.show(watch.view(state.record));
     if (node.outside) node.outside->show();
     if (node.diagram) node.diagram->show(state.record, node.world);

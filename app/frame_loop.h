@@ -21,7 +21,6 @@ struct Node {
   bool realTime;
   RoomView* outside = nullptr;       ///< where the room is shown from outside, too
   DiagramWindow* diagram = nullptr;  ///< where the spacetime diagram is shown
-  Lorentz boardFromRoom{1.0};   ///< for it
 };
 
 /// What rank 0 alone has.

@@ -4,8 +4,11 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "app/controls.h"
+#include "app/desk_input.h"
+#include "app/tracker_report.h"
 #include "cave/frame_state.h"
 #include "cave/frame_stamps.h"
 
@@ -34,6 +37,10 @@ class FrameSource {
   virtual void shown(const FrameState&) {}
   /// The operator has changed something: it holds from the frame after `number` on.
   virtual void changed(std::uint64_t /*number*/, const ControlChange&) {}
+  /// What hands at the desk did since the frame before: before `next`.
+  virtual void handled(const DeskInput& /*desk*/) {}
+  /// How the trackers fare, for the console: it may allocate.
+  virtual std::vector<TrackerReport> trackers() const { return {}; }
   /// Once a second, in real time: where each node's time went.
   virtual void measured(std::span<const LatencyRow>) {}
 };

@@ -49,7 +49,7 @@ CREATE TABLE latency(display_s REAL, frame INTEGER, node INTEGER, part TEXT, fra
 )";
 
 // The records of frames and knots are kept byte by byte: another layout is another version of the tables.
-static_assert(sizeof(FrameRecord) == 592 && sizeof(BodyKnot) == 112 && sizeof(StoredEvent) == 216,
+static_assert(sizeof(FrameRecord) == 1008 && sizeof(BodyKnot) == 112 && sizeof(StoredEvent) == 216,
               "count kJournalVersion up, then these");
 
 struct FrameRow {

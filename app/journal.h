@@ -8,7 +8,7 @@
 //         views, truncate_from_s, record, events)
 //       One row a frame. t_s … z_m: the event at which the point between the eyes received the frame's light.
 //       switches: a bit each, retardation 1, contraction 2, aberration 4, colour 8, searchlight 16. views: now on the
-//       board 1, my now 2, paths 4, events 8, clocks 16, split 32, frozen 64. `record`: the whole record as this
+//       board 1, my now 2, paths 4, events 8, clocks 16, split 32, frozen 64, ruler 128, angles 256. `record`: the whole record as this
 //       version's program holds it; `events`: what it brought to the list of events (app/stored_event.h). What a stroke
 //       later took back stays here: so it was shown.
 //   knot(frame, body, t_s, x_m, y_m, z_m, u_x, u_y, u_z, proper_time_s, knot)
@@ -51,7 +51,7 @@ namespace carom {
 /// How a SQLite file tells that it is a journal ("Caro"), and the version of its tables. A file of a newer
 /// one is not read.
 inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 2;
+inline constexpr int kJournalVersion = 3;
 
 /// What a journal begins with.
 struct SessionFacts {

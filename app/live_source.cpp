@@ -40,6 +40,7 @@ void LiveSource::next(const Controls& controls, FrameState& state) {
     record.observer = person_.at(times, controls.eyeSeparation_m, pace);
     frozen_ = record.observer;
   }
+  record.boardFromRoom = person_.boardFromRoom();
   if (controls.views.myNow) game_.playToNowOf(record.observer);
   game_.advance(latestObservation_s(record.observer), state);
   if (times.number % kFramesBetweenForgetting == 0) game_.forget(stage_.world.histories, record.observer, state);

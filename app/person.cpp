@@ -11,10 +11,12 @@ Head headOf(const HeadEstimate& estimate) { return {estimate.pose, estimate.cele
 
 Observer startOf(const Rig& rig, const Scenario& scenario, const Head& head,
                  const std::optional<FrameRecord>& before) {
+  if (before) {
+    const ObserverView& last = before->observer;
+    return Observer::at(last.eyes[2].observation, last.properTime_s, before->boardFromRoom, head);
+  }
   const Lorentz room = startingRoom(scenario.observer, rig.axes, scenario.billiard.lightSpeed_m_s);
-  if (!before) return Observer(room, {0.0, scenario.observer.position_m}, head);
-  const ObserverView& last = before->observer;
-  return Observer::at(last.eyes[2].observation, last.properTime_s, room, head);
+  return Observer(room, {0.0, scenario.observer.position_m}, head);
 }
 
 /// A period before the first frame is shown; a session that goes on keeps its clock.

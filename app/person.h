@@ -40,6 +40,7 @@ class Person {
   /// The head at that display, and what the tracker had delivered for it.
   const HeadEstimate& head() const { return head_; }
   Tracked tracked() const { return tracking_.tracked(); }
+  const Lorentz& boardFromRoom() const { return observer_.boardFromRoom(); }
   std::span<const TrackerSample> samples() const { return tracking_.samples(); }
 
  private:

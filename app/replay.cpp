@@ -70,11 +70,6 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   });
   shareInputs(cluster, inputs);
   Stage stage = openStage(cluster, inputs);
-  if (options.beta) {
-    ObserverStart start = stage.scenario.observer;
-    start.beta = *options.beta;
-    stage.boardFromRoom = startingRoom(start, stage.rig.axes, stage.scenario.billiard.lightSpeed_m_s);
-  }
 
   Frames frames;
   std::optional<Lead> lead;

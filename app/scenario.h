@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cave/lesson_words.h"
+#include "cave/time_views.h"
 #include "engine/billiard.h"
 #include "engine/event.h"
 #include "engine/world_line.h"
@@ -29,12 +31,36 @@ struct ObserverStart {
   Vec3 beta{0.0};                            ///< v/c of the platform
 };
 
+/// A stretch of the platform's own way, on the person's clock from when the tour sets out.
+struct ThrustLeg {
+  double from_s = 0.0;
+  double for_s = 0.0;
+  Vec3 thrust_m_s2{0.0};  ///< proper acceleration: person's right, forward and up in the room; c²/2 a metre at most
+};
+
+/// A pulse of light that is told: it goes straight from place to place at c and is seen by what it strikes on
+/// its way.
+struct Pulse {
+  std::string name;
+  double at_s = 0.0;          ///< when it starts
+  std::vector<Vec3> path_m;   ///< two places at least; board frame
+};
+
+/// A game that teaches.
+struct Lesson {
+  LessonWords words;
+  TimeViews views;  ///< that it begins with
+};
+
 struct Scenario {
   std::string title;
   BilliardSetup billiard;                                        ///< can be played
   std::vector<std::optional<std::filesystem::path>> puckMeshes;  ///< one for each puck; scaled to its radius
   std::vector<ToldBody> bodies;
   ObserverStart observer;
+  std::vector<ThrustLeg> tour;  ///< in the order of time, none overlapping
+  std::vector<Pulse> pulses;
+  std::optional<Lesson> lesson;
 };
 
 /// Reads and checks the whole file. Throws InputErrors (app/toml_file.h), which names every fault's place.

@@ -83,16 +83,18 @@ void expectFlags(const Switches& switches) {
   for (const NamedSwitch& named : kNamedSwitches) expectFlag(named.name, switches.*named.value);
 }
 
-void expectPossible(const ObserverView& observer) {
-  const Lorentz& headFromBoard = observer.headFromBoard;
-  const double c_m_s = headFromBoard.lightSpeed_m_s();
-  expectFinite("the head's frame", {c_m_s});
-  if (!(c_m_s > 0.0))
-    throw std::runtime_error(fmt::format("the head's light speed is {} m/s, expected more than 0", c_m_s));
+void expectPossible(const char* frame, const Lorentz& transform) {
+  const double c_m_s = transform.lightSpeed_m_s();
+  expectFinite(frame, {c_m_s});
+  if (!(c_m_s > 0.0)) throw std::runtime_error(fmt::format("{} has light at {} m/s, expected more than 0", frame, c_m_s));
   for (int column = 0; column < 4; ++column) {
-    const glm::dvec4& v = headFromBoard.matrix()[column];
-    expectFinite("the head's frame", {v.x, v.y, v.z, v.w});
+    const glm::dvec4& v = transform.matrix()[column];
+    expectFinite(frame, {v.x, v.y, v.z, v.w});
   }
+}
+
+void expectPossible(const ObserverView& observer) {
+  expectPossible("the head's frame", observer.headFromBoard);
   for (const EyeView& eye : observer.eyes) {
     expectFinite("an eye's event", eye.observation);
     expectFinite("an eye's place in the room", eye.positionInRoom_m);
@@ -112,12 +114,23 @@ void expectPossible(const WallControls& walls) {
   expectFlag("controls.latency", walls.latency);
 }
 
+void expectPossible(const HandView& hand, const DriveView& drive) {
+  expectFlag("hand.shown", hand.shown);
+  expectFlag("hand.pulling", hand.pulling);
+  for (const Vec3& place : {hand.from_m, hand.to_m, hand.target_m, hand.towards, drive.thrust})
+    expectFinite("the hand", {place.x, place.y, place.z});
+  expectFinite("the stroke", {hand.u});
+  if (drive.mode > DriveMode::tour) throw std::runtime_error("drive.mode is none that there is");
+  expectFlag("drive.atLimit", drive.atLimit);
+}
+
 /// As this program could have written it with the frame of that number, of a game with that light speed.
 const FrameRecord& checked(const FrameRecord& record, std::int64_t number, double gameLightSpeed_m_s) {
   if (record.number != static_cast<std::uint64_t>(number))
     throw std::runtime_error(fmt::format("its record is of frame {}", record.number));
   expectFinite("display_s", {record.display_s});
   expectPossible(record.observer);
+  expectPossible("the room's frame", record.boardFromRoom);
   if (std::isnan(record.truncateFrom_s))
     throw std::runtime_error("truncateFrom_s is no number, expected a board time or infinity");
   const double c_m_s = record.lightSpeed_m_s;
@@ -135,6 +148,10 @@ const FrameRecord& checked(const FrameRecord& record, std::int64_t number, doubl
   expectFinite("the hand's pose", record.tracked.roomFromHand);
   expectFlag("tracked.headKnown", record.tracked.headKnown);
   expectFlag("tracked.handKnown", record.tracked.handKnown);
+  expectPossible(record.hand, record.drive);
+  if (record.lesson.phase > LessonPhase::explains || record.lesson.answer > 4)
+    throw std::runtime_error("lesson is in no phase that there is");
+  if (record.notice.text.back() != 0) throw std::runtime_error("notice has no end");
   return record;
 }
 

@@ -179,7 +179,6 @@ void openOutside(Stage& stage, bool visible) {
   if (const auto& board = stage.scenario.billiard.board) table = tableParts(*board, start.position_m.z, kCell_m);
   stage.outside =
       std::make_unique<RoomView>(*stage.graphics, factsOf(stage.rig), stage.scene, table, visible);
-  stage.boardFromRoom = startingRoom(start, stage.rig.axes, stage.scenario.billiard.lightSpeed_m_s);
 }
 
 }  // namespace

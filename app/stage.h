@@ -49,7 +49,6 @@ struct Stage {
   std::unique_ptr<WallSet> walls;
   std::unique_ptr<RoomView> outside;  ///< where it was asked for
   std::unique_ptr<DiagramWindow> diagram;  ///< where it was asked for
-  Lorentz boardFromRoom{1.0};         ///< the room's attitude and motion, for it
   World world;
   std::unique_ptr<Recording> recording;
   NodeLock lock;           ///< of this node's swaps

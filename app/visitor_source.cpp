@@ -108,6 +108,7 @@ void VisitorSource::next(const Controls& controls, FrameState& state) {
   record.number = times.number;
   record.pucks = game_.pucks;
   record.observer = look(controls, times);
+  record.boardFromRoom = person_.boardFromRoom();
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
   record.last = isLast(times, record.observer);

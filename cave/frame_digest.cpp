@@ -39,12 +39,16 @@ class Digest {
   std::uint64_t digest_ = 0;
 };
 
-std::uint64_t digestOf(const ObserverView& observer) {
-  Digest digest;
-  const auto& matrix = observer.headFromBoard.matrix();
+void add(const Lorentz& transform, Digest& digest) {
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) digest << matrix[column][row];
+    for (int row = 0; row < 4; ++row) digest << transform.matrix()[column][row];
   }
+}
+
+std::uint64_t digestOf(const ObserverView& observer, const Lorentz& boardFromRoom) {
+  Digest digest;
+  add(observer.headFromBoard, digest);
+  add(boardFromRoom, digest);
   for (const EyeView& eye : observer.eyes) {
     digest << eye.observation << eye.positionInRoom_m << eye.seenFromInRoom_m;
   }
@@ -55,9 +59,14 @@ std::uint64_t digestOf(const ObserverView& observer) {
 std::uint64_t digestOf(const TimeViews& views) {
   Digest digest;
   digest << views.boardNow << views.myNow << views.paths << views.events << views.clocks << views.split
-         << views.frozen;
+         << views.frozen << views.ruler << views.angles;
   for (const NamedSwitch& named : kNamedSwitches) digest << views.beside.*named.value;
   return digest;
+}
+
+std::uint64_t digestOf(const HandView& hand) {
+  return Digest() << hand.shown << hand.pulling << hand.target << hand.from_m << hand.to_m << hand.target_m
+                  << hand.towards << hand.u;
 }
 
 /// The newest knot and how many there are: a history that lost or gained one differs from then on.
@@ -90,12 +99,16 @@ FrameDigest digestOf(const FrameState& state, const World& world) {
     tracked << pose.position_m << q.w << q.x << q.y << q.z;
   }
   tracked << record.tracked.headKnown << record.tracked.handKnown;
+  tracked << digestOf(record.hand) << record.drive.thrust << static_cast<std::uint8_t>(record.drive.mode)
+          << record.drive.atLimit;
+  switches << static_cast<std::uint8_t>(record.lesson.phase) << record.lesson.answer;
+  for (const char letter : record.notice.text) switches << letter;
   knots << record.truncateFrom_s << record.pucks << record.forgetBefore_s;
   for (const BodyKnot& knot : state.knots) knots << knot.body << knot.knot;
   Digest events;
   events << record.eventsKept;
   for (const GameEvent& event : state.events) events << event;
-  return {{Digest() << record.number << record.last, Digest() << record.display_s, digestOf(record.observer),
+  return {{Digest() << record.number << record.last, Digest() << record.display_s, digestOf(record.observer, record.boardFromRoom),
            switches, tracked, knots, events, digestOfNewest(world.histories), digestOfNewest(world.events)}};
 }
 

@@ -7,6 +7,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "cave/hand_view.h"
+#include "cave/lesson_words.h"
+#include "cave/notice.h"
 #include "cave/time_views.h"
 #include "cave/wall_controls.h"
 #include "engine/game_event.h"
@@ -33,6 +36,7 @@ struct FrameRecord {
   std::uint64_t number = 0;
   double display_s = 0.0;  ///< session clock: when the light of this frame leaves the walls
   ObserverView observer{Lorentz(1.0), {}, 0.0};
+  Lorentz boardFromRoom{1.0};  ///< the room's attitude and motion
   /// The pucks, bodies 1 to `pucks`, forget the knots whose turn is at or after this board time, before the
   /// new ones are added.
   double truncateFrom_s = std::numeric_limits<double>::infinity();
@@ -50,6 +54,10 @@ struct FrameRecord {
   WallControls controls;  ///< what else the operator has chosen
   TimeViews views;
   Tracked tracked;
+  HandView hand;
+  DriveView drive;
+  LessonState lesson;
+  Notice notice;
 };
 static_assert(std::is_trivially_copyable_v<FrameRecord> && std::is_trivially_copyable_v<BodyKnot> &&
               std::is_trivially_copyable_v<GameEvent>);

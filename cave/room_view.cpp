@@ -521,14 +521,13 @@ RoomView::RoomView(Graphics& graphics, const RoomFacts& room, const Scene& scene
 
 RoomView::~RoomView() { drawing_->graphics.makeCurrent(); }
 
-void RoomView::draw(const FrameRecord& record, const Lorentz& boardFromRoom,
-                    std::span<const WorldLine> histories, const WallSet& walls) {
+void RoomView::draw(const FrameRecord& record, std::span<const WorldLine> histories, const WallSet& walls) {
   Drawing& d = *drawing_;
   d.graphics.makeCurrent();
   d.makePicture(d.window ? glm::max(d.window->size_px(), glm::ivec2(1)) : kPicture_px);
   d.clip = d.camera.clipFromRoom(d.size_px);
   const EyeView& middle = record.observer.eyes[2];
-  const RoomMoment moment(boardFromRoom, middle.observation, middle.seenFromInRoom_m);
+  const RoomMoment moment(record.boardFromRoom, middle.observation, middle.seenFromInRoom_m);
 
   const PlainState state(d.framebuffer, d.size_px);
   glDepthMask(GL_TRUE);

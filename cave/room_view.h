@@ -32,8 +32,7 @@ class RoomView {
 
   /// Draws the frame, after the walls. A wall that `walls` does not draw is an empty panel with its name.
   /// `histories[i]` is body i of the scene.
-  void draw(const FrameRecord& record, const Lorentz& boardFromRoom, std::span<const WorldLine> histories,
-            const WallSet& walls);
+  void draw(const FrameRecord& record, std::span<const WorldLine> histories, const WallSet& walls);
 
   const WallPicture& picture() const;
   /// It, to be written as outside-mono-FRAME.png.

@@ -13,6 +13,8 @@ struct TimeViews {
   std::uint8_t paths = 0;     ///< the ways of the pucks' centres over the cloth, past and to come
   std::uint8_t events = 0;    ///< markers where something happened, and the light of flashes on its way
   std::uint8_t clocks = 0;    ///< each puck's own clock as it is seen, and the person's
+  std::uint8_t ruler = 0;     ///< a metre on the cloth, with light's way along it
+  std::uint8_t angles = 0;    ///< between the ways of two pucks after they met
   std::uint8_t split = 0;     ///< the right half of every wall is drawn with `beside`
   std::uint8_t frozen = 0;    ///< the sight of one moment, to be walked round
   Switches beside = kNoSwitches;  ///< of the right half: Newton's, unless chosen otherwise

@@ -17,14 +17,38 @@ Observer Observer::at(const Event& headEvent, double properTime_s, const Lorentz
   return observer;
 }
 
-void Observer::step(double dtau_s, const Head& head, double pace) {
+namespace {
+
+/// Half of a step's thrust: a boost of half its rapidity.
+Lorentz halfBoost(const Vec3& rapidity, double c_m_s) {
+  const double size = glm::length(rapidity);
+  return Lorentz::boost(size > 0.0 ? rapidity * (std::sinh(0.5 * size) / size) : Vec3(0.0), c_m_s);
+}
+
+/// sinh(x)/x.
+double sinhc(double x) { return std::abs(x) < 1e-4 ? 1.0 + x * x / 6.0 : std::sinh(x) / x; }
+
+}  // namespace
+
+// On the hyperbola of proper acceleration a, from rest, after proper time T, with φ = aT/c:
+//   (ct, x) = (c²/a) (sinh φ, cosh φ − 1) = (2c²/a) sinh(φ/2) (cosh(φ/2), sinh(φ/2))
+// which in the frame boosted by φ/2 is the time T sinh(φ/2)/(φ/2) alone (Rindler 2006, §3.8).
+void Observer::step(double dtau_s, const Head& head, double pace, const Vec3& thrust_m_s2) {
   const double c_m_s = boardFromRoom_.lightSpeed_m_s();
   Vec3 step_m = head.roomFromHead.position_m - head_.roomFromHead.position_m;
   if (!(glm::length(step_m) <= kGlitchCelerity_m_s * dtau_s)) step_m = Vec3(0.0);
   // dT = sqrt(dτ² + |dx|²/c²)
   const double lived_s = pace * dtau_s;
   const double roomTime_s = std::hypot(lived_s, glm::length(step_m) / c_m_s);
-  headEvent_ = headEvent_ + boardFromRoom_ * Displacement{roomTime_s, step_m};
+  const Vec3 rapidity = thrust_m_s2 * (roomTime_s / c_m_s);
+  if (rapidity == Vec3(0.0)) {
+    headEvent_ = headEvent_ + boardFromRoom_ * Displacement{roomTime_s, step_m};
+  } else {
+    const Lorentz half = halfBoost(rapidity, c_m_s);
+    const double chord_s = roomTime_s * sinhc(0.5 * glm::length(rapidity));
+    headEvent_ = headEvent_ + boardFromRoom_ * (half * Displacement{chord_s, step_m});
+    boardFromRoom_ = (boardFromRoom_ * half * half).orthonormalised();
+  }
   properTime_s_ += lived_s;
   head_ = {head.roomFromHead, head.celerity_m_s / pace};
 }
@@ -35,9 +59,9 @@ void Observer::stroll(double roomTime_s, const Head& head) {
   head_ = {head.roomFromHead, Vec3(0.0)};
 }
 
-void Observer::thrust(const Vec3& deltaUInRoom) {
-  boardFromRoom_ =
-      (boardFromRoom_ * Lorentz::boost(deltaUInRoom, boardFromRoom_.lightSpeed_m_s())).orthonormalised();
+void Observer::turn(double angle_rad, const Vec3& axisInRoom) {
+  const glm::dquat turned = glm::angleAxis(angle_rad, glm::normalize(axisInRoom));
+  boardFromRoom_ = (boardFromRoom_ * Lorentz::rotation(turned, boardFromRoom_.lightSpeed_m_s())).orthonormalised();
 }
 
 ObserverView Observer::view(double eyeSeparation_m) const {

@@ -57,14 +57,17 @@ class Observer {
   /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s moves the
   /// person's place in the room, as re-anchoring, but not along the world line. `pace`: how many seconds of the
   /// board's light speed go by in one of the person's, whose light is so many times as fast.
-  void step(double dtau_s, const Head& head, double pace = 1.0);
+  /// `thrust_m_s2`: the proper acceleration that the room has meanwhile, felt at the head, in the room's axes
+  /// and the board's seconds. Exact for a head at rest in the room: then its world line is a hyperbola, of
+  /// which a step's chord is that of its middle's velocity.
+  void step(double dtau_s, const Head& head, double pace = 1.0, const Vec3& thrust_m_s2 = Vec3(0.0));
 
   /// Goes with the head wherever it is in the room, in so much of the room's time: as nobody could. For looking
   /// at a recorded game whose time stands still or runs otherwise; the head counts as at rest in the room.
   void stroll(double roomTime_s, const Head& head);
 
-  /// Changes the room's motion by a boost of Δu = γβ in the room's own frame, at the head's present event.
-  void thrust(const Vec3& deltaUInRoom);
+  /// Turns the room about the head, which stays at its event.
+  void turn(double angle_rad, const Vec3& axisInRoom);
 
   /// The eyes, `eyeSeparation_m` apart, simultaneous for the head.
   ObserverView view(double eyeSeparation_m) const;

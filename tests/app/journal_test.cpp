@@ -579,7 +579,7 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
       {"lightSpeed_m_s is 1e+300", [](FrameState& s) { s.record.lightSpeed_m_s = 1e300; }},
       {"truncateFrom_s", [](FrameState& s) { s.record.truncateFrom_s = kNan; }},
       {"the head's frame is", [](FrameState& s) { s.record.observer.headFromBoard = Lorentz(kNan); }},
-      {"the head's light speed is -1",
+      {"the head's frame has light at -1",
        [](FrameState& s) { s.record.observer.headFromBoard = Lorentz(-1.0); }},
       {"the head's frame is",
        [](FrameState& s) {

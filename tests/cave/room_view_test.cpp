@@ -46,7 +46,8 @@ class Outside : public testing::Test {
 
   Image drawn() {
     walls_.draw(record_, world_);
-    view_.draw(record_, Lorentz(kC_m_s), world_.histories, walls_);
+    record_.boardFromRoom = Lorentz(kC_m_s);
+    view_.draw(record_, world_.histories, walls_);
     graphics_.makeCurrent();
     return readBack(view_.picture());
   }
