@@ -7,8 +7,10 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "app/frame_loop.h"
+#include "app/lesson.h"
 #include "app/live_source.h"
 #include "app/open_tracker.h"
 #include "app/scenario_scene.h"
@@ -45,7 +47,7 @@ void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& opt
   }
   const bool drawsHere = std::any_of(walls.begin(), walls.end(),
                                      [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
-  const bool hasWindow = !options.noWindow && (drawsHere || options.outside);
+  const bool hasWindow = !options.noWindow && (drawsHere || options.outside || options.console);
   if (hasWindow) sayKeys(KeysOf::session);
   if (!hasWindow && !options.frames) {
     fmt::print(stderr, "There are no keys: node 0 has no window. Ctrl+C ends the session.\n");
@@ -58,14 +60,14 @@ void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& opt
 }
 
 /// The file that the session is written to: --session, new or gone on with; none without it.
-std::unique_ptr<Journal> openJournal(const CaveOptions& options, const StageOptions& inputs,
-                                     const Stage& stage) {
-  if (!options.session) return nullptr;
+std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>& file, bool goOn,
+                                     const StageOptions& inputs, const Stage& stage) {
+  if (!file) return nullptr;
   SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
                      textOf(inputs.rig), textOf(inputs.scenario), stage.scenario.billiard.lightSpeed_m_s};
   for (const Puck& puck : stage.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
   const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  return std::make_unique<Journal>(*options.session, facts, options.resume, say);
+  return std::make_unique<Journal>(*file, facts, goOn, say);
 }
 
 /// What a session that goes on goes on from.
@@ -90,7 +92,10 @@ Controls firstControls(const Stage& stage, const CaveOptions& options, const Bef
   Controls controls = controlsAtStart(stage);
   controls.switches = options.switches;
   controls.views = options.views;
+  beginLesson(stage.scenario, !options.frames, controls);
   if (!before.last) return controls;
+  // A question that waits for its answer is asked again.
+  if (before.last->lesson.phase != LessonPhase::asks) controls.lesson = before.last->lesson;
   controls.switches = before.last->switches;
   controls.views = before.last->views;
   controls.views.frozen = 0;
@@ -110,10 +115,51 @@ std::unique_ptr<LiveSource> sourceOf(const Stage& stage, const CaveOptions& opti
   const auto start = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
                                               std::chrono::duration<double>(lived_s));
   LiveStart live{start, clockOf(stage, options, start), stage.swapsWait, before.last, options.frames};
+  if (options.resume) live.struck = SessionFile(*options.session).strokes(stage.scenario.billiard.pucks);
   live.clock->sleepUntil(lived_s);
-  auto source = std::make_unique<LiveSource>(stage, std::move(live));
-  source->keep(openJournal(options, inputs, stage));
+  auto source = std::make_unique<LiveSource>(stage.rig, stage.scenario, stage.world, std::move(live));
+  source->keep(openJournal(options.session, options.resume, inputs, stage));
   return source;
+}
+
+/// The next game's session file, beside the first: visit.db, visit-2.db, visit-3.db.
+std::filesystem::path fileAfter(const std::filesystem::path& first) {
+  for (int game = 2;; ++game) {
+    std::filesystem::path file = first;
+    file.replace_filename(fmt::format("{}-{}{}", first.stem().string(), game, first.extension().string()));
+    if (!std::filesystem::exists(file)) return file;
+  }
+}
+
+/// Rank 0 may have chosen another game, or the same from its beginning: then every node goes on with it. False:
+/// nobody has, it is the end.
+bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions& inputs, Stage& stage,
+                     LiveSource* source, Lead* lead) {
+  std::string file = lead ? std::exchange(lead->controls.play, {}) : "";
+  cluster.share(file);
+  if (file.empty()) return false;
+  if (!playNext(cluster, stage, file)) return true;
+  inputs.scenario = {file, {}};
+  together(cluster, [&] {
+    if (!lead) return;
+    std::optional<std::filesystem::path> session;
+    if (options.session) session = fileAfter(*options.session);
+    source->playAnew(openJournal(session, false, inputs, stage));
+    if (stage.console) stage.console->writeTo(session);
+    const double eyes_m = lead->controls.eyeSeparation_m;
+    const WallControls walls = lead->controls.walls;
+    const LessonState lesson = lead->controls.lesson;
+    const bool again = file == lead->controls.playing;
+    lead->controls = controlsAtStart(stage);
+    beginLesson(stage.scenario, !options.frames, lead->controls);
+    // A lesson that is being looked at is shown again; explained, it is over: its question is the next visitor's.
+    if (again && lesson.phase == LessonPhase::shows) lead->controls.lesson = lesson;
+    lead->controls.eyeSeparation_m = eyes_m;
+    lead->controls.walls = walls;
+    lead->controls.playing = file;
+    fmt::print(stderr, "{}{}\n", stage.scenario.title, session ? " is written to " + session->string() : "");
+  });
+  return true;
 }
 
 void runSession(Cluster& cluster, const CaveOptions& options) {
@@ -134,15 +180,23 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   });
   if (options.resume) shareInputs(cluster, inputs);
   Stage stage = openStage(cluster, inputs);
+  if (options.console && !options.noWindow) openConsole(cluster, stage, KeysOf::session);
+  if (stage.console) stage.console->writeTo(options.session);
   std::unique_ptr<LiveSource> source;
   std::optional<Lead> lead;
   together(cluster, [&] {
     if (cluster.rank() > 0) return;
     source = sourceOf(stage, options, inputs, before);
-    lead.emplace(Lead{*source, KeysOf::session, firstControls(stage, options, before)});
+    lead.emplace(Lead{*source, KeysOf::session, firstControls(stage, options, before),
+                      soundsOf(stage, options.silent || options.noWindow)});
   });
-  if (lead) announce(stage, cluster, options);
-  runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
+  if (lead) {
+    lead->controls.playing = inputs.scenario.file.string();
+    announce(stage, cluster, options);
+  }
+  do {
+    runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
+  } while (goOnWithAnother(cluster, options, inputs, stage, source.get(), lead ? &*lead : nullptr));
   source.reset();  // the session file is whole
   if (lead && options.session) fmt::print(stderr, "The session is in {}.\n", options.session->string());
   stage.recording->finish();

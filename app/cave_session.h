@@ -19,10 +19,12 @@ struct CaveOptions {
   std::optional<std::filesystem::path> session;  ///< the session file to write
   bool resume = false;  ///< go on from the end of `session`, with its rig and scenario
   bool noWindow = false;
+  bool silent = false;  ///< no sounds
   Switches switches;  ///< at the start
   TimeViews views;    ///< at the start
   bool outside = false;  ///< the first node shows the room from outside, too
   bool diagram = false;  ///< and the spacetime diagram
+  bool console = false;  ///< and the operator's console
 };
 
 /// Runs a session to its end; under mpirun, this rank's part of it. The exit status: 0, or 1 after a message

@@ -27,7 +27,8 @@ FileKind kindOf(const std::filesystem::path& path) {
   const auto refuse = [&](const char* what) { throw InputErrors({InputError(path.string(), 1, 1, what)}); };
   if (isForeignRoom(path)) return FileKind::foreignRoom;
   const TomlFile file(path);
-  for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke", "flash"}) {
+  for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke", "flash",
+                          "pulse", "lesson", "tour"}) {
     if (file.root().has(key)) return FileKind::scenario;
   }
   for (const char* key : {"wall", "unit", "axes", "head", "tracker", "one_window", "display_hz"}) {
@@ -116,6 +117,16 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
   }
   fmt::print("{}\n", counted(setup.strokes.size(), "scripted stroke"));
   if (!setup.flashes.empty()) fmt::print("flashes of light: {}\n", setup.flashes.size());
+  if (!scenario.pulses.empty()) fmt::print("told pulses of light: {}\n", scenario.pulses.size());
+  if (!scenario.tour.empty()) {
+    const ThrustLeg& last = scenario.tour.back();
+    fmt::print("tour of the platform: {}, {:.6g} s, {}\n", counted(scenario.tour.size(), "leg"),
+               last.from_s + last.for_s, scenario.tourAtOnce ? "at once" : "when it is asked for");
+  }
+  if (scenario.lesson) {
+    fmt::print("lesson: it asks \"{}\" and offers {}\n", scenario.lesson->words.question,
+               counted(scenario.lesson->words.answers.size(), "answer"));
+  }
   const Vec3& p = scenario.observer.position_m;
   fmt::print("observer: the room's floor origin starts at ({}, {}, {}) mm with {:.4g} c\n", p.x * 1e3,
              p.y * 1e3, p.z * 1e3, glm::length(scenario.observer.beta));

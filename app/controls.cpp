@@ -11,6 +11,12 @@ constexpr std::array<const char*, 3> kShownNames{"the session", "test patterns",
 
 const char* onOrOff(std::uint8_t value) { return value ? "on" : "off"; }
 
+std::string wordsFor(const LessonState& lesson) {
+  constexpr std::array<const char*, 4> kPhases{"none", "asks", "shows", "explains"};
+  const char* phase = kPhases[static_cast<std::size_t>(lesson.phase)];
+  return lesson.answer == 0 ? phase : fmt::format("{}, answered {}", phase, lesson.answer);
+}
+
 }  // namespace
 
 std::vector<ControlChange> changesOf(const Controls& before, const Controls& after) {
@@ -42,6 +48,9 @@ std::vector<ControlChange> changesOf(const Controls& before, const Controls& aft
   const Playback &played = before.playback, &plays = after.playback;
   note("playback", played.paused, plays.paused, plays.paused ? "paused" : "goes on");
   note("playback rate", played.rate, plays.rate, fmt::format("{:g}", plays.rate));
+  note("lesson", before.lesson, after.lesson, wordsFor(after.lesson));
+  note("tour", before.tours, after.tours, "asked for");
+  note("scenario", before.play, after.play, after.play);
   note("playback", played.jumps, plays.jumps, fmt::format("from {:.2f} s", plays.goTo_s));
   return changes;
 }

@@ -3,6 +3,7 @@
 // know of it travels in the frame record.
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,10 @@ struct Controls {
   double lightSpeed_m_s = 1.42;
   Playback playback;
   LessonState lesson;
+  std::size_t lessonAnswers = 0;  ///< how many its question offers
   unsigned tours = 0;  ///< counts up with every wish to set out on the scenario's own drive
-  std::string play;    ///< the scenario file to go on with, instead of this one; empty: none
+  std::string playing;  ///< the scenario file that is played
+  std::string play;     ///< the one to go on with instead; the same: from its beginning; empty: none
 
   bool operator==(const Controls&) const = default;
 };

@@ -3,15 +3,10 @@
 
 #include <optional>
 
+#include "cave/wall_pointer.h"
 #include "engine/event.h"
 
 namespace carom {
-
-/// The mouse over a wall in a window.
-struct PointedWall {
-  Vec3 onWall_m{0.0};  ///< the place of the wall that it points to; room frame
-  Vec3 eye_m{0.0};     ///< from which that place is seen: of the eye whose picture it is over
-};
 
 struct DeskInput {
   std::optional<PointedWall> mouse;  ///< none: over no wall

@@ -18,16 +18,6 @@ Event between(const Event& a, const Event& b, double part) {
   return {a.t_s + part * (b.t_s - a.t_s), a.r_m + part * (b.r_m - a.r_m)};
 }
 
-std::string whoOf(const GameEvent& event, std::span<const std::string> pucks,
-                  std::span<const std::string> flashes) {
-  if (event.kind == EventKind::flash) return event.which < flashes.size() ? flashes[event.which] : "";
-  std::string who;
-  for (const Turn& turn : event.turns) {
-    who += (who.empty() ? "" : ", ") + (turn.puck < pucks.size() ? pucks[turn.puck] : std::string("?"));
-  }
-  return who;
-}
-
 /// 1 + how many rows are earlier.
 template <class TimeOf>
 void numberRows(std::vector<EventRow>& rows, std::size_t EventRow::*order, const TimeOf& timeOf) {
@@ -41,6 +31,16 @@ void numberRows(std::vector<EventRow>& rows, std::size_t EventRow::*order, const
 }
 
 }  // namespace
+
+std::string whoOf(const GameEvent& event, std::span<const std::string> pucks,
+                  std::span<const std::string> flashes) {
+  if (event.kind == EventKind::flash) return event.which < flashes.size() ? flashes[event.which] : "";
+  std::string who;
+  for (const Turn& turn : event.turns) {
+    who += (who.empty() ? "" : ", ") + (turn.puck < pucks.size() ? pucks[turn.puck] : std::string("?"));
+  }
+  return who;
+}
 
 Reception receptionAt(const Vec3& place_m, const Event& source, double c_m_s) {
   return {source.t_s + glm::length(place_m - source.r_m) / c_m_s, {}, {}};

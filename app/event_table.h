@@ -35,6 +35,10 @@ Reception receptionAt(const Vec3& place_m, const Event& source, double c_m_s);
 /// the first frame, or is not yet after the last.
 std::optional<Reception> receptionBy(std::span<const HeadAt> head, const Event& source, double c_m_s);
 
+/// Names of the pucks that took part, with commas between, or of the flash.
+std::string whoOf(const GameEvent& event, std::span<const std::string> pucks,
+                  std::span<const std::string> flashes);
+
 struct EventRow {
   GameEvent event;
   std::string who;        ///< names of the pucks or of the flash

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/desk.h"
 #include "app/frame_watch.h"
 
 namespace carom {
@@ -9,19 +10,29 @@ namespace {
 
 constexpr std::uint64_t kFramesBetweenNews = 30;
 
+/// What has been changed since `before` is said and written.
+void tell(Lead& lead, const Controls& before, std::uint64_t number, Console* console) {
+  for (const ControlChange& change : changesOf(before, lead.controls)) {
+    const std::string line = fmt::format("{}: {}", change.what, change.value);
+    fmt::print(stderr, "{}\n", line);
+    if (console) console->say(line);
+    lead.source.changed(number, change);
+  }
+}
+
 /// The operator's wishes take effect with the next frame.
-void obey(Lead& lead, const WindowInput& input, const FrameState& state) {
+void obey(Lead& lead, const WindowInput& input, const FrameState& state, Console* console) {
   // Keys change what is shown: in a recording, what it says.
   lead.controls.switches = state.record.switches;
   lead.controls.walls = state.record.controls;
   lead.controls.views = state.record.views;
+  lead.controls.lesson = state.record.lesson;
   const Controls before = lead.controls;
   obeyKeys(input, lead.keys, state.record.display_s, lead.controls);
-  for (const ControlChange& change : changesOf(before, lead.controls)) {
-    fmt::print(stderr, "{}: {}\n", change.what, change.value);
-    lead.source.changed(state.record.number, change);
-  }
-  if (asksForKeys(input)) sayKeys(lead.keys);
+  tell(lead, before, state.record.number, console);
+  if (!asksForKeys(input)) return;
+  sayKeys(lead.keys);
+  if (console) console->showKeys();
 }
 
 /// For who waits for frames that nobody watches.
@@ -35,7 +46,14 @@ void sayProgress(const FrameSource& source, std::uint64_t shown) {
 
 Node nodeOf(Cluster& cluster, Stage& stage) {
   return {cluster,    *stage.graphics,      *stage.walls,  stage.world, *stage.recording,
-          stage.lock, stage.rig.display_hz, stage.realTime, stage.outside.get(), stage.diagram.get()};
+          stage.lock, stage.rig.display_hz, stage.realTime, stage.outside.get(), stage.diagram.get(),
+          stage.console.get()};
+}
+
+std::unique_ptr<Sounds> soundsOf(const Stage& stage, bool silent) {
+  const RoomAxes& axes = stage.rig.axes;
+  if (silent || !stage.realTime) return nullptr;
+  return std::make_unique<Sounds>(SoundAxes{axes.right, axes.up, axes.forward});
 }
 
 Controls controlsAtStart(const Stage& stage) {
@@ -47,6 +65,7 @@ Controls controlsAtStart(const Stage& stage) {
 
 void runFrames(const Node& node, Lead* lead) {
   FrameState state;
+  Desk desk(lead ? lead->keys : KeysOf::session);
   FrameWatch watch(node.cluster, node.lock, node.display_hz);
   bool ended = false;
   while (!ended) {
@@ -54,6 +73,7 @@ void runFrames(const Node& node, Lead* lead) {
     if (lead) {
       lead->source.next(lead->controls, state);
       watch.decided(lead->source.deciding());
+      if (!lead->controls.play.empty()) state.record.last = 1;  // of this game
     }
     node.cluster.share(state);
     watch.mark(FramePart::share);
@@ -70,16 +90,29 @@ void runFrames(const Node& node, Lead* lead) {
       watch.mark(FramePart::draw);
     }
     const WindowInput& input = node.graphics.poll();
-    if (lead) obey(*lead, input, state);
+    if (lead) {
+      obey(*lead, input, state, node.console);
+      // In simulated time nobody plays: a run is then the same whatever lies on the desk.
+      const bool asks = state.record.lesson.phase == LessonPhase::asks;
+      if (node.realTime) lead->source.handled(desk.gather(node.walls, input, asks));
+    }
     const bool wanted = node.cluster.swapTogether(state, node.world, wantsToEnd(input), [lead] {
       if (lead) lead->source.drawn();
     });
     watch.mark(FramePart::wait);
     node.walls.swap();
+    if (lead && lead->sounds) lead->sounds->shown(state.record, node.world.events);
     if (node.outside) node.outside->swap();
     if (node.diagram) node.diagram->swap();
     watch.swapped(state.record, lead && node.realTime ? &lead->source : nullptr);
     if (lead) lead->source.shown(state);
+    if (lead && node.console) {
+      const Controls before = lead->controls;
+      const LatencyView& latency = watch.numbers(state.record);
+      node.console->show({state.record, node.world, node.walls, latency, lead->source, node.recording, lead->keys},
+                         lead->controls);
+      tell(*lead, before, state.record.number, node.console);
+    }
     ended = wanted || state.record.last;
     if (lead && !node.realTime) sayProgress(lead->source, state.record.number + 1);
   }

@@ -1,10 +1,13 @@
 #pragma once
 // The frame loop: from the tracker to the photons.
 
+#include <memory>
+
 #include "app/frame_source.h"
 #include "app/keys.h"
 #include "app/stage.h"
 #include "cave/cluster.h"
+#include "cave/sounds.h"
 #include "cave/wall_set.h"
 
 namespace carom {
@@ -21,6 +24,7 @@ struct Node {
   bool realTime;
   RoomView* outside = nullptr;       ///< where the room is shown from outside, too
   DiagramWindow* diagram = nullptr;  ///< where the spacetime diagram is shown
+  Console* console = nullptr;        ///< the operator's, on rank 0
 };
 
 /// What rank 0 alone has.
@@ -28,14 +32,19 @@ struct Lead {
   FrameSource& source;
   KeysOf keys;
   Controls controls;
+  std::unique_ptr<Sounds> sounds = nullptr;  ///< where the game is heard
 };
+
+/// What makes the game heard, for who watches it in real time; none for others, or where they want silence.
+std::unique_ptr<Sounds> soundsOf(const Stage& stage, bool silent);
 
 Node nodeOf(Cluster& cluster, Stage& stage);
 
 /// As rig and scenario begin.
 Controls controlsAtStart(const Stage& stage);
 
-/// Frame after frame until the last, or until somebody wants to end. `lead` is rank 0's, null elsewhere.
+/// Frame after frame until the last, until somebody wants to end, or until the controls ask for another game.
+/// `lead` is rank 0's, null elsewhere.
 void runFrames(const Node& node, Lead* lead);
 
 }  // namespace carom

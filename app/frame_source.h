@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/controls.h"
@@ -31,6 +32,8 @@ class FrameSource {
   virtual Deciding deciding() const { return {}; }
   /// The number of the last frame plus one, where it is known.
   virtual std::optional<std::uint64_t> end() const { return std::nullopt; }
+  /// From when to when it can be gone through, on the session's clock; none: it goes its own way.
+  virtual std::optional<std::pair<double, double>> span_s() const { return std::nullopt; }
   /// Every node has drawn it: returns when it is time to swap.
   virtual void drawn() {}
   /// It is on the walls.

@@ -47,13 +47,14 @@ void FrameWatch::decided(const Deciding& deciding) {
 }
 
 const LatencyView* FrameWatch::view(const FrameRecord& record) {
-  if (!record.controls.latency) {
-    viewedFor_ = 0;
-    return nullptr;
-  }
+  return record.controls.latency ? &numbers(record) : nullptr;
+}
+
+const LatencyView& FrameWatch::numbers(const FrameRecord& record) {
   view_.frame = record.number;
   view_.lock = lock_.state();
-  if (viewedFor_++ % framesIn(kNewNumbers_s, display_hz_) != 0) return &view_;
+  if (sinceViewed_ < framesIn(kNewNumbers_s, display_hz_)) return view_;
+  sinceViewed_ = 0;
   for (std::size_t part = 0; part < kFrameParts.size(); ++part) {
     view_.parts[part] = own_.statistics(static_cast<FramePart>(part), window_);
   }
@@ -61,11 +62,12 @@ const LatencyView* FrameWatch::view(const FrameRecord& record) {
     view_.nodes[node].late = nodes_[node].frames.statistics(FramePart::late, window_);
     view_.nodes[node].lock = nodes_[node].lock;
   }
-  return &view_;
+  return view_;
 }
 
 void FrameWatch::swapped(const FrameRecord& record, FrameSource* source) {
   own_.add(stopwatch_.swapped(record.number));
+  ++sinceViewed_;
   if (source) {
     gather();
     ++untold_;

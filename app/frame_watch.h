@@ -3,6 +3,7 @@
 // measured on every node, gathered on rank 0.
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ class FrameWatch {
   /// What this node's overlay says; null where it is off. Its numbers are those of up to a quarter of a
   /// second ago, over the last five.
   const LatencyView* view(const FrameRecord& record);
+  /// The same, whether it is on or not.
+  const LatencyView& numbers(const FrameRecord& record);
 
   /// The frame is on the walls. On rank 0: what the nodes said with it is taken, locks that were lost or are
   /// back are said on standard error, and once a second `source` is given the statistics of each node and
@@ -57,7 +60,7 @@ class FrameWatch {
   std::size_t untold_ = 0;  // frames
   double told_s_ = 0.0;     // session clock
   LatencyView view_;
-  std::size_t viewedFor_ = 0;  // frames
+  std::size_t sinceViewed_ = std::numeric_limits<std::size_t>::max() / 2;  // frames: it never was
 };
 
 }  // namespace carom

@@ -38,7 +38,30 @@ double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView
   return before_s;
 }
 
-Game::Game(const Scenario& scenario) : billiard_(scenario.billiard) { billiard_.takeChanges(); }
+double latestObservation_s(const ObserverView& observer) {
+  double latest_s = observer.eyes.front().observation.t_s;
+  for (const EyeView& eye : observer.eyes) latest_s = std::max(latest_s, eye.observation.t_s);
+  return latest_s;
+}
+
+namespace {
+
+BilliardSetup with(BilliardSetup setup, std::span<const Stroke> struck) {
+  setup.strokes.insert(setup.strokes.end(), struck.begin(), struck.end());
+  return setup;
+}
+
+}  // namespace
+
+Game::Game(const Scenario& scenario, std::span<const Stroke> struck)
+    : billiard_(with(scenario.billiard, struck)) {
+  billiard_.takeChanges();
+}
+
+Event Game::strike(const Stroke& stroke) {
+  const double arrival_s = billiard_.strike(stroke);
+  return billiard_.worldLines()[stroke.puck].at(arrival_s).event;
+}
 
 void Game::playToNowOf(const ObserverView& observer) {
   constexpr double kNear_s = 1e-6;  // some micrometres of way

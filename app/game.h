@@ -23,9 +23,23 @@ std::vector<WorldLine> startingHistories(const Scenario& scenario);
 double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer);
 inline constexpr double kEyesMayRunBack_m = 100.0;
 
+/// The latest board time at which an eye receives light.
+double latestObservation_s(const ObserverView& observer);
+
 class Game {
  public:
-  explicit Game(const Scenario& scenario);
+  /// `struck`: the strokes that hands have let go in earlier frames of the session that goes on, in their order.
+  explicit Game(const Scenario& scenario, std::span<const Stroke> struck = {});
+
+  /// The pucks' ways as far as they are known, in the scenario's order.
+  std::span<const WorldLine> pucks() const { return billiard_.worldLines(); }
+
+  /// Plays on to board time `t_s` at least.
+  void playTo(double t_s) { billiard_.advanceTo(t_s); }
+
+  /// A hand's stroke (Billiard::strike): what was played beyond its arrival is played anew, and the next frame says
+  /// so. Returns the arrival. Throws std::invalid_argument for a stroke that cannot be.
+  Event strike(const Stroke& stroke);
 
   /// Plays on until every puck's way is known as far as the head's own moment, which may lie ahead on the
   /// board.

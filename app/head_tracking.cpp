@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "app/open_tracker.h"
 
@@ -22,55 +23,47 @@ HeadTracking::HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point
       tracker_(openTracker(rig.trackers[rig.head.sensor.tracker], rig.axes, sessionStart)),
       watch_(rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor),
       headPlace_(rig.head.sensor.sensor, roomFromTracker_),
+      hand_(rig, sessionStart),
+      name_(rig.trackers[rig.head.sensor.tracker].name),
       standing_{rig.axes.up * kStandingEyes_m, {1.0, 0.0, 0.0, 0.0}} {
   constexpr std::size_t kMostSamples = 4096;  // of one frame: more than a device's queue holds
   samples_.reserve(kMostSamples);
-  if (!rig.hand) return;
-  const TrackerSetup& hand = rig.trackers[rig.hand->tracker];
-  if (hand.kind == TrackerKind::spaceMouse) return;  // it has no place
-  handPlace_.emplace(rig.hand->sensor, hand.roomFromTracker);
-  if (rig.hand->tracker == rig.head.sensor.tracker) return;
-  handTracker_ = openTracker(hand, rig.axes, sessionStart);
-  handSamples_.reserve(kMostSamples);
-}
-
-void SensorPlace::see(double now_s, std::span<const TrackerSample> samples) {
-  for (const TrackerSample& sample : samples) {
-    if (sample.sensor != sensor_) continue;
-    roomFromSensor_ = roomFromTracker_ * sample.pose;
-    told_s_ = now_s;
-  }
-}
-
-void HeadTracking::followSensors(double now_s) {
-  begin_s_ = now_s;
-  headPlace_.see(now_s, samples_);
-  if (!handPlace_) return;
-  handSamples_.clear();
-  if (handTracker_) handTracker_->poll(now_s, handSamples_);
-  handPlace_->see(now_s, handTracker_ ? std::span<const TrackerSample>(handSamples_) : samples_);
+  inputs_.reserve(kMostSamples);
 }
 
 Tracked HeadTracking::tracked() const {
   Tracked tracked;
   tracked.roomFromHeadSensor = headPlace_.roomFromSensor();
   tracked.headKnown = headPlace_.isKnown(begin_s_) ? 1 : 0;
-  if (!handPlace_) return tracked;
-  tracked.roomFromHand = handPlace_->roomFromSensor();
-  tracked.handKnown = handPlace_->isKnown(begin_s_) ? 1 : 0;
+  if (!hand_.place()) return tracked;
+  tracked.roomFromHand = hand_.place()->roomFromSensor();
+  tracked.handKnown = hand_.place()->isKnown(begin_s_) ? 1 : 0;
   return tracked;
+}
+
+std::vector<TrackerReport> HeadTracking::reports(const HeadEstimate& head) const {
+  std::vector<TrackerReport> reports{reportOf(name_, "head", *tracker_, &headPlace_, begin_s_)};
+  reports.front().known = toString(head.known);
+  reports.front().celerity_m_s = glm::length(head.celerity_m_s);
+  reports.front().sigma_m_s = head.sigma_m_s;
+  hand_.report(begin_s_, *tracker_, reports);
+  return reports;
 }
 
 HeadEstimate HeadTracking::at(const FrameTimes& times) {
   samples_.clear();
+  inputs_.clear();
   tracker_->poll(times.begin_s, samples_);
+  tracker_->takeInputs(inputs_);
   watch_.see(times.begin_s, samples_);
   if (watch_.isDue(times.begin_s)) {
     if (const auto line = watch_.look(times.begin_s, tracker_->health(times.begin_s))) {
       fmt::print(stderr, "{}\n", *line);
     }
   }
-  followSensors(times.begin_s);
+  begin_s_ = times.begin_s;
+  headPlace_.see(begin_s_, samples_);
+  hand_.follow(begin_s_, samples_, inputs_);
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
   for (const TrackerSample& sample : samples_) {
     if (sample.sensor != setup_.sensor.sensor) continue;

@@ -5,9 +5,13 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "app/hand_tracking.h"
 #include "app/rig.h"
+#include "app/sensor_place.h"
+#include "app/tracker_report.h"
 #include "app/tracker_watch.h"
 #include "cave/frame_state.h"
 #include "cave/pacer.h"
@@ -16,24 +20,6 @@
 #include "engine/observer.h"
 
 namespace carom {
-
-/// The newest pose of one sensor in the room.
-class SensorPlace {
- public:
-  SensorPlace(int sensor, const Pose& roomFromTracker) : sensor_(sensor), roomFromTracker_(roomFromTracker) {}
-
-  void see(double now_s, std::span<const TrackerSample> samples);
-  const Pose& roomFromSensor() const { return roomFromSensor_; }
-  /// Whether it has come within kLately_s.
-  bool isKnown(double now_s) const { return told_s_ && now_s - *told_s_ <= kLately_s; }
-
-  static constexpr double kLately_s = 0.3;  ///< after which the head, too, counts as lost (head_filter.h)
-
- private:
-  int sensor_;
-  Pose roomFromTracker_, roomFromSensor_;
-  std::optional<double> told_s_;
-};
 
 class HeadTracking {
  public:
@@ -47,11 +33,16 @@ class HeadTracking {
   /// Where the sensors of head and hand were last, as the trackers had told at that frame's begin.
   Tracked tracked() const;
 
+  /// Buttons, axes and place of the hand, as the trackers had told at that frame's begin.
+  const HandDevices& hand() const { return hand_.devices(); }
+
+  /// How the trackers fare; of the head, how `head` is known. For displays: it allocates.
+  std::vector<TrackerReport> reports(const HeadEstimate& head) const;
+
   /// What the tracker had for that frame, of all its sensors.
   std::span<const TrackerSample> samples() const { return samples_; }
 
  private:
-  void followSensors(double now_s);
 
   HeadSetup setup_;
   Pose roomFromTracker_;
@@ -61,9 +52,9 @@ class HeadTracking {
   HeadFilter filter_;
   std::vector<TrackerSample> samples_;
   SensorPlace headPlace_;
-  std::optional<SensorPlace> handPlace_;
-  std::unique_ptr<Tracker> handTracker_;  // none where the head's follows the hand, too
-  std::vector<TrackerSample> handSamples_;
+  std::vector<Reading> inputs_;
+  HandTracking hand_;
+  std::string name_;  // of the head's tracker, in the rig
   double begin_s_ = 0.0;  // of the frame
   Pose standing_;         // shown until the first sample
   std::optional<double> firstTracked_s_;  // display time of the first frame with a sample

@@ -41,6 +41,8 @@ CREATE TABLE event(number INTEGER PRIMARY KEY, kind TEXT, pucks TEXT, cushion TE
 CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, beta_before_x REAL,
   beta_before_y REAL, beta_after_x REAL, beta_after_y REAL, proper_time_s REAL);
 CREATE INDEX turn_of_event ON turn(event);
+CREATE TABLE stroke(frame INTEGER, puck TEXT, at_s REAL, from_x_m REAL, from_y_m REAL, from_z_m REAL,
+  p_x_kg_m_s REAL, p_y_kg_m_s REAL);
 CREATE TABLE input(frame INTEGER, what TEXT, value TEXT);
 CREATE TABLE answer(frame INTEGER, lesson TEXT, question TEXT, answer TEXT);
 CREATE TABLE run(first_frame INTEGER, started_utc TEXT, program TEXT);
@@ -64,6 +66,11 @@ struct KnotRow {
   BodyKnot knot;
 };
 
+struct StrokeRow {
+  std::uint64_t frame;
+  Stroke stroke;
+};
+
 struct InputRow {
   std::uint64_t frame;
   std::string what, value;
@@ -79,6 +86,7 @@ struct Batch {
   std::vector<FrameRow> frames;
   std::vector<GameEvent> events;
   std::vector<KnotRow> knots;
+  std::vector<StrokeRow> strokes;
   std::vector<InputRow> inputs;
   std::vector<AnswerRow> answers;
   std::vector<TrackerSample> samples;
@@ -90,6 +98,7 @@ struct Batch {
   void clear() {
     frames.clear();
     events.clear();
+    strokes.clear();
     inputs.clear();
     answers.clear();
     knots.clear();
@@ -291,6 +300,11 @@ class Tables {
   }
 
   void writeInputs(const Batch& batch) {
+    if (!batch.strokes.empty()) {
+      SQLite::Statement row(database_, "INSERT INTO stroke VALUES(?,?,?,?,?,?,?,?)");
+      for (const auto& [frame, stroke] : batch.strokes)
+        put(row, frame, nameOf(stroke.puck), stroke.at_s, stroke.from_m.value(), stroke.momentum_kg_m_s);
+    }
     if (!batch.inputs.empty()) {
       SQLite::Statement row(database_, "INSERT INTO input VALUES(?,?,?)");
       for (const InputRow& input : batch.inputs) put(row, input.frame, input.what, input.value);
@@ -424,7 +438,8 @@ Journal::~Journal() {
   writer_->tables.close();
 }
 
-void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples) {
+void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples,
+                  std::span<const Stroke> strokes) {
   const std::scoped_lock hold(writer_->mutex);
   Batch& waiting = writer_->waiting;
   if (writer_->ended) return;
@@ -437,6 +452,7 @@ void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<c
   for (const BodyKnot& knot : state.knots) waiting.knots.push_back({state.record.number, knot});
   waiting.frames.push_back({state.record, head.known, head.celerity_m_s, state.events.size()});
   waiting.events.insert(waiting.events.end(), state.events.begin(), state.events.end());
+  for (const Stroke& stroke : strokes) waiting.strokes.push_back({state.record.number, stroke});
   waiting.samples.insert(waiting.samples.end(), samples.begin(), samples.end());
   writer_->changed.notify_one();
 }

@@ -20,6 +20,9 @@
 //       the contact, the hand's stroke, the flash. The game is known a little further than it was seen.
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y, proper_time_s)
 //       How each puck of an event turned, by its name; proper time on its own clock.
+//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s)
+//       What hands have struck in a frame: the event of the hand, by the puck's name the momentum that arrives there.
+//       With the scenario's they are all strokes of the game, in the order in which it counts them.
 //   input(frame, what, value)
 //       What the operator and the hands did, in words: it holds from this frame on.
 //   answer(frame, lesson, question, answer)
@@ -45,6 +48,7 @@
 #include "cave/frame_state.h"
 #include "devices/head_filter.h"
 #include "devices/tracker.h"
+#include "engine/billiard.h"
 
 namespace carom {
 
@@ -76,9 +80,10 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// One frame: what was drawn, how the head was known, what the tracker had delivered for it. Waits for
-  /// nothing.
-  void add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples);
+  /// One frame: what was drawn, how the head was known, what the tracker had delivered for it, what hands struck.
+  /// Waits for nothing.
+  void add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples,
+           std::span<const Stroke> strokes = {});
 
   /// What the operator or a hand did, to hold from a frame on.
   void addInput(std::uint64_t frame, const std::string& what, const std::string& value);

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "app/lesson.h"
 
 namespace carom {
 namespace {
@@ -80,6 +83,8 @@ constexpr std::array kKeys{
     Key{GLFW_KEY_P, 0, "P", kWithGame, "paths", [](Controls& c, const Pressed&) { turn(c.views.paths); }},
     Key{GLFW_KEY_E, 0, "E", kWithGame, "events", [](Controls& c, const Pressed&) { turn(c.views.events); }},
     Key{GLFW_KEY_C, 0, "C", kWithGame, "clocks", [](Controls& c, const Pressed&) { turn(c.views.clocks); }},
+    Key{GLFW_KEY_U, 0, "U", kWithGame, "ruler", [](Controls& c, const Pressed&) { turn(c.views.ruler); }},
+    Key{GLFW_KEY_O, 0, "O", kWithGame, "angles", [](Controls& c, const Pressed&) { turn(c.views.angles); }},
     Key{GLFW_KEY_V, 0, "V", kWithGame, "Newton beside Einstein",
         [](Controls& c, const Pressed&) { turn(c.views.split); }},
     Key{GLFW_KEY_6, 0, "6", kWithGame, "in the right half: retardation",
@@ -112,6 +117,12 @@ constexpr std::array kKeys{
         [](Controls& c, const Pressed&) { c.playback.rate = -c.playback.rate; }},
     Key{GLFW_KEY_HOME, 0, "Home", kInReplay, "from the beginning",
         [](Controls& c, const Pressed&) { goTo(c, 0.0); }},
+    Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, "Enter", kInSession, "the lesson goes on",
+        [](Controls& c, const Pressed&) { c.lesson = advance(c.lesson, c.lessonAnswers, 0, true); }},
+    Key{GLFW_KEY_Y, 0, "Y", kInSession, "this game from its beginning",
+        [](Controls& c, const Pressed&) { c.play = c.playing; }},
+    Key{GLFW_KEY_G, 0, "G", kInSession, "set out on the scenario's tour",
+        [](Controls& c, const Pressed&) { ++c.tours; }},
     Key{GLFW_KEY_T, 0, "T", kEverywhere, "patterns", showNext},
     Key{GLFW_KEY_B, 0, "B", kEverywhere, "black walls",
         [](Controls& c, const Pressed&) { turn(c.walls.blank); }},
@@ -139,6 +150,20 @@ bool pressedOneOf(const WindowInput& input, const std::array<int, count>& keys) 
 
 bool means(const Key& key, KeysOf place) { return (key.where & (1U << static_cast<unsigned>(place))) != 0; }
 
+std::optional<int> digitOf(int key) {
+  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return key - GLFW_KEY_0;
+  if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return key - GLFW_KEY_KP_0;
+  return {};
+}
+
+/// While a lesson asks, the digits are its answers, and nothing else.
+bool answers(int key, KeysOf place, Controls& controls) {
+  const std::optional<int> digit = digitOf(key);
+  if (!digit || place != KeysOf::session || controls.lesson.phase != LessonPhase::asks) return false;
+  controls.lesson = advance(controls.lesson, controls.lessonAnswers, *digit, false);
+  return true;
+}
+
 }  // namespace
 
 bool wantsToEnd(const WindowInput& input) { return input.closeRequested || pressedOneOf(input, kEndKeys); }
@@ -147,7 +172,7 @@ bool asksForKeys(const WindowInput& input) { return pressedOneOf(input, kMapKeys
 
 void obeyKeys(const WindowInput& input, KeysOf place, double now_s, Controls& controls) {
   for (const KeyInput& pressed : input.keys) {
-    if (!pressed.pressed || pressed.key == 0) continue;
+    if (!pressed.pressed || pressed.key == 0 || answers(pressed.key, place, controls)) continue;
     for (const Key& key : kKeys) {
       if (means(key, place) && (pressed.key == key.key || pressed.key == key.otherKey)) {
         key.act(controls, {place, now_s});
@@ -161,9 +186,28 @@ std::vector<KeyLine> keyMap(KeysOf place) {
   for (const Key& key : kKeys) {
     if (means(key, place) && key.does) lines.push_back({key.label, key.does});
   }
+  if (place == KeysOf::session) {
+    lines.push_back({"W A S D", "steer: forward, left, back, right"});
+    lines.push_back({"Space", "brake"});
+    lines.push_back({"Home", "go home"});
+    lines.push_back({"Mouse", "point to a puck; hold, draw back, let go: strike it"});
+    lines.push_back({"1 to 4", "while a lesson asks: the answer"});
+  }
   lines.push_back({"H", "this list"});
   lines.push_back({"Escape Q", "the end"});
   return lines;
+}
+
+KeyLine keyFor(KeysOf place, std::string_view what) {
+  const Controls before;
+  for (const Key& key : kKeys) {
+    if (!means(key, place) || !key.does) continue;
+    Controls after = before;
+    key.act(after, {place, 0.0});
+    const std::vector<ControlChange> changes = changesOf(before, after);
+    if (changes.size() == 1 && changes.front().what == what) return {key.label, key.does};
+  }
+  return {};
 }
 
 void sayKeys(KeysOf place) {

@@ -2,6 +2,7 @@
 // The keys of a session. They work in any of rank 0's windows; ending it, in any window of any node.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/controls.h"
@@ -23,6 +24,10 @@ struct KeyLine {
 
 /// What the keys do, in the order of the table.
 std::vector<KeyLine> keyMap(KeysOf place);
+
+/// The key that changes one thing, as `changesOf` (app/controls.h) names it: "aberration", "board-now", "walls".
+/// Empty where none does.
+KeyLine keyFor(KeysOf place, std::string_view what);
 
 /// Changes the controls as the pressed keys say. `now_s`: the session's time, from which the arrows go.
 void obeyKeys(const WindowInput& input, KeysOf place, double now_s, Controls& controls);

@@ -5,13 +5,21 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <vector>
 
+#include "app/drive.h"
 #include "app/frame_source.h"
 #include "app/game.h"
+#include "app/hand_play.h"
+#include "app/hands.h"
 #include "app/journal.h"
 #include "app/person.h"
-#include "app/stage.h"
+#include "app/rig.h"
+#include "app/scenario.h"
+#include "app/spoken.h"
 #include "cave/pacer.h"
+#include "devices/rumble.h"
 
 namespace carom {
 
@@ -22,16 +30,20 @@ struct LiveStart {
   bool swapsWait = false;               ///< of the display (cave/pacer.h)
   std::optional<FrameRecord> before;    ///< the last frame of a session that goes on
   std::optional<std::uint64_t> frames;  ///< so many, then the end
+  std::vector<Stroke> struck = {};      ///< by hands, in the session that goes on
 };
 
 class LiveSource : public FrameSource {
  public:
-  /// Of `stage`, rig, scenario and histories are used as long as this lives. Throws InputError if a trace is
-  /// at fault.
-  LiveSource(const Stage& stage, LiveStart start);
+  /// Rig, scenario and world, that of rank 0's frames, are used as long as this lives. Throws InputError if a
+  /// trace is at fault.
+  LiveSource(const Rig& rig, const Scenario& scenario, const World& world, LiveStart start);
 
   /// Writes the session to this journal from now on; none: it is not written.
   void keep(std::unique_ptr<Journal> journal) { journal_ = std::move(journal); }
+
+  /// There is another scenario, and its world, in the place of the first: from its beginning, in this journal.
+  void playAnew(std::unique_ptr<Journal> journal);
 
   void next(const Controls& controls, FrameState& state) override;
   Deciding deciding() const override { return deciding_; }
@@ -39,18 +51,36 @@ class LiveSource : public FrameSource {
   void drawn() override;
   void shown(const FrameState& state) override;
   void changed(std::uint64_t number, const ControlChange& change) override;
+  void handled(const DeskInput& desk) override { desk_ = desk; }
+  std::vector<TrackerReport> trackers() const override { return person_.trackers(); }
   void measured(std::span<const LatencyRow> rows) override;
 
  private:
+  LessonState lessonAt(const Controls& controls, std::uint64_t number);
+  ObserverView lived(const Controls& controls, const FrameTimes& times, double pace);
+  void play(bool still, const FrameTimes& times, FrameRecord& record);
+  void say(std::string_view words, const FrameTimes& times);
   void noteDeciding(double begin_s, std::chrono::steady_clock::time_point begun);
 
-  const Stage& stage_;
+  const Rig& rig_;
+  const Scenario& scenario_;
+  const World& world_;
   std::unique_ptr<Clock> clock_;
   Pacer pacer_;
   Person person_;
+  Drive drive_;
+  DriveMode driven_ = DriveMode::free;  ///< of the last frame
+  std::optional<unsigned> tours_;       ///< of the last frame's controls
   Game game_;
+  Hands hands_;
+  Rumble rumble_;
+  HandPlay handPlay_;
+  std::optional<Stroke> struck_;  ///< in the frame at hand
   std::unique_ptr<Journal> journal_;
   std::optional<std::uint64_t> lastFrame_;  ///< its number
+  DeskInput desk_;                          ///< of the frame before
+  LessonState lesson_;                      ///< of the last frame
+  Spoken spoken_;
   std::optional<ObserverView> frozen_;      ///< the sight that is walked round
   Deciding deciding_;
   double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< of the head, on the session's clock

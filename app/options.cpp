@@ -278,7 +278,13 @@ void showView(const std::string& name, TimeViews& views) {
   throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
 }
 
-void addOutside(CLI::App& command, bool& outside, bool& diagram) {
+void addSilent(CLI::App& command, bool& silent) {
+  command.add_flag("--silent", silent, "No sounds; else each collision and stroke clicks when it is seen");
+}
+
+void addOutside(CLI::App& command, bool& outside, bool& diagram, bool& console) {
+  command.add_flag("--console", console,
+                   "Open the operator's console on the first node: walls in small, trackers, switches, games, events");
   command.add_flag("--diagram", diagram,
                    "Show the spacetime diagram in a window of its own: my axes tilt as I move");
   command.add_flag("--outside", outside,
@@ -335,7 +341,7 @@ void addCave(CLI::App& app, int& status) {
           [options](const std::vector<std::string>& names) {
             for (const std::string& name : names) showView(name, options->views);
           },
-          "A view of time to begin with: board-now, my-now, paths, events, clocks, split, frozen. May be given "
+          "A view of time to begin with: board-now, my-now, paths, events, clocks, ruler, angles, split, frozen. May be given "
           "again. Keys turn them later")
       ->type_name("NAME")
       ->allow_extra_args(false);
@@ -353,7 +359,8 @@ void addCave(CLI::App& app, int& status) {
       ->excludes(command->get_option("--switch"))
       ->excludes(command->get_option("--view"));
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
-  addOutside(*command, options->outside, options->diagram);
+  addSilent(*command, options->silent);
+  addOutside(*command, options->outside, options->diagram, options->console);
   command->footer(
       "Examples:\n  carom cave\n  carom cave --frames 90 --capture pictures --no-window\n"
       "  carom cave --switch colour=on --switch searchlight=on\n"
@@ -390,16 +397,32 @@ void addReplay(CLI::App& app, int& status) {
       ->type_name("BX BY BZ")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
   command
+      ->add_option_function<std::vector<double>>(
+          "--from", [options](const std::vector<double>& place_m) { options->from_m = toVec3(place_m); },
+          "Where the other person's room stands: its floor's origin on the board, in metres (the floor is 0.75 m "
+          "below the cloth)")
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  command
+      ->add_option_function<double>(
+          "--facing", [options](double deg) { options->facing_rad = glm::radians(deg); },
+          "Which way that room's front looks, anticlockwise from the table's length")
+      ->type_name("DEG")
+      ->check(numberIn({-360.0, 360.0}, "an angle from -360 to 360 degrees"));
+  command
       ->add_option("--capture", options->recording.capture,
                    "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
       ->type_name("DIR");
   addMovie(*command, options->recording.movie);
   command->add_flag("--no-window", options->noWindow,
                     "Draw without showing, as fast as it goes; an X display is still needed");
-  addOutside(*command, options->outside, options->diagram);
+  addSilent(*command, options->silent);
+  addOutside(*command, options->outside, options->diagram, options->console);
   command->footer(
       "Examples:\n  carom replay game.db\n  carom replay game.db --observer walk --capture "
       "pictures --no-window\n  carom replay game.db --walk --beta 0.6 0 0\n"
+      "  carom replay game.db --walk --from 0 1.6 -0.75 --facing -90   (from the other side of the table)\n"
       "Keys: Space pauses, arrows go back and on and change the speed, R runs backwards, H tells the others.");
   command->callback([options, &status] { status = runReplay(*options); });
 }

@@ -42,9 +42,21 @@ Person::Person(const Rig& rig, const Scenario& scenario, std::chrono::steady_clo
       head_(tracking_.at(firstTimes(rig, before))),
       observer_(startOf(rig, scenario, headOf(head_), before)) {}
 
+void Person::startIn(const Rig& rig, const Scenario& scenario) {
+  observer_ = startOf(rig, scenario, headOf(head_), {});
+}
+
 ObserverView Person::at(const FrameTimes& times, double eyeSeparation_m, double pace) {
   head_ = tracking_.at(times);
   observer_.step(times.step_s, headOf(head_), pace);
+  return observer_.view(eyeSeparation_m);
+}
+
+ObserverView Person::at(const FrameTimes& times, double eyeSeparation_m, double pace, const DriveWish& wish,
+                        Drive& drive) {
+  const Head before = headOf(head_);
+  head_ = tracking_.at(times);
+  drive.live(wish, times.step_s, pace, before, headOf(head_), observer_);
   return observer_.view(eyeSeparation_m);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "app/drive.h"
 #include "app/head_tracking.h"
 #include "app/rig.h"
 #include "app/scenario.h"
@@ -26,9 +27,15 @@ class Person {
   Person(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
          const std::optional<FrameRecord>& before = {});
 
+  /// Is where another scenario's platform begins, and as young; the tracker goes on.
+  void startIn(const Rig& rig, const Scenario& scenario);
+
   /// Lives on to the frame's display; the eyes then, so far apart. `pace`: how many of the game's seconds go
   /// by in one of the person's.
   ObserverView at(const FrameTimes& times, double eyeSeparation_m, double pace = 1.0);
+  /// The same on a platform that is driven.
+  ObserverView at(const FrameTimes& times, double eyeSeparation_m, double pace, const DriveWish& wish,
+                  Drive& drive);
 
   /// The person's time stands still, and so does what they see: they walk round it. `sight`: at that moment.
   ObserverView round(const ObserverView& sight, const FrameTimes& times, double eyeSeparation_m);
@@ -40,6 +47,8 @@ class Person {
   /// The head at that display, and what the tracker had delivered for it.
   const HeadEstimate& head() const { return head_; }
   Tracked tracked() const { return tracking_.tracked(); }
+  const HandDevices& hand() const { return tracking_.hand(); }
+  std::vector<TrackerReport> trackers() const { return tracking_.reports(head_); }
   const Lorentz& boardFromRoom() const { return observer_.boardFromRoom(); }
   std::span<const TrackerSample> samples() const { return tracking_.samples(); }
 

@@ -40,6 +40,8 @@ RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atSt
       period_s_(1.0 / display_hz),
       clock_(clock),
       due_s_(clock.now_s()) {
+  const auto [first, last] = *session_.frames();
+  span_s_ = {session_.shownAt_s(first), session_.shownAt_s(last)};
   session_.goTo(0);
   readAhead();
 }
@@ -116,6 +118,7 @@ void RecordedSource::next(const Controls& controls, FrameState& state) {
   state = shown_;
   state.record.last = leftAlone_ && moves && !more_;
   obey(controls, state.record);
+  handsOff_.tell(clock_.now_s(), state.record.notice);
   last_ = state.record;
   begun_ = true;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/frame_source.h"
+#include "app/hands_off.h"
 #include "app/session_file.h"
 #include "cave/pacer.h"
 
@@ -54,6 +55,8 @@ class RecordedSource : public FrameSource {
   /// What the operator has not changed is as it was.
   void next(const Controls& controls, FrameState& state) override;
   std::optional<std::uint64_t> end() const override;
+  std::optional<std::pair<double, double>> span_s() const override { return span_s_; }
+  void handled(const DeskInput& desk) override { handsOff_.handled(desk, clock_.now_s()); }
   void drawn() override;
 
  private:
@@ -67,6 +70,7 @@ class RecordedSource : public FrameSource {
   SessionFile& session_;
   std::vector<WorldLine> atStart_;
   double period_s_;  ///< of the display
+  std::pair<double, double> span_s_;  ///< of the session's clock
   Clock& clock_;
   FrameState ahead_;         ///< the frame after the one that was shown last
   bool more_ = false;        ///< there is one
@@ -80,6 +84,7 @@ class RecordedSource : public FrameSource {
   Changed<Switches> switches_;
   Changed<WallControls> walls_;
   Changed<TimeViews> views_;
+  HandsOff handsOff_;
   std::optional<ObserverView> frozen_;  ///< the sight that the operator has frozen
 };
 

@@ -21,6 +21,7 @@ Recording::Recording(Graphics& graphics, const RecordingOptions& options, const 
   if (options.capture) {
     makeFolder(*options.capture);
     capture_ = std::make_unique<Capture>(*options.capture, whenFull);
+    folder_ = *options.capture;
   }
   if (options.movie && !walls.empty()) {
     movie_ = std::make_unique<Movie>(movieOfNode(*options.movie, cluster.rank(), cluster.size()),
@@ -54,8 +55,12 @@ void Recording::take(const WallSet& walls, const RoomView* outside, const FrameR
     captured_ = record.number;
     if (outside) capture_->include(outside->taken());
     walls.capture(*capture_, record.number);
+    ++captures_;
   };
-  const auto film = [&] { walls.film(*movie_, record.display_s); };
+  const auto film = [&] {
+    walls.film(*movie_, record.display_s);
+    ++filmed_;
+  };
   if (realTime_) {
     attempt(capture_, "the session goes on, without more pictures", capture);
     attempt(movie_, "the session goes on, without the movie", film);
@@ -63,6 +68,21 @@ void Recording::take(const WallSet& walls, const RoomView* outside, const FrameR
   }
   if (capture_) capture();
   if (movie_) film();
+}
+
+RecordingReport Recording::report() const {
+  RecordingReport report;
+  if (capture_) {
+    report.capture = folder_;
+    report.notCaptured = capture_->dropped();
+  }
+  if (movie_) {
+    report.movie = movie_->file();
+    report.notFilmed = movie_->dropped();
+  }
+  report.captured = captures_ - report.notCaptured;
+  report.filmed = filmed_ - report.notFilmed;
+  return report;
 }
 
 void Recording::finish() {

@@ -23,6 +23,13 @@ struct RecordingOptions {
   std::optional<std::filesystem::path> movie;
 };
 
+/// How the recording goes, for people. Empty names: nothing is made of it, or no more.
+struct RecordingReport {
+  std::filesystem::path capture, movie;
+  std::uint64_t captured = 0, filmed = 0;                  ///< frames
+  std::uint64_t notCaptured = 0, notFilmed = 0;  ///< frames that came too fast
+};
+
 /// Of one node.
 class Recording {
  public:
@@ -40,6 +47,8 @@ class Recording {
   /// written.
   void take(const WallSet& walls, const RoomView* outside, const FrameRecord& record);
 
+  RecordingReport report() const;
+
   /// On every node: returns when all is written, and says on standard error where the movie is and what was
   /// left out. Throws RankFailed on all of them where something could not be written, which has been said.
   void finish();
@@ -55,6 +64,8 @@ class Recording {
   bool realTime_;
   bool failed_ = false;
   std::optional<std::uint64_t> captured_;  // the last frame
+  std::filesystem::path folder_;
+  std::uint64_t captures_ = 0, filmed_ = 0;  // frames
   std::string node_;  // for messages; empty where there is only one
   std::unique_ptr<Capture> capture_;
   std::unique_ptr<Movie> movie_;

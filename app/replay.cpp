@@ -15,7 +15,9 @@
 namespace carom {
 namespace {
 
-bool isVisit(const ReplayOptions& options) { return options.observer || options.walk || options.beta; }
+bool isVisit(const ReplayOptions& options) { 
+  return options.observer || options.walk || options.beta || options.from_m || options.facing_rad;
+}
 
 /// The session's rig and scenario, from its file.
 std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, StageOptions& inputs) {
@@ -47,7 +49,8 @@ Frames framesOf(const ReplayOptions& options, const Stage& stage, SessionFile& s
     frames.clock = std::make_unique<SimulatedClock>();
   }
   if (game) {
-    const Visitor visitor{options.observer, options.beta, stage.realTime && !options.observer};
+    const Visitor visitor{options.observer, options.beta, stage.realTime && !options.observer, options.from_m,
+                          options.facing_rad};
     frames.source = std::make_unique<VisitorSource>(stage.rig, stage.scenario, visitor, std::move(*game),
                                                     VisitTime{*frames.clock, start, stage.swapsWait});
   } else {
@@ -70,13 +73,16 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   });
   shareInputs(cluster, inputs);
   Stage stage = openStage(cluster, inputs);
+  if (options.console && !options.noWindow) openConsole(cluster, stage, KeysOf::replay);
 
   Frames frames;
   std::optional<Lead> lead;
   together(cluster, [&] {
     if (cluster.rank() > 0) return;
     frames = framesOf(options, stage, *session);
-    lead.emplace(Lead{*frames.source, KeysOf::replay, controlsAtStart(stage)});
+    lead.emplace(Lead{*frames.source, KeysOf::replay, controlsAtStart(stage),
+                      soundsOf(stage, options.silent || options.noWindow)});
+    lead->controls.playing = inputs.scenario.file.string();
     if (!options.noWindow) sayKeys(KeysOf::replay);
   });
   runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);

@@ -355,12 +355,15 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
     placed.head = head->place();
     placed.eyeSeparation = head->place("eye_separation");
   }
-  if (const auto hand = root.table("hand")) rig.hand = readSensor(*hand, rig.trackers);
+  if (const auto hand = root.table("hand")) rig.hand = HandSetup{readSensor(*hand, rig.trackers), readPose(*hand, "hand_from_sensor", unit_m)};
   for (const TomlTable& table : root.tables("node")) {
     rig.nodes.push_back({.rank = table.integer("rank", 0, kMostRanks), .display = table.text("display")});
     placed.nodes.push_back(table.place());
   }
   if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
+  if (const auto console = root.table("console")) {
+    if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window);
+  }
 
   std::vector<WallText> walls;
   for (const TomlTable& table : root.tables("wall")) {

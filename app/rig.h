@@ -58,6 +58,12 @@ struct SensorChoice {
   int sensor = 0;
 };
 
+struct HandSetup : SensorChoice {
+  /// Takes the sensor's coordinates to those of the hand (origin where its ray begins; it points along the rig's
+  /// forward).
+  Pose handFromSensor;
+};
+
 struct HeadSetup {
   SensorChoice sensor;
   double eyeSeparation_m = 0.064;
@@ -79,12 +85,13 @@ struct Rig {
   double displayLatency_s = 0.0;  ///< from the swap to the photons, of the slowest wall
   FrameLock frameLock = FrameLock::software;
   HeadSetup head;
-  std::optional<SensorChoice> hand;
+  std::optional<HandSetup> hand;
   std::vector<TrackerSetup> trackers;
   std::vector<NodeSetup> nodes;  ///< empty: every rank uses the display it finds
   std::vector<Wall> walls;       ///< at least one; rectangles to 2 mm
   /// Where given, the only window of each node; a wall's `window` is then a place inside it.
   std::optional<WindowPlacement> oneWindow;
+  std::optional<WindowPlacement> console;  ///< where the operator's console is, if it is asked for
 };
 
 /// Where the parts of a wall stand in its file; where one is left out, the place of its wall.

@@ -1,6 +1,7 @@
 #include "app/scenario.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@
 #include <string_view>
 #include <utility>
 
+#include "app/controls.h"
+#include "app/drive.h"
 #include "app/toml_file.h"
 #include "engine/lorentz.h"
 
@@ -191,10 +194,146 @@ Flash readFlash(const TomlTable& table, std::size_t index) {
           {table.number("at_s", kNotNegative), toVec3(table.numbers<3>("r_m", {}))}};
 }
 
+/// A leg without `from_s` follows the one before it.
+std::vector<ThrustLeg> readTour(const TomlTable& tour, double c_m_s) {
+  std::vector<ThrustLeg> legs;
+  const double most_m_s2 = strongestThrust_m_s2(c_m_s);
+  double free_s = 0.0;  // from when on
+  for (const TomlTable& table : tour.tables("leg")) {
+    const ThrustLeg leg{.from_s = table.number("from_s", kNotNegative, free_s),
+                        .for_s = table.number("for_s", kPositive),
+                        .thrust_m_s2 = toVec3(table.numbers<3>("thrust_m_s2", {}))};
+    if (leg.from_s < free_s) {
+      table.fault("from_s", fmt::format("from_s is {}, expected a time after the leg before it, {} or above",
+                                        leg.from_s, free_s));
+    }
+    if (const double thrust_m_s2 = glm::length(leg.thrust_m_s2); thrust_m_s2 > most_m_s2 * (1.0 + kTouching)) {
+      table.fault("thrust_m_s2",
+                  fmt::format("the thrust is {:.6g} m/s², expected {:.6g} at most: with more, light from {:.3g} m "
+                              "behind would never catch up with the person",
+                              thrust_m_s2, most_m_s2, c_m_s * c_m_s / most_m_s2));
+    }
+    free_s = std::max(free_s, leg.from_s + leg.for_s);
+    legs.push_back(leg);
+  }
+  if (legs.empty()) tour.fault("leg", "there is no leg here, expected one [[tour.leg]] at least");
+  return legs;
+}
+
+bool readTourAtOnce(const TomlTable& tour) {
+  constexpr std::array<std::string_view, 2> kStarts{"asked", "at once"};
+  return tour.choice("starts", kStarts, 0) == 1;
+}
+
+/// Along a leg of constant thrust |γβ| is largest at an end of it.
+void checkTourSpeed(const std::vector<ThrustLeg>& legs, const ObserverStart& start, const TomlTable& tour,
+                    double c_m_s) {
+  const glm::dquat facing = glm::angleAxis(start.facing_rad - std::numbers::pi / 2, Vec3(0.0, 0.0, 1.0));
+  Lorentz boardFromRoom = Lorentz::boost(uFromBeta(start.beta), c_m_s) * Lorentz::rotation(facing, c_m_s);
+  const double most_u = std::max(kMostPlatformU, glm::length(boardFromRoom.u()));
+  const std::vector<TomlTable> tables = tour.tables("leg");
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    boardFromRoom = boardFromRoom * boostOfRapidity(legs[i].thrust_m_s2 * (legs[i].for_s / c_m_s), c_m_s);
+    if (glm::length(boardFromRoom.u()) <= most_u) continue;
+    tables[i].fault("for_s", fmt::format("after this leg the platform is faster than {:.4g} of light's speed, "
+                                         "expected slower: the game would have to run more than {:.0f} s in "
+                                         "one of the person's",
+                                         most_u / std::hypot(1.0, most_u), std::hypot(1.0, most_u)));
+    return;
+  }
+}
+
+Pulse readPulse(const TomlTable& table) {
+  Pulse pulse{.name = table.text("name"), .at_s = table.number("at_s", {}), .path_m = {}};
+  for (const auto& place : table.points("path_m")) pulse.path_m.push_back(toVec3(place));
+  if (!table.has("path_m")) return pulse;
+  if (pulse.path_m.size() < 2) {
+    table.fault("path_m", fmt::format("path_m has {}, expected two places at least",
+                                      pulse.path_m.empty() ? "no place" : "one place"));
+  }
+  for (std::size_t i = 1; i < pulse.path_m.size(); ++i) {
+    if (pulse.path_m[i] != pulse.path_m[i - 1]) continue;
+    table.fault("path_m", fmt::format("path_m[{}] is the place before it, expected another", i));
+  }
+  return pulse;
+}
+
+/// In letters, not in bytes.
+std::size_t lettersOf(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+void checkLength(const TomlTable& table, FilePlace place, std::string_view name, std::string_view text,
+                 std::size_t most) {
+  const std::size_t letters = lettersOf(text);
+  if (letters <= most) return;
+  table.fault(place, fmt::format("{} has {} letters, expected {} at most, which a wall can show", name,
+                                 letters, most));
+}
+
+std::string readWords(const TomlTable& table, std::string_view key, std::size_t most) {
+  std::string text = table.text(key);
+  checkLength(table, table.place(key), key, text, most);
+  return text;
+}
+
+constexpr std::size_t kFewestAnswers = 2, kMostAnswers = 4;
+
+std::vector<std::string> readAnswers(const TomlTable& table) {
+  std::vector<std::string> answers;
+  for (const PlacedText& answer : table.texts("answers")) {
+    checkLength(table, answer.place, fmt::format("answers[{}]", answers.size()), answer.text,
+                Lesson::kAnswerLetters);
+    answers.push_back(answer.text);
+  }
+  if (answers.size() < kFewestAnswers || answers.size() > kMostAnswers) {
+    table.fault("answers",
+                fmt::format("a lesson has {} answer{} here, expected answers = [...] with two to four",
+                            answers.size(), answers.size() == 1 ? "" : "s"));
+  }
+  return answers;
+}
+
+TimeViews readViews(const TomlTable& table) {
+  std::vector<std::string> names;
+  for (const NamedView& view : kNamedViews) names.emplace_back(view.name);
+  TimeViews views;
+  for (const PlacedText& given : table.texts("views")) {
+    const auto found = std::find(names.begin(), names.end(), given.text);
+    if (found != names.end()) {
+      views.*kNamedViews[static_cast<std::size_t>(found - names.begin())].value = 1;
+      continue;
+    }
+    if (given.text.empty()) continue;  // a fault already
+    const auto nearest = nearestWord(given.text, names);
+    table.fault(given.place, fmt::format("there is no view '{}', expected {}", given.text,
+                                         nearest ? fmt::format("'{}'?", *nearest)
+                                                 : fmt::format("one of {}", fmt::join(names, ", "))));
+  }
+  return views;
+}
+
+Lesson readLesson(const TomlTable& table, const std::string& title) {
+  Lesson lesson;
+  LessonWords& words = lesson.words;
+  words.title = title;
+  words.question = readWords(table, "question", Lesson::kQuestionLetters);
+  words.answers = readAnswers(table);
+  const bool offered = words.answers.size() >= kFewestAnswers && words.answers.size() <= kMostAnswers;
+  const std::size_t answers = offered ? words.answers.size() : kMostAnswers;
+  words.right = static_cast<std::size_t>(table.integer("right", 1, static_cast<int>(answers)) - 1);
+  words.todo = readWords(table, "todo", Lesson::kTextLetters);
+  words.notice = readWords(table, "notice", Lesson::kTextLetters);
+  words.number = readWords(table, "number", Lesson::kTextLetters);
+  lesson.views = readViews(table);
+  return lesson;
+}
+
 void checkNames(const std::vector<TomlTable>& pucks, const std::vector<TomlTable>& bodies,
-                const std::vector<TomlTable>& flashes) {
+                const std::vector<TomlTable>& flashes, const std::vector<TomlTable>& pulses) {
   std::map<std::string, FilePlace> first;
-  for (const auto* tables : {&pucks, &bodies, &flashes}) {
+  for (const auto* tables : {&pucks, &bodies, &flashes, &pulses}) {
     for (const TomlTable& table : *tables) {
       if (tables == &flashes && !table.has("name")) continue;
       const std::string name = table.text("name");
@@ -320,11 +459,20 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   const std::vector<TomlTable> flashes = root.tables("flash");
   for (const TomlTable& flash : flashes)
     scenario.billiard.flashes.push_back(readFlash(flash, scenario.billiard.flashes.size()));
+  const std::vector<TomlTable> pulses = root.tables("pulse");
+  for (const TomlTable& pulse : pulses) scenario.pulses.push_back(readPulse(pulse));
+  const auto tour = root.table("tour");
+  if (tour) {
+    scenario.tour = readTour(*tour, scenario.billiard.lightSpeed_m_s);
+    scenario.tourAtOnce = readTourAtOnce(*tour);
+  }
+  if (const auto lesson = root.table("lesson")) scenario.lesson = readLesson(*lesson, scenario.title);
   file.throwFaults();
 
-  checkNames(pucks, bodyTables, flashes);
+  checkNames(pucks, bodyTables, flashes, pulses);
   checkPlaces(scenario.billiard, pucks);
   if (physics) checkFriction(scenario.billiard, *physics);
+  if (tour) checkTourSpeed(scenario.tour, scenario.observer, *tour, scenario.billiard.lightSpeed_m_s);
   scenario.billiard.strokes = resolveStrokes(strokes, scenario.billiard.pucks);
   file.throwFaults();
   checkPlayable(scenario.billiard, root);

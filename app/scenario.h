@@ -31,7 +31,7 @@ struct ObserverStart {
   Vec3 beta{0.0};                            ///< v/c of the platform
 };
 
-/// A stretch of the platform's own way, on the person's clock from when the tour sets out.
+/// A stretch of the platform's own way, on its clock (app/drive.h) from when the tour sets out.
 struct ThrustLeg {
   double from_s = 0.0;
   double for_s = 0.0;
@@ -46,8 +46,11 @@ struct Pulse {
   std::vector<Vec3> path_m;   ///< two places at least; board frame
 };
 
-/// A game that teaches.
+/// A game that teaches. What it says is read from a panel on a wall (cave/room_words.h), so it is short: letters
+/// that a question, an answer, and each of the rest may have.
 struct Lesson {
+  static constexpr std::size_t kQuestionLetters = 160, kAnswerLetters = 70, kTextLetters = 230;
+
   LessonWords words;
   TimeViews views;  ///< that it begins with
 };
@@ -59,6 +62,7 @@ struct Scenario {
   std::vector<ToldBody> bodies;
   ObserverStart observer;
   std::vector<ThrustLeg> tour;  ///< in the order of time, none overlapping
+  bool tourAtOnce = false;      ///< it sets out with the game; else when it is asked for
   std::vector<Pulse> pulses;
   std::optional<Lesson> lesson;
 };

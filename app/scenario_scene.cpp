@@ -42,7 +42,10 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   for (const ToldBody& body : scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
-  return buildScene(scenario.billiard, pucks, told, hall, tessellation);
+  Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
+  for (const Pulse& pulse : scenario.pulses) scene.pulses.push_back({pulse.at_s, pulse.path_m});
+  scene.ruler = rulerBeside(scenario.billiard, scenario.observer.position_m);
+  return scene;
 }
 
 void openMeshes(const Scenario& scenario) {

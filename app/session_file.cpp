@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <initializer_list>
@@ -236,6 +237,30 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> SessionFile::frames() con
   return ends;
 }
 
+std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try {
+  std::vector<Stroke> strokes;
+  SQLite::Statement row(tables_->database,
+                        "SELECT frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s FROM stroke "
+                        "ORDER BY frame, rowid");
+  while (row.executeStep()) {
+    const auto frame = static_cast<std::uint64_t>(row.getColumn(0).getInt64());
+    const std::string name = row.getColumn(1).getString();
+    const auto number = [&](int column) { return row.getColumn(column).getDouble(); };
+    const auto found = std::find_if(pucks.begin(), pucks.end(), [&](const Puck& puck) { return puck.name == name; });
+    const Stroke stroke{static_cast<std::size_t>(found - pucks.begin()), number(2),
+                        Vec3(number(3), number(4), number(5)), {number(6), number(7)}};
+    if (found == pucks.end()) refuseFrame(frame, "a stroke on '" + name + "', expected a puck of the scenario");
+    bool possible = stroke.at_s >= 0.0;
+    for (int column = 2; column < 8; ++column)
+      possible = possible && row.getColumn(column).isFloat() && std::isfinite(number(column));
+    if (!possible) refuseFrame(frame, "a stroke on '" + name + "' that is none, expected finite numbers");
+    strokes.push_back(stroke);
+  }
+  return strokes;
+} catch (const SQLite::Exception& error) {
+  refuse(file_, error);
+}
+
 void SessionFile::readFrame(std::int64_t number, FrameState& state) {
   read(tables_->frame->getColumn(1), state.record);
   checked(state.record, number, facts_.lightSpeed_m_s);
@@ -279,6 +304,14 @@ void SessionFile::goTo(std::uint64_t number) {
 }
 
 // Bisects, as display_s grows with the number.
+double SessionFile::shownAt_s(std::uint64_t number) const {
+  SQLite::Statement& row = *tables_->shown;
+  row.bind(1, static_cast<std::int64_t>(number));
+  const double shown_s = row.executeStep() ? row.getColumn(1).getDouble() : 0.0;
+  row.reset();
+  return shown_s;
+}
+
 std::uint64_t SessionFile::frameAt(double display_s) const {
   const auto ends = frames();
   if (!ends) return 0;

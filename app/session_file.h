@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "app/journal.h"
 #include "cave/frame_state.h"
+#include "engine/billiard.h"
 
 namespace carom {
 
@@ -26,6 +29,10 @@ class SessionFile {
   /// The numbers of the first and the last frame; none if the session ended before its first.
   std::optional<std::pair<std::uint64_t, std::uint64_t>> frames() const;
 
+  /// What hands have struck, in the order of the frames. `pucks`: of the scenario. Throws std::runtime_error, that
+  /// names the file and the frame, for a stroke that this scenario cannot have had.
+  std::vector<Stroke> strokes(std::span<const Puck> pucks) const;
+
   /// The next frame in the order of their numbers, with its knots; false after the last. Throws
   /// std::runtime_error, that names the file and the frame, where the file turns out to be damaged.
   bool next(FrameState& state);
@@ -38,6 +45,8 @@ class SessionFile {
   }
   /// The next frame will be the first whose number is at least this.
   void goTo(std::uint64_t number);
+  /// When a frame was on the walls: the first whose number is at least this. The session's clock.
+  double shownAt_s(std::uint64_t number) const;
   /// The last frame that was on the walls at this time of the session's clock; the first, if none was yet.
   std::uint64_t frameAt(double display_s) const;
 

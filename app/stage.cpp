@@ -49,15 +49,19 @@ void agreeOnMesh(const Cluster& cluster, const std::optional<std::filesystem::pa
   }
 }
 
+void agreeOnScenario(const Cluster& cluster, const InputFile& input, const Scenario& scenario) {
+  cluster.agree("scenario", textOf(input));
+  for (const auto& mesh : scenario.puckMeshes) agreeOnMesh(cluster, mesh);
+  for (const ToldBody& body : scenario.bodies) agreeOnMesh(cluster, body.mesh);
+}
+
 /// Every node runs the same program on the same files; throws on every rank where one does not.
 void agreeOnInputs(const Cluster& cluster, const StageOptions& options, const Rig& rig,
                    const Scenario& scenario) {
   if (cluster.size() == 1) return;
   cluster.agree("version of the program", CAROM_VERSION);
   agreeOnRig(cluster, options.rig, rig);
-  cluster.agree("scenario", textOf(options.scenario));
-  for (const auto& mesh : scenario.puckMeshes) agreeOnMesh(cluster, mesh);
-  for (const ToldBody& body : scenario.bodies) agreeOnMesh(cluster, body.mesh);
+  agreeOnScenario(cluster, options.scenario, scenario);
 }
 
 }  // namespace
@@ -171,14 +175,16 @@ bool warmUp(const Cluster& cluster, const Stage& stage) {
   return swapsWaitFor(stage.rig.display_hz, returned_s);
 }
 
-/// The view from outside; its table is coarse, for nothing bends there.
-void openOutside(Stage& stage, bool visible) {
-  const ObserverStart& start = stage.scenario.observer;
+/// What the walls say of a lesson; nothing where there is none.
+LessonWords lessonWords(const Scenario& scenario) {
+  return scenario.lesson ? scenario.lesson->words : LessonWords{};
+}
+
+/// For the view from outside: coarse, for nothing bends there.
+std::vector<ScenePart> plainTable(const Scenario& scenario) {
   constexpr double kCell_m = 0.05;
-  std::vector<ScenePart> table;
-  if (const auto& board = stage.scenario.billiard.board) table = tableParts(*board, start.position_m.z, kCell_m);
-  stage.outside =
-      std::make_unique<RoomView>(*stage.graphics, factsOf(stage.rig), stage.scene, table, visible);
+  if (!scenario.billiard.board) return {};
+  return tableParts(*scenario.billiard.board, scenario.observer.position_m.z, kCell_m);
 }
 
 }  // namespace
@@ -208,7 +214,11 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
         std::make_unique<WallSet>(*stage.graphics, stage.scene, stage.scenario.billiard.lightSpeed_m_s,
                                   wallsOf(stage.rig, cluster), stage.rig.oneWindow, !options.noWindow);
     stage.walls->standIn(factsOf(stage.rig));
-    if (options.outside && cluster.rank() == 0) openOutside(stage, !options.noWindow);
+    stage.walls->teach(lessonWords(stage.scenario));
+    if (options.outside && cluster.rank() == 0) {
+      stage.outside = std::make_unique<RoomView>(*stage.graphics, factsOf(stage.rig), stage.scene,
+                                                 plainTable(stage.scenario), !options.noWindow);
+    }
     if (options.diagram && cluster.rank() == 0 && !options.noWindow) {
       stage.diagram = std::make_unique<DiagramWindow>(*stage.graphics, stage.scenario);
     }
@@ -227,6 +237,41 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
   if (stage.realTime && !options.noWindow) stage.swapsWait = warmUp(cluster, stage);
   stage.world = {historiesAtStart(stage), {}};
   return stage;
+}
+
+void openConsole(Cluster& cluster, Stage& stage, KeysOf keys) {
+  together(cluster, [&] {
+    if (cluster.rank() > 0) return;
+    stage.console =
+        std::make_unique<Console>(*stage.graphics, stage.rig, cluster, keys, stage.scenario, stage.scene);
+  });
+}
+
+bool playNext(Cluster& cluster, Stage& stage, const std::filesystem::path& file) {
+  Scenario next;
+  try {
+    together(cluster, [&] {
+      next = readScenario(file);
+      openMeshes(next);
+    });
+    agreeOnScenario(cluster, {file, {}}, next);
+  } catch (const RankFailed&) {
+    return false;  // which has been said
+  } catch (const NodesDiffer& error) {
+    if (cluster.rank() == 0) fmt::print(stderr, "error: {}\n", error.what());
+    return false;
+  }
+  stage.scenario = std::move(next);
+  together(cluster, [&] {
+    stage.scene = sceneOf(stage.scenario, stage.tessellation);
+    stage.walls->play(stage.scene, stage.scenario.billiard.lightSpeed_m_s);
+    stage.walls->teach(lessonWords(stage.scenario));
+    if (stage.outside) stage.outside->play(stage.scene, plainTable(stage.scenario));
+    if (stage.diagram) stage.diagram->play(stage.scenario);
+    if (stage.console) stage.console->play(stage.scenario, stage.scene);
+  });
+  stage.world = {historiesAtStart(stage), {}};
+  return true;
 }
 
 std::vector<WorldLine> historiesAtStart(const Stage& stage) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/console.h"
 #include "app/diagram_window.h"
 #include "app/recording.h"
 #include "app/rig.h"
@@ -49,6 +50,7 @@ struct Stage {
   std::unique_ptr<WallSet> walls;
   std::unique_ptr<RoomView> outside;  ///< where it was asked for
   std::unique_ptr<DiagramWindow> diagram;  ///< where it was asked for
+  std::unique_ptr<Console> console;        ///< where it was opened
   World world;
   std::unique_ptr<Recording> recording;
   NodeLock lock;           ///< of this node's swaps
@@ -62,6 +64,13 @@ void shareInputs(const Cluster& cluster, StageOptions& options);
 /// Reads the files, makes sure that every node holds the same, opens this node's windows. Throws RankFailed
 /// on every rank when one of them cannot; that one has said why.
 Stage openStage(Cluster& cluster, const StageOptions& options);
+
+/// Opens the operator's console on rank 0. The stage stays where it is from now on.
+void openConsole(Cluster& cluster, Stage& stage, KeysOf keys);
+
+/// Has every node go on with another scenario, in the same windows; what the stage held of the old game is gone.
+/// Where a node cannot read it, or has another, that is said, the stage stays as it is, and false is returned.
+bool playNext(Cluster& cluster, Stage& stage, const std::filesystem::path& scenario);
 
 /// The bodies' histories before the game.
 std::vector<WorldLine> historiesAtStart(const Stage& stage);

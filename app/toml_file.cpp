@@ -10,6 +10,7 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -218,6 +219,53 @@ void TomlTable::readNumbers(std::string_view key, const Range& range, bool optio
     const auto value = state_->numberOf(fmt::format("{}[{}]", key, i), (*array)[i], range, whole);
     if (value) result[i] = *value;
   }
+}
+
+std::vector<PlacedText> TomlTable::texts(std::string_view key) const {
+  std::vector<PlacedText> result;
+  const toml::node* node = state_->find(key);
+  if (!node) return result;
+  const toml::array* array = node->as_array();
+  if (!array) {
+    state_->wrong(key, *node, "an array of texts");
+    return result;
+  }
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const toml::node& element = (*array)[i];
+    const auto* value = element.as_string();
+    result.push_back({value ? printable(value->get()) : "", placeOf(element.source())});
+    if (!value) {
+      state_->wrong(fmt::format("{}[{}]", key, i), element, "a text in quotes");
+    } else if (value->get().empty()) {
+      fault(placeOf(element.source()), fmt::format("{}[{}] is empty, expected a text", key, i));
+    }
+  }
+  return result;
+}
+
+std::vector<std::array<double, 3>> TomlTable::points(std::string_view key) const {
+  std::vector<std::array<double, 3>> result;
+  const toml::node* node = state_->ask(key, false);
+  if (!node) return result;
+  const toml::array* array = node->as_array();
+  if (!array) {
+    state_->wrong(key, *node, "an array of places [x, y, z]");
+    return result;
+  }
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const std::string name = fmt::format("{}[{}]", key, i);
+    const toml::array* place = (*array)[i].as_array();
+    auto& point = result.emplace_back();
+    point.fill(std::numeric_limits<double>::quiet_NaN());  // stands in: unlike any other
+    if (!place || place->size() != 3) {
+      state_->fault(placeOf((*array)[i].source()),
+                    fmt::format("{} is wrong, expected a place [x, y, z]", name));
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      point[k] = state_->numberOf(fmt::format("{}[{}]", name, k), (*place)[k], {}, false).value_or(point[k]);
+  }
+  return result;
 }
 
 std::optional<TomlTable> TomlTable::table(std::string_view key) const {

@@ -16,6 +16,12 @@
 
 namespace carom {
 
+/// One text of an array.
+struct PlacedText {
+  std::string text;
+  FilePlace place;
+};
+
 /// One table of a file. Each reading function asks for one key. Where the key is wrong the fault is noted
 /// and a stand-in returned (the fallback if there is one), so that reading goes on; a key without fallback
 /// must be there. Keys that nobody asked for are faults. Nothing read may be used before
@@ -47,6 +53,10 @@ class TomlTable {
     readNumbers(key, range, fallback.has_value(), true, result);
     return result;
   }
+  /// An array of texts, each with its place; empty where the key is absent. Of one that is none: empty.
+  std::vector<PlacedText> texts(std::string_view key) const;
+  /// An array of places [x, y, z]; must be there. What is wrong in them: NaN.
+  std::vector<std::array<double, 3>> points(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::optional<TomlTable> requiredTable(std::string_view key) const;
   /// An array of tables; empty where the key is absent.

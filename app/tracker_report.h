@@ -10,7 +10,7 @@ namespace carom {
 
 struct TrackerReport {
   std::string name;  ///< of the rig
-  std::string use;   ///< "head", "hand"
+  std::string use;   ///< "head", "hand", "steering"
   TrackerHealth health;
   double rate_hz = std::numeric_limits<double>::quiet_NaN();      ///< of the last second
   double age_s = std::numeric_limits<double>::quiet_NaN();        ///< of the newest sample

@@ -25,7 +25,10 @@ Rig rigOf(Rig rig, const Visitor& visitor) {
 }
 
 Scenario scenarioOf(Scenario scenario, const Visitor& visitor) {
-  if (visitor.beta) scenario.observer.beta = *visitor.beta;
+  ObserverStart& start = scenario.observer;
+  start.beta = visitor.beta.value_or(start.beta);
+  start.position_m = visitor.from_m.value_or(start.position_m);
+  start.facing_rad = visitor.facing_rad.value_or(start.facing_rad);
   return scenario;
 }
 
@@ -44,7 +47,7 @@ VisitorSource::VisitorSource(const Rig& rig, const Scenario& scenario, const Vis
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
               .inverse()),
-      origin_{0.0, scenario.observer.position_m},
+      origin_{0.0, scenarioOf(scenario, visitor).observer.position_m},
       eyeSeparation_m_(rig.head.eyeSeparation_m),
       lightSpeed_m_s_(scenario.billiard.lightSpeed_m_s),
       end_s_(lengthOf_s(visitor)),
@@ -116,6 +119,7 @@ void VisitorSource::next(const Controls& controls, FrameState& state) {
   record.controls = controls.walls;
   record.views = controls.views;
   record.tracked = person_.tracked();
+  handsOff_.tell(display_s_, record.notice);
 }
 
 void VisitorSource::drawn() { pacer_.drawn(); }

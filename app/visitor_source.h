@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/frame_source.h"
+#include "app/hands_off.h"
 #include "app/person.h"
 #include "app/recorded_source.h"
 #include "app/rig.h"
@@ -22,6 +23,10 @@ struct Visitor {
   /// Where the recorded game ends time stands still for them, and they may go back; else the frames end
   /// there.
   bool mayStay = false;
+  /// Where the room's floor origin begins on the board, and its forward, anticlockwise from +x; none: as in the
+  /// scenario.
+  std::optional<Vec3> from_m = {};
+  std::optional<double> facing_rad = {};
 };
 
 /// The clock that a visit goes by.
@@ -42,6 +47,7 @@ class VisitorSource : public FrameSource {
   /// Display times go on, whatever the operator does with the game's. While it runs otherwise than the
   /// person's, their own motion is not seen: it would be faster than light.
   void next(const Controls& controls, FrameState& state) override;
+  void handled(const DeskInput& desk) override { handsOff_.handled(desk, display_s_); }
   void drawn() override;
   void shown(const FrameState& state) override;
 
@@ -66,6 +72,7 @@ class VisitorSource : public FrameSource {
   bool heldBack_ = false;         ///< the last frame would have shown what was not recorded
   std::optional<double> seen_s_;  ///< the latest board time that was seen in the frame before
   unsigned jumps_ = 0;
+  HandsOff handsOff_;
   std::optional<ObserverView> sight_;  ///< of the frame before: to be frozen
 };
 

@@ -8,6 +8,7 @@
 #include "shaders/leg_at.h"
 #include "shaders/legs.h"
 #include "shaders/light_types.h"
+#include "shaders/noise.h"
 #include "shaders/paint_bands.h"
 #include "shaders/paint_clock.h"
 #include "shaders/paint_cloth.h"
@@ -32,9 +33,9 @@ std::string paintText(Paint paint) {
     case Paint::plain:
       return shaders::paint_plain;
     case Paint::cloth:
-      return shaders::paint_cloth;
+      return std::string(shaders::noise) + shaders::paint_cloth;
     case Paint::wood:
-      return shaders::paint_wood;
+      return std::string(shaders::noise) + shaders::paint_wood;
     case Paint::floor:
       return shaders::paint_floor;
     case Paint::panels:
@@ -69,6 +70,7 @@ std::string variantText(Paint paint, const Switches& switches, Moment moment) {
   if (switches == kNoSwitches) text += "#define EUCLID\n";
   if (switches.colour) text += "#define COLOUR\n";
   if (paint == Paint::clock) text += "#define CLOCK\n";
+  if (paint == Paint::shadow) text += "#define SHADOW\n";
   if (paint == Paint::clock || paint == Paint::lamp) text += "#define GLOWS\n";
   return text + shaders::light_types;
 }

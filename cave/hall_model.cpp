@@ -1,6 +1,7 @@
 #include "cave/hall_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -31,12 +32,32 @@ ScenePart floorPart(const Hall& hall, const glm::dvec2& tableSize_m, double cell
   return {kRestingBody, floor.build(), Paint::floor, glm::vec3(0.50F, 0.43F, 0.34F), 0.05F};
 }
 
+/// The middles of the flat lamps under the ceiling.
+std::array<glm::dvec2, 16> ceilingLamps(const Hall& hall) {
+  std::array<glm::dvec2, 16> middles;
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    const double row = static_cast<double>(i / 4), column = static_cast<double>(i % 4);
+    middles[i] = {(row - 1.5) * 0.26 * hall.size_m.x, (column - 1.5) * 0.25 * hall.size_m.y};
+  }
+  return middles;
+}
+
+/// What those lamps add to the ceiling's light.
+double lightBesideLamps(const Hall& hall, const glm::dvec2& place) {
+  double light = 0.0;
+  for (const glm::dvec2& lamp : ceilingLamps(hall)) {
+    const glm::dvec2 way = (place - lamp) / glm::dvec2(1.0, 0.7);
+    light += std::exp(-glm::dot(way, way));
+  }
+  return 0.75 * light;
+}
+
 ScenePart ceilingPart(const Hall& hall, double cell_m) {
   MeshBuilder ceiling;
   const double z = hall.floor_m + hall.size_m.z;
   ceiling.addPatch(cellsFor(hall.size_m.x, cell_m), cellsFor(hall.size_m.y, cell_m), [&](double u, double v) {
     const glm::dvec2 place((0.5 - u) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
-    return PatchPoint{{place, z}, {place, 0.0}};
+    return PatchPoint{{place, z}, {place, -lightBesideLamps(hall, place)}};
   });
   return {kRestingBody, ceiling.build(), Paint::panels, glm::vec3(0.72F, 0.70F, 0.66F), 0.0F};
 }
@@ -76,10 +97,13 @@ std::vector<ScenePart> wallClocks(const Hall& hall, double cell_m) {
   const double z = hall.floor_m + 2.6;
   const double x = 0.5 * hall.size_m.x - 0.1;
   const double y = 0.5 * hall.size_m.y - 0.1;
-  clocks.add({0.0, y, z}, {0, -1, 0}, 1.5, cell_m);
-  clocks.add({0.0, -y, z}, {0, 1, 0}, 1.5, cell_m);
-  clocks.add({x, 0.0, z}, {-1, 0, 0}, 1.5, cell_m);
-  clocks.add({-x, 0.0, z}, {1, 0, 0}, 1.5, cell_m);
+  // Off the middle, where a split wall has its line: one for each half.
+  for (const double aside_m : {-0.95, 0.95}) {
+    clocks.add({aside_m, y, z}, {0, -1, 0}, 1.1, cell_m);
+    clocks.add({aside_m, -y, z}, {0, 1, 0}, 1.1, cell_m);
+    clocks.add({x, aside_m, z}, {-1, 0, 0}, 1.1, cell_m);
+    clocks.add({-x, aside_m, z}, {1, 0, 0}, 1.1, cell_m);
+  }
   return clocks.parts();
 }
 
@@ -87,12 +111,9 @@ std::vector<ScenePart> wallClocks(const Hall& hall, double cell_m) {
 ScenePart ceilingLampsPart(const Hall& hall, double cell_m) {
   MeshBuilder lamps;
   const double z = hall.floor_m + hall.size_m.z - 0.03;
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      const double x = (i - 1.5) * 0.26 * hall.size_m.x;
-      const double y = (j - 1.5) * 0.25 * hall.size_m.y;
-      lamps.addFlat({x + 0.6, y - 0.2, z}, {-1.2, 0.0, 0.0}, {0.0, 0.4, 0.0}, std::min(0.2, cell_m));
-    }
+  for (const glm::dvec2& middle : ceilingLamps(hall)) {
+    const glm::dvec3 corner(middle.x + 0.6, middle.y - 0.2, z);
+    lamps.addFlat(corner, {-1.2, 0.0, 0.0}, {0.0, 0.4, 0.0}, std::min(0.2, cell_m));
   }
   return {kRestingBody, lamps.build(), Paint::lamp, glm::vec3(1.0F, 0.97F, 0.92F), 0.0F};
 }

@@ -87,12 +87,7 @@ void drawNodes(const LatencyView& view) {
 
 }  // namespace
 
-void drawLatency(const LatencyView& view) {
-  ImGui::SetNextWindowPos({8.0F, 8.0F});
-  ImGui::SetNextWindowBgAlpha(0.8F);
-  ImGui::Begin("latency", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize);
+void drawLatencyNumbers(const LatencyView& view) {
   ImGui::Text("%s   frame %llu   %.5g Hz", view.node.c_str(), static_cast<unsigned long long>(view.frame),
               view.display_hz);
   ImGui::TextUnformatted("frame lock:");
@@ -104,6 +99,15 @@ void drawLatency(const LatencyView& view) {
   }
   drawParts(view);
   drawNodes(view);
+}
+
+void drawLatency(const LatencyView& view) {
+  ImGui::SetNextWindowPos({8.0F, 8.0F});
+  ImGui::SetNextWindowBgAlpha(0.8F);
+  ImGui::Begin("latency", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  drawLatencyNumbers(view);
   ImGui::End();
 }
 

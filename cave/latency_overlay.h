@@ -29,5 +29,7 @@ struct LatencyView {
 
 /// In the upper left corner of the window, within a Gui's begin and end.
 void drawLatency(const LatencyView& view);
+/// The same within a window of Dear ImGui's.
+void drawLatencyNumbers(const LatencyView& view);
 
 }  // namespace carom

@@ -17,13 +17,24 @@
 namespace carom {
 namespace {
 
-// As shaders/mark_frag.glsl has them; a plate's is the number of its places, and kTenths if it has a point.
+// As shaders/mark_frag.glsl has them, and the code of a plate.
 constexpr float kFlat = 0.0F;
 constexpr float kGlow = -1.0F;
-constexpr float kTenths = 16.0F;
+constexpr int kBehindPoint = 16, kShape = 256;
+constexpr double kPointWide = 0.35;                          // in places
+constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, of each shape
 
 constexpr unsigned kPlaces = 5;
-constexpr unsigned kMinus = 10;
+constexpr unsigned kMinus = 10, kDegrees = 12, kMetres = 13;
+
+/// Tenths with a unit's sign behind them.
+PlateText measured(double value, unsigned unit) {
+  PlateText text = wholeNumber(static_cast<unsigned long>(std::clamp(std::round(10.0 * value), 0.0, 9999.0)));
+  text.places = std::max(text.places, 2) + 1;
+  text.digits = 16.0F * text.digits + static_cast<float>(unit);
+  text.tenths = text.unit = true;
+  return text;
+}
 
 }  // namespace
 
@@ -51,12 +62,19 @@ PlateText tenthsOf(double time_s) {
   return text;
 }
 
+PlateText degreesOf(double angle_deg) { return measured(angle_deg, kDegrees); }
+PlateText metresOf(double length_m) { return measured(length_m, kMetres); }
+
+double placesAcross(const PlateText& text, PlateShape shape) {
+  return text.places + (text.tenths ? kPointWide : 0.0) + 2.0 * kMargins[static_cast<std::size_t>(shape)];
+}
+
 void MarkBatch::addStrip(std::span<const glm::dvec3> left_m, std::span<const glm::dvec3> right_m,
                          const glm::vec4& colour) {
   for (std::size_t i = 0; i + 1 < left_m.size(); ++i) {
     for (const glm::dvec3& place :
          {left_m[i], left_m[i + 1], right_m[i], right_m[i], left_m[i + 1], right_m[i + 1]})
-      corners_.push_back({glm::vec3(place), colour, {}, {kFlat, 0.0F}});
+      corners_.push_back({glm::vec3(place), colour, {}, {kFlat, 0.0F}, {}});
   }
 }
 
@@ -76,15 +94,20 @@ void MarkBatch::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& co
 }
 
 void MarkBatch::addPlate(std::span<const glm::dvec3> lower_m, std::span<const glm::dvec3> upper_m,
-                         const PlateText& text, const glm::vec4& colour) {
-  const glm::vec2 what(static_cast<float>(text.places) + (text.tenths ? kTenths : 0.0F), text.digits);
-  const float step = static_cast<float>(text.places) / static_cast<float>(lower_m.size() - 1);
+                         const PlateText& text, PlateShape shape, const glm::vec4& colour) {
+  const int behind = text.tenths ? (text.unit ? 2 : 1) : 0;
+  const glm::vec2 what(
+      static_cast<float>(text.places + kBehindPoint * behind + kShape * static_cast<int>(shape)),
+      text.digits);
+  const glm::dvec3 middle_m = 0.5 * (lower_m.front() + upper_m.back());
+  const glm::vec4 plate(middle_m, 0.5 * glm::distance(lower_m.front(), upper_m.back()));
+  const float step = static_cast<float>(placesAcross(text, shape)) / static_cast<float>(lower_m.size() - 1);
   for (std::size_t i = 0; i + 1 < lower_m.size(); ++i) {
     const float from = step * static_cast<float>(i), to = step * static_cast<float>(i + 1);
-    const MarkCorner a{glm::vec3(lower_m[i]), colour, {from, 0.0F}, what};
-    const MarkCorner b{glm::vec3(lower_m[i + 1]), colour, {to, 0.0F}, what};
-    const MarkCorner c{glm::vec3(upper_m[i]), colour, {from, 1.0F}, what};
-    const MarkCorner d{glm::vec3(upper_m[i + 1]), colour, {to, 1.0F}, what};
+    const MarkCorner a{glm::vec3(lower_m[i]), colour, {from, 0.0F}, what, plate};
+    const MarkCorner b{glm::vec3(lower_m[i + 1]), colour, {to, 0.0F}, what, plate};
+    const MarkCorner c{glm::vec3(upper_m[i]), colour, {from, 1.0F}, what, plate};
+    const MarkCorner d{glm::vec3(upper_m[i + 1]), colour, {to, 1.0F}, what, plate};
     for (const MarkCorner& corner : {a, b, c, c, b, d}) corners_.push_back(corner);
   }
 }
@@ -97,7 +120,7 @@ void MarkBatch::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::v
   const glm::dvec3 right = radius_m * glm::normalize(glm::cross(sight, other));
   const glm::dvec3 up = glm::cross(right, sight);
   const auto corner = [&](double u, double v) {
-    return MarkCorner{glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), {kGlow, 0.0F}};
+    return MarkCorner{glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), {kGlow, 0.0F}, {}};
   };
   for (const MarkCorner& c :
        {corner(-1, -1), corner(1, -1), corner(-1, 1), corner(-1, 1), corner(1, -1), corner(1, 1)})
@@ -118,6 +141,7 @@ MarkDrawer::MarkDrawer()
   setAttribute(program_, "ink", 4, sizeof(MarkCorner), offsetof(MarkCorner, colour));
   setAttribute(program_, "on", 2, sizeof(MarkCorner), offsetof(MarkCorner, on));
   setAttribute(program_, "what", 2, sizeof(MarkCorner), offsetof(MarkCorner, what));
+  setAttribute(program_, "plate", 4, sizeof(MarkCorner), offsetof(MarkCorner, plate));
   glBindVertexArray(static_cast<GLuint>(arrayBefore));
   glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
 }
@@ -140,13 +164,17 @@ void MarkDrawer::upload(const MarkBatch& batch) {
   glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
 }
 
-void MarkDrawer::draw(const glm::mat4& clipFromDrawn) const {
+void MarkDrawer::draw(const glm::mat4& clipFromDrawn, float cutAt) const {
   if (count_ == 0) return;
   glUseProgram(program_);
   glBindVertexArray(vertexArray_);
   glUniformMatrix4fv(glGetUniformLocation(program_, "clipFromDrawn"), 1, GL_FALSE,
                      glm::value_ptr(clipFromDrawn));
-  glDrawArrays(GL_TRIANGLES, 0, count_);
+  glUniform1f(glGetUniformLocation(program_, "cutAt"), cutAt);
+  for (const int plates : {0, 1}) {
+    glUniform1i(glGetUniformLocation(program_, "plates"), plates);
+    glDrawArrays(GL_TRIANGLES, 0, count_);
+  }
 }
 
 }  // namespace carom

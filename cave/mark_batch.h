@@ -17,19 +17,33 @@ namespace carom {
 struct MarkCorner {
   glm::vec3 drawn_m{0.0F};  ///< from the eye, in the frame in which walls draw
   glm::vec4 colour{1.0F};
-  glm::vec2 on{0.0F};    ///< on a plate: places from the left, 0 … 1 over its height; on a glow −1 … 1
-  glm::vec2 what{0.0F};  ///< style (shaders/mark_frag.glsl) and a plate's digits
+  glm::vec2 on{0.0F};  ///< on a plate: places from its left border, 0 … 1 over its height; on a glow −1 … 1
+  glm::vec2 what{0.0F};   ///< style (shaders/mark_frag.glsl) and a plate's digits
+  glm::vec4 plate{0.0F};  ///< a plate's middle, from the eye, and half its diagonal (m)
 };
 
 /// Digits of a plate: up to five places.
 struct PlateText {
-  float digits = 0.0F;  ///< a place every 4 bits, the last lowest: 0 to 9, 10 a minus sign, 11 nothing
+  /// A place every 4 bits, the last lowest: 0 to 9, 10 a minus sign, 11 nothing, 12 a degree sign, 13 an m.
+  float digits = 0.0F;
   int places = 0;
-  bool tenths = false;  ///< a point stands before the last place
+  bool tenths = false;  ///< a point stands before the last digit
+  bool unit = false;    ///< which the sign of a unit follows
 };
 PlateText wholeNumber(unsigned long number);  ///< its last five digits
 /// As clocks show it: whole tenths that have gone by; −999.9 to 9999.9, then it begins again.
 PlateText tenthsOf(double time_s);
+PlateText degreesOf(double angle_deg);  ///< to the nearest tenth; 0 to 999.9
+PlateText metresOf(double length_m);    ///< the same
+
+/// What a plate looks like, so that one knows from afar what it tells.
+enum class PlateShape {
+  box,    ///< a number: digits in its colour on black
+  clock,  ///< round corners, a thick border in its colour
+  flag,   ///< black digits on its colour
+};
+/// A plate's width, in places of a digit.
+double placesAcross(const PlateText& text, PlateShape shape);
 
 class MarkBatch {
  public:
@@ -43,10 +57,10 @@ class MarkBatch {
   void addStrip(std::span<const glm::dvec3> left_m, std::span<const glm::dvec3> right_m,
                 const glm::vec4& colour);
 
-  /// A plate with digits in `colour`, framed in `frame`: rows of points from the left, lower border, then
-  /// upper.
+  /// A plate with digits: rows of points from the left, lower border, then upper; as wide as placesAcross
+  /// says of its height.
   void addPlate(std::span<const glm::dvec3> lower_m, std::span<const glm::dvec3> upper_m,
-                const PlateText& text, const glm::vec4& colour);
+                const PlateText& text, PlateShape shape, const glm::vec4& colour);
 
   /// A soft round light around a point.
   void addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour);
@@ -64,8 +78,10 @@ class MarkDrawer {
   MarkDrawer& operator=(const MarkDrawer&) = delete;
 
   void upload(const MarkBatch& batch);
-  /// What was uploaded last; within a PlainState that tests depth and blends.
-  void draw(const glm::mat4& clipFromDrawn) const;
+  /// What was uploaded last, plates over all else; within a PlainState that tests depth and blends. `cutAt`:
+  /// 1 if the picture goes on beyond its right border with another, −1 if beyond its left, 0: neither. Plates
+  /// that such a border would cut are left out.
+  void draw(const glm::mat4& clipFromDrawn, float cutAt = 0.0F) const;
 
  private:
   unsigned program_ = 0, vertexArray_ = 0, buffer_ = 0;

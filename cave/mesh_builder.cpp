@@ -50,7 +50,8 @@ void MeshBuilder::addPatch(int cellsU, int cellsV, const std::function<PatchPoin
     for (int i = 0; i <= cellsU; ++i) {
       const double u = static_cast<double>(i) / cellsU;
       const double v = static_cast<double>(j) / cellsV;
-      points_.push_back({at(u, v), normalAt(at, u, v)});
+      const PatchPoint point = at(u, v);
+      points_.push_back({point, point.normal == glm::dvec3(0.0) ? normalAt(at, u, v) : point.normal});
     }
   }
   const std::size_t row = static_cast<std::size_t>(cellsU) + 1;

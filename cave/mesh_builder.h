@@ -18,6 +18,7 @@ namespace carom {
 struct PatchPoint {
   glm::dvec3 place{0.0};
   glm::dvec3 surface{0.0};
+  glm::dvec3 normal{0.0};  ///< unit vector; 0: the patch's own
 };
 
 class MeshBuilder {
@@ -41,7 +42,7 @@ class MeshBuilder {
  private:
   struct Point {
     PatchPoint patch;
-    glm::dvec3 normal{0.0};
+    glm::dvec3 normal{0.0};  // unit vector
   };
   std::vector<Point> points_;
   std::vector<std::array<std::size_t, 3>> triangles_;

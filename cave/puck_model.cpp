@@ -42,21 +42,46 @@ void addRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, co
                 });
 }
 
+/// A ring cut at 45° that is lit as if it were round: its normals go from the angle `from_rad` above outwards
+/// on by a right angle.
+void addRoundRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, double from_rad,
+                  const glm::dvec3& surface, double cell_m) {
+  constexpr int kSteps = 4;
+  mesh.addPatch(sectorsOf(surface.x, cell_m), std::max(kSteps, cellsFor(glm::distance(from, to), cell_m)),
+                [&](double u, double v) {
+                  const double angle_rad = 2.0 * std::numbers::pi * u;
+                  const double rise_rad = from_rad + 0.5 * std::numbers::pi * v;
+                  const glm::dvec2 p = from + v * (to - from), n(std::cos(rise_rad), std::sin(rise_rad));
+                  const glm::dvec2 out(std::cos(angle_rad), std::sin(angle_rad));
+                  return PatchPoint{{p.x * out, p.y}, surface, {n.x * out, n.y}};
+                });
+}
+
+/// What a puck takes from the cloth of the light of each lamp (0 to 2) and of the hall (3), in this order in
+/// surface.y; surface.x is 0 where all of it is hidden and 1 where nothing is, surface.z the puck's height.
+/// Discs: where their far side comes to lie is the vertex shader's work.
 ScenePart shadowPart(double radius_m, double height_m, std::size_t body, double cell_m) {
-  MeshBuilder shadow;
-  const double reach_m = radius_m + 0.9 * height_m;
+  constexpr double kHall = 3.0;
   const double z = kShadowHeight_m - 0.5 * height_m;
-  const auto addDisc = [&](double outer_m, double inner_m, double outerShade, double innerShade) {
-    const int sectors = std::max(kSectors / 2, cellsFor(2.0 * std::numbers::pi * reach_m, cell_m));
+  MeshBuilder shadow;
+  const auto addDisc = [&](double sort, double outer_m, double inner_m, double outerFade) {
+    const int sectors = std::max(kSectors / 2, cellsFor(2.0 * std::numbers::pi * outer_m, cell_m));
     shadow.addPatch(sectors, std::max(2, cellsFor(outer_m - inner_m, cell_m)), [&](double u, double v) {
       const double angle_rad = 2.0 * std::numbers::pi * u;
       const double r = outer_m + v * (inner_m - outer_m);
       return PatchPoint{{r * std::cos(angle_rad), r * std::sin(angle_rad), z},
-                        {outerShade + v * (innerShade - outerShade), 0.0, 0.0}};
+                        {(1.0 - v) * outerFade, sort, height_m}};
     });
   };
-  addDisc(reach_m, 0.95 * radius_m, 1.0, 0.0);
-  addDisc(0.95 * radius_m, 0.0, 0.0, 0.0);
+  const double hallReach_m = radius_m + 0.9 * height_m;
+  addDisc(kHall, hallReach_m, 0.95 * radius_m, 1.0);
+  addDisc(kHall, 0.95 * radius_m, 0.0, 0.0);
+  // A lamp of 0.22 m radius 1.45 m above: the top rim's shadow is soft over ±0.15 of its height.
+  const double soft_m = 0.15 * height_m;
+  for (const double lamp : {0.0, 1.0, 2.0}) {
+    addDisc(lamp, radius_m + soft_m, radius_m - soft_m, 1.0);
+    addDisc(lamp, radius_m - soft_m, 0.0, 0.0);
+  }
   return {body, shadow.build(), Paint::shadow, glm::vec3(0.0F), 0.0F};
 }
 
@@ -124,10 +149,10 @@ std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t b
   const auto ring = [&](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec3& surface) {
     addRing(mesh, from, to, surface, cell_m);
   };
-  ring({r - bevel, -z}, {r, -z + bevel}, onRim);
+  addRoundRing(mesh, {r - bevel, -z}, {r, -z + bevel}, -0.5 * std::numbers::pi, onRim, cell_m);
   ring({r, -z + bevel}, {r, 0.0}, onRim);
   ring({r, 0.0}, {r, z - bevel}, onRim);
-  ring({r, z - bevel}, {r - bevel, z}, onFace);
+  addRoundRing(mesh, {r, z - bevel}, {r - bevel, z}, 0.0, onFace, cell_m);
   const std::array<double, 5> rings{1.0, 0.75, 0.5, 0.25, 0.0};
   for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
     ring({rings[i] * (r - bevel), z}, {rings[i + 1] * (r - bevel), z}, onFace);

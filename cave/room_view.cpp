@@ -247,7 +247,8 @@ struct RoomView::Drawing {
 
   Drawing(Graphics& graphics, const RoomFacts& room);
   ~Drawing();
-  void makeSolids(const Scene& scene, std::span<const ScenePart> parts);
+  void makePerson();
+  void makeGame(const Scene& scene, std::span<const ScenePart> parts);
   void makeLabels(int height_px);
   void makePicture(const glm::ivec2& wanted_px);
   bool isInside(const Wall& wall) const;
@@ -293,10 +294,16 @@ RoomView::Drawing::~Drawing() {
     glDeleteProgram(program);
 }
 
-void RoomView::Drawing::makeSolids(const Scene& scene, std::span<const ScenePart> parts) {
+void RoomView::Drawing::makePerson() {
   addHead(head, solidProgram);
   body.emplace(*coat(), kCoat, solidProgram);
   hand.emplace(*wand(), kWand, solidProgram);
+}
+
+void RoomView::Drawing::makeGame(const Scene& scene, std::span<const ScenePart> parts) {
+  table.clear();
+  tableEdges.clear();
+  bodies.clear();
   for (const ScenePart& part : parts) {
     if (isHall(part.paint)) continue;
     table.emplace_back(*part.mesh, part.paint == Paint::clock ? kDark : part.colour, solidProgram);
@@ -509,7 +516,8 @@ RoomView::RoomView(Graphics& graphics, const RoomFacts& room, const Scene& scene
                    std::span<const ScenePart> table, bool visible) {
   graphics.makeCurrent();
   drawing_ = std::make_unique<Drawing>(graphics, room);
-  drawing_->makeSolids(scene, table);
+  drawing_->makePerson();
+  drawing_->makeGame(scene, table);
   constexpr int kLabel_px = 26;
   drawing_->makeLabels(kLabel_px);
   if (visible) {
@@ -517,6 +525,11 @@ RoomView::RoomView(Graphics& graphics, const RoomFacts& room, const Scene& scene
     drawing_->window = std::make_unique<Window>(graphics, "Carom: the room from outside", place);
     graphics.makeCurrent();
   }
+}
+
+void RoomView::play(const Scene& scene, std::span<const ScenePart> table) {
+  drawing_->graphics.makeCurrent();
+  drawing_->makeGame(scene, table);
 }
 
 RoomView::~RoomView() { drawing_->graphics.makeCurrent(); }

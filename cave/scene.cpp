@@ -217,6 +217,13 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
   return scene;
 }
 
+Ruler rulerBeside(const BilliardSetup& setup, const glm::dvec3& person_m) {
+  constexpr double kFromRail_m = 0.13;  // seen over the rail from a metre beside the table
+  const double y = setup.board ? 0.5 * setup.board->width_m - kFromRail_m : 1.0;
+  const double side = person_m.y > 0.0 ? 1.0 : -1.0;
+  return {{0.5 * side, side * y, 0.0}, {-side, 0.0, 0.0}, {0.0, -side, 0.0}};
+}
+
 std::vector<WorldLine> reachingTo(std::span<const WorldLine> histories, std::span<const double> reach_m) {
   std::vector<WorldLine> reaching(histories.begin(), histories.end());
   for (std::size_t body = 0; body < histories.size(); ++body) {

@@ -13,6 +13,7 @@
 
 #include "cave/tessellation.h"
 #include "engine/billiard.h"
+#include "engine/light_path.h"
 #include "engine/world_line.h"
 
 namespace carom {
@@ -67,6 +68,17 @@ struct MeshNote {
   double longestEdge_m = 0.0;  ///< then
 };
 
+/// A metre on the cloth: from `from_m` along the unit vector, its light's marks on the side of `aside`. Board
+/// frame.
+struct Ruler {
+  glm::dvec3 from_m{-0.5, -1.0, 0.0};
+  glm::dvec3 along{1.0, 0.0, 0.0}, aside{0.0, 1.0, 0.0};
+};
+
+/// The ruler at the near rail of someone who stands on the side of `person_m`; without a board, 1 m from its
+/// origin.
+Ruler rulerBeside(const BilliardSetup& setup, const glm::dvec3& person_m);
+
 /// Bodies are numbered: 0 is everything at rest on the board, then the pucks, then the told bodies, as given.
 struct Scene {
   std::vector<ScenePart> parts;
@@ -75,6 +87,8 @@ struct Scene {
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
+  std::vector<LightPath> pulses;
+  Ruler ruler;
 };
 
 /// The body of all that rests on the board.

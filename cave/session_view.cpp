@@ -60,7 +60,8 @@ void SessionView::look(WallRenderer& renderer, const Switches& switches, const F
   const TimeViews& views = record.views;
   const Ghosts ghosts = viewGhosts(switches, views, world, observer, eye);
   renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts);
-  marked_ = views.paths || views.events || views.clocks || views.boardNow || views.myNow;
+  marked_ = views.paths || views.events || views.clocks || views.boardNow || views.myNow || views.ruler ||
+            views.angles || !scene_.pulses.empty();
   if (!marked_) return;
   graphics_.makeCurrent();
   if (!marks_) marks_ = std::make_unique<TimeMarks>(scene_);
@@ -96,6 +97,7 @@ void SessionView::drawPart(WallRenderer& renderer, Part part, const EyeView& eye
     drawing.seenFromEye_m = eye.seenFromInRoom_m - eye.positionInRoom_m;
     drawing.left_px = part == Part::right ? middle_px : 0;
     drawing.marks = marked_ ? marks_.get() : nullptr;
+    drawing.cutAt = part == Part::left ? 1.0F : part == Part::right ? -1.0F : 0.0F;
     if (part == Part::whole) {
       renderer.draw(*wall, eye.positionInRoom_m, *picture, drawing);
     } else {

@@ -1,6 +1,7 @@
 #include "cave/text_ink.h"
 
 #include <array>
+#include <filesystem>
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -32,11 +33,20 @@ Ink inked(vtkImageData& rgba) {
   return made;
 }
 
+/// DejaVu has Greek letters, VTK's own fonts have none.
+void useFont(vtkTextProperty& style) {
+  static constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";  // fonts-dejavu-core
+  static const bool isThere = std::filesystem::exists(kFont);
+  if (!isThere) return style.SetFontFamilyToArial();
+  style.SetFontFamily(VTK_FONT_FILE);
+  style.SetFontFile(kFont);
+}
+
 }  // namespace
 
 Ink ink(const std::string& text, int height_px) {
   vtkNew<vtkTextProperty> style;
-  style->SetFontFamilyToArial();  // VTK brings it along
+  useFont(*style);
   style->SetFontSize(height_px);
   vtkNew<vtkImageData> rgba;
   glm::ivec2 box{0};

@@ -16,7 +16,8 @@ struct Ink {
   int below_px = 0;  ///< from the foot of its line, the same for all texts of that height, up to the box
 };
 
-/// A line of UTF-8 in Arial; capitals are about 0.72 of `height_px` high. Empty where there is no ink.
+/// A line of UTF-8 in DejaVu Sans, or where that is not installed in Arial, which has no Greek; capitals are about
+/// 0.72 of `height_px` high. Empty where there is no ink.
 Ink ink(const std::string& text, int height_px);
 
 }  // namespace carom

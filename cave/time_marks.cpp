@@ -8,40 +8,12 @@
 #include <vtk_glew.h>
 #include <glm/geometric.hpp>
 
+#include "cave/measure_marks.h"
 #include "cave/plain_state.h"
 #include "cave/view_colours.h"
 
 namespace carom {
 namespace {
-
-constexpr double kOnCloth_m = 0.003;                            // height of rings above it
-constexpr double kPlateWidth_m = 0.03, kPlateHeight_m = 0.055;  // of one place
-constexpr std::size_t kAcross = 5;                              // points along a plate's borders
-
-/// Where things at rest on the board are drawn: light from them has come straight, (−|x|, x).
-class Resting {
- public:
-  explicit Resting(const MarkSight& sight)
-      : drawnFromBoard_(SeenFrame(sight.observer.headFromBoard, sight.switches).drawnFromBoard.matrix()),
-        eye_m_(sight.eye.observation.r_m) {}
-  glm::dvec3 operator()(const Vec3& place_m) const {
-    return kernel::rayThrough(drawnFromBoard_, place_m - eye_m_);
-  }
-
- private:
-  glm::dmat4 drawnFromBoard_;
-  Vec3 eye_m_;
-};
-
-/// The person's board time: of the point between the eyes, so that both eyes see one thing.
-double boardNow_s(const MarkSight& sight) { return sight.observer.eyes[2].observation.t_s; }
-
-/// Horizontal, to the right of someone who looks there from between the eyes: plates face them.
-Vec3 rightOf(const MarkSight& sight, const Vec3& place_m) {
-  const Vec3 way = place_m - sight.observer.eyes[2].observation.r_m;
-  const double length_m = std::hypot(way.x, way.y);
-  return length_m > 0.0 ? Vec3(way.y, -way.x, 0.0) / length_m : Vec3(1.0, 0.0, 0.0);
-}
 
 /// Where points of a body are drawn, at the moment that is viewed.
 class OnBody {
@@ -61,20 +33,6 @@ class OnBody {
   const BodyView& view_;
   glm::dmat4 drawnFromSeen_;
 };
-
-/// A plate whose lower border's middle is at `foot_m`; `draw(place)` says where a place is drawn.
-template <typename Draw>
-void addPlate(MarkBatch& batch, const Vec3& foot_m, const Vec3& right, double scale, const PlateText& text,
-              const glm::vec4& colour, const Draw& draw) {
-  std::array<glm::dvec3, kAcross> lower, upper;
-  for (std::size_t i = 0; i < kAcross; ++i) {
-    const double along = static_cast<double>(i) / static_cast<double>(kAcross - 1) - 0.5;
-    const Vec3 place_m = foot_m + right * (along * text.places * kPlateWidth_m * scale);
-    lower[i] = draw(place_m);
-    upper[i] = draw(place_m + Vec3(0.0, 0.0, kPlateHeight_m * scale));
-  }
-  batch.addPlate(lower, upper, text, colour);
-}
 
 constexpr std::size_t kAround = 96;
 
@@ -130,52 +88,92 @@ void addSphere(MarkBatch& batch, const Resting& draw, const Event& flash, double
           glm::vec4(kFlashColour, static_cast<float>(0.4 + 0.6 * left)));
 }
 
-/// A ring around the place, a pin and the number on it; since `age_s` ago it is seen.
+/// A ring around the place, and on a pin a flag with the number; since `age_s` ago it is seen.
 void addMarker(MarkBatch& batch, const MarkSight& sight, const Resting& draw, const GameEvent& event,
-               double age_s) {
-  const auto shown = static_cast<float>(std::clamp(2.0 * (1.0 - age_s / kEventShown_s), 0.0, 1.0));
+               double age_s, float shown, Crowd& crowd) {
   const bool flash = event.kind == EventKind::flash;
   const glm::vec4 colour(flash ? kFlashColour : kEventColour, shown);
-  const Vec3 foot_m(event.at.r_m.x, event.at.r_m.y, kOnCloth_m);
-  addRing(batch, draw, foot_m, 0.018, 0.026, colour);
-  constexpr double kPin_m = 0.09;
-  const std::array<glm::dvec3, 2> pin{draw(event.at.r_m), draw(event.at.r_m + Vec3(0.0, 0.0, kPin_m))};
+  const Vec3& at_m = event.at.r_m;
+  addRing(batch, draw, {at_m.x, at_m.y, kOnCloth_m}, 0.018, 0.026, colour);
+  constexpr double kPin_m = 0.10;
+  StandingPlate flag =
+      standingPlate(sight, wholeNumber(event.number), PlateShape::flag, at_m + Vec3(0.0, 0.0, kPin_m));
+  flag.scale *= 0.8;
+  flag.foot_m.z += crowd.raise_m(flag);
+  const std::array<glm::dvec3, 2> pin{draw(at_m), draw(flag.foot_m)};
   batch.addLine(pin, colour, 0.001);
-  addPlate(batch, event.at.r_m + Vec3(0.0, 0.0, kPin_m), rightOf(sight, event.at.r_m), 1.0,
-           wholeNumber(event.number), colour, draw);
+  addPlate(batch, sight, flag, colour, [&](const Vec3& offset_m) { return draw(flag.foot_m + offset_m); });
   const double glowing = 1.0 - age_s / kFlashSeen_s;
   if (glowing <= 0.0) return;
   const glm::vec4 light(kFlashColour, static_cast<float>(glowing));
   // No thing on the table but dazzle: nearer than all that could cut it.
   constexpr double kNearer = 0.6;
-  batch.addGlow(kNearer * draw(event.at.r_m), kNearer * (flash ? 0.3 : 0.08), light);
+  batch.addGlow(kNearer * draw(at_m), kNearer * (flash ? 0.3 : 0.08), light);
 }
+
+/// The events that the eye has seen last, the latest first.
+class Latest {
+ public:
+  struct Seen {
+    const GameEvent* event = nullptr;
+    double age_s = 0.0;
+  };
+  void add(const Seen& seen) {
+    std::size_t at = count_ < seen_.size() ? count_++ : seen_.size();
+    for (; at > 0 && seen.age_s < seen_[at - 1].age_s; --at) {
+      if (at < seen_.size()) seen_[at] = seen_[at - 1];
+    }
+    if (at < seen_.size()) seen_[at] = seen;
+  }
+  std::span<const Seen> seen() const { return std::span(seen_).first(count_); }
+
+ private:
+  std::array<Seen, kMostMarkers> seen_{};
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
-void addEvents(const MarkSight& sight, MarkBatch& batch) {
+void addEvents(const MarkSight& sight, Crowd& crowd, MarkBatch& batch) {
   const Resting draw(sight);
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
-  const Event& observation = sight.eye.observation;
+  Latest latest;
   for (const GameEvent& event : sight.events) {
     if (event.kind == EventKind::flash) {
       const double radius_m = c_m_s * (boardNow_s(sight) - event.at.t_s);
       if (radius_m > 0.0 && radius_m < kSphere_m) addSphere(batch, draw, event.at, radius_m);
     }
-    const double way_m = sight.switches.retardation ? glm::length(observation.r_m - event.at.r_m) : 0.0;
-    const double age_s = observation.t_s - event.at.t_s - way_m / c_m_s;
-    if (age_s >= 0.0 && age_s < kEventShown_s) addMarker(batch, sight, draw, event, age_s);
+    const double age_s = seenSince_s(sight, event.at);
+    if (age_s >= 0.0 && age_s < kEventShown_s) latest.add({&event, age_s});
+  }
+  double rank = 0.0;
+  for (const auto& [event, age_s] : latest.seen()) {
+    const double byAge = std::clamp(2.0 * (1.0 - age_s / kEventShown_s), 0.0, 1.0);
+    const double byRank = std::min(1.0, 1.4 * (1.0 - rank++ / static_cast<double>(kMostMarkers)));
+    addMarker(batch, sight, draw, *event, age_s, static_cast<float>(byAge * byRank), crowd);
   }
 }
 
 void addPuckClocks(const MarkSight& sight, std::span<const glm::vec3> colours,
-                   std::span<const double> reach_m, MarkBatch& batch) {
+                   std::span<const double> reach_m, Crowd& crowd, MarkBatch& batch) {
+  const Event& between = sight.observer.eyes[2].observation;
+  const Resting resting(sight);
   for (std::size_t body = 1; body <= sight.pucks; ++body) {
     const OnBody draw(sight, sight.bodies[body], Moment::seen);
     const Motion centre = centreSeen(sight.histories[body], sight.eye.observation, sight.switches);
-    constexpr double kScale = 1.3;
-    addPlate(batch, {0.0, 0.0, reach_m[body] + 0.01}, rightOf(sight, centre.event.r_m), kScale,
-             tenthsOf(centre.properTime_s), glm::vec4(codeOf(colours[body]), 1.0F), draw);
+    const Vec3 middle_m = centreSeen(sight.histories[body], between, sight.switches).event.r_m;
+    const Vec3 above_m(0.0, 0.0, reach_m[body] + 0.01);
+    StandingPlate plate =
+        standingPlate(sight, tenthsOf(centre.properTime_s), PlateShape::clock, middle_m + above_m);
+    plate.scale *= 1.15;
+    const Vec3 foot_m = above_m + Vec3(0.0, 0.0, crowd.raise_m(plate));
+    const glm::vec4 colour(codeOf(glm::max(colours[body], glm::vec3(0.08F))), 1.0F);
+    const std::array<glm::dvec3, 2> stem{draw(Vec3(0.0)), draw(foot_m)};
+    batch.addLine(stem, colour, 0.0014);
+    // The plate is no thing: it stands there upright, as if at rest, so that it can be read at any speed.
+    addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) {
+      return stem[1] + resting(plate.foot_m + offset_m) - resting(plate.foot_m);
+    });
   }
 }
 
@@ -228,7 +226,8 @@ void addBeacons(const MarkSight& sight, std::span<const glm::vec3> colours, std:
   add(sight.ghosts.boardNow, Moment::boardNow);  // for a head at rest the same: its diamond within the ring
 }
 
-TimeMarks::TimeMarks(const Scene& scene) : colours_(scene.bodyCount), reach_m_(scene.reach_m) {
+TimeMarks::TimeMarks(const Scene& scene)
+    : colours_(scene.bodyCount), reach_m_(scene.reach_m), ruler_(scene.ruler), pulses_(scene.pulses) {
   reach_m_.resize(scene.bodyCount);
   for (const ScenePart& part : scene.parts) {
     if (part.paint != Paint::shadow) colours_[part.body] = part.colour;
@@ -246,20 +245,25 @@ void TimeMarks::look(const MarkSight& sight) {
   drawnFromBoard_ =
       glm::mat4(SeenFrame(sight.observer.headFromBoard, sight.switches).drawnFromBoard.matrix());
   batch_.clear();
-  if (sight.views.events) addEvents(sight, batch_);
+  Crowd crowd(sight);
+  if (sight.views.ruler) addRuler(sight, ruler_, crowd, batch_);
+  if (sight.views.clocks) addPuckClocks(sight, colours_, reach_m_, crowd, batch_);
+  if (sight.views.events) addEvents(sight, crowd, batch_);
+  if (sight.views.angles) addAngles(sight, crowd, batch_);
   addBeacons(sight, colours_, reach_m_, batch_);
-  if (sight.views.clocks) addPuckClocks(sight, colours_, reach_m_, batch_);
+  addPulses(sight, pulses_, batch_);
   marks_.upload(batch_);
 }
 
-void TimeMarks::draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, const glm::ivec2& size_px) const {
+void TimeMarks::draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, const glm::ivec2& size_px,
+                     float cutAt) const {
   const PlainState state(framebuffer, size_px);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
   blendOver();
   if (pathsShown_) paths_.draw(clipFromDrawn, drawnFromBoard_, std::span(colours_).subspan(1, pucks_));
-  marks_.draw(clipFromDrawn);
+  marks_.draw(clipFromDrawn, cutAt);
 }
 
 }  // namespace carom

@@ -1,7 +1,7 @@
 #pragma once
 // What the views of time put among the bodies besides ghosts: ways of pucks, markers of events, light on its
-// way, clocks on pucks. All of it where the eye sees it, or for light on its way where it is at the person's
-// board time.
+// way, clocks on pucks. All of it where the eye sees it, or for the light of a flash where it is at the
+// person's board time. What measures is in cave/measure_marks.h.
 
 #include <memory>
 #include <span>
@@ -10,42 +10,26 @@
 #include <glm/mat4x4.hpp>
 
 #include "cave/mark_batch.h"
+#include "cave/mark_sight.h"
 #include "cave/path_ribbons.h"
 #include "cave/scene.h"
-#include "cave/time_views.h"
-#include "cave/wall_renderer.h"
-#include "engine/game_event.h"
-#include "engine/light_cone.h"
-#include "engine/observer.h"
 
 namespace carom {
 
-/// What one eye looks at, and whose eye it is.
-struct MarkSight {
-  const ObserverView& observer;
-  const EyeView& eye;
-  Switches switches;
-  TimeViews views;
-  std::size_t pucks = 0;                 ///< bodies 1 to this are pucks
-  std::span<const WorldLine> histories;  ///< of every body of the scene
-  std::span<const BodyView> bodies;      ///< as the eye sees them
-  std::span<const GameEvent> events;
-  Ghosts ghosts;
-};
-
-/// Markers of the events that the eye has seen happen, each number and all at rest on the board; and for
-/// flashes the sphere of their light, c (t − t_e) around at the person's board time t, with the ring that it
-/// draws on the cloth.
-void addEvents(const MarkSight& sight, MarkBatch& batch);
+/// Flags where the eye has seen something happen, each number and all at rest on the board: of the latest
+/// kMostMarkers, the older the fainter. And for flashes the sphere of their light, c (t − t_e) around at the
+/// person's board time t, with the ring that it draws on the cloth.
+void addEvents(const MarkSight& sight, Crowd& crowd, MarkBatch& batch);
+inline constexpr std::size_t kMostMarkers = 8;
 inline constexpr double kEventShown_s = 8.0;  ///< after its light has come
 inline constexpr double kFlashSeen_s = 0.35;  ///< how long one glows
 inline constexpr double kSphere_m = 9.0;      ///< radius to which light is followed
 
-/// Above each puck, moving with it, a plate that shows the puck's own time at the event where the light left
-/// its centre. Of every body of the scene: `colours`, linear; `reach_m`, how far they reach from their
-/// centres.
+/// On a stem above each puck, which moves with it, a clock that shows the puck's own time at the event where
+/// the light left its centre. Of every body of the scene: `colours`, linear; `reach_m`, how far they reach
+/// from their centres.
 void addPuckClocks(const MarkSight& sight, std::span<const glm::vec3> colours,
-                   std::span<const double> reach_m, MarkBatch& batch);
+                   std::span<const double> reach_m, Crowd& crowd, MarkBatch& batch);
 
 /// A pin above each ghost, moving with it, so that it is found and told apart far away and without colours:
 /// with a diamond "now on the board", with a ring "my now", around the body's own colour. Of every body of
@@ -55,18 +39,21 @@ void addBeacons(const MarkSight& sight, std::span<const glm::vec3> colours, std:
 
 class TimeMarks {
  public:
-  /// Keeps nothing of the scene. Made and destroyed with the drawing context current.
+  /// Copies what it needs of the scene. Made and destroyed with the drawing context current.
   explicit TimeMarks(const Scene& scene);
 
   /// For one eye.
   void look(const MarkSight& sight);
 
-  /// Into a picture whose depth is that of the bodies.
-  void draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, const glm::ivec2& size_px) const;
+  /// Into a picture whose depth is that of the bodies; `cutAt` as MarkDrawer::draw has it.
+  void draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, const glm::ivec2& size_px,
+            float cutAt = 0.0F) const;
 
  private:
   std::vector<glm::vec3> colours_;  // of every body, linear
   std::vector<double> reach_m_;     // of every body
+  Ruler ruler_;
+  std::vector<LightPath> pulses_;
   std::size_t pucks_ = 0;
   PathRibbons paths_;
   MarkBatch batch_;

@@ -2,6 +2,7 @@
 // What the views of time are coloured with, so that a legend can name them: sRGB. They differ for every eye
 // that sees blue, and in their patterns for all.
 
+#include <array>
 #include <cmath>
 
 #include <glm/vec3.hpp>
@@ -16,6 +17,17 @@ constexpr glm::vec3 kMyNowColour(1.0F, 0.45F, 0.85F);
 constexpr glm::vec3 kEventColour(0.95F, 0.95F, 0.95F);
 /// Flashes, and their light on its way.
 constexpr glm::vec3 kFlashColour(1.0F, 0.93F, 0.35F);
+/// Angles between ways, and light's way along the ruler.
+constexpr glm::vec3 kAngleColour(1.0F, 0.78F, 0.45F);
+constexpr glm::vec3 kRulerLightColour(1.0F, 0.9F, 0.2F);
+/// Pulses of light that are told, one after another.
+constexpr std::array<glm::vec3, 3> kPulseColours{
+    {{1.0F, 0.97F, 0.75F}, {0.55F, 0.95F, 1.0F}, {1.0F, 0.65F, 0.95F}}};
+
+/// The platform's motion, a round thing of the board as it is for the moving room, and the platform's thrust; where
+/// no more of it is to be had.
+constexpr glm::vec3 kMotionColour(1.0F, 0.62F, 0.15F), kContractedColour(0.45F, 0.90F, 0.45F),
+    kThrustColour(0.74F, 0.66F, 1.0F), kLimitColour(1.0F, 0.28F, 0.22F);
 
 /// sRGB to linear light, IEC 61966-2-1.
 inline glm::vec3 linearOf(const glm::vec3& code) {

@@ -98,6 +98,7 @@ class PartUniforms : public vtkCommand {
     const bool ghost = moment != Moment::seen;
     const bool decal = part->paint == Paint::shadow;
     state->SetEnumState(GL_BLEND, decal || ghost);
+    state->vtkglDepthMask(decal ? GL_FALSE : GL_TRUE);  // shadows lie in each other
     state->SetEnumState(GL_CLIP_DISTANCE0, legs.appears_m > kAlways_m);
     program.SetUniformi("legTexels", eye->legTexels);
     program.SetUniformi("firstLeg", legs.first);
@@ -317,7 +318,7 @@ void WallRenderer::Stage::drawScene(const WallPicture& picture, const glm::ivec2
   colourTexture->Deactivate();
   legTexture->Deactivate();
   if (drawing.marks) {
-    drawing.marks->draw(eye.clipFromDrawn, window->GetRenderFramebuffer()->GetFBOIndex(), size);
+    drawing.marks->draw(eye.clipFromDrawn, window->GetRenderFramebuffer()->GetFBOIndex(), size, drawing.cutAt);
   }
 
   vtkOpenGLState::ScopedglEnableDisable scissor(window->GetState(), GL_SCISSOR_TEST);

@@ -32,6 +32,7 @@ struct WallDrawing {
   glm::dvec3 seenFromEye_m{0.0};  ///< where seen places are counted from, from the eye; room axes
   int left_px = 0;                ///< column of the picture in which the wall begins
   TimeMarks* marks = nullptr;     ///< drawn among the bodies
+  float cutAt = 0.0F;             ///< its border beyond which another picture goes on: 1 right, −1 left, 0 none
 };
 
 class WallRenderer {

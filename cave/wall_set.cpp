@@ -11,7 +11,7 @@ namespace carom {
 WallSet::WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls,
                  const std::optional<WindowPlacement>& oneWindow, bool visible)
     : graphics_(graphics),
-      session_(graphics, scene, lightSpeed_m_s),
+      session_(std::make_unique<SessionView>(graphics, scene, lightSpeed_m_s)),
       walls_(std::move(walls)) {
   graphics_.makeCurrent();
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
@@ -61,12 +61,12 @@ void WallSet::drawSession(const FrameRecord& record, const World& world, const O
     for (WallEye& wallEye : wallEyes_) {
       if (wallEye.eye == eye) pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next()});
     }
-    session_.draw(record, world, observer, observer.eyes[static_cast<std::size_t>(eye)], pictured_);
+    session_->draw(record, world, observer, observer.eyes[static_cast<std::size_t>(eye)], pictured_);
   }
 }
 
 void WallSet::draw(const FrameRecord& record, const World& world) {
-  const WallControls& controls = record.controls;
+  const WallControls& controls = drawn_ = record.controls;
   blank_ = controls.blank != 0;
   if (controls.shown == Shown::testPattern && !blank_) return drawTestPatterns(controls.eyesSwapped != 0);
   testPatterns_.reset();
@@ -87,6 +87,10 @@ void WallSet::draw(const FrameRecord& record, const World& world) {
   }
 }
 
+void WallSet::play(const Scene& scene, double lightSpeed_m_s) {
+  session_ = std::make_unique<SessionView>(graphics_, scene, lightSpeed_m_s);
+}
+
 void WallSet::standIn(const RoomFacts& room) {
   room_ = room;
   front_ = frontWall(room);
@@ -100,9 +104,38 @@ void WallSet::drawAids(const FrameRecord& record, const ObserverView& observer) 
     const WallPicture& picture = wallEye.pictures.drawn();
     const glm::dvec3& eye_m = observer.eyes[static_cast<std::size_t>(wallEye.eye)].positionInRoom_m;
     const bool isFront = front_ && standSame(*front_, wall);
+    motion_.draw(room_, wall, eye_m, record, picture);
     if (isFront) words_.draw(wall, picture);
     aids_.draw(room_, wall, isFront, eye_m, record, picture);
+    hands_.draw(room_, wall, eye_m, record, picture);
   }
+}
+
+std::optional<PointedWall> WallSet::pointedAt() const {
+  if (drawn_.blank || drawn_.shown != Shown::session) return std::nullopt;
+  for (const WallWindow& window : windows_) {
+    const bool held = window.window->isHeld();
+    const auto pointer_px = isHeld() && !held ? std::nullopt : window.window->pointer_px();
+    if (!pointer_px) continue;
+    const auto paneOf = [&](std::size_t wall) {
+      return walls_[wall].viewport.value_or(Viewport{{0, 0}, window.window->size_px()});
+    };
+    const std::size_t nearest = *std::min_element(
+        window.walls.begin(), window.walls.end(), [&](std::size_t a, std::size_t b) {
+          return outside_px(paneOf(a), *pointer_px) < outside_px(paneOf(b), *pointer_px);
+        });
+    // Who draws back beyond the edge draws on.
+    auto pointed = pointedIn(walls_[nearest], paneOf(nearest), *pointer_px, held);
+    if (!pointed) continue;
+    if (drawn_.eyesSwapped && pointed->eye < 2) pointed->eye = 1 - pointed->eye;
+    return pointed;
+  }
+  return std::nullopt;
+}
+
+bool WallSet::isHeld() const {
+  return std::any_of(windows_.begin(), windows_.end(),
+                     [](const WallWindow& window) { return window.window->isHeld(); });
 }
 
 const WallPicture* WallSet::pictureOf(const std::string& wall) const {

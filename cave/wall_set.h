@@ -11,7 +11,9 @@
 #include "cave/capture.h"
 #include "cave/frame_lock.h"
 #include "cave/frame_state.h"
+#include "cave/hand_aids.h"
 #include "cave/latency_overlay.h"
+#include "cave/motion_aid.h"
 #include "cave/movie.h"
 #include "cave/picture_queue.h"
 #include "cave/projector.h"
@@ -21,6 +23,7 @@
 #include "cave/seam_pattern.h"
 #include "cave/session_view.h"
 #include "cave/wall.h"
+#include "cave/wall_pointer.h"
 #include "cave/window.h"
 #include "engine/observer.h"
 #include "engine/world_line.h"
@@ -35,9 +38,14 @@ class WallSet {
   WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls,
           const std::optional<WindowPlacement>& oneWindow, bool visible);
 
+  /// Another game in the same windows.
+  void play(const Scene& scene, double lightSpeed_m_s);
+
   /// What the aids over the session (cave/room_aids.h, cave/room_words.h) know of the room; without it, no more
   /// than the walls themselves, and no words.
   void standIn(const RoomFacts& room);
+  /// What the words say of the game's lesson, from now on; empty: there is none.
+  void teach(const LessonWords& lesson) { words_.teach(lesson); }
 
   /// Draws every wall as both eyes see the bodies, or what the operator has put in their place: a pattern, or
   /// black. `world.histories[i]` is body i of the scene.
@@ -57,6 +65,11 @@ class WallSet {
   /// Waits until all of it is drawn: a swap then shows it at once.
   void awaitShown();
   void swap();
+
+  /// The place of a wall that the mouse points to, over the pictures of the session in one of these windows. While
+  /// its button is held, it stays in the window where it was pressed.
+  std::optional<PointedWall> pointedAt() const;
+  bool isHeld() const;  ///< the mouse's left button was pressed in one of these windows and is down
 
   /// The lock of this node's swaps, as the rig asks for it.
   NodeLock lockSwaps(FrameLock asked);
@@ -82,17 +95,20 @@ class WallSet {
   Pane paneOf(std::size_t wall, const glm::ivec2& window_px) const;
 
   Graphics& graphics_;
-  SessionView session_;
+  std::unique_ptr<SessionView> session_;
   std::vector<Wall> walls_;
   std::vector<WallEye> wallEyes_;  // of each wall its one or two, the left eye's first
   std::vector<std::size_t> firstEyeOf_;  // of each wall, in there; and where the last ends
   SeamPattern seams_;
   RoomFacts room_;
   std::optional<Wall> front_;  // where the words are
+  MotionAid motion_;
   RoomAids aids_;
+  HandAids hands_;
   RoomWords words_;
   std::optional<bool> testPatterns_;  // the pictures hold them, with the eyes swapped or not
   bool blank_ = false;
+  WallControls drawn_;  ///< as the pictures were last drawn
   std::vector<std::optional<Projection>> projections_;  // of each wall, where there are windows
   std::vector<WallWindow> windows_;
   std::vector<PicturedWall> pictured_;  // of one eye

@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <vtk_glew.h>
+#include <glm/common.hpp>
 
 namespace carom {
 namespace {
@@ -41,18 +42,6 @@ void askForContext() {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
 }
 
-WindowInput& inputOf(GLFWwindow* window) {
-  return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
-}
-
-void onKey(GLFWwindow* window, int key, int /*scancode*/, int action, int /*modifiers*/) {
-  if (action != GLFW_REPEAT) inputOf(window).keys.push_back({key, action == GLFW_PRESS});
-}
-
-void onScroll(GLFWwindow* window, double /*sideways*/, double notches) { inputOf(window).wheel += notches; }
-
-void onClose(GLFWwindow* window) { inputOf(window).closeRequested = true; }
-
 GLFWmonitor* monitorOf(const WindowPlacement& placement) {
   int count = 0;
   GLFWmonitor** monitors = glfwGetMonitors(&count);
@@ -64,6 +53,55 @@ GLFWmonitor* monitorOf(const WindowPlacement& placement) {
 }
 
 }  // namespace
+
+struct Window::Hears {
+  static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+  static void key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*modifiers*/) {
+    Window& here = of(window);
+    const bool pressed = action == GLFW_PRESS;
+    if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return;
+    if (here.listens_)
+      here.gui_->hear({HeardByGui::Kind::key, {}, static_cast<unsigned>(key), pressed});
+    // Who has seen a key pressed sees it released.
+    const bool taken = here.listens_ && pressed && here.gui_->wantsKeys();
+    if (!taken) here.graphics_.input_.keys.push_back({key, pressed});
+  }
+
+  static void scroll(GLFWwindow* window, double sideways, double forwards) {
+    Window& here = of(window);
+    if (!here.listens_) {
+      here.graphics_.input_.wheel += forwards;
+    } else {
+      here.gui_->hear({HeardByGui::Kind::wheel, {sideways, forwards}});
+    }
+  }
+
+  static void close(GLFWwindow* window) { of(window).graphics_.input_.closeRequested = true; }
+
+  /// GLFW counts in the desk's units.
+  static void pointer(GLFWwindow* window, double x, double y) {
+    glm::ivec2 size{1};
+    glfwGetWindowSize(window, &size.x, &size.y);
+    const glm::vec2 scale = glm::vec2(of(window).size_px()) / glm::vec2(glm::max(size, 1));
+    of(window).gui_->hear({HeardByGui::Kind::pointer, glm::vec2(x, y) * scale});
+  }
+
+  static void left(GLFWwindow* window, int inside) {
+    const bool dragging = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+    if (!inside && !dragging) of(window).gui_->hear({HeardByGui::Kind::pointer, {-1e9F, -1e9F}});
+  }
+
+  static void button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    of(window).gui_->hear(
+        {HeardByGui::Kind::button, {}, static_cast<unsigned>(button), action == GLFW_PRESS});
+  }
+
+  static void letter(GLFWwindow* window, unsigned code) {
+    of(window).gui_->hear({HeardByGui::Kind::letter, {}, code});
+  }
+};
 
 Graphics::Graphics(const std::string& display) {
   if (!display.empty()) setenv("DISPLAY", display.c_str(), 1);
@@ -150,10 +188,10 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
     glfwGetMonitorPos(monitor, &origin_px.x, &origin_px.y);
     glfwSetWindowPos(window_, origin_px.x + placement.position_px.x, origin_px.y + placement.position_px.y);
   }
-  glfwSetWindowUserPointer(window_, &graphics.input_);
-  glfwSetKeyCallback(window_, onKey);
-  glfwSetScrollCallback(window_, onScroll);
-  glfwSetWindowCloseCallback(window_, onClose);
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetKeyCallback(window_, Hears::key);
+  glfwSetScrollCallback(window_, Hears::scroll);
+  glfwSetWindowCloseCallback(window_, Hears::close);
   glfwShowWindow(window_);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(0);
@@ -200,6 +238,18 @@ void Window::setVsync(bool on) {
   glfwSwapInterval(on ? 1 : 0);
 }
 
+void Window::listen(float text_px, float heading_px) {
+  makeCurrent();
+  gui_ = std::make_unique<Gui>(text_px, heading_px);
+  listens_ = true;
+  glfwSetCursorPosCallback(window_, Hears::pointer);
+  glfwSetCursorEnterCallback(window_, Hears::left);
+  glfwSetMouseButtonCallback(window_, Hears::button);
+  glfwSetCharCallback(window_, Hears::letter);
+}
+
+bool Window::isIconified() const { return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE; }
+
 glm::ivec2 Window::size_px() const {
   glm::ivec2 size{0};
   glfwGetFramebufferSize(window_, &size.x, &size.y);
@@ -207,6 +257,18 @@ glm::ivec2 Window::size_px() const {
 }
 
 bool Window::isDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+
+bool Window::isHeld() const { return glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS; }
+
+std::optional<glm::dvec2> Window::pointer_px() const {
+  if (!isHeld() && !glfwGetWindowAttrib(window_, GLFW_HOVERED)) return std::nullopt;
+  glm::dvec2 place(0.0);
+  glm::ivec2 size(0);
+  glfwGetCursorPos(window_, &place.x, &place.y);  // in the desktop's units
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  if (size.x <= 0 || size.y <= 0) return std::nullopt;
+  return place * glm::dvec2(size_px()) / glm::dvec2(size);
+}
 
 PointerInput Window::takePointer() {
   PointerInput input;

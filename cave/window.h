@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -96,15 +97,28 @@ class Window {
   void makeCurrent() const;
   void setVsync(bool on);
 
+  /// What is drawn over it takes mouse and letters from now on, and keys while it wants them (cave/gui.h); other
+  /// keys are the session's, as in every window. `text_px`, `heading_px`: of its letters.
+  void listen(float text_px, float heading_px);
+  bool isPressed() const { return listens_ && gui_->isPressed(); }
+  bool isIconified() const;
+
   glm::ivec2 size_px() const;  ///< of its framebuffer
   bool isDown(int key) const;
+  /// Where the pointer is, in pixels of the framebuffer, right and down; none while it is over no part of the window
+  /// that can be seen. While a button is held that was pressed here, it may be anywhere.
+  std::optional<glm::dvec2> pointer_px() const;
+  bool isHeld() const;  ///< the left button was pressed here and is down
   /// Since the last call; call once a poll.
   PointerInput takePointer();
   SwapGroupCalls::Drawable drawable() const { return drawable_; }
 
  private:
+  struct Hears;  // what GLFW calls
+
   Graphics& graphics_;
   GLFWwindow* window_ = nullptr;
+  bool listens_ = false;  // to what its Gui should know of
   glm::dvec2 pointer_px_{0.0};  // when it was last asked for
   bool dragging_ = false;       // then
   SwapGroupCalls::Drawable drawable_ = 0;

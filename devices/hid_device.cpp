@@ -30,7 +30,8 @@ std::vector<HidEntry> listHid() {
   hid_device_info* const first = hid_enumerate(0, 0);
   for (const hid_device_info* info = first; info != nullptr; info = info->next) {
     entries.push_back({info->path, info->vendor_id, info->product_id, narrow(info->product_string),
-                       narrow(info->serial_number), info->usage_page, info->usage});
+                       narrow(info->serial_number), info->usage_page, info->usage,
+                       info->bus_type == HID_API_BUS_USB});
   }
   hid_free_enumeration(first);
   return entries;
@@ -43,6 +44,10 @@ HidDevice::HidDevice(const std::string& node) {
 
 int HidDevice::read(std::span<std::uint8_t> report, std::chrono::milliseconds wait) {
   return hid_read_timeout(device_.get(), report.data(), report.size(), static_cast<int>(wait.count()));
+}
+
+bool HidDevice::write(std::span<const std::uint8_t> report) {
+  return hid_write(device_.get(), report.data(), report.size()) >= 0;
 }
 
 bool HidDevice::sendFeature(std::span<const std::uint8_t> report) {

@@ -21,6 +21,7 @@ struct HidEntry {
   std::string serial;  ///< empty where it has none
   int usagePage = 0;   ///< what the device is for, in HID's words
   int usage = 0;
+  bool usb = false;  ///< by cable; else by radio, or it is not known how
 };
 
 /// All that are plugged in.
@@ -36,6 +37,9 @@ class HidDevice {
   /// The next report, its number first, into `report`: its size, 0 where none has come in time, −1 where the
   /// device is gone. One report at most; what does not fit is lost.
   int read(std::span<std::uint8_t> report, std::chrono::milliseconds wait);
+
+  /// An output report, its number first. False where the device is gone or does not take it.
+  bool write(std::span<const std::uint8_t> report);
 
   bool sendFeature(std::span<const std::uint8_t> report);
 

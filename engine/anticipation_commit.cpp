@@ -211,6 +211,7 @@ void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
       s.fromHand ? newsArrives(player.leg, s.hand, s.height) : momentAt(player.leg, s.hand.t);
   const Vec21 u = fourVelocity(struck.u.x + s.px / player.mass, struck.u.y + s.py / player.mass);
   Decided decided;
+  if (!onTheirWay.empty()) chronicle.noteChange(struck.x);
   decided.leg = {struck.x, u, struck.properTime, brake_};
   decided.news = struck.x;
   decided.atOnce = true;

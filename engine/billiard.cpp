@@ -53,6 +53,9 @@ void Billiard::advanceTo(double t_s) {
   if (!(t_s > advancedTo_s_)) return;
   advancedTo_s_ = t_s;
   play();
+  // A stroke that is known from the beginning may have changed turns whose news was on its way.
+  const double changed_s = chronicle_->takeChangedFrom_s();
+  if (changed_s < truncatedFrom_s_.value_or(std::numeric_limits<double>::infinity())) truncatedFrom_s_ = changed_s;
 }
 
 void Billiard::play() {
@@ -102,8 +105,10 @@ double Billiard::arrivalOnKnownLegs_s(const Stroke& stroke) const {
 double Billiard::strike(const Stroke& stroke) {
   checkStroke(setup_, stroke, setup_.strokes.size());
   double arrival_s = arrivalOnKnownLegs_s(stroke);
-  while (arrival_s > advancedTo_s_) {
-    advanceTo(arrival_s);
+  // On a last leg that flees the light the arrival may be far off, and a turn to come bring it near: so not all of
+  // the way at once.
+  for (double ahead_s = 1.0; arrival_s > advancedTo_s_; ahead_s *= 2.0) {
+    advanceTo(std::min(arrival_s, advancedTo_s_ + ahead_s));
     arrival_s = arrivalOnKnownLegs_s(stroke);
   }
   if (!(arrival_s >= 0.0 && arrival_s >= forgottenBefore_s_)) {
@@ -138,6 +143,7 @@ void Billiard::rewind(double t_s) {
     for (std::size_t i = from.strokes; i < setup_.strokes.size(); ++i) game_->addStroke(setup_.strokes[i]);
   }
   play();
+  chronicle_->takeChangedFrom_s();  // seen by the comparison, too
   noteChanges(before);
 }
 

@@ -2,6 +2,8 @@
 // What a game has delivered so far: the pucks' world lines and the list of events, in SI units and in the
 // order of the setup. The game itself works with c = 1 and with the pucks in the order of their names.
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,12 @@ class Chronicle {
   void keepEvents(std::uint64_t count);
   std::uint64_t eventCount() const { return forgottenEvents_ + events_.size(); }
   std::uint64_t forgottenEvents() const { return forgottenEvents_; }
+  /// Legs that were added before are no more what they were from this turn on.
+  void noteChange(const Vec21& turn) { changedFrom_s_ = std::min(changedFrom_s_, turn.t / c_m_s_); }
+  /// The earliest such turn since this was last asked; infinite: none.
+  double takeChangedFrom_s() {
+    return std::exchange(changedFrom_s_, std::numeric_limits<double>::infinity());
+  }
   /// How many of the first events are as they were when this was last asked.
   std::uint64_t takeUnchangedEvents() { return std::exchange(unchangedEvents_, eventCount()); }
 
@@ -62,6 +70,7 @@ class Chronicle {
   std::vector<WorldLine> lines_;
   std::vector<NewLeg> newLegs_;  // not in the lines yet
   std::vector<GameEvent> events_;
+  double changedFrom_s_ = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> forgottenLegs_;
   std::uint64_t forgottenEvents_ = 0;
   std::uint64_t unchangedEvents_ = 0;

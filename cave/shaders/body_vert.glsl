@@ -1,7 +1,7 @@
 // A vertex of a body: from its place in the body's rest frame to where the eye sees it, and how it is lit there.
 // RETARDED, CONTRACTED, ABERRATED, COLOURED and SEARCHLIGHT are true or false: the switches; BOARD_NOW if bodies are
 // where they are at the observation's board time. EUCLID is defined if all switches are off, COLOUR if colours
-// shift, CLOCK for clocks, GLOWS for what has light of its own, GHOST for bodies at a moment, which show no light.
+// shift, CLOCK for clocks, SHADOW for what a puck takes from the cloth, GLOWS for what has light of its own, GHOST for bodies at a moment, which show no light.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
@@ -34,6 +34,9 @@ out SHINE shine;      // mirrored to the eye by its varnish
 out float boardTime_m;  // c (t − t_o) of the emission
 
 const float kLampStrength_m2 = 1.1;  // light on a surface at 1 m that faces the lamp
+
+/// A lamp's light at the end of this way, where it falls straight.
+float lampStrength(vec3 ray) { return kLampStrength_m2 / (dot(ray, ray) + 0.3); }
 
 /// The hall's own light, white: soft, from above more than from below.
 float hallLight(vec3 normal) { return mix(0.32, 0.66, 0.5 + 0.5 * normal.z); }
@@ -105,8 +108,7 @@ void lightUp(Sight sight) {
     vec3 lampRay = normalize(ray);
     vec3 toLamp = -inBodyFrame(sight, lampRay);
     float lampToBody = dopplerInto(sight.gamma, sight.u, lampRay);
-    float strength = kLampStrength_m2 / (dot(ray, ray) + 0.3) * headPower *
-                     lampPower(lampToBody, COLOURED, SEARCHLIGHT);
+    float strength = lampStrength(ray) * headPower * lampPower(lampToBody, COLOURED, SEARCHLIGHT);
     float facing = max(dot(normal, toLamp), 0.0);
     float mirrored = max(dot(normal, normalize(toLamp + toEye)), 0.0);
     float varnish = facing > 0.0 ? gloss * strength * pow(mirrored, 60.0) : 0.0;
@@ -132,9 +134,59 @@ void lightUp(Sight sight) {
 }
 #endif
 
+#ifdef SHADOW
+/// The shadow of one light (surfaceMC.y: a lamp, or 3, the hall, whose light comes from above on average) is what the
+/// puck hides from its lower rim to its upper, surfaceMC.z higher: the disc under it, the same disc where the upper
+/// rim's shadow lies, and all between. So of the disc's vertices those on the far side are moved. Light that passed the
+/// upper rim goes on for l to the cloth, while the rim goes on, too: at one board time the shadow is from its rim
+///   Δ = l (n − β)   (n: the ray's direction)
+/// and goes with it; the eye sees it at s = c (t − t_rim) with T − s = |D − β s|, D from there to the eye, T from the rim.
+Sight shadowed(vec3 d, Sight sight, out float share) {
+  vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn) : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
+  vec3 at = eyeOnBoard_m + fromEye_m;
+  int sort = int(surfaceMC.y + 0.5);
+  vec3 n = vec3(0.0, 0.0, -1.0);
+  float all = hallLight(-n);
+  share = all;
+  for (int i = 0; i < 3; ++i) {
+    vec3 way = at - lamps_m[i];
+    vec3 ray = normalize(way);
+    float strength = lampStrength(way) * max(-ray.z, 0.0);
+    all += strength;
+    if (i != sort) continue;
+    n = ray;
+    share = strength;
+  }
+  share /= all;
+  // Of the hall's light, from everywhere, half of the puck's height stands for all of it.
+  float height_m = sort == 3 ? 0.5 * surfaceMC.z : surfaceMC.z;
+  vec3 inBody = inBodyFrame(sight, n);
+  if (dot(d.xy, inBody.xy) <= 0.0) return sight;
+  vec3 beta = sight.u / sight.gamma;
+  // The ray by the upper rim, where that was.
+  if (sort < 3) n = normalize(at + vec3(0.0, 0.0, height_m) + beta * (height_m / n.z) - lamps_m[sort]);
+  vec3 delta = height_m / max(-n.z, 0.05) * vec3(n.xy - beta.xy, 0.0);
+  float s = 0.0;
+  if (RETARDED) {
+    vec3 D = -fromEye_m - delta;
+    float b = length(fromEye_m) - dot(beta, D);
+    float product = dot(D - fromEye_m, delta);  // T² − D²
+    s = product / (b + sqrt(max(b * b - (1.0 - dot(beta, beta)) * product, 0.0)));
+  }
+  vec3 shadow = fromEye_m + delta + beta * s;
+  mat4 drawnFromBoard = inverse(boardFromDrawn);
+  sight.drawn = ABERRATED ? rayThrough(drawnFromBoard, shadow) : (drawnFromBoard * vec4(0.0, shadow)).yzw;
+  return sight;
+}
+#endif
+
 void main() {
   vec3 d = vertexMC.xyz;
   Sight sight = sightOf(d);
+#ifdef SHADOW
+  float share;
+  sight = shadowed(d, sight, share);
+#endif
 #ifdef CLOCK
   if (RETARDED) {
     // A clock shows one time: when light left the middle of its face, a rectangle of width surfaceMC.z.
@@ -148,6 +200,9 @@ void main() {
   gl_ClipDistance[0] = boardTime_m - appears_m;
   place = d;
   surface = surfaceMC;
+#ifdef SHADOW
+  surface.y = share;
+#endif
 #ifdef GHOST
   fromEye_m = sight.drawn;
 #else

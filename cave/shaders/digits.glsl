@@ -1,8 +1,10 @@
 // Seven-segment digits.
 
-/// Segments of a digit, bit 0 to 6: top, upper right, lower right, bottom, lower left, upper left, middle.
+/// Segments of a digit, bit 0 to 6: top, upper right, lower right, bottom, lower left, upper left, middle; 7: a leg
+/// below the middle.
 int segmentsOf(int digit) {
-  int[12] table = int[12](63, 6, 91, 79, 102, 109, 125, 7, 127, 111, 64, 0);  // then a minus sign, a blank
+  // Then a minus sign, a blank, a degree sign, an m.
+  int[14] table = int[14](63, 6, 91, 79, 102, 109, 125, 7, 127, 111, 64, 0, 99, 212);
   return table[digit];
 }
 
@@ -25,5 +27,6 @@ float toDigit(vec2 p, int lit) {
   if ((lit & 16) != 0) d = min(d, toBar(p, vec2(-0.3, -0.5), vec2(-0.3, -0.1)));
   if ((lit & 32) != 0) d = min(d, toBar(p, vec2(-0.3, 0.1), vec2(-0.3, 0.5)));
   if ((lit & 64) != 0) d = min(d, toBar(p, vec2(-0.2, 0.0), vec2(0.2, 0.0)));
+  if ((lit & 128) != 0) d = min(d, toBar(p, vec2(0.0, -0.5), vec2(0.0, -0.1)));
   return d;
 }

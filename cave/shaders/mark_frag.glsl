@@ -1,27 +1,50 @@
-// A mark: a flat colour; a soft light, style.x = −1; or a plate of style.x places, 16 more if a point stands before the
-// last, on which style.y says the digits: four bits a place, the last place lowest.
+// A mark: a flat colour; a soft light, style.x = −1; or a plate: style.x is the number of its places, 16 times how many
+// of them stand behind the point (0: there is none) and 256 times its shape (cave/mark_batch.h: box, clock, flag), and
+// style.y says the digits: four bits a place, the last place lowest.
 in vec4 colourHere;
-in vec2 place;  // on a plate 0 … places from the left, 0 … 1 over its height; on a light −1 … 1
+in vec2 place;  // on a plate places from its left border, 0 … 1 over its height; on a light −1 … 1
 flat in vec2 style;
 out vec4 colour;
 
-vec4 plate() {
-  int places = int(style.x + 0.5);
-  bool tenths = places >= 16;
-  if (tenths) places -= 16;
-  int at = int(clamp(floor(place.x), 0.0, float(places - 1)));
+const vec2 kPlace = vec2(1.1, 1.8);  // of a plate, in the measure of toDigit
+const float kPointWide = 0.35;       // in places
+
+/// How much of this pixel digits and point cover; x in places from the first.
+float written(vec2 p, int places, int behind, float footprint) {
+  float pointAt = float(places - behind);
+  float x = p.x;
+  if (behind > 0 && x > pointAt) x = max(x - kPointWide, pointAt);
+  int at = int(clamp(floor(x), 0.0, float(places - 1)));
   int digit = (int(style.y + 0.5) >> (4 * (places - 1 - at))) & 15;
-  vec2 p = vec2((place.x - float(at) - 0.5) * 1.15, (place.y - 0.5) * 1.9);
-  float footprint = max(length(vec2(fwidth(place.x) * 1.15, fwidth(place.y) * 1.9)) * 0.7, 1e-4);
-  float lit = clamp((0.12 - toDigit(p, segmentsOf(digit))) / footprint + 0.5, 0.0, 1.0);
-  if (tenths) {
-    vec2 q = abs(vec2((place.x - float(places - 1)) * 1.15, (place.y - 0.5) * 1.9 + 0.62));
-    lit = max(lit, clamp((0.11 - max(q.x, q.y)) / footprint + 0.5, 0.0, 1.0));
+  float far = toDigit(vec2((x - float(at) - 0.5) * kPlace.x, p.y), segmentsOf(digit)) - 0.12;
+  if (behind > 0) {
+    float inPoint = step(pointAt, p.x) * step(p.x, pointAt + kPointWide);
+    vec2 fromPoint = vec2((p.x - pointAt - 0.5 * kPointWide) * kPlace.x, p.y + 0.56);
+    far = min(mix(far, 1.0, inPoint), length(fromPoint) - 0.19);
   }
-  // Its frame, in the digits' colour.
-  float edge_ = min(min(place.x, float(places) - place.x) * 1.15, min(place.y, 1.0 - place.y) * 1.9);
-  float frame = clamp((0.07 - edge_) / footprint + 0.5, 0.0, 1.0);
-  return vec4(mix(vec3(0.04), colourHere.rgb, max(lit, frame)), colourHere.a);
+  return clamp(0.5 - far / footprint, 0.0, 1.0);
+}
+
+vec4 plate() {
+  int code = int(style.x + 0.5);
+  int places = code & 15;
+  int behind = (code >> 4) & 15;
+  int shape = code >> 8;
+  float margin = shape == 0 ? 0.12 : shape == 1 ? 0.30 : 0.20;
+  float across = float(places) + (behind > 0 ? kPointWide : 0.0) + 2.0 * margin;
+  float footprint = max(length(fwidth(place) * kPlace) * 0.7, 1e-4);
+  float lit = written(vec2(place.x - margin, (place.y - 0.5) * kPlace.y), places, behind, footprint);
+
+  // Its outline, with round corners: inside below 0.
+  float radius = shape == 1 ? 0.5 : 0.08;
+  vec2 q = (abs(place - vec2(0.5 * across, 0.5)) - vec2(0.5 * across, 0.5)) * kPlace + radius;
+  float outside = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - radius;
+  float cover = clamp(0.5 - outside / footprint, 0.0, 1.0);
+  float border = clamp(0.5 + (outside + (shape == 1 ? 0.16 : 0.07)) / footprint, 0.0, 1.0);
+  vec3 ink = mix(colourHere.rgb, vec3(1.0), shape == 1 ? 0.4 : 0.0);
+  vec3 shown = shape == 2 ? mix(colourHere.rgb, vec3(0.03), lit)
+                          : mix(mix(vec3(0.03), ink, lit), colourHere.rgb, border);
+  return vec4(shown, colourHere.a * cover);
 }
 
 void main() {

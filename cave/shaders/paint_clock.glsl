@@ -25,8 +25,8 @@ Painted paint() {
   vec2 p = vec2((surface.x - float(position) - 0.5) * 1.25, (surface.y - 0.5) * 2.0);
   float footprint = max(length(vec2(fwidth(surface.x) * 1.25, fwidth(surface.y) * 2.0)) * 0.7, 1e-4);
   float lit = clamp((0.11 - toDigit(p, segmentsOf(digitAt(position, tenths)))) / footprint + 0.5, 0.0, 1.0);
-  vec2 q = abs(vec2((surface.x - 3.0) * 1.25, (surface.y - 0.13) * 2.0));
-  lit = max(lit, clamp((0.10 - max(q.x, q.y)) / footprint + 0.5, 0.0, 1.0));
+  float fromPoint = length(vec2((surface.x - 3.0) * 1.25, (surface.y - 0.15) * 2.0));
+  lit = max(lit, clamp((0.17 - fromPoint) / footprint + 0.5, 0.0, 1.0));
   vec2 outside = abs(surface.xy - vec2(2.0, 0.5)) - vec2(2.0, 0.5);
   float bezel = max(edge(outside.x), edge(outside.y));
   return Painted(vec3(mix(0.008, 0.045, bezel)), lit * colour, 1.0);

@@ -3,6 +3,10 @@ Painted paint() {
   vec2 at = place.xy * 10.0;
   float grid = max(lines(at.x, 0.03), lines(at.y, 0.03));
   vec3 green = mix(colour, colour * 0.70, grid);
+  // Its nap, as long as a tuft is larger than a pixel.
+  const float kTuft_m = 0.004;
+  float tufts = 1.0 - footprintOf(place.x + place.y) / kTuft_m;
+  if (tufts > 0.0) green *= 1.0 + 0.22 * tufts * (noise(vec2(place.x + place.y, 2.5 * (place.x - place.y)) / kTuft_m) - 0.5);
   // The cushions take some of the hall's light from the cloth beside them.
   vec2 fromCushion_m = 0.5 * surface.xy - abs(place.xy);
   green *= 0.72 + 0.28 * clamp(min(fromCushion_m.x, fromCushion_m.y) / 0.05, 0.0, 1.0);

@@ -2,9 +2,12 @@
 // from the diamonds' line, spacing of the diamonds (0: none).
 Painted paint() {
   float along = surface.x;
-  float grain = sin(70.0 * surface.y + 3.0 * sin(2.3 * along) + 40.0 * place.z) +
-                0.5 * sin(190.0 * surface.y + 5.0 * sin(3.1 * along));
-  vec3 wood = colour * (1.0 + 0.10 * grain);
+  // Years, wavy along the plank, and fine dark pores.
+  float across = surface.y - 0.8 * place.z + 0.006 * sin(2.3 * along);
+  float years = noise(vec2(1.6 * along, 110.0 * across)) + 0.5 * noise(vec2(3.0 * along + 7.0, 370.0 * across));
+  float pores = smoothstep(0.62, 0.9, noise(vec2(28.0 * along, 900.0 * across)));
+  float fine = clamp(1.5 - footprintOf(across) * 900.0, 0.0, 1.0);
+  vec3 wood = colour * (0.62 + 0.5 * years) * (1.0 - 0.45 * fine * pores);
   float spacing = max(surface.z, 1e-3);
   float fromDiamond = abs(fract(along / spacing - 0.5) - 0.5) * spacing;
   float diamond = 1.0 - edge(fromDiamond / 0.009 + abs(surface.y) / 0.016 - 1.0);

@@ -36,6 +36,28 @@ std::vector<GameEvent> twoCushions() {
   return events;
 }
 
+// A hand's stroke is no row of the scenario: it goes by the puck that it strikes.
+TEST(EventTable, AStrokeOfAHandIsNamedByItsPuck) {
+  const Scenario scenario = readScenario(CAROM_CONFIG_DIR "/scenarios/two-cushions.toml");
+  Billiard billiard(scenario.billiard);
+  billiard.advanceTo(0.5);
+  const Event hand{0.2, {0.1, -0.9, 0.5}};
+  billiard.strike({1, hand.t_s, hand.r_m, {0.05, 0.0}});
+  billiard.advanceTo(3.0);
+  std::vector<std::string> pucks, flashes;
+  for (const Puck& puck : scenario.billiard.pucks) pucks.push_back(puck.name);
+  for (const Flash& flash : scenario.billiard.flashes) flashes.push_back(flash.name);
+  std::size_t strokes = 0;
+  for (const EventRow& row : eventRows(billiard.events(), pucks, flashes, Vec3(0.0), kC_m_s)) {
+    if (row.event.kind != EventKind::stroke) continue;
+    ++strokes;
+    EXPECT_EQ(row.who, pucks[1]);
+    EXPECT_NEAR(row.event.at.t_s, hand.t_s, kRounding) << "at the hand";
+    EXPECT_LT(glm::distance(row.event.at.r_m, hand.r_m), kRounding);
+  }
+  EXPECT_EQ(strokes, 1u);
+}
+
 TEST(EventTable, TwoCushionsAtOnceComeInEitherOrderForThoseWhoMove) {
   const std::vector<GameEvent> events = twoCushions();
   ASSERT_EQ(events.size(), 2u);

@@ -19,6 +19,7 @@
 
 #include "app/session_file.h"
 #include "app/stored_event.h"
+#include "cave/frame_digest.h"
 #include "temporary_folder.h"
 
 namespace carom {
@@ -70,15 +71,7 @@ bool sameBits(const GameEvent& a, const GameEvent& b) {
 
 /// Of all fields; what lies between them is nothing.
 bool sameBits(const FrameRecord& a, const FrameRecord& b) {
-  constexpr std::size_t kViewsEnd = offsetof(FrameRecord, views) + sizeof a.views;
-  constexpr std::size_t kTracked = offsetof(FrameRecord, tracked);
-  const auto same = [&](std::size_t from, std::size_t until) {
-    const auto bytes = [from](const FrameRecord& record) {
-      return reinterpret_cast<const char*>(&record) + from;
-    };
-    return std::memcmp(bytes(a), bytes(b), until - from) == 0;
-  };
-  return same(0, kViewsEnd) && same(kTracked, kTracked + offsetof(Tracked, handKnown) + 1);
+  return digestOf(FrameState{a, {}, {}}, World{}) == digestOf(FrameState{b, {}, {}}, World{});
 }
 
 bool sameBits(const FrameState& a, const FrameState& b) {
@@ -273,6 +266,58 @@ TEST(Journal, KeepsWhatWasDoneAndAnswered) {
   EXPECT_EQ(column(database, "SELECT frame || what || value FROM input"), Strings{"7colouron"});
   EXPECT_EQ(column(database, "SELECT frame || lesson || question || answer FROM answer"),
             Strings{"9lesson 1Which came first?neither; it's 'both'"});
+}
+
+TEST(Journal, StrokesAreReadWithTheSameBitsInTheOrderOfTheFrames) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  SessionFacts facts = kFacts;
+  facts.pucks = {"white", "red"};
+  const std::vector<Puck> pucks{{"white", 0.03, 0.02, 0.2}, {"red", 0.03, 0.02, 0.2}};
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  std::vector<Stroke> written;
+  {
+    Journal journal(file, facts, false, [](const std::string& line) { ADD_FAILURE() << line; });
+    for (std::uint64_t number = 0; number < 60; ++number) {
+      if (number % 7 != 3) {
+        journal.add(frameOf(number), head(), {});
+        continue;
+      }
+      written.push_back({number % 2, std::abs(any(random)), Vec3(any(random), any(random), 1e-300),
+                         {any(random), 1.0}});
+      journal.add(frameOf(number), head(), {}, std::span(&written.back(), 1));
+    }
+  }
+  const SessionFile session(file);
+  const std::vector<Stroke> read = session.strokes(pucks);
+  ASSERT_EQ(read.size(), 9u);
+  ASSERT_EQ(written.size(), read.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_EQ(read[i].puck, written[i].puck);
+    EXPECT_EQ(read[i].at_s, written[i].at_s);
+    EXPECT_EQ(read[i].from_m, written[i].from_m);
+    EXPECT_EQ(read[i].momentum_kg_m_s, written[i].momentum_kg_m_s);
+  }
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+  EXPECT_EQ(column(database, "SELECT puck FROM stroke WHERE frame IN (3, 10)"), (Strings{"red", "white"}));
+  const auto refusal = [&](const std::string& sql) {
+    database.exec(sql);
+    try {
+      (void)session.strokes(pucks);
+      return std::string("accepted");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NE(refusal("UPDATE stroke SET puck = 'blue' WHERE frame = 10").find("frame 10: a stroke on 'blue'"),
+            std::string::npos);
+  for (const char* value : {"NULL", "1e999", "'far'", "x'00'"}) {
+    EXPECT_NE(refusal(std::string("UPDATE stroke SET puck = 'red', p_x_kg_m_s = ") + value + " WHERE frame = 10")
+                  .find("frame 10: a stroke on 'red' that is none"),
+              std::string::npos)
+        << value;
+  }
 }
 
 TEST(StoredEvent, AnyBytesAreAnEventOrNone) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <vector>
 
 namespace carom {
 namespace {
@@ -41,7 +43,7 @@ TEST(Keys, PressedTwiceMostKeysChangeNothing) {
   const std::set<int> steps{GLFW_KEY_T,     GLFW_KEY_EQUAL,        GLFW_KEY_KP_ADD,
                             GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT,  GLFW_KEY_LEFT,
                             GLFW_KEY_RIGHT, GLFW_KEY_UP,           GLFW_KEY_DOWN,
-                            GLFW_KEY_HOME,  GLFW_KEY_LEFT_BRACKET, GLFW_KEY_RIGHT_BRACKET};
+                            GLFW_KEY_HOME,  GLFW_KEY_LEFT_BRACKET, GLFW_KEY_RIGHT_BRACKET, GLFW_KEY_G};
   for (const KeysOf place : kPlaces) {
     for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
       if (steps.contains(key)) continue;
@@ -51,6 +53,37 @@ TEST(Keys, PressedTwiceMostKeysChangeNothing) {
       EXPECT_EQ(controls, Controls{}) << key;
     }
   }
+}
+
+TEST(Keys, TheKeyForAThingChangesThatThingAlone) {
+  std::vector<std::string> things{"walls", "eyes", "shown", "latency", "tracker cross"};
+  for (const NamedSwitch& s : kNamedSwitches) {
+    things.emplace_back(s.name);
+    things.emplace_back(std::string("beside: ") + s.name);
+  }
+  for (const char* view : {"board-now", "my-now", "paths", "events", "clocks", "split", "frozen"})
+    things.emplace_back(view);
+  for (const std::string& thing : things) {
+    const KeyLine line = keyFor(KeysOf::session, thing);
+    ASSERT_EQ(line.keys.size(), 1u) << thing;
+    Controls controls;
+    press(line.keys.front(), controls);  // GLFW's numbers of letters and digits are theirs
+    const std::vector<ControlChange> changes = changesOf(Controls{}, controls);
+    ASSERT_EQ(changes.size(), 1u) << thing;
+    EXPECT_EQ(changes.front().what, thing);
+  }
+  EXPECT_EQ(keyFor(KeysOf::replay, "playback").keys, "Space");
+  EXPECT_TRUE(keyFor(KeysOf::replay, "light speed").keys.empty());
+  EXPECT_TRUE(keyFor(KeysOf::session, "no such thing").does.empty());
+}
+
+TEST(Keys, EveryGIsAWishToSetOut) {
+  Controls controls;
+  press(GLFW_KEY_G, controls);
+  press(GLFW_KEY_G, controls);
+  EXPECT_EQ(controls.tours, 2u);
+  press(GLFW_KEY_G, controls, KeysOf::replay);
+  EXPECT_EQ(controls.tours, 2u) << "a recorded person goes where they went";
 }
 
 TEST(Keys, PlusAndMinusSetTheEyesAMillimetreFurtherAndCloser) {
@@ -100,6 +133,47 @@ TEST(Keys, ArrowsGoThroughARecordingAndMeanNothingInASession) {
   for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_LEFT, GLFW_KEY_UP, GLFW_KEY_R, GLFW_KEY_SPACE})
     press(key, live);
   EXPECT_EQ(live, Controls{});
+}
+
+TEST(Keys, WhileALessonAsksDigitsAnswerAndDoNothingElse) {
+  for (const int digit : {0, 1, 2, 3, 4, 9}) {
+    Controls controls;
+    controls.lesson.phase = LessonPhase::asks;
+    controls.lessonAnswers = 3;
+    const Controls asking = controls;
+    press(GLFW_KEY_0 + digit, controls);
+    EXPECT_EQ(controls.switches, asking.switches) << digit;
+    EXPECT_EQ(controls.views, asking.views) << digit;
+    const bool answers = digit >= 1 && digit <= 3;
+    EXPECT_EQ(controls.lesson, answers ? (LessonState{LessonPhase::shows, static_cast<std::uint8_t>(digit)})
+                                       : asking.lesson);
+    EXPECT_EQ(changesOf(asking, controls).size(), answers ? 1 : 0);
+  }
+}
+
+TEST(Keys, OnceItIsAnsweredDigitsAreSwitchesAgainAndEnterGoesOn) {
+  Controls controls;
+  controls.lesson.phase = LessonPhase::asks;
+  controls.lessonAnswers = 3;
+  press(GLFW_KEY_KP_2, controls);
+  EXPECT_EQ(controls.lesson, (LessonState{LessonPhase::shows, 2}));
+  press(GLFW_KEY_1, controls);
+  EXPECT_EQ(controls.switches.retardation, 0);
+  EXPECT_EQ(controls.lesson.answer, 2);
+  press(GLFW_KEY_ENTER, controls);
+  EXPECT_EQ(controls.lesson.phase, LessonPhase::explains);
+  press(GLFW_KEY_KP_ENTER, controls);
+  EXPECT_EQ(controls.lesson.phase, LessonPhase::shows);
+}
+
+TEST(Keys, InARecordingTheLessonIsAsItWas) {
+  Controls controls;
+  controls.lesson.phase = LessonPhase::asks;
+  controls.lessonAnswers = 3;
+  press(GLFW_KEY_2, controls, KeysOf::replay);
+  press(GLFW_KEY_ENTER, controls, KeysOf::replay);
+  EXPECT_EQ(controls.lesson.phase, LessonPhase::asks);
+  EXPECT_EQ(controls.switches.contraction, 0) << "digits are switches";
 }
 
 TEST(Keys, EveryChangeIsSaidInWords) {

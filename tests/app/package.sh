@@ -13,7 +13,7 @@ carom=$work/usr/bin/carom
 share=$work/usr/share/carom
 for file in bin/carom share/carom/rig.schema.json share/carom/rigs/desk.toml share/carom/traces/walk.csv \
   lib/udev/rules.d/70-carom.rules share/man/man1/carom.1.gz share/doc/carom/copyright share/doc/carom/README.md \
-  share/doc/carom/app/doc/operators.md; do
+  share/doc/carom/app/doc/operators.md share/doc/carom/app/doc/teachers.md share/carom/models/train.obj; do
   [ -s "$work/usr/$file" ] || fail "$file is not installed"
 done
 stray=$(cd "$share" && find . -name '*.cmake' -o -name build -o -name install-packages -o -name packages.txt -o -name udev)

@@ -96,6 +96,16 @@ TEST(Rig, MayHaveASpaceMouse) {
   EXPECT_EQ(toString(TrackerKind::spaceMouse), "spacemouse");
 }
 
+TEST(Rig, MaySayHowAHandHoldsItsSensor) {
+  const std::string hand = "[hand]\ntracker = 'cap'\nsensor = 2\n";
+  EXPECT_EQ(read(kGood + hand).hand->handFromSensor.position_m, glm::dvec3(0.0));
+  const Rig held = read(kGood + hand + "hand_from_sensor = { translation = [0, 30, 0], rotation_deg = [0, 90, 0] }\n");
+  ASSERT_TRUE(held.hand);
+  EXPECT_EQ(held.hand->sensor, 2);
+  expectNear(held.hand->handFromSensor.position_m, {0, 0.03, 0});
+  expectNear(held.hand->handFromSensor.orientation * glm::dvec3(0, 0, -1), {-1, 0, 0});
+}
+
 TEST(Rig, KeepsItsAxesAndNamesTheirDirections) {
   for (const char* axes : {"x-right y-up z-back", "x-right y-forward z-up"}) {
     const RoomAxes room = read(changed("x-right y-up z-back", axes)).axes;
@@ -110,6 +120,14 @@ TEST(Rig, TurnsAboutXThenYThenZ) {
                         .head.eyesFromSensor;
   expectNear(pose * glm::dvec3(0, 1, 0), {0, 0, 1});  // x takes y to z, which z leaves
   expectNear(pose * glm::dvec3(0, 0, 1), {1, 0, 0});  // x takes z to −y, z takes that to x
+}
+
+TEST(Rig, TheConsoleHasAPlace) {
+  const Rig rig = read(std::string(kGood) +
+                       "\n[console]\nwindow = { monitor = 1, position = [10, 20], size = [800, 600] }\n");
+  const WindowPlacement expected{.monitor = 1, .position_px = {10, 20}, .size_px = {800, 600}};
+  EXPECT_EQ(rig.console, expected);
+  EXPECT_FALSE(read(kGood).console);
 }
 
 TEST(Rig, LeavesOutWhatIsOptional) {

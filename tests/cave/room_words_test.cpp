@@ -38,7 +38,7 @@ FrameRecord recordAt(double display_s) {
 
 std::vector<std::string> said(const FrameRecord& record) {
   std::vector<RoomLine> lines;
-  describe(record, lines);
+  describe(record, {}, lines);
   std::vector<std::string> texts;
   for (const RoomLine& line : lines) texts.push_back(line.text);
   return texts;
@@ -51,11 +51,94 @@ TEST(RoomWords, SayWhichViewsAreOn) {
   EXPECT_EQ(said(record), (std::vector<std::string>{"as seen", "now on the board", "frozen"}));
   record.views = {};
   record.views.clocks = 1;
-  EXPECT_EQ(said(record),
-            (std::vector<std::string>{"my clock  12.3 s", "my speed  0.60 c   gamma 1.25", "light  1.42 m/s"}));
+  EXPECT_EQ(said(record), (std::vector<std::string>{"plates on the pucks: their own time", "my clock  12.3 s",
+                                                    "my speed  0.60 c   gamma 1.25", "light  1.42 m/s"}));
   record.views = {};
   record.views.split = 1;
   EXPECT_EQ(said(record), (std::vector<std::string>{"as seen", "left: Einstein, right: Newton"}));
+}
+
+const LessonWords kLesson{
+    "Twins",
+    "Two twins part and meet again. Who of them is then the older one, and why?",
+    {"Neither", "The one who stayed at home, as seen from where they meet", "The traveller"},
+    1,
+    "Press G and go.",
+    "Watch your clock.",
+    "10.3 s and 8 s."};
+
+std::vector<std::string> said(const FrameRecord& record, const LessonWords& lesson) {
+  std::vector<RoomLine> lines;
+  describe(record, lesson, lines);
+  std::vector<std::string> texts;
+  for (const RoomLine& line : lines) texts.push_back(line.text);
+  return texts;
+}
+
+TEST(RoomWords, AskWithNumberedAnswersInShortLines) {
+  FrameRecord record = recordAt(1.0);
+  record.lesson.phase = LessonPhase::asks;
+  EXPECT_EQ(said(record, kLesson),
+            (std::vector<std::string>{
+                "Two twins part and meet again. Who of", "them is then the older one, and why?",
+                "1   Neither", "2   The one who stayed at home, as seen from", "where they meet",
+                "3   The traveller", "press 1 to 3, or the wand's button", "light  1.42 m/s"}));
+}
+
+TEST(RoomWords, ANumberKeepsItsUnitAndALongWordIsWhole) {
+  FrameRecord record = recordAt(1.0);
+  record.lesson.phase = LessonPhase::shows;
+  LessonWords lesson = kLesson;
+  lesson.todo = "It goes along there at a speed of 0.75 c until it is at the far end, 2.84 m away.";
+  lesson.notice = std::string(60, 'w') + " ends";
+  EXPECT_EQ(said(record, lesson),
+            (std::vector<std::string>{"It goes along there at a speed of 0.75 c",
+                                      "until it is at the far end, 2.84 m away.", std::string(60, 'w'),
+                                      "ends", "Y: again    Enter: the number behind it", "light  1.42 m/s"}));
+  lesson.todo = "It goes away and then along there at 0.75 c";
+  EXPECT_EQ(said(record, lesson)[0], "It goes away and then along there at");
+  EXPECT_EQ(said(record, lesson)[1], "0.75 c");
+}
+
+TEST(RoomWords, WhileTheyAskTheySayNothingElseOfTheViews) {
+  FrameRecord record = recordAt(1.0);
+  record.views.boardNow = record.views.clocks = 1;
+  record.lesson.phase = LessonPhase::asks;
+  const auto asked = said(record, kLesson);
+  EXPECT_EQ(std::find(asked.begin(), asked.end(), "now on the board"), asked.end());
+  EXPECT_EQ(asked.back(), "light  1.42 m/s");
+}
+
+TEST(RoomWords, ShowWhatToDoAndExplainWhatWasAnswered) {
+  FrameRecord record = recordAt(1.0);
+  record.lesson = {LessonPhase::shows, 1};
+  EXPECT_EQ(said(record, kLesson),
+            (std::vector<std::string>{"Press G and go.", "Watch your clock.",
+                                      "Y: again    Enter: the number behind it", "light  1.42 m/s"}));
+  record.lesson.phase = LessonPhase::explains;
+  EXPECT_EQ(said(record, kLesson),
+            (std::vector<std::string>{"10.3 s and 8 s.", "You said: Neither",
+                                      "Right is: The one who stayed at home, as seen from", "where they meet",
+                                      "Enter: look again    Y: ask anew", "light  1.42 m/s"}));
+  record.lesson.answer = 2;
+  const auto right = said(record, kLesson);
+  EXPECT_NE(std::find(right.begin(), right.end(), "That is right."), right.end());
+  record.lesson.answer = 0;
+  EXPECT_EQ(said(record, kLesson).size(), 3u) << "passed over: the number alone";
+}
+
+TEST(RoomWords, BeginWithWhatJustHappenedAndLetItStandOut) {
+  FrameRecord record = recordAt(1.0);
+  std::string words;
+  for (int i = 0; i < 59; ++i) words += i % 7 == 6 ? " " : "γ";  // 110 bytes
+  record.notice = Notice(words);
+  record.views.paths = 1;
+  std::vector<RoomLine> lines;
+  describe(record, {}, lines);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_TRUE(lines[0].urgent && lines[1].urgent);
+  EXPECT_FALSE(lines[2].urgent);
+  EXPECT_EQ(lines[0].text + " " + lines[1].text, words) << "nothing is cut within a letter";
 }
 
 TEST(RoomWords, AreOnTheFirstWallAhead) {
@@ -96,12 +179,43 @@ TEST_F(DrawnWords, CapitalsAreFourCentimetresHigh) {
     }
   }
   EXPECT_NEAR(highest - lowest + 1, 0.04 * 300.0, 1.0);  // 300 pixels a metre
-  EXPECT_GT(lowest, RoomWords::kMargin_m * 300.0);
+  // The panel hangs from 2.2 m: two letters' heights of it with one line.
+  EXPECT_LT(highest, RoomWords::kHighest_m * 300.0);
+  EXPECT_GT(lowest, (RoomWords::kHighest_m - 0.15) * 300.0);
 }
 
 TEST_F(DrawnWords, NothingToSayIsNothingDrawn) {
   EXPECT_GT(drawn({{"words", {}}}).rgb, std::vector<std::uint8_t>(3 * 900 * 900, 0));
   EXPECT_EQ(drawn({}).rgb, std::vector<std::uint8_t>(3 * 900 * 900, 0));
+}
+
+/// The box of what differs from black.
+struct Box {
+  int left = 900, right = -1, low = 900, high = -1;
+};
+Box boxOf(const Image& image) {
+  Box box;
+  for (int y = 0; y < image.size_px.y; ++y) {
+    for (int x = 0; x < image.size_px.x; ++x) {
+      const std::uint8_t* pixel = &image.rgb[static_cast<std::size_t>(3 * (y * image.size_px.x + x))];
+      if (pixel[0] + pixel[1] + pixel[2] == 0) continue;
+      box = {std::min(box.left, x), std::max(box.right, x), std::min(box.low, y), std::max(box.high, y)};
+    }
+  }
+  return box;
+}
+
+// However much there is to say: beside and below it is the game.
+TEST_F(DrawnWords, LeaveTheGameItsPlace) {
+  std::vector<RoomLine> lines;
+  for (int i = 0; i < 24; ++i) lines.push_back({"W" + std::string(kLineLetters, 'n'), {}});
+  for (const std::size_t count : {std::size_t{1}, std::size_t{10}, lines.size()}) {
+    const Box box = boxOf(drawn({lines.begin(), lines.begin() + static_cast<long>(count)}));
+    ASSERT_GT(box.right, box.left);
+    EXPECT_LE(box.right - box.left + 1, RoomWords::kMostOfWidth * 900) << count;
+    EXPECT_LE(box.high - box.low + 1, RoomWords::kMostOfHeight * 900) << count;
+    EXPECT_LE(box.high, RoomWords::kHighest_m * 300.0);
+  }
 }
 
 TEST_F(DrawnWords, ALongLineStaysOnTheWall) {

@@ -39,7 +39,9 @@ Looked lookAt(const GameEvent& event, const Event& eye, const Lorentz& headFromB
               const Switches& switches = {}) {
   const ObserverView observer = observerAt(eye, headFromBoard);
   Looked looked;
-  addEvents({observer, observer.eyes[2], switches, {}, 0, {}, {}, {&event, 1}, {}}, looked.batch);
+  const MarkSight sight{observer, observer.eyes[2], switches, {}, 0, {}, {}, {&event, 1}, {}};
+  Crowd crowd(sight);
+  addEvents(sight, crowd, looked.batch);
   for (const MarkCorner& corner : looked.batch.corners()) {
     looked.nearest_m = std::min(looked.nearest_m, static_cast<double>(glm::length(corner.drawn_m)));
     looked.markerShown = looked.markerShown || corner.what.x > 0.5F;
@@ -101,6 +103,73 @@ TEST(EventMarkers, WithoutRetardationAreThereWhenItHappens) {
       << "it has faded";
 }
 
+/// The numbers on the flags, from the one drawn first.
+std::vector<int> flagsOf(const MarkBatch& batch) {
+  std::vector<int> numbers;
+  for (const MarkCorner& corner : batch.corners()) {
+    const int number = static_cast<int>(corner.what.y);
+    if (corner.what.x > 0.5F && (numbers.empty() || numbers.back() != number)) numbers.push_back(number);
+  }
+  return numbers;
+}
+
+// Twelve events around an eye, in an order of numbers that is not that of their light.
+TEST(EventMarkers, OnlyTheLatestSeenStayAndTheOlderAreFainter) {
+  std::vector<GameEvent> events;
+  for (int i = 0; i < 9; ++i) {
+    GameEvent event = flashAt({1.0, {0.3 + 0.3 * ((4 * i) % 9), 0.2 * i, 0.0}});
+    event.kind = EventKind::puckCushion;
+    event.number = static_cast<std::uint64_t>(i);
+    events.push_back(event);
+  }
+  const ObserverView observer = observerAt({4.0, Vec3(0.0)}, Lorentz(kC_m_s));
+  const MarkSight sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, events, {}};
+  Crowd crowd(sight);
+  MarkBatch batch;
+  addEvents(sight, crowd, batch);
+  std::sort(events.begin(), events.end(), [](const GameEvent& a, const GameEvent& b) {
+    return glm::length(a.at.r_m) > glm::length(b.at.r_m);  // the furthest is seen last
+  });
+  const std::vector<int> shown = flagsOf(batch);
+  ASSERT_EQ(shown.size(), kMostMarkers);
+  for (std::size_t i = 0; i < shown.size(); ++i) EXPECT_EQ(shown[i], static_cast<int>(events[i].number));
+  float faintest = 1.0F;
+  for (const MarkCorner& corner : batch.corners()) {
+    if (corner.what.x < 0.5F) continue;
+    EXPECT_LE(corner.colour.a, faintest);
+    faintest = corner.colour.a;
+  }
+  EXPECT_LT(faintest, 0.3F);
+}
+
+// Plates at one place, as seen from between the eyes, stand one above the other.
+TEST(Crowd, KeepsPlatesApart) {
+  test::Random random(75);
+  const ObserverView observer = observerAt({0.0, {0.0, -2.0, 1.0}}, Lorentz(kC_m_s));
+  const MarkSight sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, {}, {}};
+  for (int i = 0; i < 100; ++i) {
+    Crowd crowd(sight);
+    std::vector<StandingPlate> plates;
+    for (int k = 0; k < 12; ++k) {
+      const Vec3 foot_m(random.in(-0.3, 0.3), random.in(-0.3, 0.3), random.in(0.0, 0.1));
+      StandingPlate plate = standingPlate(sight, wholeNumber(17), PlateShape::flag, foot_m);
+      plate.foot_m.z += crowd.raise_m(plate);
+      ASSERT_GE(plate.foot_m.z, foot_m.z);
+      for (const StandingPlate& other : plates) {
+        const auto away = [&](const StandingPlate& p) { return std::hypot(p.foot_m.x, p.foot_m.y + 2.0); };
+        const auto azimuth = [&](const StandingPlate& p) { return std::atan2(p.foot_m.x, p.foot_m.y + 2.0); };
+        const auto low = [&](const StandingPlate& p) { return (p.foot_m.z - 1.0) / away(p); };
+        const auto high = [&](const StandingPlate& p) { return low(p) + p.height_m() / away(p); };
+        const bool beside = std::abs(azimuth(plate) - azimuth(other)) >=
+                            0.5 * (plate.width_m() / away(plate) + other.width_m() / away(other)) - 1e-9;
+        const bool aboveOrBelow = low(plate) >= high(other) - 1e-9 || low(other) >= high(plate) - 1e-9;
+        ASSERT_TRUE(beside || aboveOrBelow) << "case " << i << ", plate " << k;
+      }
+      plates.push_back(plate);
+    }
+  }
+}
+
 int placeOf(const PlateText& text, int place) {
   return (static_cast<int>(text.digits) >> (4 * (text.places - 1 - place))) & 15;
 }
@@ -108,9 +177,8 @@ int placeOf(const PlateText& text, int place) {
 std::string readingOf(const PlateText& text) {
   std::string reading;
   for (int i = 0; i < text.places; ++i) {
-    if (text.tenths && i == text.places - 1) reading += '.';
-    const int digit = placeOf(text, i);
-    reading += digit == 10 ? '-' : static_cast<char>('0' + digit);
+    if (text.tenths && i == text.places - (text.unit ? 2 : 1)) reading += '.';
+    reading += "0123456789- dm"[placeOf(text, i)];
   }
   return reading;
 }
@@ -126,6 +194,10 @@ TEST(Plates, SayNumbersAndTimes) {
   EXPECT_EQ(readingOf(tenthsOf(-12.21)), "-12.3");
   EXPECT_EQ(readingOf(tenthsOf(9999.95)), "9999.9");
   EXPECT_EQ(readingOf(tenthsOf(10000.05)), "0.0") << "it begins again";
+  EXPECT_EQ(readingOf(degreesOf(78.96)), "79.0d");
+  EXPECT_EQ(readingOf(degreesOf(0.04)), "0.0d");
+  EXPECT_EQ(readingOf(degreesOf(180.0)), "180.0d");
+  EXPECT_EQ(readingOf(metresOf(1.0)), "1.0m");
 }
 
 // A puck's plate shows the puck's own time where its light left, τ = τ_k + (t − t_k)/γ, and stands above it.
@@ -144,16 +216,22 @@ TEST(PuckClocks, ShowThePucksOwnTimeAsItIsSeen) {
     for (std::size_t body = 0; body < 2; ++body) viewBody(lines[body], eye, headFromBoard, views[body]);
     const std::array<glm::vec3, 2> colours{};
     const std::array<double, 2> reach_m{0.0, 0.03};
+    const MarkSight sight{observer, observer.eyes[2], {}, {}, 1, lines, views, {}, {}};
+    Crowd crowd(sight);
     MarkBatch batch;
-    addPuckClocks({observer, observer.eyes[2], {}, {}, 1, lines, views, {}, {}}, colours, reach_m, batch);
+    addPuckClocks(sight, colours, reach_m, crowd, batch);
     ASSERT_FALSE(batch.corners().empty());
     const auto seen = emission(lines[1], Vec3(0.0), eye, headFromBoard);
     const double own_s = startTime_s + (seen->event.t_s - start.t_s) / gammaFromU(u);
     const PlateText expected = tenthsOf(own_s);
+    int ofPlate = 0;
     for (const MarkCorner& corner : batch.corners()) {
+      if (corner.what.x == 0.0F) continue;  // of its stem
+      ++ofPlate;
       ASSERT_EQ(corner.what.y, expected.digits) << "case " << i << ": " << own_s << " s";
-      ASSERT_EQ(static_cast<int>(corner.what.x) - 16, expected.places);
+      ASSERT_EQ(static_cast<int>(corner.what.x) % 16, expected.places);
     }
+    ASSERT_GT(ofPlate, 0);
     // The middle of its lower border is where that point of the puck is seen.
     const glm::vec3 foot = glm::vec3(emission(lines[1], {0.0, 0.0, 0.04}, eye, headFromBoard)->seen.dr_m);
     double nearest_m = 1e9;

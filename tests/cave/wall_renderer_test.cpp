@@ -177,6 +177,63 @@ TEST_F(WallRendererTest, AClockShowsTheTimeAtWhichItsLightLeft) {
   EXPECT_TRUE(clockAt(-12.21, kC_m_s) == clockAt(-12.29, kC_m_s));
 }
 
+// What a lamp's light missed at the puck's top it misses on the cloth later, while the puck goes on:
+// S(t) = P(t − l/c) + n l, P a place of the upper rim, n the ray there and l its way to the cloth. Seen from
+// above, the furthest shadow begins where that of the rim's last place is seen (bisection), to within its
+// softness.
+TEST_F(WallRendererTest, AFastPucksShadowLagsBehindItByTheLightsWay) {
+  constexpr double kRadius_m = 0.1, kHeight_m = 0.08, kEye_m = 1.2, kSoft_m = 0.15 * kHeight_m;
+  BilliardSetup setup;
+  setup.board = Board{2.84, 1.42};
+  Scene with = buildScene(setup, std::vector<BodyLooks>{{"white", "", kRadius_m, kHeight_m}}), without = with;
+  std::erase_if(without.parts, [](const ScenePart& part) { return part.paint == Paint::shadow; });
+  const glm::ivec2 pixels(400, 2000);  // rows along x
+  const Event eye{kEye_m / kC_m_s, {-0.1, 0.0, kEye_m}};
+  const Wall wall = wallTowards({0, 0, 0}, {0, 0, -1}, pixels);
+  for (const double beta : {0.0, 0.6, 0.9}) {
+    const WorldLine line({{0.0, {0.0, 0.0, 0.5 * kHeight_m}}, uFromBeta({beta, 0.0, 0.0}), 0.0, {}, 0.0},
+                         kC_m_s, 0.2);
+    const auto views = viewsOf(line, eye, Lorentz(kC_m_s));
+    const auto draw = [&](const Scene& scene) {
+      WallRenderer renderer(graphics_, scene, kC_m_s, 1);
+      graphics_.makeCurrent();
+      WallPicture picture(pixels);
+      renderer.look(Lorentz(kC_m_s), {eye, Vec3(0.0), Vec3(0.0)}, views);
+      EXPECT_TRUE(renderer.draw(wall, {0, 0, 0}, picture));
+      return readBack(picture);
+    };
+    const Image shaded = draw(with), plain = draw(without);
+    double first_m = 1e9;
+    for (std::size_t i = 0; i < shaded.rgb.size(); ++i) {
+      if (std::abs(int{shaded.rgb[i]} - int{plain.rgb[i]}) < 3) continue;
+      const double row = static_cast<double>(i / (3 * static_cast<std::size_t>(pixels.x))) + 0.5;
+      first_m = std::min(first_m, eye.r_m.x + kEye_m * (row / pixels.y - 0.5) * 4.0);
+    }
+    double expected_m = 1e9;
+    for (const glm::dvec3& lamp_m : with.lamps_m) {
+      const auto shadow = [&](double t_s) {
+        double way_m = kHeight_m;
+        Vec3 rim_m(0.0), n(0.0);
+        for (int k = 0; k < 5; ++k) {
+          const double then_s = t_s - way_m / kC_m_s;
+          rim_m = Vec3(beta * kC_m_s * then_s - kRadius_m * std::sqrt(1.0 - beta * beta), 0.0, kHeight_m);
+          n = glm::normalize(rim_m - lamp_m);
+          way_m = -kHeight_m / n.z;
+        }
+        return rim_m + way_m * n;
+      };
+      double early_s = eye.t_s - 3.0, late_s = eye.t_s;
+      for (int k = 0; k < 60; ++k) {
+        const double t_s = 0.5 * (early_s + late_s);
+        (t_s + glm::distance(shadow(t_s), eye.r_m) / kC_m_s < eye.t_s ? early_s : late_s) = t_s;
+      }
+      expected_m = std::min(expected_m, shadow(early_s).x);
+    }
+    EXPECT_NEAR(first_m, expected_m - 0.5 * kSoft_m * std::sqrt(1.0 - beta * beta), kSoft_m)
+        << "at " << beta << " c";
+  }
+}
+
 TEST_F(WallRendererTest, AnotherNumberOfBodiesIsRefused) {
   WallRenderer renderer(graphics_, glowingPuck(0.1), kC_m_s, 1);
   EXPECT_THROW(renderer.look(Lorentz(kC_m_s), {}, {}), std::invalid_argument);

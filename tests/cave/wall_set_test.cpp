@@ -2,6 +2,8 @@
 // window, and when, where a wall is held back.
 #include "cave/wall_set.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <vtk_glew.h>
 
@@ -63,6 +65,20 @@ class Shown {
     glReadPixels(0, 0, kSize_px, kSize_px, GL_RGBA, GL_UNSIGNED_BYTE, pixels.rgba.data());
     return pixels;
   }
+
+  /// What is pointed to once the mouse is there; none: windows of this display do not get it.
+  std::optional<PointedWall> pointAt(const glm::dvec2& pixel) {
+    GLFWwindow* const window = glfwGetCurrentContext();  // of the last that was shown
+    glfwFocusWindow(window);
+    for (int i = 0; i < 200; ++i) {
+      glfwSetCursorPos(window, pixel.x, pixel.y);
+      glfwWaitEventsTimeout(0.01);
+      graphics_.poll();
+      if (auto pointed = walls_.pointedAt()) return pointed;
+    }
+    return std::nullopt;
+  }
+  WallSet& walls() { return walls_; }
 
  private:
   Graphics graphics_;
@@ -181,6 +197,18 @@ TEST(WallSetWindows, AFastWallWaitsForTheSlow) {
     const bool now = seen[frame], before = frame >= 2 && seen[frame - 2];
     expectLit(shown.frame({.mono = now}), [&](int x, int) { return x < kSize_px / 2 ? before : now; });
   }
+}
+
+TEST(WallSetWindows, ThePointerIsOnTheWallAndOfTheEyeWhosePictureItIsOver) {
+  Shown shown({wallOf(StereoMode::sideBySide)});
+  shown.frame({.left = true, .right = true});
+  const auto pointed = shown.pointAt({40.0, 16.0});  // a quarter of the way through the right eye's half
+  if (!pointed) GTEST_SKIP() << "no pointer reaches the windows of this display";
+  EXPECT_EQ(pointed->eye, 1u);
+  EXPECT_NEAR(pointed->onWall_m.x, -1.0, 1e-9);  // the wall is 4 × 4 m around the origin, 1 m away
+  EXPECT_NEAR(pointed->onWall_m.y, 1.0, 1e-9);
+  EXPECT_NEAR(pointed->onWall_m.z, 1.0, 1e-9);
+  EXPECT_FALSE(shown.walls().isHeld());
 }
 
 TEST(WallSetWindows, QuadBufferIsRefusedInWordsWhereTheDisplayHasNone) {

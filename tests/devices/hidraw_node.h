@@ -79,6 +79,17 @@ class HidrawNode : public MockedNode {
     return features_;
   }
 
+  /// Output reports, in order.
+  std::vector<Bytes> written() const {
+    const std::lock_guard lock(mutex_);
+    return written_;
+  }
+  /// Every report takes so long to write.
+  void takeLong(std::chrono::milliseconds each) {
+    const std::lock_guard lock(mutex_);
+    writing_ = each;
+  }
+
   std::size_t unread() const {
     const std::lock_guard lock(mutex_);
     return reports_.size();
@@ -114,6 +125,21 @@ class HidrawNode : public MockedNode {
     report.resize(std::min(report.size(), static_cast<std::size_t>(buffer->data_len)));
     umockdev_ioctl_data_update(buffer, 0, report.data(), static_cast<int>(report.size()));
     umockdev_ioctl_client_complete(client, static_cast<long>(report.size()), 0);
+    return true;
+  }
+
+  bool write(UMockdevIoctlClient* client, UMockdevIoctlData* bytes) override {
+    std::unique_lock lock(mutex_);
+    const std::chrono::milliseconds wait = writing_;
+    lock.unlock();
+    std::this_thread::sleep_for(wait);
+    lock.lock();
+    if (gone_) {
+      umockdev_ioctl_client_complete(client, -1, ENODEV);
+      return true;
+    }
+    written_.emplace_back(bytes->data, bytes->data + bytes->data_len);
+    umockdev_ioctl_client_complete(client, bytes->data_len, 0);
     return true;
   }
 
@@ -153,7 +179,8 @@ class HidrawNode : public MockedNode {
   const Bytes descriptor_;
   mutable std::mutex mutex_;
   std::deque<Bytes> reports_;
-  std::vector<Bytes> features_;
+  std::vector<Bytes> features_, written_;
+  std::chrono::milliseconds writing_{0};
   bool gone_ = false;
 };
 

@@ -26,6 +26,7 @@ class MockedNode {
   MockedNode() : base_(umockdev_ioctl_base_new()) {
     g_signal_connect(base_.get(), "handle-ioctl", G_CALLBACK(onIoctl), this);
     g_signal_connect(base_.get(), "handle-read", G_CALLBACK(onRead), this);
+    g_signal_connect(base_.get(), "handle-write", G_CALLBACK(onWrite), this);
   }
   MockedNode(const MockedNode&) = delete;
   MockedNode& operator=(const MockedNode&) = delete;
@@ -37,6 +38,7 @@ class MockedNode {
   /// Answers with umockdev_ioctl_client_complete and returns true, or leaves it: no such request.
   virtual bool ioctl(UMockdevIoctlClient* client, gulong request, UMockdevIoctlData* argument) = 0;
   virtual bool read(UMockdevIoctlClient* /*client*/, UMockdevIoctlData* /*buffer*/) { return false; }
+  virtual bool write(UMockdevIoctlClient* /*client*/, UMockdevIoctlData* /*bytes*/) { return false; }
 
  private:
   static gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
@@ -45,6 +47,9 @@ class MockedNode {
   }
   static gboolean onRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
     return static_cast<MockedNode*>(self)->read(client, umockdev_ioctl_client_get_arg(client));
+  }
+  static gboolean onWrite(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
+    return static_cast<MockedNode*>(self)->write(client, umockdev_ioctl_client_get_arg(client));
   }
 
   std::unique_ptr<UMockdevIoctlBase, GObjectDeleter> base_;

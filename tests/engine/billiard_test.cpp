@@ -559,6 +559,33 @@ TEST(BilliardStroke, duringAPendingTurn) {
               kRounding);
 }
 
+// The same of strokes that are known from the beginning: they, too, change turns that were told while their news was on
+// its way.
+TEST(BilliardStroke, changesAreEnoughToFollowStrokesOfTheSetup) {
+  BilliardSetup setup = test::gasSetup(12, 0.1, 1.6, 3);
+  setup.rules.collisionEvent = CollisionEvent::centre;
+  for (int i = 0; i < 200; ++i)
+    setup.strokes.push_back({static_cast<std::size_t>(i % 12), 0.13 * i, Vec3(0.3, -0.2, 0.4), {0.5, 0.1}});
+  Billiard billiard(setup);
+  std::vector<WorldLine> copy(billiard.worldLines().begin(), billiard.worldLines().end());
+  int truncated = 0;
+  for (int frame = 1; frame <= 3000; ++frame) {
+    billiard.advanceTo(0.01 * frame);
+    const Changes changes = billiard.takeChanges();
+    if (changes.truncatedFrom_s) {
+      ++truncated;
+      for (WorldLine& line : copy) line.truncateFrom(*changes.truncatedFrom_s);
+    }
+    for (const Changes::NewKnot& added : changes.knots) copy[added.puck].append(added.knot);
+    for (std::size_t i = 0; i < copy.size(); ++i) {
+      const std::span<const Knot> here = copy[i].knots(), there = billiard.worldLines()[i].knots();
+      ASSERT_EQ(here.size(), there.size()) << "frame " << frame << " puck " << i;
+      ASSERT_EQ(here.back().turn.r_m, there.back().turn.r_m) << "frame " << frame << " puck " << i;
+    }
+  }
+  EXPECT_GT(truncated, 0);
+}
+
 // A copy that only follows `takeChanges`, as the nodes of a cluster do, holds the same world lines.
 TEST(BilliardStroke, changesAreEnoughToFollow) {
   BilliardSetup setup = test::gasSetup(12, 0.1, 1.6, 3);

@@ -1,0 +1,38 @@
+#pragma once
+// The console's games: which are there, the one that is played, its lesson and tour.
+
+#include <string>
+#include <vector>
+
+#include "app/console_parts.h"
+#include "app/scenario.h"
+
+namespace carom::console {
+
+class GamesPanel {
+ public:
+  /// Reads the titles of the scenarios in the configuration folder.
+  GamesPanel();
+
+  /// Another game. `scenario` is kept; `file`: where it is from.
+  void play(const Scenario& scenario, const std::string& file);
+  void draw(const ConsoleFrame& frame, Controls& controls);
+
+ private:
+  struct Game {
+    std::string file, name, title;
+    bool lesson = false;
+    std::string fault;  ///< why it cannot be played
+  };
+  static Game gameIn(const std::string& file);
+  void drawList(const ConsoleFrame& frame, Controls& controls);
+  void drawPlayed(const ConsoleFrame& frame, Controls& controls) const;
+  void drawLesson(const Lesson& lesson, const LessonState& state, Controls& controls) const;
+
+  std::vector<Game> games_;
+  std::size_t chosen_ = 0, played_ = 0;  ///< in there
+  const Scenario* scenario_ = nullptr;
+  std::string file_;
+};
+
+}  // namespace carom::console

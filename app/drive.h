@@ -1,0 +1,109 @@
+#pragma once
+// The platform's drive: what thrust it has, moment by moment, as it is steered, told or sent home.
+//
+// Everything here counts the game's seconds (the person's, times the pace of Observer::step), and of those
+// the platform's own where the head is: they are the person's as long as they stand, and a little more than
+// theirs while they walk about. A way that ends at rest therefore does so whatever the person does meanwhile.
+// Motion is the exact sum of hyperbolae (Observer::step), split where one ends inside a frame.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/rig.h"
+#include "app/scenario.h"
+#include "cave/hand_view.h"
+#include "cave/notice.h"
+#include "engine/lorentz.h"
+#include "engine/observer.h"
+
+namespace carom {
+
+/// What hands ask of the drive in one frame. Merged from all devices.
+struct DriveWish {
+  Vec3 steer{0.0};  ///< share of the strongest thrust, in the room's axes (the rig's); longer than 1 asks for
+                    ///< more than there is
+  bool brake = false;  ///< while it is held
+  bool home = false;   ///< asked for in this frame
+};
+
+/// The strongest thrust. Light from c²/a behind never catches up with who accelerates at a: kept two metres
+/// away, so that time runs through the whole room. Where light is fast, c a second is enough.
+inline double strongestThrust_m_s2(double c_m_s) {
+  constexpr double kBehind_m = 2.0, kLeast_s = 1.0;
+  return std::min(c_m_s * c_m_s / kBehind_m, c_m_s / kLeast_s);
+}
+
+/// γβ of the platform beyond which the drive makes it no faster: there ten of the board's seconds, and all
+/// that happens in them, go by in one of the person's. 0.995 c.
+inline constexpr double kMostPlatformU = 10.0;
+
+/// aFromB where B has been accelerated from rest in A: thrust × proper time / c.
+inline Lorentz boostOfRapidity(const Vec3& rapidity, double c_m_s) {
+  const double size = glm::length(rapidity);
+  return Lorentz::boost(size > 0.0 ? rapidity * (std::sinh(size) / size) : Vec3(0.0), c_m_s);
+}
+
+class Drive {
+ public:
+  /// At home where the scenario's platform starts, but at rest. With `begins`, a tour that starts at once
+  /// does; a session that goes on does not go on with a tour or with the way home.
+  Drive(const Scenario& scenario, const RoomAxes& axes, bool begins);
+
+  /// Sets out on the scenario's tour, from its first leg.
+  void setOut();
+
+  /// The observer lives on for dτ while the tracked head moves from `before`, where Observer has it, to
+  /// `head`, as in Observer::step; the platform does what is wished, or what it is about.
+  void live(const DriveWish& wish, double dtau_s, double pace, const Head& before, const Head& head,
+            Observer& observer);
+
+  const DriveView& view() const { return view_; }  ///< of the last frame; thrust: the mean over it
+  /// What it has to say since it was asked last; empty: nothing.
+  Notice news() { return std::exchange(notice_, {}); }
+
+ private:
+  /// A constant thrust, or a turn about the head, for so long.
+  struct Stretch {
+    double for_s = 0.0;
+    Vec3 thrust_m_s2{0.0};
+    double turn_rad = 0.0;
+    Vec3 turnAxisInRoom{0.0};
+  };
+  /// A thrust of the way at hand, in the room's axes; it follows the one before it.
+  struct Push {
+    double for_s = 0.0;
+    Vec3 thrust_m_s2{0.0};
+  };
+  /// What is left of a frame.
+  struct Left {
+    double platform_s = 0.0;
+    double person_s = 0.0;  ///< on their own clock, as they feel it
+  };
+
+  void obey(const DriveWish& wish);
+  Stretch next(const DriveWish& wish, const Observer& observer, const Vec3& headInRoom_m, const Left& left);
+  Stretch steered(const Vec3& steer, const Observer& observer, double left_s);
+  Stretch brake(const Observer& observer, double left_s) const;
+  Stretch homewards(const Observer& observer, const Vec3& headInRoom_m, const Left& left);
+  Stretch alongWay(double left_s);
+  void planTrip(const Vec3& wayInRoom_m);
+  void take(std::span<const Push> way);
+  void leaveWay(DriveMode mode);
+  void sayOnce(bool& said, std::string_view words);
+
+  double c_m_s_, strongest_m_s2_;
+  Pose boardFromHome_;  ///< of the room, at rest
+  std::vector<Push> tour_, way_;
+  std::size_t push_ = 0;   ///< of the way: the one at hand,
+  double pushed_s_ = 0.0;  ///< and how much of it is over
+  DriveView view_;
+  Notice notice_;
+  bool saidStrongest_ = false, saidFastest_ = false;
+};
+
+}  // namespace carom

@@ -1,0 +1,47 @@
+// Every letter of the shipped lessons can be written on a wall.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "app/scenario.h"
+#include "cave/text_ink.h"
+
+namespace carom {
+namespace {
+
+/// Letters beyond ASCII.
+std::set<std::string> lettersOf(const std::string& text) {
+  std::set<std::string> letters;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    while (end < text.size() && (text[end] & 0xC0) == 0x80) ++end;
+    if (end > i + 1) letters.insert(text.substr(i, end - i));
+    i = end;
+  }
+  return letters;
+}
+
+TEST(LessonLetters, HaveInkOfTheirOwn) {
+  constexpr int kHeight_px = 30;
+  const Ink missing = ink("\u0FFF", kHeight_px);  // no letter: what the font shows for what it lacks
+  std::set<std::string> letters;
+  for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
+    const Scenario scenario = readScenario(entry.path());
+    if (!scenario.lesson) continue;
+    const LessonWords& words = scenario.lesson->words;
+    std::string all = words.question + words.todo + words.notice + words.number;
+    for (const std::string& answer : words.answers) all += answer;
+    letters.merge(lettersOf(all));
+  }
+  EXPECT_TRUE(letters.contains("γ"));
+  for (const std::string& letter : letters) {
+    const Ink written = ink(letter, kHeight_px);
+    EXPECT_FALSE(written.alpha.empty()) << letter;
+    EXPECT_FALSE(written.size_px == missing.size_px && written.alpha == missing.alpha) << letter;
+  }
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,411 @@
+// What the shipped lessons say is so: every number in their questions, right answers and explanations is
+// computed here, from the same file, and must stand in the text; a number that nobody computes must not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "app/scenario.h"
+#include "engine/billiard.h"
+#include "engine/light_cone.h"
+#include "engine/lorentz.h"
+#include "engine/observer.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEyes_m = 1.7;  // of a person who stands
+
+/// The numbers of a text, each to be accounted for.
+class Numbers {
+ public:
+  explicit Numbers(const std::string& text) : text_(text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const auto before = static_cast<unsigned char>(i > 0 ? text[i - 1] : ' ');
+      const auto digit = [&](std::size_t at) { return at < text.size() && std::isdigit(text[at]) != 0; };
+      if (!digit(i)) continue;
+      std::size_t end = i;
+      while (digit(end) || (end < text.size() && text[end] == '.' && digit(end + 1))) ++end;
+      // The 1 of θ1 is a name.
+      if (before < 0x80 && std::isalpha(before) == 0) left_.push_back(text.substr(i, end - i));
+      i = end;
+    }
+  }
+  ~Numbers() {
+    EXPECT_TRUE(left_.empty()) << "nothing tells whether " << left_.front() << " is right in: " << text_;
+  }
+  Numbers(const Numbers&) = delete;
+  Numbers& operator=(const Numbers&) = delete;
+
+  /// That it is there, rounded to so many decimals.
+  Numbers& has(double value, int decimals) {
+    const std::string number = fmt::format("{:.{}f}", value, decimals);
+    if (std::erase(left_, number) == 0 && std::find(found_.begin(), found_.end(), number) == found_.end())
+      ADD_FAILURE() << number << " is missing in: " << text_;
+    found_.push_back(number);
+    return *this;
+  }
+
+ private:
+  std::string text_;
+  std::vector<std::string> left_, found_;
+};
+
+Scenario shipped(const std::string& name) {
+  return readScenario(std::string(CAROM_CONFIG_DIR "/scenarios/") + name + ".toml");
+}
+
+/// Question, right answer and explanation.
+std::string claims(const Scenario& scenario) {
+  const LessonWords& words = scenario.lesson.value().words;
+  return words.question + " | " + words.answers.at(words.right) + " | " + words.number;
+}
+
+/// The game, played for so long.
+Billiard played(const Scenario& scenario, double until_s) {
+  Billiard game(scenario.billiard);
+  game.advanceTo(until_s);
+  return game;
+}
+
+std::size_t puckNamed(const Scenario& scenario, const std::string& name) {
+  const auto& pucks = scenario.billiard.pucks;
+  const auto found = std::find_if(pucks.begin(), pucks.end(), [&](const Puck& p) { return p.name == name; });
+  EXPECT_NE(found, pucks.end()) << name;
+  return static_cast<std::size_t>(found - pucks.begin());
+}
+
+const Flash& flashNamed(const Scenario& scenario, const std::string& name) {
+  const auto& flashes = scenario.billiard.flashes;
+  const auto found =
+      std::find_if(flashes.begin(), flashes.end(), [&](const Flash& f) { return f.name == name; });
+  if (found == flashes.end()) throw std::out_of_range(name);
+  return *found;
+}
+
+Vec3 standingEye_m(const Scenario& scenario) { return scenario.observer.position_m + Vec3(0, 0, kEyes_m); }
+
+/// Seconds by the clocks of who moves with u, from one event to the other.
+double elapsedFor_s(const Vec3& u, const Event& from, const Event& to, double c_m_s) {
+  return (Lorentz::boost(u, c_m_s).inverse() * (to - from)).dt_s;
+}
+
+/// How far a mesh reaches along x and z.
+std::pair<Vec3, Vec3> boundsOf(const ToldBody& body) {
+  std::ifstream in(body.mesh.value());
+  Vec3 least(1e9), most(-1e9);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    Vec3 v(0.0);
+    if (!(words >> kind >> v.x >> v.y >> v.z) || kind != "v") continue;
+    least = glm::min(least, v);
+    most = glm::max(most, v);
+  }
+  return {least, most};
+}
+
+TEST(LessonNumbers, ParallelTracks) {
+  const Scenario scenario = shipped("parallel-tracks");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const Billiard game = played(scenario, 2.0);
+  const Vec3 eye_m = standingEye_m(scenario);
+  std::vector<double> seen_s;  // when each is seen on the line
+  for (const WorldLine& line : game.worldLines()) {
+    const Event crossing = line.at(1.0).event;
+    EXPECT_NEAR(crossing.r_m.x, 0.0, 1e-6) << "they are side by side after one second";
+    seen_s.push_back(1.0 + glm::distance(eye_m, crossing.r_m) / c_m_s);
+  }
+  EXPECT_TRUE(std::is_sorted(seen_s.begin(), seen_s.end())) << "the nearest first";
+  EXPECT_GT(seen_s.back() - seen_s.front(), 0.3);
+  const Motion fastest = centreSeen(game.worldLines().back(), {seen_s.front(), eye_m});
+  Numbers(claims(scenario))
+      .has(0.0, 0)
+      .has(seen_s.front() - 1.0, 2)
+      .has(seen_s.back() - 1.0, 2)
+      .has(-fastest.event.r_m.x, 2);
+  EXPECT_EQ(scenario.lesson->words.right, 2u);
+}
+
+TEST(LessonNumbers, TwoCushions) {
+  const Scenario scenario = shipped("two-cushions");
+  const Billiard game = played(scenario, 2.0);
+  std::optional<Event> left, right;
+  for (const GameEvent& event : game.events()) {
+    if (event.cushion == Cushion::plusX && !right) right = event.at;
+    if (event.cushion == Cushion::minusX && !left) left = event.at;
+  }
+  ASSERT_TRUE(left && right);
+  EXPECT_NEAR(left->t_s, right->t_s, 1e-12);
+  const Vec3 flying = uFromBeta({0.5, 0.0, 0.0});
+  const double earlier_s = elapsedFor_s(flying, *right, *left, scenario.billiard.lightSpeed_m_s);
+  EXPECT_GT(earlier_s, 0.0) << "the right one first: the second answer";
+  EXPECT_NEAR(elapsedFor_s(-flying, *left, *right, scenario.billiard.lightSpeed_m_s), earlier_s, 1e-12);
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  Numbers(claims(scenario))
+      .has(0.5, 1)
+      .has(earlier_s, 2)
+      .has(gammaFromU(flying), 3)
+      .has(right->r_m.x - left->r_m.x, 2);
+}
+
+/// At which speed of light's a puck is seen to move along x, by an eye on its line.
+double apparentBeta(const WorldLine& line, const Vec3& eye_m, double at_s) {
+  constexpr double kApart_s = 0.05;
+  const Event early = centreSeen(line, {at_s, eye_m}).event,
+              late = centreSeen(line, {at_s + kApart_s, eye_m}).event;
+  return (late.r_m.x - early.r_m.x) / (kApart_s * line.lightSpeed_m_s());
+}
+
+TEST(LessonNumbers, ComesAndGoes) {
+  const Scenario scenario = shipped("comes-and-goes");
+  const Billiard game = played(scenario, 8.0);
+  const WorldLine& puck = game.worldLines().front();
+  const Vec3 eye_m(scenario.observer.position_m.x, 0.0, puck.at(0.0).event.r_m.z);
+  const double going = apparentBeta(puck, eye_m, 3.0);
+  const double turn_s = puck.knots()[2].turn.t_s;  // rest, on its way, back
+  const double coming =
+      -apparentBeta(puck, eye_m, turn_s + (puck.knots()[2].turn.r_m.x - eye_m.x) / 1.42 + 0.1);
+  const double beta = glm::length(betaFromU(puck.knots()[1].u));
+  EXPECT_NEAR(glm::length(betaFromU(puck.knots()[2].u)), beta, 1e-9);
+  EXPECT_GT(coming, 1.0) << "faster than light: the second answer";
+  EXPECT_LT(going, beta);
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  Numbers(claims(scenario)).has(beta, 1).has(going, 3).has(coming, 1).has(1.0, 0);  // the 1 of the formulas
+}
+
+TEST(LessonNumbers, Angles) {
+  const Scenario scenario = shipped("angles");
+  const Billiard game = played(scenario, 1.4);
+  const auto degrees = [](double rad) { return rad * 180.0 / std::numbers::pi; };
+  Numbers numbers(claims(scenario));
+  int met = 0;
+  for (const GameEvent& event : game.events()) {
+    if (event.kind != EventKind::puckPuck) continue;
+    ++met;
+    const Vec2 a = glm::normalize(event.turns[0].betaAfter), b = glm::normalize(event.turns[1].betaAfter);
+    const double between_deg = degrees(std::acos(glm::dot(a, b)));
+    EXPECT_LT(between_deg, 90.0);
+    numbers.has(between_deg, 1);
+    const bool first = glm::length(event.turns[0].betaBefore) > 0.0;
+    const Turn& striker = event.turns[first ? 0 : 1];
+    numbers.has(glm::length(striker.betaBefore), 1);
+    EXPECT_NEAR(degrees(std::abs(std::atan2(striker.betaAfter.y, striker.betaAfter.x))), 60.0, 0.01);
+  }
+  EXPECT_EQ(met, 2);
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  numbers.has(60.0, 0).has(90.0, 0).has(2.0, 0).has(1.0, 0);  // tan 1 × tan 2 = 2/(γ + 1), as follows
+  for (const double beta : {0.2, 0.9}) {
+    const double gamma = gammaFromU(uFromBeta({beta, 0.0, 0.0}));
+    const double tan1 = std::tan(std::numbers::pi / 3), tan2 = 2.0 / (gamma + 1.0) / tan1;
+    const std::string between = fmt::format("{:.1f}", 60.0 + degrees(std::atan(tan2)));
+    EXPECT_NE(scenario.lesson->words.number.find(between), std::string::npos) << between;
+  }
+}
+
+/// Both stories of the train.
+struct Train {
+  explicit Train(const std::string& name) : scenario(shipped(name)) {}
+  Scenario scenario;
+  const ToldBody& tunnel = scenario.bodies.at(0);
+  const ToldBody& train = scenario.bodies.at(1);
+  Vec3 u = train.worldLine.knots().front().u;
+  double c_m_s = scenario.billiard.lightSpeed_m_s;
+  Event nearDoor = flashNamed(scenario, "near door").at, farDoor = flashNamed(scenario, "far door").at;
+  static double lengthOf_m(const ToldBody& body) { return boundsOf(body).second.x - boundsOf(body).first.x; }
+  /// On the train the far door flashes first.
+  double apartOnTrain_s() const { return elapsedFor_s(u, farDoor, nearDoor, c_m_s); }
+};
+
+TEST(LessonNumbers, TrainInTunnel) {
+  const Train story("train-in-tunnel");
+  const double gamma = gammaFromU(story.u);
+  const double train_m = Train::lengthOf_m(story.train), tunnel_m = Train::lengthOf_m(story.tunnel);
+  EXPECT_EQ(story.nearDoor.t_s, story.farDoor.t_s);
+  EXPECT_NEAR(story.farDoor.r_m.x - story.nearDoor.r_m.x, tunnel_m, 1e-12);
+  const double middle_m = story.train.worldLine.at(story.nearDoor.t_s).event.r_m.x;
+  EXPECT_LT(middle_m + 0.5 * train_m / gamma, story.farDoor.r_m.x) << "all of it is inside then";
+  EXPECT_GT(middle_m - 0.5 * train_m / gamma, story.nearDoor.r_m.x);
+  // By the train's clocks: where its back is when the far door flashes.
+  const Displacement door = Lorentz::boost(story.u, story.c_m_s).inverse() *
+                            (story.farDoor - story.train.worldLine.at(story.farDoor.t_s).event);
+  EXPECT_GT(0.5 * train_m, door.dr_m.x - tunnel_m / gamma) << "its front is inside";
+  EXPECT_LT(-0.5 * train_m, door.dr_m.x - tunnel_m / gamma) << "its back is not";
+  EXPECT_GT(story.apartOnTrain_s(), 0.0);
+  Numbers(claims(story.scenario))
+      .has(train_m, 1)
+      .has(glm::length(betaFromU(story.u)), 1)
+      .has(tunnel_m, 0)
+      .has(1.0 / gamma, 1)
+      .has(train_m / gamma, 1)
+      .has(story.apartOnTrain_s(), 2)
+      .has(gamma, 3);
+  EXPECT_EQ(story.scenario.lesson->words.right, 1u);
+}
+
+TEST(LessonNumbers, TrainAboard) {
+  const Train story("train-aboard");
+  const ObserverStart& start = story.scenario.observer;
+  EXPECT_NEAR(glm::distance(start.beta, betaFromU(story.u)), 0.0, 1e-12) << "the person rides with the train";
+  EXPECT_NEAR(start.position_m.x, story.train.worldLine.at(0.0).event.r_m.x, 1e-9) << "beside its middle";
+  const double gamma = gammaFromU(story.u), tunnel_m = Train::lengthOf_m(story.tunnel);
+  EXPECT_LT(tunnel_m / gamma, Train::lengthOf_m(story.train));
+  EXPECT_GT(story.apartOnTrain_s(), 0.0);
+  Numbers(claims(story.scenario))
+      .has(Train::lengthOf_m(story.train), 1)
+      .has(tunnel_m, 0)
+      .has(glm::length(betaFromU(story.u)), 1)
+      .has(1.0 / gamma, 1)
+      .has(story.apartOnTrain_s(), 2);
+  EXPECT_EQ(story.scenario.lesson->words.right, 1u);
+}
+
+/// A pulse goes up and down in its clock: checks that it is at a mirror at each of its corners; the times of
+/// its ticks.
+std::vector<double> ticksOf_s(const Scenario& scenario, const Pulse& pulse, const ToldBody& clock,
+                              const std::string& flashes) {
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const double knob_m = 0.024;  // beyond the mirror's face, on either side
+  const double halfHeight_m = boundsOf(clock).second.z - knob_m;
+  std::vector<double> ticks_s;
+  double t_s = pulse.at_s;
+  for (std::size_t i = 0; i < pulse.path_m.size(); ++i) {
+    if (i > 0) t_s += glm::distance(pulse.path_m[i], pulse.path_m[i - 1]) / c_m_s;
+    const Vec3 middle_m = clock.worldLine.at(t_s).event.r_m;
+    const Vec3 mirror_m = middle_m + Vec3(0.0, 0.0, i % 2 == 0 ? -halfHeight_m : halfHeight_m);
+    EXPECT_NEAR(glm::distance(pulse.path_m[i], mirror_m), 0.0, 2e-4) << pulse.name << ' ' << i;
+    if (i == 0 || i % 2 != 0) continue;
+    ticks_s.push_back(t_s);
+    const Event flash = flashNamed(scenario, fmt::format("{} {}", flashes, ticks_s.size())).at;
+    EXPECT_NEAR(flash.t_s, t_s, 1e-9);
+    EXPECT_EQ(flash.r_m, pulse.path_m[i]);
+  }
+  return ticks_s;
+}
+
+TEST(LessonNumbers, LightClock) {
+  const Scenario scenario = shipped("light-clock");
+  const Pulse &resting = scenario.pulses.at(0), &flying = scenario.pulses.at(1);
+  const auto rested_s = ticksOf_s(scenario, resting, scenario.bodies.at(0), "resting tick");
+  const auto flew_s = ticksOf_s(scenario, flying, scenario.bodies.at(1), "flying tick");
+  ASSERT_FALSE(rested_s.empty() || flew_s.empty());
+  EXPECT_NEAR(rested_s.back(), flew_s.back(), 1e-9) << "both have ticked for as long";
+  const auto& [first_m, last_m] = std::pair(flying.path_m.front(), flying.path_m.back());
+  EXPECT_NEAR(first_m.x, -last_m.x, 1e-9) << "from end to end: as far from who stands in the middle";
+  const double gamma = gammaFromU(scenario.bodies.at(1).worldLine.knots().front().u);
+  EXPECT_NEAR(static_cast<double>(rested_s.size()) / static_cast<double>(flew_s.size()), gamma, 1e-12);
+  const Vec3 slanted_m = flying.path_m.at(1) - flying.path_m.at(0);
+  Numbers(claims(scenario))
+      .has(glm::length(betaFromU(scenario.bodies.at(1).worldLine.knots().front().u)), 1)
+      .has(static_cast<double>(rested_s.size()), 0)
+      .has(static_cast<double>(flew_s.size()), 0)
+      .has(rested_s.front(), 2)
+      .has(flew_s.front(), 2)
+      .has(gamma, 2)
+      .has(slanted_m.z, 3)
+      .has(slanted_m.x, 4)
+      .has(glm::length(slanted_m), 4)
+      .has(1.0, 0);  // of 1/√(1 − β²)
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+}
+
+TEST(LessonNumbers, PairsOfFour) {
+  const Scenario scenario = shipped("pairs-4");
+  Numbers numbers(claims(scenario));
+  for (const int lane : {1, 2}) {
+    const auto uOf = [&](const char* side) {
+      const Puck& puck = scenario.billiard.pucks[puckNamed(scenario, fmt::format("{} {}", side, lane))];
+      return uFromBeta(Vec3(puck.beta, 0.0));
+    };
+    const double c_m_s = scenario.billiard.lightSpeed_m_s, beta = betaFromU(uOf("left")).x;
+    const Lorentz oneFromOther =
+        Lorentz::boost(uOf("left"), c_m_s).inverse() * Lorentz::boost(uOf("right"), c_m_s);
+    const double relative = glm::length(betaFromU(oneFromOther.u()));
+    EXPECT_NEAR(relative, 2.0 * beta / (1.0 + beta * beta), 1e-12);
+    numbers.has(relative, 3);
+    if (lane == 1) {
+      numbers.has(relative, 2).has(beta, 1);
+    } else {
+      numbers.has(2.0 * beta, 1).has(1.0 + beta * beta, 2);
+    }
+  }
+  numbers.has(1.0, 0);
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+}
+
+/// How long a puck is seen to be along x by an eye on its line, in its own lengths.
+double seenLength(const Scenario& scenario, const std::string& name) {
+  const Billiard game = played(scenario, 0.1);
+  const std::size_t puck = puckNamed(scenario, name);
+  const WorldLine& line = game.worldLines()[puck];
+  const double radius_m = scenario.billiard.pucks[puck].radius_m;
+  const Vec3 start_m = line.at(0.0).event.r_m;
+  const Event eye{
+      0.0, {scenario.observer.position_m.x, start_m.y, start_m.z}};  // sees what was before the first bounce
+  const auto seen = [&](double offset_m) {
+    return emission(line, {offset_m, 0.0, 0.0}, eye, Lorentz(line.lightSpeed_m_s())).value().event.r_m.x;
+  };
+  return (seen(radius_m) - seen(-radius_m)) / (2.0 * radius_m);
+}
+
+TEST(LessonNumbers, PairsOfTwenty) {
+  const Scenario scenario = shipped("pairs-20");
+  const double coming = seenLength(scenario, "right 1"), going = seenLength(scenario, "left 1");
+  EXPECT_NEAR(coming, 2.0, 1e-9) << "twice: the second answer";
+  EXPECT_NE(scenario.lesson->words.answers[scenario.lesson->words.right].find("Twice"), std::string::npos);
+  const auto contracted = [&](const char* name) {
+    return 1.0 / gammaFromU(uFromBeta(Vec3(scenario.billiard.pucks[puckNamed(scenario, name)].beta, 0.0)));
+  };
+  Numbers(claims(scenario))
+      .has(0.6, 1)  // c
+      .has(coming, 0)
+      .has(going, 1)
+      .has(seenLength(scenario, "right 2"), 0)
+      .has(seenLength(scenario, "left 2"), 2)
+      .has(contracted("left 1"), 1)
+      .has(contracted("left 2"), 1)
+      .has(1.0, 0);
+}
+
+// Flown here in steps of a millisecond by the observer's own hyperbolae, at rest in the room.
+TEST(LessonNumbers, Twins) {
+  const Scenario scenario = shipped("twins");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const Head head{{{0.0, 0.0, kEyes_m}, {1.0, 0.0, 0.0, 0.0}}, Vec3(0.0)};
+  Observer traveller(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, head);
+  const Vec3 home_m = traveller.headEvent().r_m;
+  constexpr double kStep_s = 1e-3;
+  double fastest = 0.0;
+  Numbers numbers(claims(scenario));
+  double firstLeg_s = 0.0, leg_s = 0.0, size_m_s2 = 0.0;
+  for (const ThrustLeg& leg : scenario.tour) {
+    size_m_s2 = glm::length(leg.thrust_m_s2);
+    leg_s = leg_s == 0.0 ? leg.for_s : std::min(leg_s, leg.for_s);
+    for (int i = 0; i < static_cast<int>(std::lround(leg.for_s / kStep_s)); ++i) {
+      traveller.step(kStep_s, head, 1.0, leg.thrust_m_s2);
+      fastest = std::max(fastest, glm::length(betaFromU(traveller.boardFromRoom().u())));
+    }
+    if (firstLeg_s == 0.0) firstLeg_s = traveller.headEvent().t_s;
+  }
+  EXPECT_NEAR(glm::distance(traveller.headEvent().r_m, home_m), 0.0, 1e-6) << "back home";
+  EXPECT_NEAR(glm::length(traveller.boardFromRoom().u()), 0.0, 1e-6) << "and at rest";
+  EXPECT_NEAR(firstLeg_s, c_m_s / size_m_s2 * std::sinh(size_m_s2 * leg_s / c_m_s), 1e-6);
+  EXPECT_GT(traveller.headEvent().t_s, traveller.properTime_s()) << "longer: the second answer";
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  numbers.has(traveller.properTime_s(), 0)
+      .has(traveller.headEvent().t_s, 1)
+      .has(traveller.properTime_s() / leg_s, 0)
+      .has(leg_s, 0)
+      .has(size_m_s2, 1)
+      .has(firstLeg_s, 2)
+      .has(fastest, 2);
+}
+
+}  // namespace
+}  // namespace carom

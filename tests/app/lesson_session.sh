@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# lesson_session.sh CAROM CONFIG: a lesson in a real window asks first, and the person's time stands still meanwhile; a
+# number that is no answer changes nothing, one that is sets the game going; Enter explains; Y plays the game again
+# without asking, and once it was explained asks anew, which Enter passes over. The session files have the answers, in
+# words and in the frames, and replay as they were. A session that ends by itself does not ask.
+set -uo pipefail
+carom=$1
+config=$2
+for tool in xdotool sqlite3; do
+  command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+out=$(mktemp -d)
+job=
+trap '[ -z "$job" ] || kill -9 "$job" 2>/dev/null; rm -rf "$out"' EXIT
+fail() {
+  echo "FAILED: $1"
+  cat "$out/stderr"
+  exit 1
+}
+ask() { sqlite3 "$out/$1.db" "$2" 2>/dev/null; }
+await() { # FILE SQL: until it is 1
+  for _ in $(seq 600); do
+    [ -e "$out/$1.db" ] && [ "$(ask "$1" "$2")" = 1 ] && return
+    sleep 0.1
+  done
+  fail "$1: not within a minute: $2"
+}
+press() { xdotool key --window "$(xdotool search --name 'Carom: screen' | head -1)" "$1" || fail "no window takes $1"; }
+more_frames() { await "$1" "SELECT count(*) >= $(($(ask "$1" "SELECT count(*) FROM frame") + 15)) FROM frame"; }
+expect() { # FILE SQL VALUE WORDS
+  local is
+  is=$(ask "$1" "$2")
+  [ "$is" = "$3" ] || fail "$4: $is, expected $3"
+}
+
+sed -e 's/^pixels = .*/pixels = [96, 54]/' "$config/rigs/single-screen.toml" >"$out/room.toml"
+"$carom" cave --rig "$out/room.toml" --scenario "$config/scenarios/light-clock.toml" --session "$out/class.db" \
+  2>"$out/stderr" &
+job=$!
+await class "SELECT count(*) >= 15 FROM frame"
+press 4
+more_frames class
+expect class "SELECT count(DISTINCT t_s) + count(DISTINCT proper_time_s) FROM frame" 2 \
+  "board and own times while it asks"
+press 2
+await class "SELECT count(*) = 1 FROM answer"
+answered=$(ask class "SELECT frame FROM answer")
+expect class "SELECT answer FROM answer" "4 times" "the answer"
+expect class "SELECT count(*) FROM input WHERE what = 'lesson' AND value = 'shows, answered 2'" 1 "the input"
+await class "SELECT max(t_s) - min(t_s) > 0.3 FROM frame"
+expect class "SELECT count(DISTINCT t_s) FROM frame WHERE number < $answered" 1 "board times before the answer"
+press y
+await class-2 "SELECT max(t_s) - min(t_s) > 0.3 FROM frame"
+expect class-2 "SELECT count(*) FROM answer" 0 "answers to a game that is only seen again"
+press Return
+await class-2 "SELECT count(*) = 1 FROM input WHERE value = 'explains, answered 2'"
+more_frames class-2
+press y
+await class-3 "SELECT count(*) >= 15 FROM frame"
+expect class-3 "SELECT count(DISTINCT t_s) FROM frame" 1 "board times while it asks anew"
+press Return
+await class-3 "SELECT count(*) = 1 FROM answer WHERE answer = '(passed over)'"
+more_frames class-3
+press Escape
+wait "$job" || fail "the session did not end well"
+job=
+
+frames=$(ask class "SELECT count(*) FROM frame")
+"$carom" replay "$out/class.db" --capture "$out/pictures" --no-window 2>"$out/stderr" || fail "the replay"
+[ "$(find "$out/pictures" -name '*.png' | wc -l)" = "$frames" ] || fail "the replay has not all $frames pictures"
+asked=$(printf '%s/pictures/screen-mono-%06d.png' "$out" $((answered - 1)))
+shown=$(printf '%s/pictures/screen-mono-%06d.png' "$out" $((answered + 1)))
+! cmp -s "$asked" "$shown" || fail "the panel says the same before and after the answer"
+
+"$carom" cave --rig "$out/room.toml" --scenario "$config/scenarios/light-clock.toml" --session "$out/alone.db" \
+  --frames 5 --no-window 2>"$out/stderr" || fail "a session of five frames"
+expect alone "SELECT count(DISTINCT t_s) FROM frame" 5 "board times of a session that ends by itself"
+echo "a lesson was asked, answered, shown, explained, shown again and asked anew: $frames frames of the first game"

@@ -1,0 +1,198 @@
+// How a lesson goes, and how it is read from a scenario.
+#include "app/lesson.h"
+
+#include <gtest/gtest.h>
+
+#include "app/temporary_folder.h"
+#include "app/toml_file.h"
+
+namespace carom {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr LessonState kAsks{LessonPhase::asks, 0};
+
+const std::string kHead = "light_speed_m_s = 1\ntitle = 'Twins'\n";
+const std::string kLesson = R"([lesson]
+question = "Who is older?"
+answers = ["Neither", "Who stayed"]
+right = 2
+todo = "Go."
+notice = "The clocks."
+number = "10 s and 8 s."
+views = ["clocks", "my-now"]
+)";
+
+Scenario read(const std::string& text) {
+  const TemporaryFolder folder;
+  return readScenario(folder.file("given.toml", text));
+}
+
+TEST(LessonFlow, AnAnswerComesBeforeTheSight) {
+  const LessonState shows = advance(kAsks, 3, 2, false);
+  EXPECT_EQ(shows, (LessonState{LessonPhase::shows, 2}));
+  const LessonState explains = advance(shows, 3, 0, true);
+  EXPECT_EQ(explains, (LessonState{LessonPhase::explains, 2}));
+  EXPECT_EQ(advance(explains, 3, 0, true), shows) << "and back";
+}
+
+TEST(LessonFlow, AQuestionCanBePassedOver) {
+  EXPECT_EQ(advance(kAsks, 3, 0, true), (LessonState{LessonPhase::shows, 0}));
+}
+
+TEST(LessonFlow, WhatIsNoAnswerChangesNothing) {
+  for (const int answer : {-1, 0, 4, 9}) EXPECT_EQ(advance(kAsks, 3, answer, false), kAsks) << answer;
+  for (const LessonPhase phase : {LessonPhase::none, LessonPhase::shows, LessonPhase::explains}) {
+    const LessonState state{phase, 1};
+    EXPECT_EQ(advance(state, 3, 2, false), state) << "it has been answered, or there is no question";
+  }
+  EXPECT_EQ(advance({}, 0, 1, true), LessonState{}) << "there is no lesson";
+}
+
+TEST(LessonFlow, BeginsWithItsQuestionAndItsViewsBesideThoseThatAreOn) {
+  const Scenario scenario = read(kHead + kLesson);
+  Controls controls;
+  controls.views.paths = 1;
+  beginLesson(scenario, true, controls);
+  EXPECT_EQ(controls.lesson, kAsks);
+  EXPECT_EQ(controls.lessonAnswers, 2u);
+  TimeViews views;
+  views.paths = views.clocks = views.myNow = 1;
+  EXPECT_EQ(controls.views, views);
+}
+
+TEST(LessonFlow, ASessionThatEndsByItselfDoesNotAsk) {
+  Controls controls;
+  beginLesson(read(kHead + kLesson), false, controls);
+  EXPECT_EQ(controls.lesson, (LessonState{LessonPhase::shows, 0}));
+}
+
+TEST(LessonFlow, TheNextGameWithoutALessonHasNone) {
+  Controls controls;
+  beginLesson(read(kHead + kLesson), true, controls);
+  beginLesson(read(kHead), true, controls);
+  EXPECT_EQ(controls.lesson, LessonState{});
+  EXPECT_EQ(controls.lessonAnswers, 0u);
+}
+
+TEST(LessonFlow, TheJournalHasTheAnswerInWords) {
+  const LessonWords words = read(kHead + kLesson).lesson->words;
+  EXPECT_EQ(answerText(words, {LessonPhase::shows, 2}), "Who stayed");
+  EXPECT_EQ(answerText(words, {LessonPhase::shows, 0}), "(passed over)");
+}
+
+TEST(LessonFile, IsRead) {
+  const Scenario scenario = read(kHead + kLesson);
+  ASSERT_TRUE(scenario.lesson);
+  const LessonWords& words = scenario.lesson->words;
+  EXPECT_EQ(words.title, "Twins");
+  EXPECT_EQ(words.question, "Who is older?");
+  EXPECT_EQ(words.answers, (std::vector<std::string>{"Neither", "Who stayed"}));
+  EXPECT_EQ(words.right, 1u);
+  EXPECT_EQ(words.todo, "Go.");
+  EXPECT_EQ(words.notice, "The clocks.");
+  EXPECT_EQ(words.number, "10 s and 8 s.");
+  EXPECT_FALSE(read(kHead).lesson);
+}
+
+TEST(LessonFile, LettersAreCountedNotBytes) {
+  std::string letters;
+  for (std::size_t i = 0; i < Lesson::kTextLetters; ++i) letters += "γ";
+  std::string text = kHead + kLesson;
+  text.replace(text.find("Go."), 3, letters);
+  EXPECT_EQ(read(text).lesson->words.todo, letters);
+  text.insert(text.find(letters), "γ");
+  EXPECT_THROW(read(text), InputErrors);
+}
+
+TEST(LessonFile, TheTeachersExampleIsOne) {
+  const std::string page = test::contentOf(CAROM_CONFIG_DIR "/../app/doc/teachers.md");
+  const auto begins = page.find("```toml\n") + 8, ends = page.find("```", begins);
+  ASSERT_LT(ends, page.size());
+  const Scenario scenario = read(page.substr(begins, ends - begins));
+  ASSERT_TRUE(scenario.lesson);
+  EXPECT_EQ(scenario.lesson->words.answers.size(), 3u);
+  const auto& flashes = scenario.billiard.flashes;
+  const Vec3 eye_m = scenario.observer.position_m + Vec3(0.0, 0.0, 1.7);
+  const double later_s =
+      (glm::distance(eye_m, flashes.at(1).at.r_m) - glm::distance(eye_m, flashes.at(0).at.r_m)) /
+      scenario.billiard.lightSpeed_m_s;
+  EXPECT_NEAR(later_s, 1.41, 0.005) << scenario.lesson->words.number;
+}
+
+TEST(LessonFile, PulsesAreRead) {
+  const Scenario scenario =
+      read(kHead + "[[pulse]]\nname = 'light'\nat_s = 0.5\npath_m = [[0, 0, 1], [0, 0, 2], [0, 0, 1]]\n");
+  ASSERT_EQ(scenario.pulses.size(), 1u);
+  EXPECT_EQ(scenario.pulses[0].name, "light");
+  EXPECT_EQ(scenario.pulses[0].at_s, 0.5);
+  EXPECT_EQ(scenario.pulses[0].path_m, (std::vector<Vec3>{{0, 0, 1}, {0, 0, 2}, {0, 0, 1}}));
+}
+
+struct Fault {
+  const char* what;
+  std::string before, after;  ///< in the lesson
+  int line, column;
+  const char* words;
+};
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
+class LessonFaults : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(LessonFaults, ArePlacedAndExplained) {
+  const Fault& fault = GetParam();
+  std::string text =
+      kHead + kLesson + "[[pulse]]\nname = 'light'\nat_s = 0\npath_m = [[0, 0, 1], [0, 0, 2]]\n";
+  const auto at = text.find(fault.before);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, fault.before.size(), fault.after);
+  try {
+    read(text);
+    FAIL() << "was taken: " << fault.what;
+  } catch (const InputErrors& error) {
+    EXPECT_EQ(error.line(), fault.line) << error.what();
+    EXPECT_EQ(error.column(), fault.column) << error.what();
+    EXPECT_NE(error.message().find(fault.words), std::string::npos) << error.what();
+    EXPECT_EQ(error.faults().size(), 1u) << error.faults().back().what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OneByOne, LessonFaults,
+    ::testing::Values(
+        Fault{"unknown key", "todo =", "tudo =", 7, 1, "unknown key 'tudo', expected 'todo'?"},
+        Fault{"nothing to notice", "notice = \"The clocks.\"\n", "", 3, 1, "notice is missing"},
+        Fault{"one answer", R"(["Neither", "Who stayed"])", R"(["Neither"])", 5, 11,
+              "1 answer here, expected answers = [...] with two to four"},
+        Fault{"five answers", R"(["Neither", "Who stayed"])", R"(["1", "2", "3", "4", "5"])", 5, 11,
+              "5 answers here"},
+        Fault{"no answers", "answers = [\"Neither\", \"Who stayed\"]\n", "", 3, 1, "0 answers here"},
+        Fault{"an answer that is none", R"("Neither")", "7", 5, 12, "answers[0] is a whole number"},
+        Fault{"an empty answer", R"("Neither")", "\"\"", 5, 12, "answers[0] is empty"},
+        Fault{"an answer too long", "Who stayed", std::string(Lesson::kAnswerLetters + 1, 'w'), 5, 23,
+              "answers[1] has 71 letters, expected 70 at most"},
+        Fault{"right beyond the answers", "right = 2", "right = 3", 6, 9, "right is 3, expected"},
+        Fault{"right before them", "right = 2", "right = 0", 6, 9, "right is 0, expected"},
+        Fault{"a question too long", "Who is older?", std::string(Lesson::kQuestionLetters + 1, 'w'), 4, 12,
+              "question has 161 letters, expected 160 at most"},
+        Fault{"a number too long", "10 s", std::string(Lesson::kTextLetters, 'w'), 9, 10,
+              "number has 239 letters"},
+        Fault{"a view mistyped", "\"clocks\"", "\"clock\"", 10, 10,
+              "there is no view 'clock', expected 'clocks'?"},
+        Fault{"no array of views", R"(["clocks", "my-now"])", "1", 10, 9, "views is a whole number"},
+        Fault{"a pulse of one place", "[[0, 0, 1], [0, 0, 2]]", "[[0, 0, 1]]", 14, 10,
+              "path_m has one place, expected two places at least"},
+        Fault{"a pulse that stays", "[0, 0, 2]", "[0, 0, 1]", 14, 10, "path_m[1] is the place before it"},
+        Fault{"a place of two numbers", "[0, 0, 2]", "[0, 0]", 14, 22,
+              "path_m[1] is wrong, expected a place"},
+        Fault{"a place that is none", "[0, 0, 2]", "[0, 0, 'x']", 14, 29, "path_m[1][2] is a text"},
+        Fault{"a pulse without a way", "path_m = [[0, 0, 1], [0, 0, 2]]\n", "", 11, 1, "path_m is missing"},
+        Fault{"a pulse without a name", "name = 'light'\n", "", 11, 1, "name is missing"}));
+
+TEST(LessonFile, NamesOfPulsesAreTheirOwn) {
+  const std::string pulse = "[[pulse]]\nname = 'light'\nat_s = 0\npath_m = [[0, 0, 1], [0, 0, 2]]\n";
+  EXPECT_THROW(read(kHead + pulse + pulse), InputErrors);
+}
+
+}  // namespace
+}  // namespace carom
