@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/config_folder.h"
 #include "app/frame_loop.h"
 #include "app/lesson.h"
 #include "app/live_source.h"
@@ -87,12 +88,18 @@ Before whatWas(const std::filesystem::path& file) {
   return before;
 }
 
-/// What the session begins with: asked for, or left by the one that goes on.
-Controls firstControls(const Stage& stage, const CaveOptions& options, const Before& before) {
+/// What a game begins with.
+Controls controlsOf(const Stage& stage, const CaveOptions& options) {
   Controls controls = controlsAtStart(stage);
   controls.switches = options.switches;
   controls.views = options.views;
   beginLesson(stage.scenario, !options.frames, controls);
+  return controls;
+}
+
+/// What the session begins with: asked for, or left by the one that goes on.
+Controls firstControls(const Stage& stage, const CaveOptions& options, const Before& before) {
+  Controls controls = controlsOf(stage, options);
   if (!before.last) return controls;
   // A question that waits for its answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) controls.lesson = before.last->lesson;
@@ -131,6 +138,34 @@ std::filesystem::path fileAfter(const std::filesystem::path& first) {
   }
 }
 
+/// Another game begins as this program does; what belongs to the room stays. The same game again keeps all that was
+/// set; a lesson that is being looked at is shown again, and one that was explained is over: its question is the next
+/// visitor's.
+Controls controlsOfNext(const Controls& before, const std::string& file, const Stage& stage,
+                        const CaveOptions& options) {
+  Controls controls = controlsOf(stage, options);
+  controls.eyeSeparation_m = before.eyeSeparation_m;
+  controls.walls = before.walls;
+  controls.playing = file;
+  if (!isSameFile(file, before.playing)) return controls;
+  controls.switches = before.switches;
+  controls.views = before.views;
+  controls.views.frozen = 0;
+  controls.lightSpeed_m_s = before.lightSpeed_m_s;
+  if (before.lesson.phase == LessonPhase::shows) controls.lesson = before.lesson;
+  return controls;
+}
+
+/// The journal of the next game; where it cannot be written, that is said and the game is played without.
+std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& session, const StageOptions& inputs,
+                                         const Stage& stage) try {
+  return openJournal(session, false, inputs, stage);
+} catch (const std::runtime_error& error) {
+  fmt::print(stderr, "error: {}. This game is not written.\n", error.what());
+  session.reset();
+  return nullptr;
+}
+
 /// Rank 0 may have chosen another game, or the same from its beginning: then every node goes on with it. False:
 /// nobody has, it is the end.
 bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions& inputs, Stage& stage,
@@ -138,27 +173,21 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions&
   std::string file = lead ? std::exchange(lead->controls.play, {}) : "";
   cluster.share(file);
   if (file.empty()) return false;
-  if (!playNext(cluster, stage, file)) return true;
+  if (!playNext(cluster, stage, file)) {
+    if (stage.console) stage.console->say(fmt::format("{} cannot be played: the terminal says why", file));
+    return true;
+  }
   inputs.scenario = {file, {}};
   together(cluster, [&] {
     if (!lead) return;
     std::optional<std::filesystem::path> session;
     if (options.session) session = fileAfter(*options.session);
-    source->playAnew(openJournal(session, false, inputs, stage));
+    source->playAnew(openNextJournal(session, inputs, stage));
     if (stage.console) stage.console->writeTo(session);
-    const double eyes_m = lead->controls.eyeSeparation_m;
-    const WallControls walls = lead->controls.walls;
-    const LessonState lesson = lead->controls.lesson;
-    const bool again = file == lead->controls.playing;
-    lead->controls = controlsAtStart(stage);
-    beginLesson(stage.scenario, !options.frames, lead->controls);
-    // A lesson that is being looked at is shown again; explained, it is over: its question is the next visitor's.
-    if (again && lesson.phase == LessonPhase::shows) lead->controls.lesson = lesson;
-    lead->controls.eyeSeparation_m = eyes_m;
-    lead->controls.walls = walls;
-    lead->controls.playing = file;
+    lead->controls = controlsOfNext(lead->controls, file, stage, options);
     fmt::print(stderr, "{}{}\n", stage.scenario.title, session ? " is written to " + session->string() : "");
   });
+  stage.graphics->poll();  // what was pressed while it was made ready is meant for nothing
   return true;
 }
 

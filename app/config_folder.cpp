@@ -26,4 +26,9 @@ std::filesystem::path shippedFile(const std::filesystem::path& given, std::strin
   return given;
 }
 
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code failed;
+  return a == b || std::filesystem::equivalent(a, b, failed);
+}
+
 }  // namespace carom

@@ -15,4 +15,7 @@ const std::filesystem::path& configFolder();
 /// shipped name is returned as it is.
 std::filesystem::path shippedFile(const std::filesystem::path& given, std::string_view kind);
 
+/// The same file, however it is named.
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
 }  // namespace carom

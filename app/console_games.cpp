@@ -14,12 +14,6 @@ namespace {
 
 constexpr float kListWidth = 0.46F;  // of what there is
 
-/// The same file, however it is named.
-bool isSame(const std::string& a, const std::string& b) {
-  std::error_code failed;
-  return a == b || std::filesystem::equivalent(a, b, failed);
-}
-
 void paragraph(const char* what, const std::string& text) {
   if (text.empty()) return;
   dim(what);
@@ -68,7 +62,7 @@ void GamesPanel::play(const Scenario& scenario, const std::string& file) {
   scenario_ = &scenario;
   file_ = file;
   const auto known =
-      std::find_if(games_.begin(), games_.end(), [&](const Game& game) { return isSame(game.file, file); });
+      std::find_if(games_.begin(), games_.end(), [&](const Game& game) { return isSameFile(game.file, file); });
   chosen_ = played_ = static_cast<std::size_t>(known - games_.begin());
   if (known == games_.end() && !file.empty()) {
     const std::string name = std::filesystem::path(file).stem().string();

@@ -3,9 +3,8 @@
 //
 //   keys      W A S D steer, Space brakes, Home goes home
 //   mouse     aims at what it points to; its left button holds the cue
-//   gamepad   left stick steers, A or the right trigger holds the cue, the right stick draws it back, B
-//   brakes, Y goes
-//             home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4
+//   gamepad   left stick steers, A or the right trigger holds the cue, the right stick draws it back,
+//             B brakes, Y goes home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4
 
 #include <array>
 #include <cstdint>

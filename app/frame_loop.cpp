@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/desk.h"
 #include "app/frame_watch.h"
 
 namespace carom {
@@ -10,9 +9,9 @@ namespace {
 
 constexpr std::uint64_t kFramesBetweenNews = 30;
 
-/// What has been changed since `before` is said and written.
-void tell(Lead& lead, const Controls& before, std::uint64_t number, Console* console) {
-  for (const ControlChange& change : changesOf(before, lead.controls)) {
+/// What has been changed since `lead.before` is said and written.
+void tell(Lead& lead, std::uint64_t number, Console* console) {
+  for (const ControlChange& change : changesOf(lead.before, lead.controls)) {
     const std::string line = fmt::format("{}: {}", change.what, change.value);
     fmt::print(stderr, "{}\n", line);
     if (console) console->say(line);
@@ -27,9 +26,9 @@ void obey(Lead& lead, const WindowInput& input, const FrameState& state, Console
   lead.controls.walls = state.record.controls;
   lead.controls.views = state.record.views;
   lead.controls.lesson = state.record.lesson;
-  const Controls before = lead.controls;
+  lead.before = lead.controls;
   obeyKeys(input, lead.keys, state.record.display_s, lead.controls);
-  tell(lead, before, state.record.number, console);
+  tell(lead, state.record.number, console);
   if (!asksForKeys(input)) return;
   sayKeys(lead.keys);
   if (console) console->showKeys();
@@ -65,7 +64,6 @@ Controls controlsAtStart(const Stage& stage) {
 
 void runFrames(const Node& node, Lead* lead) {
   FrameState state;
-  Desk desk(lead ? lead->keys : KeysOf::session);
   FrameWatch watch(node.cluster, node.lock, node.display_hz);
   bool ended = false;
   while (!ended) {
@@ -94,7 +92,7 @@ void runFrames(const Node& node, Lead* lead) {
       obey(*lead, input, state, node.console);
       // In simulated time nobody plays: a run is then the same whatever lies on the desk.
       const bool asks = state.record.lesson.phase == LessonPhase::asks;
-      if (node.realTime) lead->source.handled(desk.gather(node.walls, input, asks));
+      if (node.realTime) lead->source.handled(lead->desk.gather(node.walls, input, asks));
     }
     const bool wanted = node.cluster.swapTogether(state, node.world, wantsToEnd(input), [lead] {
       if (lead) lead->source.drawn();
@@ -107,12 +105,13 @@ void runFrames(const Node& node, Lead* lead) {
     watch.swapped(state.record, lead && node.realTime ? &lead->source : nullptr);
     if (lead) lead->source.shown(state);
     if (lead && node.console) {
-      const Controls before = lead->controls;
+      lead->before = lead->controls;
       const LatencyView& latency = watch.numbers(state.record);
       node.console->show({state.record, node.world, node.walls, latency, lead->source, node.recording, lead->keys},
                          lead->controls);
-      tell(*lead, before, state.record.number, node.console);
+      tell(*lead, state.record.number, node.console);
     }
+    if (lead && wanted) lead->controls.play.clear();  // whoever wants to end wants no other game
     ended = wanted || state.record.last;
     if (lead && !node.realTime) sayProgress(lead->source, state.record.number + 1);
   }

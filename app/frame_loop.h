@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/desk.h"
 #include "app/frame_source.h"
 #include "app/keys.h"
 #include "app/stage.h"
@@ -33,6 +34,8 @@ struct Lead {
   KeysOf keys;
   Controls controls;
   std::unique_ptr<Sounds> sounds = nullptr;  ///< where the game is heard
+  Desk desk = Desk(keys);                    ///< what is held stays held from one game to the next
+  Controls before = {};  ///< before the operator's last wishes: kept, as copying into it allocates nothing
 };
 
 /// What makes the game heard, for who watches it in real time; none for others, or where they want silence.

@@ -70,7 +70,8 @@ HandPlay::Outcome HandPlay::strike(std::size_t puck, const HandInput& hand, Game
             fmt::format("{}: p = {:.2g} kg m/s, costs {:.2g} mc²; it arrives in {:.1f} s", target.name,
                         glm::length(stroke.momentum_kg_m_s), costOf(glm::length(u)), after_s)};
   } catch (const std::invalid_argument& error) {
-    return {{}, fmt::format("No stroke: {}", error.what())};
+    fmt::print(stderr, "{}\n", error.what());
+    return {{}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};
   }
 }
 

@@ -60,7 +60,6 @@ HandTracking::HandTracking(const Rig& rig, Trackers trackers) : trackers_(std::m
   sensorFromHand_ = inverse(rig.hand->handFromSensor);
   inputSensor_ = wand.kind == TrackerKind::vrpn ? 0 : rig.hand->sensor;  // as vrpn_decoder.h
   wandName_ = wand.name;
-  devices_.hasWand = true;
 }
 
 TrackerReport reportOf(const std::string& name, const char* use, const Tracker& tracker,
@@ -97,6 +96,7 @@ void HandTracking::follow(double now_s, std::span<const TrackerSample> samples,
     place_->see(now_s, samples);
     takeOf(inputSensor_, inputs, devices_.wand);
     devices_.wandKnown = place_->isKnown(now_s);
+    if (!devices_.wandKnown) devices_.wand = {};  // who finds it again presses anew
     devices_.roomFromHand = place_->roomFromSensor() * sensorFromHand_;
   }
   if (trackers_.spaceMouse) {

@@ -26,7 +26,6 @@ struct Handles {
 
 /// What the devices of the hand had told at a frame's begin.
 struct HandDevices {
-  bool hasWand = false;    ///< the rig has one
   bool wandKnown = false;  ///< its place has come lately (SensorPlace::kLately_s)
   Pose roomFromHand;       ///< of the wand: its origin is the hand, the rig's forward is where it points
   Handles wand;

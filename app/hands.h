@@ -2,13 +2,11 @@
 // The person's hands, whatever they hold: wand, mouse and gamepad hold the cue one at a time, and these, keys
 // and a SpaceMouse steer the platform.
 //
-//   wand        points along its forward; button 0 holds the cue, the way from where it was pressed draws it
-//   back;
-//               1 brakes, 2 goes home, 3 goes on, the stick steers along where it points; while a lesson
-//               asks, buttons 0 to 3 are its answers 1 to 4
+//   wand        points along its forward; button 0 holds the cue, the way from where it was pressed draws
+//               it back; 1 brakes, 2 goes home, 3 goes on, the stick steers along where it points; while a
+//               lesson asks, buttons 0 to 3 are its answers 1 to 4
 //   mouse       points from the eye whose picture it is over; it draws the cue back as far as the place on
-//   the cloth
-//               that it points to goes
+//               the cloth that it points to goes
 //   gamepad     aims by looking: from between the eyes, forward; its right stick draws the cue back
 //   SpaceMouse  steers right, up and forward; its left button brakes, its right one goes home
 //
@@ -43,6 +41,9 @@ class Hands {
     desk_ = desk;
     asks_ = asks;
   }
+
+  /// Whoever holds the cue has it no more, until they press again.
+  void letGo() { holder_.reset(); }
 
   // Of wand and SpaceMouse as they were told for the frame before.
   DriveWish drive() const;

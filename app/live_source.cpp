@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/lesson.h"
 
@@ -32,7 +33,8 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       drive_(scenario, rig.axes, !start.before),
       game_(scenario, start.struck),
       hands_(rig.axes),
-      handPlay_(scenario) {
+      handPlay_(scenario),
+      leftRoom_(rig.walls) {
   if (start.frames) lastFrame_ = firstFrame(start) + *start.frames - 1;
 }
 
@@ -46,6 +48,11 @@ void LiveSource::playAnew(std::unique_ptr<Journal> journal) {
   struck_.reset();
   frozen_.reset();
   lesson_ = {};
+  tours_.reset();
+  hands_.letGo();
+  desk_ = {};
+  spoken_ = {};
+  begins_ = true;
 }
 
 /// Where the lesson is with this frame: buttons of hands count as keys do.
@@ -94,7 +101,8 @@ void LiveSource::play(bool still, const FrameTimes& times, FrameRecord& record) 
 }
 
 void LiveSource::next(const Controls& controls, FrameState& state) {
-  const FrameTimes times = pacer_.next();
+  FrameTimes times = pacer_.next();
+  if (std::exchange(begins_, false)) times.step_s = 0.0;  // nobody lives while a game is loaded
   const auto begun = std::chrono::steady_clock::now();
   FrameRecord& record = state.record = {};
   const double pace = controls.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
@@ -117,6 +125,7 @@ void LiveSource::next(const Controls& controls, FrameState& state) {
   record.switches = controls.switches;
   play(still, times, record);
   say(drive_.news().words(), times);
+  say(leftRoom_.look(person_.head().pose.position_m), times);
   record.notice = spoken_.at(times.display_s);
   if (controls.views.myNow) game_.playToNowOf(record.observer);
   game_.advance(latestObservation_s(record.observer), state);

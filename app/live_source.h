@@ -14,6 +14,7 @@
 #include "app/hand_play.h"
 #include "app/hands.h"
 #include "app/journal.h"
+#include "app/left_room.h"
 #include "app/person.h"
 #include "app/rig.h"
 #include "app/scenario.h"
@@ -78,8 +79,10 @@ class LiveSource : public FrameSource {
   std::optional<Stroke> struck_;  ///< in the frame at hand
   std::unique_ptr<Journal> journal_;
   std::optional<std::uint64_t> lastFrame_;  ///< its number
+  bool begins_ = false;                     ///< another game, with the next frame
   DeskInput desk_;                          ///< of the frame before
   LessonState lesson_;                      ///< of the last frame
+  LeftRoom leftRoom_;
   Spoken spoken_;
   std::optional<ObserverView> frozen_;      ///< the sight that is walked round
   Deciding deciding_;

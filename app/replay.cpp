@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-bool isVisit(const ReplayOptions& options) { 
+bool isVisit(const ReplayOptions& options) {
   return options.observer || options.walk || options.beta || options.from_m || options.facing_rad;
 }
 

@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "app/controls.h"
+#include "app/cue.h"
 #include "app/stored_event.h"
 
 namespace carom {
@@ -84,18 +85,28 @@ void expectFlags(const Switches& switches) {
   for (const NamedSwitch& named : kNamedSwitches) expectFlag(named.name, switches.*named.value);
 }
 
-void expectPossible(const char* frame, const Lorentz& transform) {
+void expectPossible(const char* frame, const Lorentz& transform, double gameLightSpeed_m_s) {
   const double c_m_s = transform.lightSpeed_m_s();
-  expectFinite(frame, {c_m_s});
-  if (!(c_m_s > 0.0)) throw std::runtime_error(fmt::format("{} has light at {} m/s, expected more than 0", frame, c_m_s));
-  for (int column = 0; column < 4; ++column) {
-    const glm::dvec4& v = transform.matrix()[column];
-    expectFinite(frame, {v.x, v.y, v.z, v.w});
+  if (c_m_s != gameLightSpeed_m_s) {
+    throw std::runtime_error(
+        fmt::format("{} has light at {} m/s, expected the game's {}", frame, c_m_s, gameLightSpeed_m_s));
   }
+  // The inverse of a Lorentz transform is written down, not sought: of any other it is none.
+  constexpr double kRounding = 1e-9;
+  const glm::dmat4 one = (transform.inverse() * transform).matrix();
+  const double gamma = transform.matrix()[0][0];
+  bool possible = std::isfinite(gamma) && gamma > 0.0;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      const double off = std::abs(one[column][row] - (row == column ? 1.0 : 0.0));
+      possible = possible && off <= kRounding * gamma * gamma;
+    }
+  }
+  if (!possible) throw std::runtime_error(fmt::format("{} is none, expected a Lorentz transform", frame));
 }
 
-void expectPossible(const ObserverView& observer) {
-  expectPossible("the head's frame", observer.headFromBoard);
+void expectPossible(const ObserverView& observer, double gameLightSpeed_m_s) {
+  expectPossible("the head's frame", observer.headFromBoard, gameLightSpeed_m_s);
   for (const EyeView& eye : observer.eyes) {
     expectFinite("an eye's event", eye.observation);
     expectFinite("an eye's place in the room", eye.positionInRoom_m);
@@ -130,8 +141,8 @@ const FrameRecord& checked(const FrameRecord& record, std::int64_t number, doubl
   if (record.number != static_cast<std::uint64_t>(number))
     throw std::runtime_error(fmt::format("its record is of frame {}", record.number));
   expectFinite("display_s", {record.display_s});
-  expectPossible(record.observer);
-  expectPossible("the room's frame", record.boardFromRoom);
+  expectPossible(record.observer, gameLightSpeed_m_s);
+  expectPossible("the room's frame", record.boardFromRoom, gameLightSpeed_m_s);
   if (std::isnan(record.truncateFrom_s))
     throw std::runtime_error("truncateFrom_s is no number, expected a board time or infinity");
   const double c_m_s = record.lightSpeed_m_s;
@@ -254,6 +265,11 @@ std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try 
     for (int column = 2; column < 8; ++column)
       possible = possible && row.getColumn(column).isFloat() && std::isfinite(number(column));
     if (!possible) refuseFrame(frame, "a stroke on '" + name + "' that is none, expected finite numbers");
+    const double most_kg_m_s = kStrongestU * found->mass_kg * facts_.lightSpeed_m_s;
+    if (!(glm::length(stroke.momentum_kg_m_s) <= most_kg_m_s * (1.0 + 1e-9))) {
+      refuseFrame(frame, fmt::format("a stroke of {} kg m/s on '{}', expected {} at most",
+                                     glm::length(stroke.momentum_kg_m_s), name, most_kg_m_s));
+    }
     strokes.push_back(stroke);
   }
   return strokes;
@@ -303,7 +319,6 @@ void SessionFile::goTo(std::uint64_t number) {
   tables_->frame->bind(1, static_cast<std::int64_t>(number));
 }
 
-// Bisects, as display_s grows with the number.
 double SessionFile::shownAt_s(std::uint64_t number) const {
   SQLite::Statement& row = *tables_->shown;
   row.bind(1, static_cast<std::int64_t>(number));
@@ -312,6 +327,7 @@ double SessionFile::shownAt_s(std::uint64_t number) const {
   return shown_s;
 }
 
+// Bisects, as display_s grows with the number.
 std::uint64_t SessionFile::frameAt(double display_s) const {
   const auto ends = frames();
   if (!ends) return 0;

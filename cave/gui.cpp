@@ -17,7 +17,6 @@ namespace {
 
 constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";  // fonts-dejavu-core
 
-/// Letters of Europe and Greek ones.
 constexpr std::size_t kMostHeard = 256;
 const ImVec2 kNowhere{-1e9F, -1e9F};
 
@@ -37,6 +36,7 @@ constexpr std::array<std::pair<ImGuiKey_, int>, 15> kKeys{{{ImGuiKey_Tab, GLFW_K
                                                            {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
                                                            {ImGuiKey_A, GLFW_KEY_A}}};
 
+/// Letters of Europe and Greek ones.
 constexpr ImWchar kLetters[] = {0x20, 0x24F, 0x370, 0x3FF, 0x2010, 0x205E, 0x2190, 0x21FF, 0};
 
 }  // namespace
@@ -64,6 +64,11 @@ Gui::~Gui() {
 }
 
 void Gui::hear(const HeardByGui& heard) {
+  const auto points = [](const HeardByGui& any) { return any.kind == HeardByGui::Kind::pointer; };
+  if (!heard_.empty() && points(heard) && points(heard_.back())) {  // only where it is now counts
+    heard_.back() = heard;
+    return;
+  }
   if (heard_.size() == kMostHeard) heard_.clear();  // nobody has been looking
   heard_.push_back(heard);
 }

@@ -194,13 +194,11 @@ void HandAids::draw(const RoomFacts& room, const Wall& wall, const glm::dvec3& e
   if (!clip) return;
   const glm::dvec3& eyes_m = record.observer.eyes[2].positionInRoom_m;
   marks_.clear();
-  if (hand.pulling) {
-    const FacingPlane target = facing(hand.target_m, eyes_m, room);
-    addScale(hand, target);
-    if (hand.towards != glm::dvec3(0.0)) addCue(hand);
-    if (hand.u > 0.0) addArrow(hand, target);
-  }
+  const FacingPlane target = facing(hand.target_m, eyes_m, room);
+  if (hand.pulling && hand.towards != glm::dvec3(0.0)) addCue(hand);
+  if (hand.pulling && hand.u > 0.0) addArrow(hand, target);
   addRay(hand, eyes_m, room);
+  if (hand.pulling) addScale(hand, target);  // last: nothing lies over what is read
   const PlainState state(picture.framebuffer(), picture.size_px());
   blendOver();
   ribbons_.draw(marks_, *clip, picture.size_px());

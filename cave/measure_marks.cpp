@@ -70,7 +70,8 @@ void addToAndFro(const MarkSight& sight, const Resting& draw, const Vec3& a_m, c
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
   const Event& eye = sight.eye.observation;
   const double length_m = glm::distance(a_m, b_m);
-  const double furthest_m = std::max(glm::distance(eye.r_m, a_m), glm::distance(eye.r_m, b_m));
+  const double furthest_m =
+      sight.switches.retardation ? std::max(glm::distance(eye.r_m, a_m), glm::distance(eye.r_m, b_m)) : 0.0;
   // Seen since at least one way's time, for any tail; at most length_m more of it than of the light itself.
   const double first = std::floor((c_m_s * (eye.t_s - kPulseTail_s) - furthest_m) / length_m) - 1.0;
   std::array<Vec3, 6> path_m;

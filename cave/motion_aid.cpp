@@ -24,11 +24,6 @@ constexpr glm::vec4 kDark(0.03F, 0.03F, 0.04F, 0.75F);
 constexpr glm::vec3 kLight(0.95F, 0.95F, 0.95F);
 constexpr double kFlat = 0.7;  // cosine of a floor's slope against the room's
 
-glm::dvec3 normalOf(const Wall& wall) {
-  return glm::normalize(
-      glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m));
-}
-
 /// How far the corners of the walls reach along a direction.
 struct Reach {
   double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
@@ -46,6 +41,11 @@ Reach reachOf(const RoomFacts& room, const glm::dvec3& along) {
   return reach;
 }
 
+bool hasFloor(const RoomFacts& room) {
+  return std::any_of(room.walls.begin(), room.walls.end(),
+                     [&](const Wall& wall) { return glm::dot(normalOf(wall), room.up) > kFlat; });
+}
+
 }  // namespace
 
 glm::dvec3 platformInRoom_u(const FrameRecord& record) { return -record.boardFromRoom.inverse().u(); }
@@ -55,15 +55,17 @@ bool isDriven(const FrameRecord& record) {
          record.drive.mode != DriveMode::free;
 }
 
+double MotionAid::radius_m(const RoomFacts& room) { return hasFloor(room) ? kRadius_m : kSmall_m; }
+
 glm::dvec3 MotionAid::middle_m(const RoomFacts& room) {
   const glm::dvec3 right = glm::cross(room.forward, room.up);
   const Reach across = reachOf(room, right), ahead = reachOf(room, room.forward);
-  const bool hasFloor = std::any_of(room.walls.begin(), room.walls.end(), [&](const Wall& wall) {
-    return glm::dot(normalOf(wall), room.up) > kFlat;
-  });
-  const double before_m = kRadius_m + kClear_m;
-  return right * (0.5 * (across.least_m + across.most_m)) + room.up * reachOf(room, room.up).least_m +
-         room.forward * (ahead.most_m + (hasFloor ? -before_m : before_m));
+  const glm::dvec3 foot_m = room.up * reachOf(room, room.up).least_m;
+  if (hasFloor(room)) {
+    return foot_m + right * (0.5 * (across.least_m + across.most_m)) +
+           room.forward * (ahead.most_m - kRadius_m - kClear_m);
+  }
+  return foot_m + right * (across.most_m - kSmall_m) + room.forward * (ahead.most_m + kSmall_m);
 }
 
 void MotionAid::addLine(const glm::dvec3& from_m, const glm::dvec3& to_m, double halfWidth_m,
@@ -90,22 +92,24 @@ void MotionAid::addArrow(const RoomFacts& room, const glm::dvec3& from_m, const 
 void MotionAid::add(const RoomFacts& room, const FrameRecord& record) {
   const glm::dvec3 middle = middle_m(room), right = glm::cross(room.forward, room.up);
   const glm::dvec3 u = platformInRoom_u(record);
-  const double gamma = gammaFromU(u), size = glm::length(u);
+  const double gamma = gammaFromU(u), size = glm::length(u), around_m = radius_m(room);
+  const double thick = around_m / kRadius_m;
   const glm::dvec3 along = size > 0.0 ? u / size : glm::dvec3(0.0);
   const auto onCircle_m = [&](int side) {
     const double angle_rad = 2.0 * std::numbers::pi * side / kSides;
-    return kRadius_m * (std::cos(angle_rad) * right + std::sin(angle_rad) * room.forward);
+    return around_m * (std::cos(angle_rad) * right + std::sin(angle_rad) * room.forward);
   };
   const auto contracted_m = [&](const glm::dvec3& d_m) {
     return d_m + (1.0 / gamma - 1.0) * glm::dot(d_m, along) * along;
   };
   for (int side = 0; side < kSides; ++side) {
     const glm::dvec3 from_m = onCircle_m(side), to_m = onCircle_m(side + 1);
-    addLine(middle + from_m, middle + to_m, kCircle_m, kLight);
-    addLine(middle + contracted_m(from_m), middle + contracted_m(to_m), kEllipse_m, kContractedColour);
+    addLine(middle + from_m, middle + to_m, thick * kCircle_m, kLight);
+    addLine(middle + contracted_m(from_m), middle + contracted_m(to_m), thick * kEllipse_m,
+            kContractedColour);
   }
-  addArrow(room, middle, kRadius_m * betaFromU(u), kMotion_m, kMotionColour);
-  addArrow(room, middle, kRadius_m * record.drive.thrust, kThrust_m,
+  addArrow(room, middle, around_m * betaFromU(u), thick * kMotion_m, kMotionColour);
+  addArrow(room, middle, around_m * record.drive.thrust, thick * kThrust_m,
            record.drive.atLimit ? kLimitColour : kThrustColour);
 }
 

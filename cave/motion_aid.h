@@ -28,10 +28,12 @@ class MotionAid {
  public:
   static constexpr double kRadius_m = 0.3;  ///< of the circle
   static constexpr double kClear_m = 0.2;   ///< between it and the front wall
+  static constexpr double kSmall_m = 0.15;  ///< radius in a room without a floor
 
-  /// Where its middle is: on the floor, before the front wall; behind that wall in a room that has no floor
-  /// to see it on.
+  /// Where its middle is: on the floor, before the front wall. In a room that has no floor to see it on: small,
+  /// behind that wall's lower right corner, where it is seen below the game.
   static glm::dvec3 middle_m(const RoomFacts& room);
+  static double radius_m(const RoomFacts& room);
 
   /// Over the picture of `wall` for an eye in the room. Costs nothing where there is nothing to draw. Within
   /// the drawing context, which has to be current when this is made and destroyed, too.

@@ -22,6 +22,7 @@
 
 #include "cave/gl_program.h"
 #include "cave/mesh_builder.h"
+#include "cave/off_axis.h"
 #include "cave/plain_state.h"
 #include "cave/ribbons.h"
 #include "cave/room_camera.h"
@@ -353,9 +354,7 @@ void RoomView::Drawing::makePicture(const glm::ivec2& wanted_px) {
 
 /// Whether the camera sees the side that the person sees.
 bool RoomView::Drawing::isInside(const Wall& wall) const {
-  const glm::dvec3 normal =
-      glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m);
-  return glm::dot(normal, camera.place_m() - wall.lowerLeft_m) > 0.0;
+  return glm::dot(normalOf(wall), camera.place_m() - wall.lowerLeft_m) > 0.0;
 }
 
 void RoomView::Drawing::drawGround() {
@@ -499,8 +498,7 @@ void RoomView::Drawing::drawLabels() const {
     if (stands && isInside(wall)) {
       place_m = middle_m + upwards_m + kAway_m * room.up;
     } else if (stands) {
-      const glm::dvec3 inwards = glm::cross(wall.lowerRight_m - wall.lowerLeft_m, upwards_m);
-      place_m = middle_m - 2.0 * kAway_m * glm::normalize(inwards);
+      place_m = middle_m - 2.0 * kAway_m * normalOf(wall);
     }
     const glm::dvec4 at = clip * glm::dvec4(place_m, 1.0);
     if (!(at.w > 0.0)) continue;

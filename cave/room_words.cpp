@@ -141,9 +141,11 @@ void addDrive(const FrameRecord& record, Lines& lines) {
   lines.add(kMotionColour, "my way over the board: {:.3f} c, gamma {:.2f}", glm::length(betaFromU(u)), gamma);
   lines.add(kSeenMark, "the speed of light");
   lines.add(kContractedColour, "a circle of the board: {:.2f} as long", 1.0 / gamma);
+  const DriveView& drive = record.drive;
+  if (drive.thrust == Vec3(0.0) && drive.mode == DriveMode::free && !drive.atLimit) return;
   constexpr std::array<std::string_view, 4> kModes{"", ", braking", ", on the way home", ", on tour"};
-  lines.add(record.drive.atLimit ? kLimitColour : kThrustColour, "thrust {:.2f} of the strongest{}",
-            glm::length(record.drive.thrust), kModes[static_cast<std::size_t>(record.drive.mode)]);
+  lines.add(drive.atLimit ? kLimitColour : kThrustColour, "thrust {:.2f} of the strongest{}",
+            glm::length(drive.thrust), kModes[static_cast<std::size_t>(drive.mode)]);
 }
 
 void addViews(const FrameRecord& record, Lines& lines) {
@@ -177,9 +179,7 @@ int beginOf_px(const RoomLine& line, int height_px) { return line.setIn ? 8 * he
 
 std::optional<Wall> frontWall(const RoomFacts& room) {
   for (const Wall& wall : room.walls) {
-    const glm::dvec3 normal =
-        glm::normalize(glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m));
-    if (-glm::dot(normal, room.forward) > std::sqrt(0.5)) return wall;
+    if (-glm::dot(normalOf(wall), room.forward) > std::sqrt(0.5)) return wall;
   }
   return std::nullopt;
 }

@@ -218,8 +218,8 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
 }
 
 Ruler rulerBeside(const BilliardSetup& setup, const glm::dvec3& person_m) {
-  constexpr double kFromRail_m = 0.13;  // seen over the rail from a metre beside the table
-  const double y = setup.board ? 0.5 * setup.board->width_m - kFromRail_m : 1.0;
+  // Seen over the rail from a metre beside the table, also on a screen that begins at the table's height.
+  const double y = setup.board ? 0.25 * setup.board->width_m : 1.0;
   const double side = person_m.y > 0.0 ? 1.0 : -1.0;
   return {{0.5 * side, side * y, 0.0}, {-side, 0.0, 0.0}, {0.0, -side, 0.0}};
 }

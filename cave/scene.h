@@ -75,8 +75,8 @@ struct Ruler {
   glm::dvec3 along{1.0, 0.0, 0.0}, aside{0.0, 1.0, 0.0};
 };
 
-/// The ruler at the near rail of someone who stands on the side of `person_m`; without a board, 1 m from its
-/// origin.
+/// The ruler halfway to the near rail of someone who stands on the side of `person_m`; without a board, 1 m from
+/// its origin.
 Ruler rulerBeside(const BilliardSetup& setup, const glm::dvec3& person_m);
 
 /// Bodies are numbered: 0 is everything at rest on the board, then the pucks, then the told bodies, as given.

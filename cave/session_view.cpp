@@ -3,11 +3,19 @@
 #include <array>
 
 #include <vtk_glew.h>
+#include <glm/geometric.hpp>
 
 #include "cave/plain_state.h"
 
 namespace carom {
 namespace {
+
+/// Does the body stay in this motion? At a moment of the frame that has it, it is where it is seen.
+bool stays(const WorldLine& line, const Vec3& u) {
+  constexpr double kSame_u = 1e-6;
+  const Knot& first = line.knots().front();
+  return line.knots().size() == 1 && first.deceleration_m_s2 == 0.0 && glm::distance(first.u, u) < kSame_u;
+}
 
 void drawSplitLine(const WallPicture& picture) {
   const glm::ivec2 size_px = picture.size_px();
@@ -58,7 +66,7 @@ void SessionView::look(WallRenderer& renderer, const Switches& switches, const F
     viewBody(world.histories[body], eye.observation, observer.headFromBoard, bodies_[body], switches);
   }
   const TimeViews& views = record.views;
-  const Ghosts ghosts = viewGhosts(switches, views, world, observer, eye);
+  const Ghosts ghosts = viewGhosts(switches, record, world, observer, eye);
   renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts);
   marked_ = views.paths || views.events || views.clocks || views.boardNow || views.myNow || views.ruler ||
             views.angles || !scene_.pulses.empty();
@@ -69,12 +77,17 @@ void SessionView::look(WallRenderer& renderer, const Switches& switches, const F
       {observer, eye, switches, views, record.pucks, world.histories, bodies_, world.events, ghosts});
 }
 
-Ghosts SessionView::viewGhosts(const Switches& switches, const TimeViews& views, const World& world,
+Ghosts SessionView::viewGhosts(const Switches& switches, const FrameRecord& record, const World& world,
                                const ObserverView& observer, const EyeView& eye) {
-  const auto view = [&](std::vector<BodyView>& ghosts, const Event& observation, Moment moment) {
+  const TimeViews& views = record.views;
+  // Scenery, and what goes along with the person, is told and needs no ghost that lies upon it.
+  const auto view = [&](std::vector<BodyView>& ghosts, const Event& observation, Moment moment,
+                        const Vec3& u) {
     ghosts.resize(bodies_.size());
     for (std::size_t body = 0; body < ghosts.size(); ++body) {
-      viewBody(world.histories[body], observation, observer.headFromBoard, ghosts[body], switches, moment);
+      const WorldLine& line = world.histories[body];
+      viewBody(line, observation, observer.headFromBoard, ghosts[body], switches, moment);
+      if (body > record.pucks && stays(line, u)) ghosts[body].legs.clear();
     }
     return std::span<const BodyView>(ghosts);
   };
@@ -83,9 +96,10 @@ Ghosts SessionView::viewGhosts(const Switches& switches, const TimeViews& views,
   // bodies themselves are there.
   if (views.boardNow && switches.retardation) {
     const Event moment{observer.eyes[2].observation.t_s, eye.observation.r_m};
-    ghosts.boardNow = view(boardNow_, moment, Moment::boardNow);
+    ghosts.boardNow = view(boardNow_, moment, Moment::boardNow, Vec3(0.0));
   }
-  if (views.myNow) ghosts.myNow = view(myNow_, eye.observation, Moment::myNow);
+  if (views.myNow)
+    ghosts.myNow = view(myNow_, eye.observation, Moment::myNow, record.boardFromRoom.u());
   return ghosts;
 }
 

@@ -35,7 +35,8 @@ class SessionView {
   ~SessionView();
 
   /// What `eye` of `observer` sees on its walls. `world.histories[i]` is body i of the scene. What a view of
-  /// time needs is made when it is first turned on; off, it costs nothing.
+  /// time needs is made when it is first turned on; off, it costs nothing. A told body that always rests on
+  /// the board has no ghost "now on the board", one that always goes with the room none of "my now".
   void draw(const FrameRecord& record, const World& world, const ObserverView& observer, const EyeView& eye,
             std::span<const PicturedWall> walls);
 
@@ -43,7 +44,7 @@ class SessionView {
   enum class Part { whole, left, right };
   void look(WallRenderer& renderer, const Switches& switches, const FrameRecord& record, const World& world,
             const ObserverView& observer, const EyeView& eye);
-  Ghosts viewGhosts(const Switches& switches, const TimeViews& views, const World& world,
+  Ghosts viewGhosts(const Switches& switches, const FrameRecord& record, const World& world,
                     const ObserverView& observer, const EyeView& eye);
   void drawPart(WallRenderer& renderer, Part part, const EyeView& eye, std::span<const PicturedWall> walls);
 

@@ -197,12 +197,12 @@ void addFigure(MarkBatch& batch, const glm::dvec3& drawn_m, const glm::dvec3& up
   batch.addStrip(std::span(inner).first(count), std::span(outer).first(count), colour);
 }
 
-void addBeacon(MarkBatch& batch, const OnBody& draw, const glm::vec3& ownColour, double reach_m,
+void addBeacon(MarkBatch& batch, const OnBody& draw, const glm::vec3& ownColour, double top_m,
                Moment moment) {
-  constexpr double kPin_m = 0.07, kFigure_m = 0.02, kOwn_m = 0.55 * kFigure_m;
+  constexpr double kPin_m = 0.11, kFigure_m = 0.02, kOwn_m = 0.55 * kFigure_m;
   const bool mine = moment == Moment::myNow;
   const glm::vec4 colour(mine ? kMyNowColour : kBoardNowColour, 1.0F);
-  const std::array<glm::dvec3, 2> pin{draw(Vec3(0.0)), draw({0.0, 0.0, reach_m + kPin_m})};
+  const std::array<glm::dvec3, 2> pin{draw(Vec3(0.0)), draw({0.0, 0.0, top_m + kPin_m})};
   batch.addLine(pin, colour, 0.0009);
   const glm::dvec3 up_m = pin[1] - pin[0];
   const double length_m = glm::length(up_m);
@@ -216,21 +216,29 @@ void addBeacon(MarkBatch& batch, const OnBody& draw, const glm::vec3& ownColour,
 
 }  // namespace
 
-void addBeacons(const MarkSight& sight, std::span<const glm::vec3> colours, std::span<const double> reach_m,
+void addBeacons(const MarkSight& sight, std::span<const glm::vec3> colours, std::span<const double> tops_m,
                 MarkBatch& batch) {
   const auto add = [&](std::span<const BodyView> ghosts, Moment moment) {
-    for (std::size_t body = 1; body < ghosts.size(); ++body)
-      addBeacon(batch, OnBody(sight, ghosts[body], moment), colours[body], reach_m[body], moment);
+    for (std::size_t body = 1; body < ghosts.size(); ++body) {
+      if (ghosts[body].legs.empty()) continue;
+      addBeacon(batch, OnBody(sight, ghosts[body], moment), colours[body], tops_m[body], moment);
+    }
   };
   add(sight.ghosts.myNow, Moment::myNow);
   add(sight.ghosts.boardNow, Moment::boardNow);  // for a head at rest the same: its diamond within the ring
 }
 
 TimeMarks::TimeMarks(const Scene& scene)
-    : colours_(scene.bodyCount), reach_m_(scene.reach_m), ruler_(scene.ruler), pulses_(scene.pulses) {
+    : colours_(scene.bodyCount),
+      reach_m_(scene.reach_m),
+      tops_m_(scene.bodyCount),
+      ruler_(scene.ruler),
+      pulses_(scene.pulses) {
   reach_m_.resize(scene.bodyCount);
   for (const ScenePart& part : scene.parts) {
-    if (part.paint != Paint::shadow) colours_[part.body] = part.colour;
+    if (part.paint == Paint::shadow) continue;
+    colours_[part.body] = part.colour;
+    tops_m_[part.body] = std::max(tops_m_[part.body], part.mesh->GetBounds()[5]);  // VTK's zmax
   }
 }
 
@@ -250,7 +258,7 @@ void TimeMarks::look(const MarkSight& sight) {
   if (sight.views.clocks) addPuckClocks(sight, colours_, reach_m_, crowd, batch_);
   if (sight.views.events) addEvents(sight, crowd, batch_);
   if (sight.views.angles) addAngles(sight, crowd, batch_);
-  addBeacons(sight, colours_, reach_m_, batch_);
+  addBeacons(sight, colours_, tops_m_, batch_);
   addPulses(sight, pulses_, batch_);
   marks_.upload(batch_);
 }

@@ -33,8 +33,8 @@ void addPuckClocks(const MarkSight& sight, std::span<const glm::vec3> colours,
 
 /// A pin above each ghost, moving with it, so that it is found and told apart far away and without colours:
 /// with a diamond "now on the board", with a ring "my now", around the body's own colour. Of every body of
-/// the scene: `colours`, linear; `reach_m`, how far they reach from their centres.
-void addBeacons(const MarkSight& sight, std::span<const glm::vec3> colours, std::span<const double> reach_m,
+/// the scene: `colours`, linear; `tops_m`, how far they reach up from their centres.
+void addBeacons(const MarkSight& sight, std::span<const glm::vec3> colours, std::span<const double> tops_m,
                 MarkBatch& batch);
 
 class TimeMarks {
@@ -51,7 +51,7 @@ class TimeMarks {
 
  private:
   std::vector<glm::vec3> colours_;  // of every body, linear
-  std::vector<double> reach_m_;     // of every body
+  std::vector<double> reach_m_, tops_m_;  // of every body
   Ruler ruler_;
   std::vector<LightPath> pulses_;
   std::size_t pucks_ = 0;

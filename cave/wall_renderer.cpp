@@ -288,6 +288,10 @@ void WallRenderer::Stage::chooseActors() {
       continue;
     }
     const LegRange& range = ranges[part->body];
+    if (range.count == 0) {
+      actor->SetVisibility(false);
+      continue;
+    }
     const bool many = range.count > 1 || eye.legs[static_cast<std::size_t>(range.first)].glide.w > 0.0F;
     actor->SetVisibility(many == (legs == Legs::many));
   }

@@ -22,7 +22,7 @@ namespace carom {
 class TimeMarks;
 
 /// The bodies at a moment, drawn as ghosts beside what is seen: each as many as the scene has, or none.
-/// Viewed with Moment::boardNow and Moment::myNow.
+/// Viewed with Moment::boardNow and Moment::myNow; a view without legs: that body has no ghost.
 struct Ghosts {
   std::span<const BodyView> boardNow, myNow;
 };

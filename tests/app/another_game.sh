@@ -51,7 +51,7 @@ last=$(sqlite3 "$out/visit.db" "SELECT max(number) FROM frame")
 IFS='|' read -r first t_s proper_s < <(
   sqlite3 "$out/visit-2.db" "SELECT number, t_s, proper_time_s FROM frame ORDER BY number LIMIT 1")
 [ "$first" = $((last + 1)) ] || fail "the second game begins with frame $first, the first ended with $last"
-begun=$(sqlite3 "$out/visit-2.db" "SELECT abs($proper_s) < 1 AND abs($t_s) < 2")
+begun=$(sqlite3 "$out/visit-2.db" "SELECT $proper_s = 0 AND abs($t_s) < 2")
 [ "$begun" = 1 ] || fail "the second game begins at board time $t_s, my clock $proper_s"
 for game in visit visit-2; do
   "$carom" events "$out/$game.db" --csv "$out/$game.csv" 2>"$out/stderr" || fail "events of $game"

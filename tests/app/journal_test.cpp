@@ -51,6 +51,7 @@ FrameState frameOf(std::uint64_t number) {
   state.record.display_s = x / 6.0;
   state.record.lightSpeed_m_s = kFacts.lightSpeed_m_s;
   state.record.observer.headFromBoard = Lorentz::boost({x, -x, 0.3}, 1.42);
+  state.record.boardFromRoom = Lorentz::boost({-x, 0.2, 0.0}, 1.42);
   state.record.observer.properTime_s = x / 7.0;
   for (EyeView& eye : state.record.observer.eyes) eye = {{x, {x / 3.0, -0.0, 1.7}}, {0.032, 1.7, x}};
   state.record.switches.colour = number % 2;
@@ -220,6 +221,7 @@ TEST(Journal, EventsThatAStrokeTookBackAreGoneFromTheTableButNotFromTheFrames) {
     FrameState state;
     state.record.number = number;
     state.record.lightSpeed_m_s = kFacts.lightSpeed_m_s;
+    state.record.observer.headFromBoard = state.record.boardFromRoom = Lorentz(kFacts.lightSpeed_m_s);
     state.record.pucks = 2;
     state.record.eventsKept = kept;
     state.events = std::move(events);
@@ -285,7 +287,7 @@ TEST(Journal, StrokesAreReadWithTheSameBitsInTheOrderOfTheFrames) {
         continue;
       }
       written.push_back({number % 2, std::abs(any(random)), Vec3(any(random), any(random), 1e-300),
-                         {any(random), 1.0}});
+                         {0.5 * any(random), 0.6}});
       journal.add(frameOf(number), head(), {}, std::span(&written.back(), 1));
     }
   }
@@ -318,6 +320,9 @@ TEST(Journal, StrokesAreReadWithTheSameBitsInTheOrderOfTheFrames) {
               std::string::npos)
         << value;
   }
+  EXPECT_NE(refusal("UPDATE stroke SET p_x_kg_m_s = 1e100 WHERE frame = 10")
+                .find("frame 10: a stroke of 1e+100 kg m/s on 'red', expected"),
+            std::string::npos);
 }
 
 TEST(StoredEvent, AnyBytesAreAnEventOrNone) {
@@ -623,7 +628,8 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
       {"lightSpeed_m_s is 0", [](FrameState& s) { s.record.lightSpeed_m_s = 0.0; }},
       {"lightSpeed_m_s is 1e+300", [](FrameState& s) { s.record.lightSpeed_m_s = 1e300; }},
       {"truncateFrom_s", [](FrameState& s) { s.record.truncateFrom_s = kNan; }},
-      {"the head's frame is", [](FrameState& s) { s.record.observer.headFromBoard = Lorentz(kNan); }},
+      {"the head's frame has light at nan",
+       [](FrameState& s) { s.record.observer.headFromBoard = Lorentz(kNan); }},
       {"the head's frame has light at -1",
        [](FrameState& s) { s.record.observer.headFromBoard = Lorentz(-1.0); }},
       {"the head's frame is",
@@ -634,6 +640,17 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
       {"an eye's place", [](FrameState& s) { s.record.observer.eyes[2].positionInRoom_m.x = kNan; }},
       {"that an eye sees from", [](FrameState& s) { s.record.observer.eyes[0].seenFromInRoom_m.y = kNan; }},
       {"proper time", [](FrameState& s) { s.record.observer.properTime_s = kNan; }},
+      {"the room's frame has light at 1 m/s, expected the game's 1.42",
+       [](FrameState& s) { s.record.boardFromRoom = Lorentz(1.0); }},
+      {"the room's frame is none",
+       [](FrameState& s) { s.record.boardFromRoom = Lorentz::rotation({1.0, 1.0, 0.0, 0.0}, 1.42); }},
+      {"hand.pulling is 2", [](FrameState& s) { s.record.hand.pulling = 2; }},
+      {"the hand is", [](FrameState& s) { s.record.hand.to_m.y = kNan; }},
+      {"the stroke is", [](FrameState& s) { s.record.hand.u = kNan; }},
+      {"drive.mode", [](FrameState& s) { s.record.drive.mode = static_cast<DriveMode>(4); }},
+      {"lesson is", [](FrameState& s) { s.record.lesson.phase = static_cast<LessonPhase>(4); }},
+      {"lesson is", [](FrameState& s) { s.record.lesson.answer = 5; }},
+      {"notice has no end", [](FrameState& s) { s.record.notice.text.fill('a'); }},
       {"head sensor", [](FrameState& s) { s.record.tracked.roomFromHeadSensor.orientation.w = kNan; }},
       {"the hand's", [](FrameState& s) { s.record.tracked.roomFromHand.position_m.y = kNan; }},
       {"a knot's turn", [](FrameState& s) { s.knots[0].knot.turn.t_s = kNan; }},

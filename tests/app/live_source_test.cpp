@@ -211,5 +211,58 @@ TEST_F(LiveSession, GoesOnWithItsStrokes) {
   expectTheGameOfItsStrokes(session, scenario_.billiard, atStart_);
 }
 
+/// Whatever the first game was doing when it was left: another one has nothing of it, and begins at its
+/// beginning however long it took to load.
+TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
+  auto simulated = std::make_unique<SimulatedClock>();
+  Clock& clock = *simulated;
+  World world{atStart_, {}};
+  LiveSource source(rig_, scenario_, world, {{}, std::move(simulated), false, {}, {}});
+  Controls controls;
+  FrameState state;
+  const auto frame = [&](const DeskInput& desk) {
+    source.handled(desk);
+    source.next(controls, state);
+    applyFrame(state, world);
+    source.drawn();
+    source.shown(state);
+  };
+  const auto aimed = [&](bool held) {
+    HandAim aim;
+    const EyeView& eye = state.record.observer.eyes[2];
+    const Vec3 way_m =
+        aim.seenInRoom_m(world.histories[1], {state.record.observer, 2, {}}) - eye.positionInRoom_m;
+    DeskInput desk;
+    desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(way_m), 2};
+    desk.mouseHeld = held;
+    return desk;
+  };
+  testing::internal::CaptureStderr();
+  frame({});
+  const FrameRecord first = state.record;
+  ++controls.tours;  // which this game has not: that is said
+  for (int i = 0; i < 30; ++i) frame(aimed(i > 20));
+  ASSERT_EQ(state.record.hand.pulling, 1);
+  ASSERT_NE(state.record.notice.words(), "");
+
+  controls = {};
+  world = {atStart_, {}};
+  source.playAnew(nullptr);
+  clock.sleepUntil(clock.now_s() + 2.0);
+  for (int i = 0; i < 10; ++i) {
+    frame(aimed(true));
+    if (i == 0) {
+      EXPECT_EQ(state.record.observer.properTime_s, first.observer.properTime_s);
+      EXPECT_NEAR(state.record.observer.eyes[2].observation.t_s, first.observer.eyes[2].observation.t_s, 0.5);
+    }
+    ASSERT_EQ(state.record.hand.pulling, 0) << "the cue is still held, frame " << i;
+    ASSERT_EQ(state.record.notice.words(), "") << "frame " << i;
+  }
+  frame(aimed(false));
+  frame(aimed(true));
+  EXPECT_EQ(state.record.hand.pulling, 1);
+  testing::internal::GetCapturedStderr();
+}
+
 }  // namespace
 }  // namespace carom

@@ -117,6 +117,7 @@ class ReplaySources : public testing::Test {
       frame.record.observer = person.at(times, 0.064);
       frame.record.number = times.number;
       frame.record.display_s = times.display_s;
+      frame.record.boardFromRoom = person.boardFromRoom();
       frame.record.lightSpeed_m_s = c_m_s();
       frame.record.switches.colour = times.number >= 30 && times.number < 60;
       frame.record.tracked = person.tracked();

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <string>
 
 #include "cave/capture.h"
@@ -120,8 +122,22 @@ TEST_F(Compass, StandsClearOfTheFrontWall) {
   EXPECT_NEAR(middle_m.x, 0.0, 1e-12);
   EXPECT_NEAR(middle_m.y, 0.0, 1e-12);
   EXPECT_NEAR(middle_m.z, -1.5 + MotionAid::kClear_m + MotionAid::kRadius_m, 1e-12);
-  EXPECT_LT(MotionAid::middle_m(roomOf({kFront})).z, -1.5 - MotionAid::kRadius_m)
-      << "seen through the only screen";
+}
+
+// Through the only screen: all of it, from before its middle, in its lower right quarter.
+TEST_F(Compass, InARoomWithoutAFloorIsSeenThroughTheScreensCorner) {
+  const RoomFacts room = roomOf({kFront});
+  const glm::dvec3 middle_m = MotionAid::middle_m(room), eye_m(0.0, 1.7, 0.0);
+  for (int i = 0; i < 16; ++i) {
+    const double angle_rad = 0.125 * std::numbers::pi * i;
+    const glm::dvec3 way(std::cos(angle_rad), 0.0, std::sin(angle_rad));
+    const glm::dvec3 rim_m = middle_m + MotionAid::radius_m(room) * way;
+    const glm::dvec3 on_m = eye_m + (rim_m - eye_m) * (-1.5 / rim_m.z);
+    EXPECT_GT(on_m.x, 0.5) << i;
+    EXPECT_LT(on_m.x, 1.5) << i;
+    EXPECT_GT(on_m.y, -1e-9) << i;
+    EXPECT_LT(on_m.y, 0.5) << i;
+  }
 }
 
 TEST(CompassInWords, SaysHowFastAndHowContracted) {
@@ -137,6 +153,7 @@ TEST(CompassInWords, SaysHowFastAndHowContracted) {
   EXPECT_TRUE(says(record, "0.80 as long"));
   EXPECT_TRUE(says(record, "thrust 0.50 of the strongest, on the way home"));
   EXPECT_FALSE(says(moving(Vec3(0.0)), "gamma"));
+  EXPECT_FALSE(says(moving({0.6, 0.0, 0.0}), "thrust")) << "none, and nobody asks for any";
 }
 
 }  // namespace

@@ -45,11 +45,6 @@ Wall randomWall(test::Random& random) {
   return wallOf(corner, corner + random.in(0.3, 4.0) * right, corner + random.in(0.3, 4.0) * up);
 }
 
-glm::dvec3 normalOf(const Wall& wall) {
-  return glm::normalize(
-      glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m));
-}
-
 /// The independent way: the ray from the eye through the point, cut with the wall's plane.
 glm::dvec3 rayOnWall(const Wall& wall, const glm::dvec3& eye, const glm::dvec3& point) {
   const glm::dvec3 normal = normalOf(wall);

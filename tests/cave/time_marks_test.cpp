@@ -258,9 +258,9 @@ TEST(Beacons, StandOnTheirGhosts) {
       viewBody(lines[body], eye, headFromBoard, views[body], {}, mine ? Moment::myNow : Moment::boardNow);
     MarkSight sight{observer, observer.eyes[2], {}, {}, 1, lines, {}, {}, {}};
     (mine ? sight.ghosts.myNow : sight.ghosts.boardNow) = views;
-    const std::array<double, 2> reach_m{0.0, 0.03};
+    const std::array<double, 2> tops_m{0.0, 0.03};
     MarkBatch batch;
-    addBeacons(sight, std::array<glm::vec3, 2>{}, reach_m, batch);
+    addBeacons(sight, std::array<glm::vec3, 2>{}, tops_m, batch);
     // At the head's moment t = t_o + β_h·(r − r_o)/c.
     const Vec3 headBeta = betaFromU(headFromBoard.inverse().u());
     const Vec3 atObservation_m = start_m + beta * kC_m_s * eye.t_s;

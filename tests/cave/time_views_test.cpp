@@ -193,6 +193,36 @@ TEST_F(TimeViewsTest, GhostsAreDrawnAtTheirMoments) {
   EXPECT_GT(drawn[1], 15);
 }
 
+// What is told to rest on the board needs no ghost of its now there, what goes with the room none of the room's: it
+// would lie upon it. A puck has one, however still it lies.
+TEST_F(TimeViewsTest, WhatAlwaysGoesAlongHasNoGhost) {
+  Scene scene = test::glowingPuck(0.25);
+  scene.reach_m = {0.0, 0.3};
+  SessionView view(graphics_, scene, kC_m_s);
+  const Vec3 u = uFromBeta({0.6, 0.0, 0.0});
+  const auto lineWith = [](const Vec3& its_u) {
+    return WorldLine({{0.0, {0.0, 1.0, 0.0}}, its_u, 0.0, {}, 0.0}, kC_m_s, 0.3);
+  };
+  FrameRecord record;
+  record.boardFromRoom = Lorentz::boost(u, kC_m_s);
+  record.observer = observerAt({0.1, Vec3(0.0)}, record.boardFromRoom.inverse(), Vec3(0.0));
+  const auto hasGhost = [&](const Vec3& its_u, bool mine, std::uint64_t pucks) {
+    const WorldLine line = lineWith(its_u);
+    const Wall wall = test::wallTowards(Vec3(0.0), {0.0, 1.0, 0.0}, kPicture_px);
+    record.pucks = pucks;
+    record.views = {};
+    const Image plain = draw(view, record, worldOf(line), wall);
+    (mine ? record.views.myNow : record.views.boardNow) = 1;
+    return draw(view, record, worldOf(line), wall).rgb != plain.rgb;
+  };
+  EXPECT_FALSE(hasGhost(Vec3(0.0), false, 0)) << "at rest on the board, told";
+  EXPECT_TRUE(hasGhost(Vec3(0.0), false, 1)) << "a puck";
+  EXPECT_TRUE(hasGhost(Vec3(0.0), true, 0)) << "in the moving room's now it is elsewhere";
+  EXPECT_FALSE(hasGhost(u, true, 0)) << "it goes with the room, told";
+  EXPECT_TRUE(hasGhost(u, true, 1)) << "a puck that does";
+  EXPECT_TRUE(hasGhost(u, false, 0)) << "it moves on the board";
+}
+
 // For a head that moves, both eyes see the ghost "now on the board" at one moment, that of the point between
 // them: the left eye's picture is the right eye's of the world moved by what is between the eyes.
 TEST_F(TimeViewsTest, TheBoardsMomentIsOneForBothEyes) {
