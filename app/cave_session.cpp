@@ -129,13 +129,31 @@ std::unique_ptr<LiveSource> sourceOf(const Stage& stage, const CaveOptions& opti
   return source;
 }
 
-/// The next game's session file, beside the first: visit.db, visit-2.db, visit-3.db.
+/// Each game's session file, beside the first: visit.db, visit-2.db, visit-3.db.
+std::filesystem::path fileOf(std::filesystem::path first, int game) {
+  return first.replace_filename(fmt::format("{}-{}{}", first.stem().string(), game, first.extension().string()));
+}
 std::filesystem::path fileAfter(const std::filesystem::path& first) {
-  for (int game = 2;; ++game) {
-    std::filesystem::path file = first;
-    file.replace_filename(fmt::format("{}-{}{}", first.stem().string(), game, first.extension().string()));
-    if (!std::filesystem::exists(file)) return file;
-  }
+  int game = 2;
+  while (std::filesystem::exists(fileOf(first, game))) ++game;
+  return fileOf(first, game);
+}
+
+/// What is wrong with a scenario that cannot be played, for the console.
+void tellConsole(Console& console, const std::string& file) try {
+  console.say(fmt::format("{} cannot be played", file));
+  openMeshes(readScenario(file));
+} catch (const InputErrors& errors) {
+  for (const InputError& error : errors.faults()) console.say(error.what());
+}
+
+/// Where the games of a session are.
+void sayWhere(const std::filesystem::path& first) {
+  fmt::print(stderr, "The session is in {}", first.string());
+  std::filesystem::path last;
+  for (int game = 2; std::filesystem::exists(fileOf(first, game)); ++game) last = fileOf(first, game);
+  if (!last.empty()) fmt::print(stderr, " and, game by game, up to {}", last.string());
+  fmt::print(stderr, ".\n");
 }
 
 /// Another game begins as this program does; what belongs to the room stays. The same game again keeps all that was
@@ -174,7 +192,8 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions&
   cluster.share(file);
   if (file.empty()) return false;
   if (!playNext(cluster, stage, file)) {
-    if (stage.console) stage.console->say(fmt::format("{} cannot be played: the terminal says why", file));
+    if (stage.console) tellConsole(*stage.console, file);
+    if (source) source->tell("That game has a mistake: the terminal and the console say where");
     return true;
   }
   inputs.scenario = {file, {}};
@@ -227,7 +246,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
     runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
   } while (goOnWithAnother(cluster, options, inputs, stage, source.get(), lead ? &*lead : nullptr));
   source.reset();  // the session file is whole
-  if (lead && options.session) fmt::print(stderr, "The session is in {}.\n", options.session->string());
+  if (lead && options.session) sayWhere(*options.session);
   stage.recording->finish();
   if (lead && options.recording.capture)
     fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());

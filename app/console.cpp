@@ -205,21 +205,7 @@ void Console::drawKeys() {
   ImGui::PopFont();
   dim("In this window and in any of this computer's walls.");
   ImGui::Spacing();
-  const int half = static_cast<int>((keyMap_.size() + 1) / 2);
-  if (ImGui::BeginTable("map", 4, ImGuiTableFlags_SizingFixedFit)) {
-    for (int row = 0; row < half; ++row) {
-      ImGui::TableNextRow();
-      for (const int line : {row, row + half}) {
-        if (line >= static_cast<int>(keyMap_.size())) break;
-        const KeyLine& key = keyMap_[static_cast<std::size_t>(line)];
-        ImGui::TableNextColumn();
-        ImGui::TextColored(kAccent, "%s", key.keys.c_str());
-        ImGui::TableNextColumn();
-        words(key.does + "      ");
-      }
-    }
-    ImGui::EndTable();
-  }
+  keyTable(keyMap_);
   const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
   if (ImGui::Button("Close   Escape") || pressed(GLFW_KEY_ESCAPE) || pressed(GLFW_KEY_H) ||
       pressed(GLFW_KEY_F1)) {

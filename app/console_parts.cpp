@@ -103,4 +103,30 @@ bool PatientSlider::draw(const char* label, double& value, double least, double 
   return true;
 }
 
+void keyTable(std::span<const KeyLine> map) {
+  const std::size_t half = (map.size() + 1) / 2;
+  if (!ImGui::BeginTable("map", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  for (std::size_t row = 0; row < half; ++row) {
+    ImGui::TableNextRow();
+    for (const std::size_t line : {row, row + half}) {
+      if (line >= map.size()) break;
+      ImGui::TableNextColumn();
+      ImGui::TextColored(kAccent, "%s", map[line].keys.c_str());
+      ImGui::TableNextColumn();
+      words(map[line].does + "      ");
+    }
+  }
+  ImGui::EndTable();
+}
+
+void keysOver(std::span<const KeyLine> map) {
+  ImGui::SetNextWindowPos({8.0F, 8.0F});
+  ImGui::SetNextWindowBgAlpha(0.85F);
+  ImGui::Begin("keys", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  keyTable(map);
+  ImGui::End();
+}
+
 }  // namespace carom::console

@@ -1,6 +1,7 @@
 #pragma once
 // What the console's panels have in common: colours, words, small things to look at.
 
+#include <span>
 #include <string_view>
 
 #include <imgui.h>
@@ -64,6 +65,11 @@ class PatientSlider {
   float held_ = 0.0F;
   bool isHeld_ = false;
 };
+
+/// What the keys do, in two columns.
+void keyTable(std::span<const KeyLine> map);
+/// The same over a wall's window, in its upper left corner.
+void keysOver(std::span<const KeyLine> map);
 
 }  // namespace console
 }  // namespace carom

@@ -18,6 +18,8 @@ constexpr double kAtRest_u = 1e-12;  // rounding of a platform that has been bra
 constexpr double kInPlace_m = 1e-4;
 constexpr double kFacing_rad = 1e-9;
 constexpr double kTurn_rad_s = std::numbers::pi / 6.0;
+constexpr double kTourFrom_u = 1e-9;    // a tour begins so near to the motion that it was made for
+constexpr double kFar_m = 8.0;          // from the table's middle: beyond the hall's walls
 constexpr double kMeant = 0.1;          // steering that takes the drive from a tour: not a device's noise
 constexpr int kMostStretches = 32;      // of a frame; what is left then goes by without thrust
 constexpr std::size_t kTripPushes = 3;  // off, coasting, and to a stop
@@ -44,7 +46,8 @@ Drive::Drive(const Scenario& scenario, const RoomAxes& axes, bool begins)
     : c_m_s_(scenario.billiard.lightSpeed_m_s),
       strongest_m_s2_(strongestThrust_m_s2(c_m_s_)),
       boardFromHome_{scenario.observer.position_m,
-                     attitudeOf(startingRoom(scenario.observer, axes, c_m_s_))} {
+                     attitudeOf(startingRoom(scenario.observer, axes, c_m_s_))},
+      atStart_u_(startingRoom(scenario.observer, axes, c_m_s_).u()) {
   double at_s = 0.0;
   for (const ThrustLeg& leg : scenario.tour) {
     if (leg.from_s > at_s) tour_.push_back({leg.from_s - at_s, Vec3(0.0)});
@@ -56,13 +59,27 @@ Drive::Drive(const Scenario& scenario, const RoomAxes& axes, bool begins)
   if (begins && scenario.tourAtOnce) setOut();
 }
 
-void Drive::setOut() {
+void Drive::begin(const Observer& observer) {
+  setsOut_ = false;
+  const Vec3 u = observer.boardFromRoom().u();
   if (tour_.empty()) {
     notice_ = Notice("This game has no tour to set out on.");
-    return;
+  } else if (view_.mode == DriveMode::tour) {
+    notice_ = Notice("You are on the tour already.");
+  } else if (glm::length(u) > kTourFrom_u && glm::length(u - atStart_u_) > kTourFrom_u) {
+    notice_ = Notice("The tour begins at rest: brake (Space), or go home (Home), then set out.");
+  } else {
+    take(tour_);
+    view_.mode = DriveMode::tour;
+    setOutBoard_s_ = observer.headEvent().t_s;
+    setOutOwn_s_ = observer.properTime_s();
   }
-  take(tour_);
-  view_.mode = DriveMode::tour;
+}
+
+void Drive::endTour(const Observer& observer) {
+  leaveWay(DriveMode::free);
+  const double board_s = observer.headEvent().t_s - setOutBoard_s_, own_s = observer.properTime_s() - setOutOwn_s_;
+  notice_ = Notice(fmt::format("The tour is over: {:.1f} s went by on the board, {:.1f} s for you.", board_s, own_s));
 }
 
 void Drive::take(std::span<const Push> way) {
@@ -84,6 +101,7 @@ void Drive::sayOnce(bool& said, std::string_view words) {
 
 void Drive::obey(const DriveWish& wish) {
   const bool steers = glm::length(wish.steer) > kMeant;
+  steered_ = steered_ || steers;
   if (view_.mode == DriveMode::tour && (wish.home || wish.brake || steers))
     notice_ = Notice("The tour is broken off: you drive yourself.");
   if (wish.home) {
@@ -97,6 +115,7 @@ void Drive::obey(const DriveWish& wish) {
 
 void Drive::live(const DriveWish& wish, double dtau_s, double pace, const Head& before, const Head& head,
                  Observer& observer) {
+  if (setsOut_) begin(observer);
   obey(wish);
   view_.atLimit = 0;
   // Observer's dT = sqrt(dτ² + |dx|²/c²): both run evenly through the frame.
@@ -116,6 +135,10 @@ void Drive::live(const DriveWish& wish, double dtau_s, double pace, const Head& 
     lived = until;
   }
   if (lived < 1.0) observer.step((1.0 - lived) * dtau_s, head, pace);
+  if (view_.mode == DriveMode::tour && push_ == way_.size()) endTour(observer);
+  const bool far = steered_ && glm::length(glm::dvec2(observer.headEvent().r_m)) > kFar_m;
+  if (far && view_.mode == DriveMode::free) sayOnce(saidFar_, "You have left the table far behind. Home brings you back.");
+  if (!far) saidFar_ = false;
   view_.thrust = frame_s > 0.0 ? gained_m_s / (frame_s * strongest_m_s2_) : Vec3(0.0);
 }
 
@@ -218,7 +241,6 @@ Drive::Stretch Drive::alongWay(double left_s) {
     pushed_s_ = 0.0;
     if (rest_s > 0.0) return {rest_s, push.thrust_m_s2};
   }
-  if (view_.mode == DriveMode::tour) leaveWay(DriveMode::free);
   return {view_.mode == DriveMode::home ? 0.0 : left_s};
 }
 

@@ -54,8 +54,9 @@ class Drive {
   /// does; a session that goes on does not go on with a tour or with the way home.
   Drive(const Scenario& scenario, const RoomAxes& axes, bool begins);
 
-  /// Sets out on the scenario's tour, from its first leg.
-  void setOut();
+  /// Sets out on the scenario's tour with the next frame, from its first leg; from rest, or as the scenario begins,
+  /// or it would end elsewhere: else it says so.
+  void setOut() { setsOut_ = true; }
 
   /// The observer lives on for dτ while the tracked head moves from `before`, where Observer has it, to
   /// `head`, as in Observer::step; the platform does what is wished, or what it is about.
@@ -86,6 +87,8 @@ class Drive {
   };
 
   void obey(const DriveWish& wish);
+  void begin(const Observer& observer);
+  void endTour(const Observer& observer);
   Stretch next(const DriveWish& wish, const Observer& observer, const Vec3& headInRoom_m, const Left& left);
   Stretch steered(const Vec3& steer, const Observer& observer, double left_s);
   Stretch brake(const Observer& observer, double left_s) const;
@@ -98,12 +101,16 @@ class Drive {
 
   double c_m_s_, strongest_m_s2_;
   Pose boardFromHome_;  ///< of the room, at rest
+  Vec3 atStart_u_{0.0};  ///< of the room, as the scenario begins
+  bool setsOut_ = false;
+  bool steered_ = false;  ///< by hands, ever: who is led far away by the scenario is meant to be
+  double setOutBoard_s_ = 0.0, setOutOwn_s_ = 0.0;  ///< when the tour began
   std::vector<Push> tour_, way_;
   std::size_t push_ = 0;   ///< of the way: the one at hand,
   double pushed_s_ = 0.0;  ///< and how much of it is over
   DriveView view_;
   Notice notice_;
-  bool saidStrongest_ = false, saidFastest_ = false;
+  bool saidStrongest_ = false, saidFastest_ = false, saidFar_ = false;
 };
 
 }  // namespace carom

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
+#include "app/console_parts.h"
 #include "app/frame_watch.h"
+#include "cave/latency_overlay.h"
 
 namespace carom {
 namespace {
@@ -31,7 +35,17 @@ void obey(Lead& lead, const WindowInput& input, const FrameState& state, Console
   tell(lead, state.record.number, console);
   if (!asksForKeys(input)) return;
   sayKeys(lead.keys);
+  lead.showsKeys = !lead.showsKeys;
   if (console) console->showKeys();
+}
+
+/// What is drawn over the walls' windows; empty: nothing.
+std::function<void()> overlay(const LatencyView* latency, const Lead* lead) {
+  if (!latency && !(lead && lead->showsKeys)) return {};
+  return [latency, lead] {
+    if (latency) drawLatency(*latency);
+    if (lead && lead->showsKeys) console::keysOver(lead->keyMap);
+  };
 }
 
 /// For who waits for frames that nobody watches.
@@ -78,7 +92,7 @@ void runFrames(const Node& node, Lead* lead) {
     applyFrame(state, node.world);
     node.walls.draw(state.record, node.world);
     if (node.outside) node.outside->draw(state.record, node.world.histories, node.walls);
-    node.walls.show(watch.view(state.record));
+    node.walls.show(overlay(watch.view(state.record), lead));
     if (node.outside) node.outside->show();
     if (node.diagram) node.diagram->show(state.record, node.world);
     node.recording.take(node.walls, node.outside, state.record);

@@ -2,6 +2,8 @@
 // The frame loop: from the tracker to the photons.
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "app/desk.h"
 #include "app/frame_source.h"
@@ -30,12 +32,18 @@ struct Node {
 
 /// What rank 0 alone has.
 struct Lead {
+  Lead(FrameSource& sourceIn, KeysOf keysIn, const Controls& controlsIn, std::unique_ptr<Sounds> soundsIn = {})
+      : source(sourceIn), keys(keysIn), controls(controlsIn), sounds(std::move(soundsIn)), desk(keysIn),
+        keyMap(carom::keyMap(keysIn)) {}
+
   FrameSource& source;
   KeysOf keys;
   Controls controls;
-  std::unique_ptr<Sounds> sounds = nullptr;  ///< where the game is heard
-  Desk desk = Desk(keys);                    ///< what is held stays held from one game to the next
-  Controls before = {};  ///< before the operator's last wishes: kept, as copying into it allocates nothing
+  std::unique_ptr<Sounds> sounds;  ///< where the game is heard
+  Desk desk;                    ///< what is held stays held from one game to the next
+  std::vector<KeyLine> keyMap;
+  bool showsKeys = false;  ///< over the windows of rank 0's walls
+  Controls before;  ///< before the operator's last wishes: kept, as copying into it allocates nothing
 };
 
 /// What makes the game heard, for who watches it in real time; none for others, or where they want silence.

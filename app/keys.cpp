@@ -173,11 +173,13 @@ bool asksForKeys(const WindowInput& input) { return pressedOneOf(input, kMapKeys
 void obeyKeys(const WindowInput& input, KeysOf place, double now_s, Controls& controls) {
   for (const KeyInput& pressed : input.keys) {
     if (!pressed.pressed || pressed.key == 0 || answers(pressed.key, place, controls)) continue;
+    const unsigned jumps = controls.playback.jumps;
     for (const Key& key : kKeys) {
       if (means(key, place) && (pressed.key == key.key || pressed.key == key.otherKey)) {
         key.act(controls, {place, now_s});
       }
     }
+    if (controls.playback.jumps != jumps) now_s = controls.playback.goTo_s;  // the next key goes on from there
   }
 }
 

@@ -126,6 +126,7 @@ void LiveSource::next(const Controls& controls, FrameState& state) {
   play(still, times, record);
   say(drive_.news().words(), times);
   say(leftRoom_.look(person_.head().pose.position_m), times);
+  say(std::exchange(told_, {}), times);
   record.notice = spoken_.at(times.display_s);
   if (controls.views.myNow) game_.playToNowOf(record.observer);
   game_.advance(latestObservation_s(record.observer), state);

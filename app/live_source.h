@@ -46,6 +46,9 @@ class LiveSource : public FrameSource {
   /// There is another scenario, and its world, in the place of the first: from its beginning, in this journal.
   void playAnew(std::unique_ptr<Journal> journal);
 
+  /// Is said in the room from the next frame on.
+  void tell(const std::string& words) { told_ = words; }
+
   void next(const Controls& controls, FrameState& state) override;
   Deciding deciding() const override { return deciding_; }
   std::optional<std::uint64_t> end() const override;
@@ -84,6 +87,7 @@ class LiveSource : public FrameSource {
   LessonState lesson_;                      ///< of the last frame
   LeftRoom leftRoom_;
   Spoken spoken_;
+  std::string told_;                        ///< and not said yet
   std::optional<ObserverView> frozen_;      ///< the sight that is walked round
   Deciding deciding_;
   double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< of the head, on the session's clock

@@ -60,6 +60,7 @@ std::unique_ptr<Tracker> openTracker(const TrackerSetup& setup, const RoomAxes& 
   if (setup.kind == TrackerKind::simulated) {
     SimulatedPerson person;
     person.axes = personAxes(axes);
+    person.still = setup.still;
     return std::make_unique<SimulatedTracker>(person);
   }
   Transport transport = transportOf(setup.kind, setup.source.string(), axes);

@@ -90,6 +90,12 @@ TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double un
   tracker.name = table.text("name");
   tracker.kind = static_cast<TrackerKind>(table.choice("kind", kTrackerKinds));
   tracker.source = readSource(file, table, tracker.kind, axes);
+  constexpr std::array<std::string_view, 2> kPersons{"moves", "still"};
+  if (tracker.kind == TrackerKind::simulated) {
+    tracker.still = table.choice("person", kPersons, 0) == 1;
+  } else {
+    table.refuse("person", "has a meaning for a simulated tracker alone, expected none");
+  }
   constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
   tracker.latency_s = table.number("latency_ms", kLatency_ms, 0.0) * 1e-3;
   tracker.roomFromTracker = readPose(table, "room_from_tracker", unit_m);

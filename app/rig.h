@@ -48,6 +48,7 @@ struct TrackerSetup {
   std::string name;
   TrackerKind kind = TrackerKind::simulated;
   double latency_s = 0.0;        ///< known age of its samples where they do not say it themselves
+  bool still = false;            ///< of a simulated one: the person does not move
   std::filesystem::path source;  ///< of a recorded one: the trace; exists. Of a device: its address
   Pose roomFromTracker;
 };

@@ -189,10 +189,8 @@ NodeLock WallSet::lockSwaps(FrameLock asked) {
   return lock;
 }
 
-void WallSet::show(const LatencyView* latency) {
+void WallSet::show(const std::function<void()>& over) {
   graphics_.finishDrawing();
-  std::function<void()> over;
-  if (latency) over = [latency] { drawLatency(*latency); };
   for (const WallWindow& window : windows_) {
     panes_.clear();
     const glm::ivec2 size_px = window.window->size_px();

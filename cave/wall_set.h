@@ -3,6 +3,7 @@
 // windows that show them.
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,7 +13,6 @@
 #include "cave/frame_lock.h"
 #include "cave/frame_state.h"
 #include "cave/hand_aids.h"
-#include "cave/latency_overlay.h"
 #include "cave/motion_aid.h"
 #include "cave/movie.h"
 #include "cave/picture_queue.h"
@@ -60,8 +60,8 @@ class WallSet {
   void film(Movie& movie, double display_s) const;
 
   /// Puts the pictures into the windows, not yet visible; `swap` makes them so. Of a wall that is held back,
-  /// those of an earlier frame. `latency`: what to say over them; null: nothing.
-  void show(const LatencyView* latency = nullptr);
+  /// those of an earlier frame. `over`: draws over them, in a Gui; empty: nothing.
+  void show(const std::function<void()>& over = {});
   /// Waits until all of it is drawn: a swap then shows it at once.
   void awaitShown();
   void swap();

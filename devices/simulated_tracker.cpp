@@ -113,6 +113,10 @@ void SimulatedTracker::step() {
 
 // Whole steps up to the time, and the rest of it at even acceleration.
 void SimulatedTracker::moveTruthTo(double time_s) {
+  if (person_.still) {
+    truth_ = {time_s, {person_.headHeight_m * person_.axes.up, {1.0, 0.0, 0.0, 0.0}}};
+    return;
+  }
   while (static_cast<double>(steps_ + 1) * kStep_s <= time_s) step();
   const double rest_s = time_s - static_cast<double>(steps_) * kStep_s;
   const auto inTracker = [this](const glm::dvec3& v) {
@@ -132,6 +136,7 @@ glm::dvec3 SimulatedTracker::noise(double sigma) { return sigma * gaussian(noise
 
 TrackerSample SimulatedTracker::measure() {
   TrackerSample sample{truth_.time_s, 0, truth_.pose, true};
+  if (person_.still) return sample;
   sample.pose.position_m += noise(person_.noise_m);
   const glm::dvec3 turn_rad = noise(person_.noise_rad);
   sample.pose.orientation = glm::normalize(glm::dquat(1.0, 0.5 * turn_rad) * sample.pose.orientation);

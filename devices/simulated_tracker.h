@@ -29,6 +29,7 @@ struct SimulatedPerson {
   double headHeight_m = 1.7;
   double reach_m = 0.6;  ///< how far from the floor's origin the person goes, along right and forward
   PersonAxes axes{};
+  bool still = false;  ///< stands like a post, and the tracker has no noise
 };
 
 /// What the person truly does at one time.
@@ -42,7 +43,7 @@ struct TrueMotion {
 /// The person stands for five seconds, then shifts from foot to foot, then goes about, looking around,
 /// and rests between. Acceleration while moving is smooth noise of 0.2 to 0.5 m/s² a component with a
 /// correlation time of about 0.15 s, as recorded heads show; standing, the head sways by some
-/// millimetres. The same seed gives the same bits.
+/// millimetres. Where the person is still, nothing of this happens. The same seed gives the same bits.
 class SimulatedTracker : public Tracker {
  public:
   explicit SimulatedTracker(const SimulatedPerson& person = {});

@@ -2,6 +2,7 @@
 // of any person's world line.
 #include "app/drive.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -176,9 +177,48 @@ TEST(Drive, SteeringTakesOver) {
 
   Ride untold(platform(), standing);
   untold.drive.setOut();
-  EXPECT_FALSE(untold.drive.news().words().empty());
   untold.live();
+  EXPECT_EQ(untold.drive.news().words(), "This game has no tour to set out on.");
   EXPECT_EQ(untold.drive.view().mode, DriveMode::free);
+}
+
+// A tour that began in motion would not end at home.
+TEST(Drive, ATourBeginsAtRestOnceAndSaysHowItEnded) {
+  Ride ride(platform({}, {{0.0, 1.0, {0.0, -0.9, 0.0}}, {1.0, 2.0, {0.0, 0.9, 0.0}}, {3.0, 1.0, {0.0, -0.9, 0.0}}}),
+            standing);
+  ride.live({.steer = {1.0, 0.0, 0.0}});
+  ride.drive.news();
+  ride.drive.setOut();
+  ride.live();
+  EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
+  EXPECT_EQ(ride.drive.news().words(), "The tour begins at rest: brake (Space), or go home (Home), then set out.");
+  for (int frame = 0; frame < 60; ++frame) ride.live({.brake = true});
+  const double board_s = ride.observer.headEvent().t_s;
+  ride.drive.setOut();
+  ride.live();
+  EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
+  ride.drive.setOut();
+  ride.live();
+  EXPECT_EQ(ride.drive.news().words(), "You are on the tour already.");
+  for (int frame = 0; frame < 4 * 60; ++frame) ride.live();
+  EXPECT_LT(ride.speed_u(), 1e-12);
+  const double phi = 0.9 / 1.42, tour_s = 4.0 * std::sinh(phi) / phi;
+  EXPECT_LT(ride.observer.headEvent().t_s, board_s + tour_s + 0.1);
+  EXPECT_EQ(ride.drive.news().words(),
+            fmt::format("The tour is over: {:.1f} s went by on the board, 4.0 s for you.", tour_s));
+}
+
+TEST(Drive, WhoSteersFarAwayIsToldOnceOfTheWayHome) {
+  Ride ride(platform(), standing);
+  ride.live({.steer = {0.0, 0.0, -0.9}});
+  EXPECT_TRUE(ride.drive.news().words().empty());
+  int told = 0;
+  for (int frame = 0; frame < 12 * 60; ++frame) {
+    ride.live({.steer = {0.0, 0.0, frame < 3 * 60 ? -0.9 : 0.0}});
+    told += ride.drive.news().words().starts_with("You have left the table far behind") ? 1 : 0;
+  }
+  EXPECT_GT(glm::length(ride.observer.headEvent().r_m), 10.0);
+  EXPECT_EQ(told, 1);
 }
 
 TEST(Drive, NoMoreThanTheStrongestThrustAndItSaysSoOnce) {
