@@ -167,7 +167,10 @@ void HandAids::addArrow(const HandView& hand, const FacingPlane& plane) {
 void HandAids::addScale(const HandView& hand, const FacingPlane& target) {
   const double cost = costOf(hand.u), unit_m = target.distance_m;
   const auto up = [](double of) { return kScaleFoot + heightOf(of); };
-  const auto on = [&](double across, double upwards) { return target.at(kScaleAside + across, upwards); };
+  // On the side that the stroke does not go to.
+  const bool goesRight = glm::dot(hand.towards, target.right) > 1e-6;
+  const double aside = goesRight ? kScaleLeft : kScaleRight;
+  const auto on = [&](double across, double upwards) { return target.at(aside + across, upwards); };
   addLine(on(kPanelMiddle, kScaleFoot - kReadout), on(kPanelMiddle, up(kMostCost) + 0.015), kPanel * unit_m,
           kGround);
   addLine(on(0.0, up(0.0)), on(0.0, up(kMostCost)), kBar * unit_m, kTrack);
@@ -175,12 +178,12 @@ void HandAids::addScale(const HandView& hand, const FacingPlane& target) {
   for (std::size_t i = 0; i < kTicks.size(); ++i) {
     const double tick = up(1.0 / std::sqrt(1.0 - kTicks[i] * kTicks[i]) - 1.0);
     addLine(on(-kBar, tick), on(kBar + 0.008, tick), 0.0012 * unit_m, kInk);
-    addText(target, kScaleAside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, kTickWords[i]);
+    addText(target, aside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, kTickWords[i]);
   }
   std::array<char, 24> words{};
   const auto say = [&](double upwards, auto format, double value) {
     const auto said = fmt::format_to_n(words.data(), words.size(), format, value);
-    addText(target, kScaleAside - kBar, kScaleFoot + upwards, kDigits, {words.data(), said.size});
+    addText(target, aside - kBar, kScaleFoot + upwards, kDigits, {words.data(), said.size});
   };
   say(-0.042, FMT_STRING("{:.2f} c"), betaOf(hand.u));
   say(-0.080, FMT_STRING("{:.2f} mc^"), cost);

@@ -39,7 +39,8 @@ class HandAids {
   // Distances are the unit: 0.01 is 0.57°.
   static constexpr double kRing_m = 0.08;      ///< radius around the target
   static constexpr double kRim_m = 0.05;       ///< of a puck: where the cue begins at rest
-  static constexpr double kScaleAside = 0.13;  ///< from the target to the bar
+  /// From the target to the bar: right of it, or left of it where the stroke goes to the right.
+  static constexpr double kScaleRight = 0.13, kScaleLeft = -0.24;
   static constexpr double kScaleFoot = 0.14;   ///< of zero cost, above the target
   static constexpr double kPerCost = 0.09;     ///< height of one rest energy
   static constexpr double kMostCost = 2.4;     ///< what the scale has room for: 0.955 c

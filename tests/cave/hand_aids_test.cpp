@@ -150,14 +150,15 @@ TEST_F(Aids, ACueThatIsNotYetDrawnBackGoesNowhere) {
 }
 
 TEST_F(Aids, TheScalesHeightIsTheCost) {
-  for (const double beta : {0.5, 0.8, 0.9, 0.95}) {
-    const FrameRecord record = pulling(beta);
+  for (const double beta : {-0.5, 0.5, 0.8, 0.9, 0.95}) {  // below 0: to the left
+    FrameRecord record = pulling(std::abs(beta));
+    record.hand.towards.x = std::copysign(record.hand.towards.x, beta);
     const Image image = drawn(record);
     const FacingPlane plane = facing(record.hand.target_m, kEyes_m, room_);
     const double cost = 1.0 / std::sqrt(1.0 - beta * beta) - 1.0;
     EXPECT_NEAR(HandAids::heightOf(cost), HandAids::kPerCost * cost, 1e-12);
     const auto bar = [&](double of) {
-      return at(image, plane.at(HandAids::kScaleAside, HandAids::kScaleFoot + HandAids::kPerCost * of));
+      return at(image, plane.at(beta > 0.0 ? HandAids::kScaleLeft : HandAids::kScaleRight, HandAids::kScaleFoot + HandAids::kPerCost * of));
     };
     const Rgb full = bar(cost - 0.06), empty = bar(cost + 0.06);
     EXPECT_GT(*std::max_element(full.begin(), full.end()), 170) << beta;
