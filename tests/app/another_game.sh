@@ -3,19 +3,7 @@
 # of its own, whose frames go on counting while the game and the person's clock begin anew. A scenario that has
 # become faulty meanwhile is refused with its place, and the game at hand goes on.
 set -uo pipefail
-carom=$1
-config=$2
-for tool in xdotool sqlite3; do
-  command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
-done
-out=$(mktemp -d)
-job=
-trap '[ -z "$job" ] || kill -9 "$job" 2>/dev/null; rm -rf "$out"' EXIT
-fail() {
-  echo "FAILED: $1"
-  cat "$out/stderr"
-  exit 1
-}
+. "$(dirname "$0")/session_in_window.sh"
 sed -e 's/^pixels = .*/pixels = [64, 64]/' "$config/rigs/four-walls-cluster.toml" >"$out/room.toml"
 cp "$config/scenarios/three-pucks.toml" "$out/game.toml"
 mpirun --allow-run-as-root --oversubscribe -n 2 "$carom" cave --rig "$out/room.toml" --scenario "$out/game.toml" \
@@ -31,18 +19,16 @@ await_frames() {
   done
   fail "$1 has too few frames: $(frames "$1")"
 }
-# A window that a key closes is gone before the key is let go.
-press() { xdotool key --window "$(xdotool search --name 'Carom: front' | head -1)" "$1" 2>/dev/null || true; }
 
 await_frames "$out/visit.db" 20
-press y
+press y front
 await_frames "$out/visit-2.db" 20
 echo 'light_speed_m_s = "slow"' >"$out/game.toml"
-press y
+press y front
 for _ in $(seq 100); do grep -q 'game.toml:1:' "$out/stderr" && break; sleep 0.1; done
 grep -q 'error: .*game.toml:1:' "$out/stderr" || fail "a faulty scenario was not refused"
 await_frames "$out/visit-2.db" $(($(frames "$out/visit-2.db") + 20))
-press Escape
+press Escape front
 wait "$job" || fail "the session did not end well"
 job=
 [ ! -e "$out/visit-3.db" ] || fail "a faulty scenario has a session file"

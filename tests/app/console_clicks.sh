@@ -2,17 +2,7 @@
 # console_clicks.sh CAROM CONFIG: the operator's console opens where the rig says, and clicks and keys in it are the
 # session's: they are in its file. Skipped without xdotool.
 set -uo pipefail
-carom=$1
-config=$2
-command -v xdotool >/dev/null || exit 77
-out=$(mktemp -d)
-job=
-trap '[ -z "$job" ] || kill -9 "$job" 2>/dev/null; rm -rf "$out"' EXIT
-fail() {
-  echo "FAILED: $1"
-  cat "$out/stderr"
-  exit 1
-}
+. "$(dirname "$0")/session_in_window.sh"
 
 # Where the console is, and in it the middles of what is clicked (app/console.cpp lays it out).
 left=20 top=20

@@ -4,19 +4,7 @@
 # without asking, and once it was explained asks anew, which Enter passes over. The session files have the answers, in
 # words and in the frames, and replay as they were. A session that ends by itself does not ask.
 set -uo pipefail
-carom=$1
-config=$2
-for tool in xdotool sqlite3; do
-  command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
-done
-out=$(mktemp -d)
-job=
-trap '[ -z "$job" ] || kill -9 "$job" 2>/dev/null; rm -rf "$out"' EXIT
-fail() {
-  echo "FAILED: $1"
-  cat "$out/stderr"
-  exit 1
-}
+. "$(dirname "$0")/session_in_window.sh"
 ask() { sqlite3 "$out/$1.db" "$2" 2>/dev/null; }
 await() { # FILE SQL: until it is 1
   for _ in $(seq 600); do
@@ -25,7 +13,6 @@ await() { # FILE SQL: until it is 1
   done
   fail "$1: not within a minute: $2"
 }
-press() { xdotool key --window "$(xdotool search --name 'Carom: screen' | head -1)" "$1" || fail "no window takes $1"; }
 more_frames() { await "$1" "SELECT count(*) >= $(($(ask "$1" "SELECT count(*) FROM frame") + 15)) FROM frame"; }
 expect() { # FILE SQL VALUE WORDS
   local is
@@ -38,30 +25,30 @@ sed -e 's/^pixels = .*/pixels = [96, 54]/' "$config/rigs/single-screen.toml" >"$
   2>"$out/stderr" &
 job=$!
 await class "SELECT count(*) >= 15 FROM frame"
-press 4
+press 4 screen
 more_frames class
 expect class "SELECT count(DISTINCT t_s) + count(DISTINCT proper_time_s) FROM frame" 2 \
   "board and own times while it asks"
-press 2
+press 2 screen
 await class "SELECT count(*) = 1 FROM answer"
 answered=$(ask class "SELECT frame FROM answer")
 expect class "SELECT answer FROM answer" "4 times" "the answer"
 expect class "SELECT count(*) FROM input WHERE what = 'lesson' AND value = 'shows, answered 2'" 1 "the input"
 await class "SELECT max(t_s) - min(t_s) > 0.3 FROM frame"
 expect class "SELECT count(DISTINCT t_s) FROM frame WHERE number < $answered" 1 "board times before the answer"
-press y
+press y screen
 await class-2 "SELECT max(t_s) - min(t_s) > 0.3 FROM frame"
 expect class-2 "SELECT count(*) FROM answer" 0 "answers to a game that is only seen again"
-press Return
+press Return screen
 await class-2 "SELECT count(*) = 1 FROM input WHERE value = 'explains, answered 2'"
 more_frames class-2
-press y
+press y screen
 await class-3 "SELECT count(*) >= 15 FROM frame"
 expect class-3 "SELECT count(DISTINCT t_s) FROM frame" 1 "board times while it asks anew"
-press Return
+press Return screen
 await class-3 "SELECT count(*) = 1 FROM answer WHERE answer = '(passed over)'"
 more_frames class-3
-press Escape
+press Escape screen
 wait "$job" || fail "the session did not end well"
 job=
 
