@@ -19,7 +19,7 @@ glm::vec3 colourOf(const std::string& name, std::size_t index);
 /// A shadow is old: light that would have lit the cloth beside the puck passed the puck's top, 2 cm higher, 14 ms
 /// or more before, when at 0.9 c the puck was 18 mm further back: 10 pixels to someone 1.5 m away. So no disc under
 /// the puck is right. While the puck goes straight, each lamp's shadow goes with it, and the vertex shader
-/// (body_vert.glsl, `shadowed`) puts it where it is, and where it is seen. After a bounce it follows its rim at
+/// (body_vert.glsl, `shadowed`) puts it where it is, and where it is seen. After a bounce it follows its centre at
 /// once, 14 ms too early.
 std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t body, const glm::vec3& colour,
                                  double cell_m = kAnyCell_m);

@@ -140,8 +140,9 @@ void lightUp(Sight sight) {
 /// rim's shadow lies, and all between. So of the disc's vertices those on the far side are moved. Light that passed the
 /// upper rim goes on for l to the cloth, while the rim goes on, too: at one board time the shadow is from its rim
 ///   Δ = l (n − β)   (n: the ray's direction)
-/// and goes with it; the eye sees it at s = c (t − t_rim) with T − s = |D − β s|, D from there to the eye, T from the rim.
-Sight shadowed(vec3 d, Sight sight, out float share) {
+/// and goes with it, as the puck's centre goes: while the news of a blow runs through the puck its rim moves in many
+/// ways, and the shadow is to stay one. The eye sees it at s = c (t − t_rim) with T − s = |D − β s|, D from there to the eye, T from the rim.
+Sight shadowed(vec3 d, Sight sight, Sight centre, out float share) {
   vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn) : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
   vec3 at = eyeOnBoard_m + fromEye_m;
   int sort = int(surfaceMC.y + 0.5);
@@ -160,9 +161,9 @@ Sight shadowed(vec3 d, Sight sight, out float share) {
   share /= all;
   // Of the hall's light, from everywhere, half of the puck's height stands for all of it.
   float height_m = sort == 3 ? 0.5 * surfaceMC.z : surfaceMC.z;
-  vec3 inBody = inBodyFrame(sight, n);
+  vec3 inBody = inBodyFrame(centre, n);
   if (dot(d.xy, inBody.xy) <= 0.0) return sight;
-  vec3 beta = sight.u / sight.gamma;
+  vec3 beta = centre.u / centre.gamma;
   // The ray by the upper rim, where that was.
   if (sort < 3) n = normalize(at + vec3(0.0, 0.0, height_m) + beta * (height_m / n.z) - lamps_m[sort]);
   vec3 delta = height_m / max(-n.z, 0.05) * vec3(n.xy - beta.xy, 0.0);
@@ -182,10 +183,13 @@ Sight shadowed(vec3 d, Sight sight, out float share) {
 
 void main() {
   vec3 d = vertexMC.xyz;
+#ifdef SHADOW
+  Sight centre = sightOf(vec3(0.0));
+#endif
   Sight sight = sightOf(d);
 #ifdef SHADOW
   float share;
-  sight = shadowed(d, sight, share);
+  sight = shadowed(d, sight, centre, share);
 #endif
 #ifdef CLOCK
   if (RETARDED) {
