@@ -37,13 +37,13 @@ const char* phaseWords(LessonPhase phase) {
 }  // namespace
 
 GamesPanel::Game GamesPanel::gameIn(const std::string& file) {
-  Game game{file, std::filesystem::path(file).stem().string(), {}, false, {}};
+  Game game{file, std::filesystem::path(file).stem().string(), false, {}, {}};
   try {
     const Scenario scenario = readScenario(file);
     game.title = scenario.title;
     game.lesson = scenario.lesson.has_value();
+    if (game.lesson) game.words = scenario.lesson->words;
   } catch (const std::exception& error) {
-    game.title = game.name;
     game.fault = error.what();
   }
   return game;
@@ -65,8 +65,8 @@ void GamesPanel::play(const Scenario& scenario, const std::string& file) {
       std::find_if(games_.begin(), games_.end(), [&](const Game& game) { return isSameFile(game.file, file); });
   chosen_ = played_ = static_cast<std::size_t>(known - games_.begin());
   if (known == games_.end() && !file.empty()) {
-    const std::string name = std::filesystem::path(file).stem().string();
-    games_.push_back({file, name, scenario.title, scenario.lesson.has_value(), {}});
+    games_.push_back({file, scenario.title, scenario.lesson.has_value(),
+                      scenario.lesson ? scenario.lesson->words : LessonWords(), {}});
   }
 }
 
@@ -76,11 +76,12 @@ void GamesPanel::drawList(const ConsoleFrame& frame, Controls& controls) {
   ImGui::BeginChild("games", {0.0F, -foot_px});
   bool twice = false;
   for (std::size_t i = 0; i < games_.size(); ++i) {
-    const Game& game = games_[i];
+    Game& game = games_[i];
     ImGui::PushID(static_cast<int>(i));
     ImGui::PushStyleColor(ImGuiCol_Text, game.fault.empty() ? kBright : kDim);
     if (ImGui::Selectable(game.title.c_str(), chosen_ == i, ImGuiSelectableFlags_AllowDoubleClick)) {
       chosen_ = i;
+      if (i != played_) games_[i] = gameIn(game.file);  // it may have been mended meanwhile
       twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     }
     ImGui::PopStyleColor();
@@ -126,6 +127,19 @@ void GamesPanel::drawLesson(const Lesson& lesson, const LessonState& state, Cont
   if (answer > 0 || onwards) controls.lesson = advance(state, said.answers.size(), answer, onwards);
 }
 
+/// Another game than the one that is played, before it begins.
+void GamesPanel::drawChosen() const {
+  const Game& game = games_[chosen_];
+  heading(game.title.c_str());
+  if (!game.fault.empty()) return ImGui::TextWrapped("%s", game.fault.c_str());
+  if (!game.lesson) return words("Play begins it.");
+  dim("A lesson. Play begins it, with its question:");
+  ImGui::TextWrapped("%s", game.words.question.c_str());
+  for (const std::string& answer : game.words.answers) words("    " + answer);
+  paragraph("To do", game.words.todo);
+  paragraph("To notice", game.words.notice);
+}
+
 void GamesPanel::drawPlayed(const ConsoleFrame& frame, Controls& controls) const {
   const bool live = frame.keys == KeysOf::session;
   if (scenario_->lesson) {
@@ -152,7 +166,11 @@ void GamesPanel::draw(const ConsoleFrame& frame, Controls& controls) {
   ImGui::EndChild();
   ImGui::SameLine();
   ImGui::BeginChild("played");
-  drawPlayed(frame, controls);
+  if (chosen_ != played_ && chosen_ < games_.size()) {
+    drawChosen();
+  } else {
+    drawPlayed(frame, controls);
+  }
   ImGui::EndChild();
 }
 

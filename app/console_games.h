@@ -11,7 +11,7 @@ namespace carom::console {
 
 class GamesPanel {
  public:
-  /// Reads the titles of the scenarios in the configuration folder.
+  /// Reads the scenarios of the configuration folder; one that is chosen is read again.
   GamesPanel();
 
   /// Another game. `scenario` is kept; `file`: where it is from.
@@ -20,12 +20,14 @@ class GamesPanel {
 
  private:
   struct Game {
-    std::string file, name, title;
+    std::string file, title;
     bool lesson = false;
-    std::string fault;  ///< why it cannot be played
+    LessonWords words;  ///< of a lesson
+    std::string fault;  ///< why it could not be played when it was looked at last
   };
   static Game gameIn(const std::string& file);
   void drawList(const ConsoleFrame& frame, Controls& controls);
+  void drawChosen() const;
   void drawPlayed(const ConsoleFrame& frame, Controls& controls) const;
   void drawLesson(const Lesson& lesson, const LessonState& state, Controls& controls) const;
 
