@@ -45,8 +45,13 @@ def do(*what):
 
 
 def press(key, window):
-    found = subprocess.run(["xdotool", "search", "--name", window], capture_output=True, text=True).stdout.split()
-    do("key", "--window", found[0], key)
+    search = ["xdotool", "search", "--name", window]
+    for _ in range(600):
+        found = subprocess.run(search, capture_output=True, text=True).stdout.split()
+        if found:
+            return do("key", "--window", found[0], key)
+        time.sleep(0.1)
+    fail(f"there is no window {window}")
 
 
 def screenshot(name):
