@@ -1,5 +1,7 @@
 #include "app/chart_file.h"
 
+#include "cave/text_ink.h"
+
 #include <cairo.h>
 #include <fmt/format.h>
 #include <librsvg/rsvg.h>
@@ -34,7 +36,6 @@
 namespace carom {
 namespace {
 
-constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";  // fonts-dejavu-core
 
 unsigned char byteOf(float channel) { return static_cast<unsigned char>(channel * 255.0F + 0.5F); }
 
@@ -125,7 +126,7 @@ void addLine(vtkChartXY& chart, const Chart& what, const ChartLine& line) {
 /// DejaVu has Greek letters; VTK's own fonts have none.
 void useFont(vtkTextProperty& text, int size) {
   text.SetFontFamily(VTK_FONT_FILE);
-  text.SetFontFile(kFont);
+  text.SetFontFile(kLettersFile);
   text.SetFontSize(size);
   text.SetBold(false);
 }

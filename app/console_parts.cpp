@@ -1,5 +1,7 @@
 #include "app/console_parts.h"
 
+#include "cave/gui.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -120,13 +122,7 @@ void keyTable(std::span<const KeyLine> map) {
 }
 
 void keysOver(std::span<const KeyLine> map) {
-  ImGui::SetNextWindowPos({8.0F, 8.0F});
-  ImGui::SetNextWindowBgAlpha(0.85F);
-  ImGui::Begin("keys", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize);
-  keyTable(map);
-  ImGui::End();
+  overCorner("keys", [map] { keyTable(map); });
 }
 
 }  // namespace carom::console

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "cave/lesson_words.h"
 #include "cave/wall_set.h"
 
 namespace carom {
@@ -19,8 +20,6 @@ constexpr std::array kHeldKeys{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, G
 constexpr std::array kPadButtons{GLFW_GAMEPAD_BUTTON_A, GLFW_GAMEPAD_BUTTON_B, GLFW_GAMEPAD_BUTTON_X,
                                  GLFW_GAMEPAD_BUTTON_Y, GLFW_GAMEPAD_BUTTON_START};
 enum PadButton { kPadA, kPadB, kPadX, kPadY, kPadStart, kPadTrigger };
-
-constexpr int kMostAnswers = 4;
 
 /// The first gamepad that is there.
 bool readPad(GLFWgamepadstate& pad) {
@@ -47,7 +46,7 @@ void Buttons::set(std::uint32_t down, bool asks) {
   const std::uint32_t pressed = down & ~down_;
   down_ = down;
   answered_ = -1;
-  for (int button = kMostAnswers - 1; asks && button >= 0; --button) {
+  for (int button = static_cast<int>(kMostAnswers) - 1; asks && button >= 0; --button) {
     if (pressed >> button & 1U) answered_ = button;
   }
   constexpr std::uint32_t kAnswers = (1U << kMostAnswers) - 1U;

@@ -75,7 +75,7 @@ Hands::Hand Hands::wandHand(const HandDevices& devices, double now_s) const {
   return hand;
 }
 
-/// While it holds the cue it may go off the wall: it then points to where it last did.
+/// While it holds the cue the walls may show something else: it then points to where it last did.
 Hands::Hand Hands::mouseHand(const ObserverView& observer, double now_s) {
   if (desk_.mouse && mouseWas_ && desk_.mouse->onWall_m != mouseWas_->onWall_m) mouseUsed_s_ = now_s;
   if (desk_.mouseHeld) mouseUsed_s_ = now_s;

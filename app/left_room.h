@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "cave/wall.h"
 
@@ -24,9 +23,7 @@ class LeftRoom {
   /// What to say to a head that is here now; empty but for once each time that it leaves.
   std::string look(const glm::dvec3& headInRoom_m) {
     const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) {
-      const glm::dvec3 inwards =
-          glm::normalize(glm::cross(w.lowerRight_m - w.lowerLeft_m, w.upperLeft_m - w.lowerLeft_m));
-      return glm::dot(inwards, headInRoom_m - w.lowerLeft_m) < -kBehind_m;
+      return glm::dot(normalOf(w), headInRoom_m - w.lowerLeft_m) < -kBehind_m;
     });
     const bool was = std::exchange(left_, wall != walls_.end());
     if (was || !left_) return {};

@@ -278,7 +278,7 @@ std::string readWords(const TomlTable& table, std::string_view key, std::size_t 
   return text;
 }
 
-constexpr std::size_t kFewestAnswers = 2, kMostAnswers = 4;
+constexpr std::size_t kFewestAnswers = 2;
 
 std::vector<std::string> readAnswers(const TomlTable& table) {
   std::vector<std::string> answers;

@@ -161,7 +161,7 @@ const FrameRecord& checked(const FrameRecord& record, std::int64_t number, doubl
   expectFlag("tracked.headKnown", record.tracked.headKnown);
   expectFlag("tracked.handKnown", record.tracked.handKnown);
   expectPossible(record.hand, record.drive);
-  if (record.lesson.phase > LessonPhase::explains || record.lesson.answer > 4)
+  if (record.lesson.phase > LessonPhase::explains || record.lesson.answer > kMostAnswers)
     throw std::runtime_error("lesson is in no phase that there is");
   if (record.notice.text.back() != 0) throw std::runtime_error("notice has no end");
   return record;

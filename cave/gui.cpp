@@ -10,12 +10,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+
+#include "cave/text_ink.h"
 #include <utility>
 
 namespace carom {
 namespace {
 
-constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";  // fonts-dejavu-core
 
 constexpr std::size_t kMostHeard = 256;
 const ImVec2 kNowhere{-1e9F, -1e9F};
@@ -47,8 +48,8 @@ Gui::Gui(float text_px, float heading_px) : context_(ImGui::CreateContext()) {
   io.IniFilename = nullptr;  // nothing is kept
   io.LogFilename = nullptr;
   for (const float height_px : {text_px, heading_px}) {
-    if (height_px > 0.0F && std::filesystem::exists(kFont))
-      io.Fonts->AddFontFromFileTTF(kFont, height_px, nullptr, kLetters);
+    if (height_px > 0.0F && std::filesystem::exists(kLettersFile))
+      io.Fonts->AddFontFromFileTTF(kLettersFile, height_px, nullptr, kLetters);
   }
   for (const auto& [meaning, key] : kKeys) io.KeyMap[meaning] = key;
   io.MousePos = kNowhere;
@@ -134,6 +135,16 @@ void Gui::end() {
   wantsKeys_ = ImGui::GetIO().WantCaptureKeyboard || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void overCorner(const char* name, const std::function<void()>& draw) {
+  ImGui::SetNextWindowPos({8.0F, 8.0F});
+  ImGui::SetNextWindowBgAlpha(0.8F);
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  draw();
+  ImGui::End();
 }
 
 }  // namespace carom

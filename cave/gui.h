@@ -7,6 +7,8 @@
 #include <chrono>
 #include <vector>
 
+#include <functional>
+
 #include <glm/vec2.hpp>
 
 struct ImGuiContext;
@@ -51,5 +53,8 @@ class Gui {
   bool wantsKeys_ = false, took_ = false;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
+
+/// Within a Gui: what `draw` draws, on a dim ground in the window's upper left corner; it takes no input.
+void overCorner(const char* name, const std::function<void()>& draw);
 
 }  // namespace carom

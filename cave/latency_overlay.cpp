@@ -1,5 +1,7 @@
 #include "cave/latency_overlay.h"
 
+#include "cave/gui.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -102,13 +104,7 @@ void drawLatencyNumbers(const LatencyView& view) {
 }
 
 void drawLatency(const LatencyView& view) {
-  ImGui::SetNextWindowPos({8.0F, 8.0F});
-  ImGui::SetNextWindowBgAlpha(0.8F);
-  ImGui::Begin("latency", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize);
-  drawLatencyNumbers(view);
-  ImGui::End();
+  overCorner("latency", [&view] { drawLatencyNumbers(view); });
 }
 
 }  // namespace carom

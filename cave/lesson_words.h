@@ -8,11 +8,14 @@
 
 namespace carom {
 
+/// A lesson has so many answers at most: as many as a pad has buttons for.
+inline constexpr std::size_t kMostAnswers = 4;
+
 /// What a lesson says. All of it short: it is read from a wall.
 struct LessonWords {
   std::string title;
   std::string question;              ///< asked before anything is shown of the answer
-  std::vector<std::string> answers;  ///< two to four
+  std::vector<std::string> answers;  ///< two to kMostAnswers
   std::size_t right = 0;             ///< of them
   std::string todo;                  ///< what to do
   std::string notice;                ///< what to look for meanwhile

@@ -46,11 +46,6 @@ std::optional<glm::dmat4> clipFromRoom(const Wall& wall, const glm::dvec3& eyeIn
   return *fromEye * glm::translate(glm::dmat4(1.0), -eyeInRoom_m);
 }
 
-glm::dvec3 normalOf(const Wall& wall) {
-  return glm::normalize(
-      glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m));
-}
-
 glm::dvec2 sizeOf_m(const Wall& wall) {
   return {glm::length(wall.lowerRight_m - wall.lowerLeft_m),
           glm::length(wall.upperLeft_m - wall.lowerLeft_m)};

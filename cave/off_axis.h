@@ -22,8 +22,6 @@ struct ClipRange {
 
 /// A wall's width and height in metres.
 glm::dvec2 sizeOf_m(const Wall& wall);
-/// Its unit normal, towards who looks at it.
-glm::dvec3 normalOf(const Wall& wall);
 
 /// An eye that comes closer to a wall's plane than this has no picture on it (metres).
 inline constexpr double kNearestToWall_m = 1e-3;

@@ -98,7 +98,7 @@ void addClocks(const FrameRecord& record, Lines& lines) {
 
 void addQuestion(const LessonWords& lesson, Lines& lines) {
   lines.wrap(lesson.question);
-  constexpr std::array<std::string_view, 4> kNumbers{"1   ", "2   ", "3   ", "4   "};
+  constexpr std::array<std::string_view, kMostAnswers> kNumbers{"1   ", "2   ", "3   ", "4   "};
   for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i)
     lines.wrap(lesson.answers[i], kNumbers[i]);
   const bool two = lesson.answers.size() == 2;

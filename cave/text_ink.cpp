@@ -33,13 +33,11 @@ Ink inked(vtkImageData& rgba) {
   return made;
 }
 
-/// DejaVu has Greek letters, VTK's own fonts have none.
 void useFont(vtkTextProperty& style) {
-  static constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";  // fonts-dejavu-core
-  static const bool isThere = std::filesystem::exists(kFont);
+  static const bool isThere = std::filesystem::exists(kLettersFile);
   if (!isThere) return style.SetFontFamilyToArial();
   style.SetFontFamily(VTK_FONT_FILE);
-  style.SetFontFile(kFont);
+  style.SetFontFile(kLettersFile);
 }
 
 }  // namespace

@@ -16,6 +16,9 @@ struct Ink {
   int below_px = 0;  ///< from the foot of its line, the same for all texts of that height, up to the box
 };
 
+/// DejaVu Sans, of the package fonts-dejavu-core: it has Greek letters, VTK's own fonts have none.
+inline constexpr const char* kLettersFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
 /// A line of UTF-8 in DejaVu Sans, or where that is not installed in Arial, which has no Greek; capitals are about
 /// 0.72 of `height_px` high. Empty where there is no ink.
 Ink ink(const std::string& text, int height_px);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -72,5 +73,10 @@ struct Wall {
   double displayLatency_s = 0.0;  ///< from the swap to the photons
   std::size_t heldFrames = 0;     ///< its pictures wait so long for the light of slower walls
 };
+
+/// A wall's unit normal, towards who looks at it.
+inline glm::dvec3 normalOf(const Wall& wall) {
+  return glm::normalize(glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m));
+}
 
 }  // namespace carom
