@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "devices/device_clock.h"
 #include "devices/prompt_thread.h"
+#include "devices/standing_clock.h"
 
 namespace carom {
 namespace {
@@ -28,27 +30,30 @@ double since_s(std::chrono::steady_clock::time_point start, std::chrono::steady_
   return std::chrono::duration<double>(time - start).count();
 }
 
-/// When the newest sample of each sensor was made.
-class NewestTimes {
+/// The newest pose of each sensor.
+class NewestPoses {
  public:
-  /// Whether the sample is after the newest of its sensor, which it then is itself; false also where there
-  /// are too many sensors.
-  bool advance(std::int32_t sensor, double time_s) {
+  struct Newest {
+    std::int32_t sensor = 0;
+    double made_s = -std::numeric_limits<double>::infinity();
+    double stamp_s = std::numeric_limits<double>::quiet_NaN();  ///< of the device
+    double stampSince_s = 0.0;                                  ///< arrival of its first pose
+    Pose pose;
+  };
+  /// That of the sensor, now or to be; null where there are too many sensors.
+  Newest* find(std::int32_t sensor) {
     const auto end = newest_.begin() + static_cast<std::ptrdiff_t>(count_);
     const auto found =
-        std::find_if(newest_.begin(), end, [&](const auto& entry) { return entry.first == sensor; });
-    if (found == end) {
-      if (count_ == kMostSensors) return false;
-      newest_[count_++] = {sensor, time_s};
-      return true;
-    }
-    if (!(time_s >= found->second + kLeastSpacing_s)) return false;
-    found->second = time_s;
-    return true;
+        std::find_if(newest_.begin(), end, [&](const Newest& newest) { return newest.sensor == sensor; });
+    if (found != end) return &*found;
+    if (count_ == kMostSensors) return nullptr;
+    newest_[count_] = {};
+    newest_[count_].sensor = sensor;
+    return &newest_[count_++];
   }
 
  private:
-  std::array<std::pair<std::int32_t, double>, kMostSensors> newest_;
+  std::array<Newest, kMostSensors> newest_;
   std::size_t count_ = 0;
 };
 
@@ -67,7 +72,9 @@ struct DeviceTracker::Shared final : DeviceSink {
   void refused() override { ++refusedCount; }
   void missed(std::uint64_t packets) override { gaps += packets; }
 
+  void judgeStamp(const Reading& reading, double arrival_s);
   double made_s(const Reading& reading, double arrival_s);
+  bool isNext(const Reading& reading);
   void push(const Reading& reading);
   void listen(const std::stop_token& stopToken, const Transport& transport);
 
@@ -84,7 +91,8 @@ struct DeviceTracker::Shared final : DeviceSink {
 
   // The transport's thread alone.
   DeviceClock clock;
-  NewestTimes newest;
+  StandingClock standing;
+  NewestPoses newest;
   bool wasConnected = false;
   double stamp_s = 0.0, stampArrival_s = 0.0, stampOurs_s = 0.0;  // the clock is asked once a stamp
   bool stamped = false;
@@ -92,6 +100,7 @@ struct DeviceTracker::Shared final : DeviceSink {
   // Written by the transport's thread, read by anyone.
   std::atomic<std::uint64_t> samples{0}, gaps{0}, late{0}, refusedCount{0}, overflowed{0}, reconnections{0};
   std::atomic<double> newestArrival_s{-1.0};
+  std::atomic<bool> clockStands{false};
   mutable std::mutex messageMutex;
   Link link = Link::down;  // with the mutex
   std::string message;     // with the mutex
@@ -100,9 +109,27 @@ struct DeviceTracker::Shared final : DeviceSink {
   std::jthread thread;          // the last member: it ends before the rest goes
 };
 
-/// When the device made the reading, on the session's clock; a reading that bears no time: when it came.
+/// Whether the device's clock goes, as far as this pose tells.
+void DeviceTracker::Shared::judgeStamp(const Reading& reading, double arrival_s) {
+  NewestPoses::Newest* last = newest.find(reading.sensor);
+  if (!last || std::isnan(reading.device_s)) return;
+  const bool same = reading.device_s == last->stamp_s;
+  const bool moved =
+      reading.pose.position_m != last->pose.position_m || reading.pose.orientation != last->pose.orientation;
+  standing.see(same, moved || arrival_s - last->stampSince_s > StandingClock::kLong_s);
+  if (!same) last->stampSince_s = arrival_s;
+  last->stamp_s = reading.device_s;
+  last->pose = reading.pose;
+  if (standing.stands() == clockStands) return;
+  clockStands = standing.stands();
+  clock = {};
+  stamped = false;
+}
+
+/// When the device made the reading, on the session's clock; a reading that bears no time, or one of a clock
+/// that stands: when it came.
 double DeviceTracker::Shared::made_s(const Reading& reading, double arrival_s) {
-  if (std::isnan(reading.device_s)) return arrival_s;
+  if (std::isnan(reading.device_s) || clockStands) return arrival_s;
   if (!stamped || reading.device_s != stamp_s || arrival_s != stampArrival_s) {
     stamped = true;
     stamp_s = reading.device_s;
@@ -112,16 +139,25 @@ double DeviceTracker::Shared::made_s(const Reading& reading, double arrival_s) {
   return stampOurs_s;
 }
 
+/// Whether the pose is after the newest of its sensor, which it then is itself.
+bool DeviceTracker::Shared::isNext(const Reading& reading) {
+  NewestPoses::Newest* last = newest.find(reading.sensor);
+  if (!last || !(reading.device_s >= last->made_s + kLeastSpacing_s)) return false;
+  last->made_s = reading.device_s;
+  return true;
+}
+
 void DeviceTracker::Shared::deliver(std::span<const Reading> readings,
                                     std::chrono::steady_clock::time_point arrival) {
   const double arrival_s = since_s(sessionStart, arrival);
   if (!readings.empty()) newestArrival_s = arrival_s;
   for (Reading reading : readings) {
+    if (reading.kind == Reading::Kind::pose) judgeStamp(reading, arrival_s);
     const double made = made_s(reading, arrival_s);
     const double delay_s = arrival_s - made;
     reading.device_s = made - reading.latency_s;
     if (reading.kind == Reading::Kind::pose) {
-      const bool useful = delay_s <= kUseless_s && newest.advance(reading.sensor, reading.device_s);
+      const bool useful = delay_s <= kUseless_s && isNext(reading);
       if (!useful || delay_s > kLate_s) ++late;
       if (!useful) continue;
     }
@@ -139,6 +175,8 @@ void DeviceTracker::Shared::push(const Reading& reading) {
 
 void DeviceTracker::Shared::connected() {
   clock = {};
+  standing = {};
+  clockStands = false;
   stamped = false;
   if (wasConnected) ++reconnections;
   wasConnected = true;
@@ -205,6 +243,12 @@ TrackerHealth DeviceTracker::health(double now_s) const {
       health.state = State::connecting;
       break;
     case Shared::Link::up:
+      health.connected = true;
+      if (health.message.empty() && shared_->clockStands) {
+        health.message =
+            "its messages carry the same time again and again; each is taken to be of the moment when it "
+            "came";
+      }
       health.state = std::isinf(shared_->silence_s)                 ? State::delivering
                      : newestArrival_s < 0.0                        ? State::connecting
                      : now_s - newestArrival_s > shared_->silence_s ? State::silent

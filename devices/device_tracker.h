@@ -36,7 +36,8 @@ using Transport = std::function<void(std::stop_token stop, DeviceSink& sink)>;
 
 /// Runs a transport on a thread of its own, which asks to be prompt (devices/prompt_thread.h). Device times
 /// become times of the session's clock through a DeviceClock; readings without one are stamped with their
-/// arrival. Late samples (before one already delivered of the same sensor) are counted and dropped.
+/// arrival, and so are those of a device whose clock stands (devices/standing_clock.h), which its health then
+/// says. Late samples (before one already delivered of the same sensor) are counted and dropped.
 class DeviceTracker : public Tracker {
  public:
   /// `sessionStart`: where the session's clock reads zero. `silence_s`: how long without any reading, be it a

@@ -41,4 +41,10 @@ void RecordedTracker::poll(double now_s, std::vector<TrackerSample>& samples) {
   for (TrackerSample next = at(next_); next.time_s <= now_s; next = at(++next_)) samples.push_back(next);
 }
 
+TrackerHealth RecordedTracker::health(double now_s) const {
+  TrackerHealth health = Tracker::health(now_s);
+  health.samples = next_;
+  return health;
+}
+
 }  // namespace carom

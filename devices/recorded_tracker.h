@@ -16,6 +16,8 @@ class RecordedTracker : public Tracker {
   explicit RecordedTracker(std::vector<TrackerSample> samples);
 
   void poll(double now_s, std::vector<TrackerSample>& samples) override;
+  /// Always well; with the number of its samples so far.
+  TrackerHealth health(double now_s) const override;
 
  private:
   TrackerSample at(std::size_t index) const;

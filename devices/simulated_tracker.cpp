@@ -151,4 +151,10 @@ void SimulatedTracker::poll(double now_s, std::vector<TrackerSample>& samples) {
   }
 }
 
+TrackerHealth SimulatedTracker::health(double now_s) const {
+  TrackerHealth health = Tracker::health(now_s);
+  health.samples = static_cast<std::uint64_t>(nextSample_);
+  return health;
+}
+
 }  // namespace carom

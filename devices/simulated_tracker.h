@@ -49,6 +49,8 @@ class SimulatedTracker : public Tracker {
   explicit SimulatedTracker(const SimulatedPerson& person = {});
 
   void poll(double now_s, std::vector<TrackerSample>& samples) override;
+  /// Always well; with the number of its samples so far.
+  TrackerHealth health(double now_s) const override;
 
   /// The true motion at the time of the newest sample delivered.
   const TrueMotion& truth() const { return truth_; }

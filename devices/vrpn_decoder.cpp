@@ -19,6 +19,7 @@ constexpr std::size_t kMostRecord = 65536;  // VRPN's own buffers hold 64000
 constexpr std::string_view kMagic = "vrpn: ver. 07.";
 constexpr std::string_view kOurCookie = "vrpn: ver. 07.38  0";
 constexpr std::size_t kMostNames = 16;
+constexpr std::string_view kControl = "VRPN Control";  // the connection itself, no device
 constexpr std::int32_t kSenderDescription = -1;
 constexpr std::int32_t kTypeDescription = -2;
 constexpr int kMostSensors = 65536;
@@ -173,6 +174,7 @@ bool VrpnDecoder::takeRecord(std::vector<Reading>& readings) {
                              " bytes, expected 24 to 65536: this is no VRPN, or bytes were lost");
   }
   if (held.size() < padded(length)) return false;
+  spoke_ = true;
   Header header;
   header.time_s = wire.read<std::uint32_t>();
   header.time_s += wire.read<std::uint32_t>() * 1e-6;
@@ -214,7 +216,10 @@ void VrpnDecoder::describe(const Header& header, std::span<const std::uint8_t> p
     types_[id] = typeOf(name);
   } else {
     senders_[id] = name == sender_;
-    if (senderNames_.size() < kMostNames) senderNames_.push_back(shown(name));
+    if (!namesCount_) return;
+    if (senders_[id]) senderNamed_ = true;
+    if (name == kControl || senderNames_.size() > kMostNames) return;
+    senderNames_.push_back(senderNames_.size() == kMostNames ? "and more" : shown(name));
   }
 }
 
@@ -228,6 +233,7 @@ bool VrpnDecoder::understand(const Header& header, std::span<const std::uint8_t>
   const auto isId = [](std::int32_t id) { return id >= 0 && static_cast<std::size_t>(id) < kMostIds; };
   if (!isId(header.type) || !isId(header.sender)) return true;  // logs and the like
   if (!senders_[static_cast<std::size_t>(header.sender)]) return true;
+  senderHeard_ = true;
   WireReader wire(payload, std::endian::big);
   Reading reading;
   reading.device_s = header.time_s;
@@ -256,9 +262,14 @@ bool VrpnDecoder::understand(const Header& header, std::span<const std::uint8_t>
   return understood;
 }
 
-std::vector<std::uint8_t> vrpnGreeting(std::string_view sender) {
+std::vector<std::uint8_t> vrpnGreeting() {
   std::vector<std::uint8_t> bytes(kCookie);
   std::copy(kOurCookie.begin(), kOurCookie.end(), bytes.begin());
+  return bytes;
+}
+
+std::vector<std::uint8_t> vrpnDescription(std::string_view sender) {
+  std::vector<std::uint8_t> bytes;
   appendName(bytes, kOurSender, kSenderDescription, sender);
   appendName(bytes, kOurPing, kTypeDescription, "vrpn_Base ping_message");
   appendName(bytes, kOurPong, kTypeDescription, "vrpn_Base pong_message");

@@ -29,10 +29,18 @@ class VrpnDecoder {
   /// of impossible length.
   void decode(std::span<const std::uint8_t> bytes, std::vector<Reading>& readings);
 
-  bool greeted() const { return greeted_; }              ///< the server has said what it is
-  bool senderKnown() const { return !senders_.none(); }  ///< the server has such a sender
-  /// Names of the senders that the server has, the first few of them.
+  bool greeted() const { return greeted_; }  ///< the server has said what it is
+  bool spoke() const { return spoke_; }      ///< and a whole record has come after that
+  /// The server has named such a sender of its own accord. That is no proof of a device: a server keeps, and
+  /// names to every client, all names that any client has named to it since it started.
+  bool senderNamed() const { return senderNamed_; }
+  /// Something has come from the sender, be it an answer to a ping: there is such a device.
+  bool senderHeard() const { return senderHeard_; }
+  /// Names of the senders that the server has named of its own accord, the first few of them.
   const std::vector<std::string>& senderNames() const { return senderNames_; }
+  /// To be called when `vrpnDescription` is sent: names that come from now on may be echoes of it and count
+  /// no more. What their senders say is read all the same.
+  void ignoreNames() { namesCount_ = false; }
   std::uint64_t refused() const { return refused_; }  ///< records whose content makes no sense, so far
   /// Pings since this was last asked.
   int takePings() { return std::exchange(pings_, 0); }
@@ -55,16 +63,19 @@ class VrpnDecoder {
   std::bitset<kMostIds> senders_;  // ids that bear our sender's name
   std::array<Type, kMostIds> types_{};
   std::vector<std::string> senderNames_;
+  bool namesCount_ = true, senderNamed_ = false, senderHeard_ = false;
   std::vector<std::uint8_t> held_;  // the beginning of a record
   std::size_t used_ = 0;            // of it
-  bool greeted_ = false;
+  bool greeted_ = false, spoke_ = false;
   std::uint64_t refused_ = 0;
   int pings_ = 0;
 };
 
-/// What a client says first: its cookie, and the names under which it will ping `sender`.
-std::vector<std::uint8_t> vrpnGreeting(std::string_view sender);
-/// A ping, and the answer to one, after that greeting.
+/// What a client says first: its cookie.
+std::vector<std::uint8_t> vrpnGreeting();
+/// Then the names under which it will ping `sender`.
+std::vector<std::uint8_t> vrpnDescription(std::string_view sender);
+/// A ping, and the answer to one, after that description.
 std::vector<std::uint8_t> vrpnPing();
 std::vector<std::uint8_t> vrpnPong();
 

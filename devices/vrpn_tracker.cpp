@@ -1,6 +1,7 @@
 #include "devices/vrpn_tracker.h"
 
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -16,6 +17,8 @@ using namespace std::chrono_literals;
 
 constexpr std::uint16_t kUsualPort = 3883;
 constexpr auto kPingAfter = 1s;
+constexpr auto kNamesWithin = 1s;   // a server that has met its client names all of its senders at once
+constexpr auto kAnswerWithin = 3s;  // VRPN's own clients wait as long for a device before they complain
 constexpr auto kGiveUpAfter = 5s;
 constexpr auto kPause = 500ms;
 constexpr std::size_t kLongestName = 100;  // VRPN's own limit
@@ -32,9 +35,10 @@ class Session {
 
   /// Until asked to stop. Throws where the connection ends.
   void run() {
-    socket_.send(vrpnGreeting(source_.sender));
+    socket_.send(vrpnGreeting());
     while (!stop_.stop_requested()) {
       if (waitReadable({&socket_}, kLookAtStop)) take();
+      describe();
       keepAlive();
       remarkOnSender();
     }
@@ -51,7 +55,14 @@ class Session {
     const bool wasGreeted = decoder_.greeted();
     const std::uint64_t refused = decoder_.refused();
     decode({bytes_.data(), *count});
-    if (decoder_.greeted() && !wasGreeted) sink_.connected();
+    if (decoder_.greeted() && !wasGreeted) {
+      greeted_ = arrival;
+      sink_.connected();
+    }
+    if (decoder_.senderHeard() && remarked_) {
+      remarked_ = false;
+      sink_.remark({});
+    }
     for (std::uint64_t i = refused; i < decoder_.refused(); ++i) sink_.refused();
     if (!readings_.empty()) sink_.deliver(readings_, arrival);
     if (decoder_.takePings() > 0) socket_.send(vrpnPong());
@@ -65,24 +76,46 @@ class Session {
     }
   }
 
+  /// Names the sender that we will ping, and pings it. A server names to its clients what they name to it, so
+  /// its own names are waited for, unless it says nothing before its client does.
+  void describe() {
+    if (described_ || !decoder_.greeted()) return;
+    if (!decoder_.senderNamed() && Clock::now() - greeted_ < kNamesWithin) return;
+    if (decoder_.spoke()) decoder_.ignoreNames();
+    std::vector<std::uint8_t> bytes = vrpnDescription(source_.sender);
+    for (const std::uint8_t byte : vrpnPing()) bytes.push_back(byte);
+    socket_.send(bytes);
+    described_ = pinged_ = Clock::now();
+  }
+
   void keepAlive() {
     const auto now = Clock::now();
-    if (now - heard_ > kGiveUpAfter && (decoder_.senderKnown() || !decoder_.greeted())) {
-      throw std::runtime_error("the server at " + toString(source_.server) + " has not answered for 5 s");
+    const bool isOurs = decoder_.senderNamed() || decoder_.senderHeard();
+    if (now - heard_ > kGiveUpAfter && (isOurs || !decoder_.spoke())) {
+      throw std::runtime_error("the server at " + toString(source_.server) +
+                               (decoder_.spoke() || !decoder_.greeted()
+                                    ? " has not answered for 5 s"
+                                    : " greeted and has said nothing for 5 s"));
     }
-    if (!decoder_.greeted() || now - heard_ < kPingAfter || now - pinged_ < kPingAfter) return;
+    if (!described_ || now - heard_ < kPingAfter || now - pinged_ < kPingAfter) return;
     socket_.send(vrpnPing());
     pinged_ = now;
   }
 
   /// A name that the server does not have is the most usual mistake.
   void remarkOnSender() {
-    if (remarked_ || decoder_.senderKnown() || Clock::now() - begun_ < kPingAfter) return;
+    if (remarked_ || !described_ || !decoder_.spoke() || decoder_.senderHeard()) return;
+    if (decoder_.senderNamed() && Clock::now() - *described_ < kAnswerWithin) return;
     remarked_ = true;
+    const std::string server = "the server at " + toString(source_.server);
     std::string names;
-    for (const std::string& name : decoder_.senderNames()) names += (names.empty() ? "" : ", ") + name;
-    sink_.remark("the server at " + toString(source_.server) + " has no '" + source_.sender +
-                 "', it has: " + (names.empty() ? "nothing" : names));
+    for (const std::string& name : decoder_.senderNames()) {
+      if (name != source_.sender) names += (names.empty() ? "" : ", ") + name;
+    }
+    if (names.empty()) names = "nothing";
+    sink_.remark(decoder_.senderNamed() ? server + " names a '" + source_.sender +
+                                              "', but no such device answers; beside it there is: " + names
+                                        : server + " has no '" + source_.sender + "', it has: " + names);
   }
 
   const VrpnSource& source_;
@@ -92,7 +125,8 @@ class Session {
   Socket socket_;
   std::array<std::uint8_t, VrpnDecoder::kMostBytes> bytes_{};
   std::vector<Reading> readings_;
-  Clock::time_point begun_ = Clock::now(), heard_ = begun_, pinged_ = begun_;
+  Clock::time_point heard_ = Clock::now(), greeted_ = heard_, pinged_ = heard_;
+  std::optional<Clock::time_point> described_;
   bool remarked_ = false;
 };
 

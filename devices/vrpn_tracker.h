@@ -19,7 +19,8 @@ struct VrpnSource {
 VrpnSource readVrpnSource(std::string_view text);
 
 /// Keeps a connection to the server. Device times are the server's clock; a connection on which nothing comes
-/// for 5 s, not even the answers to our pings, is given up and made anew.
+/// for 5 s, not even the answers to our pings, is given up and made anew. A sender that the server does not
+/// have, or that answers no ping for 3 s, is remarked on, with the senders that there are, and waited for.
 Transport vrpnTransport(const VrpnSource& source);
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -99,6 +100,81 @@ TEST(DeviceTracker, DropsWhatComesAfterALaterOneOfItsSensor) {
   tracker.poll(10.0, samples);
   ASSERT_EQ(samples.size(), 4u);
   EXPECT_EQ(samples[3].sensor, 1);
+}
+
+/// 4 s of poses that move, at 120 Hz; pose i is stamped `stamp(i)` and seen as `place(i)`.
+struct Stamped {
+  std::uint64_t samples, late;
+  std::string message;
+  double longestGap_s;
+};
+template <class Stamp, class Place>
+Stamped stamped(const Stamp& stamp, const Place& place, int sensors = 1) {
+  constexpr int kPoses = 480;
+  const auto start = Clock::now() - std::chrono::seconds(10);
+  std::atomic<bool> done = false;
+  DeviceTracker tracker(once([&](DeviceSink& sink) {
+                          sink.connected();
+                          for (int i = 0; i < kPoses; ++i) {
+                            std::vector<Reading> readings;
+                            for (int sensor = 0; sensor < sensors; ++sensor) {
+                              readings.push_back(poseOf(sensor, stamp(i)));
+                              readings.back().pose.position_m.x = place(i);
+                            }
+                            sink.deliver(readings,
+                                         start + std::chrono::microseconds(i * 8333L + (i % 7) * 500));
+                          }
+                          done = true;
+                        }),
+                        start);
+  EXPECT_TRUE(comesTrue([&] { return done.load(); }));
+  std::vector<TrackerSample> samples;
+  tracker.poll(10.0, samples);
+  const TrackerHealth health = tracker.health(10.0);
+  double newest_s = 0.0, longest_s = 0.0;
+  for (const TrackerSample& sample : samples) {
+    if (sample.sensor != 0) continue;
+    longest_s = std::max(longest_s, sample.time_s - newest_s);
+    newest_s = sample.time_s;
+  }
+  longest_s = std::max(longest_s, 4.0 - newest_s);
+  return {health.samples, health.late, health.message, longest_s};
+}
+
+// Servers that never set the time, that play one packet again and again, or whose clock goes in coarse steps.
+TEST(DeviceTracker, TakesArrivalsWhereTheDevicesClockStands) {
+  const auto moves = [](int i) { return 0.001 * i; };
+  const auto rests = [](int) { return 0.5; };
+  const char* says =
+      "its messages carry the same time again and again; each is taken to be of the moment when it came";
+  for (const double time_s : {0.0, 1.8e9, -5.0}) {
+    const Stamped moving = stamped([&](int) { return time_s; }, moves);
+    EXPECT_GE(moving.samples, 465u) << time_s;
+    EXPECT_LT(moving.longestGap_s, 0.1) << time_s;
+    EXPECT_EQ(moving.message, says);
+    const Stamped resting = stamped([&](int) { return time_s; }, rests);
+    EXPECT_LT(resting.longestGap_s, 0.7) << "one pose again and again is doubted for half a second";
+    EXPECT_EQ(resting.message, says);
+  }
+  const Stamped several = stamped([](int) { return 7.0; }, moves, 5);
+  EXPECT_GE(several.samples, 5u * 465u);
+  const Stamped coarse = stamped([](int i) { return 0.1 * (i / 12); }, moves);
+  EXPECT_GE(coarse.samples, 450u);
+  EXPECT_LT(coarse.longestGap_s, 0.12);
+  EXPECT_EQ(coarse.message, says);
+}
+
+TEST(DeviceTracker, BelievesAClockThatGoes) {
+  const auto moves = [](int i) { return 0.001 * i; };
+  EXPECT_EQ(stamped([](int i) { return i / 120.0; }, moves).message, "");
+  EXPECT_EQ(stamped([](int i) { return i / 120.0; }, moves, 40).message, "") << "many sensors of one time";
+  const Stamped twice = stamped([](int i) { return i / 2 / 60.0; }, [](int i) { return 0.001 * (i / 2); });
+  EXPECT_EQ(twice.message, "") << "each measurement is sent twice";
+  EXPECT_EQ(twice.samples, 240u);
+  // One that stood at first, and was then set.
+  const Stamped set = stamped([](int i) { return i < 100 ? 0.0 : 500.0 + i / 120.0; }, moves);
+  EXPECT_EQ(set.message, "");
+  EXPECT_GE(set.samples, 460u);
 }
 
 TEST(DeviceTracker, HandsOverInputsBesideSamples) {

@@ -74,6 +74,26 @@ bool delivers(Watched& head, Server& server) {
   return head.comesTrue([&] { return server.sendFrame(head.now_s()), head.samples.size() >= 5; });
 }
 
+// A server that plays one packet again and again.
+TEST(NatnetTracker, DeliversThoughTheServersClockStands) {
+  Server server(3, 1);
+  Watched head(transportTo(server.port()));
+  ASSERT_TRUE(head.comesTrue([&] {
+    server.sendFrame(0.0);
+    std::this_thread::sleep_for(test::milliseconds(2));
+    return !head.health().message.empty();
+  }));
+  EXPECT_EQ(head.health().state, State::delivering);
+  EXPECT_NE(head.health().message.find("the same time again and again"), std::string::npos)
+      << head.health().message;
+  head.samples.clear();
+  for (int i = 0; i < 40; ++i) {
+    server.sendFrame(0.0);
+    std::this_thread::sleep_for(test::milliseconds(2));
+  }
+  EXPECT_TRUE(head.comesTrue([&] { return head.samples.size() >= 40; })) << head.samples.size();
+}
+
 TEST(NatnetTracker, AsksTheVersionThenDelivers) {
   for (const auto& [major, minor] : {std::pair{3, 1}, {4, 1}}) {
     Server server(major, minor);

@@ -112,9 +112,38 @@ TEST(VrpnDecoder, ListensToItsSenderAlone) {
   std::vector<Reading> readings;
   decoder.decode(others, readings);
   EXPECT_TRUE(readings.empty());
-  EXPECT_FALSE(decoder.senderKnown());
-  EXPECT_EQ(decoder.senderNames(), (std::vector<std::string>{"VRPN Control", "Tracker0"}));
+  EXPECT_FALSE(decoder.senderNamed());
+  EXPECT_FALSE(decoder.senderHeard());
+  EXPECT_EQ(decoder.senderNames(), std::vector<std::string>{"Tracker0"});
   EXPECT_EQ(decoder.refused(), 0u);
+}
+
+// What a client names, its server names back: such a name tells nothing, and yet its sender is read.
+TEST(VrpnDecoder, NamesThatAreIgnoredAreNoSenders) {
+  VrpnDecoder decoder("Head");
+  std::vector<Reading> readings;
+  decoder.decode(conversation({}, "Tracker0"), readings);
+  decoder.ignoreNames();
+  decoder.decode(VrpnSender::name(2, VrpnSender::kSenderName, "Head"), readings);
+  EXPECT_FALSE(decoder.senderNamed());
+  EXPECT_FALSE(decoder.senderHeard());
+  EXPECT_EQ(decoder.senderNames(), std::vector<std::string>{"Tracker0"});
+  decoder.decode(VrpnSender::pose(0, 0.0, 0.0, 1.0, 2), readings);
+  EXPECT_TRUE(decoder.senderHeard());
+  EXPECT_EQ(readings.size(), 1u);
+}
+
+TEST(VrpnDecoder, ListsSomeNamesOfMany) {
+  VrpnDecoder decoder("Head");
+  std::vector<Reading> readings;
+  decoder.decode(VrpnSender::cookie(), readings);
+  EXPECT_FALSE(decoder.spoke());
+  for (int i = 0; i < 100; ++i)
+    decoder.decode(VrpnSender::name(i, VrpnSender::kSenderName, "Tracker" + std::to_string(i)), readings);
+  EXPECT_TRUE(decoder.spoke());
+  ASSERT_EQ(decoder.senderNames().size(), 17u);
+  EXPECT_EQ(decoder.senderNames()[15], "Tracker15");
+  EXPECT_EQ(decoder.senderNames()[16], "and more");
 }
 
 TEST(VrpnDecoder, CountsPings) {
@@ -171,10 +200,11 @@ TEST(VrpnDecoder, HangsUpOnWhatCannotBeFollowed) {
 
 // What a server reads of us: checked against the layout byte by byte.
 TEST(VrpnDecoder, SpeaksAsAClient) {
-  const Bytes greeting = vrpnGreeting("Head");
-  ASSERT_EQ(greeting.size() % 8, 0u);
+  const Bytes greeting = vrpnGreeting(), described = vrpnDescription("Head");
+  ASSERT_EQ(greeting.size(), 24u);
+  ASSERT_EQ(described.size() % 8, 0u);
   EXPECT_EQ(std::string(greeting.begin(), greeting.begin() + 19), "vrpn: ver. 07.38  0");
-  const Bytes name(greeting.begin() + 24, greeting.begin() + 24 + 40);
+  const Bytes name(described.begin(), described.begin() + 40);
   EXPECT_EQ(name, (Bytes{0, 0, 0, 33, 0, 0, 0, 0, 0,   0,   0,   0,   0, 0, 0, 0, 0xff, 0xff, 0xff, 0xff,
                          0, 0, 0, 0,  0, 0, 0, 5, 'H', 'e', 'a', 'd', 0, 0, 0, 0, 0,    0,    0,    0}));
   const Bytes pong = vrpnPong();

@@ -23,14 +23,26 @@ class VrpnSender {
     return bytes;
   }
 
-  /// Names 0 and 1 of senders, 0 to 5 of types.
+  static constexpr int kSenderName = -1, kTypeName = -2;
+  static constexpr int kPong = 6;
+
+  /// Names 0 and 1 of senders, 0 to 6 of types.
   static Bytes names(const std::string& sender) {
-    Bytes bytes = name(0, -1, "VRPN Control");
-    add(bytes, name(1, -1, sender));
+    Bytes bytes = name(0, kSenderName, "VRPN Control");
+    add(bytes, name(1, kSenderName, sender));
     const char* types[]{"vrpn_Tracker Velocity", "vrpn_Tracker Pos_Quat", "vrpn_Button Change",
-                        "vrpn_Button States",    "vrpn_Analog Channel",   "vrpn_Base ping_message"};
-    for (int i = 0; i < 6; ++i) add(bytes, name(i, -2, types[i]));
+                        "vrpn_Button States",    "vrpn_Analog Channel",   "vrpn_Base ping_message",
+                        "vrpn_Base pong_message"};
+    for (int i = 0; i < 7; ++i) add(bytes, name(i, kTypeName, types[i]));
     return bytes;
+  }
+
+  static Bytes name(int id, int what, const std::string& text) {
+    Bytes payload;
+    put(payload, static_cast<std::uint32_t>(text.size() + 1));
+    for (const char c : text) payload.push_back(static_cast<std::uint8_t>(c));
+    payload.push_back(0);
+    return record(id, what, payload, 0.0);
   }
 
   /// At x along x, turned by `angle` about y.
@@ -97,14 +109,6 @@ class VrpnSender {
   }
 
  private:
-  static Bytes name(int id, int what, const std::string& text) {
-    Bytes payload;
-    put(payload, static_cast<std::uint32_t>(text.size() + 1));
-    for (const char c : text) payload.push_back(static_cast<std::uint8_t>(c));
-    payload.push_back(0);
-    return record(id, what, payload, 0.0);
-  }
-
   template <class T>
   static void put(Bytes& bytes, T value) {
     for (std::size_t i = sizeof(T); i-- > 0;) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));

@@ -8,6 +8,7 @@
 
 #include "devices/network_peer.h"
 #include "devices/vrpn_sender.h"
+#include "devices/vrpn_server.h"
 
 namespace carom {
 namespace {
@@ -15,37 +16,13 @@ namespace {
 using test::Bytes;
 using test::PeerSocket;
 using test::VrpnSender;
+using Server = test::VrpnServer;
 using test::Watched;
 using State = TrackerHealth::State;
 
 constexpr double kServerAhead_s = 1.8e9;  // the server counts from 1970
 
-class Server {
- public:
-  explicit Server(std::uint16_t port = 0) : listener_(SOCK_STREAM, port) {
-    listen(listener_.descriptor(), 1);
-  }
-  std::uint16_t port() const { return listener_.port(); }
-
-  /// The next client, greeted, after it has greeted us.
-  PeerSocket meet(const std::string& sender = "Head", const std::string& version = "07.35") {
-    EXPECT_TRUE(listener_.isReadable(5000)) << "no client came";
-    PeerSocket client = PeerSocket::acceptedBy(listener_);
-    client.send(VrpnSender::cookie(version));
-    const auto greeting = client.receive();
-    EXPECT_TRUE(greeting && std::string(greeting->begin(), greeting->begin() + 14) == "vrpn: ver. 07.");
-    client.send(VrpnSender::names(sender));
-    return client;
-  }
-  bool isCalled(int longest_ms) const { return listener_.isReadable(longest_ms); }
-
- private:
-  PeerSocket listener_;
-};
-
-Transport transportTo(const Server& server) {
-  return vrpnTransport(readVrpnSource("Head@tcp://127.0.0.1:" + std::to_string(server.port())));
-}
+Transport transportTo(const Server& server) { return vrpnTransport(readVrpnSource(server.source())); }
 
 /// Sends `count` poses, 2 ms apart, by the server's clock.
 void sendPoses(const PeerSocket& client, const Watched& head, int count) {
@@ -117,7 +94,7 @@ TEST(VrpnTracker, ComesBackAfterTheServerDiedAndStartedAnew) {
   }  // the connection is cut
   ASSERT_TRUE(head.comesTo(State::connecting));
   EXPECT_NE(head.health().message.find("127.0.0.1"), std::string::npos) << head.health().message;
-  server = std::make_unique<Server>(port);
+  server = std::make_unique<Server>("Head", port);
   const PeerSocket client = server->meet();
   head.samples.clear();
   sendUntilKnown(client, head);
@@ -142,7 +119,10 @@ TEST(VrpnTracker, SilenceIsJudgedByTime) {
 TEST(VrpnTracker, PingsWhenNothingComesAndAnswersPings) {
   Server server;
   Watched head(transportTo(server));
-  const PeerSocket client = server.meet();
+  const PeerSocket client = server.greet();
+  client.send(VrpnSender::names("Head"));
+  const auto described = client.receive();
+  ASSERT_TRUE(described && described->size() > 24u);
   const auto ping = client.receive();  // after a second of silence
   ASSERT_TRUE(ping);
   EXPECT_EQ(ping->size(), 24u);
@@ -153,18 +133,70 @@ TEST(VrpnTracker, PingsWhenNothingComesAndAnswersPings) {
   EXPECT_EQ((*pong)[19], 1) << "… and vrpn_Base pong_message";
 }
 
+// A server names back what is named to it, and to every later client: no name is a proof of a device.
 TEST(VrpnTracker, SaysWhichSendersThereAre) {
+  Server server("Tracker0");
+  {
+    Watched head(transportTo(server));
+    const PeerSocket client = server.meet();
+    EXPECT_EQ(server.wanted(), "Head");
+    ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
+    EXPECT_EQ(head.health().message, "the server at 127.0.0.1:" + std::to_string(server.port()) +
+                                         " has no 'Head', it has: Tracker0");
+    EXPECT_EQ(head.health().state, State::connecting);
+    EXPECT_TRUE(head.health().connected);
+  }
+  Watched head(transportTo(server));
+  const PeerSocket client = server.meet();  // which names a Head now
+  ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
+  EXPECT_EQ(head.health().message,
+            "the server at 127.0.0.1:" + std::to_string(server.port()) +
+                " names a 'Head', but no such device answers; beside it there is: Tracker0");
+}
+
+// One that answers pings is there, and so is one that speaks under a name that came late.
+TEST(VrpnTracker, TakesBackARemarkWhenTheDeviceSpeaks) {
+  Server server("Tracker0");
+  Watched head(transportTo(server));
+  const PeerSocket client = server.meet();
+  ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
+  for (int i = 0; i < 20; ++i) {  // the name that was named back is sender 2
+    client.send(VrpnSender::pose(0, 0.1, 0.0, kServerAhead_s + head.now_s(), 2));
+    std::this_thread::sleep_for(test::milliseconds(2));
+  }
+  ASSERT_TRUE(head.comesTo(State::delivering));
+  EXPECT_TRUE(head.comesTrue([&] { return head.health().message.empty(); })) << head.health().message;
+}
+
+TEST(VrpnTracker, AQuietDeviceThatAnswersIsNotRemarkedOn) {
   Server server;
   Watched head(transportTo(server));
-  const PeerSocket client = server.meet("Tracker0");
-  ASSERT_TRUE(head.comesTrue([&] { return head.health().message.find("Tracker0") != std::string::npos; }));
-  EXPECT_NE(head.health().message.find("no 'Head'"), std::string::npos) << head.health().message;
+  const PeerSocket client = server.meet();
+  const auto until = head.now_s() + 3.5;  // longer than it waits for an answer
+  while (head.now_s() < until) {
+    if (client.isReadable(100)) server.hear(client);
+  }
+  EXPECT_EQ(head.health().message, "");
+  EXPECT_EQ(head.health().state, State::connecting) << "no pose has come";
+}
+
+TEST(VrpnTracker, GivesUpAServerThatGreetsAndSaysNoMore) {
+  Server silent, halting;
+  Watched a(transportTo(silent)), b(transportTo(halting));
+  const PeerSocket client = silent.greet(), other = halting.greet();
+  other.send(Bytes(12, 0));  // half a header
+  for (const auto& [head, server] : {std::pair{&a, &silent}, {&b, &halting}}) {
+    ASSERT_TRUE(
+        head->comesTrue([&] { return head->health().message.find("said nothing") != std::string::npos; }));
+    EXPECT_EQ(head->health().state, State::connecting);
+    EXPECT_TRUE(server->isCalled(5000)) << "it is called again";
+  }
 }
 
 TEST(VrpnTracker, AnotherProtocolNeedsHelp) {
   Server server;
   Watched head(transportTo(server));
-  const PeerSocket client = server.meet("Head", "06.00");
+  const PeerSocket client = server.meet("06.00");
   ASSERT_TRUE(head.comesTo(State::failed));
   EXPECT_NE(head.health().message.find("ver. 06.00"), std::string::npos) << head.health().message;
 }
