@@ -86,8 +86,12 @@ void tellRig(const std::filesystem::path& path) {
   fmt::print("head: tracker {}, sensor {}, eyes {:.1f} mm apart\n",
              rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor,
              rig.head.eyeSeparation_m * 1e3);
-  if (rig.hand)
-    fmt::print("hand: tracker {}, sensor {}\n", rig.trackers[rig.hand->tracker].name, rig.hand->sensor);
+  if (rig.hand) {
+    const std::string buttons =
+        rig.hand->buttons ? ", buttons of tracker " + rig.trackers[*rig.hand->buttons].name : "";
+    fmt::print("hand: tracker {}, sensor {}{}\n", rig.trackers[rig.hand->tracker].name, rig.hand->sensor,
+               buttons);
+  }
   tellHead(room);
 }
 

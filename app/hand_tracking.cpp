@@ -1,6 +1,9 @@
 #include "app/hand_tracking.h"
 
 #include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "app/open_tracker.h"
 
@@ -8,6 +11,8 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kMostSamples = 4096;  // of one frame: more than a device's queue holds
+constexpr double kButtonsWithin_s = 5.0;    // most devices tell how they stand at once
+constexpr const char* kWithoutWand = "the wand aims at nothing";
 
 void take(const Reading& reading, Handles& handles) {
   if (reading.index < 0) return;
@@ -36,9 +41,13 @@ const TrackerSetup* spaceMouseOf(const Rig& rig) {
 
 HandTracking::Trackers open(const Rig& rig, std::chrono::steady_clock::time_point sessionStart) {
   HandTracking::Trackers trackers;
-  if (rig.hand && rig.hand->tracker != rig.head.sensor.tracker &&
-      rig.trackers[rig.hand->tracker].kind != TrackerKind::spaceMouse)
-    trackers.wand = openTracker(rig.trackers[rig.hand->tracker], rig.axes, sessionStart);
+  const auto opened = [&](std::size_t tracker) -> std::unique_ptr<Tracker> {
+    const TrackerSetup& setup = rig.trackers[tracker];
+    if (tracker == rig.head.sensor.tracker || setup.kind == TrackerKind::spaceMouse) return nullptr;
+    return openTracker(setup, rig.axes, sessionStart);
+  };
+  if (rig.hand) trackers.wand = opened(rig.hand->tracker);
+  if (rig.hand && rig.hand->buttons) trackers.buttons = opened(*rig.hand->buttons);
   if (const TrackerSetup* mouse = spaceMouseOf(rig))
     trackers.spaceMouse = openTracker(*mouse, rig.axes, sessionStart);
   return trackers;
@@ -58,8 +67,16 @@ HandTracking::HandTracking(const Rig& rig, Trackers trackers) : trackers_(std::m
   if (wand.kind == TrackerKind::spaceMouse) return;  // it has no place
   place_.emplace(rig.hand->sensor, wand.roomFromTracker);
   sensorFromHand_ = inverse(rig.hand->handFromSensor);
-  inputSensor_ = wand.kind == TrackerKind::vrpn ? 0 : rig.hand->sensor;  // as vrpn_decoder.h
-  wandName_ = wand.name;
+  sensor_ = rig.hand->sensor;
+  wandName_ = buttonsName_ = wand.name;
+  wandWatch_.emplace(wandName_, sensor_, kWithoutWand);
+  otherButtons_ = rig.hand->buttons.has_value();
+  if (!otherButtons_) {
+    buttonsSensor_ = wand.kind == TrackerKind::vrpn ? 0 : sensor_;  // as vrpn_decoder.h
+    return;
+  }
+  buttonsName_ = rig.trackers[*rig.hand->buttons].name;
+  buttonsWatch_.emplace(buttonsName_, std::nullopt);
 }
 
 TrackerReport reportOf(const std::string& name, const char* use, const Tracker& tracker,
@@ -78,27 +95,60 @@ void HandTracking::report(double now_s, const Tracker& headTracker,
                           std::vector<TrackerReport>& reports) const {
   const Tracker& wand = trackers_.wand ? *trackers_.wand : headTracker;
   if (place_) reports.push_back(reportOf(wandName_, "hand", wand, &*place_, now_s));
+  if (trackers_.buttons)
+    reports.push_back(reportOf(buttonsName_, "buttons", *trackers_.buttons, nullptr, now_s));
   if (trackers_.spaceMouse)
     reports.push_back(reportOf(spaceMouseName_, "steering", *trackers_.spaceMouse, nullptr, now_s));
 }
 
+/// Whether a sensor's buttons are the wand's. Of another tracker, which numbers its sensors in its own way,
+/// the first that sends some is taken, unless one numbered as the wand's own does, too.
+bool HandTracking::isOfTheWand(int sensor) {
+  if (otherButtons_ && sensor != buttonsSensor_ && (!buttonsSensor_ || sensor == sensor_)) {
+    buttonsSensor_ = sensor;
+    devices_.wand = {};
+  }
+  return sensor == buttonsSensor_;
+}
+
+void HandTracking::takeButtons(std::span<const Reading> inputs) {
+  for (const Reading& reading : inputs) {
+    if (reading.kind != Reading::Kind::button && reading.kind != Reading::Kind::axis) continue;
+    if (!isOfTheWand(reading.sensor)) continue;
+    take(reading, devices_.wand);
+    if (buttons_ != Buttons::came) buttonsTold_ = buttons_ == Buttons::awaited;
+    buttons_ = Buttons::came;
+  }
+}
+
+void HandTracking::followWand(double now_s, std::span<const TrackerSample> samples,
+                              std::span<const Reading> inputs) {
+  if (trackers_.wand) {
+    samples_.clear();
+    inputs_.clear();
+    trackers_.wand->poll(now_s, samples_);
+    trackers_.wand->takeInputs(inputs_);
+    samples = samples_;
+    if (!otherButtons_) inputs = inputs_;
+  }
+  place_->see(now_s, samples);
+  wandWatch_->see(now_s, samples);
+  if (trackers_.buttons) {
+    samples_.clear();  // whatever has its buttons on it
+    inputs_.clear();
+    trackers_.buttons->poll(now_s, samples_);
+    trackers_.buttons->takeInputs(inputs_);
+    inputs = inputs_;
+  }
+  takeButtons(inputs);
+  devices_.wandKnown = place_->isKnown(now_s);
+  if (!devices_.wandKnown) devices_.wand = {};  // who finds it again presses anew
+  devices_.roomFromHand = place_->roomFromSensor() * sensorFromHand_;
+}
+
 void HandTracking::follow(double now_s, std::span<const TrackerSample> samples,
                           std::span<const Reading> inputs) {
-  samples_.clear();
-  if (place_) {
-    inputs_.clear();
-    if (trackers_.wand) {
-      trackers_.wand->poll(now_s, samples_);
-      trackers_.wand->takeInputs(inputs_);
-      samples = samples_;
-      inputs = inputs_;
-    }
-    place_->see(now_s, samples);
-    takeOf(inputSensor_, inputs, devices_.wand);
-    devices_.wandKnown = place_->isKnown(now_s);
-    if (!devices_.wandKnown) devices_.wand = {};  // who finds it again presses anew
-    devices_.roomFromHand = place_->roomFromSensor() * sensorFromHand_;
-  }
+  if (place_) followWand(now_s, samples, inputs);
   if (trackers_.spaceMouse) {
     samples_.clear();  // it has none
     inputs_.clear();
@@ -106,6 +156,41 @@ void HandTracking::follow(double now_s, std::span<const TrackerSample> samples,
     trackers_.spaceMouse->takeInputs(inputs_);
     takeOf(0, inputs_, devices_.spaceMouse);
   }
+}
+
+/// `tracked`: the wand has a place, and the tracker of its buttons delivers.
+std::optional<std::string> HandTracking::tellOfButtons(double now_s, bool tracked) {
+  if (!tracked) untrackedUntil_s_ = now_s;
+  if (buttons_ == Buttons::awaited && now_s - untrackedUntil_s_ >= kButtonsWithin_s) {
+    buttons_ = Buttons::missed;
+    return fmt::format("Tracker {}: no button or axis of the hand has come yet; {}", buttonsName_,
+                       otherButtons_ ? "without one the wand only points"
+                                     : "if it has none, name a tracker that has some as buttons of [hand]");
+  }
+  if (std::exchange(buttonsTold_, true)) return {};
+  return fmt::format("Tracker {}: the hand's buttons have come", buttonsName_);
+}
+
+std::vector<std::string> HandTracking::look(double now_s, const Tracker& headTracker) {
+  std::vector<std::string> lines;
+  if (!place_) return lines;
+  const auto tell = [&](const std::optional<std::string>& line) {
+    if (line) lines.push_back(*line);
+  };
+  TrackerHealth well;
+  well.state = TrackerHealth::State::delivering;
+  tell(wandWatch_->look(now_s, trackers_.wand ? trackers_.wand->health(now_s) : well));
+  bool tracked = devices_.wandKnown;
+  if (otherButtons_) {
+    const TrackerHealth health = (trackers_.buttons ? *trackers_.buttons : headTracker).health(now_s);
+    if (trackers_.buttons) tell(buttonsWatch_->look(now_s, health));
+    if (health.state != TrackerHealth::State::delivering) {
+      devices_.wand = {};
+      tracked = false;
+    }
+  }
+  tell(tellOfButtons(now_s, tracked));
+  return lines;
 }
 
 }  // namespace carom

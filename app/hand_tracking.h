@@ -1,6 +1,7 @@
 #pragma once
 // The hand's devices of a rig: a wand, which has a place, buttons and axes, and a SpaceMouse, which has no
-// place and steers alone. A wand may be a sensor of the head's tracker.
+// place and steers alone. A wand may be a sensor of the head's tracker, and its buttons may be those of another
+// tracker: of whatever sensor there sends some, or, where several do, of the one numbered as the wand's own.
 
 #include <array>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include "app/rig.h"
 #include "app/sensor_place.h"
 #include "app/tracker_report.h"
+#include "app/tracker_watch.h"
 #include "devices/tracker.h"
 
 namespace carom {
@@ -38,9 +40,10 @@ TrackerReport reportOf(const std::string& name, const char* use, const Tracker& 
 
 class HandTracking {
  public:
-  /// The trackers themselves. `wand`: null where the head's tracker follows it, or where there is none.
+  /// The trackers themselves. `wand`: null where the head's tracker follows it, or where there is none;
+  /// `buttons`: null where the wand's own tracker or the head's has them.
   struct Trackers {
-    std::unique_ptr<Tracker> wand, spaceMouse;
+    std::unique_ptr<Tracker> wand, spaceMouse, buttons;
   };
 
   HandTracking(const Rig& rig, Trackers trackers);
@@ -50,6 +53,12 @@ class HandTracking {
   /// Takes what has come up to a frame's begin. `samples`, `inputs`: of the head's tracker.
   void follow(double now_s, std::span<const TrackerSample> samples, std::span<const Reading> inputs);
 
+  /// Whether it is time to look at its trackers again: a few times a second.
+  bool isDue(double now_s) const { return wandWatch_ && wandWatch_->isDue(now_s); }
+  /// What the person should be told of them; of the head's tracker its own watch tells. Buttons of a tracker
+  /// that is gone are let go.
+  std::vector<std::string> look(double now_s, const Tracker& headTracker);
+
   const HandDevices& devices() const { return devices_; }
   const SensorPlace* place() const {
     return place_ ? &*place_ : nullptr;
@@ -58,14 +67,25 @@ class HandTracking {
   void report(double now_s, const Tracker& headTracker, std::vector<TrackerReport>& reports) const;
 
  private:
+  void followWand(double now_s, std::span<const TrackerSample> samples, std::span<const Reading> inputs);
+  void takeButtons(std::span<const Reading> inputs);
+  bool isOfTheWand(int sensor);
+  std::optional<std::string> tellOfButtons(double now_s, bool tracked);
+
   Trackers trackers_;
-  std::string wandName_, spaceMouseName_;  ///< in the rig
+  std::string wandName_, spaceMouseName_, buttonsName_;  ///< in the rig
   std::optional<SensorPlace> place_;
   Pose sensorFromHand_;
-  int inputSensor_ = 0;  ///< under which the wand's buttons come
+  int sensor_ = 0;                   ///< of the wand
+  bool otherButtons_ = false;        ///< they are another tracker's than its place
+  std::optional<int> buttonsSensor_;  ///< under which they come; none: it has not shown yet
   HandDevices devices_;
   std::vector<TrackerSample> samples_;
   std::vector<Reading> inputs_;
+  std::optional<TrackerWatch> wandWatch_, buttonsWatch_;
+  enum class Buttons { awaited, missed, came } buttons_ = Buttons::awaited;
+  bool buttonsTold_ = true;        ///< of what `buttons_` is
+  double untrackedUntil_s_ = 0.0;  ///< since then both trackers have delivered
 };
 
 }  // namespace carom

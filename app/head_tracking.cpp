@@ -64,6 +64,9 @@ HeadEstimate HeadTracking::at(const FrameTimes& times) {
   begin_s_ = times.begin_s;
   headPlace_.see(begin_s_, samples_);
   hand_.follow(begin_s_, samples_, inputs_);
+  if (hand_.isDue(begin_s_)) {
+    for (const std::string& line : hand_.look(begin_s_, *tracker_)) fmt::print(stderr, "{}\n", line);
+  }
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
   for (const TrackerSample& sample : samples_) {
     if (sample.sensor != setup_.sensor.sensor) continue;

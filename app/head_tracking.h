@@ -26,8 +26,8 @@ class HeadTracking {
   /// `sessionStart`: where the session's clock reads zero. Throws InputError if a trace is at fault.
   HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart);
 
-  /// Takes what the tracker has up to the frame's begin and predicts the head to its display. Where the
-  /// tracker fails for long, or is well again, a line on standard error says so.
+  /// Takes what the trackers have up to the frame's begin and predicts the head to its display. Where one of
+  /// head or hand fails for long, or is well again, a line on standard error says so.
   HeadEstimate at(const FrameTimes& times);
 
   /// Where the sensors of head and hand were last, as the trackers had told at that frame's begin.

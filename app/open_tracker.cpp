@@ -64,10 +64,10 @@ std::unique_ptr<Tracker> openTracker(const TrackerSetup& setup, const RoomAxes& 
     return std::make_unique<SimulatedTracker>(person);
   }
   Transport transport = transportOf(setup.kind, setup.source.string(), axes);
-  if (setup.kind != TrackerKind::spaceMouse) {
+  if (setup.kind != TrackerKind::spaceMouse && !setup.buttonsAlone) {
     return std::make_unique<DeviceTracker>(std::move(transport), sessionStart);
   }
-  // It says nothing while nobody touches it.
+  // It may say nothing while nobody touches it.
   constexpr double kNeverSilent_s = std::numeric_limits<double>::infinity();
   return std::make_unique<DeviceTracker>(std::move(transport), sessionStart, kNeverSilent_s);
 }

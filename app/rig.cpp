@@ -102,24 +102,44 @@ TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double un
   return tracker;
 }
 
-/// `tracker` and `sensor` of the head or the hand.
-SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>& trackers) {
-  SensorChoice choice;
-  const std::string name = table.text("tracker");
+/// The tracker that a key names, an index; beyond the last one where there is none of that name.
+std::size_t readTrackerName(const TomlTable& table, std::string_view key,
+                            const std::vector<TrackerSetup>& trackers) {
+  const std::string name = table.text(key);
   const auto found = std::find_if(trackers.begin(), trackers.end(),
                                   [&](const auto& tracker) { return tracker.name == name; });
-  choice.tracker = static_cast<std::size_t>(found - trackers.begin());
-  if (found == trackers.end() && table.has("tracker") && !name.empty()) {
+  if (found == trackers.end() && table.has(key) && !name.empty()) {
     std::vector<std::string> names;
     for (const TrackerSetup& tracker : trackers) names.push_back(tracker.name);
     table.fault(
-        "tracker",
+        key,
         names.empty()
             ? fmt::format("there is no tracker '{}', expected a [[tracker]] of that name", name)
             : fmt::format("there is no tracker '{}', expected '{}'", name, fmt::join(names, "' or '")));
   }
-  choice.sensor = table.integer("sensor", 0, kMostSensors, 0);
-  return choice;
+  return static_cast<std::size_t>(found - trackers.begin());
+}
+
+/// `tracker` and `sensor` of the head or the hand.
+SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>& trackers) {
+  return {.tracker = readTrackerName(table, "tracker", trackers),
+          .sensor = table.integer("sensor", 0, kMostSensors, 0)};
+}
+
+HandSetup readHand(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m) {
+  HandSetup hand{readSensor(table, trackers), readPose(table, "hand_from_sensor", unit_m)};
+  if (!table.has("buttons")) return hand;
+  const auto isSpaceMouse = [&](std::size_t tracker) {
+    return tracker < trackers.size() && trackers[tracker].kind == TrackerKind::spaceMouse;
+  };
+  const std::size_t buttons = readTrackerName(table, "buttons", trackers);
+  if (isSpaceMouse(buttons)) {
+    table.fault("buttons", "a spacemouse steers and holds no cue, expected a tracker with buttons of a hand");
+  } else if (isSpaceMouse(hand.tracker)) {
+    table.fault("buttons", "a hand on a spacemouse has no place to hold a cue in, expected no buttons");
+  }
+  if (buttons != hand.tracker) hand.buttons = buttons;
+  return hand;
 }
 
 HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m) {
@@ -361,7 +381,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
     placed.head = head->place();
     placed.eyeSeparation = head->place("eye_separation");
   }
-  if (const auto hand = root.table("hand")) rig.hand = HandSetup{readSensor(*hand, rig.trackers), readPose(*hand, "hand_from_sensor", unit_m)};
+  if (const auto hand = root.table("hand")) rig.hand = readHand(*hand, rig.trackers, unit_m);
   for (const TomlTable& table : root.tables("node")) {
     rig.nodes.push_back({.rank = table.integer("rank", 0, kMostRanks), .display = table.text("display")});
     placed.nodes.push_back(table.place());
@@ -379,6 +399,8 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
   }
   if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
   file.throwFaults();
+  if (rig.hand && rig.hand->buttons && *rig.hand->buttons != rig.head.sensor.tracker)
+    rig.trackers[*rig.hand->buttons].buttonsAlone = true;
   checkTogether(root, rig, walls);
   holdBackTheFast(rig, root.tables("wall"));
   file.throwFaults();

@@ -51,6 +51,7 @@ struct TrackerSetup {
   bool still = false;            ///< of a simulated one: the person does not move
   std::filesystem::path source;  ///< of a recorded one: the trace; exists. Of a device: its address
   Pose roomFromTracker;
+  bool buttonsAlone = false;  ///< the hand's buttons are all that the rig takes of it
 };
 
 /// A sensor of a tracker.
@@ -63,6 +64,8 @@ struct HandSetup : SensorChoice {
   /// Takes the sensor's coordinates to those of the hand (origin where its ray begins; it points along the rig's
   /// forward).
   Pose handFromSensor;
+  /// Whose buttons and axes are the hand's, an index into Rig::trackers; none: those of its own tracker.
+  std::optional<std::size_t> buttons{};
 };
 
 struct HeadSetup {

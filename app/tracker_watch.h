@@ -1,7 +1,7 @@
 #pragma once
 // What a person should be told of a tracker while a session runs: one line when something is wrong for long
 // enough to matter (5 s of silence), and since which second of the session, one when it is well again, and
-// after how long.
+// after how long, and once what a tracker that delivers has remarked on.
 
 #include <optional>
 #include <span>
@@ -14,8 +14,10 @@ namespace carom {
 
 class TrackerWatch {
  public:
-  /// The tracker's name in the rig, and the sensor that is wanted of it.
-  TrackerWatch(std::string name, int sensor);
+  /// The tracker's name in the rig, and the sensor that is wanted of it; none: its buttons alone are wanted,
+  /// which say nothing while nobody touches them. `withoutIt`: what becomes of the person's part that it
+  /// follows.
+  TrackerWatch(std::string name, std::optional<int> sensor, std::string withoutIt = "the head is held");
 
   /// Notes what came up to `now_s`. Cheap, for every frame.
   void see(double now_s, std::span<const TrackerSample> samples);
@@ -32,15 +34,19 @@ class TrackerWatch {
   Trouble troubleOf(double now_s, const TrackerHealth& health) const;
   std::string line(Trouble trouble, const TrackerHealth& health) const;
   std::string returnLine(double now_s) const;
+  std::string told(const std::string& what) const;
+  bool isNew(const TrackerHealth& health);
 
   std::string name_;
-  int sensor_;
+  std::optional<int> sensor_;
+  std::string withoutIt_;
   double seen_s_ = 0.0;  // the wanted sensor, or the session's start
   bool wasSeen_ = false;
   std::vector<int> otherSensors_;
   double well_s_ = 0.0;  // when it last delivered, or the session's start
   double due_s_ = 0.0;
   Trouble told_ = Trouble::none;
+  std::vector<std::string> messages_;    // that have been told since it was last well
   std::optional<double> missedSince_s_;  // the wanted sensor had been seen, and then came what was told
 };
 

@@ -106,6 +106,35 @@ TEST(Rig, MaySayHowAHandHoldsItsSensor) {
   expectNear(held.hand->handFromSensor.orientation * glm::dvec3(0, 0, -1), {-1, 0, 0});
 }
 
+TEST(Rig, AHandMayHaveItsButtonsFromAnotherTracker) {
+  const std::string box = "[[tracker]]\nname = 'box'\nkind = 'vrpn'\nsource = 'Button0@tcp://host'\n";
+  const auto hand = [](const std::string& tracker, const std::string& buttons) {
+    return "[hand]\ntracker = '" + tracker + "'\nsensor = 2\nbuttons = '" + buttons + "'\n";
+  };
+  const Rig rig = read(kGood + box + hand("cap", "box"));
+  EXPECT_EQ(rig.hand->tracker, 0u);
+  EXPECT_EQ(rig.hand->buttons, std::optional<std::size_t>(1));
+  EXPECT_TRUE(rig.trackers[1].buttonsAlone);
+  EXPECT_FALSE(rig.trackers[0].buttonsAlone);
+  EXPECT_FALSE(read(kGood + box + hand("box", "box")).hand->buttons) << "its own";
+  const Rig ofTheHead = read(kGood + box + hand("box", "cap"));
+  EXPECT_EQ(ofTheHead.hand->buttons, std::optional<std::size_t>(0));
+  EXPECT_FALSE(ofTheHead.trackers[0].buttonsAlone) << "the head's poses come from it, too";
+  const std::string mouse = "[[tracker]]\nname = 'mouse'\nkind = 'spacemouse'\n";
+  for (const auto& [text, words] :
+       {std::pair{box + hand("cap", "bix"), ":22:11: there is no tracker 'bix', expected 'cap' or 'box'"},
+        {mouse + hand("cap", "mouse"), ":21:11: a spacemouse steers and holds no cue"},
+        {mouse + hand("mouse", "cap"), ":21:11: a hand on a spacemouse has no place"},
+        {box + "[hand]\ntracker = 'cap'\nbuttons = 3\n", ":21:11: buttons is a whole number, expected"}}) {
+    try {
+      read(kGood + text);
+      ADD_FAILURE() << text;
+    } catch (const InputErrors& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(Rig, KeepsItsAxesAndNamesTheirDirections) {
   for (const char* axes : {"x-right y-up z-back", "x-right y-forward z-up"}) {
     const RoomAxes room = read(changed("x-right y-up z-back", axes)).axes;

@@ -96,5 +96,47 @@ TEST(TrackerWatch, TellsThatAConnectionIsTriedAgain) {
   EXPECT_NEAR(lines[0].first, 2.0, 0.5);
 }
 
+// A server is there at once, and says a second later that it has no such device.
+TEST(TrackerWatch, TellsWhatBecomesKnownLater) {
+  const auto lines = said(
+      [](double now_s) {
+        TrackerHealth health =
+            healthOf(State::connecting, now_s < 4 ? "" : "the server has no 'Head', it has: A");
+        health.connected = true;
+        return health;
+      },
+      3, 60.0);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].second, "Tracker cap: nothing has come yet; it is waited for");
+  EXPECT_EQ(lines[1].second, "Tracker cap: the server has no 'Head', it has: A; it is waited for");
+  EXPECT_NEAR(lines[1].first, 4.0, 0.5);
+}
+
+TEST(TrackerWatch, ManyWaysToFailAreNotToldForEver) {
+  const auto lines = said(
+      [](double now_s) {
+        return healthOf(State::connecting, "way " + std::to_string(static_cast<int>(now_s)));
+      },
+      3, 60.0);
+  EXPECT_GE(lines.size(), 2u);
+  EXPECT_LE(lines.size(), 4u);
+}
+
+TEST(TrackerWatch, PassesOnARemarkOfOneThatDeliversOnce) {
+  const auto lines = said(
+      [](double now_s) { return healthOf(State::delivering, now_s < 3 ? "" : "its clock stands"); }, 3, 60.0);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].second, "Tracker cap: its clock stands");
+}
+
+TEST(TrackerWatch, OfButtonsNobodyExpectsPoses) {
+  TrackerWatch watch("box", std::nullopt, "the hand has no buttons");
+  EXPECT_FALSE(watch.look(60.0, healthOf(State::delivering)));
+  EXPECT_FALSE(watch.look(61.0, healthOf(State::silent)));
+  EXPECT_EQ(watch.look(66.0, healthOf(State::connecting, "it hung up")).value_or(""),
+            "Tracker box: it hung up; it is tried again");
+  EXPECT_EQ(watch.look(67.0, healthOf(State::delivering)).value_or(""), "Tracker box: delivers");
+}
+
 }  // namespace
 }  // namespace carom

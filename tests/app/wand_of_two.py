@@ -1,0 +1,197 @@
+"""What wand_of_two.sh says: two VRPN servers, a session, and what its journal and its standard error hold."""
+
+import math
+import pathlib
+import re
+import socket
+import sqlite3
+import struct
+import subprocess
+import sys
+import threading
+import time
+
+carom, config, out = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+TYPES = ["vrpn_Tracker Pos_Quat", "vrpn_Button Change", "vrpn_Base ping_message", "vrpn_Base pong_message"]
+
+
+def record(sender, kind, payload=b"", at_s=0.0):
+    head = struct.pack(">IIIiiI", 24 + len(payload), int(at_s), int(at_s % 1 * 1e6), sender, kind, 0)
+    return head + payload + bytes(-len(payload) % 8)
+
+
+def named(number, kind, name):
+    text = name.encode() + b"\0"
+    return record(number, kind, struct.pack(">I", len(text)) + text)
+
+
+class Server:
+    """One device of that name. Every name that a client names is kept and named back, to later clients too."""
+
+    def __init__(self, device):
+        self.names = ["VRPN Control", device]
+        self.clients = []
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.port = self.listener.getsockname()[1]
+        threading.Thread(target=self.accept, daemon=True).start()
+
+    def accept(self):
+        while True:
+            client, _ = self.listener.accept()
+            threading.Thread(target=self.meet, args=(client,), daemon=True).start()
+
+    def meet(self, client):
+        client.sendall(b"vrpn: ver. 07.35  0".ljust(24, b"\0"))
+        reader = client.makefile("rb")
+        if len(reader.read(24)) < 24:
+            return
+        described = [named(i, -1, name) for i, name in enumerate(self.names)]
+        client.sendall(b"".join(described + [named(i, -2, name) for i, name in enumerate(TYPES)]))
+        self.clients.append(client)
+        theirs = {}
+        while len(head := reader.read(24)) == 24:
+            length, _, _, sender, kind, _ = struct.unpack(">IIIiiI", head)
+            payload = reader.read((length + 7) // 8 * 8 - 24)
+            if kind == -1:
+                theirs[sender] = name = payload[4 : length - 25].decode()
+                if name not in self.names:
+                    self.names.append(name)
+                    client.sendall(named(len(self.names) - 1, -1, name))
+            elif kind == 0 and theirs.get(sender) == self.names[1]:
+                client.sendall(record(1, 3))
+
+    def send(self, kind, payload, at_s):
+        for client in self.clients:
+            try:
+                client.sendall(record(1, kind, payload, at_s))
+            except OSError:
+                self.clients.remove(client)
+
+
+wand, box = Server("Wand"), Server("Button0")
+PUCK_M = (0.0, 0.765, -1.6)  # of the room, with the observer below
+HAND_M = (0.3, 1.25, -0.3)
+away = [puck - hand for puck, hand in zip(PUCK_M, HAND_M)]
+WAY = [part / math.hypot(*away) for part in away]
+# The turn that takes (0, 0, -1) to WAY: axis × sine of half the angle, cosine of half the angle.
+turn = [-WAY[1] * -1.0, WAY[0] * -1.0, 0.0, 1.0 - WAY[2]]
+TURN = [part / math.hypot(*turn) for part in turn]
+
+
+def point(back_m=0.0, at_s=None):
+    place = [hand - back_m * way for hand, way in zip(HAND_M, WAY)]
+    wand.send(0, struct.pack(">ii7d", 0, 0, *place, *TURN), time.time() if at_s is None else at_s)
+
+
+def hold(seconds, back_m=lambda share: 0.0, at_s=None):
+    begin = time.monotonic()
+    while (share := (time.monotonic() - begin) / seconds) < 1.0:
+        point(back_m(share), at_s)
+        time.sleep(1.0 / 120.0)
+
+
+def press(down):
+    box.send(1, struct.pack(">ii", 0, down), time.time())
+
+
+(out / "game.toml").write_text("""light_speed_m_s = 1.42
+[observer]
+position_m = [0.0, -1.6, -0.75]
+facing_deg = 90.0
+[[puck]]
+name = "white"
+radius_m = 0.05
+height_m = 0.03
+mass_kg = 0.2
+position_m = [0.0, 0.0]
+beta = [0.0, 0.0]
+""")
+
+
+def session(name, head, hand, body):
+    """Runs a session while `body` acts; returns its journal and what it said."""
+    rig = (config / "rigs/play.toml").read_text()
+    rig = re.sub(r"(?m)^pixels = .*", "pixels = [64, 36]", rig)
+    rig = re.sub(r'(?m)^kind = "simulated"\nperson = .*', head, rig)
+    (out / f"{name}.toml").write_text(rig + hand)
+    database = out / f"{name}.db"
+    with open(out / f"{name}.said", "w") as errors:
+        running = subprocess.Popen(
+            [carom, "cave", "--rig", out / f"{name}.toml", "--scenario", out / "game.toml", "--session", database,
+             "--no-window", "--silent"], stderr=errors)  # fmt: skip
+    try:
+        body(running, lambda: (out / f"{name}.said").read_text())
+    finally:
+        running.terminate()
+        try:
+            running.wait(30)
+        except subprocess.TimeoutExpired:
+            running.kill()
+    return sqlite3.connect(database), (out / f"{name}.said").read_text()
+
+
+def trackers(wand_source, box_source):
+    return f"""
+[hand]
+tracker = "wand"
+sensor = 0
+buttons = "box"
+[[tracker]]
+name = "wand"
+kind = "vrpn"
+source = "{wand_source}@tcp://127.0.0.1:{wand.port}"
+[[tracker]]
+name = "box"
+kind = "vrpn"
+source = "{box_source}@tcp://127.0.0.1:{box.port}"
+"""
+
+
+failures = []
+
+
+def expect(holds, what):
+    if not holds:
+        failures.append(what)
+
+
+def shoot(running, _):
+    deadline = time.monotonic() + 120.0
+    while not (wand.clients and box.clients) and running.poll() is None and time.monotonic() < deadline:
+        time.sleep(0.1)
+    hold(3.0)
+    press(True)
+    hold(1.0)
+    hold(1.0, lambda share: 0.1 * share)
+    hold(0.5, lambda share: 0.1)
+    press(False)
+    hold(2.0, lambda share: 0.1)
+
+
+journal, said = session("shot", 'kind = "simulated"\nperson = "still"', trackers("Wand", "Button0"), shoot)
+strokes = journal.execute("SELECT count(*) FROM stroke").fetchone()[0]
+expect(strokes == 1, f"{strokes} strokes are in the journal, one was played: {said}")
+expect("Tracker" not in said, f"something is said of trackers that are well: {said}")
+
+wand, box = Server("Wand"), Server("Button0")
+LINES = [
+    f"Tracker you: the server at 127.0.0.1:{wand.port} has no 'Nobody', it has: Wand; it is waited for",
+    f"Tracker box: the server at 127.0.0.1:{box.port} has no 'Nobody', it has: Button0",
+    "Tracker wand: its messages carry the same time again and again; each is taken to be of the moment when it came",
+]
+
+
+def wait(running, told):
+    deadline = time.monotonic() + 120.0
+    while not all(line in told() for line in LINES) and running.poll() is None and time.monotonic() < deadline:
+        hold(0.5, lambda share: 0.1 * share, at_s=0.0)
+
+
+head = f'kind = "vrpn"\nsource = "Nobody@tcp://127.0.0.1:{wand.port}"'
+_, said = session("names", head, trackers("Wand", "Nobody"), wait)
+for line in LINES:
+    expect(re.search(rf"(?m)^{re.escape(line)}$", said), f"this is not said: {line}\nbut this: {said}")
+
+for failure in failures:
+    print("FAILED:", failure)
+sys.exit(1 if failures else 0)
