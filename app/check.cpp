@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <string>
 #include <string_view>
@@ -22,11 +23,27 @@ namespace {
 
 enum class FileKind { scenario, rig, foreignRoom };
 
+[[noreturn]] void refuse(const std::filesystem::path& path, const char* what) {
+  throw InputErrors({InputError(path.string(), 1, 1, what)});
+}
+
+/// Of what is not named as TOML a TOML parser's words would tell nobody anything.
+TomlFile openedToml(const std::filesystem::path& path) {
+  try {
+    return TomlFile(path);
+  } catch (const InputError&) {
+    constexpr int kNothing = std::char_traits<char>::eof();
+    if (path.extension() == ".toml" || std::ifstream(path).peek() == kNothing) throw;  // not to be read at all
+    refuse(path,
+           "this is no file of a kind that is known here, expected a .toml of Carom, a .pvx of ParaView or a "
+           ".json of SGCT");
+  }
+}
+
 /// Told by what is in it.
 FileKind kindOf(const std::filesystem::path& path) {
-  const auto refuse = [&](const char* what) { throw InputErrors({InputError(path.string(), 1, 1, what)}); };
   if (isForeignRoom(path)) return FileKind::foreignRoom;
-  const TomlFile file(path);
+  const TomlFile file = openedToml(path);
   for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke", "flash",
                           "pulse", "lesson", "tour"}) {
     if (file.root().has(key)) return FileKind::scenario;
@@ -34,8 +51,7 @@ FileKind kindOf(const std::filesystem::path& path) {
   for (const char* key : {"wall", "unit", "axes", "head", "tracker", "one_window", "display_hz"}) {
     if (file.root().has(key)) return FileKind::rig;
   }
-  refuse("this is neither a scenario nor a rig, expected light_speed_m_s of a scenario or [[wall]] of a rig");
-  return FileKind::scenario;
+  refuse(path, "this is neither a scenario nor a rig, expected light_speed_m_s of a scenario or [[wall]] of a rig");
 }
 
 std::string counted(std::size_t count, std::string_view what) {

@@ -9,19 +9,17 @@ namespace carom::console {
 namespace {
 
 constexpr double kAskedEvery_s = 0.25;
-constexpr double kOld_s = 0.1;  // of a sample: the head is held by then (devices/head_filter.h)
 
 const ImVec4& colourOf(const TrackerReport& report) {
-  switch (report.health.state) {
-    case TrackerHealth::State::failed:
-      return kBad;
-    case TrackerHealth::State::silent:
-    case TrackerHealth::State::connecting:
-      return kFair;
-    case TrackerHealth::State::delivering:
+  switch (lampOf(report)) {
+    case TrackerLamp::well:
       break;
+    case TrackerLamp::doubtful:
+      return kFair;
+    case TrackerLamp::bad:
+      return kBad;
   }
-  return report.age_s > kOld_s || report.health.overflowed > 0 ? kFair : kGood;
+  return kGood;
 }
 
 const char* wordOf(TrackerHealth::State state) {
@@ -78,13 +76,12 @@ void drawReport(const TrackerReport& report) {
 }
 
 void drawHead(const TrackerReport& report) {
-  if (report.known.empty()) return;
+  if (!report.known) return;
   heading("The head, as the filter knows it");
-  words(
-      fmt::format("{},  speed {:.2f} m/s ± {:.3f} m/s", report.known, report.celerity_m_s, report.sigma_m_s));
-  tip("measured: at a sample; predicted: a little after it; held: samples are overdue; lost: none for long. "
-      "The "
-      "speed turns what is seen: its uncertainty should stay below a few hundredths of light's speed.");
+  words(headWords(report));
+  tip("measured: at a sample; predicted: a little after it; held: kept where the prediction ended, because samples are "
+      "overdue or the picture is shown long after the newest one; lost: none for long. The speed turns what is seen: "
+      "its uncertainty should stay below a few hundredths of light's speed.");
 }
 
 }  // namespace

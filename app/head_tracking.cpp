@@ -43,7 +43,8 @@ Tracked HeadTracking::tracked() const {
 
 std::vector<TrackerReport> HeadTracking::reports(const HeadEstimate& head) const {
   std::vector<TrackerReport> reports{reportOf(name_, "head", *tracker_, &headPlace_, begin_s_)};
-  reports.front().known = toString(head.known);
+  reports.front().known = head.known;
+  reports.front().shownAfter_s = head.time_s - (headPlace_.newest_s() - latency_s_);
   reports.front().celerity_m_s = glm::length(head.celerity_m_s);
   reports.front().sigma_m_s = head.sigma_m_s;
   hand_.report(begin_s_, *tracker_, reports);

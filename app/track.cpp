@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/input_monitor.h"
+#include "app/loss_counter.h"
 #include "app/open_tracker.h"
 #include "app/rig.h"
 #include "app/sensor_monitor.h"
@@ -61,8 +62,16 @@ struct Watched {
   std::unique_ptr<Tracker> tracker;
   std::map<int, SensorMonitor> sensors;
   std::map<int, InputMonitor> inputs;  // of the sensors that have some
-  std::size_t losses = 0;              // said by the device itself
+  std::vector<LossCounter> losses;     // of the sensors that the rig names
 };
+
+/// A counter for each sensor of that tracker whose place the rig takes.
+std::vector<LossCounter> lossCountersOf(const Rig& rig, std::size_t tracker) {
+  std::vector<LossCounter> counters;
+  if (rig.head.sensor.tracker == tracker) counters.emplace_back(rig.head.sensor.sensor);
+  if (rig.hand && rig.hand->tracker == tracker) counters.emplace_back(rig.hand->sensor);
+  return counters;
+}
 
 /// The head's sensor as a trace. Made at once, so that a place that cannot be written to is told at once.
 class Recording {
@@ -134,7 +143,9 @@ std::string trackerLine(const Watched& watched, double now_s) {
   count(health.refused, "refused");
   count(health.overflowed, "overflowed");
   count(health.reconnections, "reconnections");
-  count(watched.losses, "losses");
+  std::size_t losses = 0;
+  for (const LossCounter& counter : watched.losses) losses += counter.count();
+  count(losses, "losses");
   if (!health.message.empty()) line += fmt::format(". {}", health.message);
   return line + '\n';
 }
@@ -189,9 +200,9 @@ void take(Watched& watched, std::size_t number, double now_s, Recording* recordi
     watched.sensors[sample.sensor].add(sample);
     if (recording) recording->add(number, sample);
   }
+  for (LossCounter& counter : watched.losses) counter.see(samples, inputs);
   for (const Reading& input : inputs) {
     if (input.kind == Reading::Kind::battery) watched.sensors[input.sensor].setBattery(input.value);
-    if (input.kind == Reading::Kind::lost) ++watched.losses;
     if (input.kind == Reading::Kind::button || input.kind == Reading::Kind::axis) {
       watched.inputs[input.sensor].add(input);
     }
@@ -223,8 +234,9 @@ int runTrack(const TrackOptions& options) {
   const Rig rig = readRig(options.rig);
   const SteadyTime start = std::chrono::steady_clock::now();
   std::vector<Watched> all;
-  for (const TrackerSetup& setup : rig.trackers) {
-    all.push_back({&setup, openTracker(setup, rig.axes, start), {}, {}, 0});
+  for (std::size_t i = 0; i < rig.trackers.size(); ++i) {
+    const TrackerSetup& setup = rig.trackers[i];
+    all.push_back({&setup, openTracker(setup, rig.axes, start), {}, {}, lossCountersOf(rig, i)});
   }
   std::unique_ptr<Recording> recording;
   if (options.record) recording = std::make_unique<Recording>(*options.record, rig);

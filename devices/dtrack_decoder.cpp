@@ -295,10 +295,11 @@ bool DtrackDecoder::readFlysticks(Line& line, std::vector<Reading>& readings) {
 }
 
 /// `6di n [id state drift_deg][x y z][r0 … r8] …`: bodies with an inertial sensor; of state 0 nothing is
-/// known.
+/// known. A `6dcal` counts them, too.
 bool DtrackDecoder::readHybrids(Line& line, std::vector<Reading>& readings) {
   const auto count = line.number<unsigned>();
   if (!count || *count > kMostIds) return false;
+  others_ += *count;
   for (unsigned i = 0; i < *count; ++i) {
     std::array<double, 3> head{};
     std::optional<Pose> pose;

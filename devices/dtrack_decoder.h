@@ -47,8 +47,8 @@ class DtrackDecoder {
   std::optional<double> sent_s_;
   double latency_s_ = 0.0;
   bool hasTime2_ = false;
-  std::optional<unsigned> adjusted_;  // bodies, sticks and tools
-  unsigned others_ = 0;               // sticks and tools
+  std::optional<unsigned> adjusted_;  // bodies, sticks, tools and hybrid bodies
+  unsigned others_ = 0;               // sticks, tools and hybrid bodies
   std::bitset<100> seen_;
 
   double lastOfDay_s_ = 0.0;

@@ -6,10 +6,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
 
+#include "app/loss_counter.h"
 #include "app/program.h"
 #include "devices/trace.h"
 
@@ -62,6 +64,38 @@ TEST(Track, RecordsWhatCame) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     EXPECT_EQ(again[i].time_s, given[i].time_s);
     EXPECT_EQ(again[i].pose.position_m, given[i].pose.position_m);
+  }
+}
+
+/// A sensor that is seen (s) or said to be lost (l) at 60 Hz, polled every `perPoll` frames; the count.
+std::size_t lossesOf(const std::string& frames, std::size_t perPoll) {
+  LossCounter counter(2);
+  for (std::size_t first = 0; first < frames.size(); first += perPoll) {
+    std::vector<TrackerSample> samples;
+    std::vector<Reading> inputs;
+    for (std::size_t i = first; i < std::min(first + perPoll, frames.size()); ++i) {
+      const double time_s = static_cast<double>(i) / 60.0;
+      Reading lost;
+      lost.kind = Reading::Kind::lost;
+      lost.device_s = time_s;
+      lost.sensor = 5;  // which nobody listens to, and is never seen
+      inputs.push_back(lost);
+      lost.sensor = 2;
+      if (frames[i] == 'l') inputs.push_back(lost);
+      if (frames[i] == 's') samples.push_back({time_s, 2, {}, true});
+    }
+    counter.see(samples, inputs);
+  }
+  return counter.count();
+}
+
+TEST(Track, CountsLossesNotTheFramesTheyLast) {
+  for (const std::size_t perPoll : {1, 2, 3, 7, 100}) {
+    EXPECT_EQ(lossesOf("llllllll", perPoll), 0u) << "never seen, never lost; polls of " << perPoll;
+    EXPECT_EQ(lossesOf("ssssllll", perPoll), 1u) << perPoll;
+    EXPECT_EQ(lossesOf("llsslllllsslll", perPoll), 2u) << perPoll;
+    EXPECT_EQ(lossesOf("slslslsl", perPoll), 4u) << perPoll;
+    EXPECT_EQ(lossesOf("ss....ss", perPoll), 0u) << "what does not come has not been said to be lost";
   }
 }
 

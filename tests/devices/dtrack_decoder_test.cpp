@@ -119,6 +119,20 @@ TEST(DtrackDecoder, BodiesNotListedAreLost) {
   EXPECT_EQ(readings[1].sensor, 0);
 }
 
+// A `6dcal` counts hybrid bodies as well, which `6d` never lists.
+TEST(DtrackDecoder, AHybridBodyIsNoLostStandardBody) {
+  const std::string hybrid = "6di 1 [0 3 0.100][1 2 3]" + kTurned + "\r\n";
+  for (const std::string& frame : {"6dcal 1\r\n6d 0\r\n" + hybrid, "6dcal 1\r\n" + hybrid + "6d 0\r\n"}) {
+    const auto readings = decoded(frame);
+    ASSERT_EQ(readings.size(), 1u) << frame;
+    EXPECT_EQ(readings[0].sensor, 200);
+  }
+  const auto both = decoded("6dcal 2\r\n6d 0\r\n" + hybrid);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[1].sensor, 0);
+  EXPECT_EQ(both[1].kind, Kind::lost);
+}
+
 TEST(DtrackDecoder, PassesOverWhatItDoesNotKnowAndWhatIsWrong) {
   const std::string good = "6d 1 [0 1.000][0 0 0]" + kTurned + "\r\n";
   for (const char* line : {"6d",
