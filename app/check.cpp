@@ -33,7 +33,8 @@ TomlFile openedToml(const std::filesystem::path& path) {
     return TomlFile(path);
   } catch (const InputError&) {
     constexpr int kNothing = std::char_traits<char>::eof();
-    if (path.extension() == ".toml" || std::ifstream(path).peek() == kNothing) throw;  // not to be read at all
+    if (path.extension() == ".toml" || std::ifstream(path).peek() == kNothing)
+      throw;  // not to be read at all
     refuse(path,
            "this is no file of a kind that is known here, expected a .toml of Carom, a .pvx of ParaView or a "
            ".json of SGCT");
@@ -51,7 +52,8 @@ FileKind kindOf(const std::filesystem::path& path) {
   for (const char* key : {"wall", "unit", "axes", "head", "tracker", "one_window", "display_hz"}) {
     if (file.root().has(key)) return FileKind::rig;
   }
-  refuse(path, "this is neither a scenario nor a rig, expected light_speed_m_s of a scenario or [[wall]] of a rig");
+  refuse(path,
+         "this is neither a scenario nor a rig, expected light_speed_m_s of a scenario or [[wall]] of a rig");
 }
 
 std::string counted(std::size_t count, std::string_view what) {

@@ -79,8 +79,10 @@ void drawHead(const TrackerReport& report) {
   if (!report.known) return;
   heading("The head, as the filter knows it");
   words(headWords(report));
-  tip("measured: at a sample; predicted: a little after it; held: kept where the prediction ended, because samples are "
-      "overdue or the picture is shown long after the newest one; lost: none for long. The speed turns what is seen: "
+  tip("measured: at a sample; predicted: a little after it; held: kept where the prediction ended, because "
+      "samples are "
+      "overdue or the picture is shown long after the newest one; lost: none for long. The speed turns what "
+      "is seen: "
       "its uncertainty should stay below a few hundredths of light's speed.");
 }
 

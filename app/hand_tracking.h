@@ -1,7 +1,8 @@
 #pragma once
 // The hand's devices of a rig: a wand, which has a place, buttons and axes, and a SpaceMouse, which has no
-// place and steers alone. A wand may be a sensor of the head's tracker, and its buttons may be those of another
-// tracker: of whatever sensor there sends some, or, where several do, of the one numbered as the wand's own.
+// place and steers alone. A wand may be a sensor of the head's tracker, and its buttons may be those of
+// another tracker: of whatever sensor there sends some, or, where several do, of the one numbered as the
+// wand's own.
 
 #include <array>
 #include <chrono>
@@ -76,8 +77,8 @@ class HandTracking {
   std::string wandName_, spaceMouseName_, buttonsName_;  ///< in the rig
   std::optional<SensorPlace> place_;
   Pose sensorFromHand_;
-  int sensor_ = 0;                   ///< of the wand
-  bool otherButtons_ = false;        ///< they are another tracker's than its place
+  int sensor_ = 0;                    ///< of the wand
+  bool otherButtons_ = false;         ///< they are another tracker's than its place
   std::optional<int> buttonsSensor_;  ///< under which they come; none: it has not shown yet
   HandDevices devices_;
   std::vector<TrackerSample> samples_;

@@ -112,10 +112,9 @@ std::size_t readTrackerName(const TomlTable& table, std::string_view key,
     std::vector<std::string> names;
     for (const TrackerSetup& tracker : trackers) names.push_back(tracker.name);
     table.fault(
-        key,
-        names.empty()
-            ? fmt::format("there is no tracker '{}', expected a [[tracker]] of that name", name)
-            : fmt::format("there is no tracker '{}', expected '{}'", name, fmt::join(names, "' or '")));
+        key, names.empty()
+                 ? fmt::format("there is no tracker '{}', expected a [[tracker]] of that name", name)
+                 : fmt::format("there is no tracker '{}', expected '{}'", name, fmt::join(names, "' or '")));
   }
   return static_cast<std::size_t>(found - trackers.begin());
 }

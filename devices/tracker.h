@@ -31,7 +31,7 @@ struct TrackerHealth {
   };
   State state = State::connecting;
   std::string message;           ///< one line, empty while all is well
-  bool connected = false;        ///< of one that is `connecting`: there is a connection, and nothing has come by it
+  bool connected = false;  ///< of one that is `connecting`: there is a connection, and nothing has come by it
   std::uint64_t samples = 0;     ///< delivered
   std::uint64_t gaps = 0;        ///< samples that the device numbered and that never came
   std::uint64_t late = 0;        ///< came after a later one, or after over 50 ms, and were dropped or counted

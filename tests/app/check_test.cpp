@@ -58,13 +58,15 @@ TEST(Check, NamesTheKindsThatItKnows) {
     const std::string file = folder.file(name, text);
     const auto result = runCarom(folder, {"check", file});
     EXPECT_EQ(result.status, 1) << name;
-    EXPECT_EQ(result.err, "error: " + file +
-                              ":1:1: this is no file of a kind that is known here, expected a .toml of Carom, a "
-                              ".pvx of ParaView or a .json of SGCT\n");
+    EXPECT_EQ(result.err,
+              "error: " + file +
+                  ":1:1: this is no file of a kind that is known here, expected a .toml of Carom, a "
+                  ".pvx of ParaView or a .json of SGCT\n");
   }
   const auto broken = runCarom(folder, {"check", folder.file("rig.toml", "unit = <\n")});
   EXPECT_NE(broken.err.find("rig.toml:1:"), std::string::npos) << broken.err;
-  EXPECT_EQ(broken.err.find("known here"), std::string::npos) << "of a .toml its mistake is told: " << broken.err;
+  EXPECT_EQ(broken.err.find("known here"), std::string::npos)
+      << "of a .toml its mistake is told: " << broken.err;
   const auto missing = runCarom(folder, {"check", folder / "nowhere.xml"});
   EXPECT_EQ(missing.err.find("known here"), std::string::npos) << missing.err;
 }

@@ -495,17 +495,21 @@ TEST(HandTracking, SaysThatNoPoseComes) {
   hand.wand->fed.clear();
   hand.frames(500);
   ASSERT_EQ(hand.said.size(), 3u);
-  EXPECT_EQ(hand.said[2], "Tracker wand: sensor 3 has not been seen since second 22.0 of the session; the wand aims at nothing");
+  EXPECT_EQ(
+      hand.said[2],
+      "Tracker wand: sensor 3 has not been seen since second 22.0 of the session; the wand aims at nothing");
 }
 
 TEST(HandTracking, SaysThatNoButtonCame) {
   TwoDevices two, one(std::nullopt);
   two.frames(1000);
   one.frames(1000);
-  EXPECT_EQ(two.said, std::vector<std::string>{
-                          "Tracker box: no button or axis of the hand has come yet; without one the wand only points"});
-  EXPECT_EQ(one.said, std::vector<std::string>{"Tracker wand: no button or axis of the hand has come yet; if it "
-                                               "has none, name a tracker that has some as buttons of [hand]"});
+  EXPECT_EQ(two.said,
+            std::vector<std::string>{
+                "Tracker box: no button or axis of the hand has come yet; without one the wand only points"});
+  EXPECT_EQ(one.said,
+            std::vector<std::string>{"Tracker wand: no button or axis of the hand has come yet; if it "
+                                     "has none, name a tracker that has some as buttons of [hand]"});
   one.wand->press(0, true, 3);
   one.frames(100);
   ASSERT_EQ(one.said.size(), 2u);
