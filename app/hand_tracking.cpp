@@ -160,8 +160,9 @@ void HandTracking::follow(double now_s, std::span<const TrackerSample> samples,
 
 /// `tracked`: the wand has a place, and the tracker of its buttons delivers.
 std::optional<std::string> HandTracking::tellOfButtons(double now_s, bool tracked) {
-  if (!tracked) untrackedUntil_s_ = now_s;
-  if (buttons_ == Buttons::awaited && now_s - untrackedUntil_s_ >= kButtonsWithin_s) {
+  if (!tracked) trackedSince_s_.reset();
+  if (tracked && !trackedSince_s_) trackedSince_s_ = now_s;
+  if (buttons_ == Buttons::awaited && trackedSince_s_ && now_s - *trackedSince_s_ >= kButtonsWithin_s) {
     buttons_ = Buttons::missed;
     return fmt::format("Tracker {}: no button or axis of the hand has come yet; {}", buttonsName_,
                        otherButtons_ ? "without one the wand only points"

@@ -85,8 +85,8 @@ class HandTracking {
   std::vector<Reading> inputs_;
   std::optional<TrackerWatch> wandWatch_, buttonsWatch_;
   enum class Buttons { awaited, missed, came } buttons_ = Buttons::awaited;
-  bool buttonsTold_ = true;        ///< of what `buttons_` is
-  double untrackedUntil_s_ = 0.0;  ///< since then both trackers have delivered
+  bool buttonsTold_ = true;               ///< of what `buttons_` is
+  std::optional<double> trackedSince_s_;  ///< both trackers have delivered since then
 };
 
 }  // namespace carom
