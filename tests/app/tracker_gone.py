@@ -10,7 +10,7 @@ import sys
 import time
 
 RATE_HZ = 120.0
-BEFORE_S, SILENT_S, AFTER_S = 3.0, 7.0, 4.0  # a silence is told of after 5 s
+BEFORE_S, SILENT_S, AFTER_S = 3.0, 10.0, 4.0  # a silence is told of after 5 s, however busy the machine is
 WALK_M_S = 0.5
 FADED_S = 0.3  # devices/head_filter.h: celerity is zero so long after the last sample
 SLIDE_M_S = 1.0  # there: how fast the shown pose comes over to where samples go on
@@ -129,8 +129,14 @@ expect(len({row[7] for row in rows if row[0] > back + 0.5}) > 1, "the head does 
 
 # Board time goes on by dt = sqrt(dτ² + |dx|²/c²), and the shown head moves by its walk (by prediction at most three
 # times as fast, from its first samples) and by the slide back. A head that was put elsewhere would take 0.2 s and more in one frame.
+# Where a busy machine has kept samples from being sent for a while, what is shown afterwards is not looked at: the
+# walk that was predicted meanwhile may have turned.
+STALL_S, AFTER_STALL_S = 0.05, 0.5
+stalls = [(a, b + AFTER_STALL_S) for a, b in zip(samples, samples[1:]) if STALL_S < b - a < 0.5 * SILENT_S]
 fastest = math.hypot(1.0, (3.0 * WALK_M_S + SLIDE_M_S) / LIGHT_M_S)
 for earlier, later in zip(rows, rows[1:]):
+    if any(begin <= later[0] <= end for begin, end in stalls):
+        continue
     lived, passed = later[1] - earlier[1], later[2] - earlier[2]
     moved_m = math.dist(earlier[7:10], later[7:10])
     if not (abs(passed - math.hypot(lived, moved_m / LIGHT_M_S)) < 1e-9 and passed <= lived * fastest):
