@@ -44,9 +44,7 @@ void applyFrame(const FrameState& state, World& world) {
       throw std::out_of_range("frame record: a knot of a body that is not there");
     WorldLine& history = histories[knot.body];
     history.append(knot.knot);
-    if (!history.settlesBeforeNext(history.knots().size() - 2) && knot.knot.deceleration_m_s2 == 0.0) {
-      history.settlesAfter(joinedAfter_s(history));
-    }
+    if (!history.settlesBeforeNext(history.knots().size() - 2)) history.settlesAfter(joinedAfter_s(history));
   }
   if (std::isfinite(state.record.forgetBefore_s)) {
     for (WorldLine& history : histories.subspan(1, state.record.pucks)) {

@@ -29,7 +29,8 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
   const PairContact contact = contactOf(flight(first), flight(second), a.withoutDelay);
 
   const std::array<double, 2> mass{players_[first].mass, players_[second].mass};
-  if (!kickPair(contact.U, contact.n, {lastLeg(first).u, lastLeg(second).u}, mass, 1.0))
+  const auto decidedU = [&](int i) { return braked ? momentAt(lastLeg(i), a.touchAt).u : lastLeg(i).u; };
+  if (!kickPair(contact.U, contact.n, {decidedU(first), decidedU(second)}, mass, 1.0))
     return;  // they recede
 
   const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;

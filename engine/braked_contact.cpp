@@ -25,7 +25,7 @@ Clearance clearanceAt(const BrakedDisc& first, const BrakedDisc& second, double 
   const double u1 = std::sqrt(m1.u.x * m1.u.x + m1.u.y * m1.u.y),
                u2 = std::sqrt(m2.u.x * m2.u.x + m2.u.y * m2.u.y);
   const double along = m2.u.x * x + m2.u.y * y;  // u2·r
-  const double braking = u2 > 0.0 ? a * along / u2 : 0.0;
+  const double braking = u2 > 0.0 && t >= second.leg.start.t ? a * along / u2 : 0.0;
   const double alongSlope = m2.u.x * vx + m2.u.y * vy - braking;
 
   Clearance s;
@@ -48,26 +48,92 @@ double safeStep(const Clearance& s, double reach) {
   return std::min(step, reach / s.speed);
 }
 
-bool approach(const Disc& first, const Disc& second) {
-  // Dpar > 0: with both flights at one board time, −(u1−u2)·D > β'²|U·D|·…, here at X1's own moment.
-  const Vec21 D = second.start - first.start, sum = first.u + second.u, difference = first.u - second.u;
-  const double q = -dot(difference, difference);
-  return -dot(difference, D) + q / (q + 4.0) * dot(sum, D) > 0.0;
+// How far back from any moment of the search a contact can lie whose news reaches both centres after it, and
+// how far apart in time two events are at most that are simultaneous for the pair when they are near: R γ (γ
+// + u) of each, with room to spare.
+double spanOf(const Disc& first, const Disc& second) {
+  const double gamma = first.u.t + second.u.t;
+  return 4.0 * (first.radius + second.radius) * gamma * gamma;
 }
 
-BrakedMeeting meetingAt(const BrakedDisc& first, const BrakedDisc& second, double t,
-                        TurnConvention convention) {
-  const Disc flight1 = flightAt(first, t), flight2 = flightAt(second, t);
-  const PairContact contact = contactOf(flight1, flight2, false);
-  BrakedMeeting found;
-  found.touchAt = t;
-  const bool delayed = convention == TurnConvention::newsAtCentre;
-  for (int k = 0; k < 2; ++k) {
-    const BrakedDisc& disc = k == 0 ? first : second;
-    const double own = delayed ? contact.news[k] - disc.radius : contact.simultaneous[k];
-    found.meeting.ownTime[k] = t + (k == 0 ? flight1 : flight2).u.t * own;
+// The flight that touches a leg at t, from the leg's start on, or from `span` before t.
+Disc flightSince(const BrakedDisc& disc, double t, double span) {
+  const Leg& leg = disc.leg;
+  if (t <= leg.start.t) return {leg.start, leg.u, disc.radius, 0.0};
+  const Moment m = momentAt(leg, t);
+  const double begin = std::max(leg.start.t, t - span);
+  const double s = (begin - t) / m.u.t;
+  return {{begin, m.x.x + m.u.x * s, m.x.y + m.u.y * s}, m.u, disc.radius, 0.0};
+}
+
+// A pair in contact is kicked at the later of the two starts in its equal-speed frame, U ∝ u1 + u2. If that
+// is the later one on the board too, its flights are those that touch there. Otherwise they touch at the
+// moment of the earlier leg that is simultaneous with the start of the later one, or where the earlier leg
+// begins.
+double touchOfPairInContact(const BrakedDisc& first, const BrakedDisc& second, double span) {
+  const bool secondLater = second.leg.start.t >= first.leg.start.t;
+  const Leg& later = secondLater ? second.leg : first.leg;
+  const Leg& earlier = secondLater ? first.leg : second.leg;
+  const auto ahead = [&](double t) {  // U·(start − X(t)): falls, as R a < 1/2
+    const Moment m = momentAt(earlier, t);
+    return dot(m.u + later.u, later.start - m.x);
+  };
+  double high = later.start.t, low = std::max(earlier.start.t, high - span);
+  if (ahead(high) >= 0.0) return high;
+  if (ahead(low) <= 0.0) return low;
+  for (double middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
+    (ahead(middle) > 0.0 ? low : high) = middle;
   }
-  return found;
+  return low;
+}
+
+// The meeting of the flights that touch the legs at t.
+std::optional<BrakedMeeting> meetingAt(const BrakedDisc& first, const BrakedDisc& second, double t,
+                                       double span, TurnConvention convention) {
+  const auto found = [&] {
+    return findMeeting(flightSince(first, t, span), flightSince(second, t, span), convention);
+  };
+  std::optional<Meeting> meeting = found();
+  if (meeting && meeting->withoutDelay) {
+    t = touchOfPairInContact(first, second, span);
+    meeting = found();
+  }
+  if (!meeting) return std::nullopt;
+  return BrakedMeeting{*meeting, t};
+}
+
+// The first meeting, of legs whose times are as small as those of the search. It begins before the later
+// start, with that leg continued backwards: a contact can be at the other's moment before that and yet come
+// after both starts in the equal-speed frame, or its news in each puck's own.
+std::optional<BrakedMeeting> search(const BrakedDisc& first, const BrakedDisc& second, double span,
+                                    TurnConvention convention) {
+  const double reach = first.radius + second.radius;
+  const double rest = std::max(restsAt(first.leg), restsAt(second.leg));
+  const double begin = std::max(first.leg.start.t, second.leg.start.t);
+  double t = begin - 2.0 * std::sqrt(reach * span);
+  Clearance here = clearanceAt(first, second, t);
+  while (t < rest && here.speed > 0.0) {
+    // S keeps its sign over a safe step. By a hair further, and it may have changed: then a root lies
+    // between.
+    const double hair = std::max(1e-12 * reach / here.speed,
+                                 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(t) + reach));
+    double next = t + std::max(safeStep(here, reach), hair);
+    for (const double stop : {second.leg.start.t, begin}) {  // S bends sharply where the second's leg begins
+      if (t < stop && stop < next) next = stop;
+    }
+    const Clearance there = clearanceAt(first, second, next);
+    std::optional<BrakedMeeting> meeting;
+    if (here.value > 0.0 && there.value <= 0.0) {
+      const double root = std::clamp(t - here.value / here.slope, t, next);
+      meeting = meetingAt(first, second, root, span, convention);
+    } else if (next == begin && there.value <= 0.0) {
+      meeting = meetingAt(first, second, begin, span, convention);
+    }
+    if (meeting) return meeting;
+    t = next;
+    here = there;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -77,29 +143,26 @@ Disc flightAt(const BrakedDisc& disc, double t) {
   return {m.x, m.u, disc.radius, 0.0};
 }
 
+// Times are counted from shortly before the later start, so that what is found, and how exactly, does not
+// depend on the age of the game.
 std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
                                                TurnConvention convention) {
-  const double reach = first.radius + second.radius;
-  const double touching = 1e-13 * reach * reach;
-  const double rest = std::max(restsAt(first.leg), restsAt(second.leg));
-  double t = std::max(first.leg.start.t, second.leg.start.t);
-
-  if (clearanceAt(first, second, t).value <= touching) {
-    const std::optional<Meeting> meeting = findMeeting(flightAt(first, t), flightAt(second, t), convention);
-    if (meeting) return BrakedMeeting{*meeting, t};
+  const double begin = std::max(first.leg.start.t, second.leg.start.t);
+  const double span = spanOf(flightAt(first, begin), flightAt(second, begin));
+  const double origin = std::max(0.0, begin - span);
+  BrakedDisc one = first, two = second;
+  one.leg.start.t -= origin;
+  two.leg.start.t -= origin;
+  std::optional<BrakedMeeting> found = search(one, two, span, convention);
+  if (!found) return std::nullopt;
+  found->touchAt += origin;
+  for (double& own : found->meeting.ownTime) own += origin;
+  // What is simultaneous with the later start must not come after it by rounding.
+  if (found->meeting.withoutDelay && found->touchAt < begin) {
+    const double hair = 8.0 * std::numeric_limits<double>::epsilon() * begin;
+    found->touchAt = std::max(std::min(first.leg.start.t, second.leg.start.t), found->touchAt - hair);
   }
-  while (t < rest) {
-    const Clearance s = clearanceAt(first, second, t);
-    if (s.speed == 0.0) return std::nullopt;
-    if (std::abs(s.value) <= touching && s.slope < 0.0 && approach(flightAt(first, t), flightAt(second, t))) {
-      return meetingAt(first, second, t - s.value / s.slope, convention);
-    }
-    double step = safeStep(s, reach);
-    // Past a zero that is no contact, where they recede, by a hair.
-    if (std::abs(s.value) <= touching) step = std::max(step, 1e-12 * reach / s.speed);
-    t += std::max(step, 4.0 * std::numeric_limits<double>::epsilon() * (t + reach));
-  }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace carom

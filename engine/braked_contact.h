@@ -22,8 +22,9 @@ struct BrakedMeeting {
 /// The straight flight that touches a leg at board time `t`.
 Disc flightAt(const BrakedDisc& disc, double t);
 
-/// The first meeting at or after both starts. Bounds of how fast the gap can close keep the search from
-/// stepping over one.
+/// The first meeting of two legs, as `findMeeting` has it for the flights that touch them at t: at or after
+/// the later start, or already in contact there. Bounds of how fast the gap can close keep the search from
+/// stepping over one, at any board time: legs moved in time meet as much later.
 std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
                                                TurnConvention convention);
 

@@ -14,22 +14,26 @@
 //   both false:       the plane is the board's; then no frame is needed: the leg's is the board's, moved to the
 //                     centre.
 
-/// One leg of one body as one eye sees it; made in double, once a body, leg and eye.
+/// One leg of one body as one eye sees it; made in double, once a body, leg and eye. What bounds each number is
+/// said behind it, for float: D, how far away the body is seen (as far as it can have gone from there, on a leg
+/// that it has left); S, how long all its points take to join a leg (WorldLine::settled_s). None grows with the
+/// age of the game.
 struct LegView {
-  vec3 eye;            // e: the eye's place (it is there at c t = l0)
+  vec3 eye;            // e: the eye's place (it is there at c t = l0); γ D
   real distance;       // l0 = |e|
-  vec3 seenCentre;     // the centre's emission event from the eye, in the head frame: a straight light ray
-  real boardTime;      // the same emission, c (t − t_o) in the board frame
-  vec4 toSeenX;        // rows of M: the head-frame place of an event of this frame, from seenCentre
+  vec3 seenCentre;     // the centre's emission event from the eye, in the head frame: a straight light ray; γ_head D
+  real boardTime;      // the same emission, c (t − t_o) in the board frame; D
+  vec4 toSeenX;        // rows of M: the head-frame place of an event of this frame, from seenCentre; γ_head γ
   vec4 toSeenY;
   vec4 toSeenZ;
-  vec4 toBoardTime;    // row that gives the board time of an event, from boardTime
-  vec4 newsInPrevious; // the event whose news ends the previous leg, in the previous leg's frame
-  vec4 originInThis;   // the previous leg's origin, in this frame
-  mat4 fromPrevious;   // displacements of the previous leg's frame, in this one
+  vec4 toBoardTime;    // row that gives the board time of an event, from boardTime; γ
+  vec4 newsInPrevious; // the event whose news ends the previous leg, in the previous leg's frame; γ (D + c S)
+  vec4 originInThis;   // the previous leg's origin, in this frame; γ (D + c S)
+  mat4 fromPrevious;   // displacements of the previous leg's frame, in this one; γ of the two
   vec4 glide;          // under friction: direction of motion on the board, then deceleration/c² (1/m); 0: none
-  vec4 glideTimes;     // u at the turn, u at the origin; board c t from the origin to the turn (of every leg), to rest
-  vec4 toMoment;       // m: row that gives the time of an event in the frame whose moment is shown, from the origin
+  vec4 glideTimes;     // u at the turn, u at the origin; board c t from the origin to the turn (of every leg but the
+                       // first straight one), to rest. While it glides, u/a; the first leg of a body at rest is straight
+  vec4 toMoment;       // m: row that gives the time of an event in the frame whose moment is shown, from the origin; γ_head γ
 };
 
 LegView legAt(LEGS legs, int i);
@@ -110,10 +114,14 @@ KERNEL real catchUpSpeed() { return real(0.9); }
 
 KERNEL real gammaOf(real u) { return sqrt(real(1) + u * u); }
 
-/// u at board time s.
+/// The board time nearest to s within the glide.
+KERNEL real withinGlide(LegView leg, real s) { return min(max(s, leg.glideTimes.z), leg.glideTimes.w); }
+
+/// u at board time s: from the origin on, where times are short, and 0 from the stop on.
 KERNEL real glideU(LegView leg, real s) {
-  real within = min(max(s, leg.glideTimes.z), leg.glideTimes.w);
-  return max(leg.glideTimes.x - leg.glide.w * (within - leg.glideTimes.z), real(0));
+  if (s >= leg.glideTimes.w) return real(0);
+  real since = withinGlide(leg, s) - withinGlide(leg, real(0));
+  return max(leg.glideTimes.y - leg.glide.w * since, real(0));
 }
 
 /// The vertex's event at board time s.
@@ -121,8 +129,8 @@ KERNEL vec4 glideEvent(LegView leg, vec3 d, real s, bool contracted) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   real uO = leg.glideTimes.y;
   real gammaO = gammaOf(uO);
-  real r = min(max(s, leg.glideTimes.z), leg.glideTimes.w);
-  real o = min(max(real(0), leg.glideTimes.z), leg.glideTimes.w);
+  real r = withinGlide(leg, s);
+  real o = withinGlide(leg, real(0));
   real u = glideU(leg, s);
   real gamma = gammaOf(u);
   real along_d = dot(d, n);

@@ -38,8 +38,7 @@ bool mayBeSeenOn(const Knot& knot, const WorldLine& line, const Question& ask) {
   const Displacement d = ask.observation - (ask.switches.contraction ? knot.news : knot.turn);
   if (ask.moment == Moment::myNow) return ask.headTime_s(knot.news) <= 0.0;
   if (ask.moment == Moment::boardNow) return d.dt_s >= 0.0;
-  const double reach_m =
-      line.lightSpeed_m_s() * d.dt_s + (ask.switches.contraction ? 0.0 : line.radius_m());
+  const double reach_m = line.lightSpeed_m_s() * d.dt_s + (ask.switches.contraction ? 0.0 : line.radius_m());
   return reach_m >= glm::length(d.dr_m) && d.dt_s >= 0.0;
 }
 
@@ -111,8 +110,20 @@ std::size_t firstLeg(const WorldLine& line, std::size_t last, const Question& as
   return 0;
 }
 
+/// Had friction stopped the body before any event of its points on the leg of `knots[leg]` that matters, if
+/// it is the first that is looked at? Those that are shown differ from the centre's by at most R/c where the
+/// body rests, and all that later news has to do with comes after that.
+bool restsForGood(std::span<const Knot> knots, std::size_t leg, const Motion& centre, double radius_s,
+                  double c_m_s) {
+  const Knot& knot = knots[leg];
+  const double rests_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
+  return centre.event.t_s - radius_s >= rests_s &&
+         (leg + 1 == knots.size() || knots[leg + 1].news.t_s >= rests_s);
+}
+
 /// One leg as the eye sees it; `centre` is the centre's emission on it.
-LegView viewLeg(const Knot& knot, const Motion& centre, const Question& ask, const Lorentz& seenFromBoard) {
+LegView viewLeg(const Knot& knot, const Motion& centre, const Question& ask, const Lorentz& seenFromBoard,
+                bool glides) {
   const double c_m_s = seenFromBoard.lightSpeed_m_s();
   const Lorentz boardFromBody = Lorentz::boost(centre.u, c_m_s);
   const bool rigid = !ask.switches.retardation && !ask.switches.contraction;
@@ -128,13 +139,12 @@ LegView viewLeg(const Knot& knot, const Motion& centre, const Question& ask, con
   leg.toSeenY = rows[2];
   leg.toSeenZ = rows[3];
   leg.toBoardTime = glm::transpose(boardFromBody.matrix())[0];
-  leg.toMoment = ask.moment == Moment::myNow
-                     ? glm::transpose((ask.headFromBoard * boardFromBody).matrix())[0]
-                     : leg.toBoardTime;
+  leg.toMoment = ask.moment == Moment::myNow ? glm::transpose((ask.headFromBoard * boardFromBody).matrix())[0]
+                                             : leg.toBoardTime;
   const double turn_m = c_m_s * (knot.turn.t_s - centre.event.t_s);
   leg.glideTimes.z = turn_m;
   const double uTurn = glm::length(knot.u);
-  if (knot.deceleration_m_s2 > 0.0 && uTurn > 0.0) {
+  if (glides) {
     const double a = knot.deceleration_m_s2 / (c_m_s * c_m_s);
     leg.glide = {knot.u / uTurn, a};
     leg.glideTimes = {uTurn, glm::length(centre.u), turn_m, turn_m + uTurn / a};
@@ -208,8 +218,12 @@ void viewBody(const WorldLine& line, const Event& observation, const Lorentz& he
   Motion previous;
   for (std::size_t i = view.firstLeg; i <= last; ++i) {
     const Motion centre = centreEmission(knots[i], ask, c_m_s);
-    view.legs.push_back(viewLeg(knots[i], centre, ask, seenFromBoard));
-    if (i > view.firstLeg) joinLegs(knots[i], previous, centre, c_m_s, view.legs.back());
+    const bool first = i == view.firstLeg;
+    const bool glides = knots[i].deceleration_m_s2 > 0.0 && knots[i].u != Vec3(0.0) &&
+                        !(first && restsForGood(knots, i, centre, line.radius_m() / c_m_s, c_m_s));
+    view.legs.push_back(viewLeg(knots[i], centre, ask, seenFromBoard, glides));
+    if (first && !glides) view.legs.back().glideTimes.z = 0.0;  // of no use: it reaches back without end
+    if (!first) joinLegs(knots[i], previous, centre, c_m_s, view.legs.back());
     previous = centre;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/emission_kernel.h"
@@ -170,19 +171,111 @@ std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset
   return history;
 }
 
-double joinedAfter_s(const WorldLine& line) {
-  constexpr int kAround = 16;
+namespace {
+
+/// A leg's rest frame (where friction slows it, when it ends), its centre at the origin. Metres of light.
+struct LegFrame {
+  Lorentz fromBoard;
+  Vec3 u{0.0};  // on the board
+  Event centre;
+  Event news;  // that began the leg
+};
+
+std::vector<LegFrame> framesFrom(const WorldLine& line, std::size_t from) {
+  const std::span<const Knot> knots = line.knots();
+  std::vector<LegFrame> frames;
+  for (std::size_t i = from; i < knots.size(); ++i) {
+    const double end_s = (i + 1 < knots.size() ? knots[i + 1] : knots[i]).turn.t_s;
+    const Motion motion = motionOnLeg(knots[i], end_s, line.lightSpeed_m_s());
+    frames.push_back(
+        {Lorentz::boost(-motion.u, line.lightSpeed_m_s()), motion.u, motion.event, knots[i].news});
+  }
+  return frames;
+}
+
+/// The largest γ|d − x| − u·(d − x) of all |d| ≤ R, u = γβ: how far light from x has come, in the frame that
+/// moves with u, when it reaches d. It is on the rim and in the plane of x and u. Between directions there Δ
+/// apart it is above its chord by at most R (γ + |u|) Δ²/8, as |d − x|'' ≥ −R.
+double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
+  constexpr int kAround = 24;
+  const double gamma = gammaFromU(u), size = glm::length(u);
+  const Vec3 along = size > 0.0 ? u / size : Vec3(1.0, 0.0, 0.0);
+  const double xAlong = glm::dot(x, along), xAside = glm::length(x - xAlong * along);
+  double largest_m = 0.0;
+  for (int k = 0; k < kAround; ++k) {
+    const double around = 2.0 * std::numbers::pi * k / kAround;
+    const double dAlong = radius_m * std::cos(around) - xAlong, dAside = radius_m * std::sin(around) - xAside;
+    largest_m = std::max(largest_m, gamma * std::sqrt(dAlong * dAlong + dAside * dAside) - size * dAlong);
+  }
+  const double apart = 2.0 * std::numbers::pi / kAround;
+  return largest_m + radius_m * (gamma + size) * apart * apart / 8.0;
+}
+
+// c = 1. N_m is the news that begins leg m, A_m the event at which it reaches a point, U_q the four-velocity
+// of leg q: U_q·(A_m − N_m) ≥ 0 is how far the light of N_m has come by then, in the frame of q. Bounds
+// b_m(q) of that follow from each other. A point found by N_m on leg j < m, or on its way there, has not
+// heard of N_i, i = j + 1, before. If it
+//   rests on leg j, A_m is not later than where N_i would have found it: U_q·(A_m − N_m) ≤ the furthest that
+//   N_i
+//     reaches in the body + U_q·(N_i − N_m);
+//   or is on its way from A_j to its place d there, at w = catchUpSpeed: in the frame of j its distance from
+//   x_i
+//     is at most the larger of those at both ends of its way, |x_A − x_i| and |d − x_i| ≤ R + |x_i|. Is it
+//     the second, N_i finds it within that: ≤ (γ + u)(R + |x_i|) + U_q·(N_i − N_m). Else N_i finds it at most
+//     τ = t_i − t_j + |x_i − x_j| after A_j, as |x_A − x_j| = t_A − t_j: ≤ b_j(q) + U_q·(N_j − N_m) + τ (γ +
+//     w u).
+// The last leg is joined (|x_N| + b + R)/w after A.
+double boundOfJoining_s(const WorldLine& line, std::size_t from) {
+  const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m(), w = kernel::catchUpSpeed();
+  const Knot& knot = line.knots().back();
+  const std::vector<LegFrame> legs = framesFrom(line, from);
+  const std::size_t count = legs.size();
+  // Row j: b_j(q), and what it and the bodies' rims give for all later news, U_q·(A − N_{j+1}).
+  std::vector<double> bounds(count * count, 0.0), onLeg(count * count, 0.0);
+  const auto time_m = [&](std::size_t q, const Displacement& d) {
+    return c_m_s * (legs[q].fromBoard * d).dt_s;
+  };
+  for (std::size_t m = 0; m < count; ++m) {
+    for (std::size_t q = m; m > 0 && q < count; ++q) {
+      double& bound = bounds[m * count + q];
+      for (std::size_t j = 0; j < m; ++j)
+        bound = std::max(bound, onLeg[j * count + q] + time_m(q, legs[j + 1].news - legs[m].news));
+    }
+    if (m + 1 == count) break;
+    const Vec3 x = (legs[m].fromBoard * (legs[m + 1].news - legs[m].centre)).dr_m;
+    const Displacement since = legs[m].fromBoard * (legs[m + 1].news - legs[m].news);
+    const double tau_m = std::max(0.0, c_m_s * since.dt_s + glm::length(since.dr_m));
+    for (std::size_t q = m + 1; q < count; ++q) {
+      const Vec3 u = (legs[m].fromBoard * Displacement{gammaFromU(legs[q].u) / c_m_s, legs[q].u}).dr_m;
+      const double gamma = gammaFromU(u), size = glm::length(u);
+      double& bound = onLeg[m * count + q];
+      bound = furthestReach(x, u, radius_m);
+      if (m == 0) continue;  // all had joined the first
+      bound = std::max(bound, (gamma + size) * (radius_m + glm::length(x)));
+      bound = std::max(bound, bounds[m * count + q] + time_m(q, legs[m].news - legs[m + 1].news) +
+                                  tau_m * (gamma + w * size));
+    }
+  }
+  const Displacement news = legs.back().fromBoard * (knot.news - knot.turn);
+  const double found_m = bounds.back();
+  const double joined_s = news.dt_s + (found_m + (glm::length(news.dr_m) + found_m + radius_m) / w) / c_m_s;
+  // Friction moves the goal by less than the way to it while R a < c²/2.
+  return knot.deceleration_m_s2 > 0.0 ? 2.0 * joined_s : joined_s;
+}
+
+/// The longest of points all around the body, followed from the leg that all had joined, and half as much
+/// again for those in between.
+double followedJoining_s(const WorldLine& line, std::size_t from) {
+  constexpr int kAround = 48, kHalfWay = 16;
   const double c_m_s = line.lightSpeed_m_s();
   const std::span<const Knot> knots = line.knots();
-  std::size_t from = knots.size() - 1;
-  while (from > 0 && !(from + 1 < knots.size() && line.settlesBeforeNext(from))) --from;
   const Knot& last = knots.back();
   const Lorentz bodyFromBoard = Lorentz::boost(-last.u, c_m_s);
   double longest_s = 0.0;
   std::vector<VertexPiece> history;
-  for (int k = 0; k < 2 * kAround; ++k) {
+  for (int k = 0; k < kAround + kHalfWay; ++k) {
     // On the equator and half way up; motion is in the plane, so below is as above.
-    const double around = 2.0 * std::numbers::pi * (k % kAround) / kAround;
+    const double around = 2.0 * std::numbers::pi * k / (k < kAround ? kAround : kHalfWay);
     const double level = k < kAround ? 1.0 : std::numbers::sqrt2 / 2.0;
     const Vec3 offset_m = line.radius_m() * Vec3(level * std::cos(around), level * std::sin(around),
                                                  std::sqrt(1.0 - level * level));
@@ -191,7 +284,24 @@ double joinedAfter_s(const WorldLine& line) {
     for (const Knot& knot : knots.subspan(from + 1)) turn(history, knot, offset_m, c_m_s);
     longest_s = std::max(longest_s, (bodyFromBoard * (history.back().start - last.turn)).dt_s);
   }
-  return 1.5 * longest_s;
+  return 2.0 * longest_s;
+}
+
+}  // namespace
+
+double joinedAfter_s(const WorldLine& line) {
+  // Of faster bodies a few points can lag behind all others, so many times longer that no number of them
+  // shows it.
+  constexpr double kFollowed_beta = 0.95;
+  const std::span<const Knot> knots = line.knots();
+  std::size_t from = knots.size() - 1;
+  while (from > 0 && !(from + 1 < knots.size() && line.settlesBeforeNext(from))) --from;
+  const double bound_s = boundOfJoining_s(line, from);
+  const bool followed =
+      std::all_of(knots.begin() + static_cast<std::ptrdiff_t>(from), knots.end(), [](const Knot& knot) {
+        return knot.deceleration_m_s2 == 0.0 && glm::length(betaFromU(knot.u)) <= kFollowed_beta;
+      });
+  return followed ? std::min(bound_s, followedJoining_s(line, from)) : bound_s;
 }
 
 const VertexPiece& pieceAt(const std::vector<VertexPiece>& history, double t_s) {

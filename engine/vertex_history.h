@@ -32,10 +32,11 @@ struct VertexPiece {
 /// (emission_kernel.glsl).
 std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset_m);
 
-/// How long after the last turn, by the centre's own clock, the points on the edge of the body (its radius)
-/// have joined the last leg: found by following points all around it from the last leg that all had joined.
-/// The longest of them, and half as much again for those in between. For turns in the board's plane, and
-/// without friction on the last leg.
+/// How long after the last turn, by the centre's own clock, all points within the line's radius have joined
+/// the last leg, reckoned from the last leg that all had joined. A bound that is proved for legs without
+/// friction (with it, for decelerations that change little while light crosses the body). Where none of the
+/// legs is faster than 0.95 c and none has friction, twice the longest of 64 points around the body if that
+/// is less: for turns in the board's plane, and by experiment, not by proof.
 double joinedAfter_s(const WorldLine& line);
 
 /// The piece on which the point is at board time `t_s`.

@@ -278,13 +278,14 @@ TEST(Beacons, StandOnTheirGhosts) {
 }
 
 // Corners of a way lie half its width aside of where the centre is at their time, through bounces and
-// friction.
+// friction, and after a day of board time too: their times are counted from shortly before.
 TEST(PathRibbons, LieAlongTheCentresWay) {
   test::Random random(73);
   for (int i = 0; i < 100; ++i) {
-    WorldLine line({{0.0, {0.1, 0.2, 0.01}}, uFromBeta({0.6, 0.3, 0.0}), 0.0, {}, i % 2 == 0 ? 0.0 : 0.2},
+    const double game_s = i % 3 == 0 ? 0.0 : i % 3 == 1 ? 3600.0 : 86400.0, base_s = game_s + 100.0;
+    WorldLine line({{game_s, {0.1, 0.2, 0.01}}, uFromBeta({0.6, 0.3, 0.0}), 0.0, {}, i % 2 == 0 ? 0.0 : 0.2},
                    kC_m_s, 0.03);
-    for (const double turn_s : {0.7, 1.5}) {
+    for (const double turn_s : {game_s + 0.7, game_s + 1.5}) {
       const Motion motion = motionOnLeg(line.knots().back(), turn_s, kC_m_s);
       const double angle_rad = random.in(0.0, 6.28), beta = random.in(0.1, 0.9);
       Knot knot{motion.event, uFromBeta({beta * std::cos(angle_rad), beta * std::sin(angle_rad), 0.0}),
@@ -292,11 +293,11 @@ TEST(PathRibbons, LieAlongTheCentresWay) {
       line.append(knot);
     }
     std::vector<PathRibbons::Corner> corners;
-    addWay(line, -1.0, 3.0, 100.0, corners);
+    addWay(line, game_s - 1.0, game_s + 3.0, base_s, corners);
     ASSERT_GT(corners.size(), 100u);
     double first_s = 1e9, last_s = -1e9;
     for (const PathRibbons::Corner& corner : corners) {
-      const double t_s = 100.0 + corner.time_s;
+      const double t_s = base_s + corner.time_s;
       first_s = std::min(first_s, t_s);
       last_s = std::max(last_s, t_s);
       const Motion there = line.at(t_s);
@@ -304,8 +305,8 @@ TEST(PathRibbons, LieAlongTheCentresWay) {
       const double off_m = glm::length(glm::dvec2(corner.place_m) - glm::dvec2(there.event.r_m));
       ASSERT_NEAR(off_m, PathRibbons::kHalfWidth_m, 3e-5) << "case " << i << " at " << t_s << " s";
     }
-    ASSERT_NEAR(first_s, 0.0, 1e-4) << "nothing before the game";
-    ASSERT_NEAR(last_s, 3.0, 1e-4);
+    ASSERT_NEAR(first_s, game_s, 1e-4) << "nothing before the game";
+    ASSERT_NEAR(last_s, game_s + 3.0, 1e-4);
   }
 }
 

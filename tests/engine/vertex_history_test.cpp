@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include <cmath>
 
+#include "engine/billiard.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -121,6 +124,51 @@ TEST(VertexHistory, AllPointsHaveJoinedWhenTheLineSaysSo) {
     EXPECT_LT(said_s, longest_s + 50.0 * radius_m / kC_m_s) << "world line " << i;
   }
   EXPECT_GT(unsettled, 300);
+}
+
+// Games of unequal pucks on small boards, from starts up to 0.999 c: no point of dense ones around a puck
+// joins a leg later than said.
+TEST(VertexHistory, NoPointJoinsLaterThanSaidInDenseGames) {
+  test::Random random(10);
+  int unsettled = 0;
+  for (int game = 0; game < 36; ++game) {
+    constexpr double kStarts_beta[] = {0.5, 0.8, 0.9, 0.97, 0.99, 0.999};
+    BilliardSetup setup;
+    setup.lightSpeed_m_s = kC_m_s;
+    setup.board = Board{random.in(0.4, 0.8), random.in(0.3, 0.6)};
+    if (game % 2 == 1) setup.rules.collisionEvent = CollisionEvent::contact;
+    for (int i = 0; i < 6; ++i) {  // each in a field of its own of three by two
+      const double angle = random.in(0.0, 6.2831853);
+      const double beta = kStarts_beta[game % 6] * std::pow(random.in(0.0, 1.0), 0.2);
+      const Vec2 field_m((i % 3 - 1) * setup.board->length_m / 3.0,
+                         (i / 3 - 0.5) * setup.board->width_m / 2.0);
+      setup.pucks.push_back({std::to_string(i), random.in(0.02, 0.05), 0.02,
+                             std::pow(10.0, random.in(-1.0, 1.0)), field_m,
+                             beta * Vec2(std::cos(angle), std::sin(angle))});
+    }
+    Billiard billiard(setup);
+    billiard.advanceTo(0.7);
+    for (std::size_t puck = 0; puck < setup.pucks.size(); ++puck) {
+      const WorldLine& whole = billiard.worldLines()[puck];
+      WorldLine line(whole.knots().front(), kC_m_s, whole.radius_m());
+      for (std::size_t k = 1; k < std::min<std::size_t>(whole.knots().size(), 16); ++k) {
+        line.append(whole.knots()[k]);
+        if (line.settlesBeforeNext(line.knots().size() - 2)) continue;
+        line.settlesAfter(joinedAfter_s(line));
+        ++unsettled;
+        const Knot& last = line.knots().back();
+        const Lorentz bodyFromBoard = Lorentz::boost(-last.u, kC_m_s);
+        for (int point = 0; point < 200; ++point) {
+          const double around = 2.0 * std::numbers::pi * point / 200.0;
+          const Vec3 offset_m = line.radius_m() * Vec3(std::cos(around), std::sin(around), 0.0);
+          const Event joined = vertexHistory(line, offset_m).back().start;
+          ASSERT_TRUE((bodyFromBoard * (joined - last.turn)).dt_s <= line.settled_s(line.knots().size() - 1))
+              << "game " << game << " puck " << puck << " knot " << k << " point " << point;
+        }
+      }
+    }
+  }
+  EXPECT_GT(unsettled, 200);
 }
 
 }  // namespace
