@@ -32,11 +32,14 @@ void SensorMonitor::add(const TrackerSample& sample) {
   noise_.add(sample.time_s, sample.pose.position_m);
   if (!noise_.isStill()) {
     stillSince_s_ = SensorFigures::kUnknown;
-  } else if (std::isnan(stillSince_s_)) {
-    stillSince_s_ = sample.time_s;
-  } else if (sample.time_s - stillSince_s_ >= kRestTold_s) {
-    rest_m_ = noise_.sigma_m();
+    return;
   }
+  if (std::isnan(stillSince_s_)) {
+    stillSince_s_ = sample.time_s;
+    restNoise_ = TrackerNoise();
+  }
+  restNoise_.add(sample.time_s, sample.pose.position_m);
+  if (sample.time_s - stillSince_s_ >= kRestTold_s) rest_m_ = restNoise_.sigma_m();
 }
 
 SensorFigures SensorMonitor::figures(double now_s) const {

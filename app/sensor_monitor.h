@@ -16,11 +16,13 @@ struct SensorFigures {
   double rate_hz = kUnknown;
   double age_s = kUnknown;     ///< of the newest sample: since its pose held
   double jitter_s = kUnknown;  ///< standard deviation of the intervals
-  double rest_m = kUnknown;    ///< the noise of a coordinate, told while the sensor was last at rest
-  double quality = kUnknown;   ///< 0 … 1, where the tracker says
-  double battery = kUnknown;   ///< 0 … 1, where the tracker says
-  std::size_t samples = 0;     ///< since the beginning
-  std::size_t dropouts = 0;    ///< intervals of over one and a half usual ones, since the beginning
+  /// The noise of a coordinate, told while the sensor was last at rest, of nothing else. Below 20 Hz a person
+  /// who sways counts as noise, too; below 4 Hz it is not told.
+  double rest_m = kUnknown;
+  double quality = kUnknown;  ///< 0 … 1, where the tracker says
+  double battery = kUnknown;  ///< 0 … 1, where the tracker says
+  std::size_t samples = 0;    ///< since the beginning
+  std::size_t dropouts = 0;   ///< intervals of over one and a half usual ones, since the beginning
 };
 
 class SensorMonitor {
@@ -40,7 +42,8 @@ class SensorMonitor {
   std::size_t dropouts_ = 0;
   double quality_ = SensorFigures::kUnknown;
   double battery_ = SensorFigures::kUnknown;
-  TrackerNoise noise_{0.0003};
+  TrackerNoise noise_;      // for whether the sensor is still
+  TrackerNoise restNoise_;  // since it is
   double stillSince_s_ = SensorFigures::kUnknown;
   double rest_m_ = SensorFigures::kUnknown;
 };

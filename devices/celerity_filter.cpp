@@ -15,29 +15,40 @@ namespace {
 //
 //   dx/dt = v     dv/dt = a − v/stopTau     da/dt = j − a/kAccelerationTau     dj/dt = −j/kDriveTau + noise
 //
-// with a of standard deviation sigma. A model lasts for `dwell_s` on average, then any other follows.
+// with a of standard deviation sigma. A model lasts for `dwell_s` on average; then any other follows, one by
+// `share` as likely as a usual one.
 constexpr double kAccelerationTau_s = 0.180;
-constexpr double kDriveTau_s = 0.0215;
+constexpr double kDriveTau_s = 0.0185;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 struct Model {
   double sigma_m_s2;  // of one component
   double stopTau_s;
   double dwell_s;
+  double share = 1.0;
 };
 constexpr std::array<Model, CelerityFilter::kModels> kModelTable = {{
-    {0.0008, 0.0359, 6.0},
-    {0.0007, 0.244, 0.323},
-    {0.071, kNever, 0.323},
-    {0.38, kNever, 0.323},
-    {0.97, kNever, 0.323},
+    {0.0008, 0.07, 20.0},
+    {0.0007, 0.333, 0.38},
+    {0.0107, kNever, 1.0, 0.3},
+    {0.143, kNever, 0.38},
+    {0.532, kNever, 0.38},
+    {1.05, kNever, 0.38},
+    {4.3, kNever, 0.583, 0.04},
 }};
 constexpr int kMoving = 2;  // the models from here on
+constexpr double kShares = [] {
+  double sum = 0.0;
+  for (const Model& model : kModelTable) sum += model.share;
+  return sum;
+}();
 
 // What a sample says for or against a model counts by this power. The models' innovations are no independent
 // witnesses, as the update takes them to be: after mixing they share most of their past, and a movement that
 // no model foresees surprises them all for many samples on end.
-constexpr double kTrust = 0.40;
+constexpr double kTrust = 0.44;
 
+constexpr double kLeastSigma_m = 0.00001;
+constexpr double kMostSigma_m = 0.01;
 constexpr double kFirstCelerity_m_s = 0.5;  // standard deviation of what is not known at the start
 
 // 1 − exp(−t/tau), exact for t ≪ tau.
@@ -124,8 +135,9 @@ glm::dmat4 momentOverAxes(const glm::dmat4x3& state) { return glm::transpose(sta
 void CelerityFilter::start(double time_s, const glm::dvec3& position_m) {
   time_s_ = time_s;
   noise_.interrupt();
+  noise_.doubt();
   noise_.add(time_s, position_m);
-  const double sigma_m = noise_.sigma_m();
+  const double sigma_m = trackerSigma_m();
   for (int i = 0; i < kModels; ++i) {
     Belief& belief = beliefs_[i];
     belief.probability = 1.0 / kModels;
@@ -135,6 +147,12 @@ void CelerityFilter::start(double time_s, const glm::dvec3& position_m) {
     belief.rampError = {0.0, 0.0, 1.0, 1.0 / kAccelerationTau_s};
   }
   average();
+}
+
+void CelerityFilter::moveBy(const glm::dvec3& offset_m) {
+  for (Belief& belief : beliefs_) belief.state[0] += offset_m;
+  mean_[0] += offset_m;
+  noise_.interrupt();
 }
 
 void CelerityFilter::update(double time_s, const glm::dvec3& position_m) {
@@ -170,39 +188,50 @@ void CelerityFilter::update(double time_s, const glm::dvec3& position_m) {
 }
 
 // Mixing: each model goes on from what all models believe, weighted by the probability that they were
-// the true one before it. P(i → j) = 1 − exp(−T/dwell_i), shared by all j ≠ i.
+// the true one before it. P(i → j) = (1 − exp(−T/dwell_i)) share_j/Σ share, the sum over all but i: but for
+// share_j, what comes from a model is the same for all others, so it is summed once, and each adds what
+// stays.
 void CelerityFilter::mix(double interval_s) {
-  const Beliefs before = beliefs_;
-  std::array<double, kModels> leaves;
-  std::array<glm::dmat4, kModels> aboutMean;  // second moments about the mean of all, averaged over the axes
+  struct Sum {
+    double weight = 0.0, movingWeight = 0.0;
+    State state{0.0};
+    glm::dmat4 moment{0.0};  // second moment about the mean of all, averaged over the axes
+    glm::dvec4 rampError{0.0};
+    void add(double by, const Sum& other) {
+      weight += by * other.weight;
+      movingWeight += by * other.movingWeight;
+      state += by * other.state;
+      moment += by * other.moment;
+      rampError += by * other.rampError;
+    }
+  };
+  Sum leaving;
+  std::array<Sum, kModels> each;
+  std::array<double, kModels> leaves;  // to a model of share 1
   for (int i = 0; i < kModels; ++i) {
-    leaves[i] = decayed(interval_s, kModelTable[i].dwell_s);
-    aboutMean[i] = before[i].covariance + momentOverAxes(before[i].state - mean_);
+    const Belief& belief = beliefs_[i];
+    const double moving = i >= kMoving ? 1.0 : 0.0;
+    each[i] = {1.0, moving, belief.state, belief.covariance + momentOverAxes(belief.state - mean_),
+               moving * belief.rampError};
+    leaves[i] = decayed(interval_s, kModelTable[i].dwell_s) / (kShares - kModelTable[i].share);
+    leaving.add(belief.probability * leaves[i], each[i]);
   }
   for (int j = 0; j < kModels; ++j) {
-    std::array<double, kModels> weight;
-    double sum = 0.0, movingSum = 0.0;
-    for (int i = 0; i < kModels; ++i) {
-      weight[i] = before[i].probability * (i == j ? 1.0 - leaves[i] : leaves[i] / (kModels - 1));
-      sum += weight[i];
-      if (i >= kMoving) movingSum += weight[i];
-    }
     Belief& to = beliefs_[j];
-    to = {};
-    to.probability = sum;
-    for (int i = 0; i < kModels; ++i) {
-      to.state += weight[i] / sum * before[i].state;
-      to.covariance += weight[i] / sum * aboutMean[i];
-      if (i >= kMoving) to.rampError += weight[i] / movingSum * before[i].rampError;
-    }
-    to.covariance -= momentOverAxes(to.state - mean_);
+    Sum sum;
+    sum.add(kModelTable[j].share, leaving);
+    sum.add(to.probability * (1.0 - leaves[j] * kShares), each[j]);
+    to.probability = sum.weight;
+    to.state = sum.state / sum.weight;
+    to.covariance = sum.moment / sum.weight - momentOverAxes(to.state - mean_);
+    to.rampError = sum.rampError / sum.movingWeight;
   }
 }
 
 // The Kalman step for a measured position, all axes at once. Returns the logarithm of the likelihood,
 // −(|ν|²/S + 3 ln S)/2 with innovation ν of variance S, up to a constant.
 double CelerityFilter::correct(Belief& belief, const glm::dvec3& position_m) const {
-  const double sigma_m = noise_.sigma_m();
+  const double sigma_m = trackerSigma_m();
   const glm::dvec4 withPosition = belief.covariance[0];
   const double variance_m2 = withPosition[0] + sigma_m * sigma_m;
   const glm::dvec4 gain = withPosition / variance_m2;
@@ -228,6 +257,10 @@ glm::dmat3 CelerityFilter::celerityCovariance_m2_s2() const {
   return covariance;
 }
 
+double CelerityFilter::trackerSigma_m() const {
+  return std::clamp(noise_.sigma_m(), kLeastSigma_m, kMostSigma_m);
+}
+
 double CelerityFilter::lag_s() const {
   double lag_s = 0.0, probability = 0.0;
   for (int i = kMoving; i < kModels; ++i) {
@@ -237,17 +270,34 @@ double CelerityFilter::lag_s() const {
   return lag_s / probability;
 }
 
+// The models that share a stopTau stand side by side, and what follows from a state is linear in it.
 glm::dvec3 CelerityFilter::predictedPosition_m(double ahead_s) const {
+  if (ahead_s == 0.0) return mean_[0];
   glm::dvec3 predicted_m(0.0);
-  for (int i = 0; i < kModels; ++i) {
+  for (int i = 0; i < kModels;) {
     const double stopTau_s = kModelTable[i].stopTau_s;
-    const State& state = beliefs_[i].state;
-    predicted_m +=
-        beliefs_[i].probability * (state[0] + afterCelerity(stopTau_s, ahead_s)[0] * state[1] +
-                                   afterAcceleration(kAccelerationTau_s, stopTau_s, ahead_s)[0] * state[2] +
-                                   afterDrive(stopTau_s, ahead_s)[0] * state[3]);
+    State state(0.0);
+    for (; i < kModels && kModelTable[i].stopTau_s == stopTau_s; ++i) {
+      state += beliefs_[i].probability * beliefs_[i].state;
+    }
+    predicted_m += state[0] + afterCelerity(stopTau_s, ahead_s)[0] * state[1] +
+                   afterAcceleration(kAccelerationTau_s, stopTau_s, ahead_s)[0] * state[2] +
+                   afterDrive(stopTau_s, ahead_s)[0] * state[3];
   }
   return predicted_m;
+}
+
+double CelerityFilter::predictedSigma_m(double ahead_s) const {
+  const auto at = [ahead_s](const State& state) { return state[0] + ahead_s * state[1]; };
+  const double sigma_m = trackerSigma_m();
+  double variance_m2 = sigma_m * sigma_m;
+  for (const Belief& belief : beliefs_) {
+    const glm::dmat4& p = belief.covariance;
+    const glm::dvec3 apart_m = at(belief.state) - at(mean_);
+    variance_m2 += belief.probability * (p[0][0] + ahead_s * (2.0 * p[0][1] + ahead_s * p[1][1]) +
+                                         glm::dot(apart_m, apart_m) / 3.0);
+  }
+  return std::sqrt(variance_m2);
 }
 
 // Of the integral of a wandering acceleration, whose correlation is (τ exp(−u/τ) − τ' exp(−u/τ'))/(τ − τ'):

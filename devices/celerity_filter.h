@@ -3,9 +3,10 @@
 // (Blom and Bar-Shalom 1988). Each model holds another idea of how vigorously a head moves at present, from
 // standing still to hurrying; every sample tells how likely each is, and the estimate is their mean.
 //
-// The models' values (celerity_filter.cpp) were found on simulated heads and on the first 2000 rows of a
-// recorded one (16.6 s, OptiTrack, 120 Hz), with 0.3 mm of noise added, at 60 to 240 Hz. They are the same at
-// every rate: they describe the head, not the tracker.
+// The models' values (celerity_filter.cpp) were found on six simulated heads and on twelve recorded ones (of an
+// OptiTrack, a HoloLens, a Quest 2 and Pro and of TUM's camera), with 0.1 to 2 mm of noise added, at 60 and
+// 120 Hz, with the demand that none be far behind the best of four other filters. They are the same at every
+// rate: they describe the head, not the tracker, whose noise is told from the samples (tracker_noise.h).
 //
 // What an error of celerity does to the eye depends on its direction (sky_swing.h), and the estimate needs
 // not know: a mean has the least square error however components are weighted against each other.
@@ -33,7 +34,10 @@ class CelerityFilter {
   /// The next position, at a later time than the last.
   void update(double time_s, const glm::dvec3& position_m);
 
-  /// All at the time of the last position.
+  /// The tracker took all positions from here on to be elsewhere by that much: the point has not moved.
+  void moveBy(const glm::dvec3& offset_m);
+
+  double time_s() const { return time_s_; }  ///< of the last position; all that follows is then
   const glm::dvec3& position_m() const { return mean_[0]; }
   const glm::dvec3& celerity_m_s() const { return mean_[1]; }
   glm::dmat3 celerityCovariance_m2_s2() const;
@@ -45,12 +49,18 @@ class CelerityFilter {
   /// Where the point will be, `ahead_s` after the last position.
   glm::dvec3 predictedPosition_m(double ahead_s) const;
 
+  /// Standard deviation (one component) of a position measured then, were the point to keep its celerity.
+  double predictedSigma_m(double ahead_s) const;
+
   /// Variance (one component) by which the celerity may have changed, `ahead_s` after the last position.
   double celerityChange_m2_s2(double ahead_s) const;
 
-  double trackerSigma_m() const { return noise_.sigma_m(); }
+  /// The noise of the positions as it is now believed, at least 0.01 mm and at most 10 mm.
+  double trackerSigma_m() const;
+  /// Whether it was told by the samples and is not the one to begin with.
+  bool isTrackerSigmaKnown() const { return noise_.isKnown(); }
 
-  static constexpr int kModels = 5;
+  static constexpr int kModels = 7;
 
  private:
   /// Columns: position, celerity, acceleration and its drive (m, m/s, m/s², m/s³) of the point.

@@ -8,12 +8,9 @@
 namespace carom {
 namespace {
 
-constexpr double kGlitch_m_s = 12.0;              // no head moves faster
-constexpr double kLeastInterval_s = 0.001;        // samples stamped closer than that were not taken so
-constexpr double kVigour_m_s2 = 20.0;             // nor leaves its course faster, once a glitch was seen
 constexpr double kPredict_s = 0.1;                // how far a pose is predicted and a celerity kept
 constexpr double kFade_s = 0.2;                   // in which celerity fades to zero after that, and back
-constexpr double kLost_s = kPredict_s + kFade_s;  // a glitch that lasts longer is the head's new place
+constexpr double kLost_s = kPredict_s + kFade_s;  // jumps that last longer are the head's new place
 constexpr double kSlew_m_s = 1.0;                 // how fast the pose comes over to where samples came back
 constexpr double kSlew_rad_s = 3.0;
 constexpr double kTurnMemory_s = 0.03;  // of the orientation filter
@@ -58,6 +55,8 @@ const char* toString(Known known) {
   return "";
 }
 
+HeadFilter::HeadFilter(double trackerSigma_m) : celerity_(trackerSigma_m), judge_(kLost_s) {}
+
 SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
   const double norm = glm::length(roomFromHead.orientation);
   if (!std::isfinite(time_s) || !isFinite(roomFromHead.position_m) || !std::isfinite(norm) || norm < 0.5) {
@@ -69,25 +68,27 @@ SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
     started_ = true;
     return SampleUse::Used;
   }
-  const double newestSeen_s = suspicion_.raised ? suspicion_.time_s : time_s_;
+  const double newestSeen_s = judge_.doubts() ? judge_.doubted_s() : time_s_;
   if (time_s <= newestSeen_s) return SampleUse::Unusable;
-  const Place place = placeOf(time_s, measured.position_m);
-  if (place == Place::Glitch) return SampleUse::Glitch;
+  const Jump jump = judge_.judge(celerity_, time_s, measured.position_m);
+  if (jump == Jump::Doubted) {
+    doubted_ = {time_s, measured};
+    return SampleUse::Glitch;
+  }
 
   const double interval_s = time_s - time_s_;
   const Pose shown = shownPose(time_s);
   const double share = shownShare(time_s);
-  const bool returned = place == Place::New || interval_s > kPredict_s;
-  if (place == Place::New || interval_s > kLost_s) {
+  const bool isLongAgo = jump == Jump::New || interval_s > kPredict_s;
+  if (jump == Jump::New || interval_s > kLost_s) {
     start(time_s, measured);
   } else {
-    celerity_.update(time_s, measured.position_m);
-    turn(interval_s, measured.orientation);
-    time_s_ = time_s;
-    measured_m_ = measured.position_m;
+    if (jump == Jump::Quick) use(doubted_.time_s, doubted_.roomFromHead);
+    if (jump == Jump::Shifted) celerity_.moveBy(judge_.offset_m());
+    use(time_s, measured);
   }
-  suspicion_.raised = false;
-  share_ = returned ? share : std::min(1.0, share + interval_s / kFade_s);
+  share_ = isLongAgo ? share : std::min(1.0, share + interval_s / kFade_s);
+  const bool returned = isLongAgo || jump == Jump::Shifted;
   if (returned) {
     returned_s_ = time_s;
     const Pose filtered = filteredPose(time_s);
@@ -97,36 +98,17 @@ SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
   return SampleUse::Used;
 }
 
-// A step from the last used sample above 12 m/s (beyond what noise can do) raises suspicion. From then on
-// a sample goes on from the last used one if it lies on the head's course, and samples that go on from
-// each other for long enough are a new place.
-HeadFilter::Place HeadFilter::placeOf(double time_s, const glm::dvec3& position_m) {
-  const double noise_m = 6.0 * std::sqrt(2.0) * celerity_.trackerSigma_m();
-  const auto isStep = [noise_m](const glm::dvec3& from_m, const glm::dvec3& to_m, double interval_s) {
-    return glm::distance(from_m, to_m) <= kGlitch_m_s * std::max(interval_s, kLeastInterval_s) + noise_m;
-  };
-  const double interval_s = time_s - time_s_;
-  if (!suspicion_.raised) {
-    // After a loss the head may be anywhere: nothing is travel then.
-    if (interval_s > kLost_s || isStep(measured_m_, position_m, interval_s)) return Place::Same;
-    suspicion_ = {true, time_s, time_s, position_m};
-    return Place::Glitch;
-  }
-  const double offCourse_m = glm::distance(position_m, celerity_.predictedPosition_m(interval_s));
-  const double leaves_s = std::min(interval_s, kPredict_s);
-  if (interval_s <= kLost_s && offCourse_m <= 0.5 * kVigour_m_s2 * leaves_s * leaves_s + noise_m) {
-    return Place::Same;
-  }
-  if (!isStep(suspicion_.position_m, position_m, time_s - suspicion_.time_s)) suspicion_.since_s = time_s;
-  suspicion_.time_s = time_s;
-  suspicion_.position_m = position_m;
-  return time_s - suspicion_.since_s >= kLost_s ? Place::New : Place::Glitch;
+void HeadFilter::use(double time_s, const Pose& measured) {
+  judge_.use(celerity_, time_s, measured.position_m);
+  celerity_.update(time_s, measured.position_m);
+  turn(time_s - time_s_, measured.orientation);
+  time_s_ = time_s;
 }
 
 void HeadFilter::start(double time_s, const Pose& roomFromHead) {
   celerity_.start(time_s, roomFromHead.position_m);
   time_s_ = time_s;
-  measured_m_ = roomFromHead.position_m;
+  judge_.start(roomFromHead.position_m);
   orientation_ = roomFromHead.orientation;
   angularVelocity_rad_s_ = glm::dvec3(0.0);
 }

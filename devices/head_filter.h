@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "devices/celerity_filter.h"
+#include "devices/jump_judge.h"
 #include "engine/pose.h"
 
 namespace carom {
@@ -42,17 +43,18 @@ struct HeadEstimate {
 /// What became of a sample.
 enum class SampleUse {
   Used,
-  Glitch,    ///< further from the last than anyone moves in that time: not used
+  Glitch,    ///< where no head gets in that time: not used, unless the next shows that one did
   Unusable,  ///< not after the last sample, or not finite: not used
 };
 
 /// Filters the samples of one head. No allocation, the same bits in every run.
 ///
-/// Steps above 12 m/s of celerity are glitches of the tracker and count as loss. Where no usable sample
-/// comes, the pose is predicted for 0.1 s and then held, and the celerity fades to zero until 0.3 s after
-/// the last sample. When samples come back, celerity is estimated anew and fades in over 0.2 s, and the
-/// pose comes over to the new place at 1 m/s and 3 rad/s, beside the user's own motion. A glitch that goes
-/// on in itself for 0.3 s is the head's new place.
+/// Samples where no head gets are glitches of the tracker and count as loss (jump_judge.h). Where no usable
+/// sample comes, the pose is predicted for 0.1 s and then held, and the celerity fades to zero until 0.3 s
+/// after the last sample. When samples come back, celerity is estimated anew and fades in over 0.2 s, and the
+/// pose comes over to the new place at 1 m/s and 3 rad/s, beside the user's own motion. So it does where the
+/// tracker took a step, which the celerity takes no part in. Glitches that go on from each other for 0.3 s
+/// are the head's new place.
 ///
 /// That slide is a motion of the shown pose and none of the celerity. The observer's world line follows it
 /// (engine/observer.h) and stays timelike at any light speed: an eye that was put elsewhere instead could see
@@ -66,8 +68,8 @@ enum class SampleUse {
 class HeadFilter {
  public:
   /// `trackerSigma_m`: standard deviation of the tracker's noise per axis to begin with; it is then
-  /// estimated from the samples while the head is still.
-  explicit HeadFilter(double trackerSigma_m = 0.0003) : celerity_(trackerSigma_m) {}
+  /// estimated from the samples.
+  explicit HeadFilter(double trackerSigma_m = 0.0003);
 
   /// The next sample: the pose of the eye midpoint (roomFromSensor * sensorFromEyes) at a time.
   SampleUse add(double time_s, const Pose& roomFromHead);
@@ -79,18 +81,12 @@ class HeadFilter {
   double trackerSigma_m() const { return celerity_.trackerSigma_m(); }
 
  private:
-  /// Where a sample is: going on from the last, a step no head makes, or where such steps have led.
-  enum class Place { Same, Glitch, New };
-
-  /// Samples far from where the head was: a new place if they go on.
-  struct Suspicion {
-    bool raised = false;
-    double since_s = 0.0;
-    double time_s = 0.0;  // of the newest such sample
-    glm::dvec3 position_m{0.0};
+  struct Doubted {
+    double time_s = 0.0;
+    Pose roomFromHead;
   };
 
-  Place placeOf(double time_s, const glm::dvec3& position_m);
+  void use(double time_s, const Pose& measured);
   void start(double time_s, const Pose& roomFromHead);
   void turn(double interval_s, const glm::dquat& orientation);
   Pose filteredPose(double time_s) const;
@@ -100,11 +96,11 @@ class HeadFilter {
   CelerityFilter celerity_;
   bool started_ = false;
   double time_s_ = 0.0;                         // of the newest used sample
-  glm::dvec3 measured_m_{0.0};                  // its position
   glm::dquat orientation_{1.0, 0.0, 0.0, 0.0};  // filtered
   glm::dvec3 angularVelocity_rad_s_{0.0};
   double share_ = 1.0;  // of the estimated celerity that is shown then
-  Suspicion suspicion_;
+  JumpJudge judge_;
+  Doubted doubted_;  // the newest sample that was
 
   // Shown pose − filtered pose when samples came back; it shrinks to nothing.
   double returned_s_ = 0.0;

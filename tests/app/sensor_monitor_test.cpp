@@ -60,6 +60,34 @@ TEST(SensorMonitor, ASilentSensorSlowsDown) {
   EXPECT_NEAR(monitor.figures(15.0).age_s, 5.0, 1e-9);
 }
 
+// What the samples have, and nothing that the estimate began with: from the first moment that it is told, at
+// any rate above 4 Hz.
+TEST(SensorMonitor, TellsTheNoiseAtRestAsItIs) {
+  for (const double rate_hz : {5.0, 10.0, 19.0, 60.0, 240.0}) {
+    for (const double sigma_m : {0.0, 0.00005, 0.0003, 0.002}) {
+      for (const bool moves : {false, true}) {
+        std::mt19937_64 random(73);
+        std::normal_distribution<double> noise(0.0, 1.0);
+        SensorMonitor monitor;
+        const double begin_s = moves ? 4.0 : 0.0;
+        for (int i = 0; i < (begin_s + 15.0) * rate_hz; ++i) {
+          const double time_s = i / rate_hz;
+          const double x = noise(random), y = noise(random), z = noise(random);
+          const double way_m = 0.5 * std::min(time_s, begin_s);
+          monitor.add(sampleAt(time_s, glm::dvec3(way_m, 1.7, 0.0) + sigma_m * glm::dvec3(x, y, z)));
+          const double rest_m = monitor.figures(time_s).rest_m;
+          if (std::isnan(rest_m)) continue;
+          // Thirty coordinates at 5 Hz, and neighbours share five of six samples; 1e-9 m is for rounding.
+          const double spread = rate_hz < 15.0 ? 0.6 : 0.35;
+          ASSERT_TRUE(std::abs(rest_m - sigma_m) <= spread * sigma_m + 1e-9)
+              << rest_m << " for " << sigma_m << " m at " << rate_hz << " Hz after " << time_s << " s";
+        }
+        EXPECT_FALSE(std::isnan(monitor.figures(begin_s + 15.0).rest_m)) << sigma_m << " m at " << rate_hz;
+      }
+    }
+  }
+}
+
 TEST(SensorMonitor, TellsTheNoiseAtRestOnceAtRest) {
   SensorMonitor monitor;
   std::mt19937_64 random(72);

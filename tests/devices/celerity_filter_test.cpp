@@ -39,7 +39,7 @@ CelerityFilter fed(double rate_hz, double seconds, const std::function<glm::dvec
 // pair of models mixed by itself.
 class Reference {
  public:
-  static constexpr int kModels = 5;
+  static constexpr int kModels = 7;
 
   glm::dvec3 next(double time_s, const glm::dvec3& position_m) {
     const double interval_s = time_s - time_s_;
@@ -69,14 +69,16 @@ class Reference {
 
  private:
   struct Model {
-    double sigma_m_s2, perStop_s, dwell_s;  // perStop_s: 1/T
+    double sigma_m_s2, perStop_s, dwell_s, share;  // perStop_s: 1/T
   };
-  static constexpr std::array<Model, kModels> kTable = {{{0.0008, 1.0 / 0.0359, 6.0},
-                                                         {0.0007, 1.0 / 0.244, 0.323},
-                                                         {0.071, 0.0, 0.323},
-                                                         {0.38, 0.0, 0.323},
-                                                         {0.97, 0.0, 0.323}}};
-  static constexpr double kTau_s = 0.180, kDriveTau_s = 0.0215;
+  static constexpr std::array<Model, kModels> kTable = {{{0.0008, 1.0 / 0.07, 20.0, 1.0},
+                                                         {0.0007, 1.0 / 0.333, 0.38, 1.0},
+                                                         {0.0107, 0.0, 1.0, 0.3},
+                                                         {0.143, 0.0, 0.38, 1.0},
+                                                         {0.532, 0.0, 0.38, 1.0},
+                                                         {1.05, 0.0, 0.38, 1.0},
+                                                         {4.3, 0.0, 0.583, 0.04}}};
+  static constexpr double kTau_s = 0.180, kDriveTau_s = 0.0185;
 
   struct Belief {
     double weight = 0.0;
@@ -99,7 +101,9 @@ class Reference {
     std::array<double, kModels> share;
     for (int i = 0; i < kModels; ++i) {
       const double stays = std::exp(-interval_s / kTable[i].dwell_s);
-      share[i] = before[i].weight * (i == j ? stays : (1.0 - stays) / (kModels - 1));
+      double others = 0.0;
+      for (int k = 0; k < kModels; ++k) others += k == i ? 0.0 : kTable[k].share;
+      share[i] = before[i].weight * (i == j ? stays : (1.0 - stays) * kTable[j].share / others);
       to.weight += share[i];
     }
     for (int i = 0; i < kModels; ++i) {
@@ -142,7 +146,7 @@ class Reference {
       likelihood *= 1e-4 * std::exp(-0.5 * off_m * off_m / variance_m2) / std::sqrt(variance_m2);
     }
     belief.covariance -= glm::outerProduct(column, column) / variance_m2;
-    belief.weight *= std::pow(likelihood, 0.40);
+    belief.weight *= std::pow(likelihood, 0.44);
   }
 
   void begin(Belief& belief, const Model& model, const glm::dvec3& position_m) const {
@@ -150,7 +154,7 @@ class Reference {
     for (int axis = 0; axis < 3; ++axis) belief.axes[axis] = {position_m[axis], 0.0, 0.0, 0.0};
     // Acceleration and drive have settled after ten seconds of noise.
     Belief settled;
-    for (int i = 0; i < 100; ++i) advance(settled, {model.sigma_m_s2, 1.0, 1.0}, 0.1);
+    for (int i = 0; i < 100; ++i) advance(settled, {model.sigma_m_s2, 1.0, 1.0, 1.0}, 0.1);
     belief.covariance = settled.covariance;
     for (int i = 0; i < 4; ++i) belief.covariance[0][i] = belief.covariance[i][0] = 0.0;
     for (int i = 0; i < 4; ++i) belief.covariance[1][i] = belief.covariance[i][1] = 0.0;

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <thread>
 #include <vector>
@@ -127,16 +130,104 @@ TEST(HeadFilter, AGlitchLeavesNoTrace) {
   EXPECT_EQ(head.pose.position_m, expected.pose.position_m);
 }
 
-// A step of celerity above 12 m/s is a glitch, one below is travel, at any rate.
-TEST(HeadFilter, TwelveMetresASecondIsTheLimit) {
+// Before the noise is known, a step of celerity above 12 m/s is a glitch, one below is travel, at any rate.
+TEST(HeadFilter, TwelveMetresASecondIsTheLimitAtFirst) {
   for (const double rate_hz : {60.0, 120.0, 240.0}) {
     HeadFilter below, above;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 6; ++i) {
       below.add(i / rate_hz, at({0, 0, 0}));
       above.add(i / rate_hz, at({0, 0, 0}));
     }
-    EXPECT_EQ(below.add(60 / rate_hz, at({11.9 / rate_hz, 0, 0})), SampleUse::Used) << rate_hz;
-    EXPECT_EQ(above.add(60 / rate_hz, at({12.8 / rate_hz, 0, 0})), SampleUse::Glitch) << rate_hz;
+    EXPECT_EQ(below.add(6 / rate_hz, at({11.9 / rate_hz, 0, 0})), SampleUse::Used) << rate_hz;
+    EXPECT_EQ(above.add(6 / rate_hz, at({12.8 / rate_hz, 0, 0})), SampleUse::Glitch) << rate_hz;
+  }
+}
+
+// Someone stands, and the tracker is off for some samples, or for good, at once or by and by. No head does
+// that, so the celerity stays that of a standing one.
+TEST(HeadFilter, AJumpOfTheTrackerIsNoMotion) {
+  struct Jump {
+    double metres;
+    int over;   // samples until it is whole
+    int lasts;  // samples
+  };
+  constexpr int kForGood = 1 << 20;
+  std::vector<Jump> jumps;
+  for (const double metres : {0.006, 0.010, 0.020, 0.050, 0.1, 0.2, 0.5, 2.0}) {
+    for (const int lasts : {1, 4, kForGood}) jumps.push_back({metres, 1, lasts});
+  }
+  for (const double metres : {0.3, 0.5}) {
+    for (const int over : {3, 7}) jumps.push_back({metres, over, kForGood});
+  }
+  for (const double rate_hz : {60.0, 72.0, 120.0, 240.0}) {
+    for (const Jump& jump : jumps) {
+      for (const std::uint64_t seed : {1u, 2u}) {
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> normal(0.0, 0.0003);
+        HeadFilter filter;
+        const int begin = static_cast<int>(5.0 * rate_hz);
+        double fastest_m_s = 0.0;
+        for (int i = 0; i < begin + static_cast<int>(rate_hz); ++i) {
+          const double whole =
+              i < begin || i >= begin + jump.lasts ? 0.0 : std::min(1.0, (i - begin + 1.0) / jump.over);
+          const double x = normal(random), y = normal(random), z = normal(random);
+          filter.add(i / rate_hz,
+                     at(glm::dvec3(x + 0.6 * jump.metres * whole, 1.7 + y, z + 0.8 * jump.metres * whole)));
+          if (i < begin) continue;
+          fastest_m_s = std::max(fastest_m_s, glm::length(filter.at(i / rate_hz).celerity_m_s));
+        }
+        EXPECT_TRUE(fastest_m_s < 0.02)
+            << fastest_m_s << " m/s: " << jump.metres << " m over " << jump.over << " samples for "
+            << jump.lasts << " at " << rate_hz << " Hz, seed " << seed;
+      }
+    }
+  }
+}
+
+// A step of the tracker beneath someone who walks leaves their walk as it is.
+TEST(HeadFilter, AStepOfTheTrackerLeavesTheWalk) {
+  for (const double metres : {0.05, 0.5}) {
+    Walker walker([metres](double t) { return stroll(t) + glm::dvec3(0, 0, t > 3.99 ? metres : 0.0); });
+    for (int i = 0; i < 60 * 8; ++i) {
+      walker.sample(i * kFrame_s);
+      const glm::dvec3 celerity_m_s = walker.filter.at(i * kFrame_s).celerity_m_s;
+      ASSERT_TRUE(i < 60 || glm::distance(celerity_m_s, glm::dvec3(1, 0, 0)) < 0.05)
+          << metres << " m, frame " << i;
+    }
+    EXPECT_NEAR(walker.filter.at(479 * kFrame_s).pose.position_m.z, metres, 0.001);
+  }
+}
+
+// A head that sets off as quickly as one can, a smooth push of up to 30 m/s² within a tenth of a second, is
+// followed: a twentieth of a second after it the celerity is right to a tenth.
+TEST(HeadFilter, AQuickStartIsFollowed) {
+  for (const double rate_hz : {60.0, 72.0, 120.0, 240.0}) {
+    for (const double most_m_s2 : {2.0, 5.0, 10.0, 20.0, 30.0}) {
+      for (const double phase : {0.0, 0.3, 0.6, 0.9}) {
+        // a = A sin²(πt/P): v = A(t/2 − sin(2πt/P) P/4π), x = A(t²/4 − (1 − cos(2πt/P)) P²/8π²)
+        constexpr double kPush_s = 0.1;
+        const auto position_m = [=](double t) {
+          constexpr double kPi = std::numbers::pi;
+          const double u = std::clamp(t, 0.0, kPush_s);
+          const double turn = 2.0 * kPi * u / kPush_s;
+          const double within_m =
+              0.25 * u * u - (1.0 - std::cos(turn)) * kPush_s * kPush_s / (8.0 * kPi * kPi);
+          return most_m_s2 * (within_m + 0.5 * kPush_s * std::max(0.0, t - kPush_s));
+        };
+        std::mt19937_64 random(9);
+        std::normal_distribution<double> normal(0.0, 0.0003);
+        HeadFilter filter;
+        const int end = static_cast<int>((5.0 + kPush_s + 0.05) * rate_hz);
+        for (int i = 0; i <= end; ++i) {
+          const double x = normal(random), y = normal(random), z = normal(random);
+          filter.add(i / rate_hz, at(glm::dvec3(x + position_m((i + phase) / rate_hz - 5.0), y, z)));
+        }
+        const double truth_m_s = 0.5 * most_m_s2 * kPush_s;
+        EXPECT_TRUE(std::abs(filter.at(end / rate_hz).celerity_m_s.x - truth_m_s) < 0.1 * truth_m_s + 0.03)
+            << filter.at(end / rate_hz).celerity_m_s.x << " for " << truth_m_s << " m/s at " << rate_hz
+            << " Hz, " << most_m_s2 << " m/s², phase " << phase;
+      }
+    }
   }
 }
 

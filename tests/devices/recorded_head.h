@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "devices/tracker.h"
+
 namespace carom {
 
 /// A velocity filter, fed one sample at a time.
@@ -28,24 +30,43 @@ struct Path {
 
 inline constexpr double kTrackerNoise_m = 0.0003;
 
-/// Rows [first, end) of the 120 Hz recording (columns t, t_receive, seq, x, y, z, …), none if it is absent.
-/// True velocity: central difference over three rows to each side.
-inline std::optional<Path> recordedHead(std::size_t first, std::size_t end) {
-  std::ifstream in(CAROM_SHARED_DIR "/data/tracking/optitrack_head_120hz.csv");
-  Path all;
+/// The rows of a recording, empty if it is absent: times and positions, of columns t, x, y, z, … or
+/// t, t_receive, seq, x, y, z, ….
+inline std::vector<TrackerSample> recordedRows(const std::string& file) {
+  std::ifstream in(file);
+  std::vector<TrackerSample> rows;
+  std::size_t columns = 0;
   for (std::string line; std::getline(in, line);) {
-    double values[6] = {};
-    const char* at = line.data();
-    const char* const stop = at + line.size();
-    int count = 0;
-    for (; count < 6 && at < stop; ++count) {
-      const auto [after, error] = std::from_chars(at, stop, values[count]);
+    std::vector<double> values;
+    const char* const stop = line.data() + line.size();
+    for (const char* at = line.data(); at < stop;) {
+      double value = 0.0;
+      const auto [after, error] = std::from_chars(at, stop, value);
       if (error != std::errc()) break;
+      values.push_back(value);
       at = after + 1;
     }
-    if (count < 6) continue;
-    all.times_s.push_back(values[0]);
-    all.positions_m.emplace_back(values[3], values[4], values[5]);
+    if (columns == 0) columns = values.size();
+    if (values.size() < 8 || values.size() != columns) {
+      columns = 0;
+      continue;
+    }
+    const std::size_t x = columns - 7;
+    TrackerSample row;
+    row.time_s = values[0];
+    row.pose.position_m = {values[x], values[x + 1], values[x + 2]};
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Rows [first, end) of the 120 Hz recording, none if it is absent. True velocity: central difference over
+/// three rows to each side.
+inline std::optional<Path> recordedHead(std::size_t first, std::size_t end) {
+  Path all;
+  for (const TrackerSample& row : recordedRows(CAROM_SHARED_DIR "/data/tracking/optitrack_head_120hz.csv")) {
+    all.times_s.push_back(row.time_s);
+    all.positions_m.push_back(row.pose.position_m);
   }
   if (all.times_s.size() < end + 3) return std::nullopt;
   Path path;
@@ -77,8 +98,8 @@ inline Path resampled(const Path& path, int rate_hz) {
   return result;
 }
 
-inline glm::dvec3 trackerNoise(std::mt19937_64& random) {
-  std::normal_distribution<double> normal(0.0, kTrackerNoise_m);
+inline glm::dvec3 trackerNoise(std::mt19937_64& random, double sigma_m = kTrackerNoise_m) {
+  std::normal_distribution<double> normal(0.0, sigma_m);
   const double x = normal(random), y = normal(random), z = normal(random);
   return {x, y, z};
 }
