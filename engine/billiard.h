@@ -125,10 +125,9 @@ class Chronicle;
 ///   decided, the whole collision is dropped, not one puck's half of it: so momentum is always conserved. A
 ///   cushion that a decided or a struck leg reaches before such a turn is committed first: so no centre ever
 ///   leaves the table.
-/// * A cushion kicks only what it touches, and once for one approach: a contact of the old leg with a
-/// cushion's
-///   line beyond the corner is none, and the news of a cushion that the puck has been turned away from since
-///   does nothing.
+/// * A cushion kicks only what it touches, and once for one approach: a contact of the old leg with the line of
+///   a cushion beyond the corner is none, and the news of a cushion that the puck has been turned away from
+///   since does nothing.
 /// * A pair that has collided does not collide again until one of the two has had another event.
 /// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
 ///   without delay: the pair at the later of the two starts in the equal-speed frame, and its news starts at
@@ -161,8 +160,8 @@ class Billiard {
   /// arrival but for what follows from turns that do not wait for light, those of kicks without delay and
   /// those simultaneous with a contact in the equal-speed frame. Such a turn can lie outside by about the
   /// size of the pucks that pass it on, and then even before the arrival on the board. Returns the board time
-  /// of the arrival. Throws std::invalid_argument for a stroke on no puck, not finite, or arriving before t =
-  /// 0 or in what `forgetBefore` has forgotten.
+  /// of the arrival. Throws std::invalid_argument for a stroke on no puck, not finite, or arriving before
+  /// t = 0 or in what `forgetBefore` has forgotten.
   double strike(const Stroke& stroke);
 
   /// One world line for each puck, in the order of the setup; complete up to the time advanced to.
