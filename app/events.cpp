@@ -96,8 +96,8 @@ std::string relationCsv(const EventRow& row, const EventRow* next, double c_m_s)
 
 std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, const EventsOptions& options) {
   std::string text =
-      "number,kind,who,cushion,heat_j,t_s,x_m,y_m,z_m,order,moving_t_s,moving_x_m,moving_y_m,moving_z_m,"
-      "moving_order,next,interval,proper_time_s,distance_m,beta_x,beta_y,beta_z";
+      "number,kind,who,cushion,heat_j,without_delay,t_s,x_m,y_m,z_m,order,moving_t_s,moving_x_m,moving_y_m,"
+      "moving_z_m,moving_order,next,interval,proper_time_s,distance_m,beta_x,beta_y,beta_z";
   if (subject.isSession) text += ",seen_frame,seen_t_s,seen_proper_time_s";
   for (std::size_t i = 1; i <= options.places_m.size(); ++i) text += fmt::format(",place_{}_t_s", i);
   text += '\n';
@@ -105,8 +105,8 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
     const Event &at = row.event.at, &moving = row.moving;
     text += fmt::format("{},{},{},{},", row.event.number, nameOf(row.event.kind), csvField(row.who),
                         row.event.cushion ? nameOf(*row.event.cushion) : "");
-    text +=
-        csvNumbers({row.event.heat_j, at.t_s, at.r_m.x, at.r_m.y, at.r_m.z}) + fmt::format("{},", row.order);
+    text += csvNumbers({row.event.heat_j}) + (row.event.withoutDelay ? "1," : "0,");
+    text += csvNumbers({at.t_s, at.r_m.x, at.r_m.y, at.r_m.z}) + fmt::format("{},", row.order);
     text += csvNumbers({moving.t_s, moving.r_m.x, moving.r_m.y, moving.r_m.z}) +
             fmt::format("{},", row.movingOrder);
     text += relationCsv(row, &row + 1, subject.c_m_s);
@@ -181,15 +181,19 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   text += '\n';
   for (const EventRow& row : rows) {
     const Event &at = row.event.at, &moving = row.moving;
-    text += fmt::format("{:>4}  {:<12}  {:<20} {:>6}   {:>5} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}",
-                        row.event.number, nameOf(row.event.kind), row.who,
-                        row.event.cushion ? nameOf(*row.event.cushion) : "", row.order, at.t_s, at.r_m.x,
-                        at.r_m.y, at.r_m.z);
+    text += fmt::format(
+        "{:>4}  {:<13} {:<20} {:>6}   {:>5} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}", row.event.number,
+        fmt::format("{}{}", nameOf(row.event.kind), row.event.withoutDelay ? "*" : ""), row.who,
+        row.event.cushion ? nameOf(*row.event.cushion) : "", row.order, at.t_s, at.r_m.x, at.r_m.y, at.r_m.z);
     if (moves) {
       text += fmt::format("   {:>6} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}", row.movingOrder, moving.t_s,
                           moving.r_m.x, moving.r_m.y, moving.r_m.z);
     }
     text += receptionsText(subject, row, options) + '\n';
+  }
+  if (std::any_of(rows.begin(), rows.end(), [](const EventRow& row) { return row.event.withoutDelay; })) {
+    text +=
+        "* without delay: they were in contact already, and the kick did not wait for news from this event\n";
   }
   if (rows.size() > 1) text += "\neach and the next:\n";
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)

@@ -37,7 +37,7 @@ CREATE TABLE knot(frame INTEGER, body INTEGER, t_s REAL, x_m REAL, y_m REAL, z_m
 CREATE INDEX knot_of_frame ON knot(frame);
 CREATE TABLE sample(time_s REAL, sensor INTEGER, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, qz REAL);
 CREATE TABLE event(number INTEGER PRIMARY KEY, kind TEXT, pucks TEXT, cushion TEXT, t_s REAL, x_m REAL, y_m REAL,
-  z_m REAL, heat_j REAL);
+  z_m REAL, heat_j REAL, without_delay INTEGER NOT NULL DEFAULT 0);
 CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, beta_before_x REAL,
   beta_before_y REAL, beta_after_x REAL, beta_after_y REAL, proper_time_s REAL);
 CREATE INDEX turn_of_event ON turn(event);
@@ -204,6 +204,10 @@ class Tables {
       throw std::runtime_error(fmt::format("session file {}: version {} of the tables, expected version {}",
                                            database_.getFilename(), version, kJournalVersion));
     }
+    const char* const kHasColumn =
+        "SELECT count(*) FROM pragma_table_info('event') WHERE name = 'without_delay'";
+    if (database_.execAndGet(kHasColumn).getInt() == 0)  // an older file is gone on with
+      database_.exec("ALTER TABLE event ADD COLUMN without_delay INTEGER NOT NULL DEFAULT 0");
     listed_ = static_cast<std::uint64_t>(
         database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM event").getInt64());
     const std::int64_t first =
@@ -283,7 +287,7 @@ class Tables {
       listed_ = kept;
     }
     if (brought.empty()) return;
-    SQLite::Statement& row = statement(event_, "INSERT OR REPLACE INTO event VALUES(?,?,?,?,?,?,?,?,?)");
+    SQLite::Statement& row = statement(event_, "INSERT OR REPLACE INTO event VALUES(?,?,?,?,?,?,?,?,?,?)");
     SQLite::Statement& turnRow = statement(turn_, "INSERT INTO turn VALUES(?,?,?,?,?,?,?,?,?,?,?)");
     for (const GameEvent& event : brought) {
       std::string pucks;
@@ -294,7 +298,7 @@ class Tables {
       }
       put(row, event.number, carom::nameOf(event.kind), pucks,
           event.cushion ? carom::nameOf(*event.cushion) : std::string_view(), event.at.t_s, event.at.r_m,
-          event.heat_j);
+          event.heat_j, event.withoutDelay ? 1 : 0);
       listed_ = event.number + 1;
     }
   }

@@ -14,10 +14,12 @@
 //   knot(frame, body, t_s, x_m, y_m, z_m, u_x, u_y, u_z, proper_time_s, knot)
 //       Legs that a frame brought; u = γβ. Bodies count as in the scenario: 0 the board, then the pucks, then
 //       what is told.
-//   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j)
+//   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j, without_delay)
 //       What happened, as it is in the end: rows that a stroke took back are gone. Numbers are in the order in which
 //       the game decided. kind: puck-puck, puck-cushion, stroke, flash. pucks: names, with commas between. t_s … z_m:
-//       the contact, the hand's stroke, the flash. The game is known a little further than it was seen.
+//       the contact, the hand's stroke, the flash. without_delay: 1 where the contact was there already and the kick
+//       did not wait for its news (engine/game_event.h), else 0; files from before lack the column until they are
+//       gone on with. The game is known a little further than it was seen.
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y, proper_time_s)
 //       How each puck of an event turned, by its name; proper time on its own clock.
 //   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s)

@@ -34,7 +34,8 @@ PuckState stateAt(const WorldLine& line, double t_s) {
 }
 
 /// The collisions whose contact or first turn is at or before `until_s`, as they were committed; the turns of
-/// each in the order of the file's pucks.
+/// each in the order of the file's pucks. Not those after `until_s` that turn a puck before the news of a
+/// listed contact reaches it.
 std::vector<GameEvent> collisionsUntil(const Billiard& billiard, double until_s) {
   std::vector<GameEvent> listed;
   for (GameEvent collision : billiard.events()) {
@@ -75,6 +76,7 @@ Json toJson(const GameEvent& collision, const std::vector<Puck>& pucks) {
   json["contact"] = toJson(collision.at);
   json["turns"] = turns;
   json["heat_j"] = collision.heat_j;
+  if (collision.withoutDelay) json["without_delay"] = true;
   return json;
 }
 

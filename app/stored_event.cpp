@@ -20,6 +20,7 @@ StoredEvent stored(const GameEvent& event) {
   bytes.which = event.which;
   bytes.kind = static_cast<std::uint8_t>(event.kind);
   if (event.cushion) bytes.cushion = static_cast<std::uint8_t>(1 + static_cast<int>(*event.cushion));
+  bytes.withoutDelay = event.withoutDelay ? 1 : 0;
   bytes.at = event.at;
   bytes.heat_j = event.heat_j;
   for (const Turn& turn : event.turns) {
@@ -31,7 +32,7 @@ StoredEvent stored(const GameEvent& event) {
 
 std::optional<GameEvent> restored(const StoredEvent& bytes, std::uint64_t pucks) {
   if (bytes.kind > kLastKind || bytes.cushion > 1 + kLastCushion || bytes.turnCount > bytes.turns.size() ||
-      !isFinite(bytes.at)) {
+      bytes.withoutDelay > 1 || !isFinite(bytes.at)) {
     return std::nullopt;
   }
   GameEvent event;
@@ -40,6 +41,7 @@ std::optional<GameEvent> restored(const StoredEvent& bytes, std::uint64_t pucks)
   event.kind = static_cast<EventKind>(bytes.kind);
   if (bytes.cushion > 0) event.cushion = static_cast<Cushion>(bytes.cushion - 1);
   event.at = bytes.at;
+  event.withoutDelay = bytes.withoutDelay == 1;
   event.heat_j = bytes.heat_j;
   for (std::size_t i = 0; i < bytes.turnCount; ++i) {
     const StoredEvent::StoredTurn& turn = bytes.turns[i];

@@ -22,7 +22,7 @@ struct StoredEvent {
   std::uint8_t kind = 0;
   std::uint8_t cushion = 0;  ///< 0: none, otherwise one more than its number
   std::uint8_t turnCount = 0;
-  std::uint8_t unused = 0;
+  std::uint8_t withoutDelay = 0;  ///< 0 in files from before events said so
   Event at;
   double heat_j = 0.0;
   std::array<StoredTurn, 2> turns;

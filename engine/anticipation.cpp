@@ -255,7 +255,7 @@ void Anticipation::restore(Chronicle& chronicle) const {
       chronicle.addLeg(player.file, decided.leg, decided.news);
       chronicle.changeTurn(decided.event, player.file,
                            {decided.leg.start, decided.uBefore, decided.leg.properTime}, decided.leg.u);
-      if (decided.cushion >= 0) chronicle.setHeat(decided.event, decided.heat * c_m_s_ * c_m_s_);
+      noteBounce(decided, chronicle);
     }
   }
 }

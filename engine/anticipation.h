@@ -60,6 +60,15 @@ class Anticipation {
     std::uint64_t event = 0;  // its number
     int cushion = -1;
     bool atOnce = false;
+    // Of a cushion's kick: its contact, and the number of the leg that this was found on.
+    Vec21 contact;
+    double ownTime = 0.0;
+    bool withoutDelay = false;
+    std::size_t foundOn = 0;
+    // A contact of a leg that is no more, unless the puck had it before that leg was struck.
+    bool isPrevented(std::size_t struckLeg, double struckAt) const {
+      return foundOn > struckLeg || (foundOn == struckLeg && ownTime > struckAt);
+    }
     double heat = 0.0;              // of this puck
     Vec21 radiated, taken, braked;  // four-momenta booked with it
   };
@@ -139,20 +148,28 @@ class Anticipation {
   struct Place {
     Moment turn;
     bool tooLate = false;  // a later turn is decided already
+    // Of a cushion's news: the leg touched that cushion itself, and the news of this came first.
+    std::optional<CushionContact> touchedBefore;
   };
   void collide(int first, int second, const Appointment& a, Chronicle& chronicle);
   void bounce(int i, const Appointment& a, Chronicle& chronicle);
   void strike(int i, int stroke, Chronicle& chronicle);
   Moment turnOnFollowedLeg(int i, int which, const PairContact& contact, bool simultaneous) const;
-  Place placeTurn(int i, const Vec21& news, const Moment* onFollowedLeg, Chronicle& chronicle);
-  void bounceAt(int i, int cushion, const CushionContact& contact, Chronicle& chronicle);
+  Place placeTurn(int i, const Vec21& news, int cushion, const Moment& onFollowedLeg, Chronicle& chronicle);
+  Place whereNewsArrives(int i, const Vec21& news, int cushion, Chronicle& chronicle);
+  std::optional<Vec21> cornerBefore(int cushion, const CushionContact& contact) const;
+  void bounceAt(int i, int cushion, CushionContact contact, std::size_t foundOn, Chronicle& chronicle);
   void decide(int i, const Decided& decided, const Moment& turn, Chronicle& chronicle);
   void beginLeg(int i, const Leg& leg);
   void beginDecided(int i);
   double restitution(int i, double usual, double turnTime);
+  // The number of the last leg decided, counted from the start of the game.
+  std::size_t lastLegNumber(int i) const { return players_[i].begun + players_[i].decided.size(); }
   const Leg& lastLeg(int i) const {
     return players_[i].decided.empty() ? players_[i].leg : players_[i].decided.back().leg;
   }
+  void placeAnew(int i, Decided kick, Chronicle& chronicle);
+  void noteBounce(const Decided& decided, Chronicle& chronicle) const;
   void noteKick(int i, const Vec21& turn);
 
   // Fixed by the setup.

@@ -38,7 +38,7 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
   for (int k = 0; k < 2; ++k) {
     const Moment onFollowedLeg = turnOnFollowedLeg(who[k], k, contact, simultaneous);
     const Place place =
-        placeTurn(who[k], simultaneous ? onFollowedLeg.x : contact.event, &onFollowedLeg, chronicle);
+        placeTurn(who[k], simultaneous ? onFollowedLeg.x : contact.event, -1, onFollowedLeg, chronicle);
     if (place.tooLate) return;
     turn[k] = place.turn;
   }
@@ -49,7 +49,8 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
     return;
 
   const double heat = kick->heat[0] + kick->heat[1];
-  const std::uint64_t collision = chronicle.addCollision(std::nullopt, contact.event, heat * c_m_s_ * c_m_s_);
+  const std::uint64_t collision =
+      chronicle.addCollision(std::nullopt, contact.event, a.withoutDelay, heat * c_m_s_ * c_m_s_);
   accounts_.heat += heat;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
@@ -70,34 +71,69 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
 void Anticipation::bounce(int i, const Appointment& a, Chronicle& chronicle) {
   Player& player = players_[i];
   player.metCushions |= 1u << a.with;
-  const CushionPlane& plane = cushions_[a.with];
-  const std::optional<CushionContact> contact = findContact(player.leg, discs_[i].radius, plane, convention_);
+  std::optional<CushionContact> contact =
+      findContact(player.leg, discs_[i].radius, cushions_[a.with], convention_);
   if (!contact) return;
-  CushionContact placed = *contact;
+  std::size_t foundOn = player.begun;
   if (!player.decided.empty()) {
     if (contact->withoutDelay) return;
-    const Place place = placeTurn(i, contact->event, &contact->turn, chronicle);
+    // What is decided already has turned the puck off this cushion.
+    if (!(cushions_[a.with].towards(lastLeg(i).u) > 0.0)) return;
+    const Place place = placeTurn(i, contact->event, a.with, contact->turn, chronicle);
     if (place.tooLate) return;
-    placed.turn = place.turn;
+    contact->turn = place.turn;
+    if (place.touchedBefore) {
+      contact = place.touchedBefore, foundOn = lastLegNumber(i);
+    } else if (cornerBefore(a.with, *contact)) {
+      return;  // the leg that the neighbour's news begins has its own contact with this cushion
+    }
   }
   player.decidedAt = a.ownTime;
-  bounceAt(i, a.with, placed, chronicle);
+  bounceAt(i, a.with, *contact, foundOn, chronicle);
+}
+
+// The cushions end at the corners, and so does what can be touched: the end of the cushion, if the contact
+// found with its prolonged line lies beyond a neighbour. It can do so only
+// * after the leg has touched that neighbour, whose news is still on its way: the rim met the neighbour there
+//   before, and has never come to where this leg, which does not know of it yet, would have it;
+// * or where the rim was in contact before the leg began, on this leg continued backwards through its turn at
+//   that neighbour. Then the news is taken to come from the end of the cushion: the event from which it
+//   reaches the centre at the contact's turn or, where turns do not wait for news, at the time of the
+//   contact.
+std::optional<Vec21> Anticipation::cornerBefore(int cushion, const CushionContact& contact) const {
+  const int firstNeighbour = cushions_[cushion].axis == 0 ? 2 : 0;
+  const bool delayed = convention_ == TurnConvention::newsAtCentre && !contact.withoutDelay;
+  for (const int k : {firstNeighbour, firstNeighbour + 1}) {
+    const CushionPlane& neighbour = cushions_[k];
+    if (!(neighbour.inside(contact.event) < 0.0)) continue;
+    Vec21 corner = contact.event;
+    (neighbour.axis == 0 ? corner.x : corner.y) = neighbour.sign * neighbour.distance;
+    const Vec21 way = contact.turn.x - corner;
+    if (delayed) corner.t = contact.turn.x.t - std::sqrt(way.x * way.x + way.y * way.y);
+    return corner;
+  }
+  return std::nullopt;
 }
 
 // Commits the kick of a cushion at contact.turn, on the last leg decided.
-void Anticipation::bounceAt(int i, int cushion, const CushionContact& contact, Chronicle& chronicle) {
+void Anticipation::bounceAt(int i, int cushion, CushionContact contact, std::size_t foundOn,
+                            Chronicle& chronicle) {
   Player& player = players_[i];
   const double e = restitution(i, cushionRestitution_, contact.turn.x.t);
   const std::optional<CushionKick> kick = kickOffCushion(cushions_[cushion], contact.turn.u, player.mass, e);
   if (!kick) return;
   accounts_.heat += kick->heat;
+  contact.event = cornerBefore(cushion, contact).value_or(contact.event);
   Decided decided;
-  decided.event =
-      chronicle.addCollision(static_cast<Cushion>(cushion), contact.event, kick->heat * c_m_s_ * c_m_s_);
+  decided.event = chronicle.addCollision(static_cast<Cushion>(cushion), contact.event, contact.withoutDelay,
+                                         kick->heat * c_m_s_ * c_m_s_);
   chronicle.addTurn(decided.event, player.file, contact.turn, kick->u);
   decided.leg = {contact.turn.x, kick->u, contact.turn.properTime, brake_};
   decided.news = contact.withoutDelay ? contact.turn.x : contact.event;
   decided.cushion = cushion;
+  decided.contact = contact.event, decided.ownTime = contact.ownTime;
+  decided.withoutDelay = contact.withoutDelay;
+  decided.foundOn = foundOn;
   decided.heat = kick->heat;
   decided.radiated = kick->u * kick->heat;
   decided.taken = contact.turn.u * player.mass - kick->u * (player.mass + kick->heat);
@@ -118,32 +154,43 @@ Moment Anticipation::turnOnFollowedLeg(int i, int which, const PairContact& cont
 }
 
 // Where the future cone of the news meets the centre's world line as it stands. On the leg being followed the
-// caller knows; on a leg that is only decided, cushions that it reaches before are bounced off first.
-Anticipation::Place Anticipation::placeTurn(int i, const Vec21& news, const Moment* onFollowedLeg,
-                                            Chronicle& chronicle) {
+// caller knows.
+Anticipation::Place Anticipation::placeTurn(int i, const Vec21& news, int cushion,
+                                            const Moment& onFollowedLeg, Chronicle& chronicle) {
   const Player& player = players_[i];
-  const double same = sameTurn_m(discs_[i].radius);
-  if (player.decided.empty()) return {*onFollowedLeg, false};
-  if (onFollowedLeg && onFollowedLeg->x.t < player.decided.front().leg.start.t - same * player.leg.u.t) {
-    return {*onFollowedLeg, true};
+  if (player.decided.empty()) return {onFollowedLeg, false, {}};
+  if (onFollowedLeg.x.t <
+      player.decided.front().leg.start.t - sameTurn_m(discs_[i].radius) * player.leg.u.t) {
+    return {onFollowedLeg, true, {}};
   }
+  return whereNewsArrives(i, news, cushion, chronicle);
+}
+
+// Where news finds the centre from the last leg decided on. Cushions that it reaches before are bounced off
+// first. The news of a cushion kicks it once for one approach: where the leg's own contact with that cushion
+// is heard of first, this stands for it, and the older news has nothing more to say.
+Anticipation::Place Anticipation::whereNewsArrives(int i, const Vec21& news, int cushion,
+                                                   Chronicle& chronicle) {
+  const double same = sameTurn_m(discs_[i].radius);
   while (true) {
     const Leg leg = lastLeg(i);
     Moment turn = newsArrives(leg, news);
     if (turn.x.t < leg.start.t) {
-      if (turn.x.t < leg.start.t - same * leg.u.t) return {turn, true};
+      const bool tooLate = turn.x.t < leg.start.t - same * leg.u.t;
+      if (tooLate) return {turn, true, {}};
       turn = {leg.start, leg.u, leg.properTime};
     }
     int cushionBefore = -1;
     CushionContact before;
     before.turn = turn;
-    for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
-      const auto contact = findContact(leg, discs_[i].radius, cushions_[cushion], convention_);
+    for (int k = 0; k < static_cast<int>(cushions_.size()); ++k) {
+      const auto contact = findContact(leg, discs_[i].radius, cushions_[k], convention_);
       if (contact && contact->turn.x.t < before.turn.x.t - same * leg.u.t)
-        cushionBefore = cushion, before = *contact;
+        cushionBefore = k, before = *contact;
     }
-    if (cushionBefore < 0) return {turn, false};
-    bounceAt(i, cushionBefore, before, chronicle);
+    if (cushionBefore < 0) return {turn, false, {}};
+    if (cushionBefore == cushion) return {before.turn, false, before};
+    bounceAt(i, cushionBefore, before, lastLegNumber(i), chronicle);
   }
 }
 
@@ -190,7 +237,8 @@ void Anticipation::beginDecided(int i) {
 }
 
 // The stroke changes the leg being followed. Kicks decided but still on their way keep their impulse (a
-// cushion: its law) and act where their news meets the new motion.
+// cushion: its law) and act where their news meets the new motion, or where the new motion itself has touched
+// the cushion before. A cushion that the stroke keeps the puck from, or drives it away from, does nothing.
 void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
   Player& player = players_[i];
   const PuckStroke& s = strokes_[stroke];
@@ -199,7 +247,7 @@ void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
   };
   const Vec21 before = sum();
   std::erase(player.strokes, stroke);
-  const std::vector<Decided> onTheirWay = std::move(player.decided);
+  std::vector<Decided> onTheirWay = std::move(player.decided);
   player.decided.clear();
   for (const Decided& old : onTheirWay) {
     accounts_.radiated = accounts_.radiated - old.radiated;
@@ -211,6 +259,7 @@ void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
   const Moment struck =
       s.fromHand ? newsArrives(player.leg, s.hand, s.height) : momentAt(player.leg, s.hand.t);
   const Vec21 u = fourVelocity(struck.u.x + s.px / player.mass, struck.u.y + s.py / player.mass);
+  const std::size_t struckLeg = player.begun;
   Decided decided;
   if (!onTheirWay.empty()) chronicle.noteChange(struck.x);
   decided.leg = {struck.x, u, struck.properTime, brake_};
@@ -222,32 +271,63 @@ void Anticipation::strike(int i, int stroke, Chronicle& chronicle) {
   decide(i, decided, struck, chronicle);
   player.lastPartner = -1;
 
-  for (Decided old : onTheirWay) {
+  while (!onTheirWay.empty()) {
     const Leg leg = lastLeg(i);
-    const Moment onLeg = newsArrives(leg, old.news);
-    Place place = placeTurn(i, old.news, player.decided.empty() ? &onLeg : nullptr, chronicle);
-    if (place.turn.x.t < leg.start.t) place.turn = {leg.start, leg.u, leg.properTime};
-    const Moment& turn = place.turn;
-    const double oldHeat = old.heat;
-    old.leg.start = turn.x;
-    old.leg.properTime = turn.properTime;
-    if (old.cushion >= 0) {
-      const double e = restitution(i, cushionRestitution_, turn.x.t);
-      const auto kick = kickOffCushion(cushions_[old.cushion], turn.u, player.mass, e);
-      old.heat = kick ? kick->heat : 0.0;
-      old.leg.u = kick ? kick->u : turn.u;
-      old.taken = turn.u * player.mass - old.leg.u * (player.mass + old.heat);
+    const auto arrives = [&](const Decided& kick) { return newsArrives(leg, kick.news).x.t; };
+    const auto next = std::min_element(onTheirWay.begin(), onTheirWay.end(),
+                                       [&](const auto& a, const auto& b) { return arrives(a) < arrives(b); });
+    const Decided old = *next;
+    onTheirWay.erase(next);
+    if (old.cushion >= 0 &&
+        (old.isPrevented(struckLeg, struck.x.t) || !(cushions_[old.cushion].towards(leg.u) > 0.0))) {
+      accounts_.heat -= old.heat;
+      chronicle.changeBounce(old.event, old.contact, true, 0.0);
+      chronicle.changeTurn(old.event, player.file, {leg.start, leg.u, leg.properTime}, leg.u);
     } else {
-      old.leg.u =
-          fourVelocity(turn.u.x + old.leg.u.x - old.uBefore.x, turn.u.y + old.leg.u.y - old.uBefore.y);
+      placeAnew(i, old, chronicle);
     }
-    old.radiated = old.leg.u * old.heat;
-    accounts_.heat += old.heat - oldHeat;
-    if (old.cushion >= 0) chronicle.setHeat(old.event, old.heat * c_m_s_ * c_m_s_);
-    chronicle.changeTurn(old.event, player.file, turn, old.leg.u);
-    decide(i, old, turn, chronicle);
   }
   accounts_.given = accounts_.given + (sum() - before);
+}
+
+// A kick on its way acts on the last leg decided, which is not the one that it was found for.
+void Anticipation::placeAnew(int i, Decided kick, Chronicle& chronicle) {
+  Player& player = players_[i];
+  Place place = whereNewsArrives(i, kick.news, kick.cushion, chronicle);
+  const Leg leg = lastLeg(i);
+  if (place.tooLate) place.turn = {leg.start, leg.u, leg.properTime};
+  const Moment& turn = place.turn;
+  if (place.touchedBefore) {
+    kick.contact = cornerBefore(kick.cushion, *place.touchedBefore).value_or(place.touchedBefore->event);
+    kick.ownTime = place.touchedBefore->ownTime;
+    kick.withoutDelay = place.touchedBefore->withoutDelay;
+    kick.news = kick.withoutDelay ? turn.x : kick.contact;
+    kick.foundOn = lastLegNumber(i);
+  }
+  const double oldHeat = kick.heat;
+  kick.leg.start = turn.x;
+  kick.leg.properTime = turn.properTime;
+  if (kick.cushion >= 0) {
+    const double e = restitution(i, cushionRestitution_, turn.x.t);
+    const auto bounced = kickOffCushion(cushions_[kick.cushion], turn.u, player.mass, e);
+    kick.heat = bounced ? bounced->heat : 0.0;
+    kick.leg.u = bounced ? bounced->u : turn.u;
+    kick.taken = turn.u * player.mass - kick.leg.u * (player.mass + kick.heat);
+  } else {
+    kick.leg.u =
+        fourVelocity(turn.u.x + kick.leg.u.x - kick.uBefore.x, turn.u.y + kick.leg.u.y - kick.uBefore.y);
+  }
+  kick.radiated = kick.leg.u * kick.heat;
+  accounts_.heat += kick.heat - oldHeat;
+  noteBounce(kick, chronicle);
+  chronicle.changeTurn(kick.event, player.file, turn, kick.leg.u);
+  decide(i, kick, turn, chronicle);
+}
+
+void Anticipation::noteBounce(const Decided& decided, Chronicle& chronicle) const {
+  if (decided.cushion < 0) return;
+  chronicle.changeBounce(decided.event, decided.contact, decided.withoutDelay,
+                         decided.heat * c_m_s_ * c_m_s_);
 }
 
 double Anticipation::restitution(int i, double usual, double turnTime) {

@@ -44,8 +44,12 @@ struct PhysicsRules {
 };
 
 /// A cue stroke: kicks a puck's centre. It acts where the light of the stroke meets the centre's world line,
-/// so that nothing anyone has already seen can change. A kick that is still on its way to the centre (a
-/// collision's, whose news has not arrived) keeps its impulse and acts when its news meets the new motion.
+/// so that nothing an eye at the hand has already seen can change; what can at all is said at
+/// `Billiard::strike`. A kick that is still on its way to the centre (a collision's, whose news has not
+/// arrived) keeps its impulse, a cushion its law, and acts when its news meets the new motion; if the new
+/// motion itself has touched that cushion and is turned by this before, that contact stands for the older
+/// one. A bounce that the stroke prevents or drives the puck away from stays in the list of events, without
+/// delay, with a turn at the stroke that changes nothing.
 struct Stroke {
   std::size_t puck = 0;        ///< index into the setup's pucks
   double at_s = 0.0;           ///< board time at which the hand strikes, or at which the centre is kicked
@@ -119,12 +123,16 @@ class Chronicle;
 ///   found on that leg; their outcomes use the momenta already decided, and pucks that by these recede are
 ///   not kicked. Kicks apply in the order of their turns. If a kick's turn would lie before the last one
 ///   decided, the whole collision is dropped, not one puck's half of it: so momentum is always conserved. A
-///   cushion that a decided leg reaches before such a turn is committed first: so no centre ever leaves the
-///   table.
+///   cushion that a decided or a struck leg reaches before such a turn is committed first: so no centre ever
+///   leaves the table.
+/// * A cushion kicks only what it touches, and once for one approach: a contact of the old leg with the line of
+///   a cushion beyond the corner is none, and the news of a cushion that the puck has been turned away from
+///   since does nothing.
 /// * A pair that has collided does not collide again until one of the two has had another event.
 /// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
 ///   without delay: the pair at the later of the two starts in the equal-speed frame, and its news starts at
-///   each centre.
+///   each centre. Such a kick does not wait for light, so a row of touching pucks passes a blow on faster
+///   than light; `GameEvent::withoutDelay` marks it.
 /// * Inelastic or jammed pucks can collide without end in a finite time. A puck whose last 64 kicks fell
 ///   within a millionth of the time that light needs to cross its radius is taken to be jammed: until it has
 ///   been left in peace for as long, its kicks are perfectly plastic, and pucks that close on it at less than
@@ -148,15 +156,18 @@ class Billiard {
   void advanceTo(double t_s);
 
   /// Adds a stroke. What was computed at or after its arrival is discarded and computed anew, up to the same
-  /// board time; everything outside the future of the arrival keeps its bits. Returns the board time of the
-  /// arrival. Throws std::invalid_argument for a stroke on no puck, not finite, or arriving before t = 0 or
-  /// in what `forgetBefore` has forgotten.
+  /// board time. What does not depend on the stroke keeps its bits: everything outside the future of the
+  /// arrival but for what follows from turns that do not wait for light, those of kicks without delay and
+  /// those simultaneous with a contact in the equal-speed frame. Such a turn can lie outside by about the
+  /// size of the pucks that pass it on, and then even before the arrival on the board. Returns the board time
+  /// of the arrival. Throws std::invalid_argument for a stroke on no puck, not finite, or arriving before
+  /// t = 0 or in what `forgetBefore` has forgotten.
   double strike(const Stroke& stroke);
 
   /// One world line for each puck, in the order of the setup; complete up to the time advanced to.
   std::span<const WorldLine> worldLines() const;
   /// In the order in which they were committed. A stroke can change the turns of those before it whose news
-  /// was on its way.
+  /// was on its way, and the contacts of those with a cushion.
   std::span<const GameEvent> events() const;
   /// Knots and events added or changed since the last call, and whether a stroke took some back.
   Changes takeChanges();

@@ -64,10 +64,12 @@ GameEvent& Chronicle::add(EventKind kind, const Event& at) {
   return event;
 }
 
-std::uint64_t Chronicle::addCollision(std::optional<Cushion> cushion, const Vec21& contact, double heat_j) {
+std::uint64_t Chronicle::addCollision(std::optional<Cushion> cushion, const Vec21& contact, bool withoutDelay,
+                                      double heat_j) {
   GameEvent& event = add(cushion ? EventKind::puckCushion : EventKind::puckPuck,
                          {contact.t / c_m_s_, {contact.x, contact.y, 0.0}});
   event.cushion = cushion;
+  event.withoutDelay = withoutDelay;
   event.heat_j = heat_j;
   return event.number;
 }
@@ -102,8 +104,12 @@ void Chronicle::changeTurn(std::uint64_t event, std::size_t puck, const Moment& 
   }
 }
 
-void Chronicle::setHeat(std::uint64_t event, double heat_j) {
-  if (event >= forgottenEvents_) change(event).heat_j = heat_j;
+void Chronicle::changeBounce(std::uint64_t event, const Vec21& contact, bool withoutDelay, double heat_j) {
+  if (event < forgottenEvents_) return;
+  GameEvent& changed = change(event);
+  changed.at = {contact.t / c_m_s_, {contact.x, contact.y, changed.at.r_m.z}};
+  changed.withoutDelay = withoutDelay;
+  changed.heat_j = heat_j;
 }
 
 void Chronicle::keepEvents(std::uint64_t count) {

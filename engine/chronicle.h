@@ -26,14 +26,16 @@ class Chronicle {
   std::size_t legs(std::size_t puck) const { return forgottenLegs_[puck] + lines_[puck].knots().size(); }
 
   // Events: these return their numbers, counted from the start of the game; their turns follow.
-  std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, double heat_j);
+  std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, bool withoutDelay,
+                             double heat_j);
   /// A stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
   std::uint64_t addStroke(std::uint32_t stroke, const Vec21& at, double height_m);
   std::uint64_t addFlash(std::uint32_t flash, const Event& at);
   void addTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter);
   /// Replaces the turn of a puck in an event; nothing if the event is already forgotten.
   void changeTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter);
-  void setHeat(std::uint64_t event, double heat_j);
+  /// Replaces what a collision with a cushion came of and its heat; nothing if it is already forgotten.
+  void changeBounce(std::uint64_t event, const Vec21& contact, bool withoutDelay, double heat_j);
   void keepEvents(std::uint64_t count);
   std::uint64_t eventCount() const { return forgottenEvents_ + events_.size(); }
   std::uint64_t forgottenEvents() const { return forgottenEvents_; }

@@ -64,6 +64,11 @@ struct GameEvent {
   std::uint32_t which = 0;         ///< stroke, flash: its place in the setup's list
   /// The contact; the hand's stroke, or where it has no place the arrival at the centre; the flash.
   Event at;
+  /// Of a collision: the discs, or the disc and the cushion, were in contact already when the leg began, and
+  /// the kick acts at once, where the centres are. No news comes from `at` then: it is the place where the
+  /// rims lie on each other simultaneously with the turns in the equal-speed frame, or on the cushion beside
+  /// the centre when it turns, and may lie after the turns and out of reach of light.
+  bool withoutDelay = false;
   Turns turns;  ///< one for each puck that took part; a stroke's is its arrival
   double heat_j = 0.0;
 };

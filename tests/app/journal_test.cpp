@@ -37,6 +37,7 @@ GameEvent eventOf(std::uint64_t number, double x) {
   event.kind = number % 2 == 0 ? EventKind::puckCushion : EventKind::puckPuck;
   if (number % 2 == 0) event.cushion = Cushion::minusY;
   event.at = {x, {0.1, -x, 0.01}};
+  event.withoutDelay = number % 3 == 0;
   event.heat_j = 1e-3 * x;
   for (std::size_t puck = 0; puck < 1 + number % 2; ++puck)
     event.turns.push_back({puck, {x, {x, 0.2, 0.01}}, {0.1, x}, {-0.1, x}, x / 3.0});
@@ -206,10 +207,39 @@ TEST(Journal, EventsAndTurnsCanBeReadWithPlainSql) {
   EXPECT_EQ(row.getColumn(5).getDouble(), expected.at.r_m.y);
   EXPECT_EQ(row.getColumn(6).getDouble(), expected.heat_j);
   EXPECT_FALSE(row.executeStep());
+  EXPECT_EQ(column(database, "SELECT without_delay FROM event ORDER BY number"), (Strings{"1", "0"}));
   EXPECT_EQ(column(database, "SELECT puck FROM turn ORDER BY event, puck"),
             (Strings{"white", "red", "white"}));
   EXPECT_EQ(database.execAndGet("SELECT beta_after_y FROM turn WHERE event = 1 AND puck = 'red'").getDouble(),
             expected.turns[1].betaAfter.y);
+}
+
+// A file from before events said whether they were kicked without delay: it is read, none was, and it is gone
+// on with.
+TEST(Journal, AFileWithoutTheColumnOfDelaysIsReadAndGoneOnWith) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  FrameState old = frameOf(0);
+  old.events[0].withoutDelay = false;
+  { Journal(file, kFacts, false, {}).add(old, head(), {}); }
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("ALTER TABLE event DROP COLUMN without_delay");
+  const auto delaysOf = [&file] {
+    SessionFile session(file);
+    std::vector<bool> withoutDelay;
+    for (FrameState state; session.next(state);) {
+      for (const GameEvent& event : state.events) withoutDelay.push_back(event.withoutDelay);
+    }
+    return withoutDelay;
+  };
+  EXPECT_EQ(delaysOf(), (std::vector<bool>{false}));
+  FrameState later = frameOf(12);
+  later.record.eventsKept = 1;
+  later.events[0].number = 1;
+  ASSERT_TRUE(later.events[0].withoutDelay);
+  { Journal(file, kFacts, true, {}).add(later, head(), {}); }
+  EXPECT_EQ(delaysOf(), (std::vector<bool>{false, true}));
+  SQLite::Database database(file.string());
+  EXPECT_EQ(column(database, "SELECT without_delay FROM event ORDER BY number"), (Strings{"0", "1"}));
 }
 
 // At the end the tables tell the game as it was in the end; the frames keep what was known when they were

@@ -314,6 +314,26 @@ TEST(Simulate, AnglesAfterACollision) {
   }
 }
 
+// A cushion that returns nothing stops a fast puck where a slow one would long have been in contact: struck,
+// that one is kicked without delay, and says so.
+TEST(Simulate, SaysWhichKicksDidNotWait) {
+  const TemporaryFolder folder;
+  for (const std::string convention : {"centre", "contact"}) {
+    SCOPED_TRACE(convention);
+    const json found =
+        simulate(folder,
+                 "light_speed_m_s = 1.0\n[board]\nlength_m = 2.0\nwidth_m = 2.0\n[physics]\n"
+                 "cushion_restitution = 0.0\ncollision_event = \"" +
+                     convention + "\"\n" + puckText("one", 0.125, 1.0, "[0.0, 0.0]", "[0.6, 0.0]") +
+                     "[[stroke]]\nat_s = 3.0\npuck = \"one\"\nmomentum_kg_m_s = [0.1, 0.0]\n",
+                 5.0);
+    ASSERT_EQ(found["collisions"].size(), 2u);
+    EXPECT_FALSE(found["collisions"][0].contains("without_delay"));
+    EXPECT_EQ(found["collisions"][1]["without_delay"], json(true));
+    EXPECT_EQ(found["collisions"][1]["turns"][0]["t_s"], json(3.0));
+  }
+}
+
 // What cannot be played is named, with its place in the file, and nothing is written.
 TEST(Simulate, RefusesWhatCannotBePlayed) {
   struct Fault {

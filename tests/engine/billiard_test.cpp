@@ -381,6 +381,7 @@ void expectSame(const GameEvent& a, const GameEvent& b) {
   EXPECT_EQ(a.which, b.which);
   EXPECT_EQ(a.at.t_s, b.at.t_s);
   EXPECT_EQ(a.at.r_m, b.at.r_m);
+  EXPECT_EQ(a.withoutDelay, b.withoutDelay);
   EXPECT_EQ(a.heat_j, b.heat_j);
   ASSERT_EQ(a.turns.size(), b.turns.size());
   for (std::size_t i = 0; i < a.turns.size(); ++i) {
