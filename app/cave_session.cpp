@@ -253,6 +253,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   stage.recording->finish();
   if (lead && options.recording.capture)
     fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
+  cluster.leave();
 }
 
 }  // namespace
