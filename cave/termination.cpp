@@ -3,6 +3,7 @@
 #include <semaphore.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -18,8 +19,11 @@ namespace carom {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{1500};
+// Open MPI 4.1's mpirun, asked to end, sends SIGTERM after a second and SIGKILL after another.
+constexpr std::chrono::milliseconds kMpirunsPatience{600};
 
-volatile std::sig_atomic_t asked = 0;
+volatile std::sig_atomic_t asked = 0;  // the first signal
+std::atomic<bool> allClosed = false;
 sem_t wasAsked;
 
 extern "C" void ask(int signal) {
@@ -28,7 +32,7 @@ extern "C" void ask(int signal) {
     std::raise(signal);
   }
   const int error = errno;
-  asked = 1;
+  if (!asked) asked = signal;
   sem_post(&wasAsked);
   errno = error;
 }
@@ -46,7 +50,8 @@ std::vector<const std::function<void()>*>& open() {
 void endIfNobodyDoes() {
   while (sem_wait(&wasAsked) != 0) {
   }
-  std::this_thread::sleep_for(kPatience);
+  const bool byMpirun = asked == SIGTERM && std::getenv("OMPI_COMM_WORLD_SIZE");
+  std::this_thread::sleep_for(byMpirun ? kMpirunsPatience : kPatience);
   const std::scoped_lock hold(mutexOfOpen());  // for good
   for (auto close = open().rbegin(); close != open().rend(); ++close) {
     try {
@@ -55,8 +60,9 @@ void endIfNobodyDoes() {
       std::fprintf(stderr, "error: %s\n", error.what());
     }
   }
-  std::fprintf(stderr, "Asked to end: what was begun is not waited for; what was written is whole.\n");
-  leave(0);
+  if (!allClosed) std::fprintf(stderr, "Asked to end: what was begun is not waited for; what was written is whole.\n");
+  std::fflush(nullptr);
+  std::_Exit(0);
 }
 
 }  // namespace
@@ -80,9 +86,11 @@ ClosedOnLeaving::~ClosedOnLeaving() {
   std::erase(open(), &close_);
 }
 
-void leave(int status) {
+void leave(const std::function<void()>& last) {
+  allClosed = true;
+  last();
   std::fflush(nullptr);
-  std::_Exit(status);
+  std::_Exit(0);
 }
 
 }  // namespace carom

@@ -8,7 +8,7 @@ namespace carom {
 
 /// From now on SIGINT and SIGTERM ask this process to end instead of ending it: loops that draw look at
 /// terminationAsked after each frame. A second Ctrl-C ends it at once. Whoever still runs 1.5 s after being asked
-/// is in the middle of something long: starting, dividing bodies, a frame of a million collisions. It is not waited
+/// (0.6 s after mpirun's SIGTERM, which comes late) is in the middle of something long: starting, dividing bodies, a frame of a million collisions. It is not waited
 /// for: from another thread all that is ClosedOnLeaving is closed, and the process ends with status 0.
 void noticeTermination();
 
@@ -29,8 +29,9 @@ class ClosedOnLeaving {
   std::function<void()> close_;
 };
 
-/// Ends the process after a session whose files are closed. Nothing is taken down: the system frees all at once what
-/// VTK would search a list for, vertex buffer by vertex buffer: minutes, for thousands of pucks.
-[[noreturn]] void leave(int status);
+/// Ends the process, with status 0, after a session whose files are closed, once `last` has returned; whoever is asked
+/// to end waits for that no longer than for anything else. Nothing is taken down: the system frees all at once what VTK
+/// would search a list for, vertex buffer by vertex buffer: minutes, for thousands of pucks.
+[[noreturn]] void leave(const std::function<void()>& last);
 
 }  // namespace carom
