@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{1500};
 // Open MPI 4.1's mpirun, asked to end, sends SIGTERM after a second and SIGKILL after another.
-constexpr std::chrono::milliseconds kMpirunsPatience{600};
+constexpr std::chrono::milliseconds kMpirunsPatience{800};
 
 volatile std::sig_atomic_t asked = 0;  // the first signal
 std::atomic<bool> allClosed = false;

@@ -8,8 +8,9 @@ namespace carom {
 
 /// From now on SIGINT and SIGTERM ask this process to end instead of ending it: loops that draw look at
 /// terminationAsked after each frame. A second Ctrl-C ends it at once. Whoever still runs 1.5 s after being asked
-/// (0.6 s after mpirun's SIGTERM, which comes late) is in the middle of something long: starting, dividing bodies, a frame of a million collisions. It is not waited
-/// for: from another thread all that is ClosedOnLeaving is closed, and the process ends with status 0.
+/// (0.8 s after mpirun's SIGTERM, which comes late) is in the middle of something long: starting, dividing bodies, a
+/// frame of a million collisions. It is not waited for: from another thread all that is ClosedOnLeaving is closed, and
+/// the process ends with status 0.
 void noticeTermination();
 
 /// Whether they have.
