@@ -122,7 +122,10 @@ std::unique_ptr<LiveSource> sourceOf(const Stage& stage, const CaveOptions& opti
   const auto start = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
                                               std::chrono::duration<double>(lived_s));
   LiveStart live{start, clockOf(stage, options, start), stage.swapsWait, before.last, options.frames};
-  if (options.resume) live.struck = SessionFile(*options.session).strokes(stage.scenario.billiard.pucks);
+  if (options.resume) {
+    const auto said = [](const std::string&) {};  // by whatWas
+    live.struck = SessionFile(*options.session, said).strokes(stage.scenario.billiard.pucks);
+  }
   live.clock->sleepUntil(lived_s);
   auto source = std::make_unique<LiveSource>(stage.rig, stage.scenario, stage.world, std::move(live));
   source->keep(openJournal(options.session, options.resume, inputs, stage));
@@ -250,6 +253,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   stage.recording->finish();
   if (lead && options.recording.capture)
     fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
+  cluster.leave();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "cave/clock_time.h"
 #include "engine/lorentz.h"
 
 namespace carom::console {
@@ -26,6 +27,9 @@ void clock(const char* name, const std::string& value, const char* meaning) {
   ImGui::SameLine(0.0F, 24.0F);
 }
 
+/// As the clocks in the room show it.
+std::string shown(double time_s) { return fmt::format("{:7.1f} s", shownTime_s(time_s)); }
+
 void goTo(Playback& playback, double session_s) {
   ++playback.jumps;
   playback.goTo_s = std::max(session_s, 0.0);
@@ -37,11 +41,11 @@ void drawClocks(const ConsoleFrame& frame) {
   const FrameRecord& record = frame.record;
   const double platform = glm::length(betaFromU(record.boardFromRoom.u()));
   const double person = glm::length(betaFromU(record.observer.headFromBoard.inverse().u()));
-  clock("session", fmt::format("{:7.1f} s", record.display_s),
+  clock("session", shown(record.display_s),
         "Since the session began, by the clock on the wall.");
-  clock("person", fmt::format("{:7.1f} s", record.observer.properTime_s),
+  clock("person", shown(record.observer.properTime_s),
         "What the person's own clock shows.");
-  clock("board", fmt::format("{:7.1f} s", record.observer.eyes[2].observation.t_s),
+  clock("board", shown(record.observer.eyes[2].observation.t_s),
         "What the board's clocks show where the person is. It runs ahead of the person's as they move.");
   clock("platform", platform < 1e-9 ? "at rest" : fmt::format("{:.3f} c", platform),
         "How fast the room moves on the board.");

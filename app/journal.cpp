@@ -214,11 +214,24 @@ class Tables {
         database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM frame").getInt64();
     SQLite::Statement row(database_, "INSERT INTO run VALUES(?, ?, ?)");
     put(row, first, utcNow(), facts.program);
+    database_.exec("DELETE FROM session WHERE key = 'ended_utc'");
+    intoFile();
+  }
+
+  /// What is in the file beside goes into the file itself, as far as readers let it.
+  void intoFile() {
+    try {
+      database_.exec("PRAGMA wal_checkpoint(PASSIVE)");
+    } catch (const SQLite::Exception&) {
+      // The disk is full, perhaps: it stays where it is, and the next time may be better.
+    }
   }
 
   /// One whole file again, that can be read where nothing can be written.
   void close() {
     try {
+      SQLite::Statement row(database_, "INSERT OR REPLACE INTO session VALUES('ended_utc', ?)");
+      put(row, utcNow());
       database_.exec("PRAGMA journal_mode = DELETE");
     } catch (const SQLite::Exception&) {
       // Somebody is reading it: it stays as it is, which is as good.
@@ -365,9 +378,11 @@ class FileLock {
 }  // namespace
 
 struct Journal::Writer {
-  Writer(const std::filesystem::path& path, const SessionFacts& facts, bool goOn, Say sayTo)
+  Writer(const std::filesystem::path& path, const SessionFacts& facts, bool goOn, Say sayTo,
+         std::chrono::milliseconds every)
       : file(path),
         say(sayTo ? std::move(sayTo) : [](const std::string&) {}),
+        intoFileEvery(every),
         lock(path, goOn),
         tables(path) {
     if (!goOn) tables.make(facts);
@@ -376,13 +391,20 @@ struct Journal::Writer {
   }
 
   void run(const std::stop_token& stop) {
+    using Clock = std::chrono::steady_clock;
     Batch batch;
+    auto next = Clock::now() + intoFileEvery;
     while (!stop.stop_requested() || !empty()) {
       {
         std::unique_lock hold(mutex);
-        changed.wait(hold, stop, [this] { return !waiting.empty(); });
+        changed.wait_until(hold, stop, next, [this] { return !waiting.empty(); });
         std::swap(batch, waiting);
       }
+      if (Clock::now() >= next) {
+        tables.intoFile();
+        next = Clock::now() + intoFileEvery;
+      }
+      if (batch.empty()) continue;
       bool done = written(batch);
       while (!done && !stop.stop_requested()) {
         std::this_thread::sleep_for(kRetry);
@@ -394,6 +416,14 @@ struct Journal::Writer {
       }
       batch.clear();
     }
+  }
+
+  void close() {
+    std::call_once(closed, [this] {
+      thread.request_stop();
+      thread.join();
+      tables.close();
+    });
   }
 
   bool empty() {
@@ -419,6 +449,7 @@ struct Journal::Writer {
 
   std::filesystem::path file;
   Say say;
+  std::chrono::milliseconds intoFileEvery;
   FileLock lock;  // closed after the tables: closing any handle on the file would drop SQLite's own locks
   Tables tables;
   bool troubled = false;  // the writing thread's
@@ -427,20 +458,20 @@ struct Journal::Writer {
   std::mutex mutex;
   std::condition_variable_any changed;
   Batch waiting;
+  std::once_flag closed;
   std::jthread thread;  // last: it uses the rest
 };
 
-Journal::Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn, Say say) try
-    : writer_(std::make_unique<Writer>(file, facts, goOn, std::move(say))) {
+Journal::Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn, Say say,
+                 std::chrono::milliseconds intoFileEvery) try
+    : writer_(std::make_unique<Writer>(file, facts, goOn, std::move(say), intoFileEvery)) {
 } catch (const SQLite::Exception& error) {
   throw std::runtime_error(fmt::format("session file {}: {}", file.string(), error.what()));
 }
 
-Journal::~Journal() {
-  writer_->thread.request_stop();
-  writer_->thread.join();
-  writer_->tables.close();
-}
+Journal::~Journal() { close(); }
+
+void Journal::close() { writer_->close(); }
 
 void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples,
                   std::span<const Stroke> strokes) {

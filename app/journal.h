@@ -3,7 +3,8 @@
 //
 // Tables (times of the session's clock in seconds, board coordinates in seconds and metres):
 //   session(key, value)
-//       What was played: program, rig and scenario with their texts, light speed, start (UTC).
+//       What was played: program, rig and scenario with their texts, light speed, start (UTC); once it was closed
+//       well, its end.
 //   frame(number, display_s, proper_time_s, t_s, x_m, y_m, z_m, known, celerity_x_m_s …, switches,
 //         views, truncate_from_s, record, events)
 //       One row a frame. t_s … z_m: the event at which the point between the eyes received the frame's light.
@@ -39,6 +40,7 @@
 //       longer than the display's period. Some 100 bytes a row, at most eight rows a node and second.
 // `PRAGMA user_version` is the version of this list.
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -68,19 +70,28 @@ struct SessionFacts {
   std::vector<std::string> pucks = {};  ///< their names, in the scenario's order; not read back
 };
 
+/// How often what was written goes into the session file itself; meanwhile it is in FILE-wal, beside it.
+inline constexpr std::chrono::milliseconds kIntoFileEvery{20000};
+
 /// Written by a thread of its own, one transaction a batch of frames, so that a frame only copies its rows.
 /// What has been handed over is on its way at once: a killed program lacks two frames at the most. When the
 /// disk is full, or the file cannot be written for another reason, the session goes on: it is said once, rows
 /// wait and are written when it works again, which is said, too. Of frames ten minutes wait: the file then ends
-/// before the first that is lost, for good, as later ones would build on it.
+/// before the first that is lost, for good, as later ones would build on it. Of a killed program's file, copied
+/// without the FILE-wal beside it, no more than the last `intoFileEvery` is missing.
 class Journal {
  public:
   /// Makes the file, or with `goOn` goes on with the one that is there. Throws std::runtime_error if there is
   /// one already, or none to go on with, if the folder cannot be written, or if another session writes to it.
-  Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn, Say say);
-  ~Journal();  ///< writes what is left
+  Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn, Say say,
+          std::chrono::milliseconds intoFileEvery = kIntoFileEvery);
+  ~Journal();  ///< closes it
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
+
+  /// Writes what is left; the file is one whole again. What is added later is not written. From any thread, also
+  /// while another adds or closes.
+  void close();
 
   /// One frame: what was drawn, how the head was known, what the tracker had delivered for it, what hands struck.
   /// Waits for nothing.

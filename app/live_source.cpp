@@ -38,8 +38,15 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
   if (start.frames) lastFrame_ = firstFrame(start) + *start.frames - 1;
 }
 
-void LiveSource::playAnew(std::unique_ptr<Journal> journal) {
+void LiveSource::keep(std::unique_ptr<Journal> journal) {
+  if (journal_) journal_->close();
+  onLeaving_.reset();
   journal_ = std::move(journal);
+  if (journal_) onLeaving_.emplace([this] { journal_->close(); });
+}
+
+void LiveSource::playAnew(std::unique_ptr<Journal> journal) {
+  keep(std::move(journal));
   person_.startIn(rig_, scenario_);
   drive_ = Drive(scenario_, rig_.axes, true);
   driven_ = DriveMode::free;

@@ -20,6 +20,7 @@
 #include "app/scenario.h"
 #include "app/spoken.h"
 #include "cave/pacer.h"
+#include "cave/termination.h"
 #include "devices/rumble.h"
 
 namespace carom {
@@ -39,9 +40,12 @@ class LiveSource : public FrameSource {
   /// Rig, scenario and world, that of rank 0's frames, are used as long as this lives. Throws InputError if a
   /// trace is at fault.
   LiveSource(const Rig& rig, const Scenario& scenario, const World& world, LiveStart start);
+  ~LiveSource() override { keep(nullptr); }
+  LiveSource(const LiveSource&) = delete;
+  LiveSource& operator=(const LiveSource&) = delete;
 
   /// Writes the session to this journal from now on; none: it is not written.
-  void keep(std::unique_ptr<Journal> journal) { journal_ = std::move(journal); }
+  void keep(std::unique_ptr<Journal> journal);
 
   /// There is another scenario, and its world, in the place of the first: from its beginning, in this journal.
   void playAnew(std::unique_ptr<Journal> journal);
@@ -81,6 +85,7 @@ class LiveSource : public FrameSource {
   HandPlay handPlay_;
   std::optional<Stroke> struck_;  ///< in the frame at hand
   std::unique_ptr<Journal> journal_;
+  std::optional<ClosedOnLeaving> onLeaving_;  ///< of the journal
   std::optional<std::uint64_t> lastFrame_;  ///< its number
   bool begins_ = false;                     ///< another game, with the next frame
   DeskInput desk_;                          ///< of the frame before

@@ -86,9 +86,11 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
     if (!options.noWindow) sayKeys(KeysOf::replay);
   });
   runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
+  frames.source.reset();  // trackers are asked to be quiet
   stage.recording->finish();
   if (lead && options.recording.capture)
     fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
+  cluster.leave();
 }
 
 }  // namespace

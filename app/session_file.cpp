@@ -39,6 +39,15 @@ namespace {
   }
 }
 
+/// Where a session is until it is closed, and after a crash what was not yet written into its own file.
+std::filesystem::path besideOf(std::filesystem::path file) { return file += "-wal"; }
+
+bool hasBeside(const std::filesystem::path& file) {
+  std::error_code absent;
+  const auto bytes = std::filesystem::file_size(besideOf(file), absent);
+  return !absent && bytes > 0;
+}
+
 /// A value stored byte by byte.
 template <typename T>
 void read(const SQLite::Column& column, T& value) {
@@ -200,12 +209,18 @@ struct SessionFile::Tables {
   std::optional<SQLite::Statement> frame, knot, ends, shown;
 };
 
-SessionFile::SessionFile(const std::filesystem::path& file) : file_(file) {
+SessionFile::SessionFile(const std::filesystem::path& file, const Say& say) : file_(file) {
   if (!std::filesystem::exists(file)) refuse(file, "there is no such file");
   if (std::filesystem::is_directory(file)) refuse(file, "this is a folder, expected a session file");
+  const bool alone = !hasBeside(file);  // opening it makes an empty one
   try {
     tables_ = std::make_unique<Tables>(file);
     SQLite::Database& database = tables_->database;
+    const bool open = database.execAndGet("PRAGMA journal_mode").getString() == "wal";
+    if (open && alone && database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0) {
+      refuse(file, fmt::format("nothing is in it: what a session wrote that was not closed is in {}, expected beside it",
+                               besideOf(file).filename().string()));
+    }
     if (database.execAndGet("PRAGMA application_id").getInt() != kJournalId) {
       refuse(file, "this is another program's database, expected what carom cave --session wrote");
     }
@@ -228,6 +243,13 @@ SessionFile::SessionFile(const std::filesystem::path& file) : file_(file) {
               tables_->fact("rig"),
               tables_->fact("scenario"),
               database.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble()};
+    if (open && alone && tables_->fact("ended_utc").empty()) {
+      const std::string line = fmt::format(
+          "warning: session file {0}: the session was not closed, and {1}, which belongs beside it, is not there: up to "
+          "its last minute is missing.",
+          file.string(), besideOf(file).filename().string());
+      say ? say(line) : fmt::print(stderr, "{}\n", line);
+    }
     tables_->prepare();
     goTo(0);
   } catch (const SQLite::Exception& error) {

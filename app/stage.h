@@ -102,7 +102,8 @@ struct RankFailed {};
 /// everywhere.
 void together(const Cluster& cluster, const std::function<void()>& step);
 
-/// Runs a whole session on this rank. Its exit status: 0, or 1 after a message on standard error.
+/// Runs a whole session on this rank, which leaves by itself once all is well (Cluster::leave) or comes back: its exit
+/// status is 0 then, or 1 after a message on standard error.
 int runOnCluster(const std::function<void(Cluster&)>& session);
 
 }  // namespace carom

@@ -109,6 +109,7 @@ void Capture::take(std::uint64_t frame, std::span<const Taken> pictures) {
     const std::size_t capacity =
         std::clamp(kMostWaiting_bytes / bytes, 3 * frame_.size(), kMostWaiting * frame_.size());
     queue_ = std::make_unique<WorkQueue<Job>>(capacity, encoders(), write);
+    onLeaving_.emplace([this] { queue_->finish(); });
   }
   fetch(frame_.size());  // of the last frame; what is older is waited for
   if (whenFull_ == WhenFull::drop && queue_->room() < frame_.size() + reader_.underWay()) {

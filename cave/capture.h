@@ -5,6 +5,7 @@
 #include <deque>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 
 #include "cave/picture.h"
 #include "cave/picture_reader.h"
+#include "cave/termination.h"
 #include "cave/wall.h"
 #include "cave/work_queue.h"
 
@@ -80,6 +82,7 @@ class Capture {
   PictureReader reader_;
   std::deque<std::filesystem::path> asked_;  // where the pictures go that are being read back
   std::unique_ptr<WorkQueue<Job>> queue_;    // from the first frame on
+  std::optional<ClosedOnLeaving> onLeaving_;  // last: it uses the queue
 };
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <mpi.h>
+#include <sched.h>
 #include <signal.h>
 #include <unistd.h>
 #define XXH_INLINE_ALL  // used as a header
@@ -81,6 +82,15 @@ Place ownPlace() {
   return place;
 }
 
+/// Open MPI pins each of one or two processes of a machine to one core, unless it is told otherwise; drawing and
+/// dividing bodies want them all. The system gives what it allows of what is asked for. Before there are threads.
+void useEveryCore() {
+  if (!std::getenv("OMPI_MCA_orte_bound_at_launch") || std::getenv("OMPI_MCA_hwloc_base_binding_policy")) return;
+  cpu_set_t all;
+  std::fill_n(reinterpret_cast<unsigned char*>(&all), sizeof all, static_cast<unsigned char>(0xff));
+  sched_setaffinity(0, sizeof all, &all);
+}
+
 void sayOnStandardError(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }
 
 }  // namespace
@@ -92,6 +102,7 @@ struct Cluster::Room {
 };
 
 Cluster::Cluster(Say say) : say_(say ? std::move(say) : sayOnStandardError) {
+  useEveryCore();
   // A rank that waits gives its core to those that draw; a person's own setting stands.
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
   MPI_Init(nullptr, nullptr);
@@ -109,6 +120,10 @@ Cluster::Cluster(Say say) : say_(say ? std::move(say) : sayOnStandardError) {
 }
 
 Cluster::~Cluster() { MPI_Finalize(); }
+
+void Cluster::leave() const {
+  carom::leave([] { MPI_Finalize(); });  // which waits for ever where mpirun was asked to end
+}
 
 void Cluster::abort() const {
   MPI_Abort(MPI_COMM_WORLD, 1);

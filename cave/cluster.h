@@ -33,7 +33,7 @@ class NodesDiffer : public std::runtime_error {
 
 class Cluster {
  public:
-  /// Starts MPI. One per process. `say`: where lines about late and lost nodes go; standard error if empty.
+  /// Starts MPI, on every core of the machine unless mpirun was told to bind. One per process, before it has threads. `say`: where lines about late and lost nodes go; standard error if empty.
   explicit Cluster(Say say = {});
   ~Cluster();
   Cluster(const Cluster&) = delete;
@@ -41,6 +41,10 @@ class Cluster {
 
   int rank() const { return rank_; }
   int size() const { return size_; }
+
+  /// Ends this process after a session that went well and whose files are closed, once every node is so far
+  /// (cave/termination.h says why nothing is taken down).
+  [[noreturn]] void leave() const;
 
   /// Ends the job on every node at once, after a fault that this rank alone knows of.
   [[noreturn]] void abort() const;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "cave/clock_time.h"
 #include "cave/gl_program.h"
 #include "shaders/digits.h"
 #include "shaders/mark_frag.h"
@@ -24,39 +25,36 @@ constexpr int kBehindPoint = 16, kShape = 256;
 constexpr double kPointWide = 0.35;                          // in places
 constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, of each shape
 
-constexpr unsigned kPlaces = 5;
-constexpr unsigned kMinus = 10, kDegrees = 12, kMetres = 13;
+constexpr int kPlaces = 12, kPlacesInAFloat = 6;
+constexpr std::uint64_t kMinus = 10, kDegrees = 12, kMetres = 13;
 
 /// Tenths with a unit's sign behind them.
-PlateText measured(double value, unsigned unit) {
-  PlateText text = wholeNumber(static_cast<unsigned long>(std::clamp(std::round(10.0 * value), 0.0, 9999.0)));
+PlateText measured(double value, std::uint64_t unit) {
+  PlateText text = wholeNumber(static_cast<std::uint64_t>(std::clamp(std::round(10.0 * value), 0.0, 9999.0)));
   text.places = std::max(text.places, 2) + 1;
-  text.digits = 16.0F * text.digits + static_cast<float>(unit);
+  text.digits = text.digits << 4 | unit;
   text.tenths = text.unit = true;
   return text;
 }
 
 }  // namespace
 
-PlateText wholeNumber(unsigned long number) {
+PlateText wholeNumber(std::uint64_t number) {
   PlateText text;
-  unsigned packed = 0;
   do {
-    packed |= static_cast<unsigned>(number % 10) << (4 * text.places++);
+    text.digits |= number % 10 << (4 * text.places++);
     number /= 10;
-  } while (number > 0 && text.places < static_cast<int>(kPlaces));
-  text.digits = static_cast<float>(packed);
+  } while (number > 0 && text.places < kPlaces);
   return text;
 }
 
 PlateText tenthsOf(double time_s) {
-  const double tenths = std::floor(10.0 * time_s);
-  const double size = std::fmod(std::abs(tenths), tenths < 0.0 ? 1e4 : 1e5);
-  PlateText text = wholeNumber(static_cast<unsigned long>(size));
+  const double tenths = std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s);
+  PlateText text = wholeNumber(static_cast<std::uint64_t>(std::abs(tenths)));
   text.places = std::max(text.places, 2);
   text.tenths = true;
   if (tenths < 0.0) {
-    text.digits += static_cast<float>(kMinus << (4 * text.places));
+    text.digits |= kMinus << (4 * text.places);
     ++text.places;
   }
   return text;
@@ -74,7 +72,7 @@ void MarkBatch::addStrip(std::span<const glm::dvec3> left_m, std::span<const glm
   for (std::size_t i = 0; i + 1 < left_m.size(); ++i) {
     for (const glm::dvec3& place :
          {left_m[i], left_m[i + 1], right_m[i], right_m[i], left_m[i + 1], right_m[i + 1]})
-      corners_.push_back({glm::vec3(place), colour, {}, {kFlat, 0.0F}, {}});
+      corners_.push_back({glm::vec3(place), colour, {}, {kFlat, 0.0F, 0.0F}, {}});
   }
 }
 
@@ -96,9 +94,9 @@ void MarkBatch::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& co
 void MarkBatch::addPlate(std::span<const glm::dvec3> lower_m, std::span<const glm::dvec3> upper_m,
                          const PlateText& text, PlateShape shape, const glm::vec4& colour) {
   const int behind = text.tenths ? (text.unit ? 2 : 1) : 0;
-  const glm::vec2 what(
-      static_cast<float>(text.places + kBehindPoint * behind + kShape * static_cast<int>(shape)),
-      text.digits);
+  constexpr int kBits = 4 * kPlacesInAFloat;  // which a float holds exactly
+  const glm::vec3 what(text.places + kBehindPoint * behind + kShape * static_cast<int>(shape), text.digits >> kBits,
+                       text.digits & ((1U << kBits) - 1U));
   const glm::dvec3 middle_m = 0.5 * (lower_m.front() + upper_m.back());
   const glm::vec4 plate(middle_m, 0.5 * glm::distance(lower_m.front(), upper_m.back()));
   const float step = static_cast<float>(placesAcross(text, shape)) / static_cast<float>(lower_m.size() - 1);
@@ -120,7 +118,7 @@ void MarkBatch::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::v
   const glm::dvec3 right = radius_m * glm::normalize(glm::cross(sight, other));
   const glm::dvec3 up = glm::cross(right, sight);
   const auto corner = [&](double u, double v) {
-    return MarkCorner{glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), {kGlow, 0.0F}, {}};
+    return MarkCorner{glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), {kGlow, 0.0F, 0.0F}, {}};
   };
   for (const MarkCorner& c :
        {corner(-1, -1), corner(1, -1), corner(-1, 1), corner(-1, 1), corner(1, -1), corner(1, 1)})
@@ -140,7 +138,7 @@ MarkDrawer::MarkDrawer()
   setAttribute(program_, "drawn_m", 3, sizeof(MarkCorner), offsetof(MarkCorner, drawn_m));
   setAttribute(program_, "ink", 4, sizeof(MarkCorner), offsetof(MarkCorner, colour));
   setAttribute(program_, "on", 2, sizeof(MarkCorner), offsetof(MarkCorner, on));
-  setAttribute(program_, "what", 2, sizeof(MarkCorner), offsetof(MarkCorner, what));
+  setAttribute(program_, "what", 3, sizeof(MarkCorner), offsetof(MarkCorner, what));
   setAttribute(program_, "plate", 4, sizeof(MarkCorner), offsetof(MarkCorner, plate));
   glBindVertexArray(static_cast<GLuint>(arrayBefore));
   glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));

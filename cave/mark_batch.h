@@ -2,6 +2,7 @@
 // Small flat things drawn among the bodies: lines, plates with digits, glows. Made anew for each eye, in
 // double, where the eye sees them; drawn over all walls of that eye.
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,20 +19,20 @@ struct MarkCorner {
   glm::vec3 drawn_m{0.0F};  ///< from the eye, in the frame in which walls draw
   glm::vec4 colour{1.0F};
   glm::vec2 on{0.0F};  ///< on a plate: places from its left border, 0 … 1 over its height; on a glow −1 … 1
-  glm::vec2 what{0.0F};   ///< style (shaders/mark_frag.glsl) and a plate's digits
+  glm::vec3 what{0.0F};   ///< style (shaders/mark_frag.glsl) and a plate's digits, the last six in z
   glm::vec4 plate{0.0F};  ///< a plate's middle, from the eye, and half its diagonal (m)
 };
 
-/// Digits of a plate: up to five places.
+/// Digits of a plate: up to twelve places.
 struct PlateText {
   /// A place every 4 bits, the last lowest: 0 to 9, 10 a minus sign, 11 nothing, 12 a degree sign, 13 an m.
-  float digits = 0.0F;
+  std::uint64_t digits = 0;
   int places = 0;
   bool tenths = false;  ///< a point stands before the last digit
   bool unit = false;    ///< which the sign of a unit follows
 };
-PlateText wholeNumber(unsigned long number);  ///< its last five digits
-/// As clocks show it: whole tenths that have gone by; −999.9 to 9999.9, then it begins again.
+PlateText wholeNumber(std::uint64_t number);  ///< its last twelve digits
+/// As all clocks show it: whole tenths that have gone by; six years of them, either way.
 PlateText tenthsOf(double time_s);
 PlateText degreesOf(double angle_deg);  ///< to the nearest tenth; 0 to 999.9
 PlateText metresOf(double length_m);    ///< the same

@@ -15,6 +15,7 @@
 #include <glm/common.hpp>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "cave/plain_state.h"
 
@@ -268,6 +269,10 @@ Movie::Movie(std::filesystem::path file, MovieLayout layout, double frames_hz, W
       queue_(std::make_unique<WorkQueue<Job>>(kMostWaiting, 1, [this](Job& job) { encoder_->add(job); })) {}
 
 Movie::~Movie() {
+  {
+    const std::scoped_lock hold(finishing_);
+    finished_ = true;
+  }
   queue_.reset();
   encoder_.reset();
 }
@@ -310,6 +315,13 @@ void Movie::fetch(std::size_t most) {
 
 void Movie::finish() {
   fetch(0);
+  conclude();
+}
+
+/// What has been read back becomes the movie, once.
+void Movie::conclude() {
+  const std::scoped_lock hold(finishing_);
+  if (std::exchange(finished_, true)) return;
   queue_->finish();
   encoder_->finish();
 }

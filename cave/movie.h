@@ -6,6 +6,7 @@
 #include <deque>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -71,6 +72,7 @@ class Movie {
     std::vector<std::uint8_t> rgba;
   };
   void fetch(std::size_t most);
+  void conclude();
 
   std::filesystem::path file_;
   MovieLayout layout_;
@@ -85,6 +87,9 @@ class Movie {
   std::deque<std::uint64_t> asked_;  // the ticks of the pictures that are being read back
   std::unique_ptr<Encoder> encoder_;
   std::unique_ptr<WorkQueue<Job>> queue_;
+  std::mutex finishing_;
+  bool finished_ = false;
+  ClosedOnLeaving onLeaving_{[this] { conclude(); }};  // last: it uses the rest
 };
 
 }  // namespace carom

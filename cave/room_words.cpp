@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "cave/clock_time.h"
 #include "cave/gl_program.h"
 #include "cave/motion_aid.h"
 #include "cave/off_axis.h"
@@ -91,7 +92,7 @@ void addLight(const FrameRecord& record, Lines& lines) {
 
 void addClocks(const FrameRecord& record, Lines& lines) {
   const Vec3 u = record.observer.headFromBoard.inverse().u();
-  lines.add({}, "my clock  {:.1f} s", std::floor(10.0 * record.observer.properTime_s) / 10.0);
+  lines.add({}, "my clock  {:.1f} s", shownTime_s(record.observer.properTime_s));
   lines.add({}, "my speed  {:.2f} c   gamma {:.2f}", glm::length(betaFromU(u)), gammaFromU(u));
   addLight(record, lines);
 }

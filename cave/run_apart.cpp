@@ -7,6 +7,7 @@
 #include <new>
 #include <string_view>
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -53,6 +54,7 @@ void limitMemory() {
   // What libraries print as they break is no message for a person.
   ::close(STDERR_FILENO);
   ::close(STDOUT_FILENO);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   limitMemory();
   ::alarm(kMost_s);
   std::string answer;

@@ -31,6 +31,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cave/body_shaders.h"
+#include "cave/clock_time.h"
 #include "cave/off_axis.h"
 #include "cave/time_marks.h"
 #include "cave/view_colours.h"
@@ -390,7 +391,7 @@ void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::s
   stage_->chooseActors();
   stage_->takeHead(headFromBoard);
   stage_->eye.eyeOnBoard_m = glm::vec3(eye.observation.r_m);
-  const double whole_s = std::floor(eye.observation.t_s);
+  const double whole_s = std::clamp(std::floor(eye.observation.t_s), -kMostShown_s, kMostShown_s);
   stage_->eye.observedWhole_s = static_cast<int>(whole_s);
   stage_->eye.observedPart_s = static_cast<float>(eye.observation.t_s - whole_s);
 }

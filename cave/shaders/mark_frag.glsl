@@ -1,29 +1,10 @@
 // A mark: a flat colour; a soft light, style.x = −1; or a plate: style.x is the number of its places, 16 times how many
 // of them stand behind the point (0: there is none) and 256 times its shape (cave/mark_batch.h: box, clock, flag), and
-// style.y says the digits: four bits a place, the last place lowest.
+// style.yz says the digits, as digits.glsl has them.
 in vec4 colourHere;
 in vec2 place;  // on a plate places from its left border, 0 … 1 over its height; on a light −1 … 1
-flat in vec2 style;
+flat in vec3 style;
 out vec4 colour;
-
-const vec2 kPlace = vec2(1.1, 1.8);  // of a plate, in the measure of toDigit
-const float kPointWide = 0.35;       // in places
-
-/// How much of this pixel digits and point cover; x in places from the first.
-float written(vec2 p, int places, int behind, float footprint) {
-  float pointAt = float(places - behind);
-  float x = p.x;
-  if (behind > 0 && x > pointAt) x = max(x - kPointWide, pointAt);
-  int at = int(clamp(floor(x), 0.0, float(places - 1)));
-  int digit = (int(style.y + 0.5) >> (4 * (places - 1 - at))) & 15;
-  float far = toDigit(vec2((x - float(at) - 0.5) * kPlace.x, p.y), segmentsOf(digit)) - 0.12;
-  if (behind > 0) {
-    float inPoint = step(pointAt, p.x) * step(p.x, pointAt + kPointWide);
-    vec2 fromPoint = vec2((p.x - pointAt - 0.5 * kPointWide) * kPlace.x, p.y + 0.56);
-    far = min(mix(far, 1.0, inPoint), length(fromPoint) - 0.19);
-  }
-  return clamp(0.5 - far / footprint, 0.0, 1.0);
-}
 
 vec4 plate() {
   int code = int(style.x + 0.5);
@@ -33,7 +14,8 @@ vec4 plate() {
   float margin = shape == 0 ? 0.12 : shape == 1 ? 0.30 : 0.20;
   float across = float(places) + (behind > 0 ? kPointWide : 0.0) + 2.0 * margin;
   float footprint = max(length(fwidth(place) * kPlace) * 0.7, 1e-4);
-  float lit = written(vec2(place.x - margin, (place.y - 0.5) * kPlace.y), places, behind, footprint);
+  float lit = written(vec2(place.x - margin, (place.y - 0.5) * kPlace.y), places, behind,
+                      ivec2(style.yz), footprint);
 
   // Its outline, with round corners: inside below 0.
   float radius = shape == 1 ? 0.5 : 0.08;

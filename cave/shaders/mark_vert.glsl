@@ -3,14 +3,14 @@
 in vec3 drawn_m;
 in vec4 ink;
 in vec2 on;
-in vec2 what;
+in vec3 what;
 in vec4 plate;  // its middle, and half its diagonal
 uniform mat4 clipFromDrawn;
 uniform int plates;   // 1: they alone are drawn, 0: all else
 uniform float cutAt;  // the border that would cut them: 1 right, −1 left, 0 none
 out vec4 colourHere;
 out vec2 place;
-flat out vec2 style;
+flat out vec3 style;
 
 bool leftOut() {
   if ((what.x > 0.5) != (plates == 1)) return true;

@@ -418,6 +418,41 @@ TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
   munmap(handedOver, 4096);
 }
 
+// What operators do after a crash: they copy FILE, and forget FILE-wal.
+TEST(Journal, TheFileOfAKilledProgramAloneLacksNoMoreThanItsLastMinute) {
+  TemporaryFolder folder;
+  for (const auto& [every, whole] : {std::pair(50ms, true), std::pair(3600000ms, false)}) {
+    SCOPED_TRACE(every.count());
+    const auto file = folder / (whole ? "whole.db" : "early.db"), copy = folder / ("copy of " + file.filename().string());
+    const pid_t child = fork();
+    if (child == 0) {
+      Journal journal(file, kFacts, false, {}, every);
+      for (std::uint64_t number = 0; number < 200; ++number) journal.add(frameOf(number), head(), {});
+      for (;;) pause();
+    }
+    const auto written = [&](const std::filesystem::path& of) -> std::uint64_t {
+      std::vector<std::string> said;
+      SessionFile session(of, [&](const std::string& line) { said.push_back(line); });
+      EXPECT_EQ(said.size(), of == copy ? 1u : 0u);
+      for (const std::string& line : said)
+        EXPECT_NE(line.find(of.filename().string() + "-wal, which belongs beside it"), std::string::npos) << line;
+      const auto frames = session.frames();
+      return frames ? frames->second + 1 : 0;
+    };
+    // Until all is written, and where it goes into the file at once, also until it has gone there.
+    while (refusalOf(file) != "accepted" || written(file) < 200) std::this_thread::sleep_for(1ms);
+    if (whole) {
+      const auto enough = static_cast<std::uintmax_t>(200 * sizeof(FrameRecord));
+      while (std::filesystem::file_size(file) < enough) std::this_thread::sleep_for(1ms);
+    }
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    std::filesystem::copy_file(file, copy);
+    EXPECT_EQ(written(copy), whole ? 200u : 0u);
+    EXPECT_EQ(written(file), 200u) << "with the file beside it";
+  }
+}
+
 TEST(Journal, AFullDiskDoesNotEndTheSessionAndLosesNothingOnceThereIsRoom) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
@@ -581,6 +616,10 @@ TEST(SessionFile, SaysWhatIsWrongWithAFile) {
   SQLite::Database(foreign.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
       .exec("CREATE TABLE frame(number)");
   EXPECT_NE(refusalOf(foreign).find("another program's"), std::string::npos) << refusalOf(foreign);
+
+  const auto empty = folder / "empty.db";
+  SQLite::Database(empty.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("PRAGMA journal_mode = WAL");
+  EXPECT_NE(refusalOf(empty).find("is in empty.db-wal, expected beside it"), std::string::npos) << refusalOf(empty);
 
   const auto newer = folder / "newer.db";
   std::filesystem::copy_file(file, newer);

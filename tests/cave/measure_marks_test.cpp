@@ -166,8 +166,8 @@ Angles anglesOf(const std::vector<GameEvent>& events, const Event& eye, const Ve
   Angles angles;
   float last = -1.0F;
   for (const MarkCorner& corner : batch.corners()) {
-    if (isPlate(corner) && corner.what.y != last) {
-      last = corner.what.y;
+    if (isPlate(corner) && corner.what.z != last) {
+      last = corner.what.z;
       const int code = static_cast<int>(last) >> 4;  // without the sign of a degree
       angles.degrees.push_back((code >> 12 & 15) * 1000 + (code >> 8 & 15) * 100 + (code >> 4 & 15) * 10 +
                                (code & 15));
