@@ -16,7 +16,7 @@
 //       what is told.
 //   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j)
 //       What happened, as it is in the end: rows that a stroke took back are gone. Numbers are in the order in which
-//       the game decided. kind: puck-puck, puck-cushion, stroke, flash. pucks: names, with commas between. t_s … z_m:
+//       the game decided. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names, with commas between. t_s … z_m:
 //       the contact, the hand's stroke, the flash. The game is known a little further than it was seen.
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y, proper_time_s)
 //       How each puck of an event turned, by its name; proper time on its own clock.
