@@ -58,8 +58,8 @@ bool Anticipation::isPressed(int i, double t) const {
   return player.blows >= kBlowsOfAJam && puckRestitution_ < 1.0 && !(t - player.lastBlow > discs_[i].radius);
 }
 
-// The kick of two pressed pucks: together with all pressed pucks that touch them, in a chain, they come to where
-// none closes on another.
+// The kick of two pressed pucks: together with all pressed pucks that touch them, in a chain, they come to
+// where none closes on another.
 void Anticipation::settle(const std::array<int, 2>& who, const PairContact& contact,
                           const std::array<Moment, 2>& turn, Chronicle& chronicle) {
   const std::array<double, 2> mass{players_[who[0]].mass, players_[who[1]].mass};
@@ -102,13 +102,19 @@ void Anticipation::addMember(int i, const Moment& turn) {
 }
 
 // Where a further puck would turn; none if it meets something else before.
-std::optional<Moment> Anticipation::joinsAt(int i, const Vec21& touched, const Vec21& U, double earliest) const {
+std::optional<Moment> Anticipation::joinsAt(int i, const Vec21& touched, const Vec21& U,
+                                            double earliest) const {
   const Leg& leg = lastLeg(i);
   Moment turn = simultaneousWith(leg, touched, U);
   if (turn.x.t < earliest) turn = momentAt(leg, earliest);
   if (turn.x.t < leg.start.t) turn = {leg.start, leg.u, leg.properTime};
   const Appointment& next = prospects_[i].next;
-  if ((next.kind == Kind::cushion || next.kind == Kind::stroke) && next.ownTime < turn.x.t) return std::nullopt;
+  if (next.kind == Kind::cushion && next.ownTime < turn.x.t) return std::nullopt;
+  for (const int stroke : players_[i].strokes) {
+    const PuckStroke& s = strokes_[stroke];
+    const double arrival = s.fromHand ? newsArrives(leg, s.hand, s.height).x.t : s.hand.t;
+    if (arrival < turn.x.t) return std::nullopt;
+  }
   for (const CushionPlane& cushion : cushions_) {
     const auto before = findContact(leg, discs_[i].radius, cushion, convention_);
     if (before && before->turn.x.t < turn.x.t) return std::nullopt;
@@ -138,7 +144,8 @@ void Anticipation::gatherJam(const std::array<int, 2>& who, const PairContact& c
     }
   }
   for (const Member& member : members_) inJam_[member.puck] = false;
-  std::sort(members_.begin(), members_.end(), [](const Member& x, const Member& y) { return x.puck < y.puck; });
+  std::sort(members_.begin(), members_.end(),
+            [](const Member& x, const Member& y) { return x.puck < y.puck; });
   presses_.clear();
   const int count = static_cast<int>(members_.size());
   for (int i = 0; i < count; ++i) {
@@ -231,9 +238,8 @@ void Anticipation::moveOnTogether(double slow) {
 }
 
 void Anticipation::commitJam(const PairContact& contact, Chronicle& chronicle) {
-  std::erase_if(members_, [](const Member& m) {
-    return m.heat == 0.0 && m.u.x == m.turn.u.x && m.u.y == m.turn.u.y;
-  });
+  std::erase_if(members_,
+                [](const Member& m) { return m.heat == 0.0 && m.u.x == m.turn.u.x && m.u.y == m.turn.u.y; });
   double heat = 0.0;
   double hardest = 0.0;
   for (const Member& member : members_) hardest = std::max(hardest, players_[member.puck].hardestBlow);
@@ -250,7 +256,8 @@ void Anticipation::commitJam(const PairContact& contact, Chronicle& chronicle) {
     chronicle.addTurn(decided.event, player.file, member.turn, member.u);
     accounts_.heat += member.heat;
     heat += member.heat;
-    const double delay = convention_ == TurnConvention::newsAtCentre ? member.turn.u.t * discs_[i].radius : 0.0;
+    const double delay =
+        convention_ == TurnConvention::newsAtCentre ? member.turn.u.t * discs_[i].radius : 0.0;
     player.decidedAt = std::max(player.decidedAt, member.turn.x.t - delay);
     decide(i, decided, member.turn, chronicle);
     player.lastBlow = std::max(player.lastBlow, member.turn.x.t);
