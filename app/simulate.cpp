@@ -137,7 +137,7 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
   for (const GameEvent& collision : collisions) {
     for (std::size_t i = 0; i < collision.turns.size(); ++i) {
       const Turn& turn = collision.turns[i];
-      const std::string other = collision.cushion                        ? fmt::format("cushion {}", nameOf(*collision.cushion))
+      const std::string other = collision.cushion ? fmt::format("cushion {}", nameOf(*collision.cushion))
                                 : collision.kind == EventKind::jam ? "a jam"
                                                                    : pucks[collision.turns[1 - i].puck].name;
       text += fmt::format(
@@ -255,9 +255,11 @@ int runSimulate(const SimulateOptions& options) {
     double heat_j = 0.0;
     for (const JamNote& jam : billiard.jams()) heat_j += jam.heat_j;
     fmt::print(stderr,
-               "note: jammed pucks moved on together {} times, giving {:.6g} J of heat; first {} of them, '{}' among "
+               "note: jammed pucks moved on together {} times, giving {:.6g} J of heat; first {} of them, "
+               "'{}' among "
                "them, at t = {:.6g} s\n",
-               billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name, first.event.t_s);
+               billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
+               first.event.t_s);
   }
   out.commit(options.json ? jsonOf(scenario, billiard, options)
                           : tableOf(scenario, billiard, options) +

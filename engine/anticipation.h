@@ -161,8 +161,8 @@ class Anticipation {
   // anticipation_jam.cpp: what happens to pucks that press on one another
   struct Member {
     int puck = 0;
-    Moment turn;     // before
-    Vec21 u;         // after
+    Moment turn;  // before
+    Vec21 u;      // after
     double heat = 0.0;
     Vec21 radiated, taken;
     unsigned cushions = 0;  // that it touches, one bit each

@@ -1,6 +1,6 @@
 #pragma once
-// What happens in a game: collisions, strokes, flashes of light and pucks that jam, as one list in the order in which the
-// game committed them.
+// What happens in a game: collisions, strokes, flashes of light and pucks that jam, as one list in the order
+// in which the game committed them.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,8 @@ namespace carom {
 using Vec2 = glm::dvec2;
 
 /// `jam`: one puck of several that press on one another, which move on without closing on each other (see
-/// `Billiard`). Each of them has an event of its own, all with the same contact: momentum balances over these.
+/// `Billiard`). Each of them has an event of its own, all with the same contact: momentum balances over
+/// these.
 enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash, jam };
 enum class Cushion : std::uint8_t { plusX, minusX, plusY, minusY };
 
