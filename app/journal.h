@@ -7,25 +7,22 @@
 //   frame(number, display_s, proper_time_s, t_s, x_m, y_m, z_m, known, celerity_x_m_s …, switches,
 //         views, truncate_from_s, record, events)
 //       One row a frame. t_s … z_m: the event at which the point between the eyes received the frame's light.
-//       switches: a bit each, retardation 1, contraction 2, aberration 4, colour 8, searchlight 16. views:
-//       now on the board 1, my now 2, paths 4, events 8, clocks 16, split 32, frozen 64, ruler 128, angles
-//       256. `record`: the whole record as this version's program holds it; `events`: what it brought to the
-//       list of events (app/stored_event.h). What a stroke later took back stays here: so it was shown.
+//       switches: a bit each, retardation 1, contraction 2, aberration 4, colour 8, searchlight 16. views: now on the
+//       board 1, my now 2, paths 4, events 8, clocks 16, split 32, frozen 64, ruler 128, angles 256. `record`: the whole record as this
+//       version's program holds it; `events`: what it brought to the list of events (app/stored_event.h). What a stroke
+//       later took back stays here: so it was shown.
 //   knot(frame, body, t_s, x_m, y_m, z_m, u_x, u_y, u_z, proper_time_s, knot)
 //       Legs that a frame brought; u = γβ. Bodies count as in the scenario: 0 the board, then the pucks, then
 //       what is told.
 //   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j)
-//       What happened, as it is in the end: rows that a stroke took back are gone. Numbers are in the order
-//       in which the game decided. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names, with
-//       commas between. t_s … z_m: the contact, the hand's stroke, the flash. The game is known a little
-//       further than it was seen.
-//   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y,
-//   proper_time_s)
+//       What happened, as it is in the end: rows that a stroke took back are gone. Numbers are in the order in which
+//       the game decided. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names, with commas between. t_s … z_m:
+//       the contact, the hand's stroke, the flash. The game is known a little further than it was seen.
+//   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y, proper_time_s)
 //       How each puck of an event turned, by its name; proper time on its own clock.
 //   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s)
-//       What hands have struck in a frame: the event of the hand, by the puck's name the momentum that
-//       arrives there. With the scenario's they are all strokes of the game, in the order in which it counts
-//       them.
+//       What hands have struck in a frame: the event of the hand, by the puck's name the momentum that arrives there.
+//       With the scenario's they are all strokes of the game, in the order in which it counts them.
 //   input(frame, what, value)
 //       What the operator and the hands did, in words: it holds from this frame on.
 //   answer(frame, lesson, question, answer)
@@ -35,10 +32,9 @@
 //   sample(time_s, sensor, x_m, y_m, z_m, qw, qx, qy, qz)
 //       What the tracker of the head delivered.
 //   latency(display_s, frame, node, part, frames, median_s, p99_s, most_s, jitter_s)
-//       Of a session in real time, once a second for each node and part of a frame (cave/frame_stamps.h):
-//       statistics over the last second's frames, of which `frame` is the newest. `late` is what an interval
-//       between swaps was longer than the display's period. Some 100 bytes a row, at most eight rows a node
-//       and second.
+//       Of a session in real time, once a second for each node and part of a frame (cave/frame_stamps.h): statistics
+//       over the last second's frames, of which `frame` is the newest. `late` is what an interval between swaps was
+//       longer than the display's period. Some 100 bytes a row, at most eight rows a node and second.
 // `PRAGMA user_version` is the version of this list.
 
 #include <filesystem>
