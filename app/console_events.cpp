@@ -19,6 +19,8 @@ const char* whatOf(const GameEvent& event) {
       return "is struck";
     case EventKind::flash:
       return "flashes";
+    case EventKind::jam:
+      return "moves on in a jam";
   }
   return "";
 }

@@ -17,7 +17,7 @@
 //       what is told.
 //   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j, without_delay)
 //       What happened, as it is in the end: rows that a stroke took back are gone. Numbers are in the order in which
-//       the game decided. kind: puck-puck, puck-cushion, stroke, flash. pucks: names, with commas between. t_s … z_m:
+//       the game decided. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names, with commas between. t_s … z_m:
 //       the contact, the hand's stroke, the flash. without_delay: 1 where the contact was there already and the kick
 //       did not wait for its news (engine/game_event.h), else 0; files from before lack the column until they are
 //       gone on with. The game is known a little further than it was seen.

@@ -140,7 +140,8 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
     for (std::size_t i = 0; i < collision.turns.size(); ++i) {
       const Turn& turn = collision.turns[i];
       const std::string other = collision.cushion ? fmt::format("cushion {}", nameOf(*collision.cushion))
-                                                  : pucks[collision.turns[1 - i].puck].name;
+                                : collision.kind == EventKind::jam ? "a jam"
+                                                                   : pucks[collision.turns[1 - i].puck].name;
       text += fmt::format(
           "{:10.4f}  {:10.4f} {:8.4f}   {:<12} {:<12} {:7.4f}   {:7.4f} {:7.4f}     {:7.4f} {:7.4f}\n",
           collision.at.t_s, collision.at.r_m.x, collision.at.r_m.y, pucks[turn.puck].name,
@@ -252,10 +253,15 @@ int runSimulate(const SimulateOptions& options) {
   const Ledger start = billiard.ledger();
   play(billiard, options.until_s);
   if (!billiard.jams().empty()) {
+    const JamNote& first = billiard.jams().front();
+    double heat_j = 0.0;
+    for (const JamNote& jam : billiard.jams()) heat_j += jam.heat_j;
     fmt::print(stderr,
-               "note: jammed pucks were made to stick together {} times, first '{}' at t = {:.6g} s\n",
-               billiard.jams().size(), scenario.billiard.pucks[billiard.jams().front().puck].name,
-               billiard.jams().front().event.t_s);
+               "note: jammed pucks moved on together {} times, giving {:.6g} J of heat; first {} of them, "
+               "'{}' among "
+               "them, at t = {:.6g} s\n",
+               billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
+               first.event.t_s);
   }
   out.commit(options.json ? jsonOf(scenario, billiard, options)
                           : tableOf(scenario, billiard, options) +

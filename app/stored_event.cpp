@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-constexpr auto kLastKind = static_cast<std::uint8_t>(EventKind::flash);
+constexpr auto kLastKind = static_cast<std::uint8_t>(EventKind::jam);
 constexpr auto kLastCushion = static_cast<std::uint8_t>(Cushion::minusY);
 
 bool isFinite(const Event& e) {

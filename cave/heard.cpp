@@ -37,7 +37,8 @@ Heard heardOf(const GameEvent& event, const Event& eye, const Lorentz& headFromB
   // D = |seen|/ℓ: distance in the head's frame over that in the board's, for a ray (−ℓ, r).
   const Displacement ray{-distance_m / headFromBoard.lightSpeed_m_s(), way_m};
   const double doppler = distance_m > 0.0 ? glm::length((headFromBoard * ray).dr_m) / distance_m : 1.0;
-  return {event.kind, seen_m, change / (1.0 + change) * nearness, doppler};
+  const EventKind sound = event.kind == EventKind::jam ? EventKind::puckPuck : event.kind;
+  return {sound, seen_m, change / (1.0 + change) * nearness, doppler};
 }
 
 }  // namespace

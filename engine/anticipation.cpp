@@ -36,7 +36,8 @@ Anticipation::Anticipation(const BilliardSetup& setup)
       brake_(setup.rules.friction_m_s2 / (c_m_s_ * c_m_s_)),
       cushions_(cushionsOf(setup.board)),
       prospects_(setup.pucks.size()),
-      queue_(static_cast<int>(setup.pucks.size())) {
+      queue_(static_cast<int>(setup.pucks.size())),
+      inJam_(setup.pucks.size(), 0) {
   double lowX = kNever, lowY = kNever, highX = -kNever, highY = -kNever;
   for (const std::size_t file : byName(setup.pucks)) {
     const Puck& puck = setup.pucks[file];
@@ -198,6 +199,7 @@ void Anticipation::meet(int i, Chronicle& chronicle) {
   Appointment ordered = a;
   if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
   const unsigned legs[2] = {players_[i].legNumber, players_[j].legNumber};
+  members_.clear();
   collide(inOrder ? i : j, inOrder ? j : i, ordered, chronicle);
   if (players_[i].legNumber == legs[0]) players_[i].met.push_back({j, legs[1]});
   if (players_[j].legNumber == legs[1]) players_[j].met.push_back({i, legs[0]});
@@ -206,6 +208,11 @@ void Anticipation::meet(int i, Chronicle& chronicle) {
   predict(j);
   predictSuitors(i);
   predictSuitors(j);
+  for (const Member& member : members_) {
+    if (member.puck == i || member.puck == j) continue;
+    predict(member.puck);
+    predictSuitors(member.puck);
+  }
 }
 
 // Do the pucks that this one waits for wait, in the end, for it? Then no order is right, and the first due

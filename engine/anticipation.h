@@ -95,6 +95,9 @@ class Anticipation {
     double runBegan = -kNever, lastKick = -kNever;
     int kicksInRun = 0;
     bool jammed = false;
+    // By other pucks: the run of blows that it is in, and the hardest of them, as a celerity.
+    double blowsBegan = -kNever, lastBlow = -kNever, hardestBlow = 0.0;
+    int blows = 0;
   };
   struct PuckStroke {
     Vec21 hand;
@@ -172,6 +175,34 @@ class Anticipation {
   void noteBounce(const Decided& decided, Chronicle& chronicle) const;
   void noteKick(int i, const Vec21& turn);
 
+  // anticipation_jam.cpp: what happens to pucks that press on one another
+  struct Member {
+    int puck = 0;
+    Moment turn;  // before
+    Vec21 u;      // after
+    double heat = 0.0;
+    Vec21 radiated, taken;
+    unsigned cushions = 0;  // that it touches, one bit each
+    int body = 0;           // the first of those it moves on with
+    int changed = 0;        // the last sweep that changed it
+  };
+  struct Press {
+    int first = 0, second = 0;  // places among the members
+  };
+  void noteBlow(int i, double turnTime, double closing);
+  bool isPressed(int i, double t) const;
+  void settle(const std::array<int, 2>& who, const PairContact& contact, const std::array<Moment, 2>& turn,
+              Chronicle& chronicle);
+  void gatherJam(const std::array<int, 2>& who, const PairContact& contact,
+                 const std::array<Moment, 2>& turn);
+  std::optional<Moment> joinsAt(int i, const Vec21& touched, const Vec21& U, double earliest) const;
+  static void kicked(Member& member, const Vec21& u, double heat);
+  void addMember(int i, const Moment& turn);
+  void relax(double slow);
+  void moveOnTogether(double slow);
+  void leaveCushions(Member& member, double slow);
+  void commitJam(const PairContact& contact, Chronicle& chronicle);
+
   // Fixed by the setup.
   double c_m_s_;
   TurnConvention convention_;
@@ -195,6 +226,9 @@ class Anticipation {
   DueQueue queue_;
   CellGrid cells_;
   std::vector<int> near_, void_;   // scratch
+  std::vector<Member> members_;    // scratch: the jam that is being settled
+  std::vector<Press> presses_;
+  std::vector<char> inJam_;        // by puck
   std::array<int, 21> fetched_{};  // by place in the queue: whose data are already on their way from memory
   std::size_t flashed_ = 0;  // of the flashes
   std::vector<int> raised_;        // pucks that were put off until others have had their events

@@ -74,6 +74,13 @@ std::uint64_t Chronicle::addCollision(std::optional<Cushion> cushion, const Vec2
   return event.number;
 }
 
+std::uint64_t Chronicle::addJam(const Vec21& contact, double heat_j) {
+  GameEvent& event = add(EventKind::jam, {contact.t / c_m_s_, {contact.x, contact.y, 0.0}});
+  event.withoutDelay = true;
+  event.heat_j = heat_j;
+  return event.number;
+}
+
 std::uint64_t Chronicle::addStroke(std::uint32_t stroke, const Vec21& at, double height_m) {
   GameEvent& event = add(EventKind::stroke, {at.t / c_m_s_, {at.x, at.y, height_m}});
   event.which = stroke;

@@ -28,6 +28,7 @@ class Chronicle {
   // Events: these return their numbers, counted from the start of the game; their turns follow.
   std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, bool withoutDelay,
                              double heat_j);
+  std::uint64_t addJam(const Vec21& contact, double heat_j);
   /// A stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
   std::uint64_t addStroke(std::uint32_t stroke, const Vec21& at, double height_m);
   std::uint64_t addFlash(std::uint32_t flash, const Event& at);

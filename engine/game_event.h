@@ -1,6 +1,6 @@
 #pragma once
-// What happens in a game: collisions, strokes and flashes of light, as one list in the order in which the
-// game committed them.
+// What happens in a game: collisions, strokes, flashes of light and pucks that jam, as one list in the order
+// in which the game committed them.
 
 #include <array>
 #include <cstddef>
@@ -16,12 +16,15 @@ namespace carom {
 
 using Vec2 = glm::dvec2;
 
-enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash };
+/// `jam`: one puck of several that press on one another, which move on without closing on each other (see
+/// `Billiard`). Each of them has an event of its own, all with the same contact: momentum balances over
+/// these.
+enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash, jam };
 enum class Cushion : std::uint8_t { plusX, minusX, plusY, minusY };
 
 /// As files and tables name them.
 constexpr std::string_view nameOf(EventKind kind) {
-  constexpr std::array<std::string_view, 4> kNames{"puck-puck", "puck-cushion", "stroke", "flash"};
+  constexpr std::array<std::string_view, 5> kNames{"puck-puck", "puck-cushion", "stroke", "flash", "jam"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 constexpr std::string_view nameOf(Cushion cushion) {
