@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -60,9 +61,17 @@ std::vector<double> stateTimes_s(double until_s, double every_s) {
 
 Json toJson(const Event& event) { return {{"t_s", event.t_s}, {"r_m", vectorJson(Vec2(event.r_m))}}; }
 
-Json toJson(const GameEvent& collision, const std::vector<Puck>& pucks) {
+/// One collision: an event, or the events of all pucks that one jam moves.
+Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks) {
+  std::vector<Turn> all;
+  double heat_j = 0.0;
+  for (const GameEvent& event : collision) {
+    heat_j += event.heat_j;
+    all.insert(all.end(), event.turns.begin(), event.turns.end());
+  }
+  std::sort(all.begin(), all.end(), [](const Turn& a, const Turn& b) { return a.puck < b.puck; });
   Json names = Json::array(), turns = Json::array();
-  for (const Turn& turn : collision.turns) {
+  for (const Turn& turn : all) {
     names.push_back(pucks[turn.puck].name);
     turns.push_back({{"puck", pucks[turn.puck].name},
                      {"t_s", turn.event.t_s},
@@ -71,13 +80,26 @@ Json toJson(const GameEvent& collision, const std::vector<Puck>& pucks) {
                      {"beta_after", vectorJson(turn.betaAfter)},
                      {"proper_time_s", turn.properTime_s}});
   }
-  Json json{{"kind", nameOf(collision.kind)}, {"pucks", names}};
-  if (collision.cushion) json["cushion"] = nameOf(*collision.cushion);
-  json["contact"] = toJson(collision.at);
+  const GameEvent& first = collision.front();
+  Json json{{"kind", nameOf(first.kind)}, {"pucks", names}};
+  if (first.cushion) json["cushion"] = nameOf(*first.cushion);
+  json["contact"] = toJson(first.at);
   json["turns"] = turns;
-  json["heat_j"] = collision.heat_j;
-  if (collision.withoutDelay) json["without_delay"] = true;
+  json["heat_j"] = heat_j;
+  if (first.withoutDelay) json["without_delay"] = true;
   return json;
+}
+
+/// Returns how many of the first events are one collision: the pucks that one jam moves have an event each, with
+/// the same contact.
+std::size_t oneCollision(std::span<const GameEvent> events) {
+  const GameEvent& first = events.front();
+  std::size_t count = 1;
+  while (first.kind == EventKind::jam && count < events.size() && events[count].kind == EventKind::jam &&
+         events[count].at.t_s == first.at.t_s && events[count].at.r_m == first.at.r_m) {
+    ++count;
+  }
+  return count;
 }
 
 Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
@@ -108,8 +130,9 @@ std::string jsonOf(const Scenario& scenario, const Billiard& billiard, const Sim
   const std::vector<Puck>& pucks = scenario.billiard.pucks;
   Json json{{"light_speed_m_s", scenario.billiard.lightSpeed_m_s}};
   json["collisions"] = Json::array();
-  for (const GameEvent& collision : collisionsUntil(billiard, options.until_s)) {
-    json["collisions"].push_back(toJson(collision, pucks));
+  const std::vector<GameEvent> events = collisionsUntil(billiard, options.until_s);
+  for (std::span<const GameEvent> left = events; !left.empty(); left = left.subspan(oneCollision(left))) {
+    json["collisions"].push_back(toJson(left.first(oneCollision(left)), pucks));
   }
   json["pucks"] = Json::array();
   for (std::size_t i = 0; i < pucks.size(); ++i) {

@@ -60,13 +60,14 @@ double restsAt(const Leg& leg) {
   return leg.start.t + std::sqrt(leg.u.x * leg.u.x + leg.u.y * leg.u.y) / leg.brake;
 }
 
-// Inertial: with w = news − X0, τ = u·w and ρ = sqrt(τ² − w² + h²), the distance in the rest frame, the cone
-// is met τ + ρ after the start. With friction f(t) = (t − t_news) − |x(t) − x_news| rises strictly.
+// Inertial: with w = news − X0, τ = u·w, q = w − τu and ρ = sqrt(h² − q·q), the distance in the rest frame, the
+// cone is met τ + ρ after the start. (−q·q is τ² − w·w, which would cancel on a leg that is old.) With friction f(t) = (t − t_news) − |x(t) − x_news| rises strictly.
 Moment newsArrives(const Leg& leg, const Vec21& news, double height) {
   const Vec21 w = news - leg.start;
   if (leg.brake == 0.0) {
     const double tau = dot(leg.u, w);
-    return momentAfter(leg, tau + std::sqrt(std::max(0.0, tau * tau - dot(w, w) + height * height)));
+    const Vec21 q = w - leg.u * tau;
+    return momentAfter(leg, tau + std::sqrt(std::max(0.0, height * height - dot(q, q))));
   }
   const auto late = [&](double t) {
     const Moment m = momentAt(leg, t);

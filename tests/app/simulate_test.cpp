@@ -424,6 +424,34 @@ TEST(Simulate, CrowdsComeOutOfCorners) {
   }
 }
 
+// A row of ten that touch, run into by one, nothing elastic: it ends, and the pucks of one jam are one
+// collision.
+TEST(Simulate, AJamIsOneCollisionOfAllItsPucks) {
+  const TemporaryFolder folder;
+  constexpr double kRadius_m = 0.0305;
+  std::string text = "light_speed_m_s = 1.42\n[physics]\npuck_restitution = 0.0\n";
+  for (int i = 0; i < 10; ++i) {
+    text += puckText("p" + std::to_string(i), kRadius_m, 0.2,
+                     "[" + exact(2.002 * kRadius_m * i) + ", 0.0]", "[0.0, 0.0]");
+  }
+  text += puckText("z", kRadius_m, 0.2, "[-0.6, 0.003]", "[0.7, 0.0]");
+  const json found = simulate(folder, text, 4.0);
+  std::size_t jams = 0;
+  for (const json& collision : found["collisions"]) {
+    EXPECT_GE(collision["heat_j"].get<double>(), 0.0);
+    ASSERT_EQ(collision["pucks"].size(), collision["turns"].size());
+    if (collision["kind"] != "jam") continue;
+    ++jams;
+    EXPECT_EQ(collision["without_delay"], true);
+    EXPECT_GE(collision["pucks"].size(), 2u);
+    for (std::size_t i = 1; i < collision["pucks"].size(); ++i) {
+      EXPECT_LT(collision["pucks"][i - 1], collision["pucks"][i]) << "in the order of the file";
+    }
+  }
+  EXPECT_GT(jams, 0u);
+  EXPECT_LT(found["collisions"].size(), 10000u);
+}
+
 // What would fill the memory ends with a reason; what a person waits for says how far it is.
 TEST(Simulate, EndsWhereItWouldKeepTooMuch) {
   const TemporaryFolder folder;

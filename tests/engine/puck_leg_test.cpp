@@ -76,5 +76,24 @@ TEST(PuckLeg, solversSolve) {
   }
 }
 
+// Light that reaches a puck on a leg that is up to a day old (122 688 m at 1.42 m/s) arrives on the cone, but for the
+// rounding of the time itself.
+TEST(PuckLeg, newsArrivesOnTheConeAtAnyAge) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    Leg leg = random.leg(0.0);
+    if (i % 2 == 0) leg.u = {1.0, 0.0, 0.0};
+    for (const double age_m : {10.0, 1000.0, 5112.0, 122688.0}) {
+      SCOPED_TRACE(testing::Message() << "leg " << i << " after " << age_m << " m of light");
+      const Moment there = momentAt(leg, leg.start.t + age_m);
+      const Vec21 event{there.x.t, there.x.x + random.in(-1.0, 1.0), there.x.y + random.in(-1.0, 1.0)};
+      const double height = random.in(-1.0, 1.0);
+      const Moment news = newsArrives(leg, event, height);
+      const double late = news.x.t - event.t - std::hypot(news.x.x - event.x, news.x.y - event.y, height);
+      EXPECT_TRUE(std::abs(late) <= 16.0 * 0x1p-52 * leg.u.t * leg.u.t * (age_m + 10.0)) << late;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
