@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/open_tracker.h"
+#include "devices/open_tracker.h"
 
 namespace carom {
 namespace {

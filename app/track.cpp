@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "app/input_monitor.h"
-#include "app/open_tracker.h"
+#include "devices/open_tracker.h"
 #include "app/rig.h"
 #include "app/sensor_monitor.h"
 #include "devices/device_list.h"
