@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/input_error.h"
+
 namespace carom {
 namespace {
 
