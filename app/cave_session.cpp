@@ -10,13 +10,14 @@
 #include <utility>
 
 #include "app/config_folder.h"
+#include "app/all_ranks.h"
 #include "app/frame_loop.h"
 #include "app/lesson.h"
 #include "app/live_source.h"
-#include "app/open_tracker.h"
 #include "app/scenario_scene.h"
 #include "app/session_file.h"
 #include "app/stage.h"
+#include "devices/open_tracker.h"
 
 namespace carom {
 namespace {

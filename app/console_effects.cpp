@@ -1,4 +1,5 @@
 #include "app/console_effects.h"
+#include "engine/limits.h"
 
 #include <cmath>
 #include <utility>

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <vtk_glew.h>
 
-#include "app/stage.h"
 
 namespace carom::console {
 namespace {

@@ -2,7 +2,6 @@
 // What the operator has chosen: by keys (app/keys.h), by the command line. Rank 0's; what others must
 // know of it travels in the frame record.
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -46,9 +45,6 @@ struct Controls {
 
 /// Between 0 and this (metres) the eyes can be set apart.
 inline constexpr double kMostEyeSeparation_m = 0.08;
-/// Light's speed can be set between these. Slower than the slowest, a step of the foot would be almost all of
-/// light's way in a frame; faster than the fastest, a room shows nothing of it.
-inline constexpr double kLeastLightSpeed_m_s = 0.3, kMostLightSpeed_m_s = 30.0;
 
 /// One thing that was changed, in words: "aberration", "off".
 struct ControlChange {
@@ -58,20 +54,5 @@ struct ControlChange {
 
 /// What is different in `after`.
 std::vector<ControlChange> changesOf(const Controls& before, const Controls& after);
-
-/// A view of time as the command line and the session file name it.
-struct NamedView {
-  const char* name;
-  std::uint8_t TimeViews::*value;
-};
-inline constexpr std::array<NamedView, 9> kNamedViews{{{"board-now", &TimeViews::boardNow},
-                                                       {"my-now", &TimeViews::myNow},
-                                                       {"paths", &TimeViews::paths},
-                                                       {"events", &TimeViews::events},
-                                                       {"clocks", &TimeViews::clocks},
-                                                       {"split", &TimeViews::split},
-                                                       {"frozen", &TimeViews::frozen},
-                                                       {"ruler", &TimeViews::ruler},
-                                                       {"angles", &TimeViews::angles}}};
 
 }  // namespace carom

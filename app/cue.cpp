@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/limits.h"
+
 namespace carom {
 namespace {
 

@@ -15,8 +15,6 @@ namespace carom {
 
 /// A cue that is drawn back so far gives u = 1: the rest momentum m c, √2 m c² with the puck's own energy.
 inline constexpr double kPullForOne_m = 0.15;
-/// No stroke is stronger: β 0.949. A faster puck's bounces take more than a second to heal.
-inline constexpr double kStrongestU = 3.0;
 /// A hand that lets go of what it has not drawn back any further did not mean to shoot.
 inline constexpr double kLeastPull_m = 0.02;
 

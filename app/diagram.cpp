@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
-#include "app/game.h"
 #include "app/session_file.h"
 #include "app/spacetime_chart.h"
+#include "app/starting_histories.h"
 
 namespace carom {
 namespace {

@@ -8,7 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <numbers>
 
-#include "app/person.h"
+#include "engine/limits.h"
 #include "engine/lorentz.h"
 
 namespace carom {
@@ -171,7 +171,7 @@ Drive::Stretch Drive::steered(const Vec3& steer, const Observer& observer, doubl
                         behind_m));
   }
   const Lorentz& room = observer.boardFromRoom();
-  const double after_u = glm::length((room * boostOfRapidity(thrust_m_s2 * (left_s / c_m_s_), c_m_s_)).u());
+  const double after_u = glm::length((room * Lorentz::fromRapidity(thrust_m_s2 * (left_s / c_m_s_), c_m_s_)).u());
   if (after_u <= std::max(kMostPlatformU, glm::length(room.u()))) return {left_s, thrust_m_s2};
   view_.atLimit = 1;
   sayOnce(saidFastest_,

@@ -6,15 +6,12 @@
 // theirs while they walk about. A way that ends at rest therefore does so whatever the person does meanwhile.
 // Motion is the exact sum of hyperbolae (Observer::step), split where one ends inside a frame.
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "app/rig.h"
 #include "app/scenario.h"
 #include "cave/hand_view.h"
 #include "cave/notice.h"
@@ -30,23 +27,6 @@ struct DriveWish {
   bool brake = false;  ///< while it is held
   bool home = false;   ///< asked for in this frame
 };
-
-/// The strongest thrust. Light from c²/a behind never catches up with who accelerates at a: kept two metres
-/// away, so that time runs through the whole room. Where light is fast, c a second is enough.
-inline double strongestThrust_m_s2(double c_m_s) {
-  constexpr double kBehind_m = 2.0, kLeast_s = 1.0;
-  return std::min(c_m_s * c_m_s / kBehind_m, c_m_s / kLeast_s);
-}
-
-/// γβ of the platform beyond which the drive makes it no faster: there ten of the board's seconds, and all
-/// that happens in them, go by in one of the person's. 0.995 c.
-inline constexpr double kMostPlatformU = 10.0;
-
-/// aFromB where B has been accelerated from rest in A: thrust × proper time / c.
-inline Lorentz boostOfRapidity(const Vec3& rapidity, double c_m_s) {
-  const double size = glm::length(rapidity);
-  return Lorentz::boost(size > 0.0 ? rapidity * (std::sinh(size) / size) : Vec3(0.0), c_m_s);
-}
 
 class Drive {
  public:

@@ -7,9 +7,9 @@
 
 #include "app/csv_text.h"
 #include "app/event_table.h"
-#include "app/game.h"
 #include "app/scenario.h"
 #include "app/session_file.h"
+#include "app/starting_histories.h"
 #include "app/whole_file.h"
 
 namespace carom {

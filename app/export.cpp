@@ -15,6 +15,7 @@
 #include "app/scenario.h"
 #include "app/scenario_scene.h"
 #include "app/session_file.h"
+#include "app/starting_histories.h"
 #include "app/visitor_source.h"
 #include "app/whole_file.h"
 #include "cave/pacer.h"

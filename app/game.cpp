@@ -4,24 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "cave/scene.h"
+#include "cave/bodies.h"
 #include "engine/light_cone.h"
 
 namespace carom {
-namespace {
-
-constexpr std::size_t kFirstPuck = kRestingBody + 1;  // bodies of a scene: the board, the pucks, the told
-
-}  // namespace
-
-std::vector<WorldLine> startingHistories(const Scenario& scenario) {
-  std::vector<WorldLine> histories{restingWorldLine(scenario.billiard.lightSpeed_m_s)};
-  const Billiard atStart(scenario.billiard);
-  for (const WorldLine& puck : atStart.worldLines()) histories.push_back(puck);
-  for (const ToldBody& body : scenario.bodies) histories.push_back(body.worldLine);
-  return histories;
-}
-
 double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer) {
   Event eye = observer.eyes.back().observation;
   eye.t_s -= kEyesMayRunBack_m / observer.headFromBoard.lightSpeed_m_s();

@@ -10,10 +10,6 @@
 
 namespace carom {
 
-/// The histories that every rank starts from: what rests on the board, the pucks, the told bodies. Knots that
-/// the game adds arrive with the frames.
-std::vector<WorldLine> startingHistories(const Scenario& scenario);
-
 /// No eye of this person, now or later, sees a leg of these bodies that ended before this board time. A leg
 /// is past when all points of the body have been seen to join a later one, from the middle of the eyes as it
 /// was kEyesMayRunBack_m/c earlier (engine/light_cone.h): the middle moves slower than light, so its past

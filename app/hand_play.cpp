@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cave/bodies.h"
 #include "cave/scene.h"
 
 namespace carom {

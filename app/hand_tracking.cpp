@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "app/open_tracker.h"
+#include "devices/open_tracker.h"
 
 namespace carom {
 namespace {

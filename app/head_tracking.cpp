@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "app/open_tracker.h"
+#include "devices/open_tracker.h"
 
 namespace carom {
 namespace {

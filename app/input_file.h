@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "devices/input_error.h"
+#include "engine/input_error.h"
 
 namespace carom {
 

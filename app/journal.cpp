@@ -17,7 +17,6 @@
 #include <thread>
 #include <vector>
 
-#include "app/controls.h"
 #include "app/stored_event.h"
 
 namespace carom {

@@ -47,7 +47,7 @@
 #include <string>
 #include <vector>
 
-#include "cave/cluster.h"
+#include "engine/log.h"
 #include "cave/frame_stamps.h"
 #include "cave/frame_state.h"
 #include "devices/head_filter.h"

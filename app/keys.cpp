@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/lesson.h"
+#include "engine/limits.h"
 
 namespace carom {
 namespace {

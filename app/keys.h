@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/controls.h"
-#include "cave/window.h"
+#include "cave/graphics.h"
 
 namespace carom {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/lesson.h"
+#include "engine/limits.h"
 
 namespace carom {
 namespace {

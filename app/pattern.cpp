@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/all_ranks.h"
 #include "app/frame_loop.h"
 #include "app/import.h"
 #include "app/rig.h"
@@ -41,7 +42,7 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
     patterns.graphics = std::make_unique<Graphics>(displayOf(rig, cluster.rank()));
     const double anyLightSpeed_m_s = 1.0;
     patterns.walls = std::make_unique<WallSet>(*patterns.graphics, Scene{}, anyLightSpeed_m_s,
-                                               wallsOf(rig, cluster), rig.oneWindow, !options.capture);
+                                               cluster.wallsOf(rig.walls), rig.oneWindow, !options.capture);
     patterns.recording = std::make_unique<Recording>(*patterns.graphics, RecordingOptions{options.capture, {}},
                                                      cluster, rig, false);
   });

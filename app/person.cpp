@@ -1,9 +1,5 @@
 #include "app/person.h"
 
-#include <cmath>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
-
 namespace carom {
 namespace {
 
@@ -26,15 +22,6 @@ FrameTimes firstTimes(const Rig& rig, const std::optional<FrameRecord>& before) 
 }
 
 }  // namespace
-
-Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double c_m_s) {
-  const glm::dvec3 forward(std::cos(start.facing_rad), std::sin(start.facing_rad), 0.0);
-  const glm::dvec3 up(0.0, 0.0, 1.0);
-  const glm::dmat3 board(glm::cross(forward, up), forward, up);
-  const glm::dmat3 room(axes.right, axes.forward, axes.up);
-  const glm::dquat turn = glm::normalize(glm::quat_cast(board * glm::transpose(room)));
-  return Lorentz::boost(uFromBeta(start.beta), c_m_s) * Lorentz::rotation(turn, c_m_s);
-}
 
 Person::Person(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
                const std::optional<FrameRecord>& before)

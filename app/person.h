@@ -15,10 +15,6 @@
 
 namespace carom {
 
-/// The room's attitude and motion on the board, as a scenario begins: its floor's right, forward and up, boosted
-/// by the platform's β.
-Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double lightSpeed_m_s);
-
 class Person {
  public:
   /// Stands where the scenario begins, or, with `before`, at the event at which an earlier session's last

@@ -3,19 +3,36 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <stdexcept>
+#include <system_error>
 
-#include "app/stage.h"
+#include "app/all_ranks.h"
+#include "app/rig.h"
 #include "cave/capture.h"
 #include "cave/movie.h"
 #include "cave/room_view.h"
 
 namespace carom {
 
+namespace {
+
+/// Throws std::runtime_error, which names the folder and --capture.
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    throw std::runtime_error(fmt::format("--capture {}: {}, expected a folder or a name for one",
+                                         folder.string(), failed.message()));
+  }
+}
+
+}  // namespace
+
 Recording::Recording(Graphics& graphics, const RecordingOptions& options, const Cluster& cluster,
                      const Rig& rig, bool realTime)
     : graphics_(graphics), cluster_(cluster), realTime_(realTime) {
   const WhenFull whenFull = realTime ? WhenFull::drop : WhenFull::wait;
-  const std::vector<Wall> walls = wallsOf(rig, cluster);
+  const std::vector<Wall> walls = cluster.wallsOf(rig.walls);
   if (cluster.size() > 1) node_ = " of " + cluster.nameOf(cluster.rank());
   graphics_.makeCurrent();
   if (options.capture) {

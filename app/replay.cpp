@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/all_ranks.h"
 #include "app/frame_loop.h"
 #include "app/person.h"
 #include "app/recorded_source.h"

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "app/open_tracker.h"
+#include "devices/open_tracker.h"
 #include "app/rectangle.h"
 #include "app/toml_file.h"
 #include "cave/warp_mesh.h"
@@ -55,10 +55,6 @@ Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
   const glm::dquat aboutZ = glm::angleAxis(turn_rad.z, glm::dvec3(0, 0, 1));
   return {toVec3(table->numbers<3>("translation", {}, none)) * unit_m, aboutZ * aboutY * aboutX};
 }
-
-/// In the order of TrackerKind.
-constexpr std::array<std::string_view, 8> kTrackerKinds{
-    "simulated", "recorded", "vrpn", "dtrack", "natnet", "polhemus-usb", "hid-imu", "spacemouse"};
 
 /// In the order of StereoMode and of Flip.
 constexpr std::array<std::string_view, 10> kStereoModes{
@@ -408,11 +404,20 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
 
 }  // namespace
 
-std::string_view toString(TrackerKind kind) { return kTrackerKinds[static_cast<std::size_t>(kind)]; }
-
 std::string_view toString(StereoMode mode) { return kStereoModes[static_cast<std::size_t>(mode)]; }
 
 std::string_view toString(Flip flip) { return kFlips[static_cast<std::size_t>(flip)]; }
+
+RoomFacts factsOf(const Rig& rig) {
+  return {rig.walls, rig.axes.up, rig.axes.forward, inverse(rig.head.eyesFromSensor)};
+}
+
+std::string displayOf(const Rig& rig, int rank) {
+  for (const NodeSetup& node : rig.nodes) {
+    if (node.rank == rank) return node.display;
+  }
+  return {};
+}
 
 Rig readRig(const std::filesystem::path& path) { return readPlacedRig(path).rig; }
 

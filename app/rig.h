@@ -12,47 +12,15 @@
 #include <glm/vec3.hpp>
 
 #include "app/input_file.h"
-#include "cave/frame_lock.h"
+#include "cave/room_facts.h"
 #include "cave/wall.h"
+#include "devices/tracker_setup.h"
 #include "engine/pose.h"
 
 namespace carom {
 
-/// Unit vectors of the person's directions in the axes of the rig.
-struct RoomAxes {
-  glm::dvec3 right{1.0, 0.0, 0.0};
-  glm::dvec3 up{0.0, 1.0, 0.0};
-  glm::dvec3 forward{0.0, 0.0, -1.0};
-};
-
-enum class TrackerKind {
-  simulated,  ///< made up by the program
-  recorded,   ///< played from a trace
-  vrpn,
-  dtrack,
-  natnet,
-  polhemusUsb,
-  hidImu,
-  spaceMouse,  ///< buttons and axes, no poses
-};
-
-/// As a rig file names it.
-std::string_view toString(TrackerKind kind);
 std::string_view toString(StereoMode mode);
 std::string_view toString(Flip flip);
-
-/// Where eyes are above the floor, until a tracker has said otherwise.
-inline constexpr double kStandingEyes_m = 1.7;
-
-struct TrackerSetup {
-  std::string name;
-  TrackerKind kind = TrackerKind::simulated;
-  double latency_s = 0.0;        ///< known age of its samples where they do not say it themselves
-  bool still = false;            ///< of a simulated one: the person does not move
-  std::filesystem::path source;  ///< of a recorded one: the trace; exists. Of a device: its address
-  Pose roomFromTracker;
-  bool buttonsAlone = false;  ///< the hand's buttons are all that the rig takes of it
-};
 
 /// A sensor of a tracker.
 struct SensorChoice {
@@ -97,6 +65,12 @@ struct Rig {
   std::optional<WindowPlacement> oneWindow;
   std::optional<WindowPlacement> console;  ///< where the operator's console is, if it is asked for
 };
+
+/// What the walls' aids and the view from outside know of a rig's room.
+RoomFacts factsOf(const Rig& rig);
+
+/// The X display of a rank; empty: the one it finds.
+std::string displayOf(const Rig& rig, int rank);
 
 /// Where the parts of a wall stand in its file; where one is left out, the place of its wall.
 struct WallPlaces {

@@ -13,9 +13,8 @@
 #include <string_view>
 #include <utility>
 
-#include "app/controls.h"
-#include "app/drive.h"
 #include "app/toml_file.h"
+#include "engine/limits.h"
 #include "engine/lorentz.h"
 
 namespace carom {
@@ -233,7 +232,7 @@ void checkTourSpeed(const std::vector<ThrustLeg>& legs, const ObserverStart& sta
   const double most_u = std::max(kMostPlatformU, glm::length(boardFromRoom.u()));
   const std::vector<TomlTable> tables = tour.tables("leg");
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    boardFromRoom = boardFromRoom * boostOfRapidity(legs[i].thrust_m_s2 * (legs[i].for_s / c_m_s), c_m_s);
+    boardFromRoom = boardFromRoom * Lorentz::fromRapidity(legs[i].thrust_m_s2 * (legs[i].for_s / c_m_s), c_m_s);
     if (glm::length(boardFromRoom.u()) <= most_u) continue;
     tables[i].fault("for_s", fmt::format("after this leg the platform is faster than {:.4g} of light's speed, "
                                          "expected slower: the game would have to run more than {:.0f} s in "

@@ -2,7 +2,6 @@
 // A scenario file: the light speed, the board, what moves on and over it, and where the observer starts.
 
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "cave/time_views.h"
 #include "engine/billiard.h"
 #include "engine/event.h"
+#include "engine/observer.h"
 #include "engine/world_line.h"
 
 namespace carom {
@@ -22,13 +22,6 @@ struct ToldBody {
   /// shows 0 at `appears_s` where the file gives it, else at board time 0.
   WorldLine worldLine;
   std::optional<std::filesystem::path> mesh;  ///< exists; in metres, in the body's rest frame
-};
-
-/// Where the platform that carries the room starts. Board frame.
-struct ObserverStart {
-  Vec3 position_m{0.0, -1.6, -0.75};         ///< of the room's floor origin
-  double facing_rad = std::numbers::pi / 2;  ///< of the room's forward, anticlockwise from +x
-  Vec3 beta{0.0};                            ///< v/c of the platform
 };
 
 /// A stretch of the platform's own way, on its clock (app/drive.h) from when the tour sets out.

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/toml_file.h"
+#include "cave/bodies.h"
 #include "cave/mesh_file.h"
 
 namespace carom {
@@ -59,8 +60,8 @@ void openMeshes(const Scenario& scenario) {
     if (path.empty()) continue;
     try {
       readMeshFile(path);
-    } catch (const MeshFault& fault) {
-      faults.emplace_back(fault.file(), fault.line(), fault.column(), fault.message());
+    } catch (const InputError& fault) {
+      faults.push_back(fault);
     }
   }
   if (!faults.empty()) throw InputErrors(std::move(faults));

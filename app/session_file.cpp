@@ -13,9 +13,9 @@
 #include <string>
 #include <type_traits>
 
-#include "app/controls.h"
-#include "app/cue.h"
 #include "app/stored_event.h"
+#include "cave/time_views.h"
+#include "engine/limits.h"
 
 namespace carom {
 namespace {

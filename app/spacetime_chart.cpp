@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "cave/puck_model.h"
+#include "cave/body_colour.h"
 
 namespace carom {
 namespace {

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "app/game.h"
-#include "app/open_tracker.h"
-#include "app/person.h"
+#include "app/all_ranks.h"
+#include "app/starting_histories.h"
+#include "devices/open_tracker.h"
 #include "app/mesh_buffers.h"
 #include "app/scenario_scene.h"
 #include "app/toml_file.h"
@@ -20,18 +20,6 @@
 
 namespace carom {
 namespace {
-
-/// What to tell the person; names the node where it is not the one they sit at.
-std::string messageOf(const Cluster& cluster, const std::exception& error) {
-  const std::string node = cluster.rank() == 0 ? "" : " (node " + std::to_string(cluster.rank()) + ")";
-  const auto* input = dynamic_cast<const InputErrors*>(&error);
-  if (!input) return std::string("error: ") + error.what() + node;
-  std::string lines;
-  for (const InputError& fault : input->faults()) {
-    lines += (lines.empty() ? "error: " : "\nerror: ") + std::string(fault.what()) + node;
-  }
-  return lines;
-}
 
 std::string bytesOf(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -77,14 +65,6 @@ void agreeOnRig(const Cluster& cluster, const InputFile& input, const Rig& rig) 
   }
 }
 
-std::vector<Wall> wallsOf(const Rig& rig, const Cluster& cluster) {
-  std::vector<Wall> walls;
-  for (const Wall& wall : rig.walls) {
-    if (cluster.draws(wall)) walls.push_back(wall);
-  }
-  return walls;
-}
-
 void openBlends(const InputFile& input, const Rig& rig) {
   std::vector<InputError> faults;
   for (std::size_t i = 0; i < rig.walls.size(); ++i) {
@@ -97,54 +77,6 @@ void openBlends(const InputFile& input, const Rig& rig) {
     }
   }
   if (!faults.empty()) throw InputErrors(std::move(faults));
-}
-
-std::string displayOf(const Rig& rig, int rank) {
-  for (const NodeSetup& node : rig.nodes) {
-    if (node.rank == rank) return node.display;
-  }
-  return {};
-}
-
-void makeFolder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) {
-    throw std::runtime_error(fmt::format("--capture {}: {}, expected a folder or a name for one",
-                                         folder.string(), failed.message()));
-  }
-}
-
-/// Runs `step` on every rank; if it fails on any, the lowest such rank says why and the session ends
-/// everywhere.
-void together(const Cluster& cluster, const std::function<void()>& step) {
-  std::string message;
-  try {
-    step();
-  } catch (const std::exception& error) {
-    message = messageOf(cluster, error);
-  }
-  const int failed = cluster.firstFailed(!message.empty());
-  if (failed < 0) return;
-  if (failed == cluster.rank()) std::fprintf(stderr, "%s\n", message.c_str());
-  throw RankFailed{};
-}
-
-int runOnCluster(const std::function<void(Cluster&)>& session) {
-  Cluster cluster;
-  try {
-    session(cluster);
-    return 0;
-  } catch (const RankFailed&) {
-    return 1;
-  } catch (const NodesDiffer& error) {
-    if (cluster.rank() == 0) std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", messageOf(cluster, error).c_str());
-    if (cluster.size() > 1) cluster.abort();
-    return 1;
-  }
 }
 
 std::string textOf(const InputFile& input) { return input.kept ? *input.kept : bytesOf(input.file); }
@@ -189,10 +121,6 @@ std::vector<ScenePart> plainTable(const Scenario& scenario) {
 
 }  // namespace
 
-RoomFacts factsOf(const Rig& rig) {
-  return {rig.walls, rig.axes.up, rig.axes.forward, inverse(rig.head.eyesFromSensor)};
-}
-
 Stage openStage(Cluster& cluster, const StageOptions& options) {
   Stage stage;
   together(cluster, [&] {
@@ -212,7 +140,7 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
     stage.scene = sceneOf(stage.scenario, stage.tessellation);
     stage.walls =
         std::make_unique<WallSet>(*stage.graphics, stage.scene, stage.scenario.billiard.lightSpeed_m_s,
-                                  wallsOf(stage.rig, cluster), stage.rig.oneWindow, !options.noWindow);
+                                  cluster.wallsOf(stage.rig.walls), stage.rig.oneWindow, !options.noWindow);
     stage.walls->standIn(factsOf(stage.rig));
     stage.walls->teach(lessonWords(stage.scenario));
     if (options.outside && cluster.rank() == 0) {

@@ -75,12 +75,6 @@ bool playNext(Cluster& cluster, Stage& stage, const std::filesystem::path& scena
 /// The bodies' histories before the game.
 std::vector<WorldLine> historiesAtStart(const Stage& stage);
 
-/// What the walls' aids and the view from outside know of a rig's room.
-RoomFacts factsOf(const Rig& rig);
-
-/// The walls that this rank draws.
-std::vector<Wall> wallsOf(const Rig& rig, const Cluster& cluster);
-
 /// Makes sure that every node holds the same rig, the files of its projectors included. Throws NodesDiffer on
 /// every rank where one does not.
 void agreeOnRig(const Cluster& cluster, const InputFile& input, const Rig& rig);
@@ -88,22 +82,5 @@ void agreeOnRig(const Cluster& cluster, const InputFile& input, const Rig& rig);
 /// Reads the walls' blend pictures once before there is a window; throws InputErrors, which name what is
 /// wrong at its line of the rig.
 void openBlends(const InputFile& input, const Rig& rig);
-
-/// The X display of a rank; empty: the one it finds.
-std::string displayOf(const Rig& rig, int rank);
-
-/// Makes a folder for pictures where there is none. Throws std::runtime_error, which names it and --capture.
-void makeFolder(const std::filesystem::path& folder);
-
-/// Raised on every rank once one has failed and said why.
-struct RankFailed {};
-
-/// Runs `step` on every rank; if it fails on any, the lowest such rank says why and RankFailed is thrown
-/// everywhere.
-void together(const Cluster& cluster, const std::function<void()>& step);
-
-/// Runs a whole session on this rank, which leaves by itself once all is well (Cluster::leave) or comes back: its exit
-/// status is 0 then, or 1 after a message on standard error.
-int runOnCluster(const std::function<void(Cluster&)>& session);
 
 }  // namespace carom

@@ -15,10 +15,10 @@
 
 #include "app/input_monitor.h"
 #include "app/loss_counter.h"
-#include "app/open_tracker.h"
 #include "app/rig.h"
 #include "app/sensor_monitor.h"
 #include "devices/device_list.h"
+#include "devices/open_tracker.h"
 #include "devices/trace.h"
 
 namespace carom {

@@ -1,5 +1,8 @@
 #include "cave/body_shaders.h"
 
+#include <fmt/format.h>
+
+#include "engine/world_line.h"
 #include "shaders/body_vert.h"
 #include "shaders/colour_texel.h"
 #include "shaders/digits.h"
@@ -79,6 +82,7 @@ std::string variantText(Paint paint, const Switches& switches, Moment moment) {
 
 std::string kernelText(Legs legs) {
   std::string text = shaders::legs;
+  text += fmt::format("#define CATCH_UP_SPEED {}\n", kCatchUpSpeed);
   if (legs != Legs::many) text += "#define ONE_LEG\n";
   if (legs == Legs::rest) text += "#define RESTS\n";
   text += shaders::emission_kernel;

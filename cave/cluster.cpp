@@ -147,6 +147,14 @@ void Cluster::agree(const std::string& what, std::string_view content) const {
       fmt::format("node {} has another {} than node 0, expected the same on every node", different, what));
 }
 
+std::vector<Wall> Cluster::wallsOf(std::span<const Wall> walls) const {
+  std::vector<Wall> drawn;
+  for (const Wall& wall : walls) {
+    if (draws(wall)) drawn.push_back(wall);
+  }
+  return drawn;
+}
+
 void Cluster::nameNodes(std::span<const Wall> walls) {
   for (std::string& name : names_) name.clear();
   for (const Wall& wall : walls) {

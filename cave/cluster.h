@@ -19,11 +19,9 @@
 #include "cave/frame_stamps.h"
 #include "cave/frame_state.h"
 #include "cave/wall.h"
+#include "engine/log.h"
 
 namespace carom {
-
-/// A line for the person at rank 0.
-using Say = std::function<void(const std::string&)>;
 
 /// Nodes hold different things that must be the same. Thrown on every rank, with the same words.
 class NodesDiffer : public std::runtime_error {
@@ -51,6 +49,8 @@ class Cluster {
 
   /// With fewer ranks than nodes, rank `node mod size` draws for the node.
   bool draws(const Wall& wall) const { return wall.node % size_ == rank_; }
+  /// Returns those of the walls that this rank draws.
+  std::vector<Wall> wallsOf(std::span<const Wall> walls) const;
 
   /// The lowest rank whose `failed` is true, or −1. Every rank must call it.
   int firstFailed(bool failed) const;

@@ -5,27 +5,13 @@
 // joins group 1 of its card, the group is bound to barrier 1, which the cards share by a cable, and a counter
 // that all cards share counts the swaps.
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "cave/frame_stamps.h"
+
 namespace carom {
-
-/// As a rig asks for it.
-enum class FrameLock : std::uint8_t { software, swapGroup };
-inline constexpr std::array<std::string_view, 2> kFrameLocks{"software", "swap-group"};
-
-enum class LockState : std::uint8_t {
-  software,  ///< the nodes' swaps are held together by their messages
-  pending,   ///< the windows have joined; the counter has not been looked at since
-  joined,    ///< and the counter goes on
-  lost,      ///< a window has left the group or barrier, or the counter stands still
-};
-inline constexpr std::array<const char*, 4> kLockStates{"software", "swap group pending", "swap group joined",
-                                                        "swap group LOST"};
 
 /// The entry points of GLX_NV_swap_group, for one screen. Each takes GLX's display first; 0 is failure.
 struct SwapGroupCalls {

@@ -11,8 +11,6 @@
 #include <span>
 #include <vector>
 
-#include "cave/frame_lock.h"
-
 namespace carom {
 
 /// In the order of a frame. The first two are of rank 0 alone.
@@ -37,6 +35,16 @@ struct FrameStamps {
   float& operator[](FramePart part) { return parts_s[static_cast<std::size_t>(part)]; }
   float operator[](FramePart part) const { return parts_s[static_cast<std::size_t>(part)]; }
 };
+
+/// What holds a node's swaps together with the others' (cave/frame_lock.h).
+enum class LockState : std::uint8_t {
+  software,  ///< the nodes' swaps are held together by their messages
+  pending,   ///< the windows have joined; the counter has not been looked at since
+  joined,    ///< and the counter goes on
+  lost,      ///< a window has left the group or barrier, or the counter stands still
+};
+inline constexpr std::array<const char*, 4> kLockStates{"software", "swap group pending", "swap group joined",
+                                                        "swap group LOST"};
 
 /// What a node tells rank 0 of the frame before, with each frame.
 struct NodeReport {

@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "cave/scene.h"
+#include "cave/scene_part.h"
 
 namespace carom {
 

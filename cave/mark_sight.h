@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <span>
 
+#include "cave/ghosts.h"
 #include "cave/mark_batch.h"
 #include "cave/time_views.h"
-#include "cave/wall_renderer.h"
 #include "engine/game_event.h"
 #include "engine/light_cone.h"
 #include "engine/observer.h"

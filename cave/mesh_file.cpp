@@ -37,6 +37,7 @@
 
 #include "cave/mesh_text.h"
 #include "cave/run_apart.h"
+#include "engine/input_error.h"
 
 namespace carom {
 namespace {
@@ -108,16 +109,16 @@ vtkSmartPointer<vtkPolyData> readGltf(const std::string& path) {
 std::string contentOf(const std::string& path) {
   std::error_code failed;
   if (!std::filesystem::is_regular_file(path, failed)) {
-    throw MeshFault(path, 1, 1, "there is no such file, expected a mesh");
+    throw InputError(path, 1, 1, "there is no such file, expected a mesh");
   }
   const std::uintmax_t size = std::filesystem::file_size(path, failed);
   if (failed || size > kMostBytes) {
-    throw MeshFault(path, 1, 1,
+    throw InputError(path, 1, 1,
                     fmt::format("is {} MiB large, expected at most {} MiB", size >> 20U, kMostBytes >> 20U));
   }
   std::ifstream file(path, std::ios::binary);
   std::string content(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw MeshFault(path, 1, 1, "cannot be read, expected a mesh that can");
+  if (!file) throw InputError(path, 1, 1, "cannot be read, expected a mesh that can");
   return content;
 }
 
@@ -261,20 +262,20 @@ vtkSmartPointer<vtkPolyData> readMeshFile(const std::string& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto reader = kReaders.find(ending);
   if (reader == kReaders.end()) {
-    throw MeshFault(path, 1, 1, fmt::format("is of no known kind, expected {}", kMeshEndings));
+    throw InputError(path, 1, 1, fmt::format("is of no known kind, expected {}", kMeshEndings));
   }
   checkMeshText(path, ending, contentOf(path));
   vtkSmartPointer<vtkPolyData> surface;
   try {
     surface = surfaceFrom(runApart([&] { return readApart(reader->second, path); }));
   } catch (const JobLost& lost) {
-    throw MeshFault(path, 1, 1, std::string(lost.what()) + ", expected a file that is whole");
+    throw InputError(path, 1, 1, std::string(lost.what()) + ", expected a file that is whole");
   } catch (const std::runtime_error& error) {
     const auto [line, column] = placeIn(error.what());
-    throw MeshFault(path, line, column, error.what());
+    throw InputError(path, line, column, error.what());
   }
   if (!(surface->GetLength() > 0.0)) {
-    throw MeshFault(path, 1, 1, "all points are one, expected a mesh that has extent");
+    throw InputError(path, 1, 1, "all points are one, expected a mesh that has extent");
   }
   return surface;
 }

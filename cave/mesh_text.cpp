@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "cave/mesh_file.h"
+#include "engine/input_error.h"
 
 namespace carom {
 namespace {
@@ -58,7 +58,7 @@ class Words {
     const std::string_view before = content_.substr(0, std::min(word.at, content_.size()));
     const auto lines = std::count(before.begin(), before.end(), '\n');
     const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
-    throw MeshFault(path_, static_cast<int>(lines) + 1, static_cast<int>(before.size() - lineStart) + 1,
+    throw InputError(path_, static_cast<int>(lines) + 1, static_cast<int>(before.size() - lineStart) + 1,
                     message);
   }
 

@@ -9,7 +9,7 @@ namespace carom {
 
 /// The `content` of the file at `path`, whose ending is .obj, .stl, .ply or .vtk (others are passed): numbers
 /// are numbers and finite, rows are whole, corners are among the points, counts fit the file's size. Throws
-/// MeshFault (cave/mesh_file.h) at the first fault.
+/// InputError (engine/input_error.h) at the first fault.
 void checkMeshText(const std::string& path, std::string_view ending, std::string_view content);
 
 }  // namespace carom

@@ -7,12 +7,10 @@
 #include <glm/vec3.hpp>
 
 #include "cave/mesh_builder.h"
-#include "cave/scene.h"
+#include "cave/scene_part.h"
+#include "cave/tessellation.h"
 
 namespace carom {
-
-/// The colour (linear) for a body of this name; names that are no colours take one of a palette by `index`.
-glm::vec3 colourOf(const std::string& name, std::size_t index);
 
 /// A bevelled disc with its shadows on the cloth, in cells no larger than `cell_m`.
 ///

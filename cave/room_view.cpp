@@ -20,6 +20,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "cave/bodies.h"
 #include "cave/gl_program.h"
 #include "cave/mesh_builder.h"
 #include "cave/off_axis.h"

@@ -9,6 +9,8 @@
 #include <vtkCellArrayIterator.h>
 #include <vtkMath.h>
 
+#include "cave/bodies.h"
+#include "cave/body_colour.h"
 #include "cave/hall_model.h"
 #include "cave/mesh_file.h"
 #include "cave/puck_model.h"

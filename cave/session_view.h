@@ -12,7 +12,7 @@
 #include "cave/time_marks.h"
 #include "cave/wall.h"
 #include "cave/wall_renderer.h"
-#include "cave/window.h"
+#include "cave/graphics.h"
 
 namespace carom {
 

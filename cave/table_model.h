@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cave/mesh_builder.h"
-#include "cave/scene.h"
+#include "cave/scene_part.h"
 #include "engine/billiard.h"
 
 namespace carom {

@@ -1,6 +1,7 @@
 #pragma once
 // Which views of time are drawn, over what is seen or beside it.
 
+#include <array>
 #include <cstdint>
 
 #include "engine/switches.h"
@@ -21,5 +22,20 @@ struct TimeViews {
 
   bool operator==(const TimeViews&) const = default;
 };
+
+/// A view of time as the command line and the session file name it.
+struct NamedView {
+  const char* name;
+  std::uint8_t TimeViews::*value;
+};
+inline constexpr std::array<NamedView, 9> kNamedViews{{{"board-now", &TimeViews::boardNow},
+                                                       {"my-now", &TimeViews::myNow},
+                                                       {"paths", &TimeViews::paths},
+                                                       {"events", &TimeViews::events},
+                                                       {"clocks", &TimeViews::clocks},
+                                                       {"split", &TimeViews::split},
+                                                       {"frozen", &TimeViews::frozen},
+                                                       {"ruler", &TimeViews::ruler},
+                                                       {"angles", &TimeViews::angles}}};
 
 }  // namespace carom

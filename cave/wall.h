@@ -2,10 +2,13 @@
 // A wall of the room as the rig file gives it: where it stands, its pixels, who draws it and how its two
 // eyes reach the person. Room frame, metres.
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -35,6 +38,10 @@ enum class Flip {
   vertical,
   both,  ///< upside down: hung from the ceiling
 };
+
+/// What holds the swaps of all nodes together (cave/frame_lock.h), as a rig asks for it.
+enum class FrameLock : std::uint8_t { software, swapGroup };
+inline constexpr std::array<std::string_view, 2> kFrameLocks{"software", "swap-group"};
 
 /// Where a visible window lies on its monitor (or, in a rig with one window for all walls, where the
 /// wall's picture lies in that window). Pixels from the top left.

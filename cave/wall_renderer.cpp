@@ -30,6 +30,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "cave/bodies.h"
 #include "cave/body_shaders.h"
 #include "cave/clock_time.h"
 #include "cave/off_axis.h"

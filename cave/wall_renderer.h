@@ -8,10 +8,11 @@
 #include <memory>
 #include <span>
 
+#include "cave/ghosts.h"
 #include "cave/picture.h"
 #include "cave/scene.h"
 #include "cave/wall.h"
-#include "cave/window.h"
+#include "cave/graphics.h"
 #include "engine/light_cone.h"
 #include "engine/lorentz.h"
 #include "engine/observer.h"
@@ -20,12 +21,6 @@
 namespace carom {
 
 class TimeMarks;
-
-/// The bodies at a moment, drawn as ghosts beside what is seen: each as many as the scene has, or none.
-/// Viewed with Moment::boardNow and Moment::myNow; a view without legs: that body has no ghost.
-struct Ghosts {
-  std::span<const BodyView> boardNow, myNow;
-};
 
 /// Where and with what a wall is drawn.
 struct WallDrawing {

@@ -1,6 +1,5 @@
 #include "cave/window.h"
 
-#include <cstdlib>
 #include <stdexcept>
 
 #define GLFW_INCLUDE_NONE
@@ -13,35 +12,6 @@ namespace carom {
 namespace {
 
 constexpr float kText_px = 18.0F;
-constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a card that takes longer hangs
-
-void await(void* sync) {
-  if (sync) glClientWaitSync(static_cast<GLsync>(sync), 0, kLongestDrawing_ns);
-}
-
-std::string lastGlfwError() {
-  const char* description = nullptr;
-  glfwGetError(&description);
-  return description ? description : "no reason given";
-}
-
-[[noreturn]] void failWithoutDisplay(const std::string& reason) {
-  const char* display = std::getenv("DISPLAY");
-  const std::string where = display && *display
-                                ? fmt::format("no X display: cannot open \"{}\" ({})", display, reason)
-                                : std::string("no X display: the environment variable DISPLAY is not set");
-  throw std::runtime_error(where +
-                           "; start one, e.g. with: xvfb-run -a -s \"-screen 0 1920x1200x24\" COMMAND");
-}
-
-void askForContext() {
-  glfwDefaultWindowHints();
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-}
-
 GLFWmonitor* monitorOf(const WindowPlacement& placement) {
   int count = 0;
   GLFWmonitor** monitors = glfwGetMonitors(&count);
@@ -103,63 +73,11 @@ struct Window::Hears {
   }
 };
 
-Graphics::Graphics(const std::string& display) {
-  if (!display.empty()) setenv("DISPLAY", display.c_str(), 1);
-  if (!glfwInit()) failWithoutDisplay(lastGlfwError());
-  askForContext();
-  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-  context_ = glfwCreateWindow(16, 16, "drawing", nullptr, nullptr);
-  if (!context_) {
-    const std::string reason = lastGlfwError();
-    glfwTerminate();
-    throw std::runtime_error("this X display offers no OpenGL 3.2: " + reason);
-  }
-  makeCurrent();
-  glewExperimental = GL_TRUE;
-  if (const GLenum status = glewInit(); status != GLEW_OK) {
-    glfwTerminate();
-    throw std::runtime_error(fmt::format("the OpenGL functions cannot be loaded: {}",
-                                         reinterpret_cast<const char*>(glewGetErrorString(status))));
-  }
-  input_.keys.reserve(64);
-}
-
-Graphics::~Graphics() {
-  makeCurrent();
-  if (drawn_) glDeleteSync(static_cast<GLsync>(drawn_));
-  glfwTerminate();
-}
-
-void Graphics::makeCurrent() const {
-  if (glfwGetCurrentContext() != context_) glfwMakeContextCurrent(context_);
-}
-
-void Graphics::finishDrawing() {
-  makeCurrent();
-  if (drawn_) glDeleteSync(static_cast<GLsync>(drawn_));
-  drawn_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  glFlush();
-}
-
-void Graphics::awaitDrawing() const { await(drawn_); }
-
-const WindowInput& Graphics::poll() {
-  input_.keys.clear();
-  input_.wheel = 0.0;
-  glfwPollEvents();
-  return input_;
-}
-
-std::string Graphics::rendererName() const {
-  makeCurrent();
-  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-}
-
 Window::Window(Graphics& graphics, const std::string& title, const WindowPlacement& placement,
                bool quadBuffer)
     : graphics_(graphics) {
   GLFWmonitor* monitor = monitorOf(placement);
-  askForContext();
+  hintContext();
   glfwWindowHint(GLFW_STEREO, quadBuffer ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_DECORATED, GLFW_TRUE);
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a wall must not vanish when another takes the focus
@@ -227,7 +145,7 @@ void Window::show(std::span<const Pane> panes, const std::function<void()>& over
   glFlush();
 }
 
-void Window::awaitShown() const { await(shown_); }
+void Window::awaitShown() const { awaitFence(shown_); }
 
 void Window::swap() { glfwSwapBuffers(window_); }
 

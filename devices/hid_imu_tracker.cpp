@@ -25,7 +25,7 @@ constexpr double kLongestStep_s = 0.5;  // what is missing for longer is an inte
 
 class Headset : public HidListener {
  public:
-  Headset(UsbAddress address, const glm::dvec3& standing_m, const PersonAxes& axes)
+  Headset(UsbAddress address, const glm::dvec3& standing_m, const RoomAxes& axes)
       : address_(std::move(address)),
         standing_m_(standing_m),
         trackerFromLevel_(glm::quat_cast(glm::dmat3(axes.right, axes.up, -axes.forward))) {
@@ -110,7 +110,7 @@ const char* headsetName(std::uint16_t vendor, std::uint16_t product) {
   return product == 0x0021 || product == 0x2021 ? "Oculus Rift DK2" : nullptr;
 }
 
-Transport hidImuTransport(const UsbAddress& address, const glm::dvec3& standing_m, const PersonAxes& axes) {
+Transport hidImuTransport(const UsbAddress& address, const glm::dvec3& standing_m, const RoomAxes& axes) {
   if (headsetName(address.vendor, address.product) == nullptr) {
     throw std::invalid_argument(
         toString(address) +

@@ -12,7 +12,7 @@ namespace carom {
 /// second, on the device's clock. `standing_m` is where the head is, in the tracker's axes, which are `axes`.
 /// Throws std::invalid_argument where the address names no such headset.
 Transport hidImuTransport(const UsbAddress& address, const glm::dvec3& standing_m,
-                          const PersonAxes& axes = {});
+                          const RoomAxes& axes = {});
 
 /// What the headset is called; null where it is none of ours.
 const char* headsetName(std::uint16_t vendor, std::uint16_t product);

@@ -14,13 +14,6 @@
 
 namespace carom {
 
-/// The tracker's axes: unit vectors of the person's right, up and forward when they face the front.
-struct PersonAxes {
-  glm::dvec3 right{1.0, 0.0, 0.0};
-  glm::dvec3 up{0.0, 1.0, 0.0};
-  glm::dvec3 forward{0.0, 0.0, -1.0};
-};
-
 struct SimulatedPerson {
   std::uint64_t seed = 1;
   double rate_hz = 60.0;      ///< of the tracker
@@ -28,7 +21,7 @@ struct SimulatedPerson {
   double noise_rad = 0.0005;  ///< of a rotation about an axis
   double headHeight_m = 1.7;
   double reach_m = 0.6;  ///< how far from the floor's origin the person goes, along right and forward
-  PersonAxes axes{};
+  RoomAxes axes{};
   bool still = false;  ///< stands like a post, and the tracker has no noise
 };
 

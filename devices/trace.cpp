@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "devices/input_error.h"
+#include "engine/input_error.h"
 
 namespace carom {
 namespace {

@@ -4,9 +4,10 @@
 // Inside, c = 1 (times in metres of light) and the pucks are numbered in the order of their names.
 
 #include <limits>
+#include <span>
 #include <vector>
 
-#include "engine/billiard.h"
+#include "engine/billiard_setup.h"
 #include "engine/cell_grid.h"
 #include "engine/chronicle.h"
 #include "engine/cushion_contact.h"

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "engine/billiard.h"
+#include "engine/billiard_setup.h"
 #include "engine/puck_leg.h"
 
 namespace carom {

@@ -1,7 +1,7 @@
 // The emission solve, once: this text is compiled as GLSL in the vertex shader and as C++ (over GLM) in
 // engine/emission_kernel.h. Whoever includes it provides the types real, vec3, vec4, mat4, the type LEGS by
-// which legs are reached, KERNEL (what a function definition begins with), the number MAX_PIECES and,
-// afterwards, the function legAt.
+// which legs are reached, KERNEL (what a function definition begins with), the numbers MAX_PIECES and
+// CATCH_UP_SPEED and, afterwards, the function legAt.
 //
 // Where: in the rest frame of a leg, its origin at the event at which the body's centre emitted the light
 // that the eye receives. Times are lengths (c t, metres) and come first in a vec4: (c t, x, y, z).
@@ -104,7 +104,7 @@ KERNEL vec3 stretched(LegView leg, vec3 d) {
 }
 
 /// The speed at which a vertex catches up with its outgoing leg, in the rest frame of that leg (at its turn).
-KERNEL real catchUpSpeed() { return real(0.9); }
+KERNEL real catchUpSpeed() { return real(CATCH_UP_SPEED); }
 
 // A body under friction has a leg that is no straight line. The frame is then the momentary rest frame at the
 // origin, and a vertex is found by its board time s from the origin (c = 1). On the board, along the motion,

@@ -9,8 +9,11 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "engine/world_line.h"
+
 #define LEGS const LegView*
 #define KERNEL inline
+#define CATCH_UP_SPEED carom::kCatchUpSpeed
 
 namespace carom::kernel {
 using std::sqrt;
@@ -47,4 +50,5 @@ inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
 }  // namespace carom::kernel_float
 
 #undef LEGS
+#undef CATCH_UP_SPEED
 #undef KERNEL

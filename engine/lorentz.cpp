@@ -1,6 +1,7 @@
 #include "engine/lorentz.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
@@ -22,6 +23,11 @@ Lorentz Lorentz::boost(const Vec3& u, double c_m_s) {
     for (int j = 0; j < 3; ++j) m[j + 1][i + 1] += u[i] * u[j] / (gamma + 1.0);
   }
   return {c_m_s, m};
+}
+
+Lorentz Lorentz::fromRapidity(const Vec3& rapidity, double c_m_s) {
+  const double size = glm::length(rapidity);
+  return boost(size > 0.0 ? rapidity * (std::sinh(size) / size) : Vec3(0.0), c_m_s);
 }
 
 Lorentz Lorentz::rotation(const glm::dquat& aFromB, double c_m_s) {

@@ -26,6 +26,9 @@ class Lorentz {
 
   /// aFromB without rotation, where B moves through A with u = γβ.
   static Lorentz boost(const Vec3& u, double c_m_s);
+  /// aFromB where B has been accelerated from rest in A without turning: rapidity = proper acceleration × proper
+  /// time / c, u = sinh(rapidity) along it.
+  static Lorentz fromRapidity(const Vec3& rapidity, double c_m_s);
   /// aFromB for frames at rest to each other, B's axes turned into A's by `aFromB`.
   static Lorentz rotation(const glm::dquat& aFromB, double c_m_s);
 

@@ -6,6 +6,7 @@
 // the person does.
 
 #include <array>
+#include <numbers>
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -14,6 +15,17 @@
 #include "engine/pose.h"
 
 namespace carom {
+
+/// Where the platform that carries the room starts. Board frame.
+struct ObserverStart {
+  Vec3 position_m{0.0, -1.6, -0.75};         ///< of the room's floor origin
+  double facing_rad = std::numbers::pi / 2;  ///< of the room's forward, anticlockwise from +x
+  Vec3 beta{0.0};                            ///< v/c of the platform
+};
+
+/// The room's attitude and motion on the board, as a game begins: its floor's right, forward and up, boosted
+/// by the platform's β.
+Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double lightSpeed_m_s);
 
 /// The tracked head at one drawn frame. Room frame.
 struct Head {

@@ -14,6 +14,13 @@ struct Pose {
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};  // w, x, y, z
 };
 
+/// Unit vectors of the person's directions in the axes of the room, which are those of the rig file.
+struct RoomAxes {
+  glm::dvec3 right{1.0, 0.0, 0.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  glm::dvec3 forward{0.0, 0.0, -1.0};
+};
+
 /// A point given in B (metres), in A.
 inline glm::dvec3 operator*(const Pose& aFromB, const glm::dvec3& pointInB_m) {
   return aFromB.position_m + aFromB.orientation * pointInB_m;

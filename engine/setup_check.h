@@ -1,7 +1,7 @@
 #pragma once
 // What cannot be played.
 
-#include "engine/billiard.h"
+#include "engine/billiard_setup.h"
 
 namespace carom {
 

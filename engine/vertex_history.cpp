@@ -70,7 +70,7 @@ Event joining(const Knot& knot, const Vec3& offset_m, const Event& left, double 
     const double t_s = rootOfIncreasing(
         [&](double t) {
           const Displacement way = bodyFromBoard * (Event{t, placeAt(leg, t, c_m_s)} - left);
-          return kernel::catchUpSpeed() * c_m_s * way.dt_s - glm::length(way.dr_m);
+          return kCatchUpSpeed * c_m_s * way.dt_s - glm::length(way.dr_m);
         },
         left.t_s);
     return {t_s, placeAt(leg, t_s, c_m_s)};
@@ -78,7 +78,7 @@ Event joining(const Knot& knot, const Vec3& offset_m, const Event& left, double 
   const Displacement leftInBody = bodyFromBoard * (left - knot.turn);
   const double gap_m = glm::length(offset_m - leftInBody.dr_m);
   return knot.turn +
-         boardFromBody * Displacement{leftInBody.dt_s + gap_m / (kernel::catchUpSpeed() * c_m_s), offset_m};
+         boardFromBody * Displacement{leftInBody.dt_s + gap_m / (kCatchUpSpeed * c_m_s), offset_m};
 }
 
 /// γβ of the straight way from one event to a later one; of something at rest in the knot's frame if they are
@@ -226,7 +226,7 @@ double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
 //     w u).
 // The last leg is joined (|x_N| + b + R)/w after A.
 double boundOfJoining_s(const WorldLine& line, std::size_t from) {
-  const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m(), w = kernel::catchUpSpeed();
+  const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m(), w = kCatchUpSpeed;
   const Knot& knot = line.knots().back();
   const std::vector<LegFrame> legs = framesFrom(line, from);
   const std::size_t count = legs.size();

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/emission_kernel.h"
 #include "engine/portable_math.h"
 
 namespace carom {
@@ -62,7 +61,7 @@ RestFrameSplit inRestFrame(const Vec3& u, const Displacement& d, double c_m_s) {
 // c = 1, origin at the turn. A point at x, |x| ≤ ρ, of the old leg's rest frame leaves it at A when the news
 // (t_n, x_n) arrives: t_A = t_n + |x − x_n|, so |t_A| ≤ |t_n + |x_n|| + ρ. Seen from the new leg's rest
 // frame, which moves at relative rapidity η, both coordinates of A are at most e^η times the larger of the
-// two bounds; from there the point needs at most (|x_A| + R)/catchUpSpeed.
+// two bounds; from there the point needs at most (|x_A| + R)/kCatchUpSpeed.
 WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before) const {
   const std::size_t last = knots_.size() - 1;
   const RestFrameSplit news = inRestFrame(before.u, next.news - next.turn, c_m_s_);
@@ -72,7 +71,7 @@ WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before
       std::max(1.0, gammaFromU(before.u) * gammaFromU(next.u) - glm::dot(before.u, next.u));
   const double expEta = gammaRelative + std::sqrt(gammaRelative * gammaRelative - 1.0);
   const double reach_m = std::max(radius_m_, expEta * reachOld_m);
-  const double join_s = (reach_m + (reach_m + radius_m_) / kernel::catchUpSpeed()) / c_m_s_;
+  const double join_s = (reach_m + (reach_m + radius_m_) / kCatchUpSpeed) / c_m_s_;
   // Friction moves the goal by less than the way to it while R a < c²/2.
   return {next.deceleration_m_s2 > 0.0 ? 2.0 * join_s : join_s, reach_m, true, radius_m_};
 }

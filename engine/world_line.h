@@ -12,6 +12,9 @@
 
 namespace carom {
 
+/// The speed, over c, at which a point of a body catches up with its outgoing leg, in the rest frame of that leg.
+inline constexpr double kCatchUpSpeed = 0.9;
+
 /// Where a leg of motion begins. Board frame.
 struct Knot {
   Event turn;                      ///< the centre's event from which the leg's motion holds

@@ -10,6 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/rig.h"
+#include "engine/limits.h"
 #include "engine/random_world.h"
 
 namespace carom {

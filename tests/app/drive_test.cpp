@@ -10,6 +10,7 @@
 
 #include "app/person.h"
 #include "app/temporary_folder.h"
+#include "engine/limits.h"
 #include "engine/random_world.h"
 
 namespace carom {

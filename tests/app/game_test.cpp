@@ -2,6 +2,7 @@
 // difference.
 
 #include "app/game.h"
+#include "app/starting_histories.h"
 
 #include <gtest/gtest.h>
 

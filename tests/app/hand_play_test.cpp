@@ -20,6 +20,7 @@
 #include "app/person.h"
 #include "app/recorded_source.h"
 #include "app/session_file.h"
+#include "app/starting_histories.h"
 #include "app/visitor_source.h"
 #include "cave/frame_digest.h"
 #include "engine/light_cone.h"

@@ -1,5 +1,6 @@
 // What a session's keys change.
 #include "app/keys.h"
+#include "engine/limits.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>

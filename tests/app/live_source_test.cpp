@@ -13,6 +13,7 @@
 
 #include "app/recorded_source.h"
 #include "app/session_file.h"
+#include "app/starting_histories.h"
 #include "engine/light_cone.h"
 #include "engine/random_world.h"
 #include "temporary_folder.h"

@@ -12,6 +12,7 @@
 #include "app/journal.h"
 #include "app/person.h"
 #include "app/recorded_source.h"
+#include "app/starting_histories.h"
 #include "app/visitor_source.h"
 #include "cave/frame_digest.h"
 #include "engine/billiard.h"

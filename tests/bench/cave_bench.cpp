@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "cave/bodies.h"
 #include "cave/mesh_builder.h"
 #include "cave/scene.h"
 #include "cave/wall_renderer.h"

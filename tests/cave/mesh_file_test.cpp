@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/input_error.h"
+
 namespace carom {
 namespace {
 
@@ -37,7 +39,7 @@ std::string faultOf(const std::string& ending, const std::string& content) {
   const MeshFile file(ending, content);
   try {
     readMeshFile(file.path());
-  } catch (const MeshFault& fault) {
+  } catch (const InputError& fault) {
     const std::string text = fault.what();
     EXPECT_EQ(text.rfind(file.path() + ":", 0), 0U) << text;
     return text.substr(file.path().size());
@@ -197,8 +199,8 @@ TEST(MeshFile, FaultsAreNamedWithTheirPlaces) {
     EXPECT_NE(said.find(fault.word), std::string::npos) << said;
     EXPECT_NE(said.find("expected"), std::string::npos) << said;
   }
-  EXPECT_THROW(readMeshFile("/no/such.obj"), MeshFault);
-  EXPECT_THROW(readMeshFile("/tmp"), MeshFault);
+  EXPECT_THROW(readMeshFile("/no/such.obj"), InputError);
+  EXPECT_THROW(readMeshFile("/tmp"), InputError);
 }
 
 // Files cut short or scribbled on are read or refused, and nothing is printed; a crash would end the test.

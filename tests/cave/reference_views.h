@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "cave/bodies.h"
 #include "cave/capture.h"
 #include "cave/scene.h"
 #include "cave/wall.h"

@@ -1,3 +1,4 @@
+#include "cave/body_colour.h"
 #include "cave/scene.h"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "cave/bodies.h"
 #include "cave/glowing_puck.h"
 #include "cave/off_axis.h"
 #include "cave/session_view.h"

@@ -1,4 +1,5 @@
 // Whole pictures against the emission of every vertex solved in double and projected.
+#include "cave/bodies.h"
 #include "cave/wall_renderer.h"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "devices/input_error.h"
+#include "engine/input_error.h"
 #include "devices/walk_trace.h"
 
 namespace carom {

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <string>
 
-#include "devices/input_error.h"
+#include "engine/input_error.h"
 #include "devices/trace.h"
 #include "fuzz/expect.h"
 

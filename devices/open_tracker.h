@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "app/rig.h"
 #include "devices/device_tracker.h"
 #include "devices/tracker.h"
+#include "devices/tracker_setup.h"
 
 namespace carom {
 

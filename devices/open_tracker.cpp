@@ -1,4 +1,4 @@
-#include "app/open_tracker.h"
+#include "devices/open_tracker.h"
 
 #include <limits>
 #include <optional>
@@ -17,8 +17,6 @@
 
 namespace carom {
 namespace {
-
-PersonAxes personAxes(const RoomAxes& axes) { return {axes.right, axes.up, axes.forward}; }
 
 UsbAddress usbAddress(const std::string& source) {
   const auto address = parseUsbAddress(source);
@@ -44,7 +42,7 @@ Transport transportOf(TrackerKind kind, const std::string& source, const RoomAxe
     case TrackerKind::polhemusUsb:
       return polhemusTransport(usbAddress(source));
     case TrackerKind::hidImu:
-      return hidImuTransport(usbAddress(source), axes.up * kStandingEyes_m, personAxes(axes));
+      return hidImuTransport(usbAddress(source), axes.up * kStandingEyes_m, axes);
     case TrackerKind::spaceMouse:
       return spaceMouseTransport(source.empty() ? std::nullopt : std::optional(usbAddress(source)));
     case TrackerKind::simulated:
@@ -59,7 +57,7 @@ std::unique_ptr<Tracker> openTracker(const TrackerSetup& setup, const RoomAxes& 
   if (setup.kind == TrackerKind::recorded) return std::make_unique<RecordedTracker>(readTrace(setup.source));
   if (setup.kind == TrackerKind::simulated) {
     SimulatedPerson person;
-    person.axes = personAxes(axes);
+    person.axes = axes;
     person.still = setup.still;
     return std::make_unique<SimulatedTracker>(person);
   }
