@@ -9,8 +9,8 @@
 #include <string>
 #include <system_error>
 
-#include "app/options.h"
-#include "app/toml_file.h"
+#include "app/files/toml_file.h"
+#include "options.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "app/options.h"
+#include "options.h"
 
 #include <fmt/format.h>
 
@@ -11,24 +11,24 @@
 #include <tuple>
 #include <vector>
 
-#include "app/check.h"
-#include "app/config_folder.h"
-#include "app/filter.h"
-#include "app/import.h"
-#include "app/observe.h"
-#include "app/simulate.h"
-#include "app/toml_file.h"
-#include "app/track.h"
+#include "app/files/config_folder.h"
+#include "app/files/toml_file.h"
+#include "app/tools/check.h"
+#include "app/tools/filter.h"
+#include "app/tools/import.h"
+#include "app/tools/observe.h"
+#include "app/tools/simulate.h"
+#include "app/tools/track.h"
 #ifdef CAROM_WITH_CAVE
-#include "app/cave_session.h"
-#include "app/controls.h"
-#include "app/diagram.h"
-#include "app/events.h"
-#include "app/export.h"
-#include "app/pattern.h"
-#include "app/replay.h"
-#include "app/scenario_scene.h"
-#include "cave/movie.h"
+#include "app/commands/cave_session.h"
+#include "app/commands/diagram.h"
+#include "app/commands/events.h"
+#include "app/commands/export.h"
+#include "app/commands/pattern.h"
+#include "app/commands/replay.h"
+#include "app/operator/controls.h"
+#include "app/stage/scenario_scene.h"
+#include "cave/capture/movie.h"
 #endif
 
 namespace carom {
@@ -92,8 +92,7 @@ void addSimulate(CLI::App& app, int& status) {
       ->type_name("D")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
   addJson(*command, options->json);
-  command->footer(
-      "Example:\n  carom simulate three-pucks --until 10 --every 0.5 --json game.json");
+  command->footer("Example:\n  carom simulate three-pucks --until 10 --every 0.5 --json game.json");
   command->callback([options, &status] {
     if (options->every_s && options->until_s / *options->every_s > kMostStates) {
       throw CLI::ValidationError("--every", "gives over a million states, expected a longer step");
@@ -283,20 +282,23 @@ void addSilent(CLI::App& command, bool& silent) {
 }
 
 void addOutside(CLI::App& command, bool& outside, bool& diagram, bool& console) {
-  command.add_flag("--console", console,
-                   "Open the operator's console on the first node: walls in small, trackers, switches, games, events");
+  command.add_flag(
+      "--console", console,
+      "Open the operator's console on the first node: walls in small, trackers, switches, games, events");
   command.add_flag("--diagram", diagram,
                    "Show the spacetime diagram in a window of its own: my axes tilt as I move");
-  command.add_flag("--outside", outside,
-                   "Show the room from outside, too: its walls, the person, the table where it is. With --capture "
-                   "also as outside-mono-FRAME.png");
+  command.add_flag(
+      "--outside", outside,
+      "Show the room from outside, too: its walls, the person, the table where it is. With --capture "
+      "also as outside-mono-FRAME.png");
 }
 
 void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie) {
   command
-      .add_option("--movie", movie,
-                  "Movie of this node's walls, the left eye's, encoded by the program ffmpeg: .mp4, .webm or .ogv. "
-                  "With several nodes each writes its own: FILE-node1.mp4 is node 1's")
+      .add_option(
+          "--movie", movie,
+          "Movie of this node's walls, the left eye's, encoded by the program ffmpeg: .mp4, .webm or .ogv. "
+          "With several nodes each writes its own: FILE-node1.mp4 is node 1's")
       ->type_name("FILE")
       ->check(CLI::Validator(
           [](std::string& text) {
@@ -341,7 +343,8 @@ void addCave(CLI::App& app, int& status) {
           [options](const std::vector<std::string>& names) {
             for (const std::string& name : names) showView(name, options->views);
           },
-          "A view of time to begin with: board-now, my-now, paths, events, clocks, ruler, angles, split, frozen. May be given "
+          "A view of time to begin with: board-now, my-now, paths, events, clocks, ruler, angles, split, "
+          "frozen. May be given "
           "again. Keys turn them later")
       ->type_name("NAME")
       ->allow_extra_args(false);
@@ -376,9 +379,10 @@ void addReplay(CLI::App& app, int& status) {
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("SESSION", options->session, "Session file")->required();
   command
-      ->add_option("--observer", options->observer,
-                   "Trace of another person's head, in the room: the same game, seen by them, until they would see "
-                   "what was not recorded")
+      ->add_option(
+          "--observer", options->observer,
+          "Trace of another person's head, in the room: the same game, seen by them, until they would see "
+          "what was not recorded")
       ->type_name("TRACE")
       ->transform(shipped("traces"));
   command->add_flag("--walk", options->walk, "Walk about in the game yourself: the rig's tracker follows you")
@@ -399,7 +403,8 @@ void addReplay(CLI::App& app, int& status) {
   command
       ->add_option_function<std::vector<double>>(
           "--from", [options](const std::vector<double>& place_m) { options->from_m = toVec3(place_m); },
-          "Where the other person's room stands: its floor's origin on the board, in metres (the floor is 0.75 m "
+          "Where the other person's room stands: its floor's origin on the board, in metres (the floor is "
+          "0.75 m "
           "below the cloth)")
       ->expected(3)
       ->type_name("X Y Z")
@@ -423,7 +428,8 @@ void addReplay(CLI::App& app, int& status) {
       "Examples:\n  carom replay game.db\n  carom replay game.db --observer walk --capture "
       "pictures --no-window\n  carom replay game.db --walk --beta 0.6 0 0\n"
       "  carom replay game.db --walk --from 0 1.6 -0.75 --facing -90   (from the other side of the table)\n"
-      "Keys: Space pauses, arrows go back and on and change the speed, R runs backwards, H tells the others.");
+      "Keys: Space pauses, arrows go back and on and change the speed, R runs backwards, H tells the "
+      "others.");
   command->callback([options, &status] { status = runReplay(*options); });
 }
 
@@ -441,22 +447,25 @@ void addExport(CLI::App& app, int& status) {
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));
   command
-      ->add_option("--csv", options->csv,
-                   "Write a row for each frame and body to this file: the observer's event, where and when the light "
-                   "left the body's centre, where it is seen and how it is shifted; - is standard output")
+      ->add_option(
+          "--csv", options->csv,
+          "Write a row for each frame and body to this file: the observer's event, where and when the light "
+          "left the body's centre, where it is seen and how it is shifted; - is standard output")
       ->type_name("FILE");
   command
       ->add_option("--paraview", options->paraview,
                    "New folder for the whole seen scene of each frame: ParaView opens DIR/seen.pvd")
       ->type_name("DIR");
   command->footer(
-      "Both as carom observe has them, for the point between the eyes; board frame, seconds and metres. A frame's "
+      "Both as carom observe has them, for the point between the eyes; board frame, seconds and metres. A "
+      "frame's "
       "meshes take some megabytes: --every 30 is two a second.\n"
       "Examples:\n  carom export game.db --csv seen.csv\n"
       "  carom export game.db --observer walk --every 30 --paraview seen");
   command->callback([options, &status] {
     if (!options->csv && !options->paraview) {
-      throw CLI::ValidationError("export", "nothing is to be written, expected --csv FILE, --paraview DIR or both");
+      throw CLI::ValidationError("export",
+                                 "nothing is to be written, expected --csv FILE, --paraview DIR or both");
     }
     status = runExport(*options);
   });
@@ -479,14 +488,16 @@ void addEvents(CLI::App& app, int& status) {
       ->expected(3)
       ->type_name("BX BY BZ")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
-  command->add_option("--until", line->options.until_s,
-                      "Board time of the last event; left out: 10 s, or a session's end")
+  command
+      ->add_option("--until", line->options.until_s,
+                   "Board time of the last event; left out: 10 s, or a session's end")
       ->type_name("S")
       ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
   command
-      ->add_option("--place", line->places,
-                   "Who rests at this place of the board (m): when light brings them the news of each. May be "
-                   "given again")
+      ->add_option(
+          "--place", line->places,
+          "Who rests at this place of the board (m): when light brings them the news of each. May be "
+          "given again")
       ->type_name("X Y Z")
       ->allow_extra_args(false);
   command->add_option("--pair", line->pair, "Only the two events of these numbers")

@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 # Installing builds nothing: it takes what is there, and tests need not be.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
-# The program finds what is in share/carom from where it is itself (app/config_folder.h).
+# The program finds what is in share/carom from where it is itself (app/files/config_folder.h).
 install(TARGETS carom COMPONENT program DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY config/ COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}/carom
   PATTERN build EXCLUDE PATTERN install-packages EXCLUDE PATTERN packages.txt EXCLUDE PATTERN "*.cmake" EXCLUDE
@@ -49,4 +49,4 @@ set(CPACK_DEBIAN_ENGINE_PACKAGE_DEPENDS "libglm-dev")
 include(CPack)
 
 add_custom_target(deb COMMAND ${CMAKE_CPACK_COMMAND} WORKING_DIRECTORY ${CMAKE_BINARY_DIR} USES_TERMINAL)
-add_dependencies(deb carom carom_engine man)
+add_dependencies(deb carom man)

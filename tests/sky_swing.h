@@ -10,9 +10,9 @@
 #include <random>
 #include <vector>
 
-#include "devices/head_filter.h"
-#include "devices/sky_swing.h"
-#include "engine/observer.h"
+#include "devices/filter/head_filter.h"
+#include "devices/filter/sky_swing.h"
+#include "engine/spacetime/observer.h"
 
 namespace carom::test {
 

@@ -1,4 +1,4 @@
-#include "app/check.h"
+#include "app/tools/check.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 set -uo pipefail
 . "$(dirname "$0")/session_in_window.sh"
 
-# Where the console is, and in it the middles of what is clicked (app/console.cpp lays it out).
+# Where the console is, and in it the middles of what is clicked (app/session/console.cpp lays it out).
 left=20 top=20
 retardation="221 168" my_light="230 339" board_now="31 421" keys="1060 42" black="1185 42" again="500 717"
 
@@ -14,7 +14,7 @@ printf '\n[console]\nwindow = { position = [%d, %d], size = [1280, 860] }\n' $le
 
 rows() { [ -s "$out/${2:-game}.db" ] && sqlite3 -cmd '.timeout 5000' "$out/${2:-game}.db" "$1" 2>/dev/null; }
 await() { # WHAT SQL VALUE [FILE]: until the file says so
-  for _ in $(seq 300); do
+  for _ in $(seq 1200); do
     [ "$(rows "$2" "${4:-game}")" = "$3" ] && return
     kill -0 "$job" 2>/dev/null || fail "$1: the session has ended"
     sleep 0.1
@@ -23,6 +23,11 @@ await() { # WHAT SQL VALUE [FILE]: until the file says so
 }
 click() { # X Y
   xdotool mousemove $((left + $1)) $((top + $2)) click 1
+}
+frames() { # N: until so many more frames were shown, and the console with them
+  local shown
+  shown=$(rows 'SELECT count(*) FROM frame')
+  await "$1 more frames" "SELECT count(*) >= $((shown + $1)) FROM frame" 1
 }
 newest() { echo "SELECT value FROM input WHERE what = '$1' ORDER BY rowid DESC LIMIT 1"; }
 
@@ -45,11 +50,11 @@ await "the speed of light" "SELECT value + 0 > 10 FROM input WHERE what = 'light
 
 # While the keys are shown they are for that list alone, and Escape closes it.
 click $keys
-sleep 2
+frames 40
 xdotool key p
-sleep 1
+frames 20
 xdotool key Escape
-sleep 2
+frames 40
 xdotool key c
 await "a key" "$(newest clocks)" on
 [ "$(rows "SELECT count(*) FROM input WHERE what = 'paths'")" -eq 0 ] || fail "a key went past the list of keys"

@@ -1,6 +1,6 @@
 // The cue: what holds it, what is refused, and what stroke a pull is on the board.
 
-#include "app/cue.h"
+#include "app/hand/cue.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/rig.h"
-#include "engine/limits.h"
+#include "app/files/rig.h"
+#include "engine/base/limits.h"
 #include "engine/random_world.h"
 
 namespace carom {

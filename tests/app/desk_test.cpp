@@ -1,5 +1,5 @@
 // What keys, mouse and a gamepad at the desk come to.
-#include "app/desk.h"
+#include "app/input/desk.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // What the drive does with the platform, against closed forms of hyperbolic motion and against what must hold
 // of any person's world line.
-#include "app/drive.h"
+#include "app/viewer/drive.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/person.h"
 #include "app/temporary_folder.h"
-#include "engine/limits.h"
+#include "app/viewer/person.h"
+#include "engine/base/limits.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -185,14 +185,16 @@ TEST(Drive, SteeringTakesOver) {
 
 // A tour that began in motion would not end at home.
 TEST(Drive, ATourBeginsAtRestOnceAndSaysHowItEnded) {
-  Ride ride(platform({}, {{0.0, 1.0, {0.0, -0.9, 0.0}}, {1.0, 2.0, {0.0, 0.9, 0.0}}, {3.0, 1.0, {0.0, -0.9, 0.0}}}),
-            standing);
+  Ride ride(
+      platform({}, {{0.0, 1.0, {0.0, -0.9, 0.0}}, {1.0, 2.0, {0.0, 0.9, 0.0}}, {3.0, 1.0, {0.0, -0.9, 0.0}}}),
+      standing);
   ride.live({.steer = {1.0, 0.0, 0.0}});
   ride.drive.news();
   ride.drive.setOut();
   ride.live();
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
-  EXPECT_EQ(ride.drive.news().words(), "The tour begins at rest: brake (Space), or go home (Home), then set out.");
+  EXPECT_EQ(ride.drive.news().words(),
+            "The tour begins at rest: brake (Space), or go home (Home), then set out.");
   for (int frame = 0; frame < 60; ++frame) ride.live({.brake = true});
   const double board_s = ride.observer.headEvent().t_s;
   ride.drive.setOut();

@@ -1,13 +1,13 @@
 // Events in any frame: the order of two collisions far apart, and when their light arrives.
-#include "app/event_table.h"
+#include "app/tables/event_table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "app/scenario.h"
-#include "engine/lorentz.h"
+#include "app/files/scenario.h"
+#include "engine/spacetime/lorentz.h"
 
 namespace carom {
 namespace {

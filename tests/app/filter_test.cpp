@@ -1,6 +1,6 @@
 // `carom filter`: row for row the head filter of a session, causal, and exact in what it takes and writes.
 
-#include "app/filter.h"
+#include "app/tools/filter.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "app/program.h"
-#include "devices/head_filter.h"
-#include "devices/trace.h"
+#include "devices/filter/head_filter.h"
+#include "devices/tracker/trace.h"
 
 namespace carom {
 namespace {

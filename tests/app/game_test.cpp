@@ -1,15 +1,15 @@
 // A game of hours, as the frame loop plays it: what no eye can see any more is forgotten, and nobody sees a
 // difference.
 
-#include "app/game.h"
-#include "app/starting_histories.h"
+#include "app/play/game.h"
+#include "app/files/starting_histories.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 
-#include "engine/light_cone.h"
+#include "engine/light/light_cone.h"
 
 namespace carom {
 namespace {

@@ -1,7 +1,7 @@
 // What a hand points to: pucks where they are seen, against a search by another way (light_cone.h
 // `emission`), and the cloth as it stands in the room.
 
-#include "app/hand_aim.h"
+#include "app/hand/hand_aim.h"
 
 #include <gtest/gtest.h>
 

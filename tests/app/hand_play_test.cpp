@@ -1,7 +1,7 @@
 // Strokes of a hand in a session that is lived, kept and read again: nothing that was seen changes, the game
 // is the one that all strokes make, and a session that goes on has them.
 
-#include "app/hand_play.h"
+#include "app/play/hand_play.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -16,14 +16,14 @@
 #include <set>
 #include <sstream>
 
-#include "app/journal.h"
-#include "app/person.h"
-#include "app/recorded_source.h"
-#include "app/session_file.h"
-#include "app/starting_histories.h"
-#include "app/visitor_source.h"
-#include "cave/frame_digest.h"
-#include "engine/light_cone.h"
+#include "app/files/starting_histories.h"
+#include "app/journal/journal.h"
+#include "app/journal/session_file.h"
+#include "app/session/recorded_source.h"
+#include "app/session/visitor_source.h"
+#include "app/viewer/person.h"
+#include "cave/frame/frame_digest.h"
+#include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 #include "temporary_folder.h"
 

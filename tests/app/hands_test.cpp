@@ -1,6 +1,6 @@
 // Whose hand holds the cue, and what hands ask of the drive; a wand's readings through a tracker that a test
 // feeds.
-#include "app/hands.h"
+#include "app/play/hands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "app/import.h"
+#include "app/tools/import.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
 #include "app/program.h"
-#include "app/rig_room.h"
-#include "app/room_check.h"
+#include "app/room_import/rig_room.h"
+#include "app/room_import/room_check.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/input_monitor.h"
+#include "devices/monitor/input_monitor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/journal.h"
+#include "app/journal/journal.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
@@ -17,9 +17,9 @@
 #include <random>
 #include <thread>
 
-#include "app/session_file.h"
-#include "app/stored_event.h"
-#include "cave/frame_digest.h"
+#include "app/journal/session_file.h"
+#include "app/journal/stored_event.h"
+#include "cave/frame/frame_digest.h"
 #include "temporary_folder.h"
 
 namespace carom {
@@ -316,7 +316,9 @@ TEST(Journal, StrokesAreReadWithTheSameBitsInTheOrderOfTheFrames) {
         journal.add(frameOf(number), head(), {});
         continue;
       }
-      written.push_back({number % 2, std::abs(any(random)), Vec3(any(random), any(random), 1e-300),
+      written.push_back({number % 2,
+                         std::abs(any(random)),
+                         Vec3(any(random), any(random), 1e-300),
                          {0.5 * any(random), 0.6}});
       journal.add(frameOf(number), head(), {}, std::span(&written.back(), 1));
     }
@@ -345,9 +347,10 @@ TEST(Journal, StrokesAreReadWithTheSameBitsInTheOrderOfTheFrames) {
   EXPECT_NE(refusal("UPDATE stroke SET puck = 'blue' WHERE frame = 10").find("frame 10: a stroke on 'blue'"),
             std::string::npos);
   for (const char* value : {"NULL", "1e999", "'far'", "x'00'"}) {
-    EXPECT_NE(refusal(std::string("UPDATE stroke SET puck = 'red', p_x_kg_m_s = ") + value + " WHERE frame = 10")
-                  .find("frame 10: a stroke on 'red' that is none"),
-              std::string::npos)
+    EXPECT_NE(
+        refusal(std::string("UPDATE stroke SET puck = 'red', p_x_kg_m_s = ") + value + " WHERE frame = 10")
+            .find("frame 10: a stroke on 'red' that is none"),
+        std::string::npos)
         << value;
   }
   EXPECT_NE(refusal("UPDATE stroke SET p_x_kg_m_s = 1e100 WHERE frame = 10")
@@ -423,7 +426,8 @@ TEST(Journal, TheFileOfAKilledProgramAloneLacksNoMoreThanItsLastMinute) {
   TemporaryFolder folder;
   for (const auto& [every, whole] : {std::pair(50ms, true), std::pair(3600000ms, false)}) {
     SCOPED_TRACE(every.count());
-    const auto file = folder / (whole ? "whole.db" : "early.db"), copy = folder / ("copy of " + file.filename().string());
+    const auto file = folder / (whole ? "whole.db" : "early.db"),
+               copy = folder / ("copy of " + file.filename().string());
     const pid_t child = fork();
     if (child == 0) {
       Journal journal(file, kFacts, false, {}, every);
@@ -435,7 +439,8 @@ TEST(Journal, TheFileOfAKilledProgramAloneLacksNoMoreThanItsLastMinute) {
       SessionFile session(of, [&](const std::string& line) { said.push_back(line); });
       EXPECT_EQ(said.size(), of == copy ? 1u : 0u);
       for (const std::string& line : said)
-        EXPECT_NE(line.find(of.filename().string() + "-wal, which belongs beside it"), std::string::npos) << line;
+        EXPECT_NE(line.find(of.filename().string() + "-wal, which belongs beside it"), std::string::npos)
+            << line;
       const auto frames = session.frames();
       return frames ? frames->second + 1 : 0;
     };
@@ -618,8 +623,10 @@ TEST(SessionFile, SaysWhatIsWrongWithAFile) {
   EXPECT_NE(refusalOf(foreign).find("another program's"), std::string::npos) << refusalOf(foreign);
 
   const auto empty = folder / "empty.db";
-  SQLite::Database(empty.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("PRAGMA journal_mode = WAL");
-  EXPECT_NE(refusalOf(empty).find("is in empty.db-wal, expected beside it"), std::string::npos) << refusalOf(empty);
+  SQLite::Database(empty.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("PRAGMA journal_mode = WAL");
+  EXPECT_NE(refusalOf(empty).find("is in empty.db-wal, expected beside it"), std::string::npos)
+      << refusalOf(empty);
 
   const auto newer = folder / "newer.db";
   std::filesystem::copy_file(file, newer);
@@ -712,7 +719,9 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
       {"the room's frame has light at 1 m/s, expected the game's 1.42",
        [](FrameState& s) { s.record.boardFromRoom = Lorentz(1.0); }},
       {"the room's frame is none",
-       [](FrameState& s) { s.record.boardFromRoom = Lorentz::rotation({1.0, 1.0, 0.0, 0.0}, 1.42); }},
+       [](FrameState& s) {
+         s.record.boardFromRoom = Lorentz::rotation({1.0, 1.0, 0.0, 0.0}, 1.42);
+       }},
       {"hand.pulling is 2", [](FrameState& s) { s.record.hand.pulling = 2; }},
       {"the hand is", [](FrameState& s) { s.record.hand.to_m.y = kNan; }},
       {"the stroke is", [](FrameState& s) { s.record.hand.u = kNan; }},

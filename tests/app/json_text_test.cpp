@@ -1,4 +1,4 @@
-#include "app/json_text.h"
+#include "app/tables/json_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What a session's keys change.
-#include "app/keys.h"
-#include "engine/limits.h"
+#include "app/input/keys.h"
+#include "engine/base/limits.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -44,7 +44,8 @@ TEST(Keys, PressedTwiceMostKeysChangeNothing) {
   const std::set<int> steps{GLFW_KEY_T,     GLFW_KEY_EQUAL,        GLFW_KEY_KP_ADD,
                             GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT,  GLFW_KEY_LEFT,
                             GLFW_KEY_RIGHT, GLFW_KEY_UP,           GLFW_KEY_DOWN,
-                            GLFW_KEY_HOME,  GLFW_KEY_LEFT_BRACKET, GLFW_KEY_RIGHT_BRACKET, GLFW_KEY_G};
+                            GLFW_KEY_HOME,  GLFW_KEY_LEFT_BRACKET, GLFW_KEY_RIGHT_BRACKET,
+                            GLFW_KEY_G};
   for (const KeysOf place : kPlaces) {
     for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
       if (steps.contains(key)) continue;
@@ -146,8 +147,8 @@ TEST(Keys, WhileALessonAsksDigitsAnswerAndDoNothingElse) {
     EXPECT_EQ(controls.switches, asking.switches) << digit;
     EXPECT_EQ(controls.views, asking.views) << digit;
     const bool answers = digit >= 1 && digit <= 3;
-    EXPECT_EQ(controls.lesson, answers ? (LessonState{LessonPhase::shows, static_cast<std::uint8_t>(digit)})
-                                       : asking.lesson);
+    EXPECT_EQ(controls.lesson,
+              answers ? (LessonState{LessonPhase::shows, static_cast<std::uint8_t>(digit)}) : asking.lesson);
     EXPECT_EQ(changesOf(asking, controls).size(), answers ? 1 : 0);
   }
 }

@@ -1,4 +1,4 @@
-#include "app/left_room.h"
+#include "cave/room/left_room.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,8 @@ Wall wallOf(const std::string& name, const glm::dvec3& lowerLeft_m, const glm::d
   return wall;
 }
 
-// Said once each time that the head goes behind a wall, not while it stays there, nor for a tracker's centimetre.
+// Said once each time that the head goes behind a wall, not while it stays there, nor for a tracker's
+// centimetre.
 TEST(LeftRoom, IsSaidOnceEachTime) {
   const std::vector<Wall> walls{wallOf("front", {-1.5, 0.0, -1.5}, {1.5, 0.0, -1.5}),
                                 wallOf("left", {-1.5, 0.0, 1.5}, {-1.5, 0.0, -1.5})};

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "app/scenario.h"
-#include "cave/text_ink.h"
+#include "app/files/scenario.h"
+#include "cave/gl/text_ink.h"
 
 namespace carom {
 namespace {

@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "app/scenario.h"
-#include "engine/billiard.h"
-#include "engine/light_cone.h"
-#include "engine/lorentz.h"
-#include "engine/observer.h"
+#include "app/files/scenario.h"
+#include "engine/billiard/billiard.h"
+#include "engine/light/light_cone.h"
+#include "engine/spacetime/lorentz.h"
+#include "engine/spacetime/observer.h"
 
 namespace carom {
 namespace {

@@ -1,10 +1,10 @@
 // How a lesson goes, and how it is read from a scenario.
-#include "app/lesson.h"
+#include "app/operator/lesson.h"
 
 #include <gtest/gtest.h>
 
+#include "app/files/toml_file.h"
 #include "app/temporary_folder.h"
-#include "app/toml_file.h"
 
 namespace carom {
 namespace {

@@ -1,6 +1,6 @@
 // A session as the frame loop plays it, with a mouse that shoots: what its file says afterwards.
 
-#include "app/live_source.h"
+#include "app/session/live_source.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 #include <optional>
 #include <sstream>
 
-#include "app/recorded_source.h"
-#include "app/session_file.h"
-#include "app/starting_histories.h"
-#include "engine/light_cone.h"
+#include "app/files/starting_histories.h"
+#include "app/journal/session_file.h"
+#include "app/session/recorded_source.h"
+#include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 #include "temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // `carom observe` against exact emission events, computed elsewhere to 30 digits.
 
-#include "app/observe.h"
+#include "app/tools/observe.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@ import time
 
 carom, config, out, pictures = sys.argv[1], *(pathlib.Path(a) for a in sys.argv[2:5])
 LIGHT_M_S, MASS_KG = 1.42, 0.2
-PULL_FOR_MC_M = 0.15  # app/cue.h: a pull so long is a momentum of m c
+PULL_FOR_MC_M = 0.15  # app/hand/cue.h: a pull so long is a momentum of m c
 EYES_M = (0.0, 1.7, 0.0)  # in the room, standing still
 ROOM_ON_BOARD_M = (0.0, -1.6, -0.75)  # of the room's floor origin; its forward is +y
 SCREEN_M = {"left": -0.8, "right": 0.8, "lower": 0.9, "upper": 1.8, "z": -1.0}  # config/rigs/single-screen.toml
@@ -64,7 +64,7 @@ def query(sql):
         return db.execute(sql).fetchall()
 
 
-def wait_until(what, holds, seconds=60.0):
+def wait_until(what, holds, seconds=240.0):
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         try:
@@ -78,7 +78,13 @@ def wait_until(what, holds, seconds=60.0):
     fail(f"not seen in time: {what}")
 
 
-still = "".join(f"{i / 60:.6f},0,1.7,0,0,0,0,1\n" for i in range(60 * 120))
+def wait_for_frames(count):
+    """Until so many more frames were shown: what the mouse did before is then seen, however slow the display is."""
+    shown = query("SELECT count(*) FROM frame")[0][0]
+    wait_until(f"{count} more frames", lambda: query("SELECT count(*) FROM frame")[0][0] >= shown + count)
+
+
+still = "".join(f"{i / 60:.6f},0,1.7,0,0,0,0,1\n" for i in range(60 * 600))
 (out / "still.csv").write_text("time_s,x_m,y_m,z_m,qx,qy,qz,qw\n" + still)
 rig = (config / "rigs/single-screen.toml").read_text()
 rig = re.sub(r"(?m)^pixels = .*", "pixels = [640, 360]", rig)
@@ -101,7 +107,7 @@ with open(out / "stderr", "w") as errors:
 
     aim = on_screen(WHITE_M)
     do("mousemove", *aim)
-    time.sleep(0.5)
+    wait_for_frames(5)
     screenshot("1-aimed")
 
     # From where that ray meets the cloth, back by 0.3 m, away from the red puck.
@@ -111,12 +117,12 @@ with open(out / "stderr", "w") as errors:
     way = math.atan2(RED_M[1] - WHITE_M[1], RED_M[0] - WHITE_M[0])
     pull_m = 0.3
     do("mousedown", 1)
-    time.sleep(0.5)  # so that a slow display has seen it pressed here
+    wait_for_frames(5)  # so that it is pressed here
     for part in range(1, 11):
         back = pull_m * part / 10
         do("mousemove", *on_screen((cloth_m[0] - back * math.cos(way), cloth_m[1] - back * math.sin(way), 0.0)))
         time.sleep(0.05)
-    time.sleep(0.5)
+    wait_for_frames(5)
     screenshot("2-drawn-back")
     do("mouseup", 1)
     wait_until("the stroke", lambda: query("SELECT puck FROM stroke"))
@@ -126,7 +132,7 @@ with open(out / "stderr", "w") as errors:
     time.sleep(2.0)
     screenshot("4-collided")
     press("Escape", "Carom: screen")
-    if session.wait(timeout=30) != 0:
+    if session.wait(timeout=240) != 0:
         fail("the session did not end well")
 
 (struck, px, py), *others = query("SELECT puck, p_x_kg_m_s, p_y_kg_m_s FROM stroke")
@@ -154,6 +160,6 @@ with open(out / "stderr", "w") as errors:
         time.sleep(0.5)
     screenshot("6-gone-back")
     press("Escape", "Carom: screen")
-    if session.wait(timeout=30) != 0:
+    if session.wait(timeout=240) != 0:
         fail("the replay did not end well")
 print(f"white was shot with {math.hypot(px, py):.3f} kg m/s, {wanted:.3f} meant, and met red")

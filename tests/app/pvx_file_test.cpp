@@ -1,8 +1,8 @@
-#include "app/pvx_file.h"
+#include "app/room_import/pvx_file.h"
 
 #include <gtest/gtest.h>
 
-#include "app/room_check.h"
+#include "app/room_import/room_check.h"
 #include "app/temporary_folder.h"
 
 namespace carom {

@@ -8,15 +8,15 @@
 #include <memory>
 #include <sstream>
 
-#include "app/game.h"
-#include "app/journal.h"
-#include "app/person.h"
-#include "app/recorded_source.h"
-#include "app/starting_histories.h"
-#include "app/visitor_source.h"
-#include "cave/frame_digest.h"
-#include "engine/billiard.h"
-#include "engine/light_cone.h"
+#include "app/files/starting_histories.h"
+#include "app/journal/journal.h"
+#include "app/play/game.h"
+#include "app/session/recorded_source.h"
+#include "app/session/visitor_source.h"
+#include "app/viewer/person.h"
+#include "cave/frame/frame_digest.h"
+#include "engine/billiard/billiard.h"
+#include "engine/light/light_cone.h"
 #include "temporary_folder.h"
 
 namespace carom {

@@ -1,4 +1,4 @@
-#include "app/rig.h"
+#include "app/files/rig.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <regex>
 #include <tuple>
 
+#include "app/files/toml_file.h"
 #include "app/temporary_folder.h"
-#include "app/toml_file.h"
 
 namespace carom {
 namespace {
@@ -99,7 +99,8 @@ TEST(Rig, MayHaveASpaceMouse) {
 TEST(Rig, MaySayHowAHandHoldsItsSensor) {
   const std::string hand = "[hand]\ntracker = 'cap'\nsensor = 2\n";
   EXPECT_EQ(read(kGood + hand).hand->handFromSensor.position_m, glm::dvec3(0.0));
-  const Rig held = read(kGood + hand + "hand_from_sensor = { translation = [0, 30, 0], rotation_deg = [0, 90, 0] }\n");
+  const Rig held =
+      read(kGood + hand + "hand_from_sensor = { translation = [0, 30, 0], rotation_deg = [0, 90, 0] }\n");
   ASSERT_TRUE(held.hand);
   EXPECT_EQ(held.hand->sensor, 2);
   expectNear(held.hand->handFromSensor.position_m, {0, 0.03, 0});
@@ -258,7 +259,8 @@ TEST(Rig, WallsOfANodeShareAWindowByViewports) {
 }
 
 TEST(Rig, EachNodeHasItsOneWindow) {
-  const std::string text = withSecond("window = { size = [100, 100] }\n", "window = { size = [100, 100] }\nnode = 1\n");
+  const std::string text =
+      withSecond("window = { size = [100, 100] }\n", "window = { size = [100, 100] }\nnode = 1\n");
   std::string one = text;
   one.replace(one.find("[head]"), 6, "[one_window]\nsize = [100, 100]\n[head]");
   EXPECT_EQ(read(one).walls.size(), 2u);
@@ -364,12 +366,12 @@ INSTANTIATE_TEST_SUITE_P(
                   "window = { size = [100, 100], viewport = { size = [50, 50] } }\n",
               17, 42, "expected none"},
         Fault{"viewports on each other",
-              withSecond("window = { size = [100, 100], viewport = { size = [60, 100] } }\n",
-                         "window = { size = [100, 100], viewport = { position = [50, 0], size = [50, 100] } }\n"),
+              withSecond(
+                  "window = { size = [100, 100], viewport = { size = [60, 100] } }\n",
+                  "window = { size = [100, 100], viewport = { position = [50, 0], size = [50, 100] } }\n"),
               22, 10, "overlap in their window"},
-        Fault{"walls too different",
-              withSecond("display_latency_ms = 5\n", "display_latency_ms = 200\n"), 15, 22,
-              "is 195.0 ms faster than the slowest"},
+        Fault{"walls too different", withSecond("display_latency_ms = 5\n", "display_latency_ms = 200\n"), 15,
+              22, "is 195.0 ms faster than the slowest"},
         Fault{"place not given", changed("[head]", "[one_window]\nsize = [100, 100]\n[head]"), 11, 1,
               "window is missing"},
         Fault{"same rank",

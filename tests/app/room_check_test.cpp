@@ -1,10 +1,10 @@
-#include "app/room_check.h"
+#include "app/room_import/room_check.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "app/rig_room.h"
+#include "app/room_import/rig_room.h"
 #include "app/temporary_folder.h"
 
 namespace carom {

@@ -1,4 +1,4 @@
-#include "app/scenario.h"
+#include "app/files/scenario.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "app/files/toml_file.h"
 #include "app/temporary_folder.h"
-#include "app/toml_file.h"
 
 namespace carom {
 namespace {
@@ -69,8 +69,9 @@ TEST(Scenario, LeavesOutWhatIsOptional) {
 }
 
 TEST(Scenario, TakesFlashes) {
-  const Scenario scenario = read("light_speed_m_s = 2\n[[flash]]\nat_s = 3\nr_m = [0, -0.9, 0.3]\n"
-                                 "[[flash]]\nname = 'lamp'\nat_s = 0\nr_m = [1, 2, 3]\n");
+  const Scenario scenario = read(
+      "light_speed_m_s = 2\n[[flash]]\nat_s = 3\nr_m = [0, -0.9, 0.3]\n"
+      "[[flash]]\nname = 'lamp'\nat_s = 0\nr_m = [1, 2, 3]\n");
   const std::vector<Flash>& flashes = scenario.billiard.flashes;
   ASSERT_EQ(flashes.size(), 2u);
   EXPECT_EQ(flashes[0].name, "flash 1");
@@ -292,8 +293,8 @@ INSTANTIATE_TEST_SUITE_P(
               "from 0"},
         Fault{"flash before the game", kHead + "[[flash]]\nat_s = -1\nr_m = [0, 0, 0]\n", 3, 8, "from 0"},
         Fault{"flash nowhere", kHead + "[[flash]]\nat_s = 1\n", 2, 1, "r_m is missing"},
-        Fault{"flash of a puck's name",
-              kHead + kPuck + "[[flash]]\nname = 'a'\nat_s = 1\nr_m = [0, 0, 0]\n", 9, 8, "is taken"},
+        Fault{"flash of a puck's name", kHead + kPuck + "[[flash]]\nname = 'a'\nat_s = 1\nr_m = [0, 0, 0]\n",
+              9, 8, "is taken"},
         Fault{"no legs", kHead + "[[body]]\nname = 'r'\nat = { t_s = 0, r_m = [0, 0, 0] }\n", 2, 1,
               "[[body.leg]]"},
         Fault{"empty legs", kHead + "[[body]]\nname = 'r'\nat = { t_s = 0, r_m = [0, 0, 0] }\nleg = []\n", 5,

@@ -1,4 +1,4 @@
-#include "app/sensor_monitor.h"
+#include "devices/monitor/sensor_monitor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // `carom simulate` against exact collisions, computed elsewhere to 30 digits by brute force.
 
-#include "app/simulate.h"
+#include "app/tools/simulate.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/files/scenario.h"
 #include "app/program.h"
-#include "app/scenario.h"
 
 namespace carom {
 namespace {
@@ -431,8 +431,8 @@ TEST(Simulate, AJamIsOneCollisionOfAllItsPucks) {
   constexpr double kRadius_m = 0.0305;
   std::string text = "light_speed_m_s = 1.42\n[physics]\npuck_restitution = 0.0\n";
   for (int i = 0; i < 10; ++i) {
-    text += puckText("p" + std::to_string(i), kRadius_m, 0.2,
-                     "[" + exact(2.002 * kRadius_m * i) + ", 0.0]", "[0.0, 0.0]");
+    text += puckText("p" + std::to_string(i), kRadius_m, 0.2, "[" + exact(2.002 * kRadius_m * i) + ", 0.0]",
+                     "[0.0, 0.0]");
   }
   text += puckText("z", kRadius_m, 0.2, "[-0.6, 0.003]", "[0.7, 0.0]");
   const json found = simulate(folder, text, 4.0);

@@ -1,4 +1,4 @@
-#include "app/toml_file.h"
+#include "app/files/toml_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The tour of a scenario file: what is read, what is refused and in which words.
 #include <gtest/gtest.h>
 
-#include "app/scenario.h"
+#include "app/files/scenario.h"
+#include "app/files/toml_file.h"
 #include "app/temporary_folder.h"
-#include "app/toml_file.h"
 
 namespace carom {
 namespace {

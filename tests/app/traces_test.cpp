@@ -1,11 +1,11 @@
 // Faults of a rig's traces are found before a session starts.
 
-#include "app/traces.h"
+#include "app/files/traces.h"
 
 #include <gtest/gtest.h>
 
+#include "app/files/toml_file.h"
 #include "app/program.h"
-#include "app/toml_file.h"
 
 namespace carom {
 namespace {

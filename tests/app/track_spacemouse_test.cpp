@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "app/temporary_folder.h"
-#include "app/track.h"
+#include "app/tools/track.h"
 #include "devices/hidraw_node.h"
 
 namespace carom {

@@ -1,6 +1,6 @@
 // `carom track`: what it shows, and recordings that are whole however it ends.
 
-#include "app/track.h"
+#include "app/tools/track.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -11,9 +11,9 @@
 #include <csignal>
 #include <thread>
 
-#include "app/loss_counter.h"
 #include "app/program.h"
-#include "devices/trace.h"
+#include "devices/monitor/loss_counter.h"
+#include "devices/tracker/trace.h"
 
 namespace carom {
 namespace {

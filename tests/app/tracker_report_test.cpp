@@ -1,11 +1,11 @@
 // What the console says of a tracker and of the head: lamp and words agree, however slow the frames are.
-#include "app/tracker_report.h"
+#include "devices/monitor/tracker_report.h"
 
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 
-#include "app/head_tracking.h"
+#include "app/viewer/head_tracking.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/tracker_watch.h"
+#include "devices/monitor/tracker_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "app/journal/session_file.h"
 #include "app/program.h"
-#include "app/session_file.h"
 #include "app/temporary_folder.h"
 
 namespace carom {

@@ -1,5 +1,5 @@
 // Projectors' meshes from files: what is right is read, what is not is named with its place.
-#include "cave/warp_mesh.h"
+#include "cave/room/warp_mesh.h"
 
 #include <gtest/gtest.h>
 

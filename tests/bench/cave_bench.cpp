@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "cave/bodies.h"
-#include "cave/mesh_builder.h"
-#include "cave/scene.h"
-#include "cave/wall_renderer.h"
-#include "engine/mesh_emission.h"
+#include "cave/frame/bodies.h"
+#include "cave/mesh/mesh_builder.h"
+#include "cave/render/wall_renderer.h"
+#include "cave/scene/scene.h"
+#include "engine/light/mesh_emission.h"
 
 namespace carom {
 namespace {
@@ -211,8 +211,8 @@ void frame(benchmark::State& state) {
   measureInTurn(state, room);
 }
 
-// Eight views (four walls, two eyes) in one process beside one view in one process: what a view costs must not
-// grow with their number. In turn, with and without the emission solve.
+// Eight views (four walls, two eyes) in one process beside one view in one process: what a view costs must
+// not grow with their number. In turn, with and without the emission solve.
 void views(benchmark::State& state) {
   graphics().makeCurrent();
   const Game game;

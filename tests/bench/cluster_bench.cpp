@@ -6,7 +6,7 @@
 #include <chrono>
 #include <vector>
 
-#include "cave/cluster.h"
+#include "cave/cluster/cluster.h"
 
 namespace {
 

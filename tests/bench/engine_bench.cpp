@@ -15,9 +15,9 @@
 
 #include "bench/paper_table.h"
 #include "counted_new.h"
-#include "engine/billiard.h"
-#include "engine/mesh_view.h"
-#include "engine/ring_view.h"
+#include "engine/billiard/billiard.h"
+#include "engine/light/mesh_view.h"
+#include "engine/light/ring_view.h"
 
 namespace carom::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <glm/gtc/quaternion.hpp>
 
-#include "devices/head_filter.h"
+#include "devices/filter/head_filter.h"
 #include "devices/recorded_head.h"
 #include "devices/velocity_peers.h"
 

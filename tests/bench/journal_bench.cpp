@@ -9,10 +9,10 @@
 #include <random>
 #include <thread>
 
-#include "app/journal.h"
-#include "app/scenario.h"
-#include "engine/billiard.h"
-#include "engine/observer.h"
+#include "app/files/scenario.h"
+#include "app/journal/journal.h"
+#include "engine/billiard/billiard.h"
+#include "engine/spacetime/observer.h"
 
 using namespace carom;
 

@@ -1,6 +1,6 @@
 #include "bench/paper_table.h"
 
-#include "engine/instruction_set.h"
+#include "engine/base/instruction_set.h"
 
 namespace carom::bench {
 namespace {

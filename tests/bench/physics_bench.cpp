@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 #include "engine/gas.h"
 
 namespace carom {

@@ -5,7 +5,7 @@
 #include <exception>
 #include <glm/trigonometric.hpp>
 
-#include "app/chart_file.h"
+#include "app/report/chart_file.h"
 #include "sky_swing.h"
 
 namespace {

@@ -11,12 +11,12 @@
 #include <glm/mat3x3.hpp>
 #include <vector>
 
-#include "cave/body_shaders.h"
-#include "cave/window.h"
+#include "cave/display/window.h"
+#include "cave/render/body_shaders.h"
+#include "engine/colour/doppler_colour.h"
 #include "engine/colour_reference.h"
-#include "engine/doppler_colour.h"
-#include "engine/light_cone.h"
-#include "engine/mesh_emission.h"
+#include "engine/light/light_cone.h"
+#include "engine/light/mesh_emission.h"
 #include "engine/random_world.h"
 
 namespace carom {

@@ -1,4 +1,4 @@
-#include "cave/capture.h"
+#include "cave/capture/capture.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "cave/window.h"
+#include "cave/display/window.h"
 
 namespace carom {
 namespace {

@@ -9,13 +9,13 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
-#include "cave/capture.h"
+#include "cave/capture/capture.h"
+#include "cave/gl/plain_state.h"
 #include "cave/glowing_puck.h"
-#include "cave/mark_batch.h"
-#include "cave/off_axis.h"
-#include "cave/plain_state.h"
-#include "cave/table_model.h"
-#include "cave/wall_renderer.h"
+#include "cave/render/mark_batch.h"
+#include "cave/render/wall_renderer.h"
+#include "cave/room/off_axis.h"
+#include "cave/scene/table_model.h"
 #include "engine/random_world.h"
 
 namespace carom {

@@ -1,5 +1,5 @@
 // Run under mpirun with several ranks (see CMakeLists.txt): each rank is one process of the test.
-#include "cave/cluster.h"
+#include "cave/cluster/cluster.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -96,7 +96,9 @@ TEST(Cluster, ADifferenceAnywhereIsNamed) {
       {"frame number", [](State& s, World&) { s.record.last = 1; }},
       {"display time", [](State& s, World&) { nudge(s.record.display_s); }},
       {"observer",
-       [](State& s, World&) { s.record.observer.headFromBoard = Lorentz::boost({0.1, 0.0, 0.3}, 1.42); }},
+       [](State& s, World&) {
+         s.record.observer.headFromBoard = Lorentz::boost({0.1, 0.0, 0.3}, 1.42);
+       }},
       {"observer", [](State& s, World&) { nudge(s.record.observer.properTime_s); }},
       {"observer", [](State& s, World&) { nudge(s.record.observer.eyes[0].observation.t_s); }},
       {"observer", [](State& s, World&) { nudge(s.record.observer.eyes[1].observation.r_m.y); }},
@@ -141,8 +143,8 @@ TEST(Cluster, ADifferenceAnywhereIsNamed) {
       FAIL() << "the difference went unnoticed";
     } catch (const NodesDiffer& error) {
       const std::string said = error.what();
-      const std::string expected = fmt::format("node {} drew from other numbers than node 0: {}",
-                                               cluster->size() - 1, all[i].field);
+      const std::string expected =
+          fmt::format("node {} drew from other numbers than node 0: {}", cluster->size() - 1, all[i].field);
       EXPECT_TRUE(said.ends_with(expected)) << said << "; expected " << expected;
     }
   }
@@ -198,7 +200,7 @@ TEST(Cluster, RankZeroHoldsWhatEachNodeSaidWithItsLastFrame) {
 
 TEST(Cluster, TruncationComesBeforeTheNewKnots) {
   World world{{history(), history(), history()}, {}};  // the board, a puck, a told body
-  FrameState first = frameWithKnots(3);                               // turns at 300, 301, 302
+  FrameState first = frameWithKnots(3);                // turns at 300, 301, 302
   for (BodyKnot& knot : first.knots) knot.body = 1;
   applyFrame(first, world);
   for (BodyKnot& knot : first.knots) knot.body = 2;

@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "cave/glowing_puck.h"
-#include "cave/off_axis.h"
-#include "cave/wall_renderer.h"
+#include "cave/render/wall_renderer.h"
+#include "cave/room/off_axis.h"
+#include "engine/colour/doppler_colour.h"
+#include "engine/colour/exposure.h"
 #include "engine/colour_reference.h"
-#include "engine/doppler_colour.h"
-#include "engine/exposure.h"
 
 namespace carom {
 namespace {

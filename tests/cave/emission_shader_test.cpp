@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "cave/body_shaders.h"
-#include "cave/window.h"
-#include "engine/light_cone.h"
+#include "cave/display/window.h"
+#include "cave/render/body_shaders.h"
+#include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 
 namespace carom {

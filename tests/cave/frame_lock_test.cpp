@@ -1,4 +1,4 @@
-#include "cave/frame_lock.h"
+#include "cave/cluster/frame_lock.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cave/frame_stamps.h"
+#include "cave/frame/frame_stamps.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "cave/capture.h"
-#include "cave/puck_model.h"
-#include "cave/scene.h"
-#include "cave/wall.h"
+#include "cave/capture/capture.h"
+#include "cave/room/wall.h"
+#include "cave/scene/puck_model.h"
+#include "cave/scene/scene.h"
 
 namespace carom::test {
 

@@ -1,5 +1,5 @@
 // The ray, the cue and the scale of its cost as pixels, against lines of sight cut with the wall's plane.
-#include "cave/hand_aids.h"
+#include "cave/overlay/hand_aids.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "cave/capture.h"
-#include "cave/window.h"
+#include "cave/capture/capture.h"
+#include "cave/display/window.h"
 
 namespace carom {
 namespace {
@@ -158,7 +158,8 @@ TEST_F(Aids, TheScalesHeightIsTheCost) {
     const double cost = 1.0 / std::sqrt(1.0 - beta * beta) - 1.0;
     EXPECT_NEAR(HandAids::heightOf(cost), HandAids::kPerCost * cost, 1e-12);
     const auto bar = [&](double of) {
-      return at(image, plane.at(beta > 0.0 ? HandAids::kScaleLeft : HandAids::kScaleRight, HandAids::kScaleFoot + HandAids::kPerCost * of));
+      return at(image, plane.at(beta > 0.0 ? HandAids::kScaleLeft : HandAids::kScaleRight,
+                                HandAids::kScaleFoot + HandAids::kPerCost * of));
     };
     const Rgb full = bar(cost - 0.06), empty = bar(cost + 0.06);
     EXPECT_GT(*std::max_element(full.begin(), full.end()), 170) << beta;

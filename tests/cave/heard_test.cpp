@@ -1,12 +1,12 @@
 // Which events of a game are heard in which frame, how loud and how high.
-#include "cave/heard.h"
+#include "cave/audio/heard.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
-#include "cave/sounds.h"
+#include "cave/audio/sounds.h"
 #include "engine/random_world.h"
 
 namespace carom {

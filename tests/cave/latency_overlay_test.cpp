@@ -1,4 +1,4 @@
-#include "cave/latency_overlay.h"
+#include "cave/overlay/latency_overlay.h"
 
 #include <gtest/gtest.h>
 #include <vtk_glew.h>
@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <limits>
 
-#include "cave/capture.h"
-#include "cave/frame_lock.h"
-#include "cave/window.h"
+#include "cave/capture/capture.h"
+#include "cave/cluster/frame_lock.h"
+#include "cave/display/window.h"
 
 namespace carom {
 namespace {

@@ -1,5 +1,5 @@
 // Ruler, angles and pulses of light: where their corners are drawn, in closed form.
-#include "cave/measure_marks.h"
+#include "cave/render/measure_marks.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-#include "cave/view_colours.h"
+#include "cave/gl/view_colours.h"
 #include "engine/random_world.h"
 
 namespace carom {

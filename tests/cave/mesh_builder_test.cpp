@@ -1,4 +1,4 @@
-#include "cave/mesh_builder.h"
+#include "cave/mesh/mesh_builder.h"
 
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>

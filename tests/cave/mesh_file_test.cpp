@@ -1,4 +1,4 @@
-#include "cave/mesh_file.h"
+#include "cave/mesh/mesh_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/input_error.h"
+#include "engine/base/input_error.h"
 
 namespace carom {
 namespace {

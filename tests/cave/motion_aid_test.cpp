@@ -1,5 +1,5 @@
 // The compass on the floor as pixels, against where its lines must be in the room; and its numbers in words.
-#include "cave/motion_aid.h"
+#include "cave/overlay/motion_aid.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <numbers>
 #include <string>
 
-#include "cave/capture.h"
-#include "cave/room_words.h"
-#include "cave/view_colours.h"
-#include "cave/window.h"
+#include "cave/capture/capture.h"
+#include "cave/display/window.h"
+#include "cave/gl/view_colours.h"
+#include "cave/overlay/room_words.h"
 
 namespace carom {
 namespace {

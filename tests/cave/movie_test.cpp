@@ -1,4 +1,4 @@
-#include "cave/movie.h"
+#include "cave/capture/movie.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "cave/window.h"
+#include "cave/display/window.h"
 
 namespace carom {
 namespace {

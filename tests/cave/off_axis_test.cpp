@@ -1,4 +1,4 @@
-#include "cave/off_axis.h"
+#include "cave/room/off_axis.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "app/rig.h"
+#include "app/files/rig.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -123,8 +123,7 @@ TEST(OffAxis, EveryWallAndEyeOfTheShippedRigsProjectsAsTheRayDoes) {
           const glm::dvec4 clip = *fromEye * glm::dvec4(point - eye, 1.0);
           ASSERT_LT(glm::length(clipOnWall(wall, clip) - rayOnWall(wall, eye, point)), kOnWall_m)
               << wall.name << ", case " << i;
-          ASSERT_LT(glm::length(clipOnWall(wall, clip) - expected), kOnWall_m)
-              << wall.name << ", case " << i;
+          ASSERT_LT(glm::length(clipOnWall(wall, clip) - expected), kOnWall_m) << wall.name << ", case " << i;
         }
       }
     }

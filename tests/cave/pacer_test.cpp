@@ -1,4 +1,4 @@
-#include "cave/pacer.h"
+#include "cave/frame/pacer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What leaves a projector, by pixels: pictures with a colour of its own in every pixel are warped, blended,
 // lifted, mirrored and packed.
-#include "cave/projector.h"
+#include "cave/projection/projector.h"
 
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
@@ -23,9 +23,9 @@
 #include <glm/vec3.hpp>
 
 #include "app/temporary_folder.h"
-#include "cave/capture.h"
-#include "cave/stereo.h"
-#include "cave/window.h"
+#include "cave/capture/capture.h"
+#include "cave/display/window.h"
+#include "cave/projection/stereo.h"
 
 namespace carom {
 namespace {

@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <set>
 
-#include "app/scenario.h"
-#include "cave/puck_model.h"
+#include "app/files/scenario.h"
 #include "cave/reference_views.h"
-#include "engine/mesh_emission.h"
+#include "cave/scene/puck_model.h"
+#include "engine/light/mesh_emission.h"
 #include "engine/random_world.h"
 
 namespace carom {

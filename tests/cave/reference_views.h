@@ -13,12 +13,12 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "cave/bodies.h"
-#include "cave/capture.h"
-#include "cave/scene.h"
-#include "cave/wall.h"
-#include "cave/wall_renderer.h"
-#include "engine/light_cone.h"
+#include "cave/capture/capture.h"
+#include "cave/frame/bodies.h"
+#include "cave/render/wall_renderer.h"
+#include "cave/room/wall.h"
+#include "cave/scene/scene.h"
+#include "engine/light/light_cone.h"
 #include "reference/ray_reference.h"
 
 namespace carom::test {

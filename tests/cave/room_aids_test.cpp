@@ -1,5 +1,5 @@
 // The warning grid and the trackers' crosses as pixels, against lines of sight cut with the wall's plane.
-#include "cave/room_aids.h"
+#include "cave/overlay/room_aids.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "cave/capture.h"
-#include "cave/window.h"
+#include "cave/capture/capture.h"
+#include "cave/display/window.h"
 
 namespace carom {
 namespace {

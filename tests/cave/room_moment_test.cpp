@@ -1,6 +1,6 @@
 // Where bodies are at one moment of the room, against each of their points followed through the board by
 // itself.
-#include "cave/room_moment.h"
+#include "cave/spectator/room_moment.h"
 
 #include <gtest/gtest.h>
 

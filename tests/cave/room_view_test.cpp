@@ -1,15 +1,15 @@
 // The room from outside: its walls show their pictures where they stand.
-#include "cave/room_view.h"
+#include "cave/spectator/room_view.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "cave/capture.h"
+#include "cave/capture/capture.h"
 #include "cave/glowing_puck.h"
-#include "cave/room_camera.h"
-#include "cave/table_model.h"
+#include "cave/scene/table_model.h"
+#include "cave/spectator/room_camera.h"
 
 namespace carom {
 namespace {

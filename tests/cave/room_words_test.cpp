@@ -1,14 +1,14 @@
 // Words in the room: what they say, how large they are, and that both eyes see them at the same place.
-#include "cave/room_words.h"
+#include "cave/overlay/room_words.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
 
-#include "cave/capture.h"
+#include "cave/capture/capture.h"
+#include "cave/display/wall_set.h"
 #include "cave/glowing_puck.h"
-#include "cave/wall_set.h"
 
 namespace carom {
 namespace {

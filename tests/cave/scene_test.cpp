@@ -1,5 +1,5 @@
-#include "cave/body_colour.h"
-#include "cave/scene.h"
+#include "cave/scene/scene.h"
+#include "cave/frame/body_colour.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,9 +15,9 @@
 #include <fstream>
 #include <map>
 
-#include "cave/mesh_file.h"
-#include "cave/puck_model.h"
-#include "engine/light_cone.h"
+#include "cave/mesh/mesh_file.h"
+#include "cave/scene/puck_model.h"
+#include "engine/light/light_cone.h"
 
 namespace carom {
 namespace {

@@ -1,5 +1,5 @@
 // The seam pattern as drawn: its lines lie where the planes cut the walls, and go on over shared edges.
-#include "cave/seam_pattern.h"
+#include "cave/display/seam_pattern.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "app/rig.h"
-#include "cave/capture.h"
-#include "cave/window.h"
+#include "app/files/rig.h"
+#include "cave/capture/capture.h"
+#include "cave/display/window.h"
 
 namespace carom {
 namespace {

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <sstream>
 
+#include "app/files/scenario.h"
 #include "app/program.h"
-#include "app/scenario.h"
 #include "cave/reference_views.h"
-#include "engine/mesh_emission.h"
+#include "engine/light/mesh_emission.h"
 
 namespace carom {
 namespace {

@@ -1,5 +1,5 @@
 // Stereo packing by pixels: a red left and a cyan right picture, with a mark that tells up from down.
-#include "cave/stereo.h"
+#include "cave/projection/stereo.h"
 
 #include <gtest/gtest.h>
 #include <vtk_glew.h>
@@ -8,8 +8,8 @@
 #include <functional>
 #include <memory>
 
-#include "cave/capture.h"
-#include "cave/window.h"
+#include "cave/capture/capture.h"
+#include "cave/display/window.h"
 
 namespace carom {
 namespace {

@@ -1,7 +1,7 @@
 // The bound on edges against dense sampling: seen places by the engine's world lines, not by circles on the
 // sky.
 
-#include "cave/tessellation.h"
+#include "cave/mesh/tessellation.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "cave/off_axis.h"
-#include "engine/light_cone.h"
+#include "cave/room/off_axis.h"
+#include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 
 namespace carom {

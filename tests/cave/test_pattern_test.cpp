@@ -1,5 +1,5 @@
 // Test patterns by measure: what an operator would hold a ruler to.
-#include "cave/test_pattern.h"
+#include "cave/display/test_pattern.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Markers of events, light on its way and pucks' clocks and ways: when and where, in closed form.
-#include "cave/time_marks.h"
+#include "cave/render/time_marks.h"
 
 #include <gtest/gtest.h>
 

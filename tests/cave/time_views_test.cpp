@@ -7,12 +7,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "cave/bodies.h"
+#include "cave/display/session_view.h"
+#include "cave/frame/bodies.h"
 #include "cave/glowing_puck.h"
-#include "cave/off_axis.h"
-#include "cave/session_view.h"
+#include "cave/room/off_axis.h"
+#include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
-#include "engine/vertex_history.h"
 
 namespace carom {
 namespace {
@@ -194,8 +194,8 @@ TEST_F(TimeViewsTest, GhostsAreDrawnAtTheirMoments) {
   EXPECT_GT(drawn[1], 15);
 }
 
-// What is told to rest on the board needs no ghost of its now there, what goes with the room none of the room's: it
-// would lie upon it. A puck has one, however still it lies.
+// What is told to rest on the board needs no ghost of its now there, what goes with the room none of the
+// room's: it would lie upon it. A puck has one, however still it lies.
 TEST_F(TimeViewsTest, WhatAlwaysGoesAlongHasNoGhost) {
   Scene scene = test::glowingPuck(0.25);
   scene.reach_m = {0.0, 0.3};

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "app/temporary_folder.h"
+#include "cave/display/wall_set.h"
 #include "cave/glowing_puck.h"
-#include "cave/wall_set.h"
 
 namespace carom {
 namespace {
@@ -40,8 +40,8 @@ class Controls : public testing::Test {
   test::TemporaryFolder folder_;
   Graphics graphics_;
   WallSet walls_{graphics_, test::glowingPuck(0.2), kC_m_s, oneWall(), std::nullopt, false};
-  const World world_{{WorldLine(Knot{}, kC_m_s),
-                                          WorldLine({{0.0, {0.1, 2.0, 0.3}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};
+  const World world_{
+      {WorldLine(Knot{}, kC_m_s), WorldLine({{0.0, {0.1, 2.0, 0.3}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};
 };
 
 TEST_F(Controls, SwappedEyesSwapTheirPictures) {

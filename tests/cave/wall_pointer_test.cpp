@@ -1,13 +1,13 @@
 // A point of the scene, projected to a pixel of a window and pointed to there, lies on the ray of the eye
 // whose picture it is in.
-#include "cave/wall_pointer.h"
+#include "cave/room/wall_pointer.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "cave/off_axis.h"
+#include "cave/room/off_axis.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -82,7 +82,8 @@ TEST(WallPointer, OutsideThePaneIsNowhere) {
     EXPECT_FALSE(pointedIn(wall, kPane, off)) << off.x << ", " << off.y;
 }
 
-// Beyond its edge the wall's plane goes on: as far again below as the pane is high lies the place as far below.
+// Beyond its edge the wall's plane goes on: as far again below as the pane is high lies the place as far
+// below.
 TEST(WallPointer, BeyondThePaneThePlaneGoesOn) {
   const Wall wall = frontWall(StereoMode::mono, Flip::none);
   const glm::dvec2 middle_px = glm::dvec2(kPane.position_px) + 0.5 * glm::dvec2(kPane.size_px);

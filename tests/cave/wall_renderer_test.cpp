@@ -1,6 +1,6 @@
 // Whole pictures against the emission of every vertex solved in double and projected.
-#include "cave/bodies.h"
-#include "cave/wall_renderer.h"
+#include "cave/render/wall_renderer.h"
+#include "cave/frame/bodies.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "cave/capture.h"
+#include "cave/capture/capture.h"
 #include "cave/glowing_puck.h"
-#include "cave/off_axis.h"
-#include "cave/table_model.h"
+#include "cave/room/off_axis.h"
+#include "cave/scene/table_model.h"
 #include "engine/random_world.h"
 
 namespace carom {

@@ -1,6 +1,6 @@
 // Pixels of the windows themselves: whose they are in each stereo mode, which wall's where walls share a
 // window, and when, where a wall is held back.
-#include "cave/wall_set.h"
+#include "cave/display/wall_set.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -82,8 +82,8 @@ class Shown {
 
  private:
   Graphics graphics_;
-  const World world_{{WorldLine(Knot{}, kC_m_s),
-                                          WorldLine({{0.0, {0.0, 6.0, 0.0}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};
+  const World world_{
+      {WorldLine(Knot{}, kC_m_s), WorldLine({{0.0, {0.0, 6.0, 0.0}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};
   WallSet walls_;
   std::uint64_t number_ = 0;
 };

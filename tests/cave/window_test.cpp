@@ -1,4 +1,4 @@
-#include "cave/window.h"
+#include "cave/display/window.h"
 
 #include <gtest/gtest.h>
 #include <vtk_glew.h>
@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-#include "cave/capture.h"
+#include "cave/capture/capture.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "cave/work_queue.h"
+#include "cave/capture/work_queue.h"
 
 #include <gtest/gtest.h>
 

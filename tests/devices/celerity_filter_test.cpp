@@ -1,4 +1,4 @@
-#include "devices/celerity_filter.h"
+#include "devices/filter/celerity_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "devices/simulated_tracker.h"
+#include "devices/tracker/simulated_tracker.h"
 
 namespace carom {
 namespace {

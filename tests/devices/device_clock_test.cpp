@@ -1,6 +1,6 @@
 // The fitted clock against simulated devices whose true times are known.
 
-#include "devices/device_clock.h"
+#include "devices/tracker/device_clock.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What a device's thread delivers, as the frame sees it.
 
-#include "devices/device_tracker.h"
+#include "devices/tracker/device_tracker.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ Reading poseOf(int sensor, double device_s) {
 /// Waits for what a thread brings about; the limit only ends a test that has failed.
 template <class Condition>
 bool comesTrue(const Condition& condition) {
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < 60000; ++i) {
     if (condition()) return true;
     std::this_thread::sleep_for(milliseconds(1));
   }

@@ -1,4 +1,4 @@
-#include "devices/dtrack_decoder.h"
+#include "devices/protocol/dtrack_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,13 @@
 // The DTRACK tracker against a controller of our own, over real datagrams.
 
-#include "devices/dtrack_tracker.h"
+#include "devices/network/dtrack_tracker.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "devices/network_peer.h"
 
@@ -119,14 +121,17 @@ TEST(DtrackTracker, SilenceRestartAndAnotherClock) {
   PeerSocket restarted(SOCK_DGRAM);
   head.samples.clear();
   const double begun_s = head.now_s();
-  for (unsigned i = 1; head.samples.size() < 100 && i < 2000; ++i) {
+  double sent_s = begun_s, longestGap_s = 0.0;  // on a busy machine the controller halts, too
+  for (unsigned i = 1; head.samples.size() < 100 && i < 20000; ++i) {
+    longestGap_s = std::max(longestGap_s, head.now_s() - std::exchange(sent_s, head.now_s()));
     restarted.sendTo(frame(i, 1.7e9 + head.now_s()), port);
     std::this_thread::sleep_for(test::milliseconds(2));
     head.poll();
   }
   EXPECT_EQ(head.health().state, State::delivering);
   ASSERT_GE(head.samples.size(), 100u);
-  EXPECT_LT(head.samples.front().time_s - begun_s, 2.0) << "believed after half a second";
+  EXPECT_LT(head.samples.front().time_s - begun_s, 1.0 + 4.0 * longestGap_s)
+      << "believed after half a second";
   EXPECT_NEAR(head.samples.back().time_s, head.now_s(), 0.1);
 }
 

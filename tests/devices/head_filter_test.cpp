@@ -1,4 +1,4 @@
-#include "devices/head_filter.h"
+#include "devices/filter/head_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "devices/recorded_tracker.h"
-#include "devices/simulated_tracker.h"
+#include "devices/tracker/recorded_tracker.h"
+#include "devices/tracker/simulated_tracker.h"
 
 namespace carom {
 namespace {

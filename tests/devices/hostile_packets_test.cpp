@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "counted_new.h"
-#include "devices/dtrack_decoder.h"
-#include "devices/natnet_decoder.h"
 #include "devices/natnet_sender.h"
-#include "devices/vrpn_decoder.h"
+#include "devices/protocol/dtrack_decoder.h"
+#include "devices/protocol/natnet_decoder.h"
+#include "devices/protocol/vrpn_decoder.h"
 #include "devices/vrpn_sender.h"
 #include "fuzz/expect.h"
 #include "mutate.h"

@@ -7,11 +7,11 @@
 #include <functional>
 
 #include "counted_new.h"
-#include "devices/orientation_filter.h"
-#include "devices/polhemus_decoder.h"
-#include "devices/rift_decoder.h"
+#include "devices/filter/orientation_filter.h"
+#include "devices/protocol/polhemus_decoder.h"
+#include "devices/protocol/rift_decoder.h"
+#include "devices/protocol/spacemouse_decoder.h"
 #include "devices/rift_report.h"
-#include "devices/spacemouse_decoder.h"
 #include "mutate.h"
 
 namespace carom {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "devices/trace.h"
+#include "devices/tracker/trace.h"
 #include "devices/walk_trace.h"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-#include "devices/natnet_decoder.h"
+#include "devices/protocol/natnet_decoder.h"
 
 #include <gtest/gtest.h>
 

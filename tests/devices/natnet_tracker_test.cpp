@@ -1,6 +1,6 @@
 // The NatNet tracker against a server of our own, over real datagrams.
 
-#include "devices/natnet_tracker.h"
+#include "devices/network/natnet_tracker.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -18,7 +18,7 @@
 #include <thread>
 #include <vector>
 
-#include "devices/device_tracker.h"
+#include "devices/tracker/device_tracker.h"
 
 namespace carom::test {
 
@@ -66,9 +66,9 @@ class PeerSocket {
            sizeof to);
   }
 
-  /// What came within 5 s; none at the end of a connection. Fills in the sender's port.
+  /// What came within a minute; none at the end of a connection. Fills in the sender's port.
   std::optional<Bytes> receive(std::uint16_t* from = nullptr) const {
-    if (!isReadable(5000)) return {};
+    if (!isReadable(60000)) return {};
     Bytes bytes(65536);
     sockaddr_in sender{};
     socklen_t size = sizeof sender;
@@ -117,7 +117,7 @@ struct Watched {
   /// Polls until `condition` holds; the limit only ends a test that has failed.
   template <class Condition>
   bool comesTrue(const Condition& condition) {
-    for (int i = 0; i < 10000; ++i) {
+    for (int i = 0; i < 60000; ++i) {
       poll();
       if (condition()) return true;
       std::this_thread::sleep_for(milliseconds(1));

@@ -1,4 +1,4 @@
-#include "devices/orientation_filter.h"
+#include "devices/filter/orientation_filter.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "devices/polhemus_box.h"
-#include "devices/polhemus_tracker.h"
+#include "devices/usb/polhemus_tracker.h"
 #include "devices/usb_capture.h"
 #include "devices/witness.h"
 

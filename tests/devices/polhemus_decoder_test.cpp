@@ -1,4 +1,4 @@
-#include "devices/polhemus_decoder.h"
+#include "devices/protocol/polhemus_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include <functional>
 #include <thread>
 
-#include "devices/device_list.h"
-#include "devices/device_tracker.h"
 #include "devices/polhemus_box.h"
-#include "devices/polhemus_tracker.h"
+#include "devices/tracker/device_tracker.h"
+#include "devices/usb/device_list.h"
+#include "devices/usb/polhemus_tracker.h"
 
 namespace carom {
 namespace {

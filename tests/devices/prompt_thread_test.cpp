@@ -1,6 +1,6 @@
 // What a device's thread asks of the system, against what the kernel says of it afterwards.
 
-#include "devices/prompt_thread.h"
+#include "devices/tracker/prompt_thread.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -14,7 +14,7 @@
 #include <limits>
 #include <thread>
 
-#include "devices/device_tracker.h"
+#include "devices/tracker/device_tracker.h"
 
 namespace carom {
 namespace {
@@ -91,7 +91,7 @@ bool delivers(Promptness& seen) {
       },
       std::chrono::steady_clock::now());
   std::vector<TrackerSample> samples;
-  for (int i = 0; i < 5000 && samples.empty(); ++i) {
+  for (int i = 0; i < 60000 && samples.empty(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     tracker.poll(std::numeric_limits<double>::max(), samples);
   }

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/tracker.h"
+#include "devices/tracker/tracker.h"
 
 namespace carom {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/head_filter.h"
+#include "devices/filter/head_filter.h"
 #include "devices/velocity_peers.h"
 
 namespace carom {

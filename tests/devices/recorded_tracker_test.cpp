@@ -1,4 +1,4 @@
-#include "devices/recorded_tracker.h"
+#include "devices/tracker/recorded_tracker.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "devices/rift_decoder.h"
+#include "devices/protocol/rift_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A gamepad's motors with the real hidapi, on a mocked kernel.
-#include "devices/rumble.h"
+#include "devices/usb/rumble.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "devices/simulated_tracker.h"
+#include "devices/tracker/simulated_tracker.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "devices/spacemouse_decoder.h"
+#include "devices/protocol/spacemouse_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "devices/trace.h"
+#include "devices/tracker/trace.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <sstream>
 
-#include "engine/input_error.h"
 #include "devices/walk_trace.h"
+#include "engine/base/input_error.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "devices/tracker_noise.h"
+#include "devices/filter/tracker_noise.h"
 
 #include <gtest/gtest.h>
 

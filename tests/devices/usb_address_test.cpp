@@ -1,4 +1,4 @@
-#include "devices/usb_address.h"
+#include "devices/usb/usb_address.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "devices/recorded_head.h"
-#include "devices/tracker.h"
+#include "devices/tracker/tracker.h"
 
 namespace carom {
 

@@ -1,4 +1,4 @@
-#include "devices/vrpn_decoder.h"
+#include "devices/protocol/vrpn_decoder.h"
 
 #include <gtest/gtest.h>
 

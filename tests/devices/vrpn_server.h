@@ -28,7 +28,7 @@ class VrpnServer {
 
   /// The next client, greeted both ways.
   PeerSocket greet(const std::string& version = "07.35") {
-    EXPECT_TRUE(listener_.isReadable(5000)) << "no client came";
+    EXPECT_TRUE(listener_.isReadable(60000)) << "no client came";
     PeerSocket client = PeerSocket::acceptedBy(listener_);
     client.send(VrpnSender::cookie(version));
     const auto cookie = client.receive();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "devices/simulated_tracker.h"
+#include "devices/tracker/simulated_tracker.h"
 
 namespace carom {
 

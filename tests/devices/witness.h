@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "devices/device_tracker.h"
+#include "devices/tracker/device_tracker.h"
 
 namespace carom::test {
 
@@ -55,10 +55,10 @@ class Witness : public DeviceSink {
     return static_cast<std::size_t>(std::count(notes_.begin(), notes_.end(), what));
   }
 
-  /// At most five seconds.
+  /// At most a minute, for busy machines.
   bool until(const std::function<bool()>& so) const {
     for (const std::chrono::steady_clock::time_point end =
-             std::chrono::steady_clock::now() + std::chrono::seconds(5);
+             std::chrono::steady_clock::now() + std::chrono::seconds(60);
          std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
       if (so()) return true;
     }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/light_cone.h"
+#include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 
 namespace carom {

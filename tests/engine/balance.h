@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 
 namespace carom::test {
 

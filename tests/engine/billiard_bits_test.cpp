@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 #include "engine/game_digest.h"
 
 namespace carom {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 
 namespace carom {
 namespace {
@@ -177,8 +177,7 @@ TEST(BilliardCases, scatter) {
     Billiard billiard(setup);
     billiard.advanceTo(200.0);
     ASSERT_EQ(billiard.events().size(), 1u);
-    const Vec2 v1 = billiard.events()[0].turns[0].betaAfter,
-               v2 = billiard.events()[0].turns[1].betaAfter;
+    const Vec2 v1 = billiard.events()[0].turns[0].betaAfter, v2 = billiard.events()[0].turns[1].betaAfter;
     expectVelocity(v1, setup.lightSpeed_m_s, expected["v1_after"], tolerance);
     expectVelocity(v2, setup.lightSpeed_m_s, expected["v2_after"], tolerance);
     EXPECT_WITHIN(std::atan2(std::abs(v1.y), v1.x), expected["theta1"].get<double>(), tolerance);

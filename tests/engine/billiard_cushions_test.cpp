@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "engine/balance.h"
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 
 namespace carom {
 namespace {

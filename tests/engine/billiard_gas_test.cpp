@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/balance.h"
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 #include "engine/gas.h"
 
 namespace carom {

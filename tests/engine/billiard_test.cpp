@@ -1,4 +1,4 @@
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 
 #include <gtest/gtest.h>
 
@@ -154,8 +154,7 @@ TEST(Billiard, anglesOfTwoEqualPucks) {
       Billiard billiard(setup);
       billiard.advanceTo(3.0);
       ASSERT_EQ(billiard.events().size(), 1u);
-      const Vec2 one = billiard.events()[0].turns[0].betaAfter,
-                 two = billiard.events()[0].turns[1].betaAfter;
+      const Vec2 one = billiard.events()[0].turns[0].betaAfter, two = billiard.events()[0].turns[1].betaAfter;
       const double product = -(one.y / one.x) * (two.y / two.x);
       EXPECT_TRUE(std::abs(product - 2.0 / (gammaOf({beta, 0.0}) + 1.0)) <= 1e-9 * gamma) << product;
       EXPECT_TRUE(std::abs(std::atan2(std::abs(two.y), two.x) -
@@ -394,8 +393,8 @@ void expectSame(const GameEvent& a, const GameEvent& b) {
   }
 }
 
-// A stroke is an event at the hand, whose turn is the arrival of its light; a flash is one without turns. Both
-// stand in the list where the game comes to them.
+// A stroke is an event at the hand, whose turn is the arrival of its light; a flash is one without turns.
+// Both stand in the list where the game comes to them.
 TEST(BilliardEvents, strokesAndFlashesAreAmongThem) {
   BilliardSetup setup = threePucks();
   const Stroke stroke{1, 1.0, Vec3(0.0, -0.9, 0.3), {0.1, -0.05}};
@@ -490,7 +489,8 @@ TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
   }
 }
 
-// The heat of a bounce on its way is changed by a stroke, and is again what it was when the stroke is rewound.
+// The heat of a bounce on its way is changed by a stroke, and is again what it was when the stroke is
+// rewound.
 TEST(BilliardStroke, rewindingGivesTheHeatOfAScriptedGame) {
   BilliardSetup setup = test::gasSetup(60, 0.3, 1.6, 22);
   setup.rules.collisionEvent = CollisionEvent::centre;
@@ -498,8 +498,8 @@ TEST(BilliardStroke, rewindingGivesTheHeatOfAScriptedGame) {
   Billiard live(setup);
   live.advanceTo(4.0);
   BilliardSetup scripted = setup;
-  // Three strokes on each of the pucks whose bounce is on its way around a snapshot: each goes back to that. In the
-  // order of time, as going back further would make the bounce anew.
+  // Three strokes on each of the pucks whose bounce is on its way around a snapshot: each goes back to that.
+  // In the order of time, as going back further would make the bounce anew.
   for (std::size_t i = 0; i < live.events().size(); ++i) {
     const GameEvent event = live.events()[i];
     if (event.kind != EventKind::puckCushion || event.number % 480 < 460) continue;
@@ -546,8 +546,7 @@ TEST(BilliardStroke, duringAPendingTurn) {
   EXPECT_EQ(after.turns[0].betaAfter, before.turns[0].betaAfter);
   const Turn &was = before.turns[1], &is = after.turns[1];
   // On the future cone of the contact still.
-  const Displacement news =
-      is.event - Event{after.at.t_s, {after.at.r_m.x, after.at.r_m.y, is.event.r_m.z}};
+  const Displacement news = is.event - Event{after.at.t_s, {after.at.r_m.x, after.at.r_m.y, is.event.r_m.z}};
   EXPECT_TRUE(std::abs(interval_m2(news, 1.0)) <= kRounding);
   const auto impulse = [](const Turn& turn) {
     return 2.0 * (gammaOf(turn.betaAfter) * turn.betaAfter - gammaOf(turn.betaBefore) * turn.betaBefore);
@@ -560,8 +559,8 @@ TEST(BilliardStroke, duringAPendingTurn) {
               kRounding);
 }
 
-// The same of strokes that are known from the beginning: they, too, change turns that were told while their news was on
-// its way.
+// The same of strokes that are known from the beginning: they, too, change turns that were told while their
+// news was on its way.
 TEST(BilliardStroke, changesAreEnoughToFollowStrokesOfTheSetup) {
   BilliardSetup setup = test::gasSetup(12, 0.1, 1.6, 3);
   setup.rules.collisionEvent = CollisionEvent::centre;

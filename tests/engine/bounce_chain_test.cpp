@@ -8,10 +8,10 @@
 #include <cstdio>
 #include <glm/gtc/quaternion.hpp>
 
+#include "engine/light/ring_view.h"
+#include "engine/light/vertex_history.h"
 #include "engine/meshes.h"
-#include "engine/observer.h"
-#include "engine/ring_view.h"
-#include "engine/vertex_history.h"
+#include "engine/spacetime/observer.h"
 #include "reference/ray_reference.h"
 
 namespace carom {

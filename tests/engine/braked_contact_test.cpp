@@ -1,6 +1,6 @@
 // Friction: the glide itself, and that the search for contacts of slowing pucks misses none and invents none.
 
-#include "engine/braked_contact.h"
+#include "engine/collision/braked_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 #include "engine/gas.h"
 
 namespace carom {

@@ -7,7 +7,7 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "engine/spectrum.h"
+#include "engine/colour/spectrum.h"
 
 namespace carom::test {
 

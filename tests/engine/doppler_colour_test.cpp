@@ -1,4 +1,4 @@
-#include "engine/doppler_colour.h"
+#include "engine/colour/doppler_colour.h"
 
 #include <gtest/gtest.h>
 

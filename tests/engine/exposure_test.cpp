@@ -1,11 +1,11 @@
-#include "engine/exposure.h"
+#include "engine/colour/exposure.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "engine/doppler_colour.h"
+#include "engine/colour/doppler_colour.h"
 
 namespace carom {
 namespace {

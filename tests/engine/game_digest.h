@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 
 namespace carom::test {
 

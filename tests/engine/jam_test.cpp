@@ -10,7 +10,7 @@
 #include <random>
 
 #include "engine/balance.h"
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 
 namespace carom {
 namespace {

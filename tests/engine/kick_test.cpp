@@ -1,4 +1,4 @@
-#include "engine/kick.h"
+#include "engine/collision/kick.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "engine/light_cone.h"
+#include "engine/light/light_cone.h"
 
 #include <gtest/gtest.h>
 
+#include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
-#include "engine/vertex_history.h"
 
 namespace carom {
 namespace {

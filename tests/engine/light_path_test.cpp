@@ -1,5 +1,5 @@
 // Where a pulse of light is seen on its way, against bisection of the past cone's equation.
-#include "engine/light_path.h"
+#include "engine/light/light_path.h"
 
 #include <gtest/gtest.h>
 

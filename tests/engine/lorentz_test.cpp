@@ -1,4 +1,4 @@
-#include "engine/lorentz.h"
+#include "engine/spacetime/lorentz.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "engine/mesh_emission.h"
+#include "engine/light/mesh_emission.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "engine/light/vertex_history.h"
 #include "engine/meshes.h"
-#include "engine/vertex_history.h"
 
 namespace carom {
 namespace {

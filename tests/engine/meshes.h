@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/mesh_view.h"
+#include "engine/light/mesh_view.h"
 #include "engine/random_world.h"
 
 namespace carom::test {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/light_cone.h"
+#include "engine/light/light_cone.h"
+#include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
-#include "engine/vertex_history.h"
 
 namespace carom {
 namespace {

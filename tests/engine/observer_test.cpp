@@ -1,4 +1,4 @@
-#include "engine/observer.h"
+#include "engine/spacetime/observer.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,8 @@ TEST(Observer, ThrustKeepsThePresentEventAndComposesRapidities) {
   Observer observer(Lorentz(kC_m_s), kOrigin, headAt({0.4, 1.7, -1.0}));
   const Event before = observer.headEvent();
   const double tiny_s = 1e-9;  // of a thrust so strong that it is a kick
-  for (int i = 0; i < 100; ++i) observer.step(tiny_s, headAt({0.4, 1.7, -1.0}), 1.0, {0.01 * kC_m_s / tiny_s, 0.0, 0.0});
+  for (int i = 0; i < 100; ++i)
+    observer.step(tiny_s, headAt({0.4, 1.7, -1.0}), 1.0, {0.01 * kC_m_s / tiny_s, 0.0, 0.0});
   EXPECT_NEAR(observer.headEvent().t_s, before.t_s, 2e-7);
   EXPECT_NEAR(observer.boardFromRoom().u().x, std::sinh(1.0), 1e-12);
 }

@@ -1,6 +1,6 @@
 // The contact of two pucks against a slow reference that shares no formula with it.
 
-#include "engine/puck_contact.h"
+#include "engine/collision/puck_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "engine/kick.h"
+#include "engine/collision/kick.h"
 #include "reference/pair_reference.h"
 
 namespace carom {

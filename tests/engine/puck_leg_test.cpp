@@ -1,11 +1,11 @@
-#include "engine/puck_leg.h"
+#include "engine/collision/puck_leg.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "engine/world_line.h"
+#include "engine/spacetime/world_line.h"
 
 namespace carom {
 namespace {
@@ -76,8 +76,8 @@ TEST(PuckLeg, solversSolve) {
   }
 }
 
-// Light that reaches a puck on a leg that is up to a day old (122 688 m at 1.42 m/s) arrives on the cone, but for the
-// rounding of the time itself.
+// Light that reaches a puck on a leg that is up to a day old (122 688 m at 1.42 m/s) arrives on the cone, but
+// for the rounding of the time itself.
 TEST(PuckLeg, newsArrivesOnTheConeAtAnyAge) {
   Random random;
   for (int i = 0; i < 1000; ++i) {

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "engine/world_line.h"
+#include "engine/spacetime/world_line.h"
 
 namespace carom::test {
 

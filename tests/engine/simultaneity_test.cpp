@@ -1,9 +1,9 @@
-#include "engine/simultaneity.h"
+#include "engine/spacetime/simultaneity.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/lorentz.h"
 #include "engine/random_world.h"
+#include "engine/spacetime/lorentz.h"
 
 namespace carom {
 namespace {

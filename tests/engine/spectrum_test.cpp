@@ -1,4 +1,4 @@
-#include "engine/spectrum.h"
+#include "engine/colour/spectrum.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "counted_new.h"
+#include "engine/light/ring_view.h"
 #include "engine/meshes.h"
-#include "engine/ring_view.h"
 
 namespace carom {
 namespace {

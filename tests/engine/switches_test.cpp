@@ -1,15 +1,15 @@
 // Retardation, contraction and aberration switched off: what the kernel sees of points, against their world
 // lines looked up in the board frame.
-#include "engine/switches.h"
+#include "engine/light/switches.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/light_cone.h"
+#include "engine/light/light_cone.h"
+#include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
-#include "engine/vertex_history.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/vertex_history.h"
+#include "engine/light/vertex_history.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 #include "engine/random_world.h"
 
 namespace carom {

@@ -1,12 +1,12 @@
-#include "engine/vertex_ring.h"
+#include "engine/light/vertex_ring.h"
 
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "engine/light/ring_view.h"
 #include "engine/meshes.h"
-#include "engine/ring_view.h"
 
 namespace carom {
 namespace {

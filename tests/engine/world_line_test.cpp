@@ -1,9 +1,9 @@
-#include "engine/world_line.h"
+#include "engine/spacetime/world_line.h"
 
 #include <gtest/gtest.h>
 
+#include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
-#include "engine/vertex_history.h"
 
 namespace carom {
 namespace {

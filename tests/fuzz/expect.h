@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "devices/reading.h"
+#include "devices/tracker/reading.h"
 
 namespace carom::test {
 

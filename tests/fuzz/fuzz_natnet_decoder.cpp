@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "devices/natnet_decoder.h"
+#include "devices/protocol/natnet_decoder.h"
 #include "fuzz/expect.h"
 
 namespace {

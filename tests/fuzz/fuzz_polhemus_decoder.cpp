@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "devices/polhemus_decoder.h"
+#include "devices/protocol/polhemus_decoder.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

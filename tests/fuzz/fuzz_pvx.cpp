@@ -1,6 +1,6 @@
 // ParaView's room files of anything: what can be read is judged, too.
 
-#include "app/pvx_file.h"
+#include "app/room_import/pvx_file.h"
 #include "fuzz/file_of.h"
 #include "fuzz/sound_room.h"
 

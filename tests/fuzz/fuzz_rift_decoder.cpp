@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "devices/orientation_filter.h"
-#include "devices/rift_decoder.h"
+#include "devices/filter/orientation_filter.h"
+#include "devices/protocol/rift_decoder.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -1,6 +1,6 @@
 // SGCT's room files of anything: what can be read is judged, too.
 
-#include "app/sgct_file.h"
+#include "app/room_import/sgct_file.h"
 #include "fuzz/file_of.h"
 #include "fuzz/sound_room.h"
 

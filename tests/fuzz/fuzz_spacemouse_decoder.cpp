@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "devices/spacemouse_decoder.h"
+#include "devices/protocol/spacemouse_decoder.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

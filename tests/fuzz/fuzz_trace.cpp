@@ -3,8 +3,8 @@
 #include <sstream>
 #include <string>
 
-#include "engine/input_error.h"
-#include "devices/trace.h"
+#include "devices/tracker/trace.h"
+#include "engine/base/input_error.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

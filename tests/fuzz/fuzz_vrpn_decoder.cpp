@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "devices/vrpn_decoder.h"
+#include "devices/protocol/vrpn_decoder.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/room_check.h"
+#include "app/room_import/room_check.h"
 #include "fuzz/expect.h"
 
 namespace carom::test {

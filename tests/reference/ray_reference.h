@@ -179,7 +179,7 @@ inline bool clipQuadratic(double b, double h, double g, bool descending, double&
   return low < high;
 }
 
-/// The bevel of the built-in puck (cave/puck_model.cpp), cut at 45°.
+/// The bevel of the built-in puck (cave/scene/puck_model.cpp), cut at 45°.
 inline double puckBevel(double radius, double height) { return std::min(0.08 * radius, 0.15 * height); }
 
 /// The built-in puck without any mesh: |z| ≤ h, ρ ≤ R, and the bevels' two cones ρ ≤ R + h − bevel ∓ z.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <engine/mesh_view.h>
+#include <engine/light/mesh_view.h>
 
 int main() {
   constexpr double c_m_s = 1.42;

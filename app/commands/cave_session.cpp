@@ -1,0 +1,268 @@
+#include "app/commands/cave_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "app/files/config_folder.h"
+#include "app/journal/session_file.h"
+#include "app/operator/lesson.h"
+#include "app/session/frame_loop.h"
+#include "app/session/live_source.h"
+#include "app/session/stage.h"
+#include "app/stage/all_ranks.h"
+#include "app/stage/scenario_scene.h"
+#include "devices/setup/open_tracker.h"
+
+namespace carom {
+namespace {
+
+/// Time as a session lives it: simulated for a given number of frames, unless a device tracks the head.
+std::unique_ptr<Clock> clockOf(const Stage& stage, const CaveOptions& options,
+                               std::chrono::steady_clock::time_point start) {
+  if (!stage.realTime) return std::make_unique<SimulatedClock>();
+  if (options.frames)
+    fmt::print(stderr, "The head is tracked by a device: the frames are shown in real time.\n");
+  return std::make_unique<SteadyClock>(start);
+}
+
+/// What is about to be seen, for the person at rank 0.
+void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& options) {
+  const std::vector<Wall>& walls = stage.rig.walls;
+  fmt::print(stderr, "{} (light at {} m/s) in {}: {} wall{}, {} node{}.\n", stage.scenario.title,
+             stage.scenario.billiard.lightSpeed_m_s, stage.rig.title, walls.size(),
+             walls.size() == 1 ? "" : "s", cluster.size(), cluster.size() == 1 ? "" : "s");
+  for (const Wall& wall : walls) {
+    if (wall.node < cluster.size()) continue;
+    fmt::print(stderr, "Wall {} asks for node {}; node {} draws it.\n", wall.name, wall.node,
+               wall.node % cluster.size());
+  }
+  for (int rank = 0; rank < cluster.size(); ++rank) {
+    const bool draws = std::any_of(walls.begin(), walls.end(),
+                                   [&](const Wall& wall) { return wall.node % cluster.size() == rank; });
+    if (!draws) fmt::print(stderr, "warning: node {} has no wall to draw.\n", rank);
+  }
+  const bool drawsHere = std::any_of(walls.begin(), walls.end(),
+                                     [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
+  const bool hasWindow = !options.noWindow && (drawsHere || options.outside || options.console);
+  if (hasWindow) sayKeys(KeysOf::session);
+  if (!hasWindow && !options.frames) {
+    fmt::print(stderr, "There are no keys: node 0 has no window. Ctrl+C ends the session.\n");
+  }
+  const std::string renderer = stage.graphics->rendererName();
+  if (drawsOnProcessor(renderer)) {
+    fmt::print(stderr, "Drawn without a graphics card, by {}: slower than the display.\n", renderer);
+  }
+  fmt::print(stderr, "{}", tessellationReport(stage.scene, stage.tessellation));
+}
+
+/// The file that the session is written to: --session, new or gone on with; none without it.
+std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>& file, bool goOn,
+                                     const StageOptions& inputs, const Stage& stage) {
+  if (!file) return nullptr;
+  SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
+                     textOf(inputs.rig), textOf(inputs.scenario), stage.scenario.billiard.lightSpeed_m_s};
+  for (const Puck& puck : stage.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
+  const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  return std::make_unique<Journal>(*file, facts, goOn, say);
+}
+
+/// What a session that goes on goes on from.
+struct Before {
+  SessionFacts facts;
+  std::optional<FrameRecord> last;  ///< none: it ended before its first frame
+};
+
+Before whatWas(const std::filesystem::path& file) {
+  SessionFile session(file);
+  Before before{session.facts(), {}};
+  if (const auto frames = session.frames()) {
+    session.goTo(frames->second);
+    FrameState state;
+    if (session.next(state)) before.last = state.record;
+  }
+  return before;
+}
+
+/// What a game begins with.
+Controls controlsOf(const Stage& stage, const CaveOptions& options) {
+  Controls controls = controlsAtStart(stage);
+  controls.switches = options.switches;
+  controls.views = options.views;
+  beginLesson(stage.scenario, !options.frames, controls);
+  return controls;
+}
+
+/// What the session begins with: asked for, or left by the one that goes on.
+Controls firstControls(const Stage& stage, const CaveOptions& options, const Before& before) {
+  Controls controls = controlsOf(stage, options);
+  if (!before.last) return controls;
+  // A question that waits for its answer is asked again.
+  if (before.last->lesson.phase != LessonPhase::asks) controls.lesson = before.last->lesson;
+  controls.switches = before.last->switches;
+  controls.views = before.last->views;
+  controls.views.frozen = 0;
+  controls.lightSpeed_m_s = before.last->lightSpeed_m_s;
+  const auto& eyes = before.last->observer.eyes;
+  // To a tenth of a micrometre: as it was set, not as rounding left it.
+  controls.eyeSeparation_m =
+      std::round(glm::distance(eyes[0].positionInRoom_m, eyes[1].positionInRoom_m) * 1e7) / 1e7;
+  return controls;
+}
+
+/// At the start of the game, or after the last frame of the session that goes on.
+std::unique_ptr<LiveSource> sourceOf(const Stage& stage, const CaveOptions& options,
+                                     const StageOptions& inputs, const Before& before) {
+  using SystemClock = std::chrono::steady_clock;
+  const double lived_s = before.last ? before.last->display_s : 0.0;
+  const auto start = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
+                                              std::chrono::duration<double>(lived_s));
+  LiveStart live{start, clockOf(stage, options, start), stage.swapsWait, before.last, options.frames};
+  if (options.resume) {
+    const auto said = [](const std::string&) {};  // by whatWas
+    live.struck = SessionFile(*options.session, said).strokes(stage.scenario.billiard.pucks);
+  }
+  live.clock->sleepUntil(lived_s);
+  auto source = std::make_unique<LiveSource>(stage.rig, stage.scenario, stage.world, std::move(live));
+  source->keep(openJournal(options.session, options.resume, inputs, stage));
+  return source;
+}
+
+/// Each game's session file, beside the first: visit.db, visit-2.db, visit-3.db.
+std::filesystem::path fileOf(std::filesystem::path first, int game) {
+  return first.replace_filename(
+      fmt::format("{}-{}{}", first.stem().string(), game, first.extension().string()));
+}
+std::filesystem::path fileAfter(const std::filesystem::path& first) {
+  int game = 2;
+  while (std::filesystem::exists(fileOf(first, game))) ++game;
+  return fileOf(first, game);
+}
+
+/// What is wrong with a scenario that cannot be played, for the console.
+void tellConsole(Console& console, const std::string& file) try {
+  console.say(fmt::format("{} cannot be played", file));
+  openMeshes(readScenario(file));
+} catch (const InputErrors& errors) {
+  for (const InputError& error : errors.faults()) console.say(error.what());
+}
+
+/// Where the games of a session are.
+void sayWhere(const std::filesystem::path& first) {
+  fmt::print(stderr, "The session is in {}", first.string());
+  std::filesystem::path last;
+  for (int game = 2; std::filesystem::exists(fileOf(first, game)); ++game) last = fileOf(first, game);
+  if (!last.empty()) fmt::print(stderr, " and, game by game, up to {}", last.string());
+  fmt::print(stderr, ".\n");
+}
+
+/// Another game begins as this program does; what belongs to the room stays. The same game again keeps all
+/// that was set; a lesson that is being looked at is shown again, and one that was explained is over: its
+/// question is the next visitor's.
+Controls controlsOfNext(const Controls& before, const std::string& file, const Stage& stage,
+                        const CaveOptions& options) {
+  Controls controls = controlsOf(stage, options);
+  controls.eyeSeparation_m = before.eyeSeparation_m;
+  controls.walls = before.walls;
+  controls.playing = file;
+  if (!isSameFile(file, before.playing)) return controls;
+  controls.switches = before.switches;
+  controls.views = before.views;
+  controls.views.frozen = 0;
+  controls.lightSpeed_m_s = before.lightSpeed_m_s;
+  if (before.lesson.phase == LessonPhase::shows) controls.lesson = before.lesson;
+  return controls;
+}
+
+/// The journal of the next game; where it cannot be written, that is said and the game is played without.
+std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& session,
+                                         const StageOptions& inputs, const Stage& stage) try {
+  return openJournal(session, false, inputs, stage);
+} catch (const std::runtime_error& error) {
+  fmt::print(stderr, "error: {}. This game is not written.\n", error.what());
+  session.reset();
+  return nullptr;
+}
+
+/// Rank 0 may have chosen another game, or the same from its beginning: then every node goes on with it.
+/// False: nobody has, it is the end.
+bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions& inputs, Stage& stage,
+                     LiveSource* source, Lead* lead) {
+  std::string file = lead ? std::exchange(lead->controls.play, {}) : "";
+  cluster.share(file);
+  if (file.empty()) return false;
+  if (!playNext(cluster, stage, file)) {
+    if (stage.console) tellConsole(*stage.console, file);
+    if (source) source->tell("That game has a mistake: the terminal and the console say where");
+    return true;
+  }
+  inputs.scenario = {file, {}};
+  together(cluster, [&] {
+    if (!lead) return;
+    std::optional<std::filesystem::path> session;
+    if (options.session) session = fileAfter(*options.session);
+    source->playAnew(openNextJournal(session, inputs, stage));
+    if (stage.console) stage.console->writeTo(session);
+    lead->controls = controlsOfNext(lead->controls, file, stage, options);
+    fmt::print(stderr, "{}{}\n", stage.scenario.title, session ? " is written to " + session->string() : "");
+  });
+  stage.graphics->poll();  // what was pressed while it was made ready is meant for nothing
+  return true;
+}
+
+void runSession(Cluster& cluster, const CaveOptions& options) {
+  StageOptions inputs{{options.rig, {}}, {options.scenario, {}}, true,
+                      options.recording, options.noWindow,       options.frames.has_value(),
+                      options.outside,   options.diagram};
+  Before before;
+  together(cluster, [&] {
+    if (cluster.rank() > 0 || !options.session) return;
+    if (!options.resume && std::filesystem::exists(*options.session)) {
+      throw std::runtime_error(fmt::format(
+          "session file {}: it is there already, expected a new name, or --resume to go on with it",
+          options.session->string()));
+    }
+    if (!options.resume) return;
+    before = whatWas(*options.session);
+    inputs.rig = {before.facts.rig, before.facts.rigText};
+    inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
+  });
+  if (options.resume) shareInputs(cluster, inputs);
+  Stage stage = openStage(cluster, inputs);
+  if (options.console && !options.noWindow) openConsole(cluster, stage, KeysOf::session);
+  if (stage.console) stage.console->writeTo(options.session);
+  std::unique_ptr<LiveSource> source;
+  std::optional<Lead> lead;
+  together(cluster, [&] {
+    if (cluster.rank() > 0) return;
+    source = sourceOf(stage, options, inputs, before);
+    lead.emplace(Lead{*source, KeysOf::session, firstControls(stage, options, before),
+                      soundsOf(stage, options.silent || options.noWindow)});
+  });
+  if (lead) {
+    lead->controls.playing = inputs.scenario.file.string();
+    announce(stage, cluster, options);
+  }
+  do {
+    runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
+  } while (goOnWithAnother(cluster, options, inputs, stage, source.get(), lead ? &*lead : nullptr));
+  source.reset();  // the session file is whole
+  if (lead && options.session) sayWhere(*options.session);
+  stage.recording->finish();
+  if (lead && options.recording.capture)
+    fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
+  cluster.leave();
+}
+
+}  // namespace
+
+int runCave(const CaveOptions& options) {
+  return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); });
+}
+
+}  // namespace carom

@@ -1,0 +1,68 @@
+#include "app/commands/diagram.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "app/files/starting_histories.h"
+#include "app/journal/session_file.h"
+#include "app/report/spacetime_chart.h"
+
+namespace carom {
+namespace {
+
+constexpr double kShown_s = 5.0;       // of a scenario
+constexpr double kPlayedBeyond = 1.5;  // × the present event's time: a diagram shows some of the future
+constexpr double kEyes_m = 1.7;        // above the floor, where a scenario begins
+
+/// Of a scenario: the room goes on as it begins.
+DiagramSubject subjectOf(const Scenario& scenario, double until_s) {
+  Billiard billiard(scenario.billiard);
+  billiard.advanceTo(kPlayedBeyond * until_s);
+  DiagramSubject subject = subjectOf(scenario);
+  subject.lines.assign(billiard.worldLines().begin(), billiard.worldLines().end());
+  for (const ToldBody& body : scenario.bodies) subject.lines.push_back(body.worldLine);
+  subject.events.assign(billiard.events().begin(), billiard.events().end());
+  subject.beta = scenario.observer.beta;
+  const Vec3 eyes_m = scenario.observer.position_m + Vec3(0.0, 0.0, kEyes_m);
+  for (const double t_s : {0.0, until_s})
+    subject.mine.push_back({t_s, eyes_m + subject.beta * (subject.c_m_s * t_s)});
+  return subject;
+}
+
+/// Of a recorded session, to its end or to a board time.
+DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<double>& until_s) {
+  SessionFile session(file);
+  const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
+  DiagramSubject subject = subjectOf(scenario);
+  World world{startingHistories(scenario), {}};
+  for (FrameState state; session.next(state);) {
+    const Event& here = state.record.observer.eyes[2].observation;
+    if (until_s && here.t_s > *until_s) break;
+    session.apply(state, world);
+    subject.mine.push_back(here);
+    subject.beta = betaFromU(state.record.observer.headFromBoard.inverse().u());
+  }
+  if (subject.mine.empty())
+    throw std::runtime_error(fmt::format("session file {}: no frame of it is that early", file.string()));
+  subject.lines.assign(world.histories.begin() + 1,
+                       world.histories.end());  // without what rests on the board
+  subject.events = world.events;
+  subject.knownUntil_s = subject.mine.back().t_s;
+  return subject;
+}
+
+bool isScenario(const std::filesystem::path& source) { return source.extension() == ".toml"; }
+
+}  // namespace
+
+int runDiagram(const DiagramOptions& options) {
+  const DiagramSubject subject =
+      isScenario(options.source) ? subjectOf(readScenario(options.source), options.until_s.value_or(kShown_s))
+                                 : subjectOf(options.source, options.until_s);
+  writeChart(spacetimeChart(subject, {options.along, options.from_s}), options.figure);
+  fmt::print(stderr, "The diagram is in {}.\n", options.figure.string());
+  return 0;
+}
+
+}  // namespace carom

@@ -1,0 +1,218 @@
+#include "app/commands/events.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/files/scenario.h"
+#include "app/files/starting_histories.h"
+#include "app/files/whole_file.h"
+#include "app/journal/session_file.h"
+#include "app/tables/csv_text.h"
+#include "app/tables/event_table.h"
+
+namespace carom {
+namespace {
+
+constexpr double kPlayed_s = 10.0;  // of a scenario
+
+/// What the table is of.
+struct Subject {
+  std::string title;
+  double c_m_s = 1.0;
+  std::vector<std::string> pucks, flashes;  // names
+  std::vector<GameEvent> events;
+  std::vector<HeadAt> head;  // of a session
+  bool isSession = false;
+};
+
+Subject subjectOf(const Scenario& scenario) {
+  Subject subject;
+  subject.title = scenario.title;
+  subject.c_m_s = scenario.billiard.lightSpeed_m_s;
+  for (const Puck& puck : scenario.billiard.pucks) subject.pucks.push_back(puck.name);
+  for (const Flash& flash : scenario.billiard.flashes) subject.flashes.push_back(flash.name);
+  return subject;
+}
+
+void keepUntil(std::vector<GameEvent>& events, double until_s) {
+  std::erase_if(events, [until_s](const GameEvent& event) { return !(event.at.t_s <= until_s); });
+}
+
+Subject played(const Scenario& scenario, double until_s) {
+  Subject subject = subjectOf(scenario);
+  Billiard billiard(scenario.billiard);
+  billiard.advanceTo(until_s);
+  subject.events.assign(billiard.events().begin(), billiard.events().end());
+  keepUntil(subject.events, until_s);
+  return subject;
+}
+
+/// As the game was in the end.
+Subject recorded(const std::filesystem::path& file, const std::optional<double>& until_s) {
+  SessionFile session(file);
+  const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
+  Subject subject = subjectOf(scenario);
+  subject.isSession = true;
+  World world{startingHistories(scenario), {}};
+  for (FrameState state; session.next(state);) {
+    session.apply(state, world);
+    const ObserverView& observer = state.record.observer;
+    subject.head.push_back({state.record.number, observer.eyes[2].observation, observer.properTime_s});
+  }
+  if (subject.head.empty())
+    throw std::runtime_error(fmt::format("session file {}: it ended before its first frame", file.string()));
+  subject.events = std::move(world.events);
+  keepUntil(subject.events, until_s.value_or(subject.head.back().event.t_s));
+  return subject;
+}
+
+void keepPair(std::vector<GameEvent>& events, const std::pair<std::uint64_t, std::uint64_t>& pair) {
+  std::erase_if(events,
+                [&](const GameEvent& e) { return e.number != pair.first && e.number != pair.second; });
+  if (events.size() == 2) return;
+  throw std::runtime_error(fmt::format("--pair {} {}: expected the numbers of two of the events in the table",
+                                       pair.first, pair.second));
+}
+
+std::string vectorText(const Vec3& v) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+}
+
+/// With a comma behind it, as all fields; empty where there is none.
+std::string perhaps(const std::optional<double>& value) { return value ? csvNumbers({*value}) : ","; }
+
+std::string relationCsv(const EventRow& row, const EventRow* next, double c_m_s) {
+  if (!row.toNext) return ",,,,,,,";
+  const Relation& relation = *row.toNext;
+  const bool timelike = relation.separation == Separation::timelike;
+  const bool spacelike = relation.separation == Separation::spacelike;
+  std::string text = fmt::format("{},{},", next->event.number, toString(relation.separation));
+  text += perhaps(timelike ? std::optional(relation.length_m / c_m_s) : std::nullopt);
+  text += perhaps(spacelike ? std::optional(relation.length_m) : std::nullopt);
+  return text + (relation.beta ? csvNumbers({relation.beta->x, relation.beta->y, relation.beta->z}) : ",,,");
+}
+
+std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, const EventsOptions& options) {
+  std::string text =
+      "number,kind,who,cushion,heat_j,without_delay,t_s,x_m,y_m,z_m,order,moving_t_s,moving_x_m,moving_y_m,"
+      "moving_z_m,moving_order,next,interval,proper_time_s,distance_m,beta_x,beta_y,beta_z";
+  if (subject.isSession) text += ",seen_frame,seen_t_s,seen_proper_time_s";
+  for (std::size_t i = 1; i <= options.places_m.size(); ++i) text += fmt::format(",place_{}_t_s", i);
+  text += '\n';
+  for (const EventRow& row : rows) {
+    const Event &at = row.event.at, &moving = row.moving;
+    text += fmt::format("{},{},{},{},", row.event.number, nameOf(row.event.kind), csvField(row.who),
+                        row.event.cushion ? nameOf(*row.event.cushion) : "");
+    text += csvNumbers({row.event.heat_j}) + (row.event.withoutDelay ? "1," : "0,");
+    text += csvNumbers({at.t_s, at.r_m.x, at.r_m.y, at.r_m.z}) + fmt::format("{},", row.order);
+    text += csvNumbers({moving.t_s, moving.r_m.x, moving.r_m.y, moving.r_m.z}) +
+            fmt::format("{},", row.movingOrder);
+    text += relationCsv(row, &row + 1, subject.c_m_s);
+    if (subject.isSession) {
+      const auto seen = receptionBy(subject.head, at, subject.c_m_s);
+      text += seen ? fmt::format("{},{}", *seen->frame, csvNumbers({seen->t_s, *seen->properTime_s})) : ",,,";
+    }
+    for (const Vec3& place_m : options.places_m)
+      text += csvNumbers({receptionAt(place_m, at, subject.c_m_s).t_s});
+    text.back() = '\n';  // in the place of the last comma
+  }
+  return text;
+}
+
+std::string receptionsText(const Subject& subject, const EventRow& row, const EventsOptions& options) {
+  std::string text;
+  if (subject.isSession) {
+    const auto seen = receptionBy(subject.head, row.event.at, subject.c_m_s);
+    text += seen ? fmt::format("   {:>6} {:>9.4f} {:>9.4f}", *seen->frame, seen->t_s, *seen->properTime_s)
+                 : fmt::format("   {:>6} {:>9} {:>9}", "-", "-", "-");
+  }
+  for (const Vec3& place_m : options.places_m)
+    text += fmt::format("   {:>9.4f}", receptionAt(place_m, row.event.at, subject.c_m_s).t_s);
+  return text;
+}
+
+std::string pairText(const EventRow& row, const EventRow& next, double c_m_s, bool moves) {
+  const Relation& relation = *row.toNext;
+  std::string text = fmt::format("  {:>3} to {:>3}   ", row.event.number, next.event.number);
+  switch (relation.separation) {
+    case Separation::timelike:
+      text += fmt::format("timelike: a clock that goes from one to the other, at v/c = {}, counts {:.4f} s",
+                          vectorText(*relation.beta), relation.length_m / c_m_s);
+      break;
+    case Separation::lightlike:
+      return text + "lightlike: light can go from one to the other\n";
+    case Separation::spacelike:
+      text += fmt::format("spacelike: at once, {:.4f} m apart, for who moves at v/c = {}", relation.length_m,
+                          vectorText(*relation.beta));
+      break;
+  }
+  if (moves && relation.separation == Separation::spacelike) {
+    const EventRow& first = row.movingOrder > next.movingOrder ? next : row;
+    text += row.movingOrder == next.movingOrder
+                ? std::string("; at once in the moving frame")
+                : fmt::format("; in the moving frame {} comes first", first.event.number);
+  }
+  return text + '\n';
+}
+
+std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, const EventsOptions& options) {
+  const bool moves = options.movingBeta != Vec3(0.0);
+  std::string text = fmt::format("{}, light at {} m/s: {} event{}\n", subject.title, subject.c_m_s,
+                                 rows.size(), rows.size() == 1 ? "" : "s");
+  if (moves) {
+    text += fmt::format(
+        "moving frame ('): v/c = {} on the board, its origin the board's\n",
+        fmt::format("({}, {}, {})", options.movingBeta.x, options.movingBeta.y, options.movingBeta.z));
+  }
+  for (std::size_t i = 0; i < options.places_m.size(); ++i)
+    text += fmt::format("place {}: at rest at {} m\n", i + 1, vectorText(options.places_m[i]));
+  if (rows.empty()) return text;
+
+  text += fmt::format("\n{:>4}  {:<12}  {:<20} {:>6}   {:>5} {:>9} {:>8} {:>8} {:>8}", "n", "what", "who", "",
+                      "order", "t s", "x m", "y m", "z m");
+  if (moves) {
+    text += fmt::format("   {:>6} {:>9} {:>8} {:>8} {:>8}", "order'", "t' s", "x' m", "y' m", "z' m");
+  }
+  if (subject.isSession) text += fmt::format("   {:>6} {:>9} {:>9}", "seen:", "t s", "own s");
+  for (std::size_t i = 1; i <= options.places_m.size(); ++i)
+    text += fmt::format("   {:>9}", fmt::format("place {} s", i));
+  text += '\n';
+  for (const EventRow& row : rows) {
+    const Event &at = row.event.at, &moving = row.moving;
+    text += fmt::format(
+        "{:>4}  {:<13} {:<20} {:>6}   {:>5} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}", row.event.number,
+        fmt::format("{}{}", nameOf(row.event.kind), row.event.withoutDelay ? "*" : ""), row.who,
+        row.event.cushion ? nameOf(*row.event.cushion) : "", row.order, at.t_s, at.r_m.x, at.r_m.y, at.r_m.z);
+    if (moves) {
+      text += fmt::format("   {:>6} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}", row.movingOrder, moving.t_s,
+                          moving.r_m.x, moving.r_m.y, moving.r_m.z);
+    }
+    text += receptionsText(subject, row, options) + '\n';
+  }
+  if (std::any_of(rows.begin(), rows.end(), [](const EventRow& row) { return row.event.withoutDelay; })) {
+    text +=
+        "* without delay: they were in contact already, and the kick did not wait for news from this event\n";
+  }
+  if (rows.size() > 1) text += "\neach and the next:\n";
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+    text += pairText(rows[i], rows[i + 1], subject.c_m_s, moves);
+  return text;
+}
+
+}  // namespace
+
+int runEvents(const EventsOptions& options) {
+  const bool isScenario = options.source.extension() == ".toml";
+  Subject subject = isScenario ? played(readScenario(options.source), options.until_s.value_or(kPlayed_s))
+                               : recorded(options.source, options.until_s);
+  if (options.pair) keepPair(subject.events, *options.pair);
+  const std::vector<EventRow> rows =
+      eventRows(subject.events, subject.pucks, subject.flashes, options.movingBeta, subject.c_m_s);
+  WholeFile out(options.csv.value_or("-"));
+  out.commit(options.csv ? csvOf(subject, rows, options) : tableOf(subject, rows, options));
+  return 0;
+}
+
+}  // namespace carom

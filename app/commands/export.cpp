@@ -1,0 +1,223 @@
+#include "app/commands/export.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+
+#include "app/files/rig.h"
+#include "app/files/scenario.h"
+#include "app/files/starting_histories.h"
+#include "app/files/whole_file.h"
+#include "app/journal/session_file.h"
+#include "app/play/game.h"
+#include "app/session/recorded_source.h"
+#include "app/session/visitor_source.h"
+#include "app/stage/scenario_scene.h"
+#include "app/tables/csv_text.h"
+#include "cave/frame/pacer.h"
+#include "engine/light/light_cone.h"
+
+namespace carom {
+namespace {
+
+/// A folder that appears whole, by `commit`, or not at all.
+class WholeFolder {
+ public:
+  explicit WholeFolder(const std::filesystem::path& folder) : folder_(folder.lexically_normal()) {
+    if (!folder_.has_filename()) folder_ = folder_.parent_path();
+    std::error_code failed;
+    if (std::filesystem::exists(folder_, failed) && !std::filesystem::is_empty(folder_, failed)) {
+      throw std::runtime_error(fmt::format(
+          "--paraview {}: it is there already, expected a new folder or an empty one", folder.string()));
+    }
+    part_ = folder_;
+    part_ += fmt::format(".part-{}", ::getpid());
+    std::filesystem::create_directories(part_, failed);
+    if (failed) fail(failed.message());
+  }
+  ~WholeFolder() {
+    std::error_code ignored;
+    if (!part_.empty()) std::filesystem::remove_all(part_, ignored);
+  }
+  WholeFolder(const WholeFolder&) = delete;
+  WholeFolder& operator=(const WholeFolder&) = delete;
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream out(part_ / name, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) fail(name + " cannot be written");
+  }
+  void commit() {
+    std::error_code failed;
+    std::filesystem::rename(part_, folder_, failed);
+    if (failed) fail(failed.message());
+    part_.clear();
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::runtime_error(
+        fmt::format("--paraview {}: {}, expected a folder that can be written", folder_.string(), what));
+  }
+  std::filesystem::path folder_, part_;
+};
+
+/// A session as it is exported.
+struct Recorded {
+  explicit Recorded(const std::filesystem::path& file)
+      : session(file),
+        rig(readRig(session.facts().rig, session.facts().rigText)),
+        scenario(readScenario(session.facts().scenario, session.facts().scenarioText)),
+        game(wholeGame(session, startingHistories(scenario))) {
+    if (!session.frames())
+      throw std::runtime_error(
+          fmt::format("session file {}: it ended before its first frame", file.string()));
+    for (const Puck& puck : scenario.billiard.pucks) names.push_back(puck.name);
+    for (const ToldBody& body : scenario.bodies) names.push_back(body.name);
+  }
+
+  SessionFile session;
+  Rig rig;
+  Scenario scenario;
+  RecordedGame game;
+  std::vector<std::string> names;  ///< of bodies 1, 2, …
+};
+
+using TakeFrame = std::function<void(const FrameRecord&)>;
+
+void eachFrameSeen(Recorded& recorded, const TakeFrame& take) {
+  recorded.session.goTo(0);
+  for (FrameState frame; recorded.session.next(frame);) take(frame.record);
+}
+
+void eachFrameOf(const std::filesystem::path& observer, const Recorded& recorded, const TakeFrame& take) {
+  SimulatedClock clock;
+  VisitorSource source(recorded.rig, recorded.scenario, {.trace = observer, .beta = {}, .mayStay = false},
+                       recorded.game, {clock, std::chrono::steady_clock::now()});
+  FrameState frame;
+  while (!frame.record.last) {
+    source.next({}, frame);
+    source.drawn();
+    take(frame.record);
+    source.shown(frame);
+  }
+}
+
+/// The head of a frame as `carom observe` would be told of it.
+struct Observation {
+  explicit Observation(const ObserverView& observer)
+      : event(observer.eyes[2].observation),
+        beta(betaFromU(observer.headFromBoard.inverse().u())),
+        headFromBoard(Lorentz::boost(uFromBeta(beta), observer.headFromBoard.lightSpeed_m_s()).inverse()) {}
+
+  Event event;
+  Vec3 beta;
+  Lorentz headFromBoard;  ///< without a rotation
+};
+
+constexpr const char* kColumns =
+    "frame,display_s,proper_time_s,t_s,x_m,y_m,z_m,beta_x,beta_y,beta_z,body,status,emission_t_s,emission_x_"
+    "m,"
+    "emission_y_m,emission_z_m,seen_x_m,seen_y_m,seen_z_m,distance_m,doppler,body_proper_time_s\n";
+
+void addRows(const Recorded& recorded, const FrameRecord& frame, const Observation& eye, std::string& csv) {
+  const Vec3 &r = eye.event.r_m, &beta = eye.beta;
+  const std::string observer =
+      fmt::format("{},", frame.number) + csvNumbers({frame.display_s, frame.observer.properTime_s,
+                                                     eye.event.t_s, r.x, r.y, r.z, beta.x, beta.y, beta.z});
+  for (std::size_t i = 0; i < recorded.names.size(); ++i) {
+    const auto light =
+        emission(recorded.game.world.histories[i + 1], Vec3(0.0), eye.event, eye.headFromBoard);
+    csv += observer + csvField(recorded.names[i]) + (light ? ",seen," : ",unseen,,,,,,,,,,\n");
+    if (!light) continue;
+    const Vec3 &from = light->event.r_m, &seen = light->seen.dr_m;
+    csv += csvNumbers({light->event.t_s, from.x, from.y, from.z, seen.x, seen.y, seen.z, glm::length(seen),
+                       light->doppler, light->properTime_s});
+    csv.back() = '\n';  // in the place of the last comma
+  }
+}
+
+/// The files of a series for ParaView.
+class Series {
+ public:
+  Series(const std::filesystem::path& folder, const Recorded& recorded)
+      : folder_(folder),
+        scene_(sceneOf(recorded.scenario, {})),
+        bodies_(seenBodies(
+            recorded.scenario,
+            std::span(recorded.game.world.histories).subspan(1, recorded.scenario.billiard.pucks.size()))) {}
+
+  void add(const FrameRecord& frame, const Observation& eye) {
+    const std::string name = fmt::format("seen_{:06}.vtp", frame.number);
+    folder_.write(name, vtpText(seenMesh(scene_, bodies_, eye.event, eye.headFromBoard)));
+    index_ +=
+        fmt::format("    <DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}\"/>\n", frame.display_s, name);
+  }
+  void commit() {
+    folder_.write("seen.pvd",
+                  "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
+                      index_ + "  </Collection>\n</VTKFile>\n");
+    folder_.commit();
+  }
+
+ private:
+  WholeFolder folder_;
+  Scene scene_;
+  std::vector<SeenBody> bodies_;
+  std::string index_;
+};
+
+/// Says once a second how far it is.
+class Progress {
+ public:
+  void at(std::uint64_t frame) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - said_ < std::chrono::seconds(1)) return;
+    said_ = now;
+    fmt::print(stderr, "frame {}\n", frame);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point said_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+int runExport(const ExportOptions& options) {
+  Recorded recorded(options.session);
+  std::optional<WholeFile> csv;
+  std::optional<Series> series;
+  if (options.csv) csv.emplace(*options.csv);
+  if (options.paraview) {
+    openMeshes(recorded.scenario);
+    series.emplace(*options.paraview, recorded);
+  }
+  std::string rows = kColumns;
+  std::uint64_t frames = 0;
+  Progress progress;
+  const auto take = [&](const FrameRecord& frame) {
+    if (frame.number % options.every != 0) return;
+    const Observation eye(frame.observer);
+    if (csv) addRows(recorded, frame, eye, rows);
+    if (series) series->add(frame, eye);
+    ++frames;
+    progress.at(frame.number);
+  };
+  if (options.observer) {
+    eachFrameOf(*options.observer, recorded, take);
+  } else {
+    eachFrameSeen(recorded, take);
+  }
+  if (series) series->commit();
+  if (csv) csv->commit(rows);
+  fmt::print(stderr, "{} frame{} exported.\n", frames, frames == 1 ? "" : "s");
+  if (options.paraview) fmt::print(stderr, "ParaView opens {}.\n", (*options.paraview / "seen.pvd").string());
+  return 0;
+}
+
+}  // namespace carom

@@ -1,0 +1,108 @@
+#include "app/files/input_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <system_error>
+
+namespace carom {
+
+namespace {
+
+constexpr std::size_t kMostBytes = 1 << 20;
+
+/// Least number of letters to add, drop, change or swap with a neighbour to make `a` into `b`.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+InputErrors::InputErrors(std::vector<InputError> faults)
+    : InputError(faults.front()), faults_(std::move(faults)) {}
+
+LineIndex::LineIndex(std::string_view text) : begins_{0} {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') begins_.push_back(i + 1);
+  }
+}
+
+FilePlace LineIndex::at(std::size_t offset) const {
+  const auto next = std::upper_bound(begins_.begin(), begins_.end(), offset);
+  return {static_cast<int>(next - begins_.begin()), static_cast<int>(offset - *std::prev(next)) + 1};
+}
+
+bool within(const Range& range, double value) {
+  return (range.above ? value > range.least : value >= range.least) && value <= range.most;
+}
+
+std::string wordsFor(const Range& range, bool whole) {
+  return fmt::format("{} {} {:g} {} {:g}", whole ? "a whole number" : "a number",
+                     range.above ? "above" : "from", range.least, range.above ? "up to" : "to", range.most);
+}
+
+std::optional<double> wholeNumber(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [stop, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc() || stop != text.data() + text.size()) return {};
+  return value;
+}
+
+std::string readText(const std::filesystem::path& file, std::string_view kind) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputErrors({InputError(file.string(), 1, 1, what)});
+  };
+  std::error_code failed;
+  if (!std::filesystem::exists(file, failed)) refuse("there is no such file");
+  if (std::filesystem::is_directory(file, failed)) {
+    refuse(fmt::format("this is a folder, expected {}", kind));
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::string text(kMostBytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!in.is_open() || in.bad()) refuse("the file cannot be read");
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > kMostBytes) refuse("the file is too large, expected at most 1 MiB");
+  return text;
+}
+
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+      '?');
+  return shown;
+}
+
+std::optional<std::string_view> nearestWord(std::string_view mistyped, std::span<const std::string> known) {
+  constexpr std::size_t kLongestWord = 64;
+  std::optional<std::string_view> nearest;
+  std::size_t least = std::max<std::size_t>(2, mistyped.size() / 3) + 1;
+  for (const std::string& word : known) {
+    if (mistyped.size() > kLongestWord) break;
+    // A unit forgotten or added (length for length_m) is near, however short the word.
+    const bool prefix = word.starts_with(mistyped) || mistyped.starts_with(word);
+    const std::size_t distance = prefix ? 1 : editDistance(mistyped, word);
+    if (distance < least && distance < word.size()) {
+      least = distance;
+      nearest = word;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace carom

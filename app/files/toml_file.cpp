@@ -1,0 +1,368 @@
+#include "app/files/toml_file.h"
+
+// toml++ asserts what malformed files can violate; without its assertions it reports them as errors.
+#ifndef NDEBUG
+#define NDEBUG
+#endif
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "app/files/config_folder.h"
+
+namespace carom {
+
+namespace {
+
+FilePlace placeOf(const toml::source_region& region) {
+  return {std::max(1, static_cast<int>(region.begin.line)),
+          std::max(1, static_cast<int>(region.begin.column))};
+}
+
+std::string_view kindOf(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::table:
+      return "a table";
+    default:
+      return "a date or time";
+  }
+}
+
+/// The first letter beyond ASCII outside quotes and comments, where TOML has none. Must be found before
+/// toml++ 3.3 meets it: its table of white space has undefined behaviour there.
+std::optional<FilePlace> strayLetter(std::string_view text) {
+  FilePlace place;
+  std::string_view quote;  // that ends the text at hand; "\n" in a comment; empty outside both
+  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::string_view rest = text.substr(i);
+    std::size_t length = 1;  // bytes of this step, all in one line
+    if (quote.empty()) {
+      if (byte >= 0x80) return place;
+      if (byte == '#') quote = "\n";
+      for (const std::string_view mark : {"\"\"\"", "'''", "\"", "'"}) {
+        if (!quote.empty() || !rest.starts_with(mark)) continue;
+        quote = mark;
+        length = mark.size();
+      }
+    } else if (byte == '\\' && quote[0] == '"' && rest.size() > 1 && rest[1] != '\n') {
+      length = 2;
+    } else if (rest.starts_with(quote)) {
+      length = quote.size();
+      while (quote.size() == 3 && length < 5 && length < rest.size() && rest[length] == quote[0]) ++length;
+      quote = {};
+    } else if (byte == '\n' && quote.size() == 1) {
+      quote = {};
+    }
+    i += length - 1;
+    place.column += (byte & 0xC0) == 0x80 ? 0 : static_cast<int>(length);
+    if (byte == '\n') place = {place.line + 1, 1};
+  }
+  return {};
+}
+
+}  // namespace
+
+struct TomlFile::Document {
+  std::filesystem::path file;
+  toml::table root;
+  std::vector<InputError> faults;
+  std::map<const toml::table*, std::shared_ptr<TomlTable::State>> opened;
+  std::optional<TomlTable> rootTable;
+};
+
+struct TomlTable::State {
+  TomlFile::Document& document;
+  const toml::table& table;
+  FilePlace place;
+  std::vector<std::string> asked;
+  std::vector<std::string> missing;
+  std::vector<std::string> unknown;  // already complained of
+
+  const toml::node* find(std::string_view key) {
+    if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.emplace_back(key);
+    return table.get(key);
+  }
+  void fault(FilePlace where, std::string message) {
+    document.faults.emplace_back(document.file.string(), where.line, where.column, std::move(message));
+  }
+  void wrong(std::string_view key, const toml::node& node, std::string_view expected) {
+    fault(placeOf(node.source()), fmt::format("{} is {}, expected {}", key, kindOf(node), expected));
+  }
+  /// The key's value, or null with a fault noted where it is required.
+  const toml::node* ask(std::string_view key, bool optional) {
+    const toml::node* node = find(key);
+    const bool noted = std::find(missing.begin(), missing.end(), key) != missing.end();
+    if (!node && !optional && !noted) missing.emplace_back(key);
+    return node;
+  }
+  static std::shared_ptr<State> open(TomlFile::Document& document, const toml::table& table) {
+    auto& state = document.opened[&table];
+    if (!state) state = std::make_shared<State>(State{document, table, placeOf(table.source()), {}, {}, {}});
+    return state;
+  }
+  std::optional<double> numberOf(std::string_view name, const toml::node& node, const Range& range,
+                                 bool whole);
+  void noteUnknownAndMissing();
+};
+
+std::optional<double> TomlTable::State::numberOf(std::string_view name, const toml::node& node,
+                                                 const Range& range, bool whole) {
+  std::optional<double> value;
+  if (const auto* integer = node.as_integer()) value = static_cast<double>(integer->get());
+  if (const auto* floating = node.as_floating_point(); floating && !whole) value = floating->get();
+  if (!value) {
+    wrong(name, node, wordsFor(range, whole));
+  } else if (!within(range, *value)) {
+    fault(placeOf(node.source()), fmt::format("{} is {}, expected {}", name, *value, wordsFor(range, whole)));
+    value.reset();
+  }
+  return value;
+}
+
+void TomlTable::State::noteUnknownAndMissing() {
+  const auto contains = [](const std::vector<std::string>& keys, std::string_view key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  for (auto&& [key, value] : table) {
+    if (contains(asked, key.str()) || contains(unknown, key.str())) continue;
+    const auto nearest = nearestWord(key.str(), asked);
+    const bool absent = nearest && !table.contains(*nearest);
+    fault(placeOf(key.source()),
+          absent ? fmt::format("unknown key '{}', expected '{}'?", printable(key.str()), *nearest)
+                 : fmt::format("unknown key '{}', expected one of {}", printable(key.str()),
+                               fmt::join(asked, ", ")));
+    if (absent) std::erase(missing, *nearest);
+    unknown.emplace_back(key.str());
+  }
+  for (const std::string& key : missing) fault(place, fmt::format("{} is missing here", key));
+  missing.clear();
+}
+
+bool TomlTable::has(std::string_view key) const { return state_->find(key) != nullptr; }
+
+double TomlTable::number(std::string_view key, const Range& range, std::optional<double> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  const auto value = node ? state_->numberOf(key, *node, range, false) : std::nullopt;
+  return value.value_or(fallback.value_or(range.most));
+}
+
+int TomlTable::integer(std::string_view key, int least, int most, std::optional<int> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  const Range range{static_cast<double>(least), static_cast<double>(most)};
+  const auto value = node ? state_->numberOf(key, *node, range, true) : std::nullopt;
+  return value ? static_cast<int>(*value) : fallback.value_or(least);
+}
+
+bool TomlTable::flag(std::string_view key, std::optional<bool> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  if (!node) return fallback.value_or(false);
+  if (const auto* value = node->as_boolean()) return value->get();
+  state_->wrong(key, *node, "true or false");
+  return fallback.value_or(false);
+}
+
+std::string TomlTable::text(std::string_view key, std::optional<std::string> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  if (!node) return fallback.value_or("");
+  const auto* value = node->as_string();
+  if (value && !value->get().empty()) return printable(value->get());
+  if (value) {
+    fault(key, fmt::format("{} is empty, expected a text", key));
+  } else {
+    state_->wrong(key, *node, "a text in quotes");
+  }
+  return fallback.value_or("");
+}
+
+std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> names,
+                              std::optional<std::size_t> fallback) const {
+  const toml::node* node = state_->ask(key, fallback.has_value());
+  if (!node) return fallback.value_or(0);
+  const auto* value = node->as_string();
+  const auto found = value ? std::find(names.begin(), names.end(), value->get()) : names.end();
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string given = value ? fmt::format("'{}'", printable(value->get())) : std::string(kindOf(*node));
+  state_->fault(placeOf(node->source()),
+                fmt::format("{} is {}, expected '{}'", key, given, fmt::join(names, "' or '")));
+  return fallback.value_or(0);
+}
+
+void TomlTable::readNumbers(std::string_view key, const Range& range, bool optional, bool whole,
+                            std::span<double> result) const {
+  const toml::node* node = state_->ask(key, optional);
+  if (!node) return;
+  const toml::array* array = node->as_array();
+  if (!array) return state_->wrong(key, *node, fmt::format("an array of {} numbers", result.size()));
+  if (array->size() != result.size()) {
+    return state_->fault(placeOf(node->source()), fmt::format("{} has {} values, expected {} numbers", key,
+                                                              array->size(), result.size()));
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const auto value = state_->numberOf(fmt::format("{}[{}]", key, i), (*array)[i], range, whole);
+    if (value) result[i] = *value;
+  }
+}
+
+std::vector<PlacedText> TomlTable::texts(std::string_view key) const {
+  std::vector<PlacedText> result;
+  const toml::node* node = state_->find(key);
+  if (!node) return result;
+  const toml::array* array = node->as_array();
+  if (!array) {
+    state_->wrong(key, *node, "an array of texts");
+    return result;
+  }
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const toml::node& element = (*array)[i];
+    const auto* value = element.as_string();
+    result.push_back({value ? printable(value->get()) : "", placeOf(element.source())});
+    if (!value) {
+      state_->wrong(fmt::format("{}[{}]", key, i), element, "a text in quotes");
+    } else if (value->get().empty()) {
+      fault(placeOf(element.source()), fmt::format("{}[{}] is empty, expected a text", key, i));
+    }
+  }
+  return result;
+}
+
+std::vector<std::array<double, 3>> TomlTable::points(std::string_view key) const {
+  std::vector<std::array<double, 3>> result;
+  const toml::node* node = state_->ask(key, false);
+  if (!node) return result;
+  const toml::array* array = node->as_array();
+  if (!array) {
+    state_->wrong(key, *node, "an array of places [x, y, z]");
+    return result;
+  }
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const std::string name = fmt::format("{}[{}]", key, i);
+    const toml::array* place = (*array)[i].as_array();
+    auto& point = result.emplace_back();
+    point.fill(std::numeric_limits<double>::quiet_NaN());  // stands in: unlike any other
+    if (!place || place->size() != 3) {
+      state_->fault(placeOf((*array)[i].source()),
+                    fmt::format("{} is wrong, expected a place [x, y, z]", name));
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      point[k] = state_->numberOf(fmt::format("{}[{}]", name, k), (*place)[k], {}, false).value_or(point[k]);
+  }
+  return result;
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) const {
+  const toml::node* node = state_->find(key);
+  if (!node) return {};
+  if (const toml::table* table = node->as_table()) return TomlTable(State::open(state_->document, *table));
+  state_->wrong(key, *node, fmt::format("one table [{}]", key));
+  return {};
+}
+
+std::optional<TomlTable> TomlTable::requiredTable(std::string_view key) const {
+  state_->ask(key, false);
+  return table(key);
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  std::vector<TomlTable> result;
+  const toml::node* node = state_->find(key);
+  if (!node) return result;
+  const toml::array* array = node->as_array();
+  if (!array) {
+    state_->wrong(key, *node, fmt::format("tables [[{}]]", key));
+    return result;
+  }
+  for (const toml::node& element : *array) {
+    if (const toml::table* table = element.as_table()) {
+      result.push_back(TomlTable(State::open(state_->document, *table)));
+    } else {
+      state_->wrong(key, element, fmt::format("tables [[{}]]", key));
+    }
+  }
+  return result;
+}
+
+void TomlTable::refuse(std::string_view key, const std::string& why) const {
+  if (state_->find(key)) fault(key, fmt::format("{} {}", key, why));
+}
+
+FilePlace TomlTable::place(std::string_view key) const {
+  const toml::node* node = state_->table.get(key);
+  return node ? placeOf(node->source()) : state_->place;
+}
+
+FilePlace TomlTable::place() const { return state_->place; }
+
+void TomlTable::fault(FilePlace where, std::string message) const {
+  state_->fault(where, std::move(message));
+}
+
+TomlFile::TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept)
+    : document_(std::make_unique<Document>()) {
+  document_->file = file;
+  const std::string text = kept ? *kept : readText(file, "a TOML file");
+  if (const auto stray = strayLetter(text)) {
+    throw InputErrors({InputError(file.string(), stray->line, stray->column,
+                                  "a letter beyond ASCII, expected it in quotes or in a comment only")});
+  }
+  try {
+    document_->root = toml::parse(std::string_view(text), std::string_view(file.native()));
+  } catch (const toml::parse_error& error) {
+    const FilePlace where = placeOf(error.source());
+    throw InputErrors({InputError(file.string(), where.line, where.column, printable(error.description()))});
+  }
+  document_->rootTable = TomlTable(TomlTable::State::open(*document_, document_->root));
+}
+
+TomlFile::~TomlFile() = default;
+
+const TomlTable& TomlFile::root() const { return *document_->rootTable; }
+
+void TomlFile::throwFaults() const {
+  for (const auto& [table, state] : document_->opened) state->noteUnknownAndMissing();
+  if (document_->faults.empty()) return;
+  const auto key = [](const InputError& fault) {
+    return std::tuple(fault.line(), fault.column(), std::string_view(fault.message()));
+  };
+  std::vector<InputError>& faults = document_->faults;
+  std::sort(faults.begin(), faults.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  faults.erase(std::unique(faults.begin(), faults.end(),
+                           [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+               faults.end());
+  throw InputErrors(document_->faults);
+}
+
+std::filesystem::path TomlFile::existingFile(const TomlTable& table, std::string_view key) const {
+  const std::filesystem::path given = table.text(key);
+  const std::filesystem::path beside = document_->file.parent_path() / given;
+  const std::filesystem::path shipped = configFolder() / given;
+  std::error_code failed;
+  for (const auto& candidate : {beside, shipped}) {
+    if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
+  }
+  if (table.has(key) && !given.empty()) {
+    table.fault(key, fmt::format("{} '{}' is no file, expected one beside this file or in {}", key,
+                                 given.string(), configFolder().string()));
+  }
+  return {};
+}
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+#include "app/hand/cue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/limits.h"
+
+namespace carom {
+namespace {
+
+/// The turn of a frame's axes, without its boost.
+Lorentz turnOf(const Lorentz& boardFromRoom) {
+  return Lorentz::boost(boardFromRoom.u(), boardFromRoom.lightSpeed_m_s()).inverse() * boardFromRoom;
+}
+
+}  // namespace
+
+CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom) {
+  const Lorentz turn = turnOf(boardFromRoom);
+  Vec3 way_m = (turn * Displacement{0.0, -pullInRoom_m}).dr_m;
+  way_m.z = 0.0;
+  const double pull_m = glm::length(way_m);
+  if (!(pull_m > 0.0)) return {};
+  const Vec3 way = way_m / pull_m;
+  const double u = pull_m < kLeastPull_m ? 0.0 : std::min(pull_m / kPullForOne_m, kStrongestU);
+  // + 0: no −0, which a session file would not bring back.
+  return {{u * way.x + 0.0, u * way.y + 0.0}, (turn.inverse() * Displacement{0.0, way}).dr_m};
+}
+
+Cue::Outcome Cue::press(const HandInput& hand, const Pointed& pointed, bool frozen) {
+  if (frozen) return {{}, "Time stands still: nothing can be struck now"};
+  if (pointed.behind) return {{}, "The puck is behind your hand: point the other way"};
+  if (!pointed.puck) return {{}, "There is no puck where you point"};
+  target_ = pointed.puck;
+  device_ = hand.device;
+  pull_m_ = hand.pull_m;
+  return {};
+}
+
+Cue::Outcome Cue::step(const HandInput& hand, const Pointed& pointed, bool frozen) {
+  const bool pressed = !hand.device.empty() && hand.held, wasPressed = std::exchange(pressed_, pressed);
+  if (!target_) return pressed && !wasPressed ? press(hand, pointed, frozen) : Outcome{};
+  if (hand.device != device_) {
+    target_.reset();
+    return {{}, fmt::format("The {} is lost: no stroke", device_)};
+  }
+  if (frozen) {
+    target_.reset();
+    return {{}, "Time stands still: no stroke"};
+  }
+  if (pressed) {
+    pull_m_ = hand.pull_m;
+    return {};
+  }
+  return {std::exchange(target_, std::nullopt), {}};
+}
+
+}  // namespace carom

@@ -1,0 +1,110 @@
+#include "app/input/desk.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "cave/display/wall_set.h"
+#include "cave/frame/lesson_words.h"
+
+namespace carom {
+namespace {
+
+/// In the order of Desk::held_.
+constexpr std::array kHeldKeys{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_SPACE};
+
+/// Buttons of a pad in the order in which they answer.
+constexpr std::array kPadButtons{GLFW_GAMEPAD_BUTTON_A, GLFW_GAMEPAD_BUTTON_B, GLFW_GAMEPAD_BUTTON_X,
+                                 GLFW_GAMEPAD_BUTTON_Y, GLFW_GAMEPAD_BUTTON_START};
+enum PadButton { kPadA, kPadB, kPadX, kPadY, kPadStart, kPadTrigger };
+
+/// The first gamepad that is there.
+bool readPad(GLFWgamepadstate& pad) {
+  for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST; ++id) {
+    if (glfwJoystickIsGamepad(id) && glfwGetGamepadState(id, &pad)) return true;
+  }
+  return false;
+}
+
+/// Right and down, as GLFW has its sticks.
+Vec3 stickOf(const GLFWgamepadstate& pad, int rightAxis, int downAxis) {
+  return withoutDeadZone({pad.axes[rightAxis], pad.axes[downAxis], 0.0});
+}
+
+}  // namespace
+
+Vec3 withoutDeadZone(const Vec3& stick) {
+  const double length = glm::length(stick);
+  if (!(length > kDeadZone)) return Vec3(0.0);
+  return stick / length * std::min((length - kDeadZone) / (1.0 - kDeadZone), 1.0);
+}
+
+void Buttons::set(std::uint32_t down, bool asks) {
+  const std::uint32_t pressed = down & ~down_;
+  down_ = down;
+  answered_ = -1;
+  for (int button = static_cast<int>(kMostAnswers) - 1; asks && button >= 0; --button) {
+    if (pressed >> button & 1U) answered_ = button;
+  }
+  constexpr std::uint32_t kAnswers = (1U << kMostAnswers) - 1U;
+  fresh_ = asks ? pressed & ~kAnswers : pressed;
+  meant_ = (meant_ & down) | fresh_;
+  if (asks) meant_ &= ~kAnswers;
+}
+
+void Desk::takeKeys(const WindowInput& input) {
+  for (const KeyInput& key : input.keys) {
+    for (std::size_t i = 0; i < kHeldKeys.size(); ++i) {
+      if (key.key == kHeldKeys[i]) held_[i] = key.pressed;
+    }
+    if (key.key == GLFW_KEY_HOME && key.pressed) input_.home = place_ == KeysOf::session;
+  }
+  const auto [w, a, s, d, space] = held_;
+  input_.steer = {double(d) - double(a), double(w) - double(s), 0.0};
+  input_.brake = space && place_ == KeysOf::session;
+}
+
+void Desk::takePad(const GLFWgamepadstate& pad, bool asks) {
+  input_.hasPad = true;
+  std::uint32_t down = 0;
+  for (std::size_t i = 0; i < kPadButtons.size(); ++i) {
+    if (pad.buttons[kPadButtons[i]] == GLFW_PRESS) down |= 1U << i;
+  }
+  if (pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] > 0.0F) down |= 1U << kPadTrigger;  // at rest it is at −1
+  buttons_.set(down, asks);
+  input_.padHeld = buttons_.isHeld(kPadA) || buttons_.isHeld(kPadTrigger);
+  input_.brake = input_.brake || buttons_.isHeld(kPadB);
+  input_.home = input_.home || buttons_.wasPressed(kPadY);
+  input_.onwards = buttons_.wasPressed(kPadStart);
+  input_.answer = buttons_.answered() + 1;
+  const Vec3 left = stickOf(pad, GLFW_GAMEPAD_AXIS_LEFT_X, GLFW_GAMEPAD_AXIS_LEFT_Y);
+  const Vec3 right = stickOf(pad, GLFW_GAMEPAD_AXIS_RIGHT_X, GLFW_GAMEPAD_AXIS_RIGHT_Y);
+  input_.steer += Vec3(left.x, -left.y, 0.0);
+  input_.padPull = right;
+}
+
+const DeskInput& Desk::gather(const std::optional<PointedWall>& mouse, bool mouseHeld,
+                              const WindowInput& input, const GLFWgamepadstate* pad, bool asks) {
+  input_ = {};
+  input_.mouse = mouse;
+  input_.mouseHeld = mouseHeld;
+  takeKeys(input);
+  if (pad) {
+    takePad(*pad, asks);
+  } else {
+    buttons_.set(0, asks);
+  }
+  input_.steer = glm::clamp(input_.steer, -1.0, 1.0);
+  return input_;
+}
+
+const DeskInput& Desk::gather(const WallSet& walls, const WindowInput& input, bool asks) {
+  GLFWgamepadstate pad;
+  const bool hasPad = readPad(pad);
+  return gather(walls.pointedAt(), walls.isHeld(), input, hasPad ? &pad : nullptr, asks);
+}
+
+}  // namespace carom

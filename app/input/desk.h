@@ -1,0 +1,65 @@
+#pragma once
+// What hands at the desk do, from GLFW: the mouse over the walls' windows, held keys, a gamepad.
+//
+//   keys      W A S D steer, Space brakes, Home goes home
+//   mouse     aims at what it points to; its left button holds the cue
+//   gamepad   left stick steers, A or the right trigger holds the cue, the right stick draws it back,
+//             B brakes, Y goes home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "app/input/desk_input.h"
+#include "app/input/keys.h"
+#include "cave/display/window.h"
+
+struct GLFWgamepadstate;
+
+namespace carom {
+
+class WallSet;
+
+/// A stick that rests within this of its middle is at rest; from there on it counts from 0 to 1.
+inline constexpr double kDeadZone = 0.15;
+Vec3 withoutDeadZone(const Vec3& stick);
+
+/// Buttons that are down, and what they mean: one that was pressed while a lesson asked was an answer, and
+/// means nothing more until it is pressed again.
+class Buttons {
+ public:
+  /// Bit i: button i is down.
+  void set(std::uint32_t down, bool asks);
+  bool isHeld(int button) const { return (meant_ >> button & 1U) != 0; }
+  bool wasPressed(int button) const { return isHeld(button) && (fresh_ >> button & 1U) != 0; }
+  /// The first of the buttons that was pressed while a lesson asks; −1: none.
+  int answered() const { return answered_; }
+
+ private:
+  std::uint32_t down_ = 0, meant_ = 0, fresh_ = 0;
+  int answered_ = -1;
+};
+
+class Desk {
+ public:
+  /// In a replay Space and Home mean something else (app/input/keys.h).
+  explicit Desk(KeysOf place) : place_(place) {}
+
+  /// Once a frame, after the windows were polled. `asks`: a lesson waits for an answer.
+  const DeskInput& gather(const WallSet& walls, const WindowInput& input, bool asks);
+
+  /// The same of what was gathered elsewhere; no gamepad: null.
+  const DeskInput& gather(const std::optional<PointedWall>& mouse, bool mouseHeld, const WindowInput& input,
+                          const GLFWgamepadstate* pad, bool asks);
+
+ private:
+  void takeKeys(const WindowInput& input);
+  void takePad(const GLFWgamepadstate& pad, bool asks);
+
+  KeysOf place_;
+  DeskInput input_;
+  std::array<bool, 5> held_{};  ///< keys: as kHeldKeys of desk.cpp
+  Buttons buttons_;
+};
+
+}  // namespace carom

@@ -1,0 +1,93 @@
+#include "app/play/game.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cave/frame/bodies.h"
+#include "engine/light/light_cone.h"
+
+namespace carom {
+double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer) {
+  Event eye = observer.eyes.back().observation;
+  eye.t_s -= kEyesMayRunBack_m / observer.headFromBoard.lightSpeed_m_s();
+  double before_s = eye.t_s;
+  BodyView view;
+  for (const WorldLine& body : bodies) {
+    for (const std::uint8_t contraction : {std::uint8_t{1}, std::uint8_t{0}}) {
+      Switches switches;
+      switches.contraction = contraction;
+      viewBody(body, eye, observer.headFromBoard, view, switches);
+      before_s = std::min(before_s, body.knots()[view.firstLeg].turn.t_s);
+    }
+  }
+  return before_s;
+}
+
+double latestObservation_s(const ObserverView& observer) {
+  double latest_s = observer.eyes.front().observation.t_s;
+  for (const EyeView& eye : observer.eyes) latest_s = std::max(latest_s, eye.observation.t_s);
+  return latest_s;
+}
+
+namespace {
+
+BilliardSetup with(BilliardSetup setup, std::span<const Stroke> struck) {
+  setup.strokes.insert(setup.strokes.end(), struck.begin(), struck.end());
+  return setup;
+}
+
+}  // namespace
+
+Game::Game(const Scenario& scenario, std::span<const Stroke> struck)
+    : billiard_(with(scenario.billiard, struck)) {
+  billiard_.takeChanges();
+}
+
+Event Game::strike(const Stroke& stroke) {
+  const double arrival_s = billiard_.strike(stroke);
+  return billiard_.worldLines()[stroke.puck].at(arrival_s).event;
+}
+
+void Game::playToNowOf(const ObserverView& observer) {
+  constexpr double kNear_s = 1e-6;  // some micrometres of way
+  const Event& head = observer.eyes[2].observation;
+  const Vec3 beta_s_m =
+      betaFromU(observer.headFromBoard.inverse().u()) / observer.headFromBoard.lightSpeed_m_s();
+  for (std::size_t puck = 0; puck < billiard_.worldLines().size(); ++puck) {
+    // The head's moment: t = t_o + β·(r(t) − r_o)/c. Each turn is nearer by β v/c < 1.
+    double now_s = head.t_s, before_s = now_s - 1.0;
+    while (std::abs(now_s - before_s) > kNear_s) {
+      billiard_.advanceTo(now_s);
+      before_s = now_s;
+      now_s = head.t_s + glm::dot(beta_s_m, billiard_.worldLines()[puck].at(now_s).event.r_m - head.r_m);
+    }
+    const WorldLine& line = billiard_.worldLines()[puck];
+    billiard_.advanceTo(now_s + line.radius_m() / line.lightSpeed_m_s());  // of its rim, too
+  }
+}
+
+void Game::advance(double t_s, FrameState& state) {
+  billiard_.advanceTo(t_s);
+  const Changes changes = billiard_.takeChanges();
+  state.record.truncateFrom_s = changes.truncatedFrom_s.value_or(std::numeric_limits<double>::infinity());
+  state.record.eventsKept = changes.eventsKept;
+  // A game's first frame brings all of it: a session file that it goes on with has parts of it already.
+  if (!begun_) state.record.truncateFrom_s = 0.0, state.record.eventsKept = 0;
+  begun_ = true;
+  state.record.pucks = billiard_.worldLines().size();
+  state.events = changes.events;
+  state.knots.clear();
+  for (const Changes::NewKnot& change : changes.knots) {
+    state.knots.push_back({kFirstPuck + change.puck, change.knot});
+  }
+}
+
+void Game::forget(std::span<const WorldLine> histories, const ObserverView& observer, FrameState& state) {
+  const double before_s =
+      forgettableBefore_s(histories.subspan(kFirstPuck, billiard_.worldLines().size()), observer);
+  billiard_.forgetBefore(before_s);
+  state.record.forgetBefore_s = before_s;
+}
+
+}  // namespace carom

@@ -1,0 +1,147 @@
+#include "app/report/spacetime_chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "cave/frame/body_colour.h"
+
+namespace carom {
+namespace {
+
+constexpr double kShown_s = 5.0;   // of board time, below the present event
+constexpr double kLeast_s = 0.2;   // that a diagram shows
+constexpr double kFuture = 0.5;    // of the time below the present, shown above it
+constexpr double kMargin_m = 0.3;  // beside the board
+constexpr int kHeight_px = 1100, kLeastWidth_px = 760, kMostWidth_px = 2400;
+
+/// A board event as a point of the figure.
+class Plane {
+ public:
+  Plane(char along, double c_m_s) : axis_(along == 'x' ? 0 : 1), c_m_s_(c_m_s) {}
+  glm::dvec2 operator()(const Event& event) const { return {event.r_m[axis_], c_m_s_ * event.t_s}; }
+  double along(const Vec3& v) const { return v[axis_]; }
+
+ private:
+  int axis_;
+  double c_m_s_;
+};
+
+/// Linear light to what a figure's colours are, and no paler than can be told from the paper.
+glm::vec3 inkOf(const std::string& name, std::size_t index) {
+  const glm::vec3 ink = glm::pow(colourOf(name, index), glm::vec3(1.0F / 2.2F));
+  const float light = glm::dot(ink, glm::vec3(0.3F, 0.6F, 0.1F));
+  return light > 0.75F ? ink * (0.6F / light) : ink;
+}
+
+ChartLine lineOf(const WorldLine& line, const Plane& plane, double from_s, double until_s) {
+  constexpr int kPerLeg = 48;  // points of a leg that may be curved
+  ChartLine drawn;
+  const double start_s = std::max(from_s, line.appears_s());
+  std::vector<double> times_s{start_s};
+  for (const Knot& knot : line.knots()) {
+    if (knot.turn.t_s > start_s && knot.turn.t_s < until_s) times_s.push_back(knot.turn.t_s);
+  }
+  times_s.push_back(until_s);
+  for (std::size_t leg = 1; leg < times_s.size(); ++leg) {
+    for (int i = 0; i < kPerLeg; ++i) {
+      drawn.points.push_back(
+          plane(line.at(glm::mix(times_s[leg - 1], times_s[leg], i / double(kPerLeg - 1))).event));
+    }
+  }
+  return drawn;
+}
+
+/// The straight line through an event, its slope dx/d(ct), from one edge of the figure to the other.
+ChartLine through(const glm::dvec2& event, const glm::dvec2& direction, const std::string& name,
+                  const glm::vec3& colour, ChartLine::Style style, float width_px) {
+  constexpr double kFar_m = 1e3;
+  return {name, {event - kFar_m * direction, event + kFar_m * direction}, colour, width_px, style};
+}
+
+}  // namespace
+
+DiagramSubject subjectOf(const Scenario& scenario) {
+  DiagramSubject subject;
+  subject.title = scenario.title;
+  subject.c_m_s = scenario.billiard.lightSpeed_m_s;
+  for (const Puck& puck : scenario.billiard.pucks) subject.names.push_back(puck.name);
+  for (const ToldBody& body : scenario.bodies) subject.names.push_back(body.name);
+  subject.board = scenario.billiard.board;
+  return subject;
+}
+
+Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
+  using Style = ChartLine::Style;
+  const Plane plane(frame.along, subject.c_m_s);
+  const Event present = subject.mine.back();
+  const double from_s = frame.from_s.value_or(std::max(0.0, present.t_s - kShown_s));
+  if (!(present.t_s - from_s >= kLeast_s)) {
+    throw std::runtime_error(
+        fmt::format("a diagram from {:g} s to my present event at {:g} s shows nothing, expected {:g} s at "
+                    "least between them",
+                    from_s, present.t_s, kLeast_s));
+  }
+  const double until_s = present.t_s + kFuture * (present.t_s - from_s);
+
+  Chart chart;
+  chart.title = fmt::format("{}: light at {} m/s goes at 45°", subject.title, subject.c_m_s);
+  chart.xTitle = fmt::format("{} (m)", frame.along);
+  chart.yTitle = "ct (m)";
+  chart.yRange = subject.c_m_s * glm::dvec2(from_s, until_s);
+  const double half_m =
+      subject.board ? (frame.along == 'x' ? subject.board->length_m : subject.board->width_m) / 2 : 1.0;
+  const glm::dvec2 here = plane(present);
+  chart.xRange = {std::min(-half_m, here.x) - kMargin_m, std::max(half_m, here.x) + kMargin_m};
+  // As wide as light at 45° asks for, but no wider than a page: then time goes on above.
+  const double least_m =
+      (chart.xRange.y - chart.xRange.x) * (kHeight_px - kChartBottom_px - kChartTop_px) / kMostWidth_px;
+  chart.yRange.y = std::max(chart.yRange.y, chart.yRange.x + least_m);
+  const double px_m = (kHeight_px - kChartBottom_px - kChartTop_px) / (chart.yRange.y - chart.yRange.x);
+  const int width_px =
+      static_cast<int>(px_m * (chart.xRange.y - chart.xRange.x)) + kChartLeft_px + kChartRight_px;
+  chart.size_px = {std::max(width_px, kLeastWidth_px), kHeight_px};
+  const double more_m = (chart.size_px.x - width_px) / px_m;
+  chart.xRange += glm::dvec2(-more_m / 2, more_m / 2);
+
+  if (subject.board) {
+    for (const double side : {-half_m, half_m}) {
+      chart.lines.push_back({side < 0 ? "cushions" : "",
+                             {{side, chart.yRange.x}, {side, chart.yRange.y}},
+                             glm::vec3(0.6F),
+                             5.0F,
+                             Style::solid});
+    }
+  }
+  for (std::size_t i = 0; i < subject.lines.size(); ++i) {
+    const double known_s = std::max(subject.knownUntil_s, subject.lines[i].knots().back().turn.t_s);
+    const double end_s = std::min(known_s, std::max(until_s, chart.yRange.y / subject.c_m_s));
+    if (end_s <= from_s) continue;
+    ChartLine line = lineOf(subject.lines[i], plane, from_s, end_s);
+    line.name = subject.names[i];
+    line.colour = inkOf(subject.names[i], i);
+    line.width_px = 2.5F;
+    chart.lines.push_back(line);
+  }
+  const glm::vec3 light(0.9F, 0.55F, 0.0F), mine(0.1F, 0.2F, 0.7F);
+  chart.lines.push_back(through(here, {1.0, 1.0}, "light of my present event", light, Style::dashed, 1.5F));
+  chart.lines.push_back(through(here, {-1.0, 1.0}, "", light, Style::dashed, 1.5F));
+  const double beta = plane.along(subject.beta);
+  chart.lines.push_back(
+      through(here, {beta, 1.0}, fmt::format("my time: {:.2f} c", beta), mine, Style::dotted, 2.0F));
+  chart.lines.push_back(through(here, {1.0, beta}, "my now", mine, Style::dashed, 2.0F));
+  ChartLine happened{"events", {}, glm::vec3(0.35F), 6.0F, Style::marks};
+  for (const GameEvent& event : subject.events) {
+    if (event.at.t_s >= from_s && event.at.t_s <= until_s) happened.points.push_back(plane(event.at));
+  }
+  if (!happened.points.empty()) chart.lines.push_back(happened);
+  ChartLine me{"me", {}, glm::vec3(0.0F), 3.5F, Style::solid};
+  for (const Event& event : subject.mine) me.points.push_back(plane(event));
+  chart.lines.push_back(me);
+  chart.lines.push_back({"", {here}, glm::vec3(0.0F), 10.0F, Style::marks});
+  return chart;
+}
+
+}  // namespace carom

@@ -1,0 +1,55 @@
+#include "app/room_import/rig_room.h"
+
+#include <algorithm>
+
+#include "devices/tracker/trace.h"
+
+namespace carom {
+
+namespace {
+
+Viewer viewerOf(const PlacedRig& placed) {
+  const Rig& rig = placed.rig;
+  const TrackerSetup& tracker = rig.trackers[rig.head.sensor.tracker];
+  const Pose eyesInSensor = inverse(rig.head.eyesFromSensor);
+  if (tracker.kind == TrackerKind::recorded) {
+    const std::vector<TrackerSample> samples = readTrace(tracker.source);
+    const auto first = std::find_if(samples.begin(), samples.end(), [&](const TrackerSample& sample) {
+      return sample.sensor == rig.head.sensor.sensor;
+    });
+    if (first != samples.end()) {
+      return {(tracker.roomFromTracker * first->pose * eyesInSensor).position_m, placed.head,
+              "the recorded head at its start"};
+    }
+  }
+  const glm::dvec3 standing_m = rig.axes.up * kStandingEyes_m;
+  if (tracker.kind != TrackerKind::simulated) {
+    return {standing_m, placed.head, "someone standing on the origin"};
+  }
+  const Pose person{standing_m, {1.0, 0.0, 0.0, 0.0}};
+  return {(tracker.roomFromTracker * person * eyesInSensor).position_m, placed.head,
+          "the simulated person at the start"};
+}
+
+}  // namespace
+
+Room roomOf(const PlacedRig& placed, const std::filesystem::path& file) {
+  const Rig& rig = placed.rig;
+  Room room;
+  room.file = file;
+  room.title = rig.title;
+  room.format = "a rig";
+  room.axes = rig.axes;
+  for (std::size_t i = 0; i < rig.walls.size(); ++i) room.walls.push_back({rig.walls[i], placed.walls[i]});
+  room.nodes = rig.nodes;
+  room.nodesAt = placed.nodes;
+  room.oneWindow = rig.oneWindow;
+  room.eyeSeparation_m = rig.head.eyeSeparation_m;
+  room.eyeSeparationAt = placed.eyeSeparation;
+  room.unit_m = placed.unit_m;
+  room.viewer = viewerOf(placed);
+  room.floor_m = 0.0;
+  return room;
+}
+
+}  // namespace carom

@@ -1,0 +1,33 @@
+#pragma once
+// What was last said to the person in the room, for as long as it stays there.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <limits>
+#include <string_view>
+
+#include "cave/frame/notice.h"
+
+namespace carom {
+
+/// Long enough to be read twice.
+inline constexpr double kNoticeShown_s = 4.0;
+
+class Spoken {
+ public:
+  /// In the room from now on, and once on standard error.
+  void say(std::string_view words, double now_s) {
+    fmt::print(stderr, "{}\n", words);
+    notice_ = Notice(words);
+    until_s_ = now_s + kNoticeShown_s;
+  }
+  bool stands(double now_s) const { return now_s < until_s_; }
+  Notice at(double now_s) const { return stands(now_s) ? notice_ : Notice(); }
+
+ private:
+  Notice notice_;
+  double until_s_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace carom

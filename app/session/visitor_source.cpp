@@ -1,0 +1,128 @@
+#include "app/session/visitor_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "devices/tracker/trace.h"
+#include "engine/light/light_cone.h"
+
+namespace carom {
+namespace {
+
+Rig rigOf(Rig rig, const Visitor& visitor) {
+  if (!visitor.trace) return rig;
+  TrackerSetup& tracker = rig.trackers[rig.head.sensor.tracker];
+  tracker = {};
+  tracker.kind = TrackerKind::recorded;
+  tracker.source = *visitor.trace;
+  rig.head.sensor.sensor = 0;
+  rig.head.eyesFromSensor = {};
+  rig.hand.reset();
+  return rig;
+}
+
+Scenario scenarioOf(Scenario scenario, const Visitor& visitor) {
+  ObserverStart& start = scenario.observer;
+  start.beta = visitor.beta.value_or(start.beta);
+  start.position_m = visitor.from_m.value_or(start.position_m);
+  start.facing_rad = visitor.facing_rad.value_or(start.facing_rad);
+  return scenario;
+}
+
+std::optional<double> lengthOf_s(const Visitor& visitor) {
+  if (!visitor.trace) return std::nullopt;
+  const std::vector<TrackerSample> samples = readTrace(*visitor.trace);
+  return samples.back().time_s - samples.front().time_s;
+}
+
+}  // namespace
+
+VisitorSource::VisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
+                             RecordedGame game, const VisitTime& time)
+    : person_(rigOf(rig, visitor), scenarioOf(scenario, visitor), time.start),
+      pacer_(time.clock, rig.display_hz, rig.displayLatency_s, time.swapsWait),
+      roomFromBoard_(
+          startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
+              .inverse()),
+      origin_{0.0, scenarioOf(scenario, visitor).observer.position_m},
+      eyeSeparation_m_(rig.head.eyeSeparation_m),
+      lightSpeed_m_s_(scenario.billiard.lightSpeed_m_s),
+      end_s_(lengthOf_s(visitor)),
+      mayStay_(visitor.mayStay),
+      game_(std::move(game)) {}
+
+double VisitorSource::roomTimeOf_s(const ObserverView& view) const {
+  return (roomFromBoard_ * (view.eyes[2].observation - origin_)).dt_s;
+}
+
+/// Of no point of a puck is a later board time seen. In the puck's rest frame a point within R of the centre
+/// is seen within R/c of when the centre is, and within R of where; on the board at most γ(1 + β) R/c later.
+double VisitorSource::latestSeen_s(const ObserverView& view) const {
+  double latest_s = 0.0;
+  for (std::size_t puck = 1; puck <= game_.pucks; ++puck) {
+    const WorldLine& line = game_.world.histories[puck];
+    const Motion centre = centreSeen(line, view.eyes[2].observation);
+    const double u = glm::length(centre.u), gamma = std::hypot(1.0, u);
+    latest_s = std::max(latest_s, centre.event.t_s + (gamma + u) * line.radius_m() / line.lightSpeed_m_s());
+  }
+  return latest_s;
+}
+
+/// Not frozen: lives on, or goes where the operator wants to be; not beyond what was recorded.
+ObserverView VisitorSource::goOn(const Playback& playback, const FrameTimes& times) {
+  const bool jumps = playback.jumps != jumps_;
+  jumps_ = playback.jumps;
+  const bool lives = !jumps && !playback.paused && playback.rate == 1.0;
+  double by_s = playback.paused ? 0.0 : playback.rate * times.step_s;
+  // The beginning is the game's, the room's time 0, however much of it the person has lived through.
+  if (jumps) by_s = playback.goTo_s > 0.0 ? playback.goTo_s - display_s_ : -roomTime_s_;
+  const ObserverView view = lives ? person_.at(times, eyeSeparation_m_)
+                                  : person_.through(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
+  heldBack_ = latestSeen_s(view) > game_.known_s;
+  if (!heldBack_) return view;
+  return person_.through(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
+}
+
+ObserverView VisitorSource::look(const Controls& controls, const FrameTimes& times) {
+  if (controls.views.frozen && sight_) return person_.round(*sight_, times, eyeSeparation_m_);
+  sight_ = goOn(controls.playback, times);
+  roomTime_s_ = roomTimeOf_s(*sight_);
+  return *sight_;
+}
+
+/// The trace is at its end, or the next frame but one might show what was not recorded.
+bool VisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
+  const double seen_s = latestSeen_s(view), step_s = seen_s - seen_s_.value_or(seen_s);
+  seen_s_ = seen_s;
+  if (end_s_ && times.display_s + times.step_s > *end_s_) return true;
+  if (mayStay_ || (!heldBack_ && seen_s + 2.0 * step_s <= game_.known_s)) return false;
+  fmt::print(stderr, "What comes after board time {:.2f} s was not recorded: the visit ends.\n", seen_s);
+  return true;
+}
+
+void VisitorSource::next(const Controls& controls, FrameState& state) {
+  const FrameTimes times = pacer_.next();
+  state = std::move(game_.news);
+  game_.news = {};
+  FrameRecord& record = state.record;
+  record.number = times.number;
+  record.pucks = game_.pucks;
+  record.observer = look(controls, times);
+  record.boardFromRoom = person_.boardFromRoom();
+  record.display_s = display_s_ = times.display_s;
+  record.lightSpeed_m_s = lightSpeed_m_s_;
+  record.last = isLast(times, record.observer);
+  record.switches = controls.switches;
+  record.controls = controls.walls;
+  record.views = controls.views;
+  record.tracked = person_.tracked();
+  handsOff_.tell(display_s_, record.notice);
+}
+
+void VisitorSource::drawn() { pacer_.drawn(); }
+void VisitorSource::shown(const FrameState&) { pacer_.swapped(); }
+
+}  // namespace carom

@@ -1,0 +1,79 @@
+#pragma once
+// Frames of a recorded game for somebody who was not there: another head, another motion.
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "app/files/rig.h"
+#include "app/files/scenario.h"
+#include "app/session/frame_source.h"
+#include "app/session/hands_off.h"
+#include "app/session/recorded_source.h"
+#include "app/viewer/person.h"
+#include "cave/frame/pacer.h"
+
+namespace carom {
+
+/// Who visits, and where they begin.
+struct Visitor {
+  /// Of their head, in the room; none: the rig's tracker follows it.
+  std::optional<std::filesystem::path> trace;
+  std::optional<Vec3> beta;  ///< v/c of their room on the board; none: the scenario's
+  /// Where the recorded game ends time stands still for them, and they may go back; else the frames end
+  /// there.
+  bool mayStay = false;
+  /// Where the room's floor origin begins on the board, and its forward, anticlockwise from +x; none: as in
+  /// the scenario.
+  std::optional<Vec3> from_m = {};
+  std::optional<double> facing_rad = {};
+};
+
+/// The clock that a visit goes by.
+struct VisitTime {
+  Clock& clock;
+  std::chrono::steady_clock::time_point start;  ///< where it reads zero
+  bool swapsWait = false;                       ///< of the display (cave/frame/pacer.h)
+};
+
+class VisitorSource : public FrameSource {
+ public:
+  /// All of the game is brought with the first frame: this person's board time is their own. The frames end
+  /// when the trace does, and before the person would see what was not recorded. Throws InputError if the
+  /// trace is at fault.
+  VisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor, RecordedGame game,
+                const VisitTime& time);
+
+  /// Display times go on, whatever the operator does with the game's. While it runs otherwise than the
+  /// person's, their own motion is not seen: it would be faster than light.
+  void next(const Controls& controls, FrameState& state) override;
+  void handled(const DeskInput& desk) override { handsOff_.handled(desk, display_s_); }
+  void drawn() override;
+  void shown(const FrameState& state) override;
+
+ private:
+  ObserverView look(const Controls& controls, const FrameTimes& times);
+  ObserverView goOn(const Playback& playback, const FrameTimes& times);
+  double roomTimeOf_s(const ObserverView& view) const;
+  double latestSeen_s(const ObserverView& view) const;
+  bool isLast(const FrameTimes& times, const ObserverView& view);
+
+  Person person_;
+  Pacer pacer_;
+  Lorentz roomFromBoard_;
+  Event origin_;  ///< of the room, at its time 0
+  double eyeSeparation_m_;
+  double lightSpeed_m_s_;
+  std::optional<double> end_s_;  ///< of the trace
+  bool mayStay_;
+  RecordedGame game_;
+  double roomTime_s_ = 0.0;       ///< of the head at the frame before
+  double display_s_ = 0.0;        ///< of the frame before
+  bool heldBack_ = false;         ///< the last frame would have shown what was not recorded
+  std::optional<double> seen_s_;  ///< the latest board time that was seen in the frame before
+  unsigned jumps_ = 0;
+  HandsOff handsOff_;
+  std::optional<ObserverView> sight_;  ///< of the frame before: to be frozen
+};
+
+}  // namespace carom

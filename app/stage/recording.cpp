@@ -1,0 +1,129 @@
+#include "app/stage/recording.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <stdexcept>
+#include <system_error>
+
+#include "app/files/rig.h"
+#include "app/stage/all_ranks.h"
+#include "cave/capture/capture.h"
+#include "cave/capture/movie.h"
+#include "cave/spectator/room_view.h"
+
+namespace carom {
+
+namespace {
+
+/// Throws std::runtime_error, which names the folder and --capture.
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    throw std::runtime_error(fmt::format("--capture {}: {}, expected a folder or a name for one",
+                                         folder.string(), failed.message()));
+  }
+}
+
+}  // namespace
+
+Recording::Recording(Graphics& graphics, const RecordingOptions& options, const Cluster& cluster,
+                     const Rig& rig, bool realTime)
+    : graphics_(graphics), cluster_(cluster), realTime_(realTime) {
+  const WhenFull whenFull = realTime ? WhenFull::drop : WhenFull::wait;
+  const std::vector<Wall> walls = cluster.wallsOf(rig.walls);
+  if (cluster.size() > 1) node_ = " of " + cluster.nameOf(cluster.rank());
+  graphics_.makeCurrent();
+  if (options.capture) {
+    makeFolder(*options.capture);
+    capture_ = std::make_unique<Capture>(*options.capture, whenFull);
+    folder_ = *options.capture;
+  }
+  if (options.movie && !walls.empty()) {
+    movie_ = std::make_unique<Movie>(movieOfNode(*options.movie, cluster.rank(), cluster.size()),
+                                     movieLayout(walls, rig.oneWindow.has_value()), rig.display_hz, whenFull);
+  }
+}
+
+Recording::~Recording() {
+  graphics_.makeCurrent();
+  movie_.reset();
+  capture_.reset();
+}
+
+/// What fails is said, and nothing more is made of that part.
+template <typename Part, typename Work>
+void Recording::attempt(std::unique_ptr<Part>& part, const char* outcome, const Work& work) {
+  if (!part) return;
+  try {
+    work();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}{}: {}\n", outcome, node_, error.what());
+    failed_ = true;
+    graphics_.makeCurrent();
+    part.reset();
+  }
+}
+
+void Recording::take(const WallSet& walls, const RoomView* outside, const FrameRecord& record) {
+  const auto capture = [&] {
+    if (captured_ == record.number) return;
+    captured_ = record.number;
+    if (outside) capture_->include(outside->taken());
+    walls.capture(*capture_, record.number);
+    ++captures_;
+  };
+  const auto film = [&] {
+    walls.film(*movie_, record.display_s);
+    ++filmed_;
+  };
+  if (realTime_) {
+    attempt(capture_, "the session goes on, without more pictures", capture);
+    attempt(movie_, "the session goes on, without the movie", film);
+    return;
+  }
+  if (capture_) capture();
+  if (movie_) film();
+}
+
+RecordingReport Recording::report() const {
+  RecordingReport report;
+  if (capture_) {
+    report.capture = folder_;
+    report.notCaptured = capture_->dropped();
+  }
+  if (movie_) {
+    report.movie = movie_->file();
+    report.notFilmed = movie_->dropped();
+  }
+  report.captured = captures_ - report.notCaptured;
+  report.filmed = filmed_ - report.notFilmed;
+  return report;
+}
+
+void Recording::finish() {
+  graphics_.makeCurrent();
+  attempt(capture_, "the session ends, without all pictures", [this] { finishCapture(); });
+  attempt(movie_, "the session ends, without the movie", [this] { finishMovie(); });
+  if (cluster_.firstFailed(failed_) >= 0) throw RankFailed{};
+}
+
+void Recording::finishCapture() {
+  capture_->finish();
+  if (capture_->dropped() == 0) return;
+  fmt::print(stderr,
+             "warning: pictures{} of {} frames were left out: they came faster than they are written.\n",
+             node_, capture_->dropped());
+}
+
+void Recording::finishMovie() {
+  movie_->finish();
+  fmt::print(stderr, "The movie{} is in {}.\n", node_, movie_->file().string());
+  if (movie_->dropped() == 0) return;
+  fmt::print(stderr,
+             "warning: in the movie{}, {} frames were left out: they came faster than they are encoded.\n",
+             node_, movie_->dropped());
+}
+
+}  // namespace carom

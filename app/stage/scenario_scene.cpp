@@ -1,0 +1,88 @@
+#include "app/stage/scenario_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/files/toml_file.h"
+#include "cave/frame/bodies.h"
+#include "cave/mesh/mesh_file.h"
+
+namespace carom {
+
+namespace {
+
+std::string pathOf(const std::optional<std::filesystem::path>& mesh) {
+  return mesh ? mesh->string() : std::string();
+}
+
+}  // namespace
+
+bool drawsOnProcessor(const std::string& renderer) {
+  return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
+}
+
+Tessellation tessellationFor(const Rig& rig, const std::string& renderer) {
+  // Eight views of half a million vertices: a few milliseconds on a graphics card, a second on two processor
+  // cores.
+  constexpr std::size_t kMostOnCard = 500000;
+  Tessellation tessellation;
+  tessellation.pixel_rad = finestPixel_rad(rig.walls, rig.axes.up * kStandingEyes_m);
+  if (!drawsOnProcessor(renderer)) tessellation.mostVertices = kMostOnCard;
+  return tessellation;
+}
+
+Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
+  std::vector<BodyLooks> pucks;
+  for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) {
+    const Puck& puck = scenario.billiard.pucks[i];
+    pucks.push_back({puck.name, pathOf(scenario.puckMeshes[i]), puck.radius_m, puck.height_m});
+  }
+  std::vector<BodyLooks> told;
+  for (const ToldBody& body : scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
+  Hall hall;
+  hall.floor_m = scenario.observer.position_m.z;
+  Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
+  for (const Pulse& pulse : scenario.pulses) scene.pulses.push_back({pulse.at_s, pulse.path_m});
+  scene.ruler = rulerBeside(scenario.billiard, scenario.observer.position_m);
+  return scene;
+}
+
+void openMeshes(const Scenario& scenario) {
+  std::vector<std::string> paths;
+  for (const auto& mesh : scenario.puckMeshes) paths.push_back(pathOf(mesh));
+  for (const ToldBody& body : scenario.bodies) paths.push_back(pathOf(body.mesh));
+  std::sort(paths.begin(), paths.end());
+  paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+  std::vector<InputError> faults;
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    try {
+      readMeshFile(path);
+    } catch (const InputError& fault) {
+      faults.push_back(fault);
+    }
+  }
+  if (!faults.empty()) throw InputErrors(std::move(faults));
+}
+
+std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks) {
+  std::vector<SeenBody> bodies{{"table and hall", restingWorldLine(scenario.billiard.lightSpeed_m_s)}};
+  for (std::size_t i = 0; i < pucks.size(); ++i)
+    bodies.push_back({scenario.billiard.pucks[i].name, pucks[i]});
+  for (const ToldBody& body : scenario.bodies) bodies.push_back({body.name, body.worldLine});
+  return bodies;
+}
+
+std::string seenSceneVtp(const Scenario& scenario, std::span<const WorldLine> pucks, const Event& observation,
+                         const Lorentz& headFromBoard) {
+  openMeshes(scenario);
+  const SeenMesh seen =
+      seenMesh(sceneOf(scenario, {}), seenBodies(scenario, pucks), observation, headFromBoard);
+  fmt::print(stderr, "The seen scene: {} points; {} are unseen, and {} triangles with them.\n",
+             seen.mesh->GetNumberOfPoints(), seen.unseenPoints, seen.unseenTriangles);
+  return vtpText(seen);
+}
+
+}  // namespace carom

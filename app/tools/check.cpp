@@ -1,0 +1,173 @@
+#include "app/tools/check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <string>
+#include <string_view>
+
+#include "app/files/rig.h"
+#include "app/files/scenario.h"
+#include "app/files/toml_file.h"
+#include "app/files/traces.h"
+#include "app/room_import/rig_room.h"
+#include "app/room_import/room_check.h"
+#include "app/tools/import.h"
+#include "engine/spacetime/lorentz.h"
+
+namespace carom {
+
+namespace {
+
+enum class FileKind { scenario, rig, foreignRoom };
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const char* what) {
+  throw InputErrors({InputError(path.string(), 1, 1, what)});
+}
+
+/// Of what is not named as TOML a TOML parser's words would tell nobody anything.
+TomlFile openedToml(const std::filesystem::path& path) {
+  try {
+    return TomlFile(path);
+  } catch (const InputError&) {
+    constexpr int kNothing = std::char_traits<char>::eof();
+    if (path.extension() == ".toml" || std::ifstream(path).peek() == kNothing)
+      throw;  // not to be read at all
+    refuse(path,
+           "this is no file of a kind that is known here, expected a .toml of Carom, a .pvx of ParaView or a "
+           ".json of SGCT");
+  }
+}
+
+/// Told by what is in it.
+FileKind kindOf(const std::filesystem::path& path) {
+  if (isForeignRoom(path)) return FileKind::foreignRoom;
+  const TomlFile file = openedToml(path);
+  for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke",
+                          "flash", "pulse", "lesson", "tour"}) {
+    if (file.root().has(key)) return FileKind::scenario;
+  }
+  for (const char* key : {"wall", "unit", "axes", "head", "tracker", "one_window", "display_hz"}) {
+    if (file.root().has(key)) return FileKind::rig;
+  }
+  refuse(path,
+         "this is neither a scenario nor a rig, expected light_speed_m_s of a scenario or [[wall]] of a rig");
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void tellWalls(const Room& room) {
+  for (const RoomWall& wall : room.walls) fmt::print("{}\n", wordsFor(wall, room));
+  if (room.oneWindow) {
+    fmt::print("all walls in one window of {} × {} pixels\n", room.oneWindow->size_px.x,
+               room.oneWindow->size_px.y);
+  }
+}
+
+/// Of every kind of room.
+void tellHead(const Room& room) {
+  const glm::dvec3& eyes_m = room.viewer.eyes_m;
+  fmt::print("distances are seen from {}, eyes at ({}, {}, {}) mm\n", room.viewer.words,
+             std::lround(eyes_m.x * 1e3), std::lround(eyes_m.y * 1e3), std::lround(eyes_m.z * 1e3));
+  for (const NodeSetup& node : room.nodes)
+    fmt::print("rank {} draws on display {}\n", node.rank, node.display);
+}
+
+int tellForeignRoom(const std::filesystem::path& path) {
+  const Room room = readForeignRoom(path);
+  const bool failed = printFindings(path, findingsOf(room));
+  fmt::print("{}: {} of {}{}\n", room.title, room.format, counted(room.walls.size(), "wall"),
+             failed ? " that can be read" : "");
+  tellWalls(room);
+  fmt::print("head: eyes {:.1f} mm apart\n", room.eyeSeparation_m * 1e3);
+  tellHead(room);
+  for (const std::string& assumption : room.assumptions) fmt::print("assumed: {}\n", assumption);
+  return failed ? 1 : 0;
+}
+
+void tellRig(const std::filesystem::path& path) {
+  const PlacedRig placed = readPlacedRig(path);
+  const Rig& rig = placed.rig;
+  openTraces(rig);
+  const Room room = roomOf(placed, path);
+  printFindings(path, findingsOf(room));
+  fmt::print("{}: a rig of {} at {} Hz\n", rig.title, counted(rig.walls.size(), "wall"), rig.display_hz);
+  tellWalls(room);
+  for (const TrackerSetup& tracker : rig.trackers) {
+    const std::string from = tracker.source.empty() ? "" : ", from " + tracker.source.string();
+    fmt::print("tracker {}: {}{}\n", tracker.name, toString(tracker.kind), from);
+  }
+  fmt::print("head: tracker {}, sensor {}, eyes {:.1f} mm apart\n",
+             rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor,
+             rig.head.eyeSeparation_m * 1e3);
+  if (rig.hand) {
+    const std::string buttons =
+        rig.hand->buttons ? ", buttons of tracker " + rig.trackers[*rig.hand->buttons].name : "";
+    fmt::print("hand: tracker {}, sensor {}{}\n", rig.trackers[rig.hand->tracker].name, rig.hand->sensor,
+               buttons);
+  }
+  tellHead(room);
+}
+
+void tellScenario(const std::filesystem::path& path, const std::function<void(const Scenario&)>& openMeshes) {
+  const Scenario scenario = readScenario(path);
+  if (openMeshes) openMeshes(scenario);
+  const BilliardSetup& setup = scenario.billiard;
+  fmt::print("{}: a scenario with light at {} m/s\n", scenario.title, setup.lightSpeed_m_s);
+  if (setup.board) {
+    fmt::print("board: {:.0f} × {:.0f} mm between the cushions; light takes {:.3g} s along it\n",
+               setup.board->length_m * 1e3, setup.board->width_m * 1e3,
+               setup.board->length_m / setup.lightSpeed_m_s);
+  } else {
+    fmt::print("board: an open plane without cushions\n");
+  }
+  for (const Puck& puck : setup.pucks) {
+    const double beta = glm::length(puck.beta);
+    fmt::print(
+        "puck {}: radius {:.1f} mm, height {:.1f} mm, {} kg, starts at ({}, {}) mm with {:.4g} c (γ = "
+        "{:.4g})\n",
+        puck.name, puck.radius_m * 1e3, puck.height_m * 1e3, puck.mass_kg, puck.position_m.x * 1e3,
+        puck.position_m.y * 1e3, beta, gammaFromU(uFromBeta(Vec3(puck.beta, 0.0))));
+  }
+  for (const ToldBody& body : scenario.bodies) {
+    const std::size_t turns = body.worldLine.knots().size() - 1;
+    fmt::print("body {}: moves as told, turns {}\n", body.name, counted(turns, "time"));
+  }
+  fmt::print("{}\n", counted(setup.strokes.size(), "scripted stroke"));
+  if (!setup.flashes.empty()) fmt::print("flashes of light: {}\n", setup.flashes.size());
+  if (!scenario.pulses.empty()) fmt::print("told pulses of light: {}\n", scenario.pulses.size());
+  if (!scenario.tour.empty()) {
+    const ThrustLeg& last = scenario.tour.back();
+    fmt::print("tour of the platform: {}, {:.6g} s, {}\n", counted(scenario.tour.size(), "leg"),
+               last.from_s + last.for_s, scenario.tourAtOnce ? "at once" : "when it is asked for");
+  }
+  if (scenario.lesson) {
+    fmt::print("lesson: it asks \"{}\" and offers {}\n", scenario.lesson->words.question,
+               counted(scenario.lesson->words.answers.size(), "answer"));
+  }
+  const Vec3& p = scenario.observer.position_m;
+  fmt::print("observer: the room's floor origin starts at ({}, {}, {}) mm with {:.4g} c\n", p.x * 1e3,
+             p.y * 1e3, p.z * 1e3, glm::length(scenario.observer.beta));
+}
+
+}  // namespace
+
+int runCheck(const std::filesystem::path& file, const std::function<void(const Scenario&)>& openMeshes) {
+  switch (kindOf(file)) {
+    case FileKind::scenario:
+      tellScenario(file, openMeshes);
+      break;
+    case FileKind::rig:
+      tellRig(file);
+      break;
+    case FileKind::foreignRoom:
+      return tellForeignRoom(file);
+  }
+  return 0;
+}
+
+}  // namespace carom

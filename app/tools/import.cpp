@@ -1,0 +1,181 @@
+#include "app/tools/import.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "app/files/whole_file.h"
+#include "app/room_import/pvx_file.h"
+#include "app/room_import/room_check.h"
+#include "app/room_import/sgct_file.h"
+
+namespace carom {
+
+namespace {
+
+/// A length in metres to a thousandth of a millimetre.
+std::string metres(double length_m) {
+  std::string text = fmt::format("{:.6f}", length_m);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text += '0';
+  return text == "-0.0" ? "0.0" : text;
+}
+
+std::string vectorText(const glm::dvec3& v) {
+  return fmt::format("[{}, {}, {}]", metres(v.x), metres(v.y), metres(v.z));
+}
+
+std::string tomlText(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+/// A rig's origin lies on the floor: moves the room so that it does, beneath the viewer.
+void putOnFloor(Room& room) {
+  const auto floor_m = floorHeight_m(room);
+  const glm::dvec3 up = room.axes.up;
+  const double eyes_m = glm::dot(room.viewer.eyes_m, up);
+  const glm::dvec3 beneath_m = room.viewer.eyes_m - eyes_m * up;
+  const glm::dvec3 shift_m = -beneath_m + (floor_m ? -*floor_m : kStandingEyes_m - eyes_m) * up;
+  for (RoomWall& wall : room.walls) {
+    wall.wall.lowerLeft_m += shift_m;
+    wall.wall.lowerRight_m += shift_m;
+    wall.wall.upperLeft_m += shift_m;
+  }
+  room.viewer.eyes_m += shift_m;
+  room.floor_m = 0.0;
+  if (!floor_m) {
+    room.assumptions.push_back(
+        fmt::format("no wall is a floor; the viewer's eyes are {:.0f} mm above it", kStandingEyes_m * 1e3));
+  }
+  if (glm::length(shift_m) > 0.0) {
+    room.assumptions.push_back(
+        fmt::format("everything is moved by {} m, so that the origin is on the floor beneath the viewer",
+                    vectorText(shift_m)));
+  }
+}
+
+/// Displays are kept only where they tell ranks apart.
+void keepDisplays(Room& room) {
+  std::set<std::string> displays;
+  for (const NodeSetup& node : room.nodes) displays.insert(node.display);
+  if (displays.size() > 1) return;
+  if (!displays.empty()) {
+    room.assumptions.push_back(
+        fmt::format("every rank draws on the display that it finds: the file names {} for all of them",
+                    *displays.begin()));
+  }
+  room.nodes.clear();
+}
+
+std::string headText(const Room& room) {
+  std::string text = fmt::format(
+      "title = {}\nunit = \"m\"\naxes = \"x-right y-up z-back\"\ndisplay_hz = 60.0\n", tomlText(room.title));
+  if (room.oneWindow) {
+    const WindowPlacement& window = *room.oneWindow;
+    text +=
+        fmt::format("\n[one_window]\nmonitor = {}\nposition = [{}, {}]\nsize = [{}, {}]\nfullscreen = {}\n",
+                    window.monitor, window.position_px.x, window.position_px.y, window.size_px.x,
+                    window.size_px.y, window.fullscreen);
+  }
+  text += fmt::format("\n[head]\ntracker = \"person\"\nsensor = 0\neye_separation = {}\n",
+                      metres(room.eyeSeparation_m));
+  text += fmt::format(
+      "\n[[tracker]]\nname = \"person\"\nkind = \"simulated\"\n"
+      "room_from_tracker = {{ translation = {}, rotation_deg = [0, 0, 0] }}\n",
+      vectorText(room.viewer.eyes_m - kStandingEyes_m * room.axes.up));
+  for (const NodeSetup& node : room.nodes) {
+    text += fmt::format("\n[[node]]\nrank = {}\ndisplay = {}\n", node.rank, tomlText(node.display));
+  }
+  return text;
+}
+
+std::string wallText(const Wall& wall) {
+  const WindowPlacement& window = wall.window;
+  std::string text = fmt::format(
+      "\n[[wall]]\nname = {}\nlower_left = {}\nlower_right = {}\nupper_left = {}\npixels = [{}, {}]\nnode = "
+      "{}\n"
+      "window = {{ monitor = {}, position = [{}, {}], size = [{}, {}], fullscreen = {} }}\nstereo = \"{}\"\n",
+      tomlText(wall.name), vectorText(wall.lowerLeft_m), vectorText(wall.lowerRight_m),
+      vectorText(wall.upperLeft_m), wall.pixels.x, wall.pixels.y, wall.node, window.monitor,
+      window.position_px.x, window.position_px.y, window.size_px.x, window.size_px.y, window.fullscreen,
+      toString(wall.stereo));
+  if (wall.flip != Flip::none) text += fmt::format("flip = \"{}\"\n", toString(wall.flip));
+  return text;
+}
+
+std::string rigText(const Room& room) {
+  std::string text = fmt::format("# Made of {} by carom import. What it assumed:\n",
+                                 printable(room.file.filename().string()));
+  for (const std::string& assumption : room.assumptions) text += fmt::format("# - {}\n", assumption);
+  text += headText(room);
+  for (const RoomWall& wall : room.walls) text += wallText(wall.wall);
+  return text;
+}
+
+}  // namespace
+
+bool isForeignRoom(const std::filesystem::path& file) {
+  return file.extension() == ".pvx" || file.extension() == ".json";
+}
+
+Room readForeignRoom(const std::filesystem::path& file) {
+  return file.extension() == ".pvx" ? readPvx(file) : readSgct(file);
+}
+
+std::vector<Finding> findingsOf(const Room& room) {
+  std::vector<Finding> findings = room.findings;
+  const std::vector<Finding> judged = judgeRoom(room);
+  findings.insert(findings.end(), judged.begin(), judged.end());
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
+    return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
+  });
+  return findings;
+}
+
+bool printFindings(const std::filesystem::path& file, const std::vector<Finding>& findings) {
+  bool failed = false;
+  for (const Finding& finding : findings) {
+    const bool error = finding.kind == Finding::Kind::error;
+    failed = failed || error;
+    fmt::print(stderr, "{}: {}:{}:{}: {}\n", error ? "error" : "warning", file.string(), finding.at.line,
+               finding.at.column, finding.text);
+  }
+  return failed;
+}
+
+int runImport(const ImportOptions& options) {
+  if (!isForeignRoom(options.file)) {
+    throw InputErrors(
+        {InputError(options.file.string(), 1, 1,
+                    "this is no room of another program, expected a .pvx of ParaView or a .json of SGCT")});
+  }
+  Room room = readForeignRoom(options.file);
+  if (printFindings(options.file, findingsOf(room))) return 1;
+  putOnFloor(room);
+  keepDisplays(room);
+  room.assumptions.push_back("no tracker is taken over: a simulated person walks about where the viewer is");
+  room.assumptions.push_back("the displays run at 60 Hz");
+  const std::string text = rigText(room);
+  std::error_code failed;
+  if (options.rig != "-" && std::filesystem::exists(std::filesystem::symlink_status(options.rig, failed))) {
+    throw std::runtime_error(fmt::format(
+        "{} is there already, expected a new file: rigs are measured by hand", options.rig.string()));
+  }
+  readRig(options.rig, text);  // what it would refuse is not written
+  WholeFile(options.rig).commit(text);
+  for (const std::string& assumption : room.assumptions) fmt::print(stderr, "assumed: {}\n", assumption);
+  return 0;
+}
+
+}  // namespace carom

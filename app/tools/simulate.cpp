@@ -1,0 +1,295 @@
+#include "app/tools/simulate.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/files/scenario.h"
+#include "app/files/whole_file.h"
+#include "app/tables/json_text.h"
+#include "engine/billiard/billiard.h"
+
+namespace carom {
+
+namespace {
+
+/// A puck at one board time, in the plane of the board.
+struct PuckState {
+  Vec2 position_m{0.0};
+  Vec2 beta{0.0};
+  double properTime_s = 0.0;
+};
+
+PuckState stateAt(const WorldLine& line, double t_s) {
+  const Motion motion = line.at(t_s);
+  return {Vec2(motion.event.r_m), Vec2(betaFromU(motion.u)), motion.properTime_s};
+}
+
+/// The collisions whose contact or first turn is at or before `until_s`, as they were committed; the turns of
+/// each in the order of the file's pucks. Not those after `until_s` that turn a puck before the news of a
+/// listed contact reaches it.
+std::vector<GameEvent> collisionsUntil(const Billiard& billiard, double until_s) {
+  std::vector<GameEvent> listed;
+  for (GameEvent collision : billiard.events()) {
+    if (collision.kind == EventKind::stroke || collision.kind == EventKind::flash) continue;
+    const bool turned = std::any_of(collision.turns.begin(), collision.turns.end(),
+                                    [&](const Turn& turn) { return turn.event.t_s <= until_s; });
+    if (!turned && collision.at.t_s > until_s) continue;
+    Turns& turns = collision.turns;
+    if (turns.size() == 2 && turns[1].puck < turns[0].puck) std::swap(turns[0], turns[1]);
+    listed.push_back(collision);
+  }
+  return listed;
+}
+
+/// The times of the states: 0, D, 2D, … up to `until_s`, rounding of the last one forgiven.
+std::vector<double> stateTimes_s(double until_s, double every_s) {
+  std::vector<double> times_s;
+  const auto last = static_cast<long>(std::floor(until_s / every_s * (1.0 + 1e-14)));
+  for (long i = 0; i <= last; ++i) times_s.push_back(std::min(static_cast<double>(i) * every_s, until_s));
+  return times_s;
+}
+
+Json toJson(const Event& event) { return {{"t_s", event.t_s}, {"r_m", vectorJson(Vec2(event.r_m))}}; }
+
+/// One collision: an event, or the events of all pucks that one jam moves.
+Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks) {
+  std::vector<Turn> all;
+  double heat_j = 0.0;
+  for (const GameEvent& event : collision) {
+    heat_j += event.heat_j;
+    all.insert(all.end(), event.turns.begin(), event.turns.end());
+  }
+  std::sort(all.begin(), all.end(), [](const Turn& a, const Turn& b) { return a.puck < b.puck; });
+  Json names = Json::array(), turns = Json::array();
+  for (const Turn& turn : all) {
+    names.push_back(pucks[turn.puck].name);
+    turns.push_back({{"puck", pucks[turn.puck].name},
+                     {"t_s", turn.event.t_s},
+                     {"r_m", vectorJson(Vec2(turn.event.r_m))},
+                     {"beta_before", vectorJson(turn.betaBefore)},
+                     {"beta_after", vectorJson(turn.betaAfter)},
+                     {"proper_time_s", turn.properTime_s}});
+  }
+  const GameEvent& first = collision.front();
+  Json json{{"kind", nameOf(first.kind)}, {"pucks", names}};
+  if (first.cushion) json["cushion"] = nameOf(*first.cushion);
+  json["contact"] = toJson(first.at);
+  json["turns"] = turns;
+  json["heat_j"] = heat_j;
+  if (first.withoutDelay) json["without_delay"] = true;
+  return json;
+}
+
+/// Returns how many of the first events are one collision: the pucks that one jam moves have an event each,
+/// with the same contact.
+std::size_t oneCollision(std::span<const GameEvent> events) {
+  const GameEvent& first = events.front();
+  std::size_t count = 1;
+  while (first.kind == EventKind::jam && count < events.size() && events[count].kind == EventKind::jam &&
+         events[count].at.t_s == first.at.t_s && events[count].at.r_m == first.at.r_m) {
+    ++count;
+  }
+  return count;
+}
+
+Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
+  const PuckState state = stateAt(line, t_s);
+  return {{"name", puck.name},
+          {"mass_kg", puck.mass_kg},
+          {"t_s", t_s},
+          {"r_m", vectorJson(state.position_m)},
+          {"beta", vectorJson(state.beta)},
+          {"proper_time_s", state.properTime_s}};
+}
+
+Json statesJson(const Billiard& billiard, const SimulateOptions& options) {
+  Json states = Json::array();
+  for (const double t_s : stateTimes_s(options.until_s, *options.every_s)) {
+    Json places = Json::array(), speeds = Json::array();
+    for (const WorldLine& line : billiard.worldLines()) {
+      const PuckState state = stateAt(line, t_s);
+      places.push_back(vectorJson(state.position_m));
+      speeds.push_back(vectorJson(state.beta));
+    }
+    states.push_back({{"t_s", t_s}, {"r_m", places}, {"beta", speeds}});
+  }
+  return states;
+}
+
+std::string jsonOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options) {
+  const std::vector<Puck>& pucks = scenario.billiard.pucks;
+  Json json{{"light_speed_m_s", scenario.billiard.lightSpeed_m_s}};
+  json["collisions"] = Json::array();
+  const std::vector<GameEvent> events = collisionsUntil(billiard, options.until_s);
+  for (std::span<const GameEvent> left = events; !left.empty(); left = left.subspan(oneCollision(left))) {
+    json["collisions"].push_back(toJson(left.first(oneCollision(left)), pucks));
+  }
+  json["pucks"] = Json::array();
+  for (std::size_t i = 0; i < pucks.size(); ++i) {
+    json["pucks"].push_back(toJson(pucks[i], billiard.worldLines()[i], options.until_s));
+  }
+  if (options.every_s) json["states"] = statesJson(billiard, options);
+  return jsonText(json);
+}
+
+std::string stateLine(double t_s, const std::string& name, const PuckState& state) {
+  return fmt::format("{:10.4f}  {:<12} {:8.4f} {:8.4f}   {:7.4f} {:7.4f}   {:10.4f}\n", t_s, name,
+                     state.position_m.x, state.position_m.y, state.beta.x + 0.0, state.beta.y + 0.0,
+                     state.properTime_s);  // at rest: 0, not -0
+}
+
+std::string tableOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options) {
+  const std::vector<Puck>& pucks = scenario.billiard.pucks;
+  std::string text = fmt::format("{}, light at {} m/s\n\n", scenario.title, scenario.billiard.lightSpeed_m_s);
+  const std::vector<GameEvent> collisions = collisionsUntil(billiard, options.until_s);
+  text += fmt::format("{} collisions up to t = {} s, and how each puck turns:\n", collisions.size(),
+                      options.until_s);
+  if (!collisions.empty()) {
+    text +=
+        " contact s         x m      y m   puck         meets        turns s    v/c before x, y      v/c "
+        "after x, y\n";
+  }
+  for (const GameEvent& collision : collisions) {
+    for (std::size_t i = 0; i < collision.turns.size(); ++i) {
+      const Turn& turn = collision.turns[i];
+      const std::string other = collision.cushion ? fmt::format("cushion {}", nameOf(*collision.cushion))
+                                : collision.kind == EventKind::jam ? "a jam"
+                                                                   : pucks[collision.turns[1 - i].puck].name;
+      text += fmt::format(
+          "{:10.4f}  {:10.4f} {:8.4f}   {:<12} {:<12} {:7.4f}   {:7.4f} {:7.4f}     {:7.4f} {:7.4f}\n",
+          collision.at.t_s, collision.at.r_m.x, collision.at.r_m.y, pucks[turn.puck].name, other,
+          turn.event.t_s, turn.betaBefore.x, turn.betaBefore.y, turn.betaAfter.x, turn.betaAfter.y);
+    }
+  }
+  text += "\nPucks:\n       t s  puck              x m      y m     v/c x   v/c y   own clock s\n";
+  std::vector<double> times_s{options.until_s};
+  if (options.every_s) times_s = stateTimes_s(options.until_s, *options.every_s);
+  if (times_s.back() < options.until_s) times_s.push_back(options.until_s);
+  for (const double t_s : times_s) {
+    for (std::size_t i = 0; i < pucks.size(); ++i) {
+      text += stateLine(t_s, pucks[i].name, stateAt(billiard.worldLines()[i], t_s));
+    }
+  }
+  return text;
+}
+
+/// The ledger with what friction took on the last legs up to `until_s`, which it books when they end.
+Ledger ledgerAt(const Scenario& scenario, const Billiard& billiard, double until_s) {
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  Ledger ledger = billiard.ledger();
+  for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) {
+    const WorldLine& line = billiard.worldLines()[i];
+    const Knot& last = line.knots().back();
+    if (last.turn.t_s >= until_s) continue;
+    const Vec3 u = line.at(until_s).u;
+    const double momentum = scenario.billiard.pucks[i].mass_kg * c_m_s;
+    const double energy_j = momentum * c_m_s * (gammaFromU(last.u) - gammaFromU(u));
+    const Vec2 momentum_kg_m_s = momentum * Vec2(last.u - u);
+    ledger.motion.energy_j -= energy_j, ledger.motion.momentum_kg_m_s -= momentum_kg_m_s;
+    ledger.lostToFriction.energy_j += energy_j, ledger.lostToFriction.momentum_kg_m_s += momentum_kg_m_s;
+  }
+  return ledger;
+}
+
+std::string balanceOf(const Scenario& scenario, const Ledger& start, const Ledger& end) {
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  double rest_j = 0.0;
+  for (const Puck& puck : scenario.billiard.pucks) rest_j += puck.mass_kg * c_m_s * c_m_s;
+  const auto energy = [](std::string_view what, double energy_j) {
+    return fmt::format("  {:<34} {:14.8g} J\n", what, energy_j);
+  };
+  const auto both = [](std::string_view what, const Ledger::Account& account) {
+    return fmt::format("  {:<34} {:14.8g} J   {:12.6g} {:12.6g}\n", what, account.energy_j,
+                       account.momentum_kg_m_s.x, account.momentum_kg_m_s.y);
+  };
+  const auto kinetic = [rest_j](const Ledger& ledger) {
+    return Ledger::Account{ledger.motion.energy_j - rest_j, ledger.motion.momentum_kg_m_s};
+  };
+  return "\nBalance of all that is decided by then:   energy           momentum x, y in kg m/s\n" +
+         both("kinetic, at the start", kinetic(start)) + both("+ what strokes gave", end.givenByStrokes) +
+         both("= kinetic, now", kinetic(end)) + both("+ radiated as heat", end.radiated) +
+         both("+ taken by cushions", end.takenByCushions) + both("+ lost to friction", end.lostToFriction) +
+         energy("heat, in the pucks' rest frames", end.heat_j);
+}
+
+/// Says on standard error how far a long game is.
+class Progress {
+ public:
+  void say(double t_s, double until_s, std::size_t collisions) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + (watched_ ? std::chrono::milliseconds(200) : std::chrono::seconds(5));
+    fmt::print(stderr, "{}t = {:.6g} of {:.6g} s, {} collisions{}", watched_ ? "\r" : "", t_s, until_s,
+               collisions, watched_ ? "" : "\n");
+    said_ = true;
+  }
+  ~Progress() {
+    if (said_ && watched_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  bool watched_ = ::isatty(STDERR_FILENO) == 1;
+  bool said_ = false;
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+};
+
+/// Plays in steps of about a tenth of a second of the user's time.
+void play(Billiard& billiard, double until_s) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto kStep = std::chrono::milliseconds(100);
+  Progress progress;
+  double step_s = 1e-6 * until_s;
+  for (double t_s = 0.0; t_s < until_s;) {
+    const Clock::time_point begin = Clock::now();
+    t_s = std::min(t_s + step_s, until_s);
+    billiard.advanceTo(t_s);
+    step_s = std::max(step_s, 1e-9 * until_s);
+    step_s *= Clock::now() - begin < kStep / 2 ? 2.0 : Clock::now() - begin > kStep ? 0.5 : 1.0;
+    const std::size_t collisions = billiard.events().size();
+    if (collisions > kMostCollisions) {
+      throw std::runtime_error(fmt::format(
+          "more than {} collisions, by board time {:.6g} s of {:.6g} s: they are all kept for the "
+          "answer; expected an earlier --until",
+          kMostCollisions, t_s, until_s));
+    }
+    progress.say(t_s, until_s, collisions);
+  }
+  billiard.advanceTo(until_s);
+}
+
+}  // namespace
+
+int runSimulate(const SimulateOptions& options) {
+  const Scenario scenario = readScenario(options.scenario);
+  WholeFile out(options.json.value_or("-"));
+  Billiard billiard(scenario.billiard);
+  const Ledger start = billiard.ledger();
+  play(billiard, options.until_s);
+  if (!billiard.jams().empty()) {
+    const JamNote& first = billiard.jams().front();
+    double heat_j = 0.0;
+    for (const JamNote& jam : billiard.jams()) heat_j += jam.heat_j;
+    fmt::print(stderr,
+               "note: jammed pucks moved on together {} times, giving {:.6g} J of heat; first {} of them, "
+               "'{}' among "
+               "them, at t = {:.6g} s\n",
+               billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
+               first.event.t_s);
+  }
+  out.commit(options.json ? jsonOf(scenario, billiard, options)
+                          : tableOf(scenario, billiard, options) +
+                                balanceOf(scenario, start, ledgerAt(scenario, billiard, options.until_s)));
+  return 0;
+}
+
+}  // namespace carom

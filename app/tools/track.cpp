@@ -1,0 +1,273 @@
+#include "app/tools/track.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <ctime>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/files/rig.h"
+#include "devices/monitor/input_monitor.h"
+#include "devices/monitor/loss_counter.h"
+#include "devices/monitor/sensor_monitor.h"
+#include "devices/setup/open_tracker.h"
+#include "devices/tracker/trace.h"
+#include "devices/usb/device_list.h"
+
+namespace carom {
+
+namespace {
+
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+constexpr double kPoll_s = 0.005;
+constexpr double kRefresh_s = 0.25;  // on a terminal
+constexpr double kReport_s = 1.0;    // elsewhere
+
+volatile std::sig_atomic_t wantsToEnd = 0;
+
+/// Makes SIGINT and SIGTERM end the watching, not the program, while it lives.
+class EndOnSignals {
+ public:
+  EndOnSignals() {
+    wantsToEnd = 0;
+    struct sigaction end {};
+    end.sa_handler = [](int) { wantsToEnd = 1; };
+    ::sigemptyset(&end.sa_mask);
+    ::sigaction(SIGINT, &end, &interruptBefore_);
+    ::sigaction(SIGTERM, &end, &terminateBefore_);
+  }
+  EndOnSignals(const EndOnSignals&) = delete;
+  EndOnSignals& operator=(const EndOnSignals&) = delete;
+  ~EndOnSignals() {
+    ::sigaction(SIGINT, &interruptBefore_, nullptr);
+    ::sigaction(SIGTERM, &terminateBefore_, nullptr);
+  }
+
+ private:
+  struct sigaction interruptBefore_ {};
+  struct sigaction terminateBefore_ {};
+};
+
+/// A tracker of the rig and what has come from it.
+struct Watched {
+  const TrackerSetup* setup = nullptr;
+  std::unique_ptr<Tracker> tracker;
+  std::map<int, SensorMonitor> sensors;
+  std::map<int, InputMonitor> inputs;  // of the sensors that have some
+  std::vector<LossCounter> losses;     // of the sensors that the rig names
+};
+
+/// A counter for each sensor of that tracker whose place the rig takes.
+std::vector<LossCounter> lossCountersOf(const Rig& rig, std::size_t tracker) {
+  std::vector<LossCounter> counters;
+  if (rig.head.sensor.tracker == tracker) counters.emplace_back(rig.head.sensor.sensor);
+  if (rig.hand && rig.hand->tracker == tracker) counters.emplace_back(rig.hand->sensor);
+  return counters;
+}
+
+/// The head's sensor as a trace. Made at once, so that a place that cannot be written to is told at once.
+class Recording {
+ public:
+  Recording(std::filesystem::path file, const Rig& rig)
+      : file_(std::move(file)),
+        sensor_(rig.head.sensor),
+        latency_s_(rig.trackers[sensor_.tracker].latency_s) {
+    const TrackerSetup& tracker = rig.trackers[sensor_.tracker];
+    comment_ = fmt::format("recorded by carom track: tracker {} ({}), sensor {}", tracker.name,
+                           toString(tracker.kind), sensor_.sensor);
+    writer_ = std::make_unique<TraceWriter>(file_, true, comment_);
+  }
+
+  void add(std::size_t tracker, const TrackerSample& sample) {
+    if (tracker != sensor_.tracker || sample.sensor != sensor_.sensor) return;
+    if (rows_ == 0 && !sample.hasOrientation) {
+      writer_ = nullptr;
+      writer_ = std::make_unique<TraceWriter>(file_, false, comment_);
+    }
+    TrackerSample row = sample;
+    row.time_s -= latency_s_;
+    writer_->add(row);
+    ++rows_;
+  }
+
+  /// Returns whether there is a trace now.
+  bool commit() {
+    if (rows_ == 0) return false;
+    writer_->commit();
+    return true;
+  }
+
+  std::size_t rows() const { return rows_; }
+
+ private:
+  std::filesystem::path file_;
+  SensorChoice sensor_;
+  double latency_s_;
+  std::string comment_;
+  std::unique_ptr<TraceWriter> writer_;
+  std::size_t rows_ = 0;
+};
+
+std::string figure(double value, const char* format) {
+  return std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value);
+}
+
+constexpr const char* kColumns =
+    "tracker          sensor   rate Hz    age ms  jitter ms  rest mm  dropouts  battery  quality\n";
+
+std::string sensorLine(const std::string& tracker, int sensor, const SensorFigures& figures) {
+  return fmt::format("{:<16} {:>6} {:>9} {:>9} {:>10} {:>8} {:>9} {:>8} {:>8}\n", tracker, sensor,
+                     figure(figures.rate_hz, "{:.1f}"), figure(1e3 * figures.age_s, "{:.1f}"),
+                     figure(1e3 * figures.jitter_s, "{:.2f}"), figure(1e3 * figures.rest_m, "{:.3f}"),
+                     figures.dropouts, figure(100.0 * figures.battery, "{:.0f} %"),
+                     figure(figures.quality, "{:.2f}"));
+}
+
+std::string trackerLine(const Watched& watched, double now_s) {
+  const TrackerHealth health = watched.tracker->health(now_s);
+  std::string line =
+      fmt::format("{} ({}): {}", watched.setup->name, toString(watched.setup->kind), toString(health.state));
+  const auto count = [&line](std::uint64_t number, const char* what) {
+    if (number > 0) line += fmt::format(", {} {}", number, what);
+  };
+  count(health.gaps, "gaps");
+  count(health.late, "late");
+  count(health.refused, "refused");
+  count(health.overflowed, "overflowed");
+  count(health.reconnections, "reconnections");
+  std::size_t losses = 0;
+  for (const LossCounter& counter : watched.losses) losses += counter.count();
+  count(losses, "losses");
+  if (!health.message.empty()) line += fmt::format(". {}", health.message);
+  return line + '\n';
+}
+
+std::string inputLines(const Watched& watched) {
+  std::string lines;
+  for (const auto& [sensor, inputs] : watched.inputs) {
+    lines += fmt::format("  {} sensor {}: {}\n", watched.setup->name, sensor, inputs.text());
+  }
+  return lines;
+}
+
+std::string tableOf(const std::vector<Watched>& all, double now_s) {
+  std::string text = kColumns;
+  for (const Watched& watched : all) {
+    for (const auto& [sensor, monitor] : watched.sensors) {
+      text += sensorLine(watched.setup->name, sensor, monitor.figures(now_s - watched.setup->latency_s));
+    }
+  }
+  for (const Watched& watched : all) text += trackerLine(watched, now_s) + inputLines(watched);
+  return text;
+}
+
+/// Prints a table in the place of the one before on a terminal, one after the other elsewhere.
+class Display {
+ public:
+  double period_s() const { return isTerminal_ ? kRefresh_s : kReport_s; }
+
+  void show(const std::string& table, double now_s) {
+    if (isTerminal_) {
+      if (lines_ > 0) fmt::print("\033[{}A\033[J", lines_);
+      fmt::print("\033[?7l{}\033[?7h", table);  // a line that is too long is cut, not broken
+      lines_ = std::count(table.begin(), table.end(), '\n');
+    } else {
+      fmt::print("after {:.1f} s\n{}", now_s, table);
+    }
+    std::fflush(stdout);
+  }
+
+ private:
+  bool isTerminal_ = ::isatty(STDOUT_FILENO) == 1;
+  long lines_ = 0;
+};
+
+void take(Watched& watched, std::size_t number, double now_s, Recording* recording,
+          std::vector<TrackerSample>& samples, std::vector<Reading>& inputs) {
+  samples.clear();
+  inputs.clear();
+  watched.tracker->poll(now_s, samples);
+  watched.tracker->takeInputs(inputs);
+  for (const TrackerSample& sample : samples) {
+    watched.sensors[sample.sensor].add(sample);
+    if (recording) recording->add(number, sample);
+  }
+  for (LossCounter& counter : watched.losses) counter.see(samples, inputs);
+  for (const Reading& input : inputs) {
+    if (input.kind == Reading::Kind::battery) watched.sensors[input.sensor].setBattery(input.value);
+    if (input.kind == Reading::Kind::button || input.kind == Reading::Kind::axis) {
+      watched.inputs[input.sensor].add(input);
+    }
+  }
+}
+
+/// Polls and shows until someone or the clock says it is enough.
+void watch(std::vector<Watched>& all, SteadyTime start, const TrackOptions& options, Recording* recording) {
+  const EndOnSignals endOnSignals;
+  Display display;
+  std::vector<TrackerSample> samples;
+  std::vector<Reading> inputs;
+  double shown_s = 0.0;
+  for (bool ends = false; !ends;) {
+    constexpr std::timespec kPause{0, static_cast<long>(1e9 * kPoll_s)};
+    ::nanosleep(&kPause, nullptr);
+    const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    for (std::size_t i = 0; i < all.size(); ++i) take(all[i], i, now_s, recording, samples, inputs);
+    ends = wantsToEnd || (options.seconds && now_s >= *options.seconds);
+    if (!ends && now_s < shown_s + display.period_s()) continue;
+    display.show(tableOf(all, now_s), now_s);
+    shown_s = now_s;
+  }
+}
+
+}  // namespace
+
+int runTrack(const TrackOptions& options) {
+  const Rig rig = readRig(options.rig);
+  const SteadyTime start = std::chrono::steady_clock::now();
+  std::vector<Watched> all;
+  for (std::size_t i = 0; i < rig.trackers.size(); ++i) {
+    const TrackerSetup& setup = rig.trackers[i];
+    all.push_back({&setup, openTracker(setup, rig.axes, start), {}, {}, lossCountersOf(rig, i)});
+  }
+  std::unique_ptr<Recording> recording;
+  if (options.record) recording = std::make_unique<Recording>(*options.record, rig);
+  fmt::print(stderr, "The trackers of {}. Ctrl-C ends.\n", options.rig.string());
+  watch(all, start, options, recording.get());
+  if (!recording) return 0;
+  if (!recording->commit()) {
+    fmt::print(stderr, "error: nothing came from the head's sensor: {} is not written\n",
+               options.record->string());
+    return 1;
+  }
+  fmt::print(stderr, "{} samples of the head's sensor are in {}.\n", recording->rows(),
+             options.record->string());
+  return 0;
+}
+
+int runTrackList() {
+  const std::vector<ListedDevice> devices = listDevices();
+  if (devices.empty()) {
+    fmt::print(
+        "No device that carom knows is plugged in. (Trackers on the network are not looked for: name "
+        "them in a rig.)\n");
+    return 0;
+  }
+  fmt::print("{:<14} {:<18} {:<28} {}\n", "kind", "source", "device", "at");
+  for (const ListedDevice& device : devices) {
+    fmt::print("{:<14} {:<18} {:<28} {}\n", device.kind, device.source, device.name, device.place);
+    if (!device.serial.empty()) fmt::print("{:<14} serial number {}\n", "", device.serial);
+    if (!device.problem.empty()) fmt::print("{:<14} {}\n", "", device.problem);
+  }
+  return 0;
+}
+
+}  // namespace carom

@@ -1,0 +1,197 @@
+#include "app/viewer/hand_tracking.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "devices/setup/open_tracker.h"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t kMostSamples = 4096;  // of one frame: more than a device's queue holds
+constexpr double kButtonsWithin_s = 5.0;    // most devices tell how they stand at once
+constexpr const char* kWithoutWand = "the wand aims at nothing";
+
+void take(const Reading& reading, Handles& handles) {
+  if (reading.index < 0) return;
+  const auto index = static_cast<unsigned>(reading.index);
+  if (reading.kind == Reading::Kind::button && index < 32) {
+    const std::uint32_t bit = 1U << index;
+    handles.down = reading.value != 0.0 ? handles.down | bit : handles.down & ~bit;
+  }
+  if (reading.kind == Reading::Kind::axis && index < handles.axes.size())
+    handles.axes[index] = std::clamp(reading.value, -1.0, 1.0);
+}
+
+void takeOf(int sensor, std::span<const Reading> inputs, Handles& handles) {
+  for (const Reading& reading : inputs) {
+    if (reading.sensor == sensor) take(reading, handles);
+  }
+}
+
+/// The first one of the rig; null: there is none.
+const TrackerSetup* spaceMouseOf(const Rig& rig) {
+  const auto found = std::find_if(rig.trackers.begin(), rig.trackers.end(), [](const TrackerSetup& tracker) {
+    return tracker.kind == TrackerKind::spaceMouse;
+  });
+  return found == rig.trackers.end() ? nullptr : &*found;
+}
+
+HandTracking::Trackers open(const Rig& rig, std::chrono::steady_clock::time_point sessionStart) {
+  HandTracking::Trackers trackers;
+  const auto opened = [&](std::size_t tracker) -> std::unique_ptr<Tracker> {
+    const TrackerSetup& setup = rig.trackers[tracker];
+    if (tracker == rig.head.sensor.tracker || setup.kind == TrackerKind::spaceMouse) return nullptr;
+    return openTracker(setup, rig.axes, sessionStart);
+  };
+  if (rig.hand) trackers.wand = opened(rig.hand->tracker);
+  if (rig.hand && rig.hand->buttons) trackers.buttons = opened(*rig.hand->buttons);
+  if (const TrackerSetup* mouse = spaceMouseOf(rig))
+    trackers.spaceMouse = openTracker(*mouse, rig.axes, sessionStart);
+  return trackers;
+}
+
+}  // namespace
+
+HandTracking::HandTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart)
+    : HandTracking(rig, open(rig, sessionStart)) {}
+
+HandTracking::HandTracking(const Rig& rig, Trackers trackers) : trackers_(std::move(trackers)) {
+  samples_.reserve(kMostSamples);
+  inputs_.reserve(kMostSamples);
+  if (const TrackerSetup* mouse = spaceMouseOf(rig)) spaceMouseName_ = mouse->name;
+  if (!rig.hand) return;
+  const TrackerSetup& wand = rig.trackers[rig.hand->tracker];
+  if (wand.kind == TrackerKind::spaceMouse) return;  // it has no place
+  place_.emplace(rig.hand->sensor, wand.roomFromTracker);
+  sensorFromHand_ = inverse(rig.hand->handFromSensor);
+  sensor_ = rig.hand->sensor;
+  wandName_ = buttonsName_ = wand.name;
+  wandWatch_.emplace(wandName_, sensor_, kWithoutWand);
+  otherButtons_ = rig.hand->buttons.has_value();
+  if (!otherButtons_) {
+    buttonsSensor_ = wand.kind == TrackerKind::vrpn ? 0 : sensor_;  // as vrpn_decoder.h
+    return;
+  }
+  buttonsName_ = rig.trackers[*rig.hand->buttons].name;
+  buttonsWatch_.emplace(buttonsName_, std::nullopt);
+}
+
+TrackerReport reportOf(const std::string& name, const char* use, const Tracker& tracker,
+                       const SensorPlace* place, double now_s) {
+  TrackerReport report;
+  report.name = name;
+  report.use = use;
+  report.health = tracker.health(now_s);
+  if (!place) return report;
+  report.rate_hz = place->rate_hz();
+  report.age_s = now_s - place->newest_s();
+  return report;
+}
+
+void HandTracking::report(double now_s, const Tracker& headTracker,
+                          std::vector<TrackerReport>& reports) const {
+  const Tracker& wand = trackers_.wand ? *trackers_.wand : headTracker;
+  if (place_) reports.push_back(reportOf(wandName_, "hand", wand, &*place_, now_s));
+  if (trackers_.buttons)
+    reports.push_back(reportOf(buttonsName_, "buttons", *trackers_.buttons, nullptr, now_s));
+  if (trackers_.spaceMouse)
+    reports.push_back(reportOf(spaceMouseName_, "steering", *trackers_.spaceMouse, nullptr, now_s));
+}
+
+/// Whether a sensor's buttons are the wand's. Of another tracker, which numbers its sensors in its own way,
+/// the first that sends some is taken, unless one numbered as the wand's own does, too.
+bool HandTracking::isOfTheWand(int sensor) {
+  if (otherButtons_ && sensor != buttonsSensor_ && (!buttonsSensor_ || sensor == sensor_)) {
+    buttonsSensor_ = sensor;
+    devices_.wand = {};
+  }
+  return sensor == buttonsSensor_;
+}
+
+void HandTracking::takeButtons(std::span<const Reading> inputs) {
+  for (const Reading& reading : inputs) {
+    if (reading.kind != Reading::Kind::button && reading.kind != Reading::Kind::axis) continue;
+    if (!isOfTheWand(reading.sensor)) continue;
+    take(reading, devices_.wand);
+    if (buttons_ != Buttons::came) buttonsTold_ = buttons_ == Buttons::awaited;
+    buttons_ = Buttons::came;
+  }
+}
+
+void HandTracking::followWand(double now_s, std::span<const TrackerSample> samples,
+                              std::span<const Reading> inputs) {
+  if (trackers_.wand) {
+    samples_.clear();
+    inputs_.clear();
+    trackers_.wand->poll(now_s, samples_);
+    trackers_.wand->takeInputs(inputs_);
+    samples = samples_;
+    if (!otherButtons_) inputs = inputs_;
+  }
+  place_->see(now_s, samples);
+  wandWatch_->see(now_s, samples);
+  if (trackers_.buttons) {
+    samples_.clear();  // whatever has its buttons on it
+    inputs_.clear();
+    trackers_.buttons->poll(now_s, samples_);
+    trackers_.buttons->takeInputs(inputs_);
+    inputs = inputs_;
+  }
+  takeButtons(inputs);
+  devices_.wandKnown = place_->isKnown(now_s);
+  if (!devices_.wandKnown) devices_.wand = {};  // who finds it again presses anew
+  devices_.roomFromHand = place_->roomFromSensor() * sensorFromHand_;
+}
+
+void HandTracking::follow(double now_s, std::span<const TrackerSample> samples,
+                          std::span<const Reading> inputs) {
+  if (place_) followWand(now_s, samples, inputs);
+  if (trackers_.spaceMouse) {
+    samples_.clear();  // it has none
+    inputs_.clear();
+    trackers_.spaceMouse->poll(now_s, samples_);
+    trackers_.spaceMouse->takeInputs(inputs_);
+    takeOf(0, inputs_, devices_.spaceMouse);
+  }
+}
+
+/// `tracked`: the wand has a place, and the tracker of its buttons delivers.
+std::optional<std::string> HandTracking::tellOfButtons(double now_s, bool tracked) {
+  if (!tracked) trackedSince_s_.reset();
+  if (tracked && !trackedSince_s_) trackedSince_s_ = now_s;
+  if (buttons_ == Buttons::awaited && trackedSince_s_ && now_s - *trackedSince_s_ >= kButtonsWithin_s) {
+    buttons_ = Buttons::missed;
+    return fmt::format("Tracker {}: no button or axis of the hand has come yet; {}", buttonsName_,
+                       otherButtons_ ? "without one the wand only points"
+                                     : "if it has none, name a tracker that has some as buttons of [hand]");
+  }
+  if (std::exchange(buttonsTold_, true)) return {};
+  return fmt::format("Tracker {}: the hand's buttons have come", buttonsName_);
+}
+
+std::vector<std::string> HandTracking::look(double now_s, const Tracker& headTracker) {
+  std::vector<std::string> lines;
+  if (!place_) return lines;
+  const auto tell = [&](const std::optional<std::string>& line) {
+    if (line) lines.push_back(*line);
+  };
+  TrackerHealth well;
+  well.state = TrackerHealth::State::delivering;
+  tell(wandWatch_->look(now_s, trackers_.wand ? trackers_.wand->health(now_s) : well));
+  bool tracked = devices_.wandKnown;
+  if (otherButtons_) {
+    const TrackerHealth health = (trackers_.buttons ? *trackers_.buttons : headTracker).health(now_s);
+    if (trackers_.buttons) tell(buttonsWatch_->look(now_s, health));
+    if (health.state != TrackerHealth::State::delivering) {
+      devices_.wand = {};
+      tracked = false;
+    }
+  }
+  tell(tellOfButtons(now_s, tracked));
+  return lines;
+}
+
+}  // namespace carom

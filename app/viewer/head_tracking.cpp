@@ -1,0 +1,86 @@
+#include "app/viewer/head_tracking.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "devices/setup/open_tracker.h"
+
+namespace carom {
+namespace {
+
+/// From its first samples the filter cannot tell noise from motion: so long the velocity comes in little by
+/// little, or the hall would hop when a session begins.
+constexpr double kFirst_s = 0.5;
+
+}  // namespace
+
+HeadTracking::HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart)
+    : setup_(rig.head),
+      roomFromTracker_(rig.trackers[rig.head.sensor.tracker].roomFromTracker),
+      latency_s_(rig.trackers[rig.head.sensor.tracker].latency_s),
+      tracker_(openTracker(rig.trackers[rig.head.sensor.tracker], rig.axes, sessionStart)),
+      watch_(rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor),
+      headPlace_(rig.head.sensor.sensor, roomFromTracker_),
+      hand_(rig, sessionStart),
+      name_(rig.trackers[rig.head.sensor.tracker].name),
+      standing_{rig.axes.up * kStandingEyes_m, {1.0, 0.0, 0.0, 0.0}} {
+  constexpr std::size_t kMostSamples = 4096;  // of one frame: more than a device's queue holds
+  samples_.reserve(kMostSamples);
+  inputs_.reserve(kMostSamples);
+}
+
+Tracked HeadTracking::tracked() const {
+  Tracked tracked;
+  tracked.roomFromHeadSensor = headPlace_.roomFromSensor();
+  tracked.headKnown = headPlace_.isKnown(begin_s_) ? 1 : 0;
+  if (!hand_.place()) return tracked;
+  tracked.roomFromHand = hand_.place()->roomFromSensor();
+  tracked.handKnown = hand_.place()->isKnown(begin_s_) ? 1 : 0;
+  return tracked;
+}
+
+std::vector<TrackerReport> HeadTracking::reports(const HeadEstimate& head) const {
+  std::vector<TrackerReport> reports{reportOf(name_, "head", *tracker_, &headPlace_, begin_s_)};
+  reports.front().known = head.known;
+  reports.front().shownAfter_s = head.time_s - (headPlace_.newest_s() - latency_s_);
+  reports.front().celerity_m_s = glm::length(head.celerity_m_s);
+  reports.front().sigma_m_s = head.sigma_m_s;
+  hand_.report(begin_s_, *tracker_, reports);
+  return reports;
+}
+
+HeadEstimate HeadTracking::at(const FrameTimes& times) {
+  samples_.clear();
+  inputs_.clear();
+  tracker_->poll(times.begin_s, samples_);
+  tracker_->takeInputs(inputs_);
+  watch_.see(times.begin_s, samples_);
+  if (watch_.isDue(times.begin_s)) {
+    if (const auto line = watch_.look(times.begin_s, tracker_->health(times.begin_s))) {
+      fmt::print(stderr, "{}\n", *line);
+    }
+  }
+  begin_s_ = times.begin_s;
+  headPlace_.see(begin_s_, samples_);
+  hand_.follow(begin_s_, samples_, inputs_);
+  if (hand_.isDue(begin_s_)) {
+    for (const std::string& line : hand_.look(begin_s_, *tracker_)) fmt::print(stderr, "{}\n", line);
+  }
+  const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
+  for (const TrackerSample& sample : samples_) {
+    if (sample.sensor != setup_.sensor.sensor) continue;
+    filter_.add(sample.time_s - latency_s_, roomFromTracker_ * sample.pose * sensorFromEyes);
+    if (!firstTracked_s_) firstTracked_s_ = times.display_s;
+  }
+  HeadEstimate head = filter_.at(times.display_s);
+  if (!firstTracked_s_) {
+    head.pose = standing_;
+  } else {
+    head.celerity_m_s *= std::min((times.display_s - *firstTracked_s_) / kFirst_s, 1.0);
+  }
+  return head;
+}
+
+}  // namespace carom

@@ -1,0 +1,337 @@
+#include "cave/cluster/cluster.h"
+
+#include <fmt/format.h>
+#include <mpi.h>
+#include <sched.h>
+#include <signal.h>
+#include <unistd.h>
+#define XXH_INLINE_ALL  // used as a header
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <type_traits>
+
+#include "cave/process/termination.h"
+
+namespace carom {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+constexpr int kRankOfDevices = 0;         // owns trackers, physics and the record
+constexpr std::uint64_t kWarmUp = 3;      // frames in which drivers still compile and allocate
+constexpr double kLate_s = 0.5;           // a node is late when it keeps the others waiting for so long
+constexpr double kLost_s = 10.0;          // and lost then
+constexpr double kLostAtStart_s = 60.0;   // in the frames of the warm-up
+constexpr double kLastWords_s = 0.25;     // when asked to end: how long a frame may still take
+constexpr double kRankZerosTurn_s = 0.2;  // by how much later the others give up, rank by rank
+constexpr double kSpin_s = 0.002;         // waits shorter than this take no nap
+constexpr std::chrono::microseconds kNap{100};
+constexpr int kShared = 1, kDrawn = 2, kLastWords = 3;  // tags of messages
+
+/// What precedes the knots and events in a frame's message.
+struct Header {
+  FrameRecord record;
+  std::uint64_t knots = 0;
+  std::uint64_t events = 0;
+};
+
+/// What a rank says when it has drawn a frame.
+struct Drawn {
+  FrameDigest digest;
+  std::uint64_t wantsToEnd = 0;
+  NodeReport before;
+};
+
+/// What rank 0 makes of it.
+struct Verdict {
+  std::int32_t different = -1;  // the first rank that drew from other numbers
+  std::uint32_t field = 0;      // the first in which it did
+  std::uint64_t end = 0;
+};
+static_assert(std::is_trivially_copyable_v<Header> && std::is_trivially_copyable_v<Drawn>);
+
+Verdict judge(std::span<const Drawn> drawn) {
+  Verdict verdict;
+  for (std::size_t rank = 0; rank < drawn.size(); ++rank) {
+    verdict.end |= drawn[rank].wantsToEnd;
+    if (verdict.different >= 0 || drawn[rank].digest == drawn[0].digest) continue;
+    verdict.different = static_cast<std::int32_t>(rank);
+    while (drawn[rank].digest.fields[verdict.field] == drawn[0].digest.fields[verdict.field]) ++verdict.field;
+  }
+  return verdict;
+}
+
+/// Where a rank runs.
+struct Place {
+  std::array<char, 64> host{};
+  std::int64_t process = 0;
+};
+
+Place ownPlace() {
+  Place place;
+  gethostname(place.host.data(), place.host.size() - 1);
+  place.process = getpid();
+  return place;
+}
+
+/// Open MPI pins each of one or two processes of a machine to one core, unless it is told otherwise; drawing
+/// and dividing bodies want them all. The system gives what it allows of what is asked for. Before there are
+/// threads.
+void useEveryCore() {
+  if (!std::getenv("OMPI_MCA_orte_bound_at_launch") || std::getenv("OMPI_MCA_hwloc_base_binding_policy"))
+    return;
+  cpu_set_t all;
+  std::fill_n(reinterpret_cast<unsigned char*>(&all), sizeof all, static_cast<unsigned char>(0xff));
+  sched_setaffinity(0, sizeof all, &all);
+}
+
+void sayOnStandardError(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }
+
+}  // namespace
+
+struct Cluster::Room {
+  std::vector<MPI_Request> requests;
+  std::vector<Place> places;  // by rank
+  std::vector<Drawn> drawn;   // by rank
+};
+
+Cluster::Cluster(Say say) : say_(say ? std::move(say) : sayOnStandardError) {
+  useEveryCore();
+  // A rank that waits gives its core to those that draw; a person's own setting stands.
+  setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+  MPI_Init(nullptr, nullptr);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  noticeTermination();
+  const auto ranks = static_cast<std::size_t>(size_);
+  names_.resize(ranks);
+  room_ = std::make_unique<Room>();
+  room_->requests.resize(ranks, MPI_REQUEST_NULL);
+  room_->drawn.resize(ranks);
+  room_->places.resize(ranks);
+  const Place own = ownPlace();
+  MPI_Allgather(&own, sizeof own, MPI_BYTE, room_->places.data(), sizeof own, MPI_BYTE, MPI_COMM_WORLD);
+}
+
+Cluster::~Cluster() { MPI_Finalize(); }
+
+void Cluster::leave() const {
+  carom::leave([] { MPI_Finalize(); });  // which waits for ever where mpirun was asked to end
+}
+
+void Cluster::abort() const {
+  MPI_Abort(MPI_COMM_WORLD, 1);
+  std::abort();
+}
+
+int Cluster::firstFailed(bool failed) const {
+  const int mine = failed ? rank_ : size_;
+  int first = size_;
+  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  return first < size_ ? first : -1;
+}
+
+void Cluster::agree(const std::string& what, std::string_view content) const {
+  const std::uint64_t digest = XXH3_64bits(content.data(), content.size());
+  std::uint64_t rankZeros = digest;
+  MPI_Bcast(&rankZeros, 1, MPI_UINT64_T, kRankOfDevices, MPI_COMM_WORLD);
+  const int different = firstFailed(digest != rankZeros);
+  if (different < 0) return;
+  throw NodesDiffer(
+      fmt::format("node {} has another {} than node 0, expected the same on every node", different, what));
+}
+
+std::vector<Wall> Cluster::wallsOf(std::span<const Wall> walls) const {
+  std::vector<Wall> drawn;
+  for (const Wall& wall : walls) {
+    if (draws(wall)) drawn.push_back(wall);
+  }
+  return drawn;
+}
+
+void Cluster::nameNodes(std::span<const Wall> walls) {
+  for (std::string& name : names_) name.clear();
+  for (const Wall& wall : walls) {
+    std::string& name = names_[static_cast<std::size_t>(wall.node % size_)];
+    name += (name.empty() ? "" : ", ") + wall.name;
+  }
+}
+
+std::string Cluster::nameOf(int rank) const {
+  const std::string& walls = names_[static_cast<std::size_t>(rank)];
+  return fmt::format("node {}{}", rank, walls.empty() ? "" : " (" + walls + ")");
+}
+
+void Cluster::share(std::string& text) const {
+  std::uint64_t bytes = text.size();
+  MPI_Bcast(&bytes, 1, MPI_UINT64_T, kRankOfDevices, MPI_COMM_WORLD);
+  text.resize(bytes);
+  MPI_Bcast(text.data(), static_cast<int>(bytes), MPI_BYTE, kRankOfDevices, MPI_COMM_WORLD);
+}
+
+void Cluster::share(FrameState& state) {
+  if (size_ == 1) return;
+  Header header{state.record, state.knots.size(), state.events.size()};
+  fromRankZero(&header, sizeof header);
+  state.record = header.record;
+  state.knots.resize(header.knots);
+  state.events.resize(header.events);
+  if (!state.knots.empty()) fromRankZero(state.knots.data(), state.knots.size() * sizeof(BodyKnot));
+  if (!state.events.empty()) fromRankZero(state.events.data(), state.events.size() * sizeof(GameEvent));
+}
+
+/// Rank 0's bytes to every rank. One message each, not a broadcast, whose tree hides who is late.
+void Cluster::fromRankZero(void* bytes, std::size_t count) const {
+  std::vector<MPI_Request>& requests = room_->requests;
+  const int length = static_cast<int>(count);
+  if (rank_ != kRankOfDevices) {
+    MPI_Irecv(bytes, length, MPI_BYTE, kRankOfDevices, kShared, MPI_COMM_WORLD, &requests[0]);
+    return await(1, false);
+  }
+  for (int rank = 1; rank < size_; ++rank) {
+    MPI_Isend(bytes, length, MPI_BYTE, rank, kShared, MPI_COMM_WORLD,
+              &requests[static_cast<std::size_t>(rank - 1)]);
+  }
+  await(static_cast<std::size_t>(size_ - 1), true);
+}
+
+void Cluster::report(const NodeReport& mine) { room_->drawn[static_cast<std::size_t>(rank_)].before = mine; }
+
+const NodeReport& Cluster::reportOf(int rank) const {
+  return room_->drawn[static_cast<std::size_t>(rank)].before;
+}
+
+bool Cluster::swapTogether(const FrameState& state, const World& world, bool wantsToEnd,
+                           const std::function<void()>& untilSwap) {
+  wantsToEnd = wantsToEnd || terminationAsked();
+  if (size_ == 1) {
+    if (untilSwap) untilSwap();
+    return wantsToEnd;
+  }
+  std::vector<MPI_Request>& requests = room_->requests;
+  Drawn& mine = room_->drawn[static_cast<std::size_t>(rank_)];
+  mine.digest = digestOf(state, world);
+  mine.wantsToEnd = wantsToEnd;
+
+  if (rank_ == kRankOfDevices) {
+    for (int rank = 1; rank < size_; ++rank) {
+      const auto at = static_cast<std::size_t>(rank);
+      MPI_Irecv(&room_->drawn[at], sizeof(Drawn), MPI_BYTE, rank, kDrawn, MPI_COMM_WORLD, &requests[at - 1]);
+    }
+    await(static_cast<std::size_t>(size_ - 1), true);
+    if (untilSwap) untilSwap();
+  } else {
+    MPI_Isend(&mine, sizeof mine, MPI_BYTE, kRankOfDevices, kDrawn, MPI_COMM_WORLD, &requests[0]);
+    await(1, false);
+  }
+  Verdict verdict = rank_ == kRankOfDevices ? judge(room_->drawn) : Verdict{};
+  fromRankZero(&verdict, sizeof verdict);
+  ++frames_;
+
+  if (verdict.different < 0) return verdict.end != 0;
+  const std::string_view field = FrameDigest::kFields[verdict.field];
+  throw NodesDiffer(fmt::format(
+      "frame {}: {} drew from other numbers than node 0: {}{}", state.record.number,
+      nameOf(verdict.different), field,
+      field == "histories" ? whereHistoriesPart(world.histories, verdict.different) : std::string()));
+}
+
+/// Of two nodes' histories, the first body and field that differ. Every rank must call it.
+std::string Cluster::whereHistoriesPart(std::span<const WorldLine> histories, int other) const {
+  for (std::size_t body = 0; body < histories.size(); ++body) {
+    const HistoryDigest mine = digestOf(histories[body]);
+    HistoryDigest rankZeros = mine, others = mine;
+    MPI_Bcast(&rankZeros, sizeof mine, MPI_BYTE, kRankOfDevices, MPI_COMM_WORLD);
+    MPI_Bcast(&others, sizeof mine, MPI_BYTE, other, MPI_COMM_WORLD);
+    if (others == rankZeros) continue;
+    std::size_t field = 0;
+    while (others.fields[field] == rankZeros.fields[field]) ++field;
+    return fmt::format(", body {}, {}", body, HistoryDigest::kFields[field]);
+  }
+  return {};
+}
+
+/// Waits for the first `requests` of the room. Where they come from all other ranks (`fromAll`; request i
+/// from rank i + 1), the late are named; otherwise rank 0 is waited for, who names them.
+void Cluster::await(std::size_t requests, bool fromAll) const {
+  const auto start = std::chrono::steady_clock::now();
+  const double patience_s = (frames_ < kWarmUp ? kLostAtStart_s : kLost_s) + rank_ * kRankZerosTurn_s;
+  double asked_s = std::numeric_limits<double>::infinity();
+  int late = -1;
+  double waited_s = 0.0;
+  for (unsigned turn = 1; !done(requests); ++turn) {
+    waited_s < kSpin_s ? std::this_thread::yield() : std::this_thread::sleep_for(kNap);
+    if (turn % 16 != 0) continue;
+    waited_s = Seconds(std::chrono::steady_clock::now() - start).count();
+    if (terminationAsked()) asked_s = std::min(asked_s, waited_s);
+    const int pending = fromAll ? firstPending(requests) : 0;
+    if (pending == static_cast<int>(requests)) continue;  // the last one came this moment
+    const int awaited = fromAll ? pending + 1 : kRankOfDevices;
+    if (waited_s - asked_s > kLastWords_s + rank_ * kRankZerosTurn_s && !livesHere(awaited)) {
+      const char* what = isHere(awaited) ? "is gone" : "does not answer";
+      giveUp(fmt::format("error: {} {}: the session ends.", nameOf(awaited), what), false);
+    }
+    if (waited_s > patience_s) {
+      giveUp(fmt::format("error: {} has not answered for {:.0f} s: the session ends.", nameOf(awaited),
+                         waited_s),
+             true);
+    }
+    if (fromAll && late < 0 && frames_ >= kWarmUp && waited_s > kLate_s) {
+      late = awaited;
+      say_(fmt::format("{} is late: every wall keeps the last whole frame.", nameOf(late)));
+    }
+  }
+  if (late >= 0) say_(fmt::format("{} is back after {:.1f} s.", nameOf(late), waited_s));
+}
+
+bool Cluster::done(std::size_t requests) const {
+  int all = 0;
+  MPI_Testall(static_cast<int>(requests), room_->requests.data(), &all, MPI_STATUSES_IGNORE);
+  return all != 0;
+}
+
+bool Cluster::isHere(int rank) const {
+  return room_->places[static_cast<std::size_t>(rank)].host ==
+         room_->places[static_cast<std::size_t>(rank_)].host;
+}
+
+/// Whether a rank is a living process of this machine. Of other machines nothing is known.
+bool Cluster::livesHere(int rank) const {
+  const auto process = static_cast<pid_t>(room_->places[static_cast<std::size_t>(rank)].process);
+  return isHere(rank) && kill(process, 0) == 0;
+}
+
+int Cluster::firstPending(std::size_t requests) const {
+  int at = 0;
+  for (int done = 1; at < static_cast<int>(requests); ++at) {
+    MPI_Request_get_status(room_->requests[static_cast<std::size_t>(at)], &done, MPI_STATUS_IGNORE);
+    if (!done) break;
+  }
+  return at;
+}
+
+/// Says why and ends, unless another rank has said it. `others`: end them too; where a node has died, mpirun
+/// does.
+void Cluster::giveUp(const std::string& why, bool others) const {
+  int said = 0;
+  MPI_Iprobe(MPI_ANY_SOURCE, kLastWords, MPI_COMM_WORLD, &said, MPI_STATUS_IGNORE);
+  if (!said) {
+    say_(why);
+    for (int rank = 0; rank < size_; ++rank) {
+      MPI_Request sent;
+      if (rank != rank_) MPI_Isend(nullptr, 0, MPI_BYTE, rank, kLastWords, MPI_COMM_WORLD, &sent);
+    }
+  }
+  if (others) abort();
+  std::_Exit(1);
+}
+
+}  // namespace carom

@@ -1,0 +1,84 @@
+#pragma once
+// Visible windows, by GLFW: they share the textures of the drawing context (cave/gl/graphics.h) and only pack
+// them.
+//
+// Use from the main thread only.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <glm/vec2.hpp>
+
+#include "cave/cluster/frame_lock.h"
+#include "cave/gl/graphics.h"
+#include "cave/gl/gui.h"
+#include "cave/projection/stereo.h"
+#include "cave/room/wall.h"
+
+struct GLFWwindow;
+
+namespace carom {
+
+/// What the pointer did over one window. Pixels count right and down.
+struct PointerInput {
+  glm::dvec2 dragged_px{0.0};  ///< with the left button down
+  double wheel = 0.0;          ///< notches, forwards
+};
+
+/// A visible window.
+class Window {
+ public:
+  /// Throws std::runtime_error if the monitor does not exist or quad-buffer stereo is asked for but not
+  /// offered by the display.
+  Window(Graphics& graphics, const std::string& title, const WindowPlacement& placement,
+         bool quadBuffer = false);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Draws the panes and, in a Gui over them, what `over` draws (not yet visible: see swap). Leaves this
+  /// window's context current.
+  void show(std::span<const Pane> panes, const std::function<void()>& over = {});
+
+  /// Waits until what was shown is drawn. Any context may be current.
+  void awaitShown() const;
+
+  /// Makes what was shown visible; waits for the display's refresh if `setVsync(true)`.
+  void swap();
+  void makeCurrent() const;
+  void setVsync(bool on);
+
+  /// What is drawn over it takes mouse and letters from now on, and keys while it wants them (cave/gl/gui.h);
+  /// other keys are the session's, as in every window. `text_px`, `heading_px`: of its letters.
+  void listen(float text_px, float heading_px);
+  bool isPressed() const { return listens_ && gui_->isPressed(); }
+  bool isIconified() const;
+
+  glm::ivec2 size_px() const;  ///< of its framebuffer
+  bool isDown(int key) const;
+  /// Where the pointer is, in pixels of the framebuffer, right and down; none while it is over no part of the
+  /// window that can be seen. While a button is held that was pressed here, it may be anywhere.
+  std::optional<glm::dvec2> pointer_px() const;
+  bool isHeld() const;  ///< the left button was pressed here and is down
+  /// Since the last call; call once a poll.
+  PointerInput takePointer();
+  SwapGroupCalls::Drawable drawable() const { return drawable_; }
+
+ private:
+  struct Hears;  // what GLFW calls
+
+  Graphics& graphics_;
+  GLFWwindow* window_ = nullptr;
+  bool listens_ = false;        // to what its Gui should know of
+  glm::dvec2 pointer_px_{0.0};  // when it was last asked for
+  bool dragging_ = false;       // then
+  SwapGroupCalls::Drawable drawable_ = 0;
+  std::unique_ptr<StereoPacker> packer_;
+  std::unique_ptr<Gui> gui_;  // from its first use on
+  void* shown_ = nullptr;     // GLsync: the last frame's drawing in this window
+};
+
+}  // namespace carom

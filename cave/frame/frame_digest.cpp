@@ -1,0 +1,127 @@
+#include "cave/frame/frame_digest.h"
+
+#define XXH_INLINE_ALL  // used as a header
+#include <xxhash.h>
+
+#include <type_traits>
+
+namespace carom {
+namespace {
+
+/// Digests values one after the other, never the padding between them.
+class Digest {
+ public:
+  template <typename T>
+  requires std::is_arithmetic_v<T> Digest& operator<<(const T& value) {
+    digest_ = XXH3_64bits_withSeed(&value, sizeof value, digest_);
+    return *this;
+  }
+  Digest& operator<<(const Vec3& v) { return *this << v.x << v.y << v.z; }
+  Digest& operator<<(const Event& event) { return *this << event.t_s << event.r_m; }
+  Digest& operator<<(const Knot& knot) {
+    return *this << knot.turn << knot.u << knot.properTime_s << knot.news << knot.deceleration_m_s2;
+  }
+
+  Digest& operator<<(const GameEvent& event) {
+    *this << event.number << static_cast<std::uint8_t>(event.kind)
+          << (event.cushion ? static_cast<int>(*event.cushion) : -1) << event.which << event.at
+          << event.heat_j << event.turns.size();
+    for (const Turn& turn : event.turns) {
+      *this << turn.puck << turn.event << turn.betaBefore.x << turn.betaBefore.y << turn.betaAfter.x
+            << turn.betaAfter.y << turn.properTime_s;
+    }
+    return *this;
+  }
+
+  operator std::uint64_t() const { return digest_; }
+
+ private:
+  std::uint64_t digest_ = 0;
+};
+
+void add(const Lorentz& transform, Digest& digest) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) digest << transform.matrix()[column][row];
+  }
+}
+
+std::uint64_t digestOf(const ObserverView& observer, const Lorentz& boardFromRoom) {
+  Digest digest;
+  add(observer.headFromBoard, digest);
+  add(boardFromRoom, digest);
+  for (const EyeView& eye : observer.eyes) {
+    digest << eye.observation << eye.positionInRoom_m << eye.seenFromInRoom_m;
+  }
+  digest << observer.properTime_s;
+  return digest;
+}
+
+std::uint64_t digestOf(const TimeViews& views) {
+  Digest digest;
+  digest << views.boardNow << views.myNow << views.paths << views.events << views.clocks << views.split
+         << views.frozen << views.ruler << views.angles;
+  for (const NamedSwitch& named : kNamedSwitches) digest << views.beside.*named.value;
+  return digest;
+}
+
+std::uint64_t digestOf(const HandView& hand) {
+  return Digest() << hand.shown << hand.pulling << hand.target << hand.from_m << hand.to_m << hand.target_m
+                  << hand.towards << hand.u;
+}
+
+/// The newest knot and how many there are: a history that lost or gained one differs from then on.
+std::uint64_t digestOfNewest(std::span<const WorldLine> histories) {
+  Digest digest;
+  for (const WorldLine& history : histories) digest << history.knots().size() << history.knots().back();
+  return digest;
+}
+
+/// The same of the list of events.
+std::uint64_t digestOfNewest(std::span<const GameEvent> events) {
+  Digest digest;
+  digest << events.size();
+  if (!events.empty()) digest << events.front().number << events.back();
+  return digest;
+}
+
+}  // namespace
+
+FrameDigest digestOf(const FrameState& state, const World& world) {
+  const FrameRecord& record = state.record;
+  Digest switches, knots;
+  for (const NamedSwitch& named : kNamedSwitches) switches << record.switches.*named.value;
+  switches << static_cast<std::uint8_t>(record.controls.shown) << record.controls.blank
+           << record.controls.eyesSwapped << record.controls.trackerCross << record.controls.latency
+           << record.lightSpeed_m_s << digestOf(record.views);
+  Digest tracked;
+  for (const Pose& pose : {record.tracked.roomFromHeadSensor, record.tracked.roomFromHand}) {
+    const glm::dquat& q = pose.orientation;
+    tracked << pose.position_m << q.w << q.x << q.y << q.z;
+  }
+  tracked << record.tracked.headKnown << record.tracked.handKnown;
+  tracked << digestOf(record.hand) << record.drive.thrust << static_cast<std::uint8_t>(record.drive.mode)
+          << record.drive.atLimit;
+  switches << static_cast<std::uint8_t>(record.lesson.phase) << record.lesson.answer;
+  for (const char letter : record.notice.text) switches << letter;
+  knots << record.truncateFrom_s << record.pucks << record.forgetBefore_s;
+  for (const BodyKnot& knot : state.knots) knots << knot.body << knot.knot;
+  Digest events;
+  events << record.eventsKept;
+  for (const GameEvent& event : state.events) events << event;
+  return {{Digest() << record.number << record.last, Digest() << record.display_s,
+           digestOf(record.observer, record.boardFromRoom), switches, tracked, knots, events,
+           digestOfNewest(world.histories), digestOfNewest(world.events)}};
+}
+
+HistoryDigest digestOf(const WorldLine& history) {
+  Digest turns, velocities, properTimes, news;
+  for (const Knot& knot : history.knots()) {
+    turns << knot.turn;
+    velocities << knot.u << knot.deceleration_m_s2;
+    properTimes << knot.properTime_s;
+    news << knot.news;
+  }
+  return {{history.knots().size(), turns, velocities, properTimes, news}};
+}
+
+}  // namespace carom

@@ -1,0 +1,57 @@
+#include "cave/frame/frame_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "engine/light/vertex_history.h"
+
+namespace carom {
+namespace {
+
+/// As the game does (Chronicle::forgetBefore).
+bool isOver(const GameEvent& event, double before_s) {
+  return event.at.t_s < before_s &&
+         std::all_of(event.turns.begin(), event.turns.end(),
+                     [before_s](const Turn& turn) { return turn.event.t_s < before_s; });
+}
+
+void applyEvents(const FrameState& state, std::vector<GameEvent>& events) {
+  while (!events.empty() && events.back().number >= state.record.eventsKept) events.pop_back();
+  events.insert(events.end(), state.events.begin(), state.events.end());
+  const double before_s = state.record.forgetBefore_s;
+  if (!std::isfinite(before_s)) return;
+  events.erase(events.begin(),
+               std::find_if_not(events.begin(), events.end(),
+                                [before_s](const GameEvent& event) { return isOver(event, before_s); }));
+}
+
+}  // namespace
+
+void applyFrame(const FrameState& state, World& world) {
+  const std::span<WorldLine> histories = world.histories;
+  if (state.record.pucks > 0 && state.record.pucks >= histories.size()) {
+    throw std::out_of_range("frame record: more pucks than there are histories");
+  }
+  if (std::isfinite(state.record.truncateFrom_s)) {
+    for (WorldLine& history : histories.subspan(1, state.record.pucks)) {
+      history.truncateFrom(state.record.truncateFrom_s);
+    }
+  }
+  for (const BodyKnot& knot : state.knots) {
+    if (knot.body >= histories.size())
+      throw std::out_of_range("frame record: a knot of a body that is not there");
+    WorldLine& history = histories[knot.body];
+    history.append(knot.knot);
+    if (!history.settlesBeforeNext(history.knots().size() - 2)) history.settlesAfter(joinedAfter_s(history));
+  }
+  if (std::isfinite(state.record.forgetBefore_s)) {
+    for (WorldLine& history : histories.subspan(1, state.record.pucks)) {
+      history.forgetBefore(state.record.forgetBefore_s);
+    }
+  }
+  applyEvents(state, world.events);
+}
+
+}  // namespace carom

@@ -1,0 +1,20 @@
+#pragma once
+// What the operator has chosen for all walls of a room.
+
+#include <cstdint>
+
+namespace carom {
+
+enum class Shown : std::uint8_t { session, testPattern, seamPattern };
+
+struct WallControls {
+  Shown shown = Shown::session;
+  std::uint8_t blank = 0;         ///< 1: every wall is black
+  std::uint8_t eyesSwapped = 0;   ///< 1: each eye gets the other's picture
+  std::uint8_t trackerCross = 0;  ///< 1: a cross sits where each tracked sensor is
+  std::uint8_t latency = 0;       ///< 1: every node shows in its windows how its time is spent
+
+  bool operator==(const WallControls&) const = default;
+};
+
+}  // namespace carom

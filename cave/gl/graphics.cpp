@@ -1,0 +1,97 @@
+#include "cave/gl/graphics.h"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <vtk_glew.h>
+
+namespace carom {
+namespace {
+
+constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a card that takes longer hangs
+
+[[noreturn]] void failWithoutDisplay(const std::string& reason) {
+  const char* display = std::getenv("DISPLAY");
+  const std::string where = display && *display
+                                ? fmt::format("no X display: cannot open \"{}\" ({})", display, reason)
+                                : std::string("no X display: the environment variable DISPLAY is not set");
+  throw std::runtime_error(where +
+                           "; start one, e.g. with: xvfb-run -a -s \"-screen 0 1920x1200x24\" COMMAND");
+}
+
+}  // namespace
+
+std::string lastGlfwError() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description ? description : "no reason given";
+}
+
+void hintContext() {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+}
+
+void awaitFence(void* sync) {
+  if (sync) glClientWaitSync(static_cast<GLsync>(sync), 0, kLongestDrawing_ns);
+}
+
+Graphics::Graphics(const std::string& display) {
+  if (!display.empty()) setenv("DISPLAY", display.c_str(), 1);
+  if (!glfwInit()) failWithoutDisplay(lastGlfwError());
+  hintContext();
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  context_ = glfwCreateWindow(16, 16, "drawing", nullptr, nullptr);
+  if (!context_) {
+    const std::string reason = lastGlfwError();
+    glfwTerminate();
+    throw std::runtime_error("this X display offers no OpenGL 3.2: " + reason);
+  }
+  makeCurrent();
+  glewExperimental = GL_TRUE;
+  if (const GLenum status = glewInit(); status != GLEW_OK) {
+    glfwTerminate();
+    throw std::runtime_error(fmt::format("the OpenGL functions cannot be loaded: {}",
+                                         reinterpret_cast<const char*>(glewGetErrorString(status))));
+  }
+  input_.keys.reserve(64);
+}
+
+Graphics::~Graphics() {
+  makeCurrent();
+  if (drawn_) glDeleteSync(static_cast<GLsync>(drawn_));
+  glfwTerminate();
+}
+
+void Graphics::makeCurrent() const {
+  if (glfwGetCurrentContext() != context_) glfwMakeContextCurrent(context_);
+}
+
+void Graphics::finishDrawing() {
+  makeCurrent();
+  if (drawn_) glDeleteSync(static_cast<GLsync>(drawn_));
+  drawn_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  glFlush();
+}
+
+void Graphics::awaitDrawing() const { awaitFence(drawn_); }
+
+const WindowInput& Graphics::poll() {
+  input_.keys.clear();
+  input_.wheel = 0.0;
+  glfwPollEvents();
+  return input_;
+}
+
+std::string Graphics::rendererName() const {
+  makeCurrent();
+  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+
+}  // namespace carom

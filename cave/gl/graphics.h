@@ -1,0 +1,67 @@
+#pragma once
+// The OpenGL context in which every wall is drawn into textures, by GLFW: one hidden window owns it. Visible
+// windows (cave/display/window.h) share its textures and only pack them.
+//
+// Use from the main thread only.
+
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace carom {
+
+/// A key pressed or released in any visible window; `key` is GLFW's (GLFW_KEY_W and so on).
+struct KeyInput {
+  int key = 0;
+  bool pressed = false;
+};
+
+/// What happened in the windows since the last poll.
+struct WindowInput {
+  std::vector<KeyInput> keys;  ///< in order
+  bool closeRequested = false;
+  double wheel = 0.0;  ///< notches, over any window
+};
+
+/// What every window of the process is made with: the hints for a context of OpenGL 3.2, the words for the
+/// last failure of GLFW, and the wait for a fence (GLsync; null is passed at once), bounded in case the card
+/// hangs.
+void hintContext();
+std::string lastGlfwError();
+void awaitFence(void* fence);
+
+/// GLFW and the hidden window with the drawing context. One per process.
+class Graphics {
+ public:
+  /// Throws std::runtime_error, in words for the person at the machine, if there is no X display or no
+  /// OpenGL 3.2 on it. `display` (e.g. ":0.1") is used instead of $DISPLAY where given.
+  explicit Graphics(const std::string& display = {});
+  ~Graphics();
+  Graphics(const Graphics&) = delete;
+  Graphics& operator=(const Graphics&) = delete;
+
+  /// Makes the drawing context current.
+  void makeCurrent() const;
+
+  /// Hands the drawing done so far to the windows: they wait (on the GPU) for it. Call after all walls
+  /// are drawn, before Window::show.
+  void finishDrawing();
+
+  /// Waits until what was drawn before the last finishDrawing is drawn.
+  void awaitDrawing() const;
+
+  /// Processes what the windows received; call once a drawn frame. The span of keys is valid until the next.
+  const WindowInput& poll();
+
+  GLFWwindow* context() const { return context_; }
+  std::string rendererName() const;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)"
+
+ private:
+  friend class Window;
+  GLFWwindow* context_ = nullptr;
+  void* drawn_ = nullptr;  // GLsync: the last frame's drawing
+  WindowInput input_;
+};
+
+}  // namespace carom

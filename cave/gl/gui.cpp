@@ -1,0 +1,149 @@
+#include "cave/gl/gui.h"
+
+#include <imgui.h>
+// Of this folder alone: its loader of OpenGL must not meet GLEW's.
+#include <backends/imgui_impl_opengl3.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <utility>
+#include "cave/gl/text_ink.h"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t kMostHeard = 256;
+const ImVec2 kNowhere{-1e9F, -1e9F};
+
+constexpr std::array<std::pair<ImGuiKey_, int>, 15> kKeys{{{ImGuiKey_Tab, GLFW_KEY_TAB},
+                                                           {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
+                                                           {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
+                                                           {ImGuiKey_UpArrow, GLFW_KEY_UP},
+                                                           {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
+                                                           {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
+                                                           {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
+                                                           {ImGuiKey_Home, GLFW_KEY_HOME},
+                                                           {ImGuiKey_End, GLFW_KEY_END},
+                                                           {ImGuiKey_Delete, GLFW_KEY_DELETE},
+                                                           {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
+                                                           {ImGuiKey_Space, GLFW_KEY_SPACE},
+                                                           {ImGuiKey_Enter, GLFW_KEY_ENTER},
+                                                           {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
+                                                           {ImGuiKey_A, GLFW_KEY_A}}};
+
+/// Letters of Europe and Greek ones.
+constexpr ImWchar kLetters[] = {0x20, 0x24F, 0x370, 0x3FF, 0x2010, 0x205E, 0x2190, 0x21FF, 0};
+
+}  // namespace
+
+Gui::Gui(float text_px, float heading_px) : context_(ImGui::CreateContext()) {
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // nothing is kept
+  io.LogFilename = nullptr;
+  for (const float height_px : {text_px, heading_px}) {
+    if (height_px > 0.0F && std::filesystem::exists(kLettersFile))
+      io.Fonts->AddFontFromFileTTF(kLettersFile, height_px, nullptr, kLetters);
+  }
+  for (const auto& [meaning, key] : kKeys) io.KeyMap[meaning] = key;
+  io.MousePos = kNowhere;
+  heard_.reserve(kMostHeard);
+  ImGui::StyleColorsDark();
+  ImGui_ImplOpenGL3_Init("#version 150");
+}
+
+Gui::~Gui() {
+  ImGui::SetCurrentContext(context_);
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+void Gui::hear(const HeardByGui& heard) {
+  const auto points = [](const HeardByGui& any) { return any.kind == HeardByGui::Kind::pointer; };
+  if (!heard_.empty() && points(heard) && points(heard_.back())) {  // only where it is now counts
+    heard_.back() = heard;
+    return;
+  }
+  if (heard_.size() == kMostHeard) heard_.clear();  // nobody has been looking
+  heard_.push_back(heard);
+}
+
+bool Gui::isPressed() const {
+  return took_ || std::any_of(heard_.begin(), heard_.end(), [](const HeardByGui& heard) {
+           return heard.kind != HeardByGui::Kind::pointer;
+         });
+}
+
+void Gui::takeHeard() {
+  using Kind = HeardByGui::Kind;
+  ImGuiIO& io = ImGui::GetIO();
+  bool changed = false;  // a button or a key
+  const auto waits = [&](const HeardByGui& heard) {
+    if (heard.kind == Kind::wheel || heard.kind == Kind::letter) return false;
+    if (changed) return true;
+    changed = heard.kind != Kind::pointer;
+    return false;
+  };
+  const auto end = std::find_if(heard_.begin(), heard_.end(), waits);
+  for (auto heard = heard_.begin(); heard != end; ++heard) {
+    switch (heard->kind) {
+      case Kind::pointer:
+        io.MousePos = {heard->at.x, heard->at.y};
+        break;
+      case Kind::button:
+        io.MouseDown[heard->code] = heard->down;
+        break;
+      case Kind::wheel:
+        io.MouseWheelH += heard->at.x;
+        io.MouseWheel += heard->at.y;
+        break;
+      case Kind::key:
+        io.KeysDown[heard->code] = heard->down;
+        break;
+      case Kind::letter:
+        io.AddInputCharacter(heard->code);
+        break;
+    }
+  }
+  took_ = std::any_of(heard_.begin(), end,
+                      [](const HeardByGui& heard) { return heard.kind != HeardByGui::Kind::pointer; });
+  heard_.erase(heard_.begin(), end);
+  io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
+  io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+  io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
+}
+
+void Gui::begin(const glm::ivec2& window_px) {
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(window_px.x), static_cast<float>(window_px.y)};
+  const auto now = std::chrono::steady_clock::now();
+  io.DeltaTime = std::max(1e-4F, std::chrono::duration<float>(now - begun_).count());
+  begun_ = now;
+  takeHeard();
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Gui::end() {
+  wantsKeys_ = ImGui::GetIO().WantCaptureKeyboard || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void overCorner(const char* name, const std::function<void()>& draw) {
+  ImGui::SetNextWindowPos({8.0F, 8.0F});
+  ImGui::SetNextWindowBgAlpha(0.8F);
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  draw();
+  ImGui::End();
+}
+
+}  // namespace carom

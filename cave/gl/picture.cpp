@@ -1,0 +1,65 @@
+#include "cave/gl/picture.h"
+
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <vtk_glew.h>
+
+namespace carom {
+
+WallPicture::WallPicture(const glm::ivec2& size_px) : size_px_(size_px) {
+  GLint limit_px = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit_px);
+  if (size_px.x < 1 || size_px.y < 1 || size_px.x > limit_px || size_px.y > limit_px) {
+    throw std::runtime_error(fmt::format("a wall picture of {} x {} pixels cannot be drawn here; 1 to {} can",
+                                         size_px.x, size_px.y, limit_px));
+  }
+  glGenTextures(1, &texture_);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindTexture(GL_TEXTURE_2D, 0);
+
+  glGenFramebuffers(1, &framebuffer_);
+  GLint drawBefore = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBefore);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawBefore));
+  clear();
+}
+
+void WallPicture::clear() {
+  GLint drawBefore = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBefore);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+  const std::array<float, 4> black{0.0F, 0.0F, 0.0F, 1.0F};
+  glClearBufferfv(GL_COLOR, 0, black.data());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawBefore));
+}
+
+void WallPicture::fill(std::span<const std::uint8_t> rgb) {
+  if (rgb.size() != 3 * static_cast<std::size_t>(size_px_.x) * static_cast<std::size_t>(size_px_.y)) {
+    throw std::invalid_argument(fmt::format("{} bytes were given for a picture of {} x {} pixels", rgb.size(),
+                                            size_px_.x, size_px_.y));
+  }
+  GLint textureBefore = 0, alignmentBefore = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &textureBefore);
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignmentBefore);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_px_.x, size_px_.y, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(textureBefore));
+  glPixelStorei(GL_UNPACK_ALIGNMENT, alignmentBefore);
+}
+
+WallPicture::~WallPicture() {
+  glDeleteFramebuffers(1, &framebuffer_);
+  glDeleteTextures(1, &texture_);
+}
+
+}  // namespace carom

@@ -1,0 +1,283 @@
+#include "cave/mesh/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCompositeDataGeometryFilter.h>
+#include <vtkDataSetReader.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkGLTFReader.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkOutputWindow.h>
+#include <vtkPLYReader.h>
+#include <vtkPoints.h>
+#include <vtkSTLReader.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include "cave/mesh/mesh_text.h"
+#include "cave/process/run_apart.h"
+#include "engine/base/input_error.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 256U << 20U;
+
+/// Takes VTK's complaints, which would go to the terminal.
+class Complaints : public vtkOutputWindow {
+ public:
+  static Complaints* New() { return new Complaints; }
+  void DisplayText(const char* text) override { take(text); }
+  void DisplayErrorText(const char* text) override { take(text); }
+  void DisplayWarningText(const char* text) override { take(text); }
+  void DisplayGenericWarningText(const char* text) override { take(text); }
+  void DisplayDebugText(const char*) override {}
+
+  /// The first, in one line, without the source file and the object it came from.
+  std::string first() const {
+    std::string text = text_.substr(0, text_.find("\n\n"));
+    if (const std::size_t after = text.find("): "); after != std::string::npos) text = text.substr(after + 3);
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c > 0x7e; }, ' ');
+    return text.substr(0, 200);
+  }
+
+ private:
+  void take(const char* text) {
+    if (text_.empty()) text_ = text;
+  }
+  std::string text_;
+};
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> readSurface(const std::string& path) {
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+/// Of a file that may hold volumes: their outside.
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> readOutside(const std::string& path) {
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (!reader->GetOutput()) return nullptr;
+  vtkNew<vtkDataSetSurfaceFilter> outside;
+  outside->SetInputData(reader->GetOutput());
+  outside->Update();
+  return outside->GetOutput();
+}
+
+/// glTF 2.0, section 3.4: y is up, metres. All meshes of the scene, in their places.
+vtkSmartPointer<vtkPolyData> readGltf(const std::string& path) {
+  vtkNew<vtkGLTFReader> reader;
+  reader->SetFileName(path.c_str());
+  vtkNew<vtkCompositeDataGeometryFilter> together;
+  together->SetInputConnection(reader->GetOutputPort());
+  vtkNew<vtkTransform> upright;
+  upright->RotateX(90.0);
+  vtkNew<vtkTransformPolyDataFilter> turned;
+  turned->SetInputConnection(together->GetOutputPort());
+  turned->SetTransform(upright);
+  turned->Update();
+  return turned->GetOutput();
+}
+
+std::string contentOf(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) {
+    throw InputError(path, 1, 1, "there is no such file, expected a mesh");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  if (failed || size > kMostBytes) {
+    throw InputError(path, 1, 1,
+                     fmt::format("is {} MiB large, expected at most {} MiB", size >> 20U, kMostBytes >> 20U));
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string content(std::istreambuf_iterator<char>(file), {});
+  if (!file) throw InputError(path, 1, 1, "cannot be read, expected a mesh that can");
+  return content;
+}
+
+/// Coordinates and corners as plain numbers.
+struct Triangles {
+  std::vector<double> places_m;    // x, y, z of each point
+  std::vector<vtkIdType> corners;  // three a triangle
+};
+
+/// Throws, without the file's name, where there is something else than triangles between points.
+Triangles trianglesOf(vtkPolyData& surface) {
+  Triangles triangles;
+  const vtkIdType points = surface.GetNumberOfPoints();
+  for (vtkIdType i = 0; i < points; ++i) {
+    std::array<double, 3> p{};
+    surface.GetPoint(i, p.data());
+    constexpr double kFurthest = 1e9;
+    if (!std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) <= kFurthest; })) {
+      throw std::runtime_error(
+          fmt::format("point {} is at ({}, {}, {}), expected numbers up to 1e9", i, p[0], p[1], p[2]));
+    }
+    triangles.places_m.insert(triangles.places_m.end(), p.begin(), p.end());
+  }
+  const auto cells = vtk::TakeSmartPointer(surface.GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(count, ids);
+    for (vtkIdType i = 0; i < count; ++i) {
+      if (ids[i] < 0 || ids[i] >= points) {
+        throw std::runtime_error(
+            fmt::format("a polygon has corner {}, expected one of the {} points", ids[i], points));
+      }
+    }
+    if (count == 3) triangles.corners.insert(triangles.corners.end(), ids, ids + 3);
+  }
+  return triangles;
+}
+
+/// Points that are there and corners that are among them: polygons and strips before they are cut to
+/// triangles.
+void checkCorners(vtkPolyData& read) {
+  for (vtkCellArray* cells : {read.GetPolys(), read.GetStrips()}) {
+    const auto each = vtk::TakeSmartPointer(cells->NewIterator());
+    for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell()) {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      each->GetCurrentCell(count, ids);
+      const auto wrong = std::find_if(ids, ids + count,
+                                      [&](vtkIdType id) { return id < 0 || id >= read.GetNumberOfPoints(); });
+      if (wrong == ids + count) continue;
+      throw std::runtime_error(fmt::format("a polygon has corner {}, expected one of the {} points", *wrong,
+                                           read.GetNumberOfPoints()));
+    }
+  }
+}
+
+using Reader = std::function<vtkSmartPointer<vtkPolyData>(const std::string&)>;
+
+/// Reads, in a process of its own; VTK's readers trust their files. The number of points, their coordinates,
+/// the corners of the triangles, as bytes.
+std::string readApart(const Reader& reader, const std::string& path) {
+  vtkNew<Complaints> complaints;
+  vtkOutputWindow::SetInstance(complaints);
+  const vtkSmartPointer<vtkPolyData> read = reader(path);
+  if (!read || read->GetNumberOfPoints() == 0 || read->GetNumberOfPolys() + read->GetNumberOfStrips() == 0) {
+    const std::string said = complaints->first();
+    throw std::runtime_error((said.empty() ? "holds no surface" : said) + ", expected polygons");
+  }
+  checkCorners(*read);
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(read->GetPoints());
+  bare->SetPolys(read->GetPolys());
+  bare->SetStrips(read->GetStrips());
+  vtkNew<vtkTriangleFilter> cut;
+  cut->SetInputData(bare);
+  cut->Update();
+  const Triangles triangles = trianglesOf(*cut->GetOutput());
+  const std::uint64_t points = triangles.places_m.size() / 3;
+  std::string bytes(reinterpret_cast<const char*>(&points), sizeof points);
+  bytes.append(reinterpret_cast<const char*>(triangles.places_m.data()),
+               triangles.places_m.size() * sizeof(double));
+  bytes.append(reinterpret_cast<const char*>(triangles.corners.data()),
+               triangles.corners.size() * sizeof(vtkIdType));
+  return bytes;
+}
+
+vtkSmartPointer<vtkPolyData> surfaceFrom(const std::string& bytes) {
+  std::uint64_t count = 0;
+  std::memcpy(&count, bytes.data(), sizeof count);
+  const char* places = bytes.data() + sizeof count;
+  const char* corners = places + 3 * count * sizeof(double);
+  const std::size_t triangles =
+      static_cast<std::size_t>(bytes.data() + bytes.size() - corners) / (3 * sizeof(vtkIdType));
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<double, 3> place{};
+    std::memcpy(place.data(), places + i * sizeof place, sizeof place);
+    points->SetPoint(static_cast<vtkIdType>(i), place.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    std::array<vtkIdType, 3> ids{};
+    std::memcpy(ids.data(), corners + i * sizeof ids, sizeof ids);
+    cells->InsertNextCell(3, ids.data());
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  return surface;
+}
+
+/// Line and column where a reader's message names them (of XML, with columns from 0, and of JSON), else 1, 1.
+std::pair<int, int> placeIn(const std::string& message) {
+  static const std::regex kXml("at line ([0-9]{1,8}), column ([0-9]{1,8})");
+  static const std::regex kJson("Line ([0-9]{1,8}), Column ([0-9]{1,8})");
+  static const std::regex kObj("near line ([0-9]{1,8})");
+  std::smatch found;
+  if (std::regex_search(message, found, kObj)) return {std::stoi(found[1]), 1};
+  if (std::regex_search(message, found, kXml)) return {std::stoi(found[1]), std::stoi(found[2]) + 1};
+  if (std::regex_search(message, found, kJson)) return {std::stoi(found[1]), std::stoi(found[2])};
+  return {1, 1};
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> readMeshFile(const std::string& path) {
+  static const std::map<std::string, Reader> kReaders{
+      {".obj", readSurface<vtkOBJReader>},
+      {".stl", readSurface<vtkSTLReader>},
+      {".ply", readSurface<vtkPLYReader>},
+      {".vtk", readOutside<vtkDataSetReader>},
+      {".vtp", readSurface<vtkXMLPolyDataReader>},
+      {".vtu", readOutside<vtkXMLUnstructuredGridReader>},
+      {".gltf", readGltf},
+      {".glb", readGltf},
+  };
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto reader = kReaders.find(ending);
+  if (reader == kReaders.end()) {
+    throw InputError(path, 1, 1, fmt::format("is of no known kind, expected {}", kMeshEndings));
+  }
+  checkMeshText(path, ending, contentOf(path));
+  vtkSmartPointer<vtkPolyData> surface;
+  try {
+    surface = surfaceFrom(runApart([&] { return readApart(reader->second, path); }));
+  } catch (const JobLost& lost) {
+    throw InputError(path, 1, 1, std::string(lost.what()) + ", expected a file that is whole");
+  } catch (const std::runtime_error& error) {
+    const auto [line, column] = placeIn(error.what());
+    throw InputError(path, line, column, error.what());
+  }
+  if (!(surface->GetLength() > 0.0)) {
+    throw InputError(path, 1, 1, "all points are one, expected a mesh that has extent");
+  }
+  return surface;
+}
+
+}  // namespace carom

@@ -1,0 +1,110 @@
+#include "cave/overlay/latency_overlay.h"
+
+#include "cave/gl/gui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+const ImVec4 kGood{0.35F, 0.75F, 0.45F, 1.0F}, kBad{0.95F, 0.35F, 0.25F, 1.0F};
+const ImVec4 kIdle{0.35F, 0.45F, 0.6F, 1.0F};  // waits that cost nothing
+constexpr float kBar_em = 16.0F;               // of the display's period
+constexpr float kBars_periods = 1.25F;         // a bar's longest
+
+bool isWait(FramePart part) { return part == FramePart::wait || part == FramePart::share; }
+
+void number_ms(float value_s) {
+  ImGui::TableNextColumn();
+  if (std::isnan(value_s)) return;
+  const double value_ms = std::round(1e5 * static_cast<double>(value_s)) / 100.0;
+  ImGui::Text("%8.2f", value_ms + 0.0);  // not −0.00
+}
+
+/// The median as a bar, the 99th percentile as a line; the period is a line across.
+void bar(const PartStatistics& part, float period_s, bool waits) {
+  const float em = ImGui::GetFontSize(), perSecond = kBar_em * em / period_s;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float bottom = from.y + em, limit = kBars_periods * kBar_em * em;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto at = [&](float value_s) { return from.x + std::clamp(value_s * perSecond, 0.0F, limit); };
+  ImGui::Dummy({limit, em});
+  list.AddLine({at(period_s), from.y - 2.0F}, {at(period_s), bottom + 3.0F}, IM_COL32(255, 255, 255, 160));
+  if (part.frames == 0) return;
+  const ImVec4 colour = waits ? kIdle : part.p99_s > period_s ? kBad : kGood;
+  list.AddRectFilled({from.x, from.y + 1.0F}, {std::max(at(part.median_s), from.x + 1.0F), bottom},
+                     ImGui::GetColorU32(colour));
+  list.AddLine({at(part.p99_s), from.y}, {at(part.p99_s), bottom}, ImGui::GetColorU32(colour), 2.0F);
+}
+
+void drawParts(const LatencyView& view) {
+  const float period_s = static_cast<float>(1.0 / view.display_hz);
+  if (!ImGui::BeginTable("parts", 5, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const char* name : {"ms", "  median", "    99 %", "  jitter", "the line: one period"}) {
+    ImGui::TableSetupColumn(name);
+  }
+  ImGui::TableHeadersRow();
+  for (std::size_t i = 0; i < kFrameParts.size(); ++i) {
+    const PartStatistics& part = view.parts[i];
+    if (part.frames == 0) continue;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(kFrameParts[i]);
+    number_ms(part.median_s);
+    number_ms(part.p99_s);
+    number_ms(part.jitter_s);
+    ImGui::TableNextColumn();
+    bar(part, period_s, isWait(static_cast<FramePart>(i)));
+  }
+  ImGui::EndTable();
+}
+
+ImVec4 colourOf(LockState lock) {
+  if (lock == LockState::joined) return kGood;
+  if (lock == LockState::lost) return kBad;
+  return ImGui::GetStyle().Colors[ImGuiCol_Text];
+}
+
+void drawNodes(const LatencyView& view) {
+  if (view.nodes.size() < 2 || !ImGui::BeginTable("nodes", 5, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const char* name : {"late, ms", "  median", "    99 %", "  jitter", "frame lock"}) {
+    ImGui::TableSetupColumn(name);
+  }
+  ImGui::TableHeadersRow();
+  for (const LatencyView::Node& node : view.nodes) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(node.name.c_str());
+    number_ms(node.late.median_s);
+    number_ms(node.late.p99_s);
+    number_ms(node.late.jitter_s);
+    ImGui::TableNextColumn();
+    ImGui::TextColored(colourOf(node.lock), "%s", kLockStates[static_cast<std::size_t>(node.lock)]);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void drawLatencyNumbers(const LatencyView& view) {
+  ImGui::Text("%s   frame %llu   %.5g Hz", view.node.c_str(), static_cast<unsigned long long>(view.frame),
+              view.display_hz);
+  ImGui::TextUnformatted("frame lock:");
+  ImGui::SameLine();
+  ImGui::TextColored(colourOf(view.lock), "%s", kLockStates[static_cast<std::size_t>(view.lock)]);
+  if (!view.lockWhyNot.empty()) {
+    ImGui::SameLine();
+    ImGui::TextColored(kBad, "(%s)", view.lockWhyNot.c_str());
+  }
+  drawParts(view);
+  drawNodes(view);
+}
+
+void drawLatency(const LatencyView& view) {
+  overCorner("latency", [&view] { drawLatencyNumbers(view); });
+}
+
+}  // namespace carom

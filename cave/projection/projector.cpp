@@ -1,0 +1,229 @@
+#include "cave/projection/projector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkImageReader2.h>
+#include <vtkJPEGReader.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTIFFReader.h>
+#include <vtk_glew.h>
+
+#include "cave/gl/gl_program.h"
+#include "cave/process/run_apart.h"
+#include "shaders/projector_frag.h"
+#include "shaders/projector_vert.h"
+
+namespace carom {
+namespace {
+
+constexpr int kWidestBlend_px = 16384;
+
+/// Remembers that VTK complained.
+class Complaint : public vtkCommand {
+ public:
+  static Complaint* New() { return new Complaint; }
+  void Execute(vtkObject*, unsigned long, void*) override { heard = true; }
+  bool heard = false;
+};
+
+vtkSmartPointer<vtkImageReader2> readerFor(const std::string& ending) {
+  if (ending == ".png") return vtkSmartPointer<vtkPNGReader>::New();
+  if (ending == ".jpg" || ending == ".jpeg") return vtkSmartPointer<vtkJPEGReader>::New();
+  if (ending == ".tif" || ending == ".tiff") return vtkSmartPointer<vtkTIFFReader>::New();
+  return nullptr;
+}
+
+/// sRGB, IEC 61966-2-1.
+float codeOf(double light) {
+  return static_cast<float>(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055);
+}
+
+/// Sets the state that drawing into a picture needs, and puts back which framebuffer was drawn into.
+class DrawInto {
+ public:
+  explicit DrawInto(const WallPicture& picture) {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer());
+    glViewport(0, 0, picture.size_px().x, picture.size_px().y);
+    for (const GLenum test : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) glDisable(test);
+  }
+  ~DrawInto() { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before_)); }
+  DrawInto(const DrawInto&) = delete;
+  DrawInto& operator=(const DrawInto&) = delete;
+
+ private:
+  GLint before_ = 0;
+};
+
+/// The picture as bytes: width, height, then RGB.
+std::string bytesOf(const glm::ivec2& size_px, vtkDataArray& values) {
+  const bool deep = values.GetDataType() == VTK_UNSIGNED_SHORT;
+  const int parts = values.GetNumberOfComponents();
+  std::vector<std::uint16_t> rgb;
+  rgb.reserve(3 * static_cast<std::size_t>(values.GetNumberOfTuples()));
+  for (vtkIdType pixel = 0; pixel < values.GetNumberOfTuples(); ++pixel) {
+    for (int part = 0; part < 3; ++part) {
+      const double value = values.GetComponent(pixel, parts < 3 ? 0 : part);
+      rgb.push_back(static_cast<std::uint16_t>(deep ? value : value * 257.0));  // 255 × 257 = 65535
+    }
+  }
+  std::string bytes(reinterpret_cast<const char*>(&size_px), sizeof(size_px));
+  return bytes.append(reinterpret_cast<const char*>(rgb.data()), 2 * rgb.size());
+}
+
+BlendPicture blendFrom(const std::string& bytes) {
+  BlendPicture blend;
+  std::memcpy(&blend.size_px, bytes.data(), sizeof(blend.size_px));
+  blend.rgb.resize((bytes.size() - sizeof(blend.size_px)) / 2);
+  std::memcpy(blend.rgb.data(), bytes.data() + sizeof(blend.size_px), 2 * blend.rgb.size());
+  return blend;
+}
+
+/// VTK's readers crash on some broken files: for a process of its own.
+std::string blendBytes(const std::filesystem::path& file) {
+  std::freopen("/dev/null", "w", stderr);  // the libraries complain there, in their own words
+  const std::string name = file.string();
+  const auto reader = readerFor(file.extension().string());
+  if (!reader) throw std::runtime_error("is of a kind that cannot be read, expected a PNG, JPEG or TIFF");
+  if (reader->CanReadFile(name.c_str()) == 0) {
+    throw std::runtime_error("is no such picture, expected one that can be read");
+  }
+  vtkNew<Complaint> complaint;
+  for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) {
+    reader->AddObserver(event, complaint);
+  }
+  reader->SetFileName(name.c_str());
+  reader->UpdateInformation();
+  const int* extent = reader->GetDataExtent();
+  const glm::ivec2 size_px(extent[1] - extent[0] + 1, extent[3] - extent[2] + 1);
+  if (size_px.x < 1 || size_px.y < 1 || size_px.x > kWidestBlend_px || size_px.y > kWidestBlend_px) {
+    throw std::runtime_error(
+        fmt::format("has {} × {} pixels, expected 1 to {} each way", size_px.x, size_px.y, kWidestBlend_px));
+  }
+  reader->Update();
+  vtkDataArray* values = reader->GetOutput()->GetPointData()->GetScalars();
+  const auto pixels = static_cast<vtkIdType>(size_px.x) * size_px.y;
+  if (complaint->heard || reader->GetErrorCode() != 0 || !values || values->GetNumberOfTuples() != pixels) {
+    throw std::runtime_error("is broken, expected the picture whole");
+  }
+  if (values->GetDataType() != VTK_UNSIGNED_CHAR && values->GetDataType() != VTK_UNSIGNED_SHORT) {
+    throw std::runtime_error("has numbers of another kind, expected 8 or 16 bits a colour");
+  }
+  return bytesOf(size_px, *values);
+}
+
+}  // namespace
+
+BlendPicture readBlend(const std::filesystem::path& file) {
+  try {
+    return blendFrom(runApart([&] { return blendBytes(file); }));
+  } catch (const JobLost&) {
+    throw std::runtime_error(file.string() + ":1:1: is broken, expected the picture whole");
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file.string() + ":1:1: " + error.what());
+  }
+}
+
+std::optional<Projection> projectionOf(const Wall& wall) {
+  if (wall.warp.empty() && wall.blend.empty() && wall.blackLevel == 0.0 && wall.flip == Flip::none) return {};
+  return Projection{.warp = wall.warp.empty() ? straightWarp() : readWarp(wall.warp),
+                    .blend = wall.blend.empty() ? BlendPicture{} : readBlend(wall.blend),
+                    .blackLevel = wall.blackLevel,
+                    .flip = wall.flip};
+}
+
+Projector::Projector(const Projection& projection)
+    : program_(makeProgram("projector", shaders::projector_vert, shaders::projector_frag)),
+      black_(static_cast<float>(projection.blackLevel)) {
+  meshes_ = {upload(projection.warp.left), upload(projection.warp.right)};
+  uploadBlend(projection.blend);
+  const bool across = projection.flip == Flip::horizontal || projection.flip == Flip::both;
+  const bool up = projection.flip == Flip::vertical || projection.flip == Flip::both;
+  glUseProgram(program_);
+  glUniform1i(glGetUniformLocation(program_, "picture"), 0);
+  glUniform1i(glGetUniformLocation(program_, "blend"), 1);
+  glUniform1f(glGetUniformLocation(program_, "black"), black_);
+  glUniform2f(glGetUniformLocation(program_, "mirror"), across ? -1.0F : 1.0F, up ? -1.0F : 1.0F);
+}
+
+Projector::~Projector() {
+  for (const DrawnMesh& mesh : meshes_) {
+    glDeleteVertexArrays(1, &mesh.vertexArray);
+    glDeleteBuffers(1, &mesh.points);
+    glDeleteBuffers(1, &mesh.triangles);
+  }
+  glDeleteTextures(1, &blend_);
+  glDeleteProgram(program_);
+}
+
+Projector::DrawnMesh Projector::upload(const WarpMesh& mesh) const {
+  DrawnMesh drawn;
+  glGenVertexArrays(1, &drawn.vertexArray);
+  glBindVertexArray(drawn.vertexArray);
+  glGenBuffers(1, &drawn.points);
+  glBindBuffer(GL_ARRAY_BUFFER, drawn.points);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.points.size() * sizeof(WarpPoint)),
+               mesh.points.data(), GL_STATIC_DRAW);
+  glGenBuffers(1, &drawn.triangles);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, drawn.triangles);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(mesh.triangles[0])),
+               mesh.triangles.data(), GL_STATIC_DRAW);
+  for (const auto& [name, offset] : {std::pair{"inWindow", offsetof(WarpPoint, inWindow)},
+                                     {"inPicture", offsetof(WarpPoint, inPicture)}}) {
+    const auto location = static_cast<GLuint>(glGetAttribLocation(program_, name));
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 2, GL_FLOAT, GL_FALSE, sizeof(WarpPoint),
+                          reinterpret_cast<const void*>(offset));
+  }
+  glBindVertexArray(0);
+  drawn.corners = static_cast<int>(3 * mesh.triangles.size());
+  return drawn;
+}
+
+void Projector::uploadBlend(const BlendPicture& blend) {
+  glGenTextures(1, &blend_);
+  glBindTexture(GL_TEXTURE_2D, blend_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16, blend.size_px.x, blend.size_px.y, 0, GL_RGB, GL_UNSIGNED_SHORT,
+               blend.rgb.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+const WallPicture& Projector::project(const WallPicture& picture, Eye eye, const glm::ivec2& size_px) {
+  const std::size_t which = eye == Eye::right ? 1 : 0;
+  std::unique_ptr<WallPicture>& projected = projected_[which];
+  if (!projected || projected->size_px() != size_px) projected = std::make_unique<WallPicture>(size_px);
+  const DrawInto target(*projected);
+  const float dark = codeOf(black_);
+  const std::array<float, 4> outside{dark, dark, dark, 1.0F};
+  glClearBufferfv(GL_COLOR, 0, outside.data());
+  glUseProgram(program_);
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, blend_);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, picture.texture());
+  glBindVertexArray(meshes_[which].vertexArray);
+  glDrawElements(GL_TRIANGLES, meshes_[which].corners, GL_UNSIGNED_INT, nullptr);
+  glBindVertexArray(0);
+  return *projected;
+}
+
+}  // namespace carom

@@ -1,0 +1,129 @@
+#include "cave/projection/stereo.h"
+
+#include <vtk_glew.h>
+#include <glm/common.hpp>
+
+#include "cave/gl/gl_program.h"
+#include "cave/projection/projector.h"
+#include "shaders/stereo_frag.h"
+#include "shaders/stereo_vert.h"
+
+namespace carom {
+namespace {
+
+/// `mode` of shaders/stereo_frag.glsl.
+int packingOf(StereoMode mode) {
+  switch (mode) {
+    case StereoMode::sideBySide:
+      return 1;
+    case StereoMode::topBottom:
+      return 2;
+    case StereoMode::anaglyph:
+      return 3;
+    case StereoMode::interlaced:
+      return 4;
+    case StereoMode::checkerboard:
+      return 5;
+    case StereoMode::anaglyphGrey:
+      return 6;
+    case StereoMode::mono:
+    case StereoMode::left:
+    case StereoMode::right:
+    case StereoMode::quadBuffer:
+      return 0;
+  }
+  return 0;
+}
+
+/// The part of a pane that one eye's picture is packed into; all of it where the eyes take turns.
+glm::ivec2 eyeSize_px(const Pane& pane) {
+  if (pane.stereo == StereoMode::sideBySide) return {(pane.size_px.x + 1) / 2, pane.size_px.y};
+  if (pane.stereo == StereoMode::topBottom) return {pane.size_px.x, (pane.size_px.y + 1) / 2};
+  return pane.size_px;
+}
+
+}  // namespace
+
+std::vector<Eye> eyesOf(StereoMode mode) {
+  switch (mode) {
+    case StereoMode::mono:
+      return {Eye::mono};
+    case StereoMode::left:
+      return {Eye::left};
+    case StereoMode::right:
+      return {Eye::right};
+    default:
+      return {Eye::left, Eye::right};
+  }
+}
+
+const char* nameOf(Eye eye) {
+  switch (eye) {
+    case Eye::left:
+      return "left";
+    case Eye::right:
+      return "right";
+    case Eye::mono:
+      return "mono";
+  }
+  return "mono";
+}
+
+StereoPacker::StereoPacker() : program_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
+  glGenVertexArrays(1, &vertexArray_);
+  glUseProgram(program_);
+  glUniform1i(glGetUniformLocation(program_, "leftPicture"), 0);
+  glUniform1i(glGetUniformLocation(program_, "rightPicture"), 1);
+}
+
+StereoPacker::~StereoPacker() {
+  projectors_.clear();
+  glDeleteVertexArrays(1, &vertexArray_);
+  glDeleteProgram(program_);
+}
+
+Pane StereoPacker::projected(const Pane& pane) {
+  std::unique_ptr<Projector>& projector = projectors_[pane.projection];
+  if (!projector) projector = std::make_unique<Projector>(*pane.projection);
+  const glm::ivec2 size_px = glm::max(eyeSize_px(pane), glm::ivec2(1));
+  Pane result = pane;
+  result.projection = nullptr;
+  const Eye first = pane.stereo == StereoMode::right ? Eye::right : Eye::left;
+  result.left = &projector->project(*pane.left, first, size_px);
+  if (pane.right) result.right = &projector->project(*pane.right, Eye::right, size_px);
+  return result;
+}
+
+void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) {
+  if (pane.projection) return draw(projected(pane), windowSize_px);
+  if (pane.stereo == StereoMode::quadBuffer && pane.right) {
+    Pane oneEye = pane;
+    oneEye.right = nullptr;
+    glDrawBuffer(GL_BACK_LEFT);
+    fill(oneEye, windowSize_px, 0);
+    oneEye.left = pane.right;
+    glDrawBuffer(GL_BACK_RIGHT);
+    fill(oneEye, windowSize_px, 0);
+    glDrawBuffer(GL_BACK);
+    return;
+  }
+  fill(pane, windowSize_px, packingOf(pane.stereo));
+}
+
+void StereoPacker::fill(const Pane& pane, const glm::ivec2& windowSize_px, int mode) const {
+  const WallPicture& right = pane.right ? *pane.right : *pane.left;
+  glDisable(GL_DEPTH_TEST);
+  glViewport(pane.position_px.x, windowSize_px.y - pane.position_px.y - pane.size_px.y, pane.size_px.x,
+             pane.size_px.y);
+  glUseProgram(program_);
+  glUniform1i(glGetUniformLocation(program_, "mode"), mode);
+  glUniform1f(glGetUniformLocation(program_, "windowHeight_px"), static_cast<float>(windowSize_px.y));
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, pane.left->texture());
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, right.texture());
+  glBindVertexArray(vertexArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace carom

@@ -1,0 +1,107 @@
+#include "cave/render/body_shaders.h"
+
+#include <fmt/format.h>
+
+#include "engine/spacetime/world_line.h"
+#include "shaders/body_vert.h"
+#include "shaders/colour_texel.h"
+#include "shaders/digits.h"
+#include "shaders/doppler_kernel.h"
+#include "shaders/emission_kernel.h"
+#include "shaders/leg_at.h"
+#include "shaders/legs.h"
+#include "shaders/light_types.h"
+#include "shaders/noise.h"
+#include "shaders/paint_bands.h"
+#include "shaders/paint_clock.h"
+#include "shaders/paint_cloth.h"
+#include "shaders/paint_floor.h"
+#include "shaders/paint_ghost.h"
+#include "shaders/paint_lamp.h"
+#include "shaders/paint_panels.h"
+#include "shaders/paint_plain.h"
+#include "shaders/paint_puck.h"
+#include "shaders/paint_shadow.h"
+#include "shaders/paint_wood.h"
+#include "shaders/surface_frag.h"
+
+namespace carom {
+namespace {
+
+// VTK puts the version line here.
+const std::string kPreamble = "//VTK::System::Dec\n";
+
+std::string paintText(Paint paint) {
+  switch (paint) {
+    case Paint::plain:
+      return shaders::paint_plain;
+    case Paint::cloth:
+      return std::string(shaders::noise) + shaders::paint_cloth;
+    case Paint::wood:
+      return std::string(shaders::noise) + shaders::paint_wood;
+    case Paint::floor:
+      return shaders::paint_floor;
+    case Paint::panels:
+      return shaders::paint_panels;
+    case Paint::puck:
+      return shaders::paint_puck;
+    case Paint::bands:
+      return shaders::paint_bands;
+    case Paint::shadow:
+      return shaders::paint_shadow;
+    case Paint::clock:
+      return std::string(shaders::digits) + shaders::paint_clock;
+    case Paint::lamp:
+      return shaders::paint_lamp;
+  }
+  return shaders::paint_plain;
+}
+
+/// What differs from one program to another.
+std::string variantText(Paint paint, const Switches& switches, Moment moment) {
+  const auto define = [](const char* name, bool value) {
+    return std::string("#define ") + name + (value ? " true\n" : " false\n");
+  };
+  const bool ghost = moment != Moment::seen;
+  const bool retarded = !ghost && switches.retardation;
+  const bool boardNow = moment == Moment::boardNow || (!ghost && !switches.retardation);
+  std::string text = define("RETARDED", retarded) + define("BOARD_NOW", boardNow) +
+                     define("CONTRACTED", switches.contraction || moment == Moment::myNow) +
+                     define("ABERRATED", switches.aberration) + define("COLOURED", switches.colour) +
+                     define("SEARCHLIGHT", switches.searchlight);
+  if (ghost) return text + "#define GHOST\n" + define("CROSSED", moment == Moment::myNow);
+  if (switches == kNoSwitches) text += "#define EUCLID\n";
+  if (switches.colour) text += "#define COLOUR\n";
+  if (paint == Paint::clock) text += "#define CLOCK\n";
+  if (paint == Paint::shadow) text += "#define SHADOW\n";
+  if (paint == Paint::clock || paint == Paint::lamp) text += "#define GLOWS\n";
+  return text + shaders::light_types;
+}
+
+}  // namespace
+
+std::string kernelText(Legs legs) {
+  std::string text = shaders::legs;
+  text += fmt::format("#define CATCH_UP_SPEED {}\n", kCatchUpSpeed);
+  if (legs != Legs::many) text += "#define ONE_LEG\n";
+  if (legs == Legs::rest) text += "#define RESTS\n";
+  text += shaders::emission_kernel;
+  text += shaders::leg_at;
+  text += shaders::doppler_kernel;
+  text += shaders::colour_texel;
+  return text;
+}
+
+std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, Moment moment) {
+  return kPreamble + variantText(paint, switches, moment) + kernelText(legs) + shaders::body_vert;
+}
+
+std::string surfaceFragmentShader(Paint paint, const Switches& switches, Moment moment) {
+  const std::string marker = "//CAROM::Paint";
+  std::string text = kPreamble + variantText(paint, switches, moment) + shaders::surface_frag;
+  const std::string painting = moment == Moment::seen ? paintText(paint) : shaders::paint_ghost;
+  text.replace(text.find(marker), marker.size(), painting);
+  return text;
+}
+
+}  // namespace carom

@@ -1,0 +1,16 @@
+#pragma once
+// The bodies at a moment, beside what is seen of them.
+
+#include <span>
+
+#include "engine/light/light_cone.h"
+
+namespace carom {
+
+/// The bodies at a moment, drawn as ghosts beside what is seen: each as many as the scene has, or none.
+/// Viewed with Moment::boardNow and Moment::myNow; a view without legs: that body has no ghost.
+struct Ghosts {
+  std::span<const BodyView> boardNow, myNow;
+};
+
+}  // namespace carom

@@ -1,0 +1,66 @@
+// A point of a surface: what it is painted with, how bright it is, and that as the screen wants it.
+
+in vec3 place;          // in the body's rest frame, from its centre (metres)
+in vec3 surface;        // what the model says for painting
+#ifndef GHOST
+in LIGHT light;         // times the share reflected is what the eye receives (linear)
+#ifdef GLOWS
+in LIGHT glow;          // times light of its own is that
+#endif
+in SHINE shine;         // mirrored by its varnish
+#endif
+in float boardTime_m;   // c (t − t_o) of the emission
+
+uniform vec3 colour;    // linear, the share reflected
+uniform vec3 exposure;  // gain, rise, fall: engine/colour/exposure.h
+
+//VTK::Output::Dec
+
+struct Painted {
+  vec3 reflects;  // share of the light, linear
+  vec3 shines;    // light of its own
+  float cover;    // 1: hides what is behind
+};
+
+/// The size of this pixel in x's unit: edges are drawn about that wide.
+float footprintOf(float x) { return max(fwidth(x), 1e-6); }
+
+/// 0 to the left of x = 0, 1 to the right, soft over a pixel.
+float edge(float x) { return clamp(x / footprintOf(x) + 0.5, 0.0, 1.0); }
+
+/// How much of this pixel lies in lines of width `width` at whole numbers of x: the box-filtered pulse train,
+/// from its integral.
+float lines(float x, float width) {
+  float f = footprintOf(x);
+  float a = x + 0.5 * width - 0.5 * f;
+  float b = a + f;
+  float covered = floor(b) * width + min(fract(b), width) - floor(a) * width - min(fract(a), width);
+  return clamp(covered / f, 0.0, 1.0);
+}
+
+/// Linear light to sRGB: the curve of IEC 61966-2-1 to within 1.5 steps of 255, at the price of one root.
+vec3 toScreen(vec3 linear) {
+  vec3 x = clamp(linear, 0.0, 1.0);
+  return max(1.2345 * sqrt(x) - 0.2172 * x - 0.0231, 0.0);
+}
+
+/// Linear light as the picture is exposed: the brightest is 1.
+vec3 exposed(vec3 linear) {
+  vec3 x = max(exposure.x * linear, 0.0);
+  return x * (1.0 + exposure.y * x) / (1.0 + exposure.z * x);
+}
+
+//CAROM::Paint
+
+void main() {
+  Painted painted = paint();
+#ifdef GHOST
+  gl_FragData[0] = vec4(toScreen(painted.shines), painted.cover);
+#else
+  vec3 seen = light * painted.reflects + SHINE_COLOUR * shine;
+#ifdef GLOWS
+  seen += glow * painted.shines;
+#endif
+  gl_FragData[0] = vec4(toScreen(exposed(seen)), painted.cover);
+#endif
+}

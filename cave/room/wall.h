@@ -1,0 +1,90 @@
+#pragma once
+// A wall of the room as the rig file gives it: where it stands, its pixels, who draws it and how its two
+// eyes reach the person. Room frame, metres.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace carom {
+
+enum class Eye { left, right, mono };
+
+enum class StereoMode {
+  mono,
+  left,
+  right,
+  quadBuffer,
+  sideBySide,
+  topBottom,
+  anaglyph,  ///< for red and cyan glasses; colours as far as they do not fight between the eyes
+  interlaced,
+  checkerboard,
+  anaglyphGrey,  ///< for red and cyan glasses, without colours: every brightness is kept
+};
+
+/// How the projector mirrors its picture on the way to the eye; the picture is mirrored before it, too.
+enum class Flip {
+  none,
+  horizontal,  ///< left and right: seen from the other side of the screen
+  vertical,
+  both,  ///< upside down: hung from the ceiling
+};
+
+/// What holds the swaps of all nodes together (cave/cluster/frame_lock.h), as a rig asks for it.
+enum class FrameLock : std::uint8_t { software, swapGroup };
+inline constexpr std::array<std::string_view, 2> kFrameLocks{"software", "swap-group"};
+
+/// Where a visible window lies on its monitor (or, in a rig with one window for all walls, where the
+/// wall's picture lies in that window). Pixels from the top left.
+struct WindowPlacement {
+  int monitor = 0;
+  glm::ivec2 position_px{0};
+  glm::ivec2 size_px{0};
+  bool fullscreen = false;
+
+  bool operator==(const WindowPlacement&) const = default;
+};
+
+/// A part of a window, in pixels from its top left.
+struct Viewport {
+  glm::ivec2 position_px{0};
+  glm::ivec2 size_px{0};
+};
+
+/// A rectangle by three of its corners, as seen from inside the room.
+struct Wall {
+  std::string name;
+  glm::dvec3 lowerLeft_m{0.0};
+  glm::dvec3 lowerRight_m{0.0};
+  glm::dvec3 upperLeft_m{0.0};
+  glm::ivec2 pixels{0};  ///< per eye: what is drawn and captured
+  int node = 0;          ///< MPI rank that draws it
+  WindowPlacement window;
+  /// Its part of the window, which it then shares with all walls of its node that name the same window and
+  /// a part; none: all of it.
+  std::optional<Viewport> viewport;
+  StereoMode stereo = StereoMode::mono;
+  std::filesystem::path warp;   ///< mesh that bends the picture to the screen (.pfm, .obj); empty: none
+  std::filesystem::path blend;  ///< picture that dims where projectors overlap; empty: none
+  double blackLevel = 0.0;      ///< what black is lifted to, of the brightest: evens out overlaps
+  Flip flip = Flip::none;
+  double displayLatency_s = 0.0;  ///< from the swap to the photons
+  std::size_t heldFrames = 0;     ///< its pictures wait so long for the light of slower walls
+};
+
+/// A wall's unit normal, towards who looks at it.
+inline glm::dvec3 normalOf(const Wall& wall) {
+  return glm::normalize(
+      glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m));
+}
+
+}  // namespace carom

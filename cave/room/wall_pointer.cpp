@@ -1,0 +1,43 @@
+#include "cave/room/wall_pointer.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace carom {
+namespace {
+
+/// Of two halves the one that `share` is in: 0 or 1, and how far it is through that half.
+std::size_t halve(double& share) {
+  const std::size_t second = share >= 0.5 ? 1 : 0;
+  share = 2.0 * share - static_cast<double>(second);
+  return second;
+}
+
+Eye onlyEye(StereoMode mode) {
+  if (mode == StereoMode::left) return Eye::left;
+  return mode == StereoMode::right ? Eye::right : Eye::mono;
+}
+
+}  // namespace
+
+double outside_px(const Viewport& pane, const glm::dvec2& pointer_px) {
+  const glm::dvec2 from_px(pane.position_px), to_px(pane.position_px + pane.size_px);
+  return glm::distance(pointer_px, glm::clamp(pointer_px, from_px, to_px));
+}
+
+std::optional<PointedWall> pointedIn(const Wall& wall, const Viewport& pane, const glm::dvec2& pointer_px,
+                                     bool beyond) {
+  glm::dvec2 share = (pointer_px - glm::dvec2(pane.position_px)) / glm::dvec2(pane.size_px);  // right, down
+  const bool inside = share.x >= 0.0 && share.y >= 0.0 && share.x < 1.0 && share.y < 1.0;
+  if (!inside && !beyond) return std::nullopt;
+  std::size_t eye = static_cast<std::size_t>(onlyEye(wall.stereo));
+  if (wall.stereo == StereoMode::sideBySide) eye = halve(share.x);  // as shaders/stereo_frag.glsl
+  if (wall.stereo == StereoMode::topBottom) eye = halve(share.y);
+  if (wall.flip == Flip::horizontal || wall.flip == Flip::both) share.x = 1.0 - share.x;
+  if (wall.flip == Flip::vertical || wall.flip == Flip::both) share.y = 1.0 - share.y;
+  return PointedWall{wall.lowerLeft_m + share.x * (wall.lowerRight_m - wall.lowerLeft_m) +
+                         (1.0 - share.y) * (wall.upperLeft_m - wall.lowerLeft_m),
+                     eye};
+}
+
+}  // namespace carom

@@ -1,0 +1,194 @@
+#include "cave/scene/puck_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <vtkAdaptiveSubdivisionFilter.h>
+#include <vtkCleanPolyData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkTriangleFilter.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "cave/mesh/mesh_builder.h"
+
+namespace carom {
+namespace {
+
+constexpr int kSectors = 72;
+constexpr double kShadowHeight_m = 0.0005;  // above the cloth
+
+/// Around a puck of this radius.
+int sectorsOf(double radius_m, double cell_m) {
+  return std::max(kSectors, cellsFor(2.0 * std::numbers::pi * radius_m, cell_m));
+}
+
+/// A ring of the puck, from (radius, z) to (radius, z); outer side to the right of the way.
+void addRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, const glm::dvec3& surface,
+             double cell_m) {
+  mesh.addPatch(sectorsOf(surface.x, cell_m), cellsFor(glm::distance(from, to), cell_m),
+                [&](double u, double v) {
+                  const double angle_rad = 2.0 * std::numbers::pi * u;
+                  const glm::dvec2 p = from + v * (to - from);
+                  return PatchPoint{{p.x * std::cos(angle_rad), p.x * std::sin(angle_rad), p.y}, surface};
+                });
+}
+
+/// A ring cut at 45° that is lit as if it were round: its normals go from the angle `from_rad` above outwards
+/// on by a right angle.
+void addRoundRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, double from_rad,
+                  const glm::dvec3& surface, double cell_m) {
+  constexpr int kSteps = 4;
+  mesh.addPatch(sectorsOf(surface.x, cell_m), std::max(kSteps, cellsFor(glm::distance(from, to), cell_m)),
+                [&](double u, double v) {
+                  const double angle_rad = 2.0 * std::numbers::pi * u;
+                  const double rise_rad = from_rad + 0.5 * std::numbers::pi * v;
+                  const glm::dvec2 p = from + v * (to - from), n(std::cos(rise_rad), std::sin(rise_rad));
+                  const glm::dvec2 out(std::cos(angle_rad), std::sin(angle_rad));
+                  return PatchPoint{{p.x * out, p.y}, surface, {n.x * out, n.y}};
+                });
+}
+
+/// What a puck takes from the cloth of the light of each lamp (0 to 2) and of the hall (3), in this order in
+/// surface.y; surface.x is 0 where all of it is hidden and 1 where nothing is, surface.z the puck's height.
+/// Discs: where their far side comes to lie is the vertex shader's work.
+ScenePart shadowPart(double radius_m, double height_m, std::size_t body, double cell_m) {
+  constexpr double kHall = 3.0;
+  const double z = kShadowHeight_m - 0.5 * height_m;
+  MeshBuilder shadow;
+  const auto addDisc = [&](double sort, double outer_m, double inner_m, double outerFade) {
+    const int sectors = std::max(kSectors / 2, cellsFor(2.0 * std::numbers::pi * outer_m, cell_m));
+    shadow.addPatch(sectors, std::max(2, cellsFor(outer_m - inner_m, cell_m)), [&](double u, double v) {
+      const double angle_rad = 2.0 * std::numbers::pi * u;
+      const double r = outer_m + v * (inner_m - outer_m);
+      return PatchPoint{{r * std::cos(angle_rad), r * std::sin(angle_rad), z},
+                        {(1.0 - v) * outerFade, sort, height_m}};
+    });
+  };
+  const double hallReach_m = radius_m + 0.9 * height_m;
+  addDisc(kHall, hallReach_m, 0.95 * radius_m, 1.0);
+  addDisc(kHall, 0.95 * radius_m, 0.0, 0.0);
+  // A lamp of 0.22 m radius 1.45 m above: the top rim's shadow is soft over ±0.15 of its height.
+  const double soft_m = 0.15 * height_m;
+  for (const double lamp : {0.0, 1.0, 2.0}) {
+    addDisc(lamp, radius_m + soft_m, radius_m - soft_m, 1.0);
+    addDisc(lamp, radius_m - soft_m, 0.0, 0.0);
+  }
+  return {body, shadow.build(), Paint::shadow, glm::vec3(0.0F), 0.0F};
+}
+
+/// Moves the box's middle to the origin and scales to the radius.
+vtkSmartPointer<vtkTransform> fitTo(vtkPolyData& mesh, double radius_m) {
+  std::array<double, 6> box{};
+  mesh.GetBounds(box.data());
+  const glm::dvec3 middle(0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]));
+  double widest = 0.0;
+  for (vtkIdType i = 0; i < mesh.GetNumberOfPoints(); ++i) {
+    std::array<double, 3> p{};
+    mesh.GetPoint(i, p.data());
+    widest = std::max(widest, std::hypot(p[0] - middle.x, p[1] - middle.y));
+  }
+  auto transform = vtkSmartPointer<vtkTransform>::New();
+  if (radius_m > 0.0 && widest > 0.0) transform->Scale(glm::value_ptr(glm::dvec3(radius_m / widest)));
+  transform->Translate(-middle.x, -middle.y, -middle.z);
+  return transform;
+}
+
+/// Triangles whose edges are no longer than asked, halved in passes: in a pass every edge that is too long,
+/// so that triangles on both sides of an edge agree and no crack opens. Stops before a pass that would make
+/// more vertices than asked.
+vtkSmartPointer<vtkPolyData> dividedTo(const Tessellation& tessellation, vtkSmartPointer<vtkPolyData> mesh) {
+  constexpr int kMostPasses = 24;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    vtkNew<vtkAdaptiveSubdivisionFilter> halved;
+    halved->SetInputData(mesh);
+    halved->SetMaximumEdgeLength(tessellation.edge_m());
+    halved->SetMaximumNumberOfPasses(1);
+    halved->Update();
+    const vtkIdType points = halved->GetOutput()->GetNumberOfPoints();
+    if (points == mesh->GetNumberOfPoints() || points > static_cast<vtkIdType>(tessellation.mostVertices))
+      break;
+    mesh = halved->GetOutput();
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t body, const glm::vec3& colour,
+                                 double cell_m) {
+  const double r = radius_m;
+  const double z = 0.5 * height_m;
+  const double bevel = std::min(0.08 * r, 0.3 * z);
+  const glm::dvec3 onFace(r, 0.0, z);
+  const glm::dvec3 onRim(r, 1.0, z);
+  MeshBuilder mesh;
+  const auto ring = [&](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec3& surface) {
+    addRing(mesh, from, to, surface, cell_m);
+  };
+  addRoundRing(mesh, {r - bevel, -z}, {r, -z + bevel}, -0.5 * std::numbers::pi, onRim, cell_m);
+  ring({r, -z + bevel}, {r, 0.0}, onRim);
+  ring({r, 0.0}, {r, z - bevel}, onRim);
+  addRoundRing(mesh, {r, z - bevel}, {r - bevel, z}, 0.0, onFace, cell_m);
+  const std::array<double, 5> rings{1.0, 0.75, 0.5, 0.25, 0.0};
+  for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
+    ring({rings[i] * (r - bevel), z}, {rings[i + 1] * (r - bevel), z}, onFace);
+    ring({rings[i + 1] * (r - bevel), -z}, {rings[i] * (r - bevel), -z}, onFace);
+  }
+  return {shadowPart(radius_m, height_m, body, cell_m), {body, mesh.build(), Paint::puck, colour, 0.5F}};
+}
+
+ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
+  constexpr double kLength_m = 1.0;
+  constexpr double kRadius_m = 0.025;
+  MeshBuilder mesh;
+  const auto around = [&](double angle_rad, double radius_m, double x) {
+    return PatchPoint{{x, radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad)}, {x, 0.0, 0.0}};
+  };
+  const double turn = 2.0 * std::numbers::pi;
+  const int sectors = std::max(20, cellsFor(turn * kRadius_m, cell_m));
+  const int across = cellsFor(kRadius_m, cell_m);
+  mesh.addPatch(sectors, cellsFor(kLength_m, std::min(0.025, cell_m)),
+                [&](double u, double v) { return around(turn * u, kRadius_m, (v - 0.5) * kLength_m); });
+  mesh.addPatch(sectors, across,
+                [&](double u, double v) { return around(turn * u, (1.0 - v) * kRadius_m, 0.5 * kLength_m); });
+  mesh.addPatch(sectors, across,
+                [&](double u, double v) { return around(turn * u, v * kRadius_m, -0.5 * kLength_m); });
+  return {body, mesh.build(), Paint::bands, colour, 0.3F};
+}
+
+ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
+                   const glm::vec3& colour, const Tessellation& tessellation) {
+  vtkNew<vtkTransformPolyDataFilter> fitted;
+  fitted->SetInputData(read);
+  fitted->SetTransform(fitTo(*read, radius_m));
+  vtkNew<vtkCleanPolyData> cleaned;
+  cleaned->SetInputConnection(fitted->GetOutputPort());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(cleaned->GetOutputPort());
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->Update();
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(dividedTo(tessellation, triangles->GetOutput()));
+  normals->SetFeatureAngle(40.0);
+  normals->Update();
+
+  const vtkSmartPointer<vtkPolyData> mesh = normals->GetOutput();
+  vtkNew<vtkFloatArray> surface;
+  surface->SetName("surface");
+  surface->SetNumberOfComponents(3);
+  surface->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  surface->Fill(0.0);
+  mesh->GetPointData()->AddArray(surface);
+  return {body, mesh, Paint::plain, colour, 0.3F};
+}
+
+}  // namespace carom

@@ -1,0 +1,56 @@
+#pragma once
+// The pieces that a scene is built from: meshes with their paint, how bodies look, how large the hall is.
+
+#include <cstddef>
+#include <string>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "cave/frame/bodies.h"
+
+namespace carom {
+
+/// How a surface is painted; each is one small fragment shader, cave/shaders/paint_NAME.glsl.
+enum class Paint {
+  plain,   ///< colour alone
+  cloth,   ///< of the table
+  wood,    ///< rails, with diamonds
+  floor,   ///< tiles
+  panels,  ///< walls and ceiling of the hall
+  puck,    ///< sectors, rings and rim marks that show how it is deformed
+  bands,   ///< of a rod
+  shadow,  ///< on the cloth under a puck
+  clock,   ///< digits showing the board time at which their light left
+  lamp,    ///< shines
+};
+
+/// Part of a body. Point data of the mesh: points and normals in the body's rest frame (metres, from its
+/// centre) and, for painting, an array "surface" of three floats a point (what they mean is said in the
+/// paint's shader).
+struct ScenePart {
+  std::size_t body = 0;
+  vtkSmartPointer<vtkPolyData> mesh;
+  Paint paint = Paint::plain;
+  glm::vec3 colour{1.0F};  ///< linear light, the share reflected
+  float gloss = 0.0F;      ///< strength of the highlight
+};
+
+/// How a puck, or a body that moves as told, looks.
+struct BodyLooks {
+  std::string name;       ///< "white", "yellow", "red" … give the colour; others take one of a palette
+  std::string meshPath;   ///< as readMeshFile takes it; empty: the built-in puck, or for told bodies a rod of
+                          ///< 1 m along x
+  double radius_m = 0.0;  ///< a puck's mesh is scaled to it; 0: as it is
+  double height_m = 0.0;  ///< of the built-in puck
+};
+
+/// The hall around the table: its floor's height below the playing surface.
+struct Hall {
+  double floor_m = -0.75;
+  glm::dvec3 size_m{14.0, 12.0, 5.0};
+};
+
+}  // namespace carom

@@ -1,0 +1,31 @@
+#pragma once
+// The billiard table and the clocks on it, at rest on the board.
+
+#include <vector>
+
+#include "cave/mesh/mesh_builder.h"
+#include "cave/scene/scene_part.h"
+#include "engine/billiard/billiard.h"
+
+namespace carom {
+
+/// Cloth, cushions, rails with diamonds, body and legs of a table whose legs stand on the floor at
+/// z = `floor_m`, and clocks on its rails, in cells no larger than `cell_m`.
+std::vector<ScenePart> tableParts(const Board& board, double floor_m, double cell_m);
+
+/// For an open plane: a square of cloth without cushions.
+std::vector<ScenePart> openPlaneParts(double size_m, double cell_m);
+
+/// Digital clocks with a face on both sides.
+class ClockMaker {
+ public:
+  /// A clock whose foot's middle stands at `foot_m`; `facing` is the horizontal direction its front looks to.
+  void add(const glm::dvec3& foot_m, const glm::dvec3& facing, double width_m, double cell_m);
+  std::vector<ScenePart> parts() const;
+
+ private:
+  MeshBuilder faces_;
+  MeshBuilder cases_;
+};
+
+}  // namespace carom

@@ -1,0 +1,90 @@
+#pragma once
+// The celerity of a tracked point from its noisy positions: an interacting-multiple-model Kalman filter
+// (Blom and Bar-Shalom 1988). Each model holds another idea of how vigorously a head moves at present, from
+// standing still to hurrying; every sample tells how likely each is, and the estimate is their mean.
+//
+// The models' values (celerity_filter.cpp) were found on six simulated heads and on twelve recorded ones (of
+// an OptiTrack, a HoloLens, a Quest 2 and Pro and of TUM's camera), with 0.1 to 2 mm of noise added, at 60
+// and 120 Hz, with the demand that none be far behind the best of four other filters. They are the same at
+// every rate: they describe the head, not the tracker, whose noise is told from the samples
+// (tracker_noise.h).
+//
+// What an error of celerity does to the eye depends on its direction (sky_swing.h), and the estimate needs
+// not know: a mean has the least square error however components are weighted against each other.
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "devices/filter/tracker_noise.h"
+
+namespace carom {
+
+/// Causal, for uneven sampling, the same in every orientation of the axes (noise and motion are taken as
+/// isotropic, and the axes are judged together). No allocation; the same bits in every run.
+class CelerityFilter {
+ public:
+  explicit CelerityFilter(double trackerSigma_m) : noise_(trackerSigma_m) {}
+
+  /// Begins anew at a position, with nothing known of its motion.
+  void start(double time_s, const glm::dvec3& position_m);
+
+  /// The next position, at a later time than the last.
+  void update(double time_s, const glm::dvec3& position_m);
+
+  /// The tracker took all positions from here on to be elsewhere by that much: the point has not moved.
+  void moveBy(const glm::dvec3& offset_m);
+
+  double time_s() const { return time_s_; }  ///< of the last position; all that follows is then
+  const glm::dvec3& position_m() const { return mean_[0]; }
+  const glm::dvec3& celerity_m_s() const { return mean_[1]; }
+  glm::dmat3 celerityCovariance_m2_s2() const;
+
+  /// How late the celerity is while it grows evenly, at the gains of this moment: the error of celerity
+  /// for each m/s² of constant acceleration. It is that of the moving models; a still head has none.
+  double lag_s() const;
+
+  /// Where the point will be, `ahead_s` after the last position.
+  glm::dvec3 predictedPosition_m(double ahead_s) const;
+
+  /// Standard deviation (one component) of a position measured then, were the point to keep its celerity.
+  double predictedSigma_m(double ahead_s) const;
+
+  /// Variance (one component) by which the celerity may have changed, `ahead_s` after the last position.
+  double celerityChange_m2_s2(double ahead_s) const;
+
+  /// The noise of the positions as it is now believed, at least 0.01 mm and at most 10 mm.
+  double trackerSigma_m() const;
+  /// Whether it was told by the samples and is not the one to begin with.
+  bool isTrackerSigmaKnown() const { return noise_.isKnown(); }
+
+  static constexpr int kModels = 7;
+
+ private:
+  /// Columns: position, celerity, acceleration and its drive (m, m/s, m/s², m/s³) of the point.
+  using State = glm::dmat4x3;
+
+  /// What one model believes. Gains depend on times alone, so one covariance of (position, celerity,
+  /// acceleration, drive) serves all three axes.
+  struct Belief {
+    double probability = 0.0;
+    State state{0.0};
+    glm::dmat4 covariance{0.0};
+    glm::dvec4 rampError{0.0};  // true − estimated state, had the point accelerated at 1 m/s² all the time
+  };
+
+  using Beliefs = std::array<Belief, kModels>;
+  void mix(double interval_s);
+  double correct(Belief& belief, const glm::dvec3& position_m) const;
+  void average();
+
+  double time_s_ = 0.0;
+  Beliefs beliefs_;
+  State mean_{0.0};
+  TrackerNoise noise_;
+};
+
+}  // namespace carom

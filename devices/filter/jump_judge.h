@@ -1,0 +1,75 @@
+#pragma once
+// Whether a tracker's sample is the head's motion or a jump of the tracker.
+
+#include <glm/vec3.hpp>
+
+#include "devices/filter/celerity_filter.h"
+
+namespace carom {
+
+/// What a sample is.
+enum class Jump {
+  None,     ///< the head, going on from the last used sample
+  Doubted,  ///< where no head gets: not to be used, or not yet
+  Quick,    ///< the head, as the sample before was, which was doubted: both are to be used
+  Shifted,  ///< the head, but the tracker shows it elsewhere than before: see offset_m()
+  New,      ///< where doubted samples have led for long: nothing is known of the motion
+};
+
+/// Judges samples by the head's course, as its filter foresees it. A head that stands reaches 15 m/s² within
+/// an interval at most, and quickly moving ones surprise their filter evenly; what lies further off the
+/// course than either, than 2 mm, and than noise explains, is doubted. The samples that follow show what it
+/// was:
+///
+///  * on the course again: an outlier of the tracker;
+///  * off the course by ever more, by accelerations below 40 m/s²: motion;
+///  * beside the course by always the same, for 45 ms: a step of the tracker. The head goes on as it did;
+///  * anything else, from place to place at below 12 m/s, for long: the head's new place.
+///
+/// So one sample that is 5 mm off at 60 Hz leaves no trace, nor a step of half a metre, spread over several
+/// samples or not. No allocation, the same bits in every run.
+class JumpJudge {
+ public:
+  explicit JumpJudge(double lost_s) : lost_s_(lost_s) {}
+
+  /// What the next sample is. Its time is after that of the last one that was judged or used.
+  Jump judge(const CelerityFilter& head, double time_s, const glm::dvec3& position_m);
+
+  /// To be told of each sample before the filter takes it.
+  void use(const CelerityFilter& head, double time_s, const glm::dvec3& position_m);
+  /// Of one with which the filter starts.
+  void start(const glm::dvec3& position_m);
+
+  /// Whether the newest sample was doubted, and its time.
+  bool doubts() const { return count_ > 0; }
+  double doubted_s() const { return last_.time_s; }
+  /// Of Jump::Shifted: by how much the tracker's places are beside those before.
+  const glm::dvec3& offset_m() const { return offset_m_; }
+
+ private:
+  struct Sample {
+    double time_s = 0.0;
+    glm::dvec3 position_m{0.0};
+    glm::dvec3 offCourse_m{0.0};
+  };
+  Jump judgeFirst(const CelerityFilter& head, const Sample& sample, double interval_s);
+  Jump judgeNext(const CelerityFilter& head, const Sample& sample, double interval_s);
+  void follow(const Sample& sample, double within_m, double sigma_m);
+  double tolerance_m(const CelerityFilter& head, double startled_s, double course_s) const;
+
+  double lost_s_;
+  glm::dvec3 used_m_{0.0};    // where the newest used sample was
+  double surprise_m2_ = 0.0;  // how far used samples were off the course of late: variance of a coordinate
+
+  // Doubted samples since then.
+  int count_ = 0;
+  Sample last_;
+  double travels_s_ = 0.0;           // from when on they go on from each other
+  int beside_ = 0;                   // how many of them keep beside the course, up to the last
+  double beside_s_ = 0.0;            // since when
+  glm::dvec3 offset_m_{0.0};         // by how much, on average
+  int moves_ = 0;                    // how many move as a head might, up to the last
+  glm::dvec3 offCelerity_m_s_{0.0};  // how fast the last of them left the course
+};
+
+}  // namespace carom

@@ -1,0 +1,63 @@
+#include "devices/network/dtrack_tracker.h"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "devices/network/source_url.h"
+#include "devices/protocol/dtrack_decoder.h"
+#include "devices/protocol/frame_gaps.h"
+#include "devices/tracker/retry.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uint16_t kUsualPort = 5000;
+constexpr std::size_t kMostDatagram = 65536;
+constexpr std::chrono::milliseconds kPause{1000};
+
+void listen(const DtrackSource& source, DeviceSink& sink, const std::stop_token& stop) {
+  Socket socket = Socket::boundTo(source.local, source.interface);
+  sink.connected();
+  DtrackDecoder decoder;
+  FrameGaps gaps;
+  std::vector<std::uint8_t> bytes(kMostDatagram);
+  std::vector<Reading> readings;
+  while (!stop.stop_requested()) {
+    if (!waitReadable({&socket}, kLookAtStop)) continue;
+    Ipv4 sender;
+    const auto count = socket.receive(bytes, &sender);
+    const auto arrival = std::chrono::steady_clock::now();
+    if (!count || (source.from != 0 && sender.address != source.from)) continue;
+    readings.clear();
+    const std::uint64_t refused = decoder.refused();
+    const bool understood = decoder.decode({bytes.data(), *count}, readings);
+    if (!understood || decoder.refused() != refused) sink.refused();
+    if (decoder.frame()) sink.missed(gaps.follow(*decoder.frame()));
+    if (!readings.empty()) sink.deliver(readings, arrival);
+  }
+}
+
+}  // namespace
+
+DtrackSource readDtrackSource(std::string_view text) {
+  constexpr std::string_view kExample = "udp://0.0.0.0:5000";
+  constexpr std::array<std::string_view, 2> kOptions{"from", "interface"};
+  const SourceUrl url = readSourceUrl(text, "udp", kUsualPort, kOptions, kExample);
+  const auto local = ipv4Of(url.endpoint.host);
+  if (!local) {
+    throw std::invalid_argument(
+        "'" + url.endpoint.host +
+        "' is no IPv4 address, expected one of this machine, 0.0.0.0 for all of them, or a group");
+  }
+  return {{*local, url.endpoint.port}, url.address("interface"), url.address("from")};
+}
+
+Transport dtrackTransport(const DtrackSource& source) {
+  return [source](const std::stop_token& stop, DeviceSink& sink) {
+    retry(stop, sink, kPause, [&] { listen(source, sink, stop); });
+  };
+}
+
+}  // namespace carom

@@ -1,0 +1,63 @@
+#pragma once
+// From the bytes of a Polhemus tracker to readings. Records come joined and split as the wire likes.
+// Sources: Polhemus FASTRAK manual (URM95PH002) and LIBERTY manual (URM03PH156), output records in binary;
+// VRPN's serial drivers of both.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "devices/protocol/frame_gaps.h"
+#include "devices/protocol/unwrapped_counter.h"
+#include "devices/tracker/reading.h"
+
+namespace carom {
+
+/// The two shapes of a record, numbers lowest byte first.
+enum class PolhemusFormat {
+  /// After "O…,2,11,0": '0', station '1' … '4', status, 3 floats of position, 4 of orientation, ' '. No
+  /// clock.
+  fastrak,
+  /// PATRIOT and LIBERTY, after "O*,8,9,11,3,7": two letters, station 1 … 16, command 'C' or 'P', error,
+  /// reserved, 16-bit size 40; then 32-bit time (ms), frame count and distortion, 3 floats, 4 floats.
+  liberty,
+};
+
+/// Lengths in centimetres, quaternions scalar first. Whatever the bytes are, what comes out is finite, with
+/// unit quaternions; bytes that fit no record are passed over until the next mark whose record makes sense.
+class PolhemusDecoder {
+ public:
+  explicit PolhemusDecoder(PolhemusFormat format) : format_(format) {}
+
+  /// Takes the next bytes of the stream; appends a reading for each record that they complete: a pose, or
+  /// `lost` where the device flags the station's record as faulty. Sensor = station − 1. `quality` is
+  /// 1 / (1 + distortion level) where the device tells one.
+  void decode(std::span<const std::uint8_t> bytes, std::vector<Reading>& readings);
+
+  /// How often bytes had to be passed over.
+  std::uint64_t refused() const { return refused_; }
+  /// Records that the frame counts say were made and that never came.
+  std::uint64_t missed() const { return missed_; }
+
+  static constexpr int kStations = 16;
+
+ private:
+  enum class Match { no, soFar, whole };
+  Match matchFastrak(Reading& reading) const;
+  Match matchLiberty(Reading& reading) const;
+  void countFrames(Reading& reading);
+  void passOver();
+
+  PolhemusFormat format_;
+  std::array<std::uint8_t, 48> held_{};  // the record that is coming
+  std::size_t heldSize_ = 0;
+  bool inStep_ = true;
+  UnwrappedCounter<std::uint32_t> clock_ms_;
+  std::array<FrameGaps, kStations> frames_{};
+  std::uint64_t refused_ = 0;
+  std::uint64_t missed_ = 0;
+};
+
+}  // namespace carom

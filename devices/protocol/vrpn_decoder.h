@@ -1,0 +1,82 @@
+#pragma once
+// From the bytes of a VRPN connection (Virtual Reality Peripheral Network) to readings.
+//
+// What is on the wire differs from VRPN's Format_Of_Protocol.txt in one point: a record's length counts its
+// header and its payload without the padding to 8 bytes that follows.
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "devices/tracker/reading.h"
+
+namespace carom {
+
+/// Follows one connection from its first byte. Bytes may come in any portions.
+class VrpnDecoder {
+ public:
+  /// Reads what `sender` says and passes over all other senders of the server.
+  explicit VrpnDecoder(std::string sender) : sender_(std::move(sender)) {}
+
+  /// Takes the next bytes, at most 8 KiB at a time, and appends what the sender said: poses, velocities,
+  /// buttons (sensor 0) and analog channels (axes of sensor 0, clamped to −1 … 1). Throws std::runtime_error,
+  /// saying what is wrong, where the stream cannot be followed: another version of the protocol, or a record
+  /// of impossible length.
+  void decode(std::span<const std::uint8_t> bytes, std::vector<Reading>& readings);
+
+  bool greeted() const { return greeted_; }  ///< the server has said what it is
+  bool spoke() const { return spoke_; }      ///< and a whole record has come after that
+  /// The server has named such a sender of its own accord. That is no proof of a device: a server keeps, and
+  /// names to every client, all names that any client has named to it since it started.
+  bool senderNamed() const { return senderNamed_; }
+  /// Something has come from the sender, be it an answer to a ping: there is such a device.
+  bool senderHeard() const { return senderHeard_; }
+  /// Names of the senders that the server has named of its own accord, the first few of them.
+  const std::vector<std::string>& senderNames() const { return senderNames_; }
+  /// To be called when `vrpnDescription` is sent: names that come from now on may be echoes of it and count
+  /// no more. What their senders say is read all the same.
+  void ignoreNames() { namesCount_ = false; }
+  std::uint64_t refused() const { return refused_; }  ///< records whose content makes no sense, so far
+  /// Pings since this was last asked.
+  int takePings() { return std::exchange(pings_, 0); }
+
+  static constexpr std::size_t kMostBytes = 8192;  ///< of one `decode`
+
+ private:
+  enum class Type : std::uint8_t { unknown, pose, velocity, buttonChange, buttonStates, analog, ping };
+  struct Header;
+
+  bool takeRecord(std::vector<Reading>& readings);
+  void greet(std::string_view cookie);
+  void describe(const Header& header, std::span<const std::uint8_t> payload);
+  bool understand(const Header& header, std::span<const std::uint8_t> payload,
+                  std::vector<Reading>& readings);
+  static Type typeOf(std::string_view name);
+
+  static constexpr std::size_t kMostIds = 2048;  // VRPN itself has no more than 2000 types and senders
+  std::string sender_;
+  std::bitset<kMostIds> senders_;  // ids that bear our sender's name
+  std::array<Type, kMostIds> types_{};
+  std::vector<std::string> senderNames_;
+  bool namesCount_ = true, senderNamed_ = false, senderHeard_ = false;
+  std::vector<std::uint8_t> held_;  // the beginning of a record
+  std::size_t used_ = 0;            // of it
+  bool greeted_ = false, spoke_ = false;
+  std::uint64_t refused_ = 0;
+  int pings_ = 0;
+};
+
+/// What a client says first: its cookie.
+std::vector<std::uint8_t> vrpnGreeting();
+/// Then the names under which it will ping `sender`.
+std::vector<std::uint8_t> vrpnDescription(std::string_view sender);
+/// A ping, and the answer to one, after that description.
+std::vector<std::uint8_t> vrpnPing();
+std::vector<std::uint8_t> vrpnPong();
+
+}  // namespace carom

@@ -1,0 +1,119 @@
+#pragma once
+// The carom billiard: pucks gliding on the board, colliding with each other and with the cushions,
+// found ahead of time and delivered as knots of world lines.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/billiard/billiard_setup.h"
+
+namespace carom {
+
+class Anticipation;
+class Chronicle;
+
+/// Plays the game ahead: finds every contact before it happens (puck_contact.h, cushion_contact.h), commits
+/// its outcome (kick.h) and delivers the new legs of the world lines.
+///
+/// What happens in which order:
+/// * A puck meets its contacts, cushions included, in the order of its own proper time; where two pucks that
+///   meet have had different numbers of events, the one behind is waited for. Equal times go by name, so the
+///   order of the pucks in the setup changes no bit of any result.
+/// * Until the news of a contact has reached its centre, a puck follows its old leg and its contacts are
+///   found on that leg; their outcomes use the momenta already decided, and pucks that by these recede are
+///   not kicked. Kicks apply in the order of their turns. If a kick's turn would lie before the last one
+///   decided, the whole collision is dropped, not one puck's half of it: so momentum is always conserved. A
+///   cushion that a decided or a struck leg reaches before such a turn is committed first: so no centre ever
+///   leaves the table.
+/// * A cushion kicks only what it touches, and once for one approach: a contact of the old leg with the line
+/// of
+///   a cushion beyond the corner is none, and the news of a cushion that the puck has been turned away from
+///   since does nothing.
+/// * A pair that has collided does not collide again until one of the two has had another event.
+/// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
+///   without delay: the pair at the later of the two starts in the equal-speed frame, and its news starts at
+///   each centre. Such a kick does not wait for light, so a row of touching pucks passes a blow on faster
+///   than light; `GameEvent::withoutDelay` marks it.
+/// * Inelastic pucks that touch can collide without end in a finite time. A puck that others have kicked 64
+/// times
+///   within the time that light needs to cross its radius is pressed, until it has been left in peace for as
+///   long. Where two pressed pucks meet, all pressed pucks that touch them in a chain, nearer than a
+///   millionth of R1 + R2, take perfectly plastic kicks, of each other and of the cushions that they touch,
+///   until none closes on another; it takes no time, and each then turns once, simultaneously in the pair's
+///   equal-speed frame with the turn of the puck through which it was reached. Those whose speeds then differ
+///   by less than 1e-6 c, or 1e-6 of the hardest of the blows where all are slower than light by far, get one
+///   and the same velocity: they move on together, bit for bit, and their gap does not change. Momentum is
+///   that of all; what energy is over is heat. Up to this 64th kick, and between pucks of which one is not
+///   pressed, every blow is one as ever. What closes slower than that bound is left alone where it closes at
+///   less than a thousandth of its relative speed, so that the straight flights pass at most a millionth of
+///   R1 + R2 (half of the square of that share) inside each other, or where the whole relative speed is below
+///   1e-12 c, rounding, 5 nm in an hour at 1.42 m/s. Elastic pucks are never pressed. `jams` tells where.
+/// * Of a puck whose last 64 kicks, cushions' among them, fell within a millionth of that time, kicks are
+///   perfectly plastic until it has been left in peace for as long: so between two cushions.
+///
+/// With friction, the contact of two pucks is at the first board time t at which Dpar = dmin for the flights
+/// that touch the two world lines at t, and kicks act on the momenta the pucks have at their turns.
+class Billiard {
+ public:
+  /// Refuses what cannot be played with std::invalid_argument that names the puck and the values: a light
+  /// speed, radius, height, mass, board or restitution out of range, not a number, |β| >= 1, equal names,
+  /// friction × radius >= c²/2, pucks that overlap at t = 0 on the board, a puck in a cushion, a stroke on no
+  /// puck or before t = 0.
+  explicit Billiard(const BilliardSetup& setup);
+  ~Billiard();
+  Billiard(Billiard&&) noexcept;
+  Billiard& operator=(Billiard&&) noexcept;
+
+  /// Commits every event whose contact or first turn is at or before board time `t_s`, and perhaps some that
+  /// are a little later. What is committed does not depend on the steps in which one advances.
+  void advanceTo(double t_s);
+
+  /// Adds a stroke. What was computed at or after its arrival is discarded and computed anew, up to the same
+  /// board time. What does not depend on the stroke keeps its bits: everything outside the future of the
+  /// arrival but for what follows from turns that do not wait for light, those of kicks without delay and
+  /// those simultaneous with a contact in the equal-speed frame. Such a turn can lie outside by about the
+  /// size of the pucks that pass it on, and then even before the arrival on the board. Returns the board time
+  /// of the arrival. Throws std::invalid_argument for a stroke on no puck, not finite, or arriving before
+  /// t = 0 or in what `forgetBefore` has forgotten.
+  double strike(const Stroke& stroke);
+
+  /// One world line for each puck, in the order of the setup; complete up to the time advanced to.
+  std::span<const WorldLine> worldLines() const;
+  /// In the order in which they were committed. A stroke can change the turns of those before it whose news
+  /// was on its way, and the contacts of those with a cushion.
+  std::span<const GameEvent> events() const;
+  /// Knots and events added or changed since the last call, and whether a stroke took some back.
+  Changes takeChanges();
+
+  Ledger ledger() const;
+  std::span<const JamNote> jams() const;
+
+  /// Forgets the legs that ended and the events that were over before board time `t_s`. Strokes can no
+  /// longer arrive before it.
+  void forgetBefore(double t_s);
+
+ private:
+  void play();
+  void rewind(double t_s);
+  void keepSnapshot();
+  void noteChanges(const std::vector<std::vector<Knot>>& before);
+  double arrivalOnKnownLegs_s(const Stroke& stroke) const;
+
+  struct Snapshot;
+  BilliardSetup setup_;
+  std::unique_ptr<Chronicle> chronicle_;
+  std::unique_ptr<Anticipation> game_;
+  std::vector<Snapshot> snapshots_;  // in the order of time
+  std::size_t nextSnapshot_ = 64;    // when there are that many events
+  double advancedTo_s_ = 0.0;
+  double forgottenBefore_s_ = 0.0;
+  std::vector<std::size_t> reported_;  // of each puck's knots, counted from the start of the game
+  std::uint64_t reportedEvents_ = 0;
+  std::optional<double> truncatedFrom_s_;
+};
+
+}  // namespace carom

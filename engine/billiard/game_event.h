@@ -1,0 +1,79 @@
+#pragma once
+// What happens in a game: collisions, strokes, flashes of light and pucks that jam, as one list in the order
+// in which the game committed them.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+
+#include "engine/spacetime/event.h"
+
+namespace carom {
+
+using Vec2 = glm::dvec2;
+
+/// `jam`: one puck of several that press on one another, which move on without closing on each other (see
+/// `Billiard`). Each of them has an event of its own, all with the same contact: momentum balances over
+/// these.
+enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash, jam };
+enum class Cushion : std::uint8_t { plusX, minusX, plusY, minusY };
+
+/// As files and tables name them.
+constexpr std::string_view nameOf(EventKind kind) {
+  constexpr std::array<std::string_view, 5> kNames{"puck-puck", "puck-cushion", "stroke", "flash", "jam"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+constexpr std::string_view nameOf(Cushion cushion) {
+  constexpr std::array<std::string_view, 4> kNames{"+x", "-x", "+y", "-y"};
+  return kNames[static_cast<std::size_t>(cushion)];
+}
+
+/// A puck's centre changes its motion. Board frame.
+struct Turn {
+  std::size_t puck = 0;  ///< index into the setup's pucks
+  Event event;
+  Vec2 betaBefore{0.0};
+  Vec2 betaAfter{0.0};
+  double properTime_s = 0.0;  ///< the puck's own clock
+};
+
+/// The turns of one event: none, one or two, held in place.
+class Turns {
+ public:
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const Turn* begin() const { return turns_.data(); }
+  const Turn* end() const { return turns_.data() + size_; }
+  Turn* begin() { return turns_.data(); }
+  Turn* end() { return turns_.data() + size_; }
+  const Turn& operator[](std::size_t i) const { return turns_[i]; }
+  Turn& operator[](std::size_t i) { return turns_[i]; }
+  const Turn& front() const { return turns_.front(); }
+  void push_back(const Turn& turn) { turns_.at(size_++) = turn; }
+
+ private:
+  std::array<Turn, 2> turns_;
+  std::size_t size_ = 0;
+};
+
+struct GameEvent {
+  std::uint64_t number = 0;  ///< from 0, in the order of commitment
+  EventKind kind = EventKind::flash;
+  std::optional<Cushion> cushion;  ///< of a puck with a cushion
+  std::uint32_t which = 0;         ///< stroke, flash: its place in the setup's list
+  /// The contact; the hand's stroke, or where it has no place the arrival at the centre; the flash.
+  Event at;
+  /// Of a collision: the discs, or the disc and the cushion, were in contact already when the leg began, and
+  /// the kick acts at once, where the centres are. No news comes from `at` then: it is the place where the
+  /// rims lie on each other simultaneously with the turns in the equal-speed frame, or on the cushion beside
+  /// the centre when it turns, and may lie after the turns and out of reach of light.
+  bool withoutDelay = false;
+  Turns turns;  ///< one for each puck that took part; a stroke's is its arrival
+  double heat_j = 0.0;
+};
+
+}  // namespace carom

@@ -1,0 +1,168 @@
+#include "engine/collision/braked_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+
+namespace {
+
+// Dpar = dmin says that the event X1(t) lies R1 + R2 from the second centre in the second's momentary rest
+// frame: with r = x1 − x2 on the board at t,   S(t) = r² + (u2·r)² − (R1+R2)² = 0.   S > 0 wherever |r| > R1
+// + R2.
+struct Clearance {
+  double value, slope;     // S, dS/dt
+  double curvature;        // bound of |d²S/dt²| while |r| grows by less than R1 + R2
+  double distance, speed;  // |r|, and a bound of how fast it changes from here on
+};
+
+Clearance clearanceAt(const BrakedDisc& first, const BrakedDisc& second, double t) {
+  const Moment m1 = momentAt(first.leg, t), m2 = momentAt(second.leg, t);
+  const double reach = first.radius + second.radius, a = first.leg.brake;
+  const double x = m1.x.x - m2.x.x, y = m1.x.y - m2.x.y;
+  const double vx = m1.u.x / m1.u.t - m2.u.x / m2.u.t, vy = m1.u.y / m1.u.t - m2.u.y / m2.u.t;
+  const double u1 = std::sqrt(m1.u.x * m1.u.x + m1.u.y * m1.u.y),
+               u2 = std::sqrt(m2.u.x * m2.u.x + m2.u.y * m2.u.y);
+  const double along = m2.u.x * x + m2.u.y * y;  // u2·r
+  const double braking = u2 > 0.0 && t >= second.leg.start.t ? a * along / u2 : 0.0;
+  const double alongSlope = m2.u.x * vx + m2.u.y * vy - braking;
+
+  Clearance s;
+  s.distance = std::sqrt(x * x + y * y);
+  s.speed = u1 / m1.u.t + u2 / m2.u.t;
+  s.value = x * x + y * y + along * along - reach * reach;
+  s.slope = 2.0 * (x * vx + y * vy) + 2.0 * along * alongSlope;
+  // |β'| <= a and |u'| <= a give |r''| <= 2a, |(u2·r)'| <= u2 B + a|r|, |(u2·r)''| <= 2aB + 2a u2.
+  const double B = s.speed, far = s.distance + reach;
+  const double first1 = u2 * B + a * far, second1 = 2.0 * a * (B + u2);
+  s.curvature = 2.0 * B * B + 4.0 * a * far + 2.0 * first1 * first1 + 2.0 * u2 * far * second1;
+  return s;
+}
+
+// A step over which S cannot reach 0 (from either side): |S| + s h − M h²/2 > 0 until then.
+double safeStep(const Clearance& s, double reach) {
+  if (s.distance > 1.5 * reach) return (s.distance - reach) / s.speed;
+  const double away = s.value > 0.0 ? s.slope : -s.slope;
+  const double step = (away + std::sqrt(away * away + 2.0 * s.curvature * std::abs(s.value))) / s.curvature;
+  return std::min(step, reach / s.speed);
+}
+
+// How far back from any moment of the search a contact can lie whose news reaches both centres after it, and
+// how far apart in time two events are at most that are simultaneous for the pair when they are near: R γ (γ
+// + u) of each, with room to spare.
+double spanOf(const Disc& first, const Disc& second) {
+  const double gamma = first.u.t + second.u.t;
+  return 4.0 * (first.radius + second.radius) * gamma * gamma;
+}
+
+// The flight that touches a leg at t, from the leg's start on, or from `span` before t.
+Disc flightSince(const BrakedDisc& disc, double t, double span) {
+  const Leg& leg = disc.leg;
+  if (t <= leg.start.t) return {leg.start, leg.u, disc.radius, 0.0};
+  const Moment m = momentAt(leg, t);
+  const double begin = std::max(leg.start.t, t - span);
+  const double s = (begin - t) / m.u.t;
+  return {{begin, m.x.x + m.u.x * s, m.x.y + m.u.y * s}, m.u, disc.radius, 0.0};
+}
+
+// A pair in contact is kicked at the later of the two starts in its equal-speed frame, U ∝ u1 + u2. If that
+// is the later one on the board too, its flights are those that touch there. Otherwise they touch at the
+// moment of the earlier leg that is simultaneous with the start of the later one, or where the earlier leg
+// begins.
+double touchOfPairInContact(const BrakedDisc& first, const BrakedDisc& second, double span) {
+  const bool secondLater = second.leg.start.t >= first.leg.start.t;
+  const Leg& later = secondLater ? second.leg : first.leg;
+  const Leg& earlier = secondLater ? first.leg : second.leg;
+  const auto ahead = [&](double t) {  // U·(start − X(t)): falls, as R a < 1/2
+    const Moment m = momentAt(earlier, t);
+    return dot(m.u + later.u, later.start - m.x);
+  };
+  double high = later.start.t, low = std::max(earlier.start.t, high - span);
+  if (ahead(high) >= 0.0) return high;
+  if (ahead(low) <= 0.0) return low;
+  for (double middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
+    (ahead(middle) > 0.0 ? low : high) = middle;
+  }
+  return low;
+}
+
+// The meeting of the flights that touch the legs at t.
+std::optional<BrakedMeeting> meetingAt(const BrakedDisc& first, const BrakedDisc& second, double t,
+                                       double span, TurnConvention convention) {
+  const auto found = [&] {
+    return findMeeting(flightSince(first, t, span), flightSince(second, t, span), convention);
+  };
+  std::optional<Meeting> meeting = found();
+  if (meeting && meeting->withoutDelay) {
+    t = touchOfPairInContact(first, second, span);
+    meeting = found();
+  }
+  if (!meeting) return std::nullopt;
+  return BrakedMeeting{*meeting, t};
+}
+
+// The first meeting, of legs whose times are as small as those of the search. It begins before the later
+// start, with that leg continued backwards: a contact can be at the other's moment before that and yet come
+// after both starts in the equal-speed frame, or its news in each puck's own.
+std::optional<BrakedMeeting> search(const BrakedDisc& first, const BrakedDisc& second, double span,
+                                    TurnConvention convention) {
+  const double reach = first.radius + second.radius;
+  const double rest = std::max(restsAt(first.leg), restsAt(second.leg));
+  const double begin = std::max(first.leg.start.t, second.leg.start.t);
+  double t = begin - 2.0 * std::sqrt(reach * span);
+  Clearance here = clearanceAt(first, second, t);
+  while (t < rest && here.speed > 0.0) {
+    // S keeps its sign over a safe step. By a hair further, and it may have changed: then a root lies
+    // between.
+    const double hair = std::max(1e-12 * reach / here.speed,
+                                 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(t) + reach));
+    double next = t + std::max(safeStep(here, reach), hair);
+    for (const double stop : {second.leg.start.t, begin}) {  // S bends sharply where the second's leg begins
+      if (t < stop && stop < next) next = stop;
+    }
+    const Clearance there = clearanceAt(first, second, next);
+    std::optional<BrakedMeeting> meeting;
+    if (here.value > 0.0 && there.value <= 0.0) {
+      const double root = std::clamp(t - here.value / here.slope, t, next);
+      meeting = meetingAt(first, second, root, span, convention);
+    } else if (next == begin && there.value <= 0.0) {
+      meeting = meetingAt(first, second, begin, span, convention);
+    }
+    if (meeting) return meeting;
+    t = next;
+    here = there;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Disc flightAt(const BrakedDisc& disc, double t) {
+  const Moment m = momentAt(disc.leg, t);
+  return {m.x, m.u, disc.radius, 0.0};
+}
+
+// Times are counted from shortly before the later start, so that what is found, and how exactly, does not
+// depend on the age of the game.
+std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
+                                               TurnConvention convention) {
+  const double begin = std::max(first.leg.start.t, second.leg.start.t);
+  const double span = spanOf(flightAt(first, begin), flightAt(second, begin));
+  const double origin = std::max(0.0, begin - span);
+  BrakedDisc one = first, two = second;
+  one.leg.start.t -= origin;
+  two.leg.start.t -= origin;
+  std::optional<BrakedMeeting> found = search(one, two, span, convention);
+  if (!found) return std::nullopt;
+  found->touchAt += origin;
+  for (double& own : found->meeting.ownTime) own += origin;
+  // What is simultaneous with the later start must not come after it by rounding.
+  if (found->meeting.withoutDelay && found->touchAt < begin) {
+    const double hair = 8.0 * std::numeric_limits<double>::epsilon() * begin;
+    found->touchAt = std::max(std::min(first.leg.start.t, second.leg.start.t), found->touchAt - hair);
+  }
+  return found;
+}
+
+}  // namespace carom

@@ -1,0 +1,31 @@
+#pragma once
+// Where two pucks meet that friction slows: the first board time t at which Dpar = dmin (puck_contact.h) for
+// the straight flights that touch both world lines at t.
+
+#include <optional>
+
+#include "engine/collision/puck_contact.h"
+#include "engine/collision/puck_leg.h"
+
+namespace carom {
+
+struct BrakedDisc {
+  Leg leg;
+  double radius = 0.0;
+};
+
+struct BrakedMeeting {
+  Meeting meeting;
+  double touchAt = 0.0;  ///< t; the flights of `flightAt` at this time give the contact
+};
+
+/// The straight flight that touches a leg at board time `t`.
+Disc flightAt(const BrakedDisc& disc, double t);
+
+/// The first meeting of two legs, as `findMeeting` has it for the flights that touch them at t: at or after
+/// the later start, or already in contact there. Bounds of how fast the gap can close keep the search from
+/// stepping over one, at any board time: legs moved in time meet as much later.
+std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
+                                               TurnConvention convention);
+
+}  // namespace carom

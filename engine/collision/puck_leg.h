@@ -1,0 +1,47 @@
+#pragma once
+// One leg of a puck's centre in the board's plane, c = 1: straight flight, or a glide that friction slows
+// with constant proper deceleration until it rests. The same motion as `motionOnLeg` of world_line.h, in
+// the units of the collision physics.
+
+#include <limits>
+
+#include "engine/spacetime/minkowski.h"
+
+namespace carom {
+
+/// A leg from `start` on. Lengths in metres, times in metres of light (c t).
+struct Leg {
+  Vec21 start;              ///< where it begins
+  Vec21 u{1.0, 0.0, 0.0};   ///< four-velocity there
+  double properTime = 0.0;  ///< c τ there
+  double brake = 0.0;       ///< proper deceleration over c², 1/m
+};
+
+/// The centre at one moment of a leg.
+struct Moment {
+  Vec21 x;
+  Vec21 u;
+  double properTime = 0.0;
+};
+
+/// At board time `t` (c t, metres). Before the start the leg is continued backwards without friction.
+Moment momentAt(const Leg& leg, double t);
+
+/// `s` metres of own proper time after the start of a leg without friction.
+Moment momentAfter(const Leg& leg, double s);
+
+/// Board time at which friction has stopped it; infinite without friction.
+double restsAt(const Leg& leg);
+
+/// Where light from `news` meets the centre: the one event with (X − news)² = h² on the future cone, h being
+/// the height of the source above the centres' plane.
+Moment newsArrives(const Leg& leg, const Vec21& news, double height = 0.0);
+
+/// The centre's event that is simultaneous with `event` in the frame that moves with four-velocity U.
+Moment simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U);
+
+/// First board time after the start at which the centre's coordinate (0: x, 1: y) is `bound`, which lies
+/// ahead of it; infinite if it rests before, or does not move that way.
+double reaches(const Leg& leg, int axis, double bound);
+
+}  // namespace carom

@@ -1,0 +1,54 @@
+#pragma once
+// engine/light/emission_kernel.glsl as C++: in double, the reference and what `observe` answers with, and in
+// float, as the GPU computes it.
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "engine/spacetime/world_line.h"
+
+#define LEGS const LegView*
+#define KERNEL inline
+#define CATCH_UP_SPEED carom::kCatchUpSpeed
+
+namespace carom::kernel {
+using std::sqrt;
+using real = double;
+using vec3 = glm::dvec3;
+using vec4 = glm::dvec4;
+using mat4 = glm::dmat4;
+constexpr int MAX_PIECES = 64;
+inline real min(real a, real b) { return b < a ? b : a; }
+inline real max(real a, real b) { return a < b ? b : a; }
+#include "engine/light/emission_kernel.glsl"
+inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
+/// With both effects on.
+inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
+  return solveEmission(legs, legCount, d, true, true);
+}
+}  // namespace carom::kernel
+
+namespace carom::kernel_float {
+using std::sqrt;
+using real = float;
+using vec3 = glm::vec3;
+using vec4 = glm::vec4;
+using mat4 = glm::mat4;
+constexpr int MAX_PIECES = 8;
+inline real min(real a, real b) { return b < a ? b : a; }
+inline real max(real a, real b) { return a < b ? b : a; }
+#include "engine/light/emission_kernel.glsl"
+inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
+/// With both effects on.
+inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
+  return solveEmission(legs, legCount, d, true, true);
+}
+}  // namespace carom::kernel_float
+
+#undef LEGS
+#undef CATCH_UP_SPEED
+#undef KERNEL

@@ -1,0 +1,323 @@
+#include "engine/light/vertex_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/base/root.h"
+#include "engine/light/emission_kernel.h"
+
+namespace carom {
+namespace {
+
+// L(v) d = d + (1/γ − 1)(d·v̂)v̂ = d − (d·u) u/(γ(γ+1))
+Vec3 contracted(const Vec3& d, const Vec3& u) {
+  const double gamma = gammaFromU(u);
+  return d - u * (glm::dot(d, u) / (gamma * (gamma + 1.0)));
+}
+
+/// Where a piece crosses the future light cone of `news`, in board time.
+Event crossing(const VertexPiece& piece, const Event& news, double c_m_s) {
+  if (piece.glide) {
+    const double t_s = rootOfIncreasing(
+        [&](double t) { return c_m_s * (t - news.t_s) - glm::length(placeAt(piece, t, c_m_s) - news.r_m); },
+        news.t_s);
+    return {t_s, placeAt(piece, t_s, c_m_s)};
+  }
+  const Displacement from = piece.start - news;
+  const kernel::Piece line{{c_m_s * from.dt_s, from.dr_m}, betaFromU(piece.u)};
+  const glm::dvec4 at = kernel::crossingOf(line, glm::dvec4(0.0));
+  return news + Displacement{at.x / c_m_s, {at.y, at.z, at.w}};
+}
+
+/// Where a piece crosses the past light cone of the eye: c (T − s) = |X − v s|.
+Event retardedEvent(const VertexPiece& piece, const Event& observation, double c_m_s) {
+  if (piece.glide) {
+    const double t_s = rootOfIncreasing(
+        [&](double t) {
+          return glm::length(observation.r_m - placeAt(piece, t, c_m_s)) - c_m_s * (observation.t_s - t);
+        },
+        observation.t_s);
+    return {t_s, placeAt(piece, t_s, c_m_s)};
+  }
+  const Displacement eye = observation - piece.start;
+  const Vec3 beta = betaFromU(piece.u);
+  const double gamma = gammaFromU(piece.u);
+  const double T = c_m_s * eye.dt_s;
+  const double distance = glm::length(eye.dr_m);
+  const double b = T - glm::dot(beta, eye.dr_m);
+  const double product = (T - distance) * (T + distance);
+  const double root = std::sqrt(std::max(b * b - product / (gamma * gamma), 0.0));
+  const double s = b > 0.0 ? product / (b + root) : (b - root) * gamma * gamma;
+  return piece.start + Displacement{s / c_m_s, beta * s};
+}
+
+/// The piece on which the point follows the leg of `knot`; its clock is set by who appends it.
+VertexPiece pieceOnLeg(const Knot& knot, const Vec3& offset_m, const Event& start) {
+  VertexPiece piece{start, knot.u, 0.0, std::nullopt};
+  if (knot.deceleration_m_s2 > 0.0) piece.glide = {knot, offset_m};
+  return piece;
+}
+
+/// Where a point that leaves `left` at catchUpSpeed, in the rest frame of the knot's turn, meets its place on
+/// the leg that begins there.
+Event joining(const Knot& knot, const Vec3& offset_m, const Event& left, double c_m_s) {
+  const Lorentz boardFromBody = Lorentz::boost(knot.u, c_m_s);
+  const Lorentz bodyFromBoard = boardFromBody.inverse();
+  if (knot.deceleration_m_s2 > 0.0) {
+    const VertexPiece leg = pieceOnLeg(knot, offset_m, left);
+    const double t_s = rootOfIncreasing(
+        [&](double t) {
+          const Displacement way = bodyFromBoard * (Event{t, placeAt(leg, t, c_m_s)} - left);
+          return kCatchUpSpeed * c_m_s * way.dt_s - glm::length(way.dr_m);
+        },
+        left.t_s);
+    return {t_s, placeAt(leg, t_s, c_m_s)};
+  }
+  const Displacement leftInBody = bodyFromBoard * (left - knot.turn);
+  const double gap_m = glm::length(offset_m - leftInBody.dr_m);
+  return knot.turn +
+         boardFromBody * Displacement{leftInBody.dt_s + gap_m / (kCatchUpSpeed * c_m_s), offset_m};
+}
+
+/// γβ of the straight way from one event to a later one; of something at rest in the knot's frame if they are
+/// one.
+Vec3 uBetween(const Event& from, const Event& to, const Knot& knot, double c_m_s) {
+  const Displacement way = to - from;
+  const double properTime_m2 = interval_m2(way, c_m_s);
+  return properTime_m2 > 0.0 ? way.dr_m / std::sqrt(properTime_m2) : knot.u;
+}
+
+/// Cuts the history where the news of `knot` arrives and leads it to the leg that begins there.
+void turn(std::vector<VertexPiece>& history, const Knot& knot, const Vec3& offset_m, double c_m_s) {
+  Event left = crossing(history.back(), knot.news, c_m_s);
+  while (history.size() > 1 && left.t_s < history.back().start.t_s) {
+    history.pop_back();
+    left = crossing(history.back(), knot.news, c_m_s);
+  }
+  const Event joined = joining(knot, offset_m, left, c_m_s);
+  const VertexPiece catchingUp{left, uBetween(left, joined, knot, c_m_s),
+                               properTimeAt(history.back(), left.t_s, c_m_s), std::nullopt};
+  VertexPiece onLeg = pieceOnLeg(knot, offset_m, joined);
+  onLeg.properTime_s = properTimeAt(catchingUp, joined.t_s, c_m_s);
+  history.push_back(catchingUp);
+  history.push_back(onLeg);
+}
+
+/// ∫ f from a to b by Simpson's rule, halved until it no longer changes.
+template <typename Function>
+double integral(const Function& f, double a, double b) {
+  double previous = NAN;
+  for (int intervals = 8; intervals <= 1 << 16; intervals *= 2) {
+    const double h = (b - a) / intervals;
+    double sum = f(a) + f(b);
+    for (int i = 1; i < intervals; ++i) sum += (i % 2 == 0 ? 2.0 : 4.0) * f(a + i * h);
+    const double value = sum * h / 3.0;
+    if (std::abs(value - previous) <= 1e-13 * std::abs(value)) return value;
+    previous = value;
+  }
+  return previous;
+}
+
+}  // namespace
+
+Vec3 placeAt(const VertexPiece& piece, double t_s, double c_m_s) {
+  if (!piece.glide) return piece.start.r_m + betaFromU(piece.u) * (c_m_s * (t_s - piece.start.t_s));
+  const Motion centre = motionOnLeg(piece.glide->knot, t_s, c_m_s);
+  return centre.event.r_m + contracted(piece.glide->offset_m, centre.u);
+}
+
+// On a glide with d∥ along the motion: β = (u/γ)(1 + a d∥/(c²γ²)), from d(1/γ)/dt = a u/(c γ³).
+Vec3 uAt(const VertexPiece& piece, double t_s, double c_m_s) {
+  if (!piece.glide) return piece.u;
+  const Knot& knot = piece.glide->knot;
+  const Vec3 u = motionOnLeg(knot, t_s, c_m_s).u;
+  const double size = glm::length(u);
+  if (size == 0.0 || t_s <= knot.turn.t_s) return u;
+  const double gamma = gammaFromU(u);
+  const double along_m = glm::dot(piece.glide->offset_m, u) / size;
+  return uFromBeta(u / gamma * (1.0 + knot.deceleration_m_s2 * along_m / (c_m_s * c_m_s * gamma * gamma)));
+}
+
+double properTimeAt(const VertexPiece& piece, double t_s, double c_m_s) {
+  if (!piece.glide) return piece.properTime_s + (t_s - piece.start.t_s) / gammaFromU(piece.u);
+  const Knot& knot = piece.glide->knot;
+  const auto rate = [&](double t) { return 1.0 / gammaFromU(uAt(piece, t, c_m_s)); };
+  // The rate has kinks where the leg begins and where the body comes to rest.
+  const double rest_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
+  double sum_s = piece.properTime_s;
+  double from_s = piece.start.t_s;
+  for (const double kink_s : {std::min(knot.turn.t_s, t_s), std::min(rest_s, t_s), t_s}) {
+    if (kink_s <= from_s && kink_s != t_s) continue;
+    // Just inside the interval: at the turn itself the rate is the earlier leg's.
+    sum_s +=
+        integral([&](double t) { return rate(std::max(t, std::nextafter(from_s, kink_s))); }, from_s, kink_s);
+    from_s = kink_s;
+  }
+  return sum_s;
+}
+
+std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset_m) {
+  const double c_m_s = line.lightSpeed_m_s();
+  const Knot& first = line.knots().front();
+  const Event start{first.turn.t_s, first.turn.r_m + contracted(offset_m, first.u)};
+  std::vector<VertexPiece> history{pieceOnLeg(first, offset_m, start)};
+  for (const Knot& knot : line.knots().subspan(1)) turn(history, knot, offset_m, c_m_s);
+
+  const double zero_s = std::isfinite(line.appears_s()) ? line.appears_s() : 0.0;
+  const double atZero_s = properTimeAt(pieceAt(history, zero_s), zero_s, c_m_s);
+  for (VertexPiece& piece : history) piece.properTime_s -= atZero_s;
+  return history;
+}
+
+namespace {
+
+/// A leg's rest frame (where friction slows it, when it ends), its centre at the origin. Metres of light.
+struct LegFrame {
+  Lorentz fromBoard;
+  Vec3 u{0.0};  // on the board
+  Event centre;
+  Event news;  // that began the leg
+};
+
+std::vector<LegFrame> framesFrom(const WorldLine& line, std::size_t from) {
+  const std::span<const Knot> knots = line.knots();
+  std::vector<LegFrame> frames;
+  for (std::size_t i = from; i < knots.size(); ++i) {
+    const double end_s = (i + 1 < knots.size() ? knots[i + 1] : knots[i]).turn.t_s;
+    const Motion motion = motionOnLeg(knots[i], end_s, line.lightSpeed_m_s());
+    frames.push_back(
+        {Lorentz::boost(-motion.u, line.lightSpeed_m_s()), motion.u, motion.event, knots[i].news});
+  }
+  return frames;
+}
+
+/// The largest γ|d − x| − u·(d − x) of all |d| ≤ R, u = γβ: how far light from x has come, in the frame that
+/// moves with u, when it reaches d. It is on the rim and in the plane of x and u. Between directions there Δ
+/// apart it is above its chord by at most R (γ + |u|) Δ²/8, as |d − x|'' ≥ −R.
+double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
+  constexpr int kAround = 24;
+  const double gamma = gammaFromU(u), size = glm::length(u);
+  const Vec3 along = size > 0.0 ? u / size : Vec3(1.0, 0.0, 0.0);
+  const double xAlong = glm::dot(x, along), xAside = glm::length(x - xAlong * along);
+  double largest_m = 0.0;
+  for (int k = 0; k < kAround; ++k) {
+    const double around = 2.0 * std::numbers::pi * k / kAround;
+    const double dAlong = radius_m * std::cos(around) - xAlong, dAside = radius_m * std::sin(around) - xAside;
+    largest_m = std::max(largest_m, gamma * std::sqrt(dAlong * dAlong + dAside * dAside) - size * dAlong);
+  }
+  const double apart = 2.0 * std::numbers::pi / kAround;
+  return largest_m + radius_m * (gamma + size) * apart * apart / 8.0;
+}
+
+// c = 1. N_m is the news that begins leg m, A_m the event at which it reaches a point, U_q the four-velocity
+// of leg q: U_q·(A_m − N_m) ≥ 0 is how far the light of N_m has come by then, in the frame of q. Bounds
+// b_m(q) of that follow from each other. A point found by N_m on leg j < m, or on its way there, has not
+// heard of N_i, i = j + 1, before. If it
+//   rests on leg j, A_m is not later than where N_i would have found it: U_q·(A_m − N_m) ≤ the furthest that
+//   N_i
+//     reaches in the body + U_q·(N_i − N_m);
+//   or is on its way from A_j to its place d there, at w = catchUpSpeed: in the frame of j its distance from
+//   x_i
+//     is at most the larger of those at both ends of its way, |x_A − x_i| and |d − x_i| ≤ R + |x_i|. Is it
+//     the second, N_i finds it within that: ≤ (γ + u)(R + |x_i|) + U_q·(N_i − N_m). Else N_i finds it at most
+//     τ = t_i − t_j + |x_i − x_j| after A_j, as |x_A − x_j| = t_A − t_j: ≤ b_j(q) + U_q·(N_j − N_m) + τ (γ +
+//     w u).
+// The last leg is joined (|x_N| + b + R)/w after A.
+double boundOfJoining_s(const WorldLine& line, std::size_t from) {
+  const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m(), w = kCatchUpSpeed;
+  const Knot& knot = line.knots().back();
+  const std::vector<LegFrame> legs = framesFrom(line, from);
+  const std::size_t count = legs.size();
+  // Row j: b_j(q), and what it and the bodies' rims give for all later news, U_q·(A − N_{j+1}).
+  std::vector<double> bounds(count * count, 0.0), onLeg(count * count, 0.0);
+  const auto time_m = [&](std::size_t q, const Displacement& d) {
+    return c_m_s * (legs[q].fromBoard * d).dt_s;
+  };
+  for (std::size_t m = 0; m < count; ++m) {
+    for (std::size_t q = m; m > 0 && q < count; ++q) {
+      double& bound = bounds[m * count + q];
+      for (std::size_t j = 0; j < m; ++j)
+        bound = std::max(bound, onLeg[j * count + q] + time_m(q, legs[j + 1].news - legs[m].news));
+    }
+    if (m + 1 == count) break;
+    const Vec3 x = (legs[m].fromBoard * (legs[m + 1].news - legs[m].centre)).dr_m;
+    const Displacement since = legs[m].fromBoard * (legs[m + 1].news - legs[m].news);
+    const double tau_m = std::max(0.0, c_m_s * since.dt_s + glm::length(since.dr_m));
+    for (std::size_t q = m + 1; q < count; ++q) {
+      const Vec3 u = (legs[m].fromBoard * Displacement{gammaFromU(legs[q].u) / c_m_s, legs[q].u}).dr_m;
+      const double gamma = gammaFromU(u), size = glm::length(u);
+      double& bound = onLeg[m * count + q];
+      bound = furthestReach(x, u, radius_m);
+      if (m == 0) continue;  // all had joined the first
+      bound = std::max(bound, (gamma + size) * (radius_m + glm::length(x)));
+      bound = std::max(bound, bounds[m * count + q] + time_m(q, legs[m].news - legs[m + 1].news) +
+                                  tau_m * (gamma + w * size));
+    }
+  }
+  const Displacement news = legs.back().fromBoard * (knot.news - knot.turn);
+  const double found_m = bounds.back();
+  const double joined_s = news.dt_s + (found_m + (glm::length(news.dr_m) + found_m + radius_m) / w) / c_m_s;
+  // Friction moves the goal by less than the way to it while R a < c²/2.
+  return knot.deceleration_m_s2 > 0.0 ? 2.0 * joined_s : joined_s;
+}
+
+/// The longest of points all around the body, followed from the leg that all had joined, and half as much
+/// again for those in between.
+double followedJoining_s(const WorldLine& line, std::size_t from) {
+  constexpr int kAround = 48, kHalfWay = 16;
+  const double c_m_s = line.lightSpeed_m_s();
+  const std::span<const Knot> knots = line.knots();
+  const Knot& last = knots.back();
+  const Lorentz bodyFromBoard = Lorentz::boost(-last.u, c_m_s);
+  double longest_s = 0.0;
+  std::vector<VertexPiece> history;
+  for (int k = 0; k < kAround + kHalfWay; ++k) {
+    // On the equator and half way up; motion is in the plane, so below is as above.
+    const double around = 2.0 * std::numbers::pi * k / (k < kAround ? kAround : kHalfWay);
+    const double level = k < kAround ? 1.0 : std::numbers::sqrt2 / 2.0;
+    const Vec3 offset_m = line.radius_m() * Vec3(level * std::cos(around), level * std::sin(around),
+                                                 std::sqrt(1.0 - level * level));
+    const Event start{knots[from].turn.t_s, knots[from].turn.r_m + contracted(offset_m, knots[from].u)};
+    history.assign(1, pieceOnLeg(knots[from], offset_m, start));
+    for (const Knot& knot : knots.subspan(from + 1)) turn(history, knot, offset_m, c_m_s);
+    longest_s = std::max(longest_s, (bodyFromBoard * (history.back().start - last.turn)).dt_s);
+  }
+  return 2.0 * longest_s;
+}
+
+}  // namespace
+
+double joinedAfter_s(const WorldLine& line) {
+  // Of faster bodies a few points can lag behind all others, so many times longer that no number of them
+  // shows it.
+  constexpr double kFollowed_beta = 0.95;
+  const std::span<const Knot> knots = line.knots();
+  std::size_t from = knots.size() - 1;
+  while (from > 0 && !(from + 1 < knots.size() && line.settlesBeforeNext(from))) --from;
+  const double bound_s = boundOfJoining_s(line, from);
+  const bool followed =
+      std::all_of(knots.begin() + static_cast<std::ptrdiff_t>(from), knots.end(), [](const Knot& knot) {
+        return knot.deceleration_m_s2 == 0.0 && glm::length(betaFromU(knot.u)) <= kFollowed_beta;
+      });
+  return followed ? std::min(bound_s, followedJoining_s(line, from)) : bound_s;
+}
+
+const VertexPiece& pieceAt(const std::vector<VertexPiece>& history, double t_s) {
+  const auto after = std::upper_bound(history.begin() + 1, history.end(), t_s,
+                                      [](double t, const VertexPiece& piece) { return t < piece.start.t_s; });
+  return *(after - 1);
+}
+
+Event eventOnPastCone(const std::vector<VertexPiece>& history, const Event& observation, double c_m_s) {
+  // The latest piece that begins inside the past cone.
+  const auto inside = [&](const VertexPiece& piece) {
+    const Displacement d = observation - piece.start;
+    return d.dt_s >= 0.0 && c_m_s * d.dt_s >= glm::length(d.dr_m);
+  };
+  const auto firstOutside = std::partition_point(history.begin() + 1, history.end(), inside);
+  return retardedEvent(*(firstOutside - 1), observation, c_m_s);
+}
+
+}  // namespace carom

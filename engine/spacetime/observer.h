@@ -1,0 +1,99 @@
+#pragma once
+// The person: a world line of their own, walked by a tracked head inside a room that may itself be moving.
+//
+// The person's clock is their proper time τ. A tracked step dx made in dτ is a celerity, which has no
+// upper limit: room time advances by dT = sqrt(dτ² + |dx|²/c²), so the world line is timelike whatever
+// the person does.
+
+#include <array>
+#include <numbers>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "engine/base/pose.h"
+#include "engine/spacetime/event.h"
+#include "engine/spacetime/lorentz.h"
+
+namespace carom {
+
+/// Where the platform that carries the room starts. Board frame.
+struct ObserverStart {
+  Vec3 position_m{0.0, -1.6, -0.75};         ///< of the room's floor origin
+  double facing_rad = std::numbers::pi / 2;  ///< of the room's forward, anticlockwise from +x
+  Vec3 beta{0.0};                            ///< v/c of the platform
+};
+
+/// The room's attitude and motion on the board, as a game begins: its floor's right, forward and up, boosted
+/// by the platform's β.
+Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double lightSpeed_m_s);
+
+/// The tracked head at one drawn frame. Room frame.
+struct Head {
+  Pose roomFromHead;       ///< of the midpoint between the eyes; head axes x right
+  Vec3 celerity_m_s{0.0};  ///< filtered dx/dτ of that midpoint
+};
+
+/// One eye: the board event at which it receives light, and where it is in the room (for the walls).
+struct EyeView {
+  Event observation;
+  Vec3 positionInRoom_m{0.0};
+  /// Where in the room its seen places are counted from: where it is, or, while a sight is frozen, where it
+  /// was.
+  Vec3 seenFromInRoom_m{0.0};
+};
+
+/// The left eye, the right eye and the point between them.
+struct ObserverView {
+  Lorentz headFromBoard;        ///< axes of the head frame are parallel to the room's
+  std::array<EyeView, 3> eyes;  ///< left, right, middle
+  double properTime_s = 0.0;    ///< the person's own clock
+};
+
+/// The sight of one moment, from the middle of the eyes, walked round: the light is that of `sight`, for both
+/// eyes, the eyes' places in the room are those of `now`.
+ObserverView walkedRound(const ObserverView& sight, const ObserverView& now);
+
+/// A tracked step faster than this celerity is a glitch of the tracker, not travel.
+inline constexpr double kGlitchCelerity_m_s = 12.0;
+
+class Observer {
+ public:
+  /// The head's first place is `head`; `boardFromRoom` is the room's attitude and motion, and `roomOrigin`
+  /// the board event of the room's origin at the moment (in the room's frame) of the start.
+  Observer(const Lorentz& boardFromRoom, const Event& roomOrigin, const Head& head);
+
+  /// A person whose head is at a known board event and has lived `properTime_s`.
+  static Observer at(const Event& headEvent, double properTime_s, const Lorentz& boardFromRoom,
+                     const Head& head);
+
+  /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s moves the
+  /// person's place in the room, as re-anchoring, but not along the world line. `pace`: how many seconds of
+  /// the board's light speed go by in one of the person's, whose light is so many times as fast.
+  /// `thrust_m_s2`: the proper acceleration that the room has meanwhile, felt at the head, in the room's axes
+  /// and the board's seconds. Exact for a head at rest in the room: then its world line is a hyperbola, of
+  /// which a step's chord is that of its middle's velocity.
+  void step(double dtau_s, const Head& head, double pace = 1.0, const Vec3& thrust_m_s2 = Vec3(0.0));
+
+  /// Goes with the head wherever it is in the room, in so much of the room's time: as nobody could. For
+  /// looking at a recorded game whose time stands still or runs otherwise; the head counts as at rest in the
+  /// room.
+  void stroll(double roomTime_s, const Head& head);
+
+  /// Turns the room about the head, which stays at its event.
+  void turn(double angle_rad, const Vec3& axisInRoom);
+
+  /// The eyes, `eyeSeparation_m` apart, simultaneous for the head.
+  ObserverView view(double eyeSeparation_m) const;
+
+  const Event& headEvent() const { return headEvent_; }  ///< on the board
+  const Lorentz& boardFromRoom() const { return boardFromRoom_; }
+  double properTime_s() const { return properTime_s_; }
+
+ private:
+  Lorentz boardFromRoom_;
+  Event headEvent_;
+  Head head_;
+  double properTime_s_ = 0.0;
+};
+
+}  // namespace carom

@@ -1,0 +1,146 @@
+#include "engine/spacetime/world_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/base/portable_math.h"
+
+namespace carom {
+
+// Inertial: r = r0 + β c (t − t0), τ = τ0 + (t − t0)/γ.
+// Constant proper deceleration a: celerity w falls linearly in board time, w = w0 − a (t − t0), until rest;
+// the distance is c² (γ0 − γ)/a and the proper time c (η0 − η)/a, with w = c sinh η  (hyperbolic motion).
+Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s) {
+  const double dt_s = t_s - knot.turn.t_s;
+  const double gamma0 = gammaFromU(knot.u);
+  if (knot.deceleration_m_s2 == 0.0 || dt_s <= 0.0) {
+    return {{t_s, knot.turn.r_m + knot.u * (c_m_s * dt_s / gamma0)},
+            knot.u,
+            knot.properTime_s + dt_s / gamma0,
+            0};
+  }
+  const double a = knot.deceleration_m_s2 / c_m_s;  // of u, per second
+  const double u0 = glm::length(knot.u);
+  if (u0 == 0.0) return {{t_s, knot.turn.r_m}, knot.u, knot.properTime_s + dt_s, 0};
+  const bool rests = dt_s >= u0 / a;
+  const double glide_s = rests ? u0 / a : dt_s;
+  const double u1 = rests ? 0.0 : u0 - a * glide_s;
+  const double gamma1 = std::sqrt(1.0 + u1 * u1);
+  const Vec3 direction = knot.u / u0;
+  // γ0 − γ1 = (u0² − u1²)/(γ0 + γ1) and η0 − η1 = asinh((u0² − u1²)/(u0 γ1 + u1 γ0)) do not cancel.
+  const double distance_m = c_m_s * glide_s * (u0 + u1) / (gamma0 + gamma1);
+  const double rapidityLost = portableAsinh(a * glide_s * (u0 + u1) / (u0 * gamma1 + u1 * gamma0));
+  const double properTime_s = rapidityLost / a + (dt_s - glide_s);
+  return {{t_s, knot.turn.r_m + direction * distance_m}, direction * u1, knot.properTime_s + properTime_s, 0};
+}
+
+WorldLine::WorldLine(const Knot& first, double c_m_s, double radius_m, double appears_s)
+    : c_m_s_(c_m_s),
+      radius_m_(radius_m),
+      appears_s_(appears_s),
+      origin_(first),
+      knots_{first},
+      settling_{{-std::numeric_limits<double>::infinity(), radius_m, true, radius_m}} {}
+
+namespace {
+
+// A displacement as seen from the rest frame of u: its time (of light, in metres) is u·d, and its length
+// follows from the interval d² that all frames share.
+struct RestFrameSplit {
+  double time_m, distance_m;
+};
+
+RestFrameSplit inRestFrame(const Vec3& u, const Displacement& d, double c_m_s) {
+  const double time_m = gammaFromU(u) * c_m_s * d.dt_s - glm::dot(u, d.dr_m);
+  return {time_m, std::sqrt(std::max(0.0, time_m * time_m - interval_m2(d, c_m_s)))};
+}
+
+}  // namespace
+
+// c = 1, origin at the turn. A point at x, |x| ≤ ρ, of the old leg's rest frame leaves it at A when the news
+// (t_n, x_n) arrives: t_A = t_n + |x − x_n|, so |t_A| ≤ |t_n + |x_n|| + ρ. Seen from the new leg's rest
+// frame, which moves at relative rapidity η, both coordinates of A are at most e^η times the larger of the
+// two bounds; from there the point needs at most (|x_A| + R)/kCatchUpSpeed.
+WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before) const {
+  const std::size_t last = knots_.size() - 1;
+  const RestFrameSplit news = inRestFrame(before.u, next.news - next.turn, c_m_s_);
+  const double radiusThen_m = settling_[last].reachAtNext_m;
+  const double reachOld_m = std::abs(news.time_m + news.distance_m) + radiusThen_m;
+  const double gammaRelative =
+      std::max(1.0, gammaFromU(before.u) * gammaFromU(next.u) - glm::dot(before.u, next.u));
+  const double expEta = gammaRelative + std::sqrt(gammaRelative * gammaRelative - 1.0);
+  const double reach_m = std::max(radius_m_, expEta * reachOld_m);
+  const double join_s = (reach_m + (reach_m + radius_m_) / kCatchUpSpeed) / c_m_s_;
+  // Friction moves the goal by less than the way to it while R a < c²/2.
+  return {next.deceleration_m_s2 > 0.0 ? 2.0 * join_s : join_s, reach_m, true, radius_m_};
+}
+
+void WorldLine::noteNext(const Knot& next) {
+  // In the body's rest frame the centre's clock, when it sees the news made, is at most |x_n|/c ahead of it.
+  const Knot& last = knots_.back();
+  const Motion then = motionOnLeg(last, next.news.t_s, c_m_s_);
+  const RestFrameSplit news = inRestFrame(then.u, next.news - then.event, c_m_s_);
+  const double age_s = then.properTime_s - last.properTime_s - news.distance_m / c_m_s_;
+  // A point that has not joined by then would do so by after_s, moving slower than light all the way.
+  const double left_m = c_m_s_ * (settling_.back().after_s - age_s);
+  settling_.back().beforeNext = !(left_m > 0.0);
+  settling_.back().reachAtNext_m =
+      left_m > 0.0 ? std::min(settling_.back().reach_m, radius_m_ + left_m) : radius_m_;
+}
+
+void WorldLine::append(const Knot& knot) {
+  const Knot& last = knots_.back();
+  const Motion expected = motionOnLeg(last, knot.turn.t_s, c_m_s_);
+  const double size_m = glm::length(knot.turn.r_m) + c_m_s_ * std::abs(knot.turn.t_s) + 1.0;
+  const bool later = knot.turn.t_s >= last.turn.t_s;
+  const bool onLeg = glm::length(knot.turn.r_m - expected.event.r_m) <= 1e-9 * size_m;
+  if (!later) throw std::invalid_argument("WorldLine::append: the turn lies before the last one");
+  if (!onLeg) throw std::invalid_argument("WorldLine::append: the turn does not lie on the leg it ends");
+  noteNext(knot);
+  settling_.push_back(settlingOf(knot, expected));
+  knots_.push_back(knot);
+}
+
+void WorldLine::settlesAfter(double after_s) {
+  Settling& last = settling_.back();
+  if (!(after_s < last.after_s)) return;
+  last.after_s = after_s;
+  // They join slower than light.
+  last.reach_m = std::min(last.reach_m, radius_m_ + c_m_s_ * after_s);
+}
+
+void WorldLine::truncateFrom(double t_s) {
+  if (forgotten_ && knots_.front().turn.t_s >= t_s) *this = WorldLine(origin_, c_m_s_, radius_m_, appears_s_);
+  const auto firstGone = std::find_if(knots_.begin() + 1, knots_.end(),
+                                      [t_s](const Knot& knot) { return knot.turn.t_s >= t_s; });
+  keepFirst(static_cast<std::size_t>(firstGone - knots_.begin()));
+}
+
+void WorldLine::keepFirst(std::size_t knots) {
+  if (knots >= knots_.size()) return;
+  knots_.erase(knots_.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, knots)), knots_.end());
+  settling_.resize(knots_.size());
+  settling_.back().beforeNext = true;
+}
+
+std::size_t WorldLine::forgetBefore(double t_s) {
+  const auto ended = std::find_if(knots_.begin() + 1, knots_.end(),
+                                  [t_s](const Knot& knot) { return knot.turn.t_s > t_s; }) -
+                     knots_.begin() - 1;
+  knots_.erase(knots_.begin(), knots_.begin() + ended);
+  settling_.erase(settling_.begin(), settling_.begin() + ended);
+  forgotten_ = forgotten_ || ended > 0;
+  return static_cast<std::size_t>(ended);
+}
+
+Motion WorldLine::at(double t_s) const {
+  const auto after = std::upper_bound(knots_.begin() + 1, knots_.end(), t_s,
+                                      [](double t, const Knot& knot) { return t < knot.turn.t_s; });
+  const auto leg = static_cast<std::size_t>(after - knots_.begin()) - 1;
+  Motion motion = motionOnLeg(knots_[leg], t_s, c_m_s_);
+  motion.leg = leg;
+  return motion;
+}
+
+}  // namespace carom
