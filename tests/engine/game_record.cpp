@@ -197,7 +197,7 @@ std::optional<bool> flagOf(const AnEvent& event) {
 bool GameRecord::isWithoutDelay(const GameEvent& event) const {
   if (const std::optional<bool> flag = flagOf(event)) return *flag;
   for (const Turn& turn : event.turns) {
-    if (turn.event.t_s < event.at.t_s) return true;
+    if (atCentre() && turn.event.t_s < event.at.t_s) return true;
     const Part* part = partOf(turn.puck, event.number);
     if (part && part->knot > 0 && !(part->turn > legs[turn.puck][part->knot - 1].start.t)) return true;
   }
