@@ -18,16 +18,9 @@ class CollisionCheck {
     }
     said_ = "event " + std::to_string(number) + " at " + std::to_string(event.at.t_s) + " s: ";
     found_.expect(event.heat_j >= 0.0, "heat", said_, event.heat_j, " J");
-    switch (event.kind) {
-      case EventKind::puckPuck:
-        return checkPair(number);
-      case EventKind::puckCushion:
-        return checkBounce(number);
-      case EventKind::stroke:
-        return checkStroke(number);
-      case EventKind::flash:
-        return;
-    }
+    if (event.kind == EventKind::puckPuck) checkPair(number);
+    if (event.kind == EventKind::puckCushion) checkBounce(number);
+    if (event.kind == EventKind::stroke) checkStroke(number);
   }
 
  private:

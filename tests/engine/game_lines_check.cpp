@@ -47,8 +47,9 @@ void checkWorldLines(const GameRecord& game, Findings& found) {
       checkInside(game, puck, legs[k].at(std::min(legs[k].end, game.until)).x, found);
     }
     for (const Part& part : game.parts[puck]) {
-      found.expect(part.knot > 0, "world line", game.setup->pucks[puck].name, ": event ", part.event,
-                   " says that it turns at ", part.turn / game.c, " s and its world line does not");
+      found.expect(part.knot > 0 || part.idle, "world line", game.setup->pucks[puck].name, ": event ",
+                   part.event, " says that it turns at ", part.turn / game.c,
+                   " s and its world line does not");
     }
   }
 }

@@ -243,8 +243,12 @@ class MissedCheck {
     return a && b && a->event == b->event;
   }
 
+  // Pucks that press on one another are left alone where they close slowly.
   bool isJammed(const Candidate& c) const {
-    return (game_.jammed[c.puck[0]] || game_.jammed[c.puck[1]]) && c.encounter.speed < 1e-5L;
+    const Encounter& e = c.encounter;
+    const Real ahead = e.gamma * e.distanceAt(c.moment);
+    const Real closing = 2 * e.speed * e.gamma * ahead / std::hypot(ahead, e.offset);
+    return (game_.jammed[c.puck[0]] || game_.jammed[c.puck[1]]) && closing < 1e-5L;
   }
 
   const GameRecord& game_;

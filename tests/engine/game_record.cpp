@@ -213,8 +213,9 @@ void GameRecord::findKnots(const Billiard& billiard) {
       part.own = part.turn = part.due = Real(turn.event.t_s) * c;
       if (events[e].turns.size() == 2)
         part.partner = static_cast<int>(events[e].turns[&turn == events[e].turns.begin() ? 1 : 0].puck);
+      part.idle = events[e].cushion && events[e].heat_j == 0.0 && turn.betaBefore == turn.betaAfter;
       const std::span<const Knot> knots = billiard.worldLines()[turn.puck].knots();
-      for (std::size_t k = 1; k < knots.size() && part.knot == 0; ++k) {
+      for (std::size_t k = 1; k < knots.size() && part.knot == 0 && !part.idle; ++k) {
         if (partOfKnot[turn.puck][k] >= 0 || !isSameTurn(turn, knots[k])) continue;
         part.knot = k, part.leg = k - 1;
         partOfKnot[turn.puck][k] = static_cast<int>(parts[turn.puck].size());
@@ -273,6 +274,10 @@ GameRecord::GameRecord(const BilliardSetup& played, const Billiard& billiard, do
   events.assign(billiard.events().begin(), billiard.events().end());
   jammed.assign(played.pucks.size(), false);
   for (const JamNote& note : billiard.jams()) jammed[note.puck] = true;
+  for (const GameEvent& event : events) {
+    const bool jam = event.kind > EventKind::flash;
+    if (jam) jammed[event.turns[0].puck] = true;
+  }
   for (const WorldLine& line : billiard.worldLines()) {
     std::vector<CheckedLeg>& own = legs.emplace_back();
     for (std::size_t k = 0; k < line.knots().size(); ++k)

@@ -68,6 +68,7 @@ struct Part {
   Real due = 0;           ///< the latest own moment of those who took part
   Real decidedFrom = 0;   ///< it was decided at this board time or later
   int partner = -1;       ///< puck
+  bool idle = false;      ///< nothing came of it: a stroke kept the puck from the cushion
   Real off = 0;           ///< by how much the rims do not meet at the contact, in metres
   Real tolerance = 0;     ///< of that: roundings of the engine
 };
