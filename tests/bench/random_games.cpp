@@ -41,7 +41,7 @@ class Bench {
     } else {
       std::printf("from seed %lu, for %g minutes\n", options_.seed, options_.minutes);
       for (std::uint64_t i = 0; i < options_.games && elapsed_s() < 60.0 * options_.minutes; ++i)
-        play(randomGame(options_.seed + i, kMostEvents));
+        play(randomGame(options_.seed + i, {.events = kMostEvents}));
     }
     report("\n");
     for (const auto& [what, count] : tally_) std::printf("%12zu %s\n", count, what.c_str());

@@ -81,6 +81,7 @@ class MissedCheck {
   // What the rules of billiard.h make of two straight flights that hold from board times `start1` and
   // `start2`. Where rounding decides, none.
   bool findStraight(Candidate& c, Real start1, Real start2, Real reach) const {
+    c.withoutDelay = false;
     c.encounter = encounterOf(leg(c, 0), leg(c, 1), std::max(start1, start2));
     return decide(c, {start1, start2}, reach);
   }
@@ -134,7 +135,7 @@ class MissedCheck {
       const Real speed = lengthInPlane(ma.u) / ma.u.t + lengthInPlane(mb.u) / mb.u.t;
       if (!(speed > 0)) return false;
       if (apart <= 1.1L * reach && gapAt(t) < 0) {
-        if (t > before) return touchesBetween(c, before, t, reach, gapAt);
+        if (t > before && touchesBetween(c, before, t, reach, gapAt) && !c.withoutDelay) return true;
         return gapAt(start) < 0 && findStraight(c, start, start, reach);
       }
       before = t;
@@ -192,14 +193,21 @@ class MissedCheck {
     return part.decidedFrom < std::max(known, c.due()) + 1e-6L * game_.radius(c.puck[0]) * c.encounter.u[0].t;
   }
 
-  // What came after the contact is decided already, or another turn that is later than this one's.
+  // What came after the contact is decided already, or a turn that its news, on the world line as it then
+  // stands, would precede.
   bool isLateNews(const Candidate& c, int i, Real rounding) const {
     const Real known = std::max(leg(c, 0).start.t, leg(c, 1).start.t);
+    const Real reach = game_.radius(c.puck[0]) + game_.radius(c.puck[1]);
+    const Four contact = c.encounter.contactAt(c.moment, game_.radius(c.puck[0]) / reach);
     for (const Part& part : game_.parts[c.puck[i]]) {
       if (part.knot <= c.leg[i]) continue;
       if (part.leg == c.leg[i] && part.own > c.own[i] - rounding && part.decidedFrom < known + rounding)
         return true;
-      if (isDecided(part, c, i) && part.turn > c.turn[i] - rounding) return true;
+      if (!isDecided(part, c, i)) continue;
+      const CheckedLeg& after = game_.legs[c.puck[i]][part.knot];
+      if (part.turn > c.turn[i] - rounding) return true;
+      if (game_.atCentre() && !c.withoutDelay && after.whenHeard(contact) < after.start.t + rounding)
+        return true;
     }
     return false;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <numbers>
 #include <sstream>
@@ -166,7 +167,11 @@ void strikeLate(Dice& dice, BilliardSetup& setup, double first_s) {
 void strikeAtBadMoments(Dice& dice, BilliardSetup& setup, double until_s, std::size_t mostEvents) {
   for (int strokes = dice.whole(1, 4); strokes > 0; --strokes) {
     Billiard game(setup);
-    playAtMost(game, setup, until_s, mostEvents);
+    try {
+      playAtMost(game, setup, until_s, mostEvents);
+    } catch (const std::exception&) {
+      return;
+    }
     if (game.events().empty()) return;
     const GameEvent& event = game.events()[dice.whole(0, static_cast<int>(game.events().size()) - 1)];
     if (event.turns.empty()) continue;
@@ -204,7 +209,7 @@ double playAtMost(Billiard& billiard, const BilliardSetup& setup, double until_s
   return t_s;
 }
 
-RandomGame randomGame(std::uint64_t seed, std::size_t mostEvents) {
+RandomGame randomGame(std::uint64_t seed, const GameLimits& limits) {
   Dice dice(seed);
   RandomGame game;
   game.seed = seed;
@@ -223,7 +228,7 @@ RandomGame randomGame(std::uint64_t seed, std::size_t mostEvents) {
       game.kind = "many", scatter(dice, setup, dice.whole(31, 100));
       break;
     case 4:
-      game.kind = "pack", pack(dice, setup, dice.whole(2, 60), false);
+      game.kind = "pack", pack(dice, setup, dice.whole(2, limits.packed), false);
       break;
     case 5:
       game.kind = "row", pack(dice, setup, dice.whole(2, 10), true);
@@ -237,13 +242,20 @@ RandomGame randomGame(std::uint64_t seed, std::size_t mostEvents) {
       first_s = dice.decades(1.0, 86400.0);
       strikeLate(dice, setup, first_s);
   }
+  if (!limits.jams && setup.pucks.size() > 5) {
+    for (double* e : {&setup.rules.puckRestitution, &setup.rules.cushionRestitution}) *e = std::max(*e, 0.9);
+  }
   game.until_s = first_s + dice.decades(1.0, 20.0) / setup.lightSpeed_m_s;
   if (first_s == 0.0 && dice.chance(0.5)) {
     game.kind += ", struck";
-    strikeAtBadMoments(dice, setup, game.until_s, mostEvents / 2);
+    strikeAtBadMoments(dice, setup, game.until_s, limits.events / 2);
   }
-  Billiard billiard(setup);
-  game.until_s = playAtMost(billiard, setup, game.until_s, mostEvents);
+  try {
+    Billiard billiard(setup);
+    game.until_s = playAtMost(billiard, setup, game.until_s, limits.events);
+  } catch (const std::exception&) {
+    game.kind += ", breaks off";  // as those will find who play it
+  }
   return game;
 }
 

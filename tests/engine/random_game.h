@@ -15,12 +15,17 @@ struct RandomGame {
   double until_s = 0.0;  ///< board time to which it is worth being played
 };
 
+struct GameLimits {
+  std::size_t events = 300;  ///< it ends before it has had so many
+  int packed = 60;           ///< pucks of a pile
+  bool jams = true;          ///< or else more than five pucks have restitutions of at least 0.9
+};
+
 /// The game of a seed: 2 to 100 pucks, to 0.999 c, masses 1 : 1000, restitutions 0 to 1, with and without
 /// friction, both conventions, cushions or an open plane; scattered, racked, in rows and piles that touch or
 /// nearly do, aimed at corners; struck at any moment, among them those between a contact and its turn, and as
-/// late as after 24 h of board time. It ends before it has had `mostEvents`. The moments of strokes are found
-/// by playing the game.
-RandomGame randomGame(std::uint64_t seed, std::size_t mostEvents = 300);
+/// late as after 24 h of board time. The moments of strokes are found by playing the game.
+RandomGame randomGame(std::uint64_t seed, const GameLimits& limits = {});
 
 /// As `carom simulate` reads it.
 std::string scenarioText(const BilliardSetup& setup);
