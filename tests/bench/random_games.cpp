@@ -40,10 +40,14 @@ class Bench {
       play(game);
     } else {
       std::printf("from seed %lu, for %g minutes\n", options_.seed, options_.minutes);
-      for (std::uint64_t i = 0; i < options_.games && elapsed_s() < 60.0 * options_.minutes; ++i)
+      for (std::uint64_t i = 0; i < options_.games && elapsed_s() < 60.0 * options_.minutes; ++i) {
+        report(options_.seed + i);
         play(randomGame(options_.seed + i, {.events = kMostEvents}));
+      }
     }
-    report("\n");
+    reported_s_ = 0.0;
+    report(options_.seed + played_);
+    std::fputc('\n', stderr);
     for (const auto& [what, count] : tally_) std::printf("%12zu %s\n", count, what.c_str());
     for (const auto& [kind, count] : kinds_) std::printf("%12zu games: %s\n", count, kind.c_str());
     for (const auto& [kind, count] : violations_)
@@ -56,11 +60,15 @@ class Bench {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
   }
 
-  void report(const char* end) const {
-    const double s = elapsed_s(), collisions = static_cast<double>(count("collisions") + count("bounces"));
-    std::fprintf(stderr,
-                 "\r%.0f s: %zu games (%.1f a second), %.0f collisions (%.0f a second), %zu games violate%s",
-                 s, played_, static_cast<double>(played_) / s, collisions, collisions / s, wrong_, end);
+  void report(std::uint64_t seed) {
+    const double s = elapsed_s();
+    if (s - reported_s_ < 0.5) return;
+    reported_s_ = s;
+    const double collisions = static_cast<double>(count("collisions") + count("bounces"));
+    std::fprintf(
+        stderr,
+        "\r%.0f s: %zu games (%.1f a second), %.0f collisions (%.0f a second), %zu games violate; seed %lu ",
+        s, played_, static_cast<double>(played_) / s, collisions, collisions / s, wrong_, seed);
   }
   std::size_t count(const char* what) const {
     const auto found = tally_.find(what);
@@ -77,9 +85,6 @@ class Bench {
       said.push_back(violation.kind);
       if (violations_[violation.kind]++ < options_.shown) show(game, violation);
     }
-    if (elapsed_s() - reported_s_ < 1.0) return;
-    reported_s_ = elapsed_s();
-    report("");
   }
 
   // With the smallest game that has a violation of its kind.
