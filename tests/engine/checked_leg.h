@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-#include "engine/world_line.h"
+#include "engine/spacetime/world_line.h"
 
 namespace carom::test {
 

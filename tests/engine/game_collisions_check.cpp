@@ -107,7 +107,7 @@ class CollisionCheck {
   void placeOfPair(std::size_t number, const Side& a, const Side& b) {
     const GameEvent& event = game_.events[number];
     const Encounter& e = game_.contacts[number].encounter;
-    if (game_.isWithoutDelay(event)) {
+    if (event.withoutDelay) {
       ++found_.tally["without delay"];
       if (game_.jammed[a.puck] || game_.jammed[b.puck]) return;  // kicked with all that press on them
       found_.expect(a.part->off <= a.part->tolerance, "contact", said_, "kicked without delay, ", a.part->off,
@@ -179,7 +179,7 @@ class CollisionCheck {
     if (side.part->leg + 1 == side.part->knot)
       found_.expect(inside <= game_.radius(side.puck) + side.part->tolerance, "cushion", said_, "turned by ",
                     nameOf(*event.cushion), " from ", inside, " m away");
-    if (game_.isWithoutDelay(event)) {
+    if (event.withoutDelay) {
       ++found_.tally["without delay"];
       return;
     }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 
 namespace carom::test {
 

@@ -182,27 +182,7 @@ const Part* GameRecord::partOf(std::size_t puck, std::size_t event) const {
   return nullptr;
 }
 
-namespace {
-
-template <class AnEvent>
-std::optional<bool> flagOf(const AnEvent& event) {
-  if constexpr (requires { event.withoutDelay; })
-    return event.withoutDelay;
-  else
-    return std::nullopt;
-}
-
-}  // namespace
-
-bool GameRecord::isWithoutDelay(const GameEvent& event) const {
-  if (const std::optional<bool> flag = flagOf(event)) return *flag;
-  for (const Turn& turn : event.turns) {
-    if (atCentre() && turn.event.t_s < event.at.t_s) return true;
-    const Part* part = partOf(turn.puck, event.number);
-    if (part && part->knot > 0 && !(part->turn > legs[turn.puck][part->knot - 1].start.t)) return true;
-  }
-  return event.cushion && atCentre() && event.turns[0].event.t_s == event.at.t_s;
-}
+namespace {}  // namespace
 
 // A turn and its knot have the same bits, but for the velocity, which the one gives as β and the other as γβ.
 void GameRecord::findKnots(const Billiard& billiard) {
@@ -233,7 +213,7 @@ void GameRecord::findLegs(std::size_t e) {
     part[i] = const_cast<Part*>(partOf(puck, e));
     if (part[i]->knot == 0) return;
   }
-  const bool withoutDelay = isWithoutDelay(event);
+  const bool withoutDelay = event.withoutDelay;
   if (event.kind == EventKind::puckPuck) {
     if (withoutDelay)
       placeWithoutDelay(event, *part[0], *part[1]);
@@ -275,7 +255,7 @@ GameRecord::GameRecord(const BilliardSetup& played, const Billiard& billiard, do
   jammed.assign(played.pucks.size(), false);
   for (const JamNote& note : billiard.jams()) jammed[note.puck] = true;
   for (const GameEvent& event : events) {
-    const bool jam = event.kind > EventKind::flash;
+    const bool jam = event.kind == EventKind::jam;
     if (jam) jammed[event.turns[0].puck] = true;
   }
   for (const WorldLine& line : billiard.worldLines()) {

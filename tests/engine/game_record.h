@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 #include "engine/checked_leg.h"
 
 namespace carom::test {
@@ -93,7 +93,6 @@ struct GameRecord {
   /// earliest.
   std::vector<std::vector<std::array<Real, 2>>> followed;
   const Part* partOf(std::size_t puck, std::size_t event) const;
-  bool isWithoutDelay(const GameEvent& event) const;
   /// The two of a collision, in the order of their names.
   std::array<std::size_t, 2> pair(const GameEvent& event) const;
 

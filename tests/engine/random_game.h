@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/billiard.h"
+#include "engine/billiard/billiard.h"
 
 namespace carom::test {
 
