@@ -1,7 +1,5 @@
 // The command line: help that teaches, 2 for wrong arguments, 1 for bad input, and nothing half-written.
 
-#include "app/options.h"
-
 #include <gtest/gtest.h>
 
 #include "app/program.h"
