@@ -10,6 +10,12 @@ namespace carom {
 /// hold: a path that is locally a polynomial of degree four cancels in them, and of a component at 2 Hz, the
 /// quickest that is large in a head's motion, a ten-thousandth is left at 120 Hz and four at 60 Hz. Below
 /// 30 Hz more would be left, and the estimate then stays as it is while the sensor moves.
+///
+/// They see noise at half the rate of the samples. Of white noise that is all there is to know. But many a
+/// tracker smooths its samples, and errors that last for several of them do more to a celerity than white
+/// ones of the same size. So noise is measured at three spacings: as the samples come, of 11 ms and of 22 ms
+/// at least. Where the wider ones show more than the narrower, beyond chance, the estimate is raised, to
+/// twice its value at most.
 class TrackerNoise {
  public:
   /// With an estimate to begin with, which counts as much as a few samples.
@@ -21,28 +27,58 @@ class TrackerNoise {
   void add(double time_s, const glm::dvec3& position_m);
 
   /// Forgets the positions (not the estimate): what comes next does not continue them.
-  void interrupt() { count_ = 0; }
+  void interrupt();
 
   /// What the estimate holds counts for no more than one to begin with.
   void doubt();
 
-  double sigma_m() const;
+  /// Of white noise that disturbs a celerity as much as the tracker's does: its standard deviation.
+  double sigma_m() const { return sigma_m_; }
 
   /// Whether enough samples were seen for the estimate to be theirs and not the one to begin with.
-  bool isKnown() const;
+  bool isKnown() const { return near_.isKnown(); }
 
   /// Whether the sensor keeps its place at present, as far as its noise lets one see.
   bool isStill() const;
 
  private:
-  static constexpr int kPoints = 6;
-  double noise_m2() const;
+  /// What samples tell that are some time apart.
+  class Spacing {
+   public:
+    explicit Spacing(double least_s) : least_s_(least_s) {}
+    Spacing(double least_s, double variance_m2, double weight)
+        : least_s_(least_s), variance_m2_(variance_m2), averaged_(weight) {}
+    bool take(double time_s, const glm::dvec3& position_m);  ///< whether there is a new difference
+    void interrupt() { count_ = 0; }
+    void doubt(double weight);
+    void learn();
 
-  std::array<double, kPoints> times_s_{};
-  std::array<glm::dvec3, kPoints> positions_m_{};
-  int count_ = 0;
-  double variance_m2_ = 0.0;
-  double averaged_ = 0.0;         // how many differences the estimate holds
+    bool isFull() const { return count_ == kPoints; }
+    bool isKnown() const;
+    double interval_s() const { return (times_s_.back() - times_s_.front()) / (kPoints - 1); }
+    double noise_m2() const { return noise_m2_; }  ///< of the newest difference
+    double spread_m2() const;                      ///< of the newest step over all points, the same way
+    double variance_m2() const { return variance_m2_; }
+
+   private:
+    static constexpr int kPoints = 6;
+    double differenced_m2() const;
+
+    double least_s_;
+    std::array<double, kPoints> times_s_{};
+    std::array<glm::dvec3, kPoints> positions_m_{};
+    int count_ = 0;
+    double noise_m2_ = 0.0;
+    double variance_m2_ = 0.0;
+    double averaged_ = 0.0;  // how many differences the variance holds
+  };
+  void estimate();
+
+  static constexpr double kNear_s = 0.011;
+  Spacing all_{0.0};
+  Spacing near_{kNear_s};
+  Spacing far_{2.0 * kNear_s};
+  double sigma_m_ = 0.0;
   double recentNoise_m2_ = 0.0;   // of fifth differences, as variance of one coordinate
   double recentSpread_m2_ = 0.0;  // of steps over five intervals, the same way
 };

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "counted_new.h"
 #include "devices/tracker/recorded_tracker.h"
 #include "devices/tracker/simulated_tracker.h"
 
@@ -338,6 +339,25 @@ TEST(HeadFilter, TheSameSamplesGiveTheSameBits) {
   EXPECT_EQ(a.pose.orientation, b.pose.orientation);
   EXPECT_EQ(a.celerity_m_s, b.celerity_m_s);
   EXPECT_EQ(a.sigma_m_s, b.sigma_m_s);
+}
+
+// From the first sample on, also over losses and jumps.
+TEST(HeadFilter, AllocatesNothing) {
+  std::mt19937_64 random(23);
+  std::normal_distribution<double> normal(0.0, 0.0003);
+  const std::size_t before = test::allocationCount();
+  HeadFilter filter;
+  double sum_m_s = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    if (i % 700 > 650) continue;
+    const double time_s = i / 120.0;
+    const double jump_m = i % 500 == 0 ? 0.05 : i > 1500 ? 0.2 : 0.0;
+    const double x_m = 0.3 * std::sin(2.0 * time_s) + jump_m + normal(random);
+    filter.add(time_s, {{x_m, 1.7, normal(random)}, glm::dquat(1, 0, 0, 0)});
+    sum_m_s += filter.at(time_s + 0.01).celerity_m_s.x;
+  }
+  EXPECT_EQ(test::allocationCount() - before, 0U);
+  EXPECT_TRUE(std::isfinite(sum_m_s));
 }
 
 // The session's way from a sensor to the eyes: a sensor that turns on the spot carries the eyes about, and
