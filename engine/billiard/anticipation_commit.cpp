@@ -79,10 +79,6 @@ void Anticipation::bounce(int i, const Appointment& a, Chronicle& chronicle) {
   std::size_t foundOn = player.begun;
   if (!player.decided.empty()) {
     if (contact->withoutDelay) return;
-    // The rim that the contact is of has left this leg already, where light from the event that turns the centre
-    // next has come to it before. The leg that begins then has its own contact with this cushion.
-    const Vec21 since = contact->event - player.decided.front().news;
-    if (since.t > 0.0 && dot(since, since) > 0.0) return;
     // What is decided already has turned the puck off this cushion.
     if (!(cushions_[a.with].towards(lastLeg(i).u) > 0.0)) return;
     const Place place = placeTurn(i, contact->event, a.with, contact->turn, chronicle);

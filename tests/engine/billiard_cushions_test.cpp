@@ -108,7 +108,6 @@ void expectTouched(const GameEvent& bounce, const BilliardSetup& setup, const Wo
   const std::span<const Knot> knots = line.knots();
   for (std::size_t k = 0; k < knots.size() && !touched; ++k) {
     const Knot* next = k + 1 < knots.size() ? &knots[k + 1] : nullptr;
-    if (next && next->turn.t_s < bounce.at.t_s - 2.0) continue;
     touched = rimPasses(bounce.at, knots[k], next, puck.radius_m, c_m_s);
   }
   EXPECT_TRUE(touched) << "the rim passes through the contact";
