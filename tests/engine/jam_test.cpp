@@ -223,8 +223,9 @@ TEST(Jam, alsoUnderFriction) {
   }
 }
 
-// No puck turns more often than this while light crosses its radius: 64 kicks by each of its neighbours until
-// it is pressed, and then 80 turns until what is slow is as fast as the hardest blow.
+// No puck turns more often than this while light crosses its radius. It has 64 kicks by others, and bounces
+// between them, until it is pressed, and then 80 turns in jams until what is slow is as fast as the hardest
+// blow; how many more there can be is not proved. The games below come to 260.
 constexpr std::size_t kMostTurns = 512;
 
 void expectProgress(const Billiard& billiard, const BilliardSetup& setup) {
@@ -269,7 +270,7 @@ TEST(Jam, manyPacked) {
   const Ledger start = billiard.ledger();
   for (int step = 1; step <= 40 && !HasFailure(); ++step) {
     billiard.advanceTo(0.1 * step);
-    ASSERT_LE(billiard.events().size(), 1000u * setup.pucks.size());
+    ASSERT_LE(billiard.jams().size(), 10u * setup.pucks.size());
   }
   expectProgress(billiard, setup);
   test::expectBalanced(billiard, start, 1e-11);
