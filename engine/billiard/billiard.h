@@ -48,7 +48,7 @@ class Chronicle;
 ///   or 1e-6 of the hardest of the blows where all are slower than light by far, get one and the same
 ///   velocity: they move on together, bit for bit, and their gap does not change. This bound doubles with
 ///   every fourth such turn that one of the meeting pair has had since it was last in peace, up to c or the
-///   hardest blow: so what is pressed again and again becomes one body, and no puck turns without end.
+///   hardest blow: so what is pressed again and again becomes one body.
 ///   Momentum is that of all; what energy is over is heat. Up to this 64th kick, and between pucks of which
 ///   one is not pressed, every blow is one as ever. What closes slower than the bound is left alone where it
 ///   closes at less than a thousandth of its relative speed, so that the straight flights pass at most a
