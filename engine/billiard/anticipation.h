@@ -98,7 +98,7 @@ class Anticipation {
     bool jammed = false;
     // By other pucks: the run of blows that it is in, and the hardest of them, as a celerity.
     double blowsBegan = -kNever, lastBlow = -kNever, hardestBlow = 0.0;
-    int blows = 0;
+    int blows = 0, jams = 0;  // since it was last in peace; `jams` are its turns in them
   };
   struct PuckStroke {
     Vec21 hand;
@@ -190,7 +190,7 @@ class Anticipation {
   struct Press {
     int first = 0, second = 0;  // places among the members
   };
-  void noteBlow(int i, double turnTime, double closing);
+  void noteBlow(int i, double turnTime, double closing, bool byPressed);
   bool isPressed(int i, double t) const;
   void settle(const std::array<int, 2>& who, const PairContact& contact, const std::array<Moment, 2>& turn,
               Chronicle& chronicle);

@@ -41,8 +41,8 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
     if (place.tooLate) return;
     turn[k] = place.turn;
   }
-  if (isPressed(first, turn[0].x.t) && isPressed(second, turn[1].x.t))
-    return settle(who, contact, turn, chronicle);
+  const std::array<bool, 2> pressed{isPressed(first, turn[0].x.t), isPressed(second, turn[1].x.t)};
+  if (pressed[0] && pressed[1]) return settle(who, contact, turn, chronicle);
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
   const std::optional<PairKick> kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u}, mass, e);
@@ -65,7 +65,7 @@ void Anticipation::collide(int first, int second, const Appointment& a, Chronicl
     players_[i].decidedAt = k == 0 ? a.ownTime : a.otherTime;
     decide(i, decided, turn[k], chronicle);
     noteKick(i, turn[k].x);
-    noteBlow(i, turn[k].x.t, kick->closing);
+    noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k]);
     players_[i].lastPartner = who[1 - k];
   }
 }

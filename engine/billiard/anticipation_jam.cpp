@@ -10,10 +10,13 @@ namespace carom {
 namespace {
 
 constexpr int kBlowsOfAJam = 64;
-constexpr double kSlow = 1e-6;      // of light speed, or of the hardest blow: slower than this is together
-constexpr double kTouching = 1e-6;  // of R1 + R2: nearer than this is touching
-constexpr double kGrazing = 1e-3;   // closing over relative speed: they pass, a millionth of R1 + R2 deep
-constexpr double kStill = 1e-6;     // of that again: rounding
+constexpr double kSlow = 1e-6;       // of light speed, or of the hardest blow: slower than this is together
+constexpr double kTouching = 1e-6;   // of R1 + R2: nearer than this is touching
+constexpr double kGrazing = 1e-3;    // closing over relative speed: they pass, a millionth of R1 + R2 deep
+constexpr double kStill = 1e-6;      // of that again: rounding
+constexpr int kBlowsByPressed = 16;  // the kick of a pressed puck counts as so many
+constexpr int kJamsToDouble = 4;     // turns in a jam until what is slow is twice as fast
+constexpr double kMostLeft = 1e-3;   // of the hardest blow: what closes faster is kicked
 constexpr int kSweeps = 10000;
 
 // How two centres at two events lie to each other when the later of both has turned, in the frame in which
@@ -42,20 +45,22 @@ double relative2(const Vec21& u1, const Vec21& u2) {
 
 }  // namespace
 
-void Anticipation::noteBlow(int i, double turnTime, double closing) {
+void Anticipation::noteBlow(int i, double turnTime, double closing, bool byPressed) {
   Player& player = players_[i];
   const double radius = discs_[i].radius;
   const bool peace = turnTime - player.lastBlow > radius;
   const bool newRun = player.blows < kBlowsOfAJam && turnTime - player.blowsBegan > radius;
-  if (peace || newRun) player.blowsBegan = turnTime, player.blows = 0, player.hardestBlow = 0.0;
-  ++player.blows;
+  if (peace || newRun)
+    player.blowsBegan = turnTime, player.blows = 0, player.jams = 0, player.hardestBlow = 0.0;
+  player.blows += byPressed ? kBlowsByPressed : 1;
   player.lastBlow = std::max(player.lastBlow, turnTime);
   player.hardestBlow = std::max(player.hardestBlow, closing);
 }
 
 bool Anticipation::isPressed(int i, double t) const {
   const Player& player = players_[i];
-  return player.blows >= kBlowsOfAJam && puckRestitution_ < 1.0 && !(t - player.lastBlow > discs_[i].radius);
+  return player.blows >= kBlowsOfAJam && std::min(puckRestitution_, cushionRestitution_) < 1.0 &&
+         !(t - player.lastBlow > discs_[i].radius);
 }
 
 // The kick of two pressed pucks: together with all pressed pucks that touch them, in a chain, they come to
@@ -67,7 +72,9 @@ void Anticipation::settle(const std::array<int, 2>& who, const PairContact& cont
   if (!kick) return;
   double hardest = kick->closing;
   for (const int i : who) hardest = std::max(hardest, players_[i].hardestBlow);
-  const double slow = kSlow * std::min(1.0, hardest);
+  const double blow = std::min(1.0, hardest);
+  const int jams = std::max(players_[who[0]].jams, players_[who[1]].jams);
+  const double slow = blow * std::min(1.0, std::ldexp(kSlow, jams / kJamsToDouble));
   const double relative = std::sqrt(relative2(turn[0].u, turn[1].u));
   if (kick->closing < slow && (relative <= kStill * slow || kick->closing < kGrazing * relative)) return;
   for (const int i : who) players_[i].hardestBlow = hardest;
@@ -77,7 +84,7 @@ void Anticipation::settle(const std::array<int, 2>& who, const PairContact& cont
       if (member.puck == who[k]) kicked(member, kick->u[k], kick->heat[k]);
     }
   }
-  relax(0.125 * slow);
+  relax(0.125 * std::min(slow, kMostLeft * blow));
   moveOnTogether(slow);
   commitJam(contact, chronicle);
 }
@@ -262,6 +269,7 @@ void Anticipation::commitJam(const PairContact& contact, Chronicle& chronicle) {
     decide(i, decided, member.turn, chronicle);
     player.lastBlow = std::max(player.lastBlow, member.turn.x.t);
     player.hardestBlow = std::max(player.hardestBlow, hardest);
+    ++player.jams;
     player.lastPartner = -1;
   }
   const Player& first = players_[members_.front().puck];

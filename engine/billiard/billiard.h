@@ -38,20 +38,24 @@ class Chronicle;
 ///   without delay: the pair at the later of the two starts in the equal-speed frame, and its news starts at
 ///   each centre. Such a kick does not wait for light, so a row of touching pucks passes a blow on faster
 ///   than light; `GameEvent::withoutDelay` marks it.
-/// * Inelastic pucks that touch can collide without end in a finite time. A puck that others have kicked 64
-/// times
-///   within the time that light needs to cross its radius is pressed, until it has been left in peace for as
-///   long. Where two pressed pucks meet, all pressed pucks that touch them in a chain, nearer than a
-///   millionth of R1 + R2, take perfectly plastic kicks, of each other and of the cushions that they touch,
-///   until none closes on another; it takes no time, and each then turns once, simultaneously in the pair's
-///   equal-speed frame with the turn of the puck through which it was reached. Those whose speeds then differ
-///   by less than 1e-6 c, or 1e-6 of the hardest of the blows where all are slower than light by far, get one
-///   and the same velocity: they move on together, bit for bit, and their gap does not change. Momentum is
-///   that of all; what energy is over is heat. Up to this 64th kick, and between pucks of which one is not
-///   pressed, every blow is one as ever. What closes slower than that bound is left alone where it closes at
-///   less than a thousandth of its relative speed, so that the straight flights pass at most a millionth of
-///   R1 + R2 (half of the square of that share) inside each other, or where the whole relative speed is below
-///   1e-12 c, rounding, 5 nm in an hour at 1.42 m/s. Elastic pucks are never pressed. `jams` tells where.
+/// * Pucks that touch can collide without end in a finite time where they or the cushions are inelastic. A
+///   puck that others have kicked 64 times within the time that light needs to cross its radius is pressed,
+///   until it has been left in peace for as long; the kick of a pressed puck counts as 16. Where two pressed
+///   pucks meet, all pressed pucks that touch them in a chain, nearer than a millionth of R1 + R2, take
+///   perfectly plastic kicks, of each other and of the cushions that they touch, until none closes on
+///   another; it takes no time, and each then turns once, simultaneously in the pair's equal-speed frame with
+///   the turn of the puck through which it was reached. Those whose speeds then differ by less than 1e-6 c,
+///   or 1e-6 of the hardest of the blows where all are slower than light by far, get one and the same
+///   velocity: they move on together, bit for bit, and their gap does not change. This bound doubles with
+///   every fourth such turn that one of the meeting pair has had since it was last in peace, up to c or the
+///   hardest blow: so what is pressed again and again becomes one body.
+///   Momentum is that of all; what energy is over is heat. Up to this 64th kick, and between pucks of which
+///   one is not pressed, every blow is one as ever. What closes slower than the bound is left alone where it
+///   closes at less than a thousandth of its relative speed, so that the straight flights pass at most a
+///   millionth of R1 + R2 (half of the square of that share) inside each other, or where the whole relative
+///   speed is below a millionth of the bound: at first 1e-12 c, rounding, 5 nm in an hour at 1.42 m/s; at
+///   most 1e-6 c, a millionth of R in the time after which a puck in peace is no more pressed. Elastic pucks
+///   between elastic cushions are never pressed. `jams` tells where.
 /// * Of a puck whose last 64 kicks, cushions' among them, fell within a millionth of that time, kicks are
 ///   perfectly plastic until it has been left in peace for as long: so between two cushions.
 ///

@@ -8,6 +8,8 @@ namespace carom {
 
 namespace {
 
+constexpr int kManySteps = 24;  // of a search, before it looks closer
+
 // Dpar = dmin says that the event X1(t) lies R1 + R2 from the second centre in the second's momentary rest
 // frame: with r = x1 − x2 on the board at t,   S(t) = r² + (u2·r)² − (R1+R2)² = 0.   S > 0 wherever |r| > R1
 // + R2.
@@ -18,7 +20,7 @@ struct Clearance {
 };
 
 Clearance clearanceAt(const BrakedDisc& first, const BrakedDisc& second, double t) {
-  const Moment m1 = momentAt(first.leg, t), m2 = momentAt(second.leg, t);
+  const Moment m1 = placeAt(first.leg, t), m2 = placeAt(second.leg, t);
   const double reach = first.radius + second.radius, a = first.leg.brake;
   const double x = m1.x.x - m2.x.x, y = m1.x.y - m2.x.y;
   const double vx = m1.u.x / m1.u.t - m2.u.x / m2.u.t, vy = m1.u.y / m1.u.t - m2.u.y / m2.u.t;
@@ -48,6 +50,46 @@ double safeStep(const Clearance& s, double reach) {
   return std::min(step, reach / s.speed);
 }
 
+// The same from a closer look at t, for pairs that lie on each other for long: over at most `most` the
+// curvature is bounded by what it is now and by how fast that can change. Before its start and at rest a leg
+// does not brake, and no step goes beyond the moment where that changes.
+double closeStep(const BrakedDisc& first, const BrakedDisc& second, double t, const Clearance& s,
+                 double most) {
+  struct {
+    double brake = 0.0, x = 0.0, y = 0.0;  // u' = -brake along its way, and β'
+  } slows[2];
+  const Moment m[2] = {placeAt(first.leg, t), placeAt(second.leg, t)};
+  const Leg* const legs[2] = {&first.leg, &second.leg};
+  for (int k = 0; k < 2; ++k) {
+    const Vec21& u = m[k].u;
+    const double speed = std::sqrt(u.x * u.x + u.y * u.y), rests = restsAt(*legs[k]);
+    for (const double stop : {legs[k]->start.t, rests}) {
+      if (stop > t) most = std::min(most, stop - t);
+    }
+    if (t < legs[k]->start.t || !(t < rests) || !(speed > 0.0)) continue;
+    const double bend = -legs[k]->brake / (speed * u.t * u.t * u.t);
+    slows[k] = {legs[k]->brake, bend * u.x, bend * u.y};
+  }
+  const Vec21 &u1 = m[0].u, &u2 = m[1].u;
+  const double x = m[0].x.x - m[1].x.x, y = m[0].x.y - m[1].x.y;
+  const double vx = u1.x / u1.t - u2.x / u2.t, vy = u1.y / u1.t - u2.y / u2.t;
+  const double speed2 = std::sqrt(u2.x * u2.x + u2.y * u2.y), a1 = slows[0].brake, a2 = slows[1].brake;
+  const double along = u2.x * x + u2.y * y, braking = speed2 > 0.0 ? a2 * along / speed2 : 0.0;
+  // |r''| <= A and, as |β''| <= 3a², |r'''| <= J.
+  const double A = a1 + a2, J = 3.0 * (a1 * a1 + a2 * a2);
+  const double V = std::sqrt(vx * vx + vy * vy) + A * most, far = s.distance + V * most;
+  const double bent = std::abs(x * (slows[0].x - slows[1].x) + y * (slows[0].y - slows[1].y)) +
+                      most * (V * A + far * J);  // |r·r''|
+  const double second1 = 2.0 * a2 * V + speed2 * A;
+  const double first1 = std::abs(u2.x * vx + u2.y * vy - braking) + most * second1;
+  const double curvature =
+      2.0 * (V * V + bent + first1 * first1 + (std::abs(along) + most * first1) * second1);
+  const double away = s.value > 0.0 ? s.slope : -s.slope;
+  const double root = std::sqrt(away * away + 2.0 * curvature * std::abs(s.value));
+  if (away > 0.0) return std::min(most, (away + root) / curvature);
+  return root > away ? std::min(most, 2.0 * std::abs(s.value) / (root - away)) : 0.0;
+}
+
 // How far back from any moment of the search a contact can lie whose news reaches both centres after it, and
 // how far apart in time two events are at most that are simultaneous for the pair when they are near: R γ (γ
 // + u) of each, with room to spare.
@@ -60,7 +102,7 @@ double spanOf(const Disc& first, const Disc& second) {
 Disc flightSince(const BrakedDisc& disc, double t, double span) {
   const Leg& leg = disc.leg;
   if (t <= leg.start.t) return {leg.start, leg.u, disc.radius, 0.0};
-  const Moment m = momentAt(leg, t);
+  const Moment m = placeAt(leg, t);
   const double begin = std::max(leg.start.t, t - span);
   const double s = (begin - t) / m.u.t;
   return {{begin, m.x.x + m.u.x * s, m.x.y + m.u.y * s}, m.u, disc.radius, 0.0};
@@ -75,7 +117,7 @@ double touchOfPairInContact(const BrakedDisc& first, const BrakedDisc& second, d
   const Leg& later = secondLater ? second.leg : first.leg;
   const Leg& earlier = secondLater ? first.leg : second.leg;
   const auto ahead = [&](double t) {  // U·(start − X(t)): falls, as R a < 1/2
-    const Moment m = momentAt(earlier, t);
+    const Moment m = placeAt(earlier, t);
     return dot(m.u + later.u, later.start - m.x);
   };
   double high = later.start.t, low = std::max(earlier.start.t, high - span);
@@ -112,12 +154,17 @@ std::optional<BrakedMeeting> search(const BrakedDisc& first, const BrakedDisc& s
   const double begin = std::max(first.leg.start.t, second.leg.start.t);
   double t = begin - 2.0 * std::sqrt(reach * span);
   Clearance here = clearanceAt(first, second, t);
-  while (t < rest && here.speed > 0.0) {
+  for (int steps = 0; t < rest && here.speed > 0.0; ++steps) {
     // S keeps its sign over a safe step. By a hair further, and it may have changed: then a root lies
     // between.
     const double hair = std::max(1e-12 * reach / here.speed,
                                  4.0 * std::numeric_limits<double>::epsilon() * (std::abs(t) + reach));
-    double next = t + std::max(safeStep(here, reach), hair);
+    double step = safeStep(here, reach);
+    if (steps > kManySteps && here.distance < 1.5 * reach) {
+      for (const double most : {16.0 * step, reach / here.speed})
+        step = std::max(step, closeStep(first, second, t, here, std::min(most, reach / here.speed)));
+    }
+    double next = t + std::max(step, hair);
     for (const double stop : {second.leg.start.t, begin}) {  // S bends sharply where the second's leg begins
       if (t < stop && stop < next) next = stop;
     }
@@ -139,7 +186,7 @@ std::optional<BrakedMeeting> search(const BrakedDisc& first, const BrakedDisc& s
 }  // namespace
 
 Disc flightAt(const BrakedDisc& disc, double t) {
-  const Moment m = momentAt(disc.leg, t);
+  const Moment m = placeAt(disc.leg, t);
   return {m.x, m.u, disc.radius, 0.0};
 }
 

@@ -27,12 +27,10 @@ double increasingRoot(double low, double high, Function f) {
   return t;
 }
 
-}  // namespace
-
 // Inertial: X = X0 + u s with s = (t − t0)/γ. With friction u falls linearly in board time, |u| = u0 − a (t −
 // t0) until rest, the path is (γ0 − γ)/a and the proper time (asinh u0 − asinh u)/a  (hyperbolic motion, c =
 // 1).
-Moment momentAt(const Leg& leg, double t) {
+Moment momentOf(const Leg& leg, double t, bool clock) {
   const double dt = t - leg.start.t;
   if (leg.brake == 0.0 || dt <= 0.0) {
     const double s = dt / leg.u.t;
@@ -46,12 +44,21 @@ Moment momentAt(const Leg& leg, double t) {
   // γ0 − γ1 = (u0² − u1²)/(γ0 + γ1) does not cancel.
   const double path = glide * (u0 + u1) / (leg.u.t + gamma1);
   const double along = path / u0;
+  Moment moment{{t, leg.start.x + leg.u.x * along, leg.start.y + leg.u.y * along},
+                {gamma1, leg.u.x * (u1 / u0), leg.u.y * (u1 / u0)},
+                leg.properTime};
+  if (!clock) return moment;
   // asinh u0 − asinh u1 = asinh(u0 γ1 − u1 γ0), and u0 γ1 − u1 γ0 = (u0² − u1²)/(u0 γ1 + u1 γ0).
   const double rapidity = portableAsinh(leg.brake * glide * (u0 + u1) / (u0 * gamma1 + u1 * leg.u.t));
-  return {{t, leg.start.x + leg.u.x * along, leg.start.y + leg.u.y * along},
-          {gamma1, leg.u.x * (u1 / u0), leg.u.y * (u1 / u0)},
-          leg.properTime + rapidity / leg.brake + (dt - glide)};
+  moment.properTime = leg.properTime + rapidity / leg.brake + (dt - glide);
+  return moment;
 }
+
+}  // namespace
+
+Moment momentAt(const Leg& leg, double t) { return momentOf(leg, t, true); }
+
+Moment placeAt(const Leg& leg, double t) { return momentOf(leg, t, false); }
 
 Moment momentAfter(const Leg& leg, double s) { return {leg.start + leg.u * s, leg.u, leg.properTime + s}; }
 
@@ -71,7 +78,7 @@ Moment newsArrives(const Leg& leg, const Vec21& news, double height) {
     return momentAfter(leg, tau + std::sqrt(std::max(0.0, height * height - dot(q, q))));
   }
   const auto late = [&](double t) {
-    const Moment m = momentAt(leg, t);
+    const Moment m = placeAt(leg, t);
     const double dx = m.x.x - news.x, dy = m.x.y - news.y;
     const double distance = std::sqrt(dx * dx + dy * dy + height * height);
     const double recession = distance > 0.0 ? (dx * m.u.x + dy * m.u.y) / (distance * m.u.t) : 0.0;
@@ -86,7 +93,7 @@ Moment newsArrives(const Leg& leg, const Vec21& news, double height) {
 Moment simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U) {
   if (leg.brake == 0.0) return momentAfter(leg, dot(U, event - leg.start) / dot(U, leg.u));
   const auto late = [&](double t) {
-    const Moment m = momentAt(leg, t);
+    const Moment m = placeAt(leg, t);
     return std::pair{dot(U, m.x - event), dot(U, m.u) / m.u.t};
   };
   double low = event.t, high = event.t;

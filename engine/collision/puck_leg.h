@@ -26,6 +26,8 @@ struct Moment {
 
 /// At board time `t` (c t, metres). Before the start the leg is continued backwards without friction.
 Moment momentAt(const Leg& leg, double t);
+/// The same, but under friction without the proper time, which takes longer than the rest of it.
+Moment placeAt(const Leg& leg, double t);
 
 /// `s` metres of own proper time after the start of a leg without friction.
 Moment momentAfter(const Leg& leg, double s);
