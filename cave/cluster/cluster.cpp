@@ -330,6 +330,7 @@ void Cluster::giveUp(const std::string& why, bool others) const {
       if (rank != rank_) MPI_Isend(nullptr, 0, MPI_BYTE, rank, kLastWords, MPI_COMM_WORLD, &sent);
     }
   }
+  closeAll();
   if (others) abort();
   std::_Exit(1);
 }

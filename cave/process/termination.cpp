@@ -52,18 +52,11 @@ void endIfNobodyDoes() {
   }
   const bool byMpirun = asked == SIGTERM && std::getenv("OMPI_COMM_WORLD_SIZE");
   std::this_thread::sleep_for(byMpirun ? kMpirunsPatience : kPatience);
-  const std::scoped_lock hold(mutexOfOpen());  // for good
-  for (auto close = open().rbegin(); close != open().rend(); ++close) {
-    try {
-      (**close)();
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "error: %s\n", error.what());
-    }
-  }
-  if (!allClosed)
+  const bool whole = closeAll();
+  if (whole && !allClosed)
     std::fprintf(stderr, "Asked to end: what was begun is not waited for; what was written is whole.\n");
   std::fflush(nullptr);
-  std::_Exit(0);
+  std::_Exit(whole ? 0 : 1);
 }
 
 }  // namespace
@@ -76,6 +69,20 @@ void noticeTermination() {
 }
 
 bool terminationAsked() { return asked != 0; }
+
+bool closeAll() {
+  mutexOfOpen().lock();  // for good
+  bool whole = true;
+  for (auto close = open().rbegin(); close != open().rend(); ++close) {
+    try {
+      (**close)();
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "error: %s\n", error.what());
+      whole = false;
+    }
+  }
+  return whole;
+}
 
 ClosedOnLeaving::ClosedOnLeaving(std::function<void()> close) : close_(std::move(close)) {
   const std::scoped_lock hold(mutexOfOpen());

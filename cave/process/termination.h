@@ -10,7 +10,7 @@ namespace carom {
 /// terminationAsked after each frame. A second Ctrl-C ends it at once. Whoever still runs 1.5 s after being
 /// asked (0.8 s after mpirun's SIGTERM, which comes late) is in the middle of something long: starting,
 /// dividing bodies, a frame of a million collisions. It is not waited for: from another thread all that is
-/// ClosedOnLeaving is closed, and the process ends with status 0.
+/// ClosedOnLeaving is closed, and the process ends with status 0, or 1 where something could not be closed.
 void noticeTermination();
 
 /// Whether they have.
@@ -29,6 +29,10 @@ class ClosedOnLeaving {
  private:
   std::function<void()> close_;
 };
+
+/// Closes all that is ClosedOnLeaving, for a process that then ends at once: whoever makes or destroys such a thing
+/// after this waits for ever. Returns whether all could be closed; what could not is said on standard error.
+bool closeAll();
 
 /// Ends the process, with status 0, after a session whose files are closed, once `last` has returned; whoever
 /// is asked to end waits for that no longer than for anything else. Nothing is taken down: the system frees

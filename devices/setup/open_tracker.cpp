@@ -62,7 +62,9 @@ std::unique_ptr<Tracker> openTracker(const TrackerSetup& setup, const RoomAxes& 
     return std::make_unique<SimulatedTracker>(person);
   }
   Transport transport = transportOf(setup.kind, setup.source.string(), axes);
-  if (setup.kind != TrackerKind::spaceMouse && !setup.buttonsAlone) {
+  const bool saysNothingAtRest =
+      setup.kind == TrackerKind::spaceMouse || (setup.kind == TrackerKind::vrpn && setup.buttonsAlone);
+  if (!saysNothingAtRest) {
     return std::make_unique<DeviceTracker>(std::move(transport), sessionStart);
   }
   // It may say nothing while nobody touches it.

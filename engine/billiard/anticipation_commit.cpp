@@ -187,7 +187,9 @@ Anticipation::Place Anticipation::whereNewsArrives(int i, const Vec21& news, int
     before.turn = turn;
     for (int k = 0; k < static_cast<int>(cushions_.size()); ++k) {
       const auto contact = findContact(leg, discs_[i].radius, cushions_[k], convention_);
-      if (contact && contact->turn.x.t < before.turn.x.t - same * leg.u.t)
+      // What friction has stopped by the time at which the news comes is not kicked.
+      if (contact && cushions_[k].towards(contact->turn.u) > 0.0 &&
+          contact->turn.x.t < before.turn.x.t - same * leg.u.t)
         cushionBefore = k, before = *contact;
     }
     if (cushionBefore < 0) return {turn, false, {}};

@@ -30,8 +30,7 @@ class Chronicle;
 ///   cushion that a decided or a struck leg reaches before such a turn is committed first: so no centre ever
 ///   leaves the table.
 /// * A cushion kicks only what it touches, and once for one approach: a contact of the old leg with the line
-/// of
-///   a cushion beyond the corner is none, and the news of a cushion that the puck has been turned away from
+///   of a cushion beyond the corner is none, and the news of a cushion that the puck has been turned away from
 ///   since does nothing.
 /// * A pair that has collided does not collide again until one of the two has had another event.
 /// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment

@@ -11,8 +11,8 @@ namespace {
 constexpr int kManySteps = 24;  // of a search, before it looks closer
 
 // Dpar = dmin says that the event X1(t) lies R1 + R2 from the second centre in the second's momentary rest
-// frame: with r = x1 − x2 on the board at t,   S(t) = r² + (u2·r)² − (R1+R2)² = 0.   S > 0 wherever |r| > R1
-// + R2.
+// frame: with r = x1 − x2 on the board at t,   S(t) = r² + (u2·r)² − (R1+R2)² = 0.   S > 0 wherever
+// |r| > R1 + R2.
 struct Clearance {
   double value, slope;     // S, dS/dt
   double curvature;        // bound of |d²S/dt²| while |r| grows by less than R1 + R2

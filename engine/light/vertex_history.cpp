@@ -215,11 +215,9 @@ double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
 // of leg q: U_q·(A_m − N_m) ≥ 0 is how far the light of N_m has come by then, in the frame of q. Bounds
 // b_m(q) of that follow from each other. A point found by N_m on leg j < m, or on its way there, has not
 // heard of N_i, i = j + 1, before. If it
-//   rests on leg j, A_m is not later than where N_i would have found it: U_q·(A_m − N_m) ≤ the furthest that
-//   N_i
+//   rests on leg j, A_m is not later than where N_i would have found it: U_q·(A_m − N_m) ≤ the furthest that N_i
 //     reaches in the body + U_q·(N_i − N_m);
-//   or is on its way from A_j to its place d there, at w = catchUpSpeed: in the frame of j its distance from
-//   x_i
+//   or is on its way from A_j to its place d there, at w = catchUpSpeed: in the frame of j its distance from x_i
 //     is at most the larger of those at both ends of its way, |x_A − x_i| and |d − x_i| ≤ R + |x_i|. Is it
 //     the second, N_i finds it within that: ≤ (γ + u)(R + |x_i|) + U_q·(N_i − N_m). Else N_i finds it at most
 //     τ = t_i − t_j + |x_i − x_j| after A_j, as |x_A − x_j| = t_A − t_j: ≤ b_j(q) + U_q·(N_j − N_m) + τ (γ +
@@ -263,8 +261,8 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   return knot.deceleration_m_s2 > 0.0 ? 2.0 * joined_s : joined_s;
 }
 
-/// The longest of points all around the body, followed from the leg that all had joined, and half as much
-/// again for those in between.
+/// The longest of points all around the body, followed from the leg that all had joined, and twice as much for
+/// those in between.
 double followedJoining_s(const WorldLine& line, std::size_t from) {
   constexpr int kAround = 48, kHalfWay = 16;
   const double c_m_s = line.lightSpeed_m_s();

@@ -98,7 +98,11 @@ void expectTouched(const GameEvent& bounce, const BilliardSetup& setup, const Wo
   const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(turn.betaBefore, turn.betaBefore));
   const double ct = c_m_s * (turn.event.t_s - bounce.at.t_s);
   const double way = glm::length(Vec2(turn.event.r_m - bounce.at.r_m));
-  EXPECT_TRUE(std::abs(ct - way) <= kRounding * gamma * gamma) << "it turns when the news arrives";
+  // The contact may have been found on an earlier, faster leg.
+  double fastest = gamma;
+  for (const Knot& knot : line.knots()) fastest = std::max(fastest, gammaFromU(knot.u));
+  EXPECT_TRUE(std::abs(ct - way) <= kRounding * fastest * fastest)
+      << "it turns when the news arrives: " << ct - way;
   if (setup.pucks.size() == 1 && setup.strokes.empty()) {
     EXPECT_TRUE(half - sign * turn.event.r_m[axis] <= puck.radius_m + kRounding) << "it is there";
   }
@@ -284,6 +288,22 @@ TEST(StrokesNearCushions, inAGame) {
     test::expectBalanced(whole, start, 1e-9);
     test::expectBalanced(live, start, 1e-9);
     if (HasFailure()) return;
+  }
+}
+
+// Friction stops a puck between its contact with a cushion and the news of it, which then kicks nobody: the game goes on.
+// The puck is shot softly, by a stroke that comes while the news of another puck's blow is on its way.
+TEST(StrokesNearCushions, aSoftOneThatFrictionStopsIsNotKicked) {
+  for (int softness = 0; softness < 40; ++softness) {
+    BilliardSetup setup = table(CollisionEvent::centre);
+    setup.rules.friction_m_s2 = 0.5;
+    setup.pucks = {{"p", 0.05, 0.03, 0.2, {1.3699999, 0.0}, {0.0, 0.0}},
+                   {"q", 0.05, 0.03, 0.2, {1.1, 0.0}, {0.3, 0.0}}};
+    setup.strokes = {{0, 0.58009, std::nullopt, {0.003 + 2e-5 * softness, 0.0}}};
+    SCOPED_TRACE(text(setup));
+    Billiard billiard(setup);
+    billiard.advanceTo(3.0);
+    expectInside(billiard, setup);
   }
 }
 

@@ -1,6 +1,5 @@
 // Runs a libFuzzer target without libFuzzer: every kept input, then mutations of them, the same ones in every
-// run.
-//   TARGET [-runs=N] [-seed=N] [-max_len=N] FOLDER…
+//   run. TARGET [-runs=N] [-seed=N] [-max_len=N] FOLDER…
 
 #include <charconv>
 #include <cstdio>
