@@ -90,6 +90,21 @@ def hold(seconds, back_m=lambda share: 0.0, at_s=None):
         time.sleep(1.0 / 120.0)
 
 
+def hold_for_rows(table, count, back_m=0.0):
+    """Holds still until the journal has so many more rows: what was done before is then seen, on a busy machine, too."""
+
+    def rows():
+        try:
+            with sqlite3.connect(f"file:{out / 'shot.db'}?mode=ro", uri=True) as reader:
+                return reader.execute(f"SELECT count(*) FROM {table}").fetchone()[0]
+        except sqlite3.OperationalError:  # not there yet, or busy
+            return 0
+
+    before, deadline = rows(), time.monotonic() + 120.0
+    while rows() < before + count and time.monotonic() < deadline:
+        hold(0.1, lambda share: back_m)
+
+
 def press(down):
     box.send(1, struct.pack(">ii", 0, down), time.time())
 
@@ -124,7 +139,7 @@ def session(name, head, hand, body):
     finally:
         running.terminate()
         try:
-            running.wait(30)
+            running.wait(120)
         except subprocess.TimeoutExpired:
             running.kill()
     return sqlite3.connect(database), (out / f"{name}.said").read_text()
@@ -159,13 +174,13 @@ def shoot(running, _):
     deadline = time.monotonic() + 120.0
     while not (wand.clients and box.clients) and running.poll() is None and time.monotonic() < deadline:
         time.sleep(0.1)
-    hold(3.0)
+    hold_for_rows("frame", 30)
     press(True)
-    hold(1.0)
+    hold_for_rows("frame", 30)
     hold(1.0, lambda share: 0.1 * share)
-    hold(0.5, lambda share: 0.1)
+    hold_for_rows("frame", 30, 0.1)
     press(False)
-    hold(2.0, lambda share: 0.1)
+    hold_for_rows("stroke", 1, 0.1)
 
 
 journal, said = session("shot", 'kind = "simulated"\nperson = "still"', trackers("Wand", "Button0"), shoot)
