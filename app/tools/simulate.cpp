@@ -152,8 +152,10 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
   const std::vector<Puck>& pucks = scenario.billiard.pucks;
   std::string text = fmt::format("{}, light at {} m/s\n\n", scenario.title, scenario.billiard.lightSpeed_m_s);
   const std::vector<GameEvent> collisions = collisionsUntil(billiard, options.until_s);
-  text += fmt::format("{} collisions up to t = {} s, and how each puck turns:\n", collisions.size(),
-                      options.until_s);
+  std::size_t count = 0;
+  for (std::span<const GameEvent> left = collisions; !left.empty(); left = left.subspan(oneCollision(left)))
+    ++count;
+  text += fmt::format("{} collisions up to t = {} s, and how each puck turns:\n", count, options.until_s);
   if (!collisions.empty()) {
     text +=
         " contact s         x m      y m   puck         meets        turns s    v/c before x, y      v/c "
@@ -280,9 +282,9 @@ int runSimulate(const SimulateOptions& options) {
     double heat_j = 0.0;
     for (const JamNote& jam : billiard.jams()) heat_j += jam.heat_j;
     fmt::print(stderr,
-               "note: jammed pucks moved on together {} times, giving {:.6g} J of heat; first {} of them, "
-               "'{}' among "
-               "them, at t = {:.6g} s\n",
+               "note: jammed pucks moved on together {} times, which gave {:.6g} J of heat; the first time "
+               "{} pucks, "
+               "'{}' among them, at t = {:.6g} s\n",
                billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
                first.event.t_s);
   }

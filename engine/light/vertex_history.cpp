@@ -229,16 +229,15 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   const std::vector<LegFrame> legs = framesFrom(line, from);
   const std::size_t count = legs.size();
   // Row j: b_j(q), and what it and the bodies' rims give for all later news, U_q·(A − N_{j+1}).
-  std::vector<double> bounds(count * count, 0.0), onLeg(count * count, 0.0);
+  std::vector<double> bounds(count * count, 0.0);
   const auto time_m = [&](std::size_t q, const Displacement& d) {
     return c_m_s * (legs[q].fromBoard * d).dt_s;
   };
+  // In the frame of q, the latest of what the rows so far give, from the first news on.
+  std::vector<double> latest_m(count, -std::numeric_limits<double>::infinity());
   for (std::size_t m = 0; m < count; ++m) {
-    for (std::size_t q = m; m > 0 && q < count; ++q) {
-      double& bound = bounds[m * count + q];
-      for (std::size_t j = 0; j < m; ++j)
-        bound = std::max(bound, onLeg[j * count + q] + time_m(q, legs[j + 1].news - legs[m].news));
-    }
+    for (std::size_t q = m; m > 0 && q < count; ++q)
+      bounds[m * count + q] = std::max(0.0, latest_m[q] - time_m(q, legs[m].news - legs[0].news));
     if (m + 1 == count) break;
     const Vec3 x = (legs[m].fromBoard * (legs[m + 1].news - legs[m].centre)).dr_m;
     const Displacement since = legs[m].fromBoard * (legs[m + 1].news - legs[m].news);
@@ -246,12 +245,13 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
     for (std::size_t q = m + 1; q < count; ++q) {
       const Vec3 u = (legs[m].fromBoard * Displacement{gammaFromU(legs[q].u) / c_m_s, legs[q].u}).dr_m;
       const double gamma = gammaFromU(u), size = glm::length(u);
-      double& bound = onLeg[m * count + q];
-      bound = furthestReach(x, u, radius_m);
-      if (m == 0) continue;  // all had joined the first
-      bound = std::max(bound, (gamma + size) * (radius_m + glm::length(x)));
-      bound = std::max(bound, bounds[m * count + q] + time_m(q, legs[m].news - legs[m + 1].news) +
-                                  tau_m * (gamma + w * size));
+      double onLeg_m = furthestReach(x, u, radius_m);
+      if (m > 0) {  // all had joined the first
+        onLeg_m = std::max(onLeg_m, (gamma + size) * (radius_m + glm::length(x)));
+        onLeg_m = std::max(onLeg_m, bounds[m * count + q] + time_m(q, legs[m].news - legs[m + 1].news) +
+                                        tau_m * (gamma + w * size));
+      }
+      latest_m[q] = std::max(latest_m[q], onLeg_m + time_m(q, legs[m + 1].news - legs[0].news));
     }
   }
   const Displacement news = legs.back().fromBoard * (knot.news - knot.turn);
@@ -261,45 +261,49 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   return knot.deceleration_m_s2 > 0.0 ? 2.0 * joined_s : joined_s;
 }
 
-/// The longest of points all around the body, followed from the leg that all had joined, and twice as much for
-/// those in between.
-double followedJoining_s(const WorldLine& line, std::size_t from) {
-  constexpr int kAround = 48, kHalfWay = 16;
+/// The longest of points all around the body, `around` on the equator and a third as many half way up, followed from the
+/// leg that all had joined.
+double followedJoining_s(const WorldLine& line, std::size_t from, int around) {
+  const int halfWay = around / 3;
   const double c_m_s = line.lightSpeed_m_s();
   const std::span<const Knot> knots = line.knots();
   const Knot& last = knots.back();
   const Lorentz bodyFromBoard = Lorentz::boost(-last.u, c_m_s);
   double longest_s = 0.0;
   std::vector<VertexPiece> history;
-  for (int k = 0; k < kAround + kHalfWay; ++k) {
+  for (int k = 0; k < around + halfWay; ++k) {
     // On the equator and half way up; motion is in the plane, so below is as above.
-    const double around = 2.0 * std::numbers::pi * k / (k < kAround ? kAround : kHalfWay);
-    const double level = k < kAround ? 1.0 : std::numbers::sqrt2 / 2.0;
-    const Vec3 offset_m = line.radius_m() * Vec3(level * std::cos(around), level * std::sin(around),
+    const double angle_rad = 2.0 * std::numbers::pi * k / (k < around ? around : halfWay);
+    const double level = k < around ? 1.0 : std::numbers::sqrt2 / 2.0;
+    const Vec3 offset_m = line.radius_m() * Vec3(level * std::cos(angle_rad), level * std::sin(angle_rad),
                                                  std::sqrt(1.0 - level * level));
     const Event start{knots[from].turn.t_s, knots[from].turn.r_m + contracted(offset_m, knots[from].u)};
     history.assign(1, pieceOnLeg(knots[from], offset_m, start));
     for (const Knot& knot : knots.subspan(from + 1)) turn(history, knot, offset_m, c_m_s);
     longest_s = std::max(longest_s, (bodyFromBoard * (history.back().start - last.turn)).dt_s);
   }
-  return 2.0 * longest_s;
+  return longest_s;
 }
 
 }  // namespace
 
 double joinedAfter_s(const WorldLine& line) {
+  // The bound costs the square of the number of legs: in a pile of pucks that press on one another hundreds can come
+  // before any is joined by all points.
+  constexpr std::size_t kManyLegs = 32;
   // Of faster bodies a few points can lag behind all others, so many times longer that no number of them
   // shows it.
   constexpr double kFollowed_beta = 0.95;
   const std::span<const Knot> knots = line.knots();
   std::size_t from = knots.size() - 1;
   while (from > 0 && !(from + 1 < knots.size() && line.settlesBeforeNext(from))) --from;
+  if (knots.size() - from > kManyLegs) return 3.0 * followedJoining_s(line, from, 12);
   const double bound_s = boundOfJoining_s(line, from);
   const bool followed =
       std::all_of(knots.begin() + static_cast<std::ptrdiff_t>(from), knots.end(), [](const Knot& knot) {
         return knot.deceleration_m_s2 == 0.0 && glm::length(betaFromU(knot.u)) <= kFollowed_beta;
       });
-  return followed ? std::min(bound_s, followedJoining_s(line, from)) : bound_s;
+  return followed ? std::min(bound_s, 2.0 * followedJoining_s(line, from, 48)) : bound_s;
 }
 
 const VertexPiece& pieceAt(const std::vector<VertexPiece>& history, double t_s) {

@@ -36,7 +36,8 @@ std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset
 /// the last leg, reckoned from the last leg that all had joined. A bound that is proved for legs without
 /// friction (with it, for decelerations that change little while light crosses the body). Where none of the
 /// legs is faster than 0.95 c and none has friction, twice the longest of 64 points around the body if that
-/// is less: for turns in the board's plane, and by experiment, not by proof.
+/// is less: for turns in the board's plane, and by experiment, not by proof. Where more than 32 legs have begun
+/// since all had joined one, three times the longest of 16 points, whatever the speeds: by experiment, too.
 double joinedAfter_s(const WorldLine& line);
 
 /// The piece on which the point is at board time `t_s`.
