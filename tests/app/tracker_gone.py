@@ -41,12 +41,12 @@ number = 0
 
 
 def walk(seconds):
-    """Sends a head that walks to and fro along x, at an even speed, for so long."""
+    """Sends a head that sways to and fro along x, as fast as WALK_M_S in the middle, for so long."""
     global number
     end = time.monotonic() + seconds
     while (now := time.monotonic()) < end:
         number += 1
-        x_mm = 1e3 * WALK_M_S * abs(math.fmod(now, 2.0) - 1.0)  # turning every second
+        x_mm = 1e3 * WALK_M_S / math.pi * math.sin(math.pi * now)  # turning every second
         stamp = time.time()
         sender.sendto(
             f"fr {number}\r\nts2 {int(stamp)} {int(stamp % 1 * 1e6)} 0\r\n6d 1 [0 1.000]"
@@ -129,13 +129,13 @@ expect(len({row[7] for row in rows if row[0] > back + 0.5}) > 1, "the head does 
 
 # Board time goes on by dt = sqrt(dτ² + |dx|²/c²), and the shown head moves by its walk (by prediction at most three
 # times as fast, from its first samples) and by the slide back. A head that was put elsewhere would take 0.2 s and more in one frame.
-# Where a busy machine has kept samples from being sent for a while, what is shown afterwards is not looked at: the
-# walk that was predicted meanwhile may have turned.
+# Looked at from shortly before the silence until the head has come over. Not where a busy machine has kept samples from
+# being sent for a while: the walk that was predicted meanwhile may have turned.
 STALL_S, AFTER_STALL_S = 0.05, 0.5
 stalls = [(a, b + AFTER_STALL_S) for a, b in zip(samples, samples[1:]) if STALL_S < b - a < 0.5 * SILENT_S]
 fastest = math.hypot(1.0, (3.0 * WALK_M_S + SLIDE_M_S) / LIGHT_M_S)
 for earlier, later in zip(rows, rows[1:]):
-    if any(begin <= later[0] <= end for begin, end in stalls):
+    if any(begin <= later[0] <= end for begin, end in stalls) or not last - 1.0 < later[0] < back + 3.0:
         continue
     lived, passed = later[1] - earlier[1], later[2] - earlier[2]
     moved_m = math.dist(earlier[7:10], later[7:10])
