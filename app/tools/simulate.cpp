@@ -90,16 +90,19 @@ Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks
   return json;
 }
 
-/// Returns how many of the first events are one collision: the pucks that one jam moves have an event each,
-/// with the same contact.
-std::size_t oneCollision(std::span<const GameEvent> events) {
-  const GameEvent& first = events.front();
-  std::size_t count = 1;
-  while (first.kind == EventKind::jam && count < events.size() && events[count].kind == EventKind::jam &&
-         events[count].at.t_s == first.at.t_s && events[count].at.r_m == first.at.r_m) {
-    ++count;
+/// Returns the events of each collision: the pucks that one jam moves have an event each, with the same contact.
+std::vector<std::span<const GameEvent>> byCollision(std::span<const GameEvent> events) {
+  const auto isOneJam = [](const GameEvent& a, const GameEvent& b) {
+    return a.kind == EventKind::jam && b.kind == EventKind::jam && a.at.t_s == b.at.t_s &&
+           a.at.r_m == b.at.r_m;
+  };
+  std::vector<std::span<const GameEvent>> collisions;
+  for (std::size_t first = 0, next = 0; first < events.size(); first = next) {
+    while (++next < events.size() && isOneJam(events[first], events[next])) {
+    }
+    collisions.push_back(events.subspan(first, next - first));
   }
-  return count;
+  return collisions;
 }
 
 Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
@@ -131,8 +134,8 @@ std::string jsonOf(const Scenario& scenario, const Billiard& billiard, const Sim
   Json json{{"light_speed_m_s", scenario.billiard.lightSpeed_m_s}};
   json["collisions"] = Json::array();
   const std::vector<GameEvent> events = collisionsUntil(billiard, options.until_s);
-  for (std::span<const GameEvent> left = events; !left.empty(); left = left.subspan(oneCollision(left))) {
-    json["collisions"].push_back(toJson(left.first(oneCollision(left)), pucks));
+  for (const std::span<const GameEvent> collision : byCollision(events)) {
+    json["collisions"].push_back(toJson(collision, pucks));
   }
   json["pucks"] = Json::array();
   for (std::size_t i = 0; i < pucks.size(); ++i) {
@@ -152,10 +155,8 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
   const std::vector<Puck>& pucks = scenario.billiard.pucks;
   std::string text = fmt::format("{}, light at {} m/s\n\n", scenario.title, scenario.billiard.lightSpeed_m_s);
   const std::vector<GameEvent> collisions = collisionsUntil(billiard, options.until_s);
-  std::size_t count = 0;
-  for (std::span<const GameEvent> left = collisions; !left.empty(); left = left.subspan(oneCollision(left)))
-    ++count;
-  text += fmt::format("{} collisions up to t = {} s, and how each puck turns:\n", count, options.until_s);
+  text += fmt::format("{} collisions up to t = {} s, and how each puck turns:\n",
+                      byCollision(collisions).size(), options.until_s);
   if (!collisions.empty()) {
     text +=
         " contact s         x m      y m   puck         meets        turns s    v/c before x, y      v/c "
