@@ -83,7 +83,8 @@ inline constexpr std::chrono::milliseconds kIntoFileEvery{20000};
 /// disk is full, or the file cannot be written for another reason, the session goes on: it is said once, rows
 /// wait and are written when it works again, which is said, too. Of frames ten minutes wait: the file then
 /// ends before the first that is lost, for good, as later ones would build on it. Of a killed program's file,
-/// copied without the FILE-wal beside it, no more than the last `intoFileEvery` is missing.
+/// copied without the FILE-wal beside it, no more than the last `intoFileEvery` is missing, unless it was
+/// killed in the few milliseconds of bringing the file up to date: that copy needs its FILE-wal.
 class Journal {
  public:
   /// Makes the file, or with `goOn` goes on with the one that is there. Throws std::runtime_error if there is

@@ -100,6 +100,16 @@ std::string refusalOf(const std::filesystem::path& file) {
   }
 }
 
+/// Returns how many frames a file holds, 0 if it cannot be read.
+std::uint64_t framesOf(const std::filesystem::path& file) {
+  try {
+    const auto frames = SessionFile(file).frames();
+    return frames ? frames->second + 1 : 0;
+  } catch (const std::runtime_error&) {
+    return 0;
+  }
+}
+
 TEST(Journal, WhatWasWrittenIsReadWithTheSameBits) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
@@ -444,15 +454,16 @@ TEST(Journal, TheFileOfAKilledProgramAloneLacksNoMoreThanItsLastMinute) {
       const auto frames = session.frames();
       return frames ? frames->second + 1 : 0;
     };
-    // Until all is written, and where it goes into the file at once, also until it has gone there.
-    while (refusalOf(file) != "accepted" || written(file) < 200) std::this_thread::sleep_for(1ms);
-    if (whole) {
-      const auto enough = static_cast<std::uintmax_t>(200 * sizeof(FrameRecord));
-      while (std::filesystem::file_size(file) < enough) std::this_thread::sleep_for(1ms);
-    }
+    // Until all is written, and where it goes into the file at once, also until all has gone there: while the
+    // file is being brought up to date, a copy of it alone is not whole.
+    const auto gone = [&] {
+      std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing);
+      return framesOf(copy) == 200;
+    };
+    while (framesOf(file) < 200 || (whole && !gone())) std::this_thread::sleep_for(1ms);
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
-    std::filesystem::copy_file(file, copy);
+    std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing);
     EXPECT_EQ(written(copy), whole ? 200u : 0u);
     EXPECT_EQ(written(file), 200u) << "with the file beside it";
   }
