@@ -17,7 +17,7 @@ namespace {
 //
 // with a of standard deviation sigma. A model lasts for `dwell_s` on average; then any other follows, one by
 // `share` as likely as a usual one.
-constexpr double kAccelerationTau_s = 0.180;
+constexpr double kAccelerationTau_s = 0.185;
 constexpr double kDriveTau_s = 0.0185;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 struct Model {
@@ -31,8 +31,8 @@ constexpr std::array<Model, CelerityFilter::kModels> kModelTable = {{
     {0.0007, 0.333, 0.38},
     {0.0107, kNever, 1.0, 0.3},
     {0.143, kNever, 0.38},
-    {0.532, kNever, 0.38},
-    {1.05, kNever, 0.38},
+    {0.56, kNever, 0.38},
+    {1.2, kNever, 0.38},
     {4.3, kNever, 0.583, 0.04},
 }};
 constexpr int kMoving = 2;  // the models from here on
@@ -45,7 +45,7 @@ constexpr double kShares = [] {
 // What a sample says for or against a model counts by this power. The models' innovations are no independent
 // witnesses, as the update takes them to be: after mixing they share most of their past, and a movement that
 // no model foresees surprises them all for many samples on end.
-constexpr double kTrust = 0.44;
+constexpr double kTrust = 0.36;
 
 constexpr double kLeastSigma_m = 0.00001;
 constexpr double kMostSigma_m = 0.01;
@@ -54,32 +54,46 @@ constexpr double kFirstCelerity_m_s = 0.5;  // standard deviation of what is not
 // 1 − exp(−t/tau), exact for t ≪ tau.
 double decayed(double time_s, double tau_s) { return -std::expm1(-time_s / tau_s); }
 
-// (position, celerity, acceleration, drive) some time after a unit celerity: (t, 1, 0, 0) or, where it dies
-// out with T = stopTau, (T(1 − e), e, 0, 0), e = exp(−t/T).
-glm::dvec4 afterCelerity(double stopTau_s, double time_s) {
-  if (stopTau_s == kNever) return {time_s, 1.0, 0.0, 0.0};
-  const double d = decayed(time_s, stopTau_s);
-  return {stopTau_s * d, 1.0 - d, 0.0, 0.0};
+// What share of each has decayed after a time: 1 − exp(−t/τ).
+struct Decay {
+  double time_s, acceleration, drive;
+  double stopTau_s = kNever, celerity = 0.0;
+};
+
+Decay decayAfter(double time_s) {
+  return {time_s, decayed(time_s, kAccelerationTau_s), decayed(time_s, kDriveTau_s)};
 }
 
-// The same after a unit acceleration that decays with τ. With d = 1 − exp(−t/τ): (τ(t − τd), τd, 1 − d, 0);
-// where celerity dies out, with D = 1 − exp(−t/T) and k = Tτ/(T − τ): (k(TD − τd), k(d − D), 1 − d, 0).
-glm::dvec4 afterAcceleration(double tau_s, double stopTau_s, double time_s) {
-  const double d = decayed(time_s, tau_s);
-  if (stopTau_s == kNever) return {tau_s * (time_s - tau_s * d), tau_s * d, 1.0 - d, 0.0};
-  const double stopped = decayed(time_s, stopTau_s);
-  const double k_s = stopTau_s * tau_s / (stopTau_s - tau_s);
-  return {k_s * (stopTau_s * stopped - tau_s * d), k_s * (d - stopped), 1.0 - d, 0.0};
+// The same where celerity dies out, too.
+Decay stopping(const Decay& decay, double stopTau_s) {
+  return {decay.time_s, decay.acceleration, decay.drive, stopTau_s, decayed(decay.time_s, stopTau_s)};
+}
+
+// (position, celerity, acceleration, drive) some time after a unit celerity: (t, 1, 0, 0) or, where it dies
+// out with T = stopTau, (T(1 − e), e, 0, 0), e = exp(−t/T).
+glm::dvec4 afterCelerity(const Decay& after) {
+  if (after.stopTau_s == kNever) return {after.time_s, 1.0, 0.0, 0.0};
+  return {after.stopTau_s * after.celerity, 1.0 - after.celerity, 0.0, 0.0};
+}
+
+// The same after a unit acceleration of which the share d decays with τ: (τ(t − τd), τd, 1 − d, 0); where
+// celerity dies out, with D = 1 − exp(−t/T) and k = Tτ/(T − τ): (k(TD − τd), k(d − D), 1 − d, 0).
+glm::dvec4 afterDecaying(double tau_s, double d, const Decay& after) {
+  if (after.stopTau_s == kNever) return {tau_s * (after.time_s - tau_s * d), tau_s * d, 1.0 - d, 0.0};
+  const double k_s = after.stopTau_s * tau_s / (after.stopTau_s - tau_s);
+  return {k_s * (after.stopTau_s * after.celerity - tau_s * d), k_s * (d - after.celerity), 1.0 - d, 0.0};
+}
+glm::dvec4 afterAcceleration(const Decay& after) {
+  return afterDecaying(kAccelerationTau_s, after.acceleration, after);
 }
 
 // The same after a unit drive: it makes an acceleration of k(exp(−t/τ) − exp(−t/τ')), k = ττ'/(τ − τ'), which
 // are two that decay.
-glm::dvec4 afterDrive(double stopTau_s, double time_s) {
+glm::dvec4 afterDrive(const Decay& after) {
   constexpr double k_s = kAccelerationTau_s * kDriveTau_s / (kAccelerationTau_s - kDriveTau_s);
-  glm::dvec4 after = k_s * (afterAcceleration(kAccelerationTau_s, stopTau_s, time_s) -
-                            afterAcceleration(kDriveTau_s, stopTau_s, time_s));
-  after[3] = 1.0 - decayed(time_s, kDriveTau_s);
-  return after;
+  glm::dvec4 state = k_s * (afterAcceleration(after) - afterDecaying(kDriveTau_s, after.drive, after));
+  state[3] = 1.0 - after.drive;
+  return state;
 }
 
 // How a state goes on by itself for a time, Φ, and the covariance that it gains where its acceleration has a
@@ -89,27 +103,36 @@ struct Motion {
   glm::dmat4 noise;
 };
 
-// Q = 2(τ + τ')/(ττ')² ∫₀ᵀ g(s) g(s)ᵀ ds with g the response to the drive, by Gauss-Legendre with three
-// nodes: the closed form cancels to nothing for T ≪ τ.
-glm::dmat4 unitNoise(double stopTau_s, double interval_s) {
-  constexpr double kNode = 0.7745966692414834;  // sqrt(3/5)
-  constexpr std::array<double, 3> kNodes = {0.5 - 0.5 * kNode, 0.5, 0.5 + 0.5 * kNode};
+// What decays within an interval, and until each of three moments in it, the nodes of Gauss-Legendre.
+struct Interval {
+  static constexpr double kNode = 0.7745966692414834;  // sqrt(3/5)
+  explicit Interval(double time_s)
+      : whole(decayAfter(time_s)),
+        nodes{decayAfter((0.5 - 0.5 * kNode) * time_s), decayAfter(0.5 * time_s),
+              decayAfter((0.5 + 0.5 * kNode) * time_s)} {}
+  Decay whole;
+  std::array<Decay, 3> nodes;
+};
+
+// Q = 2(τ + τ')/(ττ')² ∫₀ᵀ g(s) g(s)ᵀ ds with g the response to the drive, by Gauss-Legendre: the closed form
+// cancels to nothing for T ≪ τ.
+glm::dmat4 unitNoise(const Interval& interval, double stopTau_s) {
   constexpr std::array<double, 3> kWeights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
   constexpr double kProduct_s2 = kAccelerationTau_s * kDriveTau_s;
   constexpr double kDensity = 2.0 * (kAccelerationTau_s + kDriveTau_s) / (kProduct_s2 * kProduct_s2);
   glm::dmat4 integral(0.0);
   for (int i = 0; i < 3; ++i) {
-    const glm::dvec4 response = afterDrive(stopTau_s, kNodes[i] * interval_s);
-    integral += kWeights[i] * interval_s * glm::outerProduct(response, response);
+    const glm::dvec4 response = afterDrive(stopping(interval.nodes[i], stopTau_s));
+    integral += kWeights[i] * interval.whole.time_s * glm::outerProduct(response, response);
   }
   return kDensity * integral;
 }
 
-Motion motionOf(double stopTau_s, double interval_s) {
-  return {glm::dmat4(glm::dvec4(1.0, 0.0, 0.0, 0.0), afterCelerity(stopTau_s, interval_s),
-                     afterAcceleration(kAccelerationTau_s, stopTau_s, interval_s),
-                     afterDrive(stopTau_s, interval_s)),
-          unitNoise(stopTau_s, interval_s)};
+Motion motionOf(const Interval& interval, double stopTau_s) {
+  const Decay after = stopping(interval.whole, stopTau_s);
+  return {glm::dmat4(glm::dvec4(1.0, 0.0, 0.0, 0.0), afterCelerity(after), afterAcceleration(after),
+                     afterDrive(after)),
+          unitNoise(interval, stopTau_s)};
 }
 
 // Where nothing is known: any celerity, and acceleration as the model has it in the long run, of variance σ²,
@@ -128,7 +151,7 @@ glm::dmat4 firstCovariance(const Model& model, double position_m2) {
 
 // Of a state (columns: position, celerity, acceleration, drive; rows: axes), the mean over the axes of the
 // products of any two.
-glm::dmat4 momentOverAxes(const glm::dmat4x3& state) { return glm::transpose(state) * state / 3.0; }
+glm::dmat4 momentOverAxes(const glm::dmat4x3& state) { return 1.0 / 3.0 * (glm::transpose(state) * state); }
 
 }  // namespace
 
@@ -164,18 +187,18 @@ void CelerityFilter::update(double time_s, const glm::dvec3& position_m) {
   // An even acceleration needs a drive of 1/τ; it goes on where models let it decay.
   const glm::dvec4 ramp(0.5 * interval_s * interval_s, interval_s, 1.0, 1.0 / kAccelerationTau_s);
   std::array<double, kModels> logWeight{};
+  const Interval interval(interval_s);
   Motion motion;
   for (int i = 0; i < kModels; ++i) {
     Belief& belief = beliefs_[i];
     const Model& model = kModelTable[i];
     if (i == 0 || model.stopTau_s != kModelTable[i - 1].stopTau_s) {
-      motion = motionOf(model.stopTau_s, interval_s);
+      motion = motionOf(interval, model.stopTau_s);
     }
     const glm::dmat4& phi = motion.phi;
-    const glm::dmat4 phiTransposed = glm::transpose(phi);
-    belief.state = belief.state * phiTransposed;
+    belief.state = belief.state * glm::transpose(phi);
     belief.covariance =
-        phi * belief.covariance * phiTransposed + model.sigma_m_s2 * model.sigma_m_s2 * motion.noise;
+        phi * belief.covariance * glm::transpose(phi) + model.sigma_m_s2 * model.sigma_m_s2 * motion.noise;
     belief.rampError = phi * belief.rampError + (ramp - phi[2] - phi[3] / kAccelerationTau_s);
     logWeight[i] = std::log(belief.probability) + kTrust * correct(belief, position_m);
   }
@@ -222,8 +245,9 @@ void CelerityFilter::mix(double interval_s) {
     sum.add(kModelTable[j].share, leaving);
     sum.add(to.probability * (1.0 - leaves[j] * kShares), each[j]);
     to.probability = sum.weight;
-    to.state = sum.state / sum.weight;
-    to.covariance = sum.moment / sum.weight - momentOverAxes(to.state - mean_);
+    const double perWeight = 1.0 / sum.weight;
+    to.state = perWeight * sum.state;
+    to.covariance = perWeight * sum.moment - momentOverAxes(to.state - mean_);
     to.rampError = sum.rampError / sum.movingWeight;
   }
 }
@@ -237,7 +261,7 @@ double CelerityFilter::correct(Belief& belief, const glm::dvec3& position_m) con
   const glm::dvec4 gain = withPosition / variance_m2;
   const glm::dvec3 innovation_m = position_m - belief.state[0];
   belief.state += glm::outerProduct(innovation_m, gain);
-  belief.covariance -= glm::outerProduct(withPosition, withPosition) / variance_m2;
+  belief.covariance -= glm::outerProduct(gain, withPosition);
   belief.rampError -= gain * belief.rampError[0];
   return -0.5 * (glm::dot(innovation_m, innovation_m) / variance_m2 + 3.0 * std::log(variance_m2));
 }
@@ -273,6 +297,7 @@ double CelerityFilter::lag_s() const {
 // The models that share a stopTau stand side by side, and what follows from a state is linear in it.
 glm::dvec3 CelerityFilter::predictedPosition_m(double ahead_s) const {
   if (ahead_s == 0.0) return mean_[0];
+  const Decay ahead = decayAfter(ahead_s);
   glm::dvec3 predicted_m(0.0);
   for (int i = 0; i < kModels;) {
     const double stopTau_s = kModelTable[i].stopTau_s;
@@ -280,9 +305,9 @@ glm::dvec3 CelerityFilter::predictedPosition_m(double ahead_s) const {
     for (; i < kModels && kModelTable[i].stopTau_s == stopTau_s; ++i) {
       state += beliefs_[i].probability * beliefs_[i].state;
     }
-    predicted_m += state[0] + afterCelerity(stopTau_s, ahead_s)[0] * state[1] +
-                   afterAcceleration(kAccelerationTau_s, stopTau_s, ahead_s)[0] * state[2] +
-                   afterDrive(stopTau_s, ahead_s)[0] * state[3];
+    const Decay after = stopping(ahead, stopTau_s);
+    predicted_m += state[0] + afterCelerity(after)[0] * state[1] + afterAcceleration(after)[0] * state[2] +
+                   afterDrive(after)[0] * state[3];
   }
   return predicted_m;
 }

@@ -77,9 +77,10 @@ SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
   }
 
   const double interval_s = time_s - time_s_;
-  const Pose shown = shownPose(time_s);
   const double share = shownShare(time_s);
   const bool isLongAgo = jump == Jump::New || interval_s > kPredict_s;
+  const bool returned = isLongAgo || jump == Jump::Shifted;
+  const Pose shown = returned ? shownPose(time_s) : Pose{};
   if (jump == Jump::New || interval_s > kLost_s) {
     start(time_s, measured);
   } else {
@@ -88,7 +89,6 @@ SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
     use(time_s, measured);
   }
   share_ = isLongAgo ? share : std::min(1.0, share + interval_s / kFade_s);
-  const bool returned = isLongAgo || jump == Jump::Shifted;
   if (returned) {
     returned_s_ = time_s;
     const Pose filtered = filteredPose(time_s);

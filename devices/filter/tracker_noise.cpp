@@ -60,13 +60,13 @@ double TrackerNoise::Spacing::spread_m2() const {
 // Fifth divided difference Σ c_i x_i with c_i = Π_{j≠i} 1/(t_i − t_j); white noise of variance σ² gives it
 // the variance σ² Σ c_i² in each coordinate. Times are scaled, so that nothing overflows.
 double TrackerNoise::Spacing::differenced_m2() const {
-  const double span_s = times_s_.back() - times_s_.front();
+  const double perSpan_1_s = 1.0 / (times_s_.back() - times_s_.front());
   glm::dvec3 difference(0.0);
   double sumOfSquares = 0.0;
   for (int i = 0; i < kPoints; ++i) {
     double product = 1.0;
     for (int j = 0; j < kPoints; ++j) {
-      if (j != i) product *= (times_s_[i] - times_s_[j]) / span_s;
+      if (j != i) product *= (times_s_[i] - times_s_[j]) * perSpan_1_s;
     }
     const double weight = 1.0 / product;
     difference += weight * positions_m_[i];

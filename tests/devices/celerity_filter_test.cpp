@@ -75,10 +75,10 @@ class Reference {
                                                          {0.0007, 1.0 / 0.333, 0.38, 1.0},
                                                          {0.0107, 0.0, 1.0, 0.3},
                                                          {0.143, 0.0, 0.38, 1.0},
-                                                         {0.532, 0.0, 0.38, 1.0},
-                                                         {1.05, 0.0, 0.38, 1.0},
+                                                         {0.56, 0.0, 0.38, 1.0},
+                                                         {1.2, 0.0, 0.38, 1.0},
                                                          {4.3, 0.0, 0.583, 0.04}}};
-  static constexpr double kTau_s = 0.180, kDriveTau_s = 0.0185;
+  static constexpr double kTau_s = 0.185, kDriveTau_s = 0.0185;
 
   struct Belief {
     double weight = 0.0;
@@ -146,7 +146,7 @@ class Reference {
       likelihood *= 1e-4 * std::exp(-0.5 * off_m * off_m / variance_m2) / std::sqrt(variance_m2);
     }
     belief.covariance -= glm::outerProduct(column, column) / variance_m2;
-    belief.weight *= std::pow(likelihood, 0.44);
+    belief.weight *= std::pow(likelihood, 0.36);
   }
 
   void begin(Belief& belief, const Model& model, const glm::dvec3& position_m) const {
