@@ -26,7 +26,7 @@
 #include "app/commands/export.h"
 #include "app/commands/pattern.h"
 #include "app/commands/replay.h"
-#include "app/operator/controls.h"
+#include "app/operator/operator_settings.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/capture/movie.h"
 #endif

@@ -9,12 +9,11 @@
 #include <memory>
 #include <utility>
 
+#include "app/commands/session_frames.h"
 #include "app/files/config_folder.h"
 #include "app/journal/session_file.h"
 #include "app/operator/lesson.h"
-#include "app/session/frame_loop.h"
 #include "app/session/live_source.h"
-#include "app/session/stage.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "devices/setup/open_tracker.h"
@@ -90,47 +89,69 @@ Before whatWas(const std::filesystem::path& file) {
 }
 
 /// What a game begins with.
-Controls controlsOf(const Stage& stage, const CaveOptions& options) {
-  Controls controls = controlsAtStart(stage);
-  controls.switches = options.switches;
-  controls.views = options.views;
-  beginLesson(stage.scenario, !options.frames, controls);
-  return controls;
+OperatorSettings settingsOf(const Stage& stage, const CaveOptions& options) {
+  OperatorSettings settings = settingsAtStart(stage);
+  settings.switches = options.switches;
+  settings.views = options.views;
+  beginLesson(stage.scenario, !options.frames, settings);
+  return settings;
 }
 
 /// What the session begins with: asked for, or left by the one that goes on.
-Controls firstControls(const Stage& stage, const CaveOptions& options, const Before& before) {
-  Controls controls = controlsOf(stage, options);
-  if (!before.last) return controls;
+OperatorSettings firstSettings(const Stage& stage, const CaveOptions& options, const std::string& file,
+                               const Before& before) {
+  OperatorSettings settings = settingsOf(stage, options);
+  settings.playing = file;
+  if (!before.last) return settings;
   // A question that waits for its answer is asked again.
-  if (before.last->lesson.phase != LessonPhase::asks) controls.lesson = before.last->lesson;
-  controls.switches = before.last->switches;
-  controls.views = before.last->views;
-  controls.views.frozen = 0;
-  controls.lightSpeed_m_s = before.last->lightSpeed_m_s;
+  if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
+  settings.switches = before.last->switches;
+  settings.views = before.last->views;
+  settings.views.frozen = 0;
+  settings.lightSpeed_m_s = before.last->lightSpeed_m_s;
   const auto& eyes = before.last->observer.eyes;
   // To a tenth of a micrometre: as it was set, not as rounding left it.
-  controls.eyeSeparation_m =
+  settings.eyeSeparation_m =
       std::round(glm::distance(eyes[0].positionInRoom_m, eyes[1].positionInRoom_m) * 1e7) / 1e7;
-  return controls;
+  return settings;
 }
 
+/// What rank 0 has for all games of the session.
+struct LivePlay {
+  LivePlay(const Stage& stage, const CaveOptions& options, const StageOptions& inputs, const Before& before,
+           LiveStart start)
+      : clock(clockOf(stage, options, start.sessionStart)),
+        pacer((clock->sleepUntil(livedOf_s(start)), *clock), stage.rig.display_hz, stage.rig.displayLatency_s,
+              stage.swapsWait, start.firstFrame()),
+        source(stage.rig, stage.scenario, stage.world, start),
+        leader(source, KeysOf::session, firstSettings(stage, options, inputs.scenario.file.string(), before),
+               stage.realTime ? stage.walls.get() : nullptr),
+        sounds(soundsFor(stage, options.silent || options.noWindow)) {
+    journal.keep(openJournal(options.session, options.resume, inputs, stage));
+  }
+
+  static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
+
+  std::unique_ptr<Clock> clock;
+  Pacer pacer;
+  LiveSource source;
+  FrameLeader leader;
+  std::unique_ptr<Sounds> sounds;
+  JournalListener journal;
+};
+
 /// At the start of the game, or after the last frame of the session that goes on.
-std::unique_ptr<LiveSource> sourceOf(const Stage& stage, const CaveOptions& options,
-                                     const StageOptions& inputs, const Before& before) {
+std::unique_ptr<LivePlay> playOf(const Stage& stage, const CaveOptions& options, const StageOptions& inputs,
+                                 const Before& before) {
   using SystemClock = std::chrono::steady_clock;
-  const double lived_s = before.last ? before.last->display_s : 0.0;
-  const auto start = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
-                                              std::chrono::duration<double>(lived_s));
-  LiveStart live{start, clockOf(stage, options, start), stage.swapsWait, before.last, options.frames};
+  LiveStart start{{}, before.last, options.frames};
+  start.sessionStart = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
+                                                std::chrono::duration<double>(LivePlay::livedOf_s(start)));
   if (options.resume) {
     const auto said = [](const std::string&) {};  // by whatWas
-    live.struck = SessionFile(*options.session, said).strokes(stage.scenario.billiard.pucks);
+    start.struck = SessionFile(*options.session, said).strokes(stage.scenario.billiard.pucks);
   }
-  live.clock->sleepUntil(lived_s);
-  auto source = std::make_unique<LiveSource>(stage.rig, stage.scenario, stage.world, std::move(live));
-  source->keep(openJournal(options.session, options.resume, inputs, stage));
-  return source;
+  return std::make_unique<LivePlay>(stage, options, inputs, before, std::move(start));
 }
 
 /// Each game's session file, beside the first: visit.db, visit-2.db, visit-3.db.
@@ -164,19 +185,20 @@ void sayWhere(const std::filesystem::path& first) {
 /// Another game begins as this program does; what belongs to the room stays. The same game again keeps all
 /// that was set; a lesson that is being looked at is shown again, and one that was explained is over: its
 /// question is the next visitor's.
-Controls controlsOfNext(const Controls& before, const std::string& file, const Stage& stage,
-                        const CaveOptions& options) {
-  Controls controls = controlsOf(stage, options);
-  controls.eyeSeparation_m = before.eyeSeparation_m;
-  controls.walls = before.walls;
-  controls.playing = file;
-  if (!isSameFile(file, before.playing)) return controls;
-  controls.switches = before.switches;
-  controls.views = before.views;
-  controls.views.frozen = 0;
-  controls.lightSpeed_m_s = before.lightSpeed_m_s;
-  if (before.lesson.phase == LessonPhase::shows) controls.lesson = before.lesson;
-  return controls;
+OperatorSettings settingsOfNext(const OperatorSettings& before, const std::string& file, const Stage& stage,
+                                const CaveOptions& options) {
+  OperatorSettings settings = settingsOf(stage, options);
+  settings.eyeSeparation_m = before.eyeSeparation_m;
+  settings.walls = before.walls;
+  settings.keysShown = before.keysShown;
+  settings.playing = file;
+  if (!isSameFile(file, before.playing)) return settings;
+  settings.switches = before.switches;
+  settings.views = before.views;
+  settings.views.frozen = 0;
+  settings.lightSpeed_m_s = before.lightSpeed_m_s;
+  if (before.lesson.phase == LessonPhase::shows) settings.lesson = before.lesson;
+  return settings;
 }
 
 /// The journal of the next game; where it cannot be written, that is said and the game is played without.
@@ -190,35 +212,47 @@ std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& s
 }
 
 /// Rank 0 may have chosen another game, or the same from its beginning: then every node goes on with it.
-/// False: nobody has, it is the end.
+/// False: nobody has, it is the end. `play`: null on ranks other than 0.
 bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions& inputs, Stage& stage,
-                     LiveSource* source, Lead* lead) {
-  std::string file = lead ? std::exchange(lead->controls.play, {}) : "";
+                     OperatorWindows& windows, LivePlay* play) {
+  std::string file = play ? play->leader.takeNextGame() : "";
   cluster.share(file);
   if (file.empty()) return false;
   if (!playNext(cluster, stage, file)) {
-    if (stage.console) tellConsole(*stage.console, file);
-    if (source) source->tell("That game has a mistake: the terminal and the console say where");
+    if (windows.console) tellConsole(*windows.console, file);
+    if (play) play->source.tell("That game has a mistake: the terminal and the console say where");
     return true;
   }
   inputs.scenario = {file, {}};
   together(cluster, [&] {
-    if (!lead) return;
+    if (!play) return;
+    windows.play(stage);
     std::optional<std::filesystem::path> session;
     if (options.session) session = fileAfter(*options.session);
-    source->playAnew(openNextJournal(session, inputs, stage));
-    if (stage.console) stage.console->writeTo(session);
-    lead->controls = controlsOfNext(lead->controls, file, stage, options);
+    play->source.playAnew();
+    play->journal.keep(openNextJournal(session, inputs, stage));
+    if (windows.console) windows.console->writeTo(session);
+    play->leader.begin(settingsOfNext(play->leader.settings(), file, stage, options));
     fmt::print(stderr, "{}{}\n", stage.scenario.title, session ? " is written to " + session->string() : "");
   });
   stage.graphics->poll();  // what was pressed while it was made ready is meant for nothing
   return true;
 }
 
+/// One game's frames; returns whether somebody wants the session to end.
+bool playGame(Cluster& cluster, Stage& stage, OperatorWindows& windows, LivePlay* play) {
+  FramePacer follows;
+  if (!play) return runFrames(SessionFrames(cluster, stage, follows, nullptr, KeysOf::session).context());
+  const Lead lead{play->source, play->leader, windows, play->sounds.get(), &play->journal};
+  SessionFrames frames(cluster, stage, play->pacer, &lead, KeysOf::session);
+  const bool isAskedToEnd = runFrames(frames.context());
+  if (stage.realTime) frames.statistics().sayHowItWent();
+  return isAskedToEnd;
+}
+
 void runSession(Cluster& cluster, const CaveOptions& options) {
-  StageOptions inputs{{options.rig, {}}, {options.scenario, {}}, true,
-                      options.recording, options.noWindow,       options.frames.has_value(),
-                      options.outside,   options.diagram};
+  StageOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
+                      options.noWindow,  options.frames.has_value(), options.outside};
   Before before;
   together(cluster, [&] {
     if (cluster.rank() > 0 || !options.session) return;
@@ -234,27 +268,23 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   });
   if (options.resume) shareInputs(cluster, inputs);
   Stage stage = openStage(cluster, inputs);
-  if (options.console && !options.noWindow) openConsole(cluster, stage, KeysOf::session);
-  if (stage.console) stage.console->writeTo(options.session);
-  std::unique_ptr<LiveSource> source;
-  std::optional<Lead> lead;
+  const bool visible = !options.noWindow;
+  OperatorWindows windows =
+      openWindows(cluster, stage, options.diagram && visible, options.console && visible, KeysOf::session);
+  if (windows.console) windows.console->writeTo(options.session);
+  std::unique_ptr<LivePlay> play;
   together(cluster, [&] {
-    if (cluster.rank() > 0) return;
-    source = sourceOf(stage, options, inputs, before);
-    lead.emplace(Lead{*source, KeysOf::session, firstControls(stage, options, before),
-                      soundsOf(stage, options.silent || options.noWindow)});
+    if (cluster.rank() == 0) play = playOf(stage, options, inputs, before);
   });
-  if (lead) {
-    lead->controls.playing = inputs.scenario.file.string();
-    announce(stage, cluster, options);
+  if (play) announce(stage, cluster, options);
+  while (!playGame(cluster, stage, windows, play.get()) &&
+         goOnWithAnother(cluster, options, inputs, stage, windows, play.get())) {
   }
-  do {
-    runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
-  } while (goOnWithAnother(cluster, options, inputs, stage, source.get(), lead ? &*lead : nullptr));
-  source.reset();  // the session file is whole
-  if (lead && options.session) sayWhere(*options.session);
+  const bool leads = play != nullptr;
+  play.reset();  // the session file is whole
+  if (leads && options.session) sayWhere(*options.session);
   stage.recording->finish();
-  if (lead && options.recording.capture)
+  if (leads && options.recording.capture)
     fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
   cluster.leave();
 }

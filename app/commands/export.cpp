@@ -98,13 +98,15 @@ void eachFrameSeen(Recorded& recorded, const TakeFrame& take) {
 void eachFrameOf(const std::filesystem::path& observer, const Recorded& recorded, const TakeFrame& take) {
   SimulatedClock clock;
   VisitorSource source(recorded.rig, recorded.scenario, {.trace = observer, .beta = {}, .mayStay = false},
-                       recorded.game, {clock, std::chrono::steady_clock::now()});
-  FrameState frame;
-  while (!frame.record.last) {
-    source.next({}, frame);
-    source.drawn();
-    take(frame.record);
-    source.shown(frame);
+                       recorded.game, std::chrono::steady_clock::now());
+  Pacer pacer(clock, recorded.rig.display_hz, recorded.rig.displayLatency_s);
+  OperatorSettings settings;
+  Decision decision;
+  while (!decision.frame.record.last) {
+    source.next(pacer.next(), {}, settings, decision);
+    take(decision.frame.record);
+    pacer.awaitTick(0.0);
+    pacer.swapped();
   }
 }
 

@@ -7,9 +7,11 @@
 #include <stdexcept>
 
 #include "app/files/rig.h"
+#include "app/session/frame_listeners.h"
 #include "app/session/frame_loop.h"
-#include "app/session/stage.h"
+#include "app/session/frame_views.h"
 #include "app/stage/all_ranks.h"
+#include "app/stage/stage.h"
 #include "app/tools/import.h"
 #include "cave/cluster/cluster.h"
 #include "cave/frame/pacer.h"
@@ -52,54 +54,58 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
 /// The patterns as the operator chooses them, one frame at each of the display's ticks.
 class ChosenPatterns : public FrameSource {
  public:
-  explicit ChosenPatterns(const Rig& rig) : pacer_(clock_, rig.display_hz, rig.displayLatency_s) {}
-
-  void next(const Controls& controls, FrameState& state) override {
-    const FrameTimes times = pacer_.next();
-    state.record.number = times.number;
-    state.record.display_s = times.display_s;
-    state.record.controls = controls.walls;
+  void next(const FrameTimes& times, const FrameInput&, OperatorSettings& settings,
+            Decision& decision) override {
+    FrameRecord& record = decision.frame.record;
+    record.number = times.number;
+    record.display_s = times.display_s;
+    record.controls = settings.walls;
   }
-  void drawn() override { pacer_.drawn(); }
-  void shown(const FrameState&) override { pacer_.swapped(); }
-
- private:
-  SteadyClock clock_;
-  Pacer pacer_;
 };
 
 /// All of them once, for pictures: the test patterns, then the seam pattern at 0, 1 and 2 s.
 class EveryPattern : public FrameSource {
  public:
-  void next(const Controls& controls, FrameState& state) override {
-    state.record.number = number_;
-    state.record.display_s = number_ == 0 ? 0.0 : static_cast<double>(number_ - 1);
-    state.record.controls = controls.walls;
-    state.record.controls.shown = number_ == 0 ? Shown::testPattern : Shown::seamPattern;
-    state.record.last = number_ == 3;
-    ++number_;
+  void next(const FrameTimes& times, const FrameInput&, OperatorSettings& settings,
+            Decision& decision) override {
+    FrameRecord& record = decision.frame.record;
+    record.number = times.number;
+    record.display_s = times.number == 0 ? 0.0 : static_cast<double>(times.number - 1);
+    record.controls = settings.walls;
+    record.controls.shown = times.number == 0 ? Shown::testPattern : Shown::seamPattern;
+    record.last = times.number == 3;
   }
-
- private:
-  std::uint64_t number_ = 0;
 };
 
 void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& options) {
-  std::unique_ptr<FrameSource> source;
-  if (options.capture) {
-    source = std::make_unique<EveryPattern>();
-  } else {
-    source = std::make_unique<ChosenPatterns>(patterns.rig);
-  }
-  const bool leads = cluster.rank() == 0;
-  if (leads && !options.capture) sayKeys(KeysOf::patterns);
-  Lead lead{*source, KeysOf::patterns, {}};
-  lead.controls.walls.shown = Shown::testPattern;
+  const bool leads = cluster.rank() == 0, realTime = !options.capture;
+  const Rig& rig = patterns.rig;
+  std::unique_ptr<FrameSource> source = std::make_unique<EveryPattern>();
+  if (realTime) source = std::make_unique<ChosenPatterns>();
+  SteadyClock clock;
+  std::unique_ptr<FramePacer> pacer = std::make_unique<FramePacer>();
+  if (leads && realTime) pacer = std::make_unique<Pacer>(clock, rig.display_hz, rig.displayLatency_s);
+  if (leads && realTime) sayKeys(KeysOf::patterns);
+  OperatorSettings settings;
+  settings.walls.shown = Shown::testPattern;
+  Director follower;
+  FrameLeader leader(*source, KeysOf::patterns, settings, nullptr);
+  Director& director = leads ? leader : follower;
   World nothing;
-  NodeLock lock = patterns.walls->lockSwaps(patterns.rig.frameLock);
-  runFrames({cluster, *patterns.graphics, *patterns.walls, nothing, *patterns.recording, lock,
-             patterns.rig.display_hz, !options.capture},
-            leads ? &lead : nullptr);
+  NodeLock lock = patterns.walls->lockSwaps(rig.frameLock);
+  FrameStatistics statistics(cluster, lock, rig.display_hz, realTime);
+  WallsView walls(*patterns.walls, statistics, director, KeysOf::patterns);
+  DrawingEnd drawingEnd(*patterns.walls, statistics, realTime);
+  RecordingListener recording(*patterns.recording, *patterns.walls, nullptr);
+  FrameContext context{cluster,
+                       *patterns.graphics,
+                       nothing,
+                       *pacer,
+                       director,
+                       statistics,
+                       {&walls, &drawingEnd},
+                       {&statistics, &recording}};
+  runFrames(context);
   patterns.recording->finish();
   if (leads && options.capture) fmt::print(stderr, "The pictures are in {}.\n", options.capture->string());
 }

@@ -6,11 +6,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "app/session/frame_loop.h"
+#include "app/commands/session_frames.h"
 #include "app/session/recorded_source.h"
 #include "app/session/visitor_source.h"
 #include "app/stage/all_ranks.h"
-#include "app/viewer/person.h"
 #include "devices/tracker/trace.h"
 
 namespace carom {
@@ -33,9 +32,10 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, StageOpti
   return session;
 }
 
-/// Where the frames come from, and the clock that they go by.
+/// Where the frames come from, and what they go by.
 struct Frames {
   std::unique_ptr<Clock> clock;
+  std::unique_ptr<FramePacer> pacer;
   std::unique_ptr<FrameSource> source;
 };
 
@@ -49,16 +49,29 @@ Frames framesOf(const ReplayOptions& options, const Stage& stage, SessionFile& s
   } else {
     frames.clock = std::make_unique<SimulatedClock>();
   }
+  const Rig& rig = stage.rig;
   if (game) {
     const Visitor visitor{options.observer, options.beta, stage.realTime && !options.observer, options.from_m,
                           options.facing_rad};
-    frames.source = std::make_unique<VisitorSource>(stage.rig, stage.scenario, visitor, std::move(*game),
-                                                    VisitTime{*frames.clock, start, stage.swapsWait});
+    frames.source = std::make_unique<VisitorSource>(rig, stage.scenario, visitor, std::move(*game), start);
+    frames.pacer =
+        std::make_unique<Pacer>(*frames.clock, rig.display_hz, rig.displayLatency_s, stage.swapsWait);
   } else {
-    frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(stage), stage.rig.display_hz,
-                                                     *frames.clock);
+    frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(stage), rig.display_hz);
+    frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   return frames;
+}
+
+/// On rank 0: the frames as the source has them.
+void showFrames(Cluster& cluster, Stage& stage, OperatorWindows& windows, const ReplayOptions& options,
+                const std::string& scenario, Frames& frames) {
+  OperatorSettings settings = settingsAtStart(stage);
+  settings.playing = scenario;
+  FrameLeader leader(*frames.source, KeysOf::replay, settings, stage.realTime ? stage.walls.get() : nullptr);
+  const auto sounds = soundsFor(stage, options.silent || options.noWindow);
+  const Lead lead{*frames.source, leader, windows, sounds.get(), nullptr};
+  runFrames(SessionFrames(cluster, stage, *frames.pacer, &lead, KeysOf::replay).context());
 }
 
 void replay(Cluster& cluster, const ReplayOptions& options) {
@@ -68,28 +81,30 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   inputs.noWindow = inputs.simulated = options.noWindow;
   inputs.live = isVisit(options) && !options.observer;
   inputs.outside = options.outside;
-  inputs.diagram = options.diagram;
   together(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
   shareInputs(cluster, inputs);
   Stage stage = openStage(cluster, inputs);
-  if (options.console && !options.noWindow) openConsole(cluster, stage, KeysOf::replay);
-
+  const bool visible = !options.noWindow;
+  OperatorWindows windows =
+      openWindows(cluster, stage, options.diagram && visible, options.console && visible, KeysOf::replay);
   Frames frames;
-  std::optional<Lead> lead;
   together(cluster, [&] {
     if (cluster.rank() > 0) return;
     frames = framesOf(options, stage, *session);
-    lead.emplace(Lead{*frames.source, KeysOf::replay, controlsAtStart(stage),
-                      soundsOf(stage, options.silent || options.noWindow)});
-    lead->controls.playing = inputs.scenario.file.string();
-    if (!options.noWindow) sayKeys(KeysOf::replay);
+    if (visible) sayKeys(KeysOf::replay);
   });
-  runFrames(nodeOf(cluster, stage), lead ? &*lead : nullptr);
+  if (frames.source) {
+    showFrames(cluster, stage, windows, options, inputs.scenario.file.string(), frames);
+  } else {
+    FramePacer follows;
+    runFrames(SessionFrames(cluster, stage, follows, nullptr, KeysOf::replay).context());
+  }
+  const bool leads = frames.source != nullptr;
   frames.source.reset();  // trackers are asked to be quiet
   stage.recording->finish();
-  if (lead && options.recording.capture)
+  if (leads && options.recording.capture)
     fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
   cluster.leave();
 }

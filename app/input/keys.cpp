@@ -8,7 +8,6 @@
 #include <cmath>
 #include <optional>
 
-#include "app/operator/lesson.h"
 #include "engine/base/limits.h"
 
 namespace carom {
@@ -28,33 +27,52 @@ struct Pressed {
   double now_s;
 };
 
-void turn(std::uint8_t& value) { value = value ? 0 : 1; }
+bool isOff(std::uint8_t value) { return value == 0; }
 
-void showNext(Controls& controls, const Pressed& pressed) {
-  auto next = (static_cast<unsigned>(controls.walls.shown) + 1) % 3;
+template <std::uint8_t Switches::*effect>
+Command turnSwitch(const OperatorSettings& now, const Pressed&) {
+  return SetSwitch{effect, false, isOff(now.switches.*effect)};
+}
+
+template <std::uint8_t Switches::*effect>
+Command turnBeside(const OperatorSettings& now, const Pressed&) {
+  return SetSwitch{effect, true, isOff(now.views.beside.*effect)};
+}
+
+template <std::uint8_t TimeViews::*view>
+Command turnView(const OperatorSettings& now, const Pressed&) {
+  return SetView{view, isOff(now.views.*view)};
+}
+
+template <std::uint8_t WallControls::*option>
+Command turnWalls(const OperatorSettings& now, const Pressed&) {
+  return SetWalls{option, isOff(now.walls.*option)};
+}
+
+Command showNext(const OperatorSettings& now, const Pressed& pressed) {
+  auto next = (static_cast<unsigned>(now.walls.shown) + 1) % 3;
   if (next == 0 && pressed.place == KeysOf::patterns) next = 1;
-  controls.walls.shown = static_cast<Shown>(next);
+  return ShowOnWalls{static_cast<Shown>(next)};
 }
 
-void setEyesApart(Controls& controls, int steps) {
+template <int steps>
+Command setEyesApart(const OperatorSettings& now, const Pressed&) {
   // To a tenth of a millimetre, so that steps there and back end where they began.
-  const double set_m = std::round((controls.eyeSeparation_m + steps * kEyeSeparationStep_m) * 1e4) / 1e4;
-  controls.eyeSeparation_m = std::clamp(set_m, 0.0, kMostEyeSeparation_m);
+  const double set_m = std::round((now.eyeSeparation_m + steps * kEyeSeparationStep_m) * 1e4) / 1e4;
+  return SetEyeSeparation{std::clamp(set_m, 0.0, kMostEyeSeparation_m)};
 }
 
-void setLightSpeed(Controls& controls, int steps) {
-  const double set_m_s = controls.lightSpeed_m_s * std::exp2(steps / kLightSpeedSteps);
-  controls.lightSpeed_m_s = std::clamp(set_m_s, kLeastLightSpeed_m_s, kMostLightSpeed_m_s);
+template <int steps>
+Command setLightSpeed(const OperatorSettings& now, const Pressed&) {
+  const double set_m_s = now.lightSpeed_m_s * std::exp2(steps / kLightSpeedSteps);
+  return SetLightSpeed{std::clamp(set_m_s, kLeastLightSpeed_m_s, kMostLightSpeed_m_s)};
 }
 
-void goTo(Controls& controls, double session_s) {
-  ++controls.playback.jumps;
-  controls.playback.goTo_s = std::max(session_s, 0.0);
-}
+Command goTo(double session_s) { return Seek{std::max(session_s, 0.0)}; }
 
-void setRate(Controls& controls, double rate) {
+Command setRate(double rate) {
   const double fast = std::clamp(std::abs(rate), 1.0 / kMostRate, kMostRate);
-  controls.playback.rate = std::copysign(fast, rate);
+  return SetRate{std::copysign(fast, rate)};
 }
 
 struct Key {
@@ -63,84 +81,73 @@ struct Key {
   const char* label;
   unsigned where;
   const char* does;  // null: told by the line before
-  void (*act)(Controls&, const Pressed&);
+  Command (*command)(const OperatorSettings&, const Pressed&);
 };
 
 constexpr std::array kKeys{
-    Key{GLFW_KEY_1, 0, "1", kWithGame, "retardation",
-        [](Controls& c, const Pressed&) { turn(c.switches.retardation); }},
-    Key{GLFW_KEY_2, 0, "2", kWithGame, "contraction",
-        [](Controls& c, const Pressed&) { turn(c.switches.contraction); }},
-    Key{GLFW_KEY_3, 0, "3", kWithGame, "aberration",
-        [](Controls& c, const Pressed&) { turn(c.switches.aberration); }},
-    Key{GLFW_KEY_4, 0, "4", kWithGame, "colour",
-        [](Controls& c, const Pressed&) { turn(c.switches.colour); }},
-    Key{GLFW_KEY_5, 0, "5", kWithGame, "searchlight",
-        [](Controls& c, const Pressed&) { turn(c.switches.searchlight); }},
-    Key{GLFW_KEY_N, 0, "N", kWithGame, "ghosts: now on the board",
-        [](Controls& c, const Pressed&) { turn(c.views.boardNow); }},
-    Key{GLFW_KEY_M, 0, "M", kWithGame, "ghosts: my now",
-        [](Controls& c, const Pressed&) { turn(c.views.myNow); }},
-    Key{GLFW_KEY_P, 0, "P", kWithGame, "paths", [](Controls& c, const Pressed&) { turn(c.views.paths); }},
-    Key{GLFW_KEY_E, 0, "E", kWithGame, "events", [](Controls& c, const Pressed&) { turn(c.views.events); }},
-    Key{GLFW_KEY_C, 0, "C", kWithGame, "clocks", [](Controls& c, const Pressed&) { turn(c.views.clocks); }},
-    Key{GLFW_KEY_U, 0, "U", kWithGame, "ruler", [](Controls& c, const Pressed&) { turn(c.views.ruler); }},
-    Key{GLFW_KEY_O, 0, "O", kWithGame, "angles", [](Controls& c, const Pressed&) { turn(c.views.angles); }},
-    Key{GLFW_KEY_V, 0, "V", kWithGame, "Newton beside Einstein",
-        [](Controls& c, const Pressed&) { turn(c.views.split); }},
-    Key{GLFW_KEY_6, 0, "6", kWithGame, "in the right half: retardation",
-        [](Controls& c, const Pressed&) { turn(c.views.beside.retardation); }},
-    Key{GLFW_KEY_7, 0, "7", kWithGame, "in the right half: contraction",
-        [](Controls& c, const Pressed&) { turn(c.views.beside.contraction); }},
-    Key{GLFW_KEY_8, 0, "8", kWithGame, "in the right half: aberration",
-        [](Controls& c, const Pressed&) { turn(c.views.beside.aberration); }},
-    Key{GLFW_KEY_9, 0, "9", kWithGame, "in the right half: colour",
-        [](Controls& c, const Pressed&) { turn(c.views.beside.colour); }},
-    Key{GLFW_KEY_0, 0, "0", kWithGame, "in the right half: searchlight",
-        [](Controls& c, const Pressed&) { turn(c.views.beside.searchlight); }},
-    Key{GLFW_KEY_F, 0, "F", kWithGame, "freeze the sight and walk round it",
-        [](Controls& c, const Pressed&) { turn(c.views.frozen); }},
-    Key{GLFW_KEY_LEFT_BRACKET, 0, "[ ]", kInSession, "slower and faster light",
-        [](Controls& c, const Pressed&) { setLightSpeed(c, -1); }},
-    Key{GLFW_KEY_RIGHT_BRACKET, 0, "]", kInSession, nullptr,
-        [](Controls& c, const Pressed&) { setLightSpeed(c, 1); }},
+    Key{GLFW_KEY_1, 0, "1", kWithGame, "retardation", turnSwitch<&Switches::retardation>},
+    Key{GLFW_KEY_2, 0, "2", kWithGame, "contraction", turnSwitch<&Switches::contraction>},
+    Key{GLFW_KEY_3, 0, "3", kWithGame, "aberration", turnSwitch<&Switches::aberration>},
+    Key{GLFW_KEY_4, 0, "4", kWithGame, "colour", turnSwitch<&Switches::colour>},
+    Key{GLFW_KEY_5, 0, "5", kWithGame, "searchlight", turnSwitch<&Switches::searchlight>},
+    Key{GLFW_KEY_N, 0, "N", kWithGame, "ghosts: now on the board", turnView<&TimeViews::boardNow>},
+    Key{GLFW_KEY_M, 0, "M", kWithGame, "ghosts: my now", turnView<&TimeViews::myNow>},
+    Key{GLFW_KEY_P, 0, "P", kWithGame, "paths", turnView<&TimeViews::paths>},
+    Key{GLFW_KEY_E, 0, "E", kWithGame, "events", turnView<&TimeViews::events>},
+    Key{GLFW_KEY_C, 0, "C", kWithGame, "clocks", turnView<&TimeViews::clocks>},
+    Key{GLFW_KEY_U, 0, "U", kWithGame, "ruler", turnView<&TimeViews::ruler>},
+    Key{GLFW_KEY_O, 0, "O", kWithGame, "angles", turnView<&TimeViews::angles>},
+    Key{GLFW_KEY_V, 0, "V", kWithGame, "Newton beside Einstein", turnView<&TimeViews::split>},
+    Key{GLFW_KEY_6, 0, "6", kWithGame, "in the right half: retardation", turnBeside<&Switches::retardation>},
+    Key{GLFW_KEY_7, 0, "7", kWithGame, "in the right half: contraction", turnBeside<&Switches::contraction>},
+    Key{GLFW_KEY_8, 0, "8", kWithGame, "in the right half: aberration", turnBeside<&Switches::aberration>},
+    Key{GLFW_KEY_9, 0, "9", kWithGame, "in the right half: colour", turnBeside<&Switches::colour>},
+    Key{GLFW_KEY_0, 0, "0", kWithGame, "in the right half: searchlight", turnBeside<&Switches::searchlight>},
+    Key{GLFW_KEY_F, 0, "F", kWithGame, "freeze the sight and walk round it", turnView<&TimeViews::frozen>},
+    Key{GLFW_KEY_LEFT_BRACKET, 0, "[ ]", kInSession, "slower and faster light", setLightSpeed<-1>},
+    Key{GLFW_KEY_RIGHT_BRACKET, 0, "]", kInSession, nullptr, setLightSpeed<1>},
     Key{GLFW_KEY_SPACE, 0, "Space", kInReplay, "pause",
-        [](Controls& c, const Pressed&) { c.playback.paused = !c.playback.paused; }},
+        [](const OperatorSettings& now, const Pressed&) -> Command { return Pause{!now.playback.paused}; }},
     Key{GLFW_KEY_LEFT, 0, "← →", kInReplay, "a second back, a second on",
-        [](Controls& c, const Pressed& pressed) { goTo(c, pressed.now_s - kScrub_s); }},
+        [](const OperatorSettings&, const Pressed& pressed) -> Command {
+          return goTo(pressed.now_s - kScrub_s);
+        }},
     Key{GLFW_KEY_RIGHT, 0, "→", kInReplay, nullptr,
-        [](Controls& c, const Pressed& pressed) { goTo(c, pressed.now_s + kScrub_s); }},
+        [](const OperatorSettings&, const Pressed& pressed) -> Command {
+          return goTo(pressed.now_s + kScrub_s);
+        }},
     Key{GLFW_KEY_UP, 0, "↑ ↓", kInReplay, "twice as fast, half as fast",
-        [](Controls& c, const Pressed&) { setRate(c, 2.0 * c.playback.rate); }},
+        [](const OperatorSettings& now, const Pressed&) -> Command {
+          return setRate(2.0 * now.playback.rate);
+        }},
     Key{GLFW_KEY_DOWN, 0, "↓", kInReplay, nullptr,
-        [](Controls& c, const Pressed&) { setRate(c, 0.5 * c.playback.rate); }},
+        [](const OperatorSettings& now, const Pressed&) -> Command {
+          return setRate(0.5 * now.playback.rate);
+        }},
     Key{GLFW_KEY_R, 0, "R", kInReplay, "backwards and forwards",
-        [](Controls& c, const Pressed&) { c.playback.rate = -c.playback.rate; }},
+        [](const OperatorSettings& now, const Pressed&) -> Command { return SetRate{-now.playback.rate}; }},
     Key{GLFW_KEY_HOME, 0, "Home", kInReplay, "from the beginning",
-        [](Controls& c, const Pressed&) { goTo(c, 0.0); }},
+        [](const OperatorSettings&, const Pressed&) -> Command { return Seek{0.0}; }},
     Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, "Enter", kInSession, "the lesson goes on",
-        [](Controls& c, const Pressed&) { c.lesson = advance(c.lesson, c.lessonAnswers, 0, true); }},
+        [](const OperatorSettings&, const Pressed&) -> Command { return AdvanceLesson{}; }},
     Key{GLFW_KEY_Y, 0, "Y", kInSession, "this game from its beginning",
-        [](Controls& c, const Pressed&) { c.play = c.playing; }},
+        [](const OperatorSettings& now, const Pressed&) -> Command { return PlayScenario{now.playing}; }},
     Key{GLFW_KEY_G, 0, "G", kInSession, "set out on the scenario's tour",
-        [](Controls& c, const Pressed&) { ++c.tours; }},
+        [](const OperatorSettings&, const Pressed&) -> Command { return StartTour{}; }},
     Key{GLFW_KEY_T, 0, "T", kEverywhere, "patterns", showNext},
-    Key{GLFW_KEY_B, 0, "B", kEverywhere, "black walls",
-        [](Controls& c, const Pressed&) { turn(c.walls.blank); }},
-    Key{GLFW_KEY_X, 0, "X", kEverywhere, "swapped eyes",
-        [](Controls& c, const Pressed&) { turn(c.walls.eyesSwapped); }},
+    Key{GLFW_KEY_B, 0, "B", kEverywhere, "black walls", turnWalls<&WallControls::blank>},
+    Key{GLFW_KEY_X, 0, "X", kEverywhere, "swapped eyes", turnWalls<&WallControls::eyesSwapped>},
     Key{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD, "+ -", kInSession, "eye separation",  // + without Shift is =
-        [](Controls& c, const Pressed&) { setEyesApart(c, 1); }},
-    Key{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT, "-", kInSession, nullptr,
-        [](Controls& c, const Pressed&) { setEyesApart(c, -1); }},
+        setEyesApart<1>},
+    Key{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT, "-", kInSession, nullptr, setEyesApart<-1>},
     Key{GLFW_KEY_K, 0, "K", kInSession, "crosses where the trackers' sensors are",
-        [](Controls& c, const Pressed&) { turn(c.walls.trackerCross); }},
-    Key{GLFW_KEY_L, 0, "L", kEverywhere, "latency of every node",
-        [](Controls& c, const Pressed&) { turn(c.walls.latency); }},
+        turnWalls<&WallControls::trackerCross>},
+    Key{GLFW_KEY_L, 0, "L", kEverywhere, "latency of every node", turnWalls<&WallControls::latency>},
+    Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
+        [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
 };
 
 constexpr std::array<int, 2> kEndKeys{GLFW_KEY_ESCAPE, GLFW_KEY_Q};
-constexpr std::array<int, 2> kMapKeys{GLFW_KEY_H, GLFW_KEY_F1};
 
 template <std::size_t count>
 bool pressedOneOf(const WindowInput& input, const std::array<int, count>& keys) {
@@ -158,31 +165,39 @@ std::optional<int> digitOf(int key) {
 }
 
 /// While a lesson asks, the digits are its answers, and nothing else.
-bool answers(int key, KeysOf place, Controls& controls) {
+std::optional<Command> answerOf(int key, KeysOf place, const OperatorSettings& now) {
   const std::optional<int> digit = digitOf(key);
-  if (!digit || place != KeysOf::session || controls.lesson.phase != LessonPhase::asks) return false;
-  controls.lesson = advance(controls.lesson, controls.lessonAnswers, *digit, false);
-  return true;
+  if (!digit || place != KeysOf::session || now.lesson.phase != LessonPhase::asks) return {};
+  return AnswerLesson{*digit};
+}
+
+std::optional<Command> commandOf(int pressed, const OperatorSettings& now, const Pressed& where) {
+  if (const auto answer = answerOf(pressed, where.place, now)) return answer;
+  for (const Key& key : kKeys) {
+    if (means(key, where.place) && (pressed == key.key || pressed == key.otherKey))
+      return key.command(now, where);
+  }
+  return {};
 }
 
 }  // namespace
 
 bool wantsToEnd(const WindowInput& input) { return input.closeRequested || pressedOneOf(input, kEndKeys); }
 
-bool asksForKeys(const WindowInput& input) { return pressedOneOf(input, kMapKeys); }
-
-void obeyKeys(const WindowInput& input, KeysOf place, double now_s, Controls& controls) {
+Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const OperatorSettings& settings) {
+  Commands commands;
+  std::optional<OperatorSettings> then;  // as each key finds them: a copy is made only where one is pressed
   for (const KeyInput& pressed : input.keys) {
-    if (!pressed.pressed || pressed.key == 0 || answers(pressed.key, place, controls)) continue;
-    const unsigned jumps = controls.playback.jumps;
-    for (const Key& key : kKeys) {
-      if (means(key, place) && (pressed.key == key.key || pressed.key == key.otherKey)) {
-        key.act(controls, {place, now_s});
-      }
-    }
-    if (controls.playback.jumps != jumps)
-      now_s = controls.playback.goTo_s;  // the next key goes on from there
+    if (!pressed.pressed || pressed.key == 0) continue;
+    if (!then) then = settings;
+    const std::optional<Command> command = commandOf(pressed.key, *then, {place, now_s});
+    if (!command) continue;
+    apply(*command, *then);
+    if (const auto* seek = std::get_if<Seek>(&*command))
+      now_s = seek->session_s;  // the next key goes on from there
+    commands.push_back(*command);
   }
+  return commands;
 }
 
 std::vector<KeyLine> keyMap(KeysOf place) {
@@ -203,13 +218,10 @@ std::vector<KeyLine> keyMap(KeysOf place) {
 }
 
 KeyLine keyFor(KeysOf place, std::string_view what) {
-  const Controls before;
+  const OperatorSettings any;
   for (const Key& key : kKeys) {
-    if (!means(key, place) || !key.does) continue;
-    Controls after = before;
-    key.act(after, {place, 0.0});
-    const std::vector<ControlChange> changes = changesOf(before, after);
-    if (changes.size() == 1 && changes.front().what == what) return {key.label, key.does};
+    if (means(key, place) && key.does && nameOf(key.command(any, {place, 0.0})) == what)
+      return {key.label, key.does};
   }
   return {};
 }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/operator/controls.h"
+#include "app/operator/command.h"
 #include "cave/gl/graphics.h"
 
 namespace carom {
@@ -25,15 +25,13 @@ struct KeyLine {
 /// What the keys do, in the order of the table.
 std::vector<KeyLine> keyMap(KeysOf place);
 
-/// The key that changes one thing, as `changesOf` (app/operator/controls.h) names it: "aberration",
-/// "board-now", "walls". Empty where none does.
+/// Returns the key for one thing, as `nameOf` (app/operator/command.h) names it: "aberration", "board-now",
+/// "walls". Empty where there is none.
 KeyLine keyFor(KeysOf place, std::string_view what);
 
-/// Changes the controls as the pressed keys say. `now_s`: the session's time, from which the arrows go.
-void obeyKeys(const WindowInput& input, KeysOf place, double now_s, Controls& controls);
-
-/// True if the key of the keyboard's map was pressed.
-bool asksForKeys(const WindowInput& input);
+/// Returns what the pressed keys ask for, each as the settings are after the ones before it. `now_s`: the session's
+/// time, from which the arrows go. Allocates only where a key is pressed.
+Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const OperatorSettings& settings);
 
 /// Says on standard error what the keys do.
 void sayKeys(KeysOf place);

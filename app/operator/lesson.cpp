@@ -24,14 +24,14 @@ LessonState advance(const LessonState& state, std::size_t answers, int answer, b
   return next;
 }
 
-void beginLesson(const Scenario& scenario, bool asks, Controls& controls) {
-  controls.lesson = {};
-  controls.lessonAnswers = 0;
+void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings) {
+  settings.lesson = {};
+  settings.lessonAnswers = 0;
   if (!scenario.lesson) return;
-  controls.lesson.phase = asks ? LessonPhase::asks : LessonPhase::shows;
-  controls.lessonAnswers = scenario.lesson->words.answers.size();
+  settings.lesson.phase = asks ? LessonPhase::asks : LessonPhase::shows;
+  settings.lessonAnswers = scenario.lesson->words.answers.size();
   for (const NamedView& view : kNamedViews) {
-    if (scenario.lesson->views.*view.value) controls.views.*view.value = 1;
+    if (scenario.lesson->views.*view.value) settings.views.*view.value = 1;
   }
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/files/scenario.h"
-#include "app/operator/controls.h"
+#include "app/operator/operator_settings.h"
 #include "cave/frame/lesson_words.h"
 
 namespace carom {
@@ -22,7 +22,7 @@ LessonState advance(const LessonState& state, std::size_t answers, int answer, b
 /// Has a session begin with the scenario's lesson, if there is one: with its views beside those that are on,
 /// and with its question if `asks`. A session that ends by itself, after so many frames, does not ask: nobody
 /// is there to answer, and it would show nothing else.
-void beginLesson(const Scenario& scenario, bool asks, Controls& controls);
+void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings);
 
 /// What was answered, in the lesson's words.
 std::string answerText(const LessonWords& words, const LessonState& state);

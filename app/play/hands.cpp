@@ -47,9 +47,9 @@ DriveWish Hands::drive() const {
   return wish;
 }
 
-int Hands::answer() const { return desk_.answer ? desk_.answer : wandButtons_.answered() + 1; }
-
-bool Hands::onwards() const { return desk_.onwards || wandButtons_.wasPressed(kOnwards); }
+std::optional<Command> Hands::lessonCommand() const {
+  return carom::lessonCommand(wandButtons_.answered() + 1, wandButtons_.wasPressed(kOnwards));
+}
 
 /// The wand's stick along where it points, level; the SpaceMouse along the room's axes.
 void Hands::steer(const HandDevices& devices) {

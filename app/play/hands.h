@@ -22,6 +22,7 @@
 #include "app/hand/hand_input.h"
 #include "app/input/desk.h"
 #include "app/input/desk_input.h"
+#include "app/operator/command.h"
 #include "app/viewer/drive.h"
 #include "app/viewer/hand_tracking.h"
 #include "engine/spacetime/observer.h"
@@ -47,8 +48,8 @@ class Hands {
 
   // Of wand and SpaceMouse as they were told for the frame before.
   DriveWish drive() const;
-  int answer() const;    ///< of a lesson, from 1; 0: none
-  bool onwards() const;  ///< "go on" was asked for
+  /// What the wand's buttons say to a lesson.
+  std::optional<Command> lessonCommand() const;
 
   /// The hand with the cue, once the frame's head and trackers are known.
   HandInput cue(const HandDevices& devices, const ObserverView& observer, const Pose& roomFromHead,

@@ -20,162 +20,119 @@ double felt(const HandInput& hand, const HandView& view) {
   return view.pulling && hand.device == "gamepad" ? costOf(view.u) / costOf(kStrongestU) : 0.0;
 }
 
-std::uint64_t firstFrame(const LiveStart& start) { return start.before ? start.before->number + 1 : 0; }
-
 }  // namespace
 
-LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& world, LiveStart start)
+LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& world, const LiveStart& start)
     : rig_(rig),
       scenario_(scenario),
       world_(world),
-      clock_(std::move(start.clock)),
-      pacer_(*clock_, rig.display_hz, rig.displayLatency_s, start.swapsWait, firstFrame(start)),
       person_(rig, scenario, start.sessionStart, start.before),
-      drive_(scenario, rig.axes, !start.before),
-      game_(scenario, start.struck),
+      play_(scenario, rig.axes, !start.before, start.struck),
       hands_(rig.axes),
-      handPlay_(scenario),
       leftRoom_(rig.walls) {
-  if (start.frames) lastFrame_ = firstFrame(start) + *start.frames - 1;
+  if (start.frames) lastFrame_ = start.firstFrame() + *start.frames - 1;
 }
 
-void LiveSource::keep(std::unique_ptr<Journal> journal) {
-  if (journal_) journal_->close();
-  onLeaving_.reset();
-  journal_ = std::move(journal);
-  if (journal_) onLeaving_.emplace([this] { journal_->close(); });
-}
-
-void LiveSource::playAnew(std::unique_ptr<Journal> journal) {
-  keep(std::move(journal));
+void LiveSource::playAnew() {
   person_.startIn(rig_, scenario_);
-  drive_ = Drive(scenario_, rig_.axes, true);
-  driven_ = DriveMode::free;
-  game_ = Game(scenario_);
-  handPlay_ = HandPlay(scenario_);
-  struck_.reset();
-  frozen_.reset();
-  lesson_ = {};
-  tours_.reset();
+  play_ = Play(scenario_, rig_.axes, true);
   hands_.letGo();
-  desk_ = {};
-  spoken_ = {};
-  begins_ = true;
 }
 
-/// Where the lesson is with this frame: buttons of hands count as keys do.
-LessonState LiveSource::lessonAt(const Controls& controls, std::uint64_t number) {
-  const LessonState lesson =
-      advance(controls.lesson, controls.lessonAnswers, hands_.answer(), hands_.onwards());
-  if (!journal_ || !scenario_.lesson) return lesson;
-  if (lesson != controls.lesson) {
-    Controls now = controls;
-    now.lesson = lesson;
-    for (const ControlChange& change : changesOf(controls, now))
-      journal_->addInput(number, change.what, change.value);
-  }
-  if (lesson_.phase == LessonPhase::asks && lesson.phase != LessonPhase::asks) {
-    const LessonWords& words = scenario_.lesson->words;
-    journal_->addAnswer(number, words.title, words.question, answerText(words, lesson));
-  }
-  return lesson;
+/// Where the lesson is with this frame.
+void LiveSource::advanceLesson(const LessonState& lesson, Decision& decision) {
+  const bool answered = play_.lesson.phase == LessonPhase::asks && lesson.phase != LessonPhase::asks;
+  play_.lesson = lesson;
+  if (!answered || !scenario_.lesson) return;
+  const LessonWords& words = scenario_.lesson->words;
+  decision.answers.push_back({words.title, words.question, answerText(words, lesson)});
 }
 
-/// Lives on, driven as hands, the tour or the way home have it.
-ObserverView LiveSource::lived(const Controls& controls, const FrameTimes& times, double pace) {
-  const ObserverView view = person_.at(times, controls.eyeSeparation_m, pace, hands_.drive(), drive_);
-  const DriveMode mode = drive_.view().mode;
-  if (journal_ && mode != driven_)
-    journal_->addInput(times.number, "drive", kDriveModes[static_cast<std::size_t>(mode)]);
-  driven_ = mode;
-  return view;
+/// What the person sees: they live on, driven as hands, the tour or the way home have it, or time stands still.
+void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, bool still,
+                     Decision& decision) {
+  FrameRecord& record = decision.frame.record;
+  record.drive.mode = play_.driven;
+  if (still && play_.frozen) {
+    record.observer = person_.round(*play_.frozen, times, settings.eyeSeparation_m);
+  } else {
+    const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
+    record.observer = person_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
+    record.drive = play_.drive.view();
+    play_.frozen = record.observer;
+    const DriveMode mode = record.drive.mode;
+    if (mode != play_.driven)
+      decision.notes.push_back({"drive", kDriveModes[static_cast<std::size_t>(mode)]});
+    play_.driven = mode;
+  }
+  record.boardFromRoom = person_.boardFromRoom();
 }
 
 /// To the person in the room, whatever it is that has to be told.
-void LiveSource::say(std::string_view words, const FrameTimes& times) {
+void LiveSource::say(std::string_view words, Decision& decision) {
   if (words.empty()) return;
-  spoken_.say(words, times.display_s);
-  if (journal_) journal_->addInput(times.number, "notice", std::string(words));
+  play_.spoken.say(words, decision.frame.record.display_s);
+  decision.notes.push_back({"notice", std::string(words)});
 }
 
 /// What the hand does to the game in this frame.
-void LiveSource::play(bool still, const FrameTimes& times, FrameRecord& record) {
+void LiveSource::strike(bool still, const FrameTimes& times, Decision& decision) {
+  FrameRecord& record = decision.frame.record;
   const HandInput hand = hands_.cue(person_.hand(), record.observer, person_.head().pose, times.display_s);
-  const HandPlay::Outcome outcome = handPlay_.step(hand, still, game_, record);
-  struck_ = outcome.stroke;
+  if (const auto command = hands_.lessonCommand()) decision.commands.push_back(*command);
+  const HandPlay::Outcome outcome = play_.hands.step(hand, still, play_.game, record);
+  if (outcome.stroke) decision.strokes.push_back(*outcome.stroke);
   rumble_.set(felt(hand, record.hand));
-  if (struck_ && hand.device == "gamepad") rumble_.knock();
-  say(outcome.said, times);
+  if (outcome.stroke && hand.device == "gamepad") rumble_.knock();
+  say(outcome.said, decision);
 }
 
-void LiveSource::next(const Controls& controls, FrameState& state) {
-  FrameTimes times = pacer_.next();
-  if (std::exchange(begins_, false)) times.step_s = 0.0;  // nobody lives while a game is loaded
-  const auto begun = std::chrono::steady_clock::now();
-  FrameRecord& record = state.record = {};
-  const double pace = controls.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-  hands_.begin(desk_, lesson_.phase == LessonPhase::asks);
-  record.lesson = lesson_ = lessonAt(controls, times.number);
-  // Before the question is answered, nothing of the answer is to be seen: time stands still.
-  const bool still = controls.views.frozen || lesson_.phase == LessonPhase::asks;
-  if (tours_.value_or(controls.tours) != controls.tours) drive_.setOut();
-  tours_ = controls.tours;
-  record.drive.mode = driven_;
-  if (still && frozen_) {
-    record.observer = person_.round(*frozen_, times, controls.eyeSeparation_m);
-  } else {
-    record.observer = lived(controls, times, pace);
-    record.drive = drive_.view();
-    frozen_ = record.observer;
-  }
-  record.boardFromRoom = person_.boardFromRoom();
-  record.lightSpeed_m_s = controls.lightSpeed_m_s;
-  record.switches = controls.switches;
-  play(still, times, record);
-  say(drive_.news().words(), times);
-  say(leftRoom_.look(person_.head().pose.position_m), times);
-  say(std::exchange(told_, {}), times);
-  record.notice = spoken_.at(times.display_s);
-  if (controls.views.myNow) game_.playToNowOf(record.observer);
-  game_.advance(latestObservation_s(record.observer), state);
-  if (times.number % kFramesBetweenForgetting == 0) game_.forget(world_.histories, record.observer, state);
+void LiveSource::next(const FrameTimes& given, const FrameInput& input, OperatorSettings& settings,
+                      Decision& decision) {
+  FrameTimes times = given;
+  if (std::exchange(play_.isNew, false)) times.step_s = 0.0;
+  FrameState& frame = decision.frame;
+  FrameRecord& record = frame.record = {};
   record.number = times.number;
   record.display_s = times.display_s;
+  record.lightSpeed_m_s = settings.lightSpeed_m_s;
+  putInto(record, settings);
+  hands_.begin(input.desk, play_.lesson.phase == LessonPhase::asks);
+  advanceLesson(record.lesson = settings.lesson, decision);
+  if (lastOf<StartTour>(input.commands)) play_.drive.setOut();
+  // Before the question is answered, nothing of the answer is to be seen: time stands still.
+  const bool still = settings.views.frozen || play_.lesson.phase == LessonPhase::asks;
+  see(settings, times, still, decision);
+  strike(still, times, decision);
+  say(play_.drive.news().words(), decision);
+  say(leftRoom_.look(person_.head().pose.position_m), decision);
+  say(std::exchange(told_, {}), decision);
+  record.notice = play_.spoken.at(times.display_s);
+  if (settings.views.myNow) play_.game.playToNowOf(record.observer);
+  play_.game.advance(latestObservation_s(record.observer), frame);
+  if (times.number % kFramesBetweenForgetting == 0)
+    play_.game.forget(world_.histories, record.observer, frame);
   record.last = lastFrame_ && times.number >= *lastFrame_;
-  record.controls = controls.walls;
-  record.views = controls.views;
   record.tracked = person_.tracked();
-  noteDeciding(times.begin_s, begun);
+  decision.head = person_.head();
+  decision.samples = person_.samples();
+  decision.alarms = person_.takeAlarms();
+  decision.timing.sampleAge_s = sampleAge_s(times.begin_s);
 }
 
-void LiveSource::noteDeciding(double begin_s, std::chrono::steady_clock::time_point begun) {
+double LiveSource::sampleAge_s(double begin_s) {
   const SensorChoice& head = rig_.head.sensor;
   for (const TrackerSample& sample : person_.samples()) {
     if (sample.sensor == head.sensor) newestSample_s_ = sample.time_s - rig_.trackers[head.tracker].latency_s;
   }
-  deciding_.sampleAge_s = begin_s - newestSample_s_;
-  deciding_.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  return begin_s - newestSample_s_;
 }
 
-std::optional<std::uint64_t> LiveSource::end() const {
-  return lastFrame_ ? std::optional(*lastFrame_ + 1) : std::nullopt;
-}
-
-void LiveSource::drawn() { pacer_.drawn(); }
-
-void LiveSource::shown(const FrameState& state) {
-  pacer_.swapped();
-  if (!journal_) return;
-  const auto strokes = struck_ ? std::span<const Stroke>(&*struck_, 1) : std::span<const Stroke>();
-  journal_->add(state, person_.head(), person_.samples(), strokes);
-}
-
-void LiveSource::changed(std::uint64_t number, const ControlChange& change) {
-  if (journal_) journal_->addInput(number + 1, change.what, change.value);
-}
-
-void LiveSource::measured(std::span<const LatencyRow> rows) {
-  if (journal_) journal_->add(rows);
+SourceStatus LiveSource::status() const {
+  SourceStatus status;
+  if (lastFrame_) status.end = *lastFrame_ + 1;
+  status.trackers = person_.trackers();
+  return status;
 }
 
 }  // namespace carom

@@ -33,13 +33,8 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart)
   return game;
 }
 
-RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz,
-                               Clock& clock)
-    : session_(session),
-      atStart_(std::move(atStart)),
-      period_s_(1.0 / display_hz),
-      clock_(clock),
-      due_s_(clock.now_s()) {
+RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz)
+    : session_(session), atStart_(std::move(atStart)), period_s_(1.0 / display_hz) {
   const auto [first, last] = *session_.frames();
   span_s_ = {session_.shownAt_s(first), session_.shownAt_s(last)};
   session_.goTo(0);
@@ -68,10 +63,9 @@ std::uint64_t RecordedSource::following(double rate) const {
 }
 
 /// Has the next frame follow in `ahead_`; false: the one at hand stays.
-bool RecordedSource::move(const Playback& playback) {
-  if (playback.jumps != jumps_) {
-    jumps_ = playback.jumps;
-    goElsewhere(session_.frameAt(playback.goTo_s));
+bool RecordedSource::move(const Playback& playback, const Seek* seek) {
+  if (seek) {
+    goElsewhere(session_.frameAt(seek->session_s));
   } else if (begun_ && playback.paused) {
     return false;
   } else if (begun_ && playback.rate != 1.0) {
@@ -94,18 +88,17 @@ void RecordedSource::bringGame() {
   bringsGame_ = false;
 }
 
-void RecordedSource::next(const Controls& controls, FrameState& state) {
-  const bool jumps = controls.playback.jumps != jumps_;
-  const bool moves = move(controls.playback);
+void RecordedSource::next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
+                          Decision& decision) {
+  const Seek* seek = lastOf<Seek>(input.commands);
+  const bool moves = move(settings.playback, seek);
+  decision.stay_s = period_s_;
   if (moves) {
-    const double before_s = begun_ && !jumps ? shown_.record.display_s : ahead_.record.display_s;
+    const double before_s = begun_ && !seek ? shown_.record.display_s : ahead_.record.display_s;
     std::swap(shown_, ahead_);
     readAhead();
     const double step_s = std::abs(shown_.record.display_s - before_s);
-    const double stay_s = std::min(step_s / std::abs(controls.playback.rate), kLongestStay_s);
-    due_s_ = std::max(due_s_ + stay_s, clock_.now_s());
-  } else {
-    due_s_ = std::max(due_s_, clock_.now_s()) + period_s_;
+    decision.stay_s = std::min(step_s / std::abs(settings.playback.rate), kLongestStay_s);
   }
   if (bringsGame_) {
     bringGame();
@@ -115,35 +108,36 @@ void RecordedSource::next(const Controls& controls, FrameState& state) {
     shown_.record.truncateFrom_s = std::numeric_limits<double>::infinity();
     shown_.record.eventsKept = std::numeric_limits<std::uint64_t>::max();
   }
-  state = shown_;
-  state.record.last = leftAlone_ && moves && !more_;
-  obey(controls, state.record);
-  handsOff_.tell(clock_.now_s(), state.record.notice);
-  last_ = state.record;
+  decision.frame = shown_;
+  FrameRecord& record = decision.frame.record;
+  record.last = leftAlone_ && moves && !more_;
+  keepChanges(input.commands, settings, record);
+  handsOff_.handled(input.desk, times.begin_s);
+  handsOff_.tell(times.begin_s, record.notice);
   begun_ = true;
 }
 
-/// What the operator has changed holds; the rest is as it was.
-void RecordedSource::obey(const Controls& controls, FrameRecord& record) {
-  if (begun_) {
-    switches_.note(last_.switches, controls.switches);
-    walls_.note(last_.controls, controls.walls);
-    views_.note(last_.views, controls.views);
+/// What the operator has changed stays so, whatever the recording says; the rest is as it was.
+void RecordedSource::keepChanges(std::span<const Command> commands, OperatorSettings& settings,
+                                 FrameRecord& record) {
+  for (const Command& command : commands) {
+    std::erase_if(changed_, [&](const Command& known) { return nameOf(known) == nameOf(command); });
+    changed_.push_back(command);
   }
+  takeFrom(record, settings);
+  for (const Command& command : changed_) apply(command, settings);
   const bool wasFrozen = record.views.frozen != 0;
-  switches_.hold(record.switches);
-  walls_.hold(record.controls);
-  views_.hold(record.views);
-  if (record.views.frozen && !wasFrozen) {
-    if (!frozen_) frozen_ = record.observer;
-    record.observer = walkedRound(*frozen_, record.observer);
-  } else {
-    frozen_.reset();
-  }
+  putInto(record, settings);
+  freeze(record, wasFrozen);
 }
 
-void RecordedSource::drawn() { clock_.sleepUntil(due_s_); }
+/// `wasFrozen`: the recording is, in this frame.
+void RecordedSource::freeze(FrameRecord& record, bool wasFrozen) {
+  if (!record.views.frozen || wasFrozen) return frozen_.reset();
+  if (!frozen_) frozen_ = record.observer;
+  record.observer = walkedRound(*frozen_, record.observer);
+}
 
-std::optional<std::uint64_t> RecordedSource::end() const { return session_.frames()->second + 1; }
+SourceStatus RecordedSource::status() const { return {session_.frames()->second + 1, span_s_, {}}; }
 
 }  // namespace carom

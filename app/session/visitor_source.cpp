@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "devices/tracker/trace.h"
 #include "engine/light/light_cone.h"
@@ -41,9 +42,8 @@ std::optional<double> lengthOf_s(const Visitor& visitor) {
 }  // namespace
 
 VisitorSource::VisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
-                             RecordedGame game, const VisitTime& time)
-    : person_(rigOf(rig, visitor), scenarioOf(scenario, visitor), time.start),
-      pacer_(time.clock, rig.display_hz, rig.displayLatency_s, time.swapsWait),
+                             RecordedGame game, std::chrono::steady_clock::time_point start)
+    : person_(rigOf(rig, visitor), scenarioOf(scenario, visitor), start),
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
               .inverse()),
@@ -73,12 +73,11 @@ double VisitorSource::latestSeen_s(const ObserverView& view) const {
 
 /// Not frozen: lives on, or goes where the operator wants to be; not beyond what was recorded.
 ObserverView VisitorSource::goOn(const Playback& playback, const FrameTimes& times) {
-  const bool jumps = playback.jumps != jumps_;
-  jumps_ = playback.jumps;
-  const bool lives = !jumps && !playback.paused && playback.rate == 1.0;
+  const std::optional<double> goTo_s = std::exchange(goTo_s_, std::nullopt);
+  const bool lives = !goTo_s && !playback.paused && playback.rate == 1.0;
   double by_s = playback.paused ? 0.0 : playback.rate * times.step_s;
   // The beginning is the game's, the room's time 0, however much of it the person has lived through.
-  if (jumps) by_s = playback.goTo_s > 0.0 ? playback.goTo_s - display_s_ : -roomTime_s_;
+  if (goTo_s) by_s = *goTo_s > 0.0 ? *goTo_s - display_s_ : -roomTime_s_;
   const ObserverView view = lives ? person_.at(times, eyeSeparation_m_)
                                   : person_.through(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
   heldBack_ = latestSeen_s(view) > game_.known_s;
@@ -86,9 +85,9 @@ ObserverView VisitorSource::goOn(const Playback& playback, const FrameTimes& tim
   return person_.through(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
 }
 
-ObserverView VisitorSource::look(const Controls& controls, const FrameTimes& times) {
-  if (controls.views.frozen && sight_) return person_.round(*sight_, times, eyeSeparation_m_);
-  sight_ = goOn(controls.playback, times);
+ObserverView VisitorSource::look(const OperatorSettings& settings, const FrameTimes& times) {
+  if (settings.views.frozen && sight_) return person_.round(*sight_, times, eyeSeparation_m_);
+  sight_ = goOn(settings.playback, times);
   roomTime_s_ = roomTimeOf_s(*sight_);
   return *sight_;
 }
@@ -103,26 +102,24 @@ bool VisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
   return true;
 }
 
-void VisitorSource::next(const Controls& controls, FrameState& state) {
-  const FrameTimes times = pacer_.next();
-  state = std::move(game_.news);
+void VisitorSource::next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
+                         Decision& decision) {
+  handsOff_.handled(input.desk, display_s_);
+  if (const Seek* seek = lastOf<Seek>(input.commands)) goTo_s_ = seek->session_s;
+  decision.frame = std::move(game_.news);
   game_.news = {};
-  FrameRecord& record = state.record;
+  FrameRecord& record = decision.frame.record;
   record.number = times.number;
   record.pucks = game_.pucks;
-  record.observer = look(controls, times);
+  record.observer = look(settings, times);
   record.boardFromRoom = person_.boardFromRoom();
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
   record.last = isLast(times, record.observer);
-  record.switches = controls.switches;
-  record.controls = controls.walls;
-  record.views = controls.views;
+  putInto(record, settings);
   record.tracked = person_.tracked();
+  decision.alarms = person_.takeAlarms();
   handsOff_.tell(display_s_, record.notice);
 }
-
-void VisitorSource::drawn() { pacer_.drawn(); }
-void VisitorSource::shown(const FrameState&) { pacer_.swapped(); }
 
 }  // namespace carom

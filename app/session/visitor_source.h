@@ -11,7 +11,6 @@
 #include "app/session/hands_off.h"
 #include "app/session/recorded_source.h"
 #include "app/viewer/person.h"
-#include "cave/frame/pacer.h"
 
 namespace carom {
 
@@ -29,37 +28,27 @@ struct Visitor {
   std::optional<double> facing_rad = {};
 };
 
-/// The clock that a visit goes by.
-struct VisitTime {
-  Clock& clock;
-  std::chrono::steady_clock::time_point start;  ///< where it reads zero
-  bool swapsWait = false;                       ///< of the display (cave/frame/pacer.h)
-};
-
 class VisitorSource : public FrameSource {
  public:
   /// All of the game is brought with the first frame: this person's board time is their own. The frames end
-  /// when the trace does, and before the person would see what was not recorded. Throws InputError if the
-  /// trace is at fault.
+  /// when the trace does, and before the person would see what was not recorded. `start`: where the clock reads zero
+  /// that the frames' times are of. Throws InputError if the trace is at fault.
   VisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor, RecordedGame game,
-                const VisitTime& time);
+                std::chrono::steady_clock::time_point start);
 
   /// Display times go on, whatever the operator does with the game's. While it runs otherwise than the
   /// person's, their own motion is not seen: it would be faster than light.
-  void next(const Controls& controls, FrameState& state) override;
-  void handled(const DeskInput& desk) override { handsOff_.handled(desk, display_s_); }
-  void drawn() override;
-  void shown(const FrameState& state) override;
+  void next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
+            Decision& decision) override;
 
  private:
-  ObserverView look(const Controls& controls, const FrameTimes& times);
+  ObserverView look(const OperatorSettings& settings, const FrameTimes& times);
   ObserverView goOn(const Playback& playback, const FrameTimes& times);
   double roomTimeOf_s(const ObserverView& view) const;
   double latestSeen_s(const ObserverView& view) const;
   bool isLast(const FrameTimes& times, const ObserverView& view);
 
   Person person_;
-  Pacer pacer_;
   Lorentz roomFromBoard_;
   Event origin_;  ///< of the room, at its time 0
   double eyeSeparation_m_;
@@ -71,7 +60,7 @@ class VisitorSource : public FrameSource {
   double display_s_ = 0.0;        ///< of the frame before
   bool heldBack_ = false;         ///< the last frame would have shown what was not recorded
   std::optional<double> seen_s_;  ///< the latest board time that was seen in the frame before
-  unsigned jumps_ = 0;
+  std::optional<double> goTo_s_;  ///< where the operator wants to be, on the session's clock
   HandsOff handsOff_;
   std::optional<ObserverView> sight_;  ///< of the frame before: to be frozen
 };

@@ -1,7 +1,5 @@
 #include "app/viewer/head_tracking.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -58,15 +56,14 @@ HeadEstimate HeadTracking::at(const FrameTimes& times) {
   tracker_->takeInputs(inputs_);
   watch_.see(times.begin_s, samples_);
   if (watch_.isDue(times.begin_s)) {
-    if (const auto line = watch_.look(times.begin_s, tracker_->health(times.begin_s))) {
-      fmt::print(stderr, "{}\n", *line);
-    }
+    if (const auto line = watch_.look(times.begin_s, tracker_->health(times.begin_s)))
+      alarms_.push_back(*line);
   }
   begin_s_ = times.begin_s;
   headPlace_.see(begin_s_, samples_);
   hand_.follow(begin_s_, samples_, inputs_);
   if (hand_.isDue(begin_s_)) {
-    for (const std::string& line : hand_.look(begin_s_, *tracker_)) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : hand_.look(begin_s_, *tracker_)) alarms_.push_back(line);
   }
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
   for (const TrackerSample& sample : samples_) {

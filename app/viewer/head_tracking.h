@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/files/rig.h"
@@ -26,9 +27,12 @@ class HeadTracking {
   /// `sessionStart`: where the session's clock reads zero. Throws InputError if a trace is at fault.
   HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart);
 
-  /// Takes what the trackers have up to the frame's begin and predicts the head to its display. Where one of
-  /// head or hand fails for long, or is well again, a line on standard error says so.
+  /// Takes what the trackers have up to the frame's begin and predicts the head to its display.
   HeadEstimate at(const FrameTimes& times);
+
+  /// Returns what there is to say since it was asked last: that the tracker of head or hand fails for long, or is well
+  /// again.
+  std::vector<std::string> takeAlarms() { return std::exchange(alarms_, {}); }
 
   /// Where the sensors of head and hand were last, as the trackers had told at that frame's begin.
   Tracked tracked() const;
@@ -53,6 +57,7 @@ class HeadTracking {
   SensorPlace headPlace_;
   std::vector<Reading> inputs_;
   HandTracking hand_;
+  std::vector<std::string> alarms_;
   std::string name_;                      // of the head's tracker, in the rig
   double begin_s_ = 0.0;                  // of the frame
   Pose standing_;                         // shown until the first sample

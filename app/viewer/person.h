@@ -45,6 +45,7 @@ class Person {
   Tracked tracked() const { return tracking_.tracked(); }
   const HandDevices& hand() const { return tracking_.hand(); }
   std::vector<TrackerReport> trackers() const { return tracking_.reports(head_); }
+  std::vector<std::string> takeAlarms() { return tracking_.takeAlarms(); }
   const Lorentz& boardFromRoom() const { return observer_.boardFromRoom(); }
   std::span<const TrackerSample> samples() const { return tracking_.samples(); }
 

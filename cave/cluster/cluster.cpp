@@ -209,17 +209,14 @@ const NodeReport& Cluster::reportOf(int rank) const {
   return room_->drawn[static_cast<std::size_t>(rank)].before;
 }
 
-bool Cluster::swapTogether(const FrameState& state, const World& world, bool wantsToEnd,
-                           const std::function<void()>& untilSwap) {
-  wantsToEnd = wantsToEnd || terminationAsked();
-  if (size_ == 1) {
-    if (untilSwap) untilSwap();
-    return wantsToEnd;
-  }
+void Cluster::gatherDrawn(const FrameState& state, const World& world, bool wantsToEnd) {
+  drawn_ = state.record.number;
+  wantsToEnd_ = wantsToEnd || terminationAsked();
+  if (size_ == 1) return;
   std::vector<MPI_Request>& requests = room_->requests;
   Drawn& mine = room_->drawn[static_cast<std::size_t>(rank_)];
   mine.digest = digestOf(state, world);
-  mine.wantsToEnd = wantsToEnd;
+  mine.wantsToEnd = wantsToEnd_;
 
   if (rank_ == kRankOfDevices) {
     for (int rank = 1; rank < size_; ++rank) {
@@ -227,11 +224,14 @@ bool Cluster::swapTogether(const FrameState& state, const World& world, bool wan
       MPI_Irecv(&room_->drawn[at], sizeof(Drawn), MPI_BYTE, rank, kDrawn, MPI_COMM_WORLD, &requests[at - 1]);
     }
     await(static_cast<std::size_t>(size_ - 1), true);
-    if (untilSwap) untilSwap();
   } else {
     MPI_Isend(&mine, sizeof mine, MPI_BYTE, kRankOfDevices, kDrawn, MPI_COMM_WORLD, &requests[0]);
     await(1, false);
   }
+}
+
+bool Cluster::releaseSwap(const World& world) {
+  if (size_ == 1) return wantsToEnd_;
   Verdict verdict = rank_ == kRankOfDevices ? judge(room_->drawn) : Verdict{};
   fromRankZero(&verdict, sizeof verdict);
   ++frames_;
@@ -239,8 +239,7 @@ bool Cluster::swapTogether(const FrameState& state, const World& world, bool wan
   if (verdict.different < 0) return verdict.end != 0;
   const std::string_view field = FrameDigest::kFields[verdict.field];
   throw NodesDiffer(fmt::format(
-      "frame {}: {} drew from other numbers than node 0: {}{}", state.record.number,
-      nameOf(verdict.different), field,
+      "frame {}: {} drew from other numbers than node 0: {}{}", drawn_, nameOf(verdict.different), field,
       field == "histories" ? whereHistoriesPart(world.histories, verdict.different) : std::string()));
 }
 

@@ -7,7 +7,6 @@
 // When a node dies, mpirun asks the others to end; they say which one is gone and end within half a second.
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -78,11 +77,13 @@ class Cluster {
   /// On rank 0, what each node has said with the last frame that was swapped; by rank.
   const NodeReport& reportOf(int rank) const;
 
-  /// Waits until every rank has drawn the frame and rank 0's `untilSwap` has returned, so that all can swap;
-  /// true if `wantsToEnd` is on any rank. Throws NodesDiffer if a rank drew from other numbers than rank 0,
-  /// naming the frame, the node, the field and, of a history, the body.
-  bool swapTogether(const FrameState& state, const World& world, bool wantsToEnd,
-                    const std::function<void()>& untilSwap = {});
+  /// This rank has drawn the frame. On rank 0, waits until every rank has. `wantsToEnd`: somebody here does.
+  void gatherDrawn(const FrameState& state, const World& world, bool wantsToEnd);
+
+  /// After `gatherDrawn`, waits until rank 0 is here, so that all can swap; returns whether somebody wants to end, on
+  /// any rank. Throws NodesDiffer if a rank drew from other numbers than rank 0, naming the frame, the node, the field
+  /// and, of a history, the body. `world`: that of gatherDrawn.
+  bool releaseSwap(const World& world);
 
  private:
   struct Room;  // what the ranks say to each other, and the requests under way
@@ -100,6 +101,8 @@ class Cluster {
   int rank_ = 0;
   int size_ = 1;
   std::uint64_t frames_ = 0;        // swapped so far
+  std::uint64_t drawn_ = 0;         // the frame that this rank has drawn
+  bool wantsToEnd_ = false;         // somebody on this rank, then
   std::vector<std::string> names_;  // of the walls of each rank
   std::unique_ptr<Room> room_;
 };

@@ -30,6 +30,17 @@ void SteadyClock::sleepUntil(double t_s) {
   if (wait_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
 }
 
+FrameTimes RecordingPacer::next() {
+  begin_s_ = clock_.now_s();
+  return {number_++, begin_s_, begin_s_, 0.0};
+}
+
+/// A frame that is late is shown at once; the ones after it follow the schedule again.
+void RecordingPacer::awaitTick(double stay_s) {
+  due_s_ = std::max(due_s_ + stay_s, begin_s_);
+  clock_.sleepUntil(due_s_);
+}
+
 Pacer::Pacer(Clock& clock, double display_hz, double displayLatency_s, bool swapsWait,
              std::uint64_t firstFrame)
     : clock_(clock),
@@ -38,8 +49,8 @@ Pacer::Pacer(Clock& clock, double display_hz, double displayLatency_s, bool swap
       period_s_(nominalPeriod_s_),
       swapsWait_(swapsWait),
       tick_s_(clock.now_s()),
-      number_(firstFrame),
       begun_(firstFrame > 0) {
+  number_ = firstFrame;
   drawing_s_.fill(period_s_ / 2);  // until it is known
 }
 
@@ -55,7 +66,7 @@ FrameTimes Pacer::next() {
   return {number_++, begin_s_, tick_s_ + latency_s_, step_s};
 }
 
-void Pacer::drawn() {
+void Pacer::awaitTick(double) {
   drawing_s_[number_ % kRemembered] = clock_.now_s() - begin_s_;
   clock_.sleepUntil(tick_s_ - (swapsWait_ ? kSwapAhead_s : 0.0));
 }

@@ -47,16 +47,48 @@ class SimulatedClock : public Clock {
   double now_s_ = 0.0;
 };
 
+/// Says when frames begin and when they may be swapped. This one never waits: it is for frames that nobody waits for
+/// and for nodes that follow the first.
+class FramePacer {
+ public:
+  virtual ~FramePacer() = default;
+
+  /// Waits until the next frame should begin.
+  virtual FrameTimes next() { return {number_++, 0.0, 0.0, 0.0}; }
+  /// The frame is drawn, on every node: waits until it may be swapped. `stay_s`: of a recorded session, how long after
+  /// the frame before it was shown.
+  virtual void awaitTick(double /*stay_s*/) {}
+  /// It has been swapped.
+  virtual void swapped() {}
+
+ protected:
+  std::uint64_t number_ = 0;
+};
+
+/// Shows each frame of a recorded session as long after the one before as it was then.
+class RecordingPacer : public FramePacer {
+ public:
+  explicit RecordingPacer(Clock& clock) : clock_(clock), due_s_(clock.now_s()) {}
+
+  FrameTimes next() override;
+  void awaitTick(double stay_s) override;
+
+ private:
+  Clock& clock_;
+  double due_s_;  // when the frame at hand should be on the walls
+  double begin_s_ = 0.0;
+};
+
 /// Aims each frame at a swap: one of the display's ticks. A frame begins before its tick by as long as
 /// drawing has lately taken, and a margin; if it would come too late all the same it is aimed at a later
 /// tick.
 ///
 /// A display whose swaps wait for it (vsync) shows its ticks; their phase and period are then followed, since
-/// a "60 Hz" display may run at 59.94. Where swaps return at once the pacer's own ticks hold, and `drawn`
+/// a "60 Hz" display may run at 59.94. Where swaps return at once the pacer's own ticks hold, and `awaitTick`
 /// waits for them, so that frames follow each other evenly all the same.
 ///
-///     for (;;) { times = pacer.next(); …draw…; pacer.drawn(); …swap…; pacer.swapped(); }
-class Pacer {
+///     for (;;) { times = pacer.next(); …draw…; pacer.awaitTick(0); …swap…; pacer.swapped(); }
+class Pacer : public FramePacer {
  public:
   /// `displayLatency_s`: from the swap to the photons. `firstFrame`: the number of the first one; above 0,
   /// the one before it is taken to have been shown just now, so that the person lives on from there.
@@ -64,12 +96,10 @@ class Pacer {
   Pacer(Clock& clock, double display_hz, double displayLatency_s, bool swapsWait = false,
         std::uint64_t firstFrame = 0);
 
-  /// Waits until the next frame should begin.
-  FrameTimes next();
-  /// The frame is drawn, on every node: returns a moment before its tick.
-  void drawn();
-  /// It has been swapped.
-  void swapped();
+  FrameTimes next() override;
+  /// Returns a moment before the frame's tick.
+  void awaitTick(double stay_s) override;
+  void swapped() override;
 
  private:
   static constexpr std::size_t kRemembered = 32;
@@ -85,7 +115,6 @@ class Pacer {
   bool swapsWait_;
   double tick_s_;  // that the frame at hand is aimed at
   double begin_s_ = 0.0;
-  std::uint64_t number_;
   bool begun_;
   std::array<double, kRemembered> drawing_s_;  // how long the last frames took
 };

@@ -4,7 +4,7 @@
 set -uo pipefail
 . "$(dirname "$0")/session_in_window.sh"
 
-# Where the console is, and in it the middles of what is clicked (app/session/console.cpp lays it out).
+# Where the console is, and in it the middles of what is clicked (app/console/console.cpp lays it out).
 left=20 top=20
 retardation="221 168" my_light="230 339" board_now="31 421" keys="1060 42" black="1185 42" again="500 717"
 

@@ -122,7 +122,7 @@ class Lived {
                   outcome.stroke ? std::span(&*outcome.stroke, 1) : std::span<const Stroke>());
       if (outcome.stroke) strokes.push_back(*outcome.stroke);
       states.push_back(state);
-      pacer.drawn();
+      pacer.awaitTick(0.0);
       pacer.swapped();
     }
   }
@@ -328,18 +328,17 @@ TEST(HandPlay, ARecordingWithStrokesIsSeenAgain) {
   ASSERT_GT(lived.strokes.size(), 5u);
   SessionFile session(lived.file);
   SimulatedClock clock;
-  RecordedSource source(session, lived.atStart, kHz, clock);
+  RecordedSource source(session, lived.atStart, kHz);
+  RecordingPacer pacer(clock);
   World world{lived.atStart, {}}, known = world;
-  Controls controls;
-  FrameState frame;
+  OperatorSettings settings;
+  Decision decision;
+  FrameState& frame = decision.frame;
   for (const FrameState& then : lived.states) {
     applyFrame(then, known);
-    source.next(controls, frame);
+    source.next(pacer.next(), {}, settings, decision);
     applyFrame(frame, world);
-    source.drawn();
-    controls.switches = frame.record.switches;
-    controls.walls = frame.record.controls;
-    controls.views = frame.record.views;
+    pacer.awaitTick(decision.stay_s);
     frame.record.last = 0;
     ASSERT_EQ(digestOf(frame, world), digestOf(then, known)) << "frame " << then.record.number;
   }
@@ -348,13 +347,14 @@ TEST(HandPlay, ARecordingWithStrokesIsSeenAgain) {
   standing.observer = {};
   const RecordedGame whole = wholeGame(session, lived.atStart);
   VisitorSource visit(lived.rig, standing, {{}, Vec3(0.2, 0.1, 0.0), true}, wholeGame(session, lived.atStart),
-                      {visitClock, {}});
+                      {});
+  Pacer visitPacer(visitClock, kHz, 0.0);
   world = {lived.atStart, {}};
   for (int i = 0; i < 120; ++i) {
-    visit.next(controls, frame);
+    visit.next(visitPacer.next(), {}, settings, decision);
     applyFrame(frame, world);
-    visit.drawn();
-    visit.shown(frame);
+    visitPacer.awaitTick(0.0);
+    visitPacer.swapped();
     EXPECT_EQ(differences(lightOf(world.histories, 3, frame.record.observer),
                           lightOf(whole.world.histories, 3, frame.record.observer)),
               0u);
@@ -367,19 +367,23 @@ TEST(HandPlay, ARecordingSaysThatItCannotBeChanged) {
   lived.live(300, Player(8, 20));
   SessionFile session(lived.file), visited(lived.file);
   SimulatedClock clock, visitClock;
-  RecordedSource source(session, lived.atStart, kHz, clock);
-  VisitorSource visit(lived.rig, lived.scenario, {}, wholeGame(visited, lived.atStart), {visitClock, {}});
+  RecordedSource source(session, lived.atStart, kHz);
+  RecordingPacer pacer(clock);
+  VisitorSource visit(lived.rig, lived.scenario, {}, wholeGame(visited, lived.atStart), {});
+  Pacer visitPacer(visitClock, kHz, 0.0);
   DeskInput desk, away;
   desk.mouse.emplace();
   desk.mouseHeld = true;
   away.mouseHeld = true;
-  for (FrameSource* frames : {static_cast<FrameSource*>(&source), static_cast<FrameSource*>(&visit)}) {
-    FrameState frame;
-    const auto said = [&](const DeskInput& input) {
-      frames->handled(input);
-      frames->next({}, frame);
-      frames->drawn();
-      frames->shown(frame);
+  using Frames = std::pair<FrameSource*, FramePacer*>;
+  for (const auto& [frames, times] : {Frames{&source, &pacer}, Frames{&visit, &visitPacer}}) {
+    OperatorSettings settings;
+    Decision decision;
+    const FrameState& frame = decision.frame;
+    const auto said = [&, from = frames, paced = times](const DeskInput& input) {
+      from->next(paced->next(), {{}, input}, settings, decision);
+      paced->awaitTick(decision.stay_s);
+      paced->swapped();
       return std::string(frame.record.notice.words());
     };
     EXPECT_EQ(said({}), "");

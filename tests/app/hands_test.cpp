@@ -278,10 +278,10 @@ TEST_F(HandsTest, WhileALessonAsksTheWandsButtonsAnswer) {
   for (int button = 0; button < 4; ++button) {
     wand_->press(button, true, 3);
     EXPECT_FALSE(frame().held);
-    EXPECT_EQ(hands_.answer(), button + 1);
+    EXPECT_EQ(hands_.lessonCommand(), Command(AnswerLesson{button + 1}));
     EXPECT_FALSE(hands_.drive().brake || hands_.drive().home);
     frame();
-    EXPECT_EQ(hands_.answer(), 0);
+    EXPECT_FALSE(hands_.lessonCommand());
     wand_->press(button, false, 3);
     frame();
   }
@@ -291,9 +291,9 @@ TEST_F(HandsTest, WhileALessonAsksTheWandsButtonsAnswer) {
   EXPECT_FALSE(frame().held) << "it was an answer";
   wand_->press(3, true, 3);
   frame();
-  EXPECT_TRUE(hands_.onwards());
+  EXPECT_EQ(hands_.lessonCommand(), Command(AdvanceLesson{}));
   frame();
-  EXPECT_FALSE(hands_.onwards());
+  EXPECT_FALSE(hands_.lessonCommand());
 }
 
 TEST_F(HandsTest, SticksSteerAlongWhereTheWandPointsAndKeysAlongTheRoom) {

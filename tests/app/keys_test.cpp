@@ -16,27 +16,35 @@ constexpr std::array kPlaces{KeysOf::session, KeysOf::replay, KeysOf::patterns};
 
 WindowInput pressing(int key) { return {{{key, true}, {key, false}}, false}; }
 
-void press(int key, Controls& controls, KeysOf place = KeysOf::session) {
-  obeyKeys(pressing(key), place, 10.0, controls);
+/// Returns what the key asks for.
+Commands commandsOf(int key, const OperatorSettings& settings, KeysOf place = KeysOf::session) {
+  return carom::commandsOf(pressing(key), place, 10.0, settings);
+}
+
+/// Returns how many things were changed.
+int press(int key, OperatorSettings& settings, KeysOf place = KeysOf::session) {
+  int changed = 0;
+  for (const Command& command : commandsOf(key, settings, place)) changed += apply(command, settings);
+  return changed;
 }
 
 TEST(Keys, TGoesThroughThePatternsAndBackToTheSession) {
-  Controls controls;
+  OperatorSettings settings;
   std::set<Shown> seen;
   do {
-    press(GLFW_KEY_T, controls);
-    seen.insert(controls.walls.shown);
-  } while (controls.walls.shown != Shown::session && seen.size() < 9);
+    press(GLFW_KEY_T, settings);
+    seen.insert(settings.walls.shown);
+  } while (settings.walls.shown != Shown::session && seen.size() < 9);
   EXPECT_TRUE(seen.contains(Shown::testPattern) && seen.contains(Shown::seamPattern));
-  EXPECT_EQ(controls, Controls{});
+  EXPECT_EQ(settings, OperatorSettings{});
 }
 
 TEST(Keys, WithoutASessionTNeverGoesToOne) {
-  Controls controls;
-  controls.walls.shown = Shown::testPattern;
+  OperatorSettings settings;
+  settings.walls.shown = Shown::testPattern;
   for (int i = 0; i < 9; ++i) {
-    press(GLFW_KEY_T, controls, KeysOf::patterns);
-    EXPECT_NE(controls.walls.shown, Shown::session);
+    press(GLFW_KEY_T, settings, KeysOf::patterns);
+    EXPECT_NE(settings.walls.shown, Shown::session);
   }
 }
 
@@ -49,10 +57,10 @@ TEST(Keys, PressedTwiceMostKeysChangeNothing) {
   for (const KeysOf place : kPlaces) {
     for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
       if (steps.contains(key)) continue;
-      Controls controls;
-      press(key, controls, place);
-      press(key, controls, place);
-      EXPECT_EQ(controls, Controls{}) << key;
+      OperatorSettings settings;
+      press(key, settings, place);
+      press(key, settings, place);
+      EXPECT_EQ(settings, OperatorSettings{}) << key;
     }
   }
 }
@@ -68,11 +76,10 @@ TEST(Keys, TheKeyForAThingChangesThatThingAlone) {
   for (const std::string& thing : things) {
     const KeyLine line = keyFor(KeysOf::session, thing);
     ASSERT_EQ(line.keys.size(), 1u) << thing;
-    Controls controls;
-    press(line.keys.front(), controls);  // GLFW's numbers of letters and digits are theirs
-    const std::vector<ControlChange> changes = changesOf(Controls{}, controls);
-    ASSERT_EQ(changes.size(), 1u) << thing;
-    EXPECT_EQ(changes.front().what, thing);
+    const Commands commands =
+        commandsOf(line.keys.front(), {});  // GLFW's numbers of letters and digits are theirs
+    ASSERT_EQ(commands.size(), 1u) << thing;
+    EXPECT_EQ(nameOf(commands.front()), thing);
   }
   EXPECT_EQ(keyFor(KeysOf::replay, "playback").keys, "Space");
   EXPECT_TRUE(keyFor(KeysOf::replay, "light speed").keys.empty());
@@ -80,111 +87,130 @@ TEST(Keys, TheKeyForAThingChangesThatThingAlone) {
 }
 
 TEST(Keys, EveryGIsAWishToSetOut) {
-  Controls controls;
-  press(GLFW_KEY_G, controls);
-  press(GLFW_KEY_G, controls);
-  EXPECT_EQ(controls.tours, 2u);
-  press(GLFW_KEY_G, controls, KeysOf::replay);
-  EXPECT_EQ(controls.tours, 2u) << "a recorded person goes where they went";
+  EXPECT_EQ(commandsOf(GLFW_KEY_G, {}), Commands{StartTour{}});
+  EXPECT_EQ(commandsOf(GLFW_KEY_G, {}, KeysOf::replay), Commands{})
+      << "a recorded person goes where they went";
+}
+
+TEST(Keys, YPlaysTheGameThatIsPlayed) {
+  OperatorSettings settings;
+  EXPECT_EQ(press(GLFW_KEY_Y, settings), 0) << "none is";
+  settings.playing = "game.toml";
+  EXPECT_EQ(commandsOf(GLFW_KEY_Y, settings), Commands{PlayScenario{"game.toml"}});
+}
+
+TEST(Keys, KeysOfOneFrameGoOnFromEachOther) {
+  const WindowInput twice{
+      {{GLFW_KEY_RIGHT, true}, {GLFW_KEY_1, true}, {GLFW_KEY_RIGHT, true}, {GLFW_KEY_1, true}}, false};
+  const SetSwitch off{&Switches::retardation, false, false}, on{&Switches::retardation, false, true};
+  EXPECT_EQ(carom::commandsOf(twice, KeysOf::replay, 10.0, {}), (Commands{Seek{11.0}, off, Seek{12.0}, on}));
 }
 
 TEST(Keys, PlusAndMinusSetTheEyesAMillimetreFurtherAndCloser) {
   for (const auto& [further, closer] :
        {std::pair{GLFW_KEY_EQUAL, GLFW_KEY_MINUS}, std::pair{GLFW_KEY_KP_ADD, GLFW_KEY_KP_SUBTRACT}}) {
-    Controls controls;
-    double& apart_m = controls.eyeSeparation_m;
-    press(further, controls);
+    OperatorSettings settings;
+    double& apart_m = settings.eyeSeparation_m;
+    press(further, settings);
     EXPECT_DOUBLE_EQ(apart_m, 0.065);
-    for (int i = 0; i < 40; ++i) press(further, controls);
+    for (int i = 0; i < 40; ++i) press(further, settings);
     EXPECT_DOUBLE_EQ(apart_m, 0.080);
-    press(closer, controls);
+    press(closer, settings);
     EXPECT_DOUBLE_EQ(apart_m, 0.079);
-    for (int i = 0; i < 100; ++i) press(closer, controls);
+    for (int i = 0; i < 100; ++i) press(closer, settings);
     EXPECT_EQ(apart_m, 0.0);
-    press(further, controls);
+    press(further, settings);
     EXPECT_DOUBLE_EQ(apart_m, 0.001);
   }
 }
 
 TEST(Keys, BracketsChangeTheSpeedOfLightWithinItsBounds) {
-  Controls controls;
-  press(GLFW_KEY_RIGHT_BRACKET, controls);
-  EXPECT_GT(controls.lightSpeed_m_s, Controls{}.lightSpeed_m_s);
-  press(GLFW_KEY_LEFT_BRACKET, controls);
-  EXPECT_NEAR(controls.lightSpeed_m_s, Controls{}.lightSpeed_m_s, 1e-12);
-  for (int i = 0; i < 200; ++i) press(GLFW_KEY_LEFT_BRACKET, controls);
-  EXPECT_EQ(controls.lightSpeed_m_s, kLeastLightSpeed_m_s);
-  for (int i = 0; i < 200; ++i) press(GLFW_KEY_RIGHT_BRACKET, controls);
-  EXPECT_EQ(controls.lightSpeed_m_s, kMostLightSpeed_m_s);
+  OperatorSettings settings;
+  press(GLFW_KEY_RIGHT_BRACKET, settings);
+  EXPECT_GT(settings.lightSpeed_m_s, OperatorSettings{}.lightSpeed_m_s);
+  press(GLFW_KEY_LEFT_BRACKET, settings);
+  EXPECT_NEAR(settings.lightSpeed_m_s, OperatorSettings{}.lightSpeed_m_s, 1e-12);
+  for (int i = 0; i < 200; ++i) press(GLFW_KEY_LEFT_BRACKET, settings);
+  EXPECT_EQ(settings.lightSpeed_m_s, kLeastLightSpeed_m_s);
+  for (int i = 0; i < 200; ++i) press(GLFW_KEY_RIGHT_BRACKET, settings);
+  EXPECT_EQ(settings.lightSpeed_m_s, kMostLightSpeed_m_s);
 }
 
 TEST(Keys, ArrowsGoThroughARecordingAndMeanNothingInASession) {
-  Controls controls;
-  press(GLFW_KEY_RIGHT, controls, KeysOf::replay);
-  EXPECT_EQ(controls.playback, (Playback{false, 1.0, 1, 11.0}));
-  press(GLFW_KEY_LEFT, controls, KeysOf::replay);
-  EXPECT_EQ(controls.playback, (Playback{false, 1.0, 2, 9.0}));
-  press(GLFW_KEY_UP, controls, KeysOf::replay);
-  press(GLFW_KEY_R, controls, KeysOf::replay);
-  press(GLFW_KEY_SPACE, controls, KeysOf::replay);
-  EXPECT_EQ(controls.playback, (Playback{true, -2.0, 2, 9.0}));
-  for (int i = 0; i < 20; ++i) press(GLFW_KEY_DOWN, controls, KeysOf::replay);
-  EXPECT_EQ(controls.playback.rate, -1.0 / 16.0);
+  OperatorSettings settings;
+  EXPECT_EQ(commandsOf(GLFW_KEY_RIGHT, settings, KeysOf::replay), Commands{Seek{11.0}});
+  EXPECT_EQ(commandsOf(GLFW_KEY_LEFT, settings, KeysOf::replay), Commands{Seek{9.0}});
+  EXPECT_EQ(commandsOf(GLFW_KEY_HOME, settings, KeysOf::replay), Commands{Seek{0.0}});
+  press(GLFW_KEY_UP, settings, KeysOf::replay);
+  press(GLFW_KEY_R, settings, KeysOf::replay);
+  press(GLFW_KEY_SPACE, settings, KeysOf::replay);
+  EXPECT_EQ(settings.playback, (Playback{true, -2.0}));
+  for (int i = 0; i < 20; ++i) press(GLFW_KEY_DOWN, settings, KeysOf::replay);
+  EXPECT_EQ(settings.playback.rate, -1.0 / 16.0);
 
-  Controls live;
   for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_LEFT, GLFW_KEY_UP, GLFW_KEY_R, GLFW_KEY_SPACE})
-    press(key, live);
-  EXPECT_EQ(live, Controls{});
+    EXPECT_EQ(commandsOf(key, {}), Commands{});
 }
 
 TEST(Keys, WhileALessonAsksDigitsAnswerAndDoNothingElse) {
   for (const int digit : {0, 1, 2, 3, 4, 9}) {
-    Controls controls;
-    controls.lesson.phase = LessonPhase::asks;
-    controls.lessonAnswers = 3;
-    const Controls asking = controls;
-    press(GLFW_KEY_0 + digit, controls);
-    EXPECT_EQ(controls.switches, asking.switches) << digit;
-    EXPECT_EQ(controls.views, asking.views) << digit;
+    OperatorSettings settings;
+    settings.lesson.phase = LessonPhase::asks;
+    settings.lessonAnswers = 3;
+    const OperatorSettings asking = settings;
+    const int changed = press(GLFW_KEY_0 + digit, settings);
+    EXPECT_EQ(settings.switches, asking.switches) << digit;
+    EXPECT_EQ(settings.views, asking.views) << digit;
     const bool answers = digit >= 1 && digit <= 3;
-    EXPECT_EQ(controls.lesson,
+    EXPECT_EQ(settings.lesson,
               answers ? (LessonState{LessonPhase::shows, static_cast<std::uint8_t>(digit)}) : asking.lesson);
-    EXPECT_EQ(changesOf(asking, controls).size(), answers ? 1 : 0);
+    EXPECT_EQ(changed, answers ? 1 : 0);
   }
 }
 
 TEST(Keys, OnceItIsAnsweredDigitsAreSwitchesAgainAndEnterGoesOn) {
-  Controls controls;
-  controls.lesson.phase = LessonPhase::asks;
-  controls.lessonAnswers = 3;
-  press(GLFW_KEY_KP_2, controls);
-  EXPECT_EQ(controls.lesson, (LessonState{LessonPhase::shows, 2}));
-  press(GLFW_KEY_1, controls);
-  EXPECT_EQ(controls.switches.retardation, 0);
-  EXPECT_EQ(controls.lesson.answer, 2);
-  press(GLFW_KEY_ENTER, controls);
-  EXPECT_EQ(controls.lesson.phase, LessonPhase::explains);
-  press(GLFW_KEY_KP_ENTER, controls);
-  EXPECT_EQ(controls.lesson.phase, LessonPhase::shows);
+  OperatorSettings settings;
+  settings.lesson.phase = LessonPhase::asks;
+  settings.lessonAnswers = 3;
+  press(GLFW_KEY_KP_2, settings);
+  EXPECT_EQ(settings.lesson, (LessonState{LessonPhase::shows, 2}));
+  press(GLFW_KEY_1, settings);
+  EXPECT_EQ(settings.switches.retardation, 0);
+  EXPECT_EQ(settings.lesson.answer, 2);
+  press(GLFW_KEY_ENTER, settings);
+  EXPECT_EQ(settings.lesson.phase, LessonPhase::explains);
+  press(GLFW_KEY_KP_ENTER, settings);
+  EXPECT_EQ(settings.lesson.phase, LessonPhase::shows);
 }
 
 TEST(Keys, InARecordingTheLessonIsAsItWas) {
-  Controls controls;
-  controls.lesson.phase = LessonPhase::asks;
-  controls.lessonAnswers = 3;
-  press(GLFW_KEY_2, controls, KeysOf::replay);
-  press(GLFW_KEY_ENTER, controls, KeysOf::replay);
-  EXPECT_EQ(controls.lesson.phase, LessonPhase::asks);
-  EXPECT_EQ(controls.switches.contraction, 0) << "digits are switches";
+  OperatorSettings settings;
+  settings.lesson.phase = LessonPhase::asks;
+  settings.lessonAnswers = 3;
+  press(GLFW_KEY_2, settings, KeysOf::replay);
+  press(GLFW_KEY_ENTER, settings, KeysOf::replay);
+  EXPECT_EQ(settings.lesson.phase, LessonPhase::asks);
+  EXPECT_EQ(settings.switches.contraction, 0) << "digits are switches";
 }
 
-TEST(Keys, EveryChangeIsSaidInWords) {
+TEST(Keys, EveryCommandIsSaidInWords) {
+  std::set<std::string> said;
   for (const KeysOf place : kPlaces) {
     for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
-      Controls controls;
-      press(key, controls, place);
-      EXPECT_EQ(changesOf(Controls{}, controls).size(), controls == Controls{} ? 0 : 1) << key;
+      OperatorSettings settings;
+      settings.playing = "game.toml";
+      for (const Command& command : commandsOf(key, settings, place)) {
+        apply(command, settings);
+        said.insert(toString(command, settings));
+      }
     }
+  }
+  for (const char* words :
+       {"retardation: off", "beside: colour: on", "board-now: on", "walls: black", "eyes: swapped",
+        "shown: test patterns", "tracker cross: on", "latency: on", "keys: on", "eye separation: 65.0 mm",
+        "light speed: 1.5 m/s", "lesson: none", "tour: asked for", "scenario: game.toml", "playback: paused",
+        "playback rate: 2", "playback: from 11.00 s"}) {
+    EXPECT_TRUE(said.contains(words)) << words;
   }
 }
 

@@ -52,28 +52,28 @@ TEST(LessonFlow, WhatIsNoAnswerChangesNothing) {
 
 TEST(LessonFlow, BeginsWithItsQuestionAndItsViewsBesideThoseThatAreOn) {
   const Scenario scenario = read(kHead + kLesson);
-  Controls controls;
-  controls.views.paths = 1;
-  beginLesson(scenario, true, controls);
-  EXPECT_EQ(controls.lesson, kAsks);
-  EXPECT_EQ(controls.lessonAnswers, 2u);
+  OperatorSettings settings;
+  settings.views.paths = 1;
+  beginLesson(scenario, true, settings);
+  EXPECT_EQ(settings.lesson, kAsks);
+  EXPECT_EQ(settings.lessonAnswers, 2u);
   TimeViews views;
   views.paths = views.clocks = views.myNow = 1;
-  EXPECT_EQ(controls.views, views);
+  EXPECT_EQ(settings.views, views);
 }
 
 TEST(LessonFlow, ASessionThatEndsByItselfDoesNotAsk) {
-  Controls controls;
-  beginLesson(read(kHead + kLesson), false, controls);
-  EXPECT_EQ(controls.lesson, (LessonState{LessonPhase::shows, 0}));
+  OperatorSettings settings;
+  beginLesson(read(kHead + kLesson), false, settings);
+  EXPECT_EQ(settings.lesson, (LessonState{LessonPhase::shows, 0}));
 }
 
 TEST(LessonFlow, TheNextGameWithoutALessonHasNone) {
-  Controls controls;
-  beginLesson(read(kHead + kLesson), true, controls);
-  beginLesson(read(kHead), true, controls);
-  EXPECT_EQ(controls.lesson, LessonState{});
-  EXPECT_EQ(controls.lessonAnswers, 0u);
+  OperatorSettings settings;
+  beginLesson(read(kHead + kLesson), true, settings);
+  beginLesson(read(kHead), true, settings);
+  EXPECT_EQ(settings.lesson, LessonState{});
+  EXPECT_EQ(settings.lessonAnswers, 0u);
 }
 
 TEST(LessonFlow, TheJournalHasTheAnswerInWords) {

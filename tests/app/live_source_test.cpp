@@ -13,6 +13,7 @@
 
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
+#include "app/session/frame_listeners.h"
 #include "app/session/recorded_source.h"
 #include "engine/light/light_cone.h"
 #include "engine/random_world.h"
@@ -88,7 +89,8 @@ class LiveSession : public testing::Test {
 
   /// As the frame loop does, on with the file if it is there.
   void play(std::uint64_t frames, Mouse mouse) {
-    LiveStart start{{}, std::make_unique<SimulatedClock>(), false, {}, frames};
+    LiveStart start{{}, {}, frames};
+    SimulatedClock clock;
     const bool goesOn = std::filesystem::exists(file());
     if (goesOn) {
       SessionFile session(file());
@@ -97,26 +99,31 @@ class LiveSession : public testing::Test {
       session.next(last);
       start.before = last.record;
       start.struck = session.strokes(scenario_.billiard.pucks);
-      start.clock->sleepUntil(last.record.display_s);
+      clock.sleepUntil(last.record.display_s);
     }
     SessionFacts facts{
         "carom", folder_ / "room.toml", "three-pucks.toml", "", "", scenario_.billiard.lightSpeed_m_s};
     for (const Puck& puck : scenario_.billiard.pucks) facts.pucks.push_back(puck.name);
     World world{atStart_, {}};
-    LiveSource source(rig_, scenario_, world, std::move(start));
-    source.keep(std::make_unique<Journal>(file(), facts, goesOn,
-                                          [](const std::string& line) { ADD_FAILURE() << line; }));
-    Controls controls;
-    controls.views.myNow = 1;
-    FrameState state;
+    LiveSource source(rig_, scenario_, world, start);
+    Pacer pacer(clock, rig_.display_hz, rig_.displayLatency_s, false, start.firstFrame());
+    JournalListener journal;
+    journal.keep(std::make_unique<Journal>(file(), facts, goesOn,
+                                           [](const std::string& line) { ADD_FAILURE() << line; }));
+    OperatorSettings settings;
+    settings.views.myNow = 1;
+    Decision decision;
+    const FrameState& frame = decision.frame;
     do {
-      if (!state.knots.empty() || state.record.number > 0)
-        source.handled(mouse(state.record, world.histories));
-      source.next(controls, state);
-      applyFrame(state, world);
-      source.drawn();
-      source.shown(state);
-    } while (!state.record.last);
+      FrameInput input;
+      if (!frame.knots.empty() || frame.record.number > 0) input.desk = mouse(frame.record, world.histories);
+      decision.beginFrame();
+      source.next(pacer.next(), input, settings, decision);
+      applyFrame(frame, world);
+      pacer.awaitTick(0.0);
+      pacer.swapped();
+      journal.shown(decision);
+    } while (!frame.record.last);
   }
 
   std::filesystem::path file() const { return folder_ / "game.db"; }
@@ -215,18 +222,19 @@ TEST_F(LiveSession, GoesOnWithItsStrokes) {
 /// Whatever the first game was doing when it was left: another one has nothing of it, and begins at its
 /// beginning however long it took to load.
 TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
-  auto simulated = std::make_unique<SimulatedClock>();
-  Clock& clock = *simulated;
+  SimulatedClock clock;
   World world{atStart_, {}};
-  LiveSource source(rig_, scenario_, world, {{}, std::move(simulated), false, {}, {}});
-  Controls controls;
-  FrameState state;
-  const auto frame = [&](const DeskInput& desk) {
-    source.handled(desk);
-    source.next(controls, state);
+  LiveSource source(rig_, scenario_, world, {});
+  Pacer pacer(clock, rig_.display_hz, rig_.displayLatency_s);
+  OperatorSettings settings;
+  Decision decision;
+  const FrameState& state = decision.frame;
+  const auto frame = [&](const DeskInput& desk, const Commands& commands = {}) {
+    decision.beginFrame();
+    source.next(pacer.next(), {commands, desk}, settings, decision);
     applyFrame(state, world);
-    source.drawn();
-    source.shown(state);
+    pacer.awaitTick(0.0);
+    pacer.swapped();
   };
   const auto aimed = [&](bool held) {
     HandAim aim;
@@ -241,14 +249,14 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
   testing::internal::CaptureStderr();
   frame({});
   const FrameRecord first = state.record;
-  ++controls.tours;  // which this game has not: that is said
-  for (int i = 0; i < 30; ++i) frame(aimed(i > 20));
+  frame({}, {StartTour{}});  // which this game has not: that is said
+  for (int i = 0; i < 29; ++i) frame(aimed(i > 19));
   ASSERT_EQ(state.record.hand.pulling, 1);
   ASSERT_NE(state.record.notice.words(), "");
 
-  controls = {};
+  settings = {};
   world = {atStart_, {}};
-  source.playAnew(nullptr);
+  source.playAnew();
   clock.sleepUntil(clock.now_s() + 2.0);
   for (int i = 0; i < 10; ++i) {
     frame(aimed(true));

@@ -124,7 +124,7 @@ class ReplaySources : public testing::Test {
       frame.record.tracked = person.tracked();
       game.advance(latest_s(frame.record.observer), frame);
       journal.add(frame, person.head(), person.samples());
-      pacer.drawn();
+      pacer.awaitTick(0.0);
       pacer.swapped();
     }
   }
@@ -149,33 +149,39 @@ class ReplaySources : public testing::Test {
 
 /// A source with an operator, and the world that its frames make.
 struct Show {
-  Show(FrameSource& frames, std::vector<WorldLine> atStart) : source(frames), world{std::move(atStart), {}} {}
+  Show(FrameSource& frames, FramePacer& frameTimes, std::vector<WorldLine> atStart)
+      : source(frames), pacer(frameTimes), world{std::move(atStart), {}} {}
 
   const FrameRecord& next() {
-    source.next(controls, frame);
-    applyFrame(frame, world);
-    source.drawn();
-    source.shown(frame);
-    controls.switches = frame.record.switches;  // as the frame loop does
-    controls.walls = frame.record.controls;
-    controls.views = frame.record.views;
-    return frame.record;
+    const FrameTimes times = pacer.next();
+    source.next(times, {commands, {}}, settings, decision);
+    commands.clear();
+    applyFrame(decision.frame, world);
+    pacer.awaitTick(decision.stay_s);
+    pacer.swapped();
+    return decision.frame.record;
   }
-  void goTo(double session_s) {
-    ++controls.playback.jumps;
-    controls.playback.goTo_s = session_s;
+  /// As the frame loop does with what the operator asks for.
+  void command(const Command& wanted) {
+    apply(wanted, settings);
+    commands.push_back(wanted);
   }
+  void goTo(double session_s) { command(Seek{session_s}); }
 
   FrameSource& source;
+  FramePacer& pacer;
   World world;
-  Controls controls;
-  FrameState frame;
+  OperatorSettings settings;
+  Commands commands;
+  Decision decision;
+  const FrameState& frame = decision.frame;
 };
 
 TEST_F(ReplaySources, LeftAloneEveryFrameComesAsItWasAtItsTime) {
   SimulatedClock clock;
-  RecordedSource source(*session_, atStart_, kHz, clock);
-  Show show(source, atStart_);
+  RecordedSource source(*session_, atStart_, kHz);
+  RecordingPacer pacer(clock);
+  Show show(source, pacer, atStart_);
   for (std::uint64_t number = 0; number < kFrames; ++number) {
     FrameRecord record = show.next();
     EXPECT_EQ(record.last, number + 1 == kFrames ? 1u : 0u);
@@ -188,19 +194,20 @@ TEST_F(ReplaySources, LeftAloneEveryFrameComesAsItWasAtItsTime) {
 
 TEST_F(ReplaySources, GoneThroughToAndFroTheRightFramesComeAndSeeTheSame) {
   SimulatedClock clock;
-  RecordedSource source(*session_, atStart_, kHz, clock);
-  Show show(source, atStart_);
+  RecordedSource source(*session_, atStart_, kHz);
+  RecordingPacer pacer(clock);
+  Show show(source, pacer, atStart_);
   struct Step {
     const char* what;
-    std::function<void(Controls&)> act;
+    std::function<void(Show&)> act;
     std::vector<std::uint64_t> frames;
     double periods;  // of the display, from frame to frame
   };
-  const auto rate = [](double value) { return [value](Controls& c) { c.playback.rate = value; }; };
-  const auto pause = [](Controls& c) { c.playback.paused = !c.playback.paused; };
-  const auto jump = [&](double session_s) { return [&show, session_s](Controls&) { show.goTo(session_s); }; };
+  const auto rate = [](double value) { return [value](Show& s) { s.command(SetRate{value}); }; };
+  const auto pause = [](Show& s) { s.command(Pause{!s.settings.playback.paused}); };
+  const auto jump = [](double session_s) { return [session_s](Show& s) { s.goTo(session_s); }; };
   const double first_s = lived_[0].record.display_s;
-  EXPECT_EQ(source.span_s(), std::pair(first_s, lived_[kFrames - 1].record.display_s));
+  EXPECT_EQ(source.status().span_s, std::pair(first_s, lived_[kFrames - 1].record.display_s));
   const std::vector<Step> steps{
       {"from the beginning", rate(1.0), {0, 1, 2, 3, 4, 5}, 1.0},
       {"paused", pause, {5, 5, 5}, 1.0},
@@ -215,8 +222,9 @@ TEST_F(ReplaySources, GoneThroughToAndFroTheRightFramesComeAndSeeTheSame) {
       {"elsewhere, and paused", jump(first_s + 10.4 * kPeriod_s), {10, 10}, 1.0},
       {"before the beginning", jump(-3.0), {0, 0}, 1.0},
       {"on, backwards at the beginning",
-       [&](Controls& c) {
-         c.playback = {false, -2.0, c.playback.jumps, 0.0};
+       [](Show& s) {
+         s.command(Pause{false});
+         s.command(SetRate{-2.0});
        },
        {0, 0},
        1.0},
@@ -232,7 +240,7 @@ TEST_F(ReplaySources, GoneThroughToAndFroTheRightFramesComeAndSeeTheSame) {
   bool left = false;
   for (const Step& step : steps) {
     SCOPED_TRACE(step.what);
-    step.act(show.controls);
+    step.act(show);
     left = left || std::string(step.what) == "on to 2 s";
     bool first = true;
     for (const std::uint64_t number : step.frames) {
@@ -261,11 +269,12 @@ TEST_F(ReplaySources, GoneThroughToAndFroTheRightFramesComeAndSeeTheSame) {
 
 TEST_F(ReplaySources, WhatTheOperatorTurnsStaysAndTheRestIsAsItWas) {
   SimulatedClock clock;
-  RecordedSource source(*session_, atStart_, kHz, clock);
-  Show show(source, atStart_);
+  RecordedSource source(*session_, atStart_, kHz);
+  RecordingPacer pacer(clock);
+  Show show(source, pacer, atStart_);
   for (std::uint64_t number = 0; number < 80; ++number) {
-    if (number == 40) show.controls.switches.colour ^= 1;  // it is on: off
-    if (number == 50) show.controls.views.paths ^= 1;
+    if (number == 40) show.command(SetSwitch{&Switches::colour, false, false});  // it is on
+    if (number == 50) show.command(SetView{&TimeViews::paths, true});
     const FrameRecord& record = show.next();
     const bool lived = lived_[number].record.switches.colour != 0;
     EXPECT_EQ(record.switches.colour != 0, number < 40 && lived) << "frame " << number;
@@ -276,12 +285,13 @@ TEST_F(ReplaySources, WhatTheOperatorTurnsStaysAndTheRestIsAsItWas) {
 
 TEST_F(ReplaySources, AFrozenSightIsWalkedRoundAndEachFreezingTakesItsOwn) {
   SimulatedClock clock;
-  RecordedSource source(*session_, atStart_, kHz, clock);
-  Show show(source, atStart_);
+  RecordedSource source(*session_, atStart_, kHz);
+  RecordingPacer pacer(clock);
+  Show show(source, pacer, atStart_);
   for (const std::uint64_t begin : {10, 30}) {
     while (show.next().number + 1 < begin) {
     }
-    show.controls.views.frozen = 1;
+    show.command(SetView{&TimeViews::frozen, true});
     for (std::uint64_t number = begin; number < begin + 8; ++number) {
       const FrameRecord& record = show.next();
       ASSERT_EQ(record.number, number);
@@ -291,7 +301,7 @@ TEST_F(ReplaySources, AFrozenSightIsWalkedRoundAndEachFreezingTakesItsOwn) {
       EXPECT_EQ(record.observer.eyes[0].positionInRoom_m,
                 lived_[number].record.observer.eyes[0].positionInRoom_m);
     }
-    show.controls.views.frozen = 0;
+    show.command(SetView{&TimeViews::frozen, false});
     const FrameRecord& record = show.next();
     EXPECT_TRUE(sameBits(record.observer, lived_[record.number].record.observer));
   }
@@ -301,8 +311,9 @@ TEST_F(ReplaySources, AVisitorSeesTheGameAsSomeoneWhoLivesThere) {
   const auto trace = folder_.file("other.csv", walkText(3.0, 0.9));
   for (const Vec3& beta : {Vec3(0.0), Vec3(0.5, -0.2, 0.0)}) {
     SimulatedClock clock, livedClock;
-    VisitorSource source(rig_, scenario_, {trace, beta, false}, wholeGame(*session_, atStart_), {clock, {}});
-    Show show(source, atStart_);
+    VisitorSource source(rig_, scenario_, {trace, beta, false}, wholeGame(*session_, atStart_), {});
+    Pacer visitPacer(clock, kHz, 0.0);
+    Show show(source, visitPacer, atStart_);
     Rig rig = rig_;
     rig.trackers[0].source = trace;
     Scenario scenario = scenario_;
@@ -316,7 +327,7 @@ TEST_F(ReplaySources, AVisitorSeesTheGameAsSomeoneWhoLivesThere) {
       ASSERT_TRUE(sameBits(record.observer, person.at(times, rig_.head.eyeSeparation_m)))
           << "frame " << frames;
       ASSERT_EQ(record.display_s, times.display_s);
-      pacer.drawn();
+      pacer.awaitTick(0.0);
       pacer.swapped();
       expectSame(lightOf(show.world.histories, record.observer), lightOf(truth_, record.observer), c_m_s());
       ++frames;
@@ -337,8 +348,9 @@ TEST_F(ReplaySources, AVisitorsRoomTimeGoesAsTheOperatorWishes) {
   for (const Vec3& beta : {Vec3(0.0), Vec3(0.4, 0.3, 0.0)}) {
     SimulatedClock clock;
     Visitor visitor{{}, beta, true};
-    VisitorSource source(rig_, scenario_, visitor, wholeGame(*session_, atStart_), {clock, {}});
-    Show show(source, atStart_);
+    VisitorSource source(rig_, scenario_, visitor, wholeGame(*session_, atStart_), {});
+    Pacer pacer(clock, kHz, 0.0);
+    Show show(source, pacer, atStart_);
     ObserverStart start = scenario_.observer;
     start.beta = beta;
     const auto now_s = [&] { return roomTime_s(show.frame.record.observer, start, c_m_s()); };
@@ -352,17 +364,18 @@ TEST_F(ReplaySources, AVisitorsRoomTimeGoesAsTheOperatorWishes) {
     double before_s = now_s();
     EXPECT_GT(before_s, 39 * kPeriod_s) << "who walks has more of the room's time go by than of their own";
     for (const double rate : {2.0, 0.5, -1.0}) {
-      show.controls.playback.rate = rate;
+      show.command(SetRate{rate});
       play(12);
       EXPECT_NEAR(now_s() - before_s, 12 * rate * kPeriod_s, 1e-12) << rate;
       EXPECT_LT(glm::distance(betaFromU(show.frame.record.observer.headFromBoard.inverse().u()), beta), 1e-14)
           << "their own motion is not seen";
       before_s = now_s();
     }
-    show.controls.playback = {true, 1.0, 0, 0.0};
+    show.command(Pause{true});
+    show.command(SetRate{1.0});
     play(9);
     EXPECT_NEAR(now_s(), before_s, 1e-12) << "paused";
-    show.controls.playback.paused = false;
+    show.command(Pause{false});
     show.goTo(show.frame.record.display_s + 1.0);
     play(1);
     EXPECT_NEAR(now_s() - before_s, 1.0, 1e-12) << "a second on";
@@ -373,7 +386,7 @@ TEST_F(ReplaySources, AVisitorsRoomTimeGoesAsTheOperatorWishes) {
     show.goTo(0.0);
     play(1);
     EXPECT_NEAR(now_s(), 0.0, 1e-12) << "the beginning";
-    show.controls.playback.rate = -4.0;
+    show.command(SetRate{-4.0});
     play(5);
     EXPECT_NEAR(now_s(), 0.0, 1e-12) << "there is nothing before it";
   }
@@ -383,8 +396,9 @@ TEST_F(ReplaySources, NobodySeesWhatWasNotRecorded) {
   // A trace that goes on for longer than the game: the frames end.
   const auto trace = folder_.file("long.csv", walkText(9.0, 0.4));
   SimulatedClock clock;
-  VisitorSource source(rig_, scenario_, {trace, {}, false}, wholeGame(*session_, atStart_), {clock, {}});
-  Show show(source, atStart_);
+  VisitorSource source(rig_, scenario_, {trace, {}, false}, wholeGame(*session_, atStart_), {});
+  Pacer pacer(clock, kHz, 0.0);
+  Show show(source, pacer, atStart_);
   std::uint64_t frames = 0;
   for (; !show.frame.record.last; ++frames) {
     const FrameRecord& record = show.next();
@@ -395,9 +409,9 @@ TEST_F(ReplaySources, NobodySeesWhatWasNotRecorded) {
 
   // Who may stay stays where it ends, and may go back.
   SimulatedClock stayingClock;
-  VisitorSource staying(rig_, scenario_, {trace, {}, true}, wholeGame(*session_, atStart_),
-                        {stayingClock, {}});
-  Show stay(staying, atStart_);
+  VisitorSource staying(rig_, scenario_, {trace, {}, true}, wholeGame(*session_, atStart_), {});
+  Pacer stayingPacer(stayingClock, kHz, 0.0);
+  Show stay(staying, stayingPacer, atStart_);
   double end_s = 0.0;
   for (int i = 0; i < 8 * 60 - 2; ++i) {
     end_s = stay.next().observer.eyes[2].observation.t_s;

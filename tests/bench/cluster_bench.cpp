@@ -36,7 +36,8 @@ int main() {
     const auto start = std::chrono::steady_clock::now();
     cluster.share(state);
     applyFrame(state, world);
-    cluster.swapTogether(state, world, false);
+    cluster.gatherDrawn(state, world, false);
+    cluster.releaseSwap(world);
     took_us.push_back(
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
   }

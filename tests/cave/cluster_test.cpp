@@ -12,6 +12,11 @@ namespace {
 
 Cluster* cluster = nullptr;
 
+bool swapTogether(const FrameState& state, const World& world, bool wantsToEnd) {
+  cluster->gatherDrawn(state, world, wantsToEnd);
+  return cluster->releaseSwap(world);
+}
+
 WorldLine history() { return WorldLine({{0.0, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}, 1.42, 0.1); }
 
 /// A frame as rank 0 makes it: `number` knots of a body that stands still, and as many events in the place of
@@ -52,7 +57,7 @@ TEST(Cluster, EveryRankHoldsRankZerosRecordAndKnots) {
       ASSERT_EQ(world.events[i].at.t_s, expected.events[i].at.t_s);
       ASSERT_EQ(world.events[i].cushion, Cushion::minusX);
     }
-    ASSERT_NO_THROW(EXPECT_FALSE(cluster->swapTogether(state, world, false)));
+    ASSERT_NO_THROW(EXPECT_FALSE(swapTogether(state, world, false)));
   }
 }
 
@@ -69,7 +74,7 @@ TEST(Cluster, ARankThatDiffersIsNamed) {
   cluster->nameNodes(std::vector<Wall>{front, left});
   if (cluster->rank() == 1) world.histories[0].truncateFrom(302.0);  // this node lost a knot
   try {
-    cluster->swapTogether(state, world, false);
+    swapTogether(state, world, false);
     FAIL() << "the difference went unnoticed";
   } catch (const NodesDiffer& error) {
     EXPECT_STREQ(
@@ -139,7 +144,7 @@ TEST(Cluster, ADifferenceAnywhereIsNamed) {
     applyFrame(state, world);
     if (cluster->rank() == cluster->size() - 1) all[i].plant(state, world);
     try {
-      cluster->swapTogether(state, world, false);
+      swapTogether(state, world, false);
       FAIL() << "the difference went unnoticed";
     } catch (const NodesDiffer& error) {
       const std::string said = error.what();
@@ -166,9 +171,9 @@ TEST(Cluster, OneRankThatWantsToEndEndsAll) {
   World world{{history()}, {}};
   FrameState state = cluster->rank() == 0 ? frameWithKnots(0) : FrameState{};
   cluster->share(state);
-  EXPECT_FALSE(cluster->swapTogether(state, world, false));
+  EXPECT_FALSE(swapTogether(state, world, false));
   cluster->share(state);
-  EXPECT_TRUE(cluster->swapTogether(state, world, cluster->rank() == cluster->size() - 1));
+  EXPECT_TRUE(swapTogether(state, world, cluster->rank() == cluster->size() - 1));
 }
 
 TEST(Cluster, TheLowestFailedRankIsKnownToAll) {
@@ -187,7 +192,7 @@ TEST(Cluster, RankZeroHoldsWhatEachNodeSaidWithItsLastFrame) {
     mine.lock = cluster->rank() % 2 == 0 ? LockState::joined : LockState::lost;
     cluster->report(mine);
     cluster->share(state);
-    cluster->swapTogether(state, world, false);
+    swapTogether(state, world, false);
     for (int rank = 0; cluster->rank() == 0 && rank < cluster->size(); ++rank) {
       const NodeReport& report = cluster->reportOf(rank);
       EXPECT_EQ(report.stamps.frame, number - 1) << "rank " << rank;

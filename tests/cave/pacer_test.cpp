@@ -19,7 +19,7 @@ class Display {
   /// Draws for so long and swaps; when the photons of the frame left.
   double show(SimulatedClock& clock, Pacer& pacer, double drawing_s, bool waits) {
     clock.sleepUntil(clock.now_s() + drawing_s);
-    pacer.drawn();
+    pacer.awaitTick(0.0);
     if (waits) clock.sleepUntil(tickAfter(clock.now_s()));
     const double shown_s = clock.now_s();
     pacer.swapped();
@@ -46,7 +46,7 @@ TEST(Pacer, SimulatedTimeGoesByTheDisplayAndIsTheSameInEveryRun) {
       EXPECT_NEAR(times.step_s, i == 0 ? 0.0 : 1 / 60.0, kRounding_s);
       EXPECT_LE(times.begin_s, times.display_s);
       run.push_back(times.begin_s);
-      pacer.drawn();
+      pacer.awaitTick(0.0);
       pacer.swapped();
     }
   }
@@ -138,7 +138,7 @@ TEST(Pacer, TheSteadyClockIsWaitedFor) {
   SteadyClock clock;
   Pacer pacer(clock, 200.0, 0.0);
   pacer.next();
-  pacer.drawn();
+  pacer.awaitTick(0.0);
   pacer.swapped();
   const FrameTimes second = pacer.next();
   EXPECT_GE(clock.now_s(), second.begin_s);

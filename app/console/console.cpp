@@ -1,0 +1,218 @@
+#include "app/console/console.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+namespace carom {
+
+using namespace console;
+
+namespace {
+
+constexpr float kText_px = 16.0F, kHeading_px = 21.0F;
+constexpr std::chrono::milliseconds kEvery(50);
+constexpr int kRest = 4;  // times as long as drawing took
+constexpr std::size_t kMostSaid = 200;
+// The places of its parts.
+constexpr float kTop_px = 84.0F, kLeft_px = 366.0F, kSaid_px = 104.0F, kWalls_px = 250.0F, kGap_px = 8.0F;
+constexpr float kButton_px = 150.0F;
+
+WindowPlacement placeIn(const Rig& rig) {
+  return rig.console.value_or(WindowPlacement{.position_px = {40, 40}, .size_px = {1280, 860}});
+}
+
+void useHeadingFont() {
+  const ImVector<ImFont*>& fonts = ImGui::GetIO().Fonts->Fonts;
+  ImGui::PushFont(fonts.Size > 1 ? fonts[1] : fonts[0]);
+}
+
+/// A part of the console; `end` it with ImGui::EndChild.
+void part(const char* name, const ImVec2& at, const ImVec2& size) {
+  ImGui::SetCursorPos(at);
+  ImGui::BeginChild(name, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+}
+
+}  // namespace
+
+Console::Console(Graphics& graphics, const Rig& rig, const Cluster& cluster, KeysOf keys,
+                 const Scenario& scenario, const Scene& scene)
+    : window_(graphics, "Carom: console", placeIn(rig)),
+      keys_(keys),
+      keyMap_(keyMap(keys)),
+      scenario_(&scenario),
+      walls_(graphics, rig, cluster),
+      effects_(keys),
+      diagram_(scenario) {
+  window_.listen(kText_px, kHeading_px);
+  dress();
+  play(scenario, scene);
+}
+
+void Console::play(const Scenario& scenario, const Scene& scene) {
+  scenario_ = &scenario;
+  title_ = scenario.title;
+  file_.clear();
+  games_.play(scenario, file_);
+  walls_.play(scene, scenario.billiard.lightSpeed_m_s);
+  events_.play(scenario);
+  diagram_.play(scenario);
+  say(scenario.title);
+}
+
+void Console::say(const std::string& line) {
+  said_.push_front({now_s_, line});
+  if (said_.size() > kMostSaid) said_.pop_back();
+}
+
+void Console::show(const ConsoleFrame& frame) {
+  now_s_ = frame.record.display_s;
+  if (const std::string_view notice = frame.record.notice.words(); notice != notice_) {
+    notice_ = notice;
+    if (!notice.empty()) say(notice_);
+  }
+  if (std::exchange(keysShown_, frame.settings.keysShown) != frame.settings.keysShown) opensKeys_ = true;
+  events_.follow(frame.world);
+  diagram_.follow(frame.record);
+  const Clock::time_point begun = Clock::now();
+  if (begun < (window_.isPressed() ? earliest_ : due_) || window_.isIconified()) return;
+  if (file_ != frame.settings.playing) {
+    file_ = frame.settings.playing;
+    games_.play(*scenario_, file_);
+  }
+  walls_.prepare(frame);
+  window_.show({}, [&] { drawAll(frame); });
+  window_.swap();
+  earliest_ = begun + kEvery;
+  due_ = std::max(earliest_, begun + (kRest + 1) * (Clock::now() - begun));
+}
+
+void Console::drawAll(const ConsoleFrame& frame) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.0F, 0.0F});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0.0F, 0.0F});
+  ImGui::Begin("console", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const float left = kGap_px, right = kLeft_px + 2 * kGap_px, width = size.x - right - kGap_px;
+  const float top = kTop_px + kGap_px;
+  const float bottom = size.y - kSaid_px - 2 * kGap_px;
+  part("top", {0.0F, 0.0F}, {size.x, kTop_px});
+  drawTop(frame);
+  ImGui::EndChild();
+  part("effects", {left, top}, {kLeft_px, size.y - kGap_px - top});
+  effects_.draw(frame, scenario_->billiard.lightSpeed_m_s);
+  ImGui::EndChild();
+  part("walls", {right, top}, {width, kWalls_px});
+  walls_.draw(frame);
+  ImGui::EndChild();
+  float below = top + kWalls_px + kGap_px;
+  if (keys_ == KeysOf::replay) {
+    const float height = 2 * ImGui::GetFrameHeightWithSpacing() + 16.0F;
+    part("playing", {right, below}, {width, height});
+    playing_.draw(frame);
+    ImGui::EndChild();
+    below += height + kGap_px;
+  }
+  part("tabs", {right, below}, {width, bottom - below});
+  drawTabs(frame);
+  ImGui::EndChild();
+  part("said", {right, bottom + kGap_px}, {width, kSaid_px});
+  drawSaid();
+  ImGui::EndChild();
+  drawKeys();
+  ImGui::End();
+}
+
+void Console::drawTop(const ConsoleFrame& frame) {
+  const float buttons = ImGui::GetContentRegionMax().x - 2 * kButton_px - kGap_px;
+  useHeadingFont();
+  words(title_);
+  ImGui::PopFont();
+  ImGui::SameLine(0.0F, 30.0F);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4.0F);
+  recording_.drawLight(frame);
+  ImGui::SameLine(0.0F, 24.0F);
+  light(lightOfTrackers(frame));
+  ImGui::SameLine(0.0F, 4.0F);
+  words("trackers");
+  tip("Green: all deliver. Yellow: one is late or looked for. Red: one needs help.");
+  ImGui::SetCursorPosY(46.0F);
+  drawClocks(frame);
+  ImGui::SetCursorPos({buttons, 12.0F});
+  if (ImGui::Button("Keys   H", {kButton_px, 60.0F})) opensKeys_ = true;
+  ImGui::SameLine(0.0F, kGap_px);
+  const bool blank = frame.settings.walls.blank != 0;
+  ImGui::PushStyleColor(ImGuiCol_Button, blank ? kFair : ImVec4{0.42F, 0.20F, 0.19F, 1.0F});
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blank ? kFair : ImVec4{0.55F, 0.25F, 0.23F, 1.0F});
+  ImGui::PushStyleColor(ImGuiCol_Text, blank ? ImVec4{0.1F, 0.1F, 0.1F, 1.0F} : kBright);
+  if (ImGui::Button(blank ? "Light the walls   B" : "Black walls   B", {kButton_px, 60.0F})) {
+    frame.commands.emplace_back(SetWalls{&WallControls::blank, !blank});
+  }
+  ImGui::PopStyleColor(3);
+  tip("All walls black at once, and lit again. The game goes on.");
+}
+
+void Console::drawTabs(const ConsoleFrame& frame) {
+  if (!ImGui::BeginTabBar("parts")) return;
+  const auto tab = [](const char* name, const auto& draw) {
+    if (!ImGui::BeginTabItem(name)) return;
+    ImGui::BeginChild("tab");
+    draw();
+    ImGui::EndChild();
+    ImGui::EndTabItem();
+  };
+  tab("Games", [&] { games_.draw(frame); });
+  tab("Trackers", [&] { drawTrackers(frame); });
+  tab("Latency", [&] { drawLatencyNumbers(frame.latency); });
+  tab("Events", [&] { events_.draw(frame.record); });
+  tab("Diagram", [&] { drawDiagram(frame); });
+  tab("Recording", [&] { recording_.draw(frame); });
+  ImGui::EndTabBar();
+}
+
+void Console::drawDiagram(const ConsoleFrame& frame) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+  diagram_.draw(frame.record, frame.world, *ImGui::GetWindowDrawList(), {at.x, at.y}, {size.x, size.y});
+}
+
+/// The newest first.
+void Console::drawSaid() const {
+  for (const Line& line : said_) {
+    dim(fmt::format("{:7.1f} s", line.said_s));
+    ImGui::SameLine();
+    words(line.words);
+  }
+}
+
+void Console::drawKeys() {
+  constexpr const char* kName = "keys";
+  if (opensKeys_) {
+    ImGui::OpenPopup(kName);
+    opensKeys_ = false;
+  }
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  if (!ImGui::BeginPopup(kName)) return;
+  useHeadingFont();
+  words("Keys");
+  ImGui::PopFont();
+  dim("In this window and in any of this computer's walls.");
+  ImGui::Spacing();
+  drawKeyTable(keyMap_);
+  const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
+  if (ImGui::Button("Close   Escape") || pressed(GLFW_KEY_ESCAPE) || pressed(GLFW_KEY_H) ||
+      pressed(GLFW_KEY_F1)) {
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace carom

@@ -1,0 +1,113 @@
+#include "app/console/console_events.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/tables/event_table.h"
+
+namespace carom::console {
+namespace {
+
+const char* whatOf(const GameEvent& event) {
+  switch (event.kind) {
+    case EventKind::puckPuck:
+      return "meet";
+    case EventKind::puckCushion:
+      return "meets cushion";
+    case EventKind::stroke:
+      return "is struck";
+    case EventKind::flash:
+      return "flashes";
+    case EventKind::jam:
+      return "moves on in a jam";
+  }
+  return "";
+}
+
+}  // namespace
+
+void EventsPanel::play(const Scenario& scenario) {
+  pucks_.clear();
+  flashes_.clear();
+  for (const Puck& puck : scenario.billiard.pucks) pucks_.push_back(puck.name);
+  for (const Flash& flash : scenario.billiard.flashes) flashes_.push_back(flash.name);
+  c_m_s_ = scenario.billiard.lightSpeed_m_s;
+  events_.clear();
+}
+
+void EventsPanel::follow(const World& world) {
+  if (world.events.empty()) return;
+  const std::uint64_t first = world.events.front().number;
+  std::erase_if(events_, [first](const GameEvent& event) { return event.number >= first; });
+  events_.insert(events_.end(), world.events.begin(), world.events.end());
+  if (events_.size() > kKept) events_.erase(events_.begin(), events_.end() - kKept);
+}
+
+/// What has happened by now: by the board's clocks or in the person's own frame.
+void EventsPanel::find(const FrameRecord& record) {
+  const Event& here = record.observer.eyes[2].observation;
+  rows_.clear();
+  for (const GameEvent& event : events_) {
+    const Displacement ago = event.at - here;
+    const double mine_s = (record.observer.headFromBoard * ago).dt_s;
+    if ((mine_ ? mine_s : ago.dt_s) > 0.0) continue;
+    const bool seen = ago.dt_s < 0.0 && interval_m2(ago, c_m_s_) >= 0.0;
+    rows_.push_back({&event, event.at.t_s, record.observer.properTime_s + mine_s, seen});
+  }
+  std::stable_sort(rows_.begin(), rows_.end(), [this](const Row& a, const Row& b) {
+    return mine_ ? a.mine_s > b.mine_s : a.board_s > b.board_s;
+  });
+}
+
+void EventsPanel::drawRow(const Row& row) const {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  words(std::to_string(row.event->number));
+  ImGui::TableNextColumn();
+  words(whoOf(*row.event, pucks_, flashes_));
+  ImGui::TableNextColumn();
+  words(whatOf(*row.event));
+  if (row.event->cushion) {
+    ImGui::SameLine();
+    words(nameOf(*row.event->cushion));
+  }
+  for (const auto& [time_s, chosen] : {std::pair(row.board_s, !mine_), std::pair(row.mine_s, mine_)}) {
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? kBright : kDim);
+    seconds(time_s);
+    ImGui::PopStyleColor();
+  }
+  ImGui::TableNextColumn();
+  ImGui::TextColored(row.seen ? kGood : kDim, "%s", row.seen ? "seen" : "not yet");
+}
+
+void EventsPanel::draw(const FrameRecord& record) {
+  find(record);
+  ImGui::AlignTextToFramePadding();
+  words("What has happened until now,");
+  ImGui::SameLine();
+  if (ImGui::RadioButton("by the board's clocks", !mine_)) mine_ = false;
+  ImGui::SameLine();
+  if (ImGui::RadioButton("in the person's frame", mine_)) mine_ = true;
+  tip("For who moves other things happen at once: some of these may be in another order, or not have "
+      "happened yet. "
+      "The person's times are such that now is what their clock shows.");
+  constexpr ImGuiTableFlags kFlags =
+      ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
+  if (!ImGui::BeginTable("events", 6, kFlags)) return;
+  const float em = ImGui::GetFontSize();
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("n", 0, 2.5F * em);
+  ImGui::TableSetupColumn("who", 0, 9 * em);
+  ImGui::TableSetupColumn("what", 0, 9 * em);
+  ImGui::TableSetupColumn("  board time", 0, 7 * em);
+  ImGui::TableSetupColumn("  person's time", 0, 8 * em);
+  ImGui::TableSetupColumn("its light");
+  ImGui::TableHeadersRow();
+  for (const Row& row : rows_) drawRow(row);
+  ImGui::EndTable();
+  if (rows_.empty()) dim("Nothing yet.");
+}
+
+}  // namespace carom::console

@@ -1,0 +1,40 @@
+#pragma once
+// The console's table of what has happened in the game.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/console/console_parts.h"
+#include "app/files/scenario.h"
+
+namespace carom::console {
+
+class EventsPanel {
+ public:
+  /// Another game.
+  void play(const Scenario& scenario);
+
+  /// Keeps what the world will forget, as many as a table can be read of.
+  void follow(const World& world);
+  void draw(const FrameRecord& record);
+
+ private:
+  static constexpr std::size_t kKept = 300;
+  struct Row {
+    const GameEvent* event;
+    double board_s, mine_s;
+    bool seen;
+  };
+  void find(const FrameRecord& record);
+  void drawRow(const Row& row) const;
+
+  std::vector<std::string> pucks_;
+  std::vector<std::string> flashes_;
+  double c_m_s_ = 1.0;
+  std::vector<GameEvent> events_;  ///< in the order of their numbers
+  std::vector<Row> rows_;          ///< newest first
+  bool mine_ = false;              ///< times in the person's own frame
+};
+
+}  // namespace carom::console

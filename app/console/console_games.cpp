@@ -1,0 +1,181 @@
+#include "app/console/console_games.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "app/files/config_folder.h"
+#include "app/operator/lesson.h"
+
+namespace carom::console {
+namespace {
+
+constexpr float kListWidth = 0.46F;  // of what there is
+
+void paragraph(const char* what, const std::string& text) {
+  if (text.empty()) return;
+  dim(what);
+  ImGui::TextWrapped("%s", text.c_str());
+}
+
+const char* phaseWords(LessonPhase phase) {
+  switch (phase) {
+    case LessonPhase::none:
+      return "";
+    case LessonPhase::asks:
+      return "It asks, and time stands still until it is answered.";
+    case LessonPhase::shows:
+      return "It is being looked at.";
+    case LessonPhase::explains:
+      return "The number behind it is told.";
+  }
+  return "";
+}
+
+}  // namespace
+
+GamesPanel::Game GamesPanel::gameIn(const std::string& file) {
+  Game game{file, std::filesystem::path(file).stem().string(), false, {}, {}};
+  try {
+    const Scenario scenario = readScenario(file);
+    game.title = scenario.title;
+    game.lesson = scenario.lesson.has_value();
+    if (game.lesson) game.words = scenario.lesson->words;
+  } catch (const std::exception& error) {
+    game.fault = error.what();
+  }
+  return game;
+}
+
+GamesPanel::GamesPanel() {
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(configFolder() / "scenarios", failed)) {
+    if (entry.path().extension() == ".toml") games_.push_back(gameIn(entry.path().string()));
+  }
+  std::sort(games_.begin(), games_.end(),
+            [](const Game& a, const Game& b) { return a.lesson != b.lesson ? a.lesson : a.title < b.title; });
+}
+
+void GamesPanel::play(const Scenario& scenario, const std::string& file) {
+  scenario_ = &scenario;
+  file_ = file;
+  const auto known = std::find_if(games_.begin(), games_.end(),
+                                  [&](const Game& game) { return isSameFile(game.file, file); });
+  chosen_ = played_ = static_cast<std::size_t>(known - games_.begin());
+  if (known == games_.end() && !file.empty()) {
+    games_.push_back({file,
+                      scenario.title,
+                      scenario.lesson.has_value(),
+                      scenario.lesson ? scenario.lesson->words : LessonWords(),
+                      {}});
+  }
+}
+
+void GamesPanel::drawList(const ConsoleFrame& frame) {
+  const bool mayPlay = frame.keys == KeysOf::session;
+  const float foot_px = mayPlay ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
+  ImGui::BeginChild("games", {0.0F, -foot_px});
+  bool twice = false;
+  for (std::size_t i = 0; i < games_.size(); ++i) {
+    Game& game = games_[i];
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::PushStyleColor(ImGuiCol_Text, game.fault.empty() ? kBright : kDim);
+    if (ImGui::Selectable(game.title.c_str(), chosen_ == i, ImGuiSelectableFlags_AllowDoubleClick)) {
+      chosen_ = i;
+      if (i != played_) games_[i] = gameIn(game.file);  // it may have been mended meanwhile
+      twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    }
+    ImGui::PopStyleColor();
+    tip(game.fault.empty() ? game.file : game.fault);
+    std::string mark = game.lesson ? "lesson" : "";
+    if (i == played_) mark += mark.empty() ? "now" : ", now";
+    if (!mark.empty()) keyAtRight(mark);
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+  if (!mayPlay) return;
+  const bool canPlay = chosen_ < games_.size() && games_[chosen_].fault.empty();
+  ImGui::BeginDisabled(!canPlay);
+  if ((ImGui::Button("Play") || twice) && canPlay)
+    frame.commands.emplace_back(PlayScenario{games_[chosen_].file});
+  tip("Go on with the chosen game, from its beginning.");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (ImGui::Button("Begin again")) frame.commands.emplace_back(PlayScenario{frame.settings.playing});
+  tip("The game that is played now, from its beginning.");
+}
+
+void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const {
+  const LessonState& state = frame.record.lesson;
+  const LessonWords& said = lesson.words;
+  heading(fmt::format("Lesson: {}", said.title).c_str());
+  if (state.phase == LessonPhase::none) return dim("It has been put aside.");
+  dim(phaseWords(state.phase));
+  if (state.phase == LessonPhase::asks) {
+    ImGui::TextWrapped("%s", said.question.c_str());
+    for (std::size_t i = 0; i < said.answers.size(); ++i) {
+      const std::string label = fmt::format("{}  {}", i + 1, said.answers[i]);
+      if (ImGui::Button(label.c_str(), {-1.0F, 0.0F}))
+        frame.commands.emplace_back(AnswerLesson{static_cast<int>(i) + 1});
+    }
+  } else if (state.phase == LessonPhase::shows) {
+    paragraph("To do", said.todo);
+    paragraph("To notice", said.notice);
+  } else {
+    ImGui::TextWrapped("%s", said.number.c_str());
+    paragraph("Answered", answerText(said, state));
+  }
+  if (ImGui::Button(state.phase == LessonPhase::asks ? "Pass over the question" : "Go on"))
+    frame.commands.emplace_back(AdvanceLesson{});
+}
+
+/// Another game than the one that is played, before it begins.
+void GamesPanel::drawChosen() const {
+  const Game& game = games_[chosen_];
+  heading(game.title.c_str());
+  if (!game.fault.empty()) return ImGui::TextWrapped("%s", game.fault.c_str());
+  if (!game.lesson) return words("Play begins it.");
+  dim("A lesson. Play begins it, with its question:");
+  ImGui::TextWrapped("%s", game.words.question.c_str());
+  for (const std::string& answer : game.words.answers) words("    " + answer);
+  paragraph("To do", game.words.todo);
+  paragraph("To notice", game.words.notice);
+}
+
+void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
+  const bool live = frame.keys == KeysOf::session;
+  if (scenario_->lesson) {
+    ImGui::BeginDisabled(!live);
+    drawLesson(frame, *scenario_->lesson);
+    ImGui::EndDisabled();
+  } else {
+    heading(scenario_->title.c_str());
+  }
+  words(fmt::format("{} pucks, light at {:.4g} m/s", scenario_->billiard.pucks.size(),
+                    scenario_->billiard.lightSpeed_m_s));
+  dim(std::filesystem::path(file_).filename().string());
+  tip(file_);
+  if (scenario_->tour.empty() || !live) return;
+  if (ImGui::Button("Set out on the tour")) frame.commands.emplace_back(StartTour{});
+  tip("The platform goes the way that the scenario gives.");
+  keyAtRight(keyFor(frame.keys, "tour").keys);
+}
+
+void GamesPanel::draw(const ConsoleFrame& frame) {
+  const float width = kListWidth * ImGui::GetContentRegionAvail().x;
+  ImGui::BeginChild("list", {width, 0.0F});
+  drawList(frame);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("played");
+  if (chosen_ != played_ && chosen_ < games_.size()) {
+    drawChosen();
+  } else {
+    drawPlayed(frame);
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace carom::console

@@ -1,0 +1,38 @@
+#pragma once
+// Shows the frames of a game in the operator's console. It is told of a frame when that is on the walls: the console
+// must keep no wall waiting.
+
+#include "app/console/console.h"
+#include "app/session/director.h"
+#include "app/session/frame_listener.h"
+#include "app/session/frame_statistics.h"
+#include "app/stage/stage.h"
+
+namespace carom {
+
+class ConsoleListener : public FrameListener {
+ public:
+  /// All are used as long as this lives.
+  ConsoleListener(Console& console, const Stage& stage, FrameStatistics& statistics,
+                  const FrameSource& source, FrameLeader& leader, KeysOf keys)
+      : console_(console),
+        stage_(stage),
+        statistics_(statistics),
+        source_(source),
+        leader_(leader),
+        keys_(keys) {}
+
+  void shown(const Decision& decision) override;
+
+ private:
+  Console& console_;
+  const Stage& stage_;
+  FrameStatistics& statistics_;
+  const FrameSource& source_;
+  FrameLeader& leader_;
+  KeysOf keys_;
+  SourceStatus status_;
+  double asked_s_ = -1.0;  ///< session clock: when the source was asked for it
+};
+
+}  // namespace carom

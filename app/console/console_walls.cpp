@@ -1,0 +1,163 @@
+#include "app/console/console_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include <fmt/format.h>
+#include <vtk_glew.h>
+
+namespace carom::console {
+namespace {
+
+constexpr int kCopyWidth_px = 240;
+constexpr double kCopyEvery_s = 1.0;
+constexpr float kGap_px = 8.0F;
+
+/// The same wall for one eye, with few pixels and nothing of its projector.
+Wall smallOf(const Wall& wall) {
+  Wall small;
+  small.name = wall.name;
+  small.lowerLeft_m = wall.lowerLeft_m;
+  small.lowerRight_m = wall.lowerRight_m;
+  small.upperLeft_m = wall.upperLeft_m;
+  const double scale = std::min(1.0, static_cast<double>(kCopyWidth_px) / wall.pixels.x);
+  small.pixels = glm::max(glm::ivec2(glm::round(glm::dvec2(wall.pixels) * scale)), 1);
+  return small;
+}
+
+/// The picture's own alpha means nothing.
+void drawOpaque(const ImDrawList*, const ImDrawCmd*) { glDisable(GL_BLEND); }
+
+/// The largest rectangle of the picture's shape in the middle of the place.
+void fit(const glm::ivec2& picture_px, ImVec2& from, ImVec2& to) {
+  const ImVec2 place{to.x - from.x, to.y - from.y};
+  const float scale =
+      std::min(place.x / static_cast<float>(picture_px.x), place.y / static_cast<float>(picture_px.y));
+  const ImVec2 size{std::floor(scale * static_cast<float>(picture_px.x)),
+                    std::floor(scale * static_cast<float>(picture_px.y))};
+  from = {from.x + std::floor((place.x - size.x) / 2), from.y};
+  to = {from.x + size.x, from.y + size.y};
+}
+
+}  // namespace
+
+WallsPanel::WallsPanel(Graphics& graphics, const Rig& rig, const Cluster& cluster)
+    : graphics_(graphics), rig_(rig), cluster_(cluster), room_(factsOf(rig)) {
+  for (const Wall& wall : rig.walls) {
+    if (!cluster.draws(wall)) absent_.push_back(smallOf(wall));
+  }
+}
+
+void WallsPanel::play(const Scene& scene, double lightSpeed_m_s) {
+  scene_ = &scene;
+  lightSpeed_m_s_ = lightSpeed_m_s;
+  copies_.reset();
+}
+
+void WallsPanel::prepare(const ConsoleFrame& frame) {
+  if (!drawsAbsent_ || absent_.empty()) return;
+  if (copies_ && std::abs(frame.record.display_s - copied_s_) < kCopyEvery_s) return;
+  graphics_.makeCurrent();
+  if (!copies_) {
+    copies_ = std::make_unique<WallSet>(graphics_, *scene_, lightSpeed_m_s_, absent_, std::nullopt, false);
+    copies_->standIn(room_);
+  }
+  copies_->draw(frame.record, frame.world);
+  graphics_.finishDrawing();
+  copied_s_ = frame.record.display_s;
+}
+
+void WallsPanel::drawAbsent(const ConsoleFrame& frame, const Wall& wall, const ImVec2& from,
+                            const ImVec2& to) const {
+  const int rank = wall.node % cluster_.size();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = ImGui::GetColorU32(kDim);
+  list.AddRect(from, to, ink);
+  const float line_px = ImGui::GetTextLineHeightWithSpacing();
+  list.AddText({from.x + 8.0F, from.y + 8.0F}, ink, "drawn by");
+  list.AddText({from.x + 8.0F, from.y + 8.0F + line_px}, ink, cluster_.nameOf(rank).c_str());
+  const auto& nodes = frame.latency.nodes;
+  const auto node = static_cast<std::size_t>(rank);
+  if (node >= nodes.size() || nodes[node].late.frames == 0) return;
+  const double late_ms = std::max(0.0, 1e3 * static_cast<double>(nodes[node].late.p99_s));
+  list.AddText({from.x + 8.0F, from.y + 8.0F + 2 * line_px}, ink,
+               fmt::format("99 % at most {:.1f} ms late", late_ms).c_str());
+}
+
+void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImVec2& size_px) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float label_px = ImGui::GetTextLineHeightWithSpacing();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool absent = !cluster_.draws(wall);
+  const WallPicture* picture = frame.walls.pictureOf(wall.name);
+  if (absent) picture = drawsAbsent_ && copies_ ? copies_->pictureOf(wall.name) : nullptr;
+  ImVec2 from{corner.x, corner.y + label_px}, to{corner.x + size_px.x, corner.y + size_px.y};
+  fit(wall.pixels, from, to);
+  list.AddText({from.x, corner.y}, ImGui::GetColorU32(kBright), wall.name.c_str());
+  if (cluster_.size() > 1) {
+    const float width = ImGui::CalcTextSize(wall.name.c_str()).x;
+    const std::string node =
+        fmt::format("node {}{}", wall.node % cluster_.size(), absent && picture ? ", drawn here" : "");
+    list.AddText({from.x + width + 8.0F, corner.y}, ImGui::GetColorU32(kDim), node.c_str());
+  }
+  if (picture) {
+    list.AddCallback(drawOpaque, nullptr);
+    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture->texture())), from, to,
+                  {0, 1}, {1, 0});
+    list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+    list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Separator));
+    if (frame.record.controls.blank)
+      list.AddText({from.x + 8.0F, from.y + 8.0F}, ImGui::GetColorU32(kDim), "black");
+  } else {
+    drawAbsent(frame, wall, from, to);
+  }
+  ImGui::Dummy(size_px);
+  tip(fmt::format("Wall \"{}\", {} × {} pixels, {}, drawn by {}. Here: {}.", wall.name, wall.pixels.x,
+                  wall.pixels.y, toString(wall.stereo), cluster_.nameOf(wall.node % cluster_.size()),
+                  absent ? "for the point between the eyes" : "its left eye's picture, if it has two"));
+}
+
+/// Of a grid of all walls, such that they are largest.
+std::size_t WallsPanel::columnsFor(const ImVec2& room_px, float label_px) const {
+  const std::size_t walls = rig_.walls.size();
+  std::size_t best = 1;
+  float most = 0.0F;
+  for (std::size_t columns = 1; columns <= walls; ++columns) {
+    const std::size_t rows = (walls + columns - 1) / columns;
+    const float width = room_px.x / static_cast<float>(columns) - kGap_px;
+    const float height = room_px.y / static_cast<float>(rows) - kGap_px - label_px;
+    float area = 0.0F;
+    for (const Wall& wall : rig_.walls) {
+      const float scale =
+          std::min(width / static_cast<float>(wall.pixels.x), height / static_cast<float>(wall.pixels.y));
+      area += scale * scale * static_cast<float>(wall.pixels.x) * static_cast<float>(wall.pixels.y);
+    }
+    if (area <= most) continue;
+    most = area;
+    best = columns;
+  }
+  return best;
+}
+
+void WallsPanel::draw(const ConsoleFrame& frame) {
+  if (!absent_.empty()) {
+    ImGui::Checkbox("draw other nodes' walls here, too, once a second", &drawsAbsent_);
+    tip("For looking only: small, for one eye. It costs this node a little; the first time, the session "
+        "stops for a "
+        "moment.");
+  }
+  const ImVec2 room_px = ImGui::GetContentRegionAvail();
+  const float label_px = ImGui::GetTextLineHeightWithSpacing();
+  const std::size_t columns = columnsFor(room_px, label_px);
+  const std::size_t rows = (rig_.walls.size() + columns - 1) / columns;
+  const ImVec2 tile{room_px.x / static_cast<float>(columns) - kGap_px,
+                    room_px.y / static_cast<float>(rows) - kGap_px};
+  for (std::size_t i = 0; i < rig_.walls.size(); ++i) {
+    if (i % columns > 0) ImGui::SameLine(0.0F, kGap_px);
+    drawTile(frame, rig_.walls[i], tile);
+  }
+}
+
+}  // namespace carom::console

@@ -1,0 +1,23 @@
+#include "app/console/diagram_window.h"
+
+#include <imgui.h>
+
+namespace carom {
+namespace {
+
+const WindowPlacement kPlace{.size_px = {1000, 820}};
+
+}  // namespace
+
+DiagramWindow::DiagramWindow(Graphics& graphics, const Scenario& scenario)
+    : window_(graphics, "Carom: spacetime diagram", kPlace), diagram_(scenario) {}
+
+void DiagramWindow::draw(const FrameRecord& record, const World& world) {
+  diagram_.follow(record);
+  window_.show({}, [&] {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    diagram_.draw(record, world, *ImGui::GetBackgroundDrawList(), {0.0F, 0.0F}, {size.x, size.y});
+  });
+}
+
+}  // namespace carom

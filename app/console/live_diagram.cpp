@@ -1,0 +1,173 @@
+#include "app/console/live_diagram.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr double kEvery_s = 0.1;      // the chart is made anew
+constexpr double kShown_s = 5.0;      // below the present event
+constexpr double kKept_s = 6.0;       // of my world line, board time
+constexpr double kLeastWay_s = 0.25;  // before there is anything to show
+constexpr float kLeft_px = 60, kRight_px = 270, kTop_px = 40, kBottom_px = 40;
+
+ImU32 inkOf(const glm::vec3& colour) {
+  return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F});
+}
+
+/// A chart in a rectangle of a window: its axes' units to pixels.
+class Paper {
+ public:
+  /// A metre of way and a metre of light's way are equally long: so light goes at 45°.
+  Paper(const Chart& chart, ImDrawList& list, const ImVec2& origin, const ImVec2& size)
+      : chart_(chart),
+        list_(list),
+        origin_(origin),
+        size_(size),
+        px_m_((size.y - kTop_px - kBottom_px) / (chart.yRange.y - chart.yRange.x)) {
+    const double middle_m = (chart.xRange.x + chart.xRange.y) / 2;
+    const double half_m = (size.x - kLeft_px - kRight_px) / (2 * px_m_);
+    xRange_ = {middle_m - half_m, middle_m + half_m};
+  }
+
+  void draw() const {
+    const ImVec2 end{origin_.x + size_.x, origin_.y + size_.y};
+    list_.PushClipRect(origin_, end, true);
+    list_.AddRectFilled(origin_, end, IM_COL32_WHITE);
+    text({origin_.x + kLeft_px, origin_.y + 8}, chart_.title);
+    drawAxes();
+    list_.PushClipRect({origin_.x + kLeft_px, origin_.y + kTop_px}, {end.x - kRight_px, end.y - kBottom_px},
+                       true);
+    for (const ChartLine& line : chart_.lines) drawLine(line);
+    list_.PopClipRect();
+    drawLegend();
+    list_.PopClipRect();
+  }
+
+ private:
+  ImVec2 at(const glm::dvec2& point) const {
+    return {origin_.x + kLeft_px + static_cast<float>((point.x - xRange_.x) * px_m_),
+            origin_.y + size_.y - kBottom_px - static_cast<float>((point.y - chart_.yRange.x) * px_m_)};
+  }
+
+  void text(const ImVec2& where, const std::string& words) const {
+    list_.AddText(where, IM_COL32(30, 30, 30, 255), words.c_str());
+  }
+
+  /// A line at every metre.
+  void drawAxes() const {
+    const ImU32 grey = IM_COL32(225, 225, 225, 255);
+    for (double x = std::ceil(xRange_.x); x <= xRange_.y; x += 1.0) {
+      list_.AddLine(at({x, chart_.yRange.x}), at({x, chart_.yRange.y}), grey);
+      const ImVec2 foot = at({x, chart_.yRange.x});
+      text({foot.x - 6, foot.y + 4}, std::to_string(static_cast<int>(x)));
+    }
+    for (double y = std::ceil(chart_.yRange.x); y <= chart_.yRange.y; y += 1.0) {
+      list_.AddLine(at({xRange_.x, y}), at({xRange_.y, y}), grey);
+      const ImVec2 foot = at({xRange_.x, y});
+      text({foot.x - 32, foot.y - 9}, std::to_string(static_cast<int>(y)));
+    }
+    text({origin_.x + size_.x - kRight_px - 40, origin_.y + size_.y - kBottom_px + 18}, chart_.xTitle);
+    text({origin_.x + 8, origin_.y + kTop_px - 24}, chart_.yTitle);
+  }
+
+  /// Dots are short dashes. Only what lies in the rectangle is drawn: axes go on for kilometres.
+  void drawDashes(const ImVec2& from, const ImVec2& to, ImU32 ink, float width, float dash_px) const {
+    const float length = std::hypot(to.x - from.x, to.y - from.y);
+    if (!(length > 0.0F)) return;
+    const ImVec2 step{(to.x - from.x) / length, (to.y - from.y) / length};
+    float begin = 0.0F, end = length;
+    const auto keepWithin = [&](float start, float slope, float most) {
+      if (slope == 0.0F) return;
+      const float one = -start / slope, other = (most - start) / slope;
+      begin = std::max(begin, std::min(one, other));
+      end = std::min(end, std::max(one, other));
+    };
+    keepWithin(from.x - origin_.x, step.x, size_.x);
+    keepWithin(from.y - origin_.y, step.y, size_.y);
+    for (float s = begin; s < end; s += 2.0F * dash_px) {
+      const float stop = std::min(s + dash_px, end);
+      list_.AddLine({from.x + step.x * s, from.y + step.y * s},
+                    {from.x + step.x * stop, from.y + step.y * stop}, ink, width);
+    }
+  }
+
+  void drawLine(const ChartLine& line) const {
+    using Style = ChartLine::Style;
+    const ImU32 ink = inkOf(line.colour);
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const ImVec2 here = at(line.points[i]);
+      if (line.style == Style::marks) list_.AddCircleFilled(here, line.width_px / 2, ink);
+      if (line.style == Style::marks || i == 0) continue;
+      const ImVec2 before = at(line.points[i - 1]);
+      if (line.style == Style::solid) list_.AddLine(before, here, ink, line.width_px);
+      if (line.style == Style::dashed) drawDashes(before, here, ink, line.width_px, 8.0F);
+      if (line.style == Style::dotted) drawDashes(before, here, ink, line.width_px, 3.0F);
+    }
+  }
+
+  void drawLegend() const {
+    float y = origin_.y + kTop_px;
+    for (const ChartLine& line : chart_.lines) {
+      if (line.name.empty()) continue;
+      const float x = origin_.x + size_.x - kRight_px + 12;
+      if (line.style == ChartLine::Style::marks) {
+        list_.AddCircleFilled({x + 13, y + 9}, line.width_px / 2, inkOf(line.colour));
+      } else {
+        drawDashes({x, y + 9}, {x + 26, y + 9}, inkOf(line.colour), line.width_px,
+                   line.style == ChartLine::Style::solid    ? 26.0F
+                   : line.style == ChartLine::Style::dashed ? 8.0F
+                                                            : 3.0F);
+      }
+      text({x + 34, y}, line.name);
+      y += 24;
+    }
+  }
+
+  const Chart& chart_;
+  ImDrawList& list_;
+  ImVec2 origin_, size_;
+  double px_m_;
+  glm::dvec2 xRange_{0.0};  // that the rectangle shows
+};
+
+}  // namespace
+
+void LiveDiagram::play(const Scenario& scenario) {
+  subject_ = subjectOf(scenario);
+  chart_ = {};
+}
+
+void LiveDiagram::follow(const FrameRecord& record) {
+  const Event& here = record.observer.eyes[2].observation;
+  std::vector<Event>& mine = subject_.mine;
+  if (!mine.empty() && here.t_s < mine.back().t_s) mine.clear();  // a recording that was gone back in
+  if (!mine.empty() && here.t_s == mine.back().t_s) return;
+  mine.push_back(here);
+  std::erase_if(mine, [&](const Event& event) { return event.t_s < here.t_s - kKept_s; });
+}
+
+void LiveDiagram::make(const FrameRecord& record, const World& world) {
+  const Event& here = record.observer.eyes[2].observation;
+  if (subject_.mine.empty() || here.t_s - subject_.mine.front().t_s < kLeastWay_s) return;
+  subject_.beta = betaFromU(record.observer.headFromBoard.inverse().u());
+  subject_.lines.assign(world.histories.begin() + 1, world.histories.end());
+  subject_.events = world.events;
+  subject_.knownUntil_s = here.t_s;
+  chart_ = spacetimeChart(subject_, {'x', here.t_s - kShown_s});
+}
+
+void LiveDiagram::draw(const FrameRecord& record, const World& world, ImDrawList& list,
+                       const glm::vec2& origin_px, const glm::vec2& size_px) {
+  if (std::abs(record.display_s - made_s_) >= kEvery_s) {
+    make(record, world);
+    made_s_ = record.display_s;
+  }
+  if (chart_.lines.empty()) return;
+  Paper(chart_, list, {origin_px.x, origin_px.y}, {size_px.x, size_px.y}).draw();
+}
+
+}  // namespace carom

@@ -1,0 +1,45 @@
+#include "app/session/director.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace carom {
+
+FrameLeader::FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings,
+                         const WallSet* windows)
+    : source_(source), keys_(keys), windows_(windows), desk_(keys) {
+  settings_ = settings;
+}
+
+/// The one place where the operator's settings change.
+void FrameLeader::obey(const Command& command, Decision& decision) {
+  if (!apply(command, settings_)) return;
+  obeyed_.push_back(command);
+  decision.inputs.push_back({nameOf(command), valueOf(command, settings_)});
+  fmt::print(stderr, "{}\n", toString(command, settings_));
+  if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
+  if (const auto* play = std::get_if<PlayScenario>(&command)) nextGame_ = play->file;
+}
+
+void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Decision& decision) {
+  const auto begun = std::chrono::steady_clock::now();
+  const FrameRecord& before = decision.frame.record;
+  const bool asked = before.lesson.phase == LessonPhase::asks;
+  decision.beginFrame();
+  obeyed_.clear();
+  for (const Command& command : inbox_) obey(command, decision);
+  inbox_.clear();
+  for (const Command& command : commandsOf(input, keys_, before.display_s, settings_))
+    obey(command, decision);
+  const DeskInput desk = windows_ ? desk_.gather(*windows_, input, asked) : DeskInput{};
+  if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
+  source_.next(times, {obeyed_, desk}, settings_, decision);
+  inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
+  if (!nextGame_.empty()) decision.frame.record.last = 1;  // of this game
+  for (const std::string& alarm : decision.alarms) fmt::print(stderr, "{}\n", alarm);
+  decision.timing.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+}  // namespace carom

@@ -1,0 +1,40 @@
+#include "app/session/frame_listeners.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace carom {
+namespace {
+
+constexpr std::uint64_t kFramesBetweenNews = 30;
+
+}  // namespace
+
+void JournalListener::keep(std::unique_ptr<Journal> journal) {
+  if (journal_) journal_->close();
+  onLeaving_.reset();
+  journal_ = std::move(journal);
+  if (journal_) onLeaving_.emplace([this] { journal_->close(); });
+}
+
+void JournalListener::shown(const Decision& decision) {
+  if (!journal_) return;
+  const std::uint64_t number = decision.frame.record.number;
+  for (const Note& input : decision.inputs) journal_->addInput(number, input.what, input.value);
+  for (const LessonAnswer& answer : decision.answers) {
+    journal_->addAnswer(number, answer.lesson, answer.question, answer.answer);
+  }
+  for (const Note& note : decision.notes) journal_->addInput(number, note.what, note.value);
+  if (statistics_) journal_->add(statistics_->rows());
+  journal_->add(decision.frame, decision.head, decision.samples, decision.strokes);
+}
+
+void ProgressListener::shown(const Decision& decision) {
+  const std::uint64_t shown = decision.frame.record.number + 1;
+  if (shown % kFramesBetweenNews != 0) return;
+  const std::optional<std::uint64_t> end = source_.status().end;
+  fmt::print(stderr, "frame {}{}\n", shown, end ? fmt::format(" of {}", *end) : "");
+}
+
+}  // namespace carom

@@ -1,0 +1,30 @@
+#include "app/session/frame_views.h"
+
+#include "app/input/key_table.h"
+#include "cave/overlay/latency_overlay.h"
+
+namespace carom {
+
+void WallsView::draw(const FrameRecord& record, const World& world) {
+  walls_.draw(record, world);
+  const LatencyView* latency = statistics_.view(record);
+  if (latency || director_.settings().keysShown) {
+    walls_.show([this, latency] { drawOver(latency); });
+  } else {
+    walls_.show();
+  }
+}
+
+void WallsView::drawOver(const LatencyView* latency) const {
+  if (latency) drawLatency(*latency);
+  if (director_.settings().keysShown) drawKeysOver(keys_);
+}
+
+void DrawingEnd::draw(const FrameRecord&, const World&) {
+  statistics_.mark(FramePart::submit);
+  if (!realTime_) return;
+  walls_.awaitShown();
+  statistics_.mark(FramePart::draw);
+}
+
+}  // namespace carom
