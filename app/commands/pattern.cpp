@@ -23,7 +23,7 @@ namespace {
 struct Patterns {
   Rig rig;
   std::unique_ptr<Graphics> graphics;
-  std::unique_ptr<WallSet> walls;
+  std::unique_ptr<DisplayWalls> walls;
   std::unique_ptr<Recording> recording;
 };
 
@@ -43,8 +43,9 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
     const Rig& rig = patterns.rig;
     patterns.graphics = std::make_unique<Graphics>(displayOf(rig, cluster.rank()));
     const double anyLightSpeed_m_s = 1.0;
-    patterns.walls = std::make_unique<WallSet>(*patterns.graphics, Scene{}, anyLightSpeed_m_s,
-                                               cluster.wallsOf(rig.walls), rig.oneWindow, !options.capture);
+    patterns.walls =
+        std::make_unique<DisplayWalls>(*patterns.graphics, Scene{}, anyLightSpeed_m_s,
+                                       cluster.wallsOf(rig.walls), rig.oneWindow, !options.capture);
     patterns.recording = std::make_unique<Recording>(
         *patterns.graphics, RecordingOptions{options.capture, {}}, cluster, rig, false);
   });
@@ -72,7 +73,7 @@ class EveryPattern : public FrameSource {
     record.number = times.number;
     record.display_s = times.number == 0 ? 0.0 : static_cast<double>(times.number - 1);
     record.controls = settings.walls;
-    record.controls.shown = times.number == 0 ? Shown::testPattern : Shown::seamPattern;
+    record.controls.shown = times.number == 0 ? Shown::calibrationPattern : Shown::alignmentPattern;
     record.last = times.number == 3;
   }
 };
@@ -87,7 +88,7 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
   if (leads && realTime) pacer = std::make_unique<Pacer>(clock, rig.display_hz, rig.displayLatency_s);
   if (leads && realTime) sayKeys(KeysOf::patterns);
   OperatorSettings settings;
-  settings.walls.shown = Shown::testPattern;
+  settings.walls.shown = Shown::calibrationPattern;
   Director follower;
   FrameLeader leader(*source, KeysOf::patterns, settings, nullptr);
   Director& director = leads ? leader : follower;

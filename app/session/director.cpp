@@ -8,7 +8,7 @@
 namespace carom {
 
 FrameLeader::FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings,
-                         const WallSet* windows)
+                         const DisplayWalls* windows)
     : source_(source), keys_(keys), windows_(windows), desk_(keys) {
   settings_ = settings;
 }

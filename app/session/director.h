@@ -7,7 +7,7 @@
 
 namespace carom {
 
-class WallSet;
+class DisplayWalls;
 
 /// Decides nothing: the director of every rank but the first, which is told what the first has decided.
 class Director {
@@ -29,7 +29,8 @@ class FrameLeader : public Director {
  public:
   /// `windows`: the walls over whose windows a mouse plays, with the desk's other devices; null: nobody plays, so that
   /// a run in simulated time is the same whatever lies on the desk. Source and walls are used as long as this lives.
-  FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings, const WallSet* windows);
+  FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings,
+              const DisplayWalls* windows);
 
   void decide(const FrameTimes& times, const WindowInput& input, Decision& decision) override;
 
@@ -47,7 +48,7 @@ class FrameLeader : public Director {
 
   FrameSource& source_;
   KeysOf keys_;
-  const WallSet* windows_;
+  const DisplayWalls* windows_;
   Desk desk_;  ///< what is held stays held from one game to the next
   Commands inbox_, obeyed_;
   std::string nextGame_;

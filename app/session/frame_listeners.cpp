@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t kFramesBetweenNews = 30;
+constexpr std::uint64_t kFramesBetweenSignals = 30;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void JournalListener::shown(const Decision& decision) {
 
 void ProgressListener::shown(const Decision& decision) {
   const std::uint64_t shown = decision.frame.record.number + 1;
-  if (shown % kFramesBetweenNews != 0) return;
+  if (shown % kFramesBetweenSignals != 0) return;
   const std::optional<std::uint64_t> end = source_.status().end;
   fmt::print(stderr, "frame {}{}\n", shown, end ? fmt::format(" of {}", *end) : "");
 }

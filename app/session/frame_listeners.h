@@ -40,15 +40,15 @@ class JournalListener : public FrameListener {
 /// Takes pictures and movie of the walls, and of the room from outside where there is one.
 class RecordingListener : public FrameListener {
  public:
-  RecordingListener(Recording& recording, const WallSet& walls, const RoomView* outside)
+  RecordingListener(Recording& recording, const DisplayWalls& walls, const SpectatorView* outside)
       : recording_(recording), walls_(walls), outside_(outside) {}
 
   void shown(const Decision& decision) override { recording_.take(walls_, outside_, decision.frame.record); }
 
  private:
   Recording& recording_;
-  const WallSet& walls_;
-  const RoomView* outside_;
+  const DisplayWalls& walls_;
+  const SpectatorView* outside_;
 };
 
 /// Makes the game heard.

@@ -7,8 +7,8 @@
 #include "app/session/director.h"
 #include "app/session/frame_statistics.h"
 #include "app/session/view.h"
-#include "cave/display/wall_set.h"
-#include "cave/spectator/room_view.h"
+#include "cave/display/display_walls.h"
+#include "cave/spectator/spectator_view.h"
 
 namespace carom {
 
@@ -16,7 +16,7 @@ namespace carom {
 /// spent, where the record says so.
 class WallsView : public View {
  public:
-  WallsView(WallSet& walls, FrameStatistics& statistics, const Director& director, KeysOf keys)
+  WallsView(DisplayWalls& walls, FrameStatistics& statistics, const Director& director, KeysOf keys)
       : walls_(walls), statistics_(statistics), director_(director), keys_(keyMap(keys)) {}
 
   void draw(const FrameRecord& record, const World& world) override;
@@ -25,7 +25,7 @@ class WallsView : public View {
  private:
   void drawOver(const LatencyView* latency) const;
 
-  WallSet& walls_;
+  DisplayWalls& walls_;
   FrameStatistics& statistics_;
   const Director& director_;
   std::vector<KeyLine> keys_;
@@ -34,7 +34,7 @@ class WallsView : public View {
 /// The room from outside. After the walls, whose pictures it shows.
 class OutsideView : public View {
  public:
-  OutsideView(RoomView& room, const WallSet& walls) : room_(room), walls_(walls) {}
+  OutsideView(SpectatorView& room, const DisplayWalls& walls) : room_(room), walls_(walls) {}
 
   void draw(const FrameRecord& record, const World& world) override {
     room_.draw(record, world.histories, walls_);
@@ -43,21 +43,21 @@ class OutsideView : public View {
   void swap() override { room_.swap(); }
 
  private:
-  RoomView& room_;
-  const WallSet& walls_;
+  SpectatorView& room_;
+  const DisplayWalls& walls_;
 };
 
 /// The last of the views: measures how long the others took. In real time it waits until the graphics card has drawn
 /// them, so that the swap follows the others' at once.
 class DrawingEnd : public View {
  public:
-  DrawingEnd(WallSet& walls, FrameStatistics& statistics, bool realTime)
+  DrawingEnd(DisplayWalls& walls, FrameStatistics& statistics, bool realTime)
       : walls_(walls), statistics_(statistics), realTime_(realTime) {}
 
   void draw(const FrameRecord& record, const World& world) override;
 
  private:
-  WallSet& walls_;
+  DisplayWalls& walls_;
   FrameStatistics& statistics_;
   bool realTime_;
 };

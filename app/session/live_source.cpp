@@ -26,15 +26,15 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
     : rig_(rig),
       scenario_(scenario),
       world_(world),
-      person_(rig, scenario, start.sessionStart, start.before),
+      viewer_(rig, scenario, start.sessionStart, start.before),
       play_(scenario, rig.axes, !start.before, start.struck),
       hands_(rig.axes),
-      leftRoom_(rig.walls) {
+      roomBoundary_(rig.walls) {
   if (start.frames) lastFrame_ = start.firstFrame() + *start.frames - 1;
 }
 
 void LiveSource::playAnew() {
-  person_.startIn(rig_, scenario_);
+  viewer_.startIn(rig_, scenario_);
   play_ = Play(scenario_, rig_.axes, true);
   hands_.letGo();
 }
@@ -54,10 +54,10 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
   FrameRecord& record = decision.frame.record;
   record.drive.mode = play_.driven;
   if (still && play_.frozen) {
-    record.observer = person_.round(*play_.frozen, times, settings.eyeSeparation_m);
+    record.observer = viewer_.frozenView(*play_.frozen, times, settings.eyeSeparation_m);
   } else {
     const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-    record.observer = person_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
+    record.observer = viewer_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
     record.drive = play_.drive.view();
     play_.frozen = record.observer;
     const DriveMode mode = record.drive.mode;
@@ -65,7 +65,7 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
       decision.notes.push_back({"drive", kDriveModes[static_cast<std::size_t>(mode)]});
     play_.driven = mode;
   }
-  record.boardFromRoom = person_.boardFromRoom();
+  record.boardFromRoom = viewer_.boardFromRoom();
 }
 
 /// To the person in the room, whatever it is that has to be told.
@@ -78,12 +78,12 @@ void LiveSource::say(std::string_view words, Decision& decision) {
 /// What the hand does to the game in this frame.
 void LiveSource::strike(bool still, const FrameTimes& times, Decision& decision) {
   FrameRecord& record = decision.frame.record;
-  const HandInput hand = hands_.cue(person_.hand(), record.observer, person_.head().pose, times.display_s);
+  const HandInput hand = hands_.cue(viewer_.hand(), record.observer, viewer_.head().pose, times.display_s);
   if (const auto command = hands_.lessonCommand()) decision.commands.push_back(*command);
-  const HandPlay::Outcome outcome = play_.hands.step(hand, still, play_.game, record);
+  const CueInteraction::Outcome outcome = play_.hands.step(hand, still, play_.game, record);
   if (outcome.stroke) decision.strokes.push_back(*outcome.stroke);
   rumble_.set(felt(hand, record.hand));
-  if (outcome.stroke && hand.device == "gamepad") rumble_.knock();
+  if (outcome.stroke && hand.device == "gamepad") rumble_.pulse();
   say(outcome.said, decision);
 }
 
@@ -105,7 +105,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   see(settings, times, still, decision);
   strike(still, times, decision);
   say(play_.drive.news().words(), decision);
-  say(leftRoom_.look(person_.head().pose.position_m), decision);
+  say(roomBoundary_.look(viewer_.head().pose.position_m), decision);
   say(std::exchange(told_, {}), decision);
   record.notice = play_.spoken.at(times.display_s);
   if (settings.views.myNow) play_.game.playToNowOf(record.observer);
@@ -113,16 +113,16 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   if (times.number % kFramesBetweenForgetting == 0)
     play_.game.forget(world_.histories, record.observer, frame);
   record.last = lastFrame_ && times.number >= *lastFrame_;
-  record.tracked = person_.tracked();
-  decision.head = person_.head();
-  decision.samples = person_.samples();
-  decision.alarms = person_.takeAlarms();
+  record.tracked = viewer_.tracked();
+  decision.head = viewer_.head();
+  decision.samples = viewer_.samples();
+  decision.alarms = viewer_.takeAlarms();
   decision.timing.sampleAge_s = sampleAge_s(times.begin_s);
 }
 
 double LiveSource::sampleAge_s(double begin_s) {
   const SensorChoice& head = rig_.head.sensor;
-  for (const TrackerSample& sample : person_.samples()) {
+  for (const TrackerSample& sample : viewer_.samples()) {
     if (sample.sensor == head.sensor) newestSample_s_ = sample.time_s - rig_.trackers[head.tracker].latency_s;
   }
   return begin_s - newestSample_s_;
@@ -131,7 +131,7 @@ double LiveSource::sampleAge_s(double begin_s) {
 SourceStatus LiveSource::status() const {
   SourceStatus status;
   if (lastFrame_) status.end = *lastFrame_ + 1;
-  status.trackers = person_.trackers();
+  status.trackers = viewer_.trackers();
   return status;
 }
 

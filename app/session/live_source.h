@@ -10,14 +10,14 @@
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/play/cue_interaction.h"
 #include "app/play/game.h"
-#include "app/play/hand_play.h"
-#include "app/play/hands.h"
+#include "app/play/input_devices.h"
 #include "app/session/frame_source.h"
 #include "app/session/spoken.h"
-#include "app/viewer/drive.h"
-#include "app/viewer/person.h"
-#include "cave/room/left_room.h"
+#include "app/viewer/platform_motion.h"
+#include "app/viewer/viewer.h"
+#include "cave/room/room_boundary.h"
 #include "devices/usb/rumble.h"
 
 namespace carom {
@@ -38,9 +38,9 @@ struct Play {
   Play(const Scenario& scenario, const RoomAxes& axes, bool begins, std::span<const Stroke> struck = {})
       : drive(scenario, axes, begins), game(scenario, struck), hands(scenario), isNew(begins) {}
 
-  Drive drive;
+  PlatformMotion drive;
   Game game;
-  HandPlay hands;
+  CueInteraction hands;
   Spoken spoken;
   LessonState lesson;                  ///< of the last frame
   DriveMode driven = DriveMode::free;  ///< in the last frame
@@ -74,11 +74,11 @@ class LiveSource : public FrameSource {
   const Rig& rig_;
   const Scenario& scenario_;
   const World& world_;
-  Person person_;
+  Viewer viewer_;
   Play play_;
-  Hands hands_;
+  InputDevices hands_;
   Rumble rumble_;
-  LeftRoom leftRoom_;
+  RoomBoundary roomBoundary_;
   std::optional<std::uint64_t> lastFrame_;                            ///< its number
   std::string told_;                                                  ///< and not said yet
   double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< of the head, on the session's clock

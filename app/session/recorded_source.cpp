@@ -135,7 +135,7 @@ void RecordedSource::keepChanges(std::span<const Command> commands, OperatorSett
 void RecordedSource::freeze(FrameRecord& record, bool wasFrozen) {
   if (!record.views.frozen || wasFrozen) return frozen_.reset();
   if (!frozen_) frozen_ = record.observer;
-  record.observer = walkedRound(*frozen_, record.observer);
+  record.observer = frozenViewAt(*frozen_, record.observer);
 }
 
 SourceStatus RecordedSource::status() const { return {session_.frames()->second + 1, span_s_, {}}; }

@@ -43,7 +43,7 @@ std::optional<double> lengthOf_s(const Visitor& visitor) {
 
 VisitorSource::VisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
                              RecordedGame game, std::chrono::steady_clock::time_point start)
-    : person_(rigOf(rig, visitor), scenarioOf(scenario, visitor), start),
+    : viewer_(rigOf(rig, visitor), scenarioOf(scenario, visitor), start),
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
               .inverse()),
@@ -78,15 +78,15 @@ ObserverView VisitorSource::goOn(const Playback& playback, const FrameTimes& tim
   double by_s = playback.paused ? 0.0 : playback.rate * times.step_s;
   // The beginning is the game's, the room's time 0, however much of it the person has lived through.
   if (goTo_s) by_s = *goTo_s > 0.0 ? *goTo_s - display_s_ : -roomTime_s_;
-  const ObserverView view = lives ? person_.at(times, eyeSeparation_m_)
-                                  : person_.through(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
+  const ObserverView view = lives ? viewer_.at(times, eyeSeparation_m_)
+                                  : viewer_.freeView(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
   heldBack_ = latestSeen_s(view) > game_.known_s;
   if (!heldBack_) return view;
-  return person_.through(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
+  return viewer_.freeView(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
 }
 
 ObserverView VisitorSource::look(const OperatorSettings& settings, const FrameTimes& times) {
-  if (settings.views.frozen && sight_) return person_.round(*sight_, times, eyeSeparation_m_);
+  if (settings.views.frozen && sight_) return viewer_.frozenView(*sight_, times, eyeSeparation_m_);
   sight_ = goOn(settings.playback, times);
   roomTime_s_ = roomTimeOf_s(*sight_);
   return *sight_;
@@ -112,13 +112,13 @@ void VisitorSource::next(const FrameTimes& times, const FrameInput& input, Opera
   record.number = times.number;
   record.pucks = game_.pucks;
   record.observer = look(settings, times);
-  record.boardFromRoom = person_.boardFromRoom();
+  record.boardFromRoom = viewer_.boardFromRoom();
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
   record.last = isLast(times, record.observer);
   putInto(record, settings);
-  record.tracked = person_.tracked();
-  decision.alarms = person_.takeAlarms();
+  record.tracked = viewer_.tracked();
+  decision.alarms = viewer_.takeAlarms();
   handsOff_.tell(display_s_, record.notice);
 }
 

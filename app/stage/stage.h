@@ -12,10 +12,10 @@
 #include "app/files/scenario.h"
 #include "app/stage/recording.h"
 #include "cave/cluster/cluster.h"
-#include "cave/display/wall_set.h"
+#include "cave/display/display_walls.h"
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene.h"
-#include "cave/spectator/room_view.h"
+#include "cave/spectator/spectator_view.h"
 
 namespace carom {
 
@@ -43,8 +43,8 @@ struct Stage {
   std::unique_ptr<Graphics> graphics;
   Tessellation tessellation;
   Scene scene;
-  std::unique_ptr<WallSet> walls;
-  std::unique_ptr<RoomView> outside;  ///< where it was asked for
+  std::unique_ptr<DisplayWalls> walls;
+  std::unique_ptr<SpectatorView> outside;  ///< where it was asked for
   World world;
   std::unique_ptr<Recording> recording;
   NodeLock lock;           ///< of this node's swaps

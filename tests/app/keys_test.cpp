@@ -35,13 +35,13 @@ TEST(Keys, TGoesThroughThePatternsAndBackToTheSession) {
     press(GLFW_KEY_T, settings);
     seen.insert(settings.walls.shown);
   } while (settings.walls.shown != Shown::session && seen.size() < 9);
-  EXPECT_TRUE(seen.contains(Shown::testPattern) && seen.contains(Shown::seamPattern));
+  EXPECT_TRUE(seen.contains(Shown::calibrationPattern) && seen.contains(Shown::alignmentPattern));
   EXPECT_EQ(settings, OperatorSettings{});
 }
 
 TEST(Keys, WithoutASessionTNeverGoesToOne) {
   OperatorSettings settings;
-  settings.walls.shown = Shown::testPattern;
+  settings.walls.shown = Shown::calibrationPattern;
   for (int i = 0; i < 9; ++i) {
     press(GLFW_KEY_T, settings, KeysOf::patterns);
     EXPECT_NE(settings.walls.shown, Shown::session);
