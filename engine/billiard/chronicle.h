@@ -36,8 +36,8 @@ class Chronicle {
   void addTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter);
   /// Replaces the turn of a puck in an event; does nothing if the event is already forgotten.
   void changeTurn(std::uint64_t event, std::size_t puck, const Moment& before, const Vec21& uAfter);
-  /// Replaces the contact, `withoutDelay` and the heat of a collision with a cushion; does nothing if the event is already
-  /// forgotten.
+  /// Replaces the contact, `withoutDelay` and the heat of a collision with a cushion; does nothing if the
+  /// event is already forgotten.
   void changeBounce(std::uint64_t event, const Vec21& contact, bool withoutDelay, double heat_j);
   void keepEvents(std::uint64_t count);
   std::uint64_t eventCount() const { return forgottenEvents_ + events_.size(); }
