@@ -12,14 +12,7 @@
 
 namespace carom {
 
-SeamPattern::SeamPattern() : program_(makeProgram("seam", shaders::stereo_vert, shaders::seam_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
-}
-
-SeamPattern::~SeamPattern() {
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+SeamPattern::SeamPattern() : program_(makeProgram("seam", shaders::stereo_vert, shaders::seam_frag)) {}
 
 void SeamPattern::draw(const Wall& wall, double time_s, WallPicture& picture) const {
   const PlainState state(picture.framebuffer(), picture.size_px());

@@ -26,9 +26,9 @@ void compileInto(GLuint program, const std::string& name, GLenum stage, const st
 
 }  // namespace
 
-unsigned makeProgram(const std::string& name, const std::string& vertexText,
-                     const std::string& fragmentText) {
-  const GLuint program = glCreateProgram();
+GlProgram makeProgram(const std::string& name, const std::string& vertexText,
+                      const std::string& fragmentText) {
+  GlProgram program;
   compileInto(program, name, GL_VERTEX_SHADER, vertexText);
   compileInto(program, name, GL_FRAGMENT_SHADER, fragmentText);
   glLinkProgram(program);
@@ -40,13 +40,6 @@ unsigned makeProgram(const std::string& name, const std::string& vertexText,
     throw std::runtime_error("shader \"" + name + "\" does not link: " + message.c_str());
   }
   return program;
-}
-
-void setAttribute(unsigned program, const char* name, int size, std::size_t stride, std::size_t offset) {
-  const auto location = static_cast<GLuint>(glGetAttribLocation(program, name));
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
 }
 
 }  // namespace carom

@@ -41,14 +41,7 @@ double warningAt(double distance_m) {
   return 1.0 - glm::smoothstep(RoomAids::kWarnFully_m, RoomAids::kWarnFrom_m, distance_m);
 }
 
-RoomAids::RoomAids() : program_(makeProgram("warning grid", shaders::stereo_vert, shaders::grid_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
-}
-
-RoomAids::~RoomAids() {
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+RoomAids::RoomAids() : program_(makeProgram("warning grid", shaders::stereo_vert, shaders::grid_frag)) {}
 
 void RoomAids::draw(const RoomFacts& room, const Wall& wall, bool isFront, const glm::dvec3& eyeInRoom_m,
                     const FrameRecord& record, const WallPicture& picture) {

@@ -196,16 +196,7 @@ void describe(const FrameRecord& record, const LessonWords& lesson, std::vector<
   if (record.controls.trackerCross) lines.add({}, "of the two bars the right one is nearer");
 }
 
-RoomWords::RoomWords() : program_(makeProgram("words", shaders::stereo_vert, shaders::words_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
-  glGenTextures(1, &texture_);
-}
-
-RoomWords::~RoomWords() {
-  glDeleteTextures(1, &texture_);
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+RoomWords::RoomWords() : program_(makeProgram("words", shaders::stereo_vert, shaders::words_frag)) {}
 
 void RoomWords::set(const std::vector<RoomLine>& lines) {
   if (lines.size() != lines_.size()) written_ = false;

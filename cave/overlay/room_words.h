@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/frame/frame_state.h"
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/picture.h"
 #include "cave/gl/text_ink.h"
 #include "cave/room/room_facts.h"
@@ -52,9 +53,6 @@ class RoomWords {
 
   /// Made and destroyed with the drawing context current.
   RoomWords();
-  ~RoomWords();
-  RoomWords(const RoomWords&) = delete;
-  RoomWords& operator=(const RoomWords&) = delete;
 
   /// What the panel says from now on; none: it is not there. Only lines that have changed are written anew,
   /// when they are next drawn.
@@ -93,7 +91,9 @@ class RoomWords {
   int height_px_ = 0;         ///< of the letters that are written
   glm::ivec2 picture_px_{0};  ///< of the picture that they were written for
   glm::ivec2 size_px_{0};     ///< of the panel
-  unsigned program_ = 0, vertexArray_ = 0, texture_ = 0;
+  GlProgram program_;
+  GlVertexArray vertexArray_;
+  GlTexture texture_;
 };
 
 }  // namespace carom

@@ -70,17 +70,12 @@ const char* nameOf(Eye eye) {
 }
 
 StereoPacker::StereoPacker() : program_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
   glUseProgram(program_);
   glUniform1i(glGetUniformLocation(program_, "leftPicture"), 0);
   glUniform1i(glGetUniformLocation(program_, "rightPicture"), 1);
 }
 
-StereoPacker::~StereoPacker() {
-  projectors_.clear();
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+StereoPacker::~StereoPacker() = default;
 
 Pane StereoPacker::projected(const Pane& pane) {
   std::unique_ptr<Projector>& projector = projectors_[pane.projection];

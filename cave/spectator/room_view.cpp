@@ -21,6 +21,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cave/frame/bodies.h"
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/gl_program.h"
 #include "cave/gl/plain_state.h"
 #include "cave/gl/ribbons.h"
@@ -52,18 +53,24 @@ constexpr glm::vec4 kFrame(0.88F, 0.91F, 0.95F, 1.0F), kFarFrame(0.75F, 0.82F, 0
 constexpr glm::vec4 kTableEdge(0.65F, 1.0F, 0.80F, 0.9F);
 constexpr glm::vec4 kSight(1.0F, 0.85F, 0.45F, 0.55F);
 
+struct SolidVertex {
+  glm::vec3 place_m, normal;
+};
+
 /// One mesh on the graphics card, made once.
 class Solid {
  public:
-  Solid(vtkPolyData& mesh, const glm::vec3& reflects, unsigned program) : colour(reflects) {
-    std::vector<float> points;
+  Solid(vtkPolyData& mesh, const glm::vec3& reflects, const GlProgram& program)
+      : colour(reflects),
+        vertices_(program, {{"place_m", 3, offsetof(SolidVertex, place_m)},
+                            {"normal", 3, offsetof(SolidVertex, normal)}}) {
+    std::vector<SolidVertex> vertices;
     vtkDataArray* normals = mesh.GetPointData()->GetNormals();
     for (vtkIdType i = 0; i < mesh.GetNumberOfPoints(); ++i) {
-      std::array<double, 3> place{}, normal{0.0, 0.0, 1.0};
-      mesh.GetPoint(i, place.data());
-      if (normals) normals->GetTuple(i, normal.data());
-      for (const double value : place) points.push_back(static_cast<float>(value));
-      for (const double value : normal) points.push_back(static_cast<float>(value));
+      glm::dvec3 place_m, normal(0.0, 0.0, 1.0);
+      mesh.GetPoint(i, glm::value_ptr(place_m));
+      if (normals) normals->GetTuple(i, glm::value_ptr(normal));
+      vertices.push_back({glm::vec3(place_m), glm::vec3(normal)});
     }
     std::vector<unsigned> corners;
     const auto cells = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
@@ -76,53 +83,25 @@ class Solid {
       }
     }
     count_ = static_cast<int>(corners.size());
-    upload(points, corners, program);
+    vertices_.upload(vertices);
+    vertices_.bind();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(unsigned)),
+                 corners.data(), GL_STATIC_DRAW);
+    glBindVertexArray(0);
   }
-  ~Solid() {
-    if (!vertexArray_) return;
-    glDeleteBuffers(2, buffers_.data());
-    glDeleteVertexArrays(1, &vertexArray_);
-  }
-  Solid(Solid&& other) noexcept
-      : colour(other.colour),
-        count_(other.count_),
-        vertexArray_(other.vertexArray_),
-        buffers_(other.buffers_) {
-    other.vertexArray_ = 0;
-  }
-  Solid& operator=(Solid&&) = delete;
 
   void draw() const {
-    glBindVertexArray(vertexArray_);
+    vertices_.bind();
     glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
   }
 
   glm::vec3 colour;  ///< linear
 
  private:
-  void upload(const std::vector<float>& points, const std::vector<unsigned>& corners, unsigned program) {
-    glGenVertexArrays(1, &vertexArray_);
-    glGenBuffers(2, buffers_.data());
-    glBindVertexArray(vertexArray_);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(float)), points.data(),
-                 GL_STATIC_DRAW);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(unsigned)),
-                 corners.data(), GL_STATIC_DRAW);
-    for (const auto& [name, offset] : {std::pair("place_m", 0), std::pair("normal", 3)}) {
-      const auto location = static_cast<GLuint>(glGetAttribLocation(program, name));
-      glEnableVertexAttribArray(location);
-      glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
-                            reinterpret_cast<const void*>(static_cast<std::size_t>(offset) * sizeof(float)));
-    }
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-  }
-
+  VertexStream<SolidVertex> vertices_;
+  GlBuffer triangles_;
   int count_ = 0;
-  unsigned vertexArray_ = 0;
-  std::array<unsigned, 2> buffers_{};
 };
 
 /// A part of a body of the scene.
@@ -133,7 +112,7 @@ struct BodySolid {
 
 /// A wall's name as a picture.
 struct Label {
-  unsigned texture = 0;
+  GlTexture texture;
   glm::ivec2 size_px{0};
 };
 
@@ -148,7 +127,7 @@ void addEllipsoid(MeshBuilder& mesh, const glm::dvec3& middle_m, const glm::dvec
 }
 
 /// Skull and nose, and the eyes' 3-D glasses, from the point between the eyes.
-void addHead(std::vector<Solid>& solids, unsigned program) {
+void addHead(std::vector<Solid>& solids, const GlProgram& program) {
   MeshBuilder skull, glasses;
   addEllipsoid(skull, {0.0, -0.09, 0.01}, {0.078, 0.10, 0.125});
   addEllipsoid(skull, {0.0, 0.015, -0.035}, {0.016, 0.035, 0.024});
@@ -233,10 +212,10 @@ struct RoomView::Drawing {
   std::unique_ptr<Window> window;
   glm::ivec2 size_px{0};
   std::unique_ptr<WallPicture> picture;
-  unsigned framebuffer = 0;
-  std::array<unsigned, 2> buffers{};  ///< colour and depth, with many samples
-  unsigned solidProgram = 0, panelProgram = 0, groundProgram = 0, backdropProgram = 0, wordsProgram = 0;
-  unsigned vertexArray = 0;
+  GlFramebuffer framebuffer;
+  std::array<GlRenderbuffer, 2> buffers;  ///< colour and depth, with many samples
+  GlProgram solidProgram, panelProgram, groundProgram, backdropProgram, wordsProgram;
+  GlVertexArray vertexArray;
   std::vector<Solid> head;
   std::optional<Solid> body, hand;
   std::vector<Solid> table;
@@ -275,7 +254,6 @@ RoomView::Drawing::Drawing(Graphics& graphicsIn, const RoomFacts& roomIn)
       groundProgram(makeProgram("ground", shaders::panel_vert, shaders::ground_frag)),
       backdropProgram(makeProgram("backdrop", shaders::stereo_vert, shaders::backdrop_frag)),
       wordsProgram(makeProgram("words", shaders::stereo_vert, shaders::words_frag)) {
-  glGenVertexArrays(1, &vertexArray);
   for (const Wall& wall : room.walls) {
     const bool known =
         std::any_of(walls.begin(), walls.end(), [&](const Wall& other) { return standSame(wall, other); });
@@ -286,15 +264,7 @@ RoomView::Drawing::Drawing(Graphics& graphicsIn, const RoomFacts& roomIn)
   roomFromPerson = glm::dmat4(glm::dmat3(glm::cross(room.forward, room.up), room.forward, room.up));
 }
 
-RoomView::Drawing::~Drawing() {
-  graphics.makeCurrent();
-  for (const Label& label : labels) glDeleteTextures(1, &label.texture);
-  glDeleteFramebuffers(1, &framebuffer);
-  glDeleteRenderbuffers(2, buffers.data());
-  glDeleteVertexArrays(1, &vertexArray);
-  for (const unsigned program : {solidProgram, panelProgram, groundProgram, backdropProgram, wordsProgram})
-    glDeleteProgram(program);
-}
+RoomView::Drawing::~Drawing() { graphics.makeCurrent(); }
 
 void RoomView::Drawing::makePerson() {
   addHead(head, solidProgram);
@@ -322,14 +292,13 @@ void RoomView::Drawing::makeLabels(int height_px) {
     const Ink name = ink(wall.name, height_px);
     std::vector<std::uint8_t> rgba(4 * name.alpha.size(), 255);
     for (std::size_t i = 0; i < name.alpha.size(); ++i) rgba[4 * i + 3] = name.alpha[i];
-    Label label{0, name.size_px};
-    glGenTextures(1, &label.texture);
+    Label label{{}, name.size_px};
     glBindTexture(GL_TEXTURE_2D, label.texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, name.size_px.x, name.size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  rgba.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glBindTexture(GL_TEXTURE_2D, 0);
-    labels.push_back(label);
+    labels.push_back(std::move(label));
   }
 }
 
@@ -338,10 +307,6 @@ void RoomView::Drawing::makePicture(const glm::ivec2& wanted_px) {
   if (wanted_px == size_px && picture) return;
   size_px = wanted_px;
   picture = std::make_unique<WallPicture>(size_px);
-  glDeleteFramebuffers(1, &framebuffer);
-  glDeleteRenderbuffers(2, buffers.data());
-  glGenFramebuffers(1, &framebuffer);
-  glGenRenderbuffers(2, buffers.data());
   const PlainState state(framebuffer, size_px);
   constexpr std::array<GLenum, 2> kFormats{GL_RGBA8, GL_DEPTH_COMPONENT24};
   constexpr std::array<GLenum, 2> kPlaces{GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
