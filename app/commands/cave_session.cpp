@@ -108,10 +108,10 @@ Controls firstControls(const Stage& stage, const CaveOptions& options, const Bef
   controls.views = before.last->views;
   controls.views.frozen = 0;
   controls.lightSpeed_m_s = before.last->lightSpeed_m_s;
-  const auto& eyes = before.last->observer.eyes;
+  const ObserverView& observer = before.last->observer;
   // To a tenth of a micrometre: as it was set, not as rounding left it.
   controls.eyeSeparation_m =
-      std::round(glm::distance(eyes[0].positionInRoom_m, eyes[1].positionInRoom_m) * 1e7) / 1e7;
+      std::round(glm::distance(observer.left.positionInRoom_m, observer.right.positionInRoom_m) * 1e7) / 1e7;
   return controls;
 }
 

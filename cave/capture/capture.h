@@ -52,7 +52,7 @@ class Capture {
   struct Taken {
     const WallPicture* picture = nullptr;
     const std::string* wall = nullptr;
-    Eye eye = Eye::mono;
+    Eye eye = Eye::middle;
   };
   /// One more picture for the next `take`, which may not be drawn into until then.
   void include(const Taken& picture) { frame_.push_back(picture); }

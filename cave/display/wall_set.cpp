@@ -7,6 +7,15 @@
 #include "cave/projection/stereo.h"
 
 namespace carom {
+namespace {
+
+/// Returns the eye that sees what `eye` should when an operator has swapped the eyes.
+Eye otherOf(Eye eye) {
+  if (eye == Eye::middle) return eye;
+  return eye == Eye::left ? Eye::right : Eye::left;
+}
+
+}  // namespace
 
 WallSet::WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls,
                  const std::optional<WindowPlacement>& oneWindow, bool visible)
@@ -56,12 +65,12 @@ void WallSet::openWindows(const std::optional<WindowPlacement>& oneWindow) {
 }
 
 void WallSet::drawSession(const FrameRecord& record, const World& world, const ObserverView& observer) {
-  for (const Eye eye : {Eye::left, Eye::right, Eye::mono}) {
+  for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {
     pictured_.clear();
     for (WallEye& wallEye : wallEyes_) {
       if (wallEye.eye == eye) pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next()});
     }
-    session_->draw(record, world, observer, observer.eyes[static_cast<std::size_t>(eye)], pictured_);
+    session_->draw(record, world, observer, observer.of(eye), pictured_);
   }
 }
 
@@ -72,7 +81,7 @@ void WallSet::draw(const FrameRecord& record, const World& world) {
   testPatterns_.reset();
   if (controls.shown == Shown::session && !blank_) {
     ObserverView observer = record.observer;
-    if (controls.eyesSwapped) std::swap(observer.eyes[0], observer.eyes[1]);
+    if (controls.eyesSwapped) std::swap(observer.left, observer.right);
     drawSession(record, world, observer);
     return drawAids(record, observer);
   }
@@ -102,7 +111,7 @@ void WallSet::drawAids(const FrameRecord& record, const ObserverView& observer) 
   for (WallEye& wallEye : wallEyes_) {
     const Wall& wall = walls_[wallEye.wall];
     const WallPicture& picture = wallEye.pictures.drawn();
-    const glm::dvec3& eye_m = observer.eyes[static_cast<std::size_t>(wallEye.eye)].positionInRoom_m;
+    const glm::dvec3& eye_m = observer.of(wallEye.eye).positionInRoom_m;
     const bool isFront = front_ && standSame(*front_, wall);
     motion_.draw(room_, wall, eye_m, record, picture);
     if (isFront) words_.draw(wall, picture);
@@ -127,7 +136,7 @@ std::optional<PointedWall> WallSet::pointedAt() const {
     // Who draws back beyond the edge draws on.
     auto pointed = pointedIn(walls_[nearest], paneOf(nearest), *pointer_px, held);
     if (!pointed) continue;
-    if (drawn_.eyesSwapped && pointed->eye < 2) pointed->eye = 1 - pointed->eye;
+    if (drawn_.eyesSwapped) pointed->eye = otherOf(pointed->eye);
     return pointed;
   }
   return std::nullopt;
@@ -150,8 +159,7 @@ void WallSet::drawTestPatterns(bool eyesSwapped) {
   if (testPatterns_ == eyesSwapped) return;
   graphics_.makeCurrent();
   for (WallEye& wallEye : wallEyes_) {
-    Eye eye = wallEye.eye;
-    if (eyesSwapped && eye != Eye::mono) eye = eye == Eye::left ? Eye::right : Eye::left;
+    const Eye eye = eyesSwapped ? otherOf(wallEye.eye) : wallEye.eye;
     const Image pattern = testPattern(walls_[wallEye.wall], eye);
     for (std::size_t i = 0; i <= walls_[wallEye.wall].heldFrames; ++i)
       wallEye.pictures.next().fill(pattern.rgb);

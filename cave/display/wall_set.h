@@ -77,7 +77,7 @@ class WallSet {
  private:
   struct WallEye {
     std::size_t wall = 0;
-    Eye eye = Eye::mono;
+    Eye eye = Eye::middle;
     PictureQueue pictures;
   };
   /// A window and the walls in it.

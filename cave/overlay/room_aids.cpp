@@ -51,7 +51,7 @@ void RoomAids::draw(const RoomFacts& room, const Wall& wall, bool isFront, const
 
 /// In the wall's plane: what lies there is its place on the picture, for every eye.
 void RoomAids::drawGrid(const Wall& wall, const FrameRecord& record, const WallPicture& picture) const {
-  std::array<glm::vec3, 2> warnings{warningOf(wall, record.observer.eyes[2].positionInRoom_m), {}};
+  std::array<glm::vec3, 2> warnings{warningOf(wall, record.observer.middle.positionInRoom_m), {}};
   if (record.tracked.handKnown) warnings[1] = warningOf(wall, record.tracked.roomFromHand.position_m);
   if (!(std::max(warnings[0].z, warnings[1].z) > 0.0F)) return;
   const PlainState state(picture.framebuffer(), picture.size_px());
@@ -97,7 +97,7 @@ void RoomAids::drawMarks(const RoomFacts& room, const Wall& wall, bool isFront, 
                          const FrameRecord& record, const WallPicture& picture) {
   const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
   if (!clip) return;
-  const glm::dvec3& eyes_m = record.observer.eyes[2].positionInRoom_m;
+  const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
   const Tracked& tracked = record.tracked;
   marks_.clear();
   if (isFront) addBars(wall, eyes_m);

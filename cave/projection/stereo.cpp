@@ -47,7 +47,7 @@ glm::ivec2 eyeSize_px(const Pane& pane) {
 std::vector<Eye> eyesOf(StereoMode mode) {
   switch (mode) {
     case StereoMode::mono:
-      return {Eye::mono};
+      return {Eye::middle};
     case StereoMode::left:
       return {Eye::left};
     case StereoMode::right:
@@ -63,7 +63,7 @@ const char* nameOf(Eye eye) {
       return "left";
     case Eye::right:
       return "right";
-    case Eye::mono:
+    case Eye::middle:
       return "mono";
   }
   return "mono";

@@ -156,7 +156,7 @@ void addEvents(const MarkSight& sight, Crowd& crowd, MarkBatch& batch) {
 
 void addPuckClocks(const MarkSight& sight, std::span<const glm::vec3> colours,
                    std::span<const double> reach_m, Crowd& crowd, MarkBatch& batch) {
-  const Event& between = sight.observer.eyes[2].observation;
+  const Event& between = sight.observer.middle.observation;
   const Resting resting(sight);
   for (std::size_t body = 1; body <= sight.pucks; ++body) {
     const OnBody draw(sight, sight.bodies[body], Moment::seen);

@@ -374,7 +374,7 @@ void RoomView::Drawing::drawSolid(const Solid& solid, const glm::dmat4& roomFrom
 
 void RoomView::Drawing::drawPerson(const FrameRecord& record) const {
   const Tracked& tracked = record.tracked;
-  const glm::dvec3& eyes_m = record.observer.eyes[2].positionInRoom_m;
+  const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
   Pose roomFromHead{eyes_m, {1.0, 0.0, 0.0, 0.0}};
   if (tracked.headKnown)
     roomFromHead.orientation = (tracked.roomFromHeadSensor * room.sensorFromEyes).orientation;
@@ -417,7 +417,7 @@ void RoomView::Drawing::drawTable(const glm::dmat4& roomFromTable) const {
 void RoomView::Drawing::drawLines(const FrameRecord& record, const std::optional<glm::dmat4>& roomFromTable) {
   constexpr double kFrame_m = 0.014, kSight_m = 0.003, kEdge_m = 0.005;
   lines.clear();
-  const glm::dvec3& eyes_m = record.observer.eyes[2].positionInRoom_m;
+  const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
   for (const Wall& wall : walls) {
     const glm::dvec3 fourth_m = wall.lowerRight_m + wall.upperLeft_m - wall.lowerLeft_m;
     const std::array<glm::dvec3, 4> corners_m{wall.lowerLeft_m, wall.lowerRight_m, fourth_m,
@@ -503,7 +503,7 @@ void RoomView::draw(const FrameRecord& record, std::span<const WorldLine> histor
   d.graphics.makeCurrent();
   d.makePicture(d.window ? glm::max(d.window->size_px(), glm::ivec2(1)) : kPicture_px);
   d.clip = d.camera.clipFromRoom(d.size_px);
-  const EyeView& middle = record.observer.eyes[2];
+  const EyeView& middle = record.observer.middle;
   const RoomMoment moment(record.boardFromRoom, middle.observation, middle.seenFromInRoom_m);
 
   const PlainState state(d.framebuffer, d.size_px);
@@ -541,7 +541,7 @@ const WallPicture& RoomView::picture() const { return *drawing_->picture; }
 
 Capture::Taken RoomView::taken() const {
   static const std::string kName = "outside";
-  return {drawing_->picture.get(), &kName, Eye::mono};
+  return {drawing_->picture.get(), &kName, Eye::middle};
 }
 
 void RoomView::show() {

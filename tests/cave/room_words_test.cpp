@@ -31,8 +31,9 @@ FrameRecord recordAt(double display_s) {
   record.display_s = record.observer.properTime_s = display_s;
   record.lightSpeed_m_s = kC_m_s;
   record.observer.headFromBoard = Lorentz::boost(uFromBeta({0.0, 0.6, 0.0}), kC_m_s).inverse();
-  record.observer.eyes = {EyeView{{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 1.7, 0.0}},
-                          EyeView{{0.0, {0.03, 0.0, 0.0}}, {0.03, 1.7, 0.0}}, EyeView{{}, {0.0, 1.7, 0.0}}};
+  record.observer.left = {{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 1.7, 0.0}};
+  record.observer.right = {{0.0, {0.03, 0.0, 0.0}}, {0.03, 1.7, 0.0}};
+  record.observer.middle = {{}, {0.0, 1.7, 0.0}};
   return record;
 }
 
