@@ -202,7 +202,7 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions&
     return true;
   }
   inputs.scenario = {file, {}};
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (!lead) return;
     std::optional<std::filesystem::path> session;
     if (options.session) session = fileAfter(*options.session);
@@ -220,7 +220,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
                       options.recording, options.noWindow,       options.frames.has_value(),
                       options.outside,   options.diagram};
   Before before;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() > 0 || !options.session) return;
     if (!options.resume && std::filesystem::exists(*options.session)) {
       throw std::runtime_error(fmt::format(
@@ -238,7 +238,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   if (stage.console) stage.console->writeTo(options.session);
   std::unique_ptr<LiveSource> source;
   std::optional<Lead> lead;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
     source = sourceOf(stage, options, inputs, before);
     lead.emplace(Lead{*source, KeysOf::session, firstControls(stage, options, before),

@@ -69,7 +69,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   inputs.live = isVisit(options) && !options.observer;
   inputs.outside = options.outside;
   inputs.diagram = options.diagram;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
   shareInputs(cluster, inputs);
@@ -78,7 +78,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
 
   Frames frames;
   std::optional<Lead> lead;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
     frames = framesOf(options, stage, *session);
     lead.emplace(Lead{*frames.source, KeysOf::replay, controlsAtStart(stage),

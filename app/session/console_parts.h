@@ -34,8 +34,8 @@ inline const ImVec4 kAccent{0.33F, 0.62F, 0.82F, 1.0F};
 inline const ImVec4 kGood{0.36F, 0.76F, 0.47F, 1.0F}, kFair{0.93F, 0.76F, 0.33F, 1.0F},
     kBad{0.93F, 0.38F, 0.31F, 1.0F};
 
-/// The style of the window whose Gui is current.
-void dress();
+/// Sets the style of the window whose Gui is current.
+void setStyle();
 
 /// A heading over what follows.
 void heading(const char* words);

@@ -96,11 +96,11 @@ void WallSet::draw(const FrameRecord& record, const World& world) {
   }
 }
 
-void WallSet::play(const Scene& scene, double lightSpeed_m_s) {
+void WallSet::setScene(const Scene& scene, double lightSpeed_m_s) {
   session_ = std::make_unique<SessionView>(graphics_, scene, lightSpeed_m_s);
 }
 
-void WallSet::standIn(const RoomFacts& room) {
+void WallSet::setRoom(const RoomFacts& room) {
   room_ = room;
   front_ = frontWall(room);
 }

@@ -38,14 +38,14 @@ class WallSet {
   WallSet(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls,
           const std::optional<WindowPlacement>& oneWindow, bool visible);
 
-  /// Another game in the same windows.
-  void play(const Scene& scene, double lightSpeed_m_s);
+  /// Shows another game in the same windows.
+  void setScene(const Scene& scene, double lightSpeed_m_s);
 
-  /// What the aids over the session (cave/overlay/room_aids.h, cave/overlay/room_words.h) know of the room;
-  /// without it, no more than the walls themselves, and no words.
-  void standIn(const RoomFacts& room);
-  /// What the words say of the game's lesson, from now on; empty: there is none.
-  void teach(const LessonWords& lesson) { words_.teach(lesson); }
+  /// Tells the aids over the session (cave/overlay/room_aids.h, cave/overlay/room_words.h) about the room.
+  /// Without it they know no more than the walls, and there are no words.
+  void setRoom(const RoomFacts& room);
+  /// Sets what the words say of the game's lesson; an empty one is none.
+  void setLesson(const LessonWords& lesson) { words_.setLesson(lesson); }
 
   /// Draws every wall as both eyes see the bodies, or what the operator has put in their place: a pattern, or
   /// black. `world.histories[i]` is body i of the scene.

@@ -209,7 +209,7 @@ void RoomWords::set(const std::vector<RoomLine>& lines) {
   }
 }
 
-void RoomWords::teach(const LessonWords& lesson) {
+void RoomWords::setLesson(const LessonWords& lesson) {
   lesson_ = lesson;
   tenths_s_ = -1;
 }

@@ -58,8 +58,8 @@ class RoomWords {
   /// when they are next drawn.
   void set(const std::vector<RoomLine>& lines);
 
-  /// What it says of a lesson, from now on.
-  void teach(const LessonWords& lesson);
+  /// Sets what it says of the game's lesson.
+  void setLesson(const LessonWords& lesson);
 
   /// Has the panel describe the frames: ten times a second, and when what it says of the views, of the lesson
   /// or of what happened changes.

@@ -491,7 +491,7 @@ RoomView::RoomView(Graphics& graphics, const RoomFacts& room, const Scene& scene
   }
 }
 
-void RoomView::play(const Scene& scene, std::span<const ScenePart> table) {
+void RoomView::setScene(const Scene& scene, std::span<const ScenePart> table) {
   drawing_->graphics.makeCurrent();
   drawing_->makeGame(scene, table);
 }

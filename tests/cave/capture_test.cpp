@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
-#include "cave/capture/capture.h"
+#include "cave/gl/image.h"
 #include "cave/gl/plain_state.h"
 #include "cave/glowing_puck.h"
 #include "cave/render/mark_batch.h"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {

@@ -7,8 +7,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "cave/capture/capture.h"
+#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
 #include "cave/scene/table_model.h"
 #include "cave/spectator/room_camera.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "cave/capture/capture.h"
 #include "cave/display/wall_set.h"
+#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
 
 namespace carom {
@@ -231,7 +231,7 @@ TEST(RoomWords, HaveNoParallax) {
   WallSet set(graphics, test::glowingPuck(0.2), kC_m_s, walls, std::nullopt, false);
   RoomFacts room;
   room.walls = walls;
-  set.standIn(room);
+  set.setRoom(room);
   FrameRecord record = recordAt(3.0);
   const World world{
       {WorldLine(Knot{}, kC_m_s), WorldLine({{0.0, {0.1, 0.3, -1.0}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};

@@ -8,8 +8,8 @@
 #include <functional>
 #include <memory>
 
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {

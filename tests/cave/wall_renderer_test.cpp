@@ -9,7 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "cave/capture/capture.h"
+#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
 #include "cave/room/off_axis.h"
 #include "cave/scene/table_model.h"
