@@ -11,6 +11,7 @@
 #include "cave/frame/bodies.h"
 #include "cave/glowing_puck.h"
 #include "cave/room/off_axis.h"
+#include "cave/scene/scene_builder.h"
 #include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
 

@@ -12,6 +12,7 @@
 #include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
 #include "cave/room/off_axis.h"
+#include "cave/scene/scene_builder.h"
 #include "cave/scene/table_model.h"
 #include "engine/random_world.h"
 
