@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <vtk_glew.h>
+#include <glm/gtc/type_ptr.hpp>
 
 namespace carom {
 namespace {
@@ -40,6 +41,30 @@ GlProgram makeProgram(const std::string& name, const std::string& vertexText,
     throw std::runtime_error("shader \"" + name + "\" does not link: " + message.c_str());
   }
   return program;
+}
+
+void setUniform(const GlProgram& program, const char* name, int value) {
+  glUniform1i(glGetUniformLocation(program, name), value);
+}
+
+void setUniform(const GlProgram& program, const char* name, float value) {
+  glUniform1f(glGetUniformLocation(program, name), value);
+}
+
+void setUniform(const GlProgram& program, const char* name, const glm::dvec3& value) {
+  glUniform3fv(glGetUniformLocation(program, name), 1, glm::value_ptr(glm::vec3(value)));
+}
+
+void setUniform(const GlProgram& program, const char* name, const glm::vec4& value) {
+  glUniform4fv(glGetUniformLocation(program, name), 1, glm::value_ptr(value));
+}
+
+void setUniform(const GlProgram& program, const char* name, const glm::dmat3& value) {
+  glUniformMatrix3fv(glGetUniformLocation(program, name), 1, GL_FALSE, glm::value_ptr(glm::mat3(value)));
+}
+
+void setUniform(const GlProgram& program, const char* name, const glm::dmat4& value) {
+  glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, glm::value_ptr(glm::mat4(value)));
 }
 
 }  // namespace carom
