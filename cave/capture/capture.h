@@ -39,7 +39,7 @@ class Capture {
   ~Capture();  ///< without `finish`: writes what has been read back
 
   struct Taken {
-    const WallPicture* picture = nullptr;
+    const RenderTarget* picture = nullptr;
     const std::string* wall = nullptr;
     Eye eye = Eye::middle;
   };

@@ -18,7 +18,7 @@ struct Image {
 };
 
 /// Reads a picture back; waits for its drawing. The drawing context must be current.
-Image readBack(const WallPicture& picture);
+Image readBack(const RenderTarget& picture);
 
 /// Writes a PNG that appears whole or not at all. Throws std::runtime_error naming the file.
 void writePng(const Image& image, const std::filesystem::path& path);

@@ -13,9 +13,9 @@ namespace carom {
 /// An 8-bit RGBA texture, sRGB encoded, rows from the bottom up, with a framebuffer to draw into it. Made and
 /// destroyed with the drawing context current (Graphics::makeCurrent); the texture is shared with every
 /// window.
-class WallPicture {
+class RenderTarget {
  public:
-  explicit WallPicture(const glm::ivec2& size_px);
+  explicit RenderTarget(const glm::ivec2& size_px);
 
   void clear();  ///< to black
   /// Holds these pixels from now on: RGB, rows from the bottom up, as many as the picture has.

@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl/gl_program.h"
-#include "cave/gl/plain_state.h"
-#include "cave/gl/text_ink.h"
+#include "cave/gl/gl_state_guard.h"
+#include "cave/gl/glyph_bitmap.h"
 #include "cave/room/off_axis.h"
 #include "shaders/backdrop_frag.h"
 #include "shaders/ground_frag.h"
@@ -50,7 +50,7 @@ bool showsInside(const Wall& wall, const glm::dvec3& camera_m) {
   return glm::dot(normalOf(wall), camera_m - wall.lowerLeft_m) > 0.0;
 }
 
-RoomSurfaces::RoomSurfaces(const RoomFacts& room)
+RoomSurfaces::RoomSurfaces(const RoomGeometry& room)
     : room_(room),
       floor_m_(std::numeric_limits<double>::infinity()),
       panelProgram_(makeProgram("panel", shaders::panel_vert, shaders::panel_frag)),
@@ -65,7 +65,7 @@ RoomSurfaces::RoomSurfaces(const RoomFacts& room)
       floor_m_ = std::min(floor_m_, glm::dot(corner_m, room.up));
   }
   for (const Wall& wall : walls_) {
-    const Ink written = ink(wall.name, kName_px);
+    const GlyphBitmap written = ink(wall.name, kName_px);
     std::vector<std::uint8_t> rgba(4 * written.alpha.size(), 255);
     for (std::size_t i = 0; i < written.alpha.size(); ++i) rgba[4 * i + 3] = written.alpha[i];
     Name name{{}, written.size_px};
@@ -95,13 +95,13 @@ void RoomSurfaces::drawGround(const OutsideView& view) const {
   drawRectangle(groundProgram_, view, ground);
 }
 
-void RoomSurfaces::drawPanels(const OutsideView& view, const WallSet& shown) const {
+void RoomSurfaces::drawPanels(const OutsideView& view, const DisplayWalls& shown) const {
   glUseProgram(panelProgram_);
   glBindVertexArray(vertexArray_);
   setUniform(panelProgram_, "shown", 0);
   for (const Wall& wall : walls_) {
     if (!showsInside(wall, view.camera_m)) continue;
-    const WallPicture* live = shown.pictureOf(wall.name);
+    const RenderTarget* live = shown.pictureOf(wall.name);
     setUniform(panelProgram_, "empty", live ? 0 : 1);
     if (live) glBindTexture(GL_TEXTURE_2D, live->texture());
     drawRectangle(panelProgram_, view, wall);

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "cave/display/wall_set.h"
+#include "cave/display/display_walls.h"
 #include "cave/gl/gl_objects.h"
-#include "cave/room/room_facts.h"
+#include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 #include "cave/spectator/outside_view.h"
 
@@ -15,17 +15,17 @@ namespace carom {
 class RoomSurfaces {
  public:
   /// Created and destroyed with the drawing context current.
-  explicit RoomSurfaces(const RoomFacts& room);
+  explicit RoomSurfaces(const RoomGeometry& room);
 
   const std::vector<Wall>& walls() const { return walls_; }  ///< each screen once
   double floor_m() const { return floor_m_; }                ///< the lowest corner, along the room's up
 
-  // These draw within a PlainState.
+  // These draw within a GlStateGuard.
   /// Draws what is behind everything, and the ground, which is not seen from below: it would hide the room.
   void drawGround(const OutsideView& view) const;
   /// Draws the pictures of the walls that show their inner side; a wall that `shown` does not draw is an empty
   /// panel.
-  void drawPanels(const OutsideView& view, const WallSet& shown) const;
+  void drawPanels(const OutsideView& view, const DisplayWalls& shown) const;
   /// Draws each wall's name above it, before the near edge of one that lies on the floor, and at the foot of
   /// one that is seen from behind.
   void drawNames(const OutsideView& view) const;
@@ -37,7 +37,7 @@ class RoomSurfaces {
     glm::ivec2 size_px{0};
   };
 
-  RoomFacts room_;
+  RoomGeometry room_;
   std::vector<Wall> walls_;
   double floor_m_;
   GlProgram panelProgram_, groundProgram_, backdropProgram_, wordsProgram_;

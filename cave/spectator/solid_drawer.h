@@ -29,7 +29,7 @@ class SolidDrawer {
 
   Solid upload(vtkPolyData& mesh, const glm::vec3& colour) const;
 
-  /// Begins drawing, within a PlainState. `up`, `right`: the room's axes, by which the light comes.
+  /// Begins drawing, within a GlStateGuard. `up`, `right`: the room's axes, by which the light comes.
   void begin(const OutsideView& view, const glm::dvec3& up, const glm::dvec3& right) const;
   /// Draws a solid that covers what is behind it by `opacity`, where that blends.
   void draw(const Solid& solid, const glm::dmat4& roomFromModel, float opacity = 1.0F) const;

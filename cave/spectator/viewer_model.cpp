@@ -80,7 +80,7 @@ glm::dmat4 matrixOf(const Pose& pose) {
 
 ViewerModel makeViewerModel() { return {head(), {coat(), kCoat}, {wand(), kWand}}; }
 
-ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomFacts& room, double floor_m) {
+ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomGeometry& room, double floor_m) {
   const glm::dmat4 roomFromViewer(
       glm::dmat3(glm::cross(room.forward, room.up), room.forward, room.up));  // right, forward, up
   const Tracked& tracked = record.tracked;

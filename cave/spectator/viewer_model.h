@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/frame/frame_state.h"
-#include "cave/room/room_facts.h"
+#include "cave/room/room_geometry.h"
 
 namespace carom {
 
@@ -35,6 +35,6 @@ struct ViewerPlaces {
   std::optional<glm::dmat4> roomFromWand;  ///< none while the hand is not tracked
 };
 /// `floor_m`: the floor's height along the room's up.
-ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomFacts& room, double floor_m);
+ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomGeometry& room, double floor_m);
 
 }  // namespace carom

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "cave/gl/gl_program.h"
+#include "cave/gl/gl_state_guard.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
-#include "cave/gl/plain_state.h"
 
 namespace carom {
 namespace {
@@ -103,7 +103,7 @@ struct Point {
 };
 
 /// How many pixels of the picture have each colour: black, green, blue, any other.
-std::array<int, 4> coloursOf(const WallPicture& picture) {
+std::array<int, 4> coloursOf(const RenderTarget& picture) {
   const glm::ivec2 size_px = picture.size_px();
   std::vector<std::array<std::uint8_t, 4>> pixels(static_cast<std::size_t>(size_px.x * size_px.y));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
@@ -143,12 +143,12 @@ TEST_F(GlObjects, AStreamDrawsWhatWasUploadedLastAndLeavesTheBindings) {
   };
   expectBindings();
 
-  const WallPicture picture({8, 4});
+  const RenderTarget picture({8, 4});
   for (const auto& [points, counts] :
        {std::pair{green, std::array{16, 16, 0, 0}}, {blue, std::array{16, 0, 16, 0}}}) {
     stream.upload(points);
     expectBindings();
-    const PlainState state(picture.framebuffer(), picture.size_px());
+    const GlStateGuard state(picture.framebuffer(), picture.size_px());
     glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(program);

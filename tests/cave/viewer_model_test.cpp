@@ -14,8 +14,8 @@ namespace {
 constexpr double kTolerance_m = 1e-6;  // meshes are in single precision
 
 /// A room whose up, forward and floor are not the axes' and zero.
-RoomFacts turnedRoom() {
-  RoomFacts room;
+RoomGeometry turnedRoom() {
+  RoomGeometry room;
   room.up = {0.0, 0.0, 1.0};
   room.forward = {1.0, 0.0, 0.0};
   return room;

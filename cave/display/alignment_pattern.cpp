@@ -1,0 +1,30 @@
+#include "cave/display/alignment_pattern.h"
+
+#include <cmath>
+
+#include <vtk_glew.h>
+
+#include "cave/gl/gl_program.h"
+#include "cave/gl/gl_state_guard.h"
+#include "shaders/seam_frag.h"
+#include "shaders/stereo_vert.h"
+
+namespace carom {
+
+AlignmentPattern::AlignmentPattern()
+    : program_(makeProgram("seam", shaders::stereo_vert, shaders::seam_frag)) {}
+
+void AlignmentPattern::draw(const Wall& wall, double time_s, RenderTarget& picture) const {
+  const GlStateGuard state(picture.framebuffer(), picture.size_px());
+  glUseProgram(program_);
+  glBindVertexArray(vertexArray_);
+  setUniform(program_, "lowerLeft_m", wall.lowerLeft_m);
+  setUniform(program_, "across_m", wall.lowerRight_m - wall.lowerLeft_m);
+  setUniform(program_, "upwards_m", wall.upperLeft_m - wall.lowerLeft_m);
+  setUniform(program_, "first_m", glm::dvec3(std::fmod(kSpeed_m_s * time_s, kPeriod_m)));
+  setUniform(program_, "period_m", static_cast<float>(kPeriod_m));
+  setUniform(program_, "halfLine_m", static_cast<float>(kHalfLine_m));
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace carom

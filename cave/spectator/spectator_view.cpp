@@ -1,0 +1,277 @@
+#include "cave/spectator/spectator_view.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include <vtk_glew.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "cave/frame/bodies.h"
+#include "cave/gl/gl_objects.h"
+#include "cave/gl/gl_state_guard.h"
+#include "cave/gl/line_batch.h"
+#include "cave/spectator/orbit_camera.h"
+#include "cave/spectator/outside_view.h"
+#include "cave/spectator/room_simultaneity.h"
+#include "cave/spectator/room_surfaces.h"
+#include "cave/spectator/solid_drawer.h"
+#include "cave/spectator/viewer_model.h"
+
+namespace carom {
+namespace {
+
+constexpr int kSamples = 4;
+constexpr glm::ivec2 kWindowPlace_px{80, 80};
+constexpr float kTableCovers = 0.4F;   // the table is no thing of the room
+constexpr float kBehindCovers = 0.5F;  // of what is behind a wall
+constexpr glm::vec3 kClock(0.02F);
+constexpr glm::vec4 kFrame(0.88F, 0.91F, 0.95F, 1.0F), kFarFrame(0.75F, 0.82F, 0.92F, 0.45F);
+constexpr glm::vec4 kTableEdge(0.65F, 1.0F, 0.80F, 0.9F);
+constexpr glm::vec4 kSight(1.0F, 0.85F, 0.45F, 0.55F);
+
+/// A part of a body of the scene.
+struct BodySolid {
+  std::size_t body;
+  Solid solid;
+};
+
+using Corners = std::array<glm::dvec3, 4>;  // in their order around a rectangle
+
+/// Of the upper side of a mesh's bounding box.
+Corners topOf(vtkPolyData& mesh) {
+  const double* b = mesh.GetBounds();
+  return {{{b[0], b[2], b[5]}, {b[1], b[2], b[5]}, {b[1], b[3], b[5]}, {b[0], b[3], b[5]}}};
+}
+
+Corners cornersOf(const Wall& wall) {
+  const glm::dvec3 fourth_m = wall.lowerRight_m + wall.upperLeft_m - wall.lowerLeft_m;
+  return {wall.lowerLeft_m, wall.lowerRight_m, fourth_m, wall.upperLeft_m};
+}
+
+bool isHall(Paint paint) { return paint == Paint::floor || paint == Paint::panels || paint == Paint::lamp; }
+
+}  // namespace
+
+struct SpectatorView::Drawing {
+  Graphics& graphics;
+  RoomGeometry room;
+  OrbitCamera camera;
+  std::unique_ptr<Window> window;
+  glm::ivec2 size_px{0};
+  std::unique_ptr<RenderTarget> picture;
+  GlFramebuffer framebuffer;
+  std::array<GlRenderbuffer, 2> buffers;  ///< colour and depth, with many samples
+  RoomSurfaces surfaces;
+  SolidDrawer solids;
+  std::vector<Solid> head;
+  Solid coat, wand;
+  std::vector<Solid> table;
+  std::vector<Corners> tableEdges;  ///< around the cloth and around the rails, on the board
+  std::vector<BodySolid> bodies;
+  LineBatch ribbons;
+  std::vector<Ribbon> lines;
+  OutsideView view;
+
+  Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn, const ViewerModel& viewer);
+  ~Drawing() { graphics.makeCurrent(); }
+  void makeGame(const Scene& scene, std::span<const ScenePart> parts);
+  void makePicture(const glm::ivec2& wanted_px);
+  void drawViewer(const FrameRecord& record) const;
+  void drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories, float covers) const;
+  void drawTable(const glm::dmat4& roomFromTable) const;
+  void drawLines(const FrameRecord& record, const std::optional<glm::dmat4>& roomFromTable);
+  void addRectangle(const Corners& corners_m, double halfWidth_m, const glm::vec4& colour);
+  void resolve() const;
+};
+
+SpectatorView::Drawing::Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn, const ViewerModel& viewer)
+    : graphics(graphicsIn),
+      room(roomIn),
+      camera(roomIn),
+      surfaces(roomIn),
+      coat(solids.upload(*viewer.coat.mesh, viewer.coat.colour)),
+      wand(solids.upload(*viewer.wand.mesh, viewer.wand.colour)) {
+  for (const ModelPart& part : viewer.head) head.push_back(solids.upload(*part.mesh, part.colour));
+}
+
+void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const ScenePart> parts) {
+  table.clear();
+  tableEdges.clear();
+  bodies.clear();
+  for (const ScenePart& part : parts) {
+    if (isHall(part.paint)) continue;
+    table.push_back(solids.upload(*part.mesh, part.paint == Paint::clock ? kClock : part.colour));
+    if (part.paint == Paint::cloth || part.paint == Paint::wood) tableEdges.push_back(topOf(*part.mesh));
+  }
+  for (const ScenePart& part : scene.parts) {
+    if (part.body == kRestingBody || part.paint == Paint::shadow) continue;
+    bodies.push_back({part.body, solids.upload(*part.mesh, part.colour)});
+  }
+}
+
+/// Creates the picture, and again only when the window has another size.
+void SpectatorView::Drawing::makePicture(const glm::ivec2& wanted_px) {
+  if (wanted_px == size_px && picture) return;
+  size_px = wanted_px;
+  picture = std::make_unique<RenderTarget>(size_px);
+  const GlStateGuard state(framebuffer, size_px);
+  constexpr std::array<GLenum, 2> kFormats{GL_RGBA8, GL_DEPTH_COMPONENT24};
+  constexpr std::array<GLenum, 2> kPlaces{GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  for (std::size_t i = 0; i < 2; ++i) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, kFormats[i], size_px.x, size_px.y);
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, kPlaces[i], GL_RENDERBUFFER, buffers[i]);
+  }
+  glBindRenderbuffer(GL_RENDERBUFFER, 0);
+}
+
+void SpectatorView::Drawing::drawViewer(const FrameRecord& record) const {
+  const ViewerPlaces places = viewerPlaces(record, room, surfaces.floor_m());
+  for (const Solid& part : head) solids.draw(part, places.roomFromHead);
+  if (places.roomFromCoat) solids.draw(coat, *places.roomFromCoat);
+  if (places.roomFromWand) solids.draw(wand, *places.roomFromWand);
+}
+
+void SpectatorView::Drawing::drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories,
+                                        float covers) const {
+  std::size_t placed = histories.size();
+  std::optional<glm::dmat4> place;
+  for (const BodySolid& part : bodies) {
+    if (part.body != placed) place = moment.roomFromBody(histories[part.body]);
+    placed = part.body;
+    if (place) solids.draw(part.solid, *place, covers);
+  }
+}
+
+/// Draws its nearest surface alone: depth first.
+void SpectatorView::Drawing::drawTable(const glm::dmat4& roomFromTable) const {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  for (const Solid& part : table) solids.draw(part, roomFromTable, kTableCovers);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
+  for (const Solid& part : table) solids.draw(part, roomFromTable, kTableCovers);
+  glDepthFunc(GL_LESS);
+}
+
+void SpectatorView::Drawing::addRectangle(const Corners& corners_m, double halfWidth_m,
+                                          const glm::vec4& colour) {
+  for (std::size_t i = 0; i < 4; ++i)
+    lines.push_back({corners_m[i], corners_m[(i + 1) % 4], halfWidth_m, colour});
+}
+
+void SpectatorView::Drawing::drawLines(const FrameRecord& record,
+                                       const std::optional<glm::dmat4>& roomFromTable) {
+  constexpr double kFrame_m = 0.014, kFarFrame_m = 0.3 * kFrame_m, kSight_m = 0.003, kEdge_m = 0.005;
+  lines.clear();
+  for (const Wall& wall : surfaces.walls()) {
+    const bool inside = showsInside(wall, view.camera_m);
+    addRectangle(cornersOf(wall), inside ? kFrame_m : kFarFrame_m, inside ? kFrame : kFarFrame);
+    for (const glm::dvec3& corner_m : cornersOf(wall))
+      lines.push_back({record.observer.middle.positionInRoom_m, corner_m, kSight_m, kSight});
+  }
+  const std::size_t ofRoom = lines.size();
+  if (roomFromTable) {
+    for (Corners edge_m : tableEdges) {
+      for (glm::dvec3& corner_m : edge_m) corner_m = glm::dvec3(*roomFromTable * glm::dvec4(corner_m, 1.0));
+      addRectangle(edge_m, kEdge_m, kTableEdge);
+    }
+  }
+  glDepthMask(GL_FALSE);
+  glEnable(GL_POLYGON_OFFSET_FILL);  // before the edges that they follow
+  glPolygonOffset(-2.0F, -2.0F);
+  ribbons.draw(lines, view.clipFromRoom, size_px);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDepthFunc(GL_GREATER);  // the table's edges behind a wall, dimly
+  for (std::size_t i = ofRoom; i < lines.size(); ++i) lines[i].colour.a *= kBehindCovers;
+  ribbons.draw(std::span<const Ribbon>(lines).subspan(ofRoom), view.clipFromRoom, size_px);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+}
+
+/// Makes one sample of each pixel's many, in the picture.
+void SpectatorView::Drawing::resolve() const {
+  GLint readBefore = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture->framebuffer());
+  glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
+}
+
+SpectatorView::SpectatorView(Graphics& graphics, const RoomGeometry& room, const Scene& scene,
+                             std::span<const ScenePart> table, bool visible) {
+  graphics.makeCurrent();
+  drawing_ = std::make_unique<Drawing>(graphics, room, makeViewerModel());
+  drawing_->makeGame(scene, table);
+  if (visible) {
+    const WindowPlacement place{0, kWindowPlace_px, kPicture_px, false};
+    drawing_->window = std::make_unique<Window>(graphics, "Carom: the room from outside", place);
+    graphics.makeCurrent();
+  }
+}
+
+void SpectatorView::setScene(const Scene& scene, std::span<const ScenePart> table) {
+  drawing_->graphics.makeCurrent();
+  drawing_->makeGame(scene, table);
+}
+
+SpectatorView::~SpectatorView() { drawing_->graphics.makeCurrent(); }
+
+void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> histories,
+                         const DisplayWalls& walls) {
+  Drawing& d = *drawing_;
+  d.graphics.makeCurrent();
+  d.makePicture(d.window ? glm::max(d.window->size_px(), glm::ivec2(1)) : kPicture_px);
+  d.view = {d.camera.clipFromRoom(d.size_px), d.camera.place_m(), d.size_px};
+  const EyeView& middle = record.observer.middle;
+  const RoomSimultaneity moment(record.boardFromRoom, middle.observation, middle.seenFromInRoom_m);
+
+  const GlStateGuard state(d.framebuffer, d.size_px);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  d.surfaces.drawGround(d.view);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  d.surfaces.drawPanels(d.view, walls);
+  d.solids.begin(d.view, d.room.up, glm::cross(d.room.forward, d.room.up));
+  // What stands behind a wall, dimly.
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_FALSE);
+  d.drawBodies(moment, histories, kBehindCovers);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  d.drawViewer(record);
+  d.drawBodies(moment, histories, 1.0F);
+  const std::optional<glm::dmat4> roomFromTable = moment.roomFromBody(histories[kRestingBody]);
+  if (roomFromTable) d.drawTable(*roomFromTable);
+  d.drawLines(record, roomFromTable);
+  glDisable(GL_DEPTH_TEST);
+  d.surfaces.drawNames(d.view);
+  d.resolve();
+}
+
+const RenderTarget& SpectatorView::picture() const { return *drawing_->picture; }
+
+Capture::Taken SpectatorView::taken() const {
+  static const std::string kName = "outside";
+  return {drawing_->picture.get(), &kName, Eye::middle};
+}
+
+void SpectatorView::show() {
+  Drawing& d = *drawing_;
+  if (!d.window) return;
+  const PointerInput pointer = d.window->takePointer();
+  d.camera.turn(pointer.dragged_px);
+  d.camera.zoom(pointer.wheel);
+  d.graphics.finishDrawing();
+  const Pane pane{d.picture.get(), nullptr, StereoMode::mono, {0, 0}, d.window->size_px(), nullptr};
+  d.window->show({&pane, 1});
+}
+
+void SpectatorView::swap() {
+  if (drawing_->window) drawing_->window->swap();
+}
+
+}  // namespace carom
