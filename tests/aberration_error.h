@@ -50,7 +50,7 @@ inline Vec3 walkCelerity_m_s(double time_s) {
 /// Which way a point at rest on the board is seen, in the head's frame.
 inline Vec3 seenDirection(const Observer& observer, const Vec3& landmark_m) {
   const ObserverView view = observer.view(0.064);
-  const Vec3 away_m = landmark_m - view.eyes[2].observation.r_m;
+  const Vec3 away_m = landmark_m - view.middle.observation.r_m;
   const Displacement light{-glm::length(away_m) / kLightSpeed_m_s, away_m};
   return glm::normalize((view.headFromBoard * light).dr_m);
 }

@@ -109,10 +109,10 @@ OperatorSettings firstSettings(const Stage& stage, const CaveOptions& options, c
   settings.views = before.last->views;
   settings.views.frozen = 0;
   settings.lightSpeed_m_s = before.last->lightSpeed_m_s;
-  const auto& eyes = before.last->observer.eyes;
+  const ObserverView& observer = before.last->observer;
   // To a tenth of a micrometre: as it was set, not as rounding left it.
   settings.eyeSeparation_m =
-      std::round(glm::distance(eyes[0].positionInRoom_m, eyes[1].positionInRoom_m) * 1e7) / 1e7;
+      std::round(glm::distance(observer.left.positionInRoom_m, observer.right.positionInRoom_m) * 1e7) / 1e7;
   return settings;
 }
 
@@ -224,7 +224,7 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions&
     return true;
   }
   inputs.scenario = {file, {}};
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (!play) return;
     windows.play(stage);
     std::optional<std::filesystem::path> session;
@@ -254,7 +254,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   StageOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
                       options.noWindow,  options.frames.has_value(), options.outside};
   Before before;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() > 0 || !options.session) return;
     if (!options.resume && std::filesystem::exists(*options.session)) {
       throw std::runtime_error(fmt::format(
@@ -273,7 +273,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
       openWindows(cluster, stage, options.diagram && visible, options.console && visible, KeysOf::session);
   if (windows.console) windows.console->writeTo(options.session);
   std::unique_ptr<LivePlay> play;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) play = playOf(stage, options, inputs, before);
   });
   if (play) announce(stage, cluster, options);

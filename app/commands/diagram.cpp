@@ -37,7 +37,7 @@ DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<
   DiagramSubject subject = subjectOf(scenario);
   World world{startingHistories(scenario), {}};
   for (FrameState state; session.next(state);) {
-    const Event& here = state.record.observer.eyes[2].observation;
+    const Event& here = state.record.observer.middle.observation;
     if (until_s && here.t_s > *until_s) break;
     session.apply(state, world);
     subject.mine.push_back(here);

@@ -59,7 +59,7 @@ Subject recorded(const std::filesystem::path& file, const std::optional<double>&
   for (FrameState state; session.next(state);) {
     session.apply(state, world);
     const ObserverView& observer = state.record.observer;
-    subject.head.push_back({state.record.number, observer.eyes[2].observation, observer.properTime_s});
+    subject.head.push_back({state.record.number, observer.middle.observation, observer.properTime_s});
   }
   if (subject.head.empty())
     throw std::runtime_error(fmt::format("session file {}: it ended before its first frame", file.string()));

@@ -113,7 +113,7 @@ void eachFrameOf(const std::filesystem::path& observer, const Recorded& recorded
 /// The head of a frame as `carom observe` would be told of it.
 struct Observation {
   explicit Observation(const ObserverView& observer)
-      : event(observer.eyes[2].observation),
+      : event(observer.middle.observation),
         beta(betaFromU(observer.headFromBoard.inverse().u())),
         headFromBoard(Lorentz::boost(uFromBeta(beta), observer.headFromBoard.lightSpeed_m_s()).inverse()) {}
 

@@ -29,7 +29,7 @@ struct Patterns {
 
 Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
   Patterns patterns;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (isForeignRoom(options.rig)) {
       throw std::runtime_error(fmt::format(
           "{}: --pattern takes a rig, expected one that `carom import` made of this", options.rig.string()));
@@ -39,7 +39,7 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
   });
   agreeOnRig(cluster, {options.rig, {}}, patterns.rig);
   cluster.nameNodes(patterns.rig.walls);
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     const Rig& rig = patterns.rig;
     patterns.graphics = std::make_unique<Graphics>(displayOf(rig, cluster.rank()));
     const double anyLightSpeed_m_s = 1.0;

@@ -81,7 +81,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   inputs.noWindow = inputs.simulated = options.noWindow;
   inputs.live = isVisit(options) && !options.observer;
   inputs.outside = options.outside;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
   shareInputs(cluster, inputs);
@@ -90,7 +90,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   OperatorWindows windows =
       openWindows(cluster, stage, options.diagram && visible, options.console && visible, KeysOf::replay);
   Frames frames;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
     frames = framesOf(options, stage, *session);
     if (visible) sayKeys(KeysOf::replay);

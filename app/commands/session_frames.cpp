@@ -11,7 +11,7 @@ void OperatorWindows::play(const Stage& stage) {
 
 OperatorWindows openWindows(Cluster& cluster, Stage& stage, bool diagram, bool console, KeysOf keys) {
   OperatorWindows windows;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
     if (diagram) windows.diagram = std::make_unique<DiagramWindow>(*stage.graphics, stage.scenario);
     if (!console) return;

@@ -50,7 +50,7 @@ Console::Console(Graphics& graphics, const Rig& rig, const Cluster& cluster, Key
       effects_(keys),
       diagram_(scenario) {
   window_.listen(kText_px, kHeading_px);
-  dress();
+  setStyle();
   play(scenario, scene);
 }
 

@@ -46,7 +46,7 @@ void EventsPanel::follow(const World& world) {
 
 /// What has happened by now: by the board's clocks or in the person's own frame.
 void EventsPanel::find(const FrameRecord& record) {
-  const Event& here = record.observer.eyes[2].observation;
+  const Event& here = record.observer.middle.observation;
   rows_.clear();
   for (const GameEvent& event : events_) {
     const Displacement ago = event.at - here;

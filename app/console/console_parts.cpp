@@ -13,7 +13,7 @@ ImVec4 shade(float grey) { return {0.92F * grey, 0.97F * grey, 1.08F * grey, 1.0
 
 }  // namespace
 
-void dress() {
+void setStyle() {
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowPadding = {12.0F, 10.0F};
   style.FramePadding = {8.0F, 3.0F};

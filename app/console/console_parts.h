@@ -35,8 +35,8 @@ inline const ImVec4 kBright{0.92F, 0.93F, 0.95F, 1.0F}, kDim{0.60F, 0.64F, 0.70F
 inline const ImVec4 kGood{0.36F, 0.76F, 0.47F, 1.0F}, kFair{0.93F, 0.76F, 0.33F, 1.0F},
     kBad{0.93F, 0.38F, 0.31F, 1.0F};
 
-/// The style of the window whose Gui is current.
-void dress();
+/// Sets the style of the window whose Gui is current.
+void setStyle();
 
 /// A heading over what follows.
 void heading(const char* words);

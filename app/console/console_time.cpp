@@ -42,7 +42,7 @@ void drawClocks(const ConsoleFrame& frame) {
   const double person = glm::length(betaFromU(record.observer.headFromBoard.inverse().u()));
   clock("session", shown(record.display_s), "Since the session began, by the clock on the wall.");
   clock("person", shown(record.observer.properTime_s), "What the person's own clock shows.");
-  clock("board", shown(record.observer.eyes[2].observation.t_s),
+  clock("board", shown(record.observer.middle.observation.t_s),
         "What the board's clocks show where the person is. It runs ahead of the person's as they move.");
   clock("platform", platform < 1e-9 ? "at rest" : fmt::format("{:.3f} c", platform),
         "How fast the room moves on the board.");

@@ -63,7 +63,7 @@ void WallsPanel::prepare(const ConsoleFrame& frame) {
   if (!copies_) {
     copies_ =
         std::make_unique<DisplayWalls>(graphics_, *scene_, lightSpeed_m_s_, absent_, std::nullopt, false);
-    copies_->standIn(room_);
+    copies_->setRoom(room_);
   }
   copies_->draw(frame.record, frame.world);
   graphics_.finishDrawing();

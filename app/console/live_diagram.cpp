@@ -142,7 +142,7 @@ void LiveDiagram::play(const Scenario& scenario) {
 }
 
 void LiveDiagram::follow(const FrameRecord& record) {
-  const Event& here = record.observer.eyes[2].observation;
+  const Event& here = record.observer.middle.observation;
   std::vector<Event>& mine = subject_.mine;
   if (!mine.empty() && here.t_s < mine.back().t_s) mine.clear();  // a recording that was gone back in
   if (!mine.empty() && here.t_s == mine.back().t_s) return;
@@ -151,7 +151,7 @@ void LiveDiagram::follow(const FrameRecord& record) {
 }
 
 void LiveDiagram::make(const FrameRecord& record, const World& world) {
-  const Event& here = record.observer.eyes[2].observation;
+  const Event& here = record.observer.middle.observation;
   if (subject_.mine.empty() || here.t_s - subject_.mine.front().t_s < kLeastWay_s) return;
   subject_.beta = betaFromU(record.observer.headFromBoard.inverse().u());
   subject_.lines.assign(world.histories.begin() + 1, world.histories.end());

@@ -41,7 +41,7 @@ double toCloth_m(const HandRay& ray, const EyeView& head, const Lorentz& boardFr
 }  // namespace
 
 Vec3 RayPicking::seenInRoom_m(const WorldLine& body, const Sight& sight) {
-  const EyeView& eye = sight.observer.eyes[sight.eye];
+  const EyeView& eye = sight.observer.of(sight.eye);
   const Lorentz& headFromBoard = sight.observer.headFromBoard;
   viewBody(body, eye.observation, headFromBoard, view_, sight.switches);
   const auto centre = kernel::solveEmission(view_.legs.data(), static_cast<int>(view_.legs.size()), Vec3(0.0),
@@ -55,7 +55,7 @@ PickResult RayPicking::at(const HandRay& ray, std::span<const WorldLine> pucks, 
                           const Lorentz& boardFromRoom) {
   PickResult pointed;
   double best = std::numeric_limits<double>::infinity();
-  double length_m = std::min(toCloth_m(ray, sight.observer.eyes[2], boardFromRoom), kLongest_m);
+  double length_m = std::min(toCloth_m(ray, sight.observer.middle, boardFromRoom), kLongest_m);
   for (std::size_t puck = 0; puck < pucks.size(); ++puck) {
     const Passing by = passing(ray, seenInRoom_m(pucks[puck], sight), pucks[puck].radius_m());
     pointed.behind = pointed.behind || rankOf({-by.along_m, by.missedBy_m});

@@ -33,11 +33,11 @@ class RayPicking {
   /// Where it meets nothing, a ray ends in the air, farther away than a table is long.
   static constexpr double kLongest_m = 5.0;
 
-  /// The sight of a frame: the eye by which is aimed (an index into `observer.eyes`), and what is switched
+  /// The sight of a frame: the eye by which is aimed, and what is switched
   /// off.
   struct Sight {
     const ObserverView& observer;
-    std::size_t eye;
+    Eye eye;
     const Switches& switches;
   };
 

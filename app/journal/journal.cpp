@@ -261,7 +261,7 @@ class Tables {
       bytes_.clear();
       for (const GameEvent& event : brought) bytes_.push_back(stored(event));
       const FrameRecord& record = row.record;
-      const Event& middle = record.observer.eyes[2].observation;
+      const Event& middle = record.observer.middle.observation;
       put(frame, static_cast<std::int64_t>(record.number), record.display_s, record.observer.properTime_s,
           middle.t_s, middle.r_m, toString(row.known), row.celerity_m_s, bitsOf(record.switches),
           bitsOf(record.views), record.truncateFrom_s, BytesOf{record}, std::span<const StoredEvent>(bytes_));

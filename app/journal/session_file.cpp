@@ -118,7 +118,7 @@ void expectPossible(const char* frame, const Lorentz& transform, double gameLigh
 
 void expectPossible(const ObserverView& observer, double gameLightSpeed_m_s) {
   expectPossible("the head's frame", observer.headFromBoard, gameLightSpeed_m_s);
-  for (const EyeView& eye : observer.eyes) {
+  for (const EyeView& eye : observer.all()) {
     expectFinite("an eye's event", eye.observation);
     expectFinite("an eye's place in the room", eye.positionInRoom_m);
     expectFinite("the place that an eye sees from", eye.seenFromInRoom_m);

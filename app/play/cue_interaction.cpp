@@ -11,9 +11,9 @@
 namespace carom {
 
 Event handEvent(const Vec3& handInRoom_m, const ObserverView& observer, const Lorentz& boardFromRoom) {
-  const EyeView& head = observer.eyes[2];
+  const EyeView& head = observer.middle;
   Event hand = head.observation + boardFromRoom * Displacement{0.0, handInRoom_m - head.seenFromInRoom_m};
-  for (const EyeView& eye : observer.eyes) {
+  for (const EyeView& eye : observer.all()) {
     const double light_s = glm::distance(hand.r_m, eye.observation.r_m) / boardFromRoom.lightSpeed_m_s();
     hand.t_s = std::max(hand.t_s, eye.observation.t_s - light_s);
   }

@@ -9,7 +9,7 @@
 
 namespace carom {
 double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer) {
-  Event eye = observer.eyes.back().observation;
+  Event eye = observer.middle.observation;
   eye.t_s -= kEyesMayRunBack_m / observer.headFromBoard.lightSpeed_m_s();
   double before_s = eye.t_s;
   BodyView view;
@@ -25,8 +25,8 @@ double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView
 }
 
 double latestObservation_s(const ObserverView& observer) {
-  double latest_s = observer.eyes.front().observation.t_s;
-  for (const EyeView& eye : observer.eyes) latest_s = std::max(latest_s, eye.observation.t_s);
+  double latest_s = observer.left.observation.t_s;
+  for (const EyeView& eye : observer.all()) latest_s = std::max(latest_s, eye.observation.t_s);
   return latest_s;
 }
 
@@ -51,7 +51,7 @@ Event Game::strike(const Stroke& stroke) {
 
 void Game::playToNowOf(const ObserverView& observer) {
   constexpr double kNear_s = 1e-6;  // some micrometres of way
-  const Event& head = observer.eyes[2].observation;
+  const Event& head = observer.middle.observation;
   const Vec3 beta_s_m =
       betaFromU(observer.headFromBoard.inverse().u()) / observer.headFromBoard.lightSpeed_m_s();
   for (std::size_t puck = 0; puck < billiard_.worldLines().size(); ++puck) {

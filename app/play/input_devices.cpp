@@ -21,7 +21,7 @@ enum SpaceMouseButton { kLeftBrakes, kRightGoesHome };
 /// Where a ray meets the cloth's plane, as high in the room as the board is for the middle of the eyes.
 std::optional<Vec3> onCloth(const Vec3& from_m, const Vec3& along, const ObserverView& observer,
                             const Vec3& up) {
-  const EyeView& middle = observer.eyes[2];
+  const EyeView& middle = observer.middle;
   const double above_m = glm::dot(from_m - middle.positionInRoom_m, up) + middle.observation.r_m.z;
   const double falls = -glm::dot(along, up);
   const double far_m = above_m / falls;
@@ -86,7 +86,7 @@ InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double 
   hand.used_s = mouseUsed_s_;
   if (!hand.there) return hand;
   hand.eye = mouseWas_->eye;
-  hand.from_m = observer.eyes[hand.eye].positionInRoom_m;
+  hand.from_m = observer.of(hand.eye).positionInRoom_m;
   hand.along = glm::normalize(mouseWas_->onWall_m - hand.from_m);
   mouseAt_m_ = onCloth(hand.from_m, hand.along, observer, axes_.up).value_or(mouseAt_m_);
   hand.at_m = mouseAt_m_;
@@ -99,7 +99,7 @@ InputDevices::Hand InputDevices::padHand(const ObserverView& observer, const Pos
   Hand hand;
   hand.there = desk_.hasPad;
   hand.held = desk_.padHeld;
-  hand.from_m = observer.eyes[2].positionInRoom_m;
+  hand.from_m = observer.middle.positionInRoom_m;
   hand.along = roomFromHead.orientation * axes_.forward;
   const Vec3 forward = level(hand.along);
   hand.at_m = kPadPull_m * (desk_.padPull.x * glm::cross(forward, axes_.up) - desk_.padPull.y * forward);

@@ -63,7 +63,7 @@ class InputDevices {
     bool there = false;  ///< it has a place to point from
     bool held = false;
     Vec3 from_m{0.0}, along{0.0};
-    std::size_t eye = 2;
+    Eye eye = Eye::middle;
     Vec3 at_m{0.0};  ///< a pull is the way that this went since the button was pressed
     double used_s = kNever_s;
   };

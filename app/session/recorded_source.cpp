@@ -18,7 +18,7 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart)
   for (FrameState frame; session.next(frame);) {
     session.apply(frame, game.world);
     game.pucks = game.news.record.pucks = frame.record.pucks;
-    for (const EyeView& eye : frame.record.observer.eyes) {
+    for (const EyeView& eye : frame.record.observer.all()) {
       game.known_s = std::max(game.known_s, eye.observation.t_s);
     }
   }

@@ -55,7 +55,7 @@ VisitorSource::VisitorSource(const Rig& rig, const Scenario& scenario, const Vis
       game_(std::move(game)) {}
 
 double VisitorSource::roomTimeOf_s(const ObserverView& view) const {
-  return (roomFromBoard_ * (view.eyes[2].observation - origin_)).dt_s;
+  return (roomFromBoard_ * (view.middle.observation - origin_)).dt_s;
 }
 
 /// Of no point of a puck is a later board time seen. In the puck's rest frame a point within R of the centre
@@ -64,7 +64,7 @@ double VisitorSource::latestSeen_s(const ObserverView& view) const {
   double latest_s = 0.0;
   for (std::size_t puck = 1; puck <= game_.pucks; ++puck) {
     const WorldLine& line = game_.world.histories[puck];
-    const Motion centre = centreSeen(line, view.eyes[2].observation);
+    const Motion centre = centreSeen(line, view.middle.observation);
     const double u = glm::length(centre.u), gamma = std::hypot(1.0, u);
     latest_s = std::max(latest_s, centre.event.t_s + (gamma + u) * line.radius_m() / line.lightSpeed_m_s());
   }

@@ -23,7 +23,7 @@ std::string messageOf(const Cluster& cluster, const std::exception& error) {
 
 }  // namespace
 
-void together(const Cluster& cluster, const std::function<void()>& step) {
+void onAllRanks(const Cluster& cluster, const std::function<void()>& step) {
   std::string message;
   try {
     step();

@@ -12,7 +12,7 @@ struct RankFailed {};
 
 /// Runs `step` on every rank; if it fails on any, the lowest such rank says why and RankFailed is thrown
 /// everywhere.
-void together(const Cluster& cluster, const std::function<void()>& step);
+void onAllRanks(const Cluster& cluster, const std::function<void()>& step);
 
 /// Runs a whole session on this rank, which leaves by itself once all is well (Cluster::leave) or comes back:
 /// its exit status is 0 then, or 1 after a message on standard error.

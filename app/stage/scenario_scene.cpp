@@ -8,6 +8,7 @@
 #include "app/files/toml_file.h"
 #include "cave/frame/bodies.h"
 #include "cave/mesh/mesh_file.h"
+#include "cave/scene/scene_builder.h"
 
 namespace carom {
 

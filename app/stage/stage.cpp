@@ -123,7 +123,7 @@ std::vector<ScenePart> plainTable(const Scenario& scenario) {
 
 Stage openStage(Cluster& cluster, const StageOptions& options) {
   Stage stage;
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     const auto& [rig, rigKept] = options.rig;
     const auto& [scenario, scenarioKept] = options.scenario;
     stage.rig = rigKept ? readRig(rig, *rigKept) : readRig(rig);
@@ -134,15 +134,15 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
   });
   agreeOnInputs(cluster, options, stage.rig, stage.scenario);
   cluster.nameNodes(stage.rig.walls);
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     stage.graphics = std::make_unique<Graphics>(displayOf(stage.rig, cluster.rank()));
     stage.tessellation = tessellationFor(stage.rig, stage.graphics->rendererName());
     stage.scene = sceneOf(stage.scenario, stage.tessellation);
     stage.walls = std::make_unique<DisplayWalls>(
         *stage.graphics, stage.scene, stage.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(stage.rig.walls), stage.rig.oneWindow, !options.noWindow);
-    stage.walls->standIn(roomGeometryOf(stage.rig));
-    stage.walls->teach(lessonWords(stage.scenario));
+    stage.walls->setRoom(roomGeometryOf(stage.rig));
+    stage.walls->setLesson(lessonWords(stage.scenario));
     if (options.outside && cluster.rank() == 0) {
       stage.outside = std::make_unique<SpectatorView>(*stage.graphics, roomGeometryOf(stage.rig), stage.scene,
                                                       plainTable(stage.scenario), !options.noWindow);
@@ -150,7 +150,7 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
   });
   stage.realTime = !options.simulated ||
                    (options.live && isDevice(stage.rig.trackers[stage.rig.head.sensor.tracker].kind));
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     stage.recording =
         std::make_unique<Recording>(*stage.graphics, options.recording, cluster, stage.rig, stage.realTime);
   });
@@ -169,7 +169,7 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
 bool playNext(Cluster& cluster, Stage& stage, const std::filesystem::path& file) {
   Scenario next;
   try {
-    together(cluster, [&] {
+    onAllRanks(cluster, [&] {
       next = readScenario(file);
       openMeshes(next);
     });
@@ -181,11 +181,11 @@ bool playNext(Cluster& cluster, Stage& stage, const std::filesystem::path& file)
     return false;
   }
   stage.scenario = std::move(next);
-  together(cluster, [&] {
+  onAllRanks(cluster, [&] {
     stage.scene = sceneOf(stage.scenario, stage.tessellation);
-    stage.walls->play(stage.scene, stage.scenario.billiard.lightSpeed_m_s);
-    stage.walls->teach(lessonWords(stage.scenario));
-    if (stage.outside) stage.outside->play(stage.scene, plainTable(stage.scenario));
+    stage.walls->setScene(stage.scene, stage.scenario.billiard.lightSpeed_m_s);
+    stage.walls->setLesson(lessonWords(stage.scenario));
+    if (stage.outside) stage.outside->setScene(stage.scene, plainTable(stage.scenario));
   });
   stage.world = {historiesAtStart(stage), {}};
   return true;

@@ -9,7 +9,7 @@ Observer startOf(const Rig& rig, const Scenario& scenario, const Head& head,
                  const std::optional<FrameRecord>& before) {
   if (before) {
     const ObserverView& last = before->observer;
-    return Observer::at(last.eyes[2].observation, last.properTime_s, before->boardFromRoom, head);
+    return Observer::at(last.middle.observation, last.properTime_s, before->boardFromRoom, head);
   }
   const Lorentz room = startingRoom(scenario.observer, rig.axes, scenario.billiard.lightSpeed_m_s);
   return Observer(room, {0.0, scenario.observer.position_m}, head);

@@ -46,7 +46,7 @@ Heard heardOf(const GameEvent& event, const Event& eye, const Lorentz& headFromB
 void heardBetween(const ObserverView& before, const ObserverView& now, const Switches& switches,
                   const std::vector<GameEvent>& events, std::vector<Heard>& heard) {
   heard.clear();
-  const Event &was = before.eyes[2].observation, &is = now.eyes[2].observation;
+  const Event &was = before.middle.observation, &is = now.middle.observation;
   if (!(is.t_s > was.t_s && is.t_s - was.t_s < kLeap_s)) return;
   const double c_m_s = now.headFromBoard.lightSpeed_m_s();
   const bool retarded = switches.retardation != 0;

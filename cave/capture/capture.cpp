@@ -1,21 +1,10 @@
 #include "cave/capture/capture.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
-#include <string_view>
-#include <system_error>
 #include <thread>
 
 #include <fmt/format.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtk_glew.h>
 
 #include "cave/projection/stereo.h"
 
@@ -29,59 +18,11 @@ constexpr std::size_t kMostWaiting = 8;            // frames of them
 /// Half of the processors: the others draw.
 unsigned encoders() { return std::clamp(std::thread::hardware_concurrency() / 2, 1U, 8U); }
 
-/// Writes beside the file and renames: the file appears whole or not at all. Several threads may write the
-/// same one.
-void writeWhole(const std::filesystem::path& path, std::string_view bytes) {
-  static std::atomic<std::uint64_t> writings = 0;
-  std::filesystem::path partial = path;
-  partial += fmt::format(".{}.partial", ++writings);
-  std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code failure;
-  if (file) std::filesystem::rename(partial, path, failure);
-  if (!file || failure) {
-    const std::string reason = failure ? failure.message() : std::strerror(errno);
-    std::filesystem::remove(partial, failure);
-    throw std::runtime_error(fmt::format("picture \"{}\" cannot be written: {}", path.string(), reason));
-  }
-}
-
 }  // namespace
-
-Image readBack(const RenderTarget& picture) {
-  Image image;
-  image.size_px = picture.size_px();
-  image.rgb.resize(3 * static_cast<std::size_t>(image.size_px.x) * static_cast<std::size_t>(image.size_px.y));
-  GLint readBefore = 0;
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, image.size_px.x, image.size_px.y, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
-  return image;
-}
 
 std::filesystem::path capturePath(const std::filesystem::path& directory, const std::string& wall, Eye eye,
                                   std::uint64_t frame) {
   return directory / fmt::format("{}-{}-{:06}.png", wall, nameOf(eye), frame);
-}
-
-void writePng(const Image& image, const std::filesystem::path& path) {
-  vtkNew<vtkImageData> pixels;
-  pixels->SetDimensions(image.size_px.x, image.size_px.y, 1);
-  pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::copy(image.rgb.begin(), image.rgb.end(), static_cast<std::uint8_t*>(pixels->GetScalarPointer()));
-
-  vtkNew<vtkPNGWriter> encoder;
-  encoder->SetInputData(pixels);
-  encoder->SetCompressionLevel(3);
-  encoder->WriteToMemoryOn();
-  encoder->Write();
-  vtkUnsignedCharArray* png = encoder->GetResult();
-  writeWhole(path, {reinterpret_cast<const char*>(png->GetPointer(0)),
-                    static_cast<std::size_t>(png->GetNumberOfValues())});
 }
 
 Capture::Capture(std::filesystem::path directory, WhenFull whenFull)

@@ -13,6 +13,7 @@
 #include <glm/vec2.hpp>
 
 #include "cave/capture/work_queue.h"
+#include "cave/gl/image.h"
 #include "cave/gl/picture.h"
 #include "cave/gl/picture_reader.h"
 #include "cave/process/termination.h"
@@ -20,21 +21,9 @@
 
 namespace carom {
 
-/// Pixels in memory, RGB, rows from the bottom up.
-struct Image {
-  glm::ivec2 size_px{0};
-  std::vector<std::uint8_t> rgb;
-};
-
-/// Reads a picture back; waits for its drawing. The drawing context must be current.
-Image readBack(const RenderTarget& picture);
-
 /// `directory`/WALL-EYE-FRAME.png, the frame as six digits.
 std::filesystem::path capturePath(const std::filesystem::path& directory, const std::string& wall, Eye eye,
                                   std::uint64_t frame);
-
-/// Writes a PNG that appears whole or not at all. Throws std::runtime_error naming the file.
-void writePng(const Image& image, const std::filesystem::path& path);
 
 /// What a full queue means for the next frame.
 enum class WhenFull {
@@ -52,7 +41,7 @@ class Capture {
   struct Taken {
     const RenderTarget* picture = nullptr;
     const std::string* wall = nullptr;
-    Eye eye = Eye::mono;
+    Eye eye = Eye::middle;
   };
   /// One more picture for the next `take`, which may not be drawn into until then.
   void include(const Taken& picture) { frame_.push_back(picture); }

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/picture.h"
 #include "cave/room/wall.h"
 
@@ -18,17 +19,14 @@ class AlignmentPattern {
 
   /// Made and destroyed with the drawing context current.
   AlignmentPattern();
-  ~AlignmentPattern();
-  AlignmentPattern(const AlignmentPattern&) = delete;
-  AlignmentPattern& operator=(const AlignmentPattern&) = delete;
 
   /// The planes x = k·kPeriod_m + kSpeed_m_s·time_s in red, those of y in green, of z in blue. Leaves the
   /// drawing context's state as it was.
   void draw(const Wall& wall, double time_s, RenderTarget& picture) const;
 
  private:
-  unsigned program_ = 0;
-  unsigned vertexArray_ = 0;
+  GlProgram program_;
+  GlVertexArray vertexArray_;
 };
 
 }  // namespace carom

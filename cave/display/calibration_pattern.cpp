@@ -118,7 +118,7 @@ void drawColourBars(Canvas& canvas) {
 }
 
 void drawEyeBar(Canvas& canvas, Eye eye) {
-  if (eye == Eye::mono) return;
+  if (eye == Eye::middle) return;
   const double left = eye == Eye::left ? Layout::kEyeBar : 1.0 - Layout::kEyeBar - Layout::kEyeBarWidth;
   fillShare(canvas, {left, Layout::kEyeBarRows.x}, {left + Layout::kEyeBarWidth, Layout::kEyeBarRows.y},
             eye == Eye::left ? kLeftColour : kRightColour);

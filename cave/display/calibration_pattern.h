@@ -4,7 +4,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "cave/capture/capture.h"
+#include "cave/gl/image.h"
 #include "cave/room/wall.h"
 
 namespace carom {

@@ -7,6 +7,15 @@
 #include "cave/projection/stereo.h"
 
 namespace carom {
+namespace {
+
+/// Returns the eye that sees what `eye` should when an operator has swapped the eyes.
+Eye otherOf(Eye eye) {
+  if (eye == Eye::middle) return eye;
+  return eye == Eye::left ? Eye::right : Eye::left;
+}
+
+}  // namespace
 
 DisplayWalls::DisplayWalls(Graphics& graphics, const Scene& scene, double lightSpeed_m_s,
                            std::vector<Wall> walls, const std::optional<WindowPlacement>& oneWindow,
@@ -57,12 +66,12 @@ void DisplayWalls::openWindows(const std::optional<WindowPlacement>& oneWindow) 
 }
 
 void DisplayWalls::drawSession(const FrameRecord& record, const World& world, const ObserverView& observer) {
-  for (const Eye eye : {Eye::left, Eye::right, Eye::mono}) {
+  for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {
     pictured_.clear();
     for (WallEye& wallEye : wallEyes_) {
       if (wallEye.eye == eye) pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next()});
     }
-    session_->draw(record, world, observer, observer.eyes[static_cast<std::size_t>(eye)], pictured_);
+    session_->draw(record, world, observer, observer.of(eye), pictured_);
   }
 }
 
@@ -74,7 +83,7 @@ void DisplayWalls::draw(const FrameRecord& record, const World& world) {
   calibrationPatterns_.reset();
   if (controls.shown == Shown::session && !blank_) {
     ObserverView observer = record.observer;
-    if (controls.eyesSwapped) std::swap(observer.eyes[0], observer.eyes[1]);
+    if (controls.eyesSwapped) std::swap(observer.left, observer.right);
     drawSession(record, world, observer);
     return drawAids(record, observer);
   }
@@ -89,11 +98,11 @@ void DisplayWalls::draw(const FrameRecord& record, const World& world) {
   }
 }
 
-void DisplayWalls::play(const Scene& scene, double lightSpeed_m_s) {
+void DisplayWalls::setScene(const Scene& scene, double lightSpeed_m_s) {
   session_ = std::make_unique<EyeRenderer>(graphics_, scene, lightSpeed_m_s);
 }
 
-void DisplayWalls::standIn(const RoomGeometry& room) {
+void DisplayWalls::setRoom(const RoomGeometry& room) {
   room_ = room;
   front_ = frontWall(room);
 }
@@ -104,7 +113,7 @@ void DisplayWalls::drawAids(const FrameRecord& record, const ObserverView& obser
   for (WallEye& wallEye : wallEyes_) {
     const Wall& wall = walls_[wallEye.wall];
     const RenderTarget& picture = wallEye.pictures.drawn();
-    const glm::dvec3& eye_m = observer.eyes[static_cast<std::size_t>(wallEye.eye)].positionInRoom_m;
+    const glm::dvec3& eye_m = observer.of(wallEye.eye).positionInRoom_m;
     const bool isFront = front_ && standSame(*front_, wall);
     motion_.draw(room_, wall, eye_m, record, picture);
     if (isFront) words_.draw(wall, picture);
@@ -129,7 +138,7 @@ std::optional<PointedWall> DisplayWalls::pointedAt() const {
     // Who draws back beyond the edge draws on.
     auto pointed = pointedIn(walls_[nearest], paneOf(nearest), *pointer_px, held);
     if (!pointed) continue;
-    if (drawn_.eyesSwapped && pointed->eye < 2) pointed->eye = 1 - pointed->eye;
+    if (drawn_.eyesSwapped) pointed->eye = otherOf(pointed->eye);
     return pointed;
   }
   return std::nullopt;
@@ -152,8 +161,7 @@ void DisplayWalls::drawCalibrationPatterns(bool eyesSwapped) {
   if (calibrationPatterns_ == eyesSwapped) return;
   graphics_.makeCurrent();
   for (WallEye& wallEye : wallEyes_) {
-    Eye eye = wallEye.eye;
-    if (eyesSwapped && eye != Eye::mono) eye = eye == Eye::left ? Eye::right : Eye::left;
+    const Eye eye = eyesSwapped ? otherOf(wallEye.eye) : wallEye.eye;
     const Image pattern = calibrationPattern(walls_[wallEye.wall], eye);
     for (std::size_t i = 0; i <= walls_[wallEye.wall].heldFrames; ++i)
       wallEye.pictures.next().fill(pattern.rgb);

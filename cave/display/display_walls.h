@@ -38,14 +38,14 @@ class DisplayWalls {
   DisplayWalls(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls,
                const std::optional<WindowPlacement>& oneWindow, bool visible);
 
-  /// Another game in the same windows.
-  void play(const Scene& scene, double lightSpeed_m_s);
+  /// Shows another game in the same windows.
+  void setScene(const Scene& scene, double lightSpeed_m_s);
 
-  /// What the aids over the session (cave/overlay/room_overlay.h, cave/overlay/hud_panel.h) know of the room;
-  /// without it, no more than the walls themselves, and no words.
-  void standIn(const RoomGeometry& room);
-  /// What the words say of the game's lesson, from now on; empty: there is none.
-  void teach(const LessonWords& lesson) { words_.teach(lesson); }
+  /// Tells the aids over the session (cave/overlay/room_overlay.h, cave/overlay/hud_panel.h) about the room.
+  /// Without it they know no more than the walls, and there are no words.
+  void setRoom(const RoomGeometry& room);
+  /// Sets what the words say of the game's lesson; an empty one is none.
+  void setLesson(const LessonWords& lesson) { words_.setLesson(lesson); }
 
   /// Draws every wall as both eyes see the bodies, or what the operator has put in their place: a pattern, or
   /// black. `world.histories[i]` is body i of the scene.
@@ -77,7 +77,7 @@ class DisplayWalls {
  private:
   struct WallEye {
     std::size_t wall = 0;
-    Eye eye = Eye::mono;
+    Eye eye = Eye::middle;
     FrameDelay pictures;
   };
   /// A window and the walls in it.

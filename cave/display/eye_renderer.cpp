@@ -95,7 +95,7 @@ Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& reco
   // At one moment for both eyes, that of the point between them: they see one thing. Without retardation the
   // bodies themselves are there.
   if (views.boardNow && switches.retardation) {
-    const Event moment{observer.eyes[2].observation.t_s, eye.observation.r_m};
+    const Event moment{observer.middle.observation.t_s, eye.observation.r_m};
     ghosts.boardNow = view(boardNow_, moment, ViewTime::boardNow, Vec3(0.0));
   }
   if (views.myNow) ghosts.myNow = view(myNow_, eye.observation, ViewTime::myNow, record.boardFromRoom.u());

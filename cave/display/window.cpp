@@ -118,7 +118,7 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
 
 Window::~Window() {
   glfwMakeContextCurrent(window_);
-  if (shown_) glDeleteSync(static_cast<GLsync>(shown_));
+  shown_.reset();
   gui_.reset();
   packer_.reset();
   glfwDestroyWindow(window_);
@@ -127,7 +127,7 @@ Window::~Window() {
 
 void Window::show(std::span<const Pane> panes, const std::function<void()>& over) {
   glfwMakeContextCurrent(window_);
-  if (graphics_.drawn_) glWaitSync(static_cast<GLsync>(graphics_.drawn_), 0, GL_TIMEOUT_IGNORED);
+  if (graphics_.drawn_) glWaitSync(static_cast<GLsync>(graphics_.drawn_.get()), 0, GL_TIMEOUT_IGNORED);
   const glm::ivec2 size = size_px();
   glViewport(0, 0, size.x, size.y);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
@@ -139,8 +139,7 @@ void Window::show(std::span<const Pane> panes, const std::function<void()>& over
     over();
     gui_->end();
   }
-  if (shown_) glDeleteSync(static_cast<GLsync>(shown_));
-  shown_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  shown_ = placeFence();
   glFlush();
 }
 

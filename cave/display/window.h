@@ -13,6 +13,7 @@
 #include <glm/vec2.hpp>
 
 #include "cave/cluster/frame_lock.h"
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/gui.h"
 #include "cave/projection/stereo.h"
@@ -78,7 +79,7 @@ class Window {
   SwapGroupCalls::Drawable drawable_ = 0;
   std::unique_ptr<StereoPacker> packer_;
   std::unique_ptr<Gui> gui_;  // from its first use on
-  void* shown_ = nullptr;     // GLsync: the last frame's drawing in this window
+  GlFence shown_;             // behind the last frame's drawing in this window
 };
 
 }  // namespace carom

@@ -49,7 +49,7 @@ std::uint64_t digestOf(const ObserverView& observer, const Lorentz& boardFromRoo
   Digest digest;
   add(observer.headFromBoard, digest);
   add(boardFromRoom, digest);
-  for (const EyeView& eye : observer.eyes) {
+  for (const EyeView& eye : observer.all()) {
     digest << eye.observation << eye.positionInRoom_m << eye.seenFromInRoom_m;
   }
   digest << observer.properTime_s;

@@ -35,7 +35,7 @@ struct Tracked {
 struct FrameRecord {
   std::uint64_t number = 0;
   double display_s = 0.0;  ///< session clock: when the light of this frame leaves the walls
-  ObserverView observer{Lorentz(1.0), {}, 0.0};
+  ObserverView observer;
   Lorentz boardFromRoom{1.0};  ///< the room's attitude and motion
   /// The pucks, bodies 1 to `pucks`, forget the knots whose turn is at or after this board time, before the
   /// new ones are added.

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <vtk_glew.h>
+#include <glm/gtc/type_ptr.hpp>
 
 namespace carom {
 namespace {
@@ -26,9 +27,9 @@ void compileInto(GLuint program, const std::string& name, GLenum stage, const st
 
 }  // namespace
 
-unsigned makeProgram(const std::string& name, const std::string& vertexText,
-                     const std::string& fragmentText) {
-  const GLuint program = glCreateProgram();
+GlProgram makeProgram(const std::string& name, const std::string& vertexText,
+                      const std::string& fragmentText) {
+  GlProgram program;
   compileInto(program, name, GL_VERTEX_SHADER, vertexText);
   compileInto(program, name, GL_FRAGMENT_SHADER, fragmentText);
   glLinkProgram(program);
@@ -42,11 +43,28 @@ unsigned makeProgram(const std::string& name, const std::string& vertexText,
   return program;
 }
 
-void setAttribute(unsigned program, const char* name, int size, std::size_t stride, std::size_t offset) {
-  const auto location = static_cast<GLuint>(glGetAttribLocation(program, name));
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
+void setUniform(const GlProgram& program, const char* name, int value) {
+  glUniform1i(glGetUniformLocation(program, name), value);
+}
+
+void setUniform(const GlProgram& program, const char* name, float value) {
+  glUniform1f(glGetUniformLocation(program, name), value);
+}
+
+void setUniform(const GlProgram& program, const char* name, const glm::dvec3& value) {
+  glUniform3fv(glGetUniformLocation(program, name), 1, glm::value_ptr(glm::vec3(value)));
+}
+
+void setUniform(const GlProgram& program, const char* name, const glm::vec4& value) {
+  glUniform4fv(glGetUniformLocation(program, name), 1, glm::value_ptr(value));
+}
+
+void setUniform(const GlProgram& program, const char* name, const glm::dmat3& value) {
+  glUniformMatrix3fv(glGetUniformLocation(program, name), 1, GL_FALSE, glm::value_ptr(glm::mat3(value)));
+}
+
+void setUniform(const GlProgram& program, const char* name, const glm::dmat4& value) {
+  glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, glm::value_ptr(glm::mat4(value)));
 }
 
 }  // namespace carom

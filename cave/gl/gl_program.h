@@ -1,16 +1,27 @@
 #pragma once
 // A small OpenGL program from its two texts.
 
-#include <cstddef>
 #include <string>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "cave/gl/gl_objects.h"
 
 namespace carom {
 
 /// Compiles and links in the current context; throws std::runtime_error with the compiler's message.
-unsigned makeProgram(const std::string& name, const std::string& vertexText, const std::string& fragmentText);
+GlProgram makeProgram(const std::string& name, const std::string& vertexText,
+                      const std::string& fragmentText);
 
-/// Of the bound vertex array: the program's input `name` takes `size` floats from the bound buffer, `offset`
-/// bytes into each of its corners, which are `stride` bytes.
-void setAttribute(unsigned program, const char* name, int size, std::size_t stride, std::size_t offset);
+/// Sets the uniform `name` of the program, which is in use; OpenGL takes single precision.
+void setUniform(const GlProgram& program, const char* name, int value);
+void setUniform(const GlProgram& program, const char* name, float value);
+void setUniform(const GlProgram& program, const char* name, const glm::dvec3& value);
+void setUniform(const GlProgram& program, const char* name, const glm::vec4& value);
+void setUniform(const GlProgram& program, const char* name, const glm::dmat3& value);
+void setUniform(const GlProgram& program, const char* name, const glm::dmat4& value);
 
 }  // namespace carom

@@ -38,8 +38,8 @@ void hintContext() {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
 }
 
-void awaitFence(void* sync) {
-  if (sync) glClientWaitSync(static_cast<GLsync>(sync), 0, kLongestDrawing_ns);
+void awaitFence(const GlFence& fence) {
+  if (fence) glClientWaitSync(static_cast<GLsync>(fence.get()), 0, kLongestDrawing_ns);
 }
 
 Graphics::Graphics(const std::string& display) {
@@ -65,7 +65,7 @@ Graphics::Graphics(const std::string& display) {
 
 Graphics::~Graphics() {
   makeCurrent();
-  if (drawn_) glDeleteSync(static_cast<GLsync>(drawn_));
+  drawn_.reset();
   glfwTerminate();
 }
 
@@ -75,8 +75,7 @@ void Graphics::makeCurrent() const {
 
 void Graphics::finishDrawing() {
   makeCurrent();
-  if (drawn_) glDeleteSync(static_cast<GLsync>(drawn_));
-  drawn_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  drawn_ = placeFence();
   glFlush();
 }
 

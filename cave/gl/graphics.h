@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cave/gl/gl_objects.h"
+
 struct GLFWwindow;
 
 namespace carom {
@@ -25,11 +27,10 @@ struct WindowInput {
 };
 
 /// What every window of the process is made with: the hints for a context of OpenGL 3.2, the words for the
-/// last failure of GLFW, and the wait for a fence (GLsync; null is passed at once), bounded in case the card
-/// hangs.
+/// last failure of GLFW, and the wait for a fence (null is passed at once), bounded in case the card hangs.
 void hintContext();
 std::string lastGlfwError();
-void awaitFence(void* fence);
+void awaitFence(const GlFence& fence);
 
 /// GLFW and the hidden window with the drawing context. One per process.
 class Graphics {
@@ -60,7 +61,7 @@ class Graphics {
  private:
   friend class Window;
   GLFWwindow* context_ = nullptr;
-  void* drawn_ = nullptr;  // GLsync: the last frame's drawing
+  GlFence drawn_;  // behind the last frame's drawing
   WindowInput input_;
 };
 

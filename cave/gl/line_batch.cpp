@@ -26,26 +26,11 @@ double pixelsAcross(const glm::dmat4& clip, double half_px) {
 
 }  // namespace
 
-LineBatch::LineBatch() : program_(makeProgram("ribbon", shaders::line_vert, shaders::line_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
-  glGenBuffers(1, &buffer_);
-  GLint arrayBefore = 0, bufferBefore = 0;
-  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &arrayBefore);
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
-  glBindVertexArray(vertexArray_);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  setAttribute(program_, "clip", 4, sizeof(Corner), offsetof(Corner, clip));
-  setAttribute(program_, "corner_px", 2, sizeof(Corner), offsetof(Corner, across_px));
-  setAttribute(program_, "ink", 4, sizeof(Corner), offsetof(Corner, colour));
-  glBindVertexArray(static_cast<GLuint>(arrayBefore));
-  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
-}
-
-LineBatch::~LineBatch() {
-  glDeleteBuffers(1, &buffer_);
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+LineBatch::LineBatch()
+    : program_(makeProgram("ribbon", shaders::line_vert, shaders::line_frag)),
+      stream_(program_, {{"clip", 4, offsetof(Corner, clip)},
+                         {"corner_px", 2, offsetof(Corner, across_px)},
+                         {"ink", 4, offsetof(Corner, colour)}}) {}
 
 /// Two triangles around the line on the picture, each end as wide as its distance makes it.
 void LineBatch::add(const Ribbon& ribbon, const glm::dmat4& clipFromRoom, const glm::dvec2& half_px) {
@@ -78,11 +63,9 @@ void LineBatch::draw(std::span<const Ribbon> ribbons, const glm::dmat4& clipFrom
   corners_.clear();
   for (const Ribbon& ribbon : ribbons) add(ribbon, clipFromRoom, 0.5 * glm::dvec2(size_px));
   if (corners_.empty()) return;
+  stream_.upload(corners_);
   glUseProgram(program_);
-  glBindVertexArray(vertexArray_);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(Corner)), corners_.data(),
-               GL_STREAM_DRAW);
+  stream_.bind();
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
 }
 

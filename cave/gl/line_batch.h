@@ -10,6 +10,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "cave/gl/gl_objects.h"
+
 namespace carom {
 
 struct Ribbon {
@@ -22,9 +24,6 @@ class LineBatch {
  public:
   /// Made and destroyed with the drawing context current.
   LineBatch();
-  ~LineBatch();
-  LineBatch(const LineBatch&) = delete;
-  LineBatch& operator=(const LineBatch&) = delete;
 
   /// Draws them in their order, into a picture of this size. Within a GlStateGuard, after blendOver; the depth
   /// is theirs where the depth test is on. What is behind the eye is left out.
@@ -38,7 +37,8 @@ class LineBatch {
   };
   void add(const Ribbon& ribbon, const glm::dmat4& clipFromRoom, const glm::dvec2& half_px);
 
-  unsigned program_ = 0, vertexArray_ = 0, buffer_ = 0;
+  GlProgram program_;
+  VertexStream<Corner> stream_;
   std::vector<Corner> corners_;
 };
 

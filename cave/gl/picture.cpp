@@ -15,7 +15,6 @@ RenderTarget::RenderTarget(const glm::ivec2& size_px) : size_px_(size_px) {
     throw std::runtime_error(fmt::format("a wall picture of {} x {} pixels cannot be drawn here; 1 to {} can",
                                          size_px.x, size_px.y, limit_px));
   }
-  glGenTextures(1, &texture_);
   glBindTexture(GL_TEXTURE_2D, texture_);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -24,7 +23,6 @@ RenderTarget::RenderTarget(const glm::ivec2& size_px) : size_px_(size_px) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glBindTexture(GL_TEXTURE_2D, 0);
 
-  glGenFramebuffers(1, &framebuffer_);
   GLint drawBefore = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBefore);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
@@ -55,11 +53,6 @@ void RenderTarget::fill(std::span<const std::uint8_t> rgb) {
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_px_.x, size_px_.y, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(textureBefore));
   glPixelStorei(GL_UNPACK_ALIGNMENT, alignmentBefore);
-}
-
-RenderTarget::~RenderTarget() {
-  glDeleteFramebuffers(1, &framebuffer_);
-  glDeleteTextures(1, &texture_);
 }
 
 }  // namespace carom

@@ -6,6 +6,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "cave/gl/gl_objects.h"
+
 namespace carom {
 
 /// An 8-bit RGBA texture, sRGB encoded, rows from the bottom up, with a framebuffer to draw into it. Made and
@@ -14,9 +16,6 @@ namespace carom {
 class RenderTarget {
  public:
   explicit RenderTarget(const glm::ivec2& size_px);
-  ~RenderTarget();
-  RenderTarget(const RenderTarget&) = delete;
-  RenderTarget& operator=(const RenderTarget&) = delete;
 
   void clear();  ///< to black
   /// Holds these pixels from now on: RGB, rows from the bottom up, as many as the picture has.
@@ -28,8 +27,8 @@ class RenderTarget {
 
  private:
   glm::ivec2 size_px_;
-  unsigned texture_ = 0;
-  unsigned framebuffer_ = 0;
+  GlTexture texture_;
+  GlFramebuffer framebuffer_;
 };
 
 }  // namespace carom

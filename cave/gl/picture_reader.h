@@ -11,6 +11,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/picture.h"
 
 namespace carom {
@@ -18,11 +19,6 @@ namespace carom {
 /// Use with the drawing context current.
 class PictureReader {
  public:
-  PictureReader() = default;
-  ~PictureReader();
-  PictureReader(const PictureReader&) = delete;
-  PictureReader& operator=(const PictureReader&) = delete;
-
   /// Asks for the picture as it is drawn so far. `view`: which of a frame's pictures it is; where its size
   /// changes, what was kept for the old one goes.
   void ask(const RenderTarget& picture, std::size_t view);
@@ -39,11 +35,11 @@ class PictureReader {
  private:
   struct Asked {
     std::size_t view = 0;
-    unsigned buffer = 0;
-    void* arrived = nullptr;  // GLsync
+    GlBuffer buffer;
+    GlFence arrived;
     glm::ivec2 size_px{0};
   };
-  unsigned bufferFor(std::size_t view, const glm::ivec2& size_px);
+  GlBuffer bufferFor(std::size_t view, const glm::ivec2& size_px);
 
   std::deque<Asked> asked_;
   std::vector<Asked> spare_;  // buffers that can be used again

@@ -195,7 +195,7 @@ void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dve
   if (!hand.shown) return;
   const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
   if (!clip) return;
-  const glm::dvec3& eyes_m = record.observer.eyes[2].positionInRoom_m;
+  const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
   marks_.clear();
   const FacingPlane target = facing(hand.target_m, eyes_m, room);
   if (hand.pulling && hand.towards != glm::dvec3(0.0)) addCue(hand);

@@ -196,16 +196,7 @@ void describe(const FrameRecord& record, const LessonWords& lesson, std::vector<
   if (record.controls.trackerCross) lines.add({}, "of the two bars the right one is nearer");
 }
 
-HudPanel::HudPanel() : program_(makeProgram("words", shaders::stereo_vert, shaders::words_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
-  glGenTextures(1, &texture_);
-}
-
-HudPanel::~HudPanel() {
-  glDeleteTextures(1, &texture_);
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+HudPanel::HudPanel() : program_(makeProgram("words", shaders::stereo_vert, shaders::words_frag)) {}
 
 void HudPanel::set(const std::vector<HudLine>& lines) {
   if (lines.size() != lines_.size()) written_ = false;
@@ -218,7 +209,7 @@ void HudPanel::set(const std::vector<HudLine>& lines) {
   }
 }
 
-void HudPanel::teach(const LessonWords& lesson) {
+void HudPanel::setLesson(const LessonWords& lesson) {
   lesson_ = lesson;
   tenths_s_ = -1;
 }

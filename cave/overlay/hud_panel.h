@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/frame/frame_state.h"
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/picture.h"
 #include "cave/room/room_geometry.h"
@@ -52,16 +53,13 @@ class HudPanel {
 
   /// Made and destroyed with the drawing context current.
   HudPanel();
-  ~HudPanel();
-  HudPanel(const HudPanel&) = delete;
-  HudPanel& operator=(const HudPanel&) = delete;
 
   /// What the panel says from now on; none: it is not there. Only lines that have changed are written anew,
   /// when they are next drawn.
   void set(const std::vector<HudLine>& lines);
 
-  /// What it says of a lesson, from now on.
-  void teach(const LessonWords& lesson);
+  /// Sets what it says of the game's lesson.
+  void setLesson(const LessonWords& lesson);
 
   /// Has the panel describe the frames: ten times a second, and when what it says of the views, of the lesson
   /// or of what happened changes.
@@ -93,7 +91,9 @@ class HudPanel {
   int height_px_ = 0;         ///< of the letters that are written
   glm::ivec2 picture_px_{0};  ///< of the picture that they were written for
   glm::ivec2 size_px_{0};     ///< of the panel
-  unsigned program_ = 0, vertexArray_ = 0, texture_ = 0;
+  GlProgram program_;
+  GlVertexArray vertexArray_;
+  GlTexture texture_;
 };
 
 }  // namespace carom

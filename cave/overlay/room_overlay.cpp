@@ -41,14 +41,8 @@ double warningAt(double distance_m) {
   return 1.0 - glm::smoothstep(RoomOverlay::kWarnFully_m, RoomOverlay::kWarnFrom_m, distance_m);
 }
 
-RoomOverlay::RoomOverlay() : program_(makeProgram("warning grid", shaders::stereo_vert, shaders::grid_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
-}
-
-RoomOverlay::~RoomOverlay() {
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+RoomOverlay::RoomOverlay()
+    : program_(makeProgram("warning grid", shaders::stereo_vert, shaders::grid_frag)) {}
 
 void RoomOverlay::draw(const RoomGeometry& room, const Wall& wall, bool isFront,
                        const glm::dvec3& eyeInRoom_m, const FrameRecord& record,
@@ -59,7 +53,7 @@ void RoomOverlay::draw(const RoomGeometry& room, const Wall& wall, bool isFront,
 
 /// In the wall's plane: what lies there is its place on the picture, for every eye.
 void RoomOverlay::drawGrid(const Wall& wall, const FrameRecord& record, const RenderTarget& picture) const {
-  std::array<glm::vec3, 2> warnings{warningOf(wall, record.observer.eyes[2].positionInRoom_m), {}};
+  std::array<glm::vec3, 2> warnings{warningOf(wall, record.observer.middle.positionInRoom_m), {}};
   if (record.tracked.handKnown) warnings[1] = warningOf(wall, record.tracked.roomFromHand.position_m);
   if (!(std::max(warnings[0].z, warnings[1].z) > 0.0F)) return;
   const GlStateGuard state(picture.framebuffer(), picture.size_px());
@@ -106,7 +100,7 @@ void RoomOverlay::drawMarks(const RoomGeometry& room, const Wall& wall, bool isF
                             const RenderTarget& picture) {
   const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
   if (!clip) return;
-  const glm::dvec3& eyes_m = record.observer.eyes[2].positionInRoom_m;
+  const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
   const Tracked& tracked = record.tracked;
   marks_.clear();
   if (isFront) addBars(wall, eyes_m);

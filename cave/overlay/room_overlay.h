@@ -19,6 +19,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/frame/frame_state.h"
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/line_batch.h"
 #include "cave/gl/picture.h"
 #include "cave/room/room_geometry.h"
@@ -49,9 +50,6 @@ class RoomOverlay {
 
   /// Made and destroyed with the drawing context current.
   RoomOverlay();
-  ~RoomOverlay();
-  RoomOverlay(const RoomOverlay&) = delete;
-  RoomOverlay& operator=(const RoomOverlay&) = delete;
 
   /// Over the picture of `wall` for an eye in the room; `isFront`: it has the stereo check. Costs nothing
   /// where there is nothing to draw.
@@ -65,7 +63,8 @@ class RoomOverlay {
   void addCross(const Pose& roomFromCross);
   void addBars(const Wall& wall, const glm::dvec3& eyes_m);
 
-  unsigned program_ = 0, vertexArray_ = 0;
+  GlProgram program_;
+  GlVertexArray vertexArray_;
   LineBatch ribbons_;
   std::vector<Ribbon> marks_;
 };

@@ -147,8 +147,8 @@ std::optional<Projection> projectionOf(const Wall& wall) {
 
 Projector::Projector(const Projection& projection)
     : program_(makeProgram("projector", shaders::projector_vert, shaders::projector_frag)),
-      black_(static_cast<float>(projection.blackLevel)) {
-  meshes_ = {upload(projection.warp.left), upload(projection.warp.right)};
+      black_(static_cast<float>(projection.blackLevel)),
+      meshes_{DrawnMesh(program_, projection.warp.left), DrawnMesh(program_, projection.warp.right)} {
   uploadBlend(projection.blend);
   const bool across = projection.flip == Flip::horizontal || projection.flip == Flip::both;
   const bool up = projection.flip == Flip::vertical || projection.flip == Flip::both;
@@ -159,43 +159,20 @@ Projector::Projector(const Projection& projection)
   glUniform2f(glGetUniformLocation(program_, "mirror"), across ? -1.0F : 1.0F, up ? -1.0F : 1.0F);
 }
 
-Projector::~Projector() {
-  for (const DrawnMesh& mesh : meshes_) {
-    glDeleteVertexArrays(1, &mesh.vertexArray);
-    glDeleteBuffers(1, &mesh.points);
-    glDeleteBuffers(1, &mesh.triangles);
-  }
-  glDeleteTextures(1, &blend_);
-  glDeleteProgram(program_);
-}
-
-Projector::DrawnMesh Projector::upload(const WarpMesh& mesh) const {
-  DrawnMesh drawn;
-  glGenVertexArrays(1, &drawn.vertexArray);
-  glBindVertexArray(drawn.vertexArray);
-  glGenBuffers(1, &drawn.points);
-  glBindBuffer(GL_ARRAY_BUFFER, drawn.points);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.points.size() * sizeof(WarpPoint)),
-               mesh.points.data(), GL_STATIC_DRAW);
-  glGenBuffers(1, &drawn.triangles);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, drawn.triangles);
+Projector::DrawnMesh::DrawnMesh(const GlProgram& program, const WarpMesh& mesh)
+    : points(program, {{"inWindow", 2, offsetof(WarpPoint, inWindow)},
+                       {"inPicture", 2, offsetof(WarpPoint, inPicture)}}),
+      corners(static_cast<int>(3 * mesh.triangles.size())) {
+  points.upload(mesh.points);
+  points.bind();
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(mesh.triangles[0])),
                mesh.triangles.data(), GL_STATIC_DRAW);
-  for (const auto& [name, offset] : {std::pair{"inWindow", offsetof(WarpPoint, inWindow)},
-                                     {"inPicture", offsetof(WarpPoint, inPicture)}}) {
-    const auto location = static_cast<GLuint>(glGetAttribLocation(program_, name));
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, 2, GL_FLOAT, GL_FALSE, sizeof(WarpPoint),
-                          reinterpret_cast<const void*>(offset));
-  }
   glBindVertexArray(0);
-  drawn.corners = static_cast<int>(3 * mesh.triangles.size());
-  return drawn;
 }
 
 void Projector::uploadBlend(const BlendPicture& blend) {
-  glGenTextures(1, &blend_);
   glBindTexture(GL_TEXTURE_2D, blend_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16, blend.size_px.x, blend.size_px.y, 0, GL_RGB, GL_UNSIGNED_SHORT,
@@ -220,7 +197,7 @@ const RenderTarget& Projector::project(const RenderTarget& picture, Eye eye, con
   glBindTexture(GL_TEXTURE_2D, blend_);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, picture.texture());
-  glBindVertexArray(meshes_[which].vertexArray);
+  meshes_[which].points.bind();
   glDrawElements(GL_TRIANGLES, meshes_[which].corners, GL_UNSIGNED_INT, nullptr);
   glBindVertexArray(0);
   return *projected;

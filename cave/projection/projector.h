@@ -11,6 +11,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/picture.h"
 #include "cave/room/wall.h"
 #include "cave/room/warp_mesh.h"
@@ -46,26 +47,23 @@ std::optional<Projection> projectionOf(const Wall& wall);
 class Projector {
  public:
   explicit Projector(const Projection& projection);
-  ~Projector();
-  Projector(const Projector&) = delete;
-  Projector& operator=(const Projector&) = delete;
 
   /// What leaves the projector, `size_px` large, for a picture of this eye. Valid until the next call for the
   /// eye.
   const RenderTarget& project(const RenderTarget& picture, Eye eye, const glm::ivec2& size_px);
 
  private:
+  /// A mesh on the graphics card.
   struct DrawnMesh {
-    unsigned vertexArray = 0;
-    unsigned points = 0;     // buffer
-    unsigned triangles = 0;  // buffer
-    int corners = 0;
+    DrawnMesh(const GlProgram& program, const WarpMesh& mesh);
+    VertexStream<WarpPoint> points;
+    GlBuffer triangles;
+    int corners;
   };
-  DrawnMesh upload(const WarpMesh& mesh) const;
   void uploadBlend(const BlendPicture& blend);
 
-  unsigned program_ = 0;
-  unsigned blend_ = 0;  // texture
+  GlProgram program_;
+  GlTexture blend_;
   float black_ = 0.0F;
   std::array<DrawnMesh, 2> meshes_;                         // left, right
   std::array<std::unique_ptr<RenderTarget>, 2> projected_;  // left, right

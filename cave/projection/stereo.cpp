@@ -47,7 +47,7 @@ glm::ivec2 eyeSize_px(const Pane& pane) {
 std::vector<Eye> eyesOf(StereoMode mode) {
   switch (mode) {
     case StereoMode::mono:
-      return {Eye::mono};
+      return {Eye::middle};
     case StereoMode::left:
       return {Eye::left};
     case StereoMode::right:
@@ -63,24 +63,19 @@ const char* nameOf(Eye eye) {
       return "left";
     case Eye::right:
       return "right";
-    case Eye::mono:
+    case Eye::middle:
       return "mono";
   }
   return "mono";
 }
 
 StereoPacker::StereoPacker() : program_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
   glUseProgram(program_);
   glUniform1i(glGetUniformLocation(program_, "leftPicture"), 0);
   glUniform1i(glGetUniformLocation(program_, "rightPicture"), 1);
 }
 
-StereoPacker::~StereoPacker() {
-  projectors_.clear();
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+StereoPacker::~StereoPacker() = default;
 
 Pane StereoPacker::projected(const Pane& pane) {
   std::unique_ptr<Projector>& projector = projectors_[pane.projection];

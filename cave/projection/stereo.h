@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "cave/gl/gl_objects.h"
 #include "cave/gl/picture.h"
 #include "cave/room/wall.h"
 
@@ -36,8 +37,6 @@ class StereoPacker {
  public:
   StereoPacker();
   ~StereoPacker();
-  StereoPacker(const StereoPacker&) = delete;
-  StereoPacker& operator=(const StereoPacker&) = delete;
 
   /// `windowSize_px` is the size of the current framebuffer. Each eye's picture is projected first, then
   /// packed: which window pixel is whose does not depend on the projection, which must outlive this.
@@ -47,8 +46,8 @@ class StereoPacker {
   Pane projected(const Pane& pane);
   void fill(const Pane& pane, const glm::ivec2& windowSize_px, int mode) const;
 
-  unsigned program_ = 0;
-  unsigned vertexArray_ = 0;
+  GlProgram program_;
+  GlVertexArray vertexArray_;
   std::map<const Projection*, std::unique_ptr<Projector>> projectors_;  // made when first drawn
 };
 

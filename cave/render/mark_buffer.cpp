@@ -128,45 +128,22 @@ void MarkBuffer::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::
 
 MarkDrawer::MarkDrawer()
     : program_(makeProgram("mark", shaders::mark_vert,
-                           std::string("#version 150\n") + shaders::digits + shaders::mark_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
-  glGenBuffers(1, &buffer_);
-  GLint arrayBefore = 0, bufferBefore = 0;
-  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &arrayBefore);
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
-  glBindVertexArray(vertexArray_);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  setAttribute(program_, "drawn_m", 3, sizeof(MarkCorner), offsetof(MarkCorner, drawn_m));
-  setAttribute(program_, "ink", 4, sizeof(MarkCorner), offsetof(MarkCorner, colour));
-  setAttribute(program_, "on", 2, sizeof(MarkCorner), offsetof(MarkCorner, on));
-  setAttribute(program_, "what", 3, sizeof(MarkCorner), offsetof(MarkCorner, what));
-  setAttribute(program_, "plate", 4, sizeof(MarkCorner), offsetof(MarkCorner, plate));
-  glBindVertexArray(static_cast<GLuint>(arrayBefore));
-  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
-}
-
-MarkDrawer::~MarkDrawer() {
-  glDeleteBuffers(1, &buffer_);
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
-}
+                           std::string("#version 150\n") + shaders::digits + shaders::mark_frag)),
+      stream_(program_, {{"drawn_m", 3, offsetof(MarkCorner, drawn_m)},
+                         {"ink", 4, offsetof(MarkCorner, colour)},
+                         {"on", 2, offsetof(MarkCorner, on)},
+                         {"what", 3, offsetof(MarkCorner, what)},
+                         {"plate", 4, offsetof(MarkCorner, plate)}}) {}
 
 void MarkDrawer::upload(const MarkBuffer& batch) {
-  const std::span<const MarkCorner> corners = batch.corners();
-  count_ = static_cast<int>(corners.size());
-  if (count_ == 0) return;
-  GLint bufferBefore = 0;
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size_bytes()), corners.data(),
-               GL_STREAM_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
+  count_ = static_cast<int>(batch.corners().size());
+  if (count_ > 0) stream_.upload(batch.corners());
 }
 
 void MarkDrawer::draw(const glm::mat4& clipFromDrawn, float cutAt) const {
   if (count_ == 0) return;
   glUseProgram(program_);
-  glBindVertexArray(vertexArray_);
+  stream_.bind();
   glUniformMatrix4fv(glGetUniformLocation(program_, "clipFromDrawn"), 1, GL_FALSE,
                      glm::value_ptr(clipFromDrawn));
   glUniform1f(glGetUniformLocation(program_, "cutAt"), cutAt);

@@ -12,6 +12,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "cave/gl/gl_objects.h"
+
 namespace carom {
 
 /// A corner of a triangle. Colours are sRGB, and how much it covers.
@@ -74,9 +76,6 @@ class MarkBuffer {
 class MarkDrawer {
  public:
   MarkDrawer();
-  ~MarkDrawer();
-  MarkDrawer(const MarkDrawer&) = delete;
-  MarkDrawer& operator=(const MarkDrawer&) = delete;
 
   void upload(const MarkBuffer& batch);
   /// What was uploaded last, plates over all else; within a GlStateGuard that tests depth and blends. `cutAt`:
@@ -85,7 +84,8 @@ class MarkDrawer {
   void draw(const glm::mat4& clipFromDrawn, float cutAt = 0.0F) const;
 
  private:
-  unsigned program_ = 0, vertexArray_ = 0, buffer_ = 0;
+  GlProgram program_;
+  VertexStream<MarkCorner> stream_;
   int count_ = 0;
 };
 

@@ -8,7 +8,7 @@ namespace carom {
 StandingPlate standingPlate(const MarkContext& sight, const PlateText& text, PlateShape shape,
                             const Vec3& foot_m) {
   constexpr double kReadable_m = 1.6, kMostTimes = 3.0;
-  const double away_m = glm::distance(foot_m, sight.observer.eyes[2].observation.r_m);
+  const double away_m = glm::distance(foot_m, sight.observer.middle.observation.r_m);
   return {text, shape, foot_m, std::clamp(away_m / kReadable_m, 1.0, kMostTimes)};
 }
 

@@ -29,7 +29,7 @@ struct MarkContext {
 };
 
 /// The person's board time: of the point between the eyes, so that both eyes see one thing.
-inline double boardNow_s(const MarkContext& sight) { return sight.observer.eyes[2].observation.t_s; }
+inline double boardNow_s(const MarkContext& sight) { return sight.observer.middle.observation.t_s; }
 
 /// How long the eye has seen that this has happened; negative: not yet.
 inline double seenSince_s(const MarkContext& sight, const Event& event) {
@@ -55,7 +55,7 @@ class Resting {
 
 /// Horizontal, to the right of someone who looks there from between the eyes: plates face them.
 inline Vec3 rightOf(const MarkContext& sight, const Vec3& place_m) {
-  const Vec3 way = place_m - sight.observer.eyes[2].observation.r_m;
+  const Vec3 way = place_m - sight.observer.middle.observation.r_m;
   const double length_m = std::hypot(way.x, way.y);
   return length_m > 0.0 ? Vec3(way.y, -way.x, 0.0) / length_m : Vec3(1.0, 0.0, 0.0);
 }
@@ -97,7 +97,7 @@ void addPlate(MarkBuffer& batch, const MarkContext& sight, const StandingPlate& 
 /// Keeps plates from covering each other, as seen from between the eyes: whoever comes later stands higher.
 class LabelLayout {
  public:
-  explicit LabelLayout(const MarkContext& sight) : eye_m_(sight.observer.eyes[2].observation.r_m) {}
+  explicit LabelLayout(const MarkContext& sight) : eye_m_(sight.observer.middle.observation.r_m) {}
   /// Takes in a plate whose foot is asked to be where it is; by how much it must stand higher.
   double raise_m(const StandingPlate& plate);
 

@@ -65,24 +65,9 @@ void addWay(const WorldLine& puck, double from_s, double until_s, double base_s,
   }
 }
 
-PathRibbons::PathRibbons() : program_(makeProgram("path", shaders::path_vert, shaders::path_frag)) {
-  glGenVertexArrays(1, &vertexArray_);
-  glGenBuffers(1, &buffer_);
-  GLint arrayBefore = 0, bufferBefore = 0;
-  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &arrayBefore);
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
-  glBindVertexArray(vertexArray_);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  setAttribute(program_, "place_m", 2, sizeof(Corner), offsetof(Corner, place_m));
-  setAttribute(program_, "way", 3, sizeof(Corner), offsetof(Corner, across_m));
-  glBindVertexArray(static_cast<GLuint>(arrayBefore));
-  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
-}
-
-PathRibbons::~PathRibbons() {
-  glDeleteBuffers(1, &buffer_);
-  glDeleteVertexArrays(1, &vertexArray_);
-  glDeleteProgram(program_);
+PathRibbons::PathRibbons()
+    : program_(makeProgram("path", shaders::path_vert, shaders::path_frag)),
+      stream_(program_, {{"place_m", 2, offsetof(Corner, place_m)}, {"way", 3, offsetof(Corner, across_m)}}) {
 }
 
 bool PathRibbons::changed(std::span<const WorldLine> pucks, double now_s) const {
@@ -118,12 +103,7 @@ void PathRibbons::follow(std::span<const WorldLine> pucks, double now_s) {
     addWay(pucks[i], seenFrom_s, madeUntil_s_, base_s_, corners_);
     way.count = static_cast<int>(corners_.size()) - way.first;
   }
-  GLint bufferBefore = 0;
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(Corner)), corners_.data(),
-               GL_DYNAMIC_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
+  stream_.upload(corners_);
 }
 
 void PathRibbons::look(std::span<const WorldLine> pucks, const Event& observation, const Switches& switches,
@@ -139,7 +119,7 @@ void PathRibbons::look(std::span<const WorldLine> pucks, const Event& observatio
 void PathRibbons::draw(const glm::mat4& clipFromDrawn, const glm::mat4& drawnFromBoard,
                        std::span<const glm::vec3> colours) const {
   glUseProgram(program_);
-  glBindVertexArray(vertexArray_);
+  stream_.bind();
   const auto at = [&](const char* name) { return glGetUniformLocation(program_, name); };
   glUniformMatrix4fv(at("clipFromDrawn"), 1, GL_FALSE, glm::value_ptr(clipFromDrawn));
   glUniformMatrix4fv(at("drawnFromBoard"), 1, GL_FALSE, glm::value_ptr(drawnFromBoard));

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "cave/gl/gl_objects.h"
 #include "engine/light/switches.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/world_line.h"
@@ -32,9 +33,6 @@ class PathRibbons {
 
   /// Made and destroyed with the drawing context current.
   PathRibbons();
-  ~PathRibbons();
-  PathRibbons(const PathRibbons&) = delete;
-  PathRibbons& operator=(const PathRibbons&) = delete;
 
   /// The ways of these pucks, for eyes at board time `now_s`; made anew only when knots have changed, or
   /// every few seconds.
@@ -59,7 +57,8 @@ class PathRibbons {
   };
   bool changed(std::span<const WorldLine> pucks, double now_s) const;
 
-  unsigned program_ = 0, vertexArray_ = 0, buffer_ = 0;
+  GlProgram program_;
+  VertexStream<Corner> stream_;
   std::vector<Way> ways_;
   std::vector<Corner> corners_;
   double base_s_ = 0.0, madeUntil_s_ = 0.0;

@@ -156,7 +156,7 @@ void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) 
 
 void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
                    std::span<const double> reach_m, LabelLayout& crowd, MarkBuffer& batch) {
-  const Event& between = sight.observer.eyes[2].observation;
+  const Event& between = sight.observer.middle.observation;
   const Resting resting(sight);
   for (std::size_t body = 1; body <= sight.pucks; ++body) {
     const OnBody draw(sight, sight.bodies[body], ViewTime::seen);

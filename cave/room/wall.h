@@ -14,9 +14,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace carom {
+#include "engine/spacetime/observer.h"
 
-enum class Eye { left, right, mono };
+namespace carom {
 
 enum class StereoMode {
   mono,

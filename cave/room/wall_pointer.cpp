@@ -6,16 +6,16 @@
 namespace carom {
 namespace {
 
-/// Of two halves the one that `share` is in: 0 or 1, and how far it is through that half.
-std::size_t halve(double& share) {
-  const std::size_t second = share >= 0.5 ? 1 : 0;
-  share = 2.0 * share - static_cast<double>(second);
-  return second;
+/// Returns whose half of the pane `share` is in, and makes `share` a share of that half.
+Eye halve(double& share) {
+  const bool second = share >= 0.5;
+  share = 2.0 * share - (second ? 1.0 : 0.0);
+  return second ? Eye::right : Eye::left;
 }
 
 Eye onlyEye(StereoMode mode) {
   if (mode == StereoMode::left) return Eye::left;
-  return mode == StereoMode::right ? Eye::right : Eye::mono;
+  return mode == StereoMode::right ? Eye::right : Eye::middle;
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ std::optional<PointedWall> pointedIn(const Wall& wall, const Viewport& pane, con
   glm::dvec2 share = (pointer_px - glm::dvec2(pane.position_px)) / glm::dvec2(pane.size_px);  // right, down
   const bool inside = share.x >= 0.0 && share.y >= 0.0 && share.x < 1.0 && share.y < 1.0;
   if (!inside && !beyond) return std::nullopt;
-  std::size_t eye = static_cast<std::size_t>(onlyEye(wall.stereo));
+  Eye eye = onlyEye(wall.stereo);
   if (wall.stereo == StereoMode::sideBySide) eye = halve(share.x);  // as shaders/stereo_frag.glsl
   if (wall.stereo == StereoMode::topBottom) eye = halve(share.y);
   if (wall.flip == Flip::horizontal || wall.flip == Flip::both) share.x = 1.0 - share.x;

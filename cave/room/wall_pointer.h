@@ -13,8 +13,8 @@ namespace carom {
 
 /// The mouse over a wall's picture.
 struct PointedWall {
-  Vec3 onWall_m{0.0};   ///< the place of the wall that it points to; room frame
-  std::size_t eye = 2;  ///< in ObserverView::eyes: from which that place is seen
+  Vec3 onWall_m{0.0};     ///< the place of the wall that it points to; room frame
+  Eye eye = Eye::middle;  ///< from which that place is seen
 };
 
 /// How far the pointer is from the pane; 0 inside.

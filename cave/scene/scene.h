@@ -11,7 +11,6 @@
 
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene_part.h"
-#include "engine/billiard/billiard.h"
 #include "engine/light/light_path.h"
 #include "engine/spacetime/world_line.h"
 
@@ -34,10 +33,6 @@ struct Ruler {
   glm::dvec3 along{1.0, 0.0, 0.0}, aside{0.0, 1.0, 0.0};
 };
 
-/// The ruler halfway to the near rail of someone who stands on the side of `person_m`; without a board, 1 m
-/// from its origin.
-Ruler rulerBeside(const BilliardSetup& setup, const glm::dvec3& person_m);
-
 /// Its bodies are numbered as cave/frame/bodies.h says.
 struct Scene {
   std::vector<ScenePart> parts;
@@ -49,12 +44,6 @@ struct Scene {
   std::vector<LightPath> pulses;
   Ruler ruler;
 };
-
-/// Of `setup` only the board is looked at. Throws InputError (engine/base/input_error.h) for a mesh file at
-/// fault.
-Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
-                 std::span<const BodyLooks> told = {}, const Hall& hall = {},
-                 const Tessellation& tessellation = {});
 
 /// What a session says of them, one line for each kind of things and one for all. "Exact to half a pixel" is
 /// meant for eyes at least kNearestEye_m away and for heads up to the speed named (cave/mesh/tessellation.h).

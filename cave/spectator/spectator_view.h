@@ -30,8 +30,8 @@ class SpectatorView {
   SpectatorView(const SpectatorView&) = delete;
   SpectatorView& operator=(const SpectatorView&) = delete;
 
-  /// Another game.
-  void play(const Scene& scene, std::span<const ScenePart> table);
+  /// Shows another game.
+  void setScene(const Scene& scene, std::span<const ScenePart> table);
 
   /// Draws the frame, after the walls. A wall that `walls` does not draw is an empty panel with its name.
   /// `histories[i]` is body i of the scene.

@@ -85,16 +85,14 @@ ObserverView Observer::view(double eyeSeparation_m) const {
     const Vec3 place_m = head_.roomFromHead.position_m + offset_m;
     return EyeView{headEvent_ + boardFromHead * Displacement{0.0, offset_m}, place_m, place_m};
   };
-  return {boardFromHead.inverse(), {eye(-right_m), eye(right_m), eye(Vec3(0.0))}, properTime_s_};
+  return {boardFromHead.inverse(), eye(-right_m), eye(right_m), eye(Vec3(0.0)), properTime_s_};
 }
 
 ObserverView frozenViewAt(const ObserverView& sight, const ObserverView& now) {
-  const EyeView& middle = sight.eyes[2];
-  ObserverView view = sight;
-  for (std::size_t eye = 0; eye < view.eyes.size(); ++eye) {
-    view.eyes[eye] = {middle.observation, now.eyes[eye].positionInRoom_m, middle.seenFromInRoom_m};
-  }
-  return view;
+  const auto from = [&](const EyeView& eye) {
+    return EyeView{sight.middle.observation, eye.positionInRoom_m, sight.middle.seenFromInRoom_m};
+  };
+  return {sight.headFromBoard, from(now.left), from(now.right), from(now.middle), sight.properTime_s};
 }
 
 }  // namespace carom

@@ -42,11 +42,18 @@ struct EyeView {
   Vec3 seenFromInRoom_m{0.0};
 };
 
-/// The left eye, the right eye and the point between them.
+/// Names an eye, or the point between the eyes.
+enum class Eye { left, right, middle };
+
+/// What a person sees by at one drawn frame.
 struct ObserverView {
-  Lorentz headFromBoard;        ///< axes of the head frame are parallel to the room's
-  std::array<EyeView, 3> eyes;  ///< left, right, middle
+  Lorentz headFromBoard{1.0};   ///< axes of the head frame are parallel to the room's
+  EyeView left, right, middle;  ///< middle: the point between the eyes
   double properTime_s = 0.0;    ///< the person's own clock
+
+  const EyeView& of(Eye eye) const { return eye == Eye::left ? left : eye == Eye::right ? right : middle; }
+  /// Copies of left, right and middle, in this order.
+  std::array<EyeView, 3> all() const { return {left, right, middle}; }
 };
 
 /// Returns a frozen view that the person walks round: the light is that of `sight`, from the middle of the

@@ -39,7 +39,7 @@ std::vector<Event> lightOf(std::span<const WorldLine> histories, std::size_t puc
                            const ObserverView& observer) {
   std::vector<Event> light;
   for (std::size_t puck = 1; puck <= pucks; ++puck) {
-    for (const EyeView& eye : observer.eyes)
+    for (const EyeView& eye : observer.all())
       light.push_back(
           emission(histories[puck], Vec3(0.0), eye.observation, observer.headFromBoard).value().event);
   }
@@ -154,7 +154,7 @@ class Player {
   HandInput operator()(std::uint64_t frame, const ObserverView& observer, const Game& game) {
     HandInput hand;
     hand.device = "wand";
-    hand.from_m = observer.eyes[2].positionInRoom_m + Vec3(0.2, -0.4, -0.3);
+    hand.from_m = observer.middle.positionInRoom_m + Vec3(0.2, -0.4, -0.3);
     const std::uint64_t phase = frame % every_;
     if (phase == 0) {
       puck_ = static_cast<std::size_t>(random_.in(0.0, static_cast<double>(game.pucks().size())));
@@ -229,7 +229,7 @@ TEST(CueInteraction, AStrokeFasterThanLightWouldBeFound) {
   game.advance(latestObservation_s(view), state);
   applyFrame(state, before);
   World after = before;
-  const Motion seen = centreSeen(before.histories[1], view.eyes[2].observation);
+  const Motion seen = centreSeen(before.histories[1], view.middle.observation);
   game.strike({0, seen.event.t_s - 0.01, std::nullopt, {0.1, 0.1}});
   game.advance(latestObservation_s(view), state);
   applyFrame(state, after);
@@ -432,7 +432,7 @@ TEST(CueInteraction, AStrokeGivesItsMomentumWhenItsLightArrivesAndSaysSo) {
   EXPECT_NEAR(stroke.momentum_kg_m_s.y, 0.2 * 1.42 * u, 1e-15);
   // The room stands on the board: its origin at (0, −1.6, −0.75), its −z along +y.
   EXPECT_LT(glm::distance(*stroke.from_m, Vec3(0.2, -1.6 + 0.3, -0.75 + 1.2)), 1e-12);
-  EXPECT_EQ(stroke.at_s, lived.states[135].record.observer.eyes[2].observation.t_s);
+  EXPECT_EQ(stroke.at_s, lived.states[135].record.observer.middle.observation.t_s);
   const double light_s = glm::distance(*stroke.from_m, Vec3(0.48, -0.017, 0.01)) / 1.42;
   SessionFile session(lived.file);
   const RecordedGame whole = wholeGame(session, lived.atStart);
@@ -499,7 +499,7 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
     RayPicking aim;
     HandInput hand;
     hand.device = "wand";
-    hand.from_m = observer.eyes[2].positionInRoom_m + Vec3(0.0, -0.2, -1.0);
+    hand.from_m = observer.middle.positionInRoom_m + Vec3(0.0, -0.2, -1.0);
     hand.along = glm::normalize(aim.seenInRoom_m(game.pucks()[1], {observer, 2, Switches()}) - hand.from_m);
     hand.held = frame < 4;
     hand.pull_m = {0.2, 0.0, 0.0};
@@ -519,17 +519,17 @@ TEST(CueInteraction, NoEyeHasSeenWhatAHandDoes) {
     const Observer observer = Observer::at({10.0, random.inBox(2.0)}, 10.0, boardFromRoom, head);
     const ObserverView view = observer.view(0.08);
     const bool atEye = i % 2 == 0;
-    const Vec3 hand_m =
-        atEye ? view.eyes[i % 4 / 2].positionInRoom_m : head.roomFromHead.position_m + random.inBox(0.8);
+    const Vec3 hand_m = atEye ? view.of(i % 4 == 0 ? Eye::left : Eye::right).positionInRoom_m
+                              : head.roomFromHead.position_m + random.inBox(0.8);
     const Event hand = handEvent(hand_m, view, boardFromRoom);
-    for (const EyeView& eye : view.eyes) {
+    for (const EyeView& eye : view.all()) {
       const double inside_m =
           c_m_s * (eye.observation.t_s - hand.t_s) - glm::distance(eye.observation.r_m, hand.r_m);
       EXPECT_LT(inside_m, 1e-12) << "seed 12, case " << i;
     }
     const double late_s =
         hand.t_s -
-        (view.eyes[2].observation + boardFromRoom * Displacement{0.0, hand_m - head.roomFromHead.position_m})
+        (view.middle.observation + boardFromRoom * Displacement{0.0, hand_m - head.roomFromHead.position_m})
             .t_s;
     EXPECT_GE(late_s, 0.0);
     // An eye is 4 cm from the head, so that far times γ in the room, and up to that times u/c later there.

@@ -53,13 +53,13 @@ TEST(Game, ForgetsOnlyWhatNoEyeSeesAnyMore) {
     observer.step(step_s, headAt(frame * step_s));
     const ObserverView eyes = observer.view(kEyeSeparation_m);
     state.record = {};
-    game.advance(eyes.eyes[2].observation.t_s + 1.0, state);
+    game.advance(eyes.middle.observation.t_s + 1.0, state);
     applyFrame(state, kept);
     if (frame % 100 == 0) game.forget(forgetting.histories, eyes, state);
     applyFrame(state, forgetting);
     mostKnots = std::max(mostKnots, knotsOf(forgetting.histories));
     if (frame % 97 != 0) continue;
-    for (const EyeView& eye : eyes.eyes) {
+    for (const EyeView& eye : eyes.all()) {
       for (std::size_t body = 0; body < kept.histories.size(); ++body) {
         for (const std::uint8_t contraction : {std::uint8_t{1}, std::uint8_t{0}}) {
           Switches switches;

@@ -78,10 +78,11 @@ class HandsTest : public testing::Test {
     trackers.spaceMouse.reset(cap_ = new FedTracker);
     tracking_.emplace(rig, std::move(trackers));
     wand_->fed = {at(3, {0.3, 0.2, -0.4}), at(4, {9, 9, 9})};
-    observer_.eyes[0].positionInRoom_m = {-0.032, 1.7, 0.0};
-    observer_.eyes[1].positionInRoom_m = {0.032, 1.7, 0.0};
-    observer_.eyes[2].positionInRoom_m = {0.0, 1.7, 0.0};
-    for (EyeView& eye : observer_.eyes) eye.observation.r_m.z = 0.9;  // above the cloth: which is at y = 0.8
+    observer_.left.positionInRoom_m = {-0.032, 1.7, 0.0};
+    observer_.right.positionInRoom_m = {0.032, 1.7, 0.0};
+    observer_.middle.positionInRoom_m = {0.0, 1.7, 0.0};
+    for (EyeView* eye : {&observer_.left, &observer_.right, &observer_.middle})
+      eye->observation.r_m.z = 0.9;  // above the cloth: which is at y = 0.8
   }
 
   /// A frame of 20 ms.
@@ -96,9 +97,8 @@ class HandsTest : public testing::Test {
     return frame();
   }
   /// The mouse on the wall 1.5 m before the eyes, pointing to the cloth at (x, 0.8, z).
-  void pointTo(double x_m, double z_m, std::size_t eye = 2) {
-    const glm::dvec3 from_m = observer_.eyes[eye].positionInRoom_m,
-                     along = glm::dvec3(x_m, 0.8, z_m) - from_m;
+  void pointTo(double x_m, double z_m, Eye eye = Eye::middle) {
+    const glm::dvec3 from_m = observer_.of(eye).positionInRoom_m, along = glm::dvec3(x_m, 0.8, z_m) - from_m;
     desk_.mouse = PointedWall{from_m + along * ((-1.5 - from_m.z) / along.z), eye};
   }
 
@@ -106,7 +106,7 @@ class HandsTest : public testing::Test {
   FedTracker *wand_ = nullptr, *cap_ = nullptr;
   InputDevices hands_{RoomAxes{}};
   DeskInput desk_;
-  ObserverView observer_{Lorentz(1.0), {}, 0.0};
+  ObserverView observer_;
   Pose roomFromHead_{{0.0, 1.7, 0.0}, {1, 0, 0, 0}};
   double now_s_ = 0.0;
   bool asks_ = false;
@@ -123,7 +123,7 @@ TEST_F(HandsTest, AWandPointsWhereItsSensorDoes) {
   EXPECT_EQ(input.device, "wand");
   expectNear(input.from_m, {0.3, 1.2, -0.4});
   expectNear(input.along, {0, 0, -1});
-  EXPECT_EQ(input.eye, 2u);
+  EXPECT_EQ(input.eye, Eye::middle);
   EXPECT_FALSE(input.held);
   const glm::dquat left = glm::angleAxis(glm::half_pi<double>(), glm::dvec3(0, 1, 0));
   wand_->fed = {at(3, {0.3, 0.2, -0.4}, left)};
@@ -214,9 +214,9 @@ TEST_F(HandsTest, TheMousePointsFromItsEyeAndPullsAlongTheCloth) {
   pointTo(0.2, -1.0, 1);
   HandInput input = frame();
   EXPECT_EQ(input.device, "mouse");
-  EXPECT_EQ(input.eye, 1u);
-  expectNear(input.from_m, observer_.eyes[1].positionInRoom_m);
-  expectNear(input.along, glm::normalize(glm::dvec3(0.2, 0.8, -1.0) - observer_.eyes[1].positionInRoom_m));
+  EXPECT_EQ(input.eye, Eye::right);
+  expectNear(input.from_m, observer_.right.positionInRoom_m);
+  expectNear(input.along, glm::normalize(glm::dvec3(0.2, 0.8, -1.0) - observer_.right.positionInRoom_m));
   desk_.mouseHeld = true;
   expectNear(frame().pull_m, {0, 0, 0});
   pointTo(0.1, -0.7, 1);

@@ -54,7 +54,8 @@ FrameState frameOf(std::uint64_t number) {
   state.record.observer.headFromBoard = Lorentz::boost({x, -x, 0.3}, 1.42);
   state.record.boardFromRoom = Lorentz::boost({-x, 0.2, 0.0}, 1.42);
   state.record.observer.properTime_s = x / 7.0;
-  for (EyeView& eye : state.record.observer.eyes) eye = {{x, {x / 3.0, -0.0, 1.7}}, {0.032, 1.7, x}};
+  ObserverView& observer = state.record.observer;
+  observer.left = observer.right = observer.middle = {{x, {x / 3.0, -0.0, 1.7}}, {0.032, 1.7, x}};
   state.record.switches.colour = number % 2;
   state.record.pucks = 2;
   state.record.eventsKept = (number + 3) / 4;
@@ -723,9 +724,9 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
        [](FrameState& s) {
          s.record.observer.headFromBoard = Lorentz::boost({kNan, 0.0, 0.0}, 1.42);
        }},
-      {"an eye's event", [](FrameState& s) { s.record.observer.eyes[1].observation.r_m.z = kNan; }},
-      {"an eye's place", [](FrameState& s) { s.record.observer.eyes[2].positionInRoom_m.x = kNan; }},
-      {"that an eye sees from", [](FrameState& s) { s.record.observer.eyes[0].seenFromInRoom_m.y = kNan; }},
+      {"an eye's event", [](FrameState& s) { s.record.observer.right.observation.r_m.z = kNan; }},
+      {"an eye's place", [](FrameState& s) { s.record.observer.middle.positionInRoom_m.x = kNan; }},
+      {"that an eye sees from", [](FrameState& s) { s.record.observer.left.seenFromInRoom_m.y = kNan; }},
       {"proper time", [](FrameState& s) { s.record.observer.properTime_s = kNan; }},
       {"the room's frame has light at 1 m/s, expected the game's 1.42",
        [](FrameState& s) { s.record.boardFromRoom = Lorentz(1.0); }},

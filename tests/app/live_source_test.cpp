@@ -41,7 +41,7 @@ class Mouse {
       const double angle_rad = random_.in(-std::numbers::pi, std::numbers::pi);
       pull_m_ = Vec3(std::cos(angle_rad), 0.0, std::sin(angle_rad)) * random_.in(0.05, 0.6);
     }
-    const EyeView& eye = before.observer.eyes[2];
+    const EyeView& eye = before.observer.middle;
     if (phase <= kPress) {
       along_ =
           aim_.seenInRoom_m(histories[puck_], {before.observer, 2, before.switches}) - eye.positionInRoom_m;
@@ -145,7 +145,7 @@ void expectThatNothingSeenHasChanged(SessionFile& session, std::span<const World
   for (FrameState frame; session.next(frame);) {
     session.apply(frame, world);
     for (std::size_t puck = 1; puck <= whole.pucks; ++puck) {
-      for (const EyeView& eye : frame.record.observer.eyes) {
+      for (const EyeView& eye : frame.record.observer.all()) {
         const Lorentz& head = frame.record.observer.headFromBoard;
         const auto then = emission(world.histories[puck], Vec3(0.0), eye.observation, head);
         const auto inTheEnd = emission(whole.world.histories[puck], Vec3(0.0), eye.observation, head);
@@ -238,7 +238,7 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
   };
   const auto aimed = [&](bool held) {
     RayPicking aim;
-    const EyeView& eye = state.record.observer.eyes[2];
+    const EyeView& eye = state.record.observer.middle;
     const Vec3 way_m =
         aim.seenInRoom_m(world.histories[1], {state.record.observer, 2, {}}) - eye.positionInRoom_m;
     DeskInput desk;
@@ -262,7 +262,7 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
     frame(aimed(true));
     if (i == 0) {
       EXPECT_EQ(state.record.observer.properTime_s, first.observer.properTime_s);
-      EXPECT_NEAR(state.record.observer.eyes[2].observation.t_s, first.observer.eyes[2].observation.t_s, 0.5);
+      EXPECT_NEAR(state.record.observer.middle.observation.t_s, first.observer.middle.observation.t_s, 0.5);
     }
     ASSERT_EQ(state.record.hand.pulling, 0) << "the cue is still held, frame " << i;
     ASSERT_EQ(state.record.notice.words(), "") << "frame " << i;

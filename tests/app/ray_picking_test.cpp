@@ -42,8 +42,8 @@ TEST(RayPicking, SeesThePuckWhereItsLightComesFrom) {
     SCOPED_TRACE(testing::Message() << "seed 3, case " << i);
     const Viewer person(random.direction() * random.in(0.0, 0.95), random.inBall(1.5));
     const WorldLine puck = test::randomWorldLine(random, kC_m_s, kRadius_m, 8, 0.7, 0.9);
-    for (std::size_t eye = 0; eye < 3; ++eye) {
-      const EyeView& at = person.observer.eyes[eye];
+    for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {
+      const EyeView& at = person.observer.of(eye);
       const auto light = emission(puck, Vec3(0.0), at.observation, person.observer.headFromBoard);
       ASSERT_TRUE(light);
       const Vec3 seen_m = aim.seenInRoom_m(puck, {person.observer, eye, all});
@@ -58,7 +58,7 @@ TEST(RayPicking, SwitchesMoveWhatIsPointedTo) {
   RayPicking aim;
   const Viewer person({0.0, 0.6, 0.0}, Vec3(0.0));
   const WorldLine puck = puckAt({-1.0, 0.2, 0.01}, {0.5, 0.0, 0.0});
-  const EyeView& eye = person.observer.eyes[2];
+  const EyeView& eye = person.observer.middle;
   Switches switches = kNoSwitches;
   const Vec3 there_m = puck.at(eye.observation.t_s).event.r_m - eye.observation.r_m;
   EXPECT_LT(
@@ -93,7 +93,7 @@ TEST(RayPicking, AFastPuckIsHitWhereItIsSeen) {
     EXPECT_EQ(pointed.puck, i);
     EXPECT_LT(glm::distance(pointed.end_m, seen_m), 1e-12);
     // Where it is at the head's moment in the room.
-    const Event& head = person.observer.eyes[2].observation;
+    const Event& head = person.observer.middle.observation;
     double now_s = head.t_s;
     for (int k = 0; k < 2000; ++k)
       now_s -= (person.boardFromRoom.inverse() * (pucks[i].at(now_s).event - head)).dt_s * 0.2;

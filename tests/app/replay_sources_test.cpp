@@ -38,8 +38,8 @@ std::string walkText(double seconds, double speed_m_s) {
 }
 
 double latest_s(const ObserverView& observer) {
-  double t_s = observer.eyes[0].observation.t_s;
-  for (const EyeView& eye : observer.eyes) t_s = std::max(t_s, eye.observation.t_s);
+  double t_s = observer.left.observation.t_s;
+  for (const EyeView& eye : observer.all()) t_s = std::max(t_s, eye.observation.t_s);
   return t_s;
 }
 
@@ -50,7 +50,7 @@ std::vector<Event> lightOf(std::span<const WorldLine> histories, const ObserverV
     const double r_m = line.radius_m();
     for (const Vec3& point :
          {Vec3(0.0), Vec3(r_m, 0, 0), Vec3(-r_m, 0, 0), Vec3(0, r_m, 0), Vec3(0, -r_m, 0)}) {
-      for (const EyeView& eye : observer.eyes) {
+      for (const EyeView& eye : observer.all()) {
         const auto emitted = emission(line, point, eye.observation, observer.headFromBoard);
         light.push_back(emitted ? emitted->event : Event{-1e300, {}});
       }
@@ -295,11 +295,10 @@ TEST_F(ReplaySources, AFrozenSightIsWalkedRoundAndEachFreezingTakesItsOwn) {
     for (std::uint64_t number = begin; number < begin + 8; ++number) {
       const FrameRecord& record = show.next();
       ASSERT_EQ(record.number, number);
-      for (const EyeView& eye : record.observer.eyes) {
-        EXPECT_EQ(eye.observation.t_s, lived_[begin].record.observer.eyes[2].observation.t_s);
+      for (const EyeView& eye : record.observer.all()) {
+        EXPECT_EQ(eye.observation.t_s, lived_[begin].record.observer.middle.observation.t_s);
       }
-      EXPECT_EQ(record.observer.eyes[0].positionInRoom_m,
-                lived_[number].record.observer.eyes[0].positionInRoom_m);
+      EXPECT_EQ(record.observer.left.positionInRoom_m, lived_[number].record.observer.left.positionInRoom_m);
     }
     show.command(SetView{&TimeViews::frozen, false});
     const FrameRecord& record = show.next();
@@ -340,7 +339,7 @@ TEST_F(ReplaySources, AVisitorSeesTheGameAsSomeoneWhoLivesThere) {
 double roomTime_s(const ObserverView& view, const ObserverStart& start, double c_m_s) {
   const Vec3 beta = start.beta;
   const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
-  const Event& head = view.eyes[2].observation;
+  const Event& head = view.middle.observation;
   return gamma * (head.t_s - glm::dot(beta, head.r_m - start.position_m) / c_m_s);
 }
 
@@ -414,17 +413,17 @@ TEST_F(ReplaySources, NobodySeesWhatWasNotRecorded) {
   Show stay(staying, stayingPacer, atStart_);
   double end_s = 0.0;
   for (int i = 0; i < 8 * 60 - 2; ++i) {
-    end_s = stay.next().observer.eyes[2].observation.t_s;
+    end_s = stay.next().observer.middle.observation.t_s;
     if (i % 40 == 0)
       expectSame(lightOf(stay.world.histories, stay.frame.record.observer),
                  lightOf(truth_, stay.frame.record.observer), c_m_s());
   }
   EXPECT_FALSE(stay.frame.record.last);
-  EXPECT_EQ(stay.next().observer.eyes[2].observation.t_s, end_s) << "time stands still";
+  EXPECT_EQ(stay.next().observer.middle.observation.t_s, end_s) << "time stands still";
   stay.goTo(stay.frame.record.display_s + 1.0);
-  EXPECT_NEAR(stay.next().observer.eyes[2].observation.t_s, end_s, 1e-12) << "there is nothing to go on to";
+  EXPECT_NEAR(stay.next().observer.middle.observation.t_s, end_s, 1e-12) << "there is nothing to go on to";
   stay.goTo(stay.frame.record.display_s - 1.0);
-  EXPECT_NEAR(stay.next().observer.eyes[2].observation.t_s, end_s - 1.0, 1e-12);
+  EXPECT_NEAR(stay.next().observer.middle.observation.t_s, end_s - 1.0, 1e-12);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST_P(Twins, WhoComesBackIsYounger) {
   while (session.next(state)) {
     ++count;
     const ObserverView& person = state.record.observer;
-    const Event& event = person.eyes[2].observation;
+    const Event& event = person.middle.observation;
     ASSERT_NEAR(person.properTime_s, static_cast<double>(state.record.number) / hz, kExact);
     const Expected expected = expectedAt(person.properTime_s);
     ASSERT_NEAR(event.t_s, expected.t_s, kExact) << "τ " << person.properTime_s;
@@ -104,7 +104,7 @@ TEST_P(Twins, WhoComesBackIsYounger) {
   EXPECT_TRUE(toured);
   EXPECT_EQ(state.record.drive.mode, DriveMode::free);
   EXPECT_LT(glm::length(state.record.boardFromRoom.u()), 1e-12);
-  const double home_s = state.record.observer.eyes[2].observation.t_s;
+  const double home_s = state.record.observer.middle.observation.t_s;
   const double k = kThrust_m_s2 / kC_m_s;
   EXPECT_NEAR(home_s - state.record.observer.properTime_s, 4.0 * (std::sinh(k * kOff_s) / k - kOff_s),
               kExact);

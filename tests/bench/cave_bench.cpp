@@ -18,7 +18,7 @@
 #include "cave/frame/bodies.h"
 #include "cave/mesh/mesh_builder.h"
 #include "cave/render/wall_renderer.h"
-#include "cave/scene/scene.h"
+#include "cave/scene/scene_builder.h"
 #include "engine/light/mesh_emission.h"
 
 namespace carom {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/files/rig.h"
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {

@@ -40,7 +40,7 @@ std::vector<int> placesOf(const Image& image, const Rgb& colour, int across, boo
 
 TEST(CalibrationPattern, StrongLinesAreTenCentimetresApart) {
   // 3 m over 600 pixels and 2 m over 500: 20 and 25 pixels a line. Row 462 and column 555 cross nothing else.
-  const Image image = calibrationPattern(wallOf({3.0, 2.0}, {600, 500}), Eye::mono);
+  const Image image = calibrationPattern(wallOf({3.0, 2.0}, {600, 500}), Eye::middle);
   const std::vector<int> columns = placesOf(image, kStrong, 462, true);
   ASSERT_EQ(columns.size(), 29u);  // 30 gaps; the white frame covers the line at the edge
   for (std::size_t i = 0; i < columns.size(); ++i) EXPECT_EQ(columns[i], 20 * static_cast<int>(i + 1));
@@ -50,12 +50,13 @@ TEST(CalibrationPattern, StrongLinesAreTenCentimetresApart) {
 }
 
 TEST(CalibrationPattern, WeakLinesAreCentimetresWherePixelsAreFineEnough) {
-  const Image fine = calibrationPattern(wallOf({1.0, 1.0}, {600, 600}), Eye::mono);  // 6 pixels a centimetre
+  const Image fine =
+      calibrationPattern(wallOf({1.0, 1.0}, {600, 600}), Eye::middle);  // 6 pixels a centimetre
   const std::vector<int> columns = placesOf(fine, kFine, 557, true);
   ASSERT_EQ(columns.size(), 90u);  // of 101 lines, 11 are strong
   EXPECT_EQ(columns.front(), 6);
   EXPECT_EQ(columns.back(), 594);
-  const Image coarse = calibrationPattern(wallOf({3.0, 3.0}, {600, 600}), Eye::mono);  // 2 pixels
+  const Image coarse = calibrationPattern(wallOf({3.0, 3.0}, {600, 600}), Eye::middle);  // 2 pixels
   EXPECT_TRUE(placesOf(coarse, kFine, 557, true).empty());
 }
 
@@ -63,7 +64,7 @@ TEST(CalibrationPattern, WeakLinesAreCentimetresWherePixelsAreFineEnough) {
 TEST(CalibrationPattern, TheCircleIsRoundOnTheWall) {
   const glm::dvec2 size_m(4.0, 2.0);
   const glm::ivec2 pixels(400, 400);
-  const Image image = calibrationPattern(wallOf(size_m, pixels), Eye::mono);
+  const Image image = calibrationPattern(wallOf(size_m, pixels), Eye::middle);
   const glm::dvec2 metresPerPixel = size_m / glm::dvec2(pixels);
   std::array<int, 8> octants{};
   for (int y = 0; y < pixels.y; ++y) {
@@ -81,7 +82,7 @@ TEST(CalibrationPattern, TheCircleIsRoundOnTheWall) {
 TEST(CalibrationPattern, EachEyeHasABarOfItsOwn) {
   const Wall wall = wallOf({3.0, 3.0}, {600, 600});
   const Image left = calibrationPattern(wall, Eye::left), right = calibrationPattern(wall, Eye::right),
-              mono = calibrationPattern(wall, Eye::mono);
+              mono = calibrationPattern(wall, Eye::middle);
   // The middles of the bars: 0.08 and 0.92 of the width.
   EXPECT_EQ(at(left, 48, 301), kRed);
   EXPECT_EQ(at(right, 551, 301), kCyan);
@@ -122,7 +123,7 @@ TEST(CalibrationPattern, WordsFollowWhatTheyName) {
 }
 
 TEST(CalibrationPattern, TheOutermostPixelsAreWhite) {
-  const Image image = calibrationPattern(wallOf({3.0, 2.0}, {300, 200}), Eye::mono);
+  const Image image = calibrationPattern(wallOf({3.0, 2.0}, {300, 200}), Eye::middle);
   const Rgb white{255, 255, 255};
   for (int x = 0; x < 300; ++x) EXPECT_TRUE(at(image, x, 0) == white && at(image, x, 199) == white) << x;
   for (int y = 0; y < 200; ++y) EXPECT_TRUE(at(image, 0, y) == white && at(image, 299, y) == white) << y;

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {
@@ -29,7 +30,7 @@ struct Folder {
 
 TEST(Capture, NamesAreWallEyeFrame) {
   EXPECT_EQ(capturePath("out", "front", Eye::left, 7), fs::path("out/front-left-000007.png"));
-  EXPECT_EQ(capturePath("out", "floor", Eye::mono, 1234567), fs::path("out/floor-mono-1234567.png"));
+  EXPECT_EQ(capturePath("out", "floor", Eye::middle, 1234567), fs::path("out/floor-mono-1234567.png"));
 }
 
 TEST(Capture, AWrittenPngReadsBackTheSame) {
@@ -168,7 +169,7 @@ TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
   constexpr std::uint64_t kFrames = 60;
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {  // each takes milliseconds to encode
     const std::vector<Capture::Taken> taken{{&large, &wall, Eye::left}, {&large, &wall, Eye::right}};
-    capture.include({&large, &outside, Eye::mono});
+    capture.include({&large, &outside, Eye::middle});
     capture.take(frame, taken);
   }
   capture.finish();
@@ -178,7 +179,7 @@ TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
     const bool there = fs::exists(capturePath(folder.path, wall, Eye::left, frame));
     EXPECT_EQ(there, fs::exists(capturePath(folder.path, wall, Eye::right, frame)))
         << "half of frame " << frame;
-    EXPECT_EQ(there, fs::exists(capturePath(folder.path, outside, Eye::mono, frame)))
+    EXPECT_EQ(there, fs::exists(capturePath(folder.path, outside, Eye::middle, frame)))
         << "half of frame " << frame;
     whole += there;
   }
@@ -192,7 +193,7 @@ TEST(Capture, WhatCannotBeWrittenIsSaid) {
   const std::string wall = "front";
   Capture capture("/nowhere/at/all", WhenFull::wait);
   const auto takeAll = [&] {
-    const std::vector<Capture::Taken> taken{{&picture, &wall, Eye::mono}};
+    const std::vector<Capture::Taken> taken{{&picture, &wall, Eye::middle}};
     for (std::uint64_t frame = 0; frame < 100; ++frame) capture.take(frame, taken);
     capture.finish();
   };

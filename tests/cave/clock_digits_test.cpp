@@ -9,8 +9,8 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
-#include "cave/capture/capture.h"
 #include "cave/gl/gl_state_guard.h"
+#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
 #include "cave/render/mark_buffer.h"
 #include "cave/render/wall_renderer.h"

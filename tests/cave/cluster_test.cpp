@@ -105,9 +105,9 @@ TEST(Cluster, ADifferenceAnywhereIsNamed) {
          s.record.observer.headFromBoard = Lorentz::boost({0.1, 0.0, 0.3}, 1.42);
        }},
       {"observer", [](State& s, World&) { nudge(s.record.observer.properTime_s); }},
-      {"observer", [](State& s, World&) { nudge(s.record.observer.eyes[0].observation.t_s); }},
-      {"observer", [](State& s, World&) { nudge(s.record.observer.eyes[1].observation.r_m.y); }},
-      {"observer", [](State& s, World&) { nudge(s.record.observer.eyes[2].positionInRoom_m.z); }},
+      {"observer", [](State& s, World&) { nudge(s.record.observer.left.observation.t_s); }},
+      {"observer", [](State& s, World&) { nudge(s.record.observer.right.observation.r_m.y); }},
+      {"observer", [](State& s, World&) { nudge(s.record.observer.middle.positionInRoom_m.z); }},
       {"switches", [](State& s, World&) { s.record.switches.aberration ^= 1; }},
       {"switches", [](State& s, World&) { s.record.controls.blank ^= 1; }},
       {"switches", [](State& s, World&) { nudge(s.record.lightSpeed_m_s); }},

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {
@@ -30,7 +30,8 @@ Wall frontWall() {
 /// A wand that has a puck on the table drawn back for, towards the right and away.
 FrameRecord pulling(double beta) {
   FrameRecord record;
-  for (EyeView& eye : record.observer.eyes) eye.positionInRoom_m = kEyes_m;
+  for (EyeView* eye : {&record.observer.left, &record.observer.right, &record.observer.middle})
+    eye->positionInRoom_m = kEyes_m;
   HandView& hand = record.hand;
   hand.shown = hand.pulling = 1;
   hand.target = 1;

@@ -56,7 +56,9 @@ class Shown {
     record.number = number_++;
     record.lightSpeed_m_s = kC_m_s;
     record.observer.headFromBoard = Lorentz(kC_m_s);
-    record.observer.eyes = {eye(seeing.left), eye(seeing.right), eye(seeing.mono)};
+    record.observer.left = eye(seeing.left);
+    record.observer.right = eye(seeing.right);
+    record.observer.middle = eye(seeing.mono);
     walls_.draw(record, world_);
     walls_.show();
     Pixels pixels{std::vector<std::uint8_t>(4 * kSize_px * kSize_px)};

@@ -16,9 +16,8 @@ constexpr double kC_m_s = 1.42;
 constexpr Switches kNow{0, 1, 1, 0, 0};  // without retardation
 
 ObserverView observerAt(const Event& head, const Lorentz& headFromBoard = Lorentz(kC_m_s)) {
-  ObserverView observer{headFromBoard, {}, 0.0};
-  for (EyeView& eye : observer.eyes) eye = {head, Vec3(0.0), Vec3(0.0)};
-  return observer;
+  const EyeView eye{head, Vec3(0.0), Vec3(0.0)};
+  return {headFromBoard, eye, eye, eye, 0.0};
 }
 
 GameEvent bounceAt(const Event& at, std::uint64_t number, double beta = 0.6) {

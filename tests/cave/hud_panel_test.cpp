@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "cave/capture/capture.h"
 #include "cave/display/display_walls.h"
+#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
 
 namespace carom {
@@ -31,8 +31,9 @@ FrameRecord recordAt(double display_s) {
   record.display_s = record.observer.properTime_s = display_s;
   record.lightSpeed_m_s = kC_m_s;
   record.observer.headFromBoard = Lorentz::boost(uFromBeta({0.0, 0.6, 0.0}), kC_m_s).inverse();
-  record.observer.eyes = {EyeView{{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 1.7, 0.0}},
-                          EyeView{{0.0, {0.03, 0.0, 0.0}}, {0.03, 1.7, 0.0}}, EyeView{{}, {0.0, 1.7, 0.0}}};
+  record.observer.left = {{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 1.7, 0.0}};
+  record.observer.right = {{0.0, {0.03, 0.0, 0.0}}, {0.03, 1.7, 0.0}};
+  record.observer.middle = {{}, {0.0, 1.7, 0.0}};
   return record;
 }
 
@@ -230,7 +231,7 @@ TEST(HudPanel, HaveNoParallax) {
   DisplayWalls set(graphics, test::glowingPuck(0.2), kC_m_s, walls, std::nullopt, false);
   RoomGeometry room;
   room.walls = walls;
-  set.standIn(room);
+  set.setRoom(room);
   FrameRecord record = recordAt(3.0);
   const World world{
       {WorldLine(Knot{}, kC_m_s), WorldLine({{0.0, {0.1, 0.3, -1.0}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <limits>
 
-#include "cave/capture/capture.h"
 #include "cave/cluster/frame_lock.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {

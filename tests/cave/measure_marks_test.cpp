@@ -20,9 +20,8 @@ namespace {
 constexpr double kC_m_s = 1.42;
 
 ObserverView observerAt(const Event& head, const Lorentz& headFromBoard) {
-  ObserverView observer{headFromBoard, {}, 0.0};
-  for (EyeView& eye : observer.eyes) eye = {head, Vec3(0.0), Vec3(0.0)};
-  return observer;
+  const EyeView eye{head, Vec3(0.0), Vec3(0.0)};
+  return {headFromBoard, eye, eye, eye, 0.0};
 }
 
 bool isGlow(const MarkCorner& corner) { return corner.what.x < -0.5F; }
@@ -51,7 +50,7 @@ TEST(Pulses, GlowWhereTheEyeSeesThem) {
     const Event eye{random.in(0.0, 5.0), random.inBox(2.0)};
     const Lorentz headFromBoard = Lorentz::boost(random.u(0.8), kC_m_s);
     const ObserverView observer = observerAt(eye, headFromBoard);
-    const MarkContext sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, {}, {}};
+    const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, {}, {}};
     MarkBuffer batch;
     addPulses(sight, {&pulse, 1}, batch);
     const auto placeAt = [&](double t_s) { return placeAlong(pulse.path_m, kC_m_s * (t_s - pulse.start_s)); };
@@ -79,7 +78,7 @@ TEST(Pulses, WithoutRetardationAreWhereTheyAre) {
   const LightPath pulse{1.0, {{-1, 0, 0.2}, {1, 0, 0.2}}};
   const Event eye{1.5, {0.0, -2.0, 1.0}};
   const ObserverView observer = observerAt(eye, Lorentz(kC_m_s));
-  const MarkContext sight{observer, observer.eyes[2], {0, 1, 1}, {}, 0, {}, {}, {}, {}};
+  const MarkContext sight{observer, observer.middle, {0, 1, 1}, {}, 0, {}, {}, {}, {}};
   MarkBuffer batch;
   addPulses(sight, {&pulse, 1}, batch);
   EXPECT_LT(glm::distance(eye.r_m + glowOf(batch), Vec3(-1.0 + 0.5 * kC_m_s, 0.0, 0.2)), 1e-5);
@@ -95,7 +94,7 @@ TEST(TheRulersLight, GoesToAndFroAtC) {
     const Event eye{random.in(-3.0, 30.0), random.inBox(3.0)};
     const ObserverView observer = observerAt(eye, Lorentz(c_m_s));
     const std::uint8_t retarded = i % 2 == 0 ? 1 : 0;
-    const MarkContext sight{observer, observer.eyes[2], {retarded, 1, 1}, {}, 0, {}, {}, {}, {}};
+    const MarkContext sight{observer, observer.middle, {retarded, 1, 1}, {}, 0, {}, {}, {}, {}};
     LabelLayout crowd(sight);
     MarkBuffer batch;
     addRuler(sight, ruler, crowd, batch);
@@ -114,7 +113,7 @@ TEST(TheRuler, IsAMetreLongAndMarksTenthsOfASecondOfLight) {
   const Ruler ruler{{-0.5, -0.6, 0.0}, {1, 0, 0}, {0, 1, 0}};
   const Event eye{5.0, {0.1, -2.0, 1.0}};
   const ObserverView observer = observerAt(eye, Lorentz(kC_m_s));
-  const MarkContext sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, {}, {}};
+  const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, {}, {}};
   LabelLayout crowd(sight);
   MarkBuffer batch;
   addRuler(sight, ruler, crowd, batch);
@@ -159,7 +158,7 @@ struct Angles {
 
 Angles anglesOf(const std::vector<GameEvent>& events, const Event& eye, const Vec3& place_m = Vec3(0.0)) {
   const ObserverView observer = observerAt(eye, Lorentz(kC_m_s));
-  const MarkContext sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, events, {}};
+  const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, events, {}};
   LabelLayout crowd(sight);
   MarkBuffer batch;
   addAngles(sight, crowd, batch);

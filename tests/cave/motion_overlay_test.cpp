@@ -10,8 +10,8 @@
 #include <numbers>
 #include <string>
 
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/hud_panel.h"
 

@@ -23,8 +23,8 @@
 #include <glm/vec3.hpp>
 
 #include "app/temporary_folder.h"
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 #include "cave/projection/stereo.h"
 
 namespace carom {

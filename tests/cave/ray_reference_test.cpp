@@ -12,6 +12,7 @@
 #include "app/files/scenario.h"
 #include "cave/reference_views.h"
 #include "cave/scene/puck_model.h"
+#include "cave/scene/scene_builder.h"
 #include "engine/light/mesh_emission.h"
 #include "engine/random_world.h"
 

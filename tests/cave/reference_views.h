@@ -13,8 +13,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "cave/capture/capture.h"
 #include "cave/frame/bodies.h"
+#include "cave/gl/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/wall.h"
 #include "cave/scene/scene.h"

@@ -7,8 +7,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {
@@ -56,7 +56,7 @@ class Aids : public testing::Test {
   /// The head there; no sensor known.
   static FrameRecord headAt(const glm::dvec3& place_m) {
     FrameRecord record;
-    record.observer.eyes[2].positionInRoom_m = place_m;
+    record.observer.middle.positionInRoom_m = place_m;
     return record;
   }
 

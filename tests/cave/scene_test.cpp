@@ -1,5 +1,5 @@
-#include "cave/scene/scene.h"
 #include "cave/frame/body_colour.h"
+#include "cave/scene/scene_builder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

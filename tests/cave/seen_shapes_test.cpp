@@ -11,6 +11,7 @@
 #include "app/files/scenario.h"
 #include "app/program.h"
 #include "cave/reference_views.h"
+#include "cave/scene/scene_builder.h"
 #include "engine/light/mesh_emission.h"
 
 namespace carom {

@@ -17,9 +17,8 @@ constexpr double kC_m_s = 1.42;
 constexpr double kFloat_m = 1e-5;  // of places a few metres away, in single precision
 
 ObserverView observerAt(const Event& head, const Lorentz& headFromBoard) {
-  ObserverView observer{headFromBoard, {}, 0.0};
-  for (EyeView& eye : observer.eyes) eye = {head, Vec3(0.0), Vec3(0.0)};
-  return observer;
+  const EyeView eye{head, Vec3(0.0), Vec3(0.0)};
+  return {headFromBoard, eye, eye, eye, 0.0};
 }
 
 GameEvent flashAt(const Event& at) {
@@ -39,7 +38,7 @@ Looked lookAt(const GameEvent& event, const Event& eye, const Lorentz& headFromB
               const Switches& switches = {}) {
   const ObserverView observer = observerAt(eye, headFromBoard);
   Looked looked;
-  const MarkContext sight{observer, observer.eyes[2], switches, {}, 0, {}, {}, {&event, 1}, {}};
+  const MarkContext sight{observer, observer.middle, switches, {}, 0, {}, {}, {&event, 1}, {}};
   LabelLayout crowd(sight);
   addEvents(sight, crowd, looked.batch);
   for (const MarkCorner& corner : looked.batch.corners()) {
@@ -123,7 +122,7 @@ TEST(EventMarkers, OnlyTheLatestSeenStayAndTheOlderAreFainter) {
     events.push_back(event);
   }
   const ObserverView observer = observerAt({4.0, Vec3(0.0)}, Lorentz(kC_m_s));
-  const MarkContext sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, events, {}};
+  const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, events, {}};
   LabelLayout crowd(sight);
   MarkBuffer batch;
   addEvents(sight, crowd, batch);
@@ -146,7 +145,7 @@ TEST(EventMarkers, OnlyTheLatestSeenStayAndTheOlderAreFainter) {
 TEST(LabelLayout, KeepsPlatesApart) {
   test::Random random(75);
   const ObserverView observer = observerAt({0.0, {0.0, -2.0, 1.0}}, Lorentz(kC_m_s));
-  const MarkContext sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, {}, {}};
+  const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, {}, {}};
   for (int i = 0; i < 100; ++i) {
     LabelLayout crowd(sight);
     std::vector<StandingPlate> plates;
@@ -222,7 +221,7 @@ TEST(PuckClocks, ShowThePucksOwnTimeAsItIsSeen) {
     for (std::size_t body = 0; body < 2; ++body) viewBody(lines[body], eye, headFromBoard, views[body]);
     const std::array<glm::vec3, 2> colours{};
     const std::array<double, 2> reach_m{0.0, 0.03};
-    const MarkContext sight{observer, observer.eyes[2], {}, {}, 1, lines, views, {}, {}};
+    const MarkContext sight{observer, observer.middle, {}, {}, 1, lines, views, {}, {}};
     LabelLayout crowd(sight);
     MarkBuffer batch;
     addPuckClocks(sight, colours, reach_m, crowd, batch);
@@ -264,7 +263,7 @@ TEST(Beacons, StandOnTheirGhosts) {
     std::array<BodyView, 2> views;
     for (std::size_t body = 0; body < 2; ++body)
       viewBody(lines[body], eye, headFromBoard, views[body], {}, mine ? ViewTime::myNow : ViewTime::boardNow);
-    MarkContext sight{observer, observer.eyes[2], {}, {}, 1, lines, {}, {}, {}};
+    MarkContext sight{observer, observer.middle, {}, {}, 1, lines, {}, {}, {}};
     (mine ? sight.ghosts.myNow : sight.ghosts.boardNow) = views;
     const std::array<double, 2> tops_m{0.0, 0.03};
     MarkBuffer batch;

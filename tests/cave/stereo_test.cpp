@@ -8,8 +8,8 @@
 #include <functional>
 #include <memory>
 
-#include "cave/capture/capture.h"
 #include "cave/display/window.h"
+#include "cave/gl/image.h"
 
 namespace carom {
 namespace {
@@ -133,7 +133,7 @@ TEST_F(Stereo, APaneKeepsToItsPlaceInTheWindow) {
 }
 
 TEST(StereoModes, KnowTheEyesTheyNeed) {
-  EXPECT_EQ(eyesOf(StereoMode::mono), std::vector{Eye::mono});
+  EXPECT_EQ(eyesOf(StereoMode::mono), std::vector{Eye::middle});
   EXPECT_EQ(eyesOf(StereoMode::left), std::vector{Eye::left});
   EXPECT_EQ(eyesOf(StereoMode::right), std::vector{Eye::right});
   EXPECT_EQ(eyesOf(StereoMode::quadBuffer), (std::vector{Eye::left, Eye::right}));

@@ -11,6 +11,7 @@
 #include "cave/frame/bodies.h"
 #include "cave/glowing_puck.h"
 #include "cave/room/off_axis.h"
+#include "cave/scene/scene_builder.h"
 #include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
 
@@ -27,14 +28,12 @@ const glm::ivec2 kPicture_px{400, 400};
 /// A head at an event of the board, its eyes `separation_m` apart along x and simultaneous for it.
 ObserverView observerAt(const Event& head, const Lorentz& headFromBoard, const Vec3& inRoom_m,
                         double separation_m = 0.064) {
-  ObserverView observer{headFromBoard, {}, 0.0};
-  const std::array<double, 3> sides{-0.5, 0.5, 0.0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 offset_m(sides[i] * separation_m, 0.0, 0.0);
+  const auto eyeAt = [&](double side) {
+    const Vec3 offset_m(side * separation_m, 0.0, 0.0);
     const Vec3 place_m = inRoom_m + offset_m;
-    observer.eyes[i] = {head + headFromBoard.inverse() * Displacement{0.0, offset_m}, place_m, place_m};
-  }
-  return observer;
+    return EyeView{head + headFromBoard.inverse() * Displacement{0.0, offset_m}, place_m, place_m};
+  };
+  return {headFromBoard, eyeAt(-0.5), eyeAt(0.5), eyeAt(0.0), 0.0};
 }
 
 class TimeViewsTest : public testing::Test {
@@ -49,7 +48,7 @@ class TimeViewsTest : public testing::Test {
     return readBack(picture);
   }
   Image draw(EyeRenderer& view, const FrameRecord& record, const World& world, const Wall& wall) {
-    return draw(view, record, world, record.observer.eyes[2], wall);
+    return draw(view, record, world, record.observer.middle, wall);
   }
 
   Graphics graphics_;
@@ -116,7 +115,7 @@ TEST_F(TimeViewsTest, AFrozenSightIsWalkedRound) {
     const Wall wall = test::wallTowards(to_m, centre_m - to_m, kPicture_px);
     // Both eyes are frozen at one event and see one thing, each from its place.
     for (const double side : {-0.032, 0.032}) {
-      EyeView& walked = record.observer.eyes[side < 0.0 ? 0 : 1];
+      EyeView& walked = side < 0.0 ? record.observer.left : record.observer.right;
       walked.positionInRoom_m = to_m + Vec3(side, 0.0, 0.0);
       const std::optional<glm::dmat4> clip = clipFromRoom(wall, walked.positionInRoom_m);
       ASSERT_TRUE(clip);
@@ -236,7 +235,7 @@ TEST_F(TimeViewsTest, TheBoardsMomentIsOneForBothEyes) {
   record.observer = observerAt({0.1, Vec3(0.0)}, headFromBoard, Vec3(0.0));
   record.views.boardNow = 1;
   const Vec3 centre_m = line.at(0.1).event.r_m;
-  for (const EyeView& eye : record.observer.eyes) {
+  for (const EyeView& eye : record.observer.all()) {
     const Vec3 way_m = centre_m - eye.observation.r_m;
     const Vec3 seen_m = (headFromBoard * Displacement{-glm::length(way_m) / kC_m_s, way_m}).dr_m;
     const Wall wall = test::wallTowards(eye.positionInRoom_m, seen_m, kPicture_px);

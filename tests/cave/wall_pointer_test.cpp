@@ -26,24 +26,24 @@ Wall frontWall(StereoMode stereo, Flip flip) {
 }
 
 /// Where in the pane an eye's picture has a place, given as shares of the picture, right and down.
-glm::dvec2 packed(StereoMode stereo, std::size_t eye, glm::dvec2 share) {
-  if (stereo == StereoMode::sideBySide) share.x = 0.5 * share.x + (eye == 1 ? 0.5 : 0.0);
-  if (stereo == StereoMode::topBottom) share.y = 0.5 * share.y + (eye == 1 ? 0.5 : 0.0);
+glm::dvec2 packed(StereoMode stereo, Eye eye, glm::dvec2 share) {
+  if (stereo == StereoMode::sideBySide) share.x = 0.5 * share.x + (eye == Eye::right ? 0.5 : 0.0);
+  if (stereo == StereoMode::topBottom) share.y = 0.5 * share.y + (eye == Eye::right ? 0.5 : 0.0);
   return glm::dvec2(kPane.position_px) + share * glm::dvec2(kPane.size_px);
 }
 
 /// The eyes that have a picture of their own there, else the middle one.
-std::vector<std::size_t> eyesIn(StereoMode stereo) {
+std::vector<Eye> eyesIn(StereoMode stereo) {
   switch (stereo) {
     case StereoMode::left:
-      return {0};
+      return {Eye::left};
     case StereoMode::right:
-      return {1};
+      return {Eye::right};
     case StereoMode::sideBySide:
     case StereoMode::topBottom:
-      return {0, 1};
+      return {Eye::left, Eye::right};
     default:
-      return {2};
+      return {Eye::middle};
   }
 }
 
@@ -55,8 +55,9 @@ TEST(WallPointer, PointsBackAlongTheRayOfTheEyeThatSees) {
       const Wall wall = frontWall(static_cast<StereoMode>(mode), flip);
       for (int i = 0; i < 50; ++i) {
         const glm::dvec3 point_m(random.in(-1.4, 1.4), random.in(0.1, 1.9), random.in(-2.0, -1.0));
-        for (const std::size_t eye : eyesIn(wall.stereo)) {
-          const glm::dvec4 clip = *clipFromRoom(wall, eyes_m[eye]) * glm::dvec4(point_m, 1.0);
+        for (const Eye eye : eyesIn(wall.stereo)) {
+          const glm::dvec3& eye_m = eyes_m[static_cast<std::size_t>(eye)];
+          const glm::dvec4 clip = *clipFromRoom(wall, eye_m) * glm::dvec4(point_m, 1.0);
           glm::dvec2 share(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
           if (share.x < 0.0 || share.x >= 1.0 || share.y < 0.0 || share.y >= 1.0) continue;
           if (flip == Flip::horizontal || flip == Flip::both) share.x = 1.0 - share.x;
@@ -64,8 +65,8 @@ TEST(WallPointer, PointsBackAlongTheRayOfTheEyeThatSees) {
           const auto pointed = pointedIn(wall, kPane, packed(wall.stereo, eye, share));
           ASSERT_TRUE(pointed) << mode;
           EXPECT_EQ(pointed->eye, eye) << mode;
-          const glm::dvec3 along = glm::normalize(pointed->onWall_m - eyes_m[eye]);
-          const double miss_m = glm::length(glm::cross(point_m - eyes_m[eye], along));
+          const glm::dvec3 along = glm::normalize(pointed->onWall_m - eye_m);
+          const double miss_m = glm::length(glm::cross(point_m - eye_m, along));
           EXPECT_LT(miss_m, 1e-9) << "mode " << mode << ", flip " << static_cast<int>(flip);
           EXPECT_NEAR(pointed->onWall_m.z, -1.5, 1e-12);
         }

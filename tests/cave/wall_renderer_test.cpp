@@ -9,9 +9,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "cave/capture/capture.h"
+#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
 #include "cave/room/off_axis.h"
+#include "cave/scene/scene_builder.h"
 #include "cave/scene/table_model.h"
 #include "engine/random_world.h"
 

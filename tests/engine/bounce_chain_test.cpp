@@ -182,7 +182,7 @@ TEST(BounceChain, EyesThatStepBackStillFindTheRoot) {
     for (int frame = 0; frame < 120; ++frame) {
       const ObserverView view = head.next(random);
       for (std::size_t side = 0; side < 2; ++side, ++looks) {
-        const Event& eye = view.eyes[side].observation;
+        const Event& eye = (side == 0 ? view.left : view.right).observation;
         SCOPED_TRACE(testing::Message() << "world line " << i << ", frame " << frame << ", eye " << side
                                         << " at " << eye.t_s << " s after " << last_s[side] << " s");
         if (eye.t_s < last_s[side]) {

@@ -47,10 +47,10 @@ TEST(Observer, EyesAreSimultaneousForTheHead) {
   const Lorentz boardFromRoom = Lorentz::boost(uFromBeta({0.9, 0.0, 0.0}), kC_m_s);
   const Observer observer(boardFromRoom, kOrigin, headAt(Vec3(0.0)));
   const ObserverView view = observer.view(0.064);
-  const double apart_s = view.eyes[1].observation.t_s - view.eyes[0].observation.t_s;
+  const double apart_s = view.right.observation.t_s - view.left.observation.t_s;
   EXPECT_NEAR(apart_s, 0.9 / std::sqrt(1 - 0.81) * 0.064 / kC_m_s, 1e-12);
   EXPECT_NEAR(apart_s, 0.093, 0.0005);
-  const Displacement inHead = view.headFromBoard * (view.eyes[1].observation - view.eyes[0].observation);
+  const Displacement inHead = view.headFromBoard * (view.right.observation - view.left.observation);
   EXPECT_NEAR(inHead.dt_s, 0.0, 1e-14);
   EXPECT_NEAR(inHead.dr_m.x, 0.064, 1e-14);
 }

@@ -1,0 +1,95 @@
+#include "cave/gl/gl_objects.h"
+
+#include <vtk_glew.h>
+
+namespace carom {
+namespace {
+
+/// Puts back the vertex array and the array buffer that were bound.
+class KeptBindings {
+ public:
+  KeptBindings() {
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &array_);
+    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &buffer_);
+  }
+  ~KeptBindings() {
+    glBindVertexArray(static_cast<GLuint>(array_));
+    glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(buffer_));
+  }
+  KeptBindings(const KeptBindings&) = delete;
+  KeptBindings& operator=(const KeptBindings&) = delete;
+
+ private:
+  GLint array_ = 0, buffer_ = 0;
+};
+
+}  // namespace
+
+unsigned createGlObject(GlKind kind) {
+  GLuint name = 0;
+  switch (kind) {
+    case GlKind::buffer:
+      glGenBuffers(1, &name);
+      break;
+    case GlKind::vertexArray:
+      glGenVertexArrays(1, &name);
+      break;
+    case GlKind::texture:
+      glGenTextures(1, &name);
+      break;
+    case GlKind::framebuffer:
+      glGenFramebuffers(1, &name);
+      break;
+    case GlKind::renderbuffer:
+      glGenRenderbuffers(1, &name);
+      break;
+    case GlKind::program:
+      name = glCreateProgram();
+      break;
+  }
+  return name;
+}
+
+void deleteGlObject(GlKind kind, unsigned name) {
+  switch (kind) {
+    case GlKind::buffer:
+      return glDeleteBuffers(1, &name);
+    case GlKind::vertexArray:
+      return glDeleteVertexArrays(1, &name);
+    case GlKind::texture:
+      return glDeleteTextures(1, &name);
+    case GlKind::framebuffer:
+      return glDeleteFramebuffers(1, &name);
+    case GlKind::renderbuffer:
+      return glDeleteRenderbuffers(1, &name);
+    case GlKind::program:
+      return glDeleteProgram(name);
+  }
+}
+
+void GlFenceDeleter::operator()(void* sync) const { glDeleteSync(static_cast<GLsync>(sync)); }
+
+GlFence placeFence() { return GlFence(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)); }
+
+VertexBuffer::VertexBuffer(const GlProgram& program, std::size_t stride,
+                           std::initializer_list<VertexAttribute> attributes) {
+  const KeptBindings kept;
+  glBindVertexArray(array_);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+  for (const VertexAttribute& attribute : attributes) {
+    const auto location = static_cast<GLuint>(glGetAttribLocation(program, attribute.name));
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, attribute.size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(attribute.offset));
+  }
+}
+
+void VertexBuffer::upload(std::span<const std::byte> vertices) {
+  const KeptBindings kept;
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size()), vertices.data(), GL_STREAM_DRAW);
+}
+
+void VertexBuffer::bind() const { glBindVertexArray(array_); }
+
+}  // namespace carom

@@ -1,0 +1,72 @@
+#include "cave/gl/image.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtk_glew.h>
+
+namespace carom {
+namespace {
+
+/// Writes beside the file and renames: the file appears whole or not at all. Several threads may write the
+/// same one.
+void writeWhole(const std::filesystem::path& path, std::string_view bytes) {
+  static std::atomic<std::uint64_t> writings = 0;
+  std::filesystem::path partial = path;
+  partial += fmt::format(".{}.partial", ++writings);
+  std::ofstream file(partial, std::ios::binary | std::ios::trunc);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  std::error_code failure;
+  if (file) std::filesystem::rename(partial, path, failure);
+  if (!file || failure) {
+    const std::string reason = failure ? failure.message() : std::strerror(errno);
+    std::filesystem::remove(partial, failure);
+    throw std::runtime_error(fmt::format("picture \"{}\" cannot be written: {}", path.string(), reason));
+  }
+}
+
+}  // namespace
+
+Image readBack(const RenderTarget& picture) {
+  Image image;
+  image.size_px = picture.size_px();
+  image.rgb.resize(3 * static_cast<std::size_t>(image.size_px.x) * static_cast<std::size_t>(image.size_px.y));
+  GLint readBefore = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, image.size_px.x, image.size_px.y, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
+  return image;
+}
+
+void writePng(const Image& image, const std::filesystem::path& path) {
+  vtkNew<vtkImageData> pixels;
+  pixels->SetDimensions(image.size_px.x, image.size_px.y, 1);
+  pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::copy(image.rgb.begin(), image.rgb.end(), static_cast<std::uint8_t*>(pixels->GetScalarPointer()));
+
+  vtkNew<vtkPNGWriter> encoder;
+  encoder->SetInputData(pixels);
+  encoder->SetCompressionLevel(3);
+  encoder->WriteToMemoryOn();
+  encoder->Write();
+  vtkUnsignedCharArray* png = encoder->GetResult();
+  writeWhole(path, {reinterpret_cast<const char*>(png->GetPointer(0)),
+                    static_cast<std::size_t>(png->GetNumberOfValues())});
+}
+
+}  // namespace carom

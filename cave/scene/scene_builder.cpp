@@ -1,0 +1,217 @@
+#include "cave/scene/scene_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkMath.h>
+
+#include "cave/frame/bodies.h"
+#include "cave/frame/body_colour.h"
+#include "cave/mesh/mesh_file.h"
+#include "cave/scene/hall_model.h"
+#include "cave/scene/puck_model.h"
+#include "cave/scene/table_model.h"
+
+namespace carom {
+namespace {
+
+constexpr double kLampHeight_m = 1.45;  // above the cloth
+constexpr double kOpenPlane_m = 6.0;
+constexpr double kAroundTable_m = 5.0;  // the least space between the table and the hall's walls
+
+constexpr double kHallCoarser = 4.0;  // its cells against the table's: one stands closer to the table
+
+void append(std::vector<ScenePart>& to, std::vector<ScenePart> parts) {
+  std::move(parts.begin(), parts.end(), std::back_inserter(to));
+}
+
+std::size_t verticesOf(std::span<const ScenePart> parts) {
+  std::size_t count = 0;
+  for (const ScenePart& part : parts) count += static_cast<std::size_t>(part.mesh->GetNumberOfPoints());
+  return count;
+}
+
+double longestEdgeOf(std::span<const ScenePart> parts) {
+  double longest2 = 0.0;
+  for (const ScenePart& part : parts) {
+    const auto cells = vtk::TakeSmartPointer(part.mesh->GetPolys()->NewIterator());
+    for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+      vtkIdType corners = 0;
+      const vtkIdType* ids = nullptr;
+      cells->GetCurrentCell(corners, ids);
+      for (vtkIdType i = 0; i < corners; ++i) {
+        const std::array<vtkIdType, 2> ends{ids[i], ids[(i + 1) % corners]};
+        std::array<double, 3> a{}, b{};
+        part.mesh->GetPoint(ends[0], a.data());
+        part.mesh->GetPoint(ends[1], b.data());
+        longest2 = std::max(longest2, vtkMath::Distance2BetweenPoints(a.data(), b.data()));
+      }
+    }
+  }
+  return std::sqrt(longest2);
+}
+
+double reachOf(std::span<const ScenePart> parts) {
+  double reach_m = 0.0;
+  for (const ScenePart& part : parts) {
+    for (vtkIdType i = 0; i < part.mesh->GetNumberOfPoints(); ++i) {
+      std::array<double, 3> place{};
+      part.mesh->GetPoint(i, place.data());
+      reach_m = std::max(reach_m, vtkMath::Norm(place.data()));
+    }
+  }
+  return reach_m;
+}
+
+/// What rests on the board.
+struct Resting {
+  std::vector<ScenePart> table;
+  std::vector<ScenePart> hall;
+  std::size_t vertices() const { return verticesOf(table) + verticesOf(hall); }
+};
+
+Resting restingParts(const BilliardSetup& setup, const Hall& hall, const glm::dvec2& table_m,
+                     const std::array<glm::dvec3, 3>& lamps_m, double tableCell_m, double hallCell_m) {
+  Resting resting;
+  resting.table = setup.board ? tableParts(*setup.board, hall.floor_m, tableCell_m)
+                              : openPlaneParts(kOpenPlane_m, tableCell_m);
+  resting.hall = lampParts(lamps_m, hall.floor_m + hall.size_m.z, hallCell_m);
+  append(resting.hall, hallParts(hall, table_m, hallCell_m));
+  return resting;
+}
+
+/// The finest cells of the table, at least `finest_m`, with which `build` makes no more than `most` vertices:
+/// from coarse to fine, with counts taken to grow as 1/cell². They grow a little slower, so each step stays
+/// short of the goal.
+template <typename Build>
+Resting finestWithin(std::size_t most, double finest_m, const Build& build) {
+  constexpr double kCoarsest_m = 0.05;
+  constexpr int kSteps = 4;
+  double cell_m = kCoarsest_m;
+  Resting found = build(cell_m);
+  for (int i = 0; i < kSteps && cell_m > finest_m; ++i) {
+    const double share = static_cast<double>(found.vertices()) / static_cast<double>(most);
+    if (share > 0.97) break;
+    cell_m = std::max(finest_m, cell_m * std::sqrt(share));
+    Resting finer = build(cell_m);
+    if (finer.vertices() > most) break;
+    found = std::move(finer);
+  }
+  return found;
+}
+
+/// Of cells whose diagonals are the longest edges.
+double cellOf(const Tessellation& tessellation) { return tessellation.edge_m() / std::sqrt(2.0); }
+
+/// The finest parts of a body, with cells no smaller than `finest_m`, that have no more than `most` vertices;
+/// or the coarsest that `build` makes.
+template <typename Build>
+std::vector<ScenePart> finestPartsWithin(std::size_t most, double finest_m, const Build& build) {
+  constexpr double kLeastStep = 1.1;
+  constexpr double kCoarsest_m = 1.0;
+  for (double cell_m = finest_m; cell_m < kCoarsest_m;) {
+    std::vector<ScenePart> parts = build(cell_m);
+    const double share =
+        static_cast<double>(verticesOf(parts)) / static_cast<double>(std::max<std::size_t>(1, most));
+    if (share <= 1.0) return parts;
+    cell_m *= std::max(kLeastStep, std::sqrt(share));  // counts grow as 1/cell² at most
+  }
+  return build(kAnyCell_m);
+}
+
+/// A body as it will be drawn, and how many vertices it would have without slow light.
+struct BuiltBody {
+  std::vector<ScenePart> parts;
+  std::size_t vertices = 0;
+};
+
+/// `looks` of body number `body`; `model(cell_m)` makes it where it has no mesh file.
+template <typename Model>
+BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& colour,
+                    const Tessellation& tessellation, const Model& model) {
+  if (!looks.meshPath.empty()) {
+    const auto mesh = readMeshFile(looks.meshPath);
+    return {{meshPart(mesh, looks.radius_m, body, colour, tessellation)},
+            static_cast<std::size_t>(mesh->GetNumberOfPoints())};
+  }
+  return {finestPartsWithin(tessellation.mostVertices, cellOf(tessellation), model),
+          verticesOf(model(kAnyCell_m))};
+}
+
+void addNote(Scene& scene, const std::string& kind, const std::string& name, std::size_t vertices,
+             std::span<const ScenePart> parts, const Tessellation& tessellation) {
+  scene.notes.push_back(
+      {kind, name, vertices, verticesOf(parts), tessellation.mostVertices, longestEdgeOf(parts)});
+}
+
+void addBodies(Scene& scene, std::span<const BodyLooks> pucks, std::span<const BodyLooks> told,
+               const Tessellation& tessellation) {
+  Tessellation shared = tessellation;
+  shared.mostVertices /= std::max<std::size_t>(1, pucks.size() + told.size());
+  const auto add = [&](const char* kind, const BodyLooks& looks, BuiltBody built) {
+    addNote(scene, kind, looks.name, built.vertices, built.parts, shared);
+    scene.reach_m.push_back(reachOf(built.parts));
+    append(scene.parts, std::move(built.parts));
+  };
+  std::size_t body = kRestingBody;
+  for (std::size_t i = 0; i < pucks.size(); ++i) {
+    const BodyLooks& puck = pucks[i];
+    const glm::vec3 colour = colourOf(puck.name, i);
+    ++body;
+    add("Puck", puck, buildBody(puck, body, colour, shared, [&](double cell_m) {
+          return puckParts(puck.radius_m, puck.height_m, body, colour, cell_m);
+        }));
+  }
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    const glm::vec3 colour = colourOf(told[i].name, i);
+    ++body;
+    add("Body", told[i], buildBody(told[i], body, colour, shared, [&](double cell_m) {
+          return std::vector<ScenePart>{rodPart(body, colour, cell_m)};
+        }));
+  }
+}
+
+}  // namespace
+
+Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
+                 std::span<const BodyLooks> told, const Hall& hall, const Tessellation& tessellation) {
+  Scene scene;
+  scene.bodyCount = 1 + pucks.size() + told.size();
+  const glm::dvec2 table_m =
+      setup.board ? glm::dvec2(setup.board->length_m, setup.board->width_m) : glm::dvec2(kOpenPlane_m);
+  Hall around = hall;
+  around.size_m.x = std::max(hall.size_m.x, table_m.x + 2.0 * kAroundTable_m);
+  around.size_m.y = std::max(hall.size_m.y, table_m.y + 2.0 * kAroundTable_m);
+  const double lampHeight_m = std::min(kLampHeight_m, around.floor_m + around.size_m.z - 0.5);
+  for (int i = 0; i < 3; ++i) scene.lamps_m[i] = {(i - 1) * table_m.x / 3.0, 0.0, lampHeight_m};
+
+  const auto resting = [&](double tableCell_m, double hallCell_m) {
+    return restingParts(setup, around, table_m, scene.lamps_m, tableCell_m, hallCell_m);
+  };
+  const Resting plain = resting(kAnyCell_m, kAnyCell_m);
+  Resting divided = finestWithin(tessellation.mostVertices, cellOf(tessellation),
+                                 [&](double cell_m) { return resting(cell_m, kHallCoarser * cell_m); });
+  addNote(scene, "The", "table", verticesOf(plain.table), divided.table, tessellation);
+  addNote(scene, "The", "hall", verticesOf(plain.hall), divided.hall, tessellation);
+  scene.reach_m.push_back(std::max(reachOf(divided.table), reachOf(divided.hall)));
+
+  append(scene.parts, std::move(divided.table));
+  addBodies(scene, pucks, told, tessellation);
+  // Last what is behind all else, so that most of it is found hidden before it is painted.
+  append(scene.parts, std::move(divided.hall));
+  return scene;
+}
+
+Ruler rulerBeside(const BilliardSetup& setup, const glm::dvec3& person_m) {
+  // Seen over the rail from a metre beside the table, also on a screen that begins at the table's height.
+  const double y = setup.board ? 0.25 * setup.board->width_m : 1.0;
+  const double side = person_m.y > 0.0 ? 1.0 : -1.0;
+  return {{0.5 * side, side * y, 0.0}, {-side, 0.0, 0.0}, {0.0, -side, 0.0}};
+}
+
+}  // namespace carom

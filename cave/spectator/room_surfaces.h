@@ -1,0 +1,51 @@
+#pragma once
+// The flat parts of the room seen from outside: the ground on which it stands, and its walls with what they
+// show and their names.
+
+#include <vector>
+
+#include "cave/display/display_walls.h"
+#include "cave/gl/gl_objects.h"
+#include "cave/room/room_geometry.h"
+#include "cave/room/wall.h"
+#include "cave/spectator/outside_view.h"
+
+namespace carom {
+
+class RoomSurfaces {
+ public:
+  /// Created and destroyed with the drawing context current.
+  explicit RoomSurfaces(const RoomGeometry& room);
+
+  const std::vector<Wall>& walls() const { return walls_; }  ///< each screen once
+  double floor_m() const { return floor_m_; }                ///< the lowest corner, along the room's up
+
+  // These draw within a GlStateGuard.
+  /// Draws what is behind everything, and the ground, which is not seen from below: it would hide the room.
+  void drawGround(const OutsideView& view) const;
+  /// Draws the pictures of the walls that show their inner side; a wall that `shown` does not draw is an empty
+  /// panel.
+  void drawPanels(const OutsideView& view, const DisplayWalls& shown) const;
+  /// Draws each wall's name above it, before the near edge of one that lies on the floor, and at the foot of
+  /// one that is seen from behind.
+  void drawNames(const OutsideView& view) const;
+
+ private:
+  /// A wall's name as a picture.
+  struct Name {
+    GlTexture texture;
+    glm::ivec2 size_px{0};
+  };
+
+  RoomGeometry room_;
+  std::vector<Wall> walls_;
+  double floor_m_;
+  GlProgram panelProgram_, groundProgram_, backdropProgram_, wordsProgram_;
+  GlVertexArray vertexArray_;
+  std::vector<Name> names_;  // of each wall
+};
+
+/// Returns whether the camera sees the side that the person sees.
+bool showsInside(const Wall& wall, const glm::dvec3& camera_m);
+
+}  // namespace carom

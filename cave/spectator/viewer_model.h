@@ -1,0 +1,40 @@
+#pragma once
+// A model of the viewer for the room seen from outside: a head with 3-D glasses, a coat below it, a wand.
+
+#include <optional>
+#include <vector>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "cave/frame/frame_state.h"
+#include "cave/room/room_geometry.h"
+
+namespace carom {
+
+/// A mesh of one colour.
+struct ModelPart {
+  vtkSmartPointer<vtkPolyData> mesh;
+  glm::vec3 colour{1.0F};  ///< linear light, the share reflected
+};
+
+/// Meshes in metres; x right, y forward, z up.
+struct ViewerModel {
+  std::vector<ModelPart> head;  ///< from the point between the eyes
+  ModelPart coat;               ///< from the floor below the neck; the eyes are 1 m high
+  ModelPart wand;               ///< from where it is held
+};
+ViewerModel makeViewerModel();
+
+/// Takes points of the model to the room.
+struct ViewerPlaces {
+  glm::dmat4 roomFromHead{1.0};
+  std::optional<glm::dmat4> roomFromCoat;  ///< none for eyes that are too low to stand on the floor
+  std::optional<glm::dmat4> roomFromWand;  ///< none while the hand is not tracked
+};
+/// `floor_m`: the floor's height along the room's up.
+ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomGeometry& room, double floor_m);
+
+}  // namespace carom
