@@ -70,7 +70,7 @@ inline void PrintTo(const Knot& knot, std::ostream* out) {
   *out << "knot: turn ";
   PrintTo(knot.turn, out);
   *out << ", u " << test::Print{knot.u} << ", proper time " << knot.properTime_s << " s, news ";
-  PrintTo(knot.news, out);
+  PrintTo(knot.signal, out);
   *out << ", deceleration " << knot.deceleration_m_s2 << " m/s²";
 }
 

@@ -15,7 +15,7 @@ constexpr double kRounding = 1e-8;  // metres; distances are least values, flat 
 
 /// Distance of the cushion in the puck's rest frame at the centre's event `at`: the least length of
 /// displacements to the plane that the puck calls simultaneous, sought among them.
-double distanceInRestFrame(const Moment& at, const CushionPlane& cushion) {
+double distanceInRestFrame(const LegState& at, const CushionPlane& cushion) {
   const double y = cushion.inside(at.x);
   const auto length = [&](double along) {
     Vec21 D = cushion.axis == 0 ? Vec21{0.0, cushion.sign * y, along} : Vec21{0.0, along, cushion.sign * y};
@@ -90,8 +90,9 @@ TEST(CushionContact, IsFirstInThePucksRestFrameAndTurnsWhenTheNewsIsThere) {
   for (int i = 0; i < 300; ++i) {
     CASE(random, i);
     const auto [leg, radius, cushion] = randomApproach(random, i % 2 == 0);
-    const auto found = findContact(leg, radius, cushion, TurnConvention::newsAtCentre);
-    const auto t = firstTime(leg, [&](const Moment& m) { return distanceInRestFrame(m, cushion) - radius; });
+    const auto found = findContact(leg, radius, cushion, TurnConvention::signalAtCentre);
+    const auto t =
+        firstTime(leg, [&](const LegState& m) { return distanceInRestFrame(m, cushion) - radius; });
     ASSERT_EQ(found.has_value(), t.has_value());
     if (!found) {
       ++rested;
@@ -101,7 +102,7 @@ TEST(CushionContact, IsFirstInThePucksRestFrameAndTurnsWhenTheNewsIsThere) {
     ASSERT_FALSE(found->withoutDelay);
     EXPECT_NEAR(found->ownTime, *t, kRounding * 10.0);
     // C is on the cushion, simultaneous with the centre in its rest frame and a radius from it.
-    const Moment own = momentAt(leg, found->ownTime);
+    const LegState own = momentAt(leg, found->ownTime);
     const Vec21 D = found->event - own.x;
     EXPECT_NEAR(cushion.inside(found->event), 0.0, kRounding);
     EXPECT_NEAR(dot(D, own.u), 0.0, kRounding);
@@ -110,7 +111,7 @@ TEST(CushionContact, IsFirstInThePucksRestFrameAndTurnsWhenTheNewsIsThere) {
     const Vec21 light = found->turn.x - found->event;
     EXPECT_NEAR(dot(light, light), 0.0, kRounding);
     EXPECT_GT(light.t, 0.0);
-    const Moment turn = momentAt(leg, found->turn.x.t);
+    const LegState turn = momentAt(leg, found->turn.x.t);
     EXPECT_NEAR(std::hypot(turn.x.x - found->turn.x.x, turn.x.y - found->turn.x.y), 0.0, kRounding);
     EXPECT_GT(cushion.inside(found->turn.x), 0.0);
   }
@@ -125,7 +126,7 @@ TEST(CushionContact, OnTheBoardItIsTheContractedRims) {
     const auto found = findContact(leg, radius, cushion, TurnConvention::simultaneousWithContact);
     ASSERT_TRUE(found);
     const double reach = reachOnBoard(leg.u, radius, cushion);
-    const Moment own = momentAt(leg, found->ownTime);
+    const LegState own = momentAt(leg, found->ownTime);
     EXPECT_NEAR(cushion.inside(own.x), reach, 1e-6 * radius) << "the rim in steps of 2π/4000";
     EXPECT_NEAR(found->event.t, found->ownTime, kRounding);
     EXPECT_NEAR(cushion.inside(found->event), 0.0, kRounding);
@@ -140,7 +141,7 @@ TEST(CushionContact, OnTheBoardItIsTheContractedRims) {
 TEST(CushionContact, ThereIsNoneForWhoGoesAway) {
   const CushionPlane right{0, 1.0, 1.0};
   for (const TurnConvention convention :
-       {TurnConvention::newsAtCentre, TurnConvention::simultaneousWithContact}) {
+       {TurnConvention::signalAtCentre, TurnConvention::simultaneousWithContact}) {
     EXPECT_FALSE(findContact({{}, fourVelocity(-0.5, 0.1)}, 0.05, right, convention));
     EXPECT_FALSE(findContact({{}, fourVelocity(0.0, 1.0)}, 0.05, right, convention));
     const auto pressed = findContact({{2.0, 0.999, 0.0}, fourVelocity(0.5, 0.0)}, 0.05, right, convention);

@@ -89,11 +89,11 @@ TEST(EmissionKernel, TheExtraDistanceOfAFarBodyIsExact) {
 }
 
 TEST(EmissionKernel, NewsReachesWhatItsConeHolds) {
-  const glm::dvec4 news{1.0, 0.0, 0.0, 0.0};
-  EXPECT_TRUE(kernel::reachedBy(news, {1.5, 0.3, 0.4, 0.0}));
-  EXPECT_FALSE(kernel::reachedBy(news, {1.49, 0.3, 0.4, 0.0}));
-  EXPECT_FALSE(kernel::reachedBy(news, {0.0, 0.0, 0.0, 0.0}));
-  EXPECT_TRUE(kernel::reachedBy(news, news));
+  const glm::dvec4 signal{1.0, 0.0, 0.0, 0.0};
+  EXPECT_TRUE(kernel::reachedBy(signal, {1.5, 0.3, 0.4, 0.0}));
+  EXPECT_FALSE(kernel::reachedBy(signal, {1.49, 0.3, 0.4, 0.0}));
+  EXPECT_FALSE(kernel::reachedBy(signal, {0.0, 0.0, 0.0, 0.0}));
+  EXPECT_TRUE(kernel::reachedBy(signal, signal));
 }
 
 }  // namespace
