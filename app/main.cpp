@@ -1,13 +1,9 @@
 // carom: a billiard at a light speed of walking pace, played, looked at and walked into.
 
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <cmath>
+#include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <string>
-#include <system_error>
+
+#include <fmt/format.h>
 
 #include "app/files/toml_file.h"
 #include "options.h"
@@ -27,16 +23,9 @@ int report(const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("carom: billiards where light is slow, shown as special relativity says it would look.",
-               "carom");
-  int status = 0;
-  carom::addCommands(app, status);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return carom::runCommandLine(argc, argv);
   } catch (const std::exception& error) {
     return report(error);
   }
-  return status;
 }

@@ -579,8 +579,8 @@ std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
                      given.empty() ? "" : " " + given[0]->get_name());
 }
 
-}  // namespace
-
+/// Adds every command to `app`; the one that is called runs while the line is parsed and leaves its exit status in
+/// `status`.
 void addCommands(CLI::App& app, int& status) {
   app.require_subcommand(1);
   app.failure_message(failureMessage);
@@ -604,6 +604,21 @@ void addCommands(CLI::App& app, int& status) {
   addReplay(app, status);
   addExport(app, status);
 #endif
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  CLI::App app("carom: billiards where light is slow, shown as special relativity says it would look.",
+               "carom");
+  int status = 0;
+  addCommands(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return status;
 }
 
 }  // namespace carom

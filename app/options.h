@@ -1,12 +1,10 @@
 #pragma once
 // The command line of carom: what each command takes and what it runs.
 
-#include <CLI/App.hpp>
-
 namespace carom {
 
-/// Adds every command to `app`; the one that is called runs while the line is parsed and leaves its exit
-/// status in `status`. Wrong arguments are CLI::ParseError; what the commands throw comes through.
-void addCommands(CLI::App& app, int& status);
+/// Runs the command that the command line names and returns the exit status: its own, 0 after help, 2 where the
+/// arguments are wrong. Throws what the command throws.
+int runCommandLine(int argc, char** argv);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
-"""structure.py ROOT: no header includes itself by way of others, and every source file is in the format of .clang-format.
-
-Which rooms a room may include from is not checked here: the build gives it no path to others (CMakeLists.txt)."""
+"""structure.py ROOT: no header includes itself by way of others; rooms use each other only downwards, and a room
+includes only from rooms that it uses; no folder holds more than 28 modules; and every source file is in the format of
+.clang-format. Prints a line for each folder and one for each of the rules."""
 
 import pathlib
 import re
@@ -8,10 +8,36 @@ import shutil
 import subprocess
 import sys
 
-root = pathlib.Path(sys.argv[1])
+MOST_MODULES = 28
 ROOMS = ["app", "cave", "devices", "engine"]
+root = pathlib.Path(sys.argv[1])
 files = [file for room in ROOMS for file in (root / room).rglob("*") if file.suffix in (".h", ".cpp", ".glsl")]
 failed = False
+
+
+def fail(*words):
+    global failed
+    failed = True
+    print("FAILED:", *words)
+
+
+def circles(arrows):
+    """The circles of a graph, one for each way back that is found."""
+    found, done, path = [], set(), []
+
+    def visit(node):
+        if node in path:
+            found.append([*path[path.index(node) :], node])
+        elif node not in done:
+            path.append(node)
+            for other in sorted(arrows.get(node, ())):
+                visit(other)
+            path.pop()
+            done.add(node)
+
+    for node in sorted(arrows):
+        visit(node)
+    return found
 
 
 def module(path):
@@ -19,6 +45,16 @@ def module(path):
     return str(path).rsplit(".", 1)[0]
 
 
+# What each room uses, as its CMakeLists.txt says.
+uses = {}
+for listing in root.rglob("CMakeLists.txt"):
+    for room, rest in re.findall(r"(?m)^carom_room\((\S+)([^)]*)\)", listing.read_text()):
+        named = re.search(r"\bUSES\s+(.*?)(?=\s+[A-Z_]{4,}\b|\s*$)", rest, re.DOTALL)
+        uses[room] = set(named.group(1).split()) if named else set()
+        for other in uses[room] - {path for path in uses[room] if (root / path).is_dir()}:
+            fail(f"{room} uses {other}, which is no folder")
+
+# What each module includes.
 includes = {}
 for file in files:
     own = module(file.relative_to(root))
@@ -26,31 +62,51 @@ for file in files:
         if module(found) != own:
             includes.setdefault(own, set()).add(module(found))
 
-done, path = set(), []
+found = circles(includes)
+for circle in found:
+    fail("these include each other in a circle:", " -> ".join(circle))
+print(f"include circles {len(found)}")
+
+found = circles(uses)
+for circle in found:
+    fail("these rooms use each other in a circle:", " -> ".join(circle))
+print(f"room circles {len(found)}")
 
 
-def visit(own):
-    global failed
-    if own in path:
-        failed = True
-        print("these include each other in a circle:", " -> ".join([*path[path.index(own) :], own]))
-    elif own not in done:
-        path.append(own)
-        for other in sorted(includes.get(own, ())):
-            visit(other)
-        path.pop()
-        done.add(own)
+def below(room, seen):
+    """The rooms that a room reaches."""
+    for other in uses.get(room, ()):
+        if other not in seen:
+            seen.add(other)
+            below(other, seen)
+    return seen
 
 
+forbidden = 0
 for own in sorted(includes):
-    visit(own)
+    room = str(pathlib.PurePath(own).parent)
+    if room not in uses:  # the program itself, in app/, uses any room
+        continue
+    for other in sorted(includes[own]):
+        if str(pathlib.PurePath(other).parent) not in {room} | below(room, set()):
+            forbidden += 1
+            fail(f"{own} includes {other}, but {room} does not use its folder")
+print(f"includes of rooms that are not used {forbidden}")
+
+modules = {}
+for file in files:
+    if file.suffix in (".h", ".cpp"):
+        modules.setdefault(str(file.parent.relative_to(root)), set()).add(file.stem)
+for folder in sorted(modules, key=lambda folder: (-len(modules[folder]), folder)):
+    print(f"{len(modules[folder]):3} modules in {folder}")
+    if len(modules[folder]) > MOST_MODULES:
+        fail(f"{folder} holds {len(modules[folder])} modules, expected {MOST_MODULES} at most")
 
 formatter = shutil.which("clang-format")
 sources = sorted(file for file in [*files, *(root / "tests").rglob("*")] if file.suffix in (".h", ".cpp"))
 if not formatter:
     print("clang-format is not here: the format is not checked")
 elif subprocess.run([formatter, "--dry-run", "-Werror", *map(str, sources)]).returncode != 0:
-    failed = True
-    print("these files are not in the format of .clang-format: clang-format -i FILE")
-print(f"{len(includes)} modules, {len(sources)} files")
+    fail("these files are not in the format of .clang-format: clang-format -i FILE")
+print(f"{len(includes)} modules that include others, {len(sources)} files")
 sys.exit(1 if failed else 0)

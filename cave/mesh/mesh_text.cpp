@@ -249,8 +249,7 @@ class PlyCheck {
                                       {" short ushort int16 uint16 ", 2},
                                       {" int uint int32 uint32 float float32 ", 4},
                                       {" double float64 ", 8}}) {
-      if (!type.empty() &&
-          std::string_view(names).find(" " + std::string(type) + " ") != std::string_view::npos)
+      if (!type.empty() && std::string_view(names).find(fmt::format(" {} ", type)) != std::string_view::npos)
         return static_cast<std::size_t>(size);
     }
     return 0;

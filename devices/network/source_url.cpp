@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-std::string quoted(std::string_view text) { return '\'' + std::string(text) + '\''; }
+std::string inQuotes(std::string_view text) { return '\'' + std::string(text) + '\''; }
 
 /// What comes before `mark` and what comes after; all of it and nothing where there is no mark.
 std::pair<std::string_view, std::string_view> cut(std::string_view text, char mark) {
@@ -21,7 +21,7 @@ std::uint32_t SourceUrl::address(const std::string& key) const {
   const auto found = options.find(key);
   if (found == options.end()) return 0;
   if (const auto address = ipv4Of(found->second)) return *address;
-  throw std::invalid_argument(key + " is " + quoted(found->second) +
+  throw std::invalid_argument(key + " is " + inQuotes(found->second) +
                               ", expected an address such as 192.168.1.20");
 }
 
@@ -32,13 +32,13 @@ Endpoint readEndpoint(std::string_view text, std::uint16_t defaultPort) {
            c == '.' || c == '_';
   });
   if (!isPlain) {
-    throw std::invalid_argument(quoted(host) + " names no machine, expected a name or an IPv4 address");
+    throw std::invalid_argument(inQuotes(host) + " names no machine, expected a name or an IPv4 address");
   }
   Endpoint endpoint{std::string(host), defaultPort};
   if (host.size() == text.size()) return endpoint;
   const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), endpoint.port);
   if (error != std::errc{} || end != port.data() + port.size() || endpoint.port == 0) {
-    throw std::invalid_argument("the port is " + quoted(port) + ", expected a number from 1 to 65535");
+    throw std::invalid_argument("the port is " + inQuotes(port) + ", expected a number from 1 to 65535");
   }
   return endpoint;
 }
@@ -47,7 +47,8 @@ SourceUrl readSourceUrl(std::string_view text, std::string_view scheme, std::uin
                         std::span<const std::string_view> optionKeys, std::string_view example) {
   const std::string start = std::string(scheme) + "://";
   if (!text.starts_with(start)) {
-    throw std::invalid_argument("source is " + quoted(text) + ", expected one such as " + quoted(example));
+    throw std::invalid_argument("source is " + inQuotes(text) + ", expected one such as " +
+                                inQuotes(example));
   }
   const auto [place, query] = cut(text.substr(start.size()), '?');
   SourceUrl url{readEndpoint(place, defaultPort), {}};
@@ -57,9 +58,9 @@ SourceUrl readSourceUrl(std::string_view text, std::string_view scheme, std::uin
     if (std::find(optionKeys.begin(), optionKeys.end(), key) == optionKeys.end()) {
       std::string known;
       for (const std::string_view optionKey : optionKeys) {
-        known += (known.empty() ? "" : " or ") + quoted(optionKey);
+        known += (known.empty() ? "" : " or ") + inQuotes(optionKey);
       }
-      throw std::invalid_argument("unknown option " + quoted(key) + " in the source, expected " +
+      throw std::invalid_argument("unknown option " + inQuotes(key) + " in the source, expected " +
                                   (known.empty() ? "none" : known));
     }
     url.options[std::string(key)] = value;

@@ -43,7 +43,7 @@ FrameRecord pulling(double beta) {
   return record;
 }
 
-class Aids : public testing::Test {
+class CueOverlayPicture : public testing::Test {
  protected:
   Image drawn(const FrameRecord& record) {
     graphics_.makeCurrent();
@@ -74,13 +74,13 @@ class Aids : public testing::Test {
   glm::dvec3 eye_m_ = kEyes_m;
 };
 
-TEST_F(Aids, WithoutAHandNothingIsDrawn) {
+TEST_F(CueOverlayPicture, WithoutAHandNothingIsDrawn) {
   FrameRecord record = pulling(0.8);
   record.hand.shown = 0;
   EXPECT_EQ(lit(drawn(record)), 0);
 }
 
-TEST_F(Aids, TheRayEndsWhereItPointsForEachEye) {
+TEST_F(CueOverlayPicture, TheRayEndsWhereItPointsForEachEye) {
   FrameRecord record = pulling(0.8);
   record.hand.pulling = 0;
   record.hand.target = 0;
@@ -97,7 +97,7 @@ TEST_F(Aids, TheRayEndsWhereItPointsForEachEye) {
   }
 }
 
-TEST_F(Aids, AimedAtAPuckTheRayIsBrighterAndTheTargetRinged) {
+TEST_F(CueOverlayPicture, AimedAtAPuckTheRayIsBrighterAndTheTargetRinged) {
   FrameRecord record = pulling(0.8);
   record.hand.pulling = 0;
   const auto onRay = [&] { return at(drawn(record), 0.5 * (record.hand.from_m + record.hand.to_m)); };
@@ -116,7 +116,7 @@ TEST_F(Aids, AimedAtAPuckTheRayIsBrighterAndTheTargetRinged) {
   }
 }
 
-TEST_F(Aids, OnesOwnRayIsAPoint) {
+TEST_F(CueOverlayPicture, OnesOwnRayIsAPoint) {
   FrameRecord record = pulling(0.8);
   record.hand.pulling = 0;
   record.hand.target = 0;
@@ -127,7 +127,7 @@ TEST_F(Aids, OnesOwnRayIsAPoint) {
   EXPECT_LT(lit(image), 3 * 200);
 }
 
-TEST_F(Aids, TheCueIsBehindThePuckAsFarAsItIsPulled) {
+TEST_F(CueOverlayPicture, TheCueIsBehindThePuckAsFarAsItIsPulled) {
   for (const double beta : {0.6, 0.8, 0.9}) {
     const FrameRecord record = pulling(beta);
     const Image image = drawn(record);
@@ -140,7 +140,7 @@ TEST_F(Aids, TheCueIsBehindThePuckAsFarAsItIsPulled) {
   }
 }
 
-TEST_F(Aids, ACueThatIsNotYetDrawnBackGoesNowhere) {
+TEST_F(CueOverlayPicture, ACueThatIsNotYetDrawnBackGoesNowhere) {
   FrameRecord record = pulling(0.0);
   record.hand.towards = glm::dvec3(0.0);
   const long without = lit(drawn(record));
@@ -150,7 +150,7 @@ TEST_F(Aids, ACueThatIsNotYetDrawnBackGoesNowhere) {
   EXPECT_LT(at(touching, record.hand.target_m + glm::dvec3(0.0, 0.0, -0.15))[1], 40) << "no arrow";
 }
 
-TEST_F(Aids, TheScalesHeightIsTheCost) {
+TEST_F(CueOverlayPicture, TheScalesHeightIsTheCost) {
   for (const double beta : {-0.5, 0.5, 0.8, 0.9, 0.95}) {  // below 0: to the left
     FrameRecord record = pulling(std::abs(beta));
     record.hand.towards.x = std::copysign(record.hand.towards.x, beta);
@@ -169,7 +169,7 @@ TEST_F(Aids, TheScalesHeightIsTheCost) {
   EXPECT_EQ(CueOverlay::heightOf(9.0), CueOverlay::heightOf(CueOverlay::kMostCost));
 }
 
-TEST_F(Aids, TheScaleIsUprightAndEquallyLargeEverywhere) {
+TEST_F(CueOverlayPicture, TheScaleIsUprightAndEquallyLargeEverywhere) {
   for (const glm::dvec3& place_m : {glm::dvec3(0.3, 0.8, -1.0), glm::dvec3(-2.0, 0.8, -5.0)}) {
     const FacingPlane plane = facing(place_m, kEyes_m, room_);
     EXPECT_NEAR(glm::dot(plane.right, room_.up), 0.0, 1e-12);

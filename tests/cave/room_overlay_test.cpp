@@ -27,7 +27,7 @@ Wall leaningWall() {
   return wall;
 }
 
-class Aids : public testing::Test {
+class RoomOverlayPicture : public testing::Test {
  protected:
   /// At the wall's (right, up) metres, and off it into the room.
   glm::dvec3 place(double x_m, double y_m, double off_m) const {
@@ -76,7 +76,7 @@ class Aids : public testing::Test {
   bool isFront_ = false;
 };
 
-TEST_F(Aids, TheGridComesWithTheHeadAndWithTheHand) {
+TEST_F(RoomOverlayPicture, TheGridComesWithTheHeadAndWithTheHand) {
   EXPECT_EQ(brightest(drawn(headAt(place(1.5, 1.0, 0.61)))), 0);
   const int faint = brightest(drawn(headAt(place(1.5, 1.0, 0.45))));
   const int full = brightest(drawn(headAt(place(1.5, 1.0, 0.30))));
@@ -96,7 +96,7 @@ TEST_F(Aids, TheGridComesWithTheHeadAndWithTheHand) {
 }
 
 // Crossings of its lines and middles of its cells, as this eye sees those places of the wall's plane.
-TEST_F(Aids, TheGridsLinesAreTenCentimetresApartOnTheWall) {
+TEST_F(RoomOverlayPicture, TheGridsLinesAreTenCentimetresApartOnTheWall) {
   const Image image = drawn(headAt(place(1.5, 1.0, 0.2)));
   for (int x = 13; x <= 17; ++x) {
     for (int y = 8; y <= 12; ++y) {
@@ -109,7 +109,7 @@ TEST_F(Aids, TheGridsLinesAreTenCentimetresApartOnTheWall) {
   EXPECT_EQ(at(image, pixelOf(place(0.7, 1.0, 0.0))), (Rgb{0, 0, 0})) << "beyond its reach";
 }
 
-TEST_F(Aids, CrossesSitOnTheSensors) {
+TEST_F(RoomOverlayPicture, CrossesSitOnTheSensors) {
   FrameRecord record = headAt(place(1.5, 1.0, 1.5));
   record.tracked.handKnown = record.tracked.headKnown = 1;
   const glm::dquat turned = glm::normalize(glm::dquat(0.9, 0.2, -0.3, 0.1));
@@ -138,7 +138,7 @@ TEST_F(Aids, CrossesSitOnTheSensors) {
   }
 }
 
-TEST_F(Aids, OneCrossIsBeforeTheEyes) {
+TEST_F(RoomOverlayPicture, OneCrossIsBeforeTheEyes) {
   FrameRecord record = headAt(place(1.5, 1.0, 1.5));
   record.controls.trackerCross = record.tracked.headKnown = 1;
   record.tracked.roomFromHeadSensor.position_m = place(1.5, 1.0, 1.6);
@@ -151,7 +151,7 @@ TEST_F(Aids, OneCrossIsBeforeTheEyes) {
 
 // By similar triangles: a bar `off` before a wall at distance d moves across it by −e·off/(d − off) for an
 // eye that is e beside the middle.
-TEST_F(Aids, TheBarsDifferInParallaxAlone) {
+TEST_F(RoomOverlayPicture, TheBarsDifferInParallaxAlone) {
   isFront_ = true;
   constexpr double kFar_m = 1.4, kPerMetre = 200.0;
   FrameRecord record = headAt(place(1.5, 1.0, kFar_m));

@@ -123,7 +123,7 @@ double power(double temperature_K) {
   return sum;
 }
 
-TEST(Switches, ScaleThePowerAsSaid) {
+TEST(ColourSwitches, ScaleThePowerAsSaid) {
   for (const float doppler : {0.2F, 0.6F, 1.0F, 1.7F, 6.0F}) {
     const double rest = power(kReferenceTemperature_K);
     const double shifted = power(kReferenceTemperature_K * static_cast<double>(doppler));

@@ -1,18 +1,45 @@
 #pragma once
-// Seeded random world lines, offsets and eyes for tests; every generator prints as the case it made.
+// Seeded random world lines, offsets and eyes for tests. print.h prints them, CASE says how to make them again.
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <ostream>
 #include <random>
+#include <string>
 
+#include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include "engine/spacetime/world_line.h"
+#include "print.h"
 
 namespace carom::test {
 
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Random(std::uint64_t seed) : seed_(seed), engine_(seed) {}
+
+  /// Begins a case: what is drawn from here on depends on the seed and the case alone. False where the environment
+  /// variable CAROM_CASE names another case.
+  bool begin(std::uint64_t number) {
+    static const char* const wanted = std::getenv("CAROM_CASE");
+    if (wanted && std::to_string(number) != wanted) return false;
+    case_ = number;
+    engine_.seed(seed_ ^
+                 (number + 1) * 0x9e3779b97f4a7c15u);  // 2⁶⁴ over the golden ratio: cases lie far apart
+    return true;
+  }
+  friend void PrintTo(const Random& random, std::ostream* out) {
+    *out << "seed " << random.seed_;
+    if (!random.case_) return;
+    static const std::string program = std::filesystem::read_symlink("/proc/self/exe");
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    *out << ", case " << *random.case_ << "; again: CAROM_CASE=" << *random.case_ << ' ' << program
+         << " --gtest_filter=" << (test ? std::string(test->test_suite_name()) + '.' + test->name() : "*");
+  }
+
   /// Uniform in [low, high), the same on every platform.
   double in(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
@@ -29,8 +56,16 @@ class Random {
   Vec3 u(double maxBeta) { return uFromBeta(direction() * in(0.0, maxBeta)); }
 
  private:
+  std::uint64_t seed_;
+  std::optional<std::uint64_t> case_;
   std::mt19937_64 engine_;
 };
+
+/// The first statement of a loop over cases: draws case `i` of `random`, and a failure in it says which it was and the
+/// command that runs it alone. What the test expects of all cases together does not hold then.
+#define CASE(random, i)                                         \
+  if (!(random).begin(static_cast<std::uint64_t>(i))) continue; \
+  SCOPED_TRACE(testing::PrintToString(random))
 
 /// A body that bounces `bounces` times, `spacing_s` board seconds apart on average. As for a puck, the signal
 /// of each bounce comes from a point of the body and reaches the centre at the turn.

@@ -1,0 +1,64 @@
+#include "engine/billiard/due_queue.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "engine/random_world.h"
+
+namespace carom {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// Beside a sorted set of (time, number), which is what the queue stands for. Times are coarse, so that many are
+// equal, and move on as a game's do; the larger number is beyond the heap.
+class DueQueueOf : public testing::TestWithParam<int> {};
+
+TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
+  const int items = GetParam();
+  test::Random random(static_cast<std::uint64_t>(items));
+  DueQueue queue(items);
+  EXPECT_EQ(queue.firstDue(), kNever);
+  std::set<std::pair<double, int>> sorted;
+  std::vector<double> due(static_cast<std::size_t>(items), kNever);
+  const auto set = [&](int item, double time) {
+    double& before = due[static_cast<std::size_t>(item)];
+    if (before != kNever) sorted.erase({before, item});
+    if (time != kNever) sorted.insert({time, item});
+    queue.setDue(item, before = time);
+  };
+  for (int item = 0; item < items; ++item) set(item, std::floor(random.in(0.0, 2.0 * items)));
+  for (int step = 0; step < 20000; ++step) {
+    if (!sorted.empty() && random.in(0.0, 1.0) < 0.5) {  // the first has its turn
+      const double now = sorted.begin()->first;
+      set(sorted.begin()->second,
+          random.in(0.0, 1.0) < 0.1 ? kNever : now + std::floor(random.in(0.0, 50.0)));
+    } else {
+      const double time = random.in(0.0, 1.0) < 0.2 ? kNever : std::floor(random.in(0.0, 3.0 * items));
+      set(static_cast<int>(random.in(0.0, items)), time);
+    }
+    ASSERT_EQ(queue.firstDue(), sorted.empty() ? kNever : sorted.begin()->first) << "step " << step;
+    if (sorted.empty()) continue;
+    ASSERT_EQ(queue.first(), sorted.begin()->second) << "step " << step;
+    ASSERT_EQ(queue.due(queue.first()), sorted.begin()->first);
+    for (int k = 1; k < 4; ++k) {
+      const int soon = queue.soon(k);
+      ASSERT_TRUE(soon >= -1 && soon < items && soon != queue.first()) << "step " << step << ": " << soon;
+    }
+  }
+  while (!sorted.empty()) {
+    ASSERT_EQ(queue.firstDue(), sorted.begin()->first);
+    ASSERT_EQ(queue.first(), sorted.begin()->second);
+    set(sorted.begin()->second, kNever);
+  }
+  EXPECT_EQ(queue.firstDue(), kNever);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, DueQueueOf, testing::Values(1, 5, 300, 9000));
+
+}  // namespace
+}  // namespace carom
