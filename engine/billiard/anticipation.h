@@ -3,6 +3,7 @@
 // next appointment, a queue says whose is due first, and only what an event changed is predicted anew.
 // Inside, c = 1 (times in metres of light) and the pucks are numbered in the order of their names.
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -50,7 +51,8 @@ class Anticipation {
     unsigned otherLeg = 0;       // the number of the leg on which the other puck was found
     double ownTime = kNever;     // board time of this puck's centre
     double otherTime = -kNever;  // and of the other's
-    double touchAt = 0.0;  // with friction: board time at which the straight flights touch the world lines
+    // With friction: board times at which the straight flights touch the world lines, in the order of the names.
+    std::array<double, 2> touchAt{};
     double due() const { return ownTime > otherTime ? ownTime : otherTime; }
   };
   // A leg that is certain, but that the centre has not begun.
@@ -133,7 +135,7 @@ class Anticipation {
   void considerPairs(int i, int found, Appointment& best);
   void considerPair(int i, int other, Appointment& best);
   static bool isEarlier(double ownTime, int with, const Appointment& than);
-  std::optional<Meeting> meetingOf(int first, int second, double& touchAt) const;
+  std::optional<Meeting> meetingOf(int first, int second, std::array<double, 2>& touchAt) const;
   double leavesCell(int i, int axis) const;
   int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
   // The axis along which its centre leaves its cell first.

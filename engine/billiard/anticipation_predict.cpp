@@ -139,7 +139,7 @@ void Anticipation::considerPairs(int i, int found, Appointment& best) {
 void Anticipation::considerPair(int i, int other, Appointment& best) {
   const int first = std::min(i, other), second = std::max(i, other);
   const Player& player = players_[i];
-  double touchAt = 0.0;
+  std::array<double, 2> touchAt{};
   const std::optional<Meeting> meeting = meetingOf(first, second, touchAt);
   if (!meeting) return;
   const double own = meeting->ownTime[i == first ? 0 : 1], theirs = meeting->ownTime[i == first ? 1 : 0];
@@ -166,7 +166,7 @@ void Anticipation::considerPair(int i, int other, Appointment& best) {
   }
 }
 
-std::optional<Meeting> Anticipation::meetingOf(int first, int second, double& touchAt) const {
+std::optional<Meeting> Anticipation::meetingOf(int first, int second, std::array<double, 2>& touchAt) const {
   if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
   const auto found = findBrakedMeeting({players_[first].leg, discs_[first].radius},
                                        {players_[second].leg, discs_[second].radius}, convention_);
