@@ -18,7 +18,7 @@ Encounter encounterOf(const CheckedLeg& first, const CheckedLeg& second, Real t)
   return encounterOf(first.at(t), second.at(t));
 }
 
-Encounter encounterOf(const CheckedLeg::Moment& a, const CheckedLeg::Moment& b) {
+Encounter encounterOf(const CheckedLeg::LegState& a, const CheckedLeg::LegState& b) {
   Encounter e;
   e.x = {a.x, b.x}, e.u = {a.u, b.u};
   const Four sum = a.u + b.u;
@@ -38,10 +38,10 @@ Encounter encounterOf(const CheckedLeg::Moment& a, const CheckedLeg::Moment& b) 
 
 Encounter encounterAtLaterStart(const CheckedLeg& first, const CheckedLeg& second) {
   const CheckedLeg* const legs[2] = {&first, &second};
-  std::array<CheckedLeg::Moment, 2> at{first.at(first.start.t), second.at(second.start.t)};
+  std::array<CheckedLeg::LegState, 2> at{first.at(first.start.t), second.at(second.start.t)};
   const Real lead = product(at[0].u + at[1].u, at[1].x - at[0].x);
   const int earlier = lead > 0 ? 0 : 1;
-  const CheckedLeg::Moment& later = at[1 - earlier];
+  const CheckedLeg::LegState& later = at[1 - earlier];
   at[earlier] = legs[earlier]->at(legs[earlier]->whenRises(
       at[earlier].x.t, [&](const auto& m) { return product(m.u + later.u, m.x - later.x); }));
   return encounterOf(at[0], at[1]);
@@ -107,7 +107,7 @@ Reading readContact(const GameRecord& game, std::array<std::size_t, 2> who, cons
 
 }  // namespace
 
-// News can chase a fast centre for long, and meanwhile it can turn often: the leg of a contact is any of those before,
+// Signal can chase a fast centre for long, and meanwhile it can turn often: the leg of a contact is any of those before,
 // the latest that fits.
 void GameRecord::findLegsOfCollision(const GameEvent& event, Part& first, Part& second) {
   const std::array<std::size_t, 2> who = pair(event);
@@ -166,7 +166,7 @@ void GameRecord::findLegOfBounce(const GameEvent& event, Part& part) const {
   Real best = kEndless;
   for (std::size_t k = part.knot; k-- > 0 && !(best <= part.tolerance);) {
     const CheckedLeg& leg = legs[puck][k];
-    CheckedLeg::Moment own = leg.at(contact.t);
+    CheckedLeg::LegState own = leg.at(contact.t);
     Real off = 0;
     if (atCentre()) {
       own = leg.at(leg.whenRises(contact.t, [&](const auto& m) { return product(m.u, m.x - contact); }));

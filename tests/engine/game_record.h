@@ -47,7 +47,7 @@ struct Encounter {
 };
 Encounter encounterOf(const CheckedLeg& first, const CheckedLeg& second, Real t);
 /// Of flights that touch their legs at different times.
-Encounter encounterOf(const CheckedLeg::Moment& first, const CheckedLeg::Moment& second);
+Encounter encounterOf(const CheckedLeg::LegState& first, const CheckedLeg::LegState& second);
 
 /// As the later of the two legs begins, in their frame: the flights touch the legs there, one of them at its start.
 Encounter encounterAtLaterStart(const CheckedLeg& first, const CheckedLeg& second);
