@@ -1,5 +1,5 @@
 #pragma once
-// Where a tracker's sensor was last.
+// The last known place of a tracker's sensor.
 
 #include <limits>
 #include <optional>
@@ -29,13 +29,13 @@ class SensorPlace {
     counted_ = 0;
   }
   const Pose& roomFromSensor() const { return roomFromSensor_; }
-  /// Whether it has come within kLately_s.
+  /// Whether a pose has arrived within kLately_s.
   bool isKnown(double now_s) const { return told_s_ && now_s - *told_s_ <= kLately_s; }
 
   double newest_s() const { return newest_s_; }  ///< time of the newest sample; NaN: none yet
   double rate_hz() const { return rate_hz_; }    ///< of samples, about the last second; NaN at first
 
-  static constexpr double kLately_s = 0.3;  ///< after which the head, too, counts as lost (head_filter.h)
+  static constexpr double kLately_s = 0.3;  ///< the head counts as lost after the same time (head_filter.h)
 
  private:
   int sensor_;

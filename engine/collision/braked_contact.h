@@ -1,7 +1,7 @@
 #pragma once
-// Where two pucks meet that friction slows: the first board time t at which Dpar = dmin (puck_contact.h) for
-// the straight flights that touch both world lines at t. A pair that is in contact as the later of the two legs
-// begins, in its equal-speed frame, meets then: the flights touch the world lines at that moment of the frame.
+// The contact of two pucks that friction slows: the first board time t at which Dpar = dmin (puck_contact.h)
+// for the straight flights that touch both world lines at t. A pair that is in contact as the later of the two
+// legs begins, in its equal-speed frame, meets then: its flights touch the world lines at that moment of the frame.
 
 #include <array>
 #include <optional>
@@ -21,12 +21,12 @@ struct BrakedMeeting {
   std::array<double, 2> touchAt{};  ///< the flights of `flightAt` at these times give the contact
 };
 
-/// The straight flight that touches a leg at board time `t`.
+/// Returns the straight flight that touches a leg at board time `t`.
 Disc flightAt(const BrakedDisc& disc, double t);
 
-/// The first meeting of two legs, as `findMeeting` has it for the flights that touch them at t: at or after
-/// the later start, or already in contact there. Bounds of how fast the gap can close keep the search from
-/// stepping over one, at any board time: legs moved in time meet as much later.
+/// Returns the first meeting of two legs, at or after the later start, or already in contact there: the
+/// meeting that `findMeeting` gives for the flights that touch the legs at t. Bounds of how fast the gap can
+/// close keep the search from missing a meeting, at any board time: legs moved in time meet as much later.
 std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
                                                TurnConvention convention);
 

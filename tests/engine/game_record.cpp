@@ -107,8 +107,8 @@ Reading readContact(const GameRecord& game, std::array<std::size_t, 2> who, cons
 
 }  // namespace
 
-// Signal can chase a fast centre for long, and meanwhile it can turn often: the leg of a contact is any of those before,
-// the latest that fits.
+// A signal can chase a fast centre for long, which can turn often meanwhile. The leg of a contact is the latest before
+// the turn that fits.
 void GameRecord::findLegsOfCollision(const GameEvent& event, Part& first, Part& second) {
   const std::array<std::size_t, 2> who = pair(event);
   const auto& a = legs[who[0]];
