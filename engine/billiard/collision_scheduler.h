@@ -4,6 +4,7 @@
 // it changed are predicted anew. Inside, c = 1 (times in metres of light), and the pucks are numbered in the
 // order of their names.
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -51,7 +52,8 @@ class CollisionScheduler {
     unsigned otherLeg = 0;       // the number of the leg on which the other puck was found
     double ownTime = kNever;     // board time of this puck's centre
     double otherTime = -kNever;  // and of the other's
-    double touchAt = 0.0;  // with friction: board time at which the straight flights touch the world lines
+    // With friction: board times at which the straight flights touch the world lines, in the order of the names.
+    std::array<double, 2> touchAt{};
     double due() const { return ownTime > otherTime ? ownTime : otherTime; }
   };
   // A leg that is decided, but that the centre has not begun.
@@ -136,7 +138,7 @@ class CollisionScheduler {
   void considerPairs(int i, int found, PredictedEvent& best);
   void considerPair(int i, int other, PredictedEvent& best);
   static bool isEarlier(double ownTime, int with, const PredictedEvent& than);
-  std::optional<Meeting> meetingOf(int first, int second, double& touchAt) const;
+  std::optional<Meeting> meetingOf(int first, int second, std::array<double, 2>& touchAt) const;
   double leavesCell(int i, int axis) const;
   int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
   // Returns the axis along which the puck's centre leaves its cell first.

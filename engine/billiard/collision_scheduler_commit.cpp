@@ -23,14 +23,16 @@ constexpr double kStill = 1e-9;         // of light speed: slower than this, jam
 void CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
   const std::array<int, 2> who{first, second};
   const bool braked = brake_ != 0.0;
-  const auto flight = [&](int i) {
-    return braked ? flightAt({pucks_[i].leg, discs_[i].radius}, a.touchAt) : discs_[i];
+  const auto flight = [&](int k) {
+    return braked ? flightAt({pucks_[who[k]].leg, discs_[who[k]].radius}, a.touchAt[k]) : discs_[who[k]];
   };
-  const PairContact contact = contactOf(flight(first), flight(second), a.withoutDelay);
+  const PairContact contact = contactOf(flight(0), flight(1), a.withoutDelay);
 
   const std::array<double, 2> mass{pucks_[first].mass, pucks_[second].mass};
-  const auto decidedU = [&](int i) { return braked ? momentAt(lastLeg(i), a.touchAt).u : lastLeg(i).u; };
-  if (!kickPair(contact.U, contact.n, {decidedU(first), decidedU(second)}, mass, 1.0)) return;  // they recede
+  const auto decidedU = [&](int k) {
+    return braked ? momentAt(lastLeg(who[k]), a.touchAt[k]).u : lastLeg(who[k]).u;
+  };
+  if (!kickPair(contact.U, contact.n, {decidedU(0), decidedU(1)}, mass, 1.0)) return;  // they recede
 
   const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;
   std::array<LegState, 2> turn;

@@ -139,7 +139,7 @@ void CollisionScheduler::considerPairs(int i, int found, PredictedEvent& best) {
 void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   const int first = std::min(i, other), second = std::max(i, other);
   const PuckState& player = pucks_[i];
-  double touchAt = 0.0;
+  std::array<double, 2> touchAt{};
   const std::optional<Meeting> meeting = meetingOf(first, second, touchAt);
   if (!meeting) return;
   const double own = meeting->ownTime[i == first ? 0 : 1], theirs = meeting->ownTime[i == first ? 1 : 0];
@@ -166,7 +166,8 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   }
 }
 
-std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second, double& touchAt) const {
+std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second,
+                                                     std::array<double, 2>& touchAt) const {
   if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
   const auto found = findBrakedMeeting({pucks_[first].leg, discs_[first].radius},
                                        {pucks_[second].leg, discs_[second].radius}, convention_);

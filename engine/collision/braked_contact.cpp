@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/root.h"
+
 namespace carom {
 
 namespace {
@@ -108,40 +110,39 @@ Disc flightSince(const BrakedDisc& disc, double t, double span) {
   return {{begin, m.x.x + m.u.x * s, m.x.y + m.u.y * s}, m.u, disc.radius, 0.0};
 }
 
-// A pair in contact is kicked at the later of the two starts in its equal-speed frame, U ∝ u1 + u2. If that
-// is the later one on the board too, its flights are those that touch there. Otherwise they touch at the
-// moment of the earlier leg that is simultaneous with the start of the later one, or where the earlier leg
-// begins.
-double touchOfPairInContact(const BrakedDisc& first, const BrakedDisc& second, double span) {
-  const bool secondLater = second.leg.start.t >= first.leg.start.t;
-  const Leg& later = secondLater ? second.leg : first.leg;
-  const Leg& earlier = secondLater ? first.leg : second.leg;
-  const auto ahead = [&](double t) {  // U·(start − X(t)): falls, as R a < 1/2
-    const LegState m = placeAt(earlier, t);
-    return dot(m.u + later.u, later.start - m.x);
+// A pair in contact is kicked at the later of the two starts in its equal-speed frame, U ∝ u1 + u2. The flights are
+// those that touch the legs at that moment: there, and where the other leg is simultaneous with it.
+std::array<double, 2> touchOfPairInContact(const BrakedDisc& first, const BrakedDisc& second) {
+  const Leg* const legs[2] = {&first.leg, &second.leg};
+  const double lead = dot(first.leg.u + second.leg.u, second.leg.start - first.leg.start);
+  const int earlier = lead > 0.0 ? 0 : 1;
+  const Leg &leg = *legs[earlier], &later = *legs[1 - earlier];
+  std::array<double, 2> touch{first.leg.start.t, second.leg.start.t};
+  if (lead == 0.0) return touch;
+  const auto late = [&](double t) {  // U·(X(t) − start): rises, as R a < 1/2
+    const LegState m = placeAt(leg, t);
+    return dot(m.u + later.u, m.x - later.start);
   };
-  double high = later.start.t, low = std::max(earlier.start.t, high - span);
-  if (ahead(high) >= 0.0) return high;
-  if (ahead(low) <= 0.0) return low;
-  for (double middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
-    (ahead(middle) > 0.0 ? low : high) = middle;
-  }
-  return low;
+  const double guess = leg.start.t + std::abs(lead) / dot(leg.u + later.u, leg.u) * leg.u.t;
+  touch[earlier] = std::max(leg.start.t, rootOfIncreasing(late, guess, 1e-6));
+  return touch;
 }
 
-// The meeting of the flights that touch the legs at t.
+// The meeting of the flights that touch the legs at t; of a pair that is in contact as the later leg begins, of
+// those at that moment: only they say whether it approaches.
 std::optional<BrakedMeeting> meetingAt(const BrakedDisc& first, const BrakedDisc& second, double t,
-                                       double span, TurnConvention convention) {
+                                       double span, bool inContact, TurnConvention convention) {
+  std::array<double, 2> touch{t, t};
   const auto found = [&] {
-    return findMeeting(flightSince(first, t, span), flightSince(second, t, span), convention);
+    return findMeeting(flightSince(first, touch[0], span), flightSince(second, touch[1], span), convention);
   };
   std::optional<Meeting> meeting = found();
-  if (meeting && meeting->withoutDelay) {
-    t = touchOfPairInContact(first, second, span);
+  if (meeting ? meeting->withoutDelay : inContact) {
+    touch = touchOfPairInContact(first, second);
     meeting = found();
   }
   if (!meeting) return std::nullopt;
-  return BrakedMeeting{*meeting, t};
+  return BrakedMeeting{*meeting, touch};
 }
 
 // The first meeting, of legs whose times are as small as those of the search. It begins before the later
@@ -172,10 +173,10 @@ std::optional<BrakedMeeting> search(const BrakedDisc& first, const BrakedDisc& s
     std::optional<BrakedMeeting> meeting;
     if (here.value > 0.0 && there.value <= 0.0) {
       const double root = std::clamp(t - here.value / here.slope, t, next);
-      meeting = meetingAt(first, second, root, span, convention);
-    } else if (next == begin && there.value <= 0.0) {
-      meeting = meetingAt(first, second, begin, span, convention);
+      meeting = meetingAt(first, second, root, span, false, convention);
     }
+    if (!meeting && next == begin && there.value <= 0.0)
+      meeting = meetingAt(first, second, begin, span, true, convention);
     if (meeting) return meeting;
     t = next;
     here = there;
@@ -202,12 +203,15 @@ std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const Br
   two.leg.start.t -= origin;
   std::optional<BrakedMeeting> found = search(one, two, span, convention);
   if (!found) return std::nullopt;
-  found->touchAt += origin;
   for (double& own : found->meeting.ownTime) own += origin;
-  // What is simultaneous with the later start must not come after it by rounding.
-  if (found->meeting.withoutDelay && found->touchAt < begin) {
+  const double starts[2] = {first.leg.start.t, second.leg.start.t};
+  for (int k = 0; k < 2; ++k) {
+    double& touch = found->touchAt[k];
+    const bool begins = touch == (k == 0 ? one : two).leg.start.t;
+    touch = begins ? starts[k] : touch + origin;
+    // What is simultaneous with the later start must not come after it by rounding.
     const double hair = 8.0 * std::numeric_limits<double>::epsilon() * begin;
-    found->touchAt = std::max(std::min(first.leg.start.t, second.leg.start.t), found->touchAt - hair);
+    if (found->meeting.withoutDelay && !begins) touch = std::max(starts[k], touch - hair);
   }
   return found;
 }

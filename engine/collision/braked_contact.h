@@ -1,7 +1,9 @@
 #pragma once
 // The contact of two pucks that friction slows: the first board time t at which Dpar = dmin (puck_contact.h)
-// for the straight flights that touch both world lines at t.
+// for the straight flights that touch both world lines at t. A pair that is in contact as the later of the two
+// legs begins, in its equal-speed frame, meets then: its flights touch the world lines at that moment of the frame.
 
+#include <array>
 #include <optional>
 
 #include "engine/collision/puck_contact.h"
@@ -16,7 +18,7 @@ struct BrakedDisc {
 
 struct BrakedMeeting {
   Meeting meeting;
-  double touchAt = 0.0;  ///< t; the flights of `flightAt` at this time give the contact
+  std::array<double, 2> touchAt{};  ///< the flights of `flightAt` at these times give the contact
 };
 
 /// Returns the straight flight that touches a leg at board time `t`.

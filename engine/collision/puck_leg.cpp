@@ -67,15 +67,20 @@ double restsAt(const Leg& leg) {
   return leg.start.t + std::sqrt(leg.u.x * leg.u.x + leg.u.y * leg.u.y) / leg.brake;
 }
 
-// Inertial: with w = signal − X0, τ = u·w, q = w − τu and ρ = sqrt(h² − q·q), the distance in the rest frame,
-// the cone is met τ + ρ after the start. (−q·q is τ² − w·w, which would cancel on a leg that is old.) With
+// Inertial: with w = signal − X0, τ = u·w and ρ = sqrt(τ² − w·w + h²), the distance in the rest frame, the cone is
+// met s = τ + ρ after the start. τ² − w·w cancels on a leg that is old: it is −q·q, q = w − τu. Where τ < 0 the
+// sum τ + ρ and −q·q cancel, at high γ by far: there s = (h² − w·w)/(ρ − τ), and ρ² is a sum. With
 // friction f(t) = (t − t_signal) − |x(t) − x_signal| rises strictly.
 LegState signalArrives(const Leg& leg, const Vec21& signal, double height) {
   const Vec21 w = signal - leg.start;
   if (leg.brake == 0.0) {
-    const double tau = dot(leg.u, w);
+    const double tau = dot(leg.u, w), height2 = height * height;
+    if (tau < 0.0) {
+      const double apart = height2 - dot(w, w);
+      return momentAfter(leg, apart / (std::sqrt(std::max(0.0, tau * tau + apart)) - tau));
+    }
     const Vec21 q = w - leg.u * tau;
-    return momentAfter(leg, tau + std::sqrt(std::max(0.0, height * height - dot(q, q))));
+    return momentAfter(leg, tau + std::sqrt(std::max(0.0, height2 - dot(q, q))));
   }
   const auto late = [&](double t) {
     const LegState m = placeAt(leg, t);

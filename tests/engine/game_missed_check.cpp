@@ -136,7 +136,10 @@ class MissedCheck {
       if (!(speed > 0)) return false;
       if (apart <= 1.1L * reach && gapAt(t) < 0) {
         if (t > before && touchesBetween(c, before, t, reach, gapAt) && !c.withoutDelay) return true;
-        return gapAt(start) < 0 && findStraight(c, start, start, reach);
+        if (!(gapAt(start) < 0)) return false;
+        c.withoutDelay = false;
+        c.encounter = encounterAtLaterStart(a, b);
+        return decide(c, {a.start.t, b.start.t}, reach);
       }
       before = t;
       t += std::max(apart - reach, Real(0.01) * reach) / speed;

@@ -36,6 +36,17 @@ Encounter encounterOf(const CheckedLeg::LegState& a, const CheckedLeg::LegState&
   return e;
 }
 
+Encounter encounterAtLaterStart(const CheckedLeg& first, const CheckedLeg& second) {
+  const CheckedLeg* const legs[2] = {&first, &second};
+  std::array<CheckedLeg::LegState, 2> at{first.at(first.start.t), second.at(second.start.t)};
+  const Real lead = product(at[0].u + at[1].u, at[1].x - at[0].x);
+  const int earlier = lead > 0 ? 0 : 1;
+  const CheckedLeg::LegState& later = at[1 - earlier];
+  at[earlier] = legs[earlier]->at(legs[earlier]->whenRises(
+      at[earlier].x.t, [&](const auto& m) { return product(m.u + later.u, m.x - later.x); }));
+  return encounterOf(at[0], at[1]);
+}
+
 Four Encounter::contactAt(Real moment_m, Real share) const {
   const Four apart = ahead * distanceAt(moment_m) + aside * offset;
   return at(0, moment_m) + fromFrame(U, apart) * share;
@@ -45,9 +56,13 @@ Real roundingOf(const Encounter& e) {
   return 8 * e.gamma * (e.u[0].t + e.u[1].t) * (roundingAt(e.x[0]) + roundingAt(e.x[1]));
 }
 
-namespace {
+Real roundingOfWay(const Encounter& e, Real brake) {
+  const Real sum = e.u[0].t + e.u[1].t;
+  const Real wrong = 8 * kUlp * sum * sum + brake * (roundingAt(e.x[0]) + roundingAt(e.x[1]));
+  return wrong < e.gamma * e.speed ? wrong / (e.gamma * e.speed) : 1;
+}
 
-constexpr std::size_t kLegsBack = 8;  // so many turns at most are on their way to a centre
+namespace {
 
 // A contact, as the flights of two legs have it.
 struct Reading {
@@ -72,75 +87,75 @@ Reading readContactAt(const GameRecord& game, std::array<std::size_t, 2> who, co
 }
 
 // With friction the flights are those that touch the legs at the first's moment of the contact, or where the
-// later leg begins. `touching`: the rims are to meet there, not to overlap.
+// later leg begins, on the board or in their frame.
 Reading readContact(const GameRecord& game, std::array<std::size_t, 2> who, const CheckedLeg& first,
-                    const CheckedLeg& second, const Four& contact, bool touching) {
+                    const CheckedLeg& second, const Four& contact) {
   Encounter e = encounterOf(first, second, std::max(first.start.t, second.start.t));
-  const Reading atStart = readContactAt(game, who, e, contact, touching);
+  const Reading atStart = readContactAt(game, who, e, contact, true);
   if (first.brake == 0) return atStart;
+  const Reading inContact = readContactAt(game, who, encounterAtLaterStart(first, second), contact, true);
   Real t = kEndless;
   for (int step = 0; step < 60; ++step) {
     const Real better = first.whenSimultaneous(e.U, contact);
     if (better == t) break;
     e = encounterOf(first, second, t = better);
   }
-  const Reading there = readContactAt(game, who, e, contact, touching);
-  return there.off < atStart.off ? there : atStart;
+  const Reading there = readContactAt(game, who, e, contact, true);
+  const Reading& begun = inContact.off < atStart.off ? inContact : atStart;
+  return there.off < begun.off ? there : begun;
 }
 
 }  // namespace
 
+// A signal can chase a fast centre for long, which can turn often meanwhile. The leg of a contact is the latest before
+// the turn that fits.
 void GameRecord::findLegsOfCollision(const GameEvent& event, Part& first, Part& second) {
   const std::array<std::size_t, 2> who = pair(event);
   const auto& a = legs[who[0]];
   const auto& b = legs[who[1]];
-  Real best = kEndless;
+  Real& best = first.off = kEndless;
   const auto consider = [&](std::size_t k, std::size_t l) {
-    const Reading reading = readContact(*this, who, a[k], b[l], place(event.at), true);
-    const Real tolerance = roundingOf(reading.contact.encounter);
+    const Reading reading = readContact(*this, who, a[k], b[l], place(event.at));
+    const Real reach = radius(who[0]) + radius(who[1]);
+    const Real tolerance =
+        roundingOf(reading.contact.encounter) + reach * roundingOfWay(reading.contact.encounter, a[k].brake);
     const bool last = k + 1 == first.knot && l + 1 == second.knot;
     const bool inTime = reading.own[0] <= a[k].end + tolerance && reading.own[1] <= b[l].end + tolerance;
     if (!(reading.off < best) || !(inTime || last)) return;
-    best = reading.off;
     contacts[first.event] = reading.contact;
     first.leg = k, second.leg = l;
     first.own = reading.own[0], second.own = reading.own[1];
     first.off = second.off = reading.off;
     first.tolerance = second.tolerance = tolerance;
   };
-  for (std::size_t i = 1; i <= std::min(first.knot, kLegsBack); ++i) {
-    for (std::size_t j = 1; j <= std::min(second.knot, kLegsBack); ++j)
-      consider(first.knot - i, second.knot - j);
+  for (std::size_t k = first.knot; k-- > 0;) {
+    for (std::size_t l = second.knot; l-- > 0 && !(first.off <= first.tolerance);) consider(k, l);
   }
 }
 
-// Kicked as the later of the two legs begins, as their frame has it. With friction that frame is the one at
-// some moment between the starts.
+// Kicked as the later of the two legs begins, as their frame has it.
 void GameRecord::placeWithoutDelay(const GameEvent& event, Part& first, Part& second) {
   const std::array<std::size_t, 2> who = pair(event);
-  Real best = kEndless;
+  Real& best = first.off = kEndless;
   const auto consider = [&](std::size_t k, std::size_t l) {
     const CheckedLeg &a = legs[who[0]][k], &b = legs[who[1]][l];
-    const Reading reading = readContact(*this, who, a, b, place(event.at), false);
-    const auto& [e, moment] = reading.contact;
-    const Real early = moment - std::max(e.momentOf(0, a.start), e.momentOf(1, b.start));
+    const Encounter e = encounterAtLaterStart(a, b);
+    const Reading reading = readContactAt(*this, who, e, place(event.at), false);
+    const Real moment = reading.contact.moment;
+    const Real early = moment - std::max(e.momentOf(0, e.x[0]), e.momentOf(1, e.x[1]));
     const Real reach = radius(who[0]) + radius(who[1]);
     const Real wrong = std::max(Real(0), e.gapAt(moment, reach)) + std::max(Real(0), -e.distanceAt(moment));
     const Real off = reading.off + std::abs(early) + wrong;
     if (!(off < best)) return;
-    best = off;
     contacts[first.event] = reading.contact;
-    const Real between = std::abs(a.start.t - b.start.t);
     first.leg = k, second.leg = l;
     first.off = second.off = off;
-    first.tolerance = second.tolerance =
-        roundingOf(e) + 8 * a.brake * (between + reach) * (between + reach) * e.gamma * e.gamma;
+    first.tolerance = second.tolerance = roundingOf(e) + reach * roundingOfWay(e, a.brake);
     for (int i = 0; i < 2; ++i)
       (i == 0 ? first : second).own = e.at(i, moment).t - (atCentre() ? e.u[i].t * radius(who[i]) : 0);
   };
-  for (std::size_t i = 1; i <= std::min(first.knot, kLegsBack); ++i) {
-    for (std::size_t j = 1; j <= std::min(second.knot, kLegsBack); ++j)
-      consider(first.knot - i, second.knot - j);
+  for (std::size_t k = first.knot; k-- > 0;) {
+    for (std::size_t l = second.knot; l-- > 0 && !(first.off <= first.tolerance);) consider(k, l);
   }
 }
 
@@ -149,8 +164,8 @@ void GameRecord::findLegOfBounce(const GameEvent& event, Part& part) const {
   const Four contact = place(event.at);
   const bool alongX = *event.cushion == Cushion::plusX || *event.cushion == Cushion::minusX;
   Real best = kEndless;
-  for (std::size_t i = 1; i <= std::min(part.knot, kLegsBack); ++i) {
-    const CheckedLeg& leg = legs[puck][part.knot - i];
+  for (std::size_t k = part.knot; k-- > 0 && !(best <= part.tolerance);) {
+    const CheckedLeg& leg = legs[puck][k];
     CheckedLeg::LegState own = leg.at(contact.t);
     Real off = 0;
     if (atCentre()) {
@@ -162,9 +177,9 @@ void GameRecord::findLegOfBounce(const GameEvent& event, Part& part) const {
       const Real away = alongX ? contact.x - own.x.x : contact.y - own.x.y;
       off = std::abs(std::abs(away) - radius(puck) * std::sqrt((1 - betaN) * (1 + betaN)));
     }
-    if (!(off < best) || (i > 1 && own.x.t > leg.end + roundingAt(contact))) continue;
+    if (!(off < best) || (k + 1 < part.knot && own.x.t > leg.end + roundingAt(contact))) continue;
     best = off;
-    part.leg = part.knot - i, part.own = own.x.t, part.off = off;
+    part.leg = k, part.own = own.x.t, part.off = off;
     part.tolerance = 8 * leg.u.t * leg.u.t * roundingAt(contact);
   }
 }
@@ -181,8 +196,6 @@ const Part* GameRecord::partOf(std::size_t puck, std::size_t event) const {
   }
   return nullptr;
 }
-
-namespace {}  // namespace
 
 // A turn and its knot have the same bits, but for the velocity, which the one gives as β and the other as γβ.
 void GameRecord::findKnots(const Billiard& billiard) {
@@ -230,7 +243,8 @@ void GameRecord::findLegs(std::size_t e) {
   }
 }
 
-// A leg is followed once its turn has come and all of the collision that made it has been decided.
+// A leg is followed once its turn has come and everything has been decided that the puck had before, by its own
+// moments.
 void GameRecord::findFollowed() {
   std::vector<Real> decidedBy(events.size(), 0);
   Real latest = 0;
@@ -244,6 +258,9 @@ void GameRecord::findFollowed() {
       if (partOfKnot[puck][k] < 0) continue;
       const Part& part = parts[puck][static_cast<std::size_t>(partOfKnot[puck][k])];
       own[k][0] = std::max(part.turn, decidedBy[part.event]);
+      for (const Part& before : parts[puck]) {
+        if (before.own < part.turn) own[k][0] = std::max(own[k][0], decidedBy[before.event]);
+      }
       own[k - 1][1] = std::max(part.turn, part.decidedFrom);
     }
   }

@@ -96,5 +96,32 @@ TEST(PuckLeg, signalArrivesOnTheConeAtAnyAge) {
   }
 }
 
+// And on the cone at any speed, whether the signal started before or after the leg. If before, the
+// event is as exact as its coordinates; if after, the leg was followed to it, which costs γ².
+TEST(PuckLeg, signalArrivesOnTheConeAtAnySpeed) {
+  Random random;
+  int early = 0, arrived = 0;
+  for (const double gamma : {1.5, 10.0, 22.0, 200.0, 1000.0}) {
+    for (int i = 0; i < 4000; ++i) {
+      SCOPED_TRACE(testing::Message() << "gamma " << gamma << ", signal " << i);
+      const double angle = random.in(0.0, 6.3), u = std::sqrt(gamma * gamma - 1.0);
+      const Leg leg{{}, fourVelocity(u * std::cos(angle), u * std::sin(angle)), 0.0, 0.0};
+      const Vec21 event{random.in(-0.5, 0.5), random.in(-0.4, 0.4), random.in(-0.4, 0.4)};
+      const double height = i % 2 == 0 ? 0.0 : random.in(-0.1, 0.1);
+      const LegState signal = signalArrives(leg, event, height);
+      if (signal.x.t < 0.0) continue;
+      ++arrived, early += dot(leg.u, event) < 0.0;
+      const long double x = static_cast<long double>(signal.x.x) - event.x,
+                        y = static_cast<long double>(signal.x.y) - event.y;
+      const long double late =
+          static_cast<long double>(signal.x.t) - event.t - std::sqrt(x * x + y * y + height * height);
+      const double rounding = 64.0 * 0x1p-52 * (dot(leg.u, event) < 0.0 ? 1.0 : gamma * gamma);
+      EXPECT_TRUE(std::abs(late) <= rounding * (1.0 + std::abs(signal.x.t))) << late;
+    }
+  }
+  EXPECT_GT(early, 2000);
+  EXPECT_GT(arrived, 10000);
+}
+
 }  // namespace
 }  // namespace carom

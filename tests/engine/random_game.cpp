@@ -242,9 +242,6 @@ RandomGame randomGame(std::uint64_t seed, const GameLimits& limits) {
       first_s = dice.decades(1.0, 86400.0);
       strikeLate(dice, setup, first_s);
   }
-  if (!limits.jams && setup.pucks.size() > 5) {
-    for (double* e : {&setup.rules.puckRestitution, &setup.rules.cushionRestitution}) *e = std::max(*e, 0.9);
-  }
   game.until_s = first_s + dice.decades(1.0, 20.0) / setup.lightSpeed_m_s;
   if (first_s == 0.0 && dice.chance(0.5)) {
     game.kind += ", struck";

@@ -18,7 +18,6 @@ struct RandomGame {
 struct GameLimits {
   std::size_t events = 300;  ///< it ends before it has had so many
   int packed = 60;           ///< pucks of a pile
-  bool jams = true;          ///< or else more than five pucks have restitutions of at least 0.9
 };
 
 /// The game of a seed: 2 to 100 pucks, to 0.999 c, masses 1 : 1000, restitutions 0 to 1, with and without
