@@ -1,6 +1,6 @@
 #pragma once
-// What happens in a game: collisions, strokes, flashes of light and pucks that jam, as one list in the order
-// in which the game committed them.
+// The events of a game: collisions, strokes, flashes of light and pucks that jam, as one list in the order in
+// which the game committed them.
 
 #include <array>
 #include <cstddef>
