@@ -32,7 +32,8 @@ struct alignas(64) Disc {
   double turnsAt = 0.0;  ///< board time from which this flight no longer holds; for the caller's use
 };
 
-/// The meeting of two discs: the part of it that is needed to decide whether and in which order contacts happen.
+/// The meeting of two discs: the part of it that is needed to decide whether and in which order contacts
+/// happen.
 struct Meeting {
   /// Board time of each centre at its own moment of the contact. Where turns wait for the news, this moment
   /// lies before the turn by such a time that the order of these moments is the order of the turns. It lies
