@@ -17,7 +17,7 @@
 #include "app/session/stage.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
-#include "devices/setup/open_tracker.h"
+#include "devices/setup/tracker_factory.h"
 
 namespace carom {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/session/recorded_source.h"
 #include "app/session/visitor_source.h"
 #include "app/stage/all_ranks.h"
-#include "app/viewer/person.h"
+#include "app/viewer/viewer.h"
 #include "devices/tracker/trace.h"
 
 namespace carom {

@@ -14,7 +14,7 @@
 #include "app/files/toml_file.h"
 #include "cave/room/rectangle.h"
 #include "cave/room/warp_mesh.h"
-#include "devices/setup/open_tracker.h"
+#include "devices/setup/tracker_factory.h"
 
 namespace carom {
 
@@ -74,7 +74,7 @@ std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, T
   const std::string source = table.text("source");
   if (source.empty()) return {};  // complained of already
   try {
-    transportOf(kind, source, axes);
+    createTransport(kind, source, axes);
   } catch (const std::invalid_argument& wrong) {
     table.fault("source", wrong.what());
   }
@@ -409,7 +409,7 @@ std::string_view toString(StereoMode mode) { return kStereoModes[static_cast<std
 
 std::string_view toString(Flip flip) { return kFlips[static_cast<std::size_t>(flip)]; }
 
-RoomFacts factsOf(const Rig& rig) {
+RoomGeometry roomGeometryOf(const Rig& rig) {
   return {rig.walls, rig.axes.up, rig.axes.forward, inverse(rig.head.eyesFromSensor)};
 }
 

@@ -49,7 +49,7 @@ void writeWhole(const std::filesystem::path& path, std::string_view bytes) {
 
 }  // namespace
 
-Image readBack(const WallPicture& picture) {
+Image readBack(const RenderTarget& picture) {
   Image image;
   image.size_px = picture.size_px();
   image.rgb.resize(3 * static_cast<std::size_t>(image.size_px.x) * static_cast<std::size_t>(image.size_px.y));

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "cave/frame/frame_digest.h"
-#include "cave/frame/frame_stamps.h"
 #include "cave/frame/frame_state.h"
+#include "cave/frame/frame_timing.h"
 #include "cave/room/wall.h"
 #include "engine/base/log.h"
 

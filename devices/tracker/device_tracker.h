@@ -36,7 +36,7 @@ class DeviceSink {
 using Transport = std::function<void(std::stop_token stop, DeviceSink& sink)>;
 
 /// Runs a transport on a thread of its own, which asks for prompt scheduling
-/// (devices/tracker/prompt_thread.h). A DeviceClock converts device times to the session's clock. Readings
+/// (devices/tracker/realtime_thread.h). A DeviceClock converts device times to the session's clock. Readings
 /// without a time are stamped with their arrival, and so are those of a device whose clock stands
 /// (devices/tracker/standing_clock.h); the health then says so. A sample that is older than one already
 /// delivered for the same sensor is dropped and counted.

@@ -25,9 +25,9 @@ class Rumble {
   Rumble& operator=(const Rumble&) = delete;
 
   void set(double strength);  ///< sets the strength from now on, 0 to 1
-  void knock();               ///< rumbles once, at full strength, for kKnock_s
+  void pulse();               ///< rumbles once, at full strength, for kPulse_s
 
-  static constexpr double kKnock_s = 0.08;
+  static constexpr double kPulse_s = 0.08;
 
  private:
   struct Hand;

@@ -30,7 +30,7 @@ struct Puck {
 
 /// The event at which a collision changes the motion of a puck's centre.
 enum class CollisionEvent {
-  centre,   ///< when the news of the contact has reached it
+  centre,   ///< when the signal of the contact has reached it
   contact,  ///< simultaneously with the contact, in the frame of equal speeds
 };
 
@@ -43,8 +43,8 @@ struct PhysicsRules {
 
 /// A cue stroke, which kicks a puck's centre. It acts where the light of the stroke meets the centre's world
 /// line, so that nothing that an eye at the hand has already seen can change; `Billiard::strike` says what it
-/// can change. A kick that is still on its way to the centre (that of a collision whose news has not arrived)
-/// keeps its impulse, a cushion its law; both act when their news meets the new motion. If the new motion
+/// can change. A kick that is still on its way to the centre (that of a collision whose signal has not arrived)
+/// keeps its impulse, a cushion its law; both act when their signal meets the new motion. If the new motion
 /// touches that cushion itself and turns there earlier, that contact replaces the older one. A bounce that
 /// the stroke prevents, or from which it drives the puck away, stays in the list of events, without delay,
 /// with a turn at the stroke that changes nothing.

@@ -18,7 +18,7 @@ struct Leg {
 };
 
 /// The centre at one moment of a leg.
-struct Moment {
+struct LegState {
   Vec21 x;
   Vec21 u;
   double properTime = 0.0;
@@ -26,23 +26,23 @@ struct Moment {
 
 /// Returns the state of the centre at board time `t` (c t, metres). Before the start, the leg is continued
 /// backwards without friction.
-Moment momentAt(const Leg& leg, double t);
+LegState momentAt(const Leg& leg, double t);
 /// Returns the same without the proper time under friction, which takes longer to compute than the rest.
-Moment placeAt(const Leg& leg, double t);
+LegState placeAt(const Leg& leg, double t);
 
 /// Returns the state `s` metres of own proper time after the start of a leg without friction.
-Moment momentAfter(const Leg& leg, double s);
+LegState momentAfter(const Leg& leg, double s);
 
 /// Returns the board time at which friction has stopped the puck; infinity without friction.
 double restsAt(const Leg& leg);
 
-/// Returns the state in which light from `news` meets the centre: the one event with (X − news)² = h² on the
+/// Returns the state in which light from `signal` meets the centre: the one event with (X − signal)² = h² on the
 /// future cone, where h is the height of the source above the centres' plane.
-Moment newsArrives(const Leg& leg, const Vec21& news, double height = 0.0);
+LegState signalArrives(const Leg& leg, const Vec21& signal, double height = 0.0);
 
 /// Returns the state of the centre that is simultaneous with `event` in the frame that moves with
 /// four-velocity U.
-Moment simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U);
+LegState simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U);
 
 /// Returns the first board time after the start at which the centre's coordinate `axis` (0: x, 1: y) is
 /// `bound`, which lies ahead of it; infinity if it comes to rest before, or does not move that way.

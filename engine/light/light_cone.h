@@ -19,7 +19,7 @@ namespace carom {
 using LegView = kernel::LegView;
 
 /// Selects which event of each point of a body is shown.
-enum class Moment {
+enum class ViewTime {
   seen,      ///< the event whose light the eye receives (without retardation: as boardNow)
   boardNow,  ///< the event at the eye's board time, as if its light had come straight from there
   myNow,     ///< the event that is simultaneous with the observation in the head's frame
@@ -39,8 +39,8 @@ kernel_float::LegView toFloat(const LegView& leg);
 
 /// The frame in which the kernel gives the seen places, from the eye, and the transform from there to the
 /// frame in which walls draw.
-struct SeenFrame {
-  SeenFrame(const Lorentz& headFromBoard, const Switches& switches, Moment moment = Moment::seen);
+struct ViewFrame {
+  ViewFrame(const Lorentz& headFromBoard, const Switches& switches, ViewTime moment = ViewTime::seen);
 
   /// The head's frame; without aberration, or for an event at a moment of the board's, the board's frame with
   /// the head's axes.
@@ -53,13 +53,13 @@ struct SeenFrame {
 };
 
 /// Fills `view`, whose memory is reused, for an eye at the board event `observation` with the head frame
-/// `headFromBoard`. The seen places are in that frame (or in the one that SeenFrame says), from the eye. The
+/// `headFromBoard`. The seen places are in that frame (or in the one that ViewFrame says), from the eye. The
 /// switches colour and searchlight do not matter; at the head's own moment, bodies are always contracted.
 ///
 /// The head's own moment may lie ahead on the board: at a place r by β·(r − r_o)/c, where β is the head's
 /// v/c. Where the world line is not known so far, its last leg is continued.
 void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view,
-              const Switches& switches = {}, Moment moment = Moment::seen);
+              const Switches& switches = {}, ViewTime moment = ViewTime::seen);
 
 /// Returns the centre's event whose light the eye receives (without retardation: the event at the eye's board
 /// time), with the reading of its own clock there.

@@ -51,7 +51,7 @@ struct ObserverView {
 
 /// Returns a frozen view that the person walks round: the light is that of `sight`, from the middle of the
 /// eyes, for both eyes; the eyes' positions in the room are those of `now`.
-ObserverView walkedRound(const ObserverView& sight, const ObserverView& now);
+ObserverView frozenViewAt(const ObserverView& sight, const ObserverView& now);
 
 /// A tracked step faster than this celerity is a glitch of the tracker, not motion.
 inline constexpr double kGlitchCelerity_m_s = 12.0;
@@ -77,7 +77,7 @@ class Observer {
   /// Moves with the head wherever it is in the room, in `roomTime_s` of the room's time, even faster than
   /// light. For looking at a recorded game whose time stands still or runs at another rate; the head counts
   /// as at rest in the room.
-  void stroll(double roomTime_s, const Head& head);
+  void moveUnseen(double roomTime_s, const Head& head);
 
   /// Turns the room about the head, which stays at its event.
   void turn(double angle_rad, const Vec3& axisInRoom);

@@ -21,7 +21,7 @@ struct Knot {
   Event turn;                      ///< the centre's event from which the leg's motion holds
   Vec3 u{0.0};                     ///< γβ at the turn
   double properTime_s = 0.0;       ///< the centre's own clock at the turn
-  Event news;                      ///< the event whose signal, at light speed, makes the body's points turn
+  Event signal;                    ///< the event whose signal, at light speed, makes the body's points turn
   double deceleration_m_s2 = 0.0;  ///< constant proper deceleration from here until rest (friction)
 };
 
@@ -77,7 +77,7 @@ class WorldLine {
   /// Returns an upper bound of the time after a knot's turn, by the centre's own clock, at which every point
   /// within the radius has joined the leg that begins there.
   double settled_s(std::size_t knot) const { return settling_[knot].after_s; }
-  /// Returns whether all points had joined this leg when the news that ends it was made; true for the last
+  /// Returns whether all points had joined this leg when the signal that ends it was made; true for the last
   /// leg.
   bool settlesBeforeNext(std::size_t knot) const { return settling_[knot].beforeNext; }
 
@@ -90,7 +90,7 @@ class WorldLine {
     double after_s = 0.0;
     double reach_m = 0.0;  // how far from the centre a point can be until then, in the leg's rest frame
     bool beforeNext = true;
-    double reachAtNext_m = 0.0;  // the same when the news that ends this leg is made
+    double reachAtNext_m = 0.0;  // the same when the signal that ends this leg is made
   };
   Settling settlingOf(const Knot& next, const Motion& before) const;
   void noteNext(const Knot& next);

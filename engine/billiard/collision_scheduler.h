@@ -1,0 +1,250 @@
+#pragma once
+// The event-driven simulation behind `Billiard` (billiard.h says what happens in which order). Each puck
+// keeps its next predicted event, a queue orders these events by time, and after an event only the pucks that
+// it changed are predicted anew. Inside, c = 1 (times in metres of light), and the pucks are numbered in the
+// order of their names.
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "engine/billiard/billiard_setup.h"
+#include "engine/billiard/cell_grid.h"
+#include "engine/billiard/due_queue.h"
+#include "engine/billiard/game_history.h"
+#include "engine/collision/cushion_contact.h"
+#include "engine/collision/kick.h"
+#include "engine/collision/puck_contact.h"
+#include "engine/collision/puck_leg.h"
+
+namespace carom {
+
+/// The state of a game. It can be copied; a copy is a point to which the game can return.
+class CollisionScheduler {
+ public:
+  explicit CollisionScheduler(const BilliardSetup& setup);
+
+  /// Commits every event that is due at or before board time `limit`, and the events for which these must
+  /// wait. Stops and returns false when the game holds `events` events.
+  bool playUntil(double limit, std::size_t events, GameHistory& history);
+  /// Returns by how much a collision can come due later than its contact and than its first turn.
+  double rollbackWindow() const { return rollbackWindow_; }
+  /// Returns the latest due time (board time) of the events committed so far.
+  double clock() const { return clock_; }
+
+  void addStroke(const Stroke& stroke);
+  /// Removes everything that was written since this copy of the game was made.
+  void restore(GameHistory& history) const;
+
+  Ledger ledger() const;
+  std::span<const JamNote> jams() const { return jams_; }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  enum class Kind : unsigned char { none, turn, stroke, cushion, pair };  // in the order of equal times
+  // The next event of a puck.
+  struct PredictedEvent {
+    Kind kind = Kind::none;
+    bool withoutDelay = false;
+    int with = -1;               // the other puck, the cushion or the stroke
+    unsigned otherLeg = 0;       // the number of the leg on which the other puck was found
+    double ownTime = kNever;     // board time of this puck's centre
+    double otherTime = -kNever;  // and of the other's
+    double touchAt = 0.0;  // with friction: board time at which the straight flights touch the world lines
+    double due() const { return ownTime > otherTime ? ownTime : otherTime; }
+  };
+  // A leg that is decided, but that the centre has not begun.
+  struct CommittedLeg {
+    Leg leg;
+    Vec21 signal;
+    Vec21 uBefore;
+    std::uint64_t event = 0;  // its number
+    int cushion = -1;
+    bool atOnce = false;
+    // For the kick of a cushion: its contact, and the number of the leg on which it was found.
+    Vec21 contact;
+    double ownTime = 0.0;
+    bool withoutDelay = false;
+    std::size_t foundOn = 0;
+    // Whether a stroke has prevented the contact: it was found on a leg that the stroke has replaced, and the
+    // puck did not have it before the stroke.
+    bool isPrevented(std::size_t struckLeg, double struckAt) const {
+      return foundOn > struckLeg || (foundOn == struckLeg && ownTime > struckAt);
+    }
+    double heat = 0.0;              // of this puck
+    Vec21 radiated, taken, braked;  // four-momenta booked with it
+  };
+  struct HandledContact {
+    int puck;
+    unsigned leg;
+  };
+  // The state of a puck without its disc. The members that other pucks read lie next to each other.
+  struct alignas(64) PuckState {
+    double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
+    unsigned legNumber = 0;
+    int lastPartner = -1;  // the puck it collided with last, if nothing else happened to it since
+    std::vector<HandledContact>
+        met;  // pucks whose contact with this leg is dealt with, and the number of their leg
+    std::array<double, 2> leavesCell{kNever, kNever};  // when its centre leaves its cell, along each axis
+    unsigned metCushions = 0;                          // the same for cushions, one bit each
+
+    Leg leg;  // the leg that it follows
+    std::vector<CommittedLeg> decided;
+    std::vector<int> strokes;  // those still to come
+    double mass = 0.0;
+    double height = 0.0;    // of the centre
+    std::size_t file = 0;   // place in the setup
+    std::size_t begun = 1;  // legs begun
+    double runBegan = -kNever, lastKick = -kNever;
+    int kicksInRun = 0;
+    bool jammed = false;
+    // The current run of blows by other pucks, and the hardest of them, as a celerity.
+    double blowsBegan = -kNever, lastBlow = -kNever, hardestBlow = 0.0;
+    int blows = 0, jams = 0;  // since other pucks last left it alone; `jams` counts its turns in jams
+  };
+  struct PuckStroke {
+    Vec21 hand;
+    double height = 0.0;  // of the hand above the centre
+    bool fromHand = false;
+    double px = 0.0, py = 0.0;  // momentum over c
+  };
+  struct Accounts {
+    Vec21 radiated, taken, braked, given;
+    double heat = 0.0;
+  };
+
+  // collision_scheduler.cpp: what happens next
+  int storeStroke(const Stroke& stroke);
+  void flashUntil(double limit, GameHistory& history);
+  void step(GameHistory& history);
+  bool hasDeferredBefore(double limit);
+  void prefetchUpcoming();
+  void fetchDiscs(int found) const;
+  void meet(int i, GameHistory& history);
+  bool waitsForItself(int i) const;
+  void changeCell(int i, int axis);
+
+  // collision_scheduler_predict.cpp: what will happen
+  void predict(int i);
+  void predictAll();
+  int enterCell(int i);
+  void layOutCells();
+  void considerCushions(int i, PredictedEvent& best) const;
+  void considerCushion(int i, int cushion, PredictedEvent& best) const;
+  void considerStrokes(int i, PredictedEvent& best) const;
+  void considerPairs(int i, int found, PredictedEvent& best);
+  void considerPair(int i, int other, PredictedEvent& best);
+  static bool isEarlier(double ownTime, int with, const PredictedEvent& than);
+  std::optional<Meeting> meetingOf(int first, int second, double& touchAt) const;
+  double leavesCell(int i, int axis) const;
+  int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
+  // Returns the axis along which the puck's centre leaves its cell first.
+  int leavesFirst(int i) const { return pucks_[i].leavesCell[1] < pucks_[i].leavesCell[0] ? 1 : 0; }
+  void schedule(int i);
+  void predictDependents(int of);
+  void setPredictedEvent(int i, const PredictedEvent& a);
+  // Whether the other puck has decided something since that makes it void.
+  bool isVoid(const PredictedEvent& a) const {
+    return a.kind == Kind::pair &&
+           (pucks_[a.with].legNumber != a.otherLeg || a.otherTime >= discs_[a.with].turnsAt ||
+            a.otherTime < pucks_[a.with].decidedAt);
+  }
+
+  // collision_scheduler_commit.cpp: what happened
+  struct Place {
+    LegState turn;
+    bool tooLate = false;  // a later turn has already been decided
+    // For the signal of a cushion: the leg touched that cushion itself, and the signal of this came first.
+    std::optional<CushionContact> touchedBefore;
+  };
+  void collide(int first, int second, const PredictedEvent& a, GameHistory& history);
+  void bounce(int i, const PredictedEvent& a, GameHistory& history);
+  void strike(int i, int stroke, GameHistory& history);
+  LegState turnOnFollowedLeg(int i, int which, const PairContact& contact, bool simultaneous) const;
+  Place placeTurn(int i, const Vec21& signal, int cushion, const LegState& onFollowedLeg,
+                  GameHistory& history);
+  Place whereSignalArrives(int i, const Vec21& signal, int cushion, GameHistory& history);
+  std::optional<Vec21> cornerBefore(int cushion, const CushionContact& contact) const;
+  void bounceAt(int i, int cushion, CushionContact contact, std::size_t foundOn, GameHistory& history);
+  void decide(int i, const CommittedLeg& decided, const LegState& turn, GameHistory& history);
+  void beginLeg(int i, const Leg& leg);
+  void beginCommitted(int i);
+  double restitution(int i, double usual, double turnTime);
+  // Returns the number of the last leg decided, counted from the start of the game.
+  std::size_t lastLegNumber(int i) const { return pucks_[i].begun + pucks_[i].decided.size(); }
+  const Leg& lastLeg(int i) const {
+    return pucks_[i].decided.empty() ? pucks_[i].leg : pucks_[i].decided.back().leg;
+  }
+  void placeAnew(int i, CommittedLeg kick, GameHistory& history);
+  void noteBounce(const CommittedLeg& decided, GameHistory& history) const;
+  void noteKick(int i, const Vec21& turn);
+
+  // collision_scheduler_jam.cpp: what happens to pucks that press on one another
+  struct Member {
+    int puck = 0;
+    LegState turn;  // before
+    Vec21 u;        // after
+    double heat = 0.0;
+    Vec21 radiated, taken;
+    unsigned cushions = 0;  // that it touches, one bit each
+    int body = 0;           // the first member of the group with which it moves on
+    int changed = 0;        // number of the last sweep that changed it
+  };
+  struct Press {
+    int first = 0, second = 0;  // places among the members
+  };
+  void noteBlow(int i, double turnTime, double closing, bool byPressed);
+  bool isPressed(int i, double t) const;
+  void settle(const std::array<int, 2>& who, const PairContact& contact, const std::array<LegState, 2>& turn,
+              GameHistory& history);
+  void gatherJam(const std::array<int, 2>& who, const PairContact& contact,
+                 const std::array<LegState, 2>& turn);
+  std::optional<LegState> joinsAt(int i, const Vec21& touched, const Vec21& U, double earliest) const;
+  static void kicked(Member& member, const Vec21& u, double heat);
+  void addMember(int i, const LegState& turn);
+  void relax(double slow);
+  void moveOnTogether(double slow);
+  void leaveCushions(Member& member, double slow);
+  void commitJam(const PairContact& contact, GameHistory& history);
+
+  // Fixed by the setup.
+  double c_m_s_;
+  TurnConvention convention_;
+  double puckRestitution_, cushionRestitution_;
+  double brake_;  // friction over c²
+  std::vector<CushionPlane> cushions_;
+  double largestRadius_ = 0.0;
+  double boxLowX_ = 0.0, boxLowY_ = 0.0, boxWidth_ = 0.0, boxHeight_ = 0.0;
+  std::vector<PuckStroke> strokes_;
+  std::vector<std::pair<std::uint32_t, Event>>
+      flashes_;  // in the order of time, beside their place in the setup
+
+  // The state of the game, by puck.
+  std::vector<Disc> discs_;  // the legs being followed; the search for partners reads them
+  std::vector<PuckState> pucks_;
+  struct alignas(64) Prediction {
+    PredictedEvent next;
+    int firstDependent = -1;                       // of the pucks whose next predicted event is with this one
+    int nextDependent = -1, dependentBefore = -1;  // neighbours in the list of the puck that it will meet
+  };
+  std::vector<Prediction> predictions_;
+  DueQueue queue_;
+  CellGrid cells_;
+  std::vector<int> near_, void_;  // scratch
+  std::vector<Member> members_;   // scratch: the jam that is being settled
+  std::vector<Press> presses_;
+  std::vector<char> inJam_;        // by puck
+  std::array<int, 21> fetched_{};  // by place in the queue: the puck whose data were prefetched last
+  std::size_t flashed_ = 0;        // number of flashes listed so far
+  std::vector<int> deferred_;      // pucks whose event waits until others have had theirs
+  double gammaBound_ = 1.0;        // the greatest γ for which the cells are large enough
+  double pairReach_ = 0.0;         // the distance within which two pucks must be compared
+  bool cellsTooSmall_ = false;
+  double rollbackWindow_ = 0.0;
+  double clock_ = 0.0;
+  Accounts accounts_;
+  std::vector<JamNote> jams_;
+};
+
+}  // namespace carom
