@@ -9,8 +9,8 @@
 // every rate: they describe the head, not the tracker, whose noise is told from the samples
 // (tracker_noise.h).
 //
-// What an error of celerity does to the eye depends on its direction (aberration_error.h), and the estimate needs
-// not know: a mean has the least square error however components are weighted against each other.
+// What an error of celerity does to the eye depends on its direction (aberration_error.h), and the estimate
+// needs not know: a mean has the least square error however components are weighted against each other.
 
 #include <array>
 #include <glm/mat3x3.hpp>

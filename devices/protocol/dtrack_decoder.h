@@ -43,7 +43,7 @@ class DtrackDecoder {
   std::optional<std::uint32_t> frame_;
   std::uint64_t refused_ = 0;
 
-  // Of this datagram.
+  // Contents of this datagram.
   std::optional<double> sent_s_;
   double latency_s_ = 0.0;
   bool hasTime2_ = false;

@@ -30,12 +30,12 @@ class GameHistory;
 ///   cushion that a decided or a struck leg reaches before such a turn is committed first: so no centre ever
 ///   leaves the table.
 /// * A cushion kicks only what it touches, and once for one approach: a contact of the old leg with the line
-///   of a cushion beyond the corner is none, and the signal of a cushion that the puck has been turned away from
-///   since does nothing.
+///   of a cushion beyond the corner is none, and the signal of a cushion that the puck has been turned away
+///   from since does nothing.
 /// * A pair that has collided does not collide again until one of the two has had another event.
 /// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
-///   without delay: the pair at the later of the two starts in the equal-speed frame, and its signal starts at
-///   each centre. Such a kick does not wait for light, so a row of touching pucks passes a blow on faster
+///   without delay: the pair at the later of the two starts in the equal-speed frame, and its signal starts
+///   at each centre. Such a kick does not wait for light, so a row of touching pucks passes a blow on faster
 ///   than light; `GameEvent::withoutDelay` marks it.
 /// * Pucks that touch can collide without end in a finite time where they or the cushions are inelastic. A
 ///   puck that others have kicked 64 times within the time that light needs to cross its radius is pressed,

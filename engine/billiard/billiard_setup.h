@@ -43,11 +43,11 @@ struct PhysicsRules {
 
 /// A cue stroke, which kicks a puck's centre. It acts where the light of the stroke meets the centre's world
 /// line, so that nothing that an eye at the hand has already seen can change; `Billiard::strike` says what it
-/// can change. A kick that is still on its way to the centre (that of a collision whose signal has not arrived)
-/// keeps its impulse, a cushion its law; both act when their signal meets the new motion. If the new motion
-/// touches that cushion itself and turns there earlier, that contact replaces the older one. A bounce that
-/// the stroke prevents, or from which it drives the puck away, stays in the list of events, without delay,
-/// with a turn at the stroke that changes nothing.
+/// can change. A kick that is still on its way to the centre (that of a collision whose signal has not
+/// arrived) keeps its impulse, a cushion its law; both act when their signal meets the new motion. If the new
+/// motion touches that cushion itself and turns there earlier, that contact replaces the older one. A bounce
+/// that the stroke prevents, or from which it drives the puck away, stays in the list of events, without
+/// delay, with a turn at the stroke that changes nothing.
 struct Stroke {
   std::size_t puck = 0;        ///< index into the setup's pucks
   double at_s = 0.0;           ///< board time at which the hand strikes, or at which the centre is kicked

@@ -1,6 +1,6 @@
 #pragma once
-// What happens in a game: collisions, strokes, flashes of light and pucks that jam, as one list in the order
-// in which the game committed them.
+// The events of a game: collisions, strokes, flashes of light and pucks that jam, as one list in the order in
+// which the game committed them.
 
 #include <array>
 #include <cstddef>
@@ -68,8 +68,8 @@ struct GameEvent {
   /// The contact; the hand's stroke or, if the hand has no place, its arrival at the centre; the flash.
   Event at;
   /// For a collision: the discs, or the disc and the cushion, were in contact already when the leg began, and
-  /// the kick acts at once, where the centres are. No signal comes from `at` then. `at` is the place where the
-  /// rims lie on each other, simultaneously with the turns in the equal-speed frame, or the place on the
+  /// the kick acts at once, where the centres are. No signal comes from `at` then. `at` is the place where
+  /// the rims lie on each other, simultaneously with the turns in the equal-speed frame, or the place on the
   /// cushion beside the centre when it turns; it may lie after the turns and out of reach of light.
   bool withoutDelay = false;
   Turns turns;  ///< one for each puck that took part; for a stroke, its arrival

@@ -17,8 +17,8 @@ class GameHistory {
  public:
   explicit GameHistory(const BilliardSetup& setup);
 
-  /// Adds a leg to a puck's world line; `complete` makes it visible. `signal` is the event from which the rest
-  /// of the puck learns of it.
+  /// Adds a leg to a puck's world line; `complete` makes it visible. `signal` is the event from which the
+  /// rest of the puck learns of it.
   void addLeg(std::size_t puck, const Leg& leg, const Vec21& signal);
   /// Appends the added legs to the world lines.
   void complete();

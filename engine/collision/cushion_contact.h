@@ -1,5 +1,5 @@
 #pragma once
-// Where and when a gliding disc touches a cushion, and where its centre then turns. c = 1.
+// Finds where and when a gliding disc touches a cushion, and where its centre then turns. c = 1.
 //
 // Convention "centre" (the paper, section 3.3.2.3): the contact is taken in the puck's own rest frame, the
 // earliest whose signal can reach the centre. A cushion at distance y from the centre, towards which it moves

@@ -1,5 +1,5 @@
 #pragma once
-// What a contact does to the momenta. c = 1; e is the coefficient of restitution.
+// Computes how a contact changes the momenta. c = 1; e is the coefficient of restitution.
 //
 // Puck with puck, with the contact's normal n and P = p1 + p2:
 //     k = n − (n·P/U·P) U     q = −2 (p1·k)/(k·k) k     p1' = p1 + (1+e)/2 q     p2' = p2 − (1+e)/2 q

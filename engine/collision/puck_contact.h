@@ -1,5 +1,5 @@
 #pragma once
-// Where and when two gliding discs touch.
+// Finds where and when two gliding discs touch.
 //
 // Rigid discs "first touch" at an event that depends on whose simultaneity is used. Here it is that of the
 // frame in which both move with equal and opposite speeds ("equal-speed frame", four-velocity U ∝ u1 + u2):
@@ -32,7 +32,8 @@ struct alignas(64) Disc {
   double turnsAt = 0.0;  ///< board time from which this flight no longer holds; for the caller's use
 };
 
-/// How two discs meet: what is needed to decide whether and in which order contacts happen.
+/// The meeting of two discs: the part of it that is needed to decide whether and in which order contacts
+/// happen.
 struct Meeting {
   /// Board time of each centre at its own moment of the contact. Where turns wait for the signal, this moment
   /// lies before the turn by such a time that the order of these moments is the order of the turns. It lies

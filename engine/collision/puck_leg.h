@@ -36,8 +36,8 @@ LegState momentAfter(const Leg& leg, double s);
 /// Returns the board time at which friction has stopped the puck; infinity without friction.
 double restsAt(const Leg& leg);
 
-/// Returns the state in which light from `signal` meets the centre: the one event with (X − signal)² = h² on the
-/// future cone, where h is the height of the source above the centres' plane.
+/// Returns the state in which light from `signal` meets the centre: the one event with (X − signal)² = h² on
+/// the future cone, where h is the height of the source above the centres' plane.
 LegState signalArrives(const Leg& leg, const Vec21& signal, double height = 0.0);
 
 /// Returns the state of the centre that is simultaneous with `event` in the frame that moves with

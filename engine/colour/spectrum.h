@@ -17,8 +17,8 @@ namespace carom {
 /// again.
 inline constexpr double kReferenceTemperature_K = 6500.0;
 
-/// What the eye can see, in steps: sums over them are the integrals of this module. Finer steps change no
-/// colour by more than 0.1/255.
+/// The visible range in steps. The integrals of this module are sums over them; finer steps change no colour
+/// by more than 0.1/255.
 inline constexpr double kVisibleFirst_nm = 360.0;
 inline constexpr double kVisibleStep_nm = 5.0;
 inline constexpr int kVisibleCount = 95;

@@ -1,5 +1,6 @@
 #pragma once
-// What an eye sees: the emission events of a body's points on the past light cone of one observation event.
+// Computes what an eye sees: the emission events of a body's points on the past light cone of one observation
+// event.
 //
 // The equations are solved in the rest frame of each leg (engine/light/emission_kernel.glsl has them). This
 // module turns a world line into the few numbers for each leg that the solve needs, in double.

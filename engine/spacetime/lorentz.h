@@ -39,7 +39,7 @@ class Lorentz {
 
   /// u = γβ of B's origin in A.
   Vec3 u() const;
-  /// The same transform with rounding removed: boost(u) after the rotation nearest to the rest.
+  /// Returns the same transform with rounding removed: boost(u) after the rotation nearest to the rest.
   Lorentz orthonormalised() const;
 
   double lightSpeed_m_s() const { return c_m_s_; }

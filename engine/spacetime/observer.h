@@ -16,7 +16,7 @@
 
 namespace carom {
 
-/// Where the platform that carries the room starts. Board frame.
+/// The initial position and motion of the platform that carries the room. Board frame.
 struct ObserverStart {
   Vec3 position_m{0.0, -1.6, -0.75};         ///< of the room's floor origin
   double facing_rad = std::numbers::pi / 2;  ///< of the room's forward, anticlockwise from +x

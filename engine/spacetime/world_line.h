@@ -16,7 +16,7 @@ namespace carom {
 /// leg.
 inline constexpr double kCatchUpSpeed = 0.9;
 
-/// Where a leg of motion begins. Board frame.
+/// The beginning of a leg of motion. Board frame.
 struct Knot {
   Event turn;                      ///< the centre's event from which the leg's motion holds
   Vec3 u{0.0};                     ///< γβ at the turn
