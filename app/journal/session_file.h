@@ -53,7 +53,6 @@ class SessionFile {
 
  private:
   struct Tables;
-  void readFrame(std::int64_t number, FrameState& state);
   [[noreturn]] void refuseFrame(std::uint64_t number, const std::string& what) const;
   std::filesystem::path file_;
   std::unique_ptr<Tables> tables_;
