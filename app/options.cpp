@@ -415,6 +415,14 @@ void addReplay(CLI::App& app, int& status) {
           "Which way that room's front looks, anticlockwise from the table's length")
       ->type_name("DEG")
       ->check(numberIn({-360.0, 360.0}, "an angle from -360 to 360 degrees"));
+  auto* at = command
+                 ->add_option("--at", options->at_s,
+                              "Begin at this second of the session instead of at its start; not with another "
+                              "person")
+                 ->type_name("S")
+                 ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  for (const char* other : {"--observer", "--walk", "--beta", "--from", "--facing"})
+    at->excludes(command->get_option(other));
   command
       ->add_option("--capture", options->recording.capture,
                    "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")

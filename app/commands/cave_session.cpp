@@ -18,6 +18,7 @@
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "devices/setup/open_tracker.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -26,39 +27,38 @@ namespace {
 std::unique_ptr<Clock> clockOf(const Stage& stage, const CaveOptions& options,
                                std::chrono::steady_clock::time_point start) {
   if (!stage.realTime) return std::make_unique<SimulatedClock>();
-  if (options.frames)
-    fmt::print(stderr, "The head is tracked by a device: the frames are shown in real time.\n");
+  if (options.frames) log::note("The head is tracked by a device: the frames are shown in real time.");
   return std::make_unique<SteadyClock>(start);
 }
 
 /// What is about to be seen, for the person at rank 0.
 void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& options) {
   const std::vector<Wall>& walls = stage.rig.walls;
-  fmt::print(stderr, "{} (light at {} m/s) in {}: {} wall{}, {} node{}.\n", stage.scenario.title,
-             stage.scenario.billiard.lightSpeed_m_s, stage.rig.title, walls.size(),
-             walls.size() == 1 ? "" : "s", cluster.size(), cluster.size() == 1 ? "" : "s");
+  log::note(fmt::format("{} (light at {} m/s) in {}: {} wall{}, {} node{}.", stage.scenario.title,
+                        stage.scenario.billiard.lightSpeed_m_s, stage.rig.title, walls.size(),
+                        walls.size() == 1 ? "" : "s", cluster.size(), cluster.size() == 1 ? "" : "s"));
   for (const Wall& wall : walls) {
     if (wall.node < cluster.size()) continue;
-    fmt::print(stderr, "Wall {} asks for node {}; node {} draws it.\n", wall.name, wall.node,
-               wall.node % cluster.size());
+    log::note(fmt::format("Wall {} asks for node {}; node {} draws it.", wall.name, wall.node,
+                          wall.node % cluster.size()));
   }
   for (int rank = 0; rank < cluster.size(); ++rank) {
     const bool draws = std::any_of(walls.begin(), walls.end(),
                                    [&](const Wall& wall) { return wall.node % cluster.size() == rank; });
-    if (!draws) fmt::print(stderr, "warning: node {} has no wall to draw.\n", rank);
+    if (!draws) log::warn(fmt::format("node {} has no wall to draw.", rank));
   }
   const bool drawsHere = std::any_of(walls.begin(), walls.end(),
                                      [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
   const bool hasWindow = !options.noWindow && (drawsHere || options.outside || options.console);
   if (hasWindow) sayKeys(KeysOf::session);
   if (!hasWindow && !options.frames) {
-    fmt::print(stderr, "There are no keys: node 0 has no window. Ctrl+C ends the session.\n");
+    log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
   }
   const std::string renderer = stage.graphics->rendererName();
   if (drawsOnProcessor(renderer)) {
-    fmt::print(stderr, "Drawn without a graphics card, by {}: slower than the display.\n", renderer);
+    log::note(fmt::format("Drawn without a graphics card, by {}: slower than the display.", renderer));
   }
-  fmt::print(stderr, "{}", tessellationReport(stage.scene, stage.tessellation));
+  log::note(tessellationReport(stage.scene, stage.tessellation));
 }
 
 /// The file that the session is written to: --session, new or gone on with; none without it.
@@ -68,8 +68,7 @@ std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>&
   SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
                      textOf(inputs.rig), textOf(inputs.scenario), stage.scenario.billiard.lightSpeed_m_s};
   for (const Puck& puck : stage.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
-  const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  return std::make_unique<Journal>(*file, facts, goOn, say);
+  return std::make_unique<Journal>(*file, facts, goOn);
 }
 
 /// What a session that goes on goes on from.
@@ -124,8 +123,8 @@ std::unique_ptr<LiveSource> sourceOf(const Stage& stage, const CaveOptions& opti
                                               std::chrono::duration<double>(lived_s));
   LiveStart live{start, clockOf(stage, options, start), stage.swapsWait, before.last, options.frames};
   if (options.resume) {
-    const auto said = [](const std::string&) {};  // by whatWas
-    live.struck = SessionFile(*options.session, said).strokes(stage.scenario.billiard.pucks);
+    constexpr bool kQuiet = true;  // whatWas has spoken
+    live.struck = SessionFile(*options.session, kQuiet).strokes(stage.scenario.billiard.pucks);
   }
   live.clock->sleepUntil(lived_s);
   auto source = std::make_unique<LiveSource>(stage.rig, stage.scenario, stage.world, std::move(live));
@@ -152,13 +151,25 @@ void tellConsole(Console& console, const std::string& file) try {
   for (const InputError& error : errors.faults()) console.say(error.what());
 }
 
+/// Returns the file of a session's newest game.
+std::filesystem::path newestOf(const std::filesystem::path& first) {
+  std::filesystem::path newest = first;
+  for (int game = 2; std::filesystem::exists(fileOf(first, game)); ++game) newest = fileOf(first, game);
+  return newest;
+}
+
 /// Where the games of a session are.
 void sayWhere(const std::filesystem::path& first) {
-  fmt::print(stderr, "The session is in {}", first.string());
-  std::filesystem::path last;
-  for (int game = 2; std::filesystem::exists(fileOf(first, game)); ++game) last = fileOf(first, game);
-  if (!last.empty()) fmt::print(stderr, " and, game by game, up to {}", last.string());
-  fmt::print(stderr, ".\n");
+  const std::filesystem::path newest = newestOf(first);
+  const std::string upTo = newest == first ? "" : " and, game by game, up to " + newest.string();
+  log::note(fmt::format("The session is in {}{}.", first.string(), upTo));
+}
+
+/// How the end of a session that ended by an error is seen again.
+void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesystem::path>& session) {
+  if (!session || std::isnan(cluster.newest_s())) return;
+  const double at_s = std::ceil(cluster.newest_s() * 1e3) / 1e3;  // not a frame too early
+  log::note(fmt::format("carom replay {} --at {:.3f}", newestOf(*session).string(), at_s));
 }
 
 /// Another game begins as this program does; what belongs to the room stays. The same game again keeps all
@@ -184,7 +195,7 @@ std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& s
                                          const StageOptions& inputs, const Stage& stage) try {
   return openJournal(session, false, inputs, stage);
 } catch (const std::runtime_error& error) {
-  fmt::print(stderr, "error: {}. This game is not written.\n", error.what());
+  log::error(fmt::format("{}. This game is not written.", error.what()));
   session.reset();
   return nullptr;
 }
@@ -209,7 +220,8 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions&
     source->playAnew(openNextJournal(session, inputs, stage));
     if (stage.console) stage.console->writeTo(session);
     lead->controls = controlsOfNext(lead->controls, file, stage, options);
-    fmt::print(stderr, "{}{}\n", stage.scenario.title, session ? " is written to " + session->string() : "");
+    log::note(
+        fmt::format("{}{}", stage.scenario.title, session ? " is written to " + session->string() : ""));
   });
   stage.graphics->poll();  // what was pressed while it was made ready is meant for nothing
   return true;
@@ -255,14 +267,15 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   if (lead && options.session) sayWhere(*options.session);
   stage.recording->finish();
   if (lead && options.recording.capture)
-    fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
+    log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));
   cluster.leave();
 }
 
 }  // namespace
 
 int runCave(const CaveOptions& options) {
-  return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); });
+  return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); },
+                      [&](const Cluster& cluster) { sayHowItIsSeenAgain(cluster, options.session); });
 }
 
 }  // namespace carom

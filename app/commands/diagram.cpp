@@ -7,6 +7,7 @@
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
 #include "app/report/spacetime_chart.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -61,7 +62,7 @@ int runDiagram(const DiagramOptions& options) {
       isScenario(options.source) ? subjectOf(readScenario(options.source), options.until_s.value_or(kShown_s))
                                  : subjectOf(options.source, options.until_s);
   writeChart(spacetimeChart(subject, {options.along, options.from_s}), options.figure);
-  fmt::print(stderr, "The diagram is in {}.\n", options.figure.string());
+  log::note(fmt::format("The diagram is in {}.", options.figure.string()));
   return 0;
 }
 

@@ -7,10 +7,10 @@
 
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
-#include "app/files/whole_file.h"
 #include "app/journal/session_file.h"
 #include "app/tables/csv_text.h"
 #include "app/tables/event_table.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 namespace {

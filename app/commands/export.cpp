@@ -11,7 +11,6 @@
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
-#include "app/files/whole_file.h"
 #include "app/journal/session_file.h"
 #include "app/play/game.h"
 #include "app/session/recorded_source.h"
@@ -19,6 +18,8 @@
 #include "app/stage/scenario_scene.h"
 #include "app/tables/csv_text.h"
 #include "cave/frame/pacer.h"
+#include "engine/base/log.h"
+#include "engine/base/whole_file.h"
 #include "engine/light/light_cone.h"
 
 namespace carom {
@@ -179,7 +180,7 @@ class Progress {
     const auto now = std::chrono::steady_clock::now();
     if (now - said_ < std::chrono::seconds(1)) return;
     said_ = now;
-    fmt::print(stderr, "frame {}\n", frame);
+    log::note(fmt::format("frame {}", frame));
   }
 
  private:
@@ -215,8 +216,9 @@ int runExport(const ExportOptions& options) {
   }
   if (series) series->commit();
   if (csv) csv->commit(rows);
-  fmt::print(stderr, "{} frame{} exported.\n", frames, frames == 1 ? "" : "s");
-  if (options.paraview) fmt::print(stderr, "ParaView opens {}.\n", (*options.paraview / "seen.pvd").string());
+  log::note(fmt::format("{} frame{} exported.", frames, frames == 1 ? "" : "s"));
+  if (options.paraview)
+    log::note(fmt::format("ParaView opens {}.", (*options.paraview / "seen.pvd").string()));
   return 0;
 }
 

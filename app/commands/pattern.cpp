@@ -13,6 +13,7 @@
 #include "app/tools/import.h"
 #include "cave/cluster/cluster.h"
 #include "cave/frame/pacer.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -101,7 +102,7 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
              patterns.rig.display_hz, !options.capture},
             leads ? &lead : nullptr);
   patterns.recording->finish();
-  if (leads && options.capture) fmt::print(stderr, "The pictures are in {}.\n", options.capture->string());
+  if (leads && options.capture) log::note(fmt::format("The pictures are in {}.", options.capture->string()));
 }
 
 }  // namespace

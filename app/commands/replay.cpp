@@ -12,6 +12,7 @@
 #include "app/stage/all_ranks.h"
 #include "app/viewer/person.h"
 #include "devices/tracker/trace.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -56,7 +57,7 @@ Frames framesOf(const ReplayOptions& options, const Stage& stage, SessionFile& s
                                                     VisitTime{*frames.clock, start, stage.swapsWait});
   } else {
     frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(stage), stage.rig.display_hz,
-                                                     *frames.clock);
+                                                     *frames.clock, options.at_s);
   }
   return frames;
 }
@@ -90,7 +91,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   frames.source.reset();  // trackers are asked to be quiet
   stage.recording->finish();
   if (lead && options.recording.capture)
-    fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
+    log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));
   cluster.leave();
 }
 

@@ -16,6 +16,7 @@ struct ReplayOptions {
   std::optional<Vec3> beta;                       ///< v/c of the other person's room on the board
   std::optional<Vec3> from_m;                     ///< where that room's floor origin begins, on the board
   std::optional<double> facing_rad;               ///< and its forward, anticlockwise from +x
+  std::optional<double> at_s;                     ///< begins at this time of the session's clock; no visit
   RecordingOptions recording;                     ///< pictures and movie
   bool noWindow = false;                          ///< as fast as it goes
   bool silent = false;                            ///< no sounds

@@ -10,6 +10,7 @@
 
 #include "app/operator/lesson.h"
 #include "engine/base/limits.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -217,7 +218,7 @@ KeyLine keyFor(KeysOf place, std::string_view what) {
 void sayKeys(KeysOf place) {
   std::string all;
   for (const KeyLine& line : keyMap(place)) all += (all.empty() ? "" : ", ") + line.keys + " " + line.does;
-  fmt::print(stderr, "Keys: {}.\n", all);
+  log::note(fmt::format("Keys: {}.", all));
 }
 
 }  // namespace carom

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/journal/journal_tables.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -50,17 +51,13 @@ class FileLock {
 }  // namespace
 
 struct Journal::Writer {
-  Writer(const std::filesystem::path& path, const SessionFacts& facts, bool goOn, Say sayTo,
+  Writer(const std::filesystem::path& path, const SessionFacts& facts, bool goOn,
          std::chrono::milliseconds every)
-      : file(path),
-        say(sayTo ? std::move(sayTo) : [](const std::string&) {}),
-        intoFileEvery(every),
-        lock(path, goOn),
-        tables(path) {
+      : file(path), intoFileEvery(every), lock(path, goOn), tables(path) {
     if (!goOn) tables.make(facts);
     if (const int version = tables.version(); version < kJournalVersion) {
-      say(fmt::format("The session file {} is of version {} and becomes one of version {}.", file.string(),
-                      version, kJournalVersion));
+      log::note(fmt::format("The session file {} is of version {} and becomes one of version {}.",
+                            file.string(), version, kJournalVersion));
       tables.convert();
     }
     tables.begin(facts);
@@ -88,8 +85,8 @@ struct Journal::Writer {
         done = written(batch);
       }
       if (!done) {
-        say(fmt::format("warning: the session file {} lacks its last {} frames.", file.string(),
-                        batch.frames.size()));
+        log::warn(
+            fmt::format("the session file {} lacks its last {} frames.", file.string(), batch.frames.size()));
       }
       batch.clear();
     }
@@ -111,13 +108,13 @@ struct Journal::Writer {
   bool written(const Batch& batch) {
     try {
       tables.write(batch);
-      if (troubled) say(fmt::format("The session file {} is being written again.", file.string()));
+      if (troubled) log::note(fmt::format("The session file {} is being written again.", file.string()));
       troubled = false;
       return true;
     } catch (const std::exception& error) {
       if (!troubled) {
-        say(fmt::format("warning: the session file {} cannot be written: {}. The session goes on.",
-                        file.string(), error.what()));
+        log::warn(fmt::format("the session file {} cannot be written: {}. The session goes on.",
+                              file.string(), error.what()));
       }
       troubled = true;
       return false;
@@ -125,7 +122,6 @@ struct Journal::Writer {
   }
 
   std::filesystem::path file;
-  Say say;
   std::chrono::milliseconds intoFileEvery;
   FileLock lock;  // closed after the tables: closing any handle on the file would drop SQLite's own locks
   JournalTables tables;
@@ -139,9 +135,9 @@ struct Journal::Writer {
   std::jthread thread;  // last: it uses the rest
 };
 
-Journal::Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn, Say say,
+Journal::Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn,
                  std::chrono::milliseconds intoFileEvery) try
-    : writer_(std::make_unique<Writer>(file, facts, goOn, std::move(say), intoFileEvery)) {
+    : writer_(std::make_unique<Writer>(file, facts, goOn, intoFileEvery)) {
 } catch (const SQLite::Exception& error) {
   throw std::runtime_error(fmt::format("session file {}: {}", file.string(), error.what()));
 }
@@ -157,8 +153,8 @@ void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<c
   if (writer_->ended) return;
   if (waiting.frames.size() >= kMostWaiting) {
     writer_->ended = true;
-    writer_->say(fmt::format("warning: the session file {} lacks the frames from {} on.",
-                             writer_->file.string(), state.record.number));
+    log::warn(fmt::format("the session file {} lacks the frames from {} on.", writer_->file.string(),
+                          state.record.number));
     return;
   }
   for (const BodyKnot& knot : state.knots) waiting.knots.push_back({state.record.number, knot});

@@ -60,7 +60,6 @@
 #include "cave/frame/frame_state.h"
 #include "devices/filter/head_filter.h"
 #include "devices/tracker/tracker.h"
-#include "engine/base/log.h"
 #include "engine/billiard/billiard.h"
 
 namespace carom {
@@ -84,8 +83,8 @@ inline constexpr std::chrono::milliseconds kIntoFileEvery{20000};
 
 /// Written by a thread of its own, one transaction a batch of frames, so that a frame only copies its rows.
 /// What has been handed over is on its way at once: a killed program lacks two frames at the most. When the
-/// disk is full, or the file cannot be written for another reason, the session goes on: it is said once, rows
-/// wait and are written when it works again, which is said, too. Of frames ten minutes wait: the file then
+/// disk is full, or the file cannot be written for another reason, the session goes on: the log tells it once, rows
+/// wait and are written when it works again, which it tells, too. Of frames ten minutes wait: the file then
 /// ends before the first that is lost, for good, as later ones would build on it. Of a killed program's file,
 /// copied without the FILE-wal beside it, no more than the last `intoFileEvery` is missing, unless it was
 /// killed in the few milliseconds of bringing the file up to date: that copy needs its FILE-wal.
@@ -93,7 +92,7 @@ class Journal {
  public:
   /// Makes the file, or with `goOn` goes on with the one that is there. Throws std::runtime_error if there is
   /// one already, or none to go on with, if the folder cannot be written, or if another session writes to it.
-  Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn, Say say,
+  Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn,
           std::chrono::milliseconds intoFileEvery = kIntoFileEvery);
   ~Journal();  ///< closes it
   Journal(const Journal&) = delete;

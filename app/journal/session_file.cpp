@@ -11,6 +11,7 @@
 
 #include "app/journal/frame_rows.h"
 #include "engine/base/limits.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -67,7 +68,7 @@ struct SessionFile::Tables {
   std::optional<SQLite::Statement> ends, shown;
 };
 
-SessionFile::SessionFile(const std::filesystem::path& file, const Say& say) : file_(file) {
+SessionFile::SessionFile(const std::filesystem::path& file, bool quiet) : file_(file) {
   if (!std::filesystem::exists(file)) refuse(file, "there is no such file");
   if (std::filesystem::is_directory(file)) refuse(file, "this is a folder, expected a session file");
   const bool alone = !hasBeside(file);  // opening it makes an empty one
@@ -104,13 +105,12 @@ SessionFile::SessionFile(const std::filesystem::path& file, const Say& say) : fi
               tables_->fact("rig"),
               tables_->fact("scenario"),
               database.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble()};
-    if (open && alone && tables_->fact("ended_utc").empty()) {
-      const std::string line = fmt::format(
-          "warning: session file {0}: the session was not closed, and {1}, which belongs beside it, is not "
+    if (!quiet && open && alone && tables_->fact("ended_utc").empty()) {
+      log::warn(fmt::format(
+          "session file {0}: the session was not closed, and {1}, which belongs beside it, is not "
           "there: up to "
           "its last minute is missing.",
-          file.string(), besideOf(file).filename().string());
-      say ? say(line) : fmt::print(stderr, "{}\n", line);
+          file.string(), besideOf(file).filename().string()));
     }
     tables_->prepare(version, facts_.lightSpeed_m_s);
   } catch (const SQLite::Exception& error) {

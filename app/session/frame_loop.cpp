@@ -7,6 +7,7 @@
 #include "app/session/console_parts.h"
 #include "app/session/frame_watch.h"
 #include "cave/overlay/latency_overlay.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::uint64_t kFramesBetweenNews = 30;
 void tell(Lead& lead, std::uint64_t number, Console* console) {
   for (const ControlChange& change : changesOf(lead.before, lead.controls)) {
     const std::string line = fmt::format("{}: {}", change.what, change.value);
-    fmt::print(stderr, "{}\n", line);
+    log::note(line);
     if (console) console->say(line);
     lead.source.changed(number, change);
   }
@@ -52,7 +53,7 @@ std::function<void()> overlay(const LatencyView* latency, const Lead* lead) {
 void sayProgress(const FrameSource& source, std::uint64_t shown) {
   if (shown % kFramesBetweenNews != 0) return;
   const std::optional<std::uint64_t> end = source.end();
-  fmt::print(stderr, "frame {}{}\n", shown, end ? fmt::format(" of {}", *end) : "");
+  log::note(fmt::format("frame {}{}", shown, end ? fmt::format(" of {}", *end) : ""));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart)
 }
 
 RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz,
-                               Clock& clock)
+                               Clock& clock, std::optional<double> from_s)
     : session_(session),
       atStart_(std::move(atStart)),
       period_s_(1.0 / display_hz),
@@ -44,12 +44,16 @@ RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atSt
   span_s_ = {session_.shownAt_s(first), session_.shownAt_s(last)};
   session_.goTo(0);
   readAhead();
+  if (!from_s) return;
+  goElsewhere(session_.frameAt(*from_s));
+  ends_ = true;
 }
 
 void RecordedSource::readAhead() { more_ = session_.next(ahead_); }
 
 /// From now on the frames bring nothing of the game: all of it comes with the next one.
 void RecordedSource::goElsewhere(std::uint64_t number) {
+  ends_ = false;
   if (leftAlone_) {
     leftAlone_ = false;
     bringsGame_ = true;
@@ -116,7 +120,7 @@ void RecordedSource::next(const Controls& controls, FrameState& state) {
     shown_.record.eventsKept = std::numeric_limits<std::uint64_t>::max();
   }
   state = shown_;
-  state.record.last = leftAlone_ && moves && !more_;
+  state.record.last = ends_ && moves && !more_;
   obey(controls, state.record);
   handsOff_.tell(clock_.now_s(), state.record.notice);
   last_ = state.record;

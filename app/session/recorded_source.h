@@ -47,8 +47,10 @@ class Changed {
 
 class RecordedSource : public FrameSource {
  public:
-  /// `session` has at least one frame; it and the clock are used as long as this lives.
-  RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz, Clock& clock);
+  /// `session` has at least one frame; it and the clock are used as long as this lives. `from_s`: the time of
+  /// the session's clock that it begins at, instead of at its first frame.
+  RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz, Clock& clock,
+                 std::optional<double> from_s = {});
 
   /// Left alone, every frame again with what was known then: the same pixels, and after the last one the end.
   /// Once the operator has been elsewhere all of the game is known in every frame; then the last frame stays.
@@ -76,7 +78,8 @@ class RecordedSource : public FrameSource {
   bool more_ = false;        ///< there is one
   FrameState shown_;         ///< as it was recorded
   bool begun_ = false;       ///< there has been one
-  bool leftAlone_ = true;    ///< so far, the frames have been shown one after the other
+  bool leftAlone_ = true;    ///< so far, all frames have been shown one after the other
+  bool ends_ = true;         ///< with the last frame: nobody has gone elsewhere
   bool bringsGame_ = false;  ///< the next frame brings all of the game
   unsigned jumps_ = 0;
   double due_s_;      ///< on the clock: when the frame at hand should be on the walls

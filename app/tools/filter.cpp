@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "app/files/whole_file.h"
 #include "devices/filter/head_filter.h"
 #include "devices/filter/sky_swing.h"
 #include "devices/tracker/trace.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <set>
 #include <stdexcept>
 
-#include "app/files/whole_file.h"
 #include "app/room_import/pvx_file.h"
 #include "app/room_import/room_check.h"
 #include "app/room_import/sgct_file.h"
+#include "engine/base/log.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 
@@ -148,8 +148,9 @@ bool printFindings(const std::filesystem::path& file, const std::vector<Finding>
   for (const Finding& finding : findings) {
     const bool error = finding.kind == Finding::Kind::error;
     failed = failed || error;
-    fmt::print(stderr, "{}: {}:{}:{}: {}\n", error ? "error" : "warning", file.string(), finding.at.line,
-               finding.at.column, finding.text);
+    const std::string line =
+        fmt::format("{}:{}:{}: {}", file.string(), finding.at.line, finding.at.column, finding.text);
+    error ? log::error(line) : log::warn(line);
   }
   return failed;
 }
@@ -174,7 +175,7 @@ int runImport(const ImportOptions& options) {
   }
   readRig(options.rig, text);  // what it would refuse is not written
   WholeFile(options.rig).commit(text);
-  for (const std::string& assumption : room.assumptions) fmt::print(stderr, "assumed: {}\n", assumption);
+  for (const std::string& assumption : room.assumptions) log::note(fmt::format("assumed: {}", assumption));
   return 0;
 }
 

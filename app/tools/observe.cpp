@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/files/toml_file.h"
-#include "app/files/whole_file.h"
 #include "app/tables/json_text.h"
+#include "engine/base/whole_file.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/light_cone.h"
 #include "engine/spacetime/lorentz.h"

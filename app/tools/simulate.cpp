@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "app/files/scenario.h"
-#include "app/files/whole_file.h"
 #include "app/tables/json_text.h"
+#include "engine/base/log.h"
+#include "engine/base/whole_file.h"
 #include "engine/billiard/billiard.h"
 
 namespace carom {
@@ -282,12 +283,12 @@ int runSimulate(const SimulateOptions& options) {
     const JamNote& first = billiard.jams().front();
     double heat_j = 0.0;
     for (const JamNote& jam : billiard.jams()) heat_j += jam.heat_j;
-    fmt::print(stderr,
-               "note: jammed pucks moved on together {} times, which gave {:.6g} J of heat; the first time "
-               "{} pucks, "
-               "'{}' among them, at t = {:.6g} s\n",
-               billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
-               first.event.t_s);
+    log::note(
+        fmt::format("note: jammed pucks moved on together {} times, which gave {:.6g} J of heat; the first "
+                    "time {} pucks, "
+                    "'{}' among them, at t = {:.6g} s",
+                    billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
+                    first.event.t_s));
   }
   out.commit(options.json ? jsonOf(scenario, billiard, options)
                           : tableOf(scenario, billiard, options) +

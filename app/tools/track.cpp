@@ -20,6 +20,7 @@
 #include "devices/setup/open_tracker.h"
 #include "devices/tracker/trace.h"
 #include "devices/usb/device_list.h"
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -240,16 +241,16 @@ int runTrack(const TrackOptions& options) {
   }
   std::unique_ptr<Recording> recording;
   if (options.record) recording = std::make_unique<Recording>(*options.record, rig);
-  fmt::print(stderr, "The trackers of {}. Ctrl-C ends.\n", options.rig.string());
+  log::note(fmt::format("The trackers of {}. Ctrl-C ends.", options.rig.string()));
   watch(all, start, options, recording.get());
   if (!recording) return 0;
   if (!recording->commit()) {
-    fmt::print(stderr, "error: nothing came from the head's sensor: {} is not written\n",
-               options.record->string());
+    log::error(
+        fmt::format("nothing came from the head's sensor: {} is not written", options.record->string()));
     return 1;
   }
-  fmt::print(stderr, "{} samples of the head's sensor are in {}.\n", recording->rows(),
-             options.record->string());
+  log::note(
+      fmt::format("{} samples of the head's sensor are in {}.", recording->rows(), options.record->string()));
   return 0;
 }
 

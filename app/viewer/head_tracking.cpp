@@ -1,11 +1,10 @@
 #include "app/viewer/head_tracking.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "devices/setup/open_tracker.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -59,14 +58,14 @@ HeadEstimate HeadTracking::at(const FrameTimes& times) {
   watch_.see(times.begin_s, samples_);
   if (watch_.isDue(times.begin_s)) {
     if (const auto line = watch_.look(times.begin_s, tracker_->health(times.begin_s))) {
-      fmt::print(stderr, "{}\n", *line);
+      log::note(*line);
     }
   }
   begin_s_ = times.begin_s;
   headPlace_.see(begin_s_, samples_);
   hand_.follow(begin_s_, samples_, inputs_);
   if (hand_.isDue(begin_s_)) {
-    for (const std::string& line : hand_.look(begin_s_, *tracker_)) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : hand_.look(begin_s_, *tracker_)) log::note(line);
   }
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
   for (const TrackerSample& sample : samples_) {

@@ -13,7 +13,6 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <mutex>
 #include <random>
 #include <thread>
 
@@ -21,6 +20,7 @@
 #include "app/journal/version_3.h"
 #include "cave/frame/frame_digest.h"
 #include "cave/frame/record_rules.h"
+#include "log_lines.h"
 #include "temporary_folder.h"
 
 namespace carom {
@@ -112,12 +112,13 @@ std::uint64_t framesOf(const std::filesystem::path& file) {
 }
 
 TEST(Journal, WhatWasWrittenIsReadWithTheSameBits) {
+  const test::NothingIsLogged silence;
   TemporaryFolder folder;
   const auto file = folder / "game.db";
   const std::vector<TrackerSample> samples(2);
   std::vector<FrameState> written;
   {
-    Journal journal(file, kFacts, false, [](const std::string& line) { ADD_FAILURE() << line; });
+    Journal journal(file, kFacts, false);
     for (std::uint64_t number = 0; number < 500; ++number) {
       written.push_back(frameOf(number));
       journal.add(written.back(), head(), samples);
@@ -141,7 +142,7 @@ TEST(Journal, WhatWasWrittenIsReadWithTheSameBits) {
 TEST(Journal, PlainSqlTellsWhatHappened) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
-  { Journal(file, kFacts, false, {}).add(frameOf(3), head(), std::vector<TrackerSample>(2)); }
+  { Journal(file, kFacts, false).add(frameOf(3), head(), std::vector<TrackerSample>(2)); }
   SQLite::Database database(file.string());
   EXPECT_EQ(database.execAndGet("SELECT count(*) FROM sample").getInt(), 2);
   EXPECT_EQ(database.execAndGet("SELECT value FROM session WHERE key = 'scenario'").getString(),
@@ -165,7 +166,7 @@ TEST(Journal, LatenciesAreRowsOfNodeAndPart) {
   const std::vector<LatencyRow> rows{{3.5, 210, 0, FramePart::sample, statistics},
                                      {3.5, 209, 1, FramePart::late, statistics}};
   {
-    Journal journal(file, kFacts, false, {});
+    Journal journal(file, kFacts, false);
     journal.add(rows);
     journal.add(frameOf(0), head(), {});
   }
@@ -198,7 +199,7 @@ TEST(Journal, EventsAndTurnsCanBeReadWithPlainSql) {
   SessionFacts facts = kFacts;
   facts.pucks = {"white", "red"};
   {
-    Journal journal(file, facts, false, {});
+    Journal journal(file, facts, false);
     for (std::uint64_t number = 0; number < 5; ++number) journal.add(frameOf(number), head(), {});
   }
   SQLite::Database database(file.string());
@@ -263,13 +264,13 @@ TEST(Journal, AFileOfVersion3IsReadAndGoneOnWithAndHasTheSameDigests) {
     later.record.eventsKept = 3;
     later.events[0].number = 3;
     later.events[0].withoutDelay = true;
-    std::vector<std::string> said;
+    const test::LogLines lines;
     {
-      Journal journal(file, facts, true, [&](const std::string& line) { said.push_back(line); });
+      Journal journal(file, facts, true);
       journal.add(later, head(), {});
     }
-    EXPECT_EQ(said, (Strings{"The session file " + file.string() +
-                             " is of version 3 and becomes one of version 4."}));
+    EXPECT_EQ(lines.said(), (Strings{"The session file " + file.string() +
+                                     " is of version 3 and becomes one of version 4."}));
     EXPECT_EQ(digestsOf(file, kFrames), kDigests);
     SQLite::Database database(file.string());
     EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 4);
@@ -295,7 +296,7 @@ TEST(Journal, ADamagedFileOfVersion3IsNotConverted) {
   SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
       .exec("UPDATE frame SET record = zeroblob(1008) WHERE number = 7");
   try {
-    Journal(file, kFacts, true, {});
+    Journal(file, kFacts, true);
     ADD_FAILURE() << "converted";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("game.db: frame 7: its record is of frame 0"), std::string::npos)
@@ -326,7 +327,7 @@ TEST(Journal, EventsThatAStrokeTookBackAreGoneFromTheTableButNotFromTheFrames) {
                                        // The next session begins with all of the game once more.
                                        frame(3, 0, {eventOf(0, 1.0), eventOf(1, 2.5), eventOf(2, 4.0)})};
   {
-    Journal journal(file, kFacts, false, {});
+    Journal journal(file, kFacts, false);
     for (int i = 0; i < 3; ++i) journal.add(frames[i], head(), {});
   }
   {
@@ -334,7 +335,7 @@ TEST(Journal, EventsThatAStrokeTookBackAreGoneFromTheTableButNotFromTheFrames) {
     EXPECT_EQ(column(database, "SELECT t_s FROM event ORDER BY number"), (Strings{"1.0", "2.5"}));
     EXPECT_EQ(column(database, "SELECT t_s FROM turn ORDER BY event"), (Strings{"1.0", "2.5", "2.5"}));
   }
-  { Journal(file, kFacts, true, {}).add(frames[3], head(), {}); }
+  { Journal(file, kFacts, true).add(frames[3], head(), {}); }
   SQLite::Database database(file.string());
   EXPECT_EQ(column(database, "SELECT t_s FROM event ORDER BY number"), (Strings{"1.0", "2.5", "4.0"}));
   EXPECT_EQ(column(database, "SELECT t_s FROM turn ORDER BY event"), (Strings{"1.0", "2.5", "2.5", "4.0"}));
@@ -354,7 +355,7 @@ TEST(Journal, KeepsWhatWasDoneAndAnswered) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
   {
-    Journal journal(file, kFacts, false, {});
+    Journal journal(file, kFacts, false);
     journal.addInput(7, "colour", "on");
     journal.addAnswer(9, "lesson 1", "Which came first?", "neither; it's 'both'");
   }
@@ -365,6 +366,7 @@ TEST(Journal, KeepsWhatWasDoneAndAnswered) {
 }
 
 TEST(Journal, StrokesAreReadWithTheSameBitsInTheOrderOfTheFrames) {
+  const test::NothingIsLogged silence;
   TemporaryFolder folder;
   const auto file = folder / "game.db";
   SessionFacts facts = kFacts;
@@ -374,7 +376,7 @@ TEST(Journal, StrokesAreReadWithTheSameBitsInTheOrderOfTheFrames) {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   std::vector<Stroke> written;
   {
-    Journal journal(file, facts, false, [](const std::string& line) { ADD_FAILURE() << line; });
+    Journal journal(file, facts, false);
     for (std::uint64_t number = 0; number < 60; ++number) {
       if (number % 7 != 3) {
         journal.add(frameOf(number), head(), {});
@@ -465,7 +467,7 @@ TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
     handedOver->store(0);
     const pid_t child = fork();
     if (child == 0) {
-      Journal journal(file, kFacts, false, {});
+      Journal journal(file, kFacts, false);
       for (std::uint64_t number = 0;; ++number) {
         journal.add(frameOf(number), head(), {});
         handedOver->store(number + 1);
@@ -485,7 +487,7 @@ TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
     }
     EXPECT_GE(found + 2, handedOver->load());
     EXPECT_EQ(SQLite::Database(file.string()).execAndGet("PRAGMA integrity_check").getString(), "ok");
-    { Journal(file, kFacts, true, {}).add(frameOf(found), head(), {}); }
+    { Journal(file, kFacts, true).add(frameOf(found), head(), {}); }
     EXPECT_EQ(SessionFile(file).frames(), (std::pair<std::uint64_t, std::uint64_t>(0, found)));
     std::filesystem::remove(file);
   }
@@ -501,15 +503,15 @@ TEST(Journal, TheFileOfAKilledProgramAloneLacksNoMoreThanItsLastMinute) {
                copy = folder / ("copy of " + file.filename().string());
     const pid_t child = fork();
     if (child == 0) {
-      Journal journal(file, kFacts, false, {}, every);
+      Journal journal(file, kFacts, false, every);
       for (std::uint64_t number = 0; number < 200; ++number) journal.add(frameOf(number), head(), {});
       for (;;) pause();
     }
     const auto written = [&](const std::filesystem::path& of) -> std::uint64_t {
-      std::vector<std::string> said;
-      SessionFile session(of, [&](const std::string& line) { said.push_back(line); });
-      EXPECT_EQ(said.size(), of == copy ? 1u : 0u);
-      for (const std::string& line : said)
+      const test::LogLines lines;
+      SessionFile session(of);
+      EXPECT_EQ(lines.said().size(), of == copy ? 1u : 0u);
+      for (const std::string& line : lines.said())
         EXPECT_NE(line.find(of.filename().string() + "-wal, which belongs beside it"), std::string::npos)
             << line;
       const auto frames = session.frames();
@@ -536,17 +538,9 @@ TEST(Journal, AFullDiskDoesNotEndTheSessionAndLosesNothingOnceThereIsRoom) {
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
-  std::mutex mutex;
-  std::vector<std::string> said;
-  const auto linesSaid = [&] {
-    const std::scoped_lock hold(mutex);
-    return said;
-  };
+  const test::LogLines lines;
   {
-    Journal journal(file, kFacts, false, [&](const std::string& line) {
-      const std::scoped_lock hold(mutex);
-      said.push_back(line);
-    });
+    Journal journal(file, kFacts, false);
     rlimit small = before;
     small.rlim_cur = 200000;  // bytes: some hundred frames
     setrlimit(RLIMIT_FSIZE, &small);
@@ -554,13 +548,11 @@ TEST(Journal, AFullDiskDoesNotEndTheSessionAndLosesNothingOnceThereIsRoom) {
       journal.add(frameOf(number), head(), {});
       if (number % 100 == 0) std::this_thread::sleep_for(2ms);
     }
-    for (int wait = 0; wait < 500 && linesSaid().empty(); ++wait) std::this_thread::sleep_for(10ms);
-    ASSERT_EQ(linesSaid().size(), 1U) << "it is said once";
-    EXPECT_NE(linesSaid()[0].find("game.db"), std::string::npos) << linesSaid()[0];
-    EXPECT_NE(linesSaid()[0].find("session goes on"), std::string::npos) << linesSaid()[0];
+    lines.waitFor(1);  // it is said once
+    EXPECT_NE(lines.said()[0].find("game.db"), std::string::npos) << lines.said()[0];
+    EXPECT_NE(lines.said()[0].find("session goes on"), std::string::npos) << lines.said()[0];
     setrlimit(RLIMIT_FSIZE, &before);
-    for (int wait = 0; wait < 500 && linesSaid().size() < 2; ++wait) std::this_thread::sleep_for(10ms);
-    EXPECT_EQ(linesSaid().size(), 2U) << "and that it works again";
+    lines.waitFor(2);  // and that it works again
   }
   EXPECT_EQ(SessionFile(file).frames()->second, 1499U);
   SessionFile session(file);
@@ -568,29 +560,6 @@ TEST(Journal, AFullDiskDoesNotEndTheSessionAndLosesNothingOnceThereIsRoom) {
   for (FrameState state; session.next(state); ++found) ASSERT_TRUE(sameBits(state, frameOf(found)));
   EXPECT_EQ(found, 1500U);
 }
-
-/// Lines that a journal said, from its own thread.
-class Lines {
- public:
-  Say say() {
-    return [this](const std::string& line) {
-      const std::scoped_lock hold(mutex_);
-      said_.push_back(line);
-    };
-  }
-  std::vector<std::string> said() const {
-    const std::scoped_lock hold(mutex_);
-    return said_;
-  }
-  void waitFor(std::size_t lines) const {
-    for (int wait = 0; wait < 2000 && said().size() < lines; ++wait) std::this_thread::sleep_for(10ms);
-    ASSERT_EQ(said().size(), lines);
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<std::string> said_;
-};
 
 /// From now on the file refuses rows of frames.
 void refuseFrames(const std::filesystem::path& file) {
@@ -608,11 +577,11 @@ TEST(Journal, WhatAStrokeTookBackIsGoneAlsoIfTheFileCouldNotBeWrittenThen) {
   first.record.eventsKept = 0;
   first.events = {eventOf(0, 1.0), eventOf(1, 2.0), eventOf(2, 3.0)};
   stroke.record.eventsKept = 1;
-  { Journal(file, kFacts, false, {}).add(first, head(), {}); }
+  { Journal(file, kFacts, false).add(first, head(), {}); }
   refuseFrames(file);
-  Lines lines;
+  const test::LogLines lines;
   {
-    Journal journal(file, kFacts, true, lines.say());
+    Journal journal(file, kFacts, true);
     journal.add(stroke, head(), {});
     lines.waitFor(1);
     takeFrames(file);
@@ -627,10 +596,10 @@ TEST(Journal, WhatAStrokeTookBackIsGoneAlsoIfTheFileCouldNotBeWrittenThen) {
 TEST(Journal, AfterALostFrameTheFileEndsWhole) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
-  Lines lines;
+  const test::LogLines lines;
   constexpr std::uint64_t kMoreThanWait = 36010;
   {
-    Journal journal(file, kFacts, false, lines.say());
+    Journal journal(file, kFacts, false);
     refuseFrames(file);
     journal.add(frameOf(0), head(), {});
     lines.waitFor(1);
@@ -655,30 +624,30 @@ TEST(Journal, AfterALostFrameTheFileEndsWhole) {
 TEST(Journal, AFileThatIsThereIsNotWrittenOver) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
-  { Journal(file, kFacts, false, {}).add(frameOf(0), head(), {}); }
-  EXPECT_THROW(Journal(file, kFacts, false, {}), std::runtime_error);
+  { Journal(file, kFacts, false).add(frameOf(0), head(), {}); }
+  EXPECT_THROW(Journal(file, kFacts, false), std::runtime_error);
   EXPECT_EQ(SessionFile(file).frames()->second, 0U);
-  EXPECT_THROW(Journal(folder / "none/game.db", kFacts, false, {}), std::runtime_error);
+  EXPECT_THROW(Journal(folder / "none/game.db", kFacts, false), std::runtime_error);
 }
 
 TEST(Journal, OneSessionAtATimeWritesAndALaterOneMayGoOn) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
   {
-    Journal journal(file, kFacts, false, {});
+    Journal journal(file, kFacts, false);
     journal.add(frameOf(0), head(), {});
-    EXPECT_THROW(Journal(file, kFacts, true, {}), std::runtime_error);
+    EXPECT_THROW(Journal(file, kFacts, true), std::runtime_error);
   }
-  { Journal(file, kFacts, true, {}).add(frameOf(1), head(), {}); }
+  { Journal(file, kFacts, true).add(frameOf(1), head(), {}); }
   EXPECT_EQ(SessionFile(file).frames(), (std::pair<std::uint64_t, std::uint64_t>(0, 1)));
-  EXPECT_THROW(Journal(folder / "none.db", kFacts, true, {}), std::runtime_error);
+  EXPECT_THROW(Journal(folder / "none.db", kFacts, true), std::runtime_error);
 }
 
 TEST(SessionFile, SaysWhatIsWrongWithAFile) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
   {
-    Journal journal(file, kFacts, false, {});
+    Journal journal(file, kFacts, false);
     for (std::uint64_t number = 0; number < 300; ++number) journal.add(frameOf(number), head(), {});
   }
   EXPECT_NE(refusalOf(folder / "none.db").find("no such file"), std::string::npos);
@@ -710,7 +679,7 @@ TEST(SessionFile, SaysWhatIsWrongWithAFile) {
   SQLite::Database(older.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1");
   EXPECT_NE(refusalOf(older).find("an older carom wrote it (version 1"), std::string::npos)
       << refusalOf(older);
-  EXPECT_THROW(Journal(older, kFacts, true, {}), std::runtime_error);
+  EXPECT_THROW(Journal(older, kFacts, true), std::runtime_error);
 
   const auto odd = folder / "odd.db";
   std::filesystem::copy_file(file, odd);
@@ -739,7 +708,7 @@ TEST(SessionFile, FindsTheFrameOfATime) {
   std::mt19937 random(11);
   std::vector<FrameState> frames;
   {
-    Journal journal(file, kFacts, false, {});
+    Journal journal(file, kFacts, false);
     for (std::uint64_t number = 7; number < 400; number += 1 + random() % 3) {  // with gaps
       frames.push_back(frameOf(number));
       journal.add(frames.back(), head(), {});
@@ -803,7 +772,7 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
     SCOPED_TRACE(damage.said);
     const auto file = folder / "game.db";
     {
-      Journal journal(file, kFacts, false, {});
+      Journal journal(file, kFacts, false);
       FrameState damaged = frameOf(3);
       damage.make(damaged);
       journal.add(frameOf(0), head(), {});
@@ -861,7 +830,7 @@ TEST(SessionFile, AColumnThatCannotBeIsRefusedWithFileFrameAndField) {
       {"a turn's velocities is nan", "frame_event SET first_beta_after_y = NULL"}};
   TemporaryFolder folder;
   const auto whole = folder / "whole.db", file = folder / "game.db";
-  { Journal(whole, kFacts, false, {}).add(frameOf(12), head(), {}); }
+  { Journal(whole, kFacts, false).add(frameOf(12), head(), {}); }
   EXPECT_EQ(refusalOfFirst(whole), "accepted");
   for (const auto& [said, sql] : damages) {
     std::filesystem::copy_file(whole, file, std::filesystem::copy_options::overwrite_existing);
@@ -876,7 +845,7 @@ TEST(SessionFile, DamagedBytesAreFoundOrReadAsTheyWereNeverACrash) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
   {
-    Journal journal(file, kFacts, false, {});
+    Journal journal(file, kFacts, false);
     for (std::uint64_t number = 0; number < 60; ++number) journal.add(frameOf(number), head(), {});
   }
   std::ifstream in(file, std::ios::binary);

@@ -104,8 +104,7 @@ class LiveSession : public testing::Test {
     for (const Puck& puck : scenario_.billiard.pucks) facts.pucks.push_back(puck.name);
     World world{atStart_, {}};
     LiveSource source(rig_, scenario_, world, std::move(start));
-    source.keep(std::make_unique<Journal>(file(), facts, goesOn,
-                                          [](const std::string& line) { ADD_FAILURE() << line; }));
+    source.keep(std::make_unique<Journal>(file(), facts, goesOn));
     Controls controls;
     controls.views.myNow = 1;
     FrameState state;

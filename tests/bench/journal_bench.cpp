@@ -40,8 +40,7 @@ int main() {
   Observer observer(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, headAt(0.0));
   std::vector<double> took_us;
   {
-    Journal journal(file, {"bench", config, config, "", "", c_m_s}, false,
-                    [](const std::string& line) { fmt::print(stderr, "{}\n", line); });
+    Journal journal(file, {"bench", config, config, "", "", c_m_s}, false);
     for (int number = 0; number < kFrames; ++number) {
       const double time_s = number * kStep_s;
       const Head head = headAt(time_s);
