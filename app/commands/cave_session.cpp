@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/commands/session_options.h"
 #include "app/files/config_folder.h"
 #include "app/journal/session_file.h"
 #include "app/operator/lesson.h"
@@ -17,6 +19,7 @@
 #include "app/session/stage.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
+#include "app/tools/option_values.h"
 #include "devices/setup/open_tracker.h"
 #include "engine/base/log.h"
 
@@ -276,6 +279,101 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
 int runCave(const CaveOptions& options) {
   return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); },
                       [&](const Cluster& cluster) { sayHowItIsSeenAgain(cluster, options.session); });
+}
+
+namespace {
+
+/// Turns a switch as "NAME=on" or "NAME=off" says.
+void turnSwitch(const std::string& text, Switches& switches) {
+  for (const NamedSwitch& s : kNamedSwitches) {
+    for (const bool on : {false, true}) {
+      if (text != fmt::format("{}={}", s.name, on ? "on" : "off")) continue;
+      switches.*s.value = on;
+      return;
+    }
+  }
+  throw CLI::ValidationError(
+      "--switch", fmt::format("'{}' is wrong, expected retardation, contraction, aberration, colour or "
+                              "searchlight, then =on or =off",
+                              text));
+}
+
+/// Turns a view of time on.
+void showView(const std::string& name, TimeViews& views) {
+  std::string names;
+  for (const NamedView& view : kNamedViews) {
+    if (name == view.name) {
+      views.*view.value = 1;
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(view.name);
+  }
+  throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
+}
+
+}  // namespace
+
+void addCave(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
+  auto options = std::make_shared<CaveOptions>();
+  options->rig = configFolder() / "rigs/desk.toml";
+  options->scenario = configFolder() / "scenarios/three-pucks.toml";
+  command->add_option("--rig", options->rig, "Rig file: walls and trackers")
+      ->capture_default_str()
+      ->transform(shipped("rigs"));
+  command->add_option("--scenario", options->scenario, "Scenario file")
+      ->capture_default_str()
+      ->transform(shipped("scenarios"));
+  command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L));
+  command
+      ->add_option("--capture", options->recording.capture,
+                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
+      ->type_name("DIR");
+  addMovie(*command, options->recording.movie);
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--switch",
+          [options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) turnSwitch(text, options->switches);
+          },
+          "An effect to begin with on or off: retardation, contraction, aberration (on), colour, searchlight "
+          "(off). May be given again. Keys 1 to 5 turn them later")
+      ->type_name("NAME=on|off")
+      ->allow_extra_args(false);
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--view",
+          [options](const std::vector<std::string>& names) {
+            for (const std::string& name : names) showView(name, options->views);
+          },
+          "A view of time to begin with: board-now, my-now, paths, events, clocks, ruler, angles, split, "
+          "frozen. May be given "
+          "again. Keys turn them later")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  auto* session =
+      command
+          ->add_option("--session", options->session,
+                       "Write the session to this new file (SQLite): every frame, sample and turn")
+          ->type_name("DB");
+  command
+      ->add_flag("--resume", options->resume,
+                 "Go on from the end of the session file, with its rig and scenario")
+      ->needs(session)
+      ->excludes(command->get_option("--rig"))
+      ->excludes(command->get_option("--scenario"))
+      ->excludes(command->get_option("--switch"))
+      ->excludes(command->get_option("--view"));
+  command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  addSilent(*command, options->silent);
+  addOutside(*command, options->outside, options->diagram, options->console);
+  command->footer(
+      "Examples:\n  carom cave\n  carom cave --frames 90 --capture pictures --no-window\n"
+      "  carom cave --switch colour=on --switch searchlight=on\n"
+      "  mpirun -n 4 carom cave --rig four-walls-cluster");
+  command->callback([options, &status] { status = runCave(*options); });
 }
 
 }  // namespace carom

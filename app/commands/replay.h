@@ -7,6 +7,10 @@
 #include "app/stage/recording.h"
 #include "engine/spacetime/event.h"
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct ReplayOptions {
@@ -27,5 +31,8 @@ struct ReplayOptions {
 
 /// The exit status: 0, or 1 after a message on standard error.
 int runReplay(const ReplayOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addReplay(CLI::App& app, int& status);
 
 }  // namespace carom

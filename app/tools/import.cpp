@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -177,6 +179,17 @@ int runImport(const ImportOptions& options) {
   WholeFile(options.rig).commit(text);
   for (const std::string& assumption : room.assumptions) log::note(fmt::format("assumed: {}", assumption));
   return 0;
+}
+
+void addImport(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("import", "Turn another program's room file into a rig");
+  auto options = std::make_shared<ImportOptions>();
+  command->add_option("FILE", options->file, ".pvx of ParaView or .json of SGCT")->required();
+  command->add_option("-o,--output", options->rig, "The rig to write; must not exist. - is standard output")
+      ->required()
+      ->type_name("RIG.toml");
+  command->footer("Example:\n  carom import cave.pvx -o cave.toml");
+  command->callback([options, &status] { status = runImport(*options); });
 }
 
 }  // namespace carom
