@@ -20,7 +20,7 @@
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "app/tools/option_values.h"
-#include "devices/setup/open_tracker.h"
+#include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
 
 namespace carom {

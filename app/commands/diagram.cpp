@@ -25,7 +25,7 @@ DiagramSubject subjectOf(const Scenario& scenario, double until_s) {
   billiard.advanceTo(kPlayedBeyond * until_s);
   DiagramSubject subject = subjectOf(scenario);
   subject.lines.assign(billiard.worldLines().begin(), billiard.worldLines().end());
-  for (const ToldBody& body : scenario.bodies) subject.lines.push_back(body.worldLine);
+  for (const ScriptedBody& body : scenario.bodies) subject.lines.push_back(body.worldLine);
   subject.events.assign(billiard.events().begin(), billiard.events().end());
   subject.beta = scenario.observer.beta;
   const Vec3 eyes_m = scenario.observer.position_m + Vec3(0.0, 0.0, kEyes_m);

@@ -82,7 +82,7 @@ struct Recorded {
       throw std::runtime_error(
           fmt::format("session file {}: it ended before its first frame", file.string()));
     for (const Puck& puck : scenario.billiard.pucks) names.push_back(puck.name);
-    for (const ToldBody& body : scenario.bodies) names.push_back(body.name);
+    for (const ScriptedBody& body : scenario.bodies) names.push_back(body.name);
   }
 
   SessionFile session;

@@ -22,7 +22,7 @@ namespace {
 struct Patterns {
   Rig rig;
   std::unique_ptr<Graphics> graphics;
-  std::unique_ptr<WallSet> walls;
+  std::unique_ptr<DisplayWalls> walls;
   std::unique_ptr<Recording> recording;
 };
 
@@ -42,8 +42,9 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
     const Rig& rig = patterns.rig;
     patterns.graphics = std::make_unique<Graphics>(displayOf(rig, cluster.rank()));
     const double anyLightSpeed_m_s = 1.0;
-    patterns.walls = std::make_unique<WallSet>(*patterns.graphics, Scene{}, anyLightSpeed_m_s,
-                                               cluster.wallsOf(rig.walls), rig.oneWindow, !options.capture);
+    patterns.walls =
+        std::make_unique<DisplayWalls>(*patterns.graphics, Scene{}, anyLightSpeed_m_s,
+                                       cluster.wallsOf(rig.walls), rig.oneWindow, !options.capture);
     patterns.recording = std::make_unique<Recording>(
         *patterns.graphics, RecordingOptions{options.capture, {}}, cluster, rig, false);
   });
@@ -76,7 +77,7 @@ class EveryPattern : public FrameSource {
     state.record.number = number_;
     state.record.display_s = number_ == 0 ? 0.0 : static_cast<double>(number_ - 1);
     state.record.controls = controls.walls;
-    state.record.controls.shown = number_ == 0 ? Shown::testPattern : Shown::seamPattern;
+    state.record.controls.shown = number_ == 0 ? Shown::calibrationPattern : Shown::alignmentPattern;
     state.record.last = number_ == 3;
     ++number_;
   }
@@ -95,7 +96,7 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
   const bool leads = cluster.rank() == 0;
   if (leads && !options.capture) sayKeys(KeysOf::patterns);
   Lead lead{*source, KeysOf::patterns, {}};
-  lead.controls.walls.shown = Shown::testPattern;
+  lead.controls.walls.shown = Shown::calibrationPattern;
   World nothing;
   NodeLock lock = patterns.walls->lockSwaps(patterns.rig.frameLock);
   runFrames({cluster, *patterns.graphics, *patterns.walls, nothing, *patterns.recording, lock,

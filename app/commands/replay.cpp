@@ -14,7 +14,7 @@
 #include "app/session/visitor_source.h"
 #include "app/stage/all_ranks.h"
 #include "app/tools/option_values.h"
-#include "app/viewer/person.h"
+#include "app/viewer/viewer.h"
 #include "devices/tracker/trace.h"
 #include "engine/base/log.h"
 

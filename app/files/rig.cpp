@@ -71,7 +71,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
 
 }  // namespace
 
-RoomFacts factsOf(const Rig& rig) {
+RoomGeometry roomGeometryOf(const Rig& rig) {
   return {rig.walls, rig.axes.up, rig.axes.forward, inverse(rig.head.eyesFromSensor)};
 }
 

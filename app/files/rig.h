@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/files/input_file.h"
-#include "cave/room/room_facts.h"
+#include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 #include "devices/setup/tracker_setup.h"
 #include "engine/base/pose.h"
@@ -67,7 +67,7 @@ struct Rig {
 };
 
 /// What the walls' aids and the view from outside know of a rig's room.
-RoomFacts factsOf(const Rig& rig);
+RoomGeometry roomGeometryOf(const Rig& rig);
 
 /// The X display of a rank; empty: the one it finds.
 std::string displayOf(const Rig& rig, int rank);

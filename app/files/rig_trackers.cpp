@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "app/files/toml_values.h"
-#include "devices/setup/open_tracker.h"
+#include "devices/setup/tracker_factory.h"
 
 namespace carom {
 namespace {
@@ -41,7 +41,7 @@ std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, T
   const std::string source = table.text("source");
   if (source.empty()) return {};  // complained of already
   try {
-    transportOf(kind, source, axes);
+    createTransport(kind, source, axes);
   } catch (const std::invalid_argument& wrong) {
     table.fault("source", wrong.what());
   }

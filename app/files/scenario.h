@@ -16,7 +16,7 @@
 namespace carom {
 
 /// A body that moves as told and collides with nothing: a rod, a train, a clock.
-struct ToldBody {
+struct ScriptedBody {
   std::string name;
   /// Board frame; its radius is infinite, since how far a mesh reaches is not known here. The centre's clock
   /// shows 0 at `appears_s` where the file gives it, else at board time 0.
@@ -24,7 +24,7 @@ struct ToldBody {
   std::optional<std::filesystem::path> mesh;  ///< exists; in metres, in the body's rest frame
 };
 
-/// A stretch of the platform's own way, on its clock (app/viewer/drive.h) from when the tour sets out.
+/// A stretch of the platform's own way, on its clock (app/viewer/platform_motion.h) from when the tour sets out.
 struct ThrustLeg {
   double from_s = 0.0;
   double for_s = 0.0;
@@ -40,7 +40,7 @@ struct Pulse {
   std::vector<Vec3> path_m;  ///< two places at least; board frame
 };
 
-/// A game that teaches. What it says is read from a panel on a wall (cave/overlay/room_words.h), so it is
+/// A game that teaches. What it says is read from a panel on a wall (cave/overlay/hud_panel.h), so it is
 /// short: letters that a question, an answer, and each of the rest may have.
 struct Lesson {
   static constexpr std::size_t kQuestionLetters = 160, kAnswerLetters = 70, kTextLetters = 230;
@@ -53,7 +53,7 @@ struct Scenario {
   std::string title;
   BilliardSetup billiard;                                        ///< can be played
   std::vector<std::optional<std::filesystem::path>> puckMeshes;  ///< one for each puck; scaled to its radius
-  std::vector<ToldBody> bodies;
+  std::vector<ScriptedBody> bodies;
   ObserverStart observer;
   std::vector<ThrustLeg> tour;  ///< in the order of time, none overlapping
   bool tourAtOnce = false;      ///< it sets out with the game; else when it is asked for

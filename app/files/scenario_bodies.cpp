@@ -44,8 +44,8 @@ Event alongLeg(const Event& event, const Vec3& u, double t_s, double c_m_s) {
 
 /// World line of a body whose centre passes `at`, on whichever leg holds that time: the events of its turns
 /// follow from there in both directions.
-WorldLine toldWorldLine(const std::vector<Leg>& legs, const Event& at, std::optional<double> appears_s,
-                        double c_m_s) {
+WorldLine scriptedWorldLine(const std::vector<Leg>& legs, const Event& at, std::optional<double> appears_s,
+                            double c_m_s) {
   std::size_t holding = 0;
   while (holding + 1 < legs.size() && legs[holding + 1].from_s <= at.t_s) ++holding;
   std::vector<Event> begins(legs.size(), at);  // of the first leg: an event on it
@@ -59,7 +59,7 @@ WorldLine toldWorldLine(const std::vector<Leg>& legs, const Event& at, std::opti
 
   std::vector<Knot> knots;
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    Knot knot{.turn = begins[i], .u = legs[i].u, .news = begins[i]};
+    Knot knot{.turn = begins[i], .u = legs[i].u, .signal = begins[i]};
     if (i > 0) knot.properTime_s = motionOnLeg(knots.back(), knot.turn.t_s, c_m_s).properTime_s;
     knots.push_back(knot);
   }
@@ -94,8 +94,8 @@ BodyText readBody(const TomlFile& file, const TomlTable& table) {
   return body;
 }
 
-ToldBody toldBody(const BodyText& body, double c_m_s) {
-  return {body.name, toldWorldLine(body.legs, body.at, body.appears_s, c_m_s), body.mesh};
+ScriptedBody toldBody(const BodyText& body, double c_m_s) {
+  return {body.name, scriptedWorldLine(body.legs, body.at, body.appears_s, c_m_s), body.mesh};
 }
 
 }  // namespace carom

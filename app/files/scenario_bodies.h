@@ -1,5 +1,5 @@
 #pragma once
-// The told bodies of a scenario file.
+// The scripted bodies of a scenario file.
 
 #include <filesystem>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace carom {
 
-/// One leg of a told body.
+/// One leg of a scripted body.
 struct Leg {
   double from_s = 0.0;  ///< of the first leg: unused
   Vec3 u{0.0};
@@ -33,6 +33,6 @@ std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTa
 BodyText readBody(const TomlFile& file, const TomlTable& table);
 
 /// Lays the world line of a body without faults.
-ToldBody toldBody(const BodyText& body, double c_m_s);
+ScriptedBody toldBody(const BodyText& body, double c_m_s);
 
 }  // namespace carom

@@ -9,7 +9,7 @@ std::vector<WorldLine> startingHistories(const Scenario& scenario) {
   std::vector<WorldLine> histories{restingWorldLine(scenario.billiard.lightSpeed_m_s)};
   const Billiard atStart(scenario.billiard);
   for (const WorldLine& puck : atStart.worldLines()) histories.push_back(puck);
-  for (const ToldBody& body : scenario.bodies) histories.push_back(body.worldLine);
+  for (const ScriptedBody& body : scenario.bodies) histories.push_back(body.worldLine);
   return histories;
 }
 

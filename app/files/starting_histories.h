@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// The histories that every rank starts from: what rests on the board, the pucks, the told bodies. Knots that
+/// The histories that every rank starts from: what rests on the board, the pucks, the scripted bodies. Knots that
 /// the game adds arrive with the frames.
 std::vector<WorldLine> startingHistories(const Scenario& scenario);
 

@@ -29,7 +29,7 @@ CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom) {
   return {{u * way.x + 0.0, u * way.y + 0.0}, (turn.inverse() * Displacement{0.0, way}).dr_m};
 }
 
-Cue::Outcome Cue::press(const HandInput& hand, const Pointed& pointed, bool frozen) {
+Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool frozen) {
   if (frozen) return {{}, "Time stands still: nothing can be struck now"};
   if (pointed.behind) return {{}, "The puck is behind your hand: point the other way"};
   if (!pointed.puck) return {{}, "There is no puck where you point"};
@@ -39,7 +39,7 @@ Cue::Outcome Cue::press(const HandInput& hand, const Pointed& pointed, bool froz
   return {};
 }
 
-Cue::Outcome Cue::step(const HandInput& hand, const Pointed& pointed, bool frozen) {
+Cue::Outcome Cue::step(const HandInput& hand, const PickResult& pointed, bool frozen) {
   const bool pressed = !hand.device.empty() && hand.held, wasPressed = std::exchange(pressed_, pressed);
   if (!target_) return pressed && !wasPressed ? press(hand, pointed, frozen) : Outcome{};
   if (hand.device != device_) {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/hand/hand_aim.h"
 #include "app/hand/hand_input.h"
+#include "app/hand/ray_picking.h"
 #include "engine/billiard/game_event.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -39,14 +39,14 @@ class Cue {
   };
 
   /// `frozen`: the person's time stands still, and nothing can be done in it.
-  Outcome step(const HandInput& hand, const Pointed& pointed, bool frozen);
+  Outcome step(const HandInput& hand, const PickResult& pointed, bool frozen);
 
   /// The puck that the cue is held for: the same until it is let go.
   std::optional<std::size_t> target() const { return target_; }
   const Vec3& pull_m() const { return pull_m_; }
 
  private:
-  Outcome press(const HandInput& hand, const Pointed& pointed, bool frozen);
+  Outcome press(const HandInput& hand, const PickResult& pointed, bool frozen);
 
   bool pressed_ = false;     ///< the button was down in the frame before
   std::string_view device_;  ///< that holds the cue

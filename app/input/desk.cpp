@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "cave/display/wall_set.h"
+#include "cave/display/display_walls.h"
 #include "cave/frame/lesson_words.h"
 
 namespace carom {
@@ -101,7 +101,7 @@ const DeskInput& Desk::gather(const std::optional<PointedWall>& mouse, bool mous
   return input_;
 }
 
-const DeskInput& Desk::gather(const WallSet& walls, const WindowInput& input, bool asks) {
+const DeskInput& Desk::gather(const DisplayWalls& walls, const WindowInput& input, bool asks) {
   GLFWgamepadstate pad;
   const bool hasPad = readPad(pad);
   return gather(walls.pointedAt(), walls.isHeld(), input, hasPad ? &pad : nullptr, asks);

@@ -18,7 +18,7 @@ struct GLFWgamepadstate;
 
 namespace carom {
 
-class WallSet;
+class DisplayWalls;
 
 /// A stick that rests within this of its middle is at rest; from there on it counts from 0 to 1.
 inline constexpr double kDeadZone = 0.15;
@@ -46,7 +46,7 @@ class Desk {
   explicit Desk(KeysOf place) : place_(place) {}
 
   /// Once a frame, after the windows were polled. `asks`: a lesson waits for an answer.
-  const DeskInput& gather(const WallSet& walls, const WindowInput& input, bool asks);
+  const DeskInput& gather(const DisplayWalls& walls, const WindowInput& input, bool asks);
 
   /// The same of what was gathered elsewhere; no gamepad: null.
   const DeskInput& gather(const std::optional<PointedWall>& mouse, bool mouseHeld, const WindowInput& input,

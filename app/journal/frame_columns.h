@@ -76,8 +76,8 @@ void visitBits(Visit& visit, Part name, const Named& named, Flags& flags) {
   }
 }
 
-template <typename Visit, typename Hand, typename Drive>
-void visitHand(Visit& visit, Hand& hand, Drive& drive) {
+template <typename Visit, typename Hand, typename PlatformMotion>
+void visitHand(Visit& visit, Hand& hand, PlatformMotion& drive) {
   visit("", "cue_shown", hand.shown);
   visit("", "cue_pulling", hand.pulling);
   visit("", "cue_target", hand.target);
@@ -138,7 +138,7 @@ void visitKnot(Visit& visit, AKnot& knot) {
   visitEvent(visit, "", knot.turn);
   visitVector(visit, "u_", knot.u);
   visit("", "proper_time_s", knot.properTime_s);
-  visitEvent(visit, "signal_", knot.news);
+  visitEvent(visit, "signal_", knot.signal);
   visit("", "deceleration_m_s2", knot.deceleration_m_s2);
 }
 

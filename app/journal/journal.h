@@ -42,7 +42,7 @@
 //       What the tracker of the head delivered.
 //   latency(display_s, frame, node, part, frames, median_s, p99_s, most_s, jitter_s)
 //       Of a session in real time, once a second for each node and part of a frame
-//       (cave/frame/frame_stamps.h): statistics over the last second's frames, of which `frame` is the
+//       (cave/frame/frame_timing.h): statistics over the last second's frames, of which `frame` is the
 //       newest. `late` is what an interval between swaps was longer than the display's period. Some 100 bytes
 //       a row, at most eight rows a node and second.
 // In frame, knot and frame_event numbers are kept bit for bit: a zero as a whole number, NaN as NULL.
@@ -56,8 +56,8 @@
 #include <string>
 #include <vector>
 
-#include "cave/frame/frame_stamps.h"
 #include "cave/frame/frame_state.h"
+#include "cave/frame/frame_timing.h"
 #include "devices/filter/head_filter.h"
 #include "devices/tracker/tracker.h"
 #include "engine/billiard/billiard.h"

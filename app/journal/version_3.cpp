@@ -148,7 +148,7 @@ Knot knotOf(std::span<const std::byte> bytes) {
   knot.turn = in.event();
   knot.u = in.place();
   knot.properTime_s = in.number();
-  knot.news = in.event();
+  knot.signal = in.event();
   knot.deceleration_m_s2 = in.number();
   return knot;
 }

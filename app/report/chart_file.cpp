@@ -1,6 +1,6 @@
 #include "app/report/chart_file.h"
 
-#include "cave/gl/text_ink.h"
+#include "cave/gl/glyph_bitmap.h"
 
 #include <cairo.h>
 #include <fmt/format.h>

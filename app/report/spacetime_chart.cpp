@@ -68,7 +68,7 @@ DiagramSubject subjectOf(const Scenario& scenario) {
   subject.title = scenario.title;
   subject.c_m_s = scenario.billiard.lightSpeed_m_s;
   for (const Puck& puck : scenario.billiard.pucks) subject.names.push_back(puck.name);
-  for (const ToldBody& body : scenario.bodies) subject.names.push_back(body.name);
+  for (const ScriptedBody& body : scenario.bodies) subject.names.push_back(body.name);
   subject.board = scenario.billiard.board;
   return subject;
 }

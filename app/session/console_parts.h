@@ -10,7 +10,7 @@
 #include "app/operator/controls.h"
 #include "app/session/frame_source.h"
 #include "app/stage/recording.h"
-#include "cave/display/wall_set.h"
+#include "cave/display/display_walls.h"
 #include "cave/frame/frame_state.h"
 #include "cave/overlay/latency_overlay.h"
 
@@ -20,7 +20,7 @@ namespace carom {
 struct ConsoleFrame {
   const FrameRecord& record;
   const World& world;
-  const WallSet& walls;
+  const DisplayWalls& walls;
   const LatencyView& latency;
   const FrameSource& source;
   const Recording& recording;

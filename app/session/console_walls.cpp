@@ -44,7 +44,7 @@ void fit(const glm::ivec2& picture_px, ImVec2& from, ImVec2& to) {
 }  // namespace
 
 WallsPanel::WallsPanel(Graphics& graphics, const Rig& rig, const Cluster& cluster)
-    : graphics_(graphics), rig_(rig), cluster_(cluster), room_(factsOf(rig)) {
+    : graphics_(graphics), rig_(rig), cluster_(cluster), room_(roomGeometryOf(rig)) {
   for (const Wall& wall : rig.walls) {
     if (!cluster.draws(wall)) absent_.push_back(smallOf(wall));
   }
@@ -61,7 +61,8 @@ void WallsPanel::prepare(const ConsoleFrame& frame) {
   if (copies_ && std::abs(frame.record.display_s - copied_s_) < kCopyEvery_s) return;
   graphics_.makeCurrent();
   if (!copies_) {
-    copies_ = std::make_unique<WallSet>(graphics_, *scene_, lightSpeed_m_s_, absent_, std::nullopt, false);
+    copies_ =
+        std::make_unique<DisplayWalls>(graphics_, *scene_, lightSpeed_m_s_, absent_, std::nullopt, false);
     copies_->standIn(room_);
   }
   copies_->draw(frame.record, frame.world);
@@ -91,7 +92,7 @@ void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImV
   const float label_px = ImGui::GetTextLineHeightWithSpacing();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool absent = !cluster_.draws(wall);
-  const WallPicture* picture = frame.walls.pictureOf(wall.name);
+  const RenderTarget* picture = frame.walls.pictureOf(wall.name);
   if (absent) picture = drawsAbsent_ && copies_ ? copies_->pictureOf(wall.name) : nullptr;
   ImVec2 from{corner.x, corner.y + label_px}, to{corner.x + size_px.x, corner.y + size_px.y};
   fit(wall.pixels, from, to);

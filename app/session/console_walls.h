@@ -9,7 +9,7 @@
 #include "app/files/rig.h"
 #include "app/session/console_parts.h"
 #include "cave/cluster/cluster.h"
-#include "cave/room/room_facts.h"
+#include "cave/room/room_geometry.h"
 
 namespace carom::console {
 
@@ -34,13 +34,13 @@ class WallsPanel {
   Graphics& graphics_;
   const Rig& rig_;
   const Cluster& cluster_;
-  RoomFacts room_;
+  RoomGeometry room_;
   std::vector<Wall> absent_;  ///< drawn by other nodes: small, for one eye
   const Scene* scene_ = nullptr;
   double lightSpeed_m_s_ = 0.0;
   bool drawsAbsent_ = false;
-  std::unique_ptr<WallSet> copies_;  ///< of those, once they are wanted
-  double copied_s_ = 0.0;            ///< session clock
+  std::unique_ptr<DisplayWalls> copies_;  ///< of those, once they are wanted
+  double copied_s_ = 0.0;                 ///< session clock
 };
 
 }  // namespace carom::console

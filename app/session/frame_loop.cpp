@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t kFramesBetweenNews = 30;
+constexpr std::uint64_t kFramesBetweenSignals = 30;
 
 /// What has been changed since `lead.before` is said and written.
 void tell(Lead& lead, std::uint64_t number, Console* console) {
@@ -51,7 +51,7 @@ std::function<void()> overlay(const LatencyView* latency, const Lead* lead) {
 
 /// For who waits for frames that nobody watches.
 void sayProgress(const FrameSource& source, std::uint64_t shown) {
-  if (shown % kFramesBetweenNews != 0) return;
+  if (shown % kFramesBetweenSignals != 0) return;
   const std::optional<std::uint64_t> end = source.end();
   log::note(fmt::format("frame {}{}", shown, end ? fmt::format(" of {}", *end) : ""));
 }

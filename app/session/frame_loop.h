@@ -11,7 +11,7 @@
 #include "app/session/stage.h"
 #include "cave/audio/sounds.h"
 #include "cave/cluster/cluster.h"
-#include "cave/display/wall_set.h"
+#include "cave/display/display_walls.h"
 
 namespace carom {
 
@@ -19,13 +19,13 @@ namespace carom {
 struct Node {
   Cluster& cluster;
   Graphics& graphics;
-  WallSet& walls;
+  DisplayWalls& walls;
   World& world;  ///< empty where there is no game
   Recording& recording;
   NodeLock& lock;
   double display_hz;
   bool realTime;
-  RoomView* outside = nullptr;       ///< where the room is shown from outside, too
+  SpectatorView* outside = nullptr;  ///< where the room is shown from outside, too
   DiagramWindow* diagram = nullptr;  ///< where the spacetime diagram is shown
   Console* console = nullptr;        ///< the operator's, on rank 0
 };

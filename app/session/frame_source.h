@@ -9,8 +9,8 @@
 
 #include "app/input/desk_input.h"
 #include "app/operator/controls.h"
-#include "cave/frame/frame_stamps.h"
 #include "cave/frame/frame_state.h"
+#include "cave/frame/frame_timing.h"
 #include "devices/monitor/tracker_report.h"
 
 namespace carom {

@@ -10,7 +10,7 @@
 #include "app/session/frame_source.h"
 #include "cave/cluster/cluster.h"
 #include "cave/cluster/frame_lock.h"
-#include "cave/frame/frame_stamps.h"
+#include "cave/frame/frame_timing.h"
 #include "cave/overlay/latency_overlay.h"
 
 namespace carom {

@@ -30,12 +30,12 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       world_(world),
       clock_(std::move(start.clock)),
       pacer_(*clock_, rig.display_hz, rig.displayLatency_s, start.swapsWait, firstFrame(start)),
-      person_(rig, scenario, start.sessionStart, start.before),
-      drive_(scenario, rig.axes, !start.before),
+      viewer_(rig, scenario, start.sessionStart, start.before),
+      platformMotion_(scenario, rig.axes, !start.before),
       game_(scenario, start.struck),
       hands_(rig.axes),
-      handPlay_(scenario),
-      leftRoom_(rig.walls) {
+      cueInteraction_(scenario),
+      roomBoundary_(rig.walls) {
   if (start.frames) lastFrame_ = firstFrame(start) + *start.frames - 1;
 }
 
@@ -48,11 +48,11 @@ void LiveSource::keep(std::unique_ptr<Journal> journal) {
 
 void LiveSource::playAnew(std::unique_ptr<Journal> journal) {
   keep(std::move(journal));
-  person_.startIn(rig_, scenario_);
-  drive_ = Drive(scenario_, rig_.axes, true);
+  viewer_.startIn(rig_, scenario_);
+  platformMotion_ = PlatformMotion(scenario_, rig_.axes, true);
   driven_ = DriveMode::free;
   game_ = Game(scenario_);
-  handPlay_ = HandPlay(scenario_);
+  cueInteraction_ = CueInteraction(scenario_);
   struck_.reset();
   frozen_.reset();
   lesson_ = {};
@@ -83,8 +83,9 @@ LessonState LiveSource::lessonAt(const Controls& controls, std::uint64_t number)
 
 /// Lives on, driven as hands, the tour or the way home have it.
 ObserverView LiveSource::lived(const Controls& controls, const FrameTimes& times, double pace) {
-  const ObserverView view = person_.at(times, controls.eyeSeparation_m, pace, hands_.drive(), drive_);
-  const DriveMode mode = drive_.view().mode;
+  const ObserverView view =
+      viewer_.at(times, controls.eyeSeparation_m, pace, hands_.drive(), platformMotion_);
+  const DriveMode mode = platformMotion_.view().mode;
   if (journal_ && mode != driven_)
     journal_->addInput(times.number, "drive", kDriveModes[static_cast<std::size_t>(mode)]);
   driven_ = mode;
@@ -100,11 +101,11 @@ void LiveSource::say(std::string_view words, const FrameTimes& times) {
 
 /// What the hand does to the game in this frame.
 void LiveSource::play(bool still, const FrameTimes& times, FrameRecord& record) {
-  const HandInput hand = hands_.cue(person_.hand(), record.observer, person_.head().pose, times.display_s);
-  const HandPlay::Outcome outcome = handPlay_.step(hand, still, game_, record);
+  const HandInput hand = hands_.cue(viewer_.hand(), record.observer, viewer_.head().pose, times.display_s);
+  const CueInteraction::Outcome outcome = cueInteraction_.step(hand, still, game_, record);
   struck_ = outcome.stroke;
   rumble_.set(felt(hand, record.hand));
-  if (struck_ && hand.device == "gamepad") rumble_.knock();
+  if (struck_ && hand.device == "gamepad") rumble_.pulse();
   say(outcome.said, times);
 }
 
@@ -118,22 +119,22 @@ void LiveSource::next(const Controls& controls, FrameState& state) {
   record.lesson = lesson_ = lessonAt(controls, times.number);
   // Before the question is answered, nothing of the answer is to be seen: time stands still.
   const bool still = controls.views.frozen || lesson_.phase == LessonPhase::asks;
-  if (tours_.value_or(controls.tours) != controls.tours) drive_.setOut();
+  if (tours_.value_or(controls.tours) != controls.tours) platformMotion_.setOut();
   tours_ = controls.tours;
   record.drive.mode = driven_;
   if (still && frozen_) {
-    record.observer = person_.round(*frozen_, times, controls.eyeSeparation_m);
+    record.observer = viewer_.frozenView(*frozen_, times, controls.eyeSeparation_m);
   } else {
     record.observer = lived(controls, times, pace);
-    record.drive = drive_.view();
+    record.drive = platformMotion_.view();
     frozen_ = record.observer;
   }
-  record.boardFromRoom = person_.boardFromRoom();
+  record.boardFromRoom = viewer_.boardFromRoom();
   record.lightSpeed_m_s = controls.lightSpeed_m_s;
   record.switches = controls.switches;
   play(still, times, record);
-  say(drive_.news().words(), times);
-  say(leftRoom_.look(person_.head().pose.position_m), times);
+  say(platformMotion_.news().words(), times);
+  say(roomBoundary_.look(viewer_.head().pose.position_m), times);
   say(std::exchange(told_, {}), times);
   record.notice = spoken_.at(times.display_s);
   if (controls.views.myNow) game_.playToNowOf(record.observer);
@@ -144,13 +145,13 @@ void LiveSource::next(const Controls& controls, FrameState& state) {
   record.last = lastFrame_ && times.number >= *lastFrame_;
   record.controls = controls.walls;
   record.views = controls.views;
-  record.tracked = person_.tracked();
+  record.tracked = viewer_.tracked();
   noteDeciding(times.begin_s, begun);
 }
 
 void LiveSource::noteDeciding(double begin_s, std::chrono::steady_clock::time_point begun) {
   const SensorChoice& head = rig_.head.sensor;
-  for (const TrackerSample& sample : person_.samples()) {
+  for (const TrackerSample& sample : viewer_.samples()) {
     if (sample.sensor == head.sensor) newestSample_s_ = sample.time_s - rig_.trackers[head.tracker].latency_s;
   }
   deciding_.sampleAge_s = begin_s - newestSample_s_;
@@ -167,7 +168,7 @@ void LiveSource::shown(const FrameState& state) {
   pacer_.swapped();
   if (!journal_) return;
   const auto strokes = struck_ ? std::span<const Stroke>(&*struck_, 1) : std::span<const Stroke>();
-  journal_->add(state, person_.head(), person_.samples(), strokes);
+  journal_->add(state, viewer_.head(), viewer_.samples(), strokes);
 }
 
 void LiveSource::changed(std::uint64_t number, const ControlChange& change) {

@@ -11,16 +11,16 @@
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/journal/journal.h"
+#include "app/play/cue_interaction.h"
 #include "app/play/game.h"
-#include "app/play/hand_play.h"
-#include "app/play/hands.h"
+#include "app/play/input_devices.h"
 #include "app/session/frame_source.h"
 #include "app/session/spoken.h"
-#include "app/viewer/drive.h"
-#include "app/viewer/person.h"
+#include "app/viewer/platform_motion.h"
+#include "app/viewer/viewer.h"
 #include "cave/frame/pacer.h"
 #include "cave/process/termination.h"
-#include "cave/room/left_room.h"
+#include "cave/room/room_boundary.h"
 #include "devices/usb/rumble.h"
 
 namespace carom {
@@ -61,7 +61,7 @@ class LiveSource : public FrameSource {
   void shown(const FrameState& state) override;
   void changed(std::uint64_t number, const ControlChange& change) override;
   void handled(const DeskInput& desk) override { desk_ = desk; }
-  std::vector<TrackerReport> trackers() const override { return person_.trackers(); }
+  std::vector<TrackerReport> trackers() const override { return viewer_.trackers(); }
   void measured(std::span<const LatencyRow> rows) override;
 
  private:
@@ -76,14 +76,14 @@ class LiveSource : public FrameSource {
   const World& world_;
   std::unique_ptr<Clock> clock_;
   Pacer pacer_;
-  Person person_;
-  Drive drive_;
+  Viewer viewer_;
+  PlatformMotion platformMotion_;
   DriveMode driven_ = DriveMode::free;  ///< of the last frame
   std::optional<unsigned> tours_;       ///< of the last frame's controls
   Game game_;
-  Hands hands_;
+  InputDevices hands_;
   Rumble rumble_;
-  HandPlay handPlay_;
+  CueInteraction cueInteraction_;
   std::optional<Stroke> struck_;  ///< in the frame at hand
   std::unique_ptr<Journal> journal_;
   std::optional<ClosedOnLeaving> onLeaving_;  ///< of the journal
@@ -91,7 +91,7 @@ class LiveSource : public FrameSource {
   bool begins_ = false;                       ///< another game, with the next frame
   DeskInput desk_;                            ///< of the frame before
   LessonState lesson_;                        ///< of the last frame
-  LeftRoom leftRoom_;
+  RoomBoundary roomBoundary_;
   Spoken spoken_;
   std::string told_;                    ///< and not said yet
   std::optional<ObserverView> frozen_;  ///< the sight that is walked round

@@ -140,7 +140,7 @@ void RecordedSource::obey(const Controls& controls, FrameRecord& record) {
   views_.hold(record.views);
   if (record.views.frozen && !wasFrozen) {
     if (!frozen_) frozen_ = record.observer;
-    record.observer = walkedRound(*frozen_, record.observer);
+    record.observer = frozenViewAt(*frozen_, record.observer);
   } else {
     frozen_.reset();
   }

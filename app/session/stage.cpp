@@ -15,7 +15,7 @@
 #include "cave/frame/pacer.h"
 #include "cave/mesh/mesh_buffers.h"
 #include "cave/scene/table_model.h"
-#include "devices/setup/open_tracker.h"
+#include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -40,7 +40,7 @@ void agreeOnMesh(const Cluster& cluster, const std::optional<std::filesystem::pa
 void agreeOnScenario(const Cluster& cluster, const InputFile& input, const Scenario& scenario) {
   cluster.agree("scenario", textOf(input));
   for (const auto& mesh : scenario.puckMeshes) agreeOnMesh(cluster, mesh);
-  for (const ToldBody& body : scenario.bodies) agreeOnMesh(cluster, body.mesh);
+  for (const ScriptedBody& body : scenario.bodies) agreeOnMesh(cluster, body.mesh);
 }
 
 /// Every node runs the same program on the same files; throws on every rank where one does not.
@@ -138,14 +138,14 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
     stage.graphics = std::make_unique<Graphics>(displayOf(stage.rig, cluster.rank()));
     stage.tessellation = tessellationFor(stage.rig, stage.graphics->rendererName());
     stage.scene = sceneOf(stage.scenario, stage.tessellation);
-    stage.walls =
-        std::make_unique<WallSet>(*stage.graphics, stage.scene, stage.scenario.billiard.lightSpeed_m_s,
-                                  cluster.wallsOf(stage.rig.walls), stage.rig.oneWindow, !options.noWindow);
-    stage.walls->standIn(factsOf(stage.rig));
+    stage.walls = std::make_unique<DisplayWalls>(
+        *stage.graphics, stage.scene, stage.scenario.billiard.lightSpeed_m_s,
+        cluster.wallsOf(stage.rig.walls), stage.rig.oneWindow, !options.noWindow);
+    stage.walls->standIn(roomGeometryOf(stage.rig));
     stage.walls->teach(lessonWords(stage.scenario));
     if (options.outside && cluster.rank() == 0) {
-      stage.outside = std::make_unique<RoomView>(*stage.graphics, factsOf(stage.rig), stage.scene,
-                                                 plainTable(stage.scenario), !options.noWindow);
+      stage.outside = std::make_unique<SpectatorView>(*stage.graphics, roomGeometryOf(stage.rig), stage.scene,
+                                                      plainTable(stage.scenario), !options.noWindow);
     }
     if (options.diagram && cluster.rank() == 0 && !options.noWindow) {
       stage.diagram = std::make_unique<DiagramWindow>(*stage.graphics, stage.scenario);

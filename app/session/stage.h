@@ -15,10 +15,10 @@
 #include "app/session/diagram_window.h"
 #include "app/stage/recording.h"
 #include "cave/cluster/cluster.h"
-#include "cave/display/wall_set.h"
+#include "cave/display/display_walls.h"
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene.h"
-#include "cave/spectator/room_view.h"
+#include "cave/spectator/spectator_view.h"
 
 namespace carom {
 
@@ -47,8 +47,8 @@ struct Stage {
   std::unique_ptr<Graphics> graphics;
   Tessellation tessellation;
   Scene scene;
-  std::unique_ptr<WallSet> walls;
-  std::unique_ptr<RoomView> outside;       ///< where it was asked for
+  std::unique_ptr<DisplayWalls> walls;
+  std::unique_ptr<SpectatorView> outside;  ///< where it was asked for
   std::unique_ptr<DiagramWindow> diagram;  ///< where it was asked for
   std::unique_ptr<Console> console;        ///< where it was opened
   World world;

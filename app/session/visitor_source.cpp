@@ -42,7 +42,7 @@ std::optional<double> lengthOf_s(const Visitor& visitor) {
 
 VisitorSource::VisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
                              RecordedGame game, const VisitTime& time)
-    : person_(rigOf(rig, visitor), scenarioOf(scenario, visitor), time.start),
+    : viewer_(rigOf(rig, visitor), scenarioOf(scenario, visitor), time.start),
       pacer_(time.clock, rig.display_hz, rig.displayLatency_s, time.swapsWait),
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
@@ -79,15 +79,15 @@ ObserverView VisitorSource::goOn(const Playback& playback, const FrameTimes& tim
   double by_s = playback.paused ? 0.0 : playback.rate * times.step_s;
   // The beginning is the game's, the room's time 0, however much of it the person has lived through.
   if (jumps) by_s = playback.goTo_s > 0.0 ? playback.goTo_s - display_s_ : -roomTime_s_;
-  const ObserverView view = lives ? person_.at(times, eyeSeparation_m_)
-                                  : person_.through(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
+  const ObserverView view = lives ? viewer_.at(times, eyeSeparation_m_)
+                                  : viewer_.freeView(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
   heldBack_ = latestSeen_s(view) > game_.known_s;
   if (!heldBack_) return view;
-  return person_.through(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
+  return viewer_.freeView(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
 }
 
 ObserverView VisitorSource::look(const Controls& controls, const FrameTimes& times) {
-  if (controls.views.frozen && sight_) return person_.round(*sight_, times, eyeSeparation_m_);
+  if (controls.views.frozen && sight_) return viewer_.frozenView(*sight_, times, eyeSeparation_m_);
   sight_ = goOn(controls.playback, times);
   roomTime_s_ = roomTimeOf_s(*sight_);
   return *sight_;
@@ -111,14 +111,14 @@ void VisitorSource::next(const Controls& controls, FrameState& state) {
   record.number = times.number;
   record.pucks = game_.pucks;
   record.observer = look(controls, times);
-  record.boardFromRoom = person_.boardFromRoom();
+  record.boardFromRoom = viewer_.boardFromRoom();
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
   record.last = isLast(times, record.observer);
   record.switches = controls.switches;
   record.controls = controls.walls;
   record.views = controls.views;
-  record.tracked = person_.tracked();
+  record.tracked = viewer_.tracked();
   handsOff_.tell(display_s_, record.notice);
 }
 

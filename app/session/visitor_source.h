@@ -10,7 +10,7 @@
 #include "app/session/frame_source.h"
 #include "app/session/hands_off.h"
 #include "app/session/recorded_source.h"
-#include "app/viewer/person.h"
+#include "app/viewer/viewer.h"
 #include "cave/frame/pacer.h"
 
 namespace carom {
@@ -58,7 +58,7 @@ class VisitorSource : public FrameSource {
   double latestSeen_s(const ObserverView& view) const;
   bool isLast(const FrameTimes& times, const ObserverView& view);
 
-  Person person_;
+  Viewer viewer_;
   Pacer pacer_;
   Lorentz roomFromBoard_;
   Event origin_;  ///< of the room, at its time 0

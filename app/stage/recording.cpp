@@ -10,7 +10,7 @@
 #include "app/stage/all_ranks.h"
 #include "cave/capture/capture.h"
 #include "cave/capture/movie.h"
-#include "cave/spectator/room_view.h"
+#include "cave/spectator/spectator_view.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -67,7 +67,7 @@ void Recording::attempt(std::unique_ptr<Part>& part, const char* outcome, const 
   }
 }
 
-void Recording::take(const WallSet& walls, const RoomView* outside, const FrameRecord& record) {
+void Recording::take(const DisplayWalls& walls, const SpectatorView* outside, const FrameRecord& record) {
   const auto capture = [&] {
     if (captured_ == record.number) return;
     captured_ = record.number;

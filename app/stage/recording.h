@@ -13,8 +13,8 @@ class Capture;
 class Cluster;
 class Graphics;
 class Movie;
-class RoomView;
-class WallSet;
+class SpectatorView;
+class DisplayWalls;
 struct FrameRecord;
 struct Rig;
 
@@ -45,7 +45,7 @@ class Recording {
   /// The frame that was drawn last; the view from outside, where there is one, among the pictures. A frame
   /// that stays is captured once. In simulated time throws std::runtime_error where something could not be
   /// written.
-  void take(const WallSet& walls, const RoomView* outside, const FrameRecord& record);
+  void take(const DisplayWalls& walls, const SpectatorView* outside, const FrameRecord& record);
 
   RecordingReport report() const;
 

@@ -40,7 +40,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
     pucks.push_back({puck.name, pathOf(scenario.puckMeshes[i]), puck.radius_m, puck.height_m});
   }
   std::vector<BodyLooks> told;
-  for (const ToldBody& body : scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
+  for (const ScriptedBody& body : scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
@@ -52,7 +52,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
 void openMeshes(const Scenario& scenario) {
   std::vector<std::string> paths;
   for (const auto& mesh : scenario.puckMeshes) paths.push_back(pathOf(mesh));
-  for (const ToldBody& body : scenario.bodies) paths.push_back(pathOf(body.mesh));
+  for (const ScriptedBody& body : scenario.bodies) paths.push_back(pathOf(body.mesh));
   std::sort(paths.begin(), paths.end());
   paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
   std::vector<InputError> faults;
@@ -71,7 +71,7 @@ std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const World
   std::vector<SeenBody> bodies{{"table and hall", restingWorldLine(scenario.billiard.lightSpeed_m_s)}};
   for (std::size_t i = 0; i < pucks.size(); ++i)
     bodies.push_back({scenario.billiard.pucks[i].name, pucks[i]});
-  for (const ToldBody& body : scenario.bodies) bodies.push_back({body.name, body.worldLine});
+  for (const ScriptedBody& body : scenario.bodies) bodies.push_back({body.name, body.worldLine});
   return bodies;
 }
 

@@ -23,7 +23,7 @@ bool drawsOnProcessor(const std::string& renderer);
 /// what draws (Graphics::rendererName): a processor is given fewer vertices than a graphics card.
 Tessellation tessellationFor(const Rig& rig, const std::string& renderer);
 
-/// Table, hall, pucks and told bodies; the meshes have been opened.
+/// Table, hall, pucks and scripted bodies; the meshes have been opened.
 Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation);
 
 /// Opens every mesh of the scenario. Throws InputErrors with the fault of each that cannot be read.

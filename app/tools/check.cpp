@@ -136,7 +136,7 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
         puck.name, puck.radius_m * 1e3, puck.height_m * 1e3, puck.mass_kg, puck.position_m.x * 1e3,
         puck.position_m.y * 1e3, beta, gammaFromU(uFromBeta(Vec3(puck.beta, 0.0))));
   }
-  for (const ToldBody& body : scenario.bodies) {
+  for (const ScriptedBody& body : scenario.bodies) {
     const std::size_t turns = body.worldLine.knots().size() - 1;
     fmt::print("body {}: moves as told, turns {}\n", body.name, counted(turns, "time"));
   }

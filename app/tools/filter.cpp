@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "app/tools/option_values.h"
+#include "devices/filter/aberration_error.h"
 #include "devices/filter/head_filter.h"
-#include "devices/filter/sky_swing.h"
 #include "devices/tracker/trace.h"
 #include "engine/base/whole_file.h"
 
@@ -72,7 +72,8 @@ Summary filterTrace(const std::vector<TrackerSample>& rows, double lightSpeed_m_
     summary.celerity.add(square_m2_s2);
     summary.fastest_m_s = std::max(summary.fastest_m_s, std::sqrt(square_m2_s2));
     summary.sigma.add(head.sigma_m_s * head.sigma_m_s);
-    const double swing_rad = skySwing_rad(head.celerity_m_s, head.celerityCovariance_m2_s2, lightSpeed_m_s);
+    const double swing_rad =
+        aberrationError_rad(head.celerity_m_s, head.celerityCovariance_m2_s2, lightSpeed_m_s);
     summary.swing_rad.add(swing_rad * swing_rad);
     summary.lag_s += head.lag_s;
     if (row.time_s >= windowBegin_s + kWindow_s) {

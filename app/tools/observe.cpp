@@ -30,14 +30,14 @@ std::vector<SeenBody> bodiesOf(const Scenario& scenario, const Billiard& billiar
   for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) {
     bodies.push_back({scenario.billiard.pucks[i].name, &billiard.worldLines()[i]});
   }
-  for (const ToldBody& body : scenario.bodies) bodies.push_back({body.name, &body.worldLine});
+  for (const ScriptedBody& body : scenario.bodies) bodies.push_back({body.name, &body.worldLine});
   return bodies;
 }
 
 std::vector<std::string> namesIn(const Scenario& scenario) {
   std::vector<std::string> names;
   for (const Puck& puck : scenario.billiard.pucks) names.push_back(puck.name);
-  for (const ToldBody& body : scenario.bodies) names.push_back(body.name);
+  for (const ScriptedBody& body : scenario.bodies) names.push_back(body.name);
   return names;
 }
 

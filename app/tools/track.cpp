@@ -19,8 +19,8 @@
 #include "app/tools/option_values.h"
 #include "devices/monitor/input_monitor.h"
 #include "devices/monitor/loss_counter.h"
-#include "devices/monitor/sensor_monitor.h"
-#include "devices/setup/open_tracker.h"
+#include "devices/monitor/sensor_statistics.h"
+#include "devices/setup/tracker_factory.h"
 #include "devices/tracker/trace.h"
 #include "devices/usb/device_list.h"
 #include "engine/base/log.h"
@@ -64,7 +64,7 @@ class EndOnSignals {
 struct Watched {
   const TrackerSetup* setup = nullptr;
   std::unique_ptr<Tracker> tracker;
-  std::map<int, SensorMonitor> sensors;
+  std::map<int, SensorStatistics> sensors;
   std::map<int, InputMonitor> inputs;  // of the sensors that have some
   std::vector<LossCounter> losses;     // of the sensors that the rig names
 };
@@ -240,7 +240,7 @@ int runTrack(const TrackOptions& options) {
   std::vector<Watched> all;
   for (std::size_t i = 0; i < rig.trackers.size(); ++i) {
     const TrackerSetup& setup = rig.trackers[i];
-    all.push_back({&setup, openTracker(setup, rig.axes, start), {}, {}, lossCountersOf(rig, i)});
+    all.push_back({&setup, createTracker(setup, rig.axes, start), {}, {}, lossCountersOf(rig, i)});
   }
   std::unique_ptr<Recording> recording;
   if (options.record) recording = std::make_unique<Recording>(*options.record, rig);

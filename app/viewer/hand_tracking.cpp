@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "devices/setup/open_tracker.h"
+#include "devices/setup/tracker_factory.h"
 
 namespace carom {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::size_t kMostSamples = 4096;  // of one frame: more than a device'
 constexpr double kButtonsWithin_s = 5.0;    // most devices tell how they stand at once
 constexpr const char* kWithoutWand = "the wand aims at nothing";
 
-void take(const Reading& reading, Handles& handles) {
+void take(const Reading& reading, ButtonState& handles) {
   if (reading.index < 0) return;
   const auto index = static_cast<unsigned>(reading.index);
   if (reading.kind == Reading::Kind::button && index < 32) {
@@ -25,7 +25,7 @@ void take(const Reading& reading, Handles& handles) {
     handles.axes[index] = std::clamp(reading.value, -1.0, 1.0);
 }
 
-void takeOf(int sensor, std::span<const Reading> inputs, Handles& handles) {
+void takeOf(int sensor, std::span<const Reading> inputs, ButtonState& handles) {
   for (const Reading& reading : inputs) {
     if (reading.sensor == sensor) take(reading, handles);
   }
@@ -44,12 +44,12 @@ HandTracking::Trackers open(const Rig& rig, std::chrono::steady_clock::time_poin
   const auto opened = [&](std::size_t tracker) -> std::unique_ptr<Tracker> {
     const TrackerSetup& setup = rig.trackers[tracker];
     if (tracker == rig.head.sensor.tracker || setup.kind == TrackerKind::spaceMouse) return nullptr;
-    return openTracker(setup, rig.axes, sessionStart);
+    return createTracker(setup, rig.axes, sessionStart);
   };
   if (rig.hand) trackers.wand = opened(rig.hand->tracker);
   if (rig.hand && rig.hand->buttons) trackers.buttons = opened(*rig.hand->buttons);
   if (const TrackerSetup* mouse = spaceMouseOf(rig))
-    trackers.spaceMouse = openTracker(*mouse, rig.axes, sessionStart);
+    trackers.spaceMouse = createTracker(*mouse, rig.axes, sessionStart);
   return trackers;
 }
 

@@ -15,14 +15,14 @@
 
 #include "app/files/rig.h"
 #include "devices/monitor/sensor_place.h"
+#include "devices/monitor/tracker_alarm.h"
 #include "devices/monitor/tracker_report.h"
-#include "devices/monitor/tracker_watch.h"
 #include "devices/tracker/tracker.h"
 
 namespace carom {
 
 /// Buttons that are down (bit i: button i) and where axes stand.
-struct Handles {
+struct ButtonState {
   std::uint32_t down = 0;
   std::array<double, 6> axes{};
 };
@@ -31,8 +31,8 @@ struct Handles {
 struct HandDevices {
   bool wandKnown = false;  ///< its place has come lately (kTrackLost_s)
   Pose roomFromHand;       ///< of the wand: its origin is the hand, the rig's forward is where it points
-  Handles wand;
-  Handles spaceMouse;  ///< axes: pushed right, up, back, and turned; each −1 to 1
+  ButtonState wand;
+  ButtonState spaceMouse;  ///< axes: pushed right, up, back, and turned; each −1 to 1
 };
 
 /// How a tracker fares at session time `now_s`; `place`: of the sensor that is used, null where none is.
@@ -83,7 +83,7 @@ class HandTracking {
   HandDevices devices_;
   std::vector<TrackerSample> samples_;
   std::vector<Reading> inputs_;
-  std::optional<TrackerWatch> wandWatch_, buttonsWatch_;
+  std::optional<TrackerAlarm> wandWatch_, buttonsWatch_;
   enum class Buttons { awaited, missed, came } buttons_ = Buttons::awaited;
   bool buttonsTold_ = true;               ///< of what `buttons_` is
   std::optional<double> trackedSince_s_;  ///< both trackers have delivered since then

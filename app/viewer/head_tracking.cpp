@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "devices/setup/open_tracker.h"
+#include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -19,7 +19,7 @@ HeadTracking::HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point
     : setup_(rig.head),
       roomFromTracker_(rig.trackers[rig.head.sensor.tracker].roomFromTracker),
       latency_s_(rig.trackers[rig.head.sensor.tracker].latency_s),
-      tracker_(openTracker(rig.trackers[rig.head.sensor.tracker], rig.axes, sessionStart)),
+      tracker_(createTracker(rig.trackers[rig.head.sensor.tracker], rig.axes, sessionStart)),
       watch_(rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor),
       headPlace_(rig.head.sensor.sensor, roomFromTracker_),
       hand_(rig, sessionStart),

@@ -14,8 +14,8 @@
 #include "cave/frame/pacer.h"
 #include "devices/filter/head_filter.h"
 #include "devices/monitor/sensor_place.h"
+#include "devices/monitor/tracker_alarm.h"
 #include "devices/monitor/tracker_report.h"
-#include "devices/monitor/tracker_watch.h"
 #include "devices/tracker/tracker.h"
 #include "engine/spacetime/observer.h"
 
@@ -47,7 +47,7 @@ class HeadTracking {
   Pose roomFromTracker_;
   double latency_s_;
   std::unique_ptr<Tracker> tracker_;
-  TrackerWatch watch_;
+  TrackerAlarm watch_;
   HeadFilter filter_;
   std::vector<TrackerSample> samples_;
   SensorPlace headPlace_;

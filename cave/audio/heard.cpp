@@ -30,7 +30,7 @@ Heard heardOf(const GameEvent& event, const Event& eye, const Lorentz& headFromB
               const Switches& switches) {
   const Vec3 way_m = event.at.r_m - eye.r_m;
   const double distance_m = glm::length(way_m);
-  const SeenFrame frame(headFromBoard, switches);
+  const ViewFrame frame(headFromBoard, switches);
   const Vec3 seen_m = kernel::rayThrough(frame.drawnFromBoard.matrix(), way_m);
   const double change = changeOf(event.turns);
   const double nearness = kFull_m / std::max(glm::length(seen_m), kFull_m);

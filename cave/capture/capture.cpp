@@ -27,7 +27,7 @@ unsigned encoders() { return std::clamp(std::thread::hardware_concurrency() / 2,
 
 }  // namespace
 
-Image readBack(const WallPicture& picture) {
+Image readBack(const RenderTarget& picture) {
   Image image;
   image.size_px = picture.size_px();
   image.rgb.resize(3 * static_cast<std::size_t>(image.size_px.x) * static_cast<std::size_t>(image.size_px.y));

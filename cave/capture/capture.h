@@ -27,7 +27,7 @@ struct Image {
 };
 
 /// Reads a picture back; waits for its drawing. The drawing context must be current.
-Image readBack(const WallPicture& picture);
+Image readBack(const RenderTarget& picture);
 
 /// `directory`/WALL-EYE-FRAME.png, the frame as six digits.
 std::filesystem::path capturePath(const std::filesystem::path& directory, const std::string& wall, Eye eye,
@@ -50,7 +50,7 @@ class Capture {
   ~Capture();  ///< without `finish`: writes what has been read back
 
   struct Taken {
-    const WallPicture* picture = nullptr;
+    const RenderTarget* picture = nullptr;
     const std::string* wall = nullptr;
     Eye eye = Eye::mono;
   };

@@ -17,7 +17,7 @@
 #include <system_error>
 #include <utility>
 
-#include "cave/gl/plain_state.h"
+#include "cave/gl/gl_state_guard.h"
 
 extern char** environ;
 
@@ -277,7 +277,7 @@ Movie::~Movie() {
   encoder_.reset();
 }
 
-void Movie::add(double display_s, std::span<const WallPicture* const> pictures) {
+void Movie::add(double display_s, std::span<const RenderTarget* const> pictures) {
   fetch(1);
   if (previous_s_) {
     const double stayed_s = display_s - *previous_s_;
@@ -292,7 +292,7 @@ void Movie::add(double display_s, std::span<const WallPicture* const> pictures) 
     return;
   }
   {
-    const PlainState state(picture_.framebuffer(), picture_.size_px());
+    const GlStateGuard state(picture_.framebuffer(), picture_.size_px());
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       const Viewport& place = layout_.places[i];
       packer_.draw({pictures[i], nullptr, StereoMode::mono, place.position_px, place.size_px},

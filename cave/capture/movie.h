@@ -56,7 +56,7 @@ class Movie {
   /// frame that stays for several ticks is there as often, a frame that is dropped gives its ticks to the one
   /// before. A jump by over a second either way, as through a recording, is one frame. Throws
   /// std::runtime_error once ffmpeg has failed.
-  void add(double display_s, std::span<const WallPicture* const> pictures);
+  void add(double display_s, std::span<const RenderTarget* const> pictures);
 
   /// Returns when the movie is a file. Throws as `add` does; where it only cannot have its name, it stays
   /// under the other, which is said.
@@ -81,7 +81,7 @@ class Movie {
   std::uint64_t dropped_ = 0;
   std::uint64_t tick_ = 0;
   std::optional<double> previous_s_;  // display time
-  WallPicture picture_;
+  RenderTarget picture_;
   StereoPacker packer_;
   PictureReader reader_;
   std::deque<std::uint64_t> asked_;  // the ticks of the pictures that are being read back

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "cave/frame/frame_digest.h"
-#include "cave/frame/frame_stamps.h"
 #include "cave/frame/frame_state.h"
+#include "cave/frame/frame_timing.h"
 #include "cave/room/wall.h"
 
 namespace carom {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cave/frame/frame_stamps.h"
+#include "cave/frame/frame_timing.h"
 
 namespace carom {
 

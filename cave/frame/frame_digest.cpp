@@ -19,7 +19,7 @@ class Digest {
   Digest& operator<<(const Vec3& v) { return *this << v.x << v.y << v.z; }
   Digest& operator<<(const Event& event) { return *this << event.t_s << event.r_m; }
   Digest& operator<<(const Knot& knot) {
-    return *this << knot.turn << knot.u << knot.properTime_s << knot.news << knot.deceleration_m_s2;
+    return *this << knot.turn << knot.u << knot.properTime_s << knot.signal << knot.deceleration_m_s2;
   }
 
   Digest& operator<<(const GameEvent& event) {
@@ -114,14 +114,14 @@ FrameDigest digestOf(const FrameState& state, const World& world) {
 }
 
 HistoryDigest digestOf(const WorldLine& history) {
-  Digest turns, velocities, properTimes, news;
+  Digest turns, velocities, properTimes, signal;
   for (const Knot& knot : history.knots()) {
     turns << knot.turn;
     velocities << knot.u << knot.deceleration_m_s2;
     properTimes << knot.properTime_s;
-    news << knot.news;
+    signal << knot.signal;
   }
-  return {{history.knots().size(), turns, velocities, properTimes, news}};
+  return {{history.knots().size(), turns, velocities, properTimes, signal}};
 }
 
 }  // namespace carom

@@ -24,7 +24,7 @@ FrameDigest digestOf(const FrameState& state, const World& world);
 /// A body's history, field by field: tells where two histories part.
 struct HistoryDigest {
   static constexpr std::array<const char*, 5> kFields = {"number of knots", "turns", "velocities",
-                                                         "proper times", "news"};
+                                                         "proper times", "signal"};
   std::array<std::uint64_t, kFields.size()> fields{};
 
   bool operator==(const HistoryDigest&) const = default;

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-/// As the game does (Chronicle::forgetBefore).
+/// As the game does (GameHistory::forgetBefore).
 bool isOver(const GameEvent& event, double before_s) {
   return event.at.t_s < before_s &&
          std::all_of(event.turns.begin(), event.turns.end(),

@@ -67,9 +67,9 @@ void expectPossible(const ObserverView& observer, double gameLightSpeed_m_s) {
 }
 
 void expectPossible(const WallControls& walls) {
-  if (walls.shown > Shown::seamPattern) {
+  if (walls.shown > Shown::alignmentPattern) {
     refuse("controls.shown is {}, expected 0 to {}", static_cast<int>(walls.shown),
-           static_cast<int>(Shown::seamPattern));
+           static_cast<int>(Shown::alignmentPattern));
   }
   expectFlag("controls.blank", walls.blank);
   expectFlag("controls.eyesSwapped", walls.eyesSwapped);
@@ -120,7 +120,7 @@ void expectPossible(const Knot& knot) {
   expectFinite("a knot's turn", knot.turn);
   expectFinite("a knot's u", knot.u);
   expectFinite("a knot's proper time", {knot.properTime_s});
-  expectFinite("a knot's news", knot.news);
+  expectFinite("a knot's signal", knot.signal);
   expectFinite("a knot's deceleration", {knot.deceleration_m_s2});
 }
 

@@ -5,7 +5,7 @@
 
 namespace carom {
 
-enum class Shown : std::uint8_t { session, testPattern, seamPattern };
+enum class Shown : std::uint8_t { session, calibrationPattern, alignmentPattern };
 
 struct WallControls {
   Shown shown = Shown::session;

@@ -12,7 +12,7 @@
 #include <filesystem>
 
 #include <utility>
-#include "cave/gl/text_ink.h"
+#include "cave/gl/glyph_bitmap.h"
 
 namespace carom {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace carom {
 
-WallPicture::WallPicture(const glm::ivec2& size_px) : size_px_(size_px) {
+RenderTarget::RenderTarget(const glm::ivec2& size_px) : size_px_(size_px) {
   GLint limit_px = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit_px);
   if (size_px.x < 1 || size_px.y < 1 || size_px.x > limit_px || size_px.y > limit_px) {
@@ -33,7 +33,7 @@ WallPicture::WallPicture(const glm::ivec2& size_px) : size_px_(size_px) {
   clear();
 }
 
-void WallPicture::clear() {
+void RenderTarget::clear() {
   GLint drawBefore = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBefore);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
@@ -42,7 +42,7 @@ void WallPicture::clear() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawBefore));
 }
 
-void WallPicture::fill(std::span<const std::uint8_t> rgb) {
+void RenderTarget::fill(std::span<const std::uint8_t> rgb) {
   if (rgb.size() != 3 * static_cast<std::size_t>(size_px_.x) * static_cast<std::size_t>(size_px_.y)) {
     throw std::invalid_argument(fmt::format("{} bytes were given for a picture of {} x {} pixels", rgb.size(),
                                             size_px_.x, size_px_.y));
@@ -57,7 +57,7 @@ void WallPicture::fill(std::span<const std::uint8_t> rgb) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, alignmentBefore);
 }
 
-WallPicture::~WallPicture() {
+RenderTarget::~RenderTarget() {
   glDeleteFramebuffers(1, &framebuffer_);
   glDeleteTextures(1, &texture_);
 }

@@ -11,12 +11,12 @@ namespace carom {
 /// An 8-bit RGBA texture, sRGB encoded, rows from the bottom up, with a framebuffer to draw into it. Made and
 /// destroyed with the drawing context current (Graphics::makeCurrent); the texture is shared with every
 /// window.
-class WallPicture {
+class RenderTarget {
  public:
-  explicit WallPicture(const glm::ivec2& size_px);
-  ~WallPicture();
-  WallPicture(const WallPicture&) = delete;
-  WallPicture& operator=(const WallPicture&) = delete;
+  explicit RenderTarget(const glm::ivec2& size_px);
+  ~RenderTarget();
+  RenderTarget(const RenderTarget&) = delete;
+  RenderTarget& operator=(const RenderTarget&) = delete;
 
   void clear();  ///< to black
   /// Holds these pixels from now on: RGB, rows from the bottom up, as many as the picture has.

@@ -45,7 +45,7 @@ unsigned PictureReader::bufferFor(std::size_t view, const glm::ivec2& size_px) {
   return buffer;
 }
 
-void PictureReader::ask(const WallPicture& picture, std::size_t view) {
+void PictureReader::ask(const RenderTarget& picture, std::size_t view) {
   GLint readBefore = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());

@@ -25,7 +25,7 @@ class PictureReader {
 
   /// Asks for the picture as it is drawn so far. `view`: which of a frame's pictures it is; where its size
   /// changes, what was kept for the old one goes.
-  void ask(const WallPicture& picture, std::size_t view);
+  void ask(const RenderTarget& picture, std::size_t view);
 
   /// RGBA, rows from the bottom up; valid during the call.
   using Fetch = std::function<void(const glm::ivec2& size_px, std::span<const std::uint8_t> rgba)>;

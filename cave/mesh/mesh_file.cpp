@@ -36,7 +36,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "cave/mesh/mesh_text.h"
-#include "cave/process/run_apart.h"
+#include "cave/process/subprocess.h"
 #include "engine/base/input_error.h"
 
 namespace carom {
@@ -267,8 +267,8 @@ vtkSmartPointer<vtkPolyData> readMeshFile(const std::string& path) {
   checkMeshText(path, ending, contentOf(path));
   vtkSmartPointer<vtkPolyData> surface;
   try {
-    surface = surfaceFrom(runApart([&] { return readApart(reader->second, path); }));
-  } catch (const JobLost& lost) {
+    surface = surfaceFrom(runInSubprocess([&] { return readApart(reader->second, path); }));
+  } catch (const SubprocessFailed& lost) {
     throw InputError(path, 1, 1, std::string(lost.what()) + ", expected a file that is whole");
   } catch (const std::runtime_error& error) {
     const auto [line, column] = placeIn(error.what());

@@ -22,7 +22,7 @@
 #include <vtk_glew.h>
 
 #include "cave/gl/gl_program.h"
-#include "cave/process/run_apart.h"
+#include "cave/process/subprocess.h"
 #include "shaders/projector_frag.h"
 #include "shaders/projector_vert.h"
 
@@ -54,7 +54,7 @@ float codeOf(double light) {
 /// Sets the state that drawing into a picture needs, and puts back which framebuffer was drawn into.
 class DrawInto {
  public:
-  explicit DrawInto(const WallPicture& picture) {
+  explicit DrawInto(const RenderTarget& picture) {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer());
     glViewport(0, 0, picture.size_px().x, picture.size_px().y);
@@ -129,8 +129,8 @@ std::string blendBytes(const std::filesystem::path& file) {
 
 BlendPicture readBlend(const std::filesystem::path& file) {
   try {
-    return blendFrom(runApart([&] { return blendBytes(file); }));
-  } catch (const JobLost&) {
+    return blendFrom(runInSubprocess([&] { return blendBytes(file); }));
+  } catch (const SubprocessFailed&) {
     throw std::runtime_error(file.string() + ":1:1: is broken, expected the picture whole");
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(file.string() + ":1:1: " + error.what());
@@ -207,10 +207,10 @@ void Projector::uploadBlend(const BlendPicture& blend) {
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-const WallPicture& Projector::project(const WallPicture& picture, Eye eye, const glm::ivec2& size_px) {
+const RenderTarget& Projector::project(const RenderTarget& picture, Eye eye, const glm::ivec2& size_px) {
   const std::size_t which = eye == Eye::right ? 1 : 0;
-  std::unique_ptr<WallPicture>& projected = projected_[which];
-  if (!projected || projected->size_px() != size_px) projected = std::make_unique<WallPicture>(size_px);
+  std::unique_ptr<RenderTarget>& projected = projected_[which];
+  if (!projected || projected->size_px() != size_px) projected = std::make_unique<RenderTarget>(size_px);
   const DrawInto target(*projected);
   const float dark = codeOf(black_);
   const std::array<float, 4> outside{dark, dark, dark, 1.0F};

@@ -52,7 +52,7 @@ class Projector {
 
   /// What leaves the projector, `size_px` large, for a picture of this eye. Valid until the next call for the
   /// eye.
-  const WallPicture& project(const WallPicture& picture, Eye eye, const glm::ivec2& size_px);
+  const RenderTarget& project(const RenderTarget& picture, Eye eye, const glm::ivec2& size_px);
 
  private:
   struct DrawnMesh {
@@ -67,8 +67,8 @@ class Projector {
   unsigned program_ = 0;
   unsigned blend_ = 0;  // texture
   float black_ = 0.0F;
-  std::array<DrawnMesh, 2> meshes_;                        // left, right
-  std::array<std::unique_ptr<WallPicture>, 2> projected_;  // left, right
+  std::array<DrawnMesh, 2> meshes_;                         // left, right
+  std::array<std::unique_ptr<RenderTarget>, 2> projected_;  // left, right
 };
 
 }  // namespace carom

@@ -111,7 +111,7 @@ void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) {
 }
 
 void StereoPacker::fill(const Pane& pane, const glm::ivec2& windowSize_px, int mode) const {
-  const WallPicture& right = pane.right ? *pane.right : *pane.left;
+  const RenderTarget& right = pane.right ? *pane.right : *pane.left;
   glDisable(GL_DEPTH_TEST);
   glViewport(pane.position_px.x, windowSize_px.y - pane.position_px.y - pane.size_px.y, pane.size_px.x,
              pane.size_px.y);

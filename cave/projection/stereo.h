@@ -23,8 +23,8 @@ const char* nameOf(Eye eye);
 
 /// One wall in a visible window.
 struct Pane {
-  const WallPicture* left = nullptr;   ///< left eye, or the only picture there is (mono, left, right)
-  const WallPicture* right = nullptr;  ///< right eye; null where there is only one picture
+  const RenderTarget* left = nullptr;   ///< left eye, or the only picture there is (mono, left, right)
+  const RenderTarget* right = nullptr;  ///< right eye; null where there is only one picture
   StereoMode stereo = StereoMode::mono;
   glm::ivec2 position_px{0};  ///< of its top left corner in the window, from the window's top left
   glm::ivec2 size_px{0};

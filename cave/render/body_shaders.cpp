@@ -58,18 +58,18 @@ std::string paintText(Paint paint) {
 }
 
 /// What differs from one program to another.
-std::string variantText(Paint paint, const Switches& switches, Moment moment) {
+std::string variantText(Paint paint, const Switches& switches, ViewTime moment) {
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " true\n" : " false\n");
   };
-  const bool ghost = moment != Moment::seen;
+  const bool ghost = moment != ViewTime::seen;
   const bool retarded = !ghost && switches.retardation;
-  const bool boardNow = moment == Moment::boardNow || (!ghost && !switches.retardation);
+  const bool boardNow = moment == ViewTime::boardNow || (!ghost && !switches.retardation);
   std::string text = define("RETARDED", retarded) + define("BOARD_NOW", boardNow) +
-                     define("CONTRACTED", switches.contraction || moment == Moment::myNow) +
+                     define("CONTRACTED", switches.contraction || moment == ViewTime::myNow) +
                      define("ABERRATED", switches.aberration) + define("COLOURED", switches.colour) +
                      define("SEARCHLIGHT", switches.searchlight);
-  if (ghost) return text + "#define GHOST\n" + define("CROSSED", moment == Moment::myNow);
+  if (ghost) return text + "#define GHOST\n" + define("CROSSED", moment == ViewTime::myNow);
   if (switches == kNoSwitches) text += "#define EUCLID\n";
   if (switches.colour) text += "#define COLOUR\n";
   if (paint == Paint::clock) text += "#define CLOCK\n";
@@ -92,14 +92,14 @@ std::string kernelText(Legs legs) {
   return text;
 }
 
-std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, Moment moment) {
+std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, ViewTime moment) {
   return kPreamble + variantText(paint, switches, moment) + kernelText(legs) + shaders::body_vert;
 }
 
-std::string surfaceFragmentShader(Paint paint, const Switches& switches, Moment moment) {
+std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment) {
   const std::string marker = "//CAROM::Paint";
   std::string text = kPreamble + variantText(paint, switches, moment) + shaders::surface_frag;
-  const std::string painting = moment == Moment::seen ? paintText(paint) : shaders::paint_ghost;
+  const std::string painting = moment == ViewTime::seen ? paintText(paint) : shaders::paint_ghost;
   text.replace(text.find(marker), marker.size(), painting);
   return text;
 }

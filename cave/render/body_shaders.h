@@ -21,7 +21,8 @@ std::string kernelText(Legs legs);
 
 /// One program for each state of the switches: what is off costs nothing. Bodies at a moment are drawn as
 /// ghosts, whatever their paint.
-std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, Moment moment = Moment::seen);
-std::string surfaceFragmentShader(Paint paint, const Switches& switches, Moment moment = Moment::seen);
+std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches,
+                             ViewTime moment = ViewTime::seen);
+std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen);
 
 }  // namespace carom

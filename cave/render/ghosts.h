@@ -8,7 +8,7 @@
 namespace carom {
 
 /// The bodies at a moment, drawn as ghosts beside what is seen: each as many as the scene has, or none.
-/// Viewed with Moment::boardNow and Moment::myNow; a view without legs: that body has no ghost.
+/// Viewed with ViewTime::boardNow and ViewTime::myNow; a view without legs: that body has no ghost.
 struct Ghosts {
   std::span<const BodyView> boardNow, myNow;
 };

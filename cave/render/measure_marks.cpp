@@ -16,7 +16,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// A strip on the cloth.
-void addFlat(MarkBatch& batch, const Resting& draw, const Vec3& from_m, const Vec3& to_m,
+void addFlat(MarkBuffer& batch, const Resting& draw, const Vec3& from_m, const Vec3& to_m,
              const Vec3& halfWidth_m, const glm::vec4& colour) {
   constexpr std::size_t kPoints = 5;  // light bends what is straight
   std::array<glm::dvec3, kPoints> left, right;
@@ -29,7 +29,7 @@ void addFlat(MarkBatch& batch, const Resting& draw, const Vec3& from_m, const Ve
 }
 
 /// How far along its path the eye sees light that started then; without retardation, where it is.
-double seenOrReached_m(const MarkSight& sight, double start_s, std::span<const Vec3> path_m, double ago_s) {
+double seenOrReached_m(const MarkContext& sight, double start_s, std::span<const Vec3> path_m, double ago_s) {
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
   const Event& eye = sight.eye.observation;
   if (!sight.switches.retardation) return reached_m(start_s, path_m, eye.t_s - ago_s, c_m_s);
@@ -37,8 +37,8 @@ double seenOrReached_m(const MarkSight& sight, double start_s, std::span<const V
 }
 
 /// A pulse and its tail, as far as they are seen on the path.
-void addPulse(const MarkSight& sight, const Resting& draw, double start_s, std::span<const Vec3> path_m,
-              double size_m, const glm::vec3& colour, MarkBatch& batch) {
+void addPulse(const MarkContext& sight, const Resting& draw, double start_s, std::span<const Vec3> path_m,
+              double size_m, const glm::vec3& colour, MarkBuffer& batch) {
   constexpr int kSteps = 10;
   constexpr double kHalfWidth_rad = 0.004, kLeast_rad = 0.014;
   const double length_m = lengthOf(path_m);
@@ -65,8 +65,8 @@ void addPulse(const MarkSight& sight, const Resting& draw, double start_s, std::
 
 /// Light that has gone to and fro between two places since board time 0. The eye sees it within the last few
 /// of its ways, which begin at the times k L/c: where the light of its turns has just come.
-void addToAndFro(const MarkSight& sight, const Resting& draw, const Vec3& a_m, const Vec3& b_m,
-                 MarkBatch& batch) {
+void addToAndFro(const MarkContext& sight, const Resting& draw, const Vec3& a_m, const Vec3& b_m,
+                 MarkBuffer& batch) {
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
   const Event& eye = sight.eye.observation;
   const double length_m = glm::distance(a_m, b_m);
@@ -82,7 +82,7 @@ void addToAndFro(const MarkSight& sight, const Resting& draw, const Vec3& a_m, c
 
 }  // namespace
 
-void addRuler(const MarkSight& sight, const Ruler& ruler, Crowd& crowd, MarkBatch& batch) {
+void addRuler(const MarkContext& sight, const Ruler& ruler, LabelLayout& crowd, MarkBuffer& batch) {
   constexpr double kHalfBar_m = 0.014, kGap_m = 0.006, kMark_m = 0.018, kHalfLine_m = 0.002;
   const Resting draw(sight);
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
@@ -117,7 +117,7 @@ bool hasWay(const Vec2& beta) { return glm::length(beta) > 1e-6; }
 double azimuthOf(const Vec2& way) { return std::atan2(way.y, way.x); }
 
 /// An arc on the cloth from one azimuth on by `turn_rad`, its half width.
-void addArc(MarkBatch& batch, const Resting& draw, const Vec3& middle_m, double from_rad, double turn_rad,
+void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double from_rad, double turn_rad,
             double radius_m, double half_m, const glm::vec4& colour) {
   constexpr std::size_t kPoints = 33;
   std::array<glm::dvec3, kPoints> inner, outer;
@@ -131,7 +131,7 @@ void addArc(MarkBatch& batch, const Resting& draw, const Vec3& middle_m, double 
 }
 
 /// A line on the cloth from the middle that way, in dashes or whole.
-void addRay(MarkBatch& batch, const Resting& draw, const Vec3& middle_m, double azimuth_rad, double length_m,
+void addRay(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double azimuth_rad, double length_m,
             int dashes, double half_m, const glm::vec4& colour) {
   const Vec3 way(std::cos(azimuth_rad), std::sin(azimuth_rad), 0.0), aside(-way.y, way.x, 0.0);
   const double step_m = length_m / (dashes > 1 ? 2 * dashes - 1 : 1);
@@ -144,8 +144,8 @@ void addRay(MarkBatch& batch, const Resting& draw, const Vec3& middle_m, double 
 /// The turn from one azimuth to another, the shorter way round.
 double turnBetween(double from_rad, double to_rad) { return std::remainder(to_rad - from_rad, 2.0 * kPi); }
 
-void addParting(const MarkSight& sight, const Resting& draw, const GameEvent& event, float shown,
-                Crowd& crowd, MarkBatch& batch) {
+void addParting(const MarkContext& sight, const Resting& draw, const GameEvent& event, float shown,
+                LabelLayout& crowd, MarkBuffer& batch) {
   constexpr double kRay_m = 0.30, kArc_m = 0.21, kHalf_m = 0.0025, kThin_m = 0.0012;
   const glm::vec4 colour(kAngleColour, shown), faint(kAngleColour, 0.8F * shown);
   const Vec3 middle_m(event.at.r_m.x, event.at.r_m.y, kOnCloth_m);
@@ -176,7 +176,7 @@ void addParting(const MarkSight& sight, const Resting& draw, const GameEvent& ev
 
 }  // namespace
 
-void addAngles(const MarkSight& sight, Crowd& crowd, MarkBatch& batch) {
+void addAngles(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) {
   const Resting draw(sight);
   const auto parts = [](const GameEvent& event) {
     return event.kind == EventKind::puckPuck && event.turns.size() == 2 && hasWay(event.turns[0].betaAfter) &&
@@ -195,7 +195,7 @@ void addAngles(const MarkSight& sight, Crowd& crowd, MarkBatch& batch) {
   }
 }
 
-void addPulses(const MarkSight& sight, std::span<const LightPath> pulses, MarkBatch& batch) {
+void addPulses(const MarkContext& sight, std::span<const LightPath> pulses, MarkBuffer& batch) {
   const Resting draw(sight);
   for (std::size_t i = 0; i < pulses.size(); ++i) {
     constexpr double kSize_m = 0.025;

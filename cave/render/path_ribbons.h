@@ -44,7 +44,7 @@ class PathRibbons {
   void look(std::span<const WorldLine> pucks, const Event& observation, const Switches& switches,
             double now_s);
 
-  /// `colours`: of the pucks, linear. `drawnFromBoard`: as SeenFrame has it. Within a PlainState that tests
+  /// `colours`: of the pucks, linear. `drawnFromBoard`: as ViewFrame has it. Within a GlStateGuard that tests
   /// depth and blends.
   void draw(const glm::mat4& clipFromDrawn, const glm::mat4& drawnFromBoard,
             std::span<const glm::vec3> colours) const;

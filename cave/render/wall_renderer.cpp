@@ -34,7 +34,7 @@
 #include "cave/frame/clock_time.h"
 #include "cave/gl/view_colours.h"
 #include "cave/render/body_shaders.h"
-#include "cave/render/time_marks.h"
+#include "cave/render/spacetime_marks.h"
 #include "cave/room/off_axis.h"
 #include "engine/colour/doppler_colour.h"
 #include "engine/colour/exposure.h"
@@ -77,7 +77,7 @@ struct EyeUniforms {
   int legTexels = 0;     ///< texture unit
   int colourTexels = 0;  ///< texture unit
   std::vector<GpuLeg> legs;
-  std::array<Layer, 3> layers;  ///< as Moment numbers them
+  std::array<Layer, 3> layers;  ///< as ViewTime numbers them
   std::array<glm::vec3, 3> lamps_m{};
   float lightSpeed_m_s = 0.0F;
 };
@@ -98,7 +98,7 @@ class PartUniforms : public vtkCommand {
     vtkShaderProgram& program = *static_cast<vtkShaderProgram*>(programPointer);
     const Layer& layer = eye->layers[static_cast<std::size_t>(moment)];
     const LegRange& legs = layer.ranges[part->body];
-    const bool ghost = moment != Moment::seen;
+    const bool ghost = moment != ViewTime::seen;
     const bool decal = part->paint == Paint::shadow;
     state->SetEnumState(GL_BLEND, decal || ghost);
     state->vtkglDepthMask(decal ? GL_FALSE : GL_TRUE);  // shadows lie in each other
@@ -134,7 +134,7 @@ class PartUniforms : public vtkCommand {
   const ScenePart* part = nullptr;
   const EyeUniforms* eye = nullptr;
   vtkOpenGLState* state = nullptr;
-  Moment moment = Moment::seen;
+  ViewTime moment = ViewTime::seen;
   glm::vec3 ghostColour{0.0F};  ///< linear
   float hatch_m = 1.0F;         ///< from stripe to stripe of a ghost
 
@@ -155,7 +155,7 @@ struct WallRenderer::Stage {
   struct PartActor {
     vtkSmartPointer<vtkActor> actor;
     Legs legs;
-    Moment moment;
+    ViewTime moment;
     const ScenePart* part;
   };
   std::vector<PartActor> actors;
@@ -169,14 +169,14 @@ struct WallRenderer::Stage {
 
   void prepareWindow(int samples);
   void prepareColours();
-  void addPart(const ScenePart& part, Legs legs, Moment moment = Moment::seen);
-  void addGhosts(Moment moment);
+  void addPart(const ScenePart& part, Legs legs, ViewTime moment = ViewTime::seen);
+  void addGhosts(ViewTime moment);
   void chooseShaders();
   void takeHead(const Lorentz& headFromBoard);
-  void takeLegs(Moment moment, std::span<const BodyView> bodies);
+  void takeLegs(ViewTime moment, std::span<const BodyView> bodies);
   void chooseActors();
   void upload();
-  void drawScene(const WallPicture& picture, const glm::ivec2& size, const WallDrawing& drawing);
+  void drawScene(const RenderTarget& picture, const glm::ivec2& size, const WallDrawing& drawing);
 };
 
 void WallRenderer::Stage::prepareWindow(int samples) {
@@ -211,7 +211,7 @@ void WallRenderer::Stage::prepareColours() {
 
 /// A part of a body that can turn has two actors, of which one is seen: for a body that the eye sees on one
 /// straight leg the shader is much shorter. They share the mesh's buffers.
-void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, Moment moment) {
+void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, ViewTime moment) {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputData(part.mesh);
   mapper->StaticOn();
@@ -228,8 +228,8 @@ void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, Moment momen
   uniforms->eye = &eye;
   uniforms->state = window->GetState();
   uniforms->moment = moment;
-  if (moment != Moment::seen) {
-    uniforms->ghostColour = linearOf(moment == Moment::boardNow ? kBoardNowColour : kMyNowColour);
+  if (moment != ViewTime::seen) {
+    uniforms->ghostColour = linearOf(moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
     uniforms->hatch_m = kHatch * static_cast<float>(scene.reach_m.empty() ? 1.0 : scene.reach_m[part.body]);
   }
   mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
@@ -238,7 +238,7 @@ void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, Moment momen
 }
 
 /// After all else: one looks through them.
-void WallRenderer::Stage::addGhosts(Moment moment) {
+void WallRenderer::Stage::addGhosts(ViewTime moment) {
   Layer& layer = eye.layers[static_cast<std::size_t>(moment)];
   if (layer.made) return;
   layer.made = true;
@@ -260,11 +260,11 @@ void WallRenderer::Stage::chooseShaders() {
 }
 
 void WallRenderer::Stage::takeHead(const Lorentz& headFromBoard) {
-  for (const Moment moment : {Moment::seen, Moment::boardNow, Moment::myNow}) {
+  for (const ViewTime moment : {ViewTime::seen, ViewTime::boardNow, ViewTime::myNow}) {
     eye.layers[static_cast<std::size_t>(moment)].drawnFromSeen =
-        glm::mat4(SeenFrame(headFromBoard, switches, moment).drawnFromSeen.matrix());
+        glm::mat4(ViewFrame(headFromBoard, switches, moment).drawnFromSeen.matrix());
   }
-  const SeenFrame frame(headFromBoard, switches);
+  const ViewFrame frame(headFromBoard, switches);
   eye.boardFromDrawn = glm::mat4(frame.drawnFromBoard.inverse().matrix());
   const Vec3 u = headFromBoard.inverse().u();
   eye.headOnBoard = glm::vec4(gammaFromU(u), u);
@@ -273,7 +273,7 @@ void WallRenderer::Stage::takeHead(const Lorentz& headFromBoard) {
   eye.exposure = {exposure.gain, exposure.rise, exposure.fall};
 }
 
-void WallRenderer::Stage::takeLegs(Moment moment, std::span<const BodyView> bodies) {
+void WallRenderer::Stage::takeLegs(ViewTime moment, std::span<const BodyView> bodies) {
   std::vector<LegRange>& ranges = eye.layers[static_cast<std::size_t>(moment)].ranges;
   ranges.clear();
   for (const BodyView& body : bodies) {
@@ -310,7 +310,7 @@ void WallRenderer::Stage::upload() {
   }
 }
 
-void WallRenderer::Stage::drawScene(const WallPicture& picture, const glm::ivec2& size,
+void WallRenderer::Stage::drawScene(const RenderTarget& picture, const glm::ivec2& size,
                                     const WallDrawing& drawing) {
   // VTK's buffers grow to the largest picture and stay: made anew for every size they would cost more than
   // the drawing.
@@ -383,15 +383,15 @@ void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::s
   }
   stage_->graphics->makeCurrent();
   stage_->eye.legs.clear();
-  stage_->takeLegs(Moment::seen, bodies);
-  stage_->takeLegs(Moment::boardNow, ghosts.boardNow);
-  stage_->takeLegs(Moment::myNow, ghosts.myNow);
+  stage_->takeLegs(ViewTime::seen, bodies);
+  stage_->takeLegs(ViewTime::boardNow, ghosts.boardNow);
+  stage_->takeLegs(ViewTime::myNow, ghosts.myNow);
   stage_->upload();
   const bool switched = switches != stage_->switches;
   stage_->switches = switches;
   if (switched) stage_->chooseShaders();
-  if (!ghosts.boardNow.empty()) stage_->addGhosts(Moment::boardNow);
-  if (!ghosts.myNow.empty()) stage_->addGhosts(Moment::myNow);
+  if (!ghosts.boardNow.empty()) stage_->addGhosts(ViewTime::boardNow);
+  if (!ghosts.myNow.empty()) stage_->addGhosts(ViewTime::myNow);
   stage_->chooseActors();
   stage_->takeHead(headFromBoard);
   stage_->eye.eyeOnBoard_m = glm::vec3(eye.observation.r_m);
@@ -400,7 +400,7 @@ void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::s
   stage_->eye.observedPart_s = static_cast<float>(eye.observation.t_s - whole_s);
 }
 
-bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPicture& picture,
+bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, RenderTarget& picture,
                         const WallDrawing& drawing) {
   stage_->graphics->makeCurrent();
   const std::optional<glm::dmat4> projection = clipFromEye(wall, eyeInRoom_m);

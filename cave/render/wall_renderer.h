@@ -20,13 +20,13 @@
 
 namespace carom {
 
-class TimeMarks;
+class SpacetimeMarks;
 
 /// Where and with what a wall is drawn.
 struct WallDrawing {
-  glm::dvec3 seenFromEye_m{0.0};  ///< where seen places are counted from, from the eye; room axes
-  int left_px = 0;                ///< column of the picture in which the wall begins
-  TimeMarks* marks = nullptr;     ///< drawn among the bodies
+  glm::dvec3 seenFromEye_m{0.0};    ///< where seen places are counted from, from the eye; room axes
+  int left_px = 0;                  ///< column of the picture in which the wall begins
+  SpacetimeMarks* marks = nullptr;  ///< drawn among the bodies
   float cutAt = 0.0F;  ///< its border beyond which another picture goes on: 1 right, −1 left, 0 none
 };
 
@@ -49,7 +49,7 @@ class WallRenderer {
   /// Draws what the eye last given to `look` sees on `wall` from `eyeInRoom_m` (the tracked eye, as it will
   /// be when the photons leave the wall), into as many columns of the picture as the wall has. False, with a
   /// black picture, if the eye is on or behind the wall.
-  bool draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, WallPicture& picture,
+  bool draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, RenderTarget& picture,
             const WallDrawing& drawing = {});
 
  private:

@@ -40,9 +40,10 @@ struct ScenePart {
 
 /// How a puck, or a body that moves as told, looks.
 struct BodyLooks {
-  std::string name;       ///< "white", "yellow", "red" … give the colour; others take one of a palette
-  std::string meshPath;   ///< as readMeshFile takes it; empty: the built-in puck, or for told bodies a rod of
-                          ///< 1 m along x
+  std::string name;  ///< "white", "yellow", "red" … give the colour; others take one of a palette
+  std::string
+      meshPath;  ///< as readMeshFile takes it; empty: the built-in puck, or for scripted bodies a rod of
+                 ///< 1 m along x
   double radius_m = 0.0;  ///< a puck's mesh is scaled to it; 0: as it is
   double height_m = 0.0;  ///< of the built-in puck
 };

@@ -9,7 +9,7 @@
 // every rate: they describe the head, not the tracker, whose noise is told from the samples
 // (tracker_noise.h).
 //
-// What an error of celerity does to the eye depends on its direction (sky_swing.h), and the estimate needs
+// What an error of celerity does to the eye depends on its direction (aberration_error.h), and the estimate needs
 // not know: a mean has the least square error however components are weighted against each other.
 
 #include <array>

@@ -13,7 +13,7 @@
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include "devices/tracker/device_clock.h"
-#include "devices/tracker/prompt_thread.h"
+#include "devices/tracker/realtime_thread.h"
 #include "devices/tracker/standing_clock.h"
 
 namespace carom {

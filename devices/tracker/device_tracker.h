@@ -34,7 +34,7 @@ class DeviceSink {
 /// Listens to one device until asked to stop, reconnecting by itself. Throws nothing.
 using Transport = std::function<void(std::stop_token stop, DeviceSink& sink)>;
 
-/// Runs a transport on a thread of its own, which asks to be prompt (devices/tracker/prompt_thread.h). Device
+/// Runs a transport on a thread of its own, which asks to be prompt (devices/tracker/realtime_thread.h). Device
 /// times become times of the session's clock through a DeviceClock; readings without one are stamped with
 /// their arrival, and so are those of a device whose clock stands (devices/tracker/standing_clock.h), which
 /// its health then says. Late samples (before one already delivered of the same sensor) are counted and

@@ -33,7 +33,7 @@ class Pad {
   bool isOpen() const { return device_.isOpen(); }
 
   /// False where it is gone.
-  bool tremble(std::uint8_t strength, Clock::time_point now) {
+  bool setRumble(std::uint8_t strength, Clock::time_point now) {
     const bool again = strength > 0 && now - said_ >= kSayAgain;
     if (strength == strength_ && !again) return true;
     strength_ = strength;
@@ -103,7 +103,7 @@ void Rumble::Hand::run(const std::stop_token& stop) {
       pad = findPad();
       looked = now;
     }
-    if (pad && !pad->tremble(wish, now)) pad.reset();
+    if (pad && !pad->setRumble(wish, now)) pad.reset();
     lock.lock();
     const auto isNew = [&] { return wishes != seen; };
     if (wish > 0) {
@@ -112,7 +112,7 @@ void Rumble::Hand::run(const std::stop_token& stop) {
       changed.wait(lock, stop, isNew);
     }
   }
-  if (pad) pad->tremble(0, Clock::now());
+  if (pad) pad->setRumble(0, Clock::now());
 }
 
 Rumble::Rumble() : hand_(std::make_unique<Hand>()) {
@@ -130,10 +130,10 @@ void Rumble::set(double strength) {
   hand_->changed.notify_one();
 }
 
-void Rumble::knock() {
+void Rumble::pulse() {
   const std::lock_guard lock(hand_->mutex);
   hand_->knocksUntil =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kKnock_s));
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kPulse_s));
   ++hand_->wishes;
   hand_->changed.notify_one();
 }

@@ -25,9 +25,9 @@ class Rumble {
   Rumble& operator=(const Rumble&) = delete;
 
   void set(double strength);  ///< from now on, 0 to 1
-  void knock();               ///< once, as strong as it can, for kKnock_s
+  void pulse();               ///< once, as strong as it can, for kPulse_s
 
-  static constexpr double kKnock_s = 0.08;
+  static constexpr double kPulse_s = 0.08;
 
  private:
   struct Hand;

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/billiard/anticipation.h"
-#include "engine/billiard/chronicle.h"
+#include "engine/billiard/collision_scheduler.h"
+#include "engine/billiard/game_history.h"
 #include "engine/billiard/setup_check.h"
 
 namespace carom {
@@ -25,13 +25,13 @@ std::size_t betweenSnapshots(const BilliardSetup& setup) {
 
 bool sameKnot(const Knot& a, const Knot& b) {
   return a.turn.t_s == b.turn.t_s && a.turn.r_m == b.turn.r_m && a.u == b.u &&
-         a.properTime_s == b.properTime_s && a.news.t_s == b.news.t_s && a.news.r_m == b.news.r_m;
+         a.properTime_s == b.properTime_s && a.signal.t_s == b.signal.t_s && a.signal.r_m == b.signal.r_m;
 }
 
 }  // namespace
 
 struct Billiard::Snapshot {
-  Anticipation game;
+  CollisionScheduler game;
   std::size_t events = 0;
   std::size_t strokes = 0;
 };
@@ -39,8 +39,8 @@ struct Billiard::Snapshot {
 Billiard::Billiard(const BilliardSetup& setup) {
   checkSetup(setup);
   setup_ = setup;
-  chronicle_ = std::make_unique<Chronicle>(setup_);
-  game_ = std::make_unique<Anticipation>(setup_);
+  history_ = std::make_unique<GameHistory>(setup_);
+  game_ = std::make_unique<CollisionScheduler>(setup_);
   reported_.assign(setup_.pucks.size(), 1);
   nextSnapshot_ = betweenSnapshots(setup_);
 }
@@ -53,24 +53,24 @@ void Billiard::advanceTo(double t_s) {
   if (!(t_s > advancedTo_s_)) return;
   advancedTo_s_ = t_s;
   play();
-  // A stroke that is known from the beginning may have changed turns whose news was on its way.
-  const double changed_s = chronicle_->takeChangedFrom_s();
+  // A stroke that is known from the beginning may have changed turns whose signal was on its way.
+  const double changed_s = history_->takeChangedFrom_s();
   if (changed_s < truncatedFrom_s_.value_or(std::numeric_limits<double>::infinity()))
     truncatedFrom_s_ = changed_s;
 }
 
 void Billiard::play() {
-  while (!game_->playUntil(advancedTo_s_ * setup_.lightSpeed_m_s + game_->hindsight(), nextSnapshot_,
-                           *chronicle_)) {
+  while (!game_->playUntil(advancedTo_s_ * setup_.lightSpeed_m_s + game_->rollbackWindow(), nextSnapshot_,
+                           *history_)) {
     keepSnapshot();
-    nextSnapshot_ = chronicle_->eventCount() + betweenSnapshots(setup_);
+    nextSnapshot_ = history_->eventCount() + betweenSnapshots(setup_);
   }
 }
 
 // When there are too many, the one goes whose absence leaves the smallest gap, compared with its age.
 void Billiard::keepSnapshot() {
   const std::size_t most = std::clamp<std::size_t>(kSnapshotPucks / setup_.pucks.size(), 2, kSnapshots);
-  snapshots_.push_back({*game_, chronicle_->eventCount(), setup_.strokes.size()});
+  snapshots_.push_back({*game_, history_->eventCount(), setup_.strokes.size()});
   if (snapshots_.size() <= most) return;
   const double present = snapshots_.back().game.clock();
   std::size_t spare = 0;
@@ -97,7 +97,7 @@ double Billiard::arrivalOnKnownLegs_s(const Stroke& stroke) const {
                   fourVelocity(knot.u.x, knot.u.y),
                   0.0,
                   knot.deceleration_m_s2 / (c * c)};
-    t_s = newsArrives(leg, hand, stroke.from_m->z - knot.turn.r_m.z).x.t / c;
+    t_s = signalArrives(leg, hand, stroke.from_m->z - knot.turn.r_m.z).x.t / c;
     if (k + 1 < knots.size() && t_s < knots[k + 1].turn.t_s) break;
   }
   return t_s;
@@ -131,20 +131,20 @@ void Billiard::rewind(double t_s) {
   for (const WorldLine& line : worldLines()) before.emplace_back(line.knots().begin(), line.knots().end());
 
   if (snapshots_.empty()) {
-    game_ = std::make_unique<Anticipation>(setup_);
-    game_->restore(*chronicle_);
-    chronicle_->keepEvents(0);
+    game_ = std::make_unique<CollisionScheduler>(setup_);
+    game_->restore(*history_);
+    history_->keepEvents(0);
     nextSnapshot_ = betweenSnapshots(setup_);
   } else {
     const Snapshot& from = snapshots_.back();
     *game_ = from.game;
-    chronicle_->keepEvents(from.events);
-    game_->restore(*chronicle_);
+    history_->keepEvents(from.events);
+    game_->restore(*history_);
     nextSnapshot_ = from.events + betweenSnapshots(setup_);
     for (std::size_t i = from.strokes; i < setup_.strokes.size(); ++i) game_->addStroke(setup_.strokes[i]);
   }
   play();
-  chronicle_->takeChangedFrom_s();  // seen by the comparison, too
+  history_->takeChangedFrom_s();  // seen by the comparison, too
   noteChanges(before);
 }
 
@@ -167,19 +167,19 @@ Changes Billiard::takeChanges() {
   changes.truncatedFrom_s = std::exchange(truncatedFrom_s_, std::nullopt);
   for (std::size_t puck = 0; puck < reported_.size(); ++puck) {
     const std::span<const Knot> knots = worldLines()[puck].knots();
-    const std::size_t forgotten = chronicle_->legs(puck) - knots.size();
+    const std::size_t forgotten = history_->legs(puck) - knots.size();
     std::size_t first = std::max<std::size_t>(reported_[puck], forgotten + 1) - forgotten;
     if (changes.truncatedFrom_s) {
       while (first > 1 && (first > knots.size() || knots[first - 1].turn.t_s >= *changes.truncatedFrom_s))
         --first;
     }
     for (std::size_t k = first; k < knots.size(); ++k) changes.knots.push_back({puck, knots[k]});
-    reported_[puck] = chronicle_->legs(puck);
+    reported_[puck] = history_->legs(puck);
   }
-  changes.eventsKept = std::min<std::uint64_t>(reportedEvents_, chronicle_->takeUnchangedEvents());
-  const std::size_t kept = changes.eventsKept - std::min(changes.eventsKept, chronicle_->forgottenEvents());
+  changes.eventsKept = std::min<std::uint64_t>(reportedEvents_, history_->takeUnchangedEvents());
+  const std::size_t kept = changes.eventsKept - std::min(changes.eventsKept, history_->forgottenEvents());
   changes.events.assign(events().begin() + static_cast<std::ptrdiff_t>(kept), events().end());
-  reportedEvents_ = chronicle_->eventCount();
+  reportedEvents_ = history_->eventCount();
   return changes;
 }
 
@@ -191,12 +191,12 @@ void Billiard::forgetBefore(double t_s) {
   if (last == 0) return;
   snapshots_.erase(snapshots_.begin(), snapshots_.begin() + static_cast<std::ptrdiff_t>(last - 1));
   forgottenBefore_s_ = std::max(forgottenBefore_s_, t_s);
-  const Anticipation& from = snapshots_.front().game;
-  chronicle_->forgetBefore((from.clock() - from.hindsight()) / c);
+  const CollisionScheduler& from = snapshots_.front().game;
+  history_->forgetBefore((from.clock() - from.rollbackWindow()) / c);
 }
 
-std::span<const WorldLine> Billiard::worldLines() const { return chronicle_->worldLines(); }
-std::span<const GameEvent> Billiard::events() const { return chronicle_->events(); }
+std::span<const WorldLine> Billiard::worldLines() const { return history_->worldLines(); }
+std::span<const GameEvent> Billiard::events() const { return history_->events(); }
 Ledger Billiard::ledger() const { return game_->ledger(); }
 std::span<const JamNote> Billiard::jams() const { return game_->jams(); }
 

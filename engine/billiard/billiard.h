@@ -13,8 +13,8 @@
 
 namespace carom {
 
-class Anticipation;
-class Chronicle;
+class CollisionScheduler;
+class GameHistory;
 
 /// Plays the game ahead: finds every contact before it happens (puck_contact.h, cushion_contact.h), commits
 /// its outcome (kick.h) and delivers the new legs of the world lines.
@@ -23,18 +23,18 @@ class Chronicle;
 /// * A puck meets its contacts, cushions included, in the order of its own proper time; where two pucks that
 ///   meet have had different numbers of events, the one behind is waited for. Equal times go by name, so the
 ///   order of the pucks in the setup changes no bit of any result.
-/// * Until the news of a contact has reached its centre, a puck follows its old leg and its contacts are
+/// * Until the signal of a contact has reached its centre, a puck follows its old leg and its contacts are
 ///   found on that leg; their outcomes use the momenta already decided, and pucks that by these recede are
 ///   not kicked. Kicks apply in the order of their turns. If a kick's turn would lie before the last one
 ///   decided, the whole collision is dropped, not one puck's half of it: so momentum is always conserved. A
 ///   cushion that a decided or a struck leg reaches before such a turn is committed first: so no centre ever
 ///   leaves the table.
 /// * A cushion kicks only what it touches, and once for one approach: a contact of the old leg with the line
-///   of a cushion beyond the corner is none, and the news of a cushion that the puck has been turned away from
+///   of a cushion beyond the corner is none, and the signal of a cushion that the puck has been turned away from
 ///   since does nothing.
 /// * A pair that has collided does not collide again until one of the two has had another event.
 /// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
-///   without delay: the pair at the later of the two starts in the equal-speed frame, and its news starts at
+///   without delay: the pair at the later of the two starts in the equal-speed frame, and its signal starts at
 ///   each centre. Such a kick does not wait for light, so a row of touching pucks passes a blow on faster
 ///   than light; `GameEvent::withoutDelay` marks it.
 /// * Pucks that touch can collide without end in a finite time where they or the cushions are inelastic. A
@@ -86,7 +86,7 @@ class Billiard {
 
   /// One world line for each puck, in the order of the setup; complete up to the time advanced to.
   std::span<const WorldLine> worldLines() const;
-  /// In the order in which they were committed. A stroke can change the turns of those before it whose news
+  /// In the order in which they were committed. A stroke can change the turns of those before it whose signal
   /// was on its way, and the contacts of those with a cushion.
   std::span<const GameEvent> events() const;
   /// Knots and events added or changed since the last call, and whether a stroke took some back.
@@ -108,8 +108,8 @@ class Billiard {
 
   struct Snapshot;
   BilliardSetup setup_;
-  std::unique_ptr<Chronicle> chronicle_;
-  std::unique_ptr<Anticipation> game_;
+  std::unique_ptr<GameHistory> history_;
+  std::unique_ptr<CollisionScheduler> game_;
   std::vector<Snapshot> snapshots_;  // in the order of time
   std::size_t nextSnapshot_ = 64;    // when there are that many events
   double advancedTo_s_ = 0.0;

@@ -29,7 +29,7 @@ struct Puck {
 
 /// Where a puck's centre changes its motion.
 enum class CollisionEvent {
-  centre,   ///< when the news of the contact has reached it
+  centre,   ///< when the signal of the contact has reached it
   contact,  ///< simultaneously with the contact, in the frame of equal speeds
 };
 
@@ -42,8 +42,8 @@ struct PhysicsRules {
 
 /// A cue stroke: kicks a puck's centre. It acts where the light of the stroke meets the centre's world line,
 /// so that nothing an eye at the hand has already seen can change; what can at all is said at
-/// `Billiard::strike`. A kick that is still on its way to the centre (a collision's, whose news has not
-/// arrived) keeps its impulse, a cushion its law, and acts when its news meets the new motion; if the new
+/// `Billiard::strike`. A kick that is still on its way to the centre (a collision's, whose signal has not
+/// arrived) keeps its impulse, a cushion its law, and acts when its signal meets the new motion; if the new
 /// motion itself has touched that cushion and is turned by this before, that contact stands for the older
 /// one. A bounce that the stroke prevents or drives the puck away from stays in the list of events, without
 /// delay, with a turn at the stroke that changes nothing.

@@ -68,7 +68,7 @@ struct GameEvent {
   /// The contact; the hand's stroke, or where it has no place the arrival at the centre; the flash.
   Event at;
   /// Of a collision: the discs, or the disc and the cushion, were in contact already when the leg began, and
-  /// the kick acts at once, where the centres are. No news comes from `at` then: it is the place where the
+  /// the kick acts at once, where the centres are. No signal comes from `at` then: it is the place where the
   /// rims lie on each other simultaneously with the turns in the equal-speed frame, or on the cushion beside
   /// the centre when it turns, and may lie after the turns and out of reach of light.
   bool withoutDelay = false;

@@ -20,7 +20,7 @@ struct Clearance {
 };
 
 Clearance clearanceAt(const BrakedDisc& first, const BrakedDisc& second, double t) {
-  const Moment m1 = placeAt(first.leg, t), m2 = placeAt(second.leg, t);
+  const LegState m1 = placeAt(first.leg, t), m2 = placeAt(second.leg, t);
   const double reach = first.radius + second.radius, a = first.leg.brake;
   const double x = m1.x.x - m2.x.x, y = m1.x.y - m2.x.y;
   const double vx = m1.u.x / m1.u.t - m2.u.x / m2.u.t, vy = m1.u.y / m1.u.t - m2.u.y / m2.u.t;
@@ -58,7 +58,7 @@ double closeStep(const BrakedDisc& first, const BrakedDisc& second, double t, co
   struct {
     double brake = 0.0, x = 0.0, y = 0.0;  // u' = -brake along its way, and β'
   } slows[2];
-  const Moment m[2] = {placeAt(first.leg, t), placeAt(second.leg, t)};
+  const LegState m[2] = {placeAt(first.leg, t), placeAt(second.leg, t)};
   const Leg* const legs[2] = {&first.leg, &second.leg};
   for (int k = 0; k < 2; ++k) {
     const Vec21& u = m[k].u;
@@ -90,7 +90,7 @@ double closeStep(const BrakedDisc& first, const BrakedDisc& second, double t, co
   return root > away ? std::min(most, 2.0 * std::abs(s.value) / (root - away)) : 0.0;
 }
 
-// How far back from any moment of the search a contact can lie whose news reaches both centres after it, and
+// How far back from any moment of the search a contact can lie whose signal reaches both centres after it, and
 // how far apart in time two events are at most that are simultaneous for the pair when they are near: R γ (γ
 // + u) of each, with room to spare.
 double spanOf(const Disc& first, const Disc& second) {
@@ -102,7 +102,7 @@ double spanOf(const Disc& first, const Disc& second) {
 Disc flightSince(const BrakedDisc& disc, double t, double span) {
   const Leg& leg = disc.leg;
   if (t <= leg.start.t) return {leg.start, leg.u, disc.radius, 0.0};
-  const Moment m = placeAt(leg, t);
+  const LegState m = placeAt(leg, t);
   const double begin = std::max(leg.start.t, t - span);
   const double s = (begin - t) / m.u.t;
   return {{begin, m.x.x + m.u.x * s, m.x.y + m.u.y * s}, m.u, disc.radius, 0.0};
@@ -117,7 +117,7 @@ double touchOfPairInContact(const BrakedDisc& first, const BrakedDisc& second, d
   const Leg& later = secondLater ? second.leg : first.leg;
   const Leg& earlier = secondLater ? first.leg : second.leg;
   const auto ahead = [&](double t) {  // U·(start − X(t)): falls, as R a < 1/2
-    const Moment m = placeAt(earlier, t);
+    const LegState m = placeAt(earlier, t);
     return dot(m.u + later.u, later.start - m.x);
   };
   double high = later.start.t, low = std::max(earlier.start.t, high - span);
@@ -146,7 +146,7 @@ std::optional<BrakedMeeting> meetingAt(const BrakedDisc& first, const BrakedDisc
 
 // The first meeting, of legs whose times are as small as those of the search. It begins before the later
 // start, with that leg continued backwards: a contact can be at the other's moment before that and yet come
-// after both starts in the equal-speed frame, or its news in each puck's own.
+// after both starts in the equal-speed frame, or its signal in each puck's own.
 std::optional<BrakedMeeting> search(const BrakedDisc& first, const BrakedDisc& second, double span,
                                     TurnConvention convention) {
   const double reach = first.radius + second.radius;
@@ -186,7 +186,7 @@ std::optional<BrakedMeeting> search(const BrakedDisc& first, const BrakedDisc& s
 }  // namespace
 
 Disc flightAt(const BrakedDisc& disc, double t) {
-  const Moment m = placeAt(disc.leg, t);
+  const LegState m = placeAt(disc.leg, t);
   return {m.x, m.u, disc.radius, 0.0};
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 // Distance of the centre from the cushion at its own moment of the contact.
 double distanceAtContact(const Vec21& u, double un, double radius, TurnConvention convention) {
-  if (convention == TurnConvention::newsAtCentre) return radius * std::sqrt(1.0 + un * un);
+  if (convention == TurnConvention::signalAtCentre) return radius * std::sqrt(1.0 + un * un);
   // R sqrt(1 − β_n²), with 1 − β_n² = (1 + u_t²)/γ².
   const double transverse2 = u.x * u.x + u.y * u.y - un * un;
   return radius * std::sqrt(1.0 + transverse2) / u.t;
@@ -20,7 +20,7 @@ double distanceAtContact(const Vec21& u, double un, double radius, TurnConventio
 std::optional<double> brakedContact(const Leg& leg, double radius, const CushionPlane& cushion,
                                     TurnConvention convention) {
   const auto clearance = [&](double t) {
-    const Moment m = momentAt(leg, t);
+    const LegState m = momentAt(leg, t);
     return cushion.inside(m.x) - distanceAtContact(m.u, cushion.towards(m.u), radius, convention);
   };
   double low = leg.start.t, high = restsAt(leg);
@@ -40,12 +40,12 @@ Vec21 besideCentre(const Vec21& x, const CushionPlane& cushion) {
 }
 
 // C from the puck's moment of contact.
-Vec21 contactInRestFrame(const Moment& m, double un, double radius, const CushionPlane& cushion) {
+Vec21 contactInRestFrame(const LegState& m, double un, double radius, const CushionPlane& cushion) {
   const Vec21 normal = cushion.axis == 0 ? Vec21{0.0, cushion.sign, 0.0} : Vec21{0.0, 0.0, cushion.sign};
   return besideCentre(m.x + (normal + m.u * un) * (radius / std::sqrt(1.0 + un * un)), cushion);
 }
 
-Vec21 contactOnBoard(const Moment& m, double radius, const CushionPlane& cushion) {
+Vec21 contactOnBoard(const LegState& m, double radius, const CushionPlane& cushion) {
   const double betaN = cushion.towards(m.u) / m.u.t;
   const double transverse2 = m.u.x * m.u.x + m.u.y * m.u.y - betaN * betaN * m.u.t * m.u.t;
   const double along = -radius * betaN / (std::sqrt(1.0 + transverse2));  // R β_n/(γ sqrt(1 − β_n²)), of u
@@ -60,11 +60,11 @@ std::optional<CushionContact> findContact(const Leg& leg, double radius, const C
   if (!(un > 0.0)) return std::nullopt;
   const double y = cushion.inside(leg.start);
   const double atContact = distanceAtContact(leg.u, un, radius, convention);
-  const bool delayed = convention == TurnConvention::newsAtCentre;
+  const bool delayed = convention == TurnConvention::signalAtCentre;
   CushionContact contact;
 
   const double atTurn = delayed ? radius / (std::sqrt(1.0 + un * un) + un) : atContact;
-  if (!(y > atTurn)) {  // the news is there already
+  if (!(y > atTurn)) {  // the signal is there already
     contact.withoutDelay = true;
     contact.ownTime = leg.start.t - (delayed ? leg.u.t * radius : 0.0);
     contact.turn = {leg.start, leg.u, leg.properTime};
@@ -73,9 +73,9 @@ std::optional<CushionContact> findContact(const Leg& leg, double radius, const C
     return contact;
   }
   // Own proper time to the contact; below 0 when the rim was in contact before the leg began, and only the
-  // news is still on its way.
+  // signal is still on its way.
   double s = (y - atContact) / un;
-  Moment atOwnContact = momentAfter(leg, s);
+  LegState atOwnContact = momentAfter(leg, s);
   if (leg.brake != 0.0 && s > 0.0) {
     const std::optional<double> t = brakedContact(leg, radius, cushion, convention);
     if (!t) return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<CushionContact> findContact(const Leg& leg, double radius, const C
     return contact;
   }
   contact.event = contactInRestFrame(atOwnContact, cushion.towards(atOwnContact.u), radius, cushion);
-  contact.turn = leg.brake == 0.0 ? momentAfter(leg, (y - atTurn) / un) : newsArrives(leg, contact.event);
+  contact.turn = leg.brake == 0.0 ? momentAfter(leg, (y - atTurn) / un) : signalArrives(leg, contact.event);
   return contact;
 }
 

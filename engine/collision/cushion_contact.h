@@ -2,7 +2,7 @@
 // Where and when a gliding disc touches a cushion, and where its centre then turns. c = 1.
 //
 // Convention "centre" (the paper, section 3.3.2.3): the contact is taken in the puck's own rest frame, the
-// earliest whose news can reach the centre. A cushion at distance y from the centre, towards which it moves
+// earliest whose signal can reach the centre. A cushion at distance y from the centre, towards which it moves
 // with u_n = γβ_n, is touched when
 //     y = R sqrt(1 + u_n²),   at   C = X + R K / sqrt(1 + u_n²),   K = (u_n γ, n + u_n u),
 // K being the part of the cushion's normal (0, n) orthogonal to u. The centre turns R later on its own clock,
@@ -33,7 +33,7 @@ struct CushionPlane {
 struct CushionContact {
   double ownTime = 0.0;  ///< as in `Meeting`
   Vec21 event;           ///< C; for `withoutDelay` the place on the cushion beside the centre, when it turns
-  Moment turn;           ///< the centre as it turns, still with its incoming velocity
+  LegState turn;         ///< the centre as it turns, still with its incoming velocity
   bool withoutDelay = false;  ///< already in contact when the leg began
 };
 

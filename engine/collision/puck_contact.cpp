@@ -116,8 +116,8 @@ PairContact contactOf(const Disc& first, const Disc& second, bool withoutDelay) 
   contact.simultaneous = {wait / touch.gamma, (wait - touch.lead) / touch.gamma};
   contact.event =
       first.start + first.u * contact.simultaneous[0] + (e * apart + perp) * (first.radius / reach);
-  contact.news = {contact.simultaneous[0] - first.radius * share + first.radius,
-                  contact.simultaneous[1] - second.radius * share + second.radius};
+  contact.signal = {contact.simultaneous[0] - first.radius * share + first.radius,
+                    contact.simultaneous[1] - second.radius * share + second.radius};
   return contact;
 }
 

@@ -12,7 +12,7 @@
 //   contact event  C = X1 + (Δt'/γ') u1 + R1/(R1+R2) (dmin e + perp)
 //
 // Own proper time of puck i from X_i to the contact: (Δt'_i)/γ' by the equal-speed frame's simultaneity
-// (Δt'_1 = Δt', Δt'_2 = Δt' − a), and u_i·(C − X_i) by its own: the news from C is at its centre R_i later.
+// (Δt'_1 = Δt', Δt'_2 = Δt' − a), and u_i·(C − X_i) by its own: the signal from C is at its centre R_i later.
 
 #include <array>
 #include <optional>
@@ -22,7 +22,7 @@
 namespace carom {
 
 /// When a puck's centre turns: see `CollisionEvent` in billiard.h.
-enum class TurnConvention { newsAtCentre, simultaneousWithContact };
+enum class TurnConvention { signalAtCentre, simultaneousWithContact };
 
 /// A disc in straight flight from `start` on. Fills a cache line.
 struct alignas(64) Disc {
@@ -34,7 +34,7 @@ struct alignas(64) Disc {
 
 /// How two discs meet, as far as it matters for whether and in which order things happen.
 struct Meeting {
-  /// Board time of each centre at its own moment of the contact; where turns wait for the news, so long
+  /// Board time of each centre at its own moment of the contact; where turns wait for the signal, so long
   /// before the turn that the order of these is the order of the turns. Before the start of the flight, if
   /// the rim was in contact by then.
   std::array<double, 2> ownTime{};
@@ -53,7 +53,7 @@ inline bool mayMeet(const Disc& first, const Disc& second, TurnConvention conven
   const double s2 = gammaRel * gammaRel * (1.0 + rounding) - 1.0;  // γrel² − 1
   const bool differ = (first.u.x != second.u.x) | (first.u.y != second.u.y);
   const bool near = differ & !(triple * triple > reach * reach * s2);
-  if (convention == TurnConvention::newsAtCentre) return near;
+  if (convention == TurnConvention::signalAtCentre) return near;
   // Dpar at the later start, times γ'β' (γrel + 1): see findMeeting.
   const double towards = dot(second.u - first.u, D) * (gammaRel + 1.0);
   const double spent = std::abs(dot(first.u + second.u, D)) * (gammaRel - 1.0);
@@ -73,7 +73,7 @@ struct PairContact {
   Vec21 U;      ///< four-velocity of the equal-speed frame
   Vec21 n;      ///< normal of the touching rims, from the first towards the second: γ'² dmin e + perp
   std::array<double, 2> simultaneous{};  ///< own proper time from the start to C by U's simultaneity
-  std::array<double, 2> news{};  ///< own proper time from the start to the news' arrival at the centre
+  std::array<double, 2> signal{};  ///< own proper time from the start to the signal' arrival at the centre
 };
 PairContact contactOf(const Disc& first, const Disc& second, bool withoutDelay);
 

@@ -30,7 +30,7 @@ double increasingRoot(double low, double high, Function f) {
 // Inertial: X = X0 + u s with s = (t − t0)/γ. With friction u falls linearly in board time, |u| = u0 − a (t −
 // t0) until rest, the path is (γ0 − γ)/a and the proper time (asinh u0 − asinh u)/a  (hyperbolic motion, c =
 // 1).
-Moment momentOf(const Leg& leg, double t, bool clock) {
+LegState momentOf(const Leg& leg, double t, bool clock) {
   const double dt = t - leg.start.t;
   if (leg.brake == 0.0 || dt <= 0.0) {
     const double s = dt / leg.u.t;
@@ -44,9 +44,9 @@ Moment momentOf(const Leg& leg, double t, bool clock) {
   // γ0 − γ1 = (u0² − u1²)/(γ0 + γ1) does not cancel.
   const double path = glide * (u0 + u1) / (leg.u.t + gamma1);
   const double along = path / u0;
-  Moment moment{{t, leg.start.x + leg.u.x * along, leg.start.y + leg.u.y * along},
-                {gamma1, leg.u.x * (u1 / u0), leg.u.y * (u1 / u0)},
-                leg.properTime};
+  LegState moment{{t, leg.start.x + leg.u.x * along, leg.start.y + leg.u.y * along},
+                  {gamma1, leg.u.x * (u1 / u0), leg.u.y * (u1 / u0)},
+                  leg.properTime};
   if (!clock) return moment;
   // asinh u0 − asinh u1 = asinh(u0 γ1 − u1 γ0), and u0 γ1 − u1 γ0 = (u0² − u1²)/(u0 γ1 + u1 γ0).
   const double rapidity = portableAsinh(leg.brake * glide * (u0 + u1) / (u0 * gamma1 + u1 * leg.u.t));
@@ -56,44 +56,44 @@ Moment momentOf(const Leg& leg, double t, bool clock) {
 
 }  // namespace
 
-Moment momentAt(const Leg& leg, double t) { return momentOf(leg, t, true); }
+LegState momentAt(const Leg& leg, double t) { return momentOf(leg, t, true); }
 
-Moment placeAt(const Leg& leg, double t) { return momentOf(leg, t, false); }
+LegState placeAt(const Leg& leg, double t) { return momentOf(leg, t, false); }
 
-Moment momentAfter(const Leg& leg, double s) { return {leg.start + leg.u * s, leg.u, leg.properTime + s}; }
+LegState momentAfter(const Leg& leg, double s) { return {leg.start + leg.u * s, leg.u, leg.properTime + s}; }
 
 double restsAt(const Leg& leg) {
   if (leg.brake == 0.0) return kNever;
   return leg.start.t + std::sqrt(leg.u.x * leg.u.x + leg.u.y * leg.u.y) / leg.brake;
 }
 
-// Inertial: with w = news − X0, τ = u·w, q = w − τu and ρ = sqrt(h² − q·q), the distance in the rest frame,
+// Inertial: with w = signal − X0, τ = u·w, q = w − τu and ρ = sqrt(h² − q·q), the distance in the rest frame,
 // the cone is met τ + ρ after the start. (−q·q is τ² − w·w, which would cancel on a leg that is old.) With
-// friction f(t) = (t − t_news) − |x(t) − x_news| rises strictly.
-Moment newsArrives(const Leg& leg, const Vec21& news, double height) {
-  const Vec21 w = news - leg.start;
+// friction f(t) = (t − t_signal) − |x(t) − x_signal| rises strictly.
+LegState signalArrives(const Leg& leg, const Vec21& signal, double height) {
+  const Vec21 w = signal - leg.start;
   if (leg.brake == 0.0) {
     const double tau = dot(leg.u, w);
     const Vec21 q = w - leg.u * tau;
     return momentAfter(leg, tau + std::sqrt(std::max(0.0, height * height - dot(q, q))));
   }
   const auto late = [&](double t) {
-    const Moment m = placeAt(leg, t);
-    const double dx = m.x.x - news.x, dy = m.x.y - news.y;
+    const LegState m = placeAt(leg, t);
+    const double dx = m.x.x - signal.x, dy = m.x.y - signal.y;
     const double distance = std::sqrt(dx * dx + dy * dy + height * height);
     const double recession = distance > 0.0 ? (dx * m.u.x + dy * m.u.y) / (distance * m.u.t) : 0.0;
-    return std::pair{t - news.t - distance, 1.0 - recession};
+    return std::pair{t - signal.t - distance, 1.0 - recession};
   };
-  double high = std::max(news.t, leg.start.t) + 1e-3;
+  double high = std::max(signal.t, leg.start.t) + 1e-3;
   for (double step = 1e-3; late(high).first <= 0.0; step *= 2.0) high += step;
-  return momentAt(leg, increasingRoot(news.t, high, late));
+  return momentAt(leg, increasingRoot(signal.t, high, late));
 }
 
 // U·(X(t) − event) = 0; inertial: s = U·(event − X0)/(U·u).
-Moment simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U) {
+LegState simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U) {
   if (leg.brake == 0.0) return momentAfter(leg, dot(U, event - leg.start) / dot(U, leg.u));
   const auto late = [&](double t) {
-    const Moment m = placeAt(leg, t);
+    const LegState m = placeAt(leg, t);
     return std::pair{dot(U, m.x - event), dot(U, m.u) / m.u.t};
   };
   double low = event.t, high = event.t;

@@ -18,29 +18,29 @@ struct Leg {
 };
 
 /// The centre at one moment of a leg.
-struct Moment {
+struct LegState {
   Vec21 x;
   Vec21 u;
   double properTime = 0.0;
 };
 
 /// At board time `t` (c t, metres). Before the start the leg is continued backwards without friction.
-Moment momentAt(const Leg& leg, double t);
+LegState momentAt(const Leg& leg, double t);
 /// The same, but under friction without the proper time, which takes longer than the rest of it.
-Moment placeAt(const Leg& leg, double t);
+LegState placeAt(const Leg& leg, double t);
 
 /// `s` metres of own proper time after the start of a leg without friction.
-Moment momentAfter(const Leg& leg, double s);
+LegState momentAfter(const Leg& leg, double s);
 
 /// Board time at which friction has stopped it; infinite without friction.
 double restsAt(const Leg& leg);
 
-/// Where light from `news` meets the centre: the one event with (X − news)² = h² on the future cone, h being
+/// Where light from `signal` meets the centre: the one event with (X − signal)² = h² on the future cone, h being
 /// the height of the source above the centres' plane.
-Moment newsArrives(const Leg& leg, const Vec21& news, double height = 0.0);
+LegState signalArrives(const Leg& leg, const Vec21& signal, double height = 0.0);
 
 /// The centre's event that is simultaneous with `event` in the frame that moves with four-velocity U.
-Moment simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U);
+LegState simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U);
 
 /// First board time after the start at which the centre's coordinate (0: x, 1: y) is `bound`, which lies
 /// ahead of it; infinite if it rests before, or does not move that way.

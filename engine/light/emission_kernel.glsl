@@ -27,7 +27,7 @@ struct LegView {
   vec4 toSeenY;
   vec4 toSeenZ;
   vec4 toBoardTime;    // row that gives the board time of an event, from boardTime; γ
-  vec4 newsInPrevious; // the event whose news ends the previous leg, in the previous leg's frame; γ (D + c S)
+  vec4 signalInPrevious; // the event whose signal ends the previous leg, in the previous leg's frame; γ (D + c S)
   vec4 originInThis;   // the previous leg's origin, in this frame; γ (D + c S)
   mat4 fromPrevious;   // displacements of the previous leg's frame, in this one; γ of the two
   vec4 glide;          // under friction: direction of motion on the board, then deceleration/c² (1/m); 0: none
@@ -57,19 +57,19 @@ KERNEL real extraDistance(LegView leg, vec3 d) {
   return q / (sqrt(max(leg.distance * leg.distance + q, real(0))) + leg.distance);
 }
 
-/// Is event a at or after the news: c (t_a − t_n) ≥ |x_a − x_n| ?
-KERNEL bool reachedBy(vec4 news, vec4 a) {
-  return a.x - news.x >= length(vec3(a.y - news.y, a.z - news.z, a.w - news.w));
+/// Is event a at or after the signal: c (t_a − t_n) ≥ |x_a − x_n| ?
+KERNEL bool reachedBy(vec4 signal, vec4 a) {
+  return a.x - signal.x >= length(vec3(a.y - signal.y, a.z - signal.z, a.w - signal.w));
 }
 
 KERNEL vec4 along(Piece piece, real s) { return piece.start + s * vec4(real(1), piece.velocity); }
 
-/// Where a piece (continued both ways) crosses the future cone of the news: s = |X + w s|, X its place from
-/// the news at the time of the news. A sum of squares under the root: exact where the piece attends the news.
-KERNEL vec4 crossingOf(Piece piece, vec4 news) {
-  real T = piece.start.x - news.x;
+/// Where a piece (continued both ways) crosses the future cone of the signal: s = |X + w s|, X its place from
+/// the signal at the time of the signal. A sum of squares under the root: exact where the piece attends the signal.
+KERNEL vec4 crossingOf(Piece piece, vec4 signal) {
+  real T = piece.start.x - signal.x;
   vec3 w = piece.velocity;
-  vec3 X = vec3(piece.start.y - news.y, piece.start.z - news.z, piece.start.w - news.w) - T * w;
+  vec3 X = vec3(piece.start.y - signal.y, piece.start.z - signal.z, piece.start.w - signal.w) - T * w;
   real b = dot(w, X);
   real a = real(1) - dot(w, w);
   real root = sqrt(b * b + a * dot(X, X));
@@ -178,15 +178,15 @@ KERNEL real glideMoment(LegView leg, vec3 d, bool contracted) {
   return s;
 }
 
-/// Where it crosses the future cone of the news: t − t_n = |x − x_n|.
-KERNEL real glideCrossing(LegView leg, vec3 d, vec4 news) {
-  real s = dot(leg.toBoardTime, vec4(news.x + length(d - vec3(news.y, news.z, news.w)), d));
+/// Where it crosses the future cone of the signal: t − t_n = |x − x_n|.
+KERNEL real glideCrossing(LegView leg, vec3 d, vec4 signal) {
+  real s = dot(leg.toBoardTime, vec4(signal.x + length(d - vec3(signal.y, signal.z, signal.w)), d));
   for (int i = 0; i < glideSteps(); ++i) {
     vec4 a = glideEvent(leg, d, s, true);
     vec4 flow = glideFlow(leg, d, s, true);
-    vec3 fromNews = vec3(a.y - news.y, a.z - news.z, a.w - news.w);
-    real distance = max(length(fromNews), real(1e-6));
-    s = s - (a.x - news.x - distance) / (flow.x - dot(vec3(flow.y, flow.z, flow.w), fromNews) / distance);
+    vec3 fromSignal = vec3(a.y - signal.y, a.z - signal.z, a.w - signal.w);
+    real distance = max(length(fromSignal), real(1e-6));
+    s = s - (a.x - signal.x - distance) / (flow.x - dot(vec3(flow.y, flow.z, flow.w), fromSignal) / distance);
   }
   return s;
 }
@@ -246,8 +246,8 @@ KERNEL VertexEmission uncontractedEmission(LEGS legs, int legCount, vec3 d, bool
 
 /// The emission event of the vertex at intrinsic offset d of a body that has these legs.
 ///
-/// A vertex keeps to its leg until the news that ends it, spreading at c, arrives (A), then catches up with
-/// its place on the next leg, at catchUpSpeed there (B). News that arrives earlier than B cuts that short.
+/// A vertex keeps to its leg until the signal that ends it, spreading at c, arrives (A), then catches up with
+/// its place on the next leg, at catchUpSpeed there (B). Signal that arrives earlier than B cuts that short.
 /// So every vertex has a continuous world line slower than light, and exactly one emission event.
 KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retarded, bool contracted) {
   if (!contracted) return uncontractedEmission(legs, legCount, d, retarded);
@@ -265,13 +265,13 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retard
   int count = 1;
   for (int i = 1; i < legCount; ++i) {
     LegView next = legAt(legs, i);
-    bool reached = reachedBy(next.newsInPrevious, here);
+    bool reached = reachedBy(next.signalInPrevious, here);
 
-    // A: the latest piece that the news crosses after its start; the first piece has no start.
-    vec4 a = crossingOf(pieces[count - 1], next.newsInPrevious);
+    // A: the latest piece that the signal crosses after its start; the first piece has no start.
+    vec4 a = crossingOf(pieces[count - 1], next.signalInPrevious);
     if (leg.glide.w > real(0)) {
-      // What lies behind A is from now on its chord: only news that comes out of turn could tell.
-      real s = glideCrossing(leg, d, next.newsInPrevious);
+      // What lies behind A is from now on its chord: only signal that comes out of turn could tell.
+      real s = glideCrossing(leg, d, next.signalInPrevious);
       vec4 flow = glideFlow(leg, d, s, true);
       a = glideEvent(leg, d, s, true);
       if (count > 1 && a.x > pieces[count - 1].start.x) flow = a - pieces[count - 1].start;
@@ -280,7 +280,7 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retard
     }
     while (count > 1 && a.x < pieces[count - 1].start.x) {
       count = count - 1;
-      a = crossingOf(pieces[count - 1], next.newsInPrevious);
+      a = crossingOf(pieces[count - 1], next.signalInPrevious);
     }
 
     // Everything into the frame of the next leg.
@@ -295,7 +295,7 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retard
     // From A straight to the vertex's place on the next leg: B.
     vec3 gap = d - vec3(a.y, a.z, a.w);
     real gapLength = length(gap);
-    if (count > MAX_PIECES - 2) {  // forget the oldest pieces: no news can reach back that far
+    if (count > MAX_PIECES - 2) {  // forget the oldest pieces: no signal can reach back that far
       for (int k = 2; k < count; ++k) pieces[k - 2] = pieces[k];
       count = count - 2;
     }

@@ -13,37 +13,37 @@ namespace {
 glm::dvec4 metres(const Displacement& d, double c_m_s) { return {c_m_s * d.dt_s, d.dr_m}; }
 
 /// What a view asks of a world line: which event of each point.
-struct Question {
+struct ViewQuery {
   Event observation;
   Lorentz headFromBoard;
   Switches switches;
-  Moment moment;
+  ViewTime moment;
 
   /// The head's time of an event, from the observation.
   double headTime_s(const Event& event) const { return (headFromBoard * (event - observation)).dt_s; }
 };
 
 /// Nothing is seen with light at a moment; and what is there for the head is contracted.
-Question questionOf(const Event& observation, const Lorentz& headFromBoard, Switches switches,
-                    Moment moment) {
-  if (moment == Moment::seen && !switches.retardation) moment = Moment::boardNow;
-  if (moment != Moment::seen) switches.retardation = 0;
-  if (moment == Moment::myNow) switches.contraction = 1;
+ViewQuery viewQueryOf(const Event& observation, const Lorentz& headFromBoard, Switches switches,
+                      ViewTime moment) {
+  if (moment == ViewTime::seen && !switches.retardation) moment = ViewTime::boardNow;
+  if (moment != ViewTime::seen) switches.retardation = 0;
+  if (moment == ViewTime::myNow) switches.contraction = 1;
   return {observation, headFromBoard, switches, moment};
 }
 
-/// Can any point of the body be seen on the leg of `knot`: has its news come, or without contraction its
+/// Can any point of the body be seen on the leg of `knot`: has its signal come, or without contraction its
 /// turn?
-bool mayBeSeenOn(const Knot& knot, const WorldLine& line, const Question& ask) {
-  const Displacement d = ask.observation - (ask.switches.contraction ? knot.news : knot.turn);
-  if (ask.moment == Moment::myNow) return ask.headTime_s(knot.news) <= 0.0;
-  if (ask.moment == Moment::boardNow) return d.dt_s >= 0.0;
+bool mayBeSeenOn(const Knot& knot, const WorldLine& line, const ViewQuery& ask) {
+  const Displacement d = ask.observation - (ask.switches.contraction ? knot.signal : knot.turn);
+  if (ask.moment == ViewTime::myNow) return ask.headTime_s(knot.signal) <= 0.0;
+  if (ask.moment == ViewTime::boardNow) return d.dt_s >= 0.0;
   const double reach_m = line.lightSpeed_m_s() * d.dt_s + (ask.switches.contraction ? 0.0 : line.radius_m());
   return reach_m >= glm::length(d.dr_m) && d.dt_s >= 0.0;
 }
 
 /// The latest leg that can be seen by the eye.
-std::size_t lastLeg(const WorldLine& line, const Question& ask) {
+std::size_t lastLeg(const WorldLine& line, const ViewQuery& ask) {
   const auto knots = line.knots();
   std::size_t i = knots.size() - 1;
   while (i > 0 && !mayBeSeenOn(knots[i], line, ask)) --i;
@@ -51,7 +51,7 @@ std::size_t lastLeg(const WorldLine& line, const Question& ask) {
 }
 
 /// The centre at the head's time of the observation if it kept to the leg of `knot` always.
-Motion centreAtHeadsMoment(const Knot& knot, const Question& ask, double c_m_s) {
+Motion centreAtHeadsMoment(const Knot& knot, const ViewQuery& ask, double c_m_s) {
   const Motion begin = motionOnLeg(knot, ask.observation.t_s, c_m_s);
   // The head's time grows by (γ_h γ − u_h·u)/γ in a second of the board's on a straight leg.
   const Displacement flow = ask.headFromBoard * Displacement{1.0, c_m_s * betaFromU(begin.u)};
@@ -63,10 +63,10 @@ Motion centreAtHeadsMoment(const Knot& knot, const Question& ask, double c_m_s) 
 
 /// The centre's event on the eye's past cone, or at the moment asked for, if it kept to the leg of `knot`
 /// always.
-Motion centreEmission(const Knot& knot, const Question& ask, double c_m_s) {
+Motion centreEmission(const Knot& knot, const ViewQuery& ask, double c_m_s) {
   const Event& observation = ask.observation;
-  if (ask.moment == Moment::myNow) return centreAtHeadsMoment(knot, ask, c_m_s);
-  if (ask.moment == Moment::boardNow) return motionOnLeg(knot, observation.t_s, c_m_s);
+  if (ask.moment == ViewTime::myNow) return centreAtHeadsMoment(knot, ask, c_m_s);
+  if (ask.moment == ViewTime::boardNow) return motionOnLeg(knot, observation.t_s, c_m_s);
   if (knot.deceleration_m_s2 > 0.0) {
     const double t_s = rootOfIncreasing(
         [&](double t) {
@@ -83,9 +83,9 @@ Motion centreEmission(const Knot& knot, const Question& ask, double c_m_s) {
           knot.properTime_s + eye.dt_s - distance_s, 0};
 }
 
-/// Had all points joined the leg before the events that are shown, and before later news?
+/// Had all points joined the leg before the events that are shown, and before later signal?
 bool allJoined(const WorldLine& line, std::size_t leg, const Motion& centre, bool isLast,
-               const Question& ask) {
+               const ViewQuery& ask) {
   const Switches& switches = ask.switches;
   const Knot& knot = line.knots()[leg];
   const double radius_s = line.radius_m() / line.lightSpeed_m_s();
@@ -102,7 +102,7 @@ bool allJoined(const WorldLine& line, std::size_t leg, const Motion& centre, boo
 }
 
 /// The latest leg, up to `last`, that all points had joined: earlier ones need not be looked at.
-std::size_t firstLeg(const WorldLine& line, std::size_t last, const Question& ask) {
+std::size_t firstLeg(const WorldLine& line, std::size_t last, const ViewQuery& ask) {
   for (std::size_t i = last; i > 0; --i) {
     const Motion centre = centreEmission(line.knots()[i], ask, line.lightSpeed_m_s());
     if (allJoined(line, i, centre, i == last, ask)) return i;
@@ -112,17 +112,17 @@ std::size_t firstLeg(const WorldLine& line, std::size_t last, const Question& as
 
 /// Had friction stopped the body before any event of its points on the leg of `knots[leg]` that matters, if
 /// it is the first that is looked at? Those that are shown differ from the centre's by at most R/c where the
-/// body rests, and all that later news has to do with comes after that.
+/// body rests, and all that later signal has to do with comes after that.
 bool restsForGood(std::span<const Knot> knots, std::size_t leg, const Motion& centre, double radius_s,
                   double c_m_s) {
   const Knot& knot = knots[leg];
   const double rests_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
   return centre.event.t_s - radius_s >= rests_s &&
-         (leg + 1 == knots.size() || knots[leg + 1].news.t_s >= rests_s);
+         (leg + 1 == knots.size() || knots[leg + 1].signal.t_s >= rests_s);
 }
 
 /// One leg as the eye sees it; `centre` is the centre's emission on it.
-LegView viewLeg(const Knot& knot, const Motion& centre, const Question& ask, const Lorentz& seenFromBoard,
+LegView viewLeg(const Knot& knot, const Motion& centre, const ViewQuery& ask, const Lorentz& seenFromBoard,
                 bool glides) {
   const double c_m_s = seenFromBoard.lightSpeed_m_s();
   const Lorentz boardFromBody = Lorentz::boost(centre.u, c_m_s);
@@ -139,8 +139,9 @@ LegView viewLeg(const Knot& knot, const Motion& centre, const Question& ask, con
   leg.toSeenY = rows[2];
   leg.toSeenZ = rows[3];
   leg.toBoardTime = glm::transpose(boardFromBody.matrix())[0];
-  leg.toMoment = ask.moment == Moment::myNow ? glm::transpose((ask.headFromBoard * boardFromBody).matrix())[0]
-                                             : leg.toBoardTime;
+  leg.toMoment = ask.moment == ViewTime::myNow
+                     ? glm::transpose((ask.headFromBoard * boardFromBody).matrix())[0]
+                     : leg.toBoardTime;
   const double turn_m = c_m_s * (knot.turn.t_s - centre.event.t_s);
   leg.glideTimes.z = turn_m;
   const double uTurn = glm::length(knot.u);
@@ -152,12 +153,12 @@ LegView viewLeg(const Knot& knot, const Motion& centre, const Question& ask, con
   return leg;
 }
 
-/// How the leg follows from the previous one: the news between them, and the change of frame.
+/// How the leg follows from the previous one: the signal between them, and the change of frame.
 void joinLegs(const Knot& knot, const Motion& previousCentre, const Motion& centre, double c_m_s,
               LegView& leg) {
   const Lorentz boardFromPrevious = Lorentz::boost(previousCentre.u, c_m_s);
   const Lorentz thisFromBoard = Lorentz::boost(-centre.u, c_m_s);
-  leg.newsInPrevious = metres(boardFromPrevious.inverse() * (knot.news - previousCentre.event), c_m_s);
+  leg.signalInPrevious = metres(boardFromPrevious.inverse() * (knot.signal - previousCentre.event), c_m_s);
   leg.originInThis = metres(thisFromBoard * (previousCentre.event - centre.event), c_m_s);
   leg.fromPrevious = (thisFromBoard * boardFromPrevious).matrix();
 }
@@ -180,7 +181,7 @@ kernel_float::LegView toFloat(const LegView& leg) {
           glm::vec4(leg.toSeenY),
           glm::vec4(leg.toSeenZ),
           glm::vec4(leg.toBoardTime),
-          glm::vec4(leg.newsInPrevious),
+          glm::vec4(leg.signalInPrevious),
           glm::vec4(leg.originInThis),
           glm::mat4(leg.fromPrevious),
           glm::vec4(leg.glide),
@@ -188,7 +189,7 @@ kernel_float::LegView toFloat(const LegView& leg) {
           glm::vec4(leg.toMoment)};
 }
 
-SeenFrame::SeenFrame(const Lorentz& headFromBoard, const Switches& switches, Moment moment)
+ViewFrame::ViewFrame(const Lorentz& headFromBoard, const Switches& switches, ViewTime moment)
     : seenFromBoard(headFromBoard),
       drawnFromSeen(headFromBoard.lightSpeed_m_s()),
       drawnFromBoard(headFromBoard) {
@@ -197,18 +198,18 @@ SeenFrame::SeenFrame(const Lorentz& headFromBoard, const Switches& switches, Mom
   const Lorentz turnedFromBoard = headFromTurned.inverse() * headFromBoard;
   if (!switches.aberration) drawnFromBoard = turnedFromBoard;
   if (!switches.aberration) seenFromBoard = turnedFromBoard;
-  const bool boardNow = moment == Moment::boardNow || (moment == Moment::seen && !switches.retardation);
+  const bool boardNow = moment == ViewTime::boardNow || (moment == ViewTime::seen && !switches.retardation);
   if (!switches.aberration || !boardNow) return;
   seenFromBoard = turnedFromBoard;
   drawnFromSeen = headFromTurned;
 }
 
 void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view,
-              const Switches& switches, Moment moment) {
+              const Switches& switches, ViewTime moment) {
   const double c_m_s = line.lightSpeed_m_s();
   const auto knots = line.knots();
-  const Question ask = questionOf(observation, headFromBoard, switches, moment);
-  const Lorentz seenFromBoard = SeenFrame(headFromBoard, ask.switches, ask.moment).seenFromBoard;
+  const ViewQuery ask = viewQueryOf(observation, headFromBoard, switches, moment);
+  const Lorentz seenFromBoard = ViewFrame(headFromBoard, ask.switches, ask.moment).seenFromBoard;
   const std::size_t last = lastLeg(line, ask);
   view.retarded = ask.switches.retardation != 0;
   view.contracted = ask.switches.contraction != 0;
@@ -230,7 +231,7 @@ void viewBody(const WorldLine& line, const Event& observation, const Lorentz& he
 
 Motion centreSeen(const WorldLine& line, const Event& observation, const Switches& switches) {
   const double c_m_s = line.lightSpeed_m_s();
-  const Question ask = questionOf(observation, Lorentz(c_m_s), switches, Moment::seen);
+  const ViewQuery ask = viewQueryOf(observation, Lorentz(c_m_s), switches, ViewTime::seen);
   const auto knots = line.knots();
   for (std::size_t i = knots.size() - 1; i > 0; --i) {
     Motion centre = centreEmission(knots[i], ask, c_m_s);

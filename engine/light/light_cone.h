@@ -18,7 +18,7 @@ namespace carom {
 using LegView = kernel::LegView;
 
 /// Which event of each point of a body is shown.
-enum class Moment {
+enum class ViewTime {
   seen,      ///< the one whose light the eye receives (without retardation: as boardNow)
   boardNow,  ///< the one at the eye's board time, taken for light that has come straight from there
   myNow,     ///< the one at the head's own time of the observation, where it is in the head's frame
@@ -37,8 +37,8 @@ struct BodyView {
 kernel_float::LegView toFloat(const LegView& leg);
 
 /// The frame in which the kernel gives seen places, from the eye, and what then becomes of them.
-struct SeenFrame {
-  SeenFrame(const Lorentz& headFromBoard, const Switches& switches, Moment moment = Moment::seen);
+struct ViewFrame {
+  ViewFrame(const Lorentz& headFromBoard, const Switches& switches, ViewTime moment = ViewTime::seen);
 
   /// The head's; without aberration, or for what is taken at a moment of the board's, the board's with the
   /// head's axes.
@@ -50,13 +50,13 @@ struct SeenFrame {
 };
 
 /// Fills `view` (its memory is reused) for an eye at the board event `observation` whose head frame is
-/// `headFromBoard`; the seen places are in that frame (or else as SeenFrame says), from the eye. Of the
+/// `headFromBoard`; the seen places are in that frame (or else as ViewFrame says), from the eye. Of the
 /// switches, colour and searchlight do not matter; bodies at the head's own moment are always contracted.
 ///
 /// The head's moment may lie ahead on the board: at a place r by β·(r − r_o)/c, β being the head's v/c. Where
 /// the world line is not known so far, its last leg goes on.
 void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view,
-              const Switches& switches = {}, Moment moment = Moment::seen);
+              const Switches& switches = {}, ViewTime moment = ViewTime::seen);
 
 /// The centre's event whose light the eye receives (without retardation: at the eye's board time), with its
 /// own clock's reading there.

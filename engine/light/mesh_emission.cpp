@@ -74,15 +74,15 @@ template <bool kDetails>
 /// s = C/(b + sqrt(b² − a C)),  C = T² − X²,  b = T |gap|/w − X·gap,  a = gap² (1/w² − 1).
 template <bool kDetails>
 [[gnu::always_inline]] inline void betweenTwoLegs(FloatLeg from, FloatLeg to, CAROM_ARRAYS) {
-  const vec3 newsPlace(to.newsInPrevious.y, to.newsInPrevious.z, to.newsInPrevious.w);
+  const vec3 signalPlace(to.signalInPrevious.y, to.signalInPrevious.z, to.signalInPrevious.w);
   const float slowness = 1.0F / kernel_float::catchUpSpeed();
   for (std::size_t i = 0; i < count; ++i) {
     const vec3 d(x[i], y[i], z[i]);
     const vec4 onFrom(-kernel_float::extraDistance(from, d), d);
     const float onTo = -kernel_float::extraDistance(to, d);
 
-    const vec3 fromNews = d - newsPlace;
-    const float left = to.newsInPrevious.x + std::sqrt(glm::dot(fromNews, fromNews));
+    const vec3 fromSignal = d - signalPlace;
+    const float left = to.signalInPrevious.x + std::sqrt(glm::dot(fromSignal, fromSignal));
     const bool reached = onFrom.x >= left;
 
     const vec4 a = to.originInThis + to.fromPrevious * vec4(left, d);  // A

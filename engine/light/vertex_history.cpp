@@ -17,18 +17,20 @@ Vec3 contracted(const Vec3& d, const Vec3& u) {
   return d - u * (glm::dot(d, u) / (gamma * (gamma + 1.0)));
 }
 
-/// Where a piece crosses the future light cone of `news`, in board time.
-Event crossing(const VertexPiece& piece, const Event& news, double c_m_s) {
+/// Where a piece crosses the future light cone of `signal`, in board time.
+Event crossing(const VertexPiece& piece, const Event& signal, double c_m_s) {
   if (piece.glide) {
     const double t_s = rootOfIncreasing(
-        [&](double t) { return c_m_s * (t - news.t_s) - glm::length(placeAt(piece, t, c_m_s) - news.r_m); },
-        news.t_s);
+        [&](double t) {
+          return c_m_s * (t - signal.t_s) - glm::length(placeAt(piece, t, c_m_s) - signal.r_m);
+        },
+        signal.t_s);
     return {t_s, placeAt(piece, t_s, c_m_s)};
   }
-  const Displacement from = piece.start - news;
+  const Displacement from = piece.start - signal;
   const kernel::Piece line{{c_m_s * from.dt_s, from.dr_m}, betaFromU(piece.u)};
   const glm::dvec4 at = kernel::crossingOf(line, glm::dvec4(0.0));
-  return news + Displacement{at.x / c_m_s, {at.y, at.z, at.w}};
+  return signal + Displacement{at.x / c_m_s, {at.y, at.z, at.w}};
 }
 
 /// Where a piece crosses the past light cone of the eye: c (T − s) = |X − v s|.
@@ -89,12 +91,12 @@ Vec3 uBetween(const Event& from, const Event& to, const Knot& knot, double c_m_s
   return properTime_m2 > 0.0 ? way.dr_m / std::sqrt(properTime_m2) : knot.u;
 }
 
-/// Cuts the history where the news of `knot` arrives and leads it to the leg that begins there.
+/// Cuts the history where the signal of `knot` arrives and leads it to the leg that begins there.
 void turn(std::vector<VertexPiece>& history, const Knot& knot, const Vec3& offset_m, double c_m_s) {
-  Event left = crossing(history.back(), knot.news, c_m_s);
+  Event left = crossing(history.back(), knot.signal, c_m_s);
   while (history.size() > 1 && left.t_s < history.back().start.t_s) {
     history.pop_back();
-    left = crossing(history.back(), knot.news, c_m_s);
+    left = crossing(history.back(), knot.signal, c_m_s);
   }
   const Event joined = joining(knot, offset_m, left, c_m_s);
   const VertexPiece catchingUp{left, uBetween(left, joined, knot, c_m_s),
@@ -178,7 +180,7 @@ struct LegFrame {
   Lorentz fromBoard;
   Vec3 u{0.0};  // on the board
   Event centre;
-  Event news;  // that began the leg
+  Event signal;  // that began the leg
 };
 
 std::vector<LegFrame> framesFrom(const WorldLine& line, std::size_t from) {
@@ -188,7 +190,7 @@ std::vector<LegFrame> framesFrom(const WorldLine& line, std::size_t from) {
     const double end_s = (i + 1 < knots.size() ? knots[i + 1] : knots[i]).turn.t_s;
     const Motion motion = motionOnLeg(knots[i], end_s, line.lightSpeed_m_s());
     frames.push_back(
-        {Lorentz::boost(-motion.u, line.lightSpeed_m_s()), motion.u, motion.event, knots[i].news});
+        {Lorentz::boost(-motion.u, line.lightSpeed_m_s()), motion.u, motion.event, knots[i].signal});
   }
   return frames;
 }
@@ -211,7 +213,7 @@ double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
   return largest_m + radius_m * (gamma + size) * apart * apart / 8.0;
 }
 
-// c = 1. N_m is the news that begins leg m, A_m the event at which it reaches a point, U_q the four-velocity
+// c = 1. N_m is the signal that begins leg m, A_m the event at which it reaches a point, U_q the four-velocity
 // of leg q: U_q·(A_m − N_m) ≥ 0 is how far the light of N_m has come by then, in the frame of q. Bounds
 // b_m(q) of that follow from each other. A point found by N_m on leg j < m, or on its way there, has not
 // heard of N_i, i = j + 1, before. If it
@@ -228,19 +230,19 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   const Knot& knot = line.knots().back();
   const std::vector<LegFrame> legs = framesFrom(line, from);
   const std::size_t count = legs.size();
-  // Row j: b_j(q), and what it and the bodies' rims give for all later news, U_q·(A − N_{j+1}).
+  // Row j: b_j(q), and what it and the bodies' rims give for all later signal, U_q·(A − N_{j+1}).
   std::vector<double> bounds(count * count, 0.0);
   const auto time_m = [&](std::size_t q, const Displacement& d) {
     return c_m_s * (legs[q].fromBoard * d).dt_s;
   };
-  // In the frame of q, the latest of what the rows so far give, from the first news on.
+  // In the frame of q, the latest of what the rows so far give, from the first signal on.
   std::vector<double> latest_m(count, -std::numeric_limits<double>::infinity());
   for (std::size_t m = 0; m < count; ++m) {
     for (std::size_t q = m; m > 0 && q < count; ++q)
-      bounds[m * count + q] = std::max(0.0, latest_m[q] - time_m(q, legs[m].news - legs[0].news));
+      bounds[m * count + q] = std::max(0.0, latest_m[q] - time_m(q, legs[m].signal - legs[0].signal));
     if (m + 1 == count) break;
-    const Vec3 x = (legs[m].fromBoard * (legs[m + 1].news - legs[m].centre)).dr_m;
-    const Displacement since = legs[m].fromBoard * (legs[m + 1].news - legs[m].news);
+    const Vec3 x = (legs[m].fromBoard * (legs[m + 1].signal - legs[m].centre)).dr_m;
+    const Displacement since = legs[m].fromBoard * (legs[m + 1].signal - legs[m].signal);
     const double tau_m = std::max(0.0, c_m_s * since.dt_s + glm::length(since.dr_m));
     for (std::size_t q = m + 1; q < count; ++q) {
       const Vec3 u = (legs[m].fromBoard * Displacement{gammaFromU(legs[q].u) / c_m_s, legs[q].u}).dr_m;
@@ -248,15 +250,16 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
       double onLeg_m = furthestReach(x, u, radius_m);
       if (m > 0) {  // all had joined the first
         onLeg_m = std::max(onLeg_m, (gamma + size) * (radius_m + glm::length(x)));
-        onLeg_m = std::max(onLeg_m, bounds[m * count + q] + time_m(q, legs[m].news - legs[m + 1].news) +
+        onLeg_m = std::max(onLeg_m, bounds[m * count + q] + time_m(q, legs[m].signal - legs[m + 1].signal) +
                                         tau_m * (gamma + w * size));
       }
-      latest_m[q] = std::max(latest_m[q], onLeg_m + time_m(q, legs[m + 1].news - legs[0].news));
+      latest_m[q] = std::max(latest_m[q], onLeg_m + time_m(q, legs[m + 1].signal - legs[0].signal));
     }
   }
-  const Displacement news = legs.back().fromBoard * (knot.news - knot.turn);
+  const Displacement signal = legs.back().fromBoard * (knot.signal - knot.turn);
   const double found_m = bounds.back();
-  const double joined_s = news.dt_s + (found_m + (glm::length(news.dr_m) + found_m + radius_m) / w) / c_m_s;
+  const double joined_s =
+      signal.dt_s + (found_m + (glm::length(signal.dr_m) + found_m + radius_m) / w) / c_m_s;
   // Friction moves the goal by less than the way to it while R a < c²/2.
   return knot.deceleration_m_s2 > 0.0 ? 2.0 * joined_s : joined_s;
 }

@@ -28,7 +28,7 @@ struct VertexPiece {
 /// without end. The point's clock shows 0 at the body's appearance, or else at board time 0.
 ///
 /// Rigid motion: centre(t) + L(v) d, with L(v) d = d + (1/γ − 1)(d·v̂) v̂ in board time. Bounces: the point
-/// keeps to its leg until the news arrives at light speed, then catches up with the next
+/// keeps to its leg until the signal arrives at light speed, then catches up with the next
 /// (emission_kernel.glsl).
 std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset_m);
 

@@ -67,7 +67,7 @@ void Observer::step(double dtau_s, const Head& head, double pace, const Vec3& th
   head_ = {head.roomFromHead, head.celerity_m_s / pace};
 }
 
-void Observer::stroll(double roomTime_s, const Head& head) {
+void Observer::moveUnseen(double roomTime_s, const Head& head) {
   const Vec3 step_m = head.roomFromHead.position_m - head_.roomFromHead.position_m;
   headEvent_ = headEvent_ + boardFromRoom_ * Displacement{roomTime_s, step_m};
   head_ = {head.roomFromHead, Vec3(0.0)};
@@ -90,7 +90,7 @@ ObserverView Observer::view(double eyeSeparation_m) const {
   return {boardFromHead.inverse(), {eye(-right_m), eye(right_m), eye(Vec3(0.0))}, properTime_s_};
 }
 
-ObserverView walkedRound(const ObserverView& sight, const ObserverView& now) {
+ObserverView frozenViewAt(const ObserverView& sight, const ObserverView& now) {
   const EyeView& middle = sight.eyes[2];
   ObserverView view = sight;
   for (std::size_t eye = 0; eye < view.eyes.size(); ++eye) {

@@ -51,7 +51,7 @@ struct ObserverView {
 
 /// The sight of one moment, from the middle of the eyes, walked round: the light is that of `sight`, for both
 /// eyes, the eyes' places in the room are those of `now`.
-ObserverView walkedRound(const ObserverView& sight, const ObserverView& now);
+ObserverView frozenViewAt(const ObserverView& sight, const ObserverView& now);
 
 class Observer {
  public:
@@ -74,7 +74,7 @@ class Observer {
   /// Goes with the head wherever it is in the room, in so much of the room's time: as nobody could. For
   /// looking at a recorded game whose time stands still or runs otherwise; the head counts as at rest in the
   /// room.
-  void stroll(double roomTime_s, const Head& head);
+  void moveUnseen(double roomTime_s, const Head& head);
 
   /// Turns the room about the head, which stays at its event.
   void turn(double angle_rad, const Vec3& axisInRoom);

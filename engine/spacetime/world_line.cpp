@@ -58,15 +58,15 @@ RestFrameSplit inRestFrame(const Vec3& u, const Displacement& d, double c_m_s) {
 
 }  // namespace
 
-// c = 1, origin at the turn. A point at x, |x| ≤ ρ, of the old leg's rest frame leaves it at A when the news
+// c = 1, origin at the turn. A point at x, |x| ≤ ρ, of the old leg's rest frame leaves it at A when the signal
 // (t_n, x_n) arrives: t_A = t_n + |x − x_n|, so |t_A| ≤ |t_n + |x_n|| + ρ. Seen from the new leg's rest
 // frame, which moves at relative rapidity η, both coordinates of A are at most e^η times the larger of the
 // two bounds; from there the point needs at most (|x_A| + R)/kCatchUpSpeed.
 WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before) const {
   const std::size_t last = knots_.size() - 1;
-  const RestFrameSplit news = inRestFrame(before.u, next.news - next.turn, c_m_s_);
+  const RestFrameSplit signal = inRestFrame(before.u, next.signal - next.turn, c_m_s_);
   const double radiusThen_m = settling_[last].reachAtNext_m;
-  const double reachOld_m = std::abs(news.time_m + news.distance_m) + radiusThen_m;
+  const double reachOld_m = std::abs(signal.time_m + signal.distance_m) + radiusThen_m;
   const double gammaRelative =
       std::max(1.0, gammaFromU(before.u) * gammaFromU(next.u) - glm::dot(before.u, next.u));
   const double expEta = gammaRelative + std::sqrt(gammaRelative * gammaRelative - 1.0);
@@ -77,11 +77,11 @@ WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before
 }
 
 void WorldLine::noteNext(const Knot& next) {
-  // In the body's rest frame the centre's clock, when it sees the news made, is at most |x_n|/c ahead of it.
+  // In the body's rest frame the centre's clock, when it sees the signal made, is at most |x_n|/c ahead of it.
   const Knot& last = knots_.back();
-  const Motion then = motionOnLeg(last, next.news.t_s, c_m_s_);
-  const RestFrameSplit news = inRestFrame(then.u, next.news - then.event, c_m_s_);
-  const double age_s = then.properTime_s - last.properTime_s - news.distance_m / c_m_s_;
+  const Motion then = motionOnLeg(last, next.signal.t_s, c_m_s_);
+  const RestFrameSplit signal = inRestFrame(then.u, next.signal - then.event, c_m_s_);
+  const double age_s = then.properTime_s - last.properTime_s - signal.distance_m / c_m_s_;
   // A point that has not joined by then would do so by after_s, moving slower than light all the way.
   const double left_m = c_m_s_ * (settling_.back().after_s - age_s);
   settling_.back().beforeNext = !(left_m > 0.0);

@@ -21,7 +21,7 @@ struct Knot {
   Event turn;                      ///< the centre's event from which the leg's motion holds
   Vec3 u{0.0};                     ///< γβ at the turn
   double properTime_s = 0.0;       ///< the centre's own clock at the turn
-  Event news;                      ///< the event whose news, at light speed, makes the body's points turn
+  Event signal;                    ///< the event whose signal, at light speed, makes the body's points turn
   double deceleration_m_s2 = 0.0;  ///< constant proper deceleration from here until rest (friction)
 };
 
@@ -74,7 +74,7 @@ class WorldLine {
   /// How long after a knot's turn, by the centre's own clock, every point within the radius has joined the
   /// leg that begins there (an upper bound).
   double settled_s(std::size_t knot) const { return settling_[knot].after_s; }
-  /// Had they all joined when the news that ends this leg was made? True of the last leg.
+  /// Had they all joined when the signal that ends this leg was made? True of the last leg.
   bool settlesBeforeNext(std::size_t knot) const { return settling_[knot].beforeNext; }
 
   double radius_m() const { return radius_m_; }
@@ -86,7 +86,7 @@ class WorldLine {
     double after_s = 0.0;
     double reach_m = 0.0;  // how far from the centre a point can be until then, in the leg's rest frame
     bool beforeNext = true;
-    double reachAtNext_m = 0.0;  // the same when the news that ends this leg is made
+    double reachAtNext_m = 0.0;  // the same when the signal that ends this leg is made
   };
   Settling settlingOf(const Knot& next, const Motion& before) const;
   void noteNext(const Knot& next);

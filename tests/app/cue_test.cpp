@@ -27,9 +27,9 @@ HandInput handOf(std::string_view device, bool held, const Vec3& pull_m = Vec3(0
   return hand;
 }
 
-const Pointed kNothing;
-Pointed on(std::size_t puck) {
-  Pointed pointed;
+const PickResult kNothing;
+PickResult on(std::size_t puck) {
+  PickResult pointed;
   pointed.puck = puck;
   return pointed;
 }
@@ -52,9 +52,9 @@ TEST(Cue, IsHeldForOnePuckUntilItIsLetGo) {
 }
 
 TEST(Cue, WhatCannotBeIsRefusedOnceAndInWords) {
-  Pointed behind;
+  PickResult behind;
   behind.behind = true;
-  const auto refusalOf = [](const Pointed& pointed, bool frozen) {
+  const auto refusalOf = [](const PickResult& pointed, bool frozen) {
     Cue cue;
     cue.step(handOf("mouse", false), pointed, frozen);
     const std::string words = cue.step(handOf("mouse", true), pointed, frozen).refused;

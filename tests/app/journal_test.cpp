@@ -765,7 +765,7 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
       {"a knot's turn", [](FrameState& s) { s.knots[0].knot.turn.t_s = kNan; }},
       {"a knot's u", [](FrameState& s) { s.knots[1].knot.u.y = kNan; }},
       {"a knot's proper time", [](FrameState& s) { s.knots[1].knot.properTime_s = kNan; }},
-      {"a knot's news", [](FrameState& s) { s.knots[1].knot.news.r_m.x = kNan; }},
+      {"a knot's news", [](FrameState& s) { s.knots[1].knot.signal.r_m.x = kNan; }},
       {"a knot's deceleration", [](FrameState& s) { s.knots[1].knot.deceleration_m_s2 = kNan; }}};
   TemporaryFolder folder;
   for (const Damage& damage : damages) {

@@ -27,13 +27,13 @@ TEST(Keys, TGoesThroughThePatternsAndBackToTheSession) {
     press(GLFW_KEY_T, controls);
     seen.insert(controls.walls.shown);
   } while (controls.walls.shown != Shown::session && seen.size() < 9);
-  EXPECT_TRUE(seen.contains(Shown::testPattern) && seen.contains(Shown::seamPattern));
+  EXPECT_TRUE(seen.contains(Shown::calibrationPattern) && seen.contains(Shown::alignmentPattern));
   EXPECT_EQ(controls, Controls{});
 }
 
 TEST(Keys, WithoutASessionTNeverGoesToOne) {
   Controls controls;
-  controls.walls.shown = Shown::testPattern;
+  controls.walls.shown = Shown::calibrationPattern;
   for (int i = 0; i < 9; ++i) {
     press(GLFW_KEY_T, controls, KeysOf::patterns);
     EXPECT_NE(controls.walls.shown, Shown::session);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/files/scenario.h"
-#include "cave/gl/text_ink.h"
+#include "cave/gl/glyph_bitmap.h"
 
 namespace carom {
 namespace {

@@ -97,7 +97,7 @@ double elapsedFor_s(const Vec3& u, const Event& from, const Event& to, double c_
 }
 
 /// How far a mesh reaches along x and z.
-std::pair<Vec3, Vec3> boundsOf(const ToldBody& body) {
+std::pair<Vec3, Vec3> boundsOf(const ScriptedBody& body) {
   std::ifstream in(body.mesh.value());
   Vec3 least(1e9), most(-1e9);
   for (std::string line; std::getline(in, line);) {
@@ -213,12 +213,14 @@ TEST(LessonNumbers, Angles) {
 struct Train {
   explicit Train(const std::string& name) : scenario(shipped(name)) {}
   Scenario scenario;
-  const ToldBody& tunnel = scenario.bodies.at(0);
-  const ToldBody& train = scenario.bodies.at(1);
+  const ScriptedBody& tunnel = scenario.bodies.at(0);
+  const ScriptedBody& train = scenario.bodies.at(1);
   Vec3 u = train.worldLine.knots().front().u;
   double c_m_s = scenario.billiard.lightSpeed_m_s;
   Event nearDoor = flashNamed(scenario, "near door").at, farDoor = flashNamed(scenario, "far door").at;
-  static double lengthOf_m(const ToldBody& body) { return boundsOf(body).second.x - boundsOf(body).first.x; }
+  static double lengthOf_m(const ScriptedBody& body) {
+    return boundsOf(body).second.x - boundsOf(body).first.x;
+  }
   /// On the train the far door flashes first.
   double apartOnTrain_s() const { return elapsedFor_s(u, farDoor, nearDoor, c_m_s); }
 };
@@ -268,7 +270,7 @@ TEST(LessonNumbers, TrainAboard) {
 
 /// A pulse goes up and down in its clock: checks that it is at a mirror at each of its corners; the times of
 /// its ticks.
-std::vector<double> ticksOf_s(const Scenario& scenario, const Pulse& pulse, const ToldBody& clock,
+std::vector<double> ticksOf_s(const Scenario& scenario, const Pulse& pulse, const ScriptedBody& clock,
                               const std::string& flashes) {
   const double c_m_s = scenario.billiard.lightSpeed_m_s;
   const double knob_m = 0.024;  // beyond the mirror's face, on either side

@@ -59,7 +59,7 @@ class Mouse {
   std::uint64_t frame_ = 0;
   std::size_t puck_ = 1;
   Vec3 pull_m_{0.0}, along_{0.0, -1.0, 0.0};
-  HandAim aim_;
+  RayPicking aim_;
 };
 
 class LiveSession : public testing::Test {
@@ -228,7 +228,7 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
     source.shown(state);
   };
   const auto aimed = [&](bool held) {
-    HandAim aim;
+    RayPicking aim;
     const EyeView& eye = state.record.observer.eyes[2];
     const Vec3 way_m =
         aim.seenInRoom_m(world.histories[1], {state.record.observer, 2, {}}) - eye.positionInRoom_m;

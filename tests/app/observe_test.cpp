@@ -24,7 +24,7 @@ std::string vectorText(const json& v, double scale) {
   return text + "]";
 }
 
-/// A case's world line as a told body. Its first piece may begin: that is when the body appears.
+/// A case's world line as a scripted body. Its first piece may begin: that is when the body appears.
 std::string scenarioOf(const json& input) {
   const double c = input["c"];
   const json& pieces = input["worldline"]["pieces"];

@@ -27,10 +27,10 @@ for name in three-pucks desk; do
   grep -q "^Of the prefix: " <<<"$said" || fail "check $name read another file: $said"
 done
 grep -qF "$share/rigs/desk.toml" <<<"$("$carom" cave --help)" || fail "the usual rig is not the installed one"
-mv "$share/traces/walk.csv" "$share/traces/stroll.csv"
+mv "$share/traces/walk.csv" "$share/traces/moveUnseen.csv"
 ! said=$("$carom" check desk 2>&1) || fail "the rig's trace came from elsewhere: $said"
 grep -qF "expected one beside this file or in $share" <<<"$said" || fail "of the missing trace it said: $said"
-"$carom" filter stroll >"$work/filtered" || fail "a trace is not found by its name"
+"$carom" filter moveUnseen >"$work/filtered" || fail "a trace is not found by its name"
 
 # A file that is here goes before a shipped one of its name.
 sed 's/^title = .*/title = "Of this folder"/' "$share/scenarios/three-pucks.toml" >three-pucks
@@ -43,7 +43,7 @@ command -v dpkg-shlibdeps >/dev/null || { echo "the package is not tried: dpkg-d
 (cd "$build" && cpack -B "$work/packages" >"$work/log") || { cat "$work/log"; exit 1; }
 package=$(echo "$work"/packages/carom_*.deb)
 dpkg-deb -c "$package" | awk '{print $6}' | grep -v '/$' | sort >"$work/held"
-(cd "$work/usr" && find . -type f | sed 's|^\.|./usr|; s|/stroll.csv$|/walk.csv|') | sort >"$work/expected"
+(cd "$work/usr" && find . -type f | sed 's|^\.|./usr|; s|/moveUnseen.csv$|/walk.csv|') | sort >"$work/expected"
 differences=$(diff "$work/expected" "$work/held") || fail "the package (>) holds other files than an installation (<): $differences"
 depends=$(dpkg-deb -f "$package" Depends)
 for library in libvtk9.1 libopenmpi3 libglfw3 libusb-1.0-0 openmpi-bin fonts-dejavu-core; do

@@ -13,7 +13,7 @@
 #include "app/play/game.h"
 #include "app/session/recorded_source.h"
 #include "app/session/visitor_source.h"
-#include "app/viewer/person.h"
+#include "app/viewer/viewer.h"
 #include "cave/frame/frame_digest.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/light_cone.h"
@@ -106,7 +106,7 @@ class ReplaySources : public testing::Test {
   void play() {
     SimulatedClock clock;
     Pacer pacer(clock, kHz, 0.0);
-    Person person(rig_, scenario_, {});
+    Viewer person(rig_, scenario_, {});
     Game game(scenario_);
     Journal journal(
         folder_ / "game.db",
@@ -307,7 +307,7 @@ TEST_F(ReplaySources, AVisitorSeesTheGameAsSomeoneWhoLivesThere) {
     rig.trackers[0].source = trace;
     Scenario scenario = scenario_;
     scenario.observer.beta = beta;
-    Person person(rig, scenario, {});
+    Viewer person(rig, scenario, {});
     Pacer pacer(livedClock, kHz, 0.0);
     std::uint64_t frames = 0;
     while (!show.frame.record.last) {

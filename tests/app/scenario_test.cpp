@@ -91,8 +91,8 @@ TEST(Scenario, TakesStrokes) {
   EXPECT_EQ(scenario.billiard.strokes[0].momentum_kg_m_s, Vec2(0.1, 0.0));
 }
 
-// A told body: where it was is compared with a walk along its legs from the told event in small steps.
-class ToldBodyTest : public ::testing::TestWithParam<double> {
+// A scripted body: where it was is compared with a walk along its legs from the told event in small steps.
+class ScriptedBodyTest : public ::testing::TestWithParam<double> {
  protected:
   static constexpr double kC_m_s = 1.3;
   const std::vector<double> froms_s{-1e300, -2.0, 1.5, 3.0};
@@ -118,7 +118,7 @@ class ToldBodyTest : public ::testing::TestWithParam<double> {
   }
 };
 
-TEST_P(ToldBodyTest, PassesItsEventOnWhicheverLegHoldsIt) {
+TEST_P(ScriptedBodyTest, PassesItsEventOnWhicheverLegHoldsIt) {
   const double at_s = GetParam();
   for (const bool appears : {false, true}) {
     const std::string text =
@@ -139,14 +139,15 @@ TEST_P(ToldBodyTest, PassesItsEventOnWhicheverLegHoldsIt) {
     EXPECT_NEAR(glm::distance(line.at(at_s).event.r_m, Vec3(0.1, 0.2, 0.3)), 0.0, kRounding);
     for (std::size_t i = 1; i < 4; ++i) {
       EXPECT_EQ(line.knots()[i].turn.t_s, froms_s[i]);
-      EXPECT_EQ(line.knots()[i].news.t_s, froms_s[i]) << "the news starts at the centre's turn";
-      EXPECT_EQ(line.knots()[i].news.r_m, line.knots()[i].turn.r_m);
+      EXPECT_EQ(line.knots()[i].signal.t_s, froms_s[i]) << "the news starts at the centre's turn";
+      EXPECT_EQ(line.knots()[i].signal.r_m, line.knots()[i].turn.r_m);
     }
     EXPECT_EQ(line.appears_s(), appears ? -1.0 : -std::numeric_limits<double>::infinity());
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OnEveryLeg, ToldBodyTest, ::testing::Values(-3.5, -2.0, 0.7, 1.5, 2.0, 3.0, 5.0));
+INSTANTIATE_TEST_SUITE_P(OnEveryLeg, ScriptedBodyTest,
+                         ::testing::Values(-3.5, -2.0, 0.7, 1.5, 2.0, 3.0, 5.0));
 
 // Reference for overlapping ellipses: does a point of one's rim or its centre lie inside the other?
 struct Ellipse {

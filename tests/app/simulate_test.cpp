@@ -392,7 +392,7 @@ void expectOnTable(const json& found, std::size_t pucks) {
 // Two pucks driven into a corner; a puck between two others; one at β = (0.6, 0.6) into a corner, so that it
 // meets the second cushion within the news of the first. In both conventions, elastic and not: it ends,
 // nobody is lost, nobody leaves, and the pucks listed in another order do the same to the last bit.
-TEST(Simulate, CrowdsComeOutOfCorners) {
+TEST(Simulate, LabelsComeOutOfCorners) {
   const auto scenario = [](bool contact, double restitution, std::vector<std::string> pucks) {
     std::string text = "light_speed_m_s = 1.0\n[board]\nlength_m = 2.0\nwidth_m = 1.0\n[physics]\n";
     if (contact) text += "collision_event = \"contact\"\n";

@@ -96,11 +96,11 @@ class Room {
   vtkIdType vertices_ = 0;
   Lorentz headFromBoard_ = Lorentz::boost({-0.5, 0.1, 0.05}, kC_m_s);
   std::array<Wall, 4> walls_ = carom::walls();
-  std::array<std::unique_ptr<WallPicture>, 8> pictures_ = makePictures();
+  std::array<std::unique_ptr<RenderTarget>, 8> pictures_ = makePictures();
 
-  static std::array<std::unique_ptr<WallPicture>, 8> makePictures() {
-    std::array<std::unique_ptr<WallPicture>, 8> pictures;
-    for (auto& picture : pictures) picture = std::make_unique<WallPicture>(glm::ivec2(960, 960));
+  static std::array<std::unique_ptr<RenderTarget>, 8> makePictures() {
+    std::array<std::unique_ptr<RenderTarget>, 8> pictures;
+    for (auto& picture : pictures) picture = std::make_unique<RenderTarget>(glm::ivec2(960, 960));
     return pictures;
   }
 };

@@ -110,13 +110,13 @@ void affine(benchmark::State& state, std::size_t n, bool all) {
   reportVertices(state, n);
 }
 
-/// A body at 0.8 c that bounces back at board time 0, its news from its rim.
+/// A body at 0.8 c that bounces back at board time 0, its signal from its rim.
 WorldLine bouncing() {
   const Vec3 u = uFromBeta({0.8, 0.1, 0.0});
   WorldLine line({{-1.0, -betaFromU(u) * kC_m_s}, u, 0.0, {}, 0.0}, kC_m_s, kRadius_m);
-  const Displacement newsInBody{-kRadius_m / kC_m_s, {kRadius_m, 0.0, 0.0}};
+  const Displacement signalInBody{-kRadius_m / kC_m_s, {kRadius_m, 0.0, 0.0}};
   const Event turn{0.0, Vec3(0.0)};
-  line.append({turn, uFromBeta({-0.8, 0.1, 0.0}), 0.6, turn + Lorentz::boost(u, kC_m_s) * newsInBody, 0.0});
+  line.append({turn, uFromBeta({-0.8, 0.1, 0.0}), 0.6, turn + Lorentz::boost(u, kC_m_s) * signalInBody, 0.0});
   return line;
 }
 

@@ -5,8 +5,8 @@
 #include <exception>
 #include <glm/trigonometric.hpp>
 
+#include "aberration_error.h"
 #include "app/report/chart_file.h"
-#include "sky_swing.h"
 
 namespace {
 
@@ -45,7 +45,7 @@ void printTable() {
   std::array<Part, 3> parts{
       {{"standing", test::isStanding}, {"beyond 0.65 c", test::isFast}, {"the whole way", test::isOnTheWay}}};
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const std::vector<SwingSample> samples = test::skySwing(test::kWalkEnd_s, seed);
+    const std::vector<SwingSample> samples = test::aberrationError(test::kWalkEnd_s, seed);
     for (Part& part : parts) {
       part.filtered_deg += test::rms_deg(samples, &SwingSample::filtered_rad, part.counts) / kSeeds;
       part.unfiltered_deg += test::rms_deg(samples, &SwingSample::unfiltered_rad, part.counts) / kSeeds;
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   }
   printTable();
   try {
-    const std::vector<SwingSample> samples = test::skySwing(test::kWalkEnd_s + 2.0, 1);
+    const std::vector<SwingSample> samples = test::aberrationError(test::kWalkEnd_s + 2.0, 1);
     writeChart(
         {.title = "A landmark at right angles: how far from its place it is seen",
          .xTitle = "seconds since setting off (tracker: 60 Hz, 0.3 mm; light: 1.42 m/s)",

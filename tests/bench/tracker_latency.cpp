@@ -3,7 +3,7 @@
 // work. (Times are kept on one clock, since sender and reader are one program.)
 //   tracker_latency [SECONDS]     each of the two parts takes so long; 10 if not given
 //
-// The device's thread asks the system to be prompt (devices/tracker/prompt_thread.h); what it was granted is
+// The device's thread asks the system to be prompt (devices/tracker/realtime_thread.h); what it was granted is
 // printed. Sender and reader ask for a little more, so that their own waiting for a processor is not counted;
 // where that is refused, it is.
 
@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "devices/network/dtrack_tracker.h"
-#include "devices/tracker/prompt_thread.h"
+#include "devices/tracker/realtime_thread.h"
 
 namespace {
 

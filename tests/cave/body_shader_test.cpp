@@ -98,7 +98,7 @@ class BodyProgram {
 
   void setUniforms(const Case& c, const std::vector<kernel_float::LegView>& legs) const {
     const auto at = [&](const char* name) { return glGetUniformLocation(program_, name); };
-    const SeenFrame frame(c.headFromBoard, switches_);
+    const ViewFrame frame(c.headFromBoard, switches_);
     const glm::mat4 drawnFromSeen(frame.drawnFromSeen.matrix());
     const glm::mat4 boardFromDrawn(frame.drawnFromBoard.inverse().matrix());
     const Vec3 u = c.headFromBoard.inverse().u();

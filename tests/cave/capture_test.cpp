@@ -85,14 +85,14 @@ TEST(Capture, AFolderThatIsNotThereIsNamed) {
 
 TEST(Capture, ReadsAPictureBack) {
   Graphics graphics;
-  const WallPicture picture({5, 3});
+  const RenderTarget picture({5, 3});
   const Image image = readBack(picture);
   EXPECT_EQ(image.size_px, glm::ivec2(5, 3));
   EXPECT_EQ(image.rgb, std::vector<std::uint8_t>(45, 0));
 }
 
 /// Pictures of a frame, each of one colour of its own.
-void paint(WallPicture& picture, std::uint64_t frame, int eye) {
+void paint(RenderTarget& picture, std::uint64_t frame, int eye) {
   std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(picture.size_px().x * picture.size_px().y));
   for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<std::uint8_t>(37 * frame + 91U * eye + i);
   picture.fill(rgb);
@@ -110,11 +110,11 @@ TEST(Capture, AViewThatIsResizedKeepsNoBuffersOfItsOldSizes) {
     for (GLuint name = 1; name < 2000; ++name) there += glIsBuffer(name) == GL_TRUE;
     return there;
   };
-  const WallPicture wall({20, 10});
+  const RenderTarget wall({20, 10});
   const int before = buffers();
   PictureReader reader;
   for (int width = 1; width <= 50; ++width) {
-    WallPicture window({width, 10});
+    RenderTarget window({width, 10});
     paint(window, static_cast<std::uint64_t>(width), 0);
     reader.ask(wall, 0);
     reader.ask(window, 1);
@@ -135,7 +135,7 @@ TEST(Capture, AViewThatIsResizedKeepsNoBuffersOfItsOldSizes) {
 TEST(Capture, WhatIsCapturedOnTheWayIsWhatWasDrawnThen) {
   const Folder folder;
   Graphics graphics;
-  WallPicture left({61, 33}), right({40, 40});
+  RenderTarget left({61, 33}), right({40, 40});
   const std::string wall = "front";
   Capture capture(folder.path, WhenFull::wait);
   constexpr std::uint64_t kFrames = 60;  // more than the queue holds
@@ -162,7 +162,7 @@ TEST(Capture, WhatIsCapturedOnTheWayIsWhatWasDrawnThen) {
 TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
   const Folder folder;
   Graphics graphics;
-  WallPicture large({1500, 1500});
+  RenderTarget large({1500, 1500});
   const std::string wall = "front", outside = "outside";
   Capture capture(folder.path, WhenFull::drop);
   constexpr std::uint64_t kFrames = 60;
@@ -188,7 +188,7 @@ TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
 
 TEST(Capture, WhatCannotBeWrittenIsSaid) {
   Graphics graphics;
-  WallPicture picture({8, 8});
+  RenderTarget picture({8, 8});
   const std::string wall = "front";
   Capture capture("/nowhere/at/all", WhenFull::wait);
   const auto takeAll = [&] {

@@ -10,9 +10,9 @@
 #include <string>
 
 #include "cave/capture/capture.h"
-#include "cave/gl/plain_state.h"
+#include "cave/gl/gl_state_guard.h"
 #include "cave/glowing_puck.h"
-#include "cave/render/mark_batch.h"
+#include "cave/render/mark_buffer.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/off_axis.h"
 #include "cave/scene/table_model.h"
@@ -97,7 +97,7 @@ TEST_F(ClockDigits, CushionClocksTellTheTimeAtWhichTheirLightLeftAtAnyAge) {
   for (const double c_m_s : {0.05, 1.42, 300.0}) {
     graphics_.makeCurrent();
     WallRenderer renderer(graphics_, scene, c_m_s, 1);
-    WallPicture picture(wall.pixels);
+    RenderTarget picture(wall.pixels);
     for (const Shown& shown : times()) {
       const EyeView eye{{shown.time_s() + kFace_m / c_m_s, Vec3(0.0)}, Vec3(0.0)};
       BodyView view;
@@ -124,19 +124,19 @@ TEST_F(ClockDigits, CushionClocksTellTheTimeAtWhichTheirLightLeftAtAnyAge) {
 TEST_F(ClockDigits, PlatesSayTheSame) {
   const glm::ivec2 pixels(700, 100);
   graphics_.makeCurrent();
-  WallPicture picture(pixels);
+  RenderTarget picture(pixels);
   MarkDrawer drawer;
   for (const Shown& shown : times()) {
     const PlateText text = tenthsOf(shown.time_s());
     ASSERT_EQ(text.places, placesOf(shown.text()));
     const double across = placesAcross(text, PlateShape::box), margin = 0.12 * kPlace;
-    MarkBatch batch;
+    MarkBuffer batch;
     batch.addPlate(std::array{glm::dvec3(-1, -1, 0), glm::dvec3(1, -1, 0)},
                    std::array{glm::dvec3(-1, 1, 0), glm::dvec3(1, 1, 0)}, text, PlateShape::box,
                    glm::vec4(1.0F));
     graphics_.makeCurrent();
     {
-      const PlainState state(picture.framebuffer(), pixels);
+      const GlStateGuard state(picture.framebuffer(), pixels);
       drawer.upload(batch);
       drawer.draw(glm::mat4(1.0F));
     }

@@ -199,7 +199,7 @@ TEST(Cluster, RankZeroHoldsWhatEachNodeSaidWithItsLastFrame) {
 }
 
 TEST(Cluster, TruncationComesBeforeTheNewKnots) {
-  World world{{history(), history(), history()}, {}};  // the board, a puck, a told body
+  World world{{history(), history(), history()}, {}};  // the board, a puck, a scripted body
   FrameState first = frameWithKnots(3);                // turns at 300, 301, 302
   for (BodyKnot& knot : first.knots) knot.body = 1;
   applyFrame(first, world);
@@ -213,7 +213,7 @@ TEST(Cluster, TruncationComesBeforeTheNewKnots) {
   ASSERT_EQ(world.histories[1].knots().size(), 6U);
   EXPECT_EQ(world.histories[1].knots()[1].turn.t_s, 300.0);
   EXPECT_EQ(world.histories[1].knots()[2].turn.t_s, 400.0);
-  EXPECT_EQ(world.histories[2].knots().size(), 4U) << "a told body lost its turns";
+  EXPECT_EQ(world.histories[2].knots().size(), 4U) << "a scripted body lost its turns";
 }
 
 TEST(Cluster, EventsAreTakenBackFromANumberOnAndForgottenFromTheFirst) {
@@ -233,11 +233,11 @@ TEST(Cluster, EventsAreTakenBackFromANumberOnAndForgottenFromTheFirst) {
   };
   EXPECT_EQ(times(), (std::vector<double>{500.0, 501.0, 402.0, 403.0}));
   applyFrame(FrameState{}, world);
-  EXPECT_EQ(times().size(), 4U) << "a frame without news";
+  EXPECT_EQ(times().size(), 4U) << "a frame without signal";
   FrameState later;
   later.record.forgetBefore_s = 501.0;
   later.record.pucks = 1;
-  world.events[1].turns[0].event.t_s = 600.0;  // its news is still on its way
+  world.events[1].turns[0].event.t_s = 600.0;  // its signal is still on its way
   applyFrame(later, world);
   EXPECT_EQ(times(), (std::vector<double>{501.0, 402.0, 403.0}));
 }

@@ -32,7 +32,7 @@ class DrawnSwitches : public testing::Test {
     std::array<BodyView, 2> views;
     viewBody(WorldLine(Knot{}, kC_m_s), eye.observation, headFromBoard, views[0], switches);
     viewBody(line, eye.observation, headFromBoard, views[1], switches);
-    WallPicture picture(kPicture_px);
+    RenderTarget picture(kPicture_px);
     renderer.look(headFromBoard, eye, views, switches);
     EXPECT_TRUE(renderer.draw(wall_, eye.positionInRoom_m, picture));
     return readBack(picture);

@@ -12,7 +12,7 @@ TEST(FrameDigest, EachOfTheOperatorsChoicesCounts) {
   ASSERT_STREQ(FrameDigest::kFields[kSwitchesField], "switches");
   const FrameState plain;
   for (const WallControls& controls :
-       {WallControls{Shown::testPattern, 0, 0}, WallControls{Shown::seamPattern, 0, 0},
+       {WallControls{Shown::calibrationPattern, 0, 0}, WallControls{Shown::alignmentPattern, 0, 0},
         WallControls{Shown::session, 1, 0}, WallControls{Shown::session, 0, 1}}) {
     FrameState other;
     other.record.controls = controls;

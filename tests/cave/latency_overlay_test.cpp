@@ -44,7 +44,7 @@ Image shownIn(const Window& window) {
 
 TEST(LatencyOverlay, IsOverTheWindowAndNotInThePictures) {
   Graphics graphics;
-  const WallPicture picture({960, 600});
+  const RenderTarget picture({960, 600});
   Window window(graphics, "test", {0, {0, 0}, {960, 600}, false});
   const Pane pane{&picture, nullptr, StereoMode::mono, {0, 0}, {960, 600}};
   const LatencyView view = someView();

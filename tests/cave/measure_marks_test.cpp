@@ -29,7 +29,7 @@ bool isGlow(const MarkCorner& corner) { return corner.what.x < -0.5F; }
 bool isPlate(const MarkCorner& corner) { return corner.what.x > 0.5F; }
 
 /// The middle of the glows, which stand around one place.
-Vec3 glowOf(const MarkBatch& batch) {
+Vec3 glowOf(const MarkBuffer& batch) {
   Vec3 sum(0.0);
   double weight = 0.0;
   for (const MarkCorner& corner : batch.corners()) {
@@ -51,8 +51,8 @@ TEST(Pulses, GlowWhereTheEyeSeesThem) {
     const Event eye{random.in(0.0, 5.0), random.inBox(2.0)};
     const Lorentz headFromBoard = Lorentz::boost(random.u(0.8), kC_m_s);
     const ObserverView observer = observerAt(eye, headFromBoard);
-    const MarkSight sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, {}, {}};
-    MarkBatch batch;
+    const MarkContext sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, {}, {}};
+    MarkBuffer batch;
     addPulses(sight, {&pulse, 1}, batch);
     const auto placeAt = [&](double t_s) { return placeAlong(pulse.path_m, kC_m_s * (t_s - pulse.start_s)); };
     const double end_s = pulse.start_s + lengthOf(pulse.path_m) / kC_m_s;
@@ -79,8 +79,8 @@ TEST(Pulses, WithoutRetardationAreWhereTheyAre) {
   const LightPath pulse{1.0, {{-1, 0, 0.2}, {1, 0, 0.2}}};
   const Event eye{1.5, {0.0, -2.0, 1.0}};
   const ObserverView observer = observerAt(eye, Lorentz(kC_m_s));
-  const MarkSight sight{observer, observer.eyes[2], {0, 1, 1}, {}, 0, {}, {}, {}, {}};
-  MarkBatch batch;
+  const MarkContext sight{observer, observer.eyes[2], {0, 1, 1}, {}, 0, {}, {}, {}, {}};
+  MarkBuffer batch;
   addPulses(sight, {&pulse, 1}, batch);
   EXPECT_LT(glm::distance(eye.r_m + glowOf(batch), Vec3(-1.0 + 0.5 * kC_m_s, 0.0, 0.2)), 1e-5);
 }
@@ -95,9 +95,9 @@ TEST(TheRulersLight, GoesToAndFroAtC) {
     const Event eye{random.in(-3.0, 30.0), random.inBox(3.0)};
     const ObserverView observer = observerAt(eye, Lorentz(c_m_s));
     const std::uint8_t retarded = i % 2 == 0 ? 1 : 0;
-    const MarkSight sight{observer, observer.eyes[2], {retarded, 1, 1}, {}, 0, {}, {}, {}, {}};
-    Crowd crowd(sight);
-    MarkBatch batch;
+    const MarkContext sight{observer, observer.eyes[2], {retarded, 1, 1}, {}, 0, {}, {}, {}, {}};
+    LabelLayout crowd(sight);
+    MarkBuffer batch;
     addRuler(sight, ruler, crowd, batch);
     const Vec3 glow_m = eye.r_m + glowOf(batch);
     const double along_m = glow_m.x + 0.5;
@@ -114,9 +114,9 @@ TEST(TheRuler, IsAMetreLongAndMarksTenthsOfASecondOfLight) {
   const Ruler ruler{{-0.5, -0.6, 0.0}, {1, 0, 0}, {0, 1, 0}};
   const Event eye{5.0, {0.1, -2.0, 1.0}};
   const ObserverView observer = observerAt(eye, Lorentz(kC_m_s));
-  const MarkSight sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, {}, {}};
-  Crowd crowd(sight);
-  MarkBatch batch;
+  const MarkContext sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, {}, {}};
+  LabelLayout crowd(sight);
+  MarkBuffer batch;
   addRuler(sight, ruler, crowd, batch);
   double left_m = 1e9, right_m = -1e9;
   std::vector<double> marks_m;
@@ -159,9 +159,9 @@ struct Angles {
 
 Angles anglesOf(const std::vector<GameEvent>& events, const Event& eye, const Vec3& place_m = Vec3(0.0)) {
   const ObserverView observer = observerAt(eye, Lorentz(kC_m_s));
-  const MarkSight sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, events, {}};
-  Crowd crowd(sight);
-  MarkBatch batch;
+  const MarkContext sight{observer, observer.eyes[2], {}, {}, 0, {}, {}, events, {}};
+  LabelLayout crowd(sight);
+  MarkBuffer batch;
   addAngles(sight, crowd, batch);
   Angles angles;
   float last = -1.0F;

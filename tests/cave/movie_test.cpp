@@ -58,7 +58,7 @@ std::uint8_t shade(int x, int y, int channel, int frame, int wall) {
   return static_cast<std::uint8_t>(std::lround(255.0 * value));
 }
 
-void paint(WallPicture& picture, int frame, int wall) {
+void paint(RenderTarget& picture, int frame, int wall) {
   std::vector<std::uint8_t> rgb;
   for (int y = 0; y < picture.size_px().y; ++y) {
     for (int x = 0; x < picture.size_px().x; ++x) {
@@ -72,12 +72,12 @@ void paint(WallPicture& picture, int frame, int wall) {
 void film(const fs::path& file, int frames) {
   const std::vector<Wall> walls{wallOf("a", {40, 30}, StereoMode::mono),
                                 wallOf("b", {50, 24}, StereoMode::mono)};
-  WallPicture a({40, 30}), b({50, 24});
+  RenderTarget a({40, 30}), b({50, 24});
   Movie movie(file, movieLayout(walls, false), 30.0, WhenFull::wait);
   for (int frame = 0; frame < frames; ++frame) {
     paint(a, frame, 0);
     paint(b, frame, 1);
-    const std::array<const WallPicture*, 2> pictures{&a, &b};
+    const std::array<const RenderTarget*, 2> pictures{&a, &b};
     movie.add(7.0 + frame / 30.0, pictures);
   }
   EXPECT_FALSE(fs::exists(file)) << "before it is whole";
@@ -151,9 +151,9 @@ TEST(Movie, AFrameThatStaysIsThereAsOften) {
   Graphics graphics;
   const fs::path file = folder.path / "stay.mp4";
   const std::vector<Wall> walls{wallOf("a", {32, 32}, StereoMode::mono)};
-  WallPicture picture({32, 32});
+  RenderTarget picture({32, 32});
   Movie movie(file, movieLayout(walls, false), 60.0, WhenFull::wait);
-  const std::array<const WallPicture*, 1> pictures{&picture};
+  const std::array<const RenderTarget*, 1> pictures{&picture};
   // Ticks 0, 1, 4 (two were missed), then a jump back and one far ahead through a recording: 5, 6, 7.
   for (const double display_s : {1.0, 1.0 + 1.02 / 60, 1.0 + 4.0 / 60, 0.2, 40.0, 40.0 + 1.0 / 60})
     movie.add(display_s, pictures);
@@ -187,8 +187,8 @@ TEST(Movie, WhatIsWrongIsSaidAndNothingIsLeftBehind) {
   // One that ends at once, before it has read anything.
   std::ofstream(folder.path / "ffmpeg") << "#!/bin/sh\nexit 3\n";
   fs::permissions(folder.path / "ffmpeg", fs::perms::owner_all);
-  WallPicture picture({32, 32});
-  const std::array<const WallPicture*, 1> pictures{&picture};
+  RenderTarget picture({32, 32});
+  const std::array<const RenderTarget*, 1> pictures{&picture};
   std::string ended;
   try {
     Movie movie(folder.path / "b.mp4", layout, 60.0, WhenFull::wait);
@@ -209,8 +209,8 @@ TEST(Movie, WhereItCannotHaveItsNameItStaysUnderTheOther) {
   const Folder folder;
   Graphics graphics;
   const fs::path file = folder.path / "taken.mp4";
-  WallPicture picture({32, 32});
-  const std::array<const WallPicture*, 1> pictures{&picture};
+  RenderTarget picture({32, 32});
+  const std::array<const RenderTarget*, 1> pictures{&picture};
   std::string said;
   try {
     Movie movie(file, movieLayout(std::vector<Wall>{wallOf("a", {32, 32}, StereoMode::mono)}, false), 60.0,

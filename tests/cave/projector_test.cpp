@@ -47,9 +47,9 @@ class ProjectorPixels : public testing::Test {
  protected:
   void SetUp() override {
     graphics_.makeCurrent();
-    left_ = std::make_unique<WallPicture>(glm::ivec2(kSize_px));
-    right_ = std::make_unique<WallPicture>(glm::ivec2(kSize_px));
-    window_ = std::make_unique<WallPicture>(glm::ivec2(kSize_px));
+    left_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
+    right_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
+    window_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
     std::mt19937 random(11);
     for (Pixels* pixels : {&leftPixels_, &rightPixels_}) {
       for (int i = 0; i < kSize_px * kSize_px; ++i) {
@@ -68,7 +68,7 @@ class ProjectorPixels : public testing::Test {
     window_.reset();
   }
 
-  static void paint(const WallPicture& picture, const Pixels& pixels) {
+  static void paint(const RenderTarget& picture, const Pixels& pixels) {
     std::vector<std::uint8_t> bytes;
     for (const Rgb& c : pixels) {
       bytes.insert(bytes.end(), {std::uint8_t(c[0]), std::uint8_t(c[1]), std::uint8_t(c[2]), 255});
@@ -111,7 +111,7 @@ class ProjectorPixels : public testing::Test {
 
   Graphics graphics_;
   Pixels leftPixels_, rightPixels_;
-  std::unique_ptr<WallPicture> left_, right_, window_;
+  std::unique_ptr<RenderTarget> left_, right_, window_;
 };
 
 const std::vector<StereoMode> kModes{StereoMode::mono,     StereoMode::left,       StereoMode::right,

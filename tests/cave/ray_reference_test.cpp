@@ -22,7 +22,7 @@ constexpr double kC_m_s = 1.42;
 constexpr int kWall_px = 1920;
 constexpr double kWall_m = 3.0, kWallDistance_m = 1.5;  // a wall of a CAVE from its middle
 constexpr double kSilhouette_px = 1.0;
-// In the middle of a bounce the front of the news runs across the facets of a puck, and what is bent within a
+// In the middle of a bounce the front of the signal runs across the facets of a puck, and what is bent within a
 // facet is drawn straight: off by less than half its largest edge, an eighth of the puck's width.
 constexpr double kFacetShare = 0.0625;
 
@@ -116,7 +116,7 @@ class ReferenceView {
 };
 
 /// Would a picture that shows body `number` (0: none) at a place of the screen be right? Pucks in contact lie
-/// within each other by fractions of a millimetre until the news has arrived; which of two is nearer by less
+/// within each other by fractions of a millimetre until the signal has arrived; which of two is nearer by less
 /// than a hundredth of the distance is left to the facets of their rims.
 bool isRight(const std::vector<ReferenceView>& views, int number, double x, double y) {
   constexpr double kTouching = 1.01;
@@ -284,7 +284,7 @@ Game play(const std::filesystem::path& file) {
   Billiard billiard(setup);
   billiard.advanceTo(kUntil_s);
   game.lines.assign(billiard.worldLines().begin(), billiard.worldLines().end());
-  for (const ToldBody& body : game.scenario.bodies) game.lines.push_back(body.worldLine);
+  for (const ScriptedBody& body : game.scenario.bodies) game.lines.push_back(body.worldLine);
 
   const auto pathOf = [](const auto& mesh) { return mesh ? mesh->string() : std::string(); };
   std::vector<BodyLooks> pucks, told;
@@ -292,7 +292,8 @@ Game play(const std::filesystem::path& file) {
     pucks.push_back({setup.pucks[i].name, pathOf(game.scenario.puckMeshes[i]), setup.pucks[i].radius_m,
                      setup.pucks[i].height_m});
   }
-  for (const ToldBody& body : game.scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
+  for (const ScriptedBody& body : game.scenario.bodies)
+    told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
   const Scene whole = buildScene(setup, pucks, told);
   game.scene.bodyCount = whole.bodyCount;
   game.fineScene.bodyCount = whole.bodyCount;

@@ -29,7 +29,7 @@ inline std::vector<reference::Leg> referenceLegs(const WorldLine& line) {
   for (const Knot& knot : line.knots()) {
     legs.push_back({{c * knot.turn.t_s, knot.turn.r_m},
                     knot.u / std::sqrt(1.0 + glm::dot(knot.u, knot.u)),
-                    {c * knot.news.t_s, knot.news.r_m},
+                    {c * knot.signal.t_s, knot.signal.r_m},
                     knot.deceleration_m_s2 / (c * c)});
   }
   return legs;
@@ -37,7 +37,7 @@ inline std::vector<reference::Leg> referenceLegs(const WorldLine& line) {
 
 /// Without the legs that the eye cannot know of yet.
 inline std::vector<reference::Leg> knownTo(const reference::Eye& eye, std::vector<reference::Leg> legs) {
-  while (legs.size() > 1 && legs.back().news.t >= eye.event.t) legs.pop_back();
+  while (legs.size() > 1 && legs.back().signal.t >= eye.event.t) legs.pop_back();
   return legs;
 }
 
@@ -147,7 +147,7 @@ inline Image drawn(Graphics& graphics, WallRenderer& renderer, std::span<const W
     viewBody(lines[i], look.observation, look.headFromBoard(c_m_s), views[i + 1]);
   }
   graphics.makeCurrent();
-  WallPicture picture(wall.pixels);
+  RenderTarget picture(wall.pixels);
   renderer.look(look.headFromBoard(c_m_s), {look.observation, look.inRoom_m}, views);
   renderer.draw(wall, look.inRoom_m, picture);
   return readBack(picture);

@@ -54,7 +54,7 @@ TEST(Scene, EveryPointIsFiniteAndHasAUnitNormalAndPaint) {
   EXPECT_LT(points, 64000);
 }
 
-TEST(Scene, AnOpenPlaneHasAHallTooAndToldBodiesAreRods) {
+TEST(Scene, AnOpenPlaneHasAHallTooAndScriptedBodiesAreRods) {
   const std::vector<BodyLooks> told{{"rod", "", 0.0, 0.0}};
   const Scene scene = buildScene({}, kPucks, told);
   EXPECT_EQ(scene.bodyCount, 5U);

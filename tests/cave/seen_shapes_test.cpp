@@ -57,18 +57,18 @@ std::string flight(const std::string& mesh, const Vec3& at_m, double betaX) {
   return text.str();
 }
 
-/// The first told body of a scenario file, alone and shining.
-struct ToldScene {
+/// The first scripted body of a scenario file, alone and shining.
+struct ScriptedScene {
   WorldLine line;
   Scene scene;
 };
 
-ToldScene toldScene(const std::filesystem::path& file) {
+ScriptedScene scriptedScene(const std::filesystem::path& file) {
   const Scenario scenario = readScenario(file);
-  const ToldBody& body = scenario.bodies.at(0);
+  const ScriptedBody& body = scenario.bodies.at(0);
   const BodyLooks looks{body.name, body.mesh ? body.mesh->string() : "", 0.0, 0.0};
   const Scene whole = buildScene(scenario.billiard, {}, {&looks, 1});
-  ToldScene told{body.worldLine, {}};
+  ScriptedScene told{body.worldLine, {}};
   told.scene.bodyCount = 2;
   test::addNumbered(told.scene, whole, 1, 1);
   return told;
@@ -132,7 +132,7 @@ TEST_F(SeenShapes, ABallThatPassesHasACircularOutline) {
   const std::string mesh = folder_.file("ball.obj", ballObj(kRadius_m, 128)).filename();
   double worstFit_px = 0.0, worstCircle_px = 0.0;
   for (const double beta : {0.5, 0.8, 0.99}) {
-    const ToldScene told = toldScene(folder_.file("ball.toml", flight(mesh, {0.0, 0.5, 0.1}, beta)));
+    const ScriptedScene told = scriptedScene(folder_.file("ball.toml", flight(mesh, {0.0, 0.5, 0.1}, beta)));
     WallRenderer renderer(graphics_, told.scene, kC_m_s, 1);
     const auto legs = test::referenceLegs(told.line);
     for (const double seenAt_m : {-0.5, 0.0, 0.5}) {  // coming, abeam, going
@@ -172,7 +172,7 @@ TEST_F(SeenShapes, ABallThatPassesHasACircularOutline) {
 TEST_F(SeenShapes, ARodSeenEndOnIsAsLongAsItsDopplerFactorSays) {
   double worst = 0.0;
   for (const double beta : {-0.99, -0.8, -0.5, 0.5, 0.8, 0.99}) {
-    const ToldScene told = toldScene(folder_.file("rod.toml", flight("", {0.0, 0.0, 0.0}, beta)));
+    const ScriptedScene told = scriptedScene(folder_.file("rod.toml", flight("", {0.0, 0.0, 0.0}, beta)));
     const reference::Mesh mesh = test::referenceMesh(*told.scene.parts.at(0).mesh);
     std::vector<float> x, y, z;
     for (const Vec3& p : mesh.points) {
@@ -233,7 +233,7 @@ TEST_F(SeenShapes, ApparentSpeedFromFrameToFrame) {
   for (const double beta : {0.5, 0.8, 0.99}) {
     // On a line parallel to the wall and as far away, so that places on the wall are places on the line.
     const Vec3 nearest_m(0.0, kWallDistance_m, 0.0007);
-    const ToldScene told = toldScene(folder_.file("ball.toml", flight(mesh, nearest_m, beta)));
+    const ScriptedScene told = scriptedScene(folder_.file("ball.toml", flight(mesh, nearest_m, beta)));
     WallRenderer renderer(graphics_, told.scene, kC_m_s, 1);
     const auto seenAt_m = [&](double eye_s) {
       const test::Look look{{eye_s, Vec3(0.0)}, Vec3(0.0)};

@@ -24,9 +24,9 @@ class Stereo : public testing::Test {
  protected:
   void SetUp() override {
     graphics_.makeCurrent();
-    left_ = std::make_unique<WallPicture>(glm::ivec2(kSize_px));
-    right_ = std::make_unique<WallPicture>(glm::ivec2(kSize_px));
-    window_ = std::make_unique<WallPicture>(glm::ivec2(kSize_px));
+    left_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
+    right_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
+    window_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
     paint(*left_, kLeft);
     paint(*right_, kRight);
   }
@@ -38,7 +38,7 @@ class Stereo : public testing::Test {
     window_.reset();
   }
 
-  static void paint(const WallPicture& picture, const Rgb& colour) {
+  static void paint(const RenderTarget& picture, const Rgb& colour) {
     std::vector<std::uint8_t> pixels;
     for (int row = 0; row < kSize_px; ++row) {
       const Rgb& c = row >= kSize_px * 7 / 8 ? kTop : colour;
@@ -66,7 +66,7 @@ class Stereo : public testing::Test {
   }
 
   Graphics graphics_;
-  std::unique_ptr<WallPicture> left_, right_, window_;
+  std::unique_ptr<RenderTarget> left_, right_, window_;
 };
 
 TEST_F(Stereo, MonoLeftAndRightShowTheOnePictureTheyHave) {

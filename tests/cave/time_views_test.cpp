@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "cave/display/session_view.h"
+#include "cave/display/eye_renderer.h"
 #include "cave/frame/bodies.h"
 #include "cave/glowing_puck.h"
 #include "cave/room/off_axis.h"
@@ -39,16 +39,16 @@ ObserverView observerAt(const Event& head, const Lorentz& headFromBoard, const V
 
 class TimeViewsTest : public testing::Test {
  protected:
-  Image draw(SessionView& view, const FrameRecord& record, const World& world, const EyeView& eye,
+  Image draw(EyeRenderer& view, const FrameRecord& record, const World& world, const EyeView& eye,
              const Wall& wall) {
     graphics_.makeCurrent();
-    WallPicture picture(wall.pixels);
+    RenderTarget picture(wall.pixels);
     const std::array<PicturedWall, 1> walls{{{&wall, &picture}}};
     view.draw(record, world, record.observer, eye, walls);
     graphics_.makeCurrent();
     return readBack(picture);
   }
-  Image draw(SessionView& view, const FrameRecord& record, const World& world, const Wall& wall) {
+  Image draw(EyeRenderer& view, const FrameRecord& record, const World& world, const Wall& wall) {
     return draw(view, record, world, record.observer.eyes[2], wall);
   }
 
@@ -102,7 +102,7 @@ WorldLine randomLine(test::Random& random) {
 TEST_F(TimeViewsTest, AFrozenSightIsWalkedRound) {
   test::Random random(61);
   const Scene scene = test::glowingPuck(0.15);
-  SessionView view(graphics_, scene, kC_m_s);
+  EyeRenderer view(graphics_, scene, kC_m_s);
   int drawn = 0;
   for (int i = 0; i < 120; ++i) {
     const WorldLine line = randomLine(random);
@@ -178,12 +178,12 @@ TEST_F(TimeViewsTest, GhostsAreDrawnAtTheirMoments) {
       for (std::size_t body = 0; body < 2; ++body) {
         viewBody(lines[body], eye, headFromBoard, views[0][body]);
         viewBody(lines[body], eye, headFromBoard, views[1][body], {},
-                 mine ? Moment::myNow : Moment::boardNow);
+                 mine ? ViewTime::myNow : ViewTime::boardNow);
       }
       Ghosts shown;
       if (ghosts) (mine ? shown.myNow : shown.boardNow) = views[1];
       graphics_.makeCurrent();
-      WallPicture picture(kPicture_px);
+      RenderTarget picture(kPicture_px);
       renderer.look(headFromBoard, {eye, inRoom_m, inRoom_m}, views[0], {}, shown);
       EXPECT_TRUE(renderer.draw(wall, inRoom_m, picture));
       return readBack(picture);
@@ -199,7 +199,7 @@ TEST_F(TimeViewsTest, GhostsAreDrawnAtTheirMoments) {
 TEST_F(TimeViewsTest, WhatAlwaysGoesAlongHasNoGhost) {
   Scene scene = test::glowingPuck(0.25);
   scene.reach_m = {0.0, 0.3};
-  SessionView view(graphics_, scene, kC_m_s);
+  EyeRenderer view(graphics_, scene, kC_m_s);
   const Vec3 u = uFromBeta({0.6, 0.0, 0.0});
   const auto lineWith = [](const Vec3& its_u) {
     return WorldLine({{0.0, {0.0, 1.0, 0.0}}, its_u, 0.0, {}, 0.0}, kC_m_s, 0.3);
@@ -230,7 +230,7 @@ TEST_F(TimeViewsTest, TheBoardsMomentIsOneForBothEyes) {
   const WorldLine line({{0.0, {0.0, 1.0, 0.0}}, uFromBeta({0.8, 0.0, 0.0}), 0.0, {}, 0.0}, kC_m_s, 0.3);
   Scene scene = test::glowingPuck(0.25);
   scene.reach_m = {0.0, 0.3};
-  SessionView view(graphics_, scene, kC_m_s);
+  EyeRenderer view(graphics_, scene, kC_m_s);
   const Lorentz headFromBoard = Lorentz::boost(uFromBeta({-0.8, 0.0, 0.0}), kC_m_s);
   FrameRecord record;
   record.observer = observerAt({0.1, Vec3(0.0)}, headFromBoard, Vec3(0.0));
@@ -261,7 +261,7 @@ TEST_F(TimeViewsTest, ASplitWallShowsTwoStatesOfTheSwitches) {
   setup.board = Board{2.84, 1.42};
   Scene scene = buildScene(setup, {});
   const World world{{restingWorldLine(kC_m_s)}, {}};
-  SessionView view(graphics_, scene, kC_m_s);
+  EyeRenderer view(graphics_, scene, kC_m_s);
   FrameRecord record;
   record.observer =
       observerAt({3.0, {0.0, -1.6, 0.9}}, Lorentz::boost(uFromBeta({0.5, 0.3, 0.0}), kC_m_s), {0, 0, 1.65});
@@ -279,7 +279,7 @@ TEST_F(TimeViewsTest, ASplitWallShowsTwoStatesOfTheSwitches) {
     int differing = 0;
     for (int y = 0; y < 200; ++y) {
       for (int x = 0; x < width; ++x) {
-        if (std::abs(x - width / 2) <= SessionView::kSplitLine_px) continue;
+        if (std::abs(x - width / 2) <= EyeRenderer::kSplitLine_px) continue;
         const std::size_t at = 3 * (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x));
         const Image& expected = x < width / 2 ? einstein : newton;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "app/temporary_folder.h"
-#include "cave/display/wall_set.h"
+#include "cave/display/display_walls.h"
 #include "cave/glowing_puck.h"
 
 namespace carom {
@@ -39,7 +39,7 @@ class Controls : public testing::Test {
 
   test::TemporaryFolder folder_;
   Graphics graphics_;
-  WallSet walls_{graphics_, test::glowingPuck(0.2), kC_m_s, oneWall(), std::nullopt, false};
+  DisplayWalls walls_{graphics_, test::glowingPuck(0.2), kC_m_s, oneWall(), std::nullopt, false};
   const World world_{
       {WorldLine(Knot{}, kC_m_s), WorldLine({{0.0, {0.1, 2.0, 0.3}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};
 };
@@ -49,7 +49,8 @@ TEST_F(Controls, SwappedEyesSwapTheirPictures) {
   ASSERT_NE(plain["left"], plain["right"]);
   EXPECT_EQ(swapped["left"], plain["right"]);
   EXPECT_EQ(swapped["right"], plain["left"]);
-  auto pattern = drawn({Shown::testPattern, 0, 0}), swappedPattern = drawn({Shown::testPattern, 0, 1});
+  auto pattern = drawn({Shown::calibrationPattern, 0, 0}),
+       swappedPattern = drawn({Shown::calibrationPattern, 0, 1});
   ASSERT_NE(pattern["left"], pattern["right"]);
   EXPECT_EQ(swappedPattern["left"], pattern["right"]);
   EXPECT_EQ(swappedPattern["right"], pattern["left"]);
@@ -57,10 +58,10 @@ TEST_F(Controls, SwappedEyesSwapTheirPictures) {
 
 TEST_F(Controls, BlackIsBlackWhateverIsShown) {
   const auto black = drawn({Shown::session, 1, 0});
-  const Image image = readBack(WallPicture({200, 200}));  // made black
+  const Image image = readBack(RenderTarget({200, 200}));  // made black
   writePng(image, folder_ / "black.png");
   EXPECT_EQ(black.at("left"), test::contentOf(folder_ / "black.png"));
-  for (const Shown shown : {Shown::session, Shown::testPattern, Shown::seamPattern}) {
+  for (const Shown shown : {Shown::session, Shown::calibrationPattern, Shown::alignmentPattern}) {
     EXPECT_EQ(drawn({shown, 1, 1}), black);
     EXPECT_NE(drawn({shown, 0, 0}), black);
   }
@@ -69,19 +70,19 @@ TEST_F(Controls, BlackIsBlackWhateverIsShown) {
 TEST_F(Controls, TheSessionComesBackAsItWas) {
   const auto before = drawn({});
   for (const WallControls& other :
-       {WallControls{Shown::testPattern, 0, 0}, WallControls{Shown::seamPattern, 0, 0},
-        WallControls{Shown::session, 1, 0}, WallControls{Shown::testPattern, 1, 0}}) {
+       {WallControls{Shown::calibrationPattern, 0, 0}, WallControls{Shown::alignmentPattern, 0, 0},
+        WallControls{Shown::session, 1, 0}, WallControls{Shown::calibrationPattern, 1, 0}}) {
     EXPECT_NE(drawn(other), before);
     EXPECT_EQ(drawn({}), before);
   }
 }
 
-TEST_F(Controls, TheSeamPatternMovesAndTheTestPatternStands) {
-  EXPECT_NE(drawn({Shown::seamPattern, 0, 0}, 1.0), drawn({Shown::seamPattern, 0, 0}, 2.0));
-  const auto pattern = drawn({Shown::testPattern, 0, 0}, 1.0);
-  EXPECT_EQ(drawn({Shown::testPattern, 0, 0}, 2.0), pattern);
-  drawn({Shown::seamPattern, 0, 0});
-  EXPECT_EQ(drawn({Shown::testPattern, 0, 0}, 3.0), pattern);
+TEST_F(Controls, TheAlignmentPatternMovesAndTheCalibrationPatternStands) {
+  EXPECT_NE(drawn({Shown::alignmentPattern, 0, 0}, 1.0), drawn({Shown::alignmentPattern, 0, 0}, 2.0));
+  const auto pattern = drawn({Shown::calibrationPattern, 0, 0}, 1.0);
+  EXPECT_EQ(drawn({Shown::calibrationPattern, 0, 0}, 2.0), pattern);
+  drawn({Shown::alignmentPattern, 0, 0});
+  EXPECT_EQ(drawn({Shown::calibrationPattern, 0, 0}, 3.0), pattern);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ class WallRendererTest : public testing::Test {
     const glm::dvec3 eyeInRoom_m(0.2, -0.1, 1.6);
     const auto centre = emission(line, Vec3(0.0), eye, headFromBoard);
     const Wall wall = wallTowards(eyeInRoom_m, centre ? centre->seen.dr_m : glm::dvec3(0, 1, 0), pixels);
-    WallPicture picture(pixels);
+    RenderTarget picture(pixels);
     renderer.look(headFromBoard, {eye, eyeInRoom_m}, viewsOf(line, eye, headFromBoard));
     EXPECT_TRUE(renderer.draw(wall, eyeInRoom_m, picture));
     return {litBox(readBack(picture)),
@@ -117,7 +117,7 @@ TEST_F(WallRendererTest, AnEyeBehindTheWallSeesBlack) {
   const WorldLine line({{0.0, {0.0, 2.0, 0.0}}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s);
   renderer.look(Lorentz(kC_m_s), {}, viewsOf(line, {}, Lorentz(kC_m_s)));
   const Wall wall = wallTowards({0, 0, 0}, {0, 1, 0}, {64, 64});
-  WallPicture picture({64, 64});
+  RenderTarget picture({64, 64});
   EXPECT_TRUE(renderer.draw(wall, {0, 0, 0}, picture));
   EXPECT_LT(litBox(readBack(picture))[0], 64.0);
   EXPECT_FALSE(renderer.draw(wall, {0, 2, 0}, picture));
@@ -137,7 +137,7 @@ TEST_F(WallRendererTest, TheSameFrameGivesTheSamePixels) {
   std::array<Image, 2> images;
   for (Image& image : images) {
     WallRenderer renderer(graphics_, scene, kC_m_s, 4);
-    WallPicture picture(wall.pixels);
+    RenderTarget picture(wall.pixels);
     renderer.look(headFromBoard, {eye, {0, 0, 1.65}}, {&view, 1});
     renderer.draw(wall, {0, 0, 1.65}, picture);
     image = readBack(picture);
@@ -161,7 +161,7 @@ TEST_F(WallRendererTest, AClockShowsTheTimeAtWhichItsLightLeft) {
     BodyView view;
     viewBody(restingWorldLine(c_m_s), eye.observation, Lorentz(c_m_s), view);
     const Wall wall = wallTowards({0, 0, 0}, {0, 1, 0}, {600, 600});
-    WallPicture picture(wall.pixels);
+    RenderTarget picture(wall.pixels);
     renderer.look(Lorentz(c_m_s), eye, {&view, 1});
     renderer.draw(wall, {0, 0, 0}, picture);
     return readBack(picture).rgb;
@@ -197,7 +197,7 @@ TEST_F(WallRendererTest, AFastPucksShadowLagsBehindItByTheLightsWay) {
     const auto draw = [&](const Scene& scene) {
       WallRenderer renderer(graphics_, scene, kC_m_s, 1);
       graphics_.makeCurrent();
-      WallPicture picture(pixels);
+      RenderTarget picture(pixels);
       renderer.look(Lorentz(kC_m_s), {eye, Vec3(0.0), Vec3(0.0)}, views);
       EXPECT_TRUE(renderer.draw(wall, {0, 0, 0}, picture));
       return readBack(picture);

@@ -36,7 +36,7 @@ TEST(Window, WithoutADisplayTheErrorSaysHowToGetOne) {
 
 TEST(Window, ShowsPicturesOfTheDrawingContext) {
   Graphics graphics;
-  const WallPicture picture({32, 32});
+  const RenderTarget picture({32, 32});
   glBindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
   glClearColor(1.0F, 0.5F, 0.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -77,8 +77,8 @@ TEST(Window, QuadBufferStereoIsRefusedWhereTheDisplayHasNone) {
 
 TEST(Window, APictureOfNoSizeIsRefused) {
   Graphics graphics;
-  EXPECT_THROW(WallPicture({0, 32}), std::runtime_error);
-  EXPECT_THROW(WallPicture({1 << 24, 32}), std::runtime_error);
+  EXPECT_THROW(RenderTarget({0, 32}), std::runtime_error);
+  EXPECT_THROW(RenderTarget({1 << 24, 32}), std::runtime_error);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ class Walker {
   std::normal_distribution<double> normal_{0.0, 0.0003};
 };
 
-glm::dvec3 stroll(double time_s) { return {time_s, 1.7, 0.0}; }  // 1 m/s along x
+glm::dvec3 moveUnseen(double time_s) { return {time_s, 1.7, 0.0}; }  // 1 m/s along x
 glm::dvec3 stand(double) { return {0.0, 1.7, 0.0}; }
 
 TEST(HeadFilter, BeforeTheFirstSampleNothingIsKnown) {
@@ -62,7 +62,7 @@ TEST(HeadFilter, BeforeTheFirstSampleNothingIsKnown) {
 }
 
 TEST(HeadFilter, SaysHowThePoseIsKnown) {
-  Walker walker(stroll);
+  Walker walker(moveUnseen);
   walker.sample(0, 120);
   const double last_s = 119 * kFrame_s;
   EXPECT_EQ(walker.filter.at(last_s).known, Known::Measured);
@@ -72,7 +72,7 @@ TEST(HeadFilter, SaysHowThePoseIsKnown) {
 }
 
 TEST(HeadFilter, PredictsThePoseButNotTheCelerity) {
-  Walker walker(stroll);
+  Walker walker(moveUnseen);
   walker.sample(0, 180);
   const double last_s = 179 * kFrame_s;
   const HeadEstimate now = walker.filter.at(last_s), later = walker.filter.at(last_s + 0.035);
@@ -188,7 +188,7 @@ TEST(HeadFilter, AJumpOfTheTrackerIsNoMotion) {
 // A step of the tracker beneath someone who walks leaves their walk as it is.
 TEST(HeadFilter, AStepOfTheTrackerLeavesTheWalk) {
   for (const double metres : {0.05, 0.5}) {
-    Walker walker([metres](double t) { return stroll(t) + glm::dvec3(0, 0, t > 3.99 ? metres : 0.0); });
+    Walker walker([metres](double t) { return moveUnseen(t) + glm::dvec3(0, 0, t > 3.99 ? metres : 0.0); });
     for (int i = 0; i < 60 * 8; ++i) {
       walker.sample(i * kFrame_s);
       const glm::dvec3 celerity_m_s = walker.filter.at(i * kFrame_s).celerity_m_s;
@@ -256,7 +256,7 @@ TEST(HeadFilter, AJumpToANewPlaceIsNotTravel) {
 // While walking, some samples are elsewhere: the walk goes on.
 TEST(HeadFilter, ABurstOfGlitchesIsBridged) {
   for (const int burst : {1, 3, 6, 12}) {
-    Walker walker(stroll);
+    Walker walker(moveUnseen);
     walker.sample(0, 180);
     for (int i = 180; i < 180 + burst; ++i) {
       EXPECT_EQ(walker.filter.add(i * kFrame_s, at({-1.0, 1.0, 2.0})), SampleUse::Glitch) << i;
@@ -286,7 +286,7 @@ TEST(HeadFilter, NonsenseIsNeverTakenForAPlace) {
 // they return, neither pose nor celerity jumps, and both are right again soon.
 TEST(HeadFilter, LossAndReturnAreSmooth) {
   for (const int missing : {10, 18, 60, 300}) {
-    Walker walker(stroll);
+    Walker walker(moveUnseen);
     walker.sample(0, 180);
     const double last_s = 179 * kFrame_s;
     glm::dvec3 shown = walker.filter.at(last_s).pose.position_m;
@@ -316,7 +316,7 @@ TEST(HeadFilter, LossAndReturnAreSmooth) {
 }
 
 TEST(HeadFilter, TheErrorOfAFadingCelerityIsStated) {
-  Walker walker(stroll);
+  Walker walker(moveUnseen);
   walker.sample(0, 180);
   for (const double after_s : {0.12, 0.2, 0.29, 1.0}) {
     const HeadEstimate head = walker.filter.at(179 * kFrame_s + after_s);
@@ -452,11 +452,11 @@ TEST(HeadFilter, ThreadsAndFramesDoNotMatter) {
 
 // Calendar time leaves only a quarter of a microsecond: no more than that is lost.
 TEST(HeadFilter, WorksOnCalendarTime) {
-  Walker walker(stroll);
+  Walker walker(moveUnseen);
   HeadFilter calendar;
   const double epoch_s = 1.7e9;
   for (int i = 0; i < 240; ++i) {
-    const glm::dvec3 position_m = stroll(i * kFrame_s);
+    const glm::dvec3 position_m = moveUnseen(i * kFrame_s);
     walker.filter.add(i * kFrame_s, at(position_m));
     ASSERT_EQ(calendar.add(epoch_s + i * kFrame_s, at(position_m)), SampleUse::Used);
   }

@@ -99,7 +99,7 @@ TEST(Rumble, AKnockIsShortAndGoesBackToWhatWas) {
   rumble.set(0.25);
   ASSERT_TRUE(comesTrue([&] { return !node.written().empty(); }));
   const Clock::time_point begun = Clock::now();
-  rumble.knock();
+  rumble.pulse();
   ASSERT_TRUE(comesTrue([&] { return changes(node).size() >= 3; }));
   EXPECT_GE(Clock::now() - begun, 80ms);
   EXPECT_EQ(changes(node), (std::vector<Bytes>{dualSense(64), dualSense(255), dualSense(64)}));

@@ -82,7 +82,7 @@ TEST(SimulatedTracker, TruthIsConsistent) {
 }
 
 // What recorded heads show: acceleration of 0.2 to 0.5 m/s² rms along the floor, correlated over 0.1 to
-// 0.3 s; speeds up to a stroll.
+// 0.3 s; speeds up to a moveUnseen.
 TEST(SimulatedTracker, MovesLikeAPerson) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Recorded recorded = record({.seed = seed, .rate_hz = 100.0}, 130.0);

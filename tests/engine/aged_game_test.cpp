@@ -17,7 +17,7 @@ constexpr double kHour_s = 3600.0, kDay_s = 86400.0;
 
 WorldLine movedBy(const WorldLine& line, double later_s) {
   const auto moved = [&](Knot knot) {
-    knot.turn.t_s += later_s, knot.news.t_s += later_s;
+    knot.turn.t_s += later_s, knot.signal.t_s += later_s;
     return knot;
   };
   WorldLine result(moved(line.knots().front()), kC_m_s, line.radius_m());
@@ -53,13 +53,13 @@ float largestNumber(const BodyView& view) {
 
 struct View {
   Switches switches;
-  Moment moment = Moment::seen;
+  ViewTime moment = ViewTime::seen;
 };
-constexpr View kViews[] = {{{}, Moment::seen},
-                           {{}, Moment::boardNow},
-                           {{}, Moment::myNow},
-                           {{1, 0, 1, 0, 0}, Moment::seen},
-                           {{0, 1, 1, 0, 0}, Moment::seen}};
+constexpr View kViews[] = {{{}, ViewTime::seen},
+                           {{}, ViewTime::boardNow},
+                           {{}, ViewTime::myNow},
+                           {{1, 0, 1, 0, 0}, ViewTime::seen},
+                           {{0, 1, 1, 0, 0}, ViewTime::seen}};
 
 // From when the eye has seen it stop on every point, no vertex moves by more than 1e-6 of its distance from
 // one frame to the next, for a person who rests.
@@ -70,7 +70,7 @@ TEST(AgedGame, AStoppedPuckStandsStillForADay) {
     Knot knot;
     knot.turn = {random.in(0.0, 100.0), random.inBox(0.5)};
     knot.u = uFromBeta({random.in(0.0, 0.7), random.in(0.0, 0.7), 0.0});
-    knot.news = knot.turn;
+    knot.signal = knot.turn;
     knot.deceleration_m_s2 = friction_m_s2;
     const WorldLine line(knot, kC_m_s, radius_m);
     const double rests_s = knot.turn.t_s + glm::length(knot.u) * kC_m_s / friction_m_s2;

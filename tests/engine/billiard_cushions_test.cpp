@@ -1,5 +1,5 @@
 // Cushions kick what they touch, and keep it on the table: fast pucks among corners, and strokes on pucks
-// that the news of a cushion has not reached yet.
+// that the signal of a cushion has not reached yet.
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ std::string text(const BilliardSetup& setup) {
 double half_m(const Board& board, int axis) { return 0.5 * (axis == 0 ? board.length_m : board.width_m); }
 
 // Did the rim of a puck on this leg, in its own rest frame, pass through the event? Only while the leg lasted
-// or, as the rest of a puck follows its centre later, so long before as the news takes to the centre.
+// or, as the rest of a puck follows its centre later, so long before as the signal takes to the centre.
 bool rimPasses(const Event& event, const Knot& leg, const Knot* next, double radius_m, double c_m_s) {
   const double gamma = gammaFromU(leg.u);
   const Vec2 d = Vec2(event.r_m - leg.turn.r_m);
@@ -102,7 +102,7 @@ void expectTouched(const GameEvent& bounce, const BilliardSetup& setup, const Wo
   double fastest = gamma;
   for (const Knot& knot : line.knots()) fastest = std::max(fastest, gammaFromU(knot.u));
   EXPECT_TRUE(std::abs(ct - way) <= kRounding * fastest * fastest)
-      << "it turns when the news arrives: " << ct - way;
+      << "it turns when the signal arrives: " << ct - way;
   if (setup.pucks.size() == 1 && setup.strokes.empty()) {
     EXPECT_TRUE(half - sign * turn.event.r_m[axis] <= puck.radius_m + kRounding) << "it is there";
   }
@@ -184,8 +184,8 @@ void expectSameGame(const Billiard& a, const Billiard& b, double until_s) {
       EXPECT_EQ(ours[k].turn.t_s, theirs[k].turn.t_s);
       EXPECT_EQ(ours[k].turn.r_m, theirs[k].turn.r_m);
       EXPECT_EQ(ours[k].u, theirs[k].u);
-      EXPECT_EQ(ours[k].news.t_s, theirs[k].news.t_s);
-      EXPECT_EQ(ours[k].news.r_m, theirs[k].news.r_m);
+      EXPECT_EQ(ours[k].signal.t_s, theirs[k].signal.t_s);
+      EXPECT_EQ(ours[k].signal.r_m, theirs[k].signal.r_m);
     }
   }
   for (std::size_t i = 0; i < std::max(a.events().size(), b.events().size()); ++i) {
@@ -208,7 +208,7 @@ void expectSameGame(const Billiard& a, const Billiard& b, double until_s) {
   }
 }
 
-// A stroke, and sometimes a second, in the window before a bounce: while its news is on its way, and a little
+// A stroke, and sometimes a second, in the window before a bounce: while its signal is on its way, and a little
 // before that. Of every third game a corner is near.
 TEST(StrokesNearCushions, keepThePuckOnTheTable) {
   Random random(61);
@@ -291,8 +291,8 @@ TEST(StrokesNearCushions, inAGame) {
   }
 }
 
-// Friction stops a puck between its contact with a cushion and the news of it, which then kicks nobody: the game goes on.
-// The puck is shot softly, by a stroke that comes while the news of another puck's blow is on its way.
+// Friction stops a puck between its contact with a cushion and the signal of it, which then kicks nobody: the game goes on.
+// The puck is shot softly, by a stroke that comes while the signal of another puck's blow is on its way.
 TEST(StrokesNearCushions, aSoftOneThatFrictionStopsIsNotKicked) {
   for (int softness = 0; softness < 40; ++softness) {
     BilliardSetup setup = table(CollisionEvent::centre);

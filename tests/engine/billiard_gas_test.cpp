@@ -111,7 +111,7 @@ TEST(BilliardGas, conservesOverAMillionCollisions) {
 }
 
 // The paper's convention, elastic and not, among many and among few: balanced, on the table, without jams.
-TEST(BilliardGas, newsAtTheCentre) {
+TEST(BilliardGas, signalAtTheCentre) {
   for (const double restitution : {1.0, 0.9}) {
     for (const int count : {30, 200}) {
       SCOPED_TRACE(testing::Message() << count << " pucks, restitution " << restitution);

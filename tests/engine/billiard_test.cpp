@@ -42,7 +42,7 @@ std::string transcript(const Billiard& billiard, const std::vector<Puck>& pucks)
     line << std::hexfloat << pucks[i].name;
     for (const Knot& k : billiard.worldLines()[i].knots()) {
       line << ' ' << k.turn.t_s << ' ' << k.turn.r_m.x << ' ' << k.turn.r_m.y << ' ' << k.u.x << ' ' << k.u.y
-           << ' ' << k.properTime_s << ' ' << k.news.t_s << ' ' << k.news.r_m.x << ' ' << k.news.r_m.y;
+           << ' ' << k.properTime_s << ' ' << k.signal.t_s << ' ' << k.signal.r_m.x << ' ' << k.signal.r_m.y;
     }
     lines.push_back(line.str());
   }
@@ -182,7 +182,7 @@ TEST(Billiard, cushionTurnsTheCentreInside) {
         const double y = alongX ? 1.0 - std::abs(turn.event.r_m.x) : 0.5 - std::abs(turn.event.r_m.y);
         const double expected = convention == CollisionEvent::centre ? 0.05 * (std::sqrt(1.0 + un * un) - un)
                                                                      : 0.05 * std::sqrt(1.0 - betaN * betaN);
-        // Near a corner the news meets a leg that has turned meanwhile, farther inside.
+        // Near a corner the signal meets a leg that has turned meanwhile, farther inside.
         EXPECT_TRUE(y >= expected - 1e-9) << y << " " << expected;
         if (&collision == &billiard.events()[0] || convention == CollisionEvent::contact) {
           EXPECT_TRUE(std::abs(y - expected) <= 1e-9) << y << " " << expected;
@@ -194,7 +194,7 @@ TEST(Billiard, cushionTurnsTheCentreInside) {
 }
 
 // One elastic puck among cushions: played back from where it ends, with its velocity reversed, it returns to
-// where it began. (The news delay does not break it: each turn's place depends on the speed alone.)
+// where it began. (The signal delay does not break it: each turn's place depends on the speed alone.)
 TEST(Billiard, onePuckAmongCushionsIsReversible) {
   for (const CollisionEvent convention : {CollisionEvent::centre, CollisionEvent::contact}) {
     BilliardSetup setup = table(2.84, 1.42);
@@ -359,7 +359,7 @@ TEST(BilliardStroke, actsWhereItsLightArrives) {
   const auto struck = [&](const Knot& knot) {
     const Vec3 path = knot.turn.r_m - *stroke.from_m;
     return std::abs(glm::length(path) - setup.lightSpeed_m_s * (knot.turn.t_s - stroke.at_s)) < kRounding &&
-           knot.news.r_m == knot.turn.r_m;
+           knot.signal.r_m == knot.turn.r_m;
   };
   const std::span<const Knot> knots = with.worldLines()[1].knots();
   const auto knot = std::find_if(knots.begin(), knots.end(), struck);
@@ -546,8 +546,9 @@ TEST(BilliardStroke, duringAPendingTurn) {
   EXPECT_EQ(after.turns[0].betaAfter, before.turns[0].betaAfter);
   const Turn &was = before.turns[1], &is = after.turns[1];
   // On the future cone of the contact still.
-  const Displacement news = is.event - Event{after.at.t_s, {after.at.r_m.x, after.at.r_m.y, is.event.r_m.z}};
-  EXPECT_TRUE(std::abs(interval_m2(news, 1.0)) <= kRounding);
+  const Displacement signal =
+      is.event - Event{after.at.t_s, {after.at.r_m.x, after.at.r_m.y, is.event.r_m.z}};
+  EXPECT_TRUE(std::abs(interval_m2(signal, 1.0)) <= kRounding);
   const auto impulse = [](const Turn& turn) {
     return 2.0 * (gammaOf(turn.betaAfter) * turn.betaAfter - gammaOf(turn.betaBefore) * turn.betaBefore);
   };
@@ -560,7 +561,7 @@ TEST(BilliardStroke, duringAPendingTurn) {
 }
 
 // The same of strokes that are known from the beginning: they, too, change turns that were told while their
-// news was on its way.
+// signal was on its way.
 TEST(BilliardStroke, changesAreEnoughToFollowStrokesOfTheSetup) {
   BilliardSetup setup = test::gasSetup(12, 0.1, 1.6, 3);
   setup.rules.collisionEvent = CollisionEvent::centre;

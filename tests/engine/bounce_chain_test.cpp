@@ -1,4 +1,4 @@
-// Points of bodies that bounce up to twenty times, often again before the news of the last bounce has
+// Points of bodies that bounce up to twenty times, often again before the signal of the last bounce has
 // reached them: what must hold for each of a hundred thousand of them, so that an eye sees one image of it.
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::vector<reference::Leg> referenceLegs(const WorldLine& line) {
   for (const Knot& knot : line.knots()) {
     legs.push_back({{kC_m_s * knot.turn.t_s, knot.turn.r_m},
                     knot.u / std::sqrt(1.0 + glm::dot(knot.u, knot.u)),
-                    {kC_m_s * knot.news.t_s, knot.news.r_m},
+                    {kC_m_s * knot.signal.t_s, knot.signal.r_m},
                     0.0});
   }
   return legs;

@@ -74,7 +74,7 @@ std::array<Disc, 2> atLaterStart(const BrakedDisc& first, const BrakedDisc& seco
   return at;
 }
 
-// A pair that is in contact at the later start is kicked there, or its turns wait for news that comes after
+// A pair that is in contact at the later start is kicked there, or its turns wait for signal that comes after
 // both starts.
 void expectKickedAtLaterStart(const BrakedDisc& first, const BrakedDisc& second, const BrakedMeeting& found) {
   const std::array<Disc, 2> moment = atLaterStart(first, second);
@@ -91,7 +91,7 @@ void expectKickedAtLaterStart(const BrakedDisc& first, const BrakedDisc& second,
       EXPECT_TRUE(std::abs(t - moment[k].start.t) <= strayed + 1e-9)
           << "puck " << k << ": " << t << ", but the later start is at " << moment[k].start.t;
     } else {
-      EXPECT_TRUE(found.touchAt + flight[k].u.t * contact.news[k] >= leg.start.t - 1e-9) << "puck " << k;
+      EXPECT_TRUE(found.touchAt + flight[k].u.t * contact.signal[k] >= leg.start.t - 1e-9) << "puck " << k;
     }
   }
 }
@@ -105,7 +105,7 @@ TEST(BrakedContact, missesNoneAndInventsNone) {
     const double begin = std::max(first.leg.start.t, second.leg.start.t);
     const double end = std::max(restsAt(first.leg), restsAt(second.leg));
     SCOPED_TRACE(testing::Message() << "pair " << i);
-    const auto fast = findBrakedMeeting(first, second, TurnConvention::newsAtCentre);
+    const auto fast = findBrakedMeeting(first, second, TurnConvention::signalAtCentre);
     const std::array<Disc, 2> start = atLaterStart(first, second);
     if (!(gapOf(start[0], start[1]) > 0.0)) {
       // Where friction changes much within a puck, "in contact" depends on which flights are meant.
@@ -176,7 +176,7 @@ TEST(BrakedContact, doesNotDependOnTheAgeOfTheGame) {
                            random.in(-0.1, 0.1) - away * std::sin(angle)};
     }
     for (const TurnConvention convention :
-         {TurnConvention::newsAtCentre, TurnConvention::simultaneousWithContact}) {
+         {TurnConvention::signalAtCentre, TurnConvention::simultaneousWithContact}) {
       const auto young = findBrakedMeeting(pair[0], pair[1], convention);
       if (young) ++(young->meeting.withoutDelay ? inContact : met);
       for (const double age : {1.0, 10.0, 1000.0, 5112.0, 122688.0}) {  // a day at 1.42 m/s
@@ -246,7 +246,7 @@ TEST(BrakedContact, vanishingFrictionIsNone) {
       straight[k] = {pair[k].leg.start, pair[k].leg.u, pair[k].radius, 0.0};
     }
     for (const TurnConvention convention :
-         {TurnConvention::newsAtCentre, TurnConvention::simultaneousWithContact}) {
+         {TurnConvention::signalAtCentre, TurnConvention::simultaneousWithContact}) {
       SCOPED_TRACE(testing::Message() << "pair " << i);
       const auto expected = findMeeting(straight[0], straight[1], convention);
       const auto found = findBrakedMeeting(pair[0], pair[1], convention);

@@ -48,14 +48,14 @@ struct CheckedLeg {
   Real properTime = 0;  ///< c τ at the start
   Real end = kEndless;  ///< when the next leg begins
 
-  struct Moment {
+  struct LegState {
     Four x, u;
     Real properTime = 0;
   };
   Real restsAt() const { return brake > 0 ? start.t + lengthInPlane(u) / brake : kEndless; }
 
   /// |u| falls by `brake` a metre of light; the way is (γ0 − γ)/brake, the proper time (η0 − η)/brake.
-  Moment at(Real t) const {
+  LegState at(Real t) const {
     const Real u0 = lengthInPlane(u), dt = t - start.t;
     if (brake == 0 || dt <= 0 || u0 == 0)
       return {{t, start.x + u.x * dt / u.t, start.y + u.y * dt / u.t}, u, properTime + dt / u.t};
@@ -85,7 +85,7 @@ struct CheckedLeg {
   /// When the centre is simultaneous with an event in the frame of U.
   Real whenSimultaneous(const Four& U, const Four& event) const {
     if (brake == 0) return start.t + u.t * product(U, event - start) / product(U, u);
-    return whenRises(event.t, [&](const Moment& m) { return product(U, m.x - event); });
+    return whenRises(event.t, [&](const LegState& m) { return product(U, m.x - event); });
   }
   /// When light from an event, at the height of the centres, meets the centre.
   Real whenHeard(const Four& event) const {
@@ -94,7 +94,8 @@ struct CheckedLeg {
       const Real tau = product(u, w);
       return start.t + u.t * (tau + std::sqrt(std::max(Real(0), tau * tau - product(w, w))));
     }
-    return whenRises(event.t, [&](const Moment& m) { return m.x.t - event.t - lengthInPlane(m.x - event); });
+    return whenRises(event.t,
+                     [&](const LegState& m) { return m.x.t - event.t - lengthInPlane(m.x - event); });
   }
 };
 

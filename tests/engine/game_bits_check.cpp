@@ -74,9 +74,9 @@ class SameBits {
 
  private:
   static bool same(const Knot& a, const Knot& b, const Mirror& mirror) {
-    const Event turn = mirror(a.turn), news = mirror(a.news);
+    const Event turn = mirror(a.turn), signal = mirror(a.signal);
     return turn.t_s == b.turn.t_s && turn.r_m == b.turn.r_m && mirror(a.u) == b.u &&
-           a.properTime_s == b.properTime_s && news.t_s == b.news.t_s && news.r_m == b.news.r_m &&
+           a.properTime_s == b.properTime_s && signal.t_s == b.signal.t_s && signal.r_m == b.signal.r_m &&
            a.deceleration_m_s2 == b.deceleration_m_s2;
   }
 

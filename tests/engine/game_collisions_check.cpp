@@ -29,7 +29,7 @@ class CollisionCheck {
     const Part* part;
     Four before, after;  // four-velocities at the turn
     Four turn;
-    bool struck = false;  // while the news was on its way
+    bool struck = false;  // while the signal was on its way
   };
 
   Side sideOf(std::size_t number, std::size_t puck) const {
@@ -119,13 +119,13 @@ class CollisionCheck {
                   a.part->off, " m (", a.part->tolerance, ")");
     for (const Side* side : {&a, &b}) {
       if (game_.atCentre())
-        checkNews(event, *side);
+        checkSignal(event, *side);
       else
         checkSimultaneous(event, e, *side);
     }
   }
 
-  // On the leg on which the contact was found; elsewhere, where its news meets the centre.
+  // On the leg on which the contact was found; elsewhere, where its signal meets the centre.
   void checkSimultaneous(const GameEvent& event, const Encounter& e, const Side& side) {
     if (side.struck || side.part->leg + 1 != side.part->knot) return;
     const Real late = product(e.U, side.turn - game_.place(event.at));
@@ -134,14 +134,14 @@ class CollisionCheck {
   }
 
   // The turn is where the contact's future cone meets the centre; two within 1e-9 of the radius are one.
-  void checkNews(const GameEvent& event, const Side& side) {
+  void checkSignal(const GameEvent& event, const Side& side) {
     const Four way = side.turn - game_.place(event.at);
     const Real late = way.t - lengthInPlane(way);
     const Real gamma = std::max(side.before.t, side.after.t);
     const Real rounding = roundingAt(side.turn), same = 4e-9L * game_.radius(side.puck) * gamma;
     found_.expect(late >= -rounding - same && late <= rounding + same, "cause", said_,
                   game_.setup->pucks[side.puck].name, " turns ", late,
-                  " m of light after the news of its contact reaches it");
+                  " m of light after the signal of its contact reaches it");
   }
 
   void checkBounce(std::size_t number) {
@@ -188,7 +188,7 @@ class CollisionCheck {
     const Real missed = atEnd ? side.part->off - game_.radius(side.puck) : side.part->off;
     found_.expect(missed <= side.part->tolerance, "cushion", said_, "the rim misses ", nameOf(*event.cushion),
                   " by ", side.part->off, " m (", side.part->tolerance, ")");
-    if (game_.atCentre()) return checkNews(event, side);
+    if (game_.atCentre()) return checkSignal(event, side);
     found_.expect(std::abs(side.turn.t - contact.t) <= side.part->tolerance, "cause", said_,
                   "the turn is not at the time of the contact");
   }

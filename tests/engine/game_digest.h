@@ -31,7 +31,7 @@ inline std::uint64_t digestOf(const Billiard& billiard) {
   Digest digest;
   for (const WorldLine& line : billiard.worldLines()) {
     for (const Knot& knot : line.knots()) {
-      digest.add(knot.turn), digest.add(knot.news);
+      digest.add(knot.turn), digest.add(knot.signal);
       digest.add(knot.u.x), digest.add(knot.u.y), digest.add(knot.properTime_s);
     }
   }

@@ -10,7 +10,7 @@ void checkTurn(const GameRecord& game, std::size_t puck, std::size_t knot, Findi
   const CheckedLeg& before = game.legs[puck][knot - 1];
   const CheckedLeg& after = game.legs[puck][knot];
   const std::string& name = game.setup->pucks[puck].name;
-  const CheckedLeg::Moment then = before.at(after.start.t);
+  const CheckedLeg::LegState then = before.at(after.start.t);
   const Real tolerance = roundingAt(after.start);
   found.expect(after.start.t >= before.start.t, "world line", name, ": turn ", knot, " at ", after.start.t,
                " m of light lies before the last, ", before.start.t);

@@ -130,7 +130,7 @@ class MissedCheck {
     const auto gapAt = [&](Real t) { return encounterOf(a, b, t).gapAt(0, reach); };
     Real before = start - slack;
     for (Real t = before; t < end;) {
-      const CheckedLeg::Moment ma = a.at(t), mb = b.at(t);
+      const CheckedLeg::LegState ma = a.at(t), mb = b.at(t);
       const Real apart = lengthInPlane(ma.x - mb.x);
       const Real speed = lengthInPlane(ma.u) / ma.u.t + lengthInPlane(mb.u) / mb.u.t;
       if (!(speed > 0)) return false;
@@ -174,7 +174,7 @@ class MissedCheck {
       if (c.due() > game_.until - rounding) return true;
       // Found on the leg after, or begun too late.
       if (c.own[i] > leg(c, i).end - rounding) return true;
-      if (isLateNews(c, i, rounding)) return true;
+      if (isLateSignal(c, i, rounding)) return true;
     }
     return recede(c) || collidedLast(c) || isJammed(c);
   }
@@ -193,9 +193,9 @@ class MissedCheck {
     return part.decidedFrom < std::max(known, c.due()) + 1e-6L * game_.radius(c.puck[0]) * c.encounter.u[0].t;
   }
 
-  // What came after the contact is decided already, or a turn that its news, on the world line as it then
+  // What came after the contact is decided already, or a turn that its signal, on the world line as it then
   // stands, would precede.
-  bool isLateNews(const Candidate& c, int i, Real rounding) const {
+  bool isLateSignal(const Candidate& c, int i, Real rounding) const {
     const Real known = std::max(leg(c, 0).start.t, leg(c, 1).start.t);
     const Real reach = game_.radius(c.puck[0]) + game_.radius(c.puck[1]);
     const Four contact = c.encounter.contactAt(c.moment, game_.radius(c.puck[0]) / reach);

@@ -18,7 +18,7 @@ Encounter encounterOf(const CheckedLeg& first, const CheckedLeg& second, Real t)
   return encounterOf(first.at(t), second.at(t));
 }
 
-Encounter encounterOf(const CheckedLeg::Moment& a, const CheckedLeg::Moment& b) {
+Encounter encounterOf(const CheckedLeg::LegState& a, const CheckedLeg::LegState& b) {
   Encounter e;
   e.x = {a.x, b.x}, e.u = {a.u, b.u};
   const Four sum = a.u + b.u;
@@ -151,7 +151,7 @@ void GameRecord::findLegOfBounce(const GameEvent& event, Part& part) const {
   Real best = kEndless;
   for (std::size_t i = 1; i <= std::min(part.knot, kLegsBack); ++i) {
     const CheckedLeg& leg = legs[puck][part.knot - i];
-    CheckedLeg::Moment own = leg.at(contact.t);
+    CheckedLeg::LegState own = leg.at(contact.t);
     Real off = 0;
     if (atCentre()) {
       own = leg.at(leg.whenRises(contact.t, [&](const auto& m) { return product(m.u, m.x - contact); }));

@@ -47,7 +47,7 @@ struct Encounter {
 };
 Encounter encounterOf(const CheckedLeg& first, const CheckedLeg& second, Real t);
 /// Of flights that touch their legs at different times.
-Encounter encounterOf(const CheckedLeg::Moment& first, const CheckedLeg::Moment& second);
+Encounter encounterOf(const CheckedLeg::LegState& first, const CheckedLeg::LegState& second);
 
 /// What roundings of the engine come to in the gap of an encounter, in metres.
 Real roundingOf(const Encounter& encounter);

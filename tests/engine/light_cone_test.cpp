@@ -80,7 +80,7 @@ TEST(LightCone, KernelMatchesTheWholeHistory) {
   }
 }
 
-// Under friction, bounces far enough apart that news comes in turn; R a < c²/2.
+// Under friction, bounces far enough apart that signal comes in turn; R a < c²/2.
 TEST(LightCone, GlidingBodiesToo) {
   test::Random random(11);
   int gliding = 0;

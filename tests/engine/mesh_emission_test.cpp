@@ -236,7 +236,7 @@ TEST(MeshEmission, UnderFriction) {
   test::Random random(29);
   for (int i = 0; i < 500; ++i) {
     Knot glide{{0.0, random.inBox(0.5)}, random.u(0.8), 0.0, {}, random.in(0.1, 3.0)};
-    glide.news = glide.turn;
+    glide.signal = glide.turn;
     const WorldLine line(glide, kC_m_s, 0.1);
     const test::Cloud cloud = test::randomCloud(random, 10, 0.1);
     RigidMeshView view(line, cloud.points());

@@ -84,7 +84,7 @@ TEST(PuckContact, agreesWithSlowReference) {
     const double gammaRel = dot(pair.discs[0].u, pair.discs[1].u);
     const double tolerance = 5e-11 * gammaRel * pair.discs[0].u.t * pair.discs[1].u.t /
                              std::min(1.0, std::sqrt(gammaRel * gammaRel - 1.0));
-    const auto fast = findMeeting(pair.discs[0], pair.discs[1], TurnConvention::newsAtCentre);
+    const auto fast = findMeeting(pair.discs[0], pair.discs[1], TurnConvention::signalAtCentre);
     if (!slow) {
       EXPECT_FALSE(fast);
       continue;
@@ -100,7 +100,7 @@ TEST(PuckContact, agreesWithSlowReference) {
     ASSERT_TRUE(kick);
     for (int k = 0; k < 2; ++k) {
       const Disc& disc = pair.discs[k];
-      EXPECT_TRUE(distance(disc.start + disc.u * contact.news[k], slow->turnAtNews[k]) <= tolerance);
+      EXPECT_TRUE(distance(disc.start + disc.u * contact.signal[k], slow->turnAtSignal[k]) <= tolerance);
       EXPECT_TRUE(distance(disc.start + disc.u * contact.simultaneous[k], slow->turnAtContact[k]) <=
                   tolerance);
       const reference::Point after{1, slow->after[k][0], slow->after[k][1]};

@@ -40,7 +40,7 @@ TEST(PuckLeg, movesAsTheWorldLineDoes) {
                     {},
                     leg.brake * c * c};
     const double t = leg.start.t + random.in(-1.0, 12.0);
-    const Moment moment = momentAt(leg, t);
+    const LegState moment = momentAt(leg, t);
     const Motion motion = motionOnLeg(knot, t / c, c);
     EXPECT_TRUE(glm::length(motion.event.r_m - Vec3(moment.x.x, moment.x.y, 0.0)) <= kRounding);
     EXPECT_TRUE(glm::length(motion.u - Vec3(moment.u.x, moment.u.y, 0.0)) <= kRounding);
@@ -56,13 +56,13 @@ TEST(PuckLeg, solversSolve) {
     const Leg leg = random.leg(i % 2 == 0 ? 0.0 : random.in(0.1, 1.0));
     const Vec21 event{leg.start.t + random.in(0.0, 3.0), random.in(-1.0, 1.0), random.in(-1.0, 1.0)};
     const double height = random.in(-1.0, 1.0);
-    const Moment news = newsArrives(leg, event, height);
-    const double distance = std::hypot(news.x.x - event.x, news.x.y - event.y, height);
-    EXPECT_TRUE(std::abs(news.x.t - event.t - distance) <= kRounding);
-    EXPECT_TRUE(std::abs(momentAt(leg, news.x.t).x.x - news.x.x) <= kRounding);
+    const LegState signal = signalArrives(leg, event, height);
+    const double distance = std::hypot(signal.x.x - event.x, signal.x.y - event.y, height);
+    EXPECT_TRUE(std::abs(signal.x.t - event.t - distance) <= kRounding);
+    EXPECT_TRUE(std::abs(momentAt(leg, signal.x.t).x.x - signal.x.x) <= kRounding);
 
     const Vec21 U = fourVelocity(random.in(-1.0, 1.0), random.in(-1.0, 1.0));
-    const Moment simultaneous = simultaneousWith(leg, event, U);
+    const LegState simultaneous = simultaneousWith(leg, event, U);
     EXPECT_TRUE(std::abs(dot(U, simultaneous.x - event)) <= kRounding);
     EXPECT_TRUE(std::abs(momentAt(leg, simultaneous.x.t).x.y - simultaneous.x.y) <= kRounding);
 
@@ -78,18 +78,19 @@ TEST(PuckLeg, solversSolve) {
 
 // Light that reaches a puck on a leg that is up to a day old (122 688 m at 1.42 m/s) arrives on the cone, but
 // for the rounding of the time itself.
-TEST(PuckLeg, newsArrivesOnTheConeAtAnyAge) {
+TEST(PuckLeg, signalArrivesOnTheConeAtAnyAge) {
   Random random;
   for (int i = 0; i < 1000; ++i) {
     Leg leg = random.leg(0.0);
     if (i % 2 == 0) leg.u = {1.0, 0.0, 0.0};
     for (const double age_m : {10.0, 1000.0, 5112.0, 122688.0}) {
       SCOPED_TRACE(testing::Message() << "leg " << i << " after " << age_m << " m of light");
-      const Moment there = momentAt(leg, leg.start.t + age_m);
+      const LegState there = momentAt(leg, leg.start.t + age_m);
       const Vec21 event{there.x.t, there.x.x + random.in(-1.0, 1.0), there.x.y + random.in(-1.0, 1.0)};
       const double height = random.in(-1.0, 1.0);
-      const Moment news = newsArrives(leg, event, height);
-      const double late = news.x.t - event.t - std::hypot(news.x.x - event.x, news.x.y - event.y, height);
+      const LegState signal = signalArrives(leg, event, height);
+      const double late =
+          signal.x.t - event.t - std::hypot(signal.x.x - event.x, signal.x.y - event.y, height);
       EXPECT_TRUE(std::abs(late) <= 16.0 * 0x1p-52 * leg.u.t * leg.u.t * (age_m + 10.0)) << late;
     }
   }

@@ -32,21 +32,21 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// A body that bounces `bounces` times, `spacing_s` board seconds apart on average. As for a puck, the news
+/// A body that bounces `bounces` times, `spacing_s` board seconds apart on average. As for a puck, the signal
 /// of each bounce comes from a point of the body and reaches the centre at the turn.
 inline WorldLine randomWorldLine(Random& random, double c_m_s, double radius_m, int bounces, double spacing_s,
                                  double maxBeta, double friction_m_s2 = 0.0) {
   Knot knot{{random.in(-1.0, 0.0), random.inBox(1.0)}, random.u(maxBeta), 0.0, {}, 0.0};
-  knot.news = knot.turn;
+  knot.signal = knot.turn;
   WorldLine line(knot, c_m_s, radius_m);
   for (int i = 0; i < bounces; ++i) {
     const Knot& last = line.knots().back();
     const double t_s = last.turn.t_s + random.in(0.02, 2.0) * spacing_s;
     const Motion motion = motionOnLeg(last, t_s, c_m_s);
     const double depth_m = random.in(0.0, radius_m);
-    const Displacement newsInBody{-depth_m / c_m_s, random.direction() * depth_m};
+    const Displacement signalInBody{-depth_m / c_m_s, random.direction() * depth_m};
     Knot next{motion.event, random.u(maxBeta), motion.properTime_s, {}, friction_m_s2};
-    next.news = motion.event + Lorentz::boost(motion.u, c_m_s) * newsInBody;
+    next.signal = motion.event + Lorentz::boost(motion.u, c_m_s) * signalInBody;
     line.append(next);
   }
   return line;

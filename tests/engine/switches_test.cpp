@@ -42,7 +42,7 @@ Vec3 drawnByKernel(const Case& c, const Switches& switches) {
                                             view.retarded, view.contracted);
   const Vec3 seen = kernel::seenFromEye(view.legs[static_cast<std::size_t>(vertex.leg)], vertex.event);
   if (view.retarded) return seen;
-  return kernel::rayThrough(SeenFrame(c.headFromBoard, switches).drawnFromSeen.matrix(), seen);
+  return kernel::rayThrough(ViewFrame(c.headFromBoard, switches).drawnFromSeen.matrix(), seen);
 }
 
 /// The board's axes turned into the head's without any motion: what the head's frame is before its boost.
@@ -108,7 +108,7 @@ void compare(int cases, int mostBounces, double spacing_s, double friction_m_s2)
 
 TEST(Switches, EachStateIsTheWorldLineLookedUp) { compare(2000, 8, 0.3, 0.0); }
 
-// Bounces far enough apart that news comes in turn.
+// Bounces far enough apart that signal comes in turn.
 TEST(Switches, AlsoUnderFriction) { compare(120, 3, 2.0, 0.7); }
 
 // A puck at 0.9 c, at the moment when its centre passes straight ahead: with contraction its outline along

@@ -103,7 +103,7 @@ TEST(VertexHistory, AllPointsHaveJoinedWhenTheLineSaysSo) {
       const Motion motion = motionOnLeg(last, last.turn.t_s + random.in(0.005, 0.5), kC_m_s);
       const Vec3 rim_m = inPlane(1.0) * radius_m;
       Knot next{motion.event, uFromBeta(inPlane(0.8)), motion.properTime_s, {}, 0.0};
-      next.news =
+      next.signal =
           motion.event + Lorentz::boost(motion.u, kC_m_s) * Displacement{-glm::length(rim_m) / kC_m_s, rim_m};
       line.append(next);
       if (line.settlesBeforeNext(line.knots().size() - 2)) continue;

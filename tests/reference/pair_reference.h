@@ -23,7 +23,7 @@ struct ReferencePuck {
 
 struct ReferenceContact {
   Point contact;
-  std::array<Point, 2> turnAtNews, turnAtContact;
+  std::array<Point, 2> turnAtSignal, turnAtContact;
   std::array<std::array<Real, 2>, 2> after;  // velocities
 };
 
@@ -79,16 +79,16 @@ inline ContactFunction contactFunction(const Flight& a, const Flight& b, Real t)
 }
 
 /// When the light of an event meets a straight flight, by halving.
-inline Point arrival(const Point& news, const ReferencePuck& puck) {
+inline Point arrival(const Point& signal, const ReferencePuck& puck) {
   const auto place = [&](Real t) {
     return Point{t, puck.start.x + puck.vx * (t - puck.start.t), puck.start.y + puck.vy * (t - puck.start.t)};
   };
   const auto late = [&](Real t) {
     const Point p = place(t);
-    return t - news.t - std::hypot(p.x - news.x, p.y - news.y);
+    return t - signal.t - std::hypot(p.x - signal.x, p.y - signal.y);
   };
-  Real low = news.t, high = news.t + 1;
-  while (late(high) < 0) high += high - news.t;
+  Real low = signal.t, high = signal.t + 1;
+  while (late(high) < 0) high += high - signal.t;
   for (int i = 0; i < 200; ++i) (late((low + high) / 2) < 0 ? low : high) = (low + high) / 2;
   return place(high);
 }
@@ -131,7 +131,7 @@ inline std::optional<ReferenceContact> slowContact(const ReferencePuck& one, con
     const Real dt = after - flight.at.t;
     result.turnAtContact[k] =
         boosted({after, flight.at.x + flight.vx * dt, flight.at.y + flight.vy * dt}, -fx, -fy);
-    result.turnAtNews[k] = arrival(result.contact, *pucks[k]);
+    result.turnAtSignal[k] = arrival(result.contact, *pucks[k]);
   }
   const auto momentum = [](const Flight& f, Real mass) {
     const Real g = mass / std::sqrt(1 - f.vx * f.vx - f.vy * f.vy);

@@ -55,12 +55,12 @@ double rootOf(const Function& f, double guess) {
   }
 }
 
-/// Motion of a body's centre from its turn on (the first leg: always), and the event whose news makes the
+/// Motion of a body's centre from its turn on (the first leg: always), and the event whose signal makes the
 /// body's points leave the leg before.
 struct Leg {
   Event turn;
   Vec v{0.0};  ///< at the turn
-  Event news;
+  Event signal;
   double brake = 0.0;  ///< constant proper deceleration until rest, 1/m
 
   struct State {
@@ -87,15 +87,16 @@ struct Leg {
 /// In the outgoing body's rest frame, on the way from one leg to the next.
 inline constexpr double kCatchUpSpeed = 0.9;
 
-/// The world line of one body-fixed point, as the rules lay it: it leaves where the news reaches it, wherever
+/// The world line of one body-fixed point, as the rules lay it: it leaves where the signal reaches it, wherever
 /// it then is, and goes straight to its place on the next leg.
 class PointLine {
  public:
   PointLine(std::span<const Leg> legs, const Vec& d) : legs_(legs), d_(d) {
     pieces_.push_back({-std::numeric_limits<double>::infinity(), 0, false, {}, {}});
     for (std::size_t next = 1; next < legs.size(); ++next) {
-      const Event news = legs[next].news;
-      const double left = rootOf([&](double t) { return t - news.t - glm::length(at(t) - news.r); }, news.t);
+      const Event signal = legs[next].signal;
+      const double left =
+          rootOf([&](double t) { return t - signal.t - glm::length(at(t) - signal.r); }, signal.t);
       const Event a{left, at(left)};
       const double joined = rootOf(
           [&](double t) {
@@ -344,14 +345,14 @@ inline std::optional<double> trace(std::span<const Leg> legs, const Shape& shape
     const std::optional<double> s = shape(eyeInBody.r, backInBody.r);
     if (!s || (nearest && *nearest < *s)) continue;
     const Event hit{eyeInBody.t + *s * backInBody.t, eyeInBody.r + *s * backInBody.r};
-    if (i + 1 < legs.size()) {  // had the news that ends the leg arrived?
-      const Event news = boosted(legs[i + 1].news - leg.turn, leg.v);
-      if (hit.t - news.t >= glm::length(hit.r - news.r)) continue;
+    if (i + 1 < legs.size()) {  // had the signal that ends the leg arrived?
+      const Event signal = boosted(legs[i + 1].signal - leg.turn, leg.v);
+      if (hit.t - signal.t >= glm::length(hit.r - signal.r)) continue;
     }
     if (i > 0) {  // had the point of the body that was hit joined the leg?
       const Leg& before = legs[i - 1];
-      const Event news = boosted(leg.news - before.turn, before.v);
-      const Event left{news.t + glm::length(hit.r - news.r), hit.r};  // in the frame of the leg before
+      const Event signal = boosted(leg.signal - before.turn, before.v);
+      const Event left{signal.t + glm::length(hit.r - signal.r), hit.r};  // in the frame of the leg before
       const Event leftHere = boosted(boosted(left, -before.v) + before.turn - leg.turn, leg.v);
       if (hit.t < leftHere.t + glm::length(leftHere.r - hit.r) / kCatchUpSpeed) continue;
     }

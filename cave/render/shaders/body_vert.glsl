@@ -140,7 +140,7 @@ void lightUp(Sight sight) {
 /// rim's shadow lies, and all between. So of the disc's vertices those on the far side are moved. Light that passed the
 /// upper rim goes on for l to the cloth, while the rim goes on, too: at one board time the shadow is from its rim
 ///   Δ = l (n − β)   (n: the ray's direction)
-/// and goes with it, as the puck's centre goes: while the news of a blow runs through the puck its rim moves in many
+/// and goes with it, as the puck's centre goes: while the signal of a blow runs through the puck its rim moves in many
 /// ways, and the shadow is to stay one. The eye sees it at s = c (t − t_rim) with T − s = |D − β s|, D from there to the eye, T from the rim.
 Sight shadowed(vec3 d, Sight sight, Sight centre, out float share) {
   vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn) : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;

@@ -33,7 +33,7 @@ LegView legAt(int first, int i) {
   leg.toSeenY = LEG_TEXEL(3);
   leg.toSeenZ = LEG_TEXEL(4);
   leg.toBoardTime = BOARD_TIME_ROW;
-  leg.newsInPrevious = LEG_TEXEL(6);
+  leg.signalInPrevious = LEG_TEXEL(6);
   leg.originInThis = LEG_TEXEL(7);
   leg.fromPrevious = mat4(LEG_TEXEL(8), LEG_TEXEL(9), LEG_TEXEL(10), LEG_TEXEL(11));
   leg.glide = GLIDE;

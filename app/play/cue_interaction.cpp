@@ -1,0 +1,81 @@
+#include "app/play/cue_interaction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cave/frame/bodies.h"
+#include "cave/scene/scene.h"
+#include "engine/base/log.h"
+
+namespace carom {
+
+Event handEvent(const Vec3& handInRoom_m, const ObserverView& observer, const Lorentz& boardFromRoom) {
+  const EyeView& head = observer.eyes[2];
+  Event hand = head.observation + boardFromRoom * Displacement{0.0, handInRoom_m - head.seenFromInRoom_m};
+  for (const EyeView& eye : observer.eyes) {
+    const double light_s = glm::distance(hand.r_m, eye.observation.r_m) / boardFromRoom.lightSpeed_m_s();
+    hand.t_s = std::max(hand.t_s, eye.observation.t_s - light_s);
+  }
+  return hand;
+}
+
+CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, Game& game,
+                                             FrameRecord& record) {
+  PickResult pointed;
+  if (!hand.device.empty()) {
+    game.playTo(latestObservation_s(record.observer));  // as far as is seen
+    pointed = aim_.at({hand.from_m, hand.along}, game.pucks(), {record.observer, hand.eye, record.switches},
+                      record.boardFromRoom);
+  }
+  const Cue::Outcome cue = cue_.step(hand, pointed, still);
+  record.hand = viewOf(hand, pointed, game, record);
+  if (cue.letGo) return strike(*cue.letGo, hand, game, record);
+  return {{}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
+}
+
+/// While the cue is held its ray goes to where the target is seen, whatever else the hand points to.
+HandView CueInteraction::viewOf(const HandInput& hand, const PickResult& pointed, const Game& game,
+                                const FrameRecord& record) {
+  HandView view;
+  view.shown = !hand.device.empty();
+  if (!view.shown) return view;
+  view.from_m = hand.from_m;
+  view.to_m = pointed.end_m;
+  const auto target = cue_.target() ? cue_.target() : pointed.puck;
+  if (!target) return view;
+  view.target = kRestingBody + 1 + *target;
+  view.target_m = aim_.seenInRoom_m(game.pucks()[*target], {record.observer, hand.eye, record.switches});
+  if (!cue_.target()) return view;
+  const CueStroke stroke = strokeOf(cue_.pull_m(), record.boardFromRoom);
+  view.pulling = 1;
+  view.to_m = view.target_m;
+  view.towards = stroke.towards;
+  view.u = glm::length(stroke.u);
+  return view;
+}
+
+CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput& hand, Game& game,
+                                               const FrameRecord& record) const {
+  const Puck& target = scenario_->billiard.pucks[puck];
+  const double c_m_s = scenario_->billiard.lightSpeed_m_s;
+  const Vec2 u = strokeOf(cue_.pull_m(), record.boardFromRoom).u;
+  if (u == Vec2(0.0)) return {{}, "Let go: no stroke"};
+  const Event from = handEvent(hand.from_m, record.observer, record.boardFromRoom);
+  if (from.t_s < 0.0) return {{}, "No stroke: where your hand is, the game has not begun yet"};
+  const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u};
+  try {
+    const Event arrival = game.strike(stroke);
+    const double pace = record.lightSpeed_m_s / c_m_s;  // of the game's seconds in one of the person's
+    const double after_s = (record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
+    return {stroke,
+            fmt::format("{}: p = {:.2g} kg m/s, costs {:.2g} mc²; it arrives in {:.1f} s", target.name,
+                        glm::length(stroke.momentum_kg_m_s), costOf(glm::length(u)), after_s)};
+  } catch (const std::invalid_argument& error) {
+    log::note(error.what());
+    return {{}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,161 @@
+#include "app/play/input_devices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace carom {
+namespace {
+
+constexpr std::array<std::string_view, 3> kNames{"wand", "mouse", "gamepad"};
+constexpr std::array<std::string_view, 3> kRefusals{
+    "The cue is in the wand's hand", "The cue is in the mouse's hand", "The cue is in the gamepad's hand"};
+constexpr double kFarthestOnCloth_m = 10.0;  // of a mouse that points near the horizon
+
+enum WandButton { kTrigger, kBrake, kHome, kOnwards };
+enum SpaceMouseButton { kLeftBrakes, kRightGoesHome };
+
+/// Where a ray meets the cloth's plane, as high in the room as the board is for the middle of the eyes.
+std::optional<Vec3> onCloth(const Vec3& from_m, const Vec3& along, const ObserverView& observer,
+                            const Vec3& up) {
+  const EyeView& middle = observer.eyes[2];
+  const double above_m = glm::dot(from_m - middle.positionInRoom_m, up) + middle.observation.r_m.z;
+  const double falls = -glm::dot(along, up);
+  const double far_m = above_m / falls;
+  if (!(far_m > 0.0 && far_m < kFarthestOnCloth_m)) return std::nullopt;
+  return from_m + far_m * along;
+}
+
+}  // namespace
+
+Vec3 InputDevices::level(const Vec3& way) const {
+  const Vec3 flat = way - glm::dot(way, axes_.up) * axes_.up;
+  const double length = glm::length(flat);
+  return length > 1e-6 ? flat / length : axes_.forward;
+}
+
+DriveWish InputDevices::drive() const {
+  DriveWish wish;
+  wish.steer =
+      steered_ + desk_.steer.x * axes_.right + desk_.steer.y * axes_.forward + desk_.steer.z * axes_.up;
+  wish.brake =
+      desk_.brake || (wandKnown_ && wandButtons_.isHeld(kBrake)) || spaceMouseButtons_.isHeld(kLeftBrakes);
+  wish.home = desk_.home || wandButtons_.wasPressed(kHome) || spaceMouseButtons_.wasPressed(kRightGoesHome);
+  return wish;
+}
+
+int InputDevices::answer() const { return desk_.answer ? desk_.answer : wandButtons_.answered() + 1; }
+
+bool InputDevices::onwards() const { return desk_.onwards || wandButtons_.wasPressed(kOnwards); }
+
+/// The wand's stick along where it points, level; the SpaceMouse along the room's axes.
+void InputDevices::steer(const HandDevices& devices) {
+  wandKnown_ = devices.wandKnown;
+  steered_ = Vec3(0.0);
+  if (devices.wandKnown) {
+    const Vec3 stick = withoutDeadZone({devices.wand.axes[0], devices.wand.axes[1], 0.0});
+    const Vec3 forward = level(devices.roomFromHand.orientation * axes_.forward);
+    steered_ = stick.x * glm::cross(forward, axes_.up) + stick.y * forward;
+  }
+  const auto& axes = devices.spaceMouse.axes;
+  const Vec3 cap = withoutDeadZone({axes[0], axes[1], axes[2]});  // right, up, back
+  steered_ += cap.x * axes_.right + cap.y * axes_.up - cap.z * axes_.forward;
+}
+
+InputDevices::Hand InputDevices::wandHand(const HandDevices& devices, double now_s) const {
+  Hand hand;
+  hand.there = devices.wandKnown;
+  hand.held = wandButtons_.isHeld(kTrigger);
+  hand.from_m = hand.at_m = devices.roomFromHand.position_m;
+  hand.along = devices.roomFromHand.orientation * axes_.forward;
+  hand.used_s = now_s - kPatience_s;
+  return hand;
+}
+
+/// While it holds the cue the walls may show something else: it then points to where it last did.
+InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double now_s) {
+  if (desk_.mouse && mouseWas_ && desk_.mouse->onWall_m != mouseWas_->onWall_m) mouseUsed_s_ = now_s;
+  if (desk_.mouseHeld) mouseUsed_s_ = now_s;
+  if (desk_.mouse) mouseWas_ = desk_.mouse;
+  Hand hand;
+  hand.there = desk_.mouse || (mouseWas_ && holder_ == mouse);
+  hand.held = desk_.mouseHeld;
+  hand.used_s = mouseUsed_s_;
+  if (!hand.there) return hand;
+  hand.eye = mouseWas_->eye;
+  hand.from_m = observer.eyes[hand.eye].positionInRoom_m;
+  hand.along = glm::normalize(mouseWas_->onWall_m - hand.from_m);
+  mouseAt_m_ = onCloth(hand.from_m, hand.along, observer, axes_.up).value_or(mouseAt_m_);
+  hand.at_m = mouseAt_m_;
+  return hand;
+}
+
+InputDevices::Hand InputDevices::padHand(const ObserverView& observer, const Pose& roomFromHead,
+                                         double now_s) {
+  if (desk_.padHeld || desk_.padPull != Vec3(0.0)) padUsed_s_ = now_s;
+  Hand hand;
+  hand.there = desk_.hasPad;
+  hand.held = desk_.padHeld;
+  hand.from_m = observer.eyes[2].positionInRoom_m;
+  hand.along = roomFromHead.orientation * axes_.forward;
+  const Vec3 forward = level(hand.along);
+  hand.at_m = kPadPull_m * (desk_.padPull.x * glm::cross(forward, axes_.up) - desk_.padPull.y * forward);
+  hand.used_s = padUsed_s_;
+  return hand;
+}
+
+std::optional<InputDevices::Device> InputDevices::aiming(const std::array<Hand, kDevices>& hands,
+                                                         double now_s) const {
+  if (holder_) return holder_;
+  std::optional<Device> latest;
+  for (const Device device : {wand, mouse, pad}) {
+    const Hand& hand = hands[device];
+    if (!hand.there || hand.used_s < now_s - kPatience_s) continue;
+    if (!latest || hand.used_s > hands[*latest].used_s) latest = device;
+  }
+  return latest;
+}
+
+/// Who presses first takes the cue, unless a lesson asks; whoever lets it go, or is lost, has it no more.
+void InputDevices::take(const std::array<Hand, kDevices>& hands, HandInput& input) {
+  if (holder_ && !hands[*holder_].there) holder_.reset();
+  for (const Device device : {wand, mouse, pad}) {
+    const Hand& hand = hands[device];
+    const bool wasHeld = std::exchange(wasHeld_[device], hand.held);
+    if (!hand.held || wasHeld || !hand.there || asks_) continue;
+    if (holder_) {
+      input.refused = kRefusals[*holder_];
+      continue;
+    }
+    holder_ = device;
+    pressed_m_ = device == pad ? Vec3(0.0) : hand.at_m;  // a stick comes back by itself
+  }
+}
+
+HandInput InputDevices::cue(const HandDevices& devices, const ObserverView& observer,
+                            const Pose& roomFromHead, double now_s) {
+  wandButtons_.set(devices.wand.down, asks_);
+  spaceMouseButtons_.set(devices.spaceMouse.down, false);
+  steer(devices);
+  const std::array<Hand, kDevices> hands{wandHand(devices, now_s), mouseHand(observer, now_s),
+                                         padHand(observer, roomFromHead, now_s)};
+  HandInput input;
+  take(hands, input);
+  const std::optional<Device> device = aiming(hands, now_s);
+  if (!device) return input;
+  const Hand& hand = hands[*device];
+  input.device = kNames[*device];
+  input.from_m = hand.from_m;
+  input.along = hand.along;
+  input.eye = hand.eye;
+  if (!holder_) return input;
+  input.held = hand.held;
+  input.pull_m = hand.at_m - pressed_m_;
+  if (!hand.held) holder_.reset();
+  return input;
+}
+
+}  // namespace carom

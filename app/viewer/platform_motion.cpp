@@ -1,0 +1,252 @@
+#include "app/viewer/platform_motion.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <numbers>
+
+#include "engine/base/limits.h"
+#include "engine/spacetime/lorentz.h"
+
+namespace carom {
+namespace {
+
+constexpr double kAtRest_u = 1e-12;  // rounding of a platform that has been braked
+constexpr double kInPlace_m = 1e-4;
+constexpr double kFacing_rad = 1e-9;
+constexpr double kTurn_rad_s = std::numbers::pi / 6.0;
+constexpr double kTourFrom_u = 1e-9;    // a tour begins so near to the motion that it was made for
+constexpr double kFar_m = 8.0;          // from the table's middle: beyond the hall's walls
+constexpr double kMeant = 0.1;          // steering that takes the drive from a tour: not a device's noise
+constexpr int kMostStretches = 32;      // of a frame; what is left then goes by without thrust
+constexpr std::size_t kTripPushes = 3;  // off, coasting, and to a stop
+
+/// The room's attitude: boardFromRoom is a boost after it.
+glm::dquat attitudeOf(const Lorentz& boardFromRoom) {
+  const glm::dmat4 rest =
+      (Lorentz::boost(boardFromRoom.u(), boardFromRoom.lightSpeed_m_s()).inverse() * boardFromRoom).matrix();
+  return glm::normalize(
+      glm::quat_cast(glm::dmat3(Vec3(rest[1].y, rest[1].z, rest[1].w), Vec3(rest[2].y, rest[2].z, rest[2].w),
+                                Vec3(rest[3].y, rest[3].z, rest[3].w))));
+}
+
+Head headOnTheWay(const Head& before, const Head& head, double share) {
+  Head there = head;
+  there.roomFromHead.position_m =
+      glm::mix(before.roomFromHead.position_m, head.roomFromHead.position_m, share);
+  return there;
+}
+
+}  // namespace
+
+PlatformMotion::PlatformMotion(const Scenario& scenario, const RoomAxes& axes, bool begins)
+    : c_m_s_(scenario.billiard.lightSpeed_m_s),
+      strongest_m_s2_(strongestThrust_m_s2(c_m_s_)),
+      boardFromHome_{scenario.observer.position_m, attitudeOf(startingRoom(scenario.observer, axes, c_m_s_))},
+      atStart_u_(startingRoom(scenario.observer, axes, c_m_s_).u()) {
+  double at_s = 0.0;
+  for (const ThrustLeg& leg : scenario.tour) {
+    if (leg.from_s > at_s) tour_.push_back({leg.from_s - at_s, Vec3(0.0)});
+    const Vec3& thrust = leg.thrust_m_s2;
+    tour_.push_back({leg.for_s, axes.right * thrust.x + axes.forward * thrust.y + axes.up * thrust.z});
+    at_s = leg.from_s + leg.for_s;
+  }
+  way_.reserve(std::max(tour_.size(), kTripPushes));
+  if (begins && scenario.tourAtOnce) setOut();
+}
+
+void PlatformMotion::begin(const Observer& observer) {
+  setsOut_ = false;
+  const Vec3 u = observer.boardFromRoom().u();
+  if (tour_.empty()) {
+    notice_ = Notice("This game has no tour to set out on.");
+  } else if (view_.mode == DriveMode::tour) {
+    notice_ = Notice("You are on the tour already.");
+  } else if (glm::length(u) > kTourFrom_u && glm::length(u - atStart_u_) > kTourFrom_u) {
+    notice_ = Notice("The tour begins at rest: brake (Space), or go home (Home), then set out.");
+  } else {
+    take(tour_);
+    view_.mode = DriveMode::tour;
+    setOutBoard_s_ = observer.headEvent().t_s;
+    setOutOwn_s_ = observer.properTime_s();
+  }
+}
+
+void PlatformMotion::endTour(const Observer& observer) {
+  leaveWay(DriveMode::free);
+  const double board_s = observer.headEvent().t_s - setOutBoard_s_,
+               own_s = observer.properTime_s() - setOutOwn_s_;
+  notice_ = Notice(
+      fmt::format("The tour is over: {:.1f} s went by on the board, {:.1f} s for you.", board_s, own_s));
+}
+
+void PlatformMotion::take(std::span<const Thrust> way) {
+  way_.assign(way.begin(), way.end());
+  push_ = 0;
+  pushed_s_ = 0.0;
+}
+
+void PlatformMotion::leaveWay(DriveMode mode) {
+  way_.clear();
+  push_ = 0;
+  view_.mode = mode;
+}
+
+void PlatformMotion::sayOnce(bool& said, std::string_view words) {
+  if (!said) notice_ = Notice(words);
+  said = true;
+}
+
+void PlatformMotion::obey(const DriveWish& wish) {
+  const bool steers = glm::length(wish.steer) > kMeant;
+  steered_ = steered_ || steers;
+  if (view_.mode == DriveMode::tour && (wish.home || wish.brake || steers))
+    notice_ = Notice("The tour is broken off: you drive yourself.");
+  if (wish.home) {
+    if (view_.mode != DriveMode::home) leaveWay(DriveMode::home);
+  } else if (wish.brake) {
+    leaveWay(DriveMode::braking);
+  } else if (steers || view_.mode == DriveMode::braking) {
+    leaveWay(DriveMode::free);
+  }
+}
+
+void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, const Head& before,
+                          const Head& head, Observer& observer) {
+  if (setsOut_) begin(observer);
+  obey(wish);
+  view_.atLimit = 0;
+  // Observer's dT = sqrt(dτ² + |dx|²/c²): both run evenly through the frame.
+  Vec3 step_m = head.roomFromHead.position_m - before.roomFromHead.position_m;
+  if (!(glm::length(step_m) <= kGlitchCelerity_m_s * dtau_s)) step_m = Vec3(0.0);
+  const double frame_s = std::hypot(pace * dtau_s, glm::length(step_m) / c_m_s_);
+  Vec3 gained_m_s(0.0);
+  double lived = 0.0;  // share of the frame
+  for (int count = 0; lived < 1.0 && count < kMostStretches; ++count) {
+    const Vec3 headInRoom_m = headOnTheWay(before, head, lived).roomFromHead.position_m;
+    const Left left{(1.0 - lived) * frame_s, (1.0 - lived) * dtau_s};
+    const Manoeuvre stretch = next(wish, observer, headInRoom_m, left);
+    const double until = stretch.for_s < left.platform_s ? lived + stretch.for_s / frame_s : 1.0;
+    observer.step((until - lived) * dtau_s, headOnTheWay(before, head, until), pace, stretch.thrust_m_s2);
+    if (stretch.turn_rad != 0.0) observer.turn(stretch.turn_rad, stretch.turnAxisInRoom);
+    gained_m_s += stretch.thrust_m_s2 * ((until - lived) * frame_s);
+    lived = until;
+  }
+  if (lived < 1.0) observer.step((1.0 - lived) * dtau_s, head, pace);
+  if (view_.mode == DriveMode::tour && push_ == way_.size()) endTour(observer);
+  const bool far = steered_ && glm::length(glm::dvec2(observer.headEvent().r_m)) > kFar_m;
+  if (far && view_.mode == DriveMode::free)
+    sayOnce(saidFar_, "You have left the table far behind. Home brings you back.");
+  if (!far) saidFar_ = false;
+  view_.thrust = frame_s > 0.0 ? gained_m_s / (frame_s * strongest_m_s2_) : Vec3(0.0);
+}
+
+PlatformMotion::Manoeuvre PlatformMotion::next(const DriveWish& wish, const Observer& observer,
+                                               const Vec3& headInRoom_m, const Left& left) {
+  switch (view_.mode) {
+    case DriveMode::braking:
+      return brake(observer, left.platform_s);
+    case DriveMode::home:
+      return returnHome(observer, headInRoom_m, left);
+    case DriveMode::tour:
+      return alongWay(left.platform_s);
+    case DriveMode::free:
+      break;
+  }
+  return steered(wish.steer, observer, left.platform_s);
+}
+
+PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Observer& observer,
+                                                  double left_s) {
+  const double asked = glm::length(steer);
+  if (!(asked > 0.0)) return {left_s};
+  Vec3 thrust_m_s2 = steer * strongest_m_s2_;
+  if (asked > 1.0 + 1e-9) {
+    thrust_m_s2 /= asked;
+    view_.atLimit = 1;
+    const double behind_m = c_m_s_ * c_m_s_ / strongest_m_s2_;
+    sayOnce(saidStrongest_,
+            fmt::format("The strongest thrust. With more, light from {:.2g} m behind you would never "
+                        "catch up with you.",
+                        behind_m));
+  }
+  const Lorentz& room = observer.boardFromRoom();
+  const double after_u =
+      glm::length((room * Lorentz::fromRapidity(thrust_m_s2 * (left_s / c_m_s_), c_m_s_)).u());
+  if (after_u <= std::max(kMostPlatformU, glm::length(room.u()))) return {left_s, thrust_m_s2};
+  view_.atLimit = 1;
+  sayOnce(saidFastest_,
+          fmt::format("The drive makes it no faster: of the board's time {:.0f} s go by in one of yours.",
+                      gammaFromU(Vec3(kMostPlatformU, 0.0, 0.0))));
+  return {left_s};
+}
+
+/// The board moves through the room with u = sinh η: a boost by the same brings the room to rest on it,
+/// without turning it. η = aτ/c.
+PlatformMotion::Manoeuvre PlatformMotion::brake(const Observer& observer, double left_s) const {
+  const Vec3 board_u = observer.boardFromRoom().inverse().u();
+  const double u = glm::length(board_u);
+  if (!(u > kAtRest_u)) return {left_s};
+  const Vec3 along = board_u / u;
+  return {std::min(left_s, c_m_s_ * std::asinh(u) / strongest_m_s2_), along * strongest_m_s2_};
+}
+
+/// Stops, turns as it stood at the start, goes straight to where it was. Whoever walks about meanwhile leads
+/// the room astray a little: then it goes once more.
+PlatformMotion::Manoeuvre PlatformMotion::returnHome(const Observer& observer, const Vec3& headInRoom_m,
+                                                     const Left& left) {
+  if (push_ < way_.size()) return alongWay(left.platform_s);
+  const Lorentz& room = observer.boardFromRoom();
+  if (glm::length(room.u()) > kAtRest_u) return brake(observer, left.platform_s);
+
+  const glm::dquat boardFromRoom = attitudeOf(room);
+  glm::dquat turn = glm::conjugate(boardFromRoom) * boardFromHome_.orientation;
+  if (turn.w < 0.0) turn = -turn;
+  const Vec3 axis(turn.x, turn.y, turn.z);
+  const double angle_rad = 2.0 * std::atan2(glm::length(axis), turn.w);
+  if (angle_rad > kFacing_rad) {
+    const double most_rad = kTurn_rad_s * left.person_s, share = std::min(1.0, most_rad / angle_rad);
+    return {share < 1.0 ? left.platform_s : left.platform_s * (angle_rad / most_rad), Vec3(0.0),
+            share * angle_rad, axis};
+  }
+  const Vec3 floor_m = observer.headEvent().r_m - boardFromRoom * headInRoom_m;
+  const Vec3 way_m = boardFromHome_.position_m - floor_m;
+  if (glm::length(way_m) > kInPlace_m) {
+    planTrip(glm::conjugate(boardFromRoom) * way_m);
+    return alongWay(left.platform_s);
+  }
+  leaveWay(DriveMode::free);
+  return {left.platform_s};
+}
+
+/// From rest to rest: half the way off, half to a stop. On the hyperbola γ − 1 = a x/c² = 2 sinh²(η/2)
+/// (Rindler 2006, §3.8); where that would be too fast, so fast in between: x = c u τ.
+void PlatformMotion::planTrip(const Vec3& wayInRoom_m) {
+  const double length_m = glm::length(wayInRoom_m);
+  const Vec3 thrust_m_s2 = wayInRoom_m * (strongest_m_s2_ / length_m);
+  const double perMetre = strongest_m_s2_ / (c_m_s_ * c_m_s_);
+  const double off_m = std::min(0.5 * length_m, (std::hypot(1.0, kMostPlatformU) - 1.0) / perMetre);
+  const double off_s = 2.0 * std::asinh(std::sqrt(0.5 * perMetre * off_m)) * c_m_s_ / strongest_m_s2_;
+  const double coast_s = (length_m - 2.0 * off_m) / (c_m_s_ * kMostPlatformU);
+  take(std::array<Thrust, kTripPushes>{{{off_s, thrust_m_s2}, {coast_s, Vec3(0.0)}, {off_s, -thrust_m_s2}}});
+}
+
+PlatformMotion::Manoeuvre PlatformMotion::alongWay(double left_s) {
+  while (push_ < way_.size()) {
+    const Thrust& push = way_[push_];
+    const double rest_s = push.for_s - pushed_s_;
+    if (rest_s > left_s) {
+      pushed_s_ += left_s;
+      return {left_s, push.thrust_m_s2};
+    }
+    ++push_;
+    pushed_s_ = 0.0;
+    if (rest_s > 0.0) return {rest_s, push.thrust_m_s2};
+  }
+  return {view_.mode == DriveMode::home ? 0.0 : left_s};
+}
+
+}  // namespace carom

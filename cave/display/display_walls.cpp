@@ -1,0 +1,226 @@
+#include "cave/display/display_walls.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cave/display/calibration_pattern.h"
+#include "cave/projection/stereo.h"
+
+namespace carom {
+
+DisplayWalls::DisplayWalls(Graphics& graphics, const Scene& scene, double lightSpeed_m_s,
+                           std::vector<Wall> walls, const std::optional<WindowPlacement>& oneWindow,
+                           bool visible)
+    : graphics_(graphics),
+      session_(std::make_unique<EyeRenderer>(graphics, scene, lightSpeed_m_s)),
+      walls_(std::move(walls)) {
+  graphics_.makeCurrent();
+  for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
+    firstEyeOf_.push_back(wallEyes_.size());
+    for (const Eye eye : eyesOf(walls_[wall].stereo)) {
+      wallEyes_.push_back({wall, eye, FrameDelay(walls_[wall].pixels, walls_[wall].heldFrames)});
+    }
+  }
+  firstEyeOf_.push_back(wallEyes_.size());
+  if (!visible || walls_.empty()) return;
+  for (const Wall& wall : walls_) projections_.push_back(projectionOf(wall));
+  openWindows(oneWindow);
+}
+
+void DisplayWalls::openWindows(const std::optional<WindowPlacement>& oneWindow) {
+  for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
+    const Wall& shown = walls_[wall];
+    if (oneWindow) {  // the wall's own placement is a part of it
+      walls_[wall].viewport = Viewport{shown.window.position_px, shown.window.size_px};
+      walls_[wall].window = *oneWindow;
+    }
+    const bool shared = shown.viewport.has_value();
+    const auto found = std::find_if(windows_.begin(), windows_.end(), [&](const WallWindow& window) {
+      return shared && window.shared && window.node == shown.node && window.placement == shown.window;
+    });
+    if (found != windows_.end()) {
+      found->walls.push_back(wall);
+    } else {
+      windows_.push_back({shown.window, shown.node, shared, {wall}, nullptr});
+    }
+  }
+  for (WallWindow& window : windows_) {
+    std::string title;
+    bool quadBuffer = false;
+    for (const std::size_t wall : window.walls) {
+      title += (title.empty() ? "Carom: " : ", ") + walls_[wall].name;
+      quadBuffer = quadBuffer || walls_[wall].stereo == StereoMode::quadBuffer;
+    }
+    window.window = std::make_unique<Window>(graphics_, title, window.placement, quadBuffer);
+  }
+  windows_.front().window->setVsync(true);  // one wait a frame is enough for all windows of a node
+}
+
+void DisplayWalls::drawSession(const FrameRecord& record, const World& world, const ObserverView& observer) {
+  for (const Eye eye : {Eye::left, Eye::right, Eye::mono}) {
+    pictured_.clear();
+    for (WallEye& wallEye : wallEyes_) {
+      if (wallEye.eye == eye) pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next()});
+    }
+    session_->draw(record, world, observer, observer.eyes[static_cast<std::size_t>(eye)], pictured_);
+  }
+}
+
+void DisplayWalls::draw(const FrameRecord& record, const World& world) {
+  const WallControls& controls = drawn_ = record.controls;
+  blank_ = controls.blank != 0;
+  if (controls.shown == Shown::calibrationPattern && !blank_)
+    return drawCalibrationPatterns(controls.eyesSwapped != 0);
+  calibrationPatterns_.reset();
+  if (controls.shown == Shown::session && !blank_) {
+    ObserverView observer = record.observer;
+    if (controls.eyesSwapped) std::swap(observer.eyes[0], observer.eyes[1]);
+    drawSession(record, world, observer);
+    return drawAids(record, observer);
+  }
+  graphics_.makeCurrent();
+  for (WallEye& wallEye : wallEyes_) {
+    RenderTarget& picture = wallEye.pictures.next();
+    if (blank_) {
+      picture.clear();
+    } else {
+      seams_.draw(walls_[wallEye.wall], record.display_s, picture);
+    }
+  }
+}
+
+void DisplayWalls::play(const Scene& scene, double lightSpeed_m_s) {
+  session_ = std::make_unique<EyeRenderer>(graphics_, scene, lightSpeed_m_s);
+}
+
+void DisplayWalls::standIn(const RoomGeometry& room) {
+  room_ = room;
+  front_ = frontWall(room);
+}
+
+void DisplayWalls::drawAids(const FrameRecord& record, const ObserverView& observer) {
+  graphics_.makeCurrent();
+  words_.follow(record);
+  for (WallEye& wallEye : wallEyes_) {
+    const Wall& wall = walls_[wallEye.wall];
+    const RenderTarget& picture = wallEye.pictures.drawn();
+    const glm::dvec3& eye_m = observer.eyes[static_cast<std::size_t>(wallEye.eye)].positionInRoom_m;
+    const bool isFront = front_ && standSame(*front_, wall);
+    motion_.draw(room_, wall, eye_m, record, picture);
+    if (isFront) words_.draw(wall, picture);
+    aids_.draw(room_, wall, isFront, eye_m, record, picture);
+    hands_.draw(room_, wall, eye_m, record, picture);
+  }
+}
+
+std::optional<PointedWall> DisplayWalls::pointedAt() const {
+  if (drawn_.blank || drawn_.shown != Shown::session) return std::nullopt;
+  for (const WallWindow& window : windows_) {
+    const bool held = window.window->isHeld();
+    const auto pointer_px = isHeld() && !held ? std::nullopt : window.window->pointer_px();
+    if (!pointer_px) continue;
+    const auto paneOf = [&](std::size_t wall) {
+      return walls_[wall].viewport.value_or(Viewport{{0, 0}, window.window->size_px()});
+    };
+    const std::size_t nearest =
+        *std::min_element(window.walls.begin(), window.walls.end(), [&](std::size_t a, std::size_t b) {
+          return outside_px(paneOf(a), *pointer_px) < outside_px(paneOf(b), *pointer_px);
+        });
+    // Who draws back beyond the edge draws on.
+    auto pointed = pointedIn(walls_[nearest], paneOf(nearest), *pointer_px, held);
+    if (!pointed) continue;
+    if (drawn_.eyesSwapped && pointed->eye < 2) pointed->eye = 1 - pointed->eye;
+    return pointed;
+  }
+  return std::nullopt;
+}
+
+bool DisplayWalls::isHeld() const {
+  return std::any_of(windows_.begin(), windows_.end(),
+                     [](const WallWindow& window) { return window.window->isHeld(); });
+}
+
+const RenderTarget* DisplayWalls::pictureOf(const std::string& wall) const {
+  for (const WallEye& wallEye : wallEyes_) {
+    if (walls_[wallEye.wall].name == wall) return &wallEye.pictures.drawn();
+  }
+  return nullptr;
+}
+
+/// They stand still: made once, kept until something else is shown.
+void DisplayWalls::drawCalibrationPatterns(bool eyesSwapped) {
+  if (calibrationPatterns_ == eyesSwapped) return;
+  graphics_.makeCurrent();
+  for (WallEye& wallEye : wallEyes_) {
+    Eye eye = wallEye.eye;
+    if (eyesSwapped && eye != Eye::mono) eye = eye == Eye::left ? Eye::right : Eye::left;
+    const Image pattern = calibrationPattern(walls_[wallEye.wall], eye);
+    for (std::size_t i = 0; i <= walls_[wallEye.wall].heldFrames; ++i)
+      wallEye.pictures.next().fill(pattern.rgb);
+  }
+  calibrationPatterns_ = eyesSwapped;
+}
+
+void DisplayWalls::capture(Capture& capture, std::uint64_t frame) const {
+  graphics_.makeCurrent();
+  taken_.clear();
+  for (const WallEye& wallEye : wallEyes_) {
+    taken_.push_back({&wallEye.pictures.drawn(), &walls_[wallEye.wall].name, wallEye.eye});
+  }
+  capture.take(frame, taken_);
+}
+
+void DisplayWalls::film(Movie& movie, double display_s) const {
+  graphics_.makeCurrent();
+  filmed_.clear();
+  for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
+    filmed_.push_back(&wallEyes_[firstEyeOf_[wall]].pictures.drawn());
+  }
+  movie.add(display_s, filmed_);
+}
+
+NodeLock DisplayWalls::lockSwaps(FrameLock asked) {
+  if (asked == FrameLock::software) return {};
+  std::vector<SwapGroupCalls::Drawable> drawables;
+  for (const WallWindow& window : windows_) drawables.push_back(window.window->drawable());
+  if (!windows_.empty()) windows_.front().window->makeCurrent();
+  NodeLock lock(swapGroupOfDriver(), std::move(drawables));
+  if (lock.state() != LockState::software) {
+    for (const WallWindow& window : windows_) window.window->setVsync(true);
+  }
+  return lock;
+}
+
+void DisplayWalls::show(const std::function<void()>& over) {
+  graphics_.finishDrawing();
+  for (const WallWindow& window : windows_) {
+    panes_.clear();
+    const glm::ivec2 size_px = window.window->size_px();
+    // Where it is blank: black as the screens are, without the level that black is lifted to.
+    for (std::size_t i = 0; i < window.walls.size() && !blank_; ++i)
+      panes_.push_back(paneOf(window.walls[i], size_px));
+    window.window->show(panes_, over);
+  }
+}
+
+void DisplayWalls::awaitShown() {
+  graphics_.awaitDrawing();
+  for (const WallWindow& window : windows_) window.window->awaitShown();
+}
+
+void DisplayWalls::swap() {
+  for (const WallWindow& window : windows_) window.window->swap();
+}
+
+Pane DisplayWalls::paneOf(std::size_t wall, const glm::ivec2& window_px) const {
+  const Viewport place = walls_[wall].viewport.value_or(Viewport{{0, 0}, window_px});
+  const std::size_t first = firstEyeOf_[wall], second = first + 1;
+  return {&wallEyes_[first].pictures.shown(),
+          second < firstEyeOf_[wall + 1] ? &wallEyes_[second].pictures.shown() : nullptr,
+          walls_[wall].stereo,
+          place.position_px,
+          place.size_px,
+          projections_[wall] ? &*projections_[wall] : nullptr};
+}
+
+}  // namespace carom

@@ -1,0 +1,123 @@
+#include "cave/display/eye_renderer.h"
+
+#include <array>
+
+#include <vtk_glew.h>
+#include <glm/geometric.hpp>
+
+#include "cave/gl/gl_state_guard.h"
+
+namespace carom {
+namespace {
+
+/// Does the body stay in this motion? At a moment of the frame that has it, it is where it is seen.
+bool stays(const WorldLine& line, const Vec3& u) {
+  constexpr double kSame_u = 1e-6;
+  const Knot& first = line.knots().front();
+  return line.knots().size() == 1 && first.deceleration_m_s2 == 0.0 && glm::distance(first.u, u) < kSame_u;
+}
+
+void drawSplitLine(const RenderTarget& picture) {
+  const glm::ivec2 size_px = picture.size_px();
+  const GlStateGuard state(picture.framebuffer(), size_px);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(size_px.x / 2 - EyeRenderer::kSplitLine_px / 2, 0, EyeRenderer::kSplitLine_px, size_px.y);
+  const std::array<float, 4> white{1.0F, 1.0F, 1.0F, 1.0F};
+  glClearBufferfv(GL_COLOR, 0, white.data());
+}
+
+}  // namespace
+
+Wall columnsOf(const Wall& wall, int left_px, int right_px) {
+  const glm::dvec3 along = (wall.lowerRight_m - wall.lowerLeft_m) / static_cast<double>(wall.pixels.x);
+  Wall part = wall;
+  part.lowerLeft_m += along * static_cast<double>(left_px);
+  part.upperLeft_m += along * static_cast<double>(left_px);
+  part.lowerRight_m = wall.lowerLeft_m + along * static_cast<double>(right_px);
+  part.pixels.x = right_px - left_px;
+  return part;
+}
+
+EyeRenderer::EyeRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s)
+    : graphics_(graphics),
+      scene_(scene),
+      lightSpeed_m_s_(lightSpeed_m_s),
+      renderer_(graphics, scene, lightSpeed_m_s),
+      bodies_(scene.bodyCount) {}
+
+EyeRenderer::~EyeRenderer() { graphics_.makeCurrent(); }
+
+void EyeRenderer::draw(const FrameRecord& record, const World& world, const ObserverView& observer,
+                       const EyeView& eye, std::span<const PicturedWall> walls) {
+  if (walls.empty()) return;
+  const bool split = record.views.split != 0;
+  look(renderer_, record.switches, record, world, observer, eye);
+  drawPart(renderer_, split ? Part::left : Part::whole, eye, walls);
+  if (!split) return;
+  if (!beside_) beside_ = std::make_unique<WallRenderer>(graphics_, scene_, lightSpeed_m_s_);
+  look(*beside_, record.views.beside, record, world, observer, eye);
+  drawPart(*beside_, Part::right, eye, walls);
+  for (const PicturedWall& wall : walls) drawSplitLine(*wall.picture);
+}
+
+void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const FrameRecord& record,
+                       const World& world, const ObserverView& observer, const EyeView& eye) {
+  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    viewBody(world.histories[body], eye.observation, observer.headFromBoard, bodies_[body], switches);
+  }
+  const TimeViews& views = record.views;
+  const Ghosts ghosts = viewGhosts(switches, record, world, observer, eye);
+  renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts);
+  marked_ = views.paths || views.events || views.clocks || views.boardNow || views.myNow || views.ruler ||
+            views.angles || !scene_.pulses.empty();
+  if (!marked_) return;
+  graphics_.makeCurrent();
+  if (!marks_) marks_ = std::make_unique<SpacetimeMarks>(scene_);
+  marks_->look(
+      {observer, eye, switches, views, record.pucks, world.histories, bodies_, world.events, ghosts});
+}
+
+Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& record, const World& world,
+                               const ObserverView& observer, const EyeView& eye) {
+  const TimeViews& views = record.views;
+  // Scenery, and what goes along with the person, is told and needs no ghost that lies upon it.
+  const auto view = [&](std::vector<BodyView>& ghosts, const Event& observation, ViewTime moment,
+                        const Vec3& u) {
+    ghosts.resize(bodies_.size());
+    for (std::size_t body = 0; body < ghosts.size(); ++body) {
+      const WorldLine& line = world.histories[body];
+      viewBody(line, observation, observer.headFromBoard, ghosts[body], switches, moment);
+      if (body > record.pucks && stays(line, u)) ghosts[body].legs.clear();
+    }
+    return std::span<const BodyView>(ghosts);
+  };
+  Ghosts ghosts;
+  // At one moment for both eyes, that of the point between them: they see one thing. Without retardation the
+  // bodies themselves are there.
+  if (views.boardNow && switches.retardation) {
+    const Event moment{observer.eyes[2].observation.t_s, eye.observation.r_m};
+    ghosts.boardNow = view(boardNow_, moment, ViewTime::boardNow, Vec3(0.0));
+  }
+  if (views.myNow) ghosts.myNow = view(myNow_, eye.observation, ViewTime::myNow, record.boardFromRoom.u());
+  return ghosts;
+}
+
+void EyeRenderer::drawPart(WallRenderer& renderer, Part part, const EyeView& eye,
+                           std::span<const PicturedWall> walls) {
+  for (const auto& [wall, picture] : walls) {
+    const int middle_px = wall->pixels.x / 2;
+    WallDrawing drawing;
+    drawing.seenFromEye_m = eye.seenFromInRoom_m - eye.positionInRoom_m;
+    drawing.left_px = part == Part::right ? middle_px : 0;
+    drawing.marks = marked_ ? marks_.get() : nullptr;
+    drawing.cutAt = part == Part::left ? 1.0F : part == Part::right ? -1.0F : 0.0F;
+    if (part == Part::whole) {
+      renderer.draw(*wall, eye.positionInRoom_m, *picture, drawing);
+    } else {
+      const int right_px = part == Part::left ? middle_px : wall->pixels.x;
+      renderer.draw(columnsOf(*wall, drawing.left_px, right_px), eye.positionInRoom_m, *picture, drawing);
+    }
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,61 @@
+#pragma once
+// A session as one eye sees it on its walls: the bodies, and the views of time that are on
+// (cave/frame/time_views.h).
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cave/frame/frame_state.h"
+#include "cave/gl/graphics.h"
+#include "cave/gl/picture.h"
+#include "cave/render/spacetime_marks.h"
+#include "cave/render/wall_renderer.h"
+#include "cave/room/wall.h"
+#include "cave/scene/scene.h"
+
+namespace carom {
+
+/// A wall and what is drawn for it; the wall has as many pixels as the picture.
+struct PicturedWall {
+  const Wall* wall = nullptr;
+  RenderTarget* picture = nullptr;
+};
+
+/// The columns of a wall from `left_px` up to `right_px`, as a wall of its own.
+Wall columnsOf(const Wall& wall, int left_px, int right_px);
+
+class EyeRenderer {
+ public:
+  /// Of a split wall, the columns around its middle that part its halves.
+  static constexpr int kSplitLine_px = 3;
+
+  /// Keeps `graphics`.
+  EyeRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s);
+  ~EyeRenderer();
+
+  /// What `eye` of `observer` sees on its walls. `world.histories[i]` is body i of the scene. What a view of
+  /// time needs is made when it is first turned on; off, it costs nothing. A scripted body that always rests on
+  /// the board has no ghost "now on the board", one that always goes with the room none of "my now".
+  void draw(const FrameRecord& record, const World& world, const ObserverView& observer, const EyeView& eye,
+            std::span<const PicturedWall> walls);
+
+ private:
+  enum class Part { whole, left, right };
+  void look(WallRenderer& renderer, const Switches& switches, const FrameRecord& record, const World& world,
+            const ObserverView& observer, const EyeView& eye);
+  Ghosts viewGhosts(const Switches& switches, const FrameRecord& record, const World& world,
+                    const ObserverView& observer, const EyeView& eye);
+  void drawPart(WallRenderer& renderer, Part part, const EyeView& eye, std::span<const PicturedWall> walls);
+
+  Graphics& graphics_;
+  Scene scene_;
+  double lightSpeed_m_s_;
+  WallRenderer renderer_;
+  std::unique_ptr<WallRenderer> beside_;  // for the right halves: each keeps its shaders
+  std::unique_ptr<SpacetimeMarks> marks_;
+  bool marked_ = false;
+  std::vector<BodyView> bodies_, boardNow_, myNow_;
+};
+
+}  // namespace carom

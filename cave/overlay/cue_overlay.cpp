@@ -1,0 +1,210 @@
+#include "cave/overlay/cue_overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "cave/gl/gl_state_guard.h"
+#include "cave/room/off_axis.h"
+
+namespace carom {
+namespace {
+
+constexpr glm::vec4 kIdle(0.75F, 0.85F, 1.0F, 0.45F), kAimed(1.0F, 0.93F, 0.55F, 0.95F);
+constexpr glm::vec4 kWood(0.80F, 0.56F, 0.30F, 1.0F), kTip(0.92F, 0.92F, 0.95F, 1.0F);
+constexpr glm::vec4 kGround(0.05F, 0.055F, 0.07F, 0.70F), kInk(0.93F, 0.93F, 0.93F, 1.0F),
+    kTrack(0.25F, 0.26F, 0.30F, 1.0F);
+constexpr double kOwnRay_m = 0.15;  // a ray that begins nearer to the eyes than this is seen from its end
+constexpr double kRay_m = 0.002, kDot_m = 0.008;
+constexpr std::array<double, 4> kTicks{0.5, 0.8, 0.9, 0.95};  // of c
+constexpr std::array<std::string_view, 4> kTickWords{"0.5 c", "0.8 c", "0.9 c", "0.95 c"};
+constexpr double kDigits = 0.025, kTickDigits = 0.016;  // heights, of the distance
+constexpr double kBar = 0.010, kPanel = 0.076,
+                 kPanelMiddle = 0.055;  // halves of widths, and where that middle is
+constexpr double kReadout = 0.092;      // height of the numbers under the bar
+
+/// Pen strokes of a letter: points on a grid of 2 × 4 (right, up), a blank where the pen is lifted; '^' is a
+/// raised 2.
+std::string_view strokesOf(char letter) {
+  constexpr std::array<std::string_view, 10> kNumerals{
+      "0020240400",   "031410",       "042422020020", "04242000 0222",   "040222 2420",
+      "240402222000", "240400202202", "042410",       "0004242000 0222", "220204242000"};
+  if (letter >= '0' && letter <= '9') return kNumerals[static_cast<std::size_t>(letter - '0')];
+  switch (letter) {
+    case 'c':
+      return "22020020";
+    case 'm':
+      return "00022220 1210";
+    case '^':
+      return kNumerals[2];
+    default:
+      return {};
+  }
+}
+
+/// As a puck's speed from u = γβ.
+double betaOf(double u) { return u / std::sqrt(1.0 + u * u); }
+
+/// From easy to dear.
+glm::vec4 colourOf(double cost) {
+  const glm::vec3 easy(0.35F, 0.85F, 0.55F), dear(1.0F, 0.35F, 0.22F), between(1.0F, 0.80F, 0.30F);
+  const auto share = static_cast<float>(std::min(cost / 2.0, 1.0));
+  return {share < 0.5F ? glm::mix(easy, between, 2.0F * share) : glm::mix(between, dear, 2.0F * share - 1.0F),
+          1.0F};
+}
+
+}  // namespace
+
+FacingPlane facing(const glm::dvec3& place_m, const glm::dvec3& eyes_m, const RoomGeometry& room) {
+  constexpr double kAslant_rad = 0.6;  // so far from facing the eye it is read as well
+  FacingPlane plane{place_m, {}, {}, std::max(glm::distance(place_m, eyes_m), 0.1)};
+  const glm::dvec3 sight = (place_m - eyes_m) / plane.distance_m;
+  glm::dvec3 right = glm::cross(sight, room.up);
+  if (glm::length(right) < 0.05) right = glm::cross(room.forward, room.up);  // it lies straight below
+  plane.right = glm::normalize(right);
+  const double below_rad = std::asin(std::clamp(-glm::dot(sight, room.up), -1.0, 1.0));
+  const double leans_rad = below_rad - std::clamp(below_rad, -kAslant_rad, kAslant_rad);
+  plane.up = std::cos(leans_rad) * room.up + std::sin(leans_rad) * glm::cross(room.up, plane.right);
+  return plane;
+}
+
+double CueOverlay::heightOf(double cost) { return kPerCost * std::clamp(cost, 0.0, kMostCost); }
+
+void CueOverlay::addLine(const glm::dvec3& from_m, const glm::dvec3& to_m, double halfWidth_m,
+                         const glm::vec4& colour) {
+  marks_.push_back({from_m, to_m, halfWidth_m, colour});
+}
+
+void CueOverlay::addRing(const FacingPlane& plane, double radius_m, double halfWidth_m,
+                         const glm::vec4& colour) {
+  constexpr int kSides = 32;
+  const auto at = [&](int i) {
+    const double angle_rad = 2.0 * std::numbers::pi * i / kSides;
+    return plane.place_m + radius_m * (std::cos(angle_rad) * plane.right + std::sin(angle_rad) * plane.up);
+  };
+  for (int i = 0; i < kSides; ++i) addLine(at(i), at(i + 1), halfWidth_m, colour);
+}
+
+/// An octagon.
+void CueOverlay::addDot(const FacingPlane& plane, double radius_m, const glm::vec4& colour) {
+  for (int i = 0; i < 4; ++i) {
+    const double angle_rad = std::numbers::pi * i / 4.0;
+    const glm::dvec3 way_m = radius_m * (std::cos(angle_rad) * plane.right + std::sin(angle_rad) * plane.up);
+    addLine(plane.place_m - way_m, plane.place_m + way_m, radius_m * std::tan(std::numbers::pi / 8.0),
+            colour);
+  }
+}
+
+/// Its foot's left end is at (across, upwards).
+void CueOverlay::addText(const FacingPlane& plane, double across, double upwards, double height,
+                         std::string_view text) {
+  for (const char letter : text) {
+    const double grid = (letter == '^' ? 0.5 : 1.0) * height / 4.0,
+                 foot = upwards + (letter == '^' ? height / 2.0 : 0.0);
+    const double half_m = 0.4 * grid * plane.distance_m;
+    const auto stroke = [&](const glm::dvec2& from, const glm::dvec2& to) {  // a pen with a square tip
+      const glm::dvec2 over = 0.4 * glm::normalize(to - from);
+      const auto on = [&](const glm::dvec2& p) { return plane.at(across + grid * p.x, foot + grid * p.y); };
+      addLine(on(from - over), on(to + over), half_m, kInk);
+    };
+    const std::string_view strokes = strokesOf(letter);
+    const auto point = [&](std::size_t i) { return glm::dvec2(strokes[i] - '0', strokes[i + 1] - '0'); };
+    for (std::size_t i = 0; i + 3 < strokes.size(); i += 2) {
+      if (strokes[i + 2] == ' ') {
+        ++i;
+      } else {
+        stroke(point(i), point(i + 2));
+      }
+    }
+    if (letter == '.') stroke({-0.01, 0.0}, {0.01, 0.0});
+    across += grid * (letter == '.' ? 1.2 : letter == ' ' ? 1.6 : 3.2);
+  }
+}
+
+/// A ray of one's own eye is a point: then no more than its end is drawn.
+void CueOverlay::addRay(const HandView& hand, const glm::dvec3& eyes_m, const RoomGeometry& room) {
+  const glm::vec4& colour = hand.target ? kAimed : kIdle;
+  if (glm::distance(hand.from_m, eyes_m) > kOwnRay_m) addLine(hand.from_m, hand.to_m, kRay_m, colour);
+  const FacingPlane end = facing(hand.to_m, eyes_m, room);
+  const double dot_m = std::max(kDot_m, 0.004 * end.distance_m);
+  addDot(end, dot_m, colour);
+  if (!hand.target) return;
+  addRing(facing(hand.target_m, eyes_m, room), kRing_m, 0.003 * std::max(end.distance_m, 1.0), colour);
+}
+
+/// A stick behind the puck, thicker towards the hand; drawn back by the stroke's momentum.
+void CueOverlay::addCue(const HandView& hand) {
+  constexpr int kPieces = 10;
+  constexpr double kLength_m = 0.9, kThin_m = 0.006, kThick_m = 0.014;
+  const glm::dvec3 tip_m = hand.target_m - (kRim_m + kDrawn_m * hand.u) * hand.towards;
+  for (int i = 0; i < kPieces; ++i) {
+    const double from = static_cast<double>(i) / kPieces, to = static_cast<double>(i + 1) / kPieces;
+    addLine(tip_m - kLength_m * from * hand.towards, tip_m - kLength_m * to * hand.towards,
+            glm::mix(kThin_m, kThick_m, 0.5 * (from + to)), i == 0 ? kTip : kWood);
+  }
+}
+
+void CueOverlay::addArrow(const HandView& hand, const FacingPlane& plane) {
+  const double length_m = 0.1 + 0.4 * betaOf(hand.u), width_m = 0.003 * plane.distance_m;
+  const glm::dvec3 foot_m = hand.target_m + kRing_m * hand.towards, head_m = foot_m + length_m * hand.towards;
+  const glm::vec4 colour = colourOf(costOf(hand.u));
+  glm::dvec3 aside =
+      glm::cross(hand.towards, glm::cross(plane.right, plane.up));  // across the arrow, as the person sees it
+  if (!(glm::length(aside) > 1e-6)) aside = plane.right;
+  aside = 0.04 * glm::normalize(aside);
+  addLine(foot_m, head_m, width_m, colour);
+  for (const double side : {-1.0, 1.0})
+    addLine(head_m - 0.07 * hand.towards + side * aside, head_m, width_m, colour);
+}
+
+/// From the foot of its panel: the speed and the cost that the stroke would have, and above them the bar.
+void CueOverlay::addScale(const HandView& hand, const FacingPlane& target) {
+  const double cost = costOf(hand.u), unit_m = target.distance_m;
+  const auto up = [](double of) { return kScaleFoot + heightOf(of); };
+  // On the side that the stroke does not go to.
+  const bool goesRight = glm::dot(hand.towards, target.right) > 1e-6;
+  const double aside = goesRight ? kScaleLeft : kScaleRight;
+  const auto on = [&](double across, double upwards) { return target.at(aside + across, upwards); };
+  addLine(on(kPanelMiddle, kScaleFoot - kReadout), on(kPanelMiddle, up(kMostCost) + 0.015), kPanel * unit_m,
+          kGround);
+  addLine(on(0.0, up(0.0)), on(0.0, up(kMostCost)), kBar * unit_m, kTrack);
+  addLine(on(0.0, up(0.0)), on(0.0, up(cost)), kBar * unit_m, colourOf(cost));
+  for (std::size_t i = 0; i < kTicks.size(); ++i) {
+    const double tick = up(1.0 / std::sqrt(1.0 - kTicks[i] * kTicks[i]) - 1.0);
+    addLine(on(-kBar, tick), on(kBar + 0.008, tick), 0.0012 * unit_m, kInk);
+    addText(target, aside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, kTickWords[i]);
+  }
+  std::array<char, 24> words{};
+  const auto say = [&](double upwards, auto format, double value) {
+    const auto said = fmt::format_to_n(words.data(), words.size(), format, value);
+    addText(target, aside - kBar, kScaleFoot + upwards, kDigits, {words.data(), said.size});
+  };
+  say(-0.042, FMT_STRING("{:.2f} c"), betaOf(hand.u));
+  say(-0.080, FMT_STRING("{:.2f} mc^"), cost);
+}
+
+void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
+                      const FrameRecord& record, const RenderTarget& picture) {
+  const HandView& hand = record.hand;
+  if (!hand.shown) return;
+  const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
+  if (!clip) return;
+  const glm::dvec3& eyes_m = record.observer.eyes[2].positionInRoom_m;
+  marks_.clear();
+  const FacingPlane target = facing(hand.target_m, eyes_m, room);
+  if (hand.pulling && hand.towards != glm::dvec3(0.0)) addCue(hand);
+  if (hand.pulling && hand.u > 0.0) addArrow(hand, target);
+  addRay(hand, eyes_m, room);
+  if (hand.pulling) addScale(hand, target);  // last: nothing lies over what is read
+  const GlStateGuard state(picture.framebuffer(), picture.size_px());
+  blendOver();
+  ribbons_.draw(marks_, *clip, picture.size_px());
+}
+
+}  // namespace carom

@@ -1,0 +1,71 @@
+#pragma once
+// What a hand does, drawn over the pictures of the walls in the room's own frame (cave/frame/hand_view.h):
+// the ray that it points with, a ring around the puck that it aims at, and while the cue is drawn back: the
+// cue behind the puck, an arrow whereto the stroke goes, and a scale of what it costs.
+//
+// The scale stands beside and above the puck, at its distance, upright for the person. Its height is the
+// stroke's cost, the kinetic energy γ − 1 in rest energies of the puck: ticks at 0.5, 0.8, 0.9 and 0.95 c
+// show how every further step towards c takes more than the last. Under it stand the speed and the cost that
+// the stroke would now have.
+
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "cave/frame/frame_state.h"
+#include "cave/gl/line_batch.h"
+#include "cave/gl/picture.h"
+#include "cave/room/room_geometry.h"
+#include "cave/room/wall.h"
+
+namespace carom {
+
+/// A plane that is upright for the person, leaning back only as far as it has to where it is read from above:
+/// where a place is, right and up there, and how far away. Sizes on it go with the distance, so that they are
+/// seen equally large everywhere.
+struct FacingPlane {
+  glm::dvec3 place_m{0.0}, right{0.0}, up{0.0};
+  double distance_m = 0.0;
+  /// A point so many of its distances to the right and up.
+  glm::dvec3 at(double across, double upwards) const {
+    return place_m + distance_m * (across * right + upwards * up);
+  }
+};
+FacingPlane facing(const glm::dvec3& place_m, const glm::dvec3& eyes_m, const RoomGeometry& room);
+
+class CueOverlay {
+ public:
+  // Distances are the unit: 0.01 is 0.57°.
+  static constexpr double kRing_m = 0.08;  ///< radius around the target
+  static constexpr double kRim_m = 0.05;   ///< of a puck: where the cue begins at rest
+  /// From the target to the bar: right of it, or left of it where the stroke goes to the right.
+  static constexpr double kScaleRight = 0.13, kScaleLeft = -0.24;
+  static constexpr double kScaleFoot = 0.14;  ///< of zero cost, above the target
+  static constexpr double kPerCost = 0.09;    ///< height of one rest energy
+  static constexpr double kMostCost = 2.4;    ///< what the scale has room for: 0.955 c
+  static constexpr double kDrawn_m = 0.15;    ///< the cue's way back for γβ = 1: as far as the hand goes
+
+  /// The height of a cost on the scale, from its foot.
+  static double heightOf(double cost);
+
+  /// Over the picture of `wall` for an eye in the room. Costs nothing where no hand aims. Within the drawing
+  /// context, which has to be current when this is made and destroyed, too.
+  void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
+            const FrameRecord& record, const RenderTarget& picture);
+
+ private:
+  void addLine(const glm::dvec3& from_m, const glm::dvec3& to_m, double halfWidth_m, const glm::vec4& colour);
+  void addRing(const FacingPlane& plane, double radius_m, double halfWidth_m, const glm::vec4& colour);
+  void addDot(const FacingPlane& plane, double radius_m, const glm::vec4& colour);
+  void addText(const FacingPlane& plane, double across, double upwards, double height, std::string_view text);
+  void addRay(const HandView& hand, const glm::dvec3& eyes_m, const RoomGeometry& room);
+  void addCue(const HandView& hand);
+  void addArrow(const HandView& hand, const FacingPlane& plane);
+  void addScale(const HandView& hand, const FacingPlane& plane);
+
+  LineBatch ribbons_;
+  std::vector<Ribbon> marks_;
+};
+
+}  // namespace carom

@@ -1,0 +1,345 @@
+#include "cave/overlay/hud_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <vtk_glew.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "cave/frame/clock_time.h"
+#include "cave/gl/gl_program.h"
+#include "cave/gl/gl_state_guard.h"
+#include "cave/gl/view_colours.h"
+#include "cave/overlay/motion_overlay.h"
+#include "cave/room/off_axis.h"
+#include "engine/spacetime/lorentz.h"
+#include "shaders/stereo_vert.h"
+#include "shaders/words_frag.h"
+
+namespace carom {
+namespace {
+
+constexpr double kCapitalOfLetters = 0.72;  // height of a capital, of the letters' nominal height
+constexpr double kLine = 1.5;               // from line to line, of that height
+constexpr double kSmallest_px = 9.0;        // letters lower than this cannot be read at all
+constexpr std::array<std::uint8_t, 4> kGround{12, 14, 18, 175};  // dark; half of the picture shows through
+constexpr glm::vec3 kWhite(235.0F), kUrgent(255.0F, 200.0F, 70.0F);  // letters
+constexpr glm::vec3 kSeenMark(0.92F);
+
+/// Lines one after the other into memory that is used again.
+class Lines {
+ public:
+  explicit Lines(std::vector<HudLine>& lines) : lines_(lines) {}
+  ~Lines() { lines_.resize(count_); }
+  Lines(const Lines&) = delete;
+  Lines& operator=(const Lines&) = delete;
+
+  template <typename... Values>
+  void add(const std::optional<glm::vec3>& mark, fmt::format_string<Values...> words, Values&&... values) {
+    if (count_ == lines_.size()) lines_.emplace_back();
+    HudLine& line = lines_[count_++];
+    line.mark = mark;
+    line.urgent = line.setIn = false;
+    line.text.clear();
+    fmt::format_to(std::back_inserter(line.text), words, std::forward<Values>(values)...);
+  }
+
+  /// As many lines as the words need; the first begins with `first`, those after it are then set in.
+  void wrap(std::string_view words, std::string_view first = {}, bool urgent = false) {
+    for (bool begins = true; !words.empty(); begins = false) {
+      const std::size_t bytes = fitting(words, kLineLetters);
+      add({}, "{}{}", begins ? first : std::string_view(), words.substr(0, bytes));
+      lines_[count_ - 1].urgent = urgent;
+      lines_[count_ - 1].setIn = !begins && !first.empty();
+      words.remove_prefix(std::min(words.size(), bytes + 1));  // with the space
+    }
+  }
+
+ private:
+  /// The space of "0.6 c" and "2.84 m".
+  static bool beforeUnit(std::string_view words, std::size_t space) {
+    const auto letter = [&](std::size_t at) {
+      return at < words.size() && words[at] >= 'a' && words[at] <= 'z';
+    };
+    return space > 0 && words[space - 1] >= '0' && words[space - 1] <= '9' && letter(space + 1) &&
+           !letter(space + 2);
+  }
+
+  /// How many bytes of whole words have no more letters than this; of the first word alone, if that has more.
+  static std::size_t fitting(std::string_view words, std::size_t most) {
+    std::size_t letters = 0, fits = 0;
+    for (std::size_t i = 0; i <= words.size(); ++i) {
+      const bool ends = i == words.size() || (words[i] == ' ' && !beforeUnit(words, i));
+      if (ends && (letters <= most || fits == 0)) fits = i;
+      if (ends && letters >= most) break;
+      if (ends || (static_cast<unsigned char>(words[i]) & 0xC0U) != 0x80U) ++letters;
+    }
+    return fits;
+  }
+
+  std::vector<HudLine>& lines_;
+  std::size_t count_ = 0;
+};
+
+void addLight(const FrameRecord& record, Lines& lines) {
+  lines.add({}, "light  {:.2f} m/s", record.lightSpeed_m_s);
+}
+
+void addClocks(const FrameRecord& record, Lines& lines) {
+  const Vec3 u = record.observer.headFromBoard.inverse().u();
+  lines.add({}, "my clock  {:.1f} s", shownTime_s(record.observer.properTime_s));
+  lines.add({}, "my speed  {:.2f} c   gamma {:.2f}", glm::length(betaFromU(u)), gammaFromU(u));
+  addLight(record, lines);
+}
+
+void addQuestion(const LessonWords& lesson, Lines& lines) {
+  lines.wrap(lesson.question);
+  constexpr std::array<std::string_view, kMostAnswers> kNumbers{"1   ", "2   ", "3   ", "4   "};
+  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i)
+    lines.wrap(lesson.answers[i], kNumbers[i]);
+  const bool two = lesson.answers.size() == 2;
+  lines.add({}, "press {}{}, or the wand's button", two ? "1 or " : "1 to ", lesson.answers.size());
+}
+
+void addNumber(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
+  lines.wrap(lesson.number);
+  if (answer == 0 || answer > lesson.answers.size()) return;
+  lines.wrap(lesson.answers[answer - 1U], "You said: ");
+  if (answer - 1U == lesson.right) {
+    lines.add({}, "That is right.");
+  } else {
+    lines.wrap(lesson.answers[lesson.right], "Right is: ");
+  }
+}
+
+/// What it says of its phase, and how it goes on.
+void addLesson(const LessonWords& lesson, const LessonState& state, Lines& lines) {
+  switch (state.phase) {
+    case LessonPhase::none:
+      return;
+    case LessonPhase::asks:
+      return addQuestion(lesson, lines);
+    case LessonPhase::shows:
+      lines.wrap(lesson.todo);
+      lines.wrap(lesson.notice);
+      return lines.add({}, "Y: again    Enter: the number behind it");
+    case LessonPhase::explains:
+      addNumber(lesson, state.answer, lines);
+      return lines.add({}, "Enter: look again    Y: ask anew");
+  }
+}
+
+/// What the compass on the floor shows (cave/overlay/motion_overlay.h), in numbers.
+void addDrive(const FrameRecord& record, Lines& lines) {
+  if (!isDriven(record)) return;
+  const Vec3 u = record.boardFromRoom.u();
+  const double gamma = gammaFromU(u);
+  lines.add(kMotionColour, "my way over the board: {:.3f} c, gamma {:.2f}", glm::length(betaFromU(u)), gamma);
+  lines.add(kSeenMark, "the speed of light");
+  lines.add(kContractedColour, "a circle of the board: {:.2f} as long", 1.0 / gamma);
+  const DriveView& drive = record.drive;
+  if (drive.thrust == Vec3(0.0) && drive.mode == DriveMode::free && !drive.atLimit) return;
+  constexpr std::array<std::string_view, 4> kModes{"", ", braking", ", on the way home", ", on tour"};
+  lines.add(drive.atLimit ? kLimitColour : kThrustColour, "thrust {:.2f} of the strongest{}",
+            glm::length(drive.thrust), kModes[static_cast<std::size_t>(drive.mode)]);
+}
+
+void addViews(const FrameRecord& record, Lines& lines) {
+  const TimeViews& views = record.views;
+  if (views.boardNow || views.myNow || views.split) lines.add(kSeenMark, "as seen");
+  if (views.boardNow) lines.add(kBoardNowColour, "now on the board");
+  if (views.myNow) lines.add(kMyNowColour, "my now");
+  if (views.split && views.beside == kNoSwitches) {
+    lines.add({}, "left: Einstein, right: Newton");
+  } else if (views.split) {
+    lines.add({}, "left: as chosen, right: otherwise");
+  }
+  if (views.paths) lines.add({}, "paths: full as seen, dashed to come");
+  if (views.events) {
+    lines.add(kEventColour, "numbers: it happened here");
+    lines.add(kFlashColour, "light of a flash, on its way");
+  }
+  if (views.ruler) lines.add({}, "ruler: a metre, and light's way");
+  if (views.angles) lines.add({}, "angles: between two ways after a blow");
+  if (views.frozen) lines.add({}, "frozen");
+  if (views.clocks) {
+    lines.add({}, "plates on the pucks: their own time");
+    addClocks(record, lines);
+  }
+}
+
+/// How far a line is set in: as far as an answer behind its number.
+int beginOf_px(const HudLine& line, int height_px) { return line.setIn ? 8 * height_px / 5 : 0; }
+
+}  // namespace
+
+std::optional<Wall> frontWall(const RoomGeometry& room) {
+  for (const Wall& wall : room.walls) {
+    if (-glm::dot(normalOf(wall), room.forward) > std::sqrt(0.5)) return wall;
+  }
+  return std::nullopt;
+}
+
+void describe(const FrameRecord& record, const LessonWords& lesson, std::vector<HudLine>& words) {
+  Lines lines(words);
+  lines.wrap(record.notice.words(), {}, true);
+  addLesson(lesson, record.lesson, lines);
+  if (record.lesson.phase != LessonPhase::asks) addViews(record, lines);
+  addDrive(record, lines);
+  const bool saysLight = record.views.clocks && record.lesson.phase != LessonPhase::asks;
+  if (record.lesson.phase != LessonPhase::none && !saysLight) addLight(record, lines);
+  if (record.controls.trackerCross) lines.add({}, "of the two bars the right one is nearer");
+}
+
+HudPanel::HudPanel() : program_(makeProgram("words", shaders::stereo_vert, shaders::words_frag)) {
+  glGenVertexArrays(1, &vertexArray_);
+  glGenTextures(1, &texture_);
+}
+
+HudPanel::~HudPanel() {
+  glDeleteTextures(1, &texture_);
+  glDeleteVertexArrays(1, &vertexArray_);
+  glDeleteProgram(program_);
+}
+
+void HudPanel::set(const std::vector<HudLine>& lines) {
+  if (lines.size() != lines_.size()) written_ = false;
+  lines_.resize(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i] == lines_[i].line) continue;
+    lines_[i].line = lines[i];
+    lines_[i].ink = {};
+    written_ = false;
+  }
+}
+
+void HudPanel::teach(const LessonWords& lesson) {
+  lesson_ = lesson;
+  tenths_s_ = -1;
+}
+
+void HudPanel::follow(const FrameRecord& record) {
+  const auto tenths_s = static_cast<std::int64_t>(std::floor(10.0 * record.display_s));
+  if (tenths_s == tenths_s_ && record.views == views_ && record.controls == controls_ &&
+      record.lesson == lessonState_ && record.notice == notice_) {
+    return;
+  }
+  tenths_s_ = tenths_s;
+  views_ = record.views;
+  controls_ = record.controls;
+  lessonState_ = record.lesson;
+  notice_ = record.notice;
+  describe(record, lesson_, described_);
+  set(described_);
+}
+
+int HudPanel::endOf_px(const Written& written, int height_px) {
+  return beginOf_px(written.line, height_px) + written.ink.size_px.x;
+}
+
+void HudPanel::write(const glm::ivec2& picture_px, const glm::dvec2& size_m) {
+  int height_px = static_cast<int>(
+      std::lround(std::max(kSmallest_px, kCapital_m / kCapitalOfLetters * picture_px.y / size_m.y)));
+  const auto widest_px = [&] {
+    int widest = 0;
+    for (Written& written : lines_) {
+      if (height_px != height_px_ || written.ink.size_px.x == 0)
+        written.ink = ink(written.line.text, height_px);
+      widest = std::max(widest, endOf_px(written, height_px));
+    }
+    height_px_ = height_px;
+    return widest;
+  };
+  // A small wall has small words.
+  const double wide = widest_px() + 4.0 * height_px;
+  const double high = (kLine * static_cast<double>(lines_.size()) + 1.0) * height_px;
+  const double share = std::min(kMostOfWidth * picture_px.x / wide, kMostOfHeight * picture_px.y / high);
+  if (share < 1.0) {
+    height_px = std::max(1, static_cast<int>(share * height_px));
+    widest_px();
+  }
+}
+
+/// The ground, the marks and the ink as one picture.
+void HudPanel::upload(const glm::ivec2& size_px, int height_px) {
+  size_px_ = size_px;
+  rgba_.resize(4 * static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y));
+  for (std::size_t i = 0; i < rgba_.size(); ++i) rgba_[i] = kGround[i % 4];
+  const auto cover = [&](const glm::ivec2& at, const glm::vec3& colour, int alpha) {
+    if (at.x < 0 || at.y < 0 || at.x >= size_px.x || at.y >= size_px.y || alpha == 0) return;
+    std::uint8_t* pixel =
+        &rgba_[4 * (static_cast<std::size_t>(at.y) * size_px.x + static_cast<std::size_t>(at.x))];
+    for (int i = 0; i < 3; ++i) {
+      pixel[i] =
+          static_cast<std::uint8_t>((pixel[i] * (255 - alpha) + static_cast<int>(colour[i]) * alpha) / 255);
+    }
+    pixel[3] = std::max(pixel[3], static_cast<std::uint8_t>(alpha));
+  };
+  const int line_px = static_cast<int>(kLine * height_px);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const auto& [line, ink] = lines_[i];
+    const int text_px = 2 * height_px + beginOf_px(line, height_px);
+    const int foot_px = size_px.y - height_px / 2 - static_cast<int>(i + 1) * line_px;
+    for (int y = 0; y < ink.size_px.y; ++y) {
+      for (int x = 0; x < ink.size_px.x; ++x) {
+        cover({text_px + x, foot_px + ink.below_px + y}, line.urgent ? kUrgent : kWhite,
+              ink.alpha[static_cast<std::size_t>(y * ink.size_px.x + x)]);
+      }
+    }
+    const int mark_px = 3 * height_px / 4;
+    for (int y = 0; line.mark && y < mark_px; ++y) {
+      for (int x = 0; x < mark_px; ++x)
+        cover({2 * height_px / 3 + x, foot_px + height_px / 4 + y}, 255.0F * *line.mark, 255);
+    }
+  }
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+}
+
+/// Of the panel, on a wall whose room has its floor at height 0.
+glm::ivec2 HudPanel::lowerLeft_px(const Wall& wall, const glm::dvec2& pxPerM) const {
+  const double height_m = sizeOf_m(wall).y, margin_m = kMargin * height_m;
+  const double foot_m = glm::dot(wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m) / height_m;
+  const double top_m = std::min(height_m - margin_m, std::max(kHighest_m - foot_m, 0.5 * height_m));
+  return {static_cast<int>(margin_m * pxPerM.x),
+          std::max(0, static_cast<int>(top_m * pxPerM.y) - size_px_.y)};
+}
+
+void HudPanel::draw(const Wall& wall, const RenderTarget& picture) {
+  if (lines_.empty()) return;
+  const GlStateGuard state(picture.framebuffer(), picture.size_px());
+  const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);
+  if (!written_ || picture_px_ != picture.size_px()) {
+    if (picture_px_ != picture.size_px()) height_px_ = 0;
+    write(picture.size_px(), sizeOf_m(wall));
+    int widest_px = 0;
+    for (const Written& written : lines_) widest_px = std::max(widest_px, endOf_px(written, height_px_));
+    widest_px += height_px_ - widest_px % height_px_;  // so that it does not tremble with its digits
+    upload({widest_px + 3 * height_px_,
+            static_cast<int>(kLine * height_px_) * static_cast<int>(lines_.size()) + height_px_},
+           height_px_);
+    written_ = true;
+    picture_px_ = picture.size_px();
+  }
+  // Pixel on pixel, but for pixels that are not square.
+  const glm::ivec2 from_px = lowerLeft_px(wall, pxPerM);
+  blendOver();
+  glUseProgram(program_);
+  glBindVertexArray(vertexArray_);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glUniform1i(glGetUniformLocation(program_, "words"), 0);
+  glViewport(from_px.x, from_px.y, static_cast<int>(std::lround(size_px_.x * pxPerM.x / pxPerM.y)),
+             size_px_.y);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace carom

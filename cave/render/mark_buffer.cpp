@@ -1,0 +1,179 @@
+#include "cave/render/mark_buffer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <vtk_glew.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "cave/frame/clock_time.h"
+#include "cave/gl/gl_program.h"
+#include "shaders/digits.h"
+#include "shaders/mark_frag.h"
+#include "shaders/mark_vert.h"
+
+namespace carom {
+namespace {
+
+// As shaders/mark_frag.glsl has them, and the code of a plate.
+constexpr float kFlat = 0.0F;
+constexpr float kGlow = -1.0F;
+constexpr int kBehindPoint = 16, kShape = 256;
+constexpr double kPointWide = 0.35;                          // in places
+constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, of each shape
+
+constexpr int kPlaces = 12, kPlacesInAFloat = 6;
+constexpr std::uint64_t kMinus = 10, kDegrees = 12, kMetres = 13;
+
+/// Tenths with a unit's sign behind them.
+PlateText measured(double value, std::uint64_t unit) {
+  PlateText text = wholeNumber(static_cast<std::uint64_t>(std::clamp(std::round(10.0 * value), 0.0, 9999.0)));
+  text.places = std::max(text.places, 2) + 1;
+  text.digits = text.digits << 4 | unit;
+  text.tenths = text.unit = true;
+  return text;
+}
+
+}  // namespace
+
+PlateText wholeNumber(std::uint64_t number) {
+  PlateText text;
+  do {
+    text.digits |= number % 10 << (4 * text.places++);
+    number /= 10;
+  } while (number > 0 && text.places < kPlaces);
+  return text;
+}
+
+PlateText tenthsOf(double time_s) {
+  const double tenths = std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s);
+  PlateText text = wholeNumber(static_cast<std::uint64_t>(std::abs(tenths)));
+  text.places = std::max(text.places, 2);
+  text.tenths = true;
+  if (tenths < 0.0) {
+    text.digits |= kMinus << (4 * text.places);
+    ++text.places;
+  }
+  return text;
+}
+
+PlateText degreesOf(double angle_deg) { return measured(angle_deg, kDegrees); }
+PlateText metresOf(double length_m) { return measured(length_m, kMetres); }
+
+double placesAcross(const PlateText& text, PlateShape shape) {
+  return text.places + (text.tenths ? kPointWide : 0.0) + 2.0 * kMargins[static_cast<std::size_t>(shape)];
+}
+
+void MarkBuffer::addStrip(std::span<const glm::dvec3> left_m, std::span<const glm::dvec3> right_m,
+                          const glm::vec4& colour) {
+  for (std::size_t i = 0; i + 1 < left_m.size(); ++i) {
+    for (const glm::dvec3& place :
+         {left_m[i], left_m[i + 1], right_m[i], right_m[i], left_m[i + 1], right_m[i + 1]})
+      corners_.push_back({glm::vec3(place), colour, {}, {kFlat, 0.0F, 0.0F}, {}});
+  }
+}
+
+void MarkBuffer::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& colour, double halfWidth_rad) {
+  // Across the line of sight and the line; all of it has some length, so neither is 0 for long.
+  const auto aside = [&](std::size_t i) {
+    const glm::dvec3 way = drawn_m[std::min(i + 1, drawn_m.size() - 1)] - drawn_m[i > 0 ? i - 1 : 0];
+    const glm::dvec3 across = glm::cross(way, drawn_m[i]);
+    const double length = glm::length(across);
+    return length > 0.0 ? across * (halfWidth_rad * glm::length(drawn_m[i]) / length) : glm::dvec3(0.0);
+  };
+  for (std::size_t i = 0; i + 1 < drawn_m.size(); ++i) {
+    const std::array<glm::dvec3, 2> left{drawn_m[i] + aside(i), drawn_m[i + 1] + aside(i + 1)};
+    const std::array<glm::dvec3, 2> right{drawn_m[i] - aside(i), drawn_m[i + 1] - aside(i + 1)};
+    addStrip(left, right, colour);
+  }
+}
+
+void MarkBuffer::addPlate(std::span<const glm::dvec3> lower_m, std::span<const glm::dvec3> upper_m,
+                          const PlateText& text, PlateShape shape, const glm::vec4& colour) {
+  const int behind = text.tenths ? (text.unit ? 2 : 1) : 0;
+  constexpr int kBits = 4 * kPlacesInAFloat;  // which a float holds exactly
+  const glm::vec3 what(text.places + kBehindPoint * behind + kShape * static_cast<int>(shape),
+                       text.digits >> kBits, text.digits & ((1U << kBits) - 1U));
+  const glm::dvec3 middle_m = 0.5 * (lower_m.front() + upper_m.back());
+  const glm::vec4 plate(middle_m, 0.5 * glm::distance(lower_m.front(), upper_m.back()));
+  const float step = static_cast<float>(placesAcross(text, shape)) / static_cast<float>(lower_m.size() - 1);
+  for (std::size_t i = 0; i + 1 < lower_m.size(); ++i) {
+    const float from = step * static_cast<float>(i), to = step * static_cast<float>(i + 1);
+    const MarkCorner a{glm::vec3(lower_m[i]), colour, {from, 0.0F}, what, plate};
+    const MarkCorner b{glm::vec3(lower_m[i + 1]), colour, {to, 0.0F}, what, plate};
+    const MarkCorner c{glm::vec3(upper_m[i]), colour, {from, 1.0F}, what, plate};
+    const MarkCorner d{glm::vec3(upper_m[i + 1]), colour, {to, 1.0F}, what, plate};
+    for (const MarkCorner& corner : {a, b, c, c, b, d}) corners_.push_back(corner);
+  }
+}
+
+void MarkBuffer::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour) {
+  const double distance_m = glm::length(drawn_m);
+  if (!(distance_m > 0.0)) return;
+  const glm::dvec3 sight = drawn_m / distance_m;
+  const glm::dvec3 other = std::abs(sight.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 right = radius_m * glm::normalize(glm::cross(sight, other));
+  const glm::dvec3 up = glm::cross(right, sight);
+  const auto corner = [&](double u, double v) {
+    return MarkCorner{
+        glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), {kGlow, 0.0F, 0.0F}, {}};
+  };
+  for (const MarkCorner& c :
+       {corner(-1, -1), corner(1, -1), corner(-1, 1), corner(-1, 1), corner(1, -1), corner(1, 1)})
+    corners_.push_back(c);
+}
+
+MarkDrawer::MarkDrawer()
+    : program_(makeProgram("mark", shaders::mark_vert,
+                           std::string("#version 150\n") + shaders::digits + shaders::mark_frag)) {
+  glGenVertexArrays(1, &vertexArray_);
+  glGenBuffers(1, &buffer_);
+  GLint arrayBefore = 0, bufferBefore = 0;
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &arrayBefore);
+  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
+  glBindVertexArray(vertexArray_);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+  setAttribute(program_, "drawn_m", 3, sizeof(MarkCorner), offsetof(MarkCorner, drawn_m));
+  setAttribute(program_, "ink", 4, sizeof(MarkCorner), offsetof(MarkCorner, colour));
+  setAttribute(program_, "on", 2, sizeof(MarkCorner), offsetof(MarkCorner, on));
+  setAttribute(program_, "what", 3, sizeof(MarkCorner), offsetof(MarkCorner, what));
+  setAttribute(program_, "plate", 4, sizeof(MarkCorner), offsetof(MarkCorner, plate));
+  glBindVertexArray(static_cast<GLuint>(arrayBefore));
+  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
+}
+
+MarkDrawer::~MarkDrawer() {
+  glDeleteBuffers(1, &buffer_);
+  glDeleteVertexArrays(1, &vertexArray_);
+  glDeleteProgram(program_);
+}
+
+void MarkDrawer::upload(const MarkBuffer& batch) {
+  const std::span<const MarkCorner> corners = batch.corners();
+  count_ = static_cast<int>(corners.size());
+  if (count_ == 0) return;
+  GLint bufferBefore = 0;
+  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bufferBefore);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size_bytes()), corners.data(),
+               GL_STREAM_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(bufferBefore));
+}
+
+void MarkDrawer::draw(const glm::mat4& clipFromDrawn, float cutAt) const {
+  if (count_ == 0) return;
+  glUseProgram(program_);
+  glBindVertexArray(vertexArray_);
+  glUniformMatrix4fv(glGetUniformLocation(program_, "clipFromDrawn"), 1, GL_FALSE,
+                     glm::value_ptr(clipFromDrawn));
+  glUniform1f(glGetUniformLocation(program_, "cutAt"), cutAt);
+  for (const int plates : {0, 1}) {
+    glUniform1i(glGetUniformLocation(program_, "plates"), plates);
+    glDrawArrays(GL_TRIANGLES, 0, count_);
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,113 @@
+#pragma once
+// What marks among the bodies are made from: one eye's sight, and where it sees what rests on the board.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "cave/frame/time_views.h"
+#include "cave/render/ghosts.h"
+#include "cave/render/mark_buffer.h"
+#include "engine/billiard/game_event.h"
+#include "engine/light/light_cone.h"
+#include "engine/spacetime/observer.h"
+
+namespace carom {
+
+/// What one eye looks at, and whose eye it is.
+struct MarkContext {
+  const ObserverView& observer;
+  const EyeView& eye;
+  Switches switches;
+  TimeViews views;
+  std::size_t pucks = 0;                 ///< bodies 1 to this are pucks
+  std::span<const WorldLine> histories;  ///< of every body of the scene
+  std::span<const BodyView> bodies;      ///< as the eye sees them
+  std::span<const GameEvent> events;
+  Ghosts ghosts;
+};
+
+/// The person's board time: of the point between the eyes, so that both eyes see one thing.
+inline double boardNow_s(const MarkContext& sight) { return sight.observer.eyes[2].observation.t_s; }
+
+/// How long the eye has seen that this has happened; negative: not yet.
+inline double seenSince_s(const MarkContext& sight, const Event& event) {
+  const Event& eye = sight.eye.observation;
+  const double way_m = sight.switches.retardation ? glm::length(eye.r_m - event.r_m) : 0.0;
+  return eye.t_s - event.t_s - way_m / sight.observer.headFromBoard.lightSpeed_m_s();
+}
+
+/// Where things at rest on the board are drawn: light from them has come straight, (−|x|, x).
+class Resting {
+ public:
+  explicit Resting(const MarkContext& sight)
+      : drawnFromBoard_(ViewFrame(sight.observer.headFromBoard, sight.switches).drawnFromBoard.matrix()),
+        eye_m_(sight.eye.observation.r_m) {}
+  glm::dvec3 operator()(const Vec3& place_m) const {
+    return kernel::rayThrough(drawnFromBoard_, place_m - eye_m_);
+  }
+
+ private:
+  glm::dmat4 drawnFromBoard_;
+  Vec3 eye_m_;
+};
+
+/// Horizontal, to the right of someone who looks there from between the eyes: plates face them.
+inline Vec3 rightOf(const MarkContext& sight, const Vec3& place_m) {
+  const Vec3 way = place_m - sight.observer.eyes[2].observation.r_m;
+  const double length_m = std::hypot(way.x, way.y);
+  return length_m > 0.0 ? Vec3(way.y, -way.x, 0.0) / length_m : Vec3(1.0, 0.0, 0.0);
+}
+
+inline constexpr double kOnCloth_m = 0.003;  ///< height above it of what lies on it
+
+/// A plate that stands at a place and faces the person, large enough to be read from where they are.
+struct StandingPlate {
+  PlateText text;
+  PlateShape shape = PlateShape::box;
+  Vec3 foot_m{0.0};  ///< the middle of its lower border, board frame
+  double scale = 1.0;
+  double width_m() const { return kPlaceWidth_m * scale * placesAcross(text, shape); }
+  double height_m() const { return kPlateHeight_m * scale; }
+
+  static constexpr double kPlaceWidth_m = 0.033, kPlateHeight_m = 0.055;  // of a plate nearby
+};
+
+/// Of a size that can be read from between the eyes: further than 1.6 m away it is seen as large as there, up
+/// to three times its size.
+StandingPlate standingPlate(const MarkContext& sight, const PlateText& text, PlateShape shape,
+                            const Vec3& foot_m);
+
+/// The plate, `draw(offset)` saying where a point so far from its foot is drawn.
+template <typename Draw>
+void addPlate(MarkBuffer& batch, const MarkContext& sight, const StandingPlate& plate,
+              const glm::vec4& colour, const Draw& draw) {
+  constexpr std::size_t kAcross = 5;  // points along a plate's borders
+  const Vec3 right_m = plate.width_m() * rightOf(sight, plate.foot_m);
+  std::array<glm::dvec3, kAcross> lower, upper;
+  for (std::size_t i = 0; i < kAcross; ++i) {
+    const Vec3 aside_m = (static_cast<double>(i) / static_cast<double>(kAcross - 1) - 0.5) * right_m;
+    lower[i] = draw(aside_m);
+    upper[i] = draw(aside_m + Vec3(0.0, 0.0, plate.height_m()));
+  }
+  batch.addPlate(lower, upper, plate.text, plate.shape, colour);
+}
+
+/// Keeps plates from covering each other, as seen from between the eyes: whoever comes later stands higher.
+class LabelLayout {
+ public:
+  explicit LabelLayout(const MarkContext& sight) : eye_m_(sight.observer.eyes[2].observation.r_m) {}
+  /// Takes in a plate whose foot is asked to be where it is; by how much it must stand higher.
+  double raise_m(const StandingPlate& plate);
+
+ private:
+  struct Box {  // as seen: from the middle to a side, and heights, over the distance
+    double azimuth_rad, half, lower, upper;
+  };
+  Vec3 eye_m_;
+  std::array<Box, 32> boxes_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,277 @@
+#include "cave/render/spacetime_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <vtk_glew.h>
+#include <glm/geometric.hpp>
+
+#include "cave/gl/gl_state_guard.h"
+#include "cave/gl/view_colours.h"
+#include "cave/render/measure_marks.h"
+
+namespace carom {
+namespace {
+
+/// Where points of a body are drawn, at the moment that is viewed.
+class OnBody {
+ public:
+  OnBody(const MarkContext& sight, const BodyView& view, ViewTime moment)
+      : view_(view),
+        drawnFromSeen_(
+            ViewFrame(sight.observer.headFromBoard, sight.switches, moment).drawnFromSeen.matrix()) {}
+  glm::dvec3 operator()(const Vec3& offset_m) const {
+    const auto vertex = kernel::solveEmission(view_.legs.data(), static_cast<int>(view_.legs.size()),
+                                              offset_m, view_.retarded, view_.contracted);
+    const LegView& leg = view_.legs[static_cast<std::size_t>(vertex.leg)];
+    return kernel::rayThrough(drawnFromSeen_, kernel::seenFromEye(leg, vertex.event));
+  }
+
+ private:
+  const BodyView& view_;
+  glm::dmat4 drawnFromSeen_;
+};
+
+constexpr std::size_t kAround = 96;
+
+/// A ring on the board around `middle_m`, between two radii.
+void addRing(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double inner_m, double outer_m,
+             const glm::vec4& colour) {
+  std::array<glm::dvec3, kAround + 1> inner, outer;
+  for (std::size_t i = 0; i <= kAround; ++i) {
+    const double angle_rad = 2.0 * std::numbers::pi * static_cast<double>(i) / kAround;
+    const Vec3 direction(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    inner[i] = draw(middle_m + inner_m * direction);
+    outer[i] = draw(middle_m + outer_m * direction);
+  }
+  batch.addStrip(inner, outer, colour);
+}
+
+/// An arc of the light's sphere: around the vertical at one height, or over the top at one azimuth.
+template <typename Direction>
+void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double radius_m,
+            const glm::vec4& colour, const Direction& direction) {
+  constexpr double kHalfWidth_rad = 0.0009;
+  std::array<glm::dvec3, kAround + 1> arc;
+  for (std::size_t i = 0; i <= kAround; ++i)
+    arc[i] = draw(middle_m + radius_m * direction(static_cast<double>(i) / kAround));
+  batch.addLine(arc, colour, kHalfWidth_rad);
+}
+
+/// Light of a flash on its way: what of its sphere is above the cloth, in hoops, and the ring on the cloth.
+void addSphere(MarkBuffer& batch, const Resting& draw, const Event& flash, double radius_m) {
+  const double left = std::clamp(1.0 - radius_m / kSphere_m, 0.0, 1.0);
+  const glm::vec4 faint(kFlashColour, static_cast<float>(0.55 * left));
+  constexpr double kPi = std::numbers::pi;
+  for (int i = 0; i < 6; ++i) {
+    const double azimuth_rad = kPi * i / 6.0;
+    addArc(batch, draw, flash.r_m, radius_m, faint, [&](double share) {
+      const double rise_rad = kPi * share;
+      return Vec3(std::cos(azimuth_rad) * std::cos(rise_rad), std::sin(azimuth_rad) * std::cos(rise_rad),
+                  std::sin(rise_rad));
+    });
+  }
+  for (const double rise_rad : {kPi / 8.0, kPi / 4.0, 3.0 * kPi / 8.0}) {
+    addArc(batch, draw, flash.r_m, radius_m, faint, [&](double share) {
+      const double azimuth_rad = 2.0 * kPi * share;
+      return Vec3(std::cos(rise_rad) * std::cos(azimuth_rad), std::cos(rise_rad) * std::sin(azimuth_rad),
+                  std::sin(rise_rad));
+    });
+  }
+  const double rise_m = flash.r_m.z - kOnCloth_m;
+  if (!(radius_m > std::abs(rise_m))) return;
+  const double onCloth_m = std::sqrt((radius_m - rise_m) * (radius_m + rise_m));
+  const double half_m = std::min(0.008, 0.5 * onCloth_m);
+  addRing(batch, draw, {flash.r_m.x, flash.r_m.y, kOnCloth_m}, onCloth_m - half_m, onCloth_m + half_m,
+          glm::vec4(kFlashColour, static_cast<float>(0.4 + 0.6 * left)));
+}
+
+/// A ring around the place, and on a pin a flag with the number; since `age_s` ago it is seen.
+void addMarker(MarkBuffer& batch, const MarkContext& sight, const Resting& draw, const GameEvent& event,
+               double age_s, float shown, LabelLayout& crowd) {
+  const bool flash = event.kind == EventKind::flash;
+  const glm::vec4 colour(flash ? kFlashColour : kEventColour, shown);
+  const Vec3& at_m = event.at.r_m;
+  addRing(batch, draw, {at_m.x, at_m.y, kOnCloth_m}, 0.018, 0.026, colour);
+  constexpr double kPin_m = 0.10;
+  StandingPlate flag =
+      standingPlate(sight, wholeNumber(event.number), PlateShape::flag, at_m + Vec3(0.0, 0.0, kPin_m));
+  flag.scale *= 0.8;
+  flag.foot_m.z += crowd.raise_m(flag);
+  const std::array<glm::dvec3, 2> pin{draw(at_m), draw(flag.foot_m)};
+  batch.addLine(pin, colour, 0.001);
+  addPlate(batch, sight, flag, colour, [&](const Vec3& offset_m) { return draw(flag.foot_m + offset_m); });
+  const double glowing = 1.0 - age_s / kFlashSeen_s;
+  if (glowing <= 0.0) return;
+  const glm::vec4 light(kFlashColour, static_cast<float>(glowing));
+  // No thing on the table but dazzle: nearer than all that could cut it.
+  constexpr double kNearer = 0.6;
+  batch.addGlow(kNearer * draw(at_m), kNearer * (flash ? 0.3 : 0.08), light);
+}
+
+/// The events that the eye has seen last, the latest first.
+class Latest {
+ public:
+  struct Seen {
+    const GameEvent* event = nullptr;
+    double age_s = 0.0;
+  };
+  void add(const Seen& seen) {
+    std::size_t at = count_ < seen_.size() ? count_++ : seen_.size();
+    for (; at > 0 && seen.age_s < seen_[at - 1].age_s; --at) {
+      if (at < seen_.size()) seen_[at] = seen_[at - 1];
+    }
+    if (at < seen_.size()) seen_[at] = seen;
+  }
+  std::span<const Seen> seen() const { return std::span(seen_).first(count_); }
+
+ private:
+  std::array<Seen, kMostMarkers> seen_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) {
+  const Resting draw(sight);
+  const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
+  Latest latest;
+  for (const GameEvent& event : sight.events) {
+    if (event.kind == EventKind::flash) {
+      const double radius_m = c_m_s * (boardNow_s(sight) - event.at.t_s);
+      if (radius_m > 0.0 && radius_m < kSphere_m) addSphere(batch, draw, event.at, radius_m);
+    }
+    const double age_s = seenSince_s(sight, event.at);
+    if (age_s >= 0.0 && age_s < kEventShown_s) latest.add({&event, age_s});
+  }
+  double rank = 0.0;
+  for (const auto& [event, age_s] : latest.seen()) {
+    const double byAge = std::clamp(2.0 * (1.0 - age_s / kEventShown_s), 0.0, 1.0);
+    const double byRank = std::min(1.0, 1.4 * (1.0 - rank++ / static_cast<double>(kMostMarkers)));
+    addMarker(batch, sight, draw, *event, age_s, static_cast<float>(byAge * byRank), crowd);
+  }
+}
+
+void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
+                   std::span<const double> reach_m, LabelLayout& crowd, MarkBuffer& batch) {
+  const Event& between = sight.observer.eyes[2].observation;
+  const Resting resting(sight);
+  for (std::size_t body = 1; body <= sight.pucks; ++body) {
+    const OnBody draw(sight, sight.bodies[body], ViewTime::seen);
+    const Motion centre = centreSeen(sight.histories[body], sight.eye.observation, sight.switches);
+    const Vec3 middle_m = centreSeen(sight.histories[body], between, sight.switches).event.r_m;
+    const Vec3 above_m(0.0, 0.0, reach_m[body] + 0.01);
+    StandingPlate plate =
+        standingPlate(sight, tenthsOf(centre.properTime_s), PlateShape::clock, middle_m + above_m);
+    plate.scale *= 1.15;
+    const Vec3 foot_m = above_m + Vec3(0.0, 0.0, crowd.raise_m(plate));
+    const glm::vec4 colour(codeOf(glm::max(colours[body], glm::vec3(0.08F))), 1.0F);
+    const std::array<glm::dvec3, 2> stem{draw(Vec3(0.0)), draw(foot_m)};
+    batch.addLine(stem, colour, 0.0014);
+    // The plate is no thing: it stands there upright, as if at rest, so that it can be read at any speed.
+    addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) {
+      return stem[1] + resting(plate.foot_m + offset_m) - resting(plate.foot_m);
+    });
+  }
+}
+
+namespace {
+
+/// A figure of `corners` around a place, seen from the front, between two radii.
+void addFigure(MarkBuffer& batch, const glm::dvec3& drawn_m, const glm::dvec3& up_m, int corners,
+               double inner_m, double outer_m, const glm::vec4& colour) {
+  const glm::dvec3 across_m = glm::cross(drawn_m, up_m);
+  if (!(glm::length(across_m) > 0.0)) return;
+  const glm::dvec3 right = glm::normalize(across_m);
+  const glm::dvec3 up = glm::normalize(glm::cross(right, drawn_m));
+  std::array<glm::dvec3, kAround + 1> inner, outer;
+  for (int i = 0; i <= corners; ++i) {
+    const double angle_rad = 2.0 * std::numbers::pi * i / corners;
+    const glm::dvec3 direction = std::sin(angle_rad) * right + std::cos(angle_rad) * up;
+    inner[static_cast<std::size_t>(i)] = drawn_m + inner_m * direction;
+    outer[static_cast<std::size_t>(i)] = drawn_m + outer_m * direction;
+  }
+  const auto count = static_cast<std::size_t>(corners) + 1;
+  batch.addStrip(std::span(inner).first(count), std::span(outer).first(count), colour);
+}
+
+void addBeacon(MarkBuffer& batch, const OnBody& draw, const glm::vec3& ownColour, double top_m,
+               ViewTime moment) {
+  constexpr double kPin_m = 0.11, kFigure_m = 0.02, kOwn_m = 0.55 * kFigure_m;
+  const bool mine = moment == ViewTime::myNow;
+  const glm::vec4 colour(mine ? kMyNowColour : kBoardNowColour, 1.0F);
+  const std::array<glm::dvec3, 2> pin{draw(Vec3(0.0)), draw({0.0, 0.0, top_m + kPin_m})};
+  batch.addLine(pin, colour, 0.0009);
+  const glm::dvec3 up_m = pin[1] - pin[0];
+  const double length_m = glm::length(up_m);
+  if (!(length_m > 0.0)) return;
+  const glm::dvec3 middle_m = pin[1] + up_m * (kFigure_m / length_m);
+  const int corners = mine ? 24 : 4;
+  const double inner_m = mine ? kFigure_m : kOwn_m;  // the ring goes around the diamond
+  addFigure(batch, middle_m, up_m, corners, inner_m, mine ? 1.4 * kFigure_m : kFigure_m, colour);
+  addFigure(batch, middle_m, up_m, corners, 0.0, inner_m, glm::vec4(codeOf(ownColour), 1.0F));
+}
+
+}  // namespace
+
+void addBeacons(const MarkContext& sight, std::span<const glm::vec3> colours, std::span<const double> tops_m,
+                MarkBuffer& batch) {
+  const auto add = [&](std::span<const BodyView> ghosts, ViewTime moment) {
+    for (std::size_t body = 1; body < ghosts.size(); ++body) {
+      if (ghosts[body].legs.empty()) continue;
+      addBeacon(batch, OnBody(sight, ghosts[body], moment), colours[body], tops_m[body], moment);
+    }
+  };
+  add(sight.ghosts.myNow, ViewTime::myNow);
+  add(sight.ghosts.boardNow, ViewTime::boardNow);  // for a head at rest the same: its diamond within the ring
+}
+
+SpacetimeMarks::SpacetimeMarks(const Scene& scene)
+    : colours_(scene.bodyCount),
+      reach_m_(scene.reach_m),
+      tops_m_(scene.bodyCount),
+      ruler_(scene.ruler),
+      pulses_(scene.pulses) {
+  reach_m_.resize(scene.bodyCount);
+  for (const ScenePart& part : scene.parts) {
+    if (part.paint == Paint::shadow) continue;
+    colours_[part.body] = part.colour;
+    tops_m_[part.body] = std::max(tops_m_[part.body], part.mesh->GetBounds()[5]);  // VTK's zmax
+  }
+}
+
+void SpacetimeMarks::look(const MarkContext& sight) {
+  pucks_ = sight.pucks;
+  pathsShown_ = sight.views.paths != 0;
+  if (pathsShown_) {
+    const auto pucks = sight.histories.subspan(1, pucks_);
+    paths_.follow(pucks, boardNow_s(sight));
+    paths_.look(pucks, sight.eye.observation, sight.switches, boardNow_s(sight));
+  }
+  drawnFromBoard_ =
+      glm::mat4(ViewFrame(sight.observer.headFromBoard, sight.switches).drawnFromBoard.matrix());
+  batch_.clear();
+  LabelLayout crowd(sight);
+  if (sight.views.ruler) addRuler(sight, ruler_, crowd, batch_);
+  if (sight.views.clocks) addPuckClocks(sight, colours_, reach_m_, crowd, batch_);
+  if (sight.views.events) addEvents(sight, crowd, batch_);
+  if (sight.views.angles) addAngles(sight, crowd, batch_);
+  addBeacons(sight, colours_, tops_m_, batch_);
+  addPulses(sight, pulses_, batch_);
+  marks_.upload(batch_);
+}
+
+void SpacetimeMarks::draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, const glm::ivec2& size_px,
+                          float cutAt) const {
+  const GlStateGuard state(framebuffer, size_px);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  blendOver();
+  if (pathsShown_) paths_.draw(clipFromDrawn, drawnFromBoard_, std::span(colours_).subspan(1, pucks_));
+  marks_.draw(clipFromDrawn, cutAt);
+}
+
+}  // namespace carom

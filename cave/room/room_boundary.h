@@ -1,0 +1,38 @@
+#pragma once
+// Whether the person has left the room: gone behind one of its walls, which then has nothing to show them.
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cave/room/wall.h"
+
+namespace carom {
+
+class RoomBoundary {
+ public:
+  /// Trackers err by a centimetre or two at the edge of what they see.
+  static constexpr double kBehind_m = 0.05;
+
+  /// Keeps the walls.
+  explicit RoomBoundary(std::span<const Wall> walls) : walls_(walls) {}
+
+  /// What to say to a head that is here now; empty but for once each time that it leaves.
+  std::string look(const glm::dvec3& headInRoom_m) {
+    const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) {
+      return glm::dot(normalOf(w), headInRoom_m - w.lowerLeft_m) < -kBehind_m;
+    });
+    const bool was = std::exchange(left_, wall != walls_.end());
+    if (was || !left_) return {};
+    return fmt::format("You have left the room: you are behind its wall '{}'. Step back in.", wall->name);
+  }
+
+ private:
+  std::span<const Wall> walls_;
+  bool left_ = false;
+};
+
+}  // namespace carom

@@ -1,0 +1,270 @@
+#include "engine/billiard/collision_scheduler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace carom {
+
+namespace {
+
+std::vector<CushionPlane> cushionsOf(const std::optional<Board>& board) {
+  if (!board) return {};
+  const double x = 0.5 * board->length_m, y = 0.5 * board->width_m;
+  return {{0, 1.0, x}, {0, -1.0, x}, {1, 1.0, y}, {1, -1.0, y}};  // in the order of `Cushion`
+}
+
+constexpr std::size_t kPucksInCache = 2000;
+
+std::vector<std::size_t> byName(const std::vector<Puck>& pucks) {
+  std::vector<std::size_t> order(pucks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return pucks[a].name < pucks[b].name; });
+  return order;
+}
+
+}  // namespace
+
+CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
+    : c_m_s_(setup.lightSpeed_m_s),
+      convention_(setup.rules.collisionEvent == CollisionEvent::centre
+                      ? TurnConvention::signalAtCentre
+                      : TurnConvention::simultaneousWithContact),
+      puckRestitution_(setup.rules.puckRestitution),
+      cushionRestitution_(setup.rules.cushionRestitution),
+      brake_(setup.rules.friction_m_s2 / (c_m_s_ * c_m_s_)),
+      cushions_(cushionsOf(setup.board)),
+      predictions_(setup.pucks.size()),
+      queue_(static_cast<int>(setup.pucks.size())),
+      inJam_(setup.pucks.size(), 0) {
+  double lowX = kNever, lowY = kNever, highX = -kNever, highY = -kNever;
+  for (const std::size_t file : byName(setup.pucks)) {
+    const Puck& puck = setup.pucks[file];
+    const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta));
+    PuckState player;
+    player.leg = {{0.0, puck.position_m.x, puck.position_m.y},
+                  fourVelocity(gamma * puck.beta.x, gamma * puck.beta.y),
+                  0.0,
+                  brake_};
+    player.mass = puck.mass_kg;
+    player.height = 0.5 * puck.height_m;
+    player.file = file;
+    discs_.push_back({player.leg.start, player.leg.u, puck.radius_m, kNever});
+    pucks_.push_back(player);
+    largestRadius_ = std::max(largestRadius_, puck.radius_m);
+    gammaBound_ = std::max(gammaBound_, 1.25 * player.leg.u.t);
+    rollbackWindow_ = std::max(rollbackWindow_, 4.0 * player.leg.u.t * puck.radius_m);
+    lowX = std::min(lowX, puck.position_m.x), highX = std::max(highX, puck.position_m.x);
+    lowY = std::min(lowY, puck.position_m.y), highY = std::max(highY, puck.position_m.y);
+  }
+  if (setup.board) {
+    boxLowX_ = -0.5 * setup.board->length_m, boxWidth_ = setup.board->length_m;
+    boxLowY_ = -0.5 * setup.board->width_m, boxHeight_ = setup.board->width_m;
+  } else if (!pucks_.empty()) {
+    boxLowX_ = lowX, boxWidth_ = highX - lowX, boxLowY_ = lowY, boxHeight_ = highY - lowY;
+  }
+  for (const Stroke& stroke : setup.strokes) storeStroke(stroke);
+  for (const Flash& flash : setup.flashes)
+    flashes_.emplace_back(static_cast<std::uint32_t>(flashes_.size()), flash.at);
+  std::stable_sort(flashes_.begin(), flashes_.end(),
+                   [](const auto& a, const auto& b) { return a.second.t_s < b.second.t_s; });
+  predictAll();
+}
+
+void CollisionScheduler::addStroke(const Stroke& stroke) { predict(storeStroke(stroke)); }
+
+int CollisionScheduler::storeStroke(const Stroke& stroke) {
+  const auto player =
+      std::find_if(pucks_.begin(), pucks_.end(), [&](const PuckState& p) { return p.file == stroke.puck; });
+  PuckStroke own;
+  own.hand.t = stroke.at_s * c_m_s_;
+  own.fromHand = stroke.from_m.has_value();
+  if (stroke.from_m) {
+    own.hand.x = stroke.from_m->x, own.hand.y = stroke.from_m->y;
+    own.height = stroke.from_m->z - player->height;
+  }
+  own.px = stroke.momentum_kg_m_s.x / c_m_s_, own.py = stroke.momentum_kg_m_s.y / c_m_s_;
+  player->strokes.push_back(static_cast<int>(strokes_.size()));
+  strokes_.push_back(own);
+  return static_cast<int>(player - pucks_.begin());
+}
+
+bool CollisionScheduler::playUntil(double limit, std::size_t events, GameHistory& history) {
+  bool played = false;
+  for (; !pucks_.empty() && (queue_.firstDue() <= limit || hasDeferredBefore(limit)); played = true) {
+    if (history.eventCount() >= events) {
+      history.complete();
+      return false;
+    }
+    flashUntil(queue_.firstDue(), history);
+    step(history);
+  }
+  if (played) history.complete();
+  flashUntil(limit, history);
+  return true;
+}
+
+// Flashes take their places in the list of events when everything due before them has been committed.
+void CollisionScheduler::flashUntil(double limit, GameHistory& history) {
+  for (; flashed_ < flashes_.size() && flashes_[flashed_].second.t_s * c_m_s_ <= limit; ++flashed_) {
+    const auto& [place, flash] = flashes_[flashed_];
+    history.addFlash(place, flash);
+    clock_ = std::max(clock_, flash.t_s * c_m_s_);
+  }
+}
+
+// A puck put off behind a later one may still have something to do before `limit`.
+bool CollisionScheduler::hasDeferredBefore(double limit) {
+  if (deferred_.empty()) return false;
+  std::erase_if(deferred_, [&](int i) { return queue_.due(i) <= predictions_[i].next.due(); });
+  return std::any_of(deferred_.begin(), deferred_.end(), [&](int i) {
+    return predictions_[i].next.ownTime <= limit || predictions_[i].next.otherTime <= limit;
+  });
+}
+
+void CollisionScheduler::fetchDiscs(int found) const {
+  for (int n = 0; n < found; ++n) __builtin_prefetch(&discs_[near_[n]]);
+}
+
+// Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
+// they are needed: first a puck's own, then, when its turn is near, those of the pucks around it.
+void CollisionScheduler::prefetchUpcoming() {
+  const auto fetch = [&](int i) {
+    __builtin_prefetch(&predictions_[i]);
+    __builtin_prefetch(&discs_[i]);
+    const char* player = reinterpret_cast<const char*>(&pucks_[i]);
+    for (std::size_t byte = 0; byte < sizeof(PuckState); byte += 64) __builtin_prefetch(player + byte);
+  };
+  for (int k = 1; k < static_cast<int>(fetched_.size()); ++k) {
+    const int i = queue_.soon(k);
+    if (i < 0 || i == fetched_[k]) continue;
+    fetched_[k] = i;
+    if (k > 4) {
+      fetch(i);
+      continue;
+    }
+    const PredictedEvent& next = predictions_[i].next;
+    const int axis = leavesFirst(i), cell = cells_.cellOf(i);
+    if (pucks_[i].leavesCell[axis] < next.ownTime) {
+      const int way = wayAlong(i, axis);
+      fetchDiscs(cells_.findAhead(cells_.beside(cell, axis, way), axis, way, near_.data()));
+    } else {
+      if (next.kind == Kind::pair) fetch(next.with);
+      fetchDiscs(cells_.findNear(cell, 1, near_.data()));
+    }
+  }
+}
+
+void CollisionScheduler::step(GameHistory& history) {
+  const int i = queue_.first();
+  clock_ = std::max(clock_, queue_.firstDue());
+  if (pucks_.size() > kPucksInCache) prefetchUpcoming();
+  const PredictedEvent predicted = predictions_[i].next;
+  const int axis = leavesFirst(i);
+  if (pucks_[i].leavesCell[axis] < predicted.ownTime) return changeCell(i, axis);
+  switch (predicted.kind) {
+    case Kind::none:
+      return;
+    case Kind::turn:
+      beginCommitted(i);
+      break;
+    case Kind::stroke:
+      strike(i, predicted.with, history);
+      break;
+    case Kind::cushion:
+      bounce(i, predicted, history);
+      break;
+    case Kind::pair:
+      return meet(i, history);
+  }
+  if (cellsTooSmall_) return predictAll();
+  predict(i);
+  predictDependents(i);
+}
+
+// A contact happens when it is the next thing in both pucks' own time.
+void CollisionScheduler::meet(int i, GameHistory& history) {
+  const PredictedEvent a = predictions_[i].next;
+  const int j = a.with;
+  const PredictedEvent& theirs = predictions_[j].next;
+  const bool mutual = theirs.kind == Kind::pair && theirs.with == i;
+  if (!mutual && theirs.ownTime < a.otherTime && !waitsForItself(i)) {
+    queue_.setDue(i, std::nextafter(std::max(queue_.due(i), queue_.due(j)), kNever));
+    deferred_.push_back(i);
+    return;
+  }
+  if (pucks_.size() > kPucksInCache) fetchDiscs(cells_.findNear(cells_.cellOf(j), 1, near_.data()));
+  const bool inOrder = i < j;
+  PredictedEvent ordered = a;
+  if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
+  const unsigned legs[2] = {pucks_[i].legNumber, pucks_[j].legNumber};
+  members_.clear();
+  collide(inOrder ? i : j, inOrder ? j : i, ordered, history);
+  if (pucks_[i].legNumber == legs[0]) pucks_[i].met.push_back({j, legs[1]});
+  if (pucks_[j].legNumber == legs[1]) pucks_[j].met.push_back({i, legs[0]});
+  if (cellsTooSmall_) return predictAll();
+  predict(i);
+  predict(j);
+  predictDependents(i);
+  predictDependents(j);
+  for (const Member& member : members_) {
+    if (member.puck == i || member.puck == j) continue;
+    predict(member.puck);
+    predictDependents(member.puck);
+  }
+}
+
+// Do the pucks that this one waits for wait, in the end, for it? Then no order is right, and the first due
+// goes.
+bool CollisionScheduler::waitsForItself(int i) const {
+  int at = predictions_[i].next.with;
+  for (std::size_t steps = 0; steps <= pucks_.size(); ++steps) {
+    const PredictedEvent& a = predictions_[at].next;
+    if (a.kind != Kind::pair) return false;
+    if (a.with == i) return true;
+    const PredictedEvent& theirs = predictions_[a.with].next;
+    if (theirs.kind == Kind::pair && theirs.with == at) return false;
+    at = a.with;
+  }
+  return true;
+}
+
+void CollisionScheduler::changeCell(int i, int axis) {
+  const int way = wayAlong(i, axis);
+  const int into = cells_.beside(cells_.cellOf(i), axis, way);
+  cells_.move(i, into);
+  pucks_[i].leavesCell[axis] = leavesCell(i, axis);
+  const PredictedEvent& before = predictions_[i].next;
+  PredictedEvent best = before;
+  considerPairs(i, cells_.findAhead(into, axis, way, near_.data()), best);
+  considerCushions(i, best);
+  if (best.ownTime == before.ownTime && best.with == before.with) return schedule(i);
+  setPredictedEvent(i, best);
+}
+
+Ledger CollisionScheduler::ledger() const {
+  Vec21 motion;
+  for (std::size_t i = 0; i < pucks_.size(); ++i) {
+    motion = motion + lastLeg(static_cast<int>(i)).u * pucks_[i].mass;
+  }
+  const auto account = [&](const Vec21& p) {
+    return Ledger::Account{p.t * c_m_s_ * c_m_s_, {p.x * c_m_s_, p.y * c_m_s_}};
+  };
+  return {account(motion),           account(accounts_.radiated), account(accounts_.taken),
+          account(accounts_.braked), account(accounts_.given),    accounts_.heat * c_m_s_ * c_m_s_};
+}
+
+void CollisionScheduler::restore(GameHistory& history) const {
+  for (const PuckState& player : pucks_) {
+    history.keepLegs(player.file, player.begun);
+    for (const CommittedLeg& decided : player.decided) {
+      history.addLeg(player.file, decided.leg, decided.signal);
+      history.changeTurn(decided.event, player.file,
+                         {decided.leg.start, decided.uBefore, decided.leg.properTime}, decided.leg.u);
+      noteBounce(decided, history);
+    }
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,359 @@
+// What comes of an predicted event: turns, kicks, and what is then certain.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/billiard/collision_scheduler.h"
+#include "engine/collision/braked_contact.h"
+
+namespace carom {
+
+namespace {
+
+// Two turns closer than this, in metres of light, are one: what is left of a cancellation when a corner's two
+// kicks arrive together.
+double sameTurn_m(double radius) { return 1e-9 * radius; }
+
+constexpr int kKicksOfAJam = 64;
+constexpr double kJamPerRadius = 1e-6;  // of the time in which light crosses the radius
+constexpr double kStill = 1e-9;         // of light speed: slower than this, jammed pucks do not kick
+
+}  // namespace
+
+void CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
+  const std::array<int, 2> who{first, second};
+  const bool braked = brake_ != 0.0;
+  const auto flight = [&](int i) {
+    return braked ? flightAt({pucks_[i].leg, discs_[i].radius}, a.touchAt) : discs_[i];
+  };
+  const PairContact contact = contactOf(flight(first), flight(second), a.withoutDelay);
+
+  const std::array<double, 2> mass{pucks_[first].mass, pucks_[second].mass};
+  const auto decidedU = [&](int i) { return braked ? momentAt(lastLeg(i), a.touchAt).u : lastLeg(i).u; };
+  if (!kickPair(contact.U, contact.n, {decidedU(first), decidedU(second)}, mass, 1.0)) return;  // they recede
+
+  const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;
+  std::array<LegState, 2> turn;
+  for (int k = 0; k < 2; ++k) {
+    const LegState onFollowedLeg = turnOnFollowedLeg(who[k], k, contact, simultaneous);
+    const Place place =
+        placeTurn(who[k], simultaneous ? onFollowedLeg.x : contact.event, -1, onFollowedLeg, history);
+    if (place.tooLate) return;
+    turn[k] = place.turn;
+  }
+  const std::array<bool, 2> pressed{isPressed(first, turn[0].x.t), isPressed(second, turn[1].x.t)};
+  if (pressed[0] && pressed[1]) return settle(who, contact, turn, history);
+  const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
+                            restitution(second, puckRestitution_, turn[1].x.t));
+  const std::optional<PairKick> kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u}, mass, e);
+  if (!kick || (e == 0.0 && kick->closing < kStill && (pucks_[first].jammed || pucks_[second].jammed)))
+    return;
+
+  const double heat = kick->heat[0] + kick->heat[1];
+  const std::uint64_t collision =
+      history.addCollision(std::nullopt, contact.event, a.withoutDelay, heat * c_m_s_ * c_m_s_);
+  accounts_.heat += heat;
+  for (int k = 0; k < 2; ++k) {
+    const int i = who[k];
+    history.addTurn(collision, pucks_[i].file, turn[k], kick->u[k]);
+    CommittedLeg decided;
+    decided.leg = {turn[k].x, kick->u[k], turn[k].properTime, brake_};
+    decided.signal = a.withoutDelay ? turn[k].x : contact.event;
+    decided.event = collision;
+    decided.heat = kick->heat[k];
+    decided.radiated = kick->u[k] * kick->heat[k];
+    pucks_[i].decidedAt = k == 0 ? a.ownTime : a.otherTime;
+    decide(i, decided, turn[k], history);
+    noteKick(i, turn[k].x);
+    noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k]);
+    pucks_[i].lastPartner = who[1 - k];
+  }
+}
+
+void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& history) {
+  PuckState& player = pucks_[i];
+  player.metCushions |= 1u << a.with;
+  std::optional<CushionContact> contact =
+      findContact(player.leg, discs_[i].radius, cushions_[a.with], convention_);
+  if (!contact) return;
+  std::size_t foundOn = player.begun;
+  if (!player.decided.empty()) {
+    if (contact->withoutDelay) return;
+    // What is decided already has turned the puck off this cushion.
+    if (!(cushions_[a.with].towards(lastLeg(i).u) > 0.0)) return;
+    const Place place = placeTurn(i, contact->event, a.with, contact->turn, history);
+    if (place.tooLate) return;
+    contact->turn = place.turn;
+    if (place.touchedBefore) {
+      contact = place.touchedBefore, foundOn = lastLegNumber(i);
+    } else if (cornerBefore(a.with, *contact)) {
+      return;  // the leg that the neighbour's signal begins has its own contact with this cushion
+    }
+  }
+  player.decidedAt = a.ownTime;
+  bounceAt(i, a.with, *contact, foundOn, history);
+}
+
+// The cushions end at the corners, and so does what can be touched: the end of the cushion, if the contact
+// found with its prolonged line lies beyond a neighbour. It can do so only
+// * after the leg has touched that neighbour, whose signal is still on its way: the rim met the neighbour there
+//   before, and has never come to where this leg, which does not know of it yet, would have it;
+// * or where the rim was in contact before the leg began, on this leg continued backwards through its turn at
+//   that neighbour. Then the signal is taken to come from the end of the cushion: the event from which it
+//   reaches the centre at the contact's turn or, where turns do not wait for signal, at the time of the
+//   contact.
+std::optional<Vec21> CollisionScheduler::cornerBefore(int cushion, const CushionContact& contact) const {
+  const int firstNeighbour = cushions_[cushion].axis == 0 ? 2 : 0;
+  const bool delayed = convention_ == TurnConvention::signalAtCentre && !contact.withoutDelay;
+  for (const int k : {firstNeighbour, firstNeighbour + 1}) {
+    const CushionPlane& neighbour = cushions_[k];
+    if (!(neighbour.inside(contact.event) < 0.0)) continue;
+    Vec21 corner = contact.event;
+    (neighbour.axis == 0 ? corner.x : corner.y) = neighbour.sign * neighbour.distance;
+    const Vec21 way = contact.turn.x - corner;
+    if (delayed) corner.t = contact.turn.x.t - std::sqrt(way.x * way.x + way.y * way.y);
+    return corner;
+  }
+  return std::nullopt;
+}
+
+// Commits the kick of a cushion at contact.turn, on the last leg decided.
+void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, std::size_t foundOn,
+                                  GameHistory& history) {
+  PuckState& player = pucks_[i];
+  const double e = restitution(i, cushionRestitution_, contact.turn.x.t);
+  const std::optional<CushionKick> kick = kickOffCushion(cushions_[cushion], contact.turn.u, player.mass, e);
+  if (!kick) return;
+  accounts_.heat += kick->heat;
+  contact.event = cornerBefore(cushion, contact).value_or(contact.event);
+  CommittedLeg decided;
+  decided.event = history.addCollision(static_cast<Cushion>(cushion), contact.event, contact.withoutDelay,
+                                       kick->heat * c_m_s_ * c_m_s_);
+  history.addTurn(decided.event, player.file, contact.turn, kick->u);
+  decided.leg = {contact.turn.x, kick->u, contact.turn.properTime, brake_};
+  decided.signal = contact.withoutDelay ? contact.turn.x : contact.event;
+  decided.cushion = cushion;
+  decided.contact = contact.event, decided.ownTime = contact.ownTime;
+  decided.withoutDelay = contact.withoutDelay;
+  decided.foundOn = foundOn;
+  decided.heat = kick->heat;
+  decided.radiated = kick->u * kick->heat;
+  decided.taken = contact.turn.u * player.mass - kick->u * (player.mass + kick->heat);
+  decide(i, decided, contact.turn, history);
+  noteKick(i, contact.turn.x);
+  player.lastPartner = -1;
+}
+
+LegState CollisionScheduler::turnOnFollowedLeg(int i, int which, const PairContact& contact,
+                                               bool simultaneous) const {
+  const Leg& leg = pucks_[i].leg;
+  if (brake_ == 0.0) {
+    return momentAfter(leg,
+                       std::max(0.0, simultaneous ? contact.simultaneous[which] : contact.signal[which]));
+  }
+  const LegState turn =
+      simultaneous ? simultaneousWith(leg, contact.event, contact.U) : signalArrives(leg, contact.event);
+  return turn.x.t < leg.start.t ? momentAt(leg, leg.start.t) : turn;
+}
+
+// Where the future cone of the signal meets the centre's world line as it stands. On the leg being followed the
+// caller knows.
+CollisionScheduler::Place CollisionScheduler::placeTurn(int i, const Vec21& signal, int cushion,
+                                                        const LegState& onFollowedLeg, GameHistory& history) {
+  const PuckState& player = pucks_[i];
+  if (player.decided.empty()) return {onFollowedLeg, false, {}};
+  if (onFollowedLeg.x.t <
+      player.decided.front().leg.start.t - sameTurn_m(discs_[i].radius) * player.leg.u.t) {
+    return {onFollowedLeg, true, {}};
+  }
+  return whereSignalArrives(i, signal, cushion, history);
+}
+
+// Where signal finds the centre from the last leg decided on. Cushions that it reaches before are bounced off
+// first. The signal of a cushion kicks it once for one approach: where the leg's own contact with that cushion
+// is heard of first, this stands for it, and the older signal has nothing more to say.
+CollisionScheduler::Place CollisionScheduler::whereSignalArrives(int i, const Vec21& signal, int cushion,
+                                                                 GameHistory& history) {
+  const double same = sameTurn_m(discs_[i].radius);
+  while (true) {
+    const Leg leg = lastLeg(i);
+    LegState turn = signalArrives(leg, signal);
+    if (turn.x.t < leg.start.t) {
+      const bool tooLate = turn.x.t < leg.start.t - same * leg.u.t;
+      if (tooLate) return {turn, true, {}};
+      turn = {leg.start, leg.u, leg.properTime};
+    }
+    int cushionBefore = -1;
+    CushionContact before;
+    before.turn = turn;
+    for (int k = 0; k < static_cast<int>(cushions_.size()); ++k) {
+      const auto contact = findContact(leg, discs_[i].radius, cushions_[k], convention_);
+      // What friction has stopped by the time at which the signal comes is not kicked.
+      if (contact && cushions_[k].towards(contact->turn.u) > 0.0 &&
+          contact->turn.x.t < before.turn.x.t - same * leg.u.t)
+        cushionBefore = k, before = *contact;
+    }
+    if (cushionBefore < 0) return {turn, false, {}};
+    if (cushionBefore == cushion) return {before.turn, false, before};
+    bounceAt(i, cushionBefore, before, lastLegNumber(i), history);
+  }
+}
+
+void CollisionScheduler::decide(int i, const CommittedLeg& given, const LegState& turn,
+                                GameHistory& history) {
+  PuckState& player = pucks_[i];
+  CommittedLeg decided = given;
+  decided.uBefore = turn.u;
+  decided.braked = (lastLeg(i).u - turn.u) * player.mass;
+  accounts_.radiated = accounts_.radiated + decided.radiated;
+  accounts_.taken = accounts_.taken + decided.taken;
+  accounts_.braked = accounts_.braked + decided.braked;
+  history.addLeg(player.file, decided.leg, decided.signal);
+  rollbackWindow_ = std::max(rollbackWindow_, 4.0 * decided.leg.u.t * discs_[i].radius);
+  if (convention_ == TurnConvention::signalAtCentre && decided.leg.u.t > gammaBound_) cellsTooSmall_ = true;
+
+  const bool atOnce = player.decided.empty() && (turn.x.t <= player.leg.start.t || decided.atOnce ||
+                                                 convention_ == TurnConvention::simultaneousWithContact);
+  if (atOnce) {
+    beginLeg(i, decided.leg);
+  } else {
+    player.decided.push_back(decided);
+    discs_[i].turnsAt = player.decided.front().leg.start.t;
+  }
+}
+
+void CollisionScheduler::beginLeg(int i, const Leg& leg) {
+  PuckState& player = pucks_[i];
+  player.leg = leg;
+  player.decidedAt = -kNever;
+  ++player.legNumber;
+  ++player.begun;
+  player.met.clear();
+  player.metCushions = 0;
+  discs_[i].start = leg.start;
+  discs_[i].u = leg.u;
+  discs_[i].turnsAt = player.decided.empty() ? kNever : player.decided.front().leg.start.t;
+}
+
+void CollisionScheduler::beginCommitted(int i) {
+  PuckState& player = pucks_[i];
+  const Leg leg = player.decided.front().leg;
+  player.decided.erase(player.decided.begin());
+  beginLeg(i, leg);
+}
+
+// The stroke changes the leg being followed. Kicks decided but still on their way keep their impulse (a
+// cushion: its law) and act where their signal meets the new motion, or where the new motion itself has touched
+// the cushion before. A cushion that the stroke keeps the puck from, or drives it away from, does nothing.
+void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
+  PuckState& player = pucks_[i];
+  const PuckStroke& s = strokes_[stroke];
+  const auto sum = [&] {
+    return accounts_.radiated + accounts_.taken + accounts_.braked + lastLeg(i).u * player.mass;
+  };
+  const Vec21 before = sum();
+  std::erase(player.strokes, stroke);
+  std::vector<CommittedLeg> onTheirWay = std::move(player.decided);
+  player.decided.clear();
+  for (const CommittedLeg& old : onTheirWay) {
+    accounts_.radiated = accounts_.radiated - old.radiated;
+    accounts_.taken = accounts_.taken - old.taken;
+    accounts_.braked = accounts_.braked - old.braked;
+  }
+  history.keepLegs(player.file, player.begun);
+
+  LegState struck = s.fromHand ? signalArrives(player.leg, s.hand, s.height) : momentAt(player.leg, s.hand.t);
+  // Light that arrives as a turn does may by rounding find the new leg before it begins.
+  if (struck.x.t < player.leg.start.t) struck = {player.leg.start, player.leg.u, player.leg.properTime};
+  const Vec21 u = fourVelocity(struck.u.x + s.px / player.mass, struck.u.y + s.py / player.mass);
+  const std::size_t struckLeg = player.begun;
+  CommittedLeg decided;
+  if (!onTheirWay.empty()) history.noteChange(struck.x);
+  decided.leg = {struck.x, u, struck.properTime, brake_};
+  decided.signal = struck.x;
+  decided.atOnce = true;
+  decided.event = history.addStroke(static_cast<std::uint32_t>(stroke), s.fromHand ? s.hand : struck.x,
+                                    player.height + (s.fromHand ? s.height : 0.0));
+  history.addTurn(decided.event, player.file, struck, u);
+  decide(i, decided, struck, history);
+  player.lastPartner = -1;
+
+  while (!onTheirWay.empty()) {
+    const Leg leg = lastLeg(i);
+    const auto arrives = [&](const CommittedLeg& kick) { return signalArrives(leg, kick.signal).x.t; };
+    const auto next = std::min_element(onTheirWay.begin(), onTheirWay.end(),
+                                       [&](const auto& a, const auto& b) { return arrives(a) < arrives(b); });
+    const CommittedLeg old = *next;
+    onTheirWay.erase(next);
+    if (old.cushion >= 0 &&
+        (old.isPrevented(struckLeg, struck.x.t) || !(cushions_[old.cushion].towards(leg.u) > 0.0))) {
+      accounts_.heat -= old.heat;
+      history.changeBounce(old.event, old.contact, true, 0.0);
+      history.changeTurn(old.event, player.file, {leg.start, leg.u, leg.properTime}, leg.u);
+    } else {
+      placeAnew(i, old, history);
+    }
+  }
+  accounts_.given = accounts_.given + (sum() - before);
+}
+
+// A kick on its way acts on the last leg decided, which is not the one that it was found for.
+void CollisionScheduler::placeAnew(int i, CommittedLeg kick, GameHistory& history) {
+  PuckState& player = pucks_[i];
+  Place place = whereSignalArrives(i, kick.signal, kick.cushion, history);
+  const Leg leg = lastLeg(i);
+  if (place.tooLate) place.turn = {leg.start, leg.u, leg.properTime};
+  const LegState& turn = place.turn;
+  if (place.touchedBefore) {
+    kick.contact = cornerBefore(kick.cushion, *place.touchedBefore).value_or(place.touchedBefore->event);
+    kick.ownTime = place.touchedBefore->ownTime;
+    kick.withoutDelay = place.touchedBefore->withoutDelay;
+    kick.signal = kick.withoutDelay ? turn.x : kick.contact;
+    kick.foundOn = lastLegNumber(i);
+  }
+  const double oldHeat = kick.heat;
+  kick.leg.start = turn.x;
+  kick.leg.properTime = turn.properTime;
+  if (kick.cushion >= 0) {
+    const double e = restitution(i, cushionRestitution_, turn.x.t);
+    const auto bounced = kickOffCushion(cushions_[kick.cushion], turn.u, player.mass, e);
+    kick.heat = bounced ? bounced->heat : 0.0;
+    kick.leg.u = bounced ? bounced->u : turn.u;
+    kick.taken = turn.u * player.mass - kick.leg.u * (player.mass + kick.heat);
+  } else {
+    kick.leg.u =
+        fourVelocity(turn.u.x + kick.leg.u.x - kick.uBefore.x, turn.u.y + kick.leg.u.y - kick.uBefore.y);
+  }
+  kick.radiated = kick.leg.u * kick.heat;
+  accounts_.heat += kick.heat - oldHeat;
+  noteBounce(kick, history);
+  history.changeTurn(kick.event, player.file, turn, kick.leg.u);
+  decide(i, kick, turn, history);
+}
+
+void CollisionScheduler::noteBounce(const CommittedLeg& decided, GameHistory& history) const {
+  if (decided.cushion < 0) return;
+  history.changeBounce(decided.event, decided.contact, decided.withoutDelay, decided.heat * c_m_s_ * c_m_s_);
+}
+
+double CollisionScheduler::restitution(int i, double usual, double turnTime) {
+  PuckState& player = pucks_[i];
+  const double window = kJamPerRadius * discs_[i].radius;
+  if (player.jammed && turnTime - player.lastKick > window) player.jammed = false, player.kicksInRun = 0;
+  return player.jammed ? 0.0 : usual;
+}
+
+void CollisionScheduler::noteKick(int i, const Vec21& turn) {
+  PuckState& player = pucks_[i];
+  player.lastKick = turn.t;
+  if (player.jammed) return;
+  if (player.kicksInRun == 0 || turn.t - player.runBegan > kJamPerRadius * discs_[i].radius) {
+    player.runBegan = turn.t;
+    player.kicksInRun = 0;
+  }
+  if (++player.kicksInRun < kKicksOfAJam) return;
+  player.jammed = true;
+  jams_.push_back({player.file, {turn.t / c_m_s_, {turn.x, turn.y, player.height}}});
+}
+
+}  // namespace carom

@@ -1,0 +1,239 @@
+// What each puck will meet next.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/billiard/collision_scheduler.h"
+#include "engine/collision/braked_contact.h"
+
+namespace carom {
+
+namespace {
+
+constexpr std::size_t kPucksWithoutCells = 32;
+
+}  // namespace
+
+// A pair must be neighbours from before either's own moment of the contact on. In the rest frame of either
+// puck the other's centre is then at most reach away, and the board shows that distance contracted:
+// * simultaneous with the contact, reach = R1 + R2 whatever the speeds;
+// * by the puck's own simultaneity, R2 + R1 γ (1 + β β_2) < (2γ + 1) R.
+void CollisionScheduler::layOutCells() {
+  const auto count = pucks_.size();
+  for (const PuckState& player : pucks_) {
+    if (lastLeg(static_cast<int>(&player - pucks_.data())).u.t > gammaBound_) {
+      gammaBound_ = 2.0 * lastLeg(static_cast<int>(&player - pucks_.data())).u.t;
+    }
+  }
+  pairReach_ = (convention_ == TurnConvention::simultaneousWithContact ? 2.0 : 2.0 * gammaBound_ + 1.0) *
+               largestRadius_;
+  const double onePuckEach =
+      std::sqrt(boxWidth_ * boxHeight_ / static_cast<double>(std::max<std::size_t>(1, count)));
+  const double edge = 1.01 * std::max(pairReach_, onePuckEach);
+  const auto fit = [&](double length) {
+    return count <= kPucksWithoutCells ? 1 : std::max(1, static_cast<int>(std::min(length / edge, 4096.0)));
+  };
+  cells_ = CellGrid(boxLowX_, boxLowY_, edge, fit(boxWidth_), fit(boxHeight_), static_cast<int>(count));
+  near_.resize(count + CellGrid::kSpare);
+  cellsTooSmall_ = false;
+}
+
+void CollisionScheduler::predictAll() {
+  layOutCells();
+  const int count = static_cast<int>(pucks_.size());
+  for (int i = 0; i < count; ++i) {
+    enterCell(i);
+    setPredictedEvent(i, {});
+  }
+  for (int i = 0; i < count; ++i) predict(i);
+}
+
+void CollisionScheduler::predict(int i) {
+  PredictedEvent best;
+  if (!pucks_[i].decided.empty()) {
+    best.kind = Kind::turn;
+    best.ownTime = discs_[i].turnsAt;
+  }
+  if (!strokes_.empty()) considerStrokes(i, best);
+  if (pucks_.size() <= kPucksWithoutCells) {
+    for (int other = 0; other < static_cast<int>(pucks_.size()); ++other) {
+      if (other == i || (brake_ == 0.0 && !mayMeet(discs_[i], discs_[other], convention_))) continue;
+      considerPair(i, other, best);
+    }
+  } else {
+    // A puck that was waited for is behind the others: those it can meet may be farther off by now.
+    const double behind =
+        std::max(0.0, clock_ - std::max(predictions_[i].next.ownTime, pucks_[i].leg.start.t));
+    const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
+    const int reach = reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0));
+    considerPairs(i, cells_.findNear(enterCell(i), reach, near_.data()), best);
+  }
+  considerCushions(i, best);
+  setPredictedEvent(i, best);
+}
+
+// Puts the puck into the cell where its leg has it now.
+int CollisionScheduler::enterCell(int i) {
+  const Leg& leg = pucks_[i].leg;
+  const Vec21 x = momentAt(leg, std::max(clock_, leg.start.t)).x;
+  const int cell = cells_.cellAt(x.x, x.y);
+  if (cell != cells_.cellOf(i)) cells_.move(i, cell);
+  pucks_[i].leavesCell = {leavesCell(i, 0), leavesCell(i, 1)};
+  return cell;
+}
+
+void CollisionScheduler::setPredictedEvent(int i, const PredictedEvent& a) {
+  Prediction& own = predictions_[i];
+  if (own.next.kind == Kind::pair) {  // leave the list of the other
+    (own.dependentBefore < 0 ? predictions_[own.next.with].firstDependent
+                             : predictions_[own.dependentBefore].nextDependent) = own.nextDependent;
+    if (own.nextDependent >= 0) predictions_[own.nextDependent].dependentBefore = own.dependentBefore;
+  }
+  own.next = a;
+  if (a.kind == Kind::pair) {
+    int& first = predictions_[a.with].firstDependent;
+    own.dependentBefore = -1;
+    own.nextDependent = first;
+    if (first >= 0) predictions_[first].dependentBefore = i;
+    first = i;
+  }
+  schedule(i);
+}
+
+// Those that counted on meeting this puck look for something else if that has become void.
+void CollisionScheduler::predictDependents(int of) {
+  void_.clear();
+  for (int i = predictions_[of].firstDependent; i >= 0; i = predictions_[i].nextDependent) {
+    if (isVoid(predictions_[i].next)) void_.push_back(i);
+  }
+  std::sort(void_.begin(), void_.end());
+  for (const int i : void_) {
+    if (isVoid(predictions_[i].next)) predict(i);
+  }
+}
+
+// The earlier of two predicted events of one puck; equal times go by kind, then by name.
+bool CollisionScheduler::isEarlier(double ownTime, int with, const PredictedEvent& than) {
+  return ownTime < than.ownTime || (ownTime == than.ownTime && than.kind == Kind::pair && with < than.with);
+}
+
+// Of the first `found` of near_: first those are sorted out that certainly do not meet, without a branch, and
+// while the others' data are on their way from memory.
+void CollisionScheduler::considerPairs(int i, int found, PredictedEvent& best) {
+  int* const near = near_.data();
+  for (int k = 0; k < found; ++k) __builtin_prefetch(&discs_[near[k]]);
+  int kept = 0;
+  const Disc disc = discs_[i];
+  const TurnConvention convention = convention_;
+  const bool braked = brake_ != 0.0;
+  for (int k = 0; k < found; ++k) {
+    const int other = near[k];
+    near[kept] = other;
+    kept += static_cast<int>((other != i) & (braked || mayMeet(disc, discs_[other], convention)));
+  }
+  for (int k = 0; k < kept; ++k)
+    __builtin_prefetch(&predictions_[near[k]]), __builtin_prefetch(&pucks_[near[k]]);
+  for (int k = 0; k < kept; ++k) considerPair(i, near[k], best);
+}
+
+void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
+  const int first = std::min(i, other), second = std::max(i, other);
+  const PuckState& player = pucks_[i];
+  double touchAt = 0.0;
+  const std::optional<Meeting> meeting = meetingOf(first, second, touchAt);
+  if (!meeting) return;
+  const double own = meeting->ownTime[i == first ? 0 : 1], theirs = meeting->ownTime[i == first ? 1 : 0];
+  const PuckState& partner = pucks_[other];
+  if (own >= discs_[i].turnsAt || theirs >= discs_[other].turnsAt) return;  // found again on the leg after
+  if (own < player.decidedAt || theirs < partner.decidedAt) return;  // what came after it is decided already
+  const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, predictions_[other].next);
+  if (!mine && !also) return;
+  if (player.lastPartner == other && partner.lastPartner == i) return;
+  for (const HandledContact& met : player.met) {
+    if (met.puck == other && met.leg == partner.legNumber) return;
+  }
+  PredictedEvent a;
+  a.kind = Kind::pair;
+  a.withoutDelay = meeting->withoutDelay;
+  a.touchAt = touchAt;
+  if (also) {
+    a.with = i, a.otherLeg = player.legNumber, a.ownTime = theirs, a.otherTime = own;
+    setPredictedEvent(other, a);
+  }
+  if (mine) {
+    a.with = other, a.otherLeg = partner.legNumber, a.ownTime = own, a.otherTime = theirs;
+    best = a;
+  }
+}
+
+std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second, double& touchAt) const {
+  if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
+  const auto found = findBrakedMeeting({pucks_[first].leg, discs_[first].radius},
+                                       {pucks_[second].leg, discs_[second].radius}, convention_);
+  if (!found) return std::nullopt;
+  touchAt = found->touchAt;
+  return found->meeting;
+}
+
+// A cushion is at least as near as the edge of a cell when it is touched, so only those of the outermost
+// cells matter.
+void CollisionScheduler::considerCushions(int i, PredictedEvent& best) const {
+  const int cell = cells_.cellOf(i);
+  if (!cells_.isAtRim(cell)) return;
+  for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
+    const CushionPlane& plane = cushions_[cushion];
+    if (cells_.canLeave(cell, plane.axis, plane.sign > 0.0 ? 1 : -1)) continue;
+    if (!(plane.towards(pucks_[i].leg.u) > 0.0) || (pucks_[i].metCushions >> cushion & 1u) != 0) continue;
+    considerCushion(i, cushion, best);
+  }
+}
+
+void CollisionScheduler::considerCushion(int i, int cushion, PredictedEvent& best) const {
+  const PuckState& player = pucks_[i];
+  // No earlier than straight flight to R (1 + u_n) from the plane, as R sqrt(1 + u_n²) is less; a glide is
+  // slower.
+  const double un = cushions_[cushion].towards(player.leg.u);
+  const double atLeast = cushions_[cushion].inside(player.leg.start) - discs_[i].radius * (1.0 + un);
+  if (atLeast * player.leg.u.t > (best.ownTime - player.leg.start.t) * un) return;
+  const std::optional<CushionContact> contact =
+      findContact(player.leg, discs_[i].radius, cushions_[cushion], convention_);
+  if (!contact) return;
+  const double own = contact->ownTime;
+  if (own >= discs_[i].turnsAt || own > best.ownTime) return;
+  if (own == best.ownTime && best.kind <= Kind::cushion) return;
+  best = {};
+  best.kind = Kind::cushion;
+  best.withoutDelay = contact->withoutDelay;
+  best.with = cushion;
+  best.ownTime = own;
+}
+
+void CollisionScheduler::considerStrokes(int i, PredictedEvent& best) const {
+  const PuckState& player = pucks_[i];
+  for (const int stroke : player.strokes) {
+    const PuckStroke& s = strokes_[stroke];
+    const double arrival = s.fromHand ? signalArrives(player.leg, s.hand, s.height).x.t : s.hand.t;
+    const double own = std::max(arrival, player.leg.start.t);
+    if (own >= discs_[i].turnsAt || own >= best.ownTime) continue;
+    best = {};
+    best.kind = Kind::stroke;
+    best.with = stroke;
+    best.ownTime = own;
+  }
+}
+
+double CollisionScheduler::leavesCell(int i, int axis) const {
+  const Leg& leg = pucks_[i].leg;
+  const double u = axis == 0 ? leg.u.x : leg.u.y;
+  const int cell = cells_.cellOf(i), step = wayAlong(i, axis);
+  if (u == 0.0 || !cells_.canLeave(cell, axis, step)) return kNever;
+  return reaches(leg, axis, cells_.edge(cell, axis, step));
+}
+
+void CollisionScheduler::schedule(int i) {
+  const PredictedEvent& a = predictions_[i].next;
+  const double leaves = std::min(pucks_[i].leavesCell[0], pucks_[i].leavesCell[1]);
+  queue_.setDue(i, leaves < a.ownTime ? leaves : a.due());
+}
+
+}  // namespace carom

@@ -1,0 +1,149 @@
+#include "engine/billiard/game_history.h"
+
+#include <algorithm>
+
+namespace carom {
+
+namespace {
+
+constexpr std::size_t kMostNewLegs = 256;
+
+Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }
+
+}  // namespace
+
+GameHistory::GameHistory(const BilliardSetup& setup)
+    : c_m_s_(setup.lightSpeed_m_s),
+      friction_m_s2_(setup.rules.friction_m_s2),
+      forgottenLegs_(setup.pucks.size(), 0) {
+  for (const Puck& puck : setup.pucks) {
+    const double height_m = 0.5 * puck.height_m;
+    height_m_.push_back(height_m);
+    const Event start{0.0, {puck.position_m.x, puck.position_m.y, height_m}};
+    const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta));
+    const Knot first{start, {gamma * puck.beta.x, gamma * puck.beta.y, 0.0}, 0.0, start, friction_m_s2_};
+    lines_.emplace_back(first, c_m_s_, std::hypot(puck.radius_m, height_m));
+  }
+}
+
+void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Vec21& signal) {
+  newLegs_.push_back({puck, leg, signal});
+  if (newLegs_.size() == kMostNewLegs) complete();
+}
+
+// The ends of the world lines are scattered over the memory: those of the legs to come are asked for while
+// one is added.
+void GameHistory::complete() {
+  constexpr std::size_t kLines = 16, kEnds = 8;  // legs ahead
+  for (std::size_t k = 0; k < newLegs_.size(); ++k) {
+    if (k + kLines < newLegs_.size()) {
+      const char* line = reinterpret_cast<const char*>(&lines_[newLegs_[k + kLines].puck]);
+      __builtin_prefetch(line), __builtin_prefetch(line + 64);
+    }
+    if (k + kEnds < newLegs_.size()) lines_[newLegs_[k + kEnds].puck].fetchEnd();
+    const auto& [puck, leg, signal] = newLegs_[k];
+    lines_[puck].append({eventOf(puck, leg.start),
+                         {leg.u.x, leg.u.y, 0.0},
+                         leg.properTime / c_m_s_,
+                         eventOf(puck, signal),
+                         friction_m_s2_});
+  }
+  newLegs_.clear();
+}
+
+void GameHistory::keepLegs(std::size_t puck, std::size_t legs) {
+  complete();
+  lines_[puck].keepFirst(legs - forgottenLegs_[puck]);
+}
+
+GameEvent& GameHistory::add(EventKind kind, const Event& at) {
+  GameEvent& event = events_.emplace_back();
+  event.number = eventCount() - 1;
+  event.kind = kind;
+  event.at = at;
+  return event;
+}
+
+std::uint64_t GameHistory::addCollision(std::optional<Cushion> cushion, const Vec21& contact,
+                                        bool withoutDelay, double heat_j) {
+  GameEvent& event = add(cushion ? EventKind::puckCushion : EventKind::puckPuck,
+                         {contact.t / c_m_s_, {contact.x, contact.y, 0.0}});
+  event.cushion = cushion;
+  event.withoutDelay = withoutDelay;
+  event.heat_j = heat_j;
+  return event.number;
+}
+
+std::uint64_t GameHistory::addJam(const Vec21& contact, double heat_j) {
+  GameEvent& event = add(EventKind::jam, {contact.t / c_m_s_, {contact.x, contact.y, 0.0}});
+  event.withoutDelay = true;
+  event.heat_j = heat_j;
+  return event.number;
+}
+
+std::uint64_t GameHistory::addStroke(std::uint32_t stroke, const Vec21& at, double height_m) {
+  GameEvent& event = add(EventKind::stroke, {at.t / c_m_s_, {at.x, at.y, height_m}});
+  event.which = stroke;
+  return event.number;
+}
+
+std::uint64_t GameHistory::addFlash(std::uint32_t flash, const Event& at) {
+  GameEvent& event = add(EventKind::flash, at);
+  event.which = flash;
+  return event.number;
+}
+
+void GameHistory::addTurn(std::uint64_t event, std::size_t puck, const LegState& before,
+                          const Vec21& uAfter) {
+  GameEvent& noted = events_[event - forgottenEvents_];
+  noted.turns.push_back(turnOf(puck, before, uAfter));
+  if (noted.kind != EventKind::stroke) noted.at.r_m.z = noted.turns[0].event.r_m.z;
+}
+
+GameEvent& GameHistory::change(std::uint64_t event) {
+  unchangedEvents_ = std::min(unchangedEvents_, event);
+  return events_[event - forgottenEvents_];
+}
+
+void GameHistory::changeTurn(std::uint64_t event, std::size_t puck, const LegState& before,
+                             const Vec21& uAfter) {
+  if (event < forgottenEvents_) return;
+  for (Turn& turn : change(event).turns) {
+    if (turn.puck == puck) turn = turnOf(puck, before, uAfter);
+  }
+}
+
+void GameHistory::changeBounce(std::uint64_t event, const Vec21& contact, bool withoutDelay, double heat_j) {
+  if (event < forgottenEvents_) return;
+  GameEvent& changed = change(event);
+  changed.at = {contact.t / c_m_s_, {contact.x, contact.y, changed.at.r_m.z}};
+  changed.withoutDelay = withoutDelay;
+  changed.heat_j = heat_j;
+}
+
+void GameHistory::keepEvents(std::uint64_t count) {
+  events_.resize(count - forgottenEvents_);
+  unchangedEvents_ = std::min(unchangedEvents_, count);
+}
+
+void GameHistory::forgetBefore(double t_s) {
+  complete();
+  for (std::size_t puck = 0; puck < lines_.size(); ++puck)
+    forgottenLegs_[puck] += lines_[puck].forgetBefore(t_s);
+  const auto over = std::find_if(events_.begin(), events_.end(), [t_s](const GameEvent& event) {
+    return event.at.t_s >= t_s || std::any_of(event.turns.begin(), event.turns.end(),
+                                              [t_s](const Turn& turn) { return turn.event.t_s >= t_s; });
+  });
+  forgottenEvents_ += static_cast<std::uint64_t>(over - events_.begin());
+  events_.erase(events_.begin(), over);
+}
+
+Event GameHistory::eventOf(std::size_t puck, const Vec21& x) const {
+  return {x.t / c_m_s_, {x.x, x.y, height_m_[puck]}};
+}
+
+Turn GameHistory::turnOf(std::size_t puck, const LegState& before, const Vec21& uAfter) const {
+  return {puck, eventOf(puck, before.x), betaOf(before.u), betaOf(uAfter), before.properTime / c_m_s_};
+}
+
+}  // namespace carom

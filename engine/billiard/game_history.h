@@ -1,0 +1,83 @@
+#pragma once
+// What a game has delivered so far: the pucks' world lines and the list of events, in SI units and in the
+// order of the setup. The game itself works with c = 1 and with the pucks in the order of their names.
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/billiard/billiard_setup.h"
+#include "engine/collision/puck_leg.h"
+
+namespace carom {
+
+class GameHistory {
+ public:
+  explicit GameHistory(const BilliardSetup& setup);
+
+  /// Adds a leg to a puck's world line, with the next `complete`; `signal` is the event from which the rest of
+  /// the puck learns of it.
+  void addLeg(std::size_t puck, const Leg& leg, const Vec21& signal);
+  /// Brings the world lines up to date.
+  void complete();
+  /// Forgets all legs of a puck but the first `legs`, counted from the start of the game.
+  void keepLegs(std::size_t puck, std::size_t legs);
+  std::size_t legs(std::size_t puck) const { return forgottenLegs_[puck] + lines_[puck].knots().size(); }
+
+  // Events: these return their numbers, counted from the start of the game; their turns follow.
+  std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, bool withoutDelay,
+                             double heat_j);
+  std::uint64_t addJam(const Vec21& contact, double heat_j);
+  /// A stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
+  std::uint64_t addStroke(std::uint32_t stroke, const Vec21& at, double height_m);
+  std::uint64_t addFlash(std::uint32_t flash, const Event& at);
+  void addTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter);
+  /// Replaces the turn of a puck in an event; nothing if the event is already forgotten.
+  void changeTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter);
+  /// Replaces what a collision with a cushion came of and its heat; nothing if it is already forgotten.
+  void changeBounce(std::uint64_t event, const Vec21& contact, bool withoutDelay, double heat_j);
+  void keepEvents(std::uint64_t count);
+  std::uint64_t eventCount() const { return forgottenEvents_ + events_.size(); }
+  std::uint64_t forgottenEvents() const { return forgottenEvents_; }
+  /// Legs that were added before are no more what they were from this turn on.
+  void noteChange(const Vec21& turn) { changedFrom_s_ = std::min(changedFrom_s_, turn.t / c_m_s_); }
+  /// The earliest such turn since this was last asked; infinite: none.
+  double takeChangedFrom_s() {
+    return std::exchange(changedFrom_s_, std::numeric_limits<double>::infinity());
+  }
+  /// How many of the first events are as they were when this was last asked.
+  std::uint64_t takeUnchangedEvents() { return std::exchange(unchangedEvents_, eventCount()); }
+
+  /// Forgets legs that ended and events that were over before board time `t_s`.
+  void forgetBefore(double t_s);
+
+  std::span<const WorldLine> worldLines() const { return lines_; }
+  std::span<const GameEvent> events() const { return events_; }
+
+ private:
+  struct NewLeg {
+    std::size_t puck = 0;
+    Leg leg;
+    Vec21 signal;
+  };
+  GameEvent& add(EventKind kind, const Event& at);
+  /// An event that will be changed.
+  GameEvent& change(std::uint64_t event);
+  Event eventOf(std::size_t puck, const Vec21& x) const;
+  Turn turnOf(std::size_t puck, const LegState& before, const Vec21& uAfter) const;
+
+  double c_m_s_;
+  double friction_m_s2_;
+  std::vector<double> height_m_;  // of each puck's centre
+  std::vector<WorldLine> lines_;
+  std::vector<NewLeg> newLegs_;  // not in the lines yet
+  std::vector<GameEvent> events_;
+  double changedFrom_s_ = std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> forgottenLegs_;
+  std::uint64_t forgottenEvents_ = 0;
+  std::uint64_t unchangedEvents_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,523 @@
+// Whose hand holds the cue, and what hands ask of the drive; a wand's readings through a tracker that a test
+// feeds.
+#include "app/play/input_devices.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+namespace carom {
+namespace {
+
+/// Delivers what it was given.
+class FedTracker : public Tracker {
+ public:
+  void poll(double now_s, std::vector<TrackerSample>& samples) override {
+    for (TrackerSample sample : fed) {
+      sample.time_s = now_s;
+      samples.push_back(sample);
+    }
+  }
+  void takeInputs(std::vector<Reading>& inputs) override {
+    inputs.insert(inputs.end(), readings.begin(), readings.end());
+    readings.clear();
+  }
+  void press(int index, bool down, int sensor = 0) {
+    readings.push_back(reading(Reading::Kind::button, sensor, index, down ? 1.0 : 0.0));
+  }
+  void push(int index, double value, int sensor = 0) {
+    readings.push_back(reading(Reading::Kind::axis, sensor, index, value));
+  }
+
+  TrackerHealth health(double) const override { return fares; }
+
+  std::vector<TrackerSample> fed;
+  std::vector<Reading> readings;
+  TrackerHealth fares{TrackerHealth::State::delivering, {}};
+
+ private:
+  static Reading reading(Reading::Kind kind, int sensor, int index, double value) {
+    Reading made;
+    made.kind = kind;
+    made.sensor = sensor;
+    made.index = index;
+    made.value = value;
+    return made;
+  }
+};
+
+TrackerSample at(int sensor, const glm::dvec3& place_m, const glm::dquat& turn = {1, 0, 0, 0}) {
+  TrackerSample sample;
+  sample.sensor = sensor;
+  sample.pose = {place_m, turn};
+  return sample;
+}
+
+/// A wand of `kind` as sensor 3 of its own tracker, and a SpaceMouse; x right, y up, z back.
+Rig rigWith(TrackerKind kind) {
+  Rig rig;
+  rig.trackers.resize(3);
+  rig.trackers[0].name = "head";
+  rig.trackers[1].name = "wand";
+  rig.trackers[1].kind = kind;
+  rig.trackers[1].roomFromTracker = {{0.0, 1.0, 0.0}, {1, 0, 0, 0}};
+  rig.trackers[2].name = "cap";
+  rig.trackers[2].kind = TrackerKind::spaceMouse;
+  rig.hand = HandSetup{{1, 3}, {}};
+  return rig;
+}
+
+class HandsTest : public testing::Test {
+ protected:
+  HandsTest() { use(rigWith(TrackerKind::dtrack)); }
+
+  void use(const Rig& rig) {
+    HandTracking::Trackers trackers;
+    trackers.wand.reset(wand_ = new FedTracker);
+    trackers.spaceMouse.reset(cap_ = new FedTracker);
+    tracking_.emplace(rig, std::move(trackers));
+    wand_->fed = {at(3, {0.3, 0.2, -0.4}), at(4, {9, 9, 9})};
+    observer_.eyes[0].positionInRoom_m = {-0.032, 1.7, 0.0};
+    observer_.eyes[1].positionInRoom_m = {0.032, 1.7, 0.0};
+    observer_.eyes[2].positionInRoom_m = {0.0, 1.7, 0.0};
+    for (EyeView& eye : observer_.eyes) eye.observation.r_m.z = 0.9;  // above the cloth: which is at y = 0.8
+  }
+
+  /// A frame of 20 ms.
+  HandInput frame() {
+    now_s_ += 0.02;
+    hands_.begin(desk_, asks_);
+    tracking_->follow(now_s_, {}, {});
+    return hands_.cue(tracking_->devices(), observer_, roomFromHead_, now_s_);
+  }
+  HandInput frames(int count) {
+    for (int i = 1; i < count; ++i) frame();
+    return frame();
+  }
+  /// The mouse on the wall 1.5 m before the eyes, pointing to the cloth at (x, 0.8, z).
+  void pointTo(double x_m, double z_m, std::size_t eye = 2) {
+    const glm::dvec3 from_m = observer_.eyes[eye].positionInRoom_m,
+                     along = glm::dvec3(x_m, 0.8, z_m) - from_m;
+    desk_.mouse = PointedWall{from_m + along * ((-1.5 - from_m.z) / along.z), eye};
+  }
+
+  std::optional<HandTracking> tracking_;
+  FedTracker *wand_ = nullptr, *cap_ = nullptr;
+  InputDevices hands_{RoomAxes{}};
+  DeskInput desk_;
+  ObserverView observer_{Lorentz(1.0), {}, 0.0};
+  Pose roomFromHead_{{0.0, 1.7, 0.0}, {1, 0, 0, 0}};
+  double now_s_ = 0.0;
+  bool asks_ = false;
+};
+
+void expectNear(const glm::dvec3& a, const glm::dvec3& b, double within = 1e-12) {
+  EXPECT_NEAR(a.x, b.x, within);
+  EXPECT_NEAR(a.y, b.y, within);
+  EXPECT_NEAR(a.z, b.z, within);
+}
+
+TEST_F(HandsTest, AWandPointsWhereItsSensorDoes) {
+  HandInput input = frame();
+  EXPECT_EQ(input.device, "wand");
+  expectNear(input.from_m, {0.3, 1.2, -0.4});
+  expectNear(input.along, {0, 0, -1});
+  EXPECT_EQ(input.eye, 2u);
+  EXPECT_FALSE(input.held);
+  const glm::dquat left = glm::angleAxis(glm::half_pi<double>(), glm::dvec3(0, 1, 0));
+  wand_->fed = {at(3, {0.3, 0.2, -0.4}, left)};
+  expectNear(frame().along, {-1, 0, 0});
+}
+
+TEST_F(HandsTest, AHandIsWhereTheRigHasItOnItsSensor) {
+  Rig rig = rigWith(TrackerKind::dtrack);
+  // The sensor sits 0.1 m to the right of the hand and is turned: its forward is the hand's left.
+  rig.hand->handFromSensor = {{0.1, 0.0, 0.0}, glm::angleAxis(glm::half_pi<double>(), glm::dvec3(0, 1, 0))};
+  use(rig);
+  wand_->fed = {at(3, {0.0, 0.0, 0.0})};
+  const HandInput input = frame();
+  // sensor_from_hand turns the hand's forward, −z, to the right: that of a sensor that lies along the room's
+  // axes.
+  expectNear(input.along, {1, 0, 0});
+  expectNear(input.from_m, {0.0, 1.0, -0.1});
+}
+
+TEST_F(HandsTest, AWandsPullIsItsWaySinceThePress) {
+  frame();
+  wand_->press(0, true, 3);
+  HandInput input = frame();
+  EXPECT_TRUE(input.held);
+  expectNear(input.pull_m, {0, 0, 0});
+  wand_->fed = {at(3, {0.3, 0.15, -0.1})};
+  input = frame();
+  expectNear(input.pull_m, {0.0, -0.05, 0.3});
+  wand_->press(0, false, 3);
+  input = frame();
+  EXPECT_EQ(input.device, "wand") << "who lets go is who held";
+  EXPECT_FALSE(input.held);
+}
+
+TEST_F(HandsTest, ButtonsOfOtherSticksAreNotTheWands) {
+  wand_->press(0, true, 4);
+  EXPECT_FALSE(frame().held);
+  use(rigWith(TrackerKind::vrpn));  // a server numbers buttons for itself
+  wand_->press(0, true, 0);
+  EXPECT_TRUE(frame().held);
+}
+
+TEST_F(HandsTest, AWandThatIsLostMidStrokeHasTheCueNoMore) {
+  frame();
+  wand_->press(0, true, 3);
+  EXPECT_TRUE(frame().held);
+  const std::vector<TrackerSample> fed = std::exchange(wand_->fed, {});
+  EXPECT_EQ(frames(14).device, "wand") << "0.28 s: a blink of the cameras";
+  EXPECT_EQ(frames(3).device, "");
+  wand_->fed = fed;
+  const HandInput back = frame();
+  EXPECT_EQ(back.device, "wand");
+  EXPECT_FALSE(back.held) << "until it is pressed anew";
+  wand_->press(0, false, 3);
+  frame();
+  wand_->press(0, true, 3);
+  EXPECT_TRUE(frame().held);
+}
+
+TEST_F(HandsTest, WhoPressesFirstHoldsTheCue) {
+  pointTo(0.2, -1.0);
+  frame();
+  wand_->press(0, true, 3);
+  EXPECT_EQ(frame().device, "wand");
+  desk_.mouseHeld = true;
+  HandInput input = frame();
+  EXPECT_EQ(input.device, "wand");
+  EXPECT_EQ(input.refused, "The cue is in the wand's hand");
+  EXPECT_EQ(frame().refused, "") << "said once";
+  wand_->press(0, false, 3);
+  EXPECT_EQ(frame().device, "wand");
+  input = frame();
+  EXPECT_FALSE(input.held) << "the mouse has to press anew";
+  desk_.mouseHeld = false;
+  frame();
+  desk_.mouseHeld = true;
+  input = frame();
+  EXPECT_EQ(input.device, "mouse");
+  EXPECT_TRUE(input.held);
+  wand_->press(0, true, 3);
+  EXPECT_EQ(frame().refused, "The cue is in the mouse's hand");
+}
+
+TEST_F(HandsTest, TheMousePointsFromItsEyeAndPullsAlongTheCloth) {
+  wand_->fed.clear();
+  pointTo(0.0, -1.0, 1);
+  frame();
+  pointTo(0.2, -1.0, 1);
+  HandInput input = frame();
+  EXPECT_EQ(input.device, "mouse");
+  EXPECT_EQ(input.eye, 1u);
+  expectNear(input.from_m, observer_.eyes[1].positionInRoom_m);
+  expectNear(input.along, glm::normalize(glm::dvec3(0.2, 0.8, -1.0) - observer_.eyes[1].positionInRoom_m));
+  desk_.mouseHeld = true;
+  expectNear(frame().pull_m, {0, 0, 0});
+  pointTo(0.1, -0.7, 1);
+  expectNear(frame().pull_m, {-0.1, 0.0, 0.3});
+  pointTo(0.1, -0.7, 1);
+  desk_.mouse->onWall_m.y = 3.0;  // the sky
+  expectNear(frame().pull_m, {-0.1, 0.0, 0.3});
+  desk_.mouse.reset();  // off the wall
+  input = frame();
+  EXPECT_TRUE(input.held);
+  expectNear(input.pull_m, {-0.1, 0.0, 0.3});
+  desk_.mouseHeld = false;
+  input = frame();
+  EXPECT_EQ(input.device, "mouse");
+  EXPECT_FALSE(input.held);
+  EXPECT_EQ(frame().device, "") << "it is over no wall";
+}
+
+TEST_F(HandsTest, ThePadAimsByLookingAndItsStickPullsLevel) {
+  wand_->fed.clear();
+  desk_.hasPad = true;
+  // Looking to the right and down.
+  const glm::dquat turned = glm::angleAxis(-glm::half_pi<double>(), glm::dvec3(0, 1, 0)) *
+                            glm::angleAxis(-0.4, glm::dvec3(1, 0, 0));
+  roomFromHead_.orientation = turned;
+  desk_.padPull = {0.0, 0.1, 0.0};
+  HandInput input = frame();
+  EXPECT_EQ(input.device, "gamepad");
+  expectNear(input.along, {std::cos(0.4), -std::sin(0.4), 0.0});
+  desk_.padHeld = true;
+  desk_.padPull = {0.0, 1.0, 0.0};  // back: towards the person
+  expectNear(frame().pull_m, {-InputDevices::kPadPull_m, 0.0, 0.0});
+  desk_.padPull = {0.5, 0.0, 0.0};  // to the right, which is the room's back
+  expectNear(frame().pull_m, {0.0, 0.0, 0.5 * InputDevices::kPadPull_m});
+  desk_ = {};
+  EXPECT_EQ(frame().device, "") << "pulled out of the machine";
+}
+
+TEST_F(HandsTest, WhoWasUsedLastAims) {
+  pointTo(0.2, -1.0);
+  desk_.hasPad = true;
+  EXPECT_EQ(frame().device, "wand") << "a mouse lies there";
+  pointTo(0.21, -1.0);
+  EXPECT_EQ(frame().device, "mouse");
+  EXPECT_EQ(frames(249).device, "mouse");
+  EXPECT_EQ(frames(4).device, "wand") << "after five seconds of rest";
+  pointTo(0.3, -1.0);
+  EXPECT_EQ(frame().device, "mouse");
+  desk_.padPull = {0.0, 0.5, 0.0};
+  EXPECT_EQ(frame().device, "gamepad");
+  desk_.padPull = Vec3(0.0);
+  wand_->fed.clear();
+  EXPECT_EQ(frames(300).device, "") << "nobody touches anything";
+}
+
+TEST_F(HandsTest, WhileALessonAsksTheWandsButtonsAnswer) {
+  frame();
+  asks_ = true;
+  for (int button = 0; button < 4; ++button) {
+    wand_->press(button, true, 3);
+    EXPECT_FALSE(frame().held);
+    EXPECT_EQ(hands_.answer(), button + 1);
+    EXPECT_FALSE(hands_.drive().brake || hands_.drive().home);
+    frame();
+    EXPECT_EQ(hands_.answer(), 0);
+    wand_->press(button, false, 3);
+    frame();
+  }
+  wand_->press(0, true, 3);
+  frame();
+  asks_ = false;
+  EXPECT_FALSE(frame().held) << "it was an answer";
+  wand_->press(3, true, 3);
+  frame();
+  EXPECT_TRUE(hands_.onwards());
+  frame();
+  EXPECT_FALSE(hands_.onwards());
+}
+
+TEST_F(HandsTest, SticksSteerAlongWhereTheWandPointsAndKeysAlongTheRoom) {
+  wand_->fed = {at(3, {0, 0, 0},
+                   glm::angleAxis(glm::half_pi<double>(), glm::dvec3(0, 1, 0)) *
+                       glm::angleAxis(0.5, glm::dvec3(1, 0, 0)))};  // left and up
+  wand_->push(1, 1.0, 3);
+  frame();
+  expectNear(hands_.drive().steer, {-1, 0, 0});
+  wand_->push(1, 0.0, 3);
+  wand_->push(0, 1.0, 3);  // to its right: the room's forward
+  frame();
+  expectNear(hands_.drive().steer, {0, 0, -1});
+  desk_.steer = {0.0, 1.0, 0.0};
+  frame();
+  expectNear(hands_.drive().steer, {0, 0, -2});  // more than the drive gives: it says so
+  wand_->push(0, 0.0, 3);
+  desk_.steer = {1.0, 1.0, 0.0};
+  frame();
+  expectNear(hands_.drive().steer, {1, 0, -1});
+}
+
+TEST_F(HandsTest, AWandThatIsLostDoesNotSteerOn) {
+  wand_->push(1, 1.0, 3);
+  wand_->press(1, true, 3);
+  frame();
+  EXPECT_TRUE(hands_.drive().brake);
+  wand_->fed.clear();
+  frames(20);
+  EXPECT_FALSE(hands_.drive().brake);
+  EXPECT_EQ(hands_.drive().steer, Vec3(0.0));
+}
+
+TEST_F(HandsTest, ASpaceMouseSteersBrakesAndGoesHome) {
+  cap_->push(0, 1.0);
+  frame();
+  expectNear(hands_.drive().steer, {1, 0, 0});
+  cap_->push(0, 0.0);
+  cap_->push(2, -1.0);  // pushed away
+  frame();
+  expectNear(hands_.drive().steer, {0, 0, -1});
+  cap_->push(2, 0.0);
+  cap_->push(1, 1.0);
+  frame();
+  expectNear(hands_.drive().steer, {0, 1, 0});
+  cap_->press(0, true);
+  frame();
+  EXPECT_TRUE(hands_.drive().brake);
+  EXPECT_FALSE(hands_.drive().home);
+  cap_->press(1, true);
+  frame();
+  EXPECT_TRUE(hands_.drive().home);
+  frame();
+  EXPECT_FALSE(hands_.drive().home) << "once";
+}
+
+TEST(HandTracking, TheHeadsTrackerMayFollowTheWandToo) {
+  Rig rig;
+  rig.trackers.resize(1);
+  rig.hand = HandSetup{{0, 2}, {}};
+  HandTracking tracking(rig, HandTracking::Trackers{});
+  const std::vector<TrackerSample> samples{at(0, {0, 1.7, 0}), at(2, {0.3, 1.1, -0.2})};
+  FedTracker head;
+  head.press(0, true, 2);
+  std::vector<Reading> inputs;
+  head.takeInputs(inputs);
+  tracking.follow(0.1, samples, inputs);
+  EXPECT_TRUE(tracking.devices().wandKnown);
+  EXPECT_EQ(tracking.devices().roomFromHand.position_m, glm::dvec3(0.3, 1.1, -0.2));
+  EXPECT_EQ(tracking.devices().wand.down, 1u);
+  tracking.follow(0.2, {}, {});
+  EXPECT_TRUE(tracking.devices().wandKnown);
+  tracking.follow(0.41, {}, {});
+  EXPECT_FALSE(tracking.devices().wandKnown);
+}
+
+TEST(HandTracking, ReportsRateAndAge) {
+  HandTracking::Trackers trackers;
+  FedTracker* wand = new FedTracker;
+  trackers.wand.reset(wand);
+  trackers.spaceMouse = std::make_unique<FedTracker>();
+  HandTracking tracking(rigWith(TrackerKind::dtrack), std::move(trackers));
+  const FedTracker head;
+  wand->fed = {at(3, {0, 0, 0}), at(3, {0, 0, 0})};
+  for (int i = 1; i <= 60; ++i) tracking.follow(0.02 * i, {}, {});
+  wand->fed.clear();
+  tracking.follow(1.25, {}, {});
+  std::vector<TrackerReport> reports;
+  tracking.report(1.25, head, reports);
+  ASSERT_EQ(reports.size(), 2u);
+  EXPECT_EQ(reports[0].name, "wand");
+  EXPECT_EQ(reports[0].use, "hand");
+  EXPECT_NEAR(reports[0].rate_hz, 100.0, 2.0);
+  EXPECT_NEAR(reports[0].age_s, 0.05, 1e-9);
+  EXPECT_EQ(reports[1].name, "cap");
+  EXPECT_EQ(reports[1].use, "steering");
+}
+
+/// A wand on tracker 1, sensor 3, whose buttons are those of tracker 3; lines that are said of it.
+class TwoDevices {
+ public:
+  TwoDevices() : TwoDevices(3) {}
+  explicit TwoDevices(std::optional<std::size_t> buttonsOf) {
+    Rig rig = rigWith(TrackerKind::natnet);
+    rig.trackers.resize(4);
+    rig.trackers[3].name = "box";
+    rig.trackers[3].kind = TrackerKind::vrpn;
+    rig.hand->buttons = buttonsOf;
+    HandTracking::Trackers trackers;
+    trackers.wand.reset(wand = new FedTracker);
+    if (buttonsOf == 3u) trackers.buttons.reset(box = new FedTracker);
+    tracking.emplace(rig, std::move(trackers));
+    wand->fed = {at(3, {0, 1, 0})};
+    head.fares.state = TrackerHealth::State::delivering;
+  }
+  const ButtonState& frame(std::span<const Reading> headInputs = {}) {
+    now_s += 0.02;
+    tracking->follow(now_s, {}, headInputs);
+    if (tracking->isDue(now_s)) {
+      for (const std::string& line : tracking->look(now_s, head)) said.push_back(line);
+    }
+    return tracking->devices().wand;
+  }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) frame();
+  }
+
+  FedTracker *wand = nullptr, *box = nullptr, head;
+  std::optional<HandTracking> tracking;
+  std::vector<std::string> said;
+  double now_s = 0.0;
+};
+
+TEST(HandTracking, ButtonsMayBeAnotherTrackers) {
+  TwoDevices hand;
+  hand.wand->press(1, true, 3);
+  EXPECT_EQ(hand.frame().down, 0u) << "the wand's own do not count";
+  hand.box->press(0, true, 0);
+  hand.box->push(1, -0.5, 0);
+  EXPECT_EQ(hand.frame().down, 1u);
+  EXPECT_EQ(hand.frame().axes[1], -0.5);
+  EXPECT_TRUE(hand.tracking->devices().wandKnown);
+  hand.box->press(0, false, 0);
+  EXPECT_EQ(hand.frame().down, 0u);
+  std::vector<TrackerReport> reports;
+  hand.tracking->report(hand.now_s, hand.head, reports);
+  ASSERT_EQ(reports.size(), 2u);
+  EXPECT_EQ(reports[1].name, "box");
+  EXPECT_EQ(reports[1].use, "buttons");
+}
+
+// Sensors are numbered otherwise there: who has buttons is taken; of several, the one of the wand's number.
+TEST(HandTracking, TheSensorThatHasButtonsIsTaken) {
+  TwoDevices hand;
+  hand.box->press(0, true, 100);
+  EXPECT_EQ(hand.frame().down, 1u);
+  hand.box->press(1, true, 101);
+  EXPECT_EQ(hand.frame().down, 1u) << "the first that came";
+  hand.box->press(2, true, 3);
+  EXPECT_EQ(hand.frame().down, 4u) << "that of the wand's number, and what the other held is let go";
+  hand.box->press(3, true, 100);
+  EXPECT_EQ(hand.frame().down, 4u);
+}
+
+TEST(HandTracking, ButtonsMayBeTheHeadsTrackers) {
+  TwoDevices hand(0);
+  FedTracker other;
+  other.press(0, true, 100);
+  EXPECT_EQ(hand.frame(other.readings).down, 1u);
+  hand.head.fares.state = TrackerHealth::State::silent;
+  hand.frames(20);
+  EXPECT_EQ(hand.tracking->devices().wand.down, 0u) << "nobody knows whether they are still held";
+}
+
+TEST(HandTracking, ButtonsOfATrackerThatIsGoneAreLetGo) {
+  TwoDevices hand;
+  hand.box->press(0, true);
+  EXPECT_EQ(hand.frame().down, 1u);
+  hand.frames(20);
+  EXPECT_EQ(hand.tracking->devices().wand.down, 1u) << "it says nothing while nothing changes";
+  hand.box->fares = {TrackerHealth::State::connecting, "it hung up"};
+  hand.frames(20);
+  EXPECT_EQ(hand.tracking->devices().wand.down, 0u);
+  hand.frames(150);
+  EXPECT_EQ(hand.said, std::vector<std::string>{"Tracker box: it hung up; it is tried again"});
+}
+
+TEST(HandTracking, SaysThatNoPoseComes) {
+  TwoDevices hand;
+  hand.box->press(0, false);
+  hand.wand->fed = {at(1, {0, 1, 0})};
+  hand.frames(1000);
+  ASSERT_EQ(hand.said.size(), 1u);
+  EXPECT_EQ(hand.said[0], "Tracker wand: sensor 3 never came; this tracker has sent sensors 1");
+  hand.wand->fed = {at(3, {0, 1, 0})};
+  hand.frames(100);
+  ASSERT_EQ(hand.said.size(), 2u);
+  EXPECT_EQ(hand.said[1], "Tracker wand: delivers");
+  hand.wand->fed.clear();
+  hand.frames(500);
+  ASSERT_EQ(hand.said.size(), 3u);
+  EXPECT_EQ(
+      hand.said[2],
+      "Tracker wand: sensor 3 has not been seen since second 22.0 of the session; the wand aims at nothing");
+}
+
+TEST(HandTracking, SaysThatNoButtonCame) {
+  TwoDevices two, one(std::nullopt);
+  two.now_s = one.now_s = 20.0;  // loading took so long
+  two.frames(200);
+  EXPECT_TRUE(two.said.empty()) << two.said[0];
+  two.frames(800);
+  one.frames(1000);
+  EXPECT_EQ(two.said,
+            std::vector<std::string>{
+                "Tracker box: no button or axis of the hand has come yet; without one the wand only points"});
+  EXPECT_EQ(one.said,
+            std::vector<std::string>{"Tracker wand: no button or axis of the hand has come yet; if it "
+                                     "has none, name a tracker that has some as buttons of [hand]"});
+  one.wand->press(0, true, 3);
+  one.frames(100);
+  ASSERT_EQ(one.said.size(), 2u);
+  EXPECT_EQ(one.said[1], "Tracker wand: the hand's buttons have come");
+}
+
+}  // namespace
+}  // namespace carom

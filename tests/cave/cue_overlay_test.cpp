@@ -1,0 +1,188 @@
+// The ray, the cue and the scale of its cost as pixels, against lines of sight cut with the wall's plane.
+#include "cave/overlay/cue_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "cave/capture/capture.h"
+#include "cave/display/window.h"
+
+namespace carom {
+namespace {
+
+using Rgb = std::array<int, 3>;
+constexpr glm::dvec3 kEyes_m(0.1, 1.7, 0.4);
+
+/// 3 × 2 m, 1.5 m before the origin; 2.5 mm a pixel. x right, y up.
+Wall frontWall() {
+  Wall wall;
+  wall.lowerLeft_m = {-1.5, 0.0, -1.5};
+  wall.lowerRight_m = {1.5, 0.0, -1.5};
+  wall.upperLeft_m = {-1.5, 2.0, -1.5};
+  wall.pixels = {1200, 800};
+  return wall;
+}
+
+/// A wand that has a puck on the table drawn back for, towards the right and away.
+FrameRecord pulling(double beta) {
+  FrameRecord record;
+  for (EyeView& eye : record.observer.eyes) eye.positionInRoom_m = kEyes_m;
+  HandView& hand = record.hand;
+  hand.shown = hand.pulling = 1;
+  hand.target = 1;
+  hand.from_m = {0.4, 1.1, 0.0};
+  hand.target_m = {-0.1, 0.85, -1.9};
+  hand.to_m = hand.target_m + glm::dvec3(0.0, 0.01, 0.03);
+  hand.towards = glm::normalize(glm::dvec3(0.8, 0.0, -0.6));
+  hand.u = beta / std::sqrt(1.0 - beta * beta);
+  return record;
+}
+
+class Aids : public testing::Test {
+ protected:
+  Image drawn(const FrameRecord& record) {
+    graphics_.makeCurrent();
+    RenderTarget picture(wall_.pixels);
+    aids_.draw(room_, wall_, eye_m_, record, picture);
+    return readBack(picture);
+  }
+
+  glm::dvec2 pixelOf(const glm::dvec3& place_m) const {
+    const glm::dvec3 on_m = eye_m_ + (place_m - eye_m_) * ((-1.5 - eye_m_.z) / (place_m.z - eye_m_.z));
+    return glm::dvec2((on_m.x + 1.5) / 3.0, on_m.y / 2.0) * glm::dvec2(wall_.pixels);
+  }
+
+  Rgb at(const Image& image, const glm::dvec3& place_m) const {
+    const glm::ivec2 pixel = glm::floor(pixelOf(place_m));
+    const auto i = 3 * static_cast<std::size_t>(pixel.y * image.size_px.x + pixel.x);
+    return {image.rgb.at(i), image.rgb.at(i + 1), image.rgb.at(i + 2)};
+  }
+
+  static long lit(const Image& image) {
+    return std::count_if(image.rgb.begin(), image.rgb.end(), [](int value) { return value > 40; });
+  }
+
+  Graphics graphics_;
+  CueOverlay aids_;
+  RoomGeometry room_;
+  Wall wall_ = frontWall();
+  glm::dvec3 eye_m_ = kEyes_m;
+};
+
+TEST_F(Aids, WithoutAHandNothingIsDrawn) {
+  FrameRecord record = pulling(0.8);
+  record.hand.shown = 0;
+  EXPECT_EQ(lit(drawn(record)), 0);
+}
+
+TEST_F(Aids, TheRayEndsWhereItPointsForEachEye) {
+  FrameRecord record = pulling(0.8);
+  record.hand.pulling = 0;
+  record.hand.target = 0;
+  for (const double aside_m : {-0.032, 0.032}) {
+    eye_m_ = kEyes_m + glm::dvec3(aside_m, 0.0, 0.0);
+    const Image idle = drawn(record);
+    const glm::dvec3 way_m = record.hand.to_m - record.hand.from_m;
+    for (const double share : {0.3, 0.6, 0.9}) {
+      EXPECT_GT(at(idle, record.hand.from_m + share * way_m)[2], 70) << share;
+      EXPECT_LT(at(idle, record.hand.from_m + share * way_m + glm::dvec3(0.0, 0.05, 0.0))[2], 5) << share;
+    }
+    EXPECT_GT(at(idle, record.hand.to_m)[2], 70);
+    EXPECT_EQ(at(idle, record.hand.from_m + 1.1 * way_m), (Rgb{0, 0, 0})) << "beyond its end";
+  }
+}
+
+TEST_F(Aids, AimedAtAPuckTheRayIsBrighterAndTheTargetRinged) {
+  FrameRecord record = pulling(0.8);
+  record.hand.pulling = 0;
+  const auto onRay = [&] { return at(drawn(record), 0.5 * (record.hand.from_m + record.hand.to_m)); };
+  record.hand.target = 0;
+  const Rgb idle = onRay();
+  const long idleLit = lit(drawn(record));
+  record.hand.target = 1;
+  EXPECT_GT(onRay()[0], idle[0] + 80);
+  EXPECT_GT(lit(drawn(record)), idleLit + 300);
+  const Image image = drawn(record);
+  const FacingPlane plane = facing(record.hand.target_m, kEyes_m, room_);
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.1 + i;
+    const glm::dvec3 ring_m = std::cos(angle) * plane.right + std::sin(angle) * plane.up;
+    EXPECT_GT(at(image, record.hand.target_m + CueOverlay::kRing_m * ring_m)[0], 120) << i;
+  }
+}
+
+TEST_F(Aids, OnesOwnRayIsAPoint) {
+  FrameRecord record = pulling(0.8);
+  record.hand.pulling = 0;
+  record.hand.target = 0;
+  record.hand.from_m = kEyes_m + glm::dvec3(0.032, 0.0, 0.0);
+  eye_m_ = kEyes_m - glm::dvec3(0.032, 0.0, 0.0);
+  const Image image = drawn(record);
+  EXPECT_GT(at(image, record.hand.to_m)[2], 70);
+  EXPECT_LT(lit(image), 3 * 200);
+}
+
+TEST_F(Aids, TheCueIsBehindThePuckAsFarAsItIsPulled) {
+  for (const double beta : {0.6, 0.8, 0.9}) {
+    const FrameRecord record = pulling(beta);
+    const Image image = drawn(record);
+    const double tip_m = CueOverlay::kRim_m + CueOverlay::kDrawn_m * record.hand.u;
+    const auto behind = [&](double by_m) { return record.hand.target_m - by_m * record.hand.towards; };
+    const Rgb wood = at(image, behind(tip_m + 0.3));
+    EXPECT_GT(wood[0], 150) << beta;
+    EXPECT_GT(wood[0], wood[2] + 60) << beta;
+    EXPECT_LT(at(image, behind(tip_m - 0.03))[0], 60) << beta << ": the gap";
+  }
+}
+
+TEST_F(Aids, ACueThatIsNotYetDrawnBackGoesNowhere) {
+  FrameRecord record = pulling(0.0);
+  record.hand.towards = glm::dvec3(0.0);
+  const long without = lit(drawn(record));
+  record.hand.towards = {0.0, 0.0, -1.0};
+  const Image touching = drawn(record);
+  EXPECT_GT(lit(touching), without + 300) << "the cue";
+  EXPECT_LT(at(touching, record.hand.target_m + glm::dvec3(0.0, 0.0, -0.15))[1], 40) << "no arrow";
+}
+
+TEST_F(Aids, TheScalesHeightIsTheCost) {
+  for (const double beta : {-0.5, 0.5, 0.8, 0.9, 0.95}) {  // below 0: to the left
+    FrameRecord record = pulling(std::abs(beta));
+    record.hand.towards.x = std::copysign(record.hand.towards.x, beta);
+    const Image image = drawn(record);
+    const FacingPlane plane = facing(record.hand.target_m, kEyes_m, room_);
+    const double cost = 1.0 / std::sqrt(1.0 - beta * beta) - 1.0;
+    EXPECT_NEAR(CueOverlay::heightOf(cost), CueOverlay::kPerCost * cost, 1e-12);
+    const auto bar = [&](double of) {
+      return at(image, plane.at(beta > 0.0 ? CueOverlay::kScaleLeft : CueOverlay::kScaleRight,
+                                CueOverlay::kScaleFoot + CueOverlay::kPerCost * of));
+    };
+    const Rgb full = bar(cost - 0.06), empty = bar(cost + 0.06);
+    EXPECT_GT(*std::max_element(full.begin(), full.end()), 170) << beta;
+    EXPECT_LT(*std::max_element(empty.begin(), empty.end()), 110) << beta;
+  }
+  EXPECT_EQ(CueOverlay::heightOf(9.0), CueOverlay::heightOf(CueOverlay::kMostCost));
+}
+
+TEST_F(Aids, TheScaleIsUprightAndEquallyLargeEverywhere) {
+  for (const glm::dvec3& place_m : {glm::dvec3(0.3, 0.8, -1.0), glm::dvec3(-2.0, 0.8, -5.0)}) {
+    const FacingPlane plane = facing(place_m, kEyes_m, room_);
+    EXPECT_NEAR(glm::dot(plane.right, room_.up), 0.0, 1e-12);
+    EXPECT_NEAR(glm::dot(plane.right, plane.up), 0.0, 1e-12);
+    EXPECT_GT(glm::dot(plane.up, room_.up), 0.9);
+    const glm::dvec3 normal = glm::cross(plane.right, plane.up), sight = glm::normalize(kEyes_m - place_m);
+    EXPECT_GT(glm::dot(normal, sight), 0.8) << "to be read";
+    EXPECT_NEAR(glm::length(plane.at(0.0, 0.1) - place_m) / glm::distance(place_m, kEyes_m), 0.1, 1e-12);
+  }
+  const FacingPlane below = facing(kEyes_m - glm::dvec3(0.0, 1.0, 0.0), kEyes_m, room_);
+  EXPECT_NEAR(glm::length(below.right), 1.0, 1e-12);
+  EXPECT_NEAR(below.right.x, 1.0, 1e-12);
+  EXPECT_GT(glm::cross(below.right, below.up).y, 0.8) << "it lies as on a desk";
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,258 @@
+// Words in the room: what they say, how large they are, and that both eyes see them at the same place.
+#include "cave/overlay/hud_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "cave/capture/capture.h"
+#include "cave/display/display_walls.h"
+#include "cave/glowing_puck.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+
+Wall frontOf(const char* name, StereoMode stereo) {
+  Wall wall;
+  wall.name = name;
+  wall.lowerLeft_m = {-1.5, 0.0, -1.5};
+  wall.lowerRight_m = {1.5, 0.0, -1.5};
+  wall.upperLeft_m = {-1.5, 3.0, -1.5};
+  wall.pixels = {900, 900};
+  wall.stereo = stereo;
+  return wall;
+}
+
+FrameRecord recordAt(double display_s) {
+  FrameRecord record;
+  record.display_s = record.observer.properTime_s = display_s;
+  record.lightSpeed_m_s = kC_m_s;
+  record.observer.headFromBoard = Lorentz::boost(uFromBeta({0.0, 0.6, 0.0}), kC_m_s).inverse();
+  record.observer.eyes = {EyeView{{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 1.7, 0.0}},
+                          EyeView{{0.0, {0.03, 0.0, 0.0}}, {0.03, 1.7, 0.0}}, EyeView{{}, {0.0, 1.7, 0.0}}};
+  return record;
+}
+
+std::vector<std::string> said(const FrameRecord& record) {
+  std::vector<HudLine> lines;
+  describe(record, {}, lines);
+  std::vector<std::string> texts;
+  for (const HudLine& line : lines) texts.push_back(line.text);
+  return texts;
+}
+
+TEST(HudPanel, SayWhichViewsAreOn) {
+  FrameRecord record = recordAt(12.36);
+  EXPECT_TRUE(said(record).empty());
+  record.views.boardNow = record.views.frozen = 1;
+  EXPECT_EQ(said(record), (std::vector<std::string>{"as seen", "now on the board", "frozen"}));
+  record.views = {};
+  record.views.clocks = 1;
+  EXPECT_EQ(said(record), (std::vector<std::string>{"plates on the pucks: their own time", "my clock  12.3 s",
+                                                    "my speed  0.60 c   gamma 1.25", "light  1.42 m/s"}));
+  record.views = {};
+  record.views.split = 1;
+  EXPECT_EQ(said(record), (std::vector<std::string>{"as seen", "left: Einstein, right: Newton"}));
+}
+
+const LessonWords kLesson{
+    "Twins",
+    "Two twins part and meet again. Who of them is then the older one, and why?",
+    {"Neither", "The one who stayed at home, as seen from where they meet", "The traveller"},
+    1,
+    "Press G and go.",
+    "Watch your clock.",
+    "10.3 s and 8 s."};
+
+std::vector<std::string> said(const FrameRecord& record, const LessonWords& lesson) {
+  std::vector<HudLine> lines;
+  describe(record, lesson, lines);
+  std::vector<std::string> texts;
+  for (const HudLine& line : lines) texts.push_back(line.text);
+  return texts;
+}
+
+TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
+  FrameRecord record = recordAt(1.0);
+  record.lesson.phase = LessonPhase::asks;
+  EXPECT_EQ(said(record, kLesson),
+            (std::vector<std::string>{
+                "Two twins part and meet again. Who of", "them is then the older one, and why?",
+                "1   Neither", "2   The one who stayed at home, as seen from", "where they meet",
+                "3   The traveller", "press 1 to 3, or the wand's button", "light  1.42 m/s"}));
+}
+
+TEST(HudPanel, ANumberKeepsItsUnitAndALongWordIsWhole) {
+  FrameRecord record = recordAt(1.0);
+  record.lesson.phase = LessonPhase::shows;
+  LessonWords lesson = kLesson;
+  lesson.todo = "It goes along there at a speed of 0.75 c until it is at the far end, 2.84 m away.";
+  lesson.notice = std::string(60, 'w') + " ends";
+  EXPECT_EQ(said(record, lesson),
+            (std::vector<std::string>{"It goes along there at a speed of 0.75 c",
+                                      "until it is at the far end, 2.84 m away.", std::string(60, 'w'),
+                                      "ends", "Y: again    Enter: the number behind it", "light  1.42 m/s"}));
+  lesson.todo = "It goes away and then along there at 0.75 c";
+  EXPECT_EQ(said(record, lesson)[0], "It goes away and then along there at");
+  EXPECT_EQ(said(record, lesson)[1], "0.75 c");
+}
+
+TEST(HudPanel, WhileTheyAskTheySayNothingElseOfTheViews) {
+  FrameRecord record = recordAt(1.0);
+  record.views.boardNow = record.views.clocks = 1;
+  record.lesson.phase = LessonPhase::asks;
+  const auto asked = said(record, kLesson);
+  EXPECT_EQ(std::find(asked.begin(), asked.end(), "now on the board"), asked.end());
+  EXPECT_EQ(asked.back(), "light  1.42 m/s");
+}
+
+TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
+  FrameRecord record = recordAt(1.0);
+  record.lesson = {LessonPhase::shows, 1};
+  EXPECT_EQ(said(record, kLesson),
+            (std::vector<std::string>{"Press G and go.", "Watch your clock.",
+                                      "Y: again    Enter: the number behind it", "light  1.42 m/s"}));
+  record.lesson.phase = LessonPhase::explains;
+  EXPECT_EQ(said(record, kLesson),
+            (std::vector<std::string>{"10.3 s and 8 s.", "You said: Neither",
+                                      "Right is: The one who stayed at home, as seen from", "where they meet",
+                                      "Enter: look again    Y: ask anew", "light  1.42 m/s"}));
+  record.lesson.answer = 2;
+  const auto right = said(record, kLesson);
+  EXPECT_NE(std::find(right.begin(), right.end(), "That is right."), right.end());
+  record.lesson.answer = 0;
+  EXPECT_EQ(said(record, kLesson).size(), 3u) << "passed over: the number alone";
+}
+
+TEST(HudPanel, BeginWithWhatJustHappenedAndLetItStandOut) {
+  FrameRecord record = recordAt(1.0);
+  std::string words;
+  for (int i = 0; i < 59; ++i) words += i % 7 == 6 ? " " : "γ";  // 110 bytes
+  record.notice = Notice(words);
+  record.views.paths = 1;
+  std::vector<HudLine> lines;
+  describe(record, {}, lines);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_TRUE(lines[0].urgent && lines[1].urgent);
+  EXPECT_FALSE(lines[2].urgent);
+  EXPECT_EQ(lines[0].text + " " + lines[1].text, words) << "nothing is cut within a letter";
+}
+
+TEST(HudPanel, AreOnTheFirstWallAhead) {
+  RoomGeometry room;
+  Wall left = frontOf("left", StereoMode::mono);
+  left.lowerLeft_m = {-1.5, 0.0, 1.5};
+  left.lowerRight_m = {-1.5, 0.0, -1.5};
+  left.upperLeft_m = {-1.5, 3.0, 1.5};
+  room.walls = {left};
+  EXPECT_FALSE(frontWall(room));
+  room.walls.push_back(frontOf("front", StereoMode::mono));
+  ASSERT_TRUE(frontWall(room));
+  EXPECT_EQ(frontWall(room)->name, "front");
+}
+
+class DrawnWords : public testing::Test {
+ protected:
+  Image drawn(const std::vector<HudLine>& lines) {
+    graphics_.makeCurrent();
+    RenderTarget picture({900, 900});
+    words_.set(lines);
+    words_.draw(frontOf("front", StereoMode::mono), picture);
+    return readBack(picture);
+  }
+
+  Graphics graphics_;
+  HudPanel words_;
+};
+
+TEST_F(DrawnWords, CapitalsAreFourCentimetresHigh) {
+  const Image image = drawn({{"HHHH", {}}});
+  int lowest = 900, highest = -1;
+  for (int y = 0; y < 900; ++y) {
+    for (int x = 0; x < 900; ++x) {
+      if (image.rgb[static_cast<std::size_t>(3 * (y * 900 + x))] < 128) continue;
+      lowest = std::min(lowest, y);
+      highest = std::max(highest, y);
+    }
+  }
+  EXPECT_NEAR(highest - lowest + 1, 0.04 * 300.0, 1.0);  // 300 pixels a metre
+  // The panel hangs from 2.2 m: two letters' heights of it with one line.
+  EXPECT_LT(highest, HudPanel::kHighest_m * 300.0);
+  EXPECT_GT(lowest, (HudPanel::kHighest_m - 0.15) * 300.0);
+}
+
+TEST_F(DrawnWords, NothingToSayIsNothingDrawn) {
+  EXPECT_GT(drawn({{"words", {}}}).rgb, std::vector<std::uint8_t>(3 * 900 * 900, 0));
+  EXPECT_EQ(drawn({}).rgb, std::vector<std::uint8_t>(3 * 900 * 900, 0));
+}
+
+/// The box of what differs from black.
+struct Box {
+  int left = 900, right = -1, low = 900, high = -1;
+};
+Box boxOf(const Image& image) {
+  Box box;
+  for (int y = 0; y < image.size_px.y; ++y) {
+    for (int x = 0; x < image.size_px.x; ++x) {
+      const std::uint8_t* pixel = &image.rgb[static_cast<std::size_t>(3 * (y * image.size_px.x + x))];
+      if (pixel[0] + pixel[1] + pixel[2] == 0) continue;
+      box = {std::min(box.left, x), std::max(box.right, x), std::min(box.low, y), std::max(box.high, y)};
+    }
+  }
+  return box;
+}
+
+// However much there is to say: beside and below it is the game.
+TEST_F(DrawnWords, LeaveTheGameItsPlace) {
+  std::vector<HudLine> lines;
+  for (int i = 0; i < 24; ++i) lines.push_back({"W" + std::string(kLineLetters, 'n'), {}});
+  for (const std::size_t count : {std::size_t{1}, std::size_t{10}, lines.size()}) {
+    const Box box = boxOf(drawn({lines.begin(), lines.begin() + static_cast<long>(count)}));
+    ASSERT_GT(box.right, box.left);
+    EXPECT_LE(box.right - box.left + 1, HudPanel::kMostOfWidth * 900) << count;
+    EXPECT_LE(box.high - box.low + 1, HudPanel::kMostOfHeight * 900) << count;
+    EXPECT_LE(box.high, HudPanel::kHighest_m * 300.0);
+  }
+}
+
+TEST_F(DrawnWords, ALongLineStaysOnTheWall) {
+  const Image image = drawn({{std::string(200, 'm'), {}}});
+  for (int y = 0; y < 900; ++y) EXPECT_EQ(image.rgb[static_cast<std::size_t>(3 * (y * 900 + 899))], 0) << y;
+}
+
+// A computer for each eye: both pictures hold the same panel on the same pixels, and other things elsewhere.
+TEST(HudPanel, HaveNoParallax) {
+  Graphics graphics;
+  const std::vector<Wall> walls{frontOf("l", StereoMode::left), frontOf("r", StereoMode::right)};
+  DisplayWalls set(graphics, test::glowingPuck(0.2), kC_m_s, walls, std::nullopt, false);
+  RoomGeometry room;
+  room.walls = walls;
+  set.standIn(room);
+  FrameRecord record = recordAt(3.0);
+  const World world{
+      {WorldLine(Knot{}, kC_m_s), WorldLine({{0.0, {0.1, 0.3, -1.0}}, {}, 0.0, {}, 0.0}, kC_m_s)}, {}};
+  const auto images = [&] {
+    set.draw(record, world);
+    graphics.makeCurrent();
+    return std::pair(readBack(*set.pictureOf("l")), readBack(*set.pictureOf("r")));
+  };
+  const auto [leftBefore, rightBefore] = images();
+  EXPECT_NE(leftBefore.rgb, rightBefore.rgb);
+  record.views.clocks = 1;
+  const auto [left, right] = images();
+  int changed = 0;
+  for (std::size_t i = 0; i < left.rgb.size(); ++i) {
+    const bool inLeft = left.rgb[i] != leftBefore.rgb[i], inRight = right.rgb[i] != rightBefore.rgb[i];
+    ASSERT_EQ(inLeft, inRight) << i;
+    if (!inLeft) continue;
+    ASSERT_EQ(left.rgb[i], right.rgb[i]) << i;
+    ++changed;
+  }
+  EXPECT_GT(changed, 10000);
+}
+
+}  // namespace
+}  // namespace carom
