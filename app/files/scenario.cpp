@@ -156,7 +156,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   file.throwFaults();
 
   for (const BodyText& body : bodies) {
-    scenario.bodies.push_back(toldBody(body, scenario.billiard.lightSpeed_m_s));
+    scenario.bodies.push_back(scriptedBody(body, scenario.billiard.lightSpeed_m_s));
   }
   return scenario;
 }

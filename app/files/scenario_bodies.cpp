@@ -94,7 +94,7 @@ BodyText readBody(const TomlFile& file, const TomlTable& table) {
   return body;
 }
 
-ScriptedBody toldBody(const BodyText& body, double c_m_s) {
+ScriptedBody scriptedBody(const BodyText& body, double c_m_s) {
   return {body.name, scriptedWorldLine(body.legs, body.at, body.appears_s, c_m_s), body.mesh};
 }
 

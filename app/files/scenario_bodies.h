@@ -33,6 +33,6 @@ std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTa
 BodyText readBody(const TomlFile& file, const TomlTable& table);
 
 /// Lays the world line of a body without faults.
-ScriptedBody toldBody(const BodyText& body, double c_m_s);
+ScriptedBody scriptedBody(const BodyText& body, double c_m_s);
 
 }  // namespace carom

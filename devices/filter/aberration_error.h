@@ -1,13 +1,13 @@
 #pragma once
-// How far an error of the celerity turns what the eye sees.
+// Computes how far an error of the celerity turns what the eye sees.
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 namespace carom {
 
-/// By how much (radians, one standard deviation) the sky swings where a celerity has this covariance: about
-/// that of the landmark which swings most. To first order in the error δw of a celerity w = c sinh η:
+/// Returns by how much (radians, one standard deviation) the sky swings when a celerity has this covariance:
+/// about that of the landmark that swings most. To first order in the error δw of a celerity w = c sinh η:
 ///
 ///   δw∥/(cγ) along the motion      (1 + tanh(η/2)) δw⊥/c across it
 ///

@@ -23,42 +23,45 @@
 
 namespace carom {
 
-/// Causal, for uneven sampling, the same in every orientation of the axes (noise and motion are taken as
-/// isotropic, and the axes are judged together). No allocation; the same bits in every run.
+/// Causal, for uneven sampling, and the same in every orientation of the axes (noise and motion are taken as
+/// isotropic, and the axes are judged together). Does not allocate; gives the same bits in every run.
 class CelerityFilter {
  public:
   explicit CelerityFilter(double trackerSigma_m) : noise_(trackerSigma_m) {}
 
-  /// Begins anew at a position, with nothing known of its motion.
+  /// Starts anew at a position, with nothing known of the motion.
   void start(double time_s, const glm::dvec3& position_m);
 
-  /// The next position, at a later time than the last.
+  /// Takes the next position, at a later time than the last.
   void update(double time_s, const glm::dvec3& position_m);
 
-  /// The tracker took all positions from here on to be elsewhere by that much: the point has not moved.
+  /// Shifts the estimate by `offset_m`: the tracker shows all positions from here on elsewhere by that much,
+  /// but the point has not moved.
   void moveBy(const glm::dvec3& offset_m);
 
-  double time_s() const { return time_s_; }  ///< of the last position; all that follows is then
+  double time_s() const { return time_s_; }  ///< of the last position; the estimates below hold at that time
   const glm::dvec3& position_m() const { return mean_[0]; }
   const glm::dvec3& celerity_m_s() const { return mean_[1]; }
   glm::dmat3 celerityCovariance_m2_s2() const;
 
-  /// How late the celerity is while it grows evenly, at the gains of this moment: the error of celerity
-  /// for each m/s² of constant acceleration. It is that of the moving models; a still head has none.
+  /// Returns how late the celerity is while it grows evenly, at the present gains: the error of celerity for
+  /// each m/s² of constant acceleration. It is the value of the moving models; a still head has no lag.
   double lag_s() const;
 
-  /// Where the point will be, `ahead_s` after the last position.
+  /// Returns where the point will be `ahead_s` after the last position.
   glm::dvec3 predictedPosition_m(double ahead_s) const;
 
-  /// Standard deviation (one component) of a position measured then, were the point to keep its celerity.
+  /// Returns the standard deviation (one component) of a position measured at that time if the point kept its
+  /// celerity.
   double predictedSigma_m(double ahead_s) const;
 
-  /// Variance (one component) by which the celerity may have changed, `ahead_s` after the last position.
+  /// Returns the variance (one component) by which the celerity may have changed `ahead_s` after the last
+  /// position.
   double celerityChange_m2_s2(double ahead_s) const;
 
-  /// The noise of the positions as it is now believed, at least 0.01 mm and at most 10 mm.
+  /// Returns the present estimate of the noise of the positions, at least 0.01 mm and at most 10 mm.
   double trackerSigma_m() const;
-  /// Whether it was told by the samples and is not the one to begin with.
+  /// Whether that noise was estimated from the samples and is not the initial value.
   bool isTrackerSigmaKnown() const { return noise_.isKnown(); }
 
   static constexpr int kModels = 7;

@@ -26,7 +26,7 @@ enum class Known {
   Lost,       ///< no samples for long, or none yet: kept, and not to be trusted
 };
 
-/// For people: "measured", "predicted", "held", "lost".
+/// Returns the name for people: "measured", "predicted", "held" or "lost".
 const char* toString(Known known);
 
 /// The head at one time. Axes and origin are those of the poses given to the filter.
@@ -40,10 +40,10 @@ struct HeadEstimate {
   double lag_s = 0.0;      ///< delay of the celerity: how late it is at constant acceleration
 };
 
-/// What became of a sample.
+/// How the filter has used a sample.
 enum class SampleUse {
   Used,
-  Glitch,    ///< where no head gets in that time: not used, unless the next shows that one did
+  Glitch,    ///< where no head can be by that time: not used, unless the next sample shows one
   Unusable,  ///< not after the last sample, or not finite: not used
 };
 
@@ -71,13 +71,14 @@ class HeadFilter {
   /// estimated from the samples.
   explicit HeadFilter(double trackerSigma_m = 0.0003);
 
-  /// The next sample: the pose of the eye midpoint (roomFromSensor * sensorFromEyes) at a time.
+  /// Takes the next sample: the pose of the eye midpoint (roomFromSensor * sensorFromEyes) at a time.
   SampleUse add(double time_s, const Pose& roomFromHead);
 
-  /// The head at a time at or after the newest used sample (an earlier one is taken as that time).
+  /// Returns the head at a time at or after the newest used sample (an earlier time counts as that of the
+  /// sample).
   HeadEstimate at(double time_s) const;
 
-  /// The tracker's noise as it is now believed: standard deviation per axis, metres.
+  /// Returns the present estimate of the tracker's noise: standard deviation per axis, metres.
   double trackerSigma_m() const { return celerity_.trackerSigma_m(); }
 
  private:
@@ -100,7 +101,7 @@ class HeadFilter {
   glm::dvec3 angularVelocity_rad_s_{0.0};
   double share_ = 1.0;  // of the estimated celerity that is shown then
   JumpJudge judge_;
-  Doubted doubted_;  // the newest sample that was
+  Doubted doubted_;  // the newest doubted sample
 
   // Shown pose − filtered pose when samples came back; it shrinks to nothing.
   double returned_s_ = 0.0;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a tracker's sample is the head's motion or a jump of the tracker.
+// Decides whether a tracker's sample is motion of the head or a jump of the tracker.
 
 #include <glm/vec3.hpp>
 
@@ -7,13 +7,13 @@
 
 namespace carom {
 
-/// What a sample is.
+/// The kinds of samples.
 enum class Jump {
-  None,     ///< the head, going on from the last used sample
-  Doubted,  ///< where no head gets: not to be used, or not yet
-  Quick,    ///< the head, as the sample before was, which was doubted: both are to be used
-  Shifted,  ///< the head, but the tracker shows it elsewhere than before: see offset_m()
-  New,      ///< where doubted samples have led for long: nothing is known of the motion
+  None,     ///< the head, which continues from the last used sample
+  Doubted,  ///< where a head cannot get: not to be used, or not yet
+  Quick,    ///< the head; the doubted sample before was the head, too: both are to be used
+  Shifted,  ///< the head, which the tracker shows beside its place before: see offset_m()
+  New,      ///< a place to which doubted samples have led for long: nothing is known of the motion
 };
 
 /// Judges samples by the head's course, as its filter foresees it. A head that stands reaches 15 m/s² within
@@ -32,18 +32,18 @@ class JumpJudge {
  public:
   explicit JumpJudge(double lost_s) : lost_s_(lost_s) {}
 
-  /// What the next sample is. Its time is after that of the last one that was judged or used.
+  /// Returns the kind of the next sample. Its time is after that of the last one that was judged or used.
   Jump judge(const CelerityFilter& head, double time_s, const glm::dvec3& position_m);
 
-  /// To be told of each sample before the filter takes it.
+  /// Must be called with each sample before the filter takes it.
   void use(const CelerityFilter& head, double time_s, const glm::dvec3& position_m);
-  /// Of one with which the filter starts.
+  /// Must be called with a sample with which the filter starts.
   void start(const glm::dvec3& position_m);
 
   /// Whether the newest sample was doubted, and its time.
   bool doubts() const { return count_ > 0; }
   double doubted_s() const { return last_.time_s; }
-  /// Of Jump::Shifted: by how much the tracker's places are beside those before.
+  /// After Jump::Shifted: by how much the tracker's places now lie beside those before.
   const glm::dvec3& offset_m() const { return offset_m_; }
 
  private:

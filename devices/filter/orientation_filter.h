@@ -1,5 +1,5 @@
 #pragma once
-// Which way a head is turned, from a gyroscope and an accelerometer.
+// Estimates how a head is turned from a gyroscope and an accelerometer.
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -15,14 +15,14 @@ namespace carom {
 /// about the vertical, by some degrees a minute with a headset's sensors.
 class OrientationFilter {
  public:
-  /// A sample, `interval_s` after the last one: rate of turn and felt acceleration in the sensor's axes, of
-  /// which y is up when it is level. Numbers that are not finite change nothing.
+  /// Takes a sample, `interval_s` after the last one: the rate of turn and the felt acceleration in the
+  /// sensor's axes, of which y is up when it is level. Numbers that are not finite change nothing.
   void update(double interval_s, const glm::dvec3& rate_rad_s, const glm::dvec3& acceleration_m_s2);
 
   /// levelFromSensor: y is up. Identity until an acceleration has shown which way up is.
   const glm::dquat& orientation() const { return levelFromSensor_; }
 
-  /// By how much the gyroscope reads too high, as far as known.
+  /// Returns by how much the gyroscope reads too high, as far as known.
   const glm::dvec3& bias_rad_s() const { return bias_rad_s_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// How noisy a tracker is, told from its own samples, moving or not.
+// Estimates how noisy a tracker is from its own samples, whether it moves or not.
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -18,37 +18,38 @@ namespace carom {
 /// twice its value at most.
 class TrackerNoise {
  public:
-  /// With an estimate to begin with, which counts as much as a few samples.
+  /// Starts with an estimate, which counts as much as a few samples.
   explicit TrackerNoise(double sigma_m);
-  /// With none: sigma_m() is 0 before the first six samples.
+  /// Starts with none: sigma_m() is 0 before the first six samples.
   TrackerNoise() = default;
 
-  /// The next position, at a later time.
+  /// Takes the next position, at a later time.
   void add(double time_s, const glm::dvec3& position_m);
 
-  /// Forgets the positions (not the estimate): what comes next does not continue them.
+  /// Forgets the positions (not the estimate): the next position does not continue them.
   void interrupt();
 
-  /// What the estimate holds counts for no more than one to begin with.
+  /// Lets the present estimate count for no more than an initial one.
   void doubt();
 
-  /// Of white noise that disturbs a celerity as much as the tracker's does: its standard deviation.
+  /// Returns the standard deviation of white noise that disturbs a celerity as much as the tracker's noise
+  /// does.
   double sigma_m() const { return sigma_m_; }
 
-  /// Whether enough samples were seen for the estimate to be theirs and not the one to begin with.
+  /// Whether enough samples were seen for the estimate to rest on them and not on the initial value.
   bool isKnown() const { return near_.isKnown(); }
 
-  /// Whether the sensor keeps its place at present, as far as its noise lets one see.
+  /// Whether the sensor keeps its place at present, as far as its noise shows.
   bool isStill() const;
 
  private:
-  /// What samples tell that are some time apart.
+  /// The estimate from samples that lie at least `least_s` apart.
   class Spacing {
    public:
     explicit Spacing(double least_s) : least_s_(least_s) {}
     Spacing(double least_s, double variance_m2, double weight)
         : least_s_(least_s), variance_m2_(variance_m2), averaged_(weight) {}
-    bool take(double time_s, const glm::dvec3& position_m);  ///< whether there is a new difference
+    bool take(double time_s, const glm::dvec3& position_m);  ///< returns whether there is a new difference
     void interrupt() { count_ = 0; }
     void doubt(double weight);
     void learn();

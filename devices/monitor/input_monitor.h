@@ -1,5 +1,5 @@
 #pragma once
-// Where the buttons and axes of one sensor stand: for `carom track`.
+// The state of the buttons and axes of one sensor, for `carom track`.
 
 #include <map>
 #include <set>
@@ -11,11 +11,11 @@ namespace carom {
 
 class InputMonitor {
  public:
-  /// Of a button or an axis; other readings say nothing here.
+  /// Takes the reading of a button or an axis and ignores all others.
   void add(const Reading& reading);
 
-  /// "axes +0.50 +0.00, buttons 0 3": an axis that has not come is "-", buttons are those that are pressed.
-  /// Empty until something has come.
+  /// Returns a text such as "axes +0.50 +0.00, buttons 0 3": "-" stands for an axis that has sent nothing
+  /// yet; only pressed buttons are listed. Empty until something has arrived.
   std::string text() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// How often a device has lost a sensor from sight that it had seen, by its own word: not how many frames it
-// was gone for.
+// Counts how often a device reports that it has lost sight of a sensor that it had seen. The number of frames
+// without the sensor does not matter.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,7 @@ class LossCounter {
  public:
   explicit LossCounter(int sensor) : sensor_(sensor) {}
 
-  /// What came with one poll, of all sensors of the tracker.
+  /// Takes what one poll delivered, for all sensors of the tracker.
   void see(std::span<const TrackerSample> samples, std::span<const Reading> inputs) {
     for (const Reading& input : inputs) {
       if (input.kind != Reading::Kind::lost || input.sensor != sensor_) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Where a tracker's sensor was last.
+// The last known place of a tracker's sensor.
 
 #include <limits>
 #include <optional>
@@ -30,7 +30,7 @@ class SensorPlace {
     counted_ = 0;
   }
   const Pose& roomFromSensor() const { return roomFromSensor_; }
-  /// Whether it has come within kTrackLost_s.
+  /// Whether a pose has arrived within kTrackLost_s.
   bool isKnown(double now_s) const { return told_s_ && now_s - *told_s_ <= kTrackLost_s; }
 
   double newest_s() const { return newest_s_; }  ///< time of the newest sample; NaN: none yet

@@ -1,7 +1,7 @@
 #pragma once
-// What a person should be told of a tracker while a session runs: one line when something is wrong for long
-// enough to matter (5 s of silence), and since which second of the session, one when it is well again, and
-// after how long, and once what a tracker that delivers has remarked on.
+// The messages about a tracker while a session runs: a line when it has delivered nothing for long enough to
+// matter (5 s), with the second of the session since which; a line when it delivers again, with the length of
+// the gap; and once each remark of a tracker that delivers.
 
 #include <optional>
 #include <span>
@@ -14,18 +14,18 @@ namespace carom {
 
 class TrackerAlarm {
  public:
-  /// The tracker's name in the rig, and the sensor that is wanted of it; none: its buttons alone are wanted,
-  /// which say nothing while nobody touches them. `withoutIt`: what becomes of the person's part that it
-  /// follows.
+  /// `name` is the tracker's name in the rig, and `sensor` the sensor that the rig uses; none if it uses only
+  /// the buttons, which are silent while nobody touches them. `withoutIt` says in the message what happens to
+  /// the part of the person that the tracker follows.
   TrackerAlarm(std::string name, std::optional<int> sensor, std::string withoutIt = "the head is held");
 
-  /// Notes what came up to `now_s`. Cheap, for every frame.
+  /// Notes the samples that arrived up to `now_s`. Fast enough for every frame.
   void see(double now_s, std::span<const TrackerSample> samples);
 
-  /// Whether it is time to look at the tracker's health again: a few times a second.
+  /// Whether it is time to check the tracker's health again; a few times a second.
   bool isDue(double now_s) const { return now_s >= due_s_; }
 
-  /// The line, if there is a new one.
+  /// Returns the line to show, if there is a new one.
   std::optional<std::string> look(double now_s, const TrackerHealth& health);
 
  private:
@@ -40,7 +40,7 @@ class TrackerAlarm {
   std::string name_;
   std::optional<int> sensor_;
   std::string withoutIt_;
-  double seen_s_ = 0.0;  // the wanted sensor, or the session's start
+  double seen_s_ = 0.0;  // when the wanted sensor was last seen, or the session's start
   bool wasSeen_ = false;
   std::vector<int> otherSensors_;
   double well_s_ = 0.0;  // when it last delivered, or the session's start

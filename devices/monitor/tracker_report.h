@@ -1,5 +1,5 @@
 #pragma once
-// How a tracker fares, as the console shows it.
+// The state of a tracker as the console shows it.
 
 #include <limits>
 #include <optional>
@@ -16,7 +16,7 @@ struct TrackerReport {
   TrackerHealth health;
   double rate_hz = std::numeric_limits<double>::quiet_NaN();  ///< of the last second
   double age_s = std::numeric_limits<double>::quiet_NaN();    ///< of the newest sample, when the frame began
-  /// Of the head alone: how the filter knows it when the frame is shown, how long after the newest sample
+  /// For the head only: how the filter knows it when the frame is shown, how long after the newest sample
   /// that is, and its motion.
   std::optional<Known> known{};
   double shownAfter_s = std::numeric_limits<double>::quiet_NaN();
@@ -24,15 +24,15 @@ struct TrackerReport {
   double sigma_m_s = std::numeric_limits<double>::quiet_NaN();  ///< largest standard deviation of a component
 };
 
-/// One colour for all of it.
+/// The state as the colour of a lamp.
 enum class TrackerLamp {
   well,
-  doubtful,  ///< someone should look: nothing comes, or too late, or the head is not known when it is shown
-  bad,       ///< it cannot work without someone's help
+  doubtful,  ///< needs attention: nothing comes, or too late, or the head is not known when it is shown
+  bad,       ///< cannot work without help
 };
 TrackerLamp lampOf(const TrackerReport& report);
 
-/// How the head is known and how fast it is, in words; empty where the report is of no head.
+/// Returns in words how the head is known and how fast it is; empty if the report is not of the head.
 std::string headWords(const TrackerReport& report);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Sockets of the trackers that speak over a network: IPv4, never blocking, closed by themselves.
+// Sockets for trackers on a network: IPv4, never blocking, closed by their destructor.
 
 #include <chrono>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace carom {
 
-/// A name or number of a machine, and a port.
+/// A machine, by name or number, and a port.
 struct Endpoint {
   std::string host;
   std::uint16_t port = 0;
@@ -24,10 +24,10 @@ struct Ipv4 {
   bool isGroup() const { return address >> 28 == 0xE; }
 };
 
-/// The four numbers of an address; none where it is written otherwise.
+/// Returns the address that four numbers such as 192.168.1.5 give; none if the text has another form.
 std::optional<std::uint32_t> ipv4Of(const std::string& numbers);
 
-/// Finds a machine's address. Throws std::runtime_error where it has none, or `stop` comes first.
+/// Returns a machine's address. Throws std::runtime_error if it has none, or if `stop` is requested first.
 Ipv4 resolve(const Endpoint& endpoint, const std::stop_token& stop);
 
 class Socket {
@@ -36,18 +36,19 @@ class Socket {
   Socket& operator=(Socket&&) = delete;
   ~Socket();
 
-  /// Connects within 3 s, unless `stop` comes; a connection whose other end is gone breaks within 5 s. Throws
-  /// std::runtime_error.
+  /// Connects within 3 s, unless `stop` is requested. A connection whose other end is gone breaks within 5 s.
+  /// Throws std::runtime_error.
   static Socket connectedTo(Ipv4 server, const std::stop_token& stop);
   /// Receives the datagrams that come to `local` (port 0: any free one), or to a group through the interface
-  /// that has the address `interface` (0: the one that leads there). Throws NeedsHelp
-  /// (devices/tracker/retry.h): the machine has no such address, or another program has the port.
+  /// with the address `interface` (0: chosen by the system). Throws NeedsHelp (devices/tracker/retry.h) if
+  /// the machine has no such address, or if another program has the port.
   static Socket boundTo(Ipv4 local, std::uint32_t interface = 0);
 
-  /// What has come, and from whom; none where nothing has. Of a connection, 0 bytes are its end. Throws
-  /// std::runtime_error where the connection broke.
+  /// Reads what has arrived into `bytes` and its sender into `from`; returns the size, or none if nothing has
+  /// arrived. On a connection, 0 bytes mean that the other end has closed it. Throws std::runtime_error if
+  /// the connection broke.
   std::optional<std::size_t> receive(std::span<std::uint8_t> bytes, Ipv4* from = nullptr);
-  /// All of it, at once. Throws std::runtime_error.
+  /// Sends all bytes at once. Throws std::runtime_error.
   void send(std::span<const std::uint8_t> bytes);
   void send(std::span<const std::uint8_t> datagram, Ipv4 to);
 
@@ -60,7 +61,7 @@ class Socket {
   int descriptor_;
 };
 
-/// Waits until one of them has something to read; false when the time is over.
+/// Waits until one of the sockets has something to read; returns false if the time is over first.
 bool waitReadable(std::initializer_list<const Socket*> sockets, std::chrono::milliseconds longest);
 
 }  // namespace carom

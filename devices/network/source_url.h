@@ -1,5 +1,5 @@
 #pragma once
-// How a rig names a tracker in a network: scheme://host:port?key=value&key=value
+// The address by which a rig names a tracker on a network: scheme://host:port?key=value&key=value
 
 #include <cstdint>
 #include <map>
@@ -15,16 +15,16 @@ struct SourceUrl {
   Endpoint endpoint;
   std::map<std::string, std::string> options;
 
-  /// An option that must be an IPv4 address, 0 where it is absent. Throws std::invalid_argument.
+  /// Returns an option that must be an IPv4 address; 0 if it is absent. Throws std::invalid_argument.
   std::uint32_t address(const std::string& key) const;
 };
 
-/// Reads `text`. The port is `defaultPort` where the text gives none. Throws std::invalid_argument, saying
+/// Reads `text`. The port is `defaultPort` if the text gives none. Throws std::invalid_argument, which says
 /// what is wrong and what was expected, such as `example`.
 SourceUrl readSourceUrl(std::string_view text, std::string_view scheme, std::uint16_t defaultPort,
                         std::span<const std::string_view> optionKeys, std::string_view example);
 
-/// "host" or "host:port". Throws std::invalid_argument.
+/// Reads "host" or "host:port". Throws std::invalid_argument.
 Endpoint readEndpoint(std::string_view text, std::uint16_t defaultPort);
 
 }  // namespace carom

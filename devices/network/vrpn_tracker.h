@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// The device `sender` of a server.
+/// A device of a VRPN server, which calls it `sender`.
 struct VrpnSource {
   std::string sender;
   Endpoint server;
@@ -18,9 +18,10 @@ struct VrpnSource {
 /// Reads "Head@tcp://host:3883"; the port may be left out. Throws std::invalid_argument.
 VrpnSource readVrpnSource(std::string_view text);
 
-/// Keeps a connection to the server. Device times are the server's clock; a connection on which nothing comes
-/// for 5 s, not even the answers to our pings, is given up and made anew. A sender that the server does not
-/// have, or that answers no ping for 3 s, is remarked on, with the senders that there are, and waited for.
+/// Returns the transport of that source, which keeps a connection to the server. Device times are the
+/// server's clock. A connection on which nothing arrives for 5 s, not even the answers to pings, is closed
+/// and made anew. If the server does not have the sender, or the sender answers no ping for 3 s, the
+/// transport says so, names the senders that there are, and waits.
 Transport vrpnTransport(const VrpnSource& source);
 
 }  // namespace carom

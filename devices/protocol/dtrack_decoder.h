@@ -1,8 +1,8 @@
 #pragma once
-// From a datagram of ART's DTRACK2 or DTRACK3 (lines of text) to readings.
+// Decodes datagrams of ART's DTRACK2 or DTRACK3 (lines of text) into readings.
 //
 // Sensors: body n of `6d` is sensor n, Flystick n of `6df` and `6df2` is sensor 100 + n, hybrid body n of
-// `6di` is sensor 200 + n; numbers of the device below 100. A room's millimetres become metres.
+// `6di` is sensor 200 + n, for device numbers below 100. The room's millimetres become metres.
 
 #include <bitset>
 #include <cstdint>
@@ -17,14 +17,14 @@ namespace carom {
 
 class DtrackDecoder {
  public:
-  /// Takes one datagram and appends what it says; bodies that a `6dcal` counts and no `6d` lists are lost.
-  /// Lines of other names are passed over, and so are those that cannot be read, which are counted. False
-  /// where it says nothing to us at all.
+  /// Takes one datagram and appends its readings. Bodies that a `6dcal` counts and no `6d` lists are lost.
+  /// Lines with other names are ignored; lines that cannot be read are ignored and counted. Returns false if
+  /// the datagram holds nothing of use.
   ///
-  /// Time: of a `ts2`, its stamp and latency; of a `ts`, which begins again at midnight, days are added.
+  /// Time: a `ts2` gives its stamp and latency; a `ts` starts again at midnight, so days are added.
   bool decode(std::span<const std::uint8_t> datagram, std::vector<Reading>& readings);
 
-  /// The frame's number, where the last datagram gave one.
+  /// The frame's number, if the last datagram gave one.
   std::optional<std::uint32_t> frame() const { return frame_; }
   std::uint64_t refused() const { return refused_; }  ///< lines that could not be read, so far
 

@@ -1,5 +1,5 @@
 #pragma once
-// How many frames never came, from the numbers that a device gives them.
+// Counts the frames that never arrived, by the numbers that a device gives its frames.
 
 #include <cstdint>
 
@@ -7,8 +7,9 @@ namespace carom {
 
 class FrameGaps {
  public:
-  /// Frames between the newest one so far and this one. A number that is not later, or much later, is a
-  /// device that started anew (or a late frame) and counts nothing.
+  /// Returns the number of frames missing between the newest one so far and this one. A number that is not
+  /// later, or much later, means that the device started anew (or that the frame is late), and counts
+  /// nothing.
   std::uint64_t follow(std::uint32_t number) {
     const std::uint32_t step = number - newest_;
     const bool goesOn = begun_ && step > 0 && step <= kMost;

@@ -1,5 +1,5 @@
 #pragma once
-// From a datagram of OptiTrack's NatNet 3 or 4 to readings. Rigid body n (its streaming ID) is sensor n.
+// Decodes datagrams of OptiTrack's NatNet 3 or 4 into readings. Rigid body n (its streaming ID) is sensor n.
 
 #include <cstdint>
 #include <optional>
@@ -13,25 +13,25 @@ namespace carom {
 
 class WireReader;
 
-/// What a NatNet server says of itself. The layout of its frames depends on the version.
+/// What a NatNet server says about itself. The layout of its frames depends on the version.
 struct NatnetServer {
   std::string application;
   int major = 0;
   int minor = 0;
-  double ticksPerSecond = 0.0;  ///< of the clock that stamps frames; 0 where it does not say
+  double ticksPerSecond = 0.0;  ///< of the clock that stamps frames; 0 if it does not say
 };
 
 class NatnetDecoder {
  public:
   enum class Packet {
-    frame,    ///< what its rigid bodies did was appended
-    server,   ///< the server has said what it is: `server()`
+    frame,    ///< the readings of its rigid bodies were appended
+    server,   ///< the server's description: see `server()`
     other,    ///< of another kind, or a frame before the server was known
     refused,  ///< made no sense; nothing was appended
   };
 
-  /// Takes one datagram. Poses are those of the middle of the exposure: `device_s` is when the frame was
-  /// sent, and `latency_s` how long before that the exposure was, where the server measures it.
+  /// Takes one datagram. Poses are those at the middle of the exposure: `device_s` is when the frame was
+  /// sent, and `latency_s` how long before that the exposure was, if the server measures it.
   Packet decode(std::span<const std::uint8_t> datagram, std::vector<Reading>& readings);
 
   const std::optional<NatnetServer>& server() const { return server_; }
@@ -49,9 +49,10 @@ class NatnetDecoder {
   std::uint32_t frame_ = 0;
 };
 
-/// Asks the server what it is and, if it sends to single clients, to send to us.
+/// Returns the packet that asks the server for its version and, if it sends to single clients, to send to
+/// this program.
 std::vector<std::uint8_t> natnetConnect();
-/// Tells a server that sends to single clients that we are still there.
+/// Returns the packet that tells a server which sends to single clients that this program is still there.
 std::vector<std::uint8_t> natnetKeepAlive();
 
 }  // namespace carom

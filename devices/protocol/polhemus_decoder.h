@@ -1,5 +1,5 @@
 #pragma once
-// From the bytes of a Polhemus tracker to readings. Records come joined and split as the wire likes.
+// Decodes the bytes of a Polhemus tracker into readings. Records may arrive joined or split.
 // Sources: Polhemus FASTRAK manual (URM95PH002) and LIBERTY manual (URM03PH156), output records in binary;
 // VRPN's serial drivers of both.
 
@@ -15,7 +15,7 @@
 
 namespace carom {
 
-/// The two shapes of a record, numbers lowest byte first.
+/// The two formats of a record. The lowest byte of a number comes first.
 enum class PolhemusFormat {
   /// After "O…,2,11,0": '0', station '1' … '4', status, 3 floats of position, 4 of orientation, ' '. No
   /// clock.
@@ -25,20 +25,21 @@ enum class PolhemusFormat {
   liberty,
 };
 
-/// Lengths in centimetres, quaternions scalar first. Whatever the bytes are, what comes out is finite, with
-/// unit quaternions; bytes that fit no record are passed over until the next mark whose record makes sense.
+/// Decodes a stream of records (lengths in centimetres, quaternions scalar first). Whatever the bytes are,
+/// the readings are finite, with unit quaternions. Bytes that fit no record are skipped up to the next mark
+/// whose record makes sense.
 class PolhemusDecoder {
  public:
   explicit PolhemusDecoder(PolhemusFormat format) : format_(format) {}
 
   /// Takes the next bytes of the stream; appends a reading for each record that they complete: a pose, or
-  /// `lost` where the device flags the station's record as faulty. Sensor = station − 1. `quality` is
-  /// 1 / (1 + distortion level) where the device tells one.
+  /// `lost` if the device flags the station's record as faulty. The sensor is station − 1. `quality` is 1 /
+  /// (1 + distortion level) if the device reports one.
   void decode(std::span<const std::uint8_t> bytes, std::vector<Reading>& readings);
 
-  /// How often bytes had to be passed over.
+  /// Returns how often bytes had to be skipped.
   std::uint64_t refused() const { return refused_; }
-  /// Records that the frame counts say were made and that never came.
+  /// Returns how many records the device has counted that never arrived.
   std::uint64_t missed() const { return missed_; }
 
   static constexpr int kStations = 16;
@@ -51,7 +52,7 @@ class PolhemusDecoder {
   void passOver();
 
   PolhemusFormat format_;
-  std::array<std::uint8_t, 48> held_{};  // the record that is coming
+  std::array<std::uint8_t, 48> held_{};  // the beginning of the next record
   std::size_t heldSize_ = 0;
   bool inStep_ = true;
   UnwrappedCounter<std::uint32_t> clock_ms_;

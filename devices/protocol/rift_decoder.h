@@ -1,5 +1,5 @@
 #pragma once
-// From the input reports of an Oculus Rift DK1 or DK2 to samples of its gyroscope and accelerometer.
+// Decodes the input reports of an Oculus Rift DK1 or DK2 into samples of its gyroscope and accelerometer.
 // Sources: OpenHMD's drv_oculus_rift/packet.c; the layout was found by O. Kreylos and others.
 
 #include <cstdint>
@@ -20,12 +20,12 @@ struct ImuSample {
 
 class RiftDecoder {
  public:
-  /// Takes one report, its number first: 1 (DK1, at least 62 bytes, up to 3 samples) or 11 (DK2, 64 bytes, up
-  /// to 2). Appends its samples, oldest first; they are a millisecond apart and the report's time is the last
-  /// one's. False where it is too short; reports of other numbers are nothing to us and are passed over.
+  /// Takes one report, which begins with its number: 1 (DK1, at least 62 bytes, up to 3 samples) or 11 (DK2,
+  /// 64 bytes, up to 2). Appends its samples, oldest first; they are a millisecond apart, and the last one
+  /// has the report's time. Returns false if the report is too short; ignores reports with other numbers.
   bool decode(std::span<const std::uint8_t> report, std::vector<ImuSample>& samples);
 
-  /// Samples that the device counted and could not send.
+  /// Returns how many samples the device has counted and not sent.
   std::uint64_t missed() const { return missed_; }
 
  private:

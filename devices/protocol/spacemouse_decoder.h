@@ -1,5 +1,5 @@
 #pragma once
-// From the input reports of a 3Dconnexion SpaceMouse to readings.
+// Decodes the input reports of a 3Dconnexion SpaceMouse into readings.
 // Sources: spacenavd (dev.c, proto), VRPN's vrpn_3DConnexion.C, recorded report descriptors.
 
 #include <array>
@@ -11,19 +11,20 @@
 
 namespace carom {
 
-/// Axes 0 … 2: how far the cap is pushed to the right, up and back; 3 … 5: how far it is turned about these
-/// (right-handed). 1 is as far as it goes. Buttons are numbered as the device does, with holes.
+/// Axes 0 … 2 are how far the cap is pushed right, up and back; axes 3 … 5 how far it is turned about these
+/// (right-handed). 1 is the farthest. Buttons have the device's own numbers, with gaps.
 class SpaceMouseDecoder {
  public:
-  /// Takes one report, its number first: 1 with 3 axes (pushed) or all 6, 2 with 3 axes (turned), 3 with the
-  /// buttons. Appends the axes it tells and the buttons that changed. False where it is too short to be
-  /// what its number says; reports of other numbers are nothing to us and are passed over.
+  /// Takes one report, which begins with its number: 1 with 3 axes (pushed) or all 6, 2 with 3 axes (turned),
+  /// 3 with the buttons. Appends the axes that it holds and the buttons that changed. Returns false if it is
+  /// too short for its number; ignores reports with other numbers.
   bool decode(std::span<const std::uint8_t> report, std::vector<Reading>& readings);
 
-  /// The cap came back and the device has nothing more to say: appends a zero for each axis that is not.
+  /// Appends a zero for each axis that is not zero: the cap is back at its centre, and the device sends no
+  /// more.
   void centre(std::vector<Reading>& readings);
 
-  /// The device is gone: as centre, and every button let go.
+  /// Does what `centre` does and releases every button: the device is gone.
   void release(std::vector<Reading>& readings);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// A device's counter that begins again at zero when it is full, made one that does not.
+// Turns a device's counter that starts again at zero when it is full into one that does not.
 
 #include <concepts>
 #include <cstdint>

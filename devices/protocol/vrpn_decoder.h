@@ -1,8 +1,8 @@
 #pragma once
-// From the bytes of a VRPN connection (Virtual Reality Peripheral Network) to readings.
+// Decodes the bytes of a VRPN connection (Virtual Reality Peripheral Network) into readings.
 //
-// What is on the wire differs from VRPN's Format_Of_Protocol.txt in one point: a record's length counts its
-// header and its payload without the padding to 8 bytes that follows.
+// The protocol differs from VRPN's Format_Of_Protocol.txt in one point: a record's length counts its header
+// and its payload, but not the padding to 8 bytes that follows.
 
 #include <array>
 #include <bitset>
@@ -17,32 +17,33 @@
 
 namespace carom {
 
-/// Follows one connection from its first byte. Bytes may come in any portions.
+/// Decodes one connection from its first byte on. Bytes may arrive in any portions.
 class VrpnDecoder {
  public:
-  /// Reads what `sender` says and passes over all other senders of the server.
+  /// Reads what `sender` says and ignores all other senders of the server.
   explicit VrpnDecoder(std::string sender) : sender_(std::move(sender)) {}
 
   /// Takes the next bytes, at most 8 KiB at a time, and appends what the sender said: poses, velocities,
   /// buttons (sensor 0) and analog channels (axes of sensor 0, clamped to −1 … 1). Throws std::runtime_error,
-  /// saying what is wrong, where the stream cannot be followed: another version of the protocol, or a record
+  /// which says what is wrong, if the stream cannot be followed: another version of the protocol, or a record
   /// of impossible length.
   void decode(std::span<const std::uint8_t> bytes, std::vector<Reading>& readings);
 
-  bool greeted() const { return greeted_; }  ///< the server has said what it is
-  bool spoke() const { return spoke_; }      ///< and a whole record has come after that
-  /// The server has named such a sender of its own accord. That is no proof of a device: a server keeps, and
-  /// names to every client, all names that any client has named to it since it started.
+  bool greeted() const { return greeted_; }  ///< the server has sent its greeting
+  bool spoke() const { return spoke_; }      ///< and a whole record after it
+  /// Whether the server has named such a sender of its own accord. That does not prove that there is a
+  /// device: a server keeps all names that any client has sent it since it started, and names them to every
+  /// client.
   bool senderNamed() const { return senderNamed_; }
-  /// Something has come from the sender, be it an answer to a ping: there is such a device.
+  /// Whether anything has arrived from the sender, even an answer to a ping; then there is such a device.
   bool senderHeard() const { return senderHeard_; }
-  /// Names of the senders that the server has named of its own accord, the first few of them.
+  /// Returns the names of the senders that the server has named of its own accord, the first few of them.
   const std::vector<std::string>& senderNames() const { return senderNames_; }
-  /// To be called when `vrpnDescription` is sent: names that come from now on may be echoes of it and count
-  /// no more. What their senders say is read all the same.
+  /// Must be called when `vrpnDescription` is sent: names that arrive from then on may be echoes of it and no
+  /// longer count. What their senders say is still read.
   void ignoreNames() { namesCount_ = false; }
-  std::uint64_t refused() const { return refused_; }  ///< records whose content makes no sense, so far
-  /// Pings since this was last asked.
+  std::uint64_t refused() const { return refused_; }  ///< number of records that made no sense
+  /// Returns the number of pings since the last call.
   int takePings() { return std::exchange(pings_, 0); }
 
   static constexpr std::size_t kMostBytes = 8192;  ///< of one `decode`
@@ -71,11 +72,11 @@ class VrpnDecoder {
   int pings_ = 0;
 };
 
-/// What a client says first: its cookie.
+/// Returns what a client sends first: its cookie.
 std::vector<std::uint8_t> vrpnGreeting();
-/// Then the names under which it will ping `sender`.
+/// Returns what it sends next: the names under which it will ping `sender`.
 std::vector<std::uint8_t> vrpnDescription(std::string_view sender);
-/// A ping, and the answer to one, after that description.
+/// Return a ping, and the answer to one, for use after that description.
 std::vector<std::uint8_t> vrpnPing();
 std::vector<std::uint8_t> vrpnPong();
 

@@ -1,5 +1,5 @@
 #pragma once
-// Reads numbers out of a packet and never beyond its end.
+// Reads numbers from a packet and never beyond its end.
 
 #include <bit>
 #include <concepts>
@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// What is asked for beyond the packet's end reads as zero, and `ok` is false from then on.
+/// Whatever is read beyond the packet's end is zero, and `ok` is false from then on.
 class WireReader {
  public:
   WireReader(std::span<const std::uint8_t> bytes, std::endian order) : rest_(bytes), order_(order) {}
@@ -32,7 +32,7 @@ class WireReader {
     return value;
   }
 
-  /// The next `count` bytes; none if there are fewer.
+  /// Returns the next `count` bytes; none if there are fewer.
   std::span<const std::uint8_t> take(std::size_t count) {
     if (count > rest_.size()) {
       ok_ = false;
@@ -44,12 +44,12 @@ class WireReader {
     return taken;
   }
 
-  /// Passes over `count` items of `size` bytes.
+  /// Skips `count` items of `size` bytes.
   void skip(std::size_t count, std::size_t size = 1) {
     take(size != 0 && count > rest_.size() / size ? rest_.size() + 1 : count * size);
   }
 
-  /// A text that ends with a zero byte, which is passed over.
+  /// Returns a text that ends with a zero byte, and skips that byte.
   std::string_view text() {
     const void* end = rest_.empty() ? nullptr : std::memchr(rest_.data(), 0, rest_.size());
     if (!end) {

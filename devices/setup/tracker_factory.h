@@ -1,5 +1,5 @@
 #pragma once
-// From what a rig says of a tracker to the tracker itself.
+// Creates the trackers that a rig describes.
 
 #include <chrono>
 #include <memory>
@@ -11,15 +11,15 @@
 
 namespace carom {
 
-/// Whether it is a device: its samples come in real time, and no two runs are alike.
+/// Whether the kind is a device, whose samples arrive in real time and differ in every run.
 bool isDevice(TrackerKind kind);
 
-/// How the device of that source is listened to. Throws std::invalid_argument, saying what is wrong and what
-/// was expected, where the source names none of this kind.
+/// Returns the transport that listens to the device with that source. Throws std::invalid_argument, which
+/// says what is wrong and what was expected, if the source does not name a device of this kind.
 Transport createTransport(TrackerKind kind, const std::string& source, const RoomAxes& axes);
 
-/// The tracker that a rig names. `sessionStart` is where the session's clock reads zero. Throws InputError if
-/// its trace is at fault; a device that is not there is looked for, and its health says so.
+/// Creates the tracker that a rig names. The session's clock reads zero at `sessionStart`. Throws InputError
+/// if its trace is at fault. A device that is not there is looked for, and its health says so.
 std::unique_ptr<Tracker> createTracker(const TrackerSetup& setup, const RoomAxes& axes,
                                        std::chrono::steady_clock::time_point sessionStart);
 

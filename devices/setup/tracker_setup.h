@@ -1,5 +1,5 @@
 #pragma once
-// What a rig file says of one tracker.
+// The description of one tracker in a rig file.
 
 #include <array>
 #include <cstddef>
@@ -22,22 +22,22 @@ enum class TrackerKind {
   spaceMouse,  ///< buttons and axes, no poses
 };
 
-/// As rig files name them, in the order of TrackerKind.
+/// The names in rig files, in the order of TrackerKind.
 inline constexpr std::array<std::string_view, 8> kTrackerKinds{
     "simulated", "recorded", "vrpn", "dtrack", "natnet", "polhemus-usb", "hid-imu", "spacemouse"};
 inline std::string_view toString(TrackerKind kind) { return kTrackerKinds[static_cast<std::size_t>(kind)]; }
 
-/// Where eyes are above the floor, until a tracker has said otherwise.
+/// The height of the eyes above the floor until a tracker has delivered.
 inline constexpr double kStandingEyes_m = 1.7;
 
 struct TrackerSetup {
   std::string name;
   TrackerKind kind = TrackerKind::simulated;
-  double latency_s = 0.0;        ///< known age of its samples where they do not say it themselves
-  bool still = false;            ///< of a simulated one: the person does not move
-  std::filesystem::path source;  ///< of a recorded one: the trace; exists. Of a device: its address
+  double latency_s = 0.0;        ///< known age of its samples, if they do not carry it themselves
+  bool still = false;            ///< for a simulated tracker: the person does not move
+  std::filesystem::path source;  ///< recorded tracker: the trace, which exists. Device: its address
   Pose roomFromTracker;
-  bool buttonsAlone = false;  ///< the hand's buttons are all that the rig takes of it
+  bool buttonsAlone = false;  ///< the rig uses only the buttons, for the hand
 };
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// From a device's clock to ours.
+// Converts times of a device's clock to times of this program's clock.
 
 #include <array>
 #include <cstddef>
@@ -20,10 +20,10 @@ namespace carom {
 /// "Estimation and removal of clock skew from network delay measurements", IEEE INFOCOM 1999.)
 class DeviceClock {
  public:
-  /// A packet stamped `device_s` arrived at `arrival_s` of our clock (never running back). Returns when, on
-  /// our clock, the stamp was made: never after `arrival_s` and strictly increasing while `device_s` is,
-  /// where these two agree (of packets that arrive at once before an offset is known, later ones come
-  /// rounding errors apart). A stamp that is not finite counts as made at its arrival.
+  /// Converts `device_s`, the stamp of a packet that arrived at `arrival_s` of this program's clock (which
+  /// never runs back). Returns when, on this program's clock, the stamp was made: never after `arrival_s`,
+  /// and strictly increasing while `device_s` is, if these two agree (packets that arrive at once before an
+  /// offset is known come rounding errors apart). A stamp that is not finite counts as made at its arrival.
   double ours_s(double device_s, double arrival_s);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// A tracker whose device speaks when it likes: a thread listens, a bounded queue hands over, the frame
-// never waits.
+// A tracker whose device sends at its own times: a thread listens and a bounded queue hands over, so the
+// frame never waits.
 
 #include <chrono>
 #include <functional>
@@ -14,36 +14,37 @@
 
 namespace carom {
 
-/// What a transport tells while it runs. Given to it by DeviceTracker; to be used on the transport's thread.
+/// Receives what a transport reports while it runs. DeviceTracker passes it to the transport, which uses it
+/// on its own thread.
 class DeviceSink {
  public:
-  /// Readings of one packet, which arrived at `arrival` (when the bytes were there, not when they were
-  /// decoded).
+  /// Takes the readings of one packet, which arrived at `arrival` (when its bytes were there, not when they
+  /// were decoded).
   virtual void deliver(std::span<const Reading> readings, std::chrono::steady_clock::time_point arrival) = 0;
   virtual void connected() = 0;
-  virtual void remark(const std::string& /*what*/) {}     ///< connected, and yet the person should know this
-  virtual void disconnected(const std::string& why) = 0;  ///< it will be tried again
-  virtual void failed(const std::string& why) = 0;        ///< someone has to help: what is wrong, what to do
-  virtual void refused() = 0;                             ///< a packet that was not understood
-  virtual void missed(std::uint64_t packets) = 0;         ///< numbered by the device, never came
+  virtual void remark(const std::string& /*what*/) {}     ///< connected, but something needs to be known
+  virtual void disconnected(const std::string& why) = 0;  ///< the transport will try again
+  virtual void failed(const std::string& why) = 0;        ///< needs help: what is wrong and what to do
+  virtual void refused() = 0;                             ///< a packet could not be read
+  virtual void missed(std::uint64_t packets) = 0;         ///< packets that the device numbered never arrived
 
  protected:
   ~DeviceSink() = default;
 };
 
-/// Listens to one device until asked to stop, reconnecting by itself. Throws nothing.
+/// Listens to one device until asked to stop, and reconnects by itself. Throws nothing.
 using Transport = std::function<void(std::stop_token stop, DeviceSink& sink)>;
 
-/// Runs a transport on a thread of its own, which asks to be prompt (devices/tracker/realtime_thread.h). Device
-/// times become times of the session's clock through a DeviceClock; readings without one are stamped with
-/// their arrival, and so are those of a device whose clock stands (devices/tracker/standing_clock.h), which
-/// its health then says. Late samples (before one already delivered of the same sensor) are counted and
-/// dropped.
+/// Runs a transport on a thread of its own, which asks for prompt scheduling
+/// (devices/tracker/realtime_thread.h). A DeviceClock converts device times to the session's clock. Readings
+/// without a time are stamped with their arrival, and so are those of a device whose clock stands
+/// (devices/tracker/standing_clock.h); the health then says so. A sample that is older than one already
+/// delivered for the same sensor is dropped and counted.
 class DeviceTracker : public Tracker {
  public:
-  /// `sessionStart`: where the session's clock reads zero. `silence_s`: how long without any reading, be it a
-  /// pose, a button or an axis, until it counts as silent; infinite for a device that speaks only while it is
-  /// used, which then delivers as long as it is connected.
+  /// The session's clock reads zero at `sessionStart`. The tracker counts as silent after `silence_s` without
+  /// any reading, be it a pose, a button or an axis; infinite for a device that sends only while it is used,
+  /// which then counts as delivering while it is connected.
   DeviceTracker(Transport transport, std::chrono::steady_clock::time_point sessionStart,
                 double silence_s = 0.25);
   ~DeviceTracker() override;  ///< stops the thread within 0.3 s

@@ -1,6 +1,6 @@
 #pragma once
-// What a device said, in one record: what a decoder makes of bytes, and what passes from a device's
-// thread to the frame.
+// One record of what a device sent. Decoders make it from bytes, and it passes from the device's thread to
+// the frame.
 
 #include <cstdint>
 #include <limits>
@@ -12,12 +12,12 @@
 
 namespace carom {
 
-/// One thing that a device said. Which members hold depends on `kind`.
+/// One item that a device sent. `kind` says which members hold.
 struct Reading {
   enum class Kind : std::uint8_t {
     pose,      ///< sensor, pose, hasOrientation, times, quality
     velocity,  ///< sensor, velocity_m_s, angularVelocity_rad_s
-    lost,      ///< the device says that it does not see this sensor
+    lost,      ///< the device reports that it does not see this sensor
     button,    ///< sensor, index, value 0 or 1
     axis,      ///< sensor, index, value in -1 … 1
     battery,   ///< sensor, value in 0 … 1
@@ -30,10 +30,11 @@ struct Reading {
   glm::dvec3 velocity_m_s{0.0};           ///< in the tracker's axes
   glm::dvec3 angularVelocity_rad_s{0.0};  ///< in the tracker's axes
   double value = 0.0;
-  /// The device's own clock, seconds since a moment of its choosing; NaN where it sends none.
+  /// Time on the device's own clock, in seconds since a moment of its choosing; NaN if it sends none.
   double device_s = std::numeric_limits<double>::quiet_NaN();
-  double latency_s = 0.0;  ///< how old the pose was when the device sent it, as far as it says
-  double quality = std::numeric_limits<double>::quiet_NaN();  ///< 0 … 1 where the device says; NaN elsewhere
+  double latency_s = 0.0;  ///< age of the pose when the device sent it, if it reports that
+  double quality =
+      std::numeric_limits<double>::quiet_NaN();  ///< 0 … 1 if the device reports it, otherwise NaN
 };
 static_assert(std::is_trivially_copyable_v<Reading>);
 

@@ -8,15 +8,15 @@
 
 namespace carom {
 
-/// Delivers a trace's samples at their own spacing, the first of them at session time 0. At its end the
-/// person stands where the recording left them: the last pose goes on at the trace's median spacing.
+/// Delivers a trace's samples at their own spacing, the first of them at session time 0. After the end of the
+/// trace the person stands where it ended: the last pose repeats at the trace's median spacing.
 class RecordedTracker : public Tracker {
  public:
-  /// `samples`: not empty, times strictly increasing (as readTrace gives them).
+  /// `samples` must not be empty and their times must strictly increase (as readTrace returns them).
   explicit RecordedTracker(std::vector<TrackerSample> samples);
 
   void poll(double now_s, std::vector<TrackerSample>& samples) override;
-  /// Always well; with the number of its samples so far.
+  /// Always delivering, with the number of samples so far.
   TrackerHealth health(double now_s) const override;
 
  private:

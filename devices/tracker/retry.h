@@ -1,5 +1,5 @@
 #pragma once
-// How a transport keeps trying.
+// The loop in which a transport tries again.
 
 #include <chrono>
 #include <exception>
@@ -12,16 +12,16 @@
 
 namespace carom {
 
-/// A device cannot be used without someone's help: what is wrong, what to do.
+/// Thrown when a device cannot be used without help: what is wrong and what to do.
 class NeedsHelp : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// How often a thread that waits for a device looks whether it should end.
+/// How often a thread that waits for a device checks whether it must end.
 inline constexpr std::chrono::milliseconds kLookAtStop{100};
 
-/// Runs `session` again and again until asked to stop. What it throws is told to the sink; the next one
+/// Runs `session` again and again until a stop is requested. Tells the sink what it throws; the next run
 /// begins `pause` later.
 inline void retry(const std::stop_token& stop, DeviceSink& sink, std::chrono::milliseconds pause,
                   const std::function<void()>& session) {

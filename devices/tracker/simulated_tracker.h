@@ -1,6 +1,6 @@
 #pragma once
-// A simulated person with a tracker on the head: for trying things out where there is no tracker, and as
-// a head whose true motion is known.
+// A simulated person with a tracker on the head: for rooms without a tracker, and as a head whose true motion
+// is known.
 
 #include <array>
 #include <cstdint>
@@ -18,14 +18,14 @@ struct SimulatedPerson {
   std::uint64_t seed = 1;
   double rate_hz = 60.0;      ///< of the tracker
   double noise_m = 0.0003;    ///< standard deviation of a position component
-  double noise_rad = 0.0005;  ///< of a rotation about an axis
+  double noise_rad = 0.0005;  ///< standard deviation of a rotation about an axis
   double headHeight_m = 1.7;
   double reach_m = 0.6;  ///< how far from the floor's origin the person goes, along right and forward
   RoomAxes axes{};
-  bool still = false;  ///< stands like a post, and the tracker has no noise
+  bool still = false;  ///< the person does not move, and the tracker has no noise
 };
 
-/// What the person truly does at one time.
+/// The true motion of the person at one time.
 struct TrueMotion {
   double time_s = 0.0;
   Pose pose;
@@ -33,28 +33,28 @@ struct TrueMotion {
   glm::dvec3 acceleration_m_s2{0.0};
 };
 
-/// The person stands for five seconds, then shifts from foot to foot, then goes about, looking around,
-/// and rests between. Acceleration while moving is smooth noise of 0.2 to 0.5 m/s² a component with a
-/// correlation time of about 0.15 s, as recorded heads show; standing, the head sways by some
-/// millimetres. Where the person is still, nothing of this happens. The same seed gives the same bits.
+/// The person stands for five seconds, then shifts from foot to foot, then walks about, looks around, and
+/// rests in between. Acceleration while moving is smooth noise of 0.2 to 0.5 m/s² a component with a
+/// correlation time of about 0.15 s, as recorded heads show; while standing, the head sways by some
+/// millimetres. If the person is `still`, none of this happens. The same seed gives the same bits.
 class SimulatedTracker : public Tracker {
  public:
   explicit SimulatedTracker(const SimulatedPerson& person = {});
 
   void poll(double now_s, std::vector<TrackerSample>& samples) override;
-  /// Always well; with the number of its samples so far.
+  /// Always delivering, with the number of samples so far.
   TrackerHealth health(double now_s) const override;
 
   /// The true motion at the time of the newest sample delivered.
   const TrueMotion& truth() const { return truth_; }
 
  private:
-  /// Where the person's mind is: what they do now, until when, and where they want to be.
+  /// The person's intention: what they do now, until when, and where they want to be.
   struct Intent {
     enum class Activity { Standing, Shifting, Walking } activity = Activity::Standing;
     double until_s = 0.0;
     glm::dvec3 place_m{0.0};     // where to be (right, up, forward)
-    glm::dvec3 onTheWay_m{0.0};  // goes there at a walk, and the body follows it
+    glm::dvec3 onTheWay_m{0.0};  // moves there at walking speed, and the body follows it
     double lookUntil_s = 0.0;
     glm::dvec2 look_rad{0.0};  // yaw to the left, pitch up
   };

@@ -1,7 +1,6 @@
 #pragma once
-// A device's clock that does not go: all its messages carry the same time, as those of a server that never
-// sets it, or of one that plays one packet again and again; or it goes in steps much coarser than its
-// messages.
+// Detects a device's clock that stands: all its messages carry the same time, as those of a server that never
+// sets it or that plays one packet again and again; or it advances in steps much coarser than its messages.
 
 #include <algorithm>
 
@@ -9,8 +8,8 @@ namespace carom {
 
 class StandingClock {
  public:
-  /// A pose of a sensor has come. `same`: its time is that of the sensor's pose before; `news`: it is another
-  /// pose than that, or that time has not changed for kLong_s. (A server may send one measurement several
+  /// Takes a pose of a sensor. `same`: its time is that of the sensor's pose before. `news`: the pose differs
+  /// from that one, or the time has not changed for kLong_s. (A server may send one measurement several
   /// times.)
   void see(bool same, bool news) {
     if (same && !news) return;

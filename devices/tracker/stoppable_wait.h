@@ -1,5 +1,5 @@
 #pragma once
-// Waiting on a device's thread, which has to end when it is asked to.
+// Waits on a device's thread, which must end when it is asked to.
 
 #include <chrono>
 #include <condition_variable>
@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// Waits so long, or until a stop is asked for.
+/// Waits for `duration`, or until a stop is requested.
 inline void waitUnlessStopped(const std::stop_token& stop, std::chrono::milliseconds duration) {
   std::mutex mutex;
   std::unique_lock lock(mutex);

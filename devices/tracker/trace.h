@@ -18,17 +18,17 @@
 
 namespace carom {
 
-/// Reads a trace file. Throws InputError at the first fault: a missing file, another header, a line with
-/// more or fewer columns, something that is not a whole finite number, time that does not increase, a
-/// quaternion that is no rotation, no samples at all, or a file beyond the bounds of trace.cpp.
+/// Reads a trace file. Throws InputError at the first fault: a missing file, another header, a line with more
+/// or fewer columns, text that is not one whole finite number, time that does not increase, a quaternion that
+/// is no rotation, no samples at all, or a file beyond the bounds of trace.cpp.
 std::vector<TrackerSample> readTrace(const std::filesystem::path& file);
 
-/// The same from a stream; `name` stands for the file in messages.
+/// Reads a trace from a stream; messages call it `name`.
 std::vector<TrackerSample> readTrace(std::istream& in, const std::string& name);
 
-/// Records a trace: writes beside the file and moves it into place at `commit`, so that a trace appears
-/// whole or not at all. Numbers are written as short as they can be and still read back to the same bits.
-/// Throws std::runtime_error where the file cannot be written.
+/// Records a trace. Writes to a file beside it and moves that into place at `commit`, so that a trace appears
+/// whole or not at all. Numbers are written as short as possible so that they read back to the same bits.
+/// Throws std::runtime_error if the file cannot be written.
 class TraceWriter {
  public:
   /// `hasOrientation` decides whether quaternion columns are written; `comments` come before the header,

@@ -1,6 +1,6 @@
 #pragma once
-// What every tracker offers, whether it is a device, a recording or a simulated person: poses of its
-// sensors with the times at which they held, buttons and axes, and how it fares.
+// The interface of every tracker, whether it is a device, a recording or a simulated person: poses of its
+// sensors with the times at which they held, buttons and axes, and its health.
 
 #include <cstdint>
 #include <limits>
@@ -18,29 +18,29 @@ struct TrackerSample {
   int sensor = 0;               ///< counts from 0
   Pose pose;                    ///< trackerFromSensor, metres; identity orientation where none is measured
   bool hasOrientation = false;  ///< whether the tracker measures orientation
-  double quality = std::numeric_limits<double>::quiet_NaN();  ///< 0 … 1 where the tracker says
+  double quality = std::numeric_limits<double>::quiet_NaN();  ///< 0 … 1 if the tracker reports it
 };
 
-/// How a tracker fares, for people.
+/// The health of a tracker, for display.
 struct TrackerHealth {
   enum class State {
-    connecting,  ///< nothing has come yet, or it is being looked for again
-    delivering,  ///< samples, buttons or axes come
-    silent,      ///< connected, but these are overdue
-    failed,      ///< it cannot work without someone's help: `message` says what
+    connecting,  ///< nothing has arrived yet, or the device is being looked for again
+    delivering,  ///< samples, buttons or axes arrive
+    silent,      ///< connected, but they are overdue
+    failed,      ///< it cannot work without help: `message` says which
   };
   State state = State::connecting;
-  std::string message;     ///< one line, empty while all is well
-  bool connected = false;  ///< of one that is `connecting`: there is a connection, and nothing has come by it
+  std::string message;           ///< one line, empty while all is well
+  bool connected = false;        ///< while `connecting`: there is a connection, but nothing has arrived yet
   std::uint64_t samples = 0;     ///< delivered
-  std::uint64_t gaps = 0;        ///< samples that the device numbered and that never came
-  std::uint64_t late = 0;        ///< came after a later one, or after over 50 ms, and were dropped or counted
-  std::uint64_t refused = 0;     ///< packets that were not understood
+  std::uint64_t gaps = 0;        ///< samples that the device numbered and that never arrived
+  std::uint64_t late = 0;        ///< arrived after a later one (dropped), or after over 50 ms (counted)
+  std::uint64_t refused = 0;     ///< packets that could not be read
   std::uint64_t overflowed = 0;  ///< readings lost because nobody polled
   std::uint64_t reconnections = 0;
 };
 
-/// For people: "connecting", "delivering", "silent", "failed".
+/// Returns the name for people: "connecting", "delivering", "silent" or "failed".
 const char* toString(TrackerHealth::State state);
 
 /// A source of samples. A tracker that waits for a device does so on a thread of its own and keeps what
@@ -53,15 +53,15 @@ class Tracker {
   Tracker& operator=(const Tracker&) = delete;
   virtual ~Tracker() = default;
 
-  /// Appends the samples delivered since the last poll with time_s <= now_s (session's clock, never
-  /// running back), in order of time for each sensor. Allocates nothing once `samples` has room.
+  /// Appends the samples delivered since the last poll with time_s <= now_s (the session's clock, which never
+  /// runs back), in order of time for each sensor. Does not allocate once `samples` has room.
   virtual void poll(double now_s, std::vector<TrackerSample>& samples) = 0;
 
   /// Appends the buttons, axes, losses and battery levels that came with the last poll's samples, their
   /// `device_s` on the session's clock.
   virtual void takeInputs(std::vector<Reading>& /*inputs*/) {}
 
-  /// How it fares at session time `now_s`. For displays: it may allocate.
+  /// Returns the health at session time `now_s`. For displays: it may allocate.
   virtual TrackerHealth health(double /*now_s*/) const {
     TrackerHealth well;
     well.state = TrackerHealth::State::delivering;

@@ -1,5 +1,5 @@
 #pragma once
-// HID devices through hidapi: what is plugged in, and one that is open.
+// HID devices through hidapi: a list of those that are plugged in, and an open one.
 
 #include <chrono>
 #include <cstdint>
@@ -12,33 +12,34 @@ struct hid_device_;
 
 namespace carom {
 
-/// One that is plugged in, closed.
+/// A device that is plugged in; not open.
 struct HidEntry {
   std::string node;  ///< "/dev/hidraw0"
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string name;    ///< as the device calls itself
-  std::string serial;  ///< empty where it has none
-  int usagePage = 0;   ///< what the device is for, in HID's words
+  std::string serial;  ///< empty if it has none
+  int usagePage = 0;   ///< the purpose of the device, as HID numbers it
   int usage = 0;
-  bool usb = false;  ///< by cable; else by radio, or it is not known how
+  bool usb = false;  ///< connected by cable; false: by radio, or unknown
 };
 
-/// All that are plugged in.
+/// Returns all devices that are plugged in.
 std::vector<HidEntry> listHid();
 
-/// One that is open. To be used on one thread.
+/// An open device. To be used on one thread.
 class HidDevice {
  public:
-  explicit HidDevice(const std::string& node);  ///< asks afterwards isOpen()
+  explicit HidDevice(const std::string& node);  ///< check isOpen() afterwards
 
   bool isOpen() const { return device_ != nullptr; }
 
-  /// The next report, its number first, into `report`: its size, 0 where none has come in time, −1 where the
-  /// device is gone. One report at most; what does not fit is lost.
+  /// Reads the next report, which begins with its number, into `report`. Returns its size, 0 if none has come
+  /// in time, −1 if the device is gone. Reads one report at most; what does not fit is lost.
   int read(std::span<std::uint8_t> report, std::chrono::milliseconds wait);
 
-  /// An output report, its number first. False where the device is gone or does not take it.
+  /// Sends an output report, which begins with its number. Returns false if the device is gone or does not
+  /// take it.
   bool write(std::span<const std::uint8_t> report);
 
   bool sendFeature(std::span<const std::uint8_t> report);

@@ -7,13 +7,14 @@
 
 namespace carom {
 
-/// A head that turns and stays in one place: such a sensor knows nothing of position. Tilt is true, heading
-/// begins at the front and drifts by some degrees a minute (see OrientationFilter). A thousand samples a
-/// second, on the device's clock. `standing_m` is where the head is, in the tracker's axes, which are `axes`.
-/// Throws std::invalid_argument where the address names no such headset.
+/// Returns the transport of a headset, whose head turns but stays in one place: such a sensor does not
+/// measure position. Tilt is true; heading begins at the front and drifts by some degrees a minute (see
+/// OrientationFilter). It delivers a thousand samples a second, on the device's clock. `standing_m` is the
+/// position of the head in the tracker's axes, which are `axes`. Throws std::invalid_argument if the address
+/// names no such headset.
 Transport hidImuTransport(const UsbAddress& address, const glm::dvec3& standing_m, const RoomAxes& axes = {});
 
-/// What the headset is called; null where it is none of ours.
+/// Returns the name of the headset; null if it is not supported.
 const char* headsetName(std::uint16_t vendor, std::uint16_t product);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// What all HID devices have in common: being looked for, opened, listened to, and found again.
+// The loop that all HID devices share: it looks for a device, opens it, listens to it, and finds it again.
 
 #include <chrono>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// One kind of device.
+/// Handles one kind of device.
 class HidListener {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -22,12 +22,12 @@ class HidListener {
   virtual bool wants(const HidEntry& entry) const = 0;
   virtual void connected(HidDevice& device) = 0;
   virtual void report(std::span<const std::uint8_t> report, TimePoint arrival, DeviceSink& sink) = 0;
-  /// After every report, and every 10 ms without one.
+  /// Is called after every report, and every 10 ms without one.
   virtual void tick(HidDevice& device, TimePoint now, DeviceSink& sink) = 0;
   virtual void disconnected(TimePoint now, DeviceSink& sink) = 0;
 };
 
-/// Serves the first device that the listener wants, until asked to stop.
+/// Serves the first device that the listener wants, until a stop is requested.
 void listenToHid(const std::stop_token& stop, DeviceSink& sink, HidListener& listener);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// The Polhemus trackers that are spoken to over USB. Sources: Polhemus Tracker Terminal, the udev rules of
+// The Polhemus trackers that Carom supports over USB. Sources: Polhemus Tracker Terminal, the udev rules of
 // the ipab-slmc ROS driver.
 
 #include <array>
@@ -15,11 +15,11 @@ struct PolhemusModel {
   const char* name;
   PolhemusFormat format;
   std::uint16_t product;      ///< with its firmware
-  std::uint16_t bareProduct;  ///< of its USB chip before the firmware is loaded
+  std::uint16_t bareProduct;  ///< before its firmware is loaded: that of its USB chip
   std::uint8_t commandEndpoint;
   std::uint8_t replyEndpoint;
-  std::uint8_t dataEndpoint;  ///< where records come in continuous mode
-  bool dataByInterrupt;       ///< as interrupt transfers, else bulk
+  std::uint8_t dataEndpoint;  ///< delivers records in continuous mode
+  bool dataByInterrupt;       ///< by interrupt transfers; false: bulk transfers
 };
 
 inline constexpr std::array<PolhemusModel, 6> kPolhemusModels{{
@@ -31,7 +31,7 @@ inline constexpr std::array<PolhemusModel, 6> kPolhemusModels{{
     {"LIBERTY HS", PolhemusFormat::liberty, 0xff20, 0xff21, 0x04, 0x88, 0x88, false},
 }};
 
-/// The model of a product id, with or without its firmware; null where there is none.
+/// Returns the model of a product id, with or without its firmware; null if there is none.
 constexpr const PolhemusModel* findPolhemusModel(std::uint16_t product) {
   for (const PolhemusModel& model : kPolhemusModels) {
     if (model.product == product || model.bareProduct == product) return &model;

@@ -6,10 +6,11 @@
 
 namespace carom {
 
-/// Sensor 0 is station 1. Positions are in the source's axes, in the hemisphere that the device is set to.
-/// The device is set to binary, continuous records in metric units with its own filters off; it is left quiet
-/// at the end. It is found again when it was unplugged, and asked again when it has said nothing for two
-/// seconds. Throws std::invalid_argument where the address names no Polhemus tracker.
+/// Returns the transport of a Polhemus tracker. Sensor 0 is station 1. Positions are in the source's axes, in
+/// the hemisphere that the device is set to. The transport sets the device to binary, continuous records in
+/// metric units, turns its own filters off, and stops its records at the end. It finds the device again after
+/// it was unplugged, and asks again if it has sent nothing for two seconds. Throws std::invalid_argument if
+/// the address names no Polhemus tracker.
 Transport polhemusTransport(const UsbAddress& address);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// A 3Dconnexion SpaceMouse: six axes and buttons to steer by.
+// A 3Dconnexion SpaceMouse: six axes and buttons for steering.
 
 #include <optional>
 
@@ -9,13 +9,13 @@
 
 namespace carom {
 
-/// Whether it is one. Its makers' other devices (mice, keyboards) are not.
+/// Whether the device is a SpaceMouse. The makers' other devices (mice, keyboards) are not.
 bool isSpaceMouse(const HidEntry& entry);
 
-/// The SpaceMouse at that address, or the first one that is plugged in, whenever that is. Delivers axes and
-/// buttons of sensor 0 as SpaceMouseDecoder numbers them, no poses. An axis that the device says no more of
-/// for 50 ms is zero; when it is unplugged, all axes are zero and all buttons are let go. Throws
-/// std::invalid_argument where nothing at the address can be a SpaceMouse.
+/// Returns the transport of the SpaceMouse at that address, or of the first one that is plugged in, at any
+/// time. Delivers axes and buttons of sensor 0 as SpaceMouseDecoder numbers them, and no poses. An axis that
+/// the device has not sent for 50 ms counts as zero. When the device is unplugged, all axes are zero and all
+/// buttons are released. Throws std::invalid_argument if nothing at the address can be a SpaceMouse.
 Transport spaceMouseTransport(const std::optional<UsbAddress>& address);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// How a rig names a USB or HID device: "vid:pid" or "vid:pid:serial".
+// The address by which a rig names a USB or HID device: "vid:pid" or "vid:pid:serial".
 
 #include <cstdint>
 #include <optional>
@@ -14,11 +14,11 @@ struct UsbAddress {
   std::string serial;  ///< empty: any
 };
 
-/// Reads "0f44:ff12" or "2833:0001:ABC123" (ids of one to four hexadecimal digits); nothing where `text` is
-/// neither.
+/// Reads "0f44:ff12" or "2833:0001:ABC123" (ids of one to four hexadecimal digits); returns nothing if `text`
+/// is neither.
 std::optional<UsbAddress> parseUsbAddress(std::string_view text);
 
-/// As parseUsbAddress reads it.
+/// Returns the text that parseUsbAddress reads.
 std::string toString(const UsbAddress& address);
 
 }  // namespace carom

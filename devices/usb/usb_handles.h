@@ -1,5 +1,5 @@
 #pragma once
-// libusb's objects, given back when they are no longer needed.
+// Owners of libusb's objects, which release them.
 
 #include <cstdint>
 #include <memory>
@@ -25,10 +25,10 @@ struct UsbHandleDeleter {
 };
 using UsbHandle = std::unique_ptr<libusb_device_handle, UsbHandleDeleter>;
 
-/// Null where the system has no USB at all.
+/// Opens libusb; returns null if the system has no USB at all.
 UsbContext openUsb();
 
-/// A device that is plugged in, closed.
+/// A device that is plugged in; not open.
 struct UsbDeviceEntry {
   UsbDevice device;
   std::uint16_t vendor = 0;
@@ -37,10 +37,10 @@ struct UsbDeviceEntry {
   std::string node;   ///< "/dev/bus/usb/001/003"
 };
 
-/// All that are plugged in.
+/// Returns all devices that are plugged in.
 std::vector<UsbDeviceEntry> listUsb(libusb_context* context);
 
-/// Empty where it has none or may not be asked.
+/// Returns the serial number; empty if the device has none or cannot be asked.
 std::string serialOf(libusb_device_handle* handle);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a file that came from outside, and where: thrown by every reader of files.
+// The exception that every file reader throws: what is wrong with an input file, and where.
 
 #include <stdexcept>
 #include <string>

@@ -1,9 +1,9 @@
 #pragma once
-// Which of the machine's vector instructions a loop over many vertices is compiled for. Each loop is written
-// once, inlined into one function per set, and chosen at run time; without fused multiply-adds all sets give
-// the same bits.
+// Chooses the vector instructions for which a loop over many vertices is compiled. Each loop is written once,
+// inlined into one function per instruction set, and selected at run time. Without fused multiply-adds, all
+// sets give the same bits.
 
-/// Before a function: compiled for AVX2, where there is such a thing.
+/// Placed before a function, compiles it for AVX2, on processors of a family that has it.
 #if defined(__x86_64__)
 #define CAROM_AVX2 [[gnu::target("avx2")]]
 #else
@@ -14,8 +14,8 @@ namespace carom {
 
 enum class InstructionSet { baseline, avx2 };
 
-/// The widest set that this machine has. (AVX-512 would gain a tenth on meshes in cache and nothing beyond:
-/// square roots, divisions and memory bound these loops, and are no faster there.)
+/// Returns the widest set that this machine has. (AVX-512 would gain a tenth on meshes in cache and nothing
+/// beyond: square roots, divisions and memory bound these loops, and are no faster there.)
 inline InstructionSet bestInstructionSet() {
 #if defined(__x86_64__)
   static const bool avx2 = __builtin_cpu_supports("avx2");

@@ -5,24 +5,24 @@
 
 namespace carom {
 
-/// The speed of light can be set between these. Below the least, a step of the foot would be almost all of
-/// the distance that light covers in a frame; above the most, a room shows nothing of relativity.
+/// The range in which the speed of light can be set. Below it, a step of the foot would be almost all of the
+/// distance that light covers in a frame; above it, a room shows nothing of relativity.
 inline constexpr double kLeastLightSpeed_m_s = 0.3, kMostLightSpeed_m_s = 30.0;
 
-/// No stroke gives a puck at rest a greater u = γβ than this: β 0.949. A faster puck's bounces take more than
-/// a second to heal.
+/// The greatest u = γβ that a stroke gives to a puck at rest (β = 0.949). The points of a faster puck would
+/// need more than a second to join its new motion after a bounce.
 inline constexpr double kStrongestU = 3.0;
 
-/// The strongest proper acceleration of the platform. Light from a distance c²/a behind never catches up with
-/// an observer who accelerates at a; that distance is kept at two metres, so that time goes forward in the
-/// whole room. Where light is fast, c in one second is enough.
+/// Returns the strongest proper acceleration of the platform. Light from a distance c²/a behind never catches
+/// up with an observer who accelerates at a. The limit keeps that distance at two metres, so that time goes
+/// forward in the whole room; where light is fast, the limit is c in one second.
 inline double strongestThrust_m_s2(double c_m_s) {
   constexpr double kBehind_m = 2.0, kLeast_s = 1.0;
   return std::min(c_m_s * c_m_s / kBehind_m, c_m_s / kLeast_s);
 }
 
-/// u = γβ of the platform beyond which it is made no faster: 0.995 c. There ten of the board's seconds, and
-/// all that happens in them, go by in one of the observer's.
+/// The u = γβ beyond which the drive makes the platform no faster: 0.995 c. There ten of the board's seconds,
+/// with everything that happens in them, pass in one of the observer's.
 inline constexpr double kMostPlatformU = 10.0;
 
 /// A tracked step faster than this celerity is a glitch of the tracker, not travel: no head moves faster.

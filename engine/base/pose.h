@@ -14,19 +14,20 @@ struct Pose {
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};  // w, x, y, z
 };
 
-/// Unit vectors of the person's directions in the axes of the room, which are those of the rig file.
+/// The directions of a person in the room as unit vectors, in the axes of the room, which are those of the
+/// rig file.
 struct RoomAxes {
   glm::dvec3 right{1.0, 0.0, 0.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
   glm::dvec3 forward{0.0, 0.0, -1.0};
 };
 
-/// A point given in B (metres), in A.
+/// Takes a point from B's coordinates to A's (metres).
 inline glm::dvec3 operator*(const Pose& aFromB, const glm::dvec3& pointInB_m) {
   return aFromB.position_m + aFromB.orientation * pointInB_m;
 }
 
-/// Chains read by matching neighbours: aFromC = aFromB * bFromC.
+/// Composes two motions; equal frames stand next to each other: aFromC = aFromB * bFromC.
 inline Pose operator*(const Pose& aFromB, const Pose& bFromC) {
   return {aFromB * bFromC.position_m, glm::normalize(aFromB.orientation * bFromC.orientation)};
 }

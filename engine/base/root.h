@@ -1,10 +1,11 @@
 #pragma once
-// The root of an increasing function, to the last bit, without any assumption but that it has one.
+// Finds the root of an increasing function to the last bit. The function must have a root; nothing else is
+// assumed.
 
 namespace carom {
 
-/// Where f changes from not above 0 to above 0. Looks for it outwards from `guess`, in steps that double from
-/// `step`, then halves the interval until no number lies between.
+/// Returns the place where f changes from not above 0 to above 0. Searches outwards from `guess` in steps
+/// that double from `step`, then halves the interval until no number lies between its ends.
 template <typename Function>
 double rootOfIncreasing(const Function& f, double guess, double step = 1e-3) {
   double low = guess - step;

@@ -62,10 +62,10 @@ class GameHistory;
 /// that touch the two world lines at t, and kicks act on the momenta the pucks have at their turns.
 class Billiard {
  public:
-  /// Refuses what cannot be played with std::invalid_argument that names the puck and the values: a light
-  /// speed, radius, height, mass, board or restitution out of range, not a number, |β| >= 1, equal names,
-  /// friction × radius >= c²/2, pucks that overlap at t = 0 on the board, a puck in a cushion, a stroke on no
-  /// puck or before t = 0.
+  /// Throws std::invalid_argument, which names the puck and the values, for a setup that cannot be played: a
+  /// light speed, radius, height, mass, board or restitution out of range, not a number, |β| >= 1, equal
+  /// names, friction × radius >= c²/2, pucks that overlap at t = 0 on the board, a puck in a cushion, a
+  /// stroke on no puck or before t = 0.
   explicit Billiard(const BilliardSetup& setup);
   ~Billiard();
   Billiard(Billiard&&) noexcept;
@@ -84,19 +84,19 @@ class Billiard {
   /// t = 0 or in what `forgetBefore` has forgotten.
   double strike(const Stroke& stroke);
 
-  /// One world line for each puck, in the order of the setup; complete up to the time advanced to.
+  /// Returns one world line for each puck, in the order of the setup, complete up to the time advanced to.
   std::span<const WorldLine> worldLines() const;
-  /// In the order in which they were committed. A stroke can change the turns of those before it whose signal
-  /// was on its way, and the contacts of those with a cushion.
+  /// Returns the events in the order in which they were committed. A stroke can still change the turns of
+  /// earlier events whose signal was on its way, and the contacts of those with a cushion.
   std::span<const GameEvent> events() const;
-  /// Knots and events added or changed since the last call, and whether a stroke took some back.
+  /// Returns the knots and events added or changed since the last call, and whether a stroke removed some.
   Changes takeChanges();
 
   Ledger ledger() const;
   std::span<const JamNote> jams() const;
 
-  /// Forgets the legs that ended and the events that were over before board time `t_s`. Strokes can no
-  /// longer arrive before it.
+  /// Removes the legs that ended and the events that were over before board time `t_s`. Strokes can no longer
+  /// arrive before it.
   void forgetBefore(double t_s);
 
  private:
@@ -111,10 +111,10 @@ class Billiard {
   std::unique_ptr<GameHistory> history_;
   std::unique_ptr<CollisionScheduler> game_;
   std::vector<Snapshot> snapshots_;  // in the order of time
-  std::size_t nextSnapshot_ = 64;    // when there are that many events
+  std::size_t nextSnapshot_ = 64;    // the number of events at which the next one is kept
   double advancedTo_s_ = 0.0;
   double forgottenBefore_s_ = 0.0;
-  std::vector<std::size_t> reported_;  // of each puck's knots, counted from the start of the game
+  std::vector<std::size_t> reported_;  // the number of each puck's knots, counted from the start of the game
   std::uint64_t reportedEvents_ = 0;
   std::optional<double> truncatedFrom_s_;
 };

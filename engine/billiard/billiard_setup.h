@@ -1,5 +1,6 @@
 #pragma once
-// What a game of the billiard begins with, and what it delivers.
+// The input of a billiard game (board, rules, pucks, strokes, flashes) and its results (balance, jams,
+// changes).
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,7 @@ struct Puck {
   Vec2 beta{0.0};        ///< v/c at board time 0
 };
 
-/// Where a puck's centre changes its motion.
+/// The event at which a collision changes the motion of a puck's centre.
 enum class CollisionEvent {
   centre,   ///< when the signal of the contact has reached it
   contact,  ///< simultaneously with the contact, in the frame of equal speeds
@@ -40,13 +41,13 @@ struct PhysicsRules {
   CollisionEvent collisionEvent = CollisionEvent::centre;
 };
 
-/// A cue stroke: kicks a puck's centre. It acts where the light of the stroke meets the centre's world line,
-/// so that nothing an eye at the hand has already seen can change; what can at all is said at
-/// `Billiard::strike`. A kick that is still on its way to the centre (a collision's, whose signal has not
-/// arrived) keeps its impulse, a cushion its law, and acts when its signal meets the new motion; if the new
-/// motion itself has touched that cushion and is turned by this before, that contact stands for the older
-/// one. A bounce that the stroke prevents or drives the puck away from stays in the list of events, without
-/// delay, with a turn at the stroke that changes nothing.
+/// A cue stroke, which kicks a puck's centre. It acts where the light of the stroke meets the centre's world
+/// line, so that nothing that an eye at the hand has already seen can change; `Billiard::strike` says what it
+/// can change. A kick that is still on its way to the centre (that of a collision whose signal has not arrived)
+/// keeps its impulse, a cushion its law; both act when their signal meets the new motion. If the new motion
+/// touches that cushion itself and turns there earlier, that contact replaces the older one. A bounce that
+/// the stroke prevents, or from which it drives the puck away, stays in the list of events, without delay,
+/// with a turn at the stroke that changes nothing.
 struct Stroke {
   std::size_t puck = 0;        ///< index into the setup's pucks
   double at_s = 0.0;           ///< board time at which the hand strikes, or at which the centre is kicked
@@ -54,7 +55,8 @@ struct Stroke {
   Vec2 momentum_kg_m_s{0.0};
 };
 
-/// Light that starts from a point at rest on the board. The pucks take no notice; it is one of the events.
+/// Light that starts from a point at rest on the board. It has no effect on the pucks, but is one of the
+/// events.
 struct Flash {
   std::string name;
   Event at;
@@ -69,9 +71,9 @@ struct BilliardSetup {
   std::vector<Flash> flashes;
 };
 
-/// Where energy and momentum went. Always, at any moment of the game and whatever is still pending,
+/// The balance of energy and momentum. At any moment of the game, and whatever is still pending,
 ///   motion + radiated + takenByCushions + lostToFriction − givenByStrokes
-/// is what the motion was at the start. `motion` is that of the legs already decided, at their beginnings.
+/// equals the motion at the start. `motion` is that of the legs already decided, at their beginnings.
 struct Ledger {
   struct Account {
     double energy_j = 0.0;  ///< with the rest energies
@@ -85,26 +87,26 @@ struct Ledger {
   double heat_j = 0.0;  ///< Σ (m' − m) c²
 };
 
-/// Where the guards against endless collisions in a finite time stepped in: see `Billiard`.
+/// A jam: pucks that would have collided without end in a finite time (see `Billiard`).
 struct JamNote {
   std::size_t puck = 0;  ///< the first of them by name
-  Event event;           ///< the contact; of a puck between cushions the turn
-  /// How many moved on together; 1: a puck between cushions, whose kicks become plastic.
+  Event event;           ///< the contact; for a puck between cushions, the turn
+  /// The number of pucks that moved on together; 1 for a puck between cushions, whose kicks become plastic.
   std::size_t pucks = 1;
-  double heat_j = 0.0;  ///< of the pucks that moved on together
+  double heat_j = 0.0;  ///< the heat of the pucks that moved on together
 };
 
-/// What of the world lines and of the events changed since the last time it was asked for.
+/// The changes of the world lines and of the events since they were last asked for.
 struct Changes {
   struct NewKnot {
     std::size_t puck = 0;
     Knot knot;
   };
-  /// If set: first forget, of every puck, the knots whose turn is at or after this board time
+  /// If set, the receiver first removes every knot whose turn is at or after this board time
   /// (`WorldLine::truncateFrom`); the new knots then replace them.
   std::optional<double> truncatedFrom_s;
   std::vector<NewKnot> knots;  ///< each puck's in the order of time
-  /// Of the list of events: first forget those from this number on; the new ones, numbered from here, follow.
+  /// The receiver first removes the events from this number on; the new ones, numbered from here, follow.
   std::uint64_t eventsKept = 0;
   std::vector<GameEvent> events;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// A grid of square cells over the board that holds each puck's number in the cell of its centre, so that
-// neighbours are found without looking at every puck. The outermost cells reach to infinity.
+// A grid of square cells over the board. Each cell holds the numbers of the pucks whose centres lie in it, so
+// that neighbours are found without looking at every puck. The outermost cells reach to infinity.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,8 @@ namespace carom {
 class CellGrid {
  public:
   CellGrid() = default;
-  /// Cells of edge `cell` from (lowX, lowY) on, for `items` items that are nowhere yet.
+  /// Makes `columns` × `rows` cells of edge length `cell`, which begin at (lowX, lowY), for `items` items
+  /// that are in no cell yet.
   CellGrid(double lowX, double lowY, double cell, int columns, int rows, int items)
       : lowX_(lowX),
         lowY_(lowY),
@@ -45,15 +46,15 @@ class CellGrid {
     const int index = indexOf(cell, axis) + step;
     return index >= 0 && index < (axis == 0 ? columns_ : rows_);
   }
-  /// The cell beside `cell`, one step along an axis, for which `canLeave` holds.
+  /// Returns the cell one step along an axis beside `cell`; requires `canLeave`.
   int beside(int cell, int axis, int step) const {
     return cell + (axis == 0 ? step : step * (1 << rowShift_));
   }
-  /// The coordinate of the edge between `cell` and the one beside it.
+  /// Returns the coordinate of the edge between `cell` and the one beside it.
   double edge(int cell, int axis, int step) const {
     return (axis == 0 ? lowX_ : lowY_) + (indexOf(cell, axis) + (step > 0 ? 1 : 0)) * cell_;
   }
-  /// Is it among the outermost cells?
+  /// Whether `cell` is one of the outermost cells.
   bool isAtRim(int cell) const {
     const int column = indexOf(cell, 0), row = indexOf(cell, 1);
     return column == 0 || row == 0 || column == columns_ - 1 || row == rows_ - 1;
@@ -65,7 +66,7 @@ class CellGrid {
     const int column = indexOf(cell, 0), row = indexOf(cell, 1);
     return findIn(column - reach, column + reach, row - reach, row + reach, found);
   }
-  /// The same of the three cells that came near by a step along an axis into `cell`.
+  /// Does the same for the three cells that come into reach after a step along an axis into `cell`.
   int findAhead(int cell, int axis, int step, int* found) const {
     if (!canLeave(cell, axis, step)) return 0;
     const int column = indexOf(cell, 0), row = indexOf(cell, 1);
@@ -76,7 +77,7 @@ class CellGrid {
 
  private:
   static constexpr int kNone = -1;
-  // The first items of a cell; where there are more, they are in further blocks beyond those of the cells.
+  // The first items of a cell. Further items are in further blocks, which follow those of the cells.
   struct Block {
     std::array<int, kSpare> items{kNone, kNone, kNone};  // filled from the front, all but the last block full
     int more = kNone;
@@ -117,7 +118,7 @@ class CellGrid {
     }
     return blocks_[block].more = fresh;
   }
-  // The cell's last item takes its place.
+  // Removes `item` from `cell`; the last item of the cell takes its place.
   void takeOut(int item, int cell) {
     int block = cell;
     auto place = blocks_[block].items.end();

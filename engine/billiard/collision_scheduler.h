@@ -1,7 +1,8 @@
 #pragma once
-// The anticipation of `Billiard` (billiard.h, which says what happens in which order): each puck holds its
-// next predicted event, a queue says whose is due first, and only what an event changed is predicted anew.
-// Inside, c = 1 (times in metres of light) and the pucks are numbered in the order of their names.
+// The event-driven simulation behind `Billiard` (billiard.h says what happens in which order). Each puck
+// keeps its next predicted event, a queue orders these events by time, and after an event only the pucks that
+// it changed are predicted anew. Inside, c = 1 (times in metres of light), and the pucks are numbered in the
+// order of their names.
 
 #include <limits>
 #include <span>
@@ -18,21 +19,21 @@
 
 namespace carom {
 
-/// A game that can be copied: a copy is a point in the game to which one can return.
+/// The state of a game. It can be copied; a copy is a point to which the game can return.
 class CollisionScheduler {
  public:
   explicit CollisionScheduler(const BilliardSetup& setup);
 
-  /// Commits everything that is due at or before board time `limit`, and what that must wait for; or stops,
-  /// returning false, when the history holds that many events.
+  /// Commits every event that is due at or before board time `limit`, and the events for which these must
+  /// wait. Stops and returns false when the game holds `events` events.
   bool playUntil(double limit, std::size_t events, GameHistory& history);
-  /// How much later than its contact and than its first turn a collision can come due.
+  /// Returns by how much a collision can come due later than its contact and than its first turn.
   double rollbackWindow() const { return rollbackWindow_; }
-  /// The latest board time anything committed so far was due at.
+  /// Returns the latest due time (board time) of the events committed so far.
   double clock() const { return clock_; }
 
   void addStroke(const Stroke& stroke);
-  /// Takes back what was written since this copy of the game was made.
+  /// Removes everything that was written since this copy of the game was made.
   void restore(GameHistory& history) const;
 
   Ledger ledger() const;
@@ -42,7 +43,7 @@ class CollisionScheduler {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   enum class Kind : unsigned char { none, turn, stroke, cushion, pair };  // in the order of equal times
-  // What a puck meets next.
+  // The next event of a puck.
   struct PredictedEvent {
     Kind kind = Kind::none;
     bool withoutDelay = false;
@@ -53,7 +54,7 @@ class CollisionScheduler {
     double touchAt = 0.0;  // with friction: board time at which the straight flights touch the world lines
     double due() const { return ownTime > otherTime ? ownTime : otherTime; }
   };
-  // A leg that is certain, but that the centre has not begun.
+  // A leg that is decided, but that the centre has not begun.
   struct CommittedLeg {
     Leg leg;
     Vec21 signal;
@@ -61,12 +62,13 @@ class CollisionScheduler {
     std::uint64_t event = 0;  // its number
     int cushion = -1;
     bool atOnce = false;
-    // Of a cushion's kick: its contact, and the number of the leg that this was found on.
+    // For the kick of a cushion: its contact, and the number of the leg on which it was found.
     Vec21 contact;
     double ownTime = 0.0;
     bool withoutDelay = false;
     std::size_t foundOn = 0;
-    // A contact of a leg that is no more, unless the puck had it before that leg was struck.
+    // Whether a stroke has prevented the contact: it was found on a leg that the stroke has replaced, and the
+    // puck did not have it before the stroke.
     bool isPrevented(std::size_t struckLeg, double struckAt) const {
       return foundOn > struckLeg || (foundOn == struckLeg && ownTime > struckAt);
     }
@@ -77,19 +79,19 @@ class CollisionScheduler {
     int puck;
     unsigned leg;
   };
-  // A puck beside its disc. What others read of it lies together.
+  // The state of a puck without its disc. The members that other pucks read lie next to each other.
   struct alignas(64) PuckState {
     double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
     unsigned legNumber = 0;
-    int lastPartner = -1;  // with whom it collided last, if nothing else happened since
+    int lastPartner = -1;  // the puck it collided with last, if nothing else happened to it since
     std::vector<HandledContact>
-        met;  // pucks, on the named leg of theirs, whose contact with this leg is dealt with
-    std::array<double, 2> leavesCell{kNever, kNever};  // when its centre does, along each axis
-    unsigned metCushions = 0;                          // as `met`, of cushions, one bit each
+        met;  // pucks whose contact with this leg is dealt with, and the number of their leg
+    std::array<double, 2> leavesCell{kNever, kNever};  // when its centre leaves its cell, along each axis
+    unsigned metCushions = 0;                          // the same for cushions, one bit each
 
-    Leg leg;  // that it follows
+    Leg leg;  // the leg that it follows
     std::vector<CommittedLeg> decided;
-    std::vector<int> strokes;  // still to come
+    std::vector<int> strokes;  // those still to come
     double mass = 0.0;
     double height = 0.0;    // of the centre
     std::size_t file = 0;   // place in the setup
@@ -97,9 +99,9 @@ class CollisionScheduler {
     double runBegan = -kNever, lastKick = -kNever;
     int kicksInRun = 0;
     bool jammed = false;
-    // By other pucks: the run of blows that it is in, and the hardest of them, as a celerity.
+    // The current run of blows by other pucks, and the hardest of them, as a celerity.
     double blowsBegan = -kNever, lastBlow = -kNever, hardestBlow = 0.0;
-    int blows = 0, jams = 0;  // since it was last in peace; `jams` are its turns in them
+    int blows = 0, jams = 0;  // since other pucks last left it alone; `jams` counts its turns in jams
   };
   struct PuckStroke {
     Vec21 hand;
@@ -137,12 +139,12 @@ class CollisionScheduler {
   std::optional<Meeting> meetingOf(int first, int second, double& touchAt) const;
   double leavesCell(int i, int axis) const;
   int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
-  // The axis along which its centre leaves its cell first.
+  // Returns the axis along which the puck's centre leaves its cell first.
   int leavesFirst(int i) const { return pucks_[i].leavesCell[1] < pucks_[i].leavesCell[0] ? 1 : 0; }
   void schedule(int i);
   void predictDependents(int of);
   void setPredictedEvent(int i, const PredictedEvent& a);
-  // Has the other puck decided something since that voids it?
+  // Whether the other puck has decided something since that makes it void.
   bool isVoid(const PredictedEvent& a) const {
     return a.kind == Kind::pair &&
            (pucks_[a.with].legNumber != a.otherLeg || a.otherTime >= discs_[a.with].turnsAt ||
@@ -152,8 +154,8 @@ class CollisionScheduler {
   // collision_scheduler_commit.cpp: what happened
   struct Place {
     LegState turn;
-    bool tooLate = false;  // a later turn is decided already
-    // Of a cushion's signal: the leg touched that cushion itself, and the signal of this came first.
+    bool tooLate = false;  // a later turn has already been decided
+    // For the signal of a cushion: the leg touched that cushion itself, and the signal of this came first.
     std::optional<CushionContact> touchedBefore;
   };
   void collide(int first, int second, const PredictedEvent& a, GameHistory& history);
@@ -169,7 +171,7 @@ class CollisionScheduler {
   void beginLeg(int i, const Leg& leg);
   void beginCommitted(int i);
   double restitution(int i, double usual, double turnTime);
-  // The number of the last leg decided, counted from the start of the game.
+  // Returns the number of the last leg decided, counted from the start of the game.
   std::size_t lastLegNumber(int i) const { return pucks_[i].begun + pucks_[i].decided.size(); }
   const Leg& lastLeg(int i) const {
     return pucks_[i].decided.empty() ? pucks_[i].leg : pucks_[i].decided.back().leg;
@@ -186,8 +188,8 @@ class CollisionScheduler {
     double heat = 0.0;
     Vec21 radiated, taken;
     unsigned cushions = 0;  // that it touches, one bit each
-    int body = 0;           // the first of those it moves on with
-    int changed = 0;        // the last sweep that changed it
+    int body = 0;           // the first member of the group with which it moves on
+    int changed = 0;        // number of the last sweep that changed it
   };
   struct Press {
     int first = 0, second = 0;  // places among the members
@@ -219,13 +221,12 @@ class CollisionScheduler {
       flashes_;  // in the order of time, beside their place in the setup
 
   // The state of the game, by puck.
-  std::vector<Disc> discs_;  // of the legs being followed; what the search for partners reads
+  std::vector<Disc> discs_;  // the legs being followed; the search for partners reads them
   std::vector<PuckState> pucks_;
   struct alignas(64) Prediction {
     PredictedEvent next;
-    int firstDependent = -1;  // of those whose next predicted event is with this puck
-    int nextDependent = -1,
-        dependentBefore = -1;  // beside this puck in the list of the one that it will meet
+    int firstDependent = -1;                       // of the pucks whose next predicted event is with this one
+    int nextDependent = -1, dependentBefore = -1;  // neighbours in the list of the puck that it will meet
   };
   std::vector<Prediction> predictions_;
   DueQueue queue_;
@@ -234,11 +235,11 @@ class CollisionScheduler {
   std::vector<Member> members_;   // scratch: the jam that is being settled
   std::vector<Press> presses_;
   std::vector<char> inJam_;        // by puck
-  std::array<int, 21> fetched_{};  // by place in the queue: whose data are already on their way from memory
-  std::size_t flashed_ = 0;        // of the flashes
-  std::vector<int> deferred_;      // pucks that were put off until others have had their events
-  double gammaBound_ = 1.0;        // that the cells are made for
-  double pairReach_ = 0.0;         // from how far apart two pucks must know of each other
+  std::array<int, 21> fetched_{};  // by place in the queue: the puck whose data were prefetched last
+  std::size_t flashed_ = 0;        // number of flashes listed so far
+  std::vector<int> deferred_;      // pucks whose event waits until others have had theirs
+  double gammaBound_ = 1.0;        // the greatest γ for which the cells are large enough
+  double pairReach_ = 0.0;         // the distance within which two pucks must be compared
   bool cellsTooSmall_ = false;
   double rollbackWindow_ = 0.0;
   double clock_ = 0.0;

@@ -1,10 +1,11 @@
 #pragma once
-// A priority queue of numbered items, each with a time at which it is due and that can be changed. Equal
-// times come out in the order of the numbers.
+// A priority queue of numbered items. Each item has a time at which it is due; that time can be changed.
+// Items with equal times come out in the order of their numbers.
 //
-// Items due up to a horizon are in a four-way heap, of which four brothers fill one cache line and the least
-// of them is found without a branch. Of many items most lie beyond the horizon and are only noted, so that
-// the heap stays in cache; when it is empty the horizon moves on, and all items are looked through once.
+// Items that are due before a horizon are in a four-way heap. Four siblings fill one cache line, and the
+// least of them is found without a branch. Where there are many items, most lie beyond the horizon and are
+// only noted, so that the heap stays in the cache. When the heap is empty, the horizon moves on and all items
+// are looked through once.
 
 #include <algorithm>
 #include <array>
@@ -16,22 +17,23 @@ namespace carom {
 class DueQueue {
  public:
   DueQueue() = default;
-  /// At first no item is ever due.
+  /// Makes a queue of `items` items, none of which is ever due at first.
   explicit DueQueue(int items)
       : horizon_(items <= kHeap ? kLatest : -kNever), due_(items, kNever), place_(items, kNone) {}
 
-  /// When the next item is due; infinite if none ever is.
+  /// Returns the time at which the next item is due; infinity if none ever is.
   double firstDue() {
     if (size_ == 0) moveHorizon();
     return size_ == 0 ? kNever : top().due;
   }
-  /// That item, of those that are due at all.
+  /// Returns the next item. At least one item must be due.
   int first() {
     if (size_ == 0) moveHorizon();
     return top().item;
   }
   double due(int item) const { return due_[item]; }
-  /// Number `k`, from 1 on, of those that come soon after the first, roughly in their order; -1: none.
+  /// Returns item number `k` (from 1) of those due soon after the first, roughly in their order; -1 if there
+  /// is none.
   int soon(int k) const { return k < size_ ? at(k).item : kNone; }
 
   void setDue(int item, double time) {
@@ -58,8 +60,8 @@ class DueQueue {
       return (due < other.due) | ((due == other.due) & (item < other.item));
     }
   };
-  // Slots 4 p + 1 to 4 p + 4, the children of slot p; slot 0 is in the first. Entries of free slots are never
-  // due.
+  // Slots 4 p + 1 to 4 p + 4 are the children of slot p; slot 0 is in the first family. Entries of free slots
+  // are never due.
   struct alignas(64) Family {
     std::array<Entry, 4> entries;
   };
@@ -68,7 +70,7 @@ class DueQueue {
 
   const Entry& top() const { return families_[0].entries[3]; }
 
-  // The horizon is then such that of a sample of the items the right part lies before it.
+  // Moves the horizon to where about kHeap items lie before it, as a sample of the items tells.
   void moveHorizon() {
     constexpr std::size_t kSample = 512;
     if (due_.size() <= kHeap) return;
@@ -92,7 +94,7 @@ class DueQueue {
     at(size_) = {};
     if (slot != size_) place(slot, last);
   }
-  // Puts the entry where it belongs, starting from a slot whose own entry it replaces.
+  // Puts the entry where it belongs, beginning at a slot whose own entry it replaces.
   void place(int slot, const Entry& entry) {
     if (slot > 0 && entry < at((slot - 1) / 4)) {
       rise(slot, entry);

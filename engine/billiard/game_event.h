@@ -16,13 +16,13 @@ namespace carom {
 
 using Vec2 = glm::dvec2;
 
-/// `jam`: one puck of several that press on one another, which move on without closing on each other (see
-/// `Billiard`). Each of them has an event of its own, all with the same contact: momentum balances over
-/// these.
+/// The kinds of events. `jam` is one puck of several that press on one another and move on without closing on
+/// each other (see `Billiard`). Each of them has an event of its own, all with the same contact; momentum
+/// balances over all of them.
 enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash, jam };
 enum class Cushion : std::uint8_t { plusX, minusX, plusY, minusY };
 
-/// As files and tables name them.
+/// Returns the name that files and tables use.
 constexpr std::string_view nameOf(EventKind kind) {
   constexpr std::array<std::string_view, 5> kNames{"puck-puck", "puck-cushion", "stroke", "flash", "jam"};
   return kNames[static_cast<std::size_t>(kind)];
@@ -32,7 +32,7 @@ constexpr std::string_view nameOf(Cushion cushion) {
   return kNames[static_cast<std::size_t>(cushion)];
 }
 
-/// A puck's centre changes its motion. Board frame.
+/// The change of motion of a puck's centre. Board frame.
 struct Turn {
   std::size_t puck = 0;  ///< index into the setup's pucks
   Event event;
@@ -63,16 +63,16 @@ class Turns {
 struct GameEvent {
   std::uint64_t number = 0;  ///< from 0, in the order of commitment
   EventKind kind = EventKind::flash;
-  std::optional<Cushion> cushion;  ///< of a puck with a cushion
-  std::uint32_t which = 0;         ///< stroke, flash: its place in the setup's list
-  /// The contact; the hand's stroke, or where it has no place the arrival at the centre; the flash.
+  std::optional<Cushion> cushion;  ///< of a collision with a cushion
+  std::uint32_t which = 0;         ///< for a stroke or flash: its place in the setup's list
+  /// The contact; the hand's stroke or, if the hand has no place, its arrival at the centre; the flash.
   Event at;
-  /// Of a collision: the discs, or the disc and the cushion, were in contact already when the leg began, and
-  /// the kick acts at once, where the centres are. No signal comes from `at` then: it is the place where the
-  /// rims lie on each other simultaneously with the turns in the equal-speed frame, or on the cushion beside
-  /// the centre when it turns, and may lie after the turns and out of reach of light.
+  /// For a collision: the discs, or the disc and the cushion, were in contact already when the leg began, and
+  /// the kick acts at once, where the centres are. No signal comes from `at` then. `at` is the place where the
+  /// rims lie on each other, simultaneously with the turns in the equal-speed frame, or the place on the
+  /// cushion beside the centre when it turns; it may lie after the turns and out of reach of light.
   bool withoutDelay = false;
-  Turns turns;  ///< one for each puck that took part; a stroke's is its arrival
+  Turns turns;  ///< one for each puck that took part; for a stroke, its arrival
   double heat_j = 0.0;
 };
 

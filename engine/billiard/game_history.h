@@ -1,6 +1,6 @@
 #pragma once
-// What a game has delivered so far: the pucks' world lines and the list of events, in SI units and in the
-// order of the setup. The game itself works with c = 1 and with the pucks in the order of their names.
+// The results of a game so far: the pucks' world lines and the list of events, in SI units and in the order
+// of the setup. The game itself works with c = 1 and with the pucks in the order of their names.
 
 #include <algorithm>
 #include <limits>
@@ -17,40 +17,41 @@ class GameHistory {
  public:
   explicit GameHistory(const BilliardSetup& setup);
 
-  /// Adds a leg to a puck's world line, with the next `complete`; `signal` is the event from which the rest of
-  /// the puck learns of it.
+  /// Adds a leg to a puck's world line; `complete` makes it visible. `signal` is the event from which the rest
+  /// of the puck learns of it.
   void addLeg(std::size_t puck, const Leg& leg, const Vec21& signal);
-  /// Brings the world lines up to date.
+  /// Appends the added legs to the world lines.
   void complete();
-  /// Forgets all legs of a puck but the first `legs`, counted from the start of the game.
+  /// Removes all legs of a puck but the first `legs`, counted from the start of the game.
   void keepLegs(std::size_t puck, std::size_t legs);
   std::size_t legs(std::size_t puck) const { return forgottenLegs_[puck] + lines_[puck].knots().size(); }
 
-  // Events: these return their numbers, counted from the start of the game; their turns follow.
+  // Adding an event returns its number, counted from the start of the game. Its turns are added afterwards.
   std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, bool withoutDelay,
                              double heat_j);
   std::uint64_t addJam(const Vec21& contact, double heat_j);
-  /// A stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
+  /// Adds a stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
   std::uint64_t addStroke(std::uint32_t stroke, const Vec21& at, double height_m);
   std::uint64_t addFlash(std::uint32_t flash, const Event& at);
   void addTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter);
-  /// Replaces the turn of a puck in an event; nothing if the event is already forgotten.
+  /// Replaces the turn of a puck in an event; does nothing if the event is already forgotten.
   void changeTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter);
-  /// Replaces what a collision with a cushion came of and its heat; nothing if it is already forgotten.
+  /// Replaces the contact, `withoutDelay` and the heat of a collision with a cushion; does nothing if the
+  /// event is already forgotten.
   void changeBounce(std::uint64_t event, const Vec21& contact, bool withoutDelay, double heat_j);
   void keepEvents(std::uint64_t count);
   std::uint64_t eventCount() const { return forgottenEvents_ + events_.size(); }
   std::uint64_t forgottenEvents() const { return forgottenEvents_; }
-  /// Legs that were added before are no more what they were from this turn on.
+  /// Notes that the legs added before have changed from this turn on.
   void noteChange(const Vec21& turn) { changedFrom_s_ = std::min(changedFrom_s_, turn.t / c_m_s_); }
-  /// The earliest such turn since this was last asked; infinite: none.
+  /// Returns the time of the earliest such turn since the last call; infinity if there was none.
   double takeChangedFrom_s() {
     return std::exchange(changedFrom_s_, std::numeric_limits<double>::infinity());
   }
-  /// How many of the first events are as they were when this was last asked.
+  /// Returns how many of the first events are unchanged since the last call.
   std::uint64_t takeUnchangedEvents() { return std::exchange(unchangedEvents_, eventCount()); }
 
-  /// Forgets legs that ended and events that were over before board time `t_s`.
+  /// Removes the legs that ended and the events that were over before board time `t_s`.
   void forgetBefore(double t_s);
 
   std::span<const WorldLine> worldLines() const { return lines_; }
@@ -63,7 +64,7 @@ class GameHistory {
     Vec21 signal;
   };
   GameEvent& add(EventKind kind, const Event& at);
-  /// An event that will be changed.
+  /// Returns an event for changing it, and notes that it changes.
   GameEvent& change(std::uint64_t event);
   Event eventOf(std::size_t puck, const Vec21& x) const;
   Turn turnOf(std::size_t puck, const LegState& before, const Vec21& uAfter) const;
@@ -72,7 +73,7 @@ class GameHistory {
   double friction_m_s2_;
   std::vector<double> height_m_;  // of each puck's centre
   std::vector<WorldLine> lines_;
-  std::vector<NewLeg> newLegs_;  // not in the lines yet
+  std::vector<NewLeg> newLegs_;  // legs that are not in the lines yet
   std::vector<GameEvent> events_;
   double changedFrom_s_ = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> forgottenLegs_;

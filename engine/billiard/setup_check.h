@@ -1,19 +1,19 @@
 #pragma once
-// What cannot be played.
+// Checks whether a setup can be played.
 
 #include "engine/billiard/billiard_setup.h"
 
 namespace carom {
 
-/// Throws std::invalid_argument, naming the pucks and the values, for a setup that cannot be played: see
-/// `Billiard`.
+/// Throws std::invalid_argument, which names the pucks and the values, for a setup that cannot be played (see
+/// `Billiard`).
 void checkSetup(const BilliardSetup& setup);
 
-/// The same for one stroke, whose number in messages is `number`. Its arrival is checked by the game.
+/// Checks one stroke likewise; `number` is its number in messages. The game checks its arrival.
 void checkStroke(const BilliardSetup& setup, const Stroke& stroke, std::size_t number);
 
-/// Do the discs of two pucks, as the board shows them at t = 0 (ellipses, R/γ along the motion), overlap?
-/// Touching is not overlapping.
+/// Whether the discs of two pucks overlap as the board shows them at t = 0 (ellipses, R/γ along the motion).
+/// Discs that touch do not overlap.
 bool overlapOnBoard(const Puck& a, const Puck& b);
 
 }  // namespace carom

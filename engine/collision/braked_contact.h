@@ -1,6 +1,6 @@
 #pragma once
-// Where two pucks meet that friction slows: the first board time t at which Dpar = dmin (puck_contact.h) for
-// the straight flights that touch both world lines at t.
+// The contact of two pucks that friction slows: the first board time t at which Dpar = dmin (puck_contact.h)
+// for the straight flights that touch both world lines at t.
 
 #include <optional>
 
@@ -19,12 +19,12 @@ struct BrakedMeeting {
   double touchAt = 0.0;  ///< t; the flights of `flightAt` at this time give the contact
 };
 
-/// The straight flight that touches a leg at board time `t`.
+/// Returns the straight flight that touches a leg at board time `t`.
 Disc flightAt(const BrakedDisc& disc, double t);
 
-/// The first meeting of two legs, as `findMeeting` has it for the flights that touch them at t: at or after
-/// the later start, or already in contact there. Bounds of how fast the gap can close keep the search from
-/// stepping over one, at any board time: legs moved in time meet as much later.
+/// Returns the first meeting of two legs, at or after the later start, or already in contact there: the
+/// meeting that `findMeeting` gives for the flights that touch the legs at t. Bounds of how fast the gap can
+/// close keep the search from missing a meeting, at any board time: legs moved in time meet as much later.
 std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
                                                TurnConvention convention);
 

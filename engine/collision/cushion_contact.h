@@ -21,12 +21,12 @@ namespace carom {
 /// A straight cushion: the plane sign × coordinate = distance from the board's centre.
 struct CushionPlane {
   int axis = 0;           ///< 0: across x, 1: across y
-  double sign = 1.0;      ///< which of the two
+  double sign = 1.0;      ///< which of the two cushions across that axis
   double distance = 0.0;  ///< metres from the board's centre
 
-  /// How far inside the plane an event lies.
+  /// Returns how far inside the plane an event lies.
   double inside(const Vec21& x) const { return distance - sign * (axis == 0 ? x.x : x.y); }
-  /// The part of a four-velocity that goes towards the plane.
+  /// Returns the component of a four-velocity towards the plane.
   double towards(const Vec21& u) const { return sign * (axis == 0 ? u.x : u.y); }
 };
 
@@ -37,7 +37,8 @@ struct CushionContact {
   bool withoutDelay = false;  ///< already in contact when the leg began
 };
 
-/// The contact of a leg with a cushion; none if the puck does not move towards it or rests before.
+/// Returns the contact of a leg with a cushion; none if the puck does not move towards it or comes to rest
+/// before.
 std::optional<CushionContact> findContact(const Leg& leg, double radius, const CushionPlane& cushion,
                                           TurnConvention convention);
 

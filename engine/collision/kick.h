@@ -20,10 +20,11 @@ namespace carom {
 struct PairKick {
   std::array<Vec21, 2> u;        ///< four-velocities afterwards
   std::array<double, 2> heat{};  ///< m' − m of each, in units of mass
-  double closing = 0.0;          ///< celerity at which they closed along the normal, for slow ones
+  double closing = 0.0;          ///< celerity at which slow pucks closed along the normal
 };
 
-/// None if the momenta recede from each other along the normal.
+/// Returns the kick that two pucks give each other; none if the momenta recede from each other along the
+/// normal.
 std::optional<PairKick> kickPair(const Vec21& U, const Vec21& n, const std::array<Vec21, 2>& u,
                                  const std::array<double, 2>& mass, double restitution);
 
@@ -32,7 +33,7 @@ struct CushionKick {
   double heat = 0.0;
 };
 
-/// None if the puck does not move towards the cushion.
+/// Returns the kick that a cushion gives; none if the puck does not move towards it.
 std::optional<CushionKick> kickOffCushion(const CushionPlane& cushion, const Vec21& u, double mass,
                                           double restitution);
 

@@ -21,7 +21,7 @@
 
 namespace carom {
 
-/// When a puck's centre turns: see `CollisionEvent` in billiard.h.
+/// The event at which a puck's centre turns: see `CollisionEvent` in billiard_setup.h.
 enum class TurnConvention { signalAtCentre, simultaneousWithContact };
 
 /// A disc in straight flight from `start` on. Fills a cache line.
@@ -32,17 +32,18 @@ struct alignas(64) Disc {
   double turnsAt = 0.0;  ///< board time from which this flight no longer holds; for the caller's use
 };
 
-/// How two discs meet, as far as it matters for whether and in which order things happen.
+/// How two discs meet: what is needed to decide whether and in which order contacts happen.
 struct Meeting {
-  /// Board time of each centre at its own moment of the contact; where turns wait for the signal, so long
-  /// before the turn that the order of these is the order of the turns. Before the start of the flight, if
-  /// the rim was in contact by then.
+  /// Board time of each centre at its own moment of the contact. Where turns wait for the signal, this moment
+  /// lies before the turn by such a time that the order of these moments is the order of the turns. It lies
+  /// before the start of the flight if the rim was in contact by then.
   std::array<double, 2> ownTime{};
   bool withoutDelay = false;  ///< already in contact and approaching when the later flight began
 };
 
-/// A quick no for most pairs: false if the flights certainly do not meet, because b > R1 + R2, because they
-/// have one velocity or, where turns are simultaneous with the contact, because they recede.
+/// A quick test that excludes most pairs. Returns false if the flights certainly do not meet, because b > R1
+/// + R2, because they have one velocity or, where turns are simultaneous with the contact, because they
+/// recede.
 inline bool mayMeet(const Disc& first, const Disc& second, TurnConvention convention) {
   const Vec21 D = second.start - first.start;
   const double reach = first.radius + second.radius;
@@ -60,14 +61,14 @@ inline bool mayMeet(const Disc& first, const Disc& second, TurnConvention conven
   return near & (towards - spent > -rounding * (std::abs(towards) + std::abs(spent)) - rounding * reach);
 }
 
-/// The meeting of two flights, if they meet. They do iff b < R1 + R2 and both turns come after the starts
-/// of the flights; or, `withoutDelay`, if the discs overlap and approach each other in the equal-speed frame
-/// at the later of the two starts. A contact that would lie before the start in the puck's own frame and
-/// behind the closest approach is none: the pucks recede. Pucks whose flights both begin at board time 0 meet
-/// only after it.
+/// Returns the meeting of two flights, if they meet. They do iff b < R1 + R2 and both turns come after the
+/// starts of the flights; or, `withoutDelay`, if the discs overlap and approach each other in the equal-speed
+/// frame at the later of the two starts. A contact that would lie before the start in the puck's own frame
+/// and behind the closest approach does not count: the pucks recede. Pucks whose flights both begin at board
+/// time 0 meet only after it.
 std::optional<Meeting> findMeeting(const Disc& first, const Disc& second, TurnConvention convention);
 
-/// Everything about the contact of two flights for which `findMeeting` found one.
+/// The contact of two flights for which `findMeeting` has found one.
 struct PairContact {
   Vec21 event;  ///< C
   Vec21 U;      ///< four-velocity of the equal-speed frame

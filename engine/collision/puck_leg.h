@@ -24,26 +24,28 @@ struct LegState {
   double properTime = 0.0;
 };
 
-/// At board time `t` (c t, metres). Before the start the leg is continued backwards without friction.
+/// Returns the state of the centre at board time `t` (c t, metres). Before the start, the leg is continued
+/// backwards without friction.
 LegState momentAt(const Leg& leg, double t);
-/// The same, but under friction without the proper time, which takes longer than the rest of it.
+/// Returns the same without the proper time under friction, which takes longer to compute than the rest.
 LegState placeAt(const Leg& leg, double t);
 
-/// `s` metres of own proper time after the start of a leg without friction.
+/// Returns the state `s` metres of own proper time after the start of a leg without friction.
 LegState momentAfter(const Leg& leg, double s);
 
-/// Board time at which friction has stopped it; infinite without friction.
+/// Returns the board time at which friction has stopped the puck; infinity without friction.
 double restsAt(const Leg& leg);
 
-/// Where light from `signal` meets the centre: the one event with (X − signal)² = h² on the future cone, h being
-/// the height of the source above the centres' plane.
+/// Returns the state in which light from `signal` meets the centre: the one event with (X − signal)² = h² on the
+/// future cone, where h is the height of the source above the centres' plane.
 LegState signalArrives(const Leg& leg, const Vec21& signal, double height = 0.0);
 
-/// The centre's event that is simultaneous with `event` in the frame that moves with four-velocity U.
+/// Returns the state of the centre that is simultaneous with `event` in the frame that moves with
+/// four-velocity U.
 LegState simultaneousWith(const Leg& leg, const Vec21& event, const Vec21& U);
 
-/// First board time after the start at which the centre's coordinate (0: x, 1: y) is `bound`, which lies
-/// ahead of it; infinite if it rests before, or does not move that way.
+/// Returns the first board time after the start at which the centre's coordinate `axis` (0: x, 1: y) is
+/// `bound`, which lies ahead of it; infinity if it comes to rest before, or does not move that way.
 double reaches(const Leg& leg, int axis, double bound);
 
 }  // namespace carom

@@ -36,12 +36,12 @@
 
 namespace carom {
 
-/// The matrix above, by summing over the spectrum, in units in which white at heat 1 is (1, 1, 1): column j
-/// is the linear sRGB that a body of pure red, green or blue shows. Slow: the measure of the table.
+/// Returns the matrix above as a sum over the spectrum, in units in which white at heat 1 is (1, 1, 1):
+/// column j is the linear sRGB that a body of pure red, green or blue shows. Slow: a reference for the table.
 glm::dmat3 colourResponse(double heat, double bodyToHead);
 
-/// N_k over ln bodyToHead, as texels of a texture: `kRows` rows of `kColumns`. Beyond its ends, where no part
-/// of ρ that changes is in view, it is constant.
+/// The functions N_k over ln bodyToHead as texels of a texture: `kRows` rows of `kColumns`. Beyond its ends
+/// N_k is constant, because no part of ρ that changes is in view.
 class ColourTable {
  public:
   static constexpr int kRows = 9;
@@ -50,17 +50,17 @@ class ColourTable {
 
   ColourTable();
 
-  /// Row after row, as OpenGL takes RGBA textures of floats. Rows 0 … 5: the first four bands' part in
-  /// (red of red, green of red, blue of red, red of blue, … of blue); rows 6 … 8: the other two bands', of
-  /// two of these each.
+  /// The rows one after another, as OpenGL takes RGBA textures of floats. Rows 0 … 5 hold the first four
+  /// bands' part in (red of red, green of red, blue of red, red of blue, … of blue); rows 6 … 8 hold that of
+  /// the other two bands, two of these entries in each row.
   const std::vector<glm::vec4>& texels() const { return texels_; }
 
  private:
   std::vector<glm::vec4> texels_;
 };
 
-/// Linear sRGB that white at heat 1 shows, per unit of light in each band (sums to 1, 1, 1): the constants
-/// kWhite… of the kernel.
+/// Returns the linear sRGB that white at heat 1 shows, per unit of light in each band (the sum is 1, 1, 1):
+/// the constants kWhite… of the kernel.
 std::array<Vec3, 6> whiteOfBands();
 
 }  // namespace carom

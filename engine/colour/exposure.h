@@ -1,6 +1,6 @@
 #pragma once
-// How bright the picture is made. Searchlight makes what lies ahead up to D⁴ times brighter (1500 times at
-// 0.95 c), colour without searchlight makes much of the sky dark: an eye would adapt, and so must a picture.
+// The exposure of the picture. Searchlight makes what lies ahead up to D⁴ times brighter (1500 times at 0.95
+// c), and colour without searchlight makes much of the sky dark. An eye would adapt, and so must a picture.
 //
 // The exposure follows from the head's speed on the board alone, never from what one wall happens to show:
 // all walls of all nodes agree, nothing pumps as a puck crosses an edge, and the same session gives the same
@@ -20,8 +20,9 @@ struct Exposure {
   float fall = 0.0F;  ///<   x (1 + rise x)/(1 + fall x), which is x for little light and 1 for the brightest
 };
 
-/// `beta`: the head's speed on the board, over c, below 1. At rest and with both switches off the gain is 1
-/// and white at 1.57 is the screen's. `searchlight` and `colour` as in doppler_colour.h.
+/// Returns the exposure for a head that moves on the board at `beta` = v/c below 1. At rest and with both
+/// switches off the gain is 1, and white at 1.57 is the screen's white. `searchlight` and `colour` are
+/// explained in doppler_colour.h.
 Exposure exposureFor(double beta, bool colour, bool searchlight);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// engine/light/emission_kernel.glsl as C++: in double, the reference and what `observe` answers with, and in
-// float, as the GPU computes it.
+// The kernel engine/light/emission_kernel.glsl compiled as C++: in double, as the reference and for single
+// answers (`carom observe`), and in float, as the GPU computes it.
 
 #include <cmath>
 
@@ -26,7 +26,7 @@ inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
 #include "engine/light/emission_kernel.glsl"
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
-/// With both effects on.
+/// Solves with retardation and contraction.
 inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
   return solveEmission(legs, legCount, d, true, true);
 }
@@ -43,7 +43,7 @@ inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
 #include "engine/light/emission_kernel.glsl"
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
-/// With both effects on.
+/// Solves with retardation and contraction.
 inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
   return solveEmission(legs, legCount, d, true, true);
 }

@@ -2,12 +2,12 @@
 // The emission solve for whole meshes: where one eye sees every vertex of a body, many vertices at once.
 //
 // The equations are those of engine/light/emission_kernel.glsl, solved in float in the rest frame of the leg.
-// A body that all its points see on one leg takes the short path (one square root and one division a vertex);
-// a body between two legs takes the kernel written without branches; longer chains of bounces take the kernel
-// itself in double, vertex by vertex.
+// A body whose points are all seen on one leg takes the short path (one square root and one division a
+// vertex); a body between two legs takes the kernel written without branches; longer chains of bounces take
+// the kernel itself in double, vertex by vertex.
 //
-// A solve is a pure function of its spans and starts no thread: callers that have several bodies know best
-// how to share them out. Any slice of a mesh gives the same bits as the whole, on every instruction set.
+// A solve is a pure function of its spans and starts no thread: a caller that has several bodies knows best
+// how to distribute them. Any slice of a mesh gives the same bits as the whole, on every instruction set.
 
 #include <cstddef>
 #include <span>
@@ -29,10 +29,10 @@ struct Points {
   }
 };
 
-/// What one eye sees of points: written by the solves. Spans must not overlap each other or the input. An
-/// unseen point (its light has not arrived yet) has the place NaN.
+/// The places at which one eye sees points. The solves write it. Spans must not overlap each other or the
+/// input. An unseen point (its light has not arrived yet) has the place NaN.
 struct SeenPoints {
-  std::span<float> x_m;  ///< head frame, from the eye: along it comes the straight ray that walls draw
+  std::span<float> x_m;  ///< head frame, from the eye, along the straight ray that the walls draw
   std::span<float> y_m;
   std::span<float> z_m;
   std::span<float> doppler;      ///< ν_seen/ν_emitted; may be empty: then not computed
@@ -49,8 +49,8 @@ struct SeenPoints {
 /// Solves for the points at the intrinsic `offsets` (from the centre, in the body's rest frame) of the body
 /// that one eye sees as `view`, with retardation and contraction. Returns how many of them are unseen.
 ///
-/// A vertex that is catching up with its leg after a bounce has the Doppler factor of its incoming leg: it
-/// is lit and coloured as that, or its colour would flash.
+/// A vertex that is catching up with its leg after a bounce has the Doppler factor of its incoming leg. With
+/// its own it would be lit and coloured otherwise, and its colour would flash.
 std::size_t seePoints(const BodyView& view, const Points& offsets, const SeenPoints& seen,
                       InstructionSet instructions = bestInstructionSet());
 

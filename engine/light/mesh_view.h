@@ -1,8 +1,8 @@
 #pragma once
-// One mesh as one eye sees it, asked the same way whatever holds the history of its vertices: knots of a
-// rigid body (RigidMeshView) or samples of something that deforms or moves freely (RingView,
-// engine/light/vertex_ring.h). A view is kept from frame to frame, one for each eye: it remembers where the
-// last emissions were found.
+// One mesh as one eye sees it. Callers use it in the same way whatever holds the history of its vertices: the
+// knots of a rigid body (RigidMeshView), or samples of a body that deforms or moves freely (RingView,
+// engine/light/vertex_ring.h). Keep one view for each eye from frame to frame: it remembers where it found
+// the last emissions.
 
 #include <cstddef>
 #include <optional>
@@ -20,8 +20,8 @@ class MeshView {
 
   virtual std::size_t size() const = 0;  ///< vertices
 
-  /// The eye is at board event `observation`, in whose past everything below is looked for. Once a frame,
-  /// after the history has been added to.
+  /// Sets the eye to the board event `observation`, in whose past all following solves look for emissions.
+  /// Call it once a frame, after the history has been extended.
   virtual void look(const Event& observation, const Lorentz& headFromBoard) = 0;
 
   /// Solves for the vertices from `first` on, as many as `seen` has room for; returns how many of them are
@@ -30,15 +30,17 @@ class MeshView {
   virtual std::size_t see(std::size_t first, const SeenPoints& seen) = 0;
   static constexpr std::size_t kSlice = 1024;
 
-  /// Own clocks of the vertices from `first` on at emission, given the board times that see() wrote for them.
+  /// Writes the readings of the vertices' own clocks at emission, from vertex `first` on, for the board times
+  /// that see() has written for them.
   virtual void properTimes(std::size_t first, std::span<const float> boardTime_m,
                            std::span<double> properTime_s) = 0;
 
-  /// One vertex, in double; none if it is unseen.
+  /// Returns the emission of one vertex, in double; none if it is unseen.
   virtual std::optional<Emission> emission(std::size_t vertex) const = 0;
 };
 
-/// A rigid body: a world line and the intrinsic places of the vertices, both of which must outlive the view.
+/// The view of a rigid body: a world line and the intrinsic places of the vertices, both of which must
+/// outlive the view.
 class RigidMeshView final : public MeshView {
  public:
   RigidMeshView(const WorldLine& line, const Points& offsets) : line_(line), offsets_(offsets) {}
@@ -46,7 +48,7 @@ class RigidMeshView final : public MeshView {
   std::size_t size() const override { return offsets_.size(); }
   void look(const Event& observation, const Lorentz& headFromBoard) override;
   std::size_t see(std::size_t first, const SeenPoints& seen) override;
-  /// Costs the history of each vertex (about a microsecond a bounce).
+  /// Computes the history of each vertex, which takes about a microsecond for each bounce.
   void properTimes(std::size_t first, std::span<const float> boardTime_m,
                    std::span<double> properTime_s) override;
   std::optional<Emission> emission(std::size_t vertex) const override;

@@ -1,5 +1,5 @@
 #pragma once
-// What one eye sees of a sampled history (engine/light/vertex_ring.h).
+// The view of a sampled history (engine/light/vertex_ring.h) by one eye.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace carom {
 
-/// The ring must outlive the view. Each run of vertices remembers where its emissions were; the search
-/// starts there and goes either way, or by bisection after the eye has jumped.
+/// A view of a ring, which must outlive it. Each run of vertices remembers where its emissions were; the
+/// search starts there and goes in either direction, or by bisection after the eye has jumped.
 class RingView final : public MeshView {
  public:
   /// One sample as a solve takes it: its anchor from the eye, and its runs.
@@ -36,7 +36,8 @@ class RingView final : public MeshView {
   double fAt(std::size_t sample, std::size_t vertex) const;
   /// The last sample with f ≥ 0; the first sample if there is none.
   std::size_t lastBefore(std::size_t vertex) const;
-  /// A vertex's straight way, in double: its event and own clock at a sample, and what they gain by the next.
+  /// A vertex's straight path between two samples, in double: its event and own clock at the first, and what
+  /// they gain until the second.
   struct Way {
     Displacement start;  // from the observation
     Displacement step;

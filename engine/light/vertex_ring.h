@@ -1,7 +1,8 @@
 #pragma once
-// Sampled histories, for what deforms or is moved freely (a hand, another person's head, a soft body): a
-// table of past events of every vertex, newest in, oldest out, as in the paper's section 3.2: place, board
-// time and proper time. Between two samples a vertex moves straight and evenly.
+// Sampled histories, for bodies that deform or move freely (a hand, another person's head, a soft body). The
+// ring is a table of past events of every vertex (place, board time and proper time), in which new samples
+// replace the oldest ones, as in the paper's section 3.2. Between two samples a vertex moves straight and
+// evenly.
 //
 // Rows are samples of the whole mesh and are kept in float from an anchor event in double, so nothing is lost
 // after hours. Memory is fixed when the ring is made. Board frame throughout.
@@ -28,24 +29,25 @@ struct MeshSample {
   std::span<const float> z_m;
 };
 
-/// How far, in metres of light, an eye may step back in time: when the head turns fast the eyes' events
-/// move by up to γ (1 + β) times their separation against the head's. Trimming leaves this margin.
+/// How far, in metres of light, an eye may step back in time. When the head turns fast, the eyes' events move
+/// by up to γ (1 + β) times their separation against the head's. Trimming leaves this margin.
 inline constexpr double kEyeStepsBack_m = 1.0;
 
 class VertexRing {
  public:
-  /// Room for `capacity` samples (at least 3, at most 65535) of `vertexCount` vertices: 20 bytes a vertex.
+  /// Makes room for `capacity` samples (at least 3, at most 65535) of `vertexCount` vertices: 20 bytes a
+  /// vertex.
   VertexRing(std::size_t vertexCount, std::size_t capacity, double c_m_s);
 
   /// Adds a sample. Every vertex must be later than its last event and have moved slower than light since;
-  /// throws std::invalid_argument otherwise, naming the first vertex that did not, and keeps nothing of the
-  /// sample. When the ring is full, the sample between the first and the last that is least missed gives way:
-  /// one close to its neighbours for its age. So histories grow coarser with age, but have no gaps, and stay
-  /// slower than light.
+  /// otherwise throws std::invalid_argument, which names the first vertex that did not, and keeps nothing of
+  /// the sample. When the ring is full, it drops the sample between the first and the last that matters
+  /// least: one that is close to its neighbours for its age. Histories therefore grow coarser with age, but
+  /// have no gaps and stay slower than light.
   void append(const MeshSample& sample);
 
-  /// Forgets the samples that no eye will look at again: all but the last of those in which every vertex
-  /// lies inside the past cone of every one of `eyes`, kEyeStepsBack_m deep.
+  /// Removes the samples that no eye will need again: all but the last of those in which every vertex lies
+  /// inside the past cone of each of `eyes`, by kEyeStepsBack_m at least.
   void trim(std::span<const Event> eyes);
 
   std::size_t vertexCount() const { return vertexCount_; }
@@ -63,7 +65,7 @@ class VertexRing {
     std::array<float, kRun> ct_m, x_m, y_m, z_m;
   };
   const Event& anchorOf(std::size_t sample) const { return anchors_[order_[sample]].event; }
-  /// All runs of a sample; the last may have unused room.
+  /// Returns all runs of a sample; the last run may have unused places.
   const Run* runsOf(std::size_t sample) const { return runs_.data() + order_[sample] * runCount(); }
   std::size_t runCount() const { return (vertexCount_ + kRun - 1) / kRun; }
 
@@ -72,13 +74,14 @@ class VertexRing {
     Event event;
     double properTime_s = 0.0;
   };
-  /// An event of a sample from its anchor.
+  /// Returns a vertex's event in a sample, from the anchor of the sample.
   glm::vec4 fromAnchor(std::size_t sample, std::size_t vertex) const {
     const Run& run = runsOf(sample)[vertex / kRun];
     const std::size_t i = vertex % kRun;
     return {run.ct_m[i], run.x_m[i], run.y_m[i], run.z_m[i]};
   }
-  /// Own time of a vertex from sample `last` to a new one; negative if it would not be slower than light.
+  /// Returns the own time of a vertex from sample `last` to a new one; negative if it would not be slower
+  /// than light.
   double properTimeSince(std::size_t last, const MeshSample& sample, std::size_t vertex) const;
   void fillRow(std::uint16_t row, const MeshSample& sample);
   void giveWay();

@@ -29,7 +29,7 @@ inline Displacement operator+(const Displacement& a, const Displacement& b) {
 }
 inline Displacement operator-(const Displacement& d) { return {-d.dt_s, -d.dr_m}; }
 
-/// Δs² = c²Δt² − Δr², in m²: positive between events that one clock can attend, 0 along light.
+/// Returns Δs² = c²Δt² − Δr² in m²: positive between events that one clock can attend, 0 along light.
 inline double interval_m2(const Displacement& d, double c_m_s) {
   const double ct_m = c_m_s * d.dt_s;
   return ct_m * ct_m - glm::dot(d.dr_m, d.dr_m);

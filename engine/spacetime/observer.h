@@ -23,8 +23,8 @@ struct ObserverStart {
   Vec3 beta{0.0};                            ///< v/c of the platform
 };
 
-/// The room's attitude and motion on the board, as a game begins: its floor's right, forward and up, boosted
-/// by the platform's β.
+/// Returns the room's attitude and motion on the board at the start of a game: the axes of its floor (right,
+/// forward and up), boosted by the platform's β.
 Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double lightSpeed_m_s);
 
 /// The tracked head at one drawn frame. Room frame.
@@ -37,8 +37,8 @@ struct Head {
 struct EyeView {
   Event observation;
   Vec3 positionInRoom_m{0.0};
-  /// Where in the room its seen places are counted from: where it is, or, while a sight is frozen, where it
-  /// was.
+  /// The point of the room from which its seen places are counted: its own position, or, while the view is
+  /// frozen, the position at which the view was frozen.
   Vec3 seenFromInRoom_m{0.0};
 };
 
@@ -49,8 +49,8 @@ struct ObserverView {
   double properTime_s = 0.0;    ///< the person's own clock
 };
 
-/// The sight of one moment, from the middle of the eyes, walked round: the light is that of `sight`, for both
-/// eyes, the eyes' places in the room are those of `now`.
+/// Returns a frozen view that the person walks round: the light is that of `sight`, from the middle of the
+/// eyes, for both eyes; the eyes' positions in the room are those of `now`.
 ObserverView frozenViewAt(const ObserverView& sight, const ObserverView& now);
 
 class Observer {
@@ -59,7 +59,7 @@ class Observer {
   /// the board event of the room's origin at the moment (in the room's frame) of the start.
   Observer(const Lorentz& boardFromRoom, const Event& roomOrigin, const Head& head);
 
-  /// A person whose head is at a known board event and has lived `properTime_s`.
+  /// Returns an observer whose head is at a known board event and whose clock shows `properTime_s`.
   static Observer at(const Event& headEvent, double properTime_s, const Lorentz& boardFromRoom,
                      const Head& head);
 
@@ -71,15 +71,15 @@ class Observer {
   /// which a step's chord is that of its middle's velocity.
   void step(double dtau_s, const Head& head, double pace = 1.0, const Vec3& thrust_m_s2 = Vec3(0.0));
 
-  /// Goes with the head wherever it is in the room, in so much of the room's time: as nobody could. For
-  /// looking at a recorded game whose time stands still or runs otherwise; the head counts as at rest in the
-  /// room.
+  /// Moves with the head wherever it is in the room, in `roomTime_s` of the room's time, even faster than
+  /// light. For looking at a recorded game whose time stands still or runs at another rate; the head counts
+  /// as at rest in the room.
   void moveUnseen(double roomTime_s, const Head& head);
 
   /// Turns the room about the head, which stays at its event.
   void turn(double angle_rad, const Vec3& axisInRoom);
 
-  /// The eyes, `eyeSeparation_m` apart, simultaneous for the head.
+  /// Returns the eyes, `eyeSeparation_m` apart, at events that are simultaneous for the head.
   ObserverView view(double eyeSeparation_m) const;
 
   const Event& headEvent() const { return headEvent_; }  ///< on the board

@@ -33,11 +33,12 @@ struct Motion {
   std::size_t leg = 0;  ///< index of the knot that began this leg
 };
 
-/// Motion along one leg at board time `t_s`. Before the turn the leg is continued backwards inertially.
+/// Returns the motion on one leg at board time `t_s`. Before the turn, the leg is continued backwards
+/// inertially.
 Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s);
 
-/// Knots in the order of time. The first leg reaches back without end; before `appears_s` nothing of the
-/// body is there to be seen. `radius_m` bounds the body's points from its centre, in its rest frame.
+/// The knots in the order of time. The first leg reaches back without end; before `appears_s` the body does
+/// not exist. `radius_m` bounds the distance of the body's points from its centre, in its rest frame.
 class WorldLine {
  public:
   WorldLine(const Knot& first, double c_m_s, double radius_m = 0.0,
@@ -47,34 +48,37 @@ class WorldLine {
   /// of the coordinates' size; throws std::invalid_argument otherwise.
   void append(const Knot& knot);
 
-  /// Has the last knots brought from memory, which `append` needs.
+  /// Prefetches the last knots, which `append` needs, from memory.
   void fetchEnd() const {
     const char* end = reinterpret_cast<const char*>(knots_.data() + knots_.size());
     for (int byte = -128; byte <= 64; byte += 64) __builtin_prefetch(end + byte);
   }
 
-  /// The bounds of when all points have joined grow with every turn that comes before they have. Where better
-  /// is known of the last leg (joinedAfter_s of vertex_history.h), this says so.
+  /// Lowers the bound of when all points have joined the last leg, where a better one is known (joinedAfter_s
+  /// of vertex_history.h). The bounds that the line itself computes grow with every turn that comes before
+  /// all points have joined.
   void settlesAfter(double after_s);
 
-  /// Forgets every knot but the first whose turn is at or after `t_s`. Where that is all that `forgetBefore`
-  /// has left, the line begins anew, with the leg it was made with.
+  /// Removes the knots whose turn is at or after `t_s`, but never the first. If `forgetBefore` has removed
+  /// legs and the first remaining knot is that late as well, the line begins anew with the leg that it was
+  /// made with.
   void truncateFrom(double t_s);
-  /// Forgets every knot but the first `knots`, at least one.
+  /// Keeps the first `knots` knots, at least one, and removes the others.
   void keepFirst(std::size_t knots);
-  /// Forgets the legs that ended before `t_s`; the first that is left then reaches back in their stead.
-  /// Returns how many.
+  /// Removes the legs that ended before `t_s`; the first remaining leg then reaches back in their place.
+  /// Returns the number of removed legs.
   std::size_t forgetBefore(double t_s);
 
-  /// The centre at board time `t_s`.
+  /// Returns the centre's motion at board time `t_s`.
   Motion at(double t_s) const;
 
   std::span<const Knot> knots() const { return knots_; }
 
-  /// How long after a knot's turn, by the centre's own clock, every point within the radius has joined the
-  /// leg that begins there (an upper bound).
+  /// Returns an upper bound of the time after a knot's turn, by the centre's own clock, at which every point
+  /// within the radius has joined the leg that begins there.
   double settled_s(std::size_t knot) const { return settling_[knot].after_s; }
-  /// Had they all joined when the signal that ends this leg was made? True of the last leg.
+  /// Returns whether all points had joined this leg when the signal that ends it was made; true for the last
+  /// leg.
   bool settlesBeforeNext(std::size_t knot) const { return settling_[knot].beforeNext; }
 
   double radius_m() const { return radius_m_; }

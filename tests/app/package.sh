@@ -13,8 +13,12 @@ carom=$work/usr/bin/carom
 share=$work/usr/share/carom
 for file in bin/carom share/carom/rig.schema.json share/carom/rigs/desk.toml share/carom/traces/walk.csv \
   lib/udev/rules.d/70-carom.rules share/man/man1/carom.1.gz share/doc/carom/copyright share/doc/carom/README.md \
-  share/doc/carom/app/doc/operators.md share/doc/carom/app/doc/teachers.md share/carom/models/train.obj; do
+  share/carom/models/train.obj; do
   [ -s "$work/usr/$file" ] || fail "$file is not installed"
+done
+for page in "$(dirname "$0")"/../../app/doc/*.md "$(dirname "$0")"/../../app/pictures/*.png; do
+  page=share/doc/carom/app/$(basename "$(dirname "$page")")/$(basename "$page")
+  [ -s "$work/usr/$page" ] || fail "$page is not installed"
 done
 stray=$(cd "$share" && find . -name '*.cmake' -o -name build -o -name install-packages -o -name packages.txt -o -name udev)
 [ -z "$stray" ] || fail "of no use once installed: $stray"
