@@ -1,11 +1,11 @@
 // carom: a billiard at a light speed of walking pace, played, looked at and walked into.
 
-#include <cstdio>
 #include <exception>
 
 #include <fmt/format.h>
 
 #include "app/files/toml_file.h"
+#include "engine/base/log.h"
 #include "options.h"
 
 namespace {
@@ -13,9 +13,9 @@ namespace {
 /// Bad input and what else can go wrong while a command runs: status 1.
 int report(const std::exception& error) {
   if (const auto* faults = dynamic_cast<const carom::InputErrors*>(&error)) {
-    for (const carom::InputError& fault : faults->faults()) fmt::print(stderr, "error: {}\n", fault.what());
+    for (const carom::InputError& fault : faults->faults()) carom::log::error(fault.what());
   } else {
-    fmt::print(stderr, "error: {}\n", error.what());
+    carom::log::error(error.what());
   }
   return 1;
 }

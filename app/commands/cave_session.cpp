@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -10,13 +11,16 @@
 #include <utility>
 
 #include "app/commands/session_frames.h"
+#include "app/commands/session_options.h"
 #include "app/files/config_folder.h"
 #include "app/journal/session_file.h"
 #include "app/operator/lesson.h"
 #include "app/session/live_source.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
+#include "app/tools/option_values.h"
 #include "devices/setup/tracker_factory.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -25,39 +29,38 @@ namespace {
 std::unique_ptr<Clock> clockOf(const Stage& stage, const CaveOptions& options,
                                std::chrono::steady_clock::time_point start) {
   if (!stage.realTime) return std::make_unique<SimulatedClock>();
-  if (options.frames)
-    fmt::print(stderr, "The head is tracked by a device: the frames are shown in real time.\n");
+  if (options.frames) log::note("The head is tracked by a device: the frames are shown in real time.");
   return std::make_unique<SteadyClock>(start);
 }
 
 /// What is about to be seen, for the person at rank 0.
 void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& options) {
   const std::vector<Wall>& walls = stage.rig.walls;
-  fmt::print(stderr, "{} (light at {} m/s) in {}: {} wall{}, {} node{}.\n", stage.scenario.title,
-             stage.scenario.billiard.lightSpeed_m_s, stage.rig.title, walls.size(),
-             walls.size() == 1 ? "" : "s", cluster.size(), cluster.size() == 1 ? "" : "s");
+  log::note(fmt::format("{} (light at {} m/s) in {}: {} wall{}, {} node{}.", stage.scenario.title,
+                        stage.scenario.billiard.lightSpeed_m_s, stage.rig.title, walls.size(),
+                        walls.size() == 1 ? "" : "s", cluster.size(), cluster.size() == 1 ? "" : "s"));
   for (const Wall& wall : walls) {
     if (wall.node < cluster.size()) continue;
-    fmt::print(stderr, "Wall {} asks for node {}; node {} draws it.\n", wall.name, wall.node,
-               wall.node % cluster.size());
+    log::note(fmt::format("Wall {} asks for node {}; node {} draws it.", wall.name, wall.node,
+                          wall.node % cluster.size()));
   }
   for (int rank = 0; rank < cluster.size(); ++rank) {
     const bool draws = std::any_of(walls.begin(), walls.end(),
                                    [&](const Wall& wall) { return wall.node % cluster.size() == rank; });
-    if (!draws) fmt::print(stderr, "warning: node {} has no wall to draw.\n", rank);
+    if (!draws) log::warn(fmt::format("node {} has no wall to draw.", rank));
   }
   const bool drawsHere = std::any_of(walls.begin(), walls.end(),
                                      [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
   const bool hasWindow = !options.noWindow && (drawsHere || options.outside || options.console);
   if (hasWindow) sayKeys(KeysOf::session);
   if (!hasWindow && !options.frames) {
-    fmt::print(stderr, "There are no keys: node 0 has no window. Ctrl+C ends the session.\n");
+    log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
   }
   const std::string renderer = stage.graphics->rendererName();
   if (drawsOnProcessor(renderer)) {
-    fmt::print(stderr, "Drawn without a graphics card, by {}: slower than the display.\n", renderer);
+    log::note(fmt::format("Drawn without a graphics card, by {}: slower than the display.", renderer));
   }
-  fmt::print(stderr, "{}", tessellationReport(stage.scene, stage.tessellation));
+  log::note(tessellationReport(stage.scene, stage.tessellation));
 }
 
 /// The file that the session is written to: --session, new or gone on with; none without it.
@@ -67,8 +70,7 @@ std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>&
   SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
                      textOf(inputs.rig), textOf(inputs.scenario), stage.scenario.billiard.lightSpeed_m_s};
   for (const Puck& puck : stage.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
-  const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  return std::make_unique<Journal>(*file, facts, goOn, say);
+  return std::make_unique<Journal>(*file, facts, goOn);
 }
 
 /// What a session that goes on goes on from.
@@ -148,8 +150,8 @@ std::unique_ptr<LivePlay> playOf(const Stage& stage, const CaveOptions& options,
   start.sessionStart = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
                                                 std::chrono::duration<double>(LivePlay::livedOf_s(start)));
   if (options.resume) {
-    const auto said = [](const std::string&) {};  // by whatWas
-    start.struck = SessionFile(*options.session, said).strokes(stage.scenario.billiard.pucks);
+    constexpr bool kQuiet = true;  // whatWas has spoken
+    start.struck = SessionFile(*options.session, kQuiet).strokes(stage.scenario.billiard.pucks);
   }
   return std::make_unique<LivePlay>(stage, options, inputs, before, std::move(start));
 }
@@ -173,13 +175,25 @@ void tellConsole(Console& console, const std::string& file) try {
   for (const InputError& error : errors.faults()) console.say(error.what());
 }
 
+/// Returns the file of a session's newest game.
+std::filesystem::path newestOf(const std::filesystem::path& first) {
+  std::filesystem::path newest = first;
+  for (int game = 2; std::filesystem::exists(fileOf(first, game)); ++game) newest = fileOf(first, game);
+  return newest;
+}
+
 /// Where the games of a session are.
 void sayWhere(const std::filesystem::path& first) {
-  fmt::print(stderr, "The session is in {}", first.string());
-  std::filesystem::path last;
-  for (int game = 2; std::filesystem::exists(fileOf(first, game)); ++game) last = fileOf(first, game);
-  if (!last.empty()) fmt::print(stderr, " and, game by game, up to {}", last.string());
-  fmt::print(stderr, ".\n");
+  const std::filesystem::path newest = newestOf(first);
+  const std::string upTo = newest == first ? "" : " and, game by game, up to " + newest.string();
+  log::note(fmt::format("The session is in {}{}.", first.string(), upTo));
+}
+
+/// How the end of a session that ended by an error is seen again.
+void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesystem::path>& session) {
+  if (!session || std::isnan(cluster.newest_s())) return;
+  const double at_s = std::ceil(cluster.newest_s() * 1e3) / 1e3;  // not a frame too early
+  log::note(fmt::format("carom replay {} --at {:.3f}", newestOf(*session).string(), at_s));
 }
 
 /// Another game begins as this program does; what belongs to the room stays. The same game again keeps all
@@ -206,7 +220,7 @@ std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& s
                                          const StageOptions& inputs, const Stage& stage) try {
   return openJournal(session, false, inputs, stage);
 } catch (const std::runtime_error& error) {
-  fmt::print(stderr, "error: {}. This game is not written.\n", error.what());
+  log::error(fmt::format("{}. This game is not written.", error.what()));
   session.reset();
   return nullptr;
 }
@@ -233,7 +247,8 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions&
     play->journal.keep(openNextJournal(session, inputs, stage));
     if (windows.console) windows.console->writeTo(session);
     play->leader.begin(settingsOfNext(play->leader.settings(), file, stage, options));
-    fmt::print(stderr, "{}{}\n", stage.scenario.title, session ? " is written to " + session->string() : "");
+    log::note(
+        fmt::format("{}{}", stage.scenario.title, session ? " is written to " + session->string() : ""));
   });
   stage.graphics->poll();  // what was pressed while it was made ready is meant for nothing
   return true;
@@ -285,14 +300,110 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   if (leads && options.session) sayWhere(*options.session);
   stage.recording->finish();
   if (leads && options.recording.capture)
-    fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
+    log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));
   cluster.leave();
 }
 
 }  // namespace
 
 int runCave(const CaveOptions& options) {
-  return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); });
+  return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); },
+                      [&](const Cluster& cluster) { sayHowItIsSeenAgain(cluster, options.session); });
+}
+
+namespace {
+
+/// Turns a switch as "NAME=on" or "NAME=off" says.
+void turnSwitch(const std::string& text, Switches& switches) {
+  for (const NamedSwitch& s : kNamedSwitches) {
+    for (const bool on : {false, true}) {
+      if (text != fmt::format("{}={}", s.name, on ? "on" : "off")) continue;
+      switches.*s.value = on;
+      return;
+    }
+  }
+  throw CLI::ValidationError(
+      "--switch", fmt::format("'{}' is wrong, expected retardation, contraction, aberration, colour or "
+                              "searchlight, then =on or =off",
+                              text));
+}
+
+/// Turns a view of time on.
+void showView(const std::string& name, TimeViews& views) {
+  std::string names;
+  for (const NamedView& view : kNamedViews) {
+    if (name == view.name) {
+      views.*view.value = 1;
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(view.name);
+  }
+  throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
+}
+
+}  // namespace
+
+void addCave(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
+  auto options = std::make_shared<CaveOptions>();
+  options->rig = configFolder() / "rigs/desk.toml";
+  options->scenario = configFolder() / "scenarios/three-pucks.toml";
+  command->add_option("--rig", options->rig, "Rig file: walls and trackers")
+      ->capture_default_str()
+      ->transform(shipped("rigs"));
+  command->add_option("--scenario", options->scenario, "Scenario file")
+      ->capture_default_str()
+      ->transform(shipped("scenarios"));
+  command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L));
+  command
+      ->add_option("--capture", options->recording.capture,
+                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
+      ->type_name("DIR");
+  addMovie(*command, options->recording.movie);
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--switch",
+          [options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) turnSwitch(text, options->switches);
+          },
+          "An effect to begin with on or off: retardation, contraction, aberration (on), colour, searchlight "
+          "(off). May be given again. Keys 1 to 5 turn them later")
+      ->type_name("NAME=on|off")
+      ->allow_extra_args(false);
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--view",
+          [options](const std::vector<std::string>& names) {
+            for (const std::string& name : names) showView(name, options->views);
+          },
+          "A view of time to begin with: board-now, my-now, paths, events, clocks, ruler, angles, split, "
+          "frozen. May be given "
+          "again. Keys turn them later")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  auto* session =
+      command
+          ->add_option("--session", options->session,
+                       "Write the session to this new file (SQLite): every frame, sample and turn")
+          ->type_name("DB");
+  command
+      ->add_flag("--resume", options->resume,
+                 "Go on from the end of the session file, with its rig and scenario")
+      ->needs(session)
+      ->excludes(command->get_option("--rig"))
+      ->excludes(command->get_option("--scenario"))
+      ->excludes(command->get_option("--switch"))
+      ->excludes(command->get_option("--view"));
+  command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  addSilent(*command, options->silent);
+  addOutside(*command, options->outside, options->diagram, options->console);
+  command->footer(
+      "Examples:\n  carom cave\n  carom cave --frames 90 --capture pictures --no-window\n"
+      "  carom cave --switch colour=on --switch searchlight=on\n"
+      "  mpirun -n 4 carom cave --rig four-walls-cluster");
+  command->callback([options, &status] { status = runCave(*options); });
 }
 
 }  // namespace carom

@@ -9,6 +9,10 @@
 #include "cave/frame/time_views.h"
 #include "engine/light/switches.h"
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct CaveOptions {
@@ -30,5 +34,8 @@ struct CaveOptions {
 /// Runs a session to its end; under mpirun, this rank's part of it. The exit status: 0, or 1 after a message
 /// on standard error.
 int runCave(const CaveOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addCave(CLI::App& app, int& status);
 
 }  // namespace carom

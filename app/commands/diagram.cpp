@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <stdexcept>
 
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
 #include "app/report/spacetime_chart.h"
+#include "app/tools/option_values.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -61,8 +65,40 @@ int runDiagram(const DiagramOptions& options) {
       isScenario(options.source) ? subjectOf(readScenario(options.source), options.until_s.value_or(kShown_s))
                                  : subjectOf(options.source, options.until_s);
   writeChart(spacetimeChart(subject, {options.along, options.from_s}), options.figure);
-  fmt::print(stderr, "The diagram is in {}.\n", options.figure.string());
+  log::note(fmt::format("The diagram is in {}.", options.figure.string()));
   return 0;
+}
+
+void addDiagram(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("diagram", "Draw the spacetime diagram of a scenario or of a recorded session");
+  auto options = std::make_shared<DiagramOptions>();
+  command->add_option("SOURCE", options->source, "Scenario or session file")
+      ->required()
+      ->transform(shipped("scenarios"));
+  command->add_option("-o,--output", options->figure, "The figure: FIG.svg or FIG.png")
+      ->required()
+      ->type_name("FIG");
+  command->add_option("--along", options->along, "The board's axis beside time: x or y")
+      ->capture_default_str()
+      ->check(CLI::IsMember({'x', 'y'}));
+  command
+      ->add_option("--from", options->from_s,
+                   "Board time at the lower edge; left out: 5 s before the present event")
+      ->type_name("S")
+      ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  command
+      ->add_option("--until", options->until_s,
+                   "Board time of the present event; left out: 5 s, or a session's end")
+      ->type_name("S")
+      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  command->footer("Example:\n  carom diagram three-pucks -o three-pucks.svg");
+  command->callback([options, &status] {
+    if (options->from_s && options->until_s && !(*options->from_s < *options->until_s)) {
+      throw CLI::ValidationError("--from", "is not before --until");
+    }
+    status = runDiagram(*options);
+  });
 }
 
 }  // namespace carom

@@ -4,6 +4,10 @@
 #include <filesystem>
 #include <optional>
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct DiagramOptions {
@@ -18,5 +22,8 @@ struct DiagramOptions {
 /// Draws the world lines, mine among them, and at my present event its light cones and my axes: my time and
 /// my now. Light goes at 45°. Returns the exit status; throws InputErrors or std::runtime_error.
 int runDiagram(const DiagramOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addDiagram(CLI::App& app, int& status);
 
 }  // namespace carom

@@ -2,15 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
+#include <tuple>
 
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
-#include "app/files/whole_file.h"
 #include "app/journal/session_file.h"
 #include "app/tables/csv_text.h"
 #include "app/tables/event_table.h"
+#include "app/tools/option_values.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 namespace {
@@ -213,6 +217,64 @@ int runEvents(const EventsOptions& options) {
   WholeFile out(options.csv.value_or("-"));
   out.commit(options.csv ? csvOf(subject, rows, options) : tableOf(subject, rows, options));
   return 0;
+}
+
+void addEvents(CLI::App& app, int& status) {
+  struct Line {
+    EventsOptions options;
+    std::vector<double> velocity{0.0, 0.0, 0.0};
+    std::vector<std::tuple<double, double, double>> places;
+    std::vector<std::uint64_t> pair;
+  };
+  CLI::App* command =
+      app.add_subcommand("events", "List what happened, in any frame, and what light told of it");
+  auto line = std::make_shared<Line>();
+  command->add_option("SOURCE", line->options.source, "Session file or scenario")
+      ->required()
+      ->transform(shipped("scenarios"));
+  command->add_option("--velocity", line->velocity, "v/c on the board of another frame, to list them in, too")
+      ->expected(3)
+      ->type_name("BX BY BZ")
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  command
+      ->add_option("--until", line->options.until_s,
+                   "Board time of the last event; left out: 10 s, or a session's end")
+      ->type_name("S")
+      ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  command
+      ->add_option(
+          "--place", line->places,
+          "Who rests at this place of the board (m): when light brings them the news of each. May be "
+          "given again")
+      ->type_name("X Y Z")
+      ->allow_extra_args(false);
+  command->add_option("--pair", line->pair, "Only the two events of these numbers")
+      ->expected(2)
+      ->type_name("A B");
+  command
+      ->add_option("--csv", line->options.csv,
+                   "Write them to this file, a row an event; - is standard output. Left out: a table")
+      ->type_name("FILE");
+  command->footer(
+      "A session says also in which frame, and when, the light of each reached the person's head.\n"
+      "Examples:\n  carom events game.db --velocity 0.5 0 0\n"
+      "  carom events two-cushions --until 2 --velocity 0.5 0 0 --place 0 -1 0.3 --csv events.csv");
+  command->callback([line, &status] {
+    EventsOptions& options = line->options;
+    options.movingBeta = toVec3(line->velocity);
+    if (!(glm::dot(options.movingBeta, options.movingBeta) < 1.0)) {
+      throw CLI::ValidationError("--velocity",
+                                 "is not below the speed of light, expected a magnitude under 1");
+    }
+    for (const auto& [x, y, z] : line->places) {
+      options.places_m.emplace_back(x, y, z);
+      if (!(glm::length(options.places_m.back()) <= kFurthest)) {
+        throw CLI::ValidationError("--place", "is no place, expected numbers between -1e9 and 1e9");
+      }
+    }
+    if (!line->pair.empty()) options.pair = {line->pair[0], line->pair[1]};
+    status = runEvents(options);
+  });
 }
 
 }  // namespace carom

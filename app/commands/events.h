@@ -8,6 +8,10 @@
 
 #include "engine/spacetime/event.h"
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct EventsOptions {
@@ -36,5 +40,8 @@ struct EventsOptions {
 ///
 /// Returns the exit status; throws InputErrors or std::runtime_error.
 int runEvents(const EventsOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addEvents(CLI::App& app, int& status);
 
 }  // namespace carom

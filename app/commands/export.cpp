@@ -3,22 +3,26 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
-#include "app/files/whole_file.h"
 #include "app/journal/session_file.h"
 #include "app/play/game.h"
 #include "app/session/recorded_source.h"
 #include "app/session/visitor_source.h"
 #include "app/stage/scenario_scene.h"
 #include "app/tables/csv_text.h"
+#include "app/tools/option_values.h"
 #include "cave/frame/pacer.h"
+#include "engine/base/log.h"
+#include "engine/base/whole_file.h"
 #include "engine/light/light_cone.h"
 
 namespace carom {
@@ -181,7 +185,7 @@ class Progress {
     const auto now = std::chrono::steady_clock::now();
     if (now - said_ < std::chrono::seconds(1)) return;
     said_ = now;
-    fmt::print(stderr, "frame {}\n", frame);
+    log::note(fmt::format("frame {}", frame));
   }
 
  private:
@@ -217,9 +221,48 @@ int runExport(const ExportOptions& options) {
   }
   if (series) series->commit();
   if (csv) csv->commit(rows);
-  fmt::print(stderr, "{} frame{} exported.\n", frames, frames == 1 ? "" : "s");
-  if (options.paraview) fmt::print(stderr, "ParaView opens {}.\n", (*options.paraview / "seen.pvd").string());
+  log::note(fmt::format("{} frame{} exported.", frames, frames == 1 ? "" : "s"));
+  if (options.paraview)
+    log::note(fmt::format("ParaView opens {}.", (*options.paraview / "seen.pvd").string()));
   return 0;
+}
+
+void addExport(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand(
+      "export", "Write what was seen in a recorded session as numbers, or as meshes for ParaView");
+  auto options = std::make_shared<ExportOptions>();
+  command->add_option("SESSION", options->session, "Session file")->required();
+  command
+      ->add_option("--observer", options->observer,
+                   "Trace of another person's head, in the room: what they see of the same game")
+      ->type_name("TRACE")
+      ->transform(shipped("traces"));
+  command->add_option("--every", options->every, "Only frames whose numbers are multiples of this")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L));
+  command
+      ->add_option(
+          "--csv", options->csv,
+          "Write a row for each frame and body to this file: the observer's event, where and when the light "
+          "left the body's centre, where it is seen and how it is shifted; - is standard output")
+      ->type_name("FILE");
+  command
+      ->add_option("--paraview", options->paraview,
+                   "New folder for the whole seen scene of each frame: ParaView opens DIR/seen.pvd")
+      ->type_name("DIR");
+  command->footer(
+      "Both as carom observe has them, for the point between the eyes; board frame, seconds and metres. A "
+      "frame's "
+      "meshes take some megabytes: --every 30 is two a second.\n"
+      "Examples:\n  carom export game.db --csv seen.csv\n"
+      "  carom export game.db --observer walk --every 30 --paraview seen");
+  command->callback([options, &status] {
+    if (!options->csv && !options->paraview) {
+      throw CLI::ValidationError("export",
+                                 "nothing is to be written, expected --csv FILE, --paraview DIR or both");
+    }
+    status = runExport(*options);
+  });
 }
 
 }  // namespace carom

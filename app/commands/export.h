@@ -6,6 +6,10 @@
 #include <filesystem>
 #include <optional>
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct ExportOptions {
@@ -38,5 +42,8 @@ struct ExportOptions {
 /// opens: all of them, at their display times. Both outputs appear whole or not at all. Returns the exit
 /// status; throws InputErrors or std::runtime_error.
 int runExport(const ExportOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addExport(CLI::App& app, int& status);
 
 }  // namespace carom

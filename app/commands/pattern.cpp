@@ -15,6 +15,7 @@
 #include "app/tools/import.h"
 #include "cave/cluster/cluster.h"
 #include "cave/frame/pacer.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -108,7 +109,7 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
                        {&statistics, &recording}};
   runFrames(context);
   patterns.recording->finish();
-  if (leads && options.capture) fmt::print(stderr, "The pictures are in {}.\n", options.capture->string());
+  if (leads && options.capture) log::note(fmt::format("The pictures are in {}.", options.capture->string()));
 }
 
 }  // namespace

@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
+#include <glm/trigonometric.hpp>
 #include <memory>
 #include <stdexcept>
 
 #include "app/commands/session_frames.h"
+#include "app/commands/session_options.h"
 #include "app/session/recorded_source.h"
 #include "app/session/visitor_source.h"
 #include "app/stage/all_ranks.h"
+#include "app/tools/option_values.h"
 #include "devices/tracker/trace.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -57,7 +62,7 @@ Frames framesOf(const ReplayOptions& options, const Stage& stage, SessionFile& s
     frames.pacer =
         std::make_unique<Pacer>(*frames.clock, rig.display_hz, rig.displayLatency_s, stage.swapsWait);
   } else {
-    frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(stage), rig.display_hz);
+    frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(stage), rig.display_hz, options.at_s);
     frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   return frames;
@@ -105,7 +110,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   frames.source.reset();  // trackers are asked to be quiet
   stage.recording->finish();
   if (leads && options.recording.capture)
-    fmt::print(stderr, "The pictures are in {}.\n", options.recording.capture->string());
+    log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));
   cluster.leave();
 }
 
@@ -113,6 +118,74 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
 
 int runReplay(const ReplayOptions& options) {
   return runOnCluster([&](Cluster& cluster) { replay(cluster, options); });
+}
+
+void addReplay(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("replay", "Show a recorded session again, as it was or as another person sees it");
+  auto options = std::make_shared<ReplayOptions>();
+  command->add_option("SESSION", options->session, "Session file")->required();
+  command
+      ->add_option(
+          "--observer", options->observer,
+          "Trace of another person's head, in the room: the same game, seen by them, until they would see "
+          "what was not recorded")
+      ->type_name("TRACE")
+      ->transform(shipped("traces"));
+  command->add_flag("--walk", options->walk, "Walk about in the game yourself: the rig's tracker follows you")
+      ->excludes(command->get_option("--observer"));
+  command
+      ->add_option_function<std::vector<double>>(
+          "--beta",
+          [options](const std::vector<double>& beta) {
+            options->beta = toVec3(beta);
+            if (glm::dot(*options->beta, *options->beta) < 1.0) return;
+            throw CLI::ValidationError("--beta",
+                                       "is not below the speed of light, expected a magnitude under 1");
+          },
+          "The velocity of the other person's room over c, on the board")
+      ->expected(3)
+      ->type_name("BX BY BZ")
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  command
+      ->add_option_function<std::vector<double>>(
+          "--from", [options](const std::vector<double>& place_m) { options->from_m = toVec3(place_m); },
+          "Where the other person's room stands: its floor's origin on the board, in metres (the floor is "
+          "0.75 m "
+          "below the cloth)")
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  command
+      ->add_option_function<double>(
+          "--facing", [options](double deg) { options->facing_rad = glm::radians(deg); },
+          "Which way that room's front looks, anticlockwise from the table's length")
+      ->type_name("DEG")
+      ->check(numberIn({-360.0, 360.0}, "an angle from -360 to 360 degrees"));
+  auto* at = command
+                 ->add_option("--at", options->at_s,
+                              "Begin at this second of the session instead of at its start; not with another "
+                              "person")
+                 ->type_name("S")
+                 ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  for (const char* other : {"--observer", "--walk", "--beta", "--from", "--facing"})
+    at->excludes(command->get_option(other));
+  command
+      ->add_option("--capture", options->recording.capture,
+                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
+      ->type_name("DIR");
+  addMovie(*command, options->recording.movie);
+  command->add_flag("--no-window", options->noWindow,
+                    "Draw without showing, as fast as it goes; an X display is still needed");
+  addSilent(*command, options->silent);
+  addOutside(*command, options->outside, options->diagram, options->console);
+  command->footer(
+      "Examples:\n  carom replay game.db\n  carom replay game.db --observer walk --capture "
+      "pictures --no-window\n  carom replay game.db --walk --beta 0.6 0 0\n"
+      "  carom replay game.db --walk --from 0 1.6 -0.75 --facing -90   (from the other side of the table)\n"
+      "Keys: Space pauses, arrows go back and on and change the speed, R runs backwards, H tells the "
+      "others.");
+  command->callback([options, &status] { status = runReplay(*options); });
 }
 
 }  // namespace carom

@@ -7,6 +7,10 @@
 #include "app/stage/recording.h"
 #include "engine/spacetime/event.h"
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct ReplayOptions {
@@ -16,6 +20,7 @@ struct ReplayOptions {
   std::optional<Vec3> beta;                       ///< v/c of the other person's room on the board
   std::optional<Vec3> from_m;                     ///< where that room's floor origin begins, on the board
   std::optional<double> facing_rad;               ///< and its forward, anticlockwise from +x
+  std::optional<double> at_s;                     ///< begins at this time of the session's clock; no visit
   RecordingOptions recording;                     ///< pictures and movie
   bool noWindow = false;                          ///< as fast as it goes
   bool silent = false;                            ///< no sounds
@@ -26,5 +31,8 @@ struct ReplayOptions {
 
 /// The exit status: 0, or 1 after a message on standard error.
 int runReplay(const ReplayOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addReplay(CLI::App& app, int& status);
 
 }  // namespace carom

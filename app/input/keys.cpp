@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "engine/base/limits.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -229,7 +230,7 @@ KeyLine keyFor(KeysOf place, std::string_view what) {
 void sayKeys(KeysOf place) {
   std::string all;
   for (const KeyLine& line : keyMap(place)) all += (all.empty() ? "" : ", ") + line.keys + " " + line.does;
-  fmt::print(stderr, "Keys: {}.\n", all);
+  log::note(fmt::format("Keys: {}.", all));
 }
 
 }  // namespace carom

@@ -19,9 +19,9 @@ namespace carom {
 class SessionFile {
  public:
   /// Throws std::runtime_error that says what is wrong with the file and what was expected: missing, not a
-  /// session file, damaged, of a newer version, locked. `say`: where it is said that the session was not
-  /// closed and FILE-wal, which has its end, is not beside it; standard error if empty.
-  explicit SessionFile(const std::filesystem::path& file, const Say& say = {});
+  /// session file, damaged, of a newer version, locked. Warns in the log if the session was not closed
+  /// and FILE-wal, which has its end, is not beside it; `quiet`: not again.
+  explicit SessionFile(const std::filesystem::path& file, bool quiet = false);
   ~SessionFile();
   SessionFile(const SessionFile&) = delete;
   SessionFile& operator=(const SessionFile&) = delete;
@@ -53,7 +53,6 @@ class SessionFile {
 
  private:
   struct Tables;
-  void readFrame(std::int64_t number, FrameState& state);
   [[noreturn]] void refuseFrame(std::uint64_t number, const std::string& what) const;
   std::filesystem::path file_;
   std::unique_ptr<Tables> tables_;

@@ -7,6 +7,7 @@
 
 #include "cave/frame/bodies.h"
 #include "cave/scene/scene.h"
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -72,7 +73,7 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
             fmt::format("{}: p = {:.2g} kg m/s, costs {:.2g} mc²; it arrives in {:.1f} s", target.name,
                         glm::length(stroke.momentum_kg_m_s), costOf(glm::length(u)), after_s)};
   } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    log::note(error.what());
     return {{}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};
   }
 }

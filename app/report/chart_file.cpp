@@ -31,7 +31,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/files/whole_file.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 namespace {

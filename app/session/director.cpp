@@ -1,9 +1,8 @@
 #include "app/session/director.h"
 
-#include <fmt/format.h>
-
 #include <chrono>
-#include <cstdio>
+
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -18,7 +17,7 @@ void FrameLeader::obey(const Command& command, Decision& decision) {
   if (!apply(command, settings_)) return;
   obeyed_.push_back(command);
   decision.inputs.push_back({nameOf(command), valueOf(command, settings_)});
-  fmt::print(stderr, "{}\n", toString(command, settings_));
+  log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
   if (const auto* play = std::get_if<PlayScenario>(&command)) nextGame_ = play->file;
 }
@@ -38,7 +37,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   source_.next(times, {obeyed_, desk}, settings_, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   if (!nextGame_.empty()) decision.frame.record.last = 1;  // of this game
-  for (const std::string& alarm : decision.alarms) fmt::print(stderr, "{}\n", alarm);
+  for (const std::string& alarm : decision.alarms) log::note(alarm);
   decision.timing.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
 

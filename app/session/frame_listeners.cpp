@@ -34,7 +34,7 @@ void ProgressListener::shown(const Decision& decision) {
   const std::uint64_t shown = decision.frame.record.number + 1;
   if (shown % kFramesBetweenSignals != 0) return;
   const std::optional<std::uint64_t> end = source_.status().end;
-  fmt::print(stderr, "frame {}{}\n", shown, end ? fmt::format(" of {}", *end) : "");
+  log::note(fmt::format("frame {}{}", shown, end ? fmt::format(" of {}", *end) : ""));
 }
 
 }  // namespace carom

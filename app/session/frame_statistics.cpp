@@ -1,5 +1,7 @@
 #include "app/session/frame_statistics.h"
 
+#include "engine/base/log.h"
+
 #include <fmt/format.h>
 
 #include <chrono>
@@ -94,13 +96,13 @@ void FrameStatistics::gather() {
     }
     if (report.lock == node.lock) continue;
     if (report.lock == LockState::lost) {
-      fmt::print(stderr,
-                 "warning: {}: the graphics card's frame lock is lost; the nodes' messages still hold "
-                 "the swaps together.\n",
-                 node.name);
+      log::warn(
+          fmt::format("{}: the graphics card's frame lock is lost; the nodes' messages still hold "
+                      "the swaps together.",
+                      node.name));
     } else {
-      fmt::print(stderr, "{}: frame lock: {}.\n", node.name,
-                 kLockStates[static_cast<std::size_t>(report.lock)]);
+      log::note(
+          fmt::format("{}: frame lock: {}.", node.name, kLockStates[static_cast<std::size_t>(report.lock)]));
     }
     node.lock = report.lock;
   }
@@ -121,8 +123,8 @@ void FrameStatistics::summarize(const FrameRecord& record) {
 void FrameStatistics::sayHowItWent() const {
   for (const NodeFrames& node : nodes_) {
     if (node.lateness.frames() == 0) continue;
-    fmt::print(stderr, "{}: {} frames, {} missed, 99 % at most {:.1f} ms late.\n", node.name,
-               node.lateness.frames() + 1, node.lateness.missed(), 1e3 * node.lateness.p99_s());
+    log::note(fmt::format("{}: {} frames, {} missed, 99 % at most {:.1f} ms late.", node.name,
+                          node.lateness.frames() + 1, node.lateness.missed(), 1e3 * node.lateness.p99_s()));
   }
 }
 

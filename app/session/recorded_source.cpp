@@ -33,18 +33,23 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart)
   return game;
 }
 
-RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz)
+RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz,
+                               std::optional<double> from_s)
     : session_(session), atStart_(std::move(atStart)), period_s_(1.0 / display_hz) {
   const auto [first, last] = *session_.frames();
   span_s_ = {session_.shownAt_s(first), session_.shownAt_s(last)};
   session_.goTo(0);
   readAhead();
+  if (!from_s) return;
+  goElsewhere(session_.frameAt(*from_s));
+  ends_ = true;
 }
 
 void RecordedSource::readAhead() { more_ = session_.next(ahead_); }
 
 /// From now on the frames bring nothing of the game: all of it comes with the next one.
 void RecordedSource::goElsewhere(std::uint64_t number) {
+  ends_ = false;
   if (leftAlone_) {
     leftAlone_ = false;
     bringsGame_ = true;
@@ -110,7 +115,7 @@ void RecordedSource::next(const FrameTimes& times, const FrameInput& input, Oper
   }
   decision.frame = shown_;
   FrameRecord& record = decision.frame.record;
-  record.last = leftAlone_ && moves && !more_;
+  record.last = ends_ && moves && !more_;
   keepChanges(input.commands, settings, record);
   handsOff_.handled(input.desk, times.begin_s);
   handsOff_.tell(times.begin_s, record.notice);

@@ -23,8 +23,10 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart)
 
 class RecordedSource : public FrameSource {
  public:
-  /// `session` has at least one frame; it is used as long as this lives.
-  RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz);
+  /// `session` has at least one frame; it is used as long as this lives. `from_s`: the time of the session's
+  /// clock that it begins at, instead of at its first frame.
+  RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz,
+                 std::optional<double> from_s = {});
 
   /// Left alone, every frame again with what was known then: the same pixels, and after the last one the end.
   /// Once the operator has been elsewhere all of the game is known in every frame; then the last frame stays.
@@ -51,6 +53,7 @@ class RecordedSource : public FrameSource {
   FrameState shown_;                  ///< as it was recorded
   bool begun_ = false;                ///< there has been one
   bool leftAlone_ = true;             ///< so far, the frames have been shown one after the other
+  bool ends_ = true;                  ///< with the last frame: nobody has gone elsewhere
   bool bringsGame_ = false;           ///< the next frame brings all of the game
   Commands changed_;                  ///< the operator's last on each thing
   HandsOff handsOff_;

@@ -1,13 +1,11 @@
 #pragma once
 // What was last said to the person in the room, for as long as it stays there.
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <limits>
 #include <string_view>
 
 #include "cave/frame/notice.h"
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -16,9 +14,9 @@ inline constexpr double kNoticeShown_s = 4.0;
 
 class Spoken {
  public:
-  /// In the room from now on, and once on standard error.
+  /// In the room from now on, and once in the log.
   void say(std::string_view words, double now_s) {
-    fmt::print(stderr, "{}\n", words);
+    log::note(words);
     notice_ = Notice(words);
     until_s_ = now_s + kNoticeShown_s;
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "devices/tracker/trace.h"
+#include "engine/base/log.h"
 #include "engine/light/light_cone.h"
 
 namespace carom {
@@ -98,7 +99,7 @@ bool VisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
   seen_s_ = seen_s;
   if (end_s_ && times.display_s + times.step_s > *end_s_) return true;
   if (mayStay_ || (!heldBack_ && seen_s + 2.0 * step_s <= game_.known_s)) return false;
-  fmt::print(stderr, "What comes after board time {:.2f} s was not recorded: the visit ends.\n", seen_s);
+  log::note(fmt::format("What comes after board time {:.2f} s was not recorded: the visit ends.", seen_s));
   return true;
 }
 

@@ -1,53 +1,63 @@
 #include "app/stage/all_ranks.h"
 
-#include <cstdio>
 #include <exception>
 #include <string>
 
 #include "app/files/input_file.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
 
-/// What to tell the person; names the node where it is not the one they sit at.
-std::string messageOf(const Cluster& cluster, const std::exception& error) {
+/// Tells the person what went wrong; names the node where it is not the one they sit at.
+void sayWhy(const Cluster& cluster, const std::exception& error) {
   const std::string node = cluster.rank() == 0 ? "" : " (node " + std::to_string(cluster.rank()) + ")";
-  const auto* input = dynamic_cast<const InputErrors*>(&error);
-  if (!input) return std::string("error: ") + error.what() + node;
-  std::string lines;
-  for (const InputError& fault : input->faults()) {
-    lines += (lines.empty() ? "error: " : "\nerror: ") + std::string(fault.what()) + node;
+  if (const auto* input = dynamic_cast<const InputErrors*>(&error)) {
+    for (const InputError& fault : input->faults()) log::error(fault.what() + node);
+  } else {
+    log::error(error.what() + node);
   }
-  return lines;
 }
 
 }  // namespace
 
 void onAllRanks(const Cluster& cluster, const std::function<void()>& step) {
-  std::string message;
+  std::exception_ptr error;
   try {
     step();
-  } catch (const std::exception& error) {
-    message = messageOf(cluster, error);
+  } catch (const std::exception&) {
+    error = std::current_exception();
   }
-  const int failed = cluster.firstFailed(!message.empty());
+  const int failed = cluster.firstFailed(error != nullptr);
   if (failed < 0) return;
-  if (failed == cluster.rank()) std::fprintf(stderr, "%s\n", message.c_str());
+  try {
+    if (failed == cluster.rank()) std::rethrow_exception(error);
+  } catch (const std::exception& why) {
+    sayWhy(cluster, why);
+  }
   throw RankFailed{};
 }
 
-int runOnCluster(const std::function<void(Cluster&)>& session) {
+int runOnCluster(const std::function<void(Cluster&)>& session,
+                 const std::function<void(const Cluster&)>& failed) {
   Cluster cluster;
+  const auto tell = [&] {
+    if (failed) failed(cluster);
+  };
   try {
     session(cluster);
     return 0;
   } catch (const RankFailed&) {
+    if (cluster.rank() == 0) tell();
     return 1;
   } catch (const NodesDiffer& error) {
-    if (cluster.rank() == 0) std::fprintf(stderr, "error: %s\n", error.what());
+    if (cluster.rank() > 0) return 1;
+    log::error(error.what());
+    tell();
     return 1;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", messageOf(cluster, error).c_str());
+    sayWhy(cluster, error);
+    tell();
     if (cluster.size() > 1) cluster.abort();
     return 1;
   }

@@ -15,7 +15,9 @@ struct RankFailed {};
 void onAllRanks(const Cluster& cluster, const std::function<void()>& step);
 
 /// Runs a whole session on this rank, which leaves by itself once all is well (Cluster::leave) or comes back:
-/// its exit status is 0 then, or 1 after a message on standard error.
-int runOnCluster(const std::function<void(Cluster&)>& session);
+/// its exit status is 0 then, or 1 after the log has told why. `failed` runs after that, on the rank that told
+/// it, before the others are ended.
+int runOnCluster(const std::function<void(Cluster&)>& session,
+                 const std::function<void(const Cluster&)>& failed = {});
 
 }  // namespace carom

@@ -11,6 +11,7 @@
 #include "cave/capture/capture.h"
 #include "cave/capture/movie.h"
 #include "cave/spectator/spectator_view.h"
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -59,7 +60,7 @@ void Recording::attempt(std::unique_ptr<Part>& part, const char* outcome, const 
   try {
     work();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}{}: {}\n", outcome, node_, error.what());
+    log::error(fmt::format("{}{}: {}", outcome, node_, error.what()));
     failed_ = true;
     graphics_.makeCurrent();
     part.reset();
@@ -112,18 +113,16 @@ void Recording::finish() {
 void Recording::finishCapture() {
   capture_->finish();
   if (capture_->dropped() == 0) return;
-  fmt::print(stderr,
-             "warning: pictures{} of {} frames were left out: they came faster than they are written.\n",
-             node_, capture_->dropped());
+  log::warn(fmt::format("pictures{} of {} frames were left out: they came faster than they are written.",
+                        node_, capture_->dropped()));
 }
 
 void Recording::finishMovie() {
   movie_->finish();
-  fmt::print(stderr, "The movie{} is in {}.\n", node_, movie_->file().string());
+  log::note(fmt::format("The movie{} is in {}.", node_, movie_->file().string()));
   if (movie_->dropped() == 0) return;
-  fmt::print(stderr,
-             "warning: in the movie{}, {} frames were left out: they came faster than they are encoded.\n",
-             node_, movie_->dropped());
+  log::warn(fmt::format("in the movie{}, {} frames were left out: they came faster than they are encoded.",
+                        node_, movie_->dropped()));
 }
 
 }  // namespace carom

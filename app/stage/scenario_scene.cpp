@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/files/toml_file.h"
 #include "cave/frame/bodies.h"
 #include "cave/mesh/mesh_file.h"
 #include "cave/scene/scene_builder.h"
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -81,8 +81,8 @@ std::string seenSceneVtp(const Scenario& scenario, std::span<const WorldLine> pu
   openMeshes(scenario);
   const SeenMesh seen =
       seenMesh(sceneOf(scenario, {}), seenBodies(scenario, pucks), observation, headFromBoard);
-  fmt::print(stderr, "The seen scene: {} points; {} are unseen, and {} triangles with them.\n",
-             seen.mesh->GetNumberOfPoints(), seen.unseenPoints, seen.unseenTriangles);
+  log::note(fmt::format("The seen scene: {} points; {} are unseen, and {} triangles with them.",
+                        seen.mesh->GetNumberOfPoints(), seen.unseenPoints, seen.unseenTriangles));
   return vtpText(seen);
 }
 

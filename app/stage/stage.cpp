@@ -4,7 +4,6 @@
 
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
@@ -17,6 +16,7 @@
 #include "cave/mesh/mesh_buffers.h"
 #include "cave/scene/table_model.h"
 #include "devices/setup/tracker_factory.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -102,7 +102,7 @@ bool warmUp(const Cluster& cluster, const Stage& stage) {
     swap_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
   if (cluster.rank() == 0) {
-    fmt::print(stderr, "{} empty frames were swapped on every node to warm up.\n", returned_s.size());
+    log::note(fmt::format("{} empty frames were swapped on every node to warm up.", returned_s.size()));
   }
   return swapsWaitFor(stage.rig.display_hz, returned_s);
 }
@@ -156,10 +156,10 @@ Stage openStage(Cluster& cluster, const StageOptions& options) {
   });
   stage.lock = stage.walls->lockSwaps(stage.rig.frameLock);
   if (!stage.lock.whyNot().empty()) {
-    fmt::print(stderr,
-               "warning: {}: frame_lock = \"swap-group\": {}; the nodes' messages alone hold the swaps "
-               "together.\n",
-               cluster.nameOf(cluster.rank()), stage.lock.whyNot());
+    log::warn(
+        fmt::format("{}: frame_lock = \"swap-group\": {}; the nodes' messages alone hold the swaps "
+                    "together.",
+                    cluster.nameOf(cluster.rank()), stage.lock.whyNot()));
   }
   if (stage.realTime && !options.noWindow) stage.swapsWait = warmUp(cluster, stage);
   stage.world = {historiesAtStart(stage), {}};
@@ -177,7 +177,7 @@ bool playNext(Cluster& cluster, Stage& stage, const std::filesystem::path& file)
   } catch (const RankFailed&) {
     return false;  // which has been said
   } catch (const NodesDiffer& error) {
-    if (cluster.rank() == 0) fmt::print(stderr, "error: {}\n", error.what());
+    if (cluster.rank() == 0) log::error(error.what());
     return false;
   }
   stage.scenario = std::move(next);

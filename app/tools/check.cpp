@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,6 +17,7 @@
 #include "app/room_import/rig_room.h"
 #include "app/room_import/room_check.h"
 #include "app/tools/import.h"
+#include "app/tools/option_values.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -168,6 +171,34 @@ int runCheck(const std::filesystem::path& file, const std::function<void(const S
       return tellForeignRoom(file);
   }
   return 0;
+}
+
+void addCheck(CLI::App& app, int& status, const std::function<void(const Scenario&)>& openMeshes,
+              const ShowPattern& showPattern) {
+  CLI::App* command =
+      app.add_subcommand("check", "Examine a scenario or a room and say what is in it and what is odd");
+  auto file = std::make_shared<std::filesystem::path>();
+  command->add_option("FILE", *file, "Scenario, rig, .pvx of ParaView or .json of SGCT")
+      ->required()
+      ->transform(shipped("rigs"))
+      ->transform(shipped("scenarios"));
+  auto pattern = std::make_shared<bool>(false);
+  auto capture = std::make_shared<std::optional<std::filesystem::path>>();
+  if (showPattern) {
+    auto* show =
+        command->add_flag("--pattern", *pattern,
+                          "Show test patterns on a rig's walls instead, until Escape; under mpirun on "
+                          "every node's");
+    command
+        ->add_option("--capture", *capture,
+                     "Folder for the patterns as pictures, without a window: WALL-EYE-FRAME.png, frame 0 the "
+                     "test patterns, 1 to 3 the seam pattern after 0, 1 and 2 s")
+        ->type_name("DIR")
+        ->needs(show);
+  }
+  command->footer("Example:\n  carom check desk");
+  command->callback(
+      [=, &status] { status = *pattern ? showPattern(*file, *capture) : runCheck(*file, openMeshes); });
 }
 
 }  // namespace carom

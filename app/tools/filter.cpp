@@ -2,18 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "app/files/whole_file.h"
+#include "app/tools/option_values.h"
 #include "devices/filter/aberration_error.h"
 #include "devices/filter/head_filter.h"
 #include "devices/tracker/trace.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 
@@ -157,6 +160,28 @@ int runFilter(const FilterOptions& options) {
   }
   out.commit(text);
   return 0;
+}
+
+void addFilter(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("filter", "Run a recorded tracker trace through the head filter of a session");
+  auto options = std::make_shared<FilterOptions>();
+  command->add_option("TRACE", options->trace, "Trace: time_s,x_m,y_m,z_m and perhaps qx,qy,qz,qw")
+      ->required()
+      ->transform(shipped("traces"));
+  command->add_option("--light-speed", options->lightSpeed_m_s, "Light speed for what the eye would see, m/s")
+      ->capture_default_str()
+      ->type_name("C")
+      ->check(numberIn(kPositive, "a speed above 0 up to 1e9 m/s"));
+  command
+      ->add_option("--csv", options->csv,
+                   "Write position, celerity and its standard deviation, a row for each of the trace's; - is "
+                   "standard output. Left out: a summary")
+      ->type_name("FILE");
+  command->footer(
+      "Each row out is made of its own row and earlier ones only.\n"
+      "Example:\n  carom filter walk --light-speed 1.42");
+  command->callback([options, &status] { status = runFilter(*options); });
 }
 
 }  // namespace carom

@@ -4,6 +4,10 @@
 #include <filesystem>
 #include <optional>
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct FilterOptions {
@@ -15,5 +19,8 @@ struct FilterOptions {
 /// One row out for each row in, made of that row and those before it. Returns the exit status. Throws
 /// InputError for a bad trace.
 int runFilter(const FilterOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addFilter(CLI::App& app, int& status);
 
 }  // namespace carom

@@ -3,17 +3,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
-#include "app/files/whole_file.h"
 #include "app/room_import/pvx_file.h"
 #include "app/room_import/room_check.h"
 #include "app/room_import/sgct_file.h"
+#include "engine/base/log.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 
@@ -148,8 +150,9 @@ bool printFindings(const std::filesystem::path& file, const std::vector<Finding>
   for (const Finding& finding : findings) {
     const bool error = finding.kind == Finding::Kind::error;
     failed = failed || error;
-    fmt::print(stderr, "{}: {}:{}:{}: {}\n", error ? "error" : "warning", file.string(), finding.at.line,
-               finding.at.column, finding.text);
+    const std::string line =
+        fmt::format("{}:{}:{}: {}", file.string(), finding.at.line, finding.at.column, finding.text);
+    error ? log::error(line) : log::warn(line);
   }
   return failed;
 }
@@ -174,8 +177,19 @@ int runImport(const ImportOptions& options) {
   }
   readRig(options.rig, text);  // what it would refuse is not written
   WholeFile(options.rig).commit(text);
-  for (const std::string& assumption : room.assumptions) fmt::print(stderr, "assumed: {}\n", assumption);
+  for (const std::string& assumption : room.assumptions) log::note(fmt::format("assumed: {}", assumption));
   return 0;
+}
+
+void addImport(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("import", "Turn another program's room file into a rig");
+  auto options = std::make_shared<ImportOptions>();
+  command->add_option("FILE", options->file, ".pvx of ParaView or .json of SGCT")->required();
+  command->add_option("-o,--output", options->rig, "The rig to write; must not exist. - is standard output")
+      ->required()
+      ->type_name("RIG.toml");
+  command->footer("Example:\n  carom import cave.pvx -o cave.toml");
+  command->callback([options, &status] { status = runImport(*options); });
 }
 
 }  // namespace carom

@@ -6,6 +6,10 @@
 
 #include "app/room_import/room.h"
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 /// By its ending: .pvx of ParaView or .json of SGCT.
@@ -29,5 +33,8 @@ struct ImportOptions {
 /// Returns the exit status. Throws InputErrors where the file cannot be read or the room is no rig, and
 /// std::runtime_error where the rig cannot be written.
 int runImport(const ImportOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addImport(CLI::App& app, int& status);
 
 }  // namespace carom

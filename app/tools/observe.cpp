@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
+#include <tuple>
 
 #include "app/files/toml_file.h"
-#include "app/files/whole_file.h"
 #include "app/tables/json_text.h"
+#include "app/tools/option_values.h"
+#include "engine/base/whole_file.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/light_cone.h"
 #include "engine/spacetime/lorentz.h"
@@ -135,6 +139,64 @@ int runObserve(const ObserveOptions& options, const SeenSceneText& seenScene) {
   if (scene) scene->commit(sceneText);
   out.commit(options.json ? jsonOf(options, seen) : tableOf(options, scenario, seen));
   return 0;
+}
+
+void addObserve(CLI::App& app, int& status, const SeenSceneText& seenScene) {
+  using Point = std::tuple<std::string, double, double, double>;
+  struct Line {
+    std::filesystem::path scenario;
+    std::vector<double> event, beta{0.0, 0.0, 0.0};
+    std::vector<Point> points;
+    std::optional<std::filesystem::path> json, vtp;
+  };
+  CLI::App* command = app.add_subcommand("observe", "What an eye at one event of the board sees");
+  auto line = std::make_shared<Line>();
+  command->add_option("SCENARIO", line->scenario, "Scenario file, or the name of a shipped one")
+      ->required()
+      ->transform(shipped("scenarios"));
+  command->add_option("--event", line->event, "Board time (s) and place (m) at which the eye receives light")
+      ->required()
+      ->expected(4)
+      ->type_name("T X Y Z")
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  command->add_option("--beta", line->beta, "The eye's velocity over c; at rest on the board if left out")
+      ->expected(3)
+      ->type_name("BX BY BZ")
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  command
+      ->add_option("--point", line->points,
+                   "A point of a puck or body, from its centre in its rest frame (m); may be given again. "
+                   "Left out: every centre")
+      ->type_name("NAME DX DY DZ")
+      ->allow_extra_args(false);
+  addJson(*command, line->json);
+  command->add_option("--vtp", line->vtp, "Write the whole seen scene to this file, as a mesh for ParaView")
+      ->type_name("FILE");
+  command->footer(
+      "Example: an eye 1 m above the board's edge, walking along it at half the speed of light\n"
+      "  carom observe three-pucks --event 2 0 -0.7 1 --beta 0.5 0 0 --point red 0.03 "
+      "0 0");
+  command->callback([line, seenScene, &status] {
+    ObserveOptions options{
+        line->scenario,     {line->event[0], {line->event[1], line->event[2], line->event[3]}},
+        toVec3(line->beta), {},
+        line->json,         line->vtp};
+    if (!(glm::dot(options.beta, options.beta) < 1.0)) {
+      throw CLI::ValidationError("--beta", "is not below the speed of light, expected a magnitude under 1");
+    }
+    for (const auto& [name, dx, dy, dz] : line->points) {
+      const Vec3 offset_m(dx, dy, dz);
+      if (!(glm::length(offset_m) <= kFurthest)) {
+        throw CLI::ValidationError("--point", "is no number, expected offsets between -1e9 and 1e9");
+      }
+      options.points.push_back({name, offset_m});
+    }
+    try {
+      status = runObserve(options, seenScene);
+    } catch (const UnknownBody& error) {
+      throw CLI::ValidationError(error.what());
+    }
+  });
 }
 
 }  // namespace carom

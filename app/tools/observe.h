@@ -14,6 +14,10 @@
 #include "engine/spacetime/lorentz.h"
 #include "engine/spacetime/world_line.h"
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 /// A point fixed to a puck or a body, from its centre, in its rest frame.
@@ -45,5 +49,9 @@ using SeenSceneText = std::function<std::string(const Scenario& scenario, std::s
 /// Returns the exit status. Throws InputErrors for a bad scenario, UnknownBody for a wrong name. `seenScene`
 /// is what makes the .vtp file; a program built without VTK has none, and refuses.
 int runObserve(const ObserveOptions& options, const SeenSceneText& seenScene = {});
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`. `seenScene`: as of
+/// runObserve.
+void addObserve(CLI::App& app, int& status, const SeenSceneText& seenScene);
 
 }  // namespace carom

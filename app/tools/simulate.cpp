@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -14,8 +16,10 @@
 #include <vector>
 
 #include "app/files/scenario.h"
-#include "app/files/whole_file.h"
 #include "app/tables/json_text.h"
+#include "app/tools/option_values.h"
+#include "engine/base/log.h"
+#include "engine/base/whole_file.h"
 #include "engine/billiard/billiard.h"
 
 namespace carom {
@@ -282,17 +286,41 @@ int runSimulate(const SimulateOptions& options) {
     const JamNote& first = billiard.jams().front();
     double heat_j = 0.0;
     for (const JamNote& jam : billiard.jams()) heat_j += jam.heat_j;
-    fmt::print(stderr,
-               "note: jammed pucks moved on together {} times, which gave {:.6g} J of heat; the first time "
-               "{} pucks, "
-               "'{}' among them, at t = {:.6g} s\n",
-               billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
-               first.event.t_s);
+    log::note(
+        fmt::format("note: jammed pucks moved on together {} times, which gave {:.6g} J of heat; the first "
+                    "time {} pucks, "
+                    "'{}' among them, at t = {:.6g} s",
+                    billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
+                    first.event.t_s));
   }
   out.commit(options.json ? jsonOf(scenario, billiard, options)
                           : tableOf(scenario, billiard, options) +
                                 balanceOf(scenario, start, ledgerAt(scenario, billiard, options.until_s)));
   return 0;
+}
+
+void addSimulate(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("simulate", "Play a scenario: every collision, and where the pucks are");
+  auto options = std::make_shared<SimulateOptions>();
+  command->add_option("SCENARIO", options->scenario, "Scenario file, or the name of a shipped one")
+      ->required()
+      ->transform(shipped("scenarios"));
+  command->add_option("--until", options->until_s, "Board time to play to, in seconds")
+      ->required()
+      ->type_name("S")
+      ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  command->add_option("--every", options->every_s, "Also give the states at 0, D, 2D, … seconds")
+      ->type_name("D")
+      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  addJson(*command, options->json);
+  command->footer("Example:\n  carom simulate three-pucks --until 10 --every 0.5 --json game.json");
+  command->callback([options, &status] {
+    if (options->every_s && options->until_s / *options->every_s > kMostStates) {
+      throw CLI::ValidationError("--every", "gives over a million states, expected a longer step");
+    }
+    status = runSimulate(*options);
+  });
 }
 
 }  // namespace carom

@@ -5,6 +5,10 @@
 #include <filesystem>
 #include <optional>
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct SimulateOptions {
@@ -22,5 +26,8 @@ inline constexpr std::size_t kMostCollisions = 1200000;
 
 /// Returns the exit status. Throws InputErrors for a bad scenario.
 int runSimulate(const SimulateOptions& options);
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addSimulate(CLI::App& app, int& status);
 
 }  // namespace carom

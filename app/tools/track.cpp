@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,13 +14,16 @@
 #include <string>
 #include <vector>
 
+#include "app/files/config_folder.h"
 #include "app/files/rig.h"
+#include "app/tools/option_values.h"
 #include "devices/monitor/input_monitor.h"
 #include "devices/monitor/loss_counter.h"
 #include "devices/monitor/sensor_statistics.h"
 #include "devices/setup/tracker_factory.h"
 #include "devices/tracker/trace.h"
 #include "devices/usb/device_list.h"
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -240,16 +244,16 @@ int runTrack(const TrackOptions& options) {
   }
   std::unique_ptr<Recording> recording;
   if (options.record) recording = std::make_unique<Recording>(*options.record, rig);
-  fmt::print(stderr, "The trackers of {}. Ctrl-C ends.\n", options.rig.string());
+  log::note(fmt::format("The trackers of {}. Ctrl-C ends.", options.rig.string()));
   watch(all, start, options, recording.get());
   if (!recording) return 0;
   if (!recording->commit()) {
-    fmt::print(stderr, "error: nothing came from the head's sensor: {} is not written\n",
-               options.record->string());
+    log::error(
+        fmt::format("nothing came from the head's sensor: {} is not written", options.record->string()));
     return 1;
   }
-  fmt::print(stderr, "{} samples of the head's sensor are in {}.\n", recording->rows(),
-             options.record->string());
+  log::note(
+      fmt::format("{} samples of the head's sensor are in {}.", recording->rows(), options.record->string()));
   return 0;
 }
 
@@ -268,6 +272,29 @@ int runTrackList() {
     if (!device.problem.empty()) fmt::print("{:<14} {}\n", "", device.problem);
   }
   return 0;
+}
+
+void addTrack(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("track", "Watch the trackers of a rig, and record the head");
+  auto options = std::make_shared<TrackOptions>();
+  auto list = std::make_shared<bool>(false);
+  options->rig = configFolder() / "rigs/desk.toml";
+  command->add_option("--rig", options->rig, "Rig file whose trackers to watch")
+      ->capture_default_str()
+      ->transform(shipped("rigs"));
+  command
+      ->add_option("--record", options->record,
+                   "Write the samples of the head's sensor to this trace; it appears, whole, at the end")
+      ->type_name("TRACE");
+  command->add_option("--seconds", options->seconds, "End after so long; left out: at Ctrl-C")
+      ->type_name("S")
+      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  command->add_flag("--list", *list, "Only say what is plugged in");
+  command->footer(
+      "Columns: age, since the newest pose held; jitter, of the intervals; rest, the noise of a coordinate "
+      "while the sensor last kept still; dropouts, intervals of over one and a half usual ones.\n"
+      "Example:\n  carom track --rig desk --record walk.csv --seconds 60");
+  command->callback([options, list, &status] { status = *list ? runTrackList() : runTrack(*options); });
 }
 
 }  // namespace carom

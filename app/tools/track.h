@@ -4,6 +4,10 @@
 #include <filesystem>
 #include <optional>
 
+namespace CLI {
+class App;
+}
+
 namespace carom {
 
 struct TrackOptions {
@@ -19,5 +23,8 @@ int runTrack(const TrackOptions& options);
 
 /// Prints the devices that are plugged in.
 int runTrackList();
+
+/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+void addTrack(CLI::App& app, int& status);
 
 }  // namespace carom

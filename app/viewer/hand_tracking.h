@@ -29,7 +29,7 @@ struct ButtonState {
 
 /// What the devices of the hand had told at a frame's begin.
 struct HandDevices {
-  bool wandKnown = false;  ///< its place has come lately (SensorPlace::kLately_s)
+  bool wandKnown = false;  ///< its place has come lately (kTrackLost_s)
   Pose roomFromHand;       ///< of the wand: its origin is the hand, the rig's forward is where it points
   ButtonState wand;
   ButtonState spaceMouse;  ///< axes: pushed right, up, back, and turned; each −1 to 1

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "devices/setup/tracker_factory.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {

@@ -3,12 +3,10 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <dlfcn.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <optional>
@@ -16,6 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/audio/heard.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -134,7 +133,7 @@ Sounds::Sounds(const SoundAxes& axes) : device_(std::make_unique<Device>()) {
   device_->heard.reserve(2 * kVoices);
   if (device_->open()) return;
   device_.reset();
-  fmt::print(stderr, "There is no sound device: the session is silent.\n");
+  log::note("There is no sound device: the session is silent.");
 }
 
 Sounds::~Sounds() = default;

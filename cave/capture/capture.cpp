@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cave/projection/stereo.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 namespace {

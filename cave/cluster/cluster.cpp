@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -19,6 +18,7 @@
 #include <type_traits>
 
 #include "cave/process/termination.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -93,8 +93,6 @@ void useEveryCore() {
   sched_setaffinity(0, sizeof all, &all);
 }
 
-void sayOnStandardError(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }
-
 }  // namespace
 
 struct Cluster::Room {
@@ -103,7 +101,7 @@ struct Cluster::Room {
   std::vector<Drawn> drawn;   // by rank
 };
 
-Cluster::Cluster(Say say) : say_(say ? std::move(say) : sayOnStandardError) {
+Cluster::Cluster() {
   useEveryCore();
   // A rank that waits gives its core to those that draw; a person's own setting stands.
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
@@ -178,6 +176,11 @@ void Cluster::share(std::string& text) const {
 }
 
 void Cluster::share(FrameState& state) {
+  shareFrame(state);
+  newest_s_ = state.record.display_s;
+}
+
+void Cluster::shareFrame(FrameState& state) const {
   if (size_ == 1) return;
   Header header{state.record, state.knots.size(), state.events.size()};
   fromRankZero(&header, sizeof header);
@@ -276,19 +279,18 @@ void Cluster::await(std::size_t requests, bool fromAll) const {
     const int awaited = fromAll ? pending + 1 : kRankOfDevices;
     if (waited_s - asked_s > kLastWords_s + rank_ * kRankZerosTurn_s && !livesHere(awaited)) {
       const char* what = isHere(awaited) ? "is gone" : "does not answer";
-      giveUp(fmt::format("error: {} {}: the session ends.", nameOf(awaited), what), false);
+      giveUp(fmt::format("{} {}: the session ends.", nameOf(awaited), what), false);
     }
     if (waited_s > patience_s) {
-      giveUp(fmt::format("error: {} has not answered for {:.0f} s: the session ends.", nameOf(awaited),
-                         waited_s),
+      giveUp(fmt::format("{} has not answered for {:.0f} s: the session ends.", nameOf(awaited), waited_s),
              true);
     }
     if (fromAll && late < 0 && frames_ >= kWarmUp && waited_s > kLate_s) {
       late = awaited;
-      say_(fmt::format("{} is late: every wall keeps the last whole frame.", nameOf(late)));
+      log::note(fmt::format("{} is late: every wall keeps the last whole frame.", nameOf(late)));
     }
   }
-  if (late >= 0) say_(fmt::format("{} is back after {:.1f} s.", nameOf(late), waited_s));
+  if (late >= 0) log::note(fmt::format("{} is back after {:.1f} s.", nameOf(late), waited_s));
 }
 
 bool Cluster::done(std::size_t requests) const {
@@ -323,7 +325,7 @@ void Cluster::giveUp(const std::string& why, bool others) const {
   int said = 0;
   MPI_Iprobe(MPI_ANY_SOURCE, kLastWords, MPI_COMM_WORLD, &said, MPI_STATUS_IGNORE);
   if (!said) {
-    say_(why);
+    log::error(why);
     for (int rank = 0; rank < size_; ++rank) {
       MPI_Request sent;
       if (rank != rank_) MPI_Isend(nullptr, 0, MPI_BYTE, rank, kLastWords, MPI_COMM_WORLD, &sent);

@@ -7,6 +7,7 @@
 // When a node dies, mpirun asks the others to end; they say which one is gone and end within half a second.
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -18,7 +19,6 @@
 #include "cave/frame/frame_state.h"
 #include "cave/frame/frame_timing.h"
 #include "cave/room/wall.h"
-#include "engine/base/log.h"
 
 namespace carom {
 
@@ -31,8 +31,8 @@ class NodesDiffer : public std::runtime_error {
 class Cluster {
  public:
   /// Starts MPI, on every core of the machine unless mpirun was told to bind. One per process, before it has
-  /// threads. `say`: where lines about late and lost nodes go; standard error if empty.
-  explicit Cluster(Say say = {});
+  /// threads. Late and lost nodes are told in the log.
+  Cluster();
   ~Cluster();
   Cluster(const Cluster&) = delete;
   Cluster& operator=(const Cluster&) = delete;
@@ -71,6 +71,8 @@ class Cluster {
   /// Rank 0's state replaces everyone's. Allocates only when a frame brings more knots or events
   /// than any before.
   void share(FrameState& state);
+  /// When the newest frame that was shared is on the walls, on the session's clock; NaN: there was none.
+  double newest_s() const { return newest_s_; }
 
   /// What this node says of the frame before: it travels with the word that this one is drawn.
   void report(const NodeReport& mine);
@@ -88,6 +90,7 @@ class Cluster {
  private:
   struct Room;  // what the ranks say to each other, and the requests under way
 
+  void shareFrame(FrameState& state) const;
   void fromRankZero(void* bytes, std::size_t count) const;
   void await(std::size_t requests, bool fromAll) const;
   bool done(std::size_t requests) const;
@@ -97,12 +100,12 @@ class Cluster {
   [[noreturn]] void giveUp(const std::string& why, bool others) const;
   std::string whereHistoriesPart(std::span<const WorldLine> histories, int other) const;
 
-  Say say_;
   int rank_ = 0;
   int size_ = 1;
   std::uint64_t frames_ = 0;        // swapped so far
   std::uint64_t drawn_ = 0;         // the frame that this rank has drawn
   bool wantsToEnd_ = false;         // somebody on this rank, then
+  double newest_s_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> names_;  // of the walls of each rank
   std::unique_ptr<Room> room_;
 };

@@ -1,13 +1,7 @@
 #include "cave/gl/image.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
-#include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <vtkImageData.h>
@@ -16,29 +10,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtk_glew.h>
 
+#include "engine/base/whole_file.h"
+
 namespace carom {
-namespace {
-
-/// Writes beside the file and renames: the file appears whole or not at all. Several threads may write the
-/// same one.
-void writeWhole(const std::filesystem::path& path, std::string_view bytes) {
-  static std::atomic<std::uint64_t> writings = 0;
-  std::filesystem::path partial = path;
-  partial += fmt::format(".{}.partial", ++writings);
-  std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code failure;
-  if (file) std::filesystem::rename(partial, path, failure);
-  if (!file || failure) {
-    const std::string reason = failure ? failure.message() : std::strerror(errno);
-    std::filesystem::remove(partial, failure);
-    throw std::runtime_error(fmt::format("picture \"{}\" cannot be written: {}", path.string(), reason));
-  }
-}
-
-}  // namespace
-
 Image readBack(const RenderTarget& picture) {
   Image image;
   image.size_px = picture.size_px();
@@ -65,8 +39,13 @@ void writePng(const Image& image, const std::filesystem::path& path) {
   encoder->WriteToMemoryOn();
   encoder->Write();
   vtkUnsignedCharArray* png = encoder->GetResult();
-  writeWhole(path, {reinterpret_cast<const char*>(png->GetPointer(0)),
-                    static_cast<std::size_t>(png->GetNumberOfValues())});
+  try {
+    WholeFile(path).commit({reinterpret_cast<const char*>(png->GetPointer(0)),
+                            static_cast<std::size_t>(png->GetNumberOfValues())});
+  } catch (const NotWritten& error) {
+    throw std::runtime_error(
+        fmt::format("picture \"{}\" cannot be written: {}", path.string(), error.reason()));
+  }
 }
 
 }  // namespace carom

@@ -1,4 +1,5 @@
 #include "cave/process/termination.h"
+#include "engine/base/log.h"
 
 #include <semaphore.h>
 
@@ -54,7 +55,7 @@ void endIfNobodyDoes() {
   std::this_thread::sleep_for(byMpirun ? kMpirunsPatience : kPatience);
   const bool whole = closeAll();
   if (whole && !allClosed)
-    std::fprintf(stderr, "Asked to end: what was begun is not waited for; what was written is whole.\n");
+    log::note("Asked to end: what was begun is not waited for; what was written is whole.");
   std::fflush(nullptr);
   std::_Exit(whole ? 0 : 1);
 }
@@ -77,7 +78,7 @@ bool closeAll() {
     try {
       (**close)();
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "error: %s\n", error.what());
+      log::error(error.what());
       whole = false;
     }
   }

@@ -53,9 +53,8 @@ std::string tessellationReport(const Scene& scene, const Tessellation& tessellat
     text += ".\n";
     note = unlike;
   }
-  return text +
-         fmt::format("In all {} vertices; edges up to {:.0f} mm are exact to half a pixel up to {} c.\n",
-                     total, tessellation.edge_m() * 1e3, kFastestHead_beta);
+  return text + fmt::format("In all {} vertices; edges up to {:.0f} mm are exact to half a pixel up to {} c.",
+                            total, tessellation.edge_m() * 1e3, kFastestHead_beta);
 }
 
 }  // namespace carom

@@ -5,13 +5,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "engine/base/limits.h"
+
 namespace carom {
 namespace {
 
-constexpr double kPredict_s = 0.1;                // how far a pose is predicted and a celerity kept
-constexpr double kFade_s = 0.2;                   // in which celerity fades to zero after that, and back
-constexpr double kLost_s = kPredict_s + kFade_s;  // jumps that last longer are the head's new place
-constexpr double kSlew_m_s = 1.0;                 // how fast the pose comes over to where samples came back
+constexpr double kSlew_m_s = 1.0;  // how fast the pose comes over to where samples came back
 constexpr double kSlew_rad_s = 3.0;
 constexpr double kTurnMemory_s = 0.03;  // of the orientation filter
 constexpr double kUnknown_m_s = 1.0;    // standard deviation of a celerity nothing is known of
@@ -55,7 +54,7 @@ const char* toString(Known known) {
   return "";
 }
 
-HeadFilter::HeadFilter(double trackerSigma_m) : celerity_(trackerSigma_m), judge_(kLost_s) {}
+HeadFilter::HeadFilter(double trackerSigma_m) : celerity_(trackerSigma_m), judge_(kTrackLost_s) {}
 
 SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
   const double norm = glm::length(roomFromHead.orientation);
@@ -78,17 +77,17 @@ SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
 
   const double interval_s = time_s - time_s_;
   const double share = shownShare(time_s);
-  const bool isLongAgo = jump == Jump::New || interval_s > kPredict_s;
+  const bool isLongAgo = jump == Jump::New || interval_s > kTrackPredicted_s;
   const bool returned = isLongAgo || jump == Jump::Shifted;
   const Pose shown = returned ? shownPose(time_s) : Pose{};
-  if (jump == Jump::New || interval_s > kLost_s) {
+  if (jump == Jump::New || interval_s > kTrackLost_s) {
     start(time_s, measured);
   } else {
     if (jump == Jump::Quick) use(doubted_.time_s, doubted_.roomFromHead);
     if (jump == Jump::Shifted) celerity_.moveBy(judge_.offset_m());
     use(time_s, measured);
   }
-  share_ = isLongAgo ? share : std::min(1.0, share + interval_s / kFade_s);
+  share_ = isLongAgo ? share : std::min(1.0, share + interval_s / kTrackFades_s);
   if (returned) {
     returned_s_ = time_s;
     const Pose filtered = filteredPose(time_s);
@@ -124,7 +123,7 @@ void HeadFilter::turn(double interval_s, const glm::dquat& orientation) {
 }
 
 Pose HeadFilter::filteredPose(double time_s) const {
-  const double ahead_s = std::clamp(time_s - time_s_, 0.0, kPredict_s);
+  const double ahead_s = std::clamp(time_s - time_s_, 0.0, kTrackPredicted_s);
   return {celerity_.predictedPosition_m(ahead_s), rotation(angularVelocity_rad_s_ * ahead_s) * orientation_};
 }
 
@@ -137,15 +136,15 @@ Pose HeadFilter::shownPose(double time_s) const {
 }
 
 double HeadFilter::shownShare(double time_s) const {
-  return share_ * (1.0 - std::clamp((time_s - time_s_ - kPredict_s) / kFade_s, 0.0, 1.0));
+  return share_ * (1.0 - std::clamp((time_s - time_s_ - kTrackPredicted_s) / kTrackFades_s, 0.0, 1.0));
 }
 
 HeadEstimate HeadFilter::at(double time_s) const {
   HeadEstimate head;
   head.time_s = time_s;
-  const double ahead_s = started_ ? std::max(0.0, time_s - time_s_) : kLost_s;
+  const double ahead_s = started_ ? std::max(0.0, time_s - time_s_) : kTrackLost_s;
   glm::dmat3& covariance = head.celerityCovariance_m2_s2;
-  if (!started_ || ahead_s > kLost_s) {
+  if (!started_ || ahead_s > kTrackLost_s) {
     covariance = glm::dmat3(kUnknown_m_s * kUnknown_m_s);
   } else {
     // Errors of the estimate, of what changed since, and of what of it is not shown.
@@ -154,7 +153,9 @@ HeadEstimate HeadFilter::at(double time_s) const {
     const glm::dvec3 hidden_m_s = estimated_m_s - head.celerity_m_s;
     covariance = celerity_.celerityCovariance_m2_s2() + glm::dmat3(celerity_.celerityChange_m2_s2(ahead_s)) +
                  glm::outerProduct(hidden_m_s, hidden_m_s);
-    head.known = ahead_s == 0.0 ? Known::Measured : ahead_s <= kPredict_s ? Known::Predicted : Known::Held;
+    head.known = ahead_s == 0.0                 ? Known::Measured
+                 : ahead_s <= kTrackPredicted_s ? Known::Predicted
+                                                : Known::Held;
   }
   head.sigma_m_s = std::sqrt(std::max({covariance[0][0], covariance[1][1], covariance[2][2]}));
   if (started_) {

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/base/limits.h"
+
 namespace carom {
 namespace {
 
-constexpr double kGlitch_m_s = 12.0;        // no head moves faster
 constexpr double kLeastInterval_s = 0.001;  // samples stamped closer than that were not taken so
 constexpr double kStartle_m_s2 = 15.0;      // a standing head hardly ever leaves its place faster
 constexpr double kMost_m_s2 = 40.0;         // nor any head its course
@@ -24,7 +25,8 @@ constexpr int kBeside = 3;           // and so many of them
 // Whether a head gets from one place to another in that time, beyond what noise can do.
 bool isTravel(const glm::dvec3& from_m, const glm::dvec3& to_m, double interval_s, double sigma_m) {
   const double noise_m = 6.0 * std::sqrt(2.0) * sigma_m;
-  return glm::distance(from_m, to_m) <= kGlitch_m_s * std::max(interval_s, kLeastInterval_s) + noise_m;
+  return glm::distance(from_m, to_m) <=
+         kGlitchCelerity_m_s * std::max(interval_s, kLeastInterval_s) + noise_m;
 }
 
 }  // namespace

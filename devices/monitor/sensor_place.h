@@ -6,6 +6,7 @@
 #include <span>
 
 #include "devices/tracker/tracker.h"
+#include "engine/base/limits.h"
 #include "engine/base/pose.h"
 
 namespace carom {
@@ -29,13 +30,11 @@ class SensorPlace {
     counted_ = 0;
   }
   const Pose& roomFromSensor() const { return roomFromSensor_; }
-  /// Whether a pose has arrived within kLately_s.
-  bool isKnown(double now_s) const { return told_s_ && now_s - *told_s_ <= kLately_s; }
+  /// Whether a pose has arrived within kTrackLost_s.
+  bool isKnown(double now_s) const { return told_s_ && now_s - *told_s_ <= kTrackLost_s; }
 
   double newest_s() const { return newest_s_; }  ///< time of the newest sample; NaN: none yet
   double rate_hz() const { return rate_hz_; }    ///< of samples, about the last second; NaN at first
-
-  static constexpr double kLately_s = 0.3;  ///< the head counts as lost after the same time (head_filter.h)
 
  private:
   int sensor_;

@@ -25,4 +25,12 @@ inline double strongestThrust_m_s2(double c_m_s) {
 /// with everything that happens in them, pass in one of the observer's.
 inline constexpr double kMostPlatformU = 10.0;
 
+/// A tracked step faster than this celerity is a glitch of the tracker, not travel: no head moves faster.
+inline constexpr double kGlitchCelerity_m_s = 12.0;
+
+/// When no sample comes, a tracked pose is predicted for so long; then its celerity fades to zero. After both
+/// it counts as lost.
+inline constexpr double kTrackPredicted_s = 0.1, kTrackFades_s = 0.2;
+inline constexpr double kTrackLost_s = kTrackPredicted_s + kTrackFades_s;
+
 }  // namespace carom

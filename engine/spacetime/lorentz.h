@@ -23,6 +23,9 @@ Vec3 uFromBeta(const Vec3& beta);
 class Lorentz {
  public:
   explicit Lorentz(double c_m_s) : c_m_s_(c_m_s), matrix_(1.0) {}
+  /// The transform that has this matrix, such as one read from a file; whether it is a Lorentz transform is
+  /// not checked.
+  Lorentz(double c_m_s, const glm::dmat4& matrix) : c_m_s_(c_m_s), matrix_(matrix) {}
 
   /// aFromB without rotation, where B moves through A with u = γβ.
   static Lorentz boost(const Vec3& u, double c_m_s);
@@ -47,7 +50,6 @@ class Lorentz {
   const glm::dmat4& matrix() const { return matrix_; }
 
  private:
-  Lorentz(double c_m_s, const glm::dmat4& matrix) : c_m_s_(c_m_s), matrix_(matrix) {}
   double c_m_s_;
   glm::dmat4 matrix_;
 };

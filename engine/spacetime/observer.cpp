@@ -5,6 +5,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "engine/base/limits.h"
+
 namespace carom {
 
 Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double c_m_s) {

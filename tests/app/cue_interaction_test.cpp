@@ -102,7 +102,7 @@ class Lived {
     CueInteraction play(scenario);
     SessionFacts facts{"carom", folder_ / "room.toml", "scenario.toml", "", "", c_m_s()};
     for (const Puck& puck : scenario.billiard.pucks) facts.pucks.push_back(puck.name);
-    Journal journal(file, facts, goesOn, [](const std::string& line) { ADD_FAILURE() << line; });
+    Journal journal(file, facts, goesOn);
     const std::uint64_t first = number_;
     for (FrameState state; number_ < first + frames; ++number_) {
       const FrameTimes times = pacer.next();

@@ -108,8 +108,7 @@ class LiveSession : public testing::Test {
     LiveSource source(rig_, scenario_, world, start);
     Pacer pacer(clock, rig_.display_hz, rig_.displayLatency_s, false, start.firstFrame());
     JournalListener journal;
-    journal.keep(std::make_unique<Journal>(file(), facts, goesOn,
-                                           [](const std::string& line) { ADD_FAILURE() << line; }));
+    journal.keep(std::make_unique<Journal>(file(), facts, goesOn));
     OperatorSettings settings;
     settings.views.myNow = 1;
     Decision decision;

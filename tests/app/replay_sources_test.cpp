@@ -111,7 +111,7 @@ class ReplaySources : public testing::Test {
     Journal journal(
         folder_ / "game.db",
         {"carom", folder_ / "room.toml", "three-pucks.toml", "", "", scenario_.billiard.lightSpeed_m_s},
-        false, [](const std::string& line) { ADD_FAILURE() << line; });
+        false);
     while (lived_.size() < kFrames) {
       const FrameTimes times = pacer.next();
       FrameState& frame = lived_.emplace_back();

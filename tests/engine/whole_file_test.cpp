@@ -1,4 +1,4 @@
-#include "app/files/whole_file.h"
+#include "engine/base/whole_file.h"
 
 #include <gtest/gtest.h>
 

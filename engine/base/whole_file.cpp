@@ -1,19 +1,25 @@
-#include "app/files/whole_file.h"
+#include "engine/base/whole_file.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
 
 namespace carom {
-
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& file) {
-  throw std::runtime_error(fmt::format("{} cannot be written, expected a place that can", file.string()));
+[[noreturn]] void fail(const std::filesystem::path& file, int error = errno) {
+  throw NotWritten(file.string(), std::strerror(error));
+}
+
+/// Beside the file; no other of this machine's has that name.
+std::filesystem::path partOf(std::filesystem::path file) {
+  static std::atomic<unsigned> parts = 0;
+  return file += "." + std::to_string(::getpid()) + "-" + std::to_string(++parts) + ".partial";
 }
 
 }  // namespace
@@ -22,10 +28,10 @@ WholeFile::WholeFile(const std::filesystem::path& file) : file_(file) {
   if (file == "-") return;
   std::error_code failed;
   if (std::filesystem::is_symlink(file, failed)) file_ = std::filesystem::weakly_canonical(file, failed);
-  if (file_.empty() || std::filesystem::is_directory(file_, failed)) fail(file);
+  if (file_.empty()) fail(file, ENOENT);
+  if (std::filesystem::is_directory(file_, failed)) fail(file, EISDIR);
   if (std::filesystem::is_other(file_, failed)) return;
-  part_ = file_;
-  part_ += fmt::format(".part-{}", ::getpid());
+  part_ = partOf(file_);
   if (!std::ofstream(part_)) fail(file);
 }
 
@@ -34,20 +40,20 @@ WholeFile::~WholeFile() {
   if (!part_.empty()) std::filesystem::remove(part_, ignored);
 }
 
-void WholeFile::commit(std::string_view text) {
+void WholeFile::commit(std::string_view bytes) {
   if (file_ == "-") {
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
     if (!written || std::fflush(stdout) != 0) fail("standard output");
     return;
   }
   std::ofstream out(part_.empty() ? file_ : part_, std::ios::binary);
-  out << text;
+  out << bytes;
   out.close();
   if (!out) fail(file_);
   if (part_.empty()) return;
   std::error_code failed;
   std::filesystem::rename(part_, file_, failed);
-  if (failed) fail(file_);
+  if (failed) fail(file_, failed.value());
   part_.clear();
 }
 

@@ -1,0 +1,42 @@
+#include "app/commands/session_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cave/capture/movie.h"
+
+namespace carom {
+
+void addSilent(CLI::App& command, bool& silent) {
+  command.add_flag("--silent", silent, "No sounds; else each collision and stroke clicks when it is seen");
+}
+
+void addOutside(CLI::App& command, bool& outside, bool& diagram, bool& console) {
+  command.add_flag(
+      "--console", console,
+      "Open the operator's console on the first node: walls in small, trackers, switches, games, events");
+  command.add_flag("--diagram", diagram,
+                   "Show the spacetime diagram in a window of its own: my axes tilt as I move");
+  command.add_flag(
+      "--outside", outside,
+      "Show the room from outside, too: its walls, the person, the table where it is. With --capture "
+      "also as outside-mono-FRAME.png");
+}
+
+void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie) {
+  command
+      .add_option(
+          "--movie", movie,
+          "Movie of this node's walls, the left eye's, encoded by the program ffmpeg: .mp4, .webm or .ogv. "
+          "With several nodes each writes its own: FILE-node1.mp4 is node 1's")
+      ->type_name("FILE")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            if (isMovieName(text)) return std::string();
+            return fmt::format("'{}' is wrong, expected a name that ends in {}", text, kMovieEndings);
+          },
+          ""));
+}
+
+}  // namespace carom

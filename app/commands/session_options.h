@@ -1,0 +1,17 @@
+#pragma once
+// What the commands that show sessions take on their command lines alike.
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <optional>
+
+namespace carom {
+
+/// Adds the option --silent.
+void addSilent(CLI::App& command, bool& silent);
+/// Adds the options --console, --diagram and --outside.
+void addOutside(CLI::App& command, bool& outside, bool& diagram, bool& console);
+/// Adds the option --movie.
+void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie);
+
+}  // namespace carom

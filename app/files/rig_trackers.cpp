@@ -1,0 +1,123 @@
+#include "app/files/rig_trackers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/trigonometric.hpp>
+#include <stdexcept>
+
+#include "app/files/toml_values.h"
+#include "devices/setup/tracker_factory.h"
+
+namespace carom {
+namespace {
+
+constexpr int kMostSensors = 65535;
+
+/// { translation, rotation_deg }: turned about the fixed x, then y, then z axis, then moved.
+Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
+  const auto table = parent.table(key);
+  if (!table) return {};
+  constexpr Range kTurn{.least = -360.0, .most = 360.0};
+  const std::array<double, 3> none{0.0, 0.0, 0.0};
+  const glm::dvec3 turn_rad = glm::radians(toVec3(table->numbers<3>("rotation_deg", kTurn, none)));
+  const glm::dquat aboutX = glm::angleAxis(turn_rad.x, glm::dvec3(1, 0, 0));
+  const glm::dquat aboutY = glm::angleAxis(turn_rad.y, glm::dvec3(0, 1, 0));
+  const glm::dquat aboutZ = glm::angleAxis(turn_rad.z, glm::dvec3(0, 0, 1));
+  return {toVec3(table->numbers<3>("translation", {}, none)) * unit_m, aboutZ * aboutY * aboutX};
+}
+
+/// Where a tracker's samples come from.
+std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, TrackerKind kind,
+                                 const RoomAxes& axes) {
+  if (kind == TrackerKind::recorded) return file.existingFile(table, "source");
+  if (kind == TrackerKind::simulated) {
+    table.refuse("source", "has no meaning for a simulated tracker, expected none");
+    return {};
+  }
+  if (kind == TrackerKind::spaceMouse && !table.has("source")) return {};  // the first that is plugged in
+  const std::string source = table.text("source");
+  if (source.empty()) return {};  // complained of already
+  try {
+    createTransport(kind, source, axes);
+  } catch (const std::invalid_argument& wrong) {
+    table.fault("source", wrong.what());
+  }
+  return source;
+}
+
+/// The tracker that a key names, an index; beyond the last one where there is none of that name.
+std::size_t readTrackerName(const TomlTable& table, std::string_view key,
+                            const std::vector<TrackerSetup>& trackers) {
+  const std::string name = table.text(key);
+  const auto found = std::find_if(trackers.begin(), trackers.end(),
+                                  [&](const auto& tracker) { return tracker.name == name; });
+  if (found == trackers.end() && table.has(key) && !name.empty()) {
+    std::vector<std::string> names;
+    for (const TrackerSetup& tracker : trackers) names.push_back(tracker.name);
+    table.fault(
+        key, names.empty()
+                 ? fmt::format("there is no tracker '{}', expected a [[tracker]] of that name", name)
+                 : fmt::format("there is no tracker '{}', expected '{}'", name, fmt::join(names, "' or '")));
+  }
+  return static_cast<std::size_t>(found - trackers.begin());
+}
+
+/// `tracker` and `sensor` of the head or the hand.
+SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>& trackers) {
+  return {.tracker = readTrackerName(table, "tracker", trackers),
+          .sensor = table.integer("sensor", 0, kMostSensors, 0)};
+}
+
+}  // namespace
+
+TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m, const RoomAxes& axes) {
+  TrackerSetup tracker;
+  tracker.name = table.text("name");
+  tracker.kind = static_cast<TrackerKind>(table.choice("kind", kTrackerKinds));
+  tracker.source = readSource(file, table, tracker.kind, axes);
+  constexpr std::array<std::string_view, 2> kPersons{"moves", "still"};
+  if (tracker.kind == TrackerKind::simulated) {
+    tracker.still = table.choice("person", kPersons, 0) == 1;
+  } else {
+    table.refuse("person", "has a meaning for a simulated tracker alone, expected none");
+  }
+  constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
+  tracker.latency_s = table.number("latency_ms", kLatency_ms, 0.0) * 1e-3;
+  tracker.roomFromTracker = readPose(table, "room_from_tracker", unit_m);
+  return tracker;
+}
+
+HandSetup readHand(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m) {
+  HandSetup hand{readSensor(table, trackers), readPose(table, "hand_from_sensor", unit_m)};
+  if (!table.has("buttons")) return hand;
+  const auto isSpaceMouse = [&](std::size_t tracker) {
+    return tracker < trackers.size() && trackers[tracker].kind == TrackerKind::spaceMouse;
+  };
+  const std::size_t buttons = readTrackerName(table, "buttons", trackers);
+  if (isSpaceMouse(buttons)) {
+    table.fault("buttons", "a spacemouse steers and holds no cue, expected a tracker with buttons of a hand");
+  } else if (isSpaceMouse(hand.tracker)) {
+    table.fault("buttons", "a hand on a spacemouse has no place to hold a cue in, expected no buttons");
+  }
+  if (buttons != hand.tracker) hand.buttons = buttons;
+  return hand;
+}
+
+HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m) {
+  HeadSetup head;
+  constexpr double kWidestEyes_m = 1.0;
+  head.sensor = readSensor(table, trackers);
+  if (head.sensor.tracker < trackers.size() &&
+      trackers[head.sensor.tracker].kind == TrackerKind::spaceMouse) {
+    table.fault("tracker", "a spacemouse sends no poses, expected a tracker that does");
+  }
+  const Range range{.least = 0.0, .most = kWidestEyes_m / unit_m};
+  head.eyeSeparation_m = table.number("eye_separation", range, head.eyeSeparation_m / unit_m) * unit_m;
+  head.eyesFromSensor = readPose(table, "eyes_from_sensor", unit_m);
+  return head;
+}
+
+}  // namespace carom

@@ -1,0 +1,17 @@
+#pragma once
+// The trackers of a rig file, and who uses them: the head, the hand.
+
+#include <string_view>
+#include <vector>
+
+#include "app/files/rig.h"
+#include "app/files/toml_file.h"
+
+namespace carom {
+
+/// `unit_m`: the file's unit of length.
+TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m, const RoomAxes& axes);
+HandSetup readHand(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m);
+HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m);
+
+}  // namespace carom

@@ -1,0 +1,122 @@
+#include "app/files/rig_walls.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "app/files/toml_values.h"
+#include "cave/room/warp_mesh.h"
+
+namespace carom {
+namespace {
+
+constexpr int kMostPixels = 16384;  // the largest texture of common GPUs
+constexpr Range kPlace_px{.least = -65536.0, .most = 65536.0};
+constexpr Range kSize_px{.least = 1.0, .most = kMostPixels};
+
+/// In the order of StereoMode and of Flip.
+constexpr std::array<std::string_view, 10> kStereoModes{
+    "mono",       "left",     "right",      "quad-buffer",  "side-by-side",
+    "top-bottom", "anaglyph", "interlaced", "checkerboard", "anaglyph-grey"};
+constexpr std::array<std::string_view, 4> kFlips{"none", "horizontal", "vertical", "both"};
+
+glm::ivec2 toPixels(const std::array<double, 2>& a) {
+  return {static_cast<int>(a[0]), static_cast<int>(a[1])};
+}
+
+/// A wall's window, and its part of it where it shares one.
+void readWallWindow(const TomlTable& table, bool hasOneWindow, Wall& wall) {
+  wall.window = readWindow(table);
+  const auto part = table.table("viewport");
+  if (!part) return;
+  wall.viewport = Viewport{toPixels(part->wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
+                           toPixels(part->wholeNumbers<2>("size", kSize_px))};
+  if (hasOneWindow)
+    table.fault("viewport", "a place inside the one window has no viewport of its own, expected none");
+}
+
+/// The file that a wall's key names, empty where it names none. `kinds` are the endings that can be read.
+std::filesystem::path readWallFile(const TomlFile& file, const TomlTable& table, std::string_view key,
+                                   std::span<const std::string_view> kinds) {
+  if (!table.has(key)) return {};
+  const std::filesystem::path found = file.existingFile(table, key);
+  const std::string ending = found.extension().string();
+  if (!found.empty() && std::find(kinds.begin(), kinds.end(), ending) == kinds.end()) {
+    table.fault(key, fmt::format("{} is '{}', expected a file ending in {}", key, found.filename().string(),
+                                 fmt::join(kinds, " or ")));
+  }
+  return found;
+}
+
+/// A file that is no such mesh is named with the place in it.
+void checkWarp(const TomlTable& table, const std::filesystem::path& warp) {
+  if (warp.extension() != ".pfm" && warp.extension() != ".obj") return;  // none, or complained of already
+  try {
+    readWarp(warp);
+  } catch (const std::runtime_error& fault) {
+    table.fault("warp", fault.what());
+  }
+}
+
+/// What stands between the picture and the screen: the projector.
+void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
+  constexpr std::array<std::string_view, 2> kMeshes{".pfm", ".obj"};
+  constexpr std::array<std::string_view, 5> kPictures{".png", ".jpg", ".jpeg", ".tif", ".tiff"};
+  constexpr Range kLevel{.least = 0.0, .most = 1.0};
+  constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
+  wall.warp = readWallFile(file, table, "warp", kMeshes);
+  checkWarp(table, wall.warp);
+  wall.blend = readWallFile(file, table, "blend", kPictures);
+  wall.blackLevel = table.number("black_level", kLevel, 0.0);
+  wall.flip = static_cast<Flip>(table.choice("flip", kFlips, 0));
+  wall.displayLatency_s = table.number("display_latency_ms", kLatency_ms, 0.0) * 1e-3;
+}
+
+}  // namespace
+
+WindowPlacement readWindow(const TomlTable& table) {
+  return {.monitor = table.integer("monitor", 0, 63, 0),
+          .position_px = toPixels(table.wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
+          .size_px = toPixels(table.wholeNumbers<2>("size", kSize_px)),
+          .fullscreen = table.flag("fullscreen", false)};
+}
+
+WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow) {
+  constexpr Range kPixels{.least = 1.0, .most = kMostPixels};
+  Wall wall;
+  wall.name = table.text("name");
+  wall.lowerLeft_m = toVec3(table.numbers<3>("lower_left", {})) * unit_m;
+  wall.lowerRight_m = toVec3(table.numbers<3>("lower_right", {})) * unit_m;
+  wall.upperLeft_m = toVec3(table.numbers<3>("upper_left", {})) * unit_m;
+  std::optional<glm::dvec3> upperRight_m;
+  if (table.has("upper_right")) upperRight_m = toVec3(table.numbers<3>("upper_right", {})) * unit_m;
+  wall.pixels = toPixels(table.wholeNumbers<2>("pixels", kPixels));
+  wall.node = table.integer("node", 0, kMostRanks, 0);
+  wall.stereo = static_cast<StereoMode>(table.choice("stereo", kStereoModes, 0));
+  wall.window.size_px = wall.pixels;
+  const auto window = hasOneWindow ? table.requiredTable("window") : table.table("window");
+  if (window) readWallWindow(*window, hasOneWindow, wall);
+  readProjector(file, table, wall);
+  return {table, wall, upperRight_m};
+}
+
+WallPlaces placesOf(const TomlTable& table) {
+  return {.wall = table.place(),
+          .name = table.place("name"),
+          .corner = table.place("upper_left"),
+          .pixels = table.place("pixels"),
+          .node = table.place("node"),
+          .window = table.place("window"),
+          .blend = table.place("blend")};
+}
+
+std::string_view toString(StereoMode mode) { return kStereoModes[static_cast<std::size_t>(mode)]; }
+
+std::string_view toString(Flip flip) { return kFlips[static_cast<std::size_t>(flip)]; }
+
+}  // namespace carom

@@ -1,0 +1,107 @@
+#include "app/files/scenario_checks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "app/files/toml_values.h"
+
+namespace carom {
+namespace {
+
+/// Shape of the contracted puck in the board: the ellipse xᵀ S⁻¹ x = 1 with S = R²(1 − β βᵀ), semi-axes R/γ
+/// along the motion and R across it.
+glm::dmat2 shapeOf(const Puck& puck) {
+  return puck.radius_m * puck.radius_m * (glm::dmat2(1.0) - glm::outerProduct(puck.beta, puck.beta));
+}
+
+/// Whether two pucks' ellipses overlap at board time 0: with d from centre to centre they do if and only if
+/// λ(1−λ) dᵀ[(1−λ)A + λB]⁻¹d, concave in λ, stays below 1 on 0 < λ < 1 (Perram, Wertheim 1985, eq. 3.7).
+bool overlap(const Puck& a, const Puck& b) {
+  const Vec2 d = b.position_m - a.position_m;
+  if (glm::length(d) >= (a.radius_m + b.radius_m) * (1.0 - kTouching)) return false;
+  const glm::dmat2 shapeA = shapeOf(a), shapeB = shapeOf(b);
+  const auto contact = [&](double l) {
+    return l * (1.0 - l) * glm::dot(d, glm::inverse((1.0 - l) * shapeA + l * shapeB) * d);
+  };
+  double low = 0.0, high = 1.0;
+  constexpr int kSteps = 90;  // (2/3)^90 of the interval is below rounding
+  for (int i = 0; i < kSteps; ++i) {
+    const double left = low + (high - low) / 3.0, right = high - (high - low) / 3.0;
+    if (contact(left) < contact(right)) {
+      low = left;
+    } else {
+      high = right;
+    }
+  }
+  return contact(0.5 * (low + high)) < 1.0 - kTouching;
+}
+
+/// Distance from the centre to the rim along the board's x and y: sqrt(nᵀSn).
+Vec2 reachOf(const Puck& puck) { return puck.radius_m * glm::sqrt(1.0 - puck.beta * puck.beta); }
+
+}  // namespace
+
+void checkNames(const std::vector<TomlTable>& pucks, const std::vector<TomlTable>& bodies,
+                const std::vector<TomlTable>& flashes, const std::vector<TomlTable>& pulses) {
+  std::map<std::string, FilePlace> first;
+  for (const auto* tables : {&pucks, &bodies, &flashes, &pulses}) {
+    for (const TomlTable& table : *tables) {
+      if (tables == &flashes && !table.has("name")) continue;
+      const std::string name = table.text("name");
+      const auto [known, isNew] = first.emplace(name, table.place("name"));
+      if (isNew) continue;
+      table.fault("name", fmt::format("the name '{}' is taken in line {}, expected another", name,
+                                      known->second.line));
+    }
+  }
+}
+
+void checkPlaces(const BilliardSetup& setup, const std::vector<TomlTable>& tables) {
+  for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+    const Puck& puck = setup.pucks[i];
+    if (setup.board) {
+      const Vec2 room = 0.5 * Vec2(setup.board->length_m, setup.board->width_m) - reachOf(puck);
+      for (int axis = 0; axis < 2; ++axis) {
+        if (std::abs(puck.position_m[axis]) <= room[axis] + kTouching * puck.radius_m) continue;
+        tables[i].fault("position_m",
+                        fmt::format("puck '{}' reaches over the {} cushion, expected its centre's {} "
+                                    "within ±{:.6g} m",
+                                    puck.name, "xy"[axis], "xy"[axis], room[axis]));
+      }
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!overlap(setup.pucks[j], puck)) continue;
+      tables[i].fault("position_m", fmt::format("puck '{}' overlaps puck '{}' at t = 0, expected pucks apart",
+                                                puck.name, setup.pucks[j].name));
+    }
+  }
+}
+
+void checkFriction(const BilliardSetup& setup, const TomlTable& physics) {
+  const double most_m2_s2 = 0.5 * setup.lightSpeed_m_s * setup.lightSpeed_m_s;
+  for (const Puck& puck : setup.pucks) {
+    if (puck.radius_m * setup.rules.friction_m_s2 < most_m2_s2) continue;
+    physics.fault("friction_m_s2",
+                  fmt::format("friction_m_s2 is {}, expected below {:.6g}: times the radius of "
+                              "puck '{}' it must stay under half the square of light_speed_m_s",
+                              setup.rules.friction_m_s2, most_m2_s2 / puck.radius_m, puck.name));
+    return;
+  }
+}
+
+void checkPlayable(const BilliardSetup& setup, const TomlTable& root) {
+  try {
+    const Billiard trial(setup);
+  } catch (const std::invalid_argument& error) {
+    root.fault(FilePlace{}, fmt::format("{}, expected a game that can be played", error.what()));
+  }
+}
+
+}  // namespace carom

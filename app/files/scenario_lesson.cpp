@@ -1,0 +1,87 @@
+#include "app/files/scenario_lesson.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace carom {
+namespace {
+
+/// In letters, not in bytes.
+std::size_t lettersOf(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+void checkLength(const TomlTable& table, FilePlace place, std::string_view name, std::string_view text,
+                 std::size_t most) {
+  const std::size_t letters = lettersOf(text);
+  if (letters <= most) return;
+  table.fault(place, fmt::format("{} has {} letters, expected {} at most, which a wall can show", name,
+                                 letters, most));
+}
+
+std::string readWords(const TomlTable& table, std::string_view key, std::size_t most) {
+  std::string text = table.text(key);
+  checkLength(table, table.place(key), key, text, most);
+  return text;
+}
+
+constexpr std::size_t kFewestAnswers = 2;
+
+std::vector<std::string> readAnswers(const TomlTable& table) {
+  std::vector<std::string> answers;
+  for (const PlacedText& answer : table.texts("answers")) {
+    checkLength(table, answer.place, fmt::format("answers[{}]", answers.size()), answer.text,
+                Lesson::kAnswerLetters);
+    answers.push_back(answer.text);
+  }
+  if (answers.size() < kFewestAnswers || answers.size() > kMostAnswers) {
+    table.fault("answers",
+                fmt::format("a lesson has {} answer{} here, expected answers = [...] with two to four",
+                            answers.size(), answers.size() == 1 ? "" : "s"));
+  }
+  return answers;
+}
+
+TimeViews readViews(const TomlTable& table) {
+  std::vector<std::string> names;
+  for (const NamedView& view : kNamedViews) names.emplace_back(view.name);
+  TimeViews views;
+  for (const PlacedText& given : table.texts("views")) {
+    const auto found = std::find(names.begin(), names.end(), given.text);
+    if (found != names.end()) {
+      views.*kNamedViews[static_cast<std::size_t>(found - names.begin())].value = 1;
+      continue;
+    }
+    if (given.text.empty()) continue;  // a fault already
+    const auto nearest = nearestWord(given.text, names);
+    table.fault(given.place, fmt::format("there is no view '{}', expected {}", given.text,
+                                         nearest ? fmt::format("'{}'?", *nearest)
+                                                 : fmt::format("one of {}", fmt::join(names, ", "))));
+  }
+  return views;
+}
+
+}  // namespace
+
+Lesson readLesson(const TomlTable& table, const std::string& title) {
+  Lesson lesson;
+  LessonWords& words = lesson.words;
+  words.title = title;
+  words.question = readWords(table, "question", Lesson::kQuestionLetters);
+  words.answers = readAnswers(table);
+  const bool offered = words.answers.size() >= kFewestAnswers && words.answers.size() <= kMostAnswers;
+  const std::size_t answers = offered ? words.answers.size() : kMostAnswers;
+  words.right = static_cast<std::size_t>(table.integer("right", 1, static_cast<int>(answers)) - 1);
+  words.todo = readWords(table, "todo", Lesson::kTextLetters);
+  words.notice = readWords(table, "notice", Lesson::kTextLetters);
+  words.number = readWords(table, "number", Lesson::kTextLetters);
+  lesson.views = readViews(table);
+  return lesson;
+}
+
+}  // namespace carom

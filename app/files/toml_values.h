@@ -1,0 +1,29 @@
+#pragma once
+// What the readers of several files have in common: vectors from a file's numbers, and speeds.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "app/files/toml_file.h"
+
+namespace carom {
+
+/// Rounding of what a file says exactly: what touches to this fraction does not overlap.
+inline constexpr double kTouching = 1e-12;
+
+inline glm::dvec2 toVec2(const std::array<double, 2>& a) { return {a[0], a[1]}; }
+inline glm::dvec3 toVec3(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// Complains where β is not below 1.
+template <class Vec>
+void checkSpeed(const TomlTable& table, const Vec& beta) {
+  if (glm::dot(beta, beta) < 1.0) return;
+  table.fault("beta",
+              fmt::format("beta has magnitude {}, expected a speed below light, under 1", glm::length(beta)));
+}
+
+}  // namespace carom

@@ -1,0 +1,246 @@
+#include "app/journal/frame_rows.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <concepts>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+
+#include "app/journal/frame_columns.h"
+#include "app/journal/version_3.h"
+#include "cave/frame/record_rules.h"
+
+namespace carom {
+namespace {
+
+/// The names alone, each after a comma.
+struct Names {
+  std::string text;
+  int count = 0;
+
+  template <typename Value>
+  void operator()(Part prefix, Part name, const Value&) {
+    fmt::format_to(std::back_inserter(text), ", {}{}", prefix, name);
+    ++count;
+  }
+};
+
+Names frameNames() {
+  Names names;
+  const FrameRecord record;
+  visitRecord(names, record);
+  return names;
+}
+Names knotNames() {
+  Names names;
+  const Knot knot;
+  visitKnot(names, knot);
+  return names;
+}
+Names eventNames() {
+  Names names;
+  const GameEvent event;
+  visitGameEvent(names, event);
+  return names;
+}
+
+/// Binds values to a row's parameters, one after the other.
+class Writing {
+ public:
+  explicit Writing(SQLite::Statement& row) : row_(row) { row_.tryReset(); }
+
+  /// Zero is written as a whole number, which needs no byte; minus zero stays what it is. NaN becomes NULL.
+  void operator()(Part, Part, double value) {
+    if (value == 0.0 && !std::signbit(value)) {
+      row_.bind(parameter_++, 0);
+    } else {
+      row_.bind(parameter_++, value);
+    }
+  }
+  template <std::unsigned_integral Whole>
+  void operator()(Part, Part, Whole value) {
+    row_.bind(parameter_++, static_cast<std::int64_t>(value));
+  }
+  template <typename Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(Part, Part, Choice value) { row_.bind(parameter_++, static_cast<int>(value)); }
+  void operator()(Part, Part, const Notice& notice) { (*this)("", "", std::string(notice.words())); }
+  void operator()(Part, Part, const std::string& text) { row_.bind(parameter_++, text); }
+
+ private:
+  SQLite::Statement& row_;
+  int parameter_ = 1;
+};
+
+/// Takes values from a row's columns, one after the other. What is no number is NaN: the rules refuse it.
+class Reading {
+ public:
+  explicit Reading(SQLite::Statement& row) : row_(row) {}
+
+  void operator()(Part, Part, double& value) {
+    const SQLite::Column column = row_.getColumn(column_++);
+    value = column.isFloat() || column.isInteger() ? column.getDouble()
+                                                   : std::numeric_limits<double>::quiet_NaN();
+  }
+  template <std::unsigned_integral Whole>
+  void operator()(Part prefix, Part name, Whole& value) {
+    const SQLite::Column column = row_.getColumn(column_++);
+    const std::int64_t stored = column.getInt64();
+    value = static_cast<Whole>(stored);
+    if (!column.isInteger() || static_cast<std::int64_t>(value) != stored) {
+      throw std::runtime_error(fmt::format("{}{} is {}, expected a whole number up to {}", prefix, name,
+                                           column.getString(), std::numeric_limits<Whole>::max()));
+    }
+  }
+  template <typename Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(Part prefix, Part name, Choice& value) {
+    std::underlying_type_t<Choice> number{};
+    (*this)(prefix, name, number);
+    value = static_cast<Choice>(number);
+  }
+  void operator()(Part, Part name, Notice& notice) {
+    const std::string words = row_.getColumn(column_++).getString();
+    notice = Notice(words);
+    if (notice.words() != words)
+      throw std::runtime_error(fmt::format("{} is of {} bytes, expected at most {} and none zero", name,
+                                           words.size(), notice.text.size() - 1));
+  }
+
+ private:
+  SQLite::Statement& row_;
+  int column_ = 0;
+};
+
+std::string insertInto(const char* table, int columns) {
+  std::string text = fmt::format("INSERT OR REPLACE INTO {} VALUES(?", table);
+  for (int column = 1; column < columns; ++column) text += ",?";
+  return text + ")";
+}
+
+std::string framesOf(int version) {
+  return fmt::format("SELECT number{} FROM frame WHERE number >= ? ORDER BY number",
+                     version == kVersion3 ? ", record, events" : frameNames().text);
+}
+std::string knotsOf(int version) {
+  return fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid",
+                     version == kVersion3 ? ", knot" : knotNames().text);
+}
+
+std::span<const std::byte> bytesOf(const SQLite::Column& column) {
+  return {static_cast<const std::byte*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
+}
+
+}  // namespace
+
+std::string frameTables() {
+  return fmt::format(
+      "CREATE TABLE frame(number INTEGER PRIMARY KEY, known TEXT, celerity_x_m_s REAL, celerity_y_m_s REAL, "
+      "celerity_z_m_s REAL{});\n"
+      "CREATE TABLE knot(frame INTEGER, body INTEGER{});\n"
+      "CREATE INDEX knot_of_frame ON knot(frame);\n"
+      "CREATE TABLE frame_event(frame INTEGER{}, PRIMARY KEY(frame, number)) WITHOUT ROWID;\n",
+      frameNames().text, knotNames().text, eventNames().text);
+}
+
+FrameWriter::FrameWriter(SQLite::Database& database)
+    : frame_(database, insertInto("frame", 5 + frameNames().count)),
+      knot_(database, insertInto("knot", 2 + knotNames().count)),
+      event_(database, insertInto("frame_event", 1 + eventNames().count)) {}
+
+void FrameWriter::write(const FrameRecord& record, const std::string& known, const Vec3& celerity_m_s) {
+  Writing row(frame_);
+  row("", "number", record.number);
+  row("", "known", known);
+  for (const auto& [axis, name] : {std::pair(0, "x_m_s"), {1, "y_m_s"}, {2, "z_m_s"}})
+    row("celerity_", name, celerity_m_s[axis]);
+  visitRecord(row, record);
+  frame_.exec();
+}
+
+void FrameWriter::write(std::uint64_t frame, const BodyKnot& knot) {
+  Writing row(knot_);
+  row("", "frame", frame);
+  row("", "body", knot.body);
+  visitKnot(row, knot.knot);
+  knot_.exec();
+}
+
+void FrameWriter::write(std::uint64_t frame, const GameEvent& event) {
+  Writing row(event_);
+  row("", "frame", frame);
+  visitGameEvent(row, event);
+  event_.exec();
+}
+
+FrameReader::FrameReader(SQLite::Database& database, int version, double lightSpeed_m_s)
+    : version_(version),
+      lightSpeed_m_s_(lightSpeed_m_s),
+      frame_(database, framesOf(version)),
+      knot_(database, knotsOf(version)) {
+  if (version != kVersion3)
+    event_.emplace(database,
+                   "SELECT frame" + eventNames().text + " FROM frame_event WHERE frame = ? ORDER BY number");
+  goTo(0);
+}
+
+void FrameReader::goTo(std::uint64_t number) {
+  frame_.reset();
+  frame_.bind(1, static_cast<std::int64_t>(number));
+}
+
+std::optional<std::uint64_t> FrameReader::step() {
+  if (!frame_.executeStep()) return std::nullopt;
+  return static_cast<std::uint64_t>(frame_.getColumn(0).getInt64());
+}
+
+void FrameReader::read(FrameState& state) {
+  const std::int64_t number = frame_.getColumn(0).getInt64();
+  state.knots.clear();
+  state.events.clear();
+  knot_.reset();
+  knot_.bind(1, number);
+  version_ == kVersion3 ? readVersion3(state) : readFields(state);
+  if (state.record.number != static_cast<std::uint64_t>(number))
+    throw std::runtime_error(fmt::format("its record is of frame {}", state.record.number));
+  expectPossible(state.record, lightSpeed_m_s_);
+  for (const BodyKnot& knot : state.knots) expectPossible(knot.knot);
+  for (const GameEvent& event : state.events) expectPossible(event, state.record.pucks);
+}
+
+void FrameReader::readFields(FrameState& state) {
+  state.record = FrameRecord();
+  state.record.observer.headFromBoard = state.record.boardFromRoom = Lorentz(lightSpeed_m_s_);
+  Reading row(frame_);
+  row("", "number", state.record.number);
+  visitRecord(row, state.record);
+  while (knot_.executeStep()) {
+    BodyKnot& knot = state.knots.emplace_back();
+    Reading knotRow(knot_);
+    knotRow("", "body", knot.body);
+    visitKnot(knotRow, knot.knot);
+  }
+  event_->reset();
+  event_->bind(1, static_cast<std::int64_t>(state.record.number));
+  while (event_->executeStep()) {
+    Reading eventRow(*event_);
+    std::uint64_t frame = 0;
+    eventRow("", "frame", frame);
+    visitGameEvent(eventRow, state.events.emplace_back());
+  }
+}
+
+void FrameReader::readVersion3(FrameState& state) {
+  state.record = version3::frameOf(bytesOf(frame_.getColumn(1)));
+  state.record.forgetBefore_s = FrameRecord().forgetBefore_s;
+  state.events = version3::eventsOf(bytesOf(frame_.getColumn(2)));
+  while (knot_.executeStep()) {
+    state.knots.push_back({static_cast<std::uint64_t>(knot_.getColumn(0).getInt64()),
+                           version3::knotOf(bytesOf(knot_.getColumn(1)))});
+  }
+}
+
+}  // namespace carom

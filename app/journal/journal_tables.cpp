@@ -1,0 +1,268 @@
+#include "app/journal/journal_tables.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string_view>
+
+namespace carom {
+namespace {
+
+constexpr int kBusy_ms = 2000;  // how long somebody who reads the file is waited for
+
+// Beside those of the frames (frameTables).
+constexpr const char* kTables = R"(
+CREATE TABLE session(key TEXT PRIMARY KEY, value) WITHOUT ROWID;
+CREATE TABLE sample(time_s REAL, sensor INTEGER, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, qz REAL);
+CREATE TABLE event(number INTEGER PRIMARY KEY, kind TEXT, pucks TEXT, cushion TEXT, t_s REAL, x_m REAL, y_m REAL,
+  z_m REAL, heat_j REAL, without_delay INTEGER NOT NULL DEFAULT 0);
+CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, beta_before_x REAL,
+  beta_before_y REAL, beta_after_x REAL, beta_after_y REAL, proper_time_s REAL);
+CREATE INDEX turn_of_event ON turn(event);
+CREATE TABLE stroke(frame INTEGER, puck TEXT, at_s REAL, from_x_m REAL, from_y_m REAL, from_z_m REAL,
+  p_x_kg_m_s REAL, p_y_kg_m_s REAL);
+CREATE TABLE input(frame INTEGER, what TEXT, value TEXT);
+CREATE TABLE answer(frame INTEGER, lesson TEXT, question TEXT, answer TEXT);
+CREATE TABLE run(first_frame INTEGER, started_utc TEXT, program TEXT);
+CREATE TABLE latency(display_s REAL, frame INTEGER, node INTEGER, part TEXT, frames INTEGER, median_s REAL, p99_s REAL,
+  most_s REAL, jitter_s REAL);
+)";
+
+std::string utcNow() { return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))); }
+
+void bind(SQLite::Statement& row, int& column, const Vec3& v) {
+  for (const double component : {v.x, v.y, v.z}) row.bind(column++, component);
+}
+void bind(SQLite::Statement& row, int& column, const Vec2& v) {
+  for (const double component : {v.x, v.y}) row.bind(column++, component);
+}
+void bind(SQLite::Statement& row, int& column, std::string_view text) {
+  row.bind(column++, std::string(text));
+}
+void bind(SQLite::Statement& row, int& column, std::uint64_t number) {
+  row.bind(column++, static_cast<std::int64_t>(number));
+}
+template <typename T>
+void bind(SQLite::Statement& row, int& column, const T& value) {
+  row.bind(column++, value);
+}
+
+/// Writes one row.
+template <typename... T>
+void put(SQLite::Statement& row, const T&... values) {
+  int column = 1;
+  (bind(row, column, values), ...);
+  row.exec();
+  row.reset();
+}
+
+}  // namespace
+
+void Batch::clear() {
+  frames.clear();
+  events.clear();
+  strokes.clear();
+  inputs.clear();
+  answers.clear();
+  knots.clear();
+  samples.clear();
+  latencies.clear();
+}
+
+JournalTables::JournalTables(const std::filesystem::path& file)
+    : database_(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusy_ms) {
+  database_.exec("PRAGMA journal_mode = WAL");
+  // Enough for a killed program; a machine that loses power may lose the last seconds, never the file.
+  database_.exec("PRAGMA synchronous = NORMAL");
+}
+
+void JournalTables::make(const SessionFacts& facts) {
+  SQLite::Transaction transaction(database_);
+  database_.exec(kTables);
+  database_.exec(frameTables());
+  database_.exec(fmt::format("PRAGMA application_id = {}", kJournalId));
+  database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion));
+  SQLite::Statement row(database_, "INSERT INTO session VALUES(?, ?)");
+  put(row, "program", facts.program);
+  put(row, "started_utc", utcNow());
+  put(row, "light_speed_m_s", facts.lightSpeed_m_s);
+  put(row, "rig_file", std::filesystem::absolute(facts.rig).string());
+  put(row, "rig", facts.rigText);
+  put(row, "scenario_file", std::filesystem::absolute(facts.scenario).string());
+  put(row, "scenario", facts.scenarioText);
+  transaction.commit();
+}
+
+int JournalTables::version() { return database_.execAndGet("PRAGMA user_version").getInt(); }
+
+void JournalTables::refuse(const std::string& what) const {
+  throw std::runtime_error(fmt::format("session file {}: {}", database_.getFilename(), what));
+}
+
+// A second connection reads the tables as they are until the transaction ends.
+void JournalTables::convert() {
+  if (version() != kVersion3)
+    refuse(fmt::format("version {} of the tables, expected version {} or {}", version(), kVersion3,
+                       kJournalVersion));
+  SQLite::Database before(database_.getFilename(), SQLite::OPEN_READONLY, kBusy_ms);
+  const double c_m_s =
+      before.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble();
+  FrameReader reader(before, kVersion3, c_m_s);
+  SQLite::Statement head(before,
+                         "SELECT known, celerity_x_m_s, celerity_y_m_s, celerity_z_m_s FROM frame WHERE "
+                         "number >= 0 ORDER BY number");
+  const bool hasDelays =
+      before.execAndGet("SELECT count(*) FROM pragma_table_info('event') WHERE name = 'without_delay'")
+          .getInt() > 0;
+  FrameState state;
+  std::optional<std::uint64_t> number = reader.step();
+  SQLite::Transaction transaction(database_);
+  database_.exec("DROP TABLE frame; DROP TABLE knot");
+  database_.exec(frameTables());
+  if (!hasDelays) database_.exec("ALTER TABLE event ADD COLUMN without_delay INTEGER NOT NULL DEFAULT 0");
+  FrameWriter writer(database_);
+  try {
+    for (; number && head.executeStep(); number = reader.step()) {
+      reader.read(state);
+      const auto component = [&head](int column) { return head.getColumn(column).getDouble(); };
+      writer.write(state.record, head.getColumn(0).getString(), {component(1), component(2), component(3)});
+      for (const BodyKnot& knot : state.knots) writer.write(*number, knot);
+      for (const GameEvent& event : state.events) writer.write(*number, event);
+    }
+  } catch (const SQLite::Exception&) {
+    throw;
+  } catch (const std::exception& error) {
+    refuse(fmt::format("frame {}: {}", *number, error.what()));
+  }
+  database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion));
+  transaction.commit();
+}
+
+void JournalTables::begin(const SessionFacts& facts) {
+  pucks_ = facts.pucks;
+  if (version() != kJournalVersion)
+    refuse(fmt::format("version {} of the tables, expected version {}", version(), kJournalVersion));
+  frames_.emplace(database_);
+  listed_ = static_cast<std::uint64_t>(
+      database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM event").getInt64());
+  const std::int64_t first =
+      database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM frame").getInt64();
+  SQLite::Statement row(database_, "INSERT INTO run VALUES(?, ?, ?)");
+  put(row, first, utcNow(), facts.program);
+  database_.exec("DELETE FROM session WHERE key = 'ended_utc'");
+  intoFile();
+}
+
+void JournalTables::intoFile() {
+  try {
+    database_.exec("PRAGMA wal_checkpoint(PASSIVE)");
+  } catch (const SQLite::Exception&) {
+    // The disk is full, perhaps: it stays where it is, and the next time may be better.
+  }
+}
+
+void JournalTables::close() {
+  try {
+    SQLite::Statement row(database_, "INSERT OR REPLACE INTO session VALUES('ended_utc', ?)");
+    put(row, utcNow());
+    database_.exec("PRAGMA journal_mode = DELETE");
+  } catch (const SQLite::Exception&) {
+    // Somebody is reading it: it stays as it is, which is as good.
+  }
+}
+
+void JournalTables::write(const Batch& batch) {
+  const std::uint64_t listedBefore = listed_;
+  try {
+    SQLite::Transaction transaction(database_);
+    writeFrames(batch);
+    writeInputs(batch);
+    writeSamples(batch);
+    transaction.commit();
+  } catch (...) {
+    listed_ = listedBefore;
+    throw;
+  }
+}
+
+void JournalTables::writeFrames(const Batch& batch) {
+  std::span<const GameEvent> events = batch.events;
+  for (const Batch::Frame& row : batch.frames) {
+    const std::span<const GameEvent> brought = events.first(row.events);
+    events = events.subspan(row.events);
+    list(brought, row.record.eventsKept);
+    frames_->write(row.record, toString(row.known), row.celerity_m_s);
+    for (const GameEvent& event : brought) frames_->write(row.record.number, event);
+  }
+  for (const auto& [frame, knot] : batch.knots) frames_->write(frame, knot);
+}
+
+/// The table of events becomes what it is after a frame: those from `kept` on go, these come.
+void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept) {
+  if (kept < listed_) {
+    for (const char* sql : {"DELETE FROM event WHERE number >= ?", "DELETE FROM turn WHERE event >= ?"}) {
+      SQLite::Statement old(database_, sql);
+      put(old, kept);
+    }
+    listed_ = kept;
+  }
+  if (brought.empty()) return;
+  SQLite::Statement& row = statement(event_, "INSERT OR REPLACE INTO event VALUES(?,?,?,?,?,?,?,?,?,?)");
+  SQLite::Statement& turnRow = statement(turn_, "INSERT INTO turn VALUES(?,?,?,?,?,?,?,?,?,?,?)");
+  for (const GameEvent& event : brought) {
+    std::string pucks;
+    for (const Turn& turn : event.turns) {
+      pucks += (pucks.empty() ? "" : ", ") + nameOf(turn.puck);
+      put(turnRow, event.number, nameOf(turn.puck), turn.event.t_s, turn.event.r_m, turn.betaBefore,
+          turn.betaAfter, turn.properTime_s);
+    }
+    put(row, event.number, carom::nameOf(event.kind), pucks,
+        event.cushion ? carom::nameOf(*event.cushion) : std::string_view(), event.at.t_s, event.at.r_m,
+        event.heat_j, event.withoutDelay ? 1 : 0);
+    listed_ = event.number + 1;
+  }
+}
+
+void JournalTables::writeInputs(const Batch& batch) {
+  if (!batch.strokes.empty()) {
+    SQLite::Statement row(database_, "INSERT INTO stroke VALUES(?,?,?,?,?,?,?,?)");
+    for (const auto& [frame, stroke] : batch.strokes)
+      put(row, frame, nameOf(stroke.puck), stroke.at_s, stroke.from_m.value(), stroke.momentum_kg_m_s);
+  }
+  if (!batch.inputs.empty()) {
+    SQLite::Statement row(database_, "INSERT INTO input VALUES(?,?,?)");
+    for (const auto& [frame, input] : batch.inputs) put(row, frame, input.what, input.value);
+  }
+  if (!batch.answers.empty()) {
+    SQLite::Statement row(database_, "INSERT INTO answer VALUES(?,?,?,?)");
+    for (const auto& [frame, a] : batch.answers) put(row, frame, a.lesson, a.question, a.answer);
+  }
+}
+
+void JournalTables::writeSamples(const Batch& batch) {
+  SQLite::Statement& sample = statement(sample_, "INSERT INTO sample VALUES(?,?,?,?,?,?,?,?,?)");
+  for (const TrackerSample& s : batch.samples) {
+    const glm::dquat& q = s.pose.orientation;
+    put(sample, s.time_s, s.sensor, s.pose.position_m, q.w, q.x, q.y, q.z);
+  }
+  SQLite::Statement& latency = statement(latency_, "INSERT INTO latency VALUES(?,?,?,?,?,?,?,?,?)");
+  for (const LatencyRow& row : batch.latencies) {
+    const PartStatistics& s = row.statistics;
+    put(latency, row.display_s, row.frame, row.node, kFrameParts[static_cast<std::size_t>(row.part)],
+        std::uint64_t{s.frames}, static_cast<double>(s.median_s), static_cast<double>(s.p99_s),
+        static_cast<double>(s.most_s), static_cast<double>(s.jitter_s));
+  }
+}
+
+std::string JournalTables::nameOf(std::size_t puck) const {
+  return puck < pucks_.size() ? pucks_[puck] : fmt::format("puck {}", puck + 1);
+}
+
+SQLite::Statement& JournalTables::statement(std::optional<SQLite::Statement>& kept, const char* sql) {
+  if (!kept) kept.emplace(database_, sql);
+  kept->tryReset();
+  return *kept;
+}
+
+}  // namespace carom

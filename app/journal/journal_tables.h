@@ -1,0 +1,89 @@
+#pragma once
+// The tables of a session file (app/journal/journal.h) and the rows that wait to be written into them.
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/journal/frame_rows.h"
+#include "app/journal/journal.h"
+
+namespace carom {
+
+/// Rows that wait to be written.
+struct Batch {
+  struct Frame {
+    FrameRecord record;
+    Known known;
+    Vec3 celerity_m_s;
+    std::size_t events;  ///< of the batch's, in order
+  };
+  template <typename Value>
+  struct OfFrame {
+    std::uint64_t frame;
+    Value value;
+  };
+  struct Input {
+    std::string what, value;
+  };
+  struct Answer {
+    std::string lesson, question, answer;
+  };
+
+  std::vector<Frame> frames;
+  std::vector<GameEvent> events;
+  std::vector<OfFrame<BodyKnot>> knots;
+  std::vector<OfFrame<Stroke>> strokes;
+  std::vector<OfFrame<Input>> inputs;
+  std::vector<OfFrame<Answer>> answers;
+  std::vector<TrackerSample> samples;
+  std::vector<LatencyRow> latencies;
+
+  bool empty() const {
+    return frames.empty() && knots.empty() && inputs.empty() && answers.empty() && samples.empty();
+  }
+  void clear();
+};
+
+/// The file and the statements that fill it. SQLite::Exception comes through.
+class JournalTables {
+ public:
+  explicit JournalTables(const std::filesystem::path& file);
+
+  /// Makes the tables of a new file.
+  void make(const SessionFacts& facts);
+  int version();
+  /// Makes a file of version 3 one of this version. Throws std::runtime_error, and leaves the file as it was,
+  /// if it is older still or damaged.
+  void convert();
+  /// Notes that a run of the program begins to write, now or again. Throws std::runtime_error if the file is
+  /// of another version.
+  void begin(const SessionFacts& facts);
+  /// All of it or, when it throws, nothing.
+  void write(const Batch& batch);
+  /// What is in the file beside goes into the file itself, as far as readers let it.
+  void intoFile();
+  /// One whole file again, that can be read where nothing can be written.
+  void close();
+
+ private:
+  void writeFrames(const Batch& batch);
+  void list(std::span<const GameEvent> brought, std::uint64_t kept);
+  void writeInputs(const Batch& batch);
+  void writeSamples(const Batch& batch);
+  std::string nameOf(std::size_t puck) const;
+  SQLite::Statement& statement(std::optional<SQLite::Statement>& kept, const char* sql);
+  [[noreturn]] void refuse(const std::string& what) const;
+
+  SQLite::Database database_;
+  std::vector<std::string> pucks_;  // their names
+  std::uint64_t listed_ = 0;        // events in their table
+  std::optional<FrameWriter> frames_;
+  std::optional<SQLite::Statement> event_, turn_, sample_, latency_;
+};
+
+}  // namespace carom

@@ -1,0 +1,41 @@
+#include "app/tools/option_values.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "app/files/config_folder.h"
+
+namespace carom {
+
+CLI::Validator numberIn(const Range& range, const std::string& expected) {
+  return CLI::Validator(
+      [range, expected](std::string& text) {
+        const std::size_t sign = text.starts_with('+') ? 1 : 0;
+        double value = 0.0;
+        const char* end = text.data() + text.size();
+        const auto [stop, failed] = std::from_chars(text.data() + sign, end, value);
+        const bool whole = failed == std::errc() && stop == end;
+        const bool fits =
+            whole && value <= range.most && (range.above ? value > range.least : value >= range.least);
+        return fits ? std::string() : fmt::format("'{}' is wrong, expected {}", text, expected);
+      },
+      "");
+}
+
+CLI::Validator shipped(const std::string& kind) {
+  return CLI::Validator(
+      [kind](std::string& text) {
+        text = shippedFile(text, kind).string();
+        return std::string();
+      },
+      "");
+}
+
+void addJson(CLI::App& command, std::optional<std::filesystem::path>& json) {
+  command.add_option("--json", json, "Write the result to this file as JSON; - is standard output")
+      ->type_name("FILE");
+}
+
+}  // namespace carom

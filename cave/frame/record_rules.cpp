@@ -1,0 +1,142 @@
+#include "cave/frame/record_rules.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+
+#include "engine/base/limits.h"
+
+namespace carom {
+namespace {
+
+template <typename... T>
+[[noreturn]] void refuse(fmt::format_string<const T&...> text, const T&... values) {
+  throw std::invalid_argument(fmt::format(text, values...));
+}
+
+void expectFinite(const char* field, std::initializer_list<double> values) {
+  for (const double value : values) {
+    if (!std::isfinite(value)) refuse("{} is {}, expected a finite number", field, value);
+  }
+}
+void expectFinite(const char* field, const Vec3& v) { expectFinite(field, {v.x, v.y, v.z}); }
+void expectFinite(const char* field, const Event& e) {
+  expectFinite(field, {e.t_s, e.r_m.x, e.r_m.y, e.r_m.z});
+}
+void expectFinite(const char* field, const Pose& pose) {
+  const glm::dquat& q = pose.orientation;
+  expectFinite(field, pose.position_m);
+  expectFinite(field, {q.w, q.x, q.y, q.z});
+}
+
+void expectFlag(const char* field, std::uint64_t value) {
+  if (value > 1) refuse("{} is {}, expected 0 or 1", field, value);
+}
+void expectFlags(const Switches& switches) {
+  for (const NamedSwitch& named : kNamedSwitches) expectFlag(named.name, switches.*named.value);
+}
+
+void expectPossible(const char* frame, const Lorentz& transform, double gameLightSpeed_m_s) {
+  const double c_m_s = transform.lightSpeed_m_s();
+  if (c_m_s != gameLightSpeed_m_s)
+    refuse("{} has light at {} m/s, expected the game's {}", frame, c_m_s, gameLightSpeed_m_s);
+  // The inverse of a Lorentz transform is written down, not sought: of any other it is none.
+  constexpr double kRounding = 1e-9;
+  const glm::dmat4 one = (transform.inverse() * transform).matrix();
+  const double gamma = transform.matrix()[0][0];
+  bool possible = std::isfinite(gamma) && gamma > 0.0;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      const double off = std::abs(one[column][row] - (row == column ? 1.0 : 0.0));
+      possible = possible && off <= kRounding * gamma * gamma;
+    }
+  }
+  if (!possible) refuse("{} is none, expected a Lorentz transform", frame);
+}
+
+void expectPossible(const ObserverView& observer, double gameLightSpeed_m_s) {
+  expectPossible("the head's frame", observer.headFromBoard, gameLightSpeed_m_s);
+  for (const EyeView& eye : observer.all()) {
+    expectFinite("an eye's event", eye.observation);
+    expectFinite("an eye's place in the room", eye.positionInRoom_m);
+    expectFinite("the place that an eye sees from", eye.seenFromInRoom_m);
+  }
+  expectFinite("the person's proper time", {observer.properTime_s});
+}
+
+void expectPossible(const WallControls& walls) {
+  if (walls.shown > Shown::alignmentPattern) {
+    refuse("controls.shown is {}, expected 0 to {}", static_cast<int>(walls.shown),
+           static_cast<int>(Shown::alignmentPattern));
+  }
+  expectFlag("controls.blank", walls.blank);
+  expectFlag("controls.eyesSwapped", walls.eyesSwapped);
+  expectFlag("controls.trackerCross", walls.trackerCross);
+  expectFlag("controls.latency", walls.latency);
+}
+
+void expectPossible(const HandView& hand, const DriveView& drive) {
+  expectFlag("hand.shown", hand.shown);
+  expectFlag("hand.pulling", hand.pulling);
+  for (const Vec3& place : {hand.from_m, hand.to_m, hand.target_m, hand.towards, drive.thrust})
+    expectFinite("the hand", place);
+  expectFinite("the stroke", {hand.u});
+  if (drive.mode > DriveMode::tour) refuse("drive.mode is none that there is");
+  expectFlag("drive.atLimit", drive.atLimit);
+}
+
+}  // namespace
+
+void expectPossible(const FrameRecord& record, double gameLightSpeed_m_s) {
+  expectFinite("display_s", {record.display_s});
+  expectPossible(record.observer, gameLightSpeed_m_s);
+  expectPossible("the room's frame", record.boardFromRoom, gameLightSpeed_m_s);
+  if (std::isnan(record.truncateFrom_s))
+    refuse("truncateFrom_s is no number, expected a board time or infinity");
+  const double c_m_s = record.lightSpeed_m_s;
+  const bool settable = c_m_s >= kLeastLightSpeed_m_s && c_m_s <= kMostLightSpeed_m_s;
+  if (!settable && c_m_s != gameLightSpeed_m_s) {
+    refuse("lightSpeed_m_s is {}, expected {} to {} or the game's {}", c_m_s, kLeastLightSpeed_m_s,
+           kMostLightSpeed_m_s, gameLightSpeed_m_s);
+  }
+  expectFlag("last", record.last);
+  expectFlags(record.switches);
+  expectPossible(record.controls);
+  for (const NamedView& named : kNamedViews) expectFlag(named.name, record.views.*named.value);
+  expectFlags(record.views.beside);
+  expectFinite("the head sensor's pose", record.tracked.roomFromHeadSensor);
+  expectFinite("the hand's pose", record.tracked.roomFromHand);
+  expectFlag("tracked.headKnown", record.tracked.headKnown);
+  expectFlag("tracked.handKnown", record.tracked.handKnown);
+  expectPossible(record.hand, record.drive);
+  if (record.lesson.phase > LessonPhase::explains || record.lesson.answer > kMostAnswers)
+    refuse("lesson is in no phase that there is");
+  if (record.notice.text.back() != 0) refuse("notice has no end");
+}
+
+void expectPossible(const Knot& knot) {
+  expectFinite("a knot's turn", knot.turn);
+  expectFinite("a knot's u", knot.u);
+  expectFinite("a knot's proper time", {knot.properTime_s});
+  expectFinite("a knot's news", knot.signal);
+  expectFinite("a knot's deceleration", {knot.deceleration_m_s2});
+}
+
+void expectPossible(const GameEvent& event, std::uint64_t pucks) {
+  if (event.kind > EventKind::jam) refuse("an event of a kind that there is not");
+  if (event.cushion && *event.cushion > Cushion::minusY) refuse("an event at a cushion that there is not");
+  expectFinite("an event's place", event.at);
+  expectFinite("an event's heat", {event.heat_j});
+  for (const Turn& turn : event.turns) {
+    if (turn.puck >= pucks)
+      refuse("an event turns puck {}, expected one of {} from 0", std::uint64_t{turn.puck}, pucks);
+    expectFinite("a turn's event", turn.event);
+    expectFinite("a turn's velocities",
+                 {turn.betaBefore.x, turn.betaBefore.y, turn.betaAfter.x, turn.betaAfter.y});
+    expectFinite("a turn's proper time", {turn.properTime_s});
+  }
+}
+
+}  // namespace carom
