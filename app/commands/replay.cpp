@@ -62,7 +62,8 @@ Frames framesOf(const ReplayOptions& options, const Stage& stage, SessionFile& s
     frames.pacer =
         std::make_unique<Pacer>(*frames.clock, rig.display_hz, rig.displayLatency_s, stage.swapsWait);
   } else {
-    frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(stage), rig.display_hz, options.at_s);
+    frames.source =
+        std::make_unique<RecordedSource>(session, historiesAtStart(stage), rig.display_hz, options.at_s);
     frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   return frames;

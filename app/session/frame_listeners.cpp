@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {

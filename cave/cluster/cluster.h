@@ -102,9 +102,9 @@ class Cluster {
 
   int rank_ = 0;
   int size_ = 1;
-  std::uint64_t frames_ = 0;        // swapped so far
-  std::uint64_t drawn_ = 0;         // the frame that this rank has drawn
-  bool wantsToEnd_ = false;         // somebody on this rank, then
+  std::uint64_t frames_ = 0;  // swapped so far
+  std::uint64_t drawn_ = 0;   // the frame that this rank has drawn
+  bool wantsToEnd_ = false;   // somebody on this rank, then
   double newest_s_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> names_;  // of the walls of each rank
   std::unique_ptr<Room> room_;

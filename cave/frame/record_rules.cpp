@@ -120,7 +120,7 @@ void expectPossible(const Knot& knot) {
   expectFinite("a knot's turn", knot.turn);
   expectFinite("a knot's u", knot.u);
   expectFinite("a knot's proper time", {knot.properTime_s});
-  expectFinite("a knot's news", knot.signal);
+  expectFinite("a knot's signal", knot.signal);
   expectFinite("a knot's deceleration", {knot.deceleration_m_s2});
 }
 
