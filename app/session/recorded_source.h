@@ -6,7 +6,7 @@
 
 #include "app/journal/session_file.h"
 #include "app/session/frame_source.h"
-#include "app/session/hands_off.h"
+#include "app/session/read_only_notice.h"
 
 namespace carom {
 
@@ -53,7 +53,7 @@ class RecordedSource : public FrameSource {
   bool leftAlone_ = true;             ///< so far, the frames have been shown one after the other
   bool bringsGame_ = false;           ///< the next frame brings all of the game
   Commands changed_;                  ///< the operator's last on each thing
-  HandsOff handsOff_;
+  ReadOnlyNotice readOnly_;
   std::optional<ObserverView> frozen_;  ///< the sight that the operator has frozen
 };
 

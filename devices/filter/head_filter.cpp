@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kPredict_s = 0.1;                // how far a pose is predicted and a celerity kept
 constexpr double kFade_s = 0.2;                   // in which celerity fades to zero after that, and back
+constexpr double kFirst_s = 0.5;                  // in which celerity grows where fadeInFrom asks for it
 constexpr double kLost_s = kPredict_s + kFade_s;  // jumps that last longer are the head's new place
 constexpr double kSlew_m_s = 1.0;                 // how fast the pose comes over to where samples came back
 constexpr double kSlew_rad_s = 3.0;
@@ -161,6 +162,7 @@ HeadEstimate HeadFilter::at(double time_s) const {
     head.pose = shownPose(time_s);
     head.lag_s = celerity_.lag_s() + ahead_s;
   }
+  head.celerity_m_s *= std::clamp((time_s - fadesInFrom_s_) / kFirst_s, 0.0, 1.0);
   return head;
 }
 

@@ -14,7 +14,7 @@ namespace carom {
 /// Long enough to be read twice.
 inline constexpr double kNoticeShown_s = 4.0;
 
-class Spoken {
+class StatusMessage {
  public:
   /// In the room from now on, and once on standard error.
   void say(std::string_view words, double now_s) {
