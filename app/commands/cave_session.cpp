@@ -26,18 +26,18 @@ namespace carom {
 namespace {
 
 /// Time as a session lives it: simulated for a given number of frames, unless a device tracks the head.
-std::unique_ptr<Clock> clockOf(const Stage& stage, const CaveOptions& options,
+std::unique_ptr<Clock> clockOf(const SessionSetup& setup, const CaveOptions& options,
                                std::chrono::steady_clock::time_point start) {
-  if (!stage.realTime) return std::make_unique<SimulatedClock>();
+  if (!setup.realTime) return std::make_unique<SimulatedClock>();
   if (options.frames) log::note("The head is tracked by a device: the frames are shown in real time.");
   return std::make_unique<SteadyClock>(start);
 }
 
 /// What is about to be seen, for the person at rank 0.
-void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& options) {
-  const std::vector<Wall>& walls = stage.rig.walls;
-  log::note(fmt::format("{} (light at {} m/s) in {}: {} wall{}, {} node{}.", stage.scenario.title,
-                        stage.scenario.billiard.lightSpeed_m_s, stage.rig.title, walls.size(),
+void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptions& options) {
+  const std::vector<Wall>& walls = setup.rig.walls;
+  log::note(fmt::format("{} (light at {} m/s) in {}: {} wall{}, {} node{}.", setup.scenario.title,
+                        setup.scenario.billiard.lightSpeed_m_s, setup.rig.title, walls.size(),
                         walls.size() == 1 ? "" : "s", cluster.size(), cluster.size() == 1 ? "" : "s"));
   for (const Wall& wall : walls) {
     if (wall.node < cluster.size()) continue;
@@ -56,20 +56,20 @@ void announce(const Stage& stage, const Cluster& cluster, const CaveOptions& opt
   if (!hasWindow && !options.frames) {
     log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
   }
-  const std::string renderer = stage.graphics->rendererName();
+  const std::string renderer = setup.graphics->rendererName();
   if (drawsOnProcessor(renderer)) {
     log::note(fmt::format("Drawn without a graphics card, by {}: slower than the display.", renderer));
   }
-  log::note(tessellationReport(stage.scene, stage.tessellation));
+  log::note(tessellationReport(setup.scene, setup.tessellation));
 }
 
 /// The file that the session is written to: --session, new or gone on with; none without it.
 std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>& file, bool goOn,
-                                     const StageOptions& inputs, const Stage& stage) {
+                                     const SetupOptions& inputs, const SessionSetup& setup) {
   if (!file) return nullptr;
   SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
-                     textOf(inputs.rig), textOf(inputs.scenario), stage.scenario.billiard.lightSpeed_m_s};
-  for (const Puck& puck : stage.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
+                     textOf(inputs.rig), textOf(inputs.scenario), setup.scenario.billiard.lightSpeed_m_s};
+  for (const Puck& puck : setup.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
   return std::make_unique<Journal>(*file, facts, goOn);
 }
 
@@ -91,18 +91,18 @@ Before whatWas(const std::filesystem::path& file) {
 }
 
 /// What a game begins with.
-OperatorSettings settingsOf(const Stage& stage, const CaveOptions& options) {
-  OperatorSettings settings = settingsAtStart(stage);
+OperatorSettings settingsOf(const SessionSetup& setup, const CaveOptions& options) {
+  OperatorSettings settings = settingsAtStart(setup);
   settings.switches = options.switches;
   settings.views = options.views;
-  beginLesson(stage.scenario, !options.frames, settings);
+  beginLesson(setup.scenario, !options.frames, settings);
   return settings;
 }
 
 /// What the session begins with: asked for, or left by the one that goes on.
-OperatorSettings firstSettings(const Stage& stage, const CaveOptions& options, const std::string& file,
+OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& options, const std::string& file,
                                const Before& before) {
-  OperatorSettings settings = settingsOf(stage, options);
+  OperatorSettings settings = settingsOf(setup, options);
   settings.playing = file;
   if (!before.last) return settings;
   // A question that waits for its answer is asked again.
@@ -120,16 +120,16 @@ OperatorSettings firstSettings(const Stage& stage, const CaveOptions& options, c
 
 /// What rank 0 has for all games of the session.
 struct LivePlay {
-  LivePlay(const Stage& stage, const CaveOptions& options, const StageOptions& inputs, const Before& before,
-           LiveStart start)
-      : clock(clockOf(stage, options, start.sessionStart)),
-        pacer((clock->sleepUntil(livedOf_s(start)), *clock), stage.rig.display_hz, stage.rig.displayLatency_s,
-              stage.swapsWait, start.firstFrame()),
-        source(stage.rig, stage.scenario, stage.world, start),
-        leader(source, KeysOf::session, firstSettings(stage, options, inputs.scenario.file.string(), before),
-               stage.realTime ? stage.walls.get() : nullptr),
-        sounds(soundsFor(stage, options.silent || options.noWindow)) {
-    journal.keep(openJournal(options.session, options.resume, inputs, stage));
+  LivePlay(const SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
+           const Before& before, LiveStart start)
+      : clock(clockOf(setup, options, start.sessionStart)),
+        pacer((clock->sleepUntil(livedOf_s(start)), *clock), setup.rig.display_hz, setup.rig.displayLatency_s,
+              setup.swapsWait, start.firstFrame()),
+        source(setup.rig, setup.scenario, setup.world, start),
+        leader(source, KeysOf::session, firstSettings(setup, options, inputs.scenario.file.string(), before),
+               setup.realTime ? setup.walls.get() : nullptr),
+        sounds(soundsFor(setup, options.silent || options.noWindow)) {
+    journal.keep(openJournal(options.session, options.resume, inputs, setup));
   }
 
   static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
@@ -143,17 +143,17 @@ struct LivePlay {
 };
 
 /// At the start of the game, or after the last frame of the session that goes on.
-std::unique_ptr<LivePlay> playOf(const Stage& stage, const CaveOptions& options, const StageOptions& inputs,
-                                 const Before& before) {
+std::unique_ptr<LivePlay> playOf(const SessionSetup& setup, const CaveOptions& options,
+                                 const SetupOptions& inputs, const Before& before) {
   using SystemClock = std::chrono::steady_clock;
   LiveStart start{{}, before.last, options.frames};
   start.sessionStart = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
                                                 std::chrono::duration<double>(LivePlay::livedOf_s(start)));
   if (options.resume) {
     constexpr bool kQuiet = true;  // whatWas has spoken
-    start.struck = SessionFile(*options.session, kQuiet).strokes(stage.scenario.billiard.pucks);
+    start.struck = SessionFile(*options.session, kQuiet).strokes(setup.scenario.billiard.pucks);
   }
-  return std::make_unique<LivePlay>(stage, options, inputs, before, std::move(start));
+  return std::make_unique<LivePlay>(setup, options, inputs, before, std::move(start));
 }
 
 /// Each game's session file, beside the first: visit.db, visit-2.db, visit-3.db.
@@ -199,9 +199,9 @@ void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesy
 /// Another game begins as this program does; what belongs to the room stays. The same game again keeps all
 /// that was set; a lesson that is being looked at is shown again, and one that was explained is over: its
 /// question is the next visitor's.
-OperatorSettings settingsOfNext(const OperatorSettings& before, const std::string& file, const Stage& stage,
-                                const CaveOptions& options) {
-  OperatorSettings settings = settingsOf(stage, options);
+OperatorSettings settingsOfNext(const OperatorSettings& before, const std::string& file,
+                                const SessionSetup& setup, const CaveOptions& options) {
+  OperatorSettings settings = settingsOf(setup, options);
   settings.eyeSeparation_m = before.eyeSeparation_m;
   settings.walls = before.walls;
   settings.keysShown = before.keysShown;
@@ -217,8 +217,8 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const std::strin
 
 /// The journal of the next game; where it cannot be written, that is said and the game is played without.
 std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& session,
-                                         const StageOptions& inputs, const Stage& stage) try {
-  return openJournal(session, false, inputs, stage);
+                                         const SetupOptions& inputs, const SessionSetup& setup) try {
+  return openJournal(session, false, inputs, setup);
 } catch (const std::runtime_error& error) {
   log::error(fmt::format("{}. This game is not written.", error.what()));
   session.reset();
@@ -227,46 +227,46 @@ std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& s
 
 /// Rank 0 may have chosen another game, or the same from its beginning: then every node goes on with it.
 /// False: nobody has, it is the end. `play`: null on ranks other than 0.
-bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, StageOptions& inputs, Stage& stage,
+bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions& inputs, SessionSetup& setup,
                      OperatorWindows& windows, LivePlay* play) {
   std::string file = play ? play->leader.takeNextGame() : "";
   cluster.share(file);
   if (file.empty()) return false;
-  if (!playNext(cluster, stage, file)) {
+  if (!playNext(cluster, setup, file)) {
     if (windows.console) tellConsole(*windows.console, file);
-    if (play) play->source.tell("That game has a mistake: the terminal and the console say where");
+    if (play) play->source.announce("That game has a mistake: the terminal and the console say where");
     return true;
   }
   inputs.scenario = {file, {}};
   onAllRanks(cluster, [&] {
     if (!play) return;
-    windows.play(stage);
+    windows.play(setup);
     std::optional<std::filesystem::path> session;
     if (options.session) session = fileAfter(*options.session);
     play->source.playAnew();
-    play->journal.keep(openNextJournal(session, inputs, stage));
+    play->journal.keep(openNextJournal(session, inputs, setup));
     if (windows.console) windows.console->writeTo(session);
-    play->leader.begin(settingsOfNext(play->leader.settings(), file, stage, options));
+    play->leader.begin(settingsOfNext(play->leader.settings(), file, setup, options));
     log::note(
-        fmt::format("{}{}", stage.scenario.title, session ? " is written to " + session->string() : ""));
+        fmt::format("{}{}", setup.scenario.title, session ? " is written to " + session->string() : ""));
   });
-  stage.graphics->poll();  // what was pressed while it was made ready is meant for nothing
+  setup.graphics->poll();  // what was pressed while it was made ready is meant for nothing
   return true;
 }
 
 /// One game's frames; returns whether somebody wants the session to end.
-bool playGame(Cluster& cluster, Stage& stage, OperatorWindows& windows, LivePlay* play) {
+bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play) {
   FramePacer follows;
-  if (!play) return runFrames(SessionFrames(cluster, stage, follows, nullptr, KeysOf::session).context());
-  const Lead lead{play->source, play->leader, windows, play->sounds.get(), &play->journal};
-  SessionFrames frames(cluster, stage, play->pacer, &lead, KeysOf::session);
+  if (!play) return runFrames(SessionFrames(cluster, setup, follows, nullptr, KeysOf::session).context());
+  const LeaderParts lead{play->source, play->leader, windows, play->sounds.get(), &play->journal};
+  SessionFrames frames(cluster, setup, play->pacer, &lead, KeysOf::session);
   const bool isAskedToEnd = runFrames(frames.context());
-  if (stage.realTime) frames.statistics().sayHowItWent();
+  if (setup.realTime) frames.statistics().sayHowItWent();
   return isAskedToEnd;
 }
 
 void runSession(Cluster& cluster, const CaveOptions& options) {
-  StageOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
+  SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
                       options.noWindow,  options.frames.has_value(), options.outside};
   Before before;
   onAllRanks(cluster, [&] {
@@ -281,24 +281,24 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
     inputs.rig = {before.facts.rig, before.facts.rigText};
     inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
   });
-  if (options.resume) shareInputs(cluster, inputs);
-  Stage stage = openStage(cluster, inputs);
+  if (options.resume) shareInputs(cluster, inputs.rig, inputs.scenario);
+  SessionSetup setup = setUpSession(cluster, inputs);
   const bool visible = !options.noWindow;
   OperatorWindows windows =
-      openWindows(cluster, stage, options.diagram && visible, options.console && visible, KeysOf::session);
+      openWindows(cluster, setup, options.diagram && visible, options.console && visible, KeysOf::session);
   if (windows.console) windows.console->writeTo(options.session);
   std::unique_ptr<LivePlay> play;
   onAllRanks(cluster, [&] {
-    if (cluster.rank() == 0) play = playOf(stage, options, inputs, before);
+    if (cluster.rank() == 0) play = playOf(setup, options, inputs, before);
   });
-  if (play) announce(stage, cluster, options);
-  while (!playGame(cluster, stage, windows, play.get()) &&
-         goOnWithAnother(cluster, options, inputs, stage, windows, play.get())) {
+  if (play) announce(setup, cluster, options);
+  while (!playGame(cluster, setup, windows, play.get()) &&
+         goOnWithAnother(cluster, options, inputs, setup, windows, play.get())) {
   }
   const bool leads = play != nullptr;
   play.reset();  // the session file is whole
   if (leads && options.session) sayWhere(*options.session);
-  stage.recording->finish();
+  setup.recording->finish();
   if (leads && options.recording.capture)
     log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));
   cluster.leave();

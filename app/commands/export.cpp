@@ -16,7 +16,7 @@
 #include "app/journal/session_file.h"
 #include "app/play/game.h"
 #include "app/session/recorded_source.h"
-#include "app/session/visitor_source.h"
+#include "app/session/replay_visitor_source.h"
 #include "app/stage/scenario_scene.h"
 #include "app/tables/csv_text.h"
 #include "app/tools/option_values.h"
@@ -101,8 +101,9 @@ void eachFrameSeen(Recorded& recorded, const TakeFrame& take) {
 
 void eachFrameOf(const std::filesystem::path& observer, const Recorded& recorded, const TakeFrame& take) {
   SimulatedClock clock;
-  VisitorSource source(recorded.rig, recorded.scenario, {.trace = observer, .beta = {}, .mayStay = false},
-                       recorded.game, std::chrono::steady_clock::now());
+  ReplayVisitorSource source(recorded.rig, recorded.scenario,
+                             {.trace = observer, .beta = {}, .mayStay = false}, recorded.game,
+                             std::chrono::steady_clock::now());
   Pacer pacer(clock, recorded.rig.display_hz, recorded.rig.displayLatency_s);
   OperatorSettings settings;
   Decision decision;

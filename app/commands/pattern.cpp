@@ -7,11 +7,11 @@
 #include <stdexcept>
 
 #include "app/files/rig.h"
-#include "app/session/frame_listeners.h"
 #include "app/session/frame_loop.h"
-#include "app/session/frame_views.h"
+#include "app/session/session_listeners.h"
+#include "app/session/session_views.h"
 #include "app/stage/all_ranks.h"
-#include "app/stage/stage.h"
+#include "app/stage/session_setup.h"
 #include "app/tools/import.h"
 #include "cave/cluster/cluster.h"
 #include "cave/frame/pacer.h"

@@ -11,7 +11,7 @@
 #include "app/commands/session_frames.h"
 #include "app/commands/session_options.h"
 #include "app/session/recorded_source.h"
-#include "app/session/visitor_source.h"
+#include "app/session/replay_visitor_source.h"
 #include "app/stage/all_ranks.h"
 #include "app/tools/option_values.h"
 #include "devices/tracker/trace.h"
@@ -25,7 +25,7 @@ bool isVisit(const ReplayOptions& options) {
 }
 
 /// The session's rig and scenario, from its file.
-std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, StageOptions& inputs) {
+std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOptions& inputs) {
   auto session = std::make_unique<SessionFile>(options.session);
   if (!session->frames()) {
     throw std::runtime_error(
@@ -44,45 +44,46 @@ struct Frames {
   std::unique_ptr<FrameSource> source;
 };
 
-Frames framesOf(const ReplayOptions& options, const Stage& stage, SessionFile& session) {
+Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, SessionFile& session) {
   std::optional<RecordedGame> game;
-  if (isVisit(options)) game = wholeGame(session, historiesAtStart(stage));
+  if (isVisit(options)) game = wholeGame(session, historiesAtStart(setup));
   Frames frames;
   const auto start = std::chrono::steady_clock::now();
-  if (stage.realTime) {
+  if (setup.realTime) {
     frames.clock = std::make_unique<SteadyClock>(start);
   } else {
     frames.clock = std::make_unique<SimulatedClock>();
   }
-  const Rig& rig = stage.rig;
+  const Rig& rig = setup.rig;
   if (game) {
-    const Visitor visitor{options.observer, options.beta, stage.realTime && !options.observer, options.from_m,
+    const Visitor visitor{options.observer, options.beta, setup.realTime && !options.observer, options.from_m,
                           options.facing_rad};
-    frames.source = std::make_unique<VisitorSource>(rig, stage.scenario, visitor, std::move(*game), start);
+    frames.source =
+        std::make_unique<ReplayVisitorSource>(rig, setup.scenario, visitor, std::move(*game), start);
     frames.pacer =
-        std::make_unique<Pacer>(*frames.clock, rig.display_hz, rig.displayLatency_s, stage.swapsWait);
+        std::make_unique<Pacer>(*frames.clock, rig.display_hz, rig.displayLatency_s, setup.swapsWait);
   } else {
     frames.source =
-        std::make_unique<RecordedSource>(session, historiesAtStart(stage), rig.display_hz, options.at_s);
+        std::make_unique<RecordedSource>(session, historiesAtStart(setup), rig.display_hz, options.at_s);
     frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   return frames;
 }
 
 /// On rank 0: the frames as the source has them.
-void showFrames(Cluster& cluster, Stage& stage, OperatorWindows& windows, const ReplayOptions& options,
+void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, const ReplayOptions& options,
                 const std::string& scenario, Frames& frames) {
-  OperatorSettings settings = settingsAtStart(stage);
+  OperatorSettings settings = settingsAtStart(setup);
   settings.playing = scenario;
-  FrameLeader leader(*frames.source, KeysOf::replay, settings, stage.realTime ? stage.walls.get() : nullptr);
-  const auto sounds = soundsFor(stage, options.silent || options.noWindow);
-  const Lead lead{*frames.source, leader, windows, sounds.get(), nullptr};
-  runFrames(SessionFrames(cluster, stage, *frames.pacer, &lead, KeysOf::replay).context());
+  FrameLeader leader(*frames.source, KeysOf::replay, settings, setup.realTime ? setup.walls.get() : nullptr);
+  const auto sounds = soundsFor(setup, options.silent || options.noWindow);
+  const LeaderParts lead{*frames.source, leader, windows, sounds.get(), nullptr};
+  runFrames(SessionFrames(cluster, setup, *frames.pacer, &lead, KeysOf::replay).context());
 }
 
 void replay(Cluster& cluster, const ReplayOptions& options) {
   std::unique_ptr<SessionFile> session;
-  StageOptions inputs;
+  SetupOptions inputs;
   inputs.recording = options.recording;
   inputs.noWindow = inputs.simulated = options.noWindow;
   inputs.live = isVisit(options) && !options.observer;
@@ -90,26 +91,26 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
-  shareInputs(cluster, inputs);
-  Stage stage = openStage(cluster, inputs);
+  shareInputs(cluster, inputs.rig, inputs.scenario);
+  SessionSetup setup = setUpSession(cluster, inputs);
   const bool visible = !options.noWindow;
   OperatorWindows windows =
-      openWindows(cluster, stage, options.diagram && visible, options.console && visible, KeysOf::replay);
+      openWindows(cluster, setup, options.diagram && visible, options.console && visible, KeysOf::replay);
   Frames frames;
   onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
-    frames = framesOf(options, stage, *session);
+    frames = framesOf(options, setup, *session);
     if (visible) sayKeys(KeysOf::replay);
   });
   if (frames.source) {
-    showFrames(cluster, stage, windows, options, inputs.scenario.file.string(), frames);
+    showFrames(cluster, setup, windows, options, inputs.scenario.file.string(), frames);
   } else {
     FramePacer follows;
-    runFrames(SessionFrames(cluster, stage, follows, nullptr, KeysOf::replay).context());
+    runFrames(SessionFrames(cluster, setup, follows, nullptr, KeysOf::replay).context());
   }
   const bool leads = frames.source != nullptr;
   frames.source.reset();  // trackers are asked to be quiet
-  stage.recording->finish();
+  setup.recording->finish();
   if (leads && options.recording.capture)
     log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));
   cluster.leave();

@@ -4,52 +4,53 @@
 
 namespace carom {
 
-void OperatorWindows::play(const Stage& stage) {
-  if (diagram) diagram->play(stage.scenario);
-  if (console) console->play(stage.scenario, stage.scene);
+void OperatorWindows::play(const SessionSetup& setup) {
+  if (diagram) diagram->play(setup.scenario);
+  if (console) console->play(setup.scenario, setup.scene);
 }
 
-OperatorWindows openWindows(Cluster& cluster, Stage& stage, bool diagram, bool console, KeysOf keys) {
+OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, bool diagram, bool console, KeysOf keys) {
   OperatorWindows windows;
   onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
-    if (diagram) windows.diagram = std::make_unique<DiagramWindow>(*stage.graphics, stage.scenario);
+    if (diagram) windows.diagram = std::make_unique<DiagramWindow>(*setup.graphics, setup.scenario);
     if (!console) return;
     windows.console =
-        std::make_unique<Console>(*stage.graphics, stage.rig, cluster, keys, stage.scenario, stage.scene);
+        std::make_unique<Console>(*setup.graphics, setup.rig, cluster, keys, setup.scenario, setup.scene);
   });
   return windows;
 }
 
-std::unique_ptr<Sounds> soundsFor(const Stage& stage, bool silent) {
-  const RoomAxes& axes = stage.rig.axes;
-  if (silent || !stage.realTime) return nullptr;
+std::unique_ptr<Sounds> soundsFor(const SessionSetup& setup, bool silent) {
+  const RoomAxes& axes = setup.rig.axes;
+  if (silent || !setup.realTime) return nullptr;
   return std::make_unique<Sounds>(SoundAxes{axes.right, axes.up, axes.forward});
 }
 
-OperatorSettings settingsAtStart(const Stage& stage) {
+OperatorSettings settingsAtStart(const SessionSetup& setup) {
   OperatorSettings settings;
-  settings.eyeSeparation_m = stage.rig.head.eyeSeparation_m;
-  settings.lightSpeed_m_s = stage.scenario.billiard.lightSpeed_m_s;
+  settings.eyeSeparation_m = setup.rig.head.eyeSeparation_m;
+  settings.lightSpeed_m_s = setup.scenario.billiard.lightSpeed_m_s;
   return settings;
 }
 
-SessionFrames::SessionFrames(Cluster& cluster, Stage& stage, FramePacer& pacer, const Lead* lead, KeysOf keys)
-    : statistics_(cluster, stage.lock, stage.rig.display_hz, stage.realTime),
-      walls_(*stage.walls, statistics_, lead ? lead->leader : follower_, keys),
-      drawingEnd_(*stage.walls, statistics_, stage.realTime),
-      recording_(*stage.recording, *stage.walls, stage.outside.get()),
-      context_{cluster,     *stage.graphics, stage.world,   pacer, lead ? lead->leader : follower_,
+SessionFrames::SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& pacer,
+                             const LeaderParts* lead, KeysOf keys)
+    : statistics_(cluster, setup.lock, setup.rig.display_hz, setup.realTime),
+      walls_(*setup.walls, statistics_, lead ? lead->leader : follower_, keys),
+      drawingEnd_(*setup.walls, statistics_, setup.realTime),
+      recording_(*setup.recording, *setup.walls, setup.outside.get()),
+      context_{cluster,     *setup.graphics, setup.world,   pacer, lead ? lead->leader : follower_,
                statistics_, {&walls_},       {&statistics_}} {
-  if (stage.outside) context_.views.push_back(&outside_.emplace(*stage.outside, *stage.walls));
+  if (setup.outside) context_.views.push_back(&outside_.emplace(*setup.outside, *setup.walls));
   if (lead && lead->windows.diagram) context_.views.push_back(lead->windows.diagram.get());
   context_.views.push_back(&drawingEnd_);
-  if (lead && lead->sounds) context_.listeners.push_back(&sounds_.emplace(*lead->sounds, stage.world));
+  if (lead && lead->sounds) context_.listeners.push_back(&sounds_.emplace(*lead->sounds, setup.world));
   context_.listeners.push_back(&recording_);
-  if (lead) listen(stage, *lead, keys);
+  if (lead) listen(setup, *lead, keys);
 }
 
-void SessionFrames::listen(Stage& stage, const Lead& lead, KeysOf keys) {
+void SessionFrames::listen(SessionSetup& setup, const LeaderParts& lead, KeysOf keys) {
   std::vector<FrameListener*>& listeners = context_.listeners;
   if (lead.journal) {
     lead.journal->measureBy(&statistics_);
@@ -57,9 +58,9 @@ void SessionFrames::listen(Stage& stage, const Lead& lead, KeysOf keys) {
   }
   if (lead.windows.console) {
     listeners.push_back(
-        &console_.emplace(*lead.windows.console, stage, statistics_, lead.source, lead.leader, keys));
+        &console_.emplace(*lead.windows.console, setup, statistics_, lead.source, lead.leader, keys));
   }
-  if (!stage.realTime) listeners.push_back(&progress_.emplace(lead.source));
+  if (!setup.realTime) listeners.push_back(&progress_.emplace(lead.source));
 }
 
 }  // namespace carom

@@ -7,25 +7,25 @@
 #include "app/console/console.h"
 #include "app/console/console_listener.h"
 #include "app/console/diagram_window.h"
-#include "app/session/frame_listeners.h"
 #include "app/session/frame_loop.h"
-#include "app/session/frame_views.h"
-#include "app/stage/stage.h"
+#include "app/session/session_listeners.h"
+#include "app/session/session_views.h"
+#include "app/stage/session_setup.h"
 
 namespace carom {
 
-/// The windows of rank 0 beside those of its walls, where they were asked for. The stage stays where it is.
+/// The windows of rank 0 beside those of its walls, where they were asked for. The setup stays where it is.
 struct OperatorWindows {
   std::unique_ptr<DiagramWindow> diagram;
   std::unique_ptr<Console> console;
 
-  /// Another game: the stage has it.
-  void play(const Stage& stage);
+  /// Another game: the setup has it.
+  void play(const SessionSetup& setup);
 };
-OperatorWindows openWindows(Cluster& cluster, Stage& stage, bool diagram, bool console, KeysOf keys);
+OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, bool diagram, bool console, KeysOf keys);
 
 /// What only rank 0 has.
-struct Lead {
+struct LeaderParts {
   const FrameSource& source;
   FrameLeader& leader;
   OperatorWindows& windows;
@@ -34,15 +34,16 @@ struct Lead {
 };
 
 /// Opens the system's sound device, for who watches in real time; null for others, or where they want silence.
-std::unique_ptr<Sounds> soundsFor(const Stage& stage, bool silent);
+std::unique_ptr<Sounds> soundsFor(const SessionSetup& setup, bool silent);
 
 /// Returns the settings with which rig and scenario begin.
-OperatorSettings settingsAtStart(const Stage& stage);
+OperatorSettings settingsAtStart(const SessionSetup& setup);
 
 class SessionFrames {
  public:
   /// `lead`: null on ranks other than 0. All are used as long as this lives.
-  SessionFrames(Cluster& cluster, Stage& stage, FramePacer& pacer, const Lead* lead, KeysOf keys);
+  SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& pacer, const LeaderParts* lead,
+                KeysOf keys);
   SessionFrames(const SessionFrames&) = delete;
   SessionFrames& operator=(const SessionFrames&) = delete;
 
@@ -50,7 +51,7 @@ class SessionFrames {
   const FrameStatistics& statistics() const { return statistics_; }
 
  private:
-  void listen(Stage& stage, const Lead& lead, KeysOf keys);
+  void listen(SessionSetup& setup, const LeaderParts& lead, KeysOf keys);
 
   Director follower_;
   FrameStatistics statistics_;

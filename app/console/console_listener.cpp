@@ -16,7 +16,7 @@ void ConsoleListener::shown(const Decision& decision) {
     asked_s_ = record.display_s;
     status_ = source_.status();
   }
-  console_.show({record, stage_.world, *stage_.walls, statistics_.numbers(record), status_, *stage_.recording,
+  console_.show({record, setup_.world, *setup_.walls, statistics_.numbers(record), status_, *setup_.recording,
                  keys_, leader_.settings(), leader_.inbox()});
 }
 

@@ -6,17 +6,17 @@
 #include "app/session/director.h"
 #include "app/session/frame_listener.h"
 #include "app/session/frame_statistics.h"
-#include "app/stage/stage.h"
+#include "app/stage/session_setup.h"
 
 namespace carom {
 
 class ConsoleListener : public FrameListener {
  public:
   /// All are used as long as this lives.
-  ConsoleListener(Console& console, const Stage& stage, FrameStatistics& statistics,
+  ConsoleListener(Console& console, const SessionSetup& setup, FrameStatistics& statistics,
                   const FrameSource& source, FrameLeader& leader, KeysOf keys)
       : console_(console),
-        stage_(stage),
+        setup_(setup),
         statistics_(statistics),
         source_(source),
         leader_(leader),
@@ -26,7 +26,7 @@ class ConsoleListener : public FrameListener {
 
  private:
   Console& console_;
-  const Stage& stage_;
+  const SessionSetup& setup_;
   FrameStatistics& statistics_;
   const FrameSource& source_;
   FrameLeader& leader_;

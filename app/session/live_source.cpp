@@ -16,7 +16,7 @@ constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
 constexpr std::array<const char*, 4> kDriveModes{"as steered", "braking", "home", "tour"};
 
 /// What a stroke costs, of the strongest one's, as the gamepad that draws it back makes felt.
-double felt(const HandInput& hand, const HandView& view) {
+double rumbleStrength(const HandInput& hand, const HandView& view) {
   return view.pulling && hand.device == "gamepad" ? costOf(view.u) / costOf(kStrongestU) : 0.0;
 }
 
@@ -71,7 +71,7 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
 /// To the person in the room, whatever it is that has to be told.
 void LiveSource::say(std::string_view words, Decision& decision) {
   if (words.empty()) return;
-  play_.spoken.say(words, decision.frame.record.display_s);
+  play_.message.say(words, decision.frame.record.display_s);
   decision.notes.push_back({"notice", std::string(words)});
 }
 
@@ -82,7 +82,7 @@ void LiveSource::strike(bool still, const FrameTimes& times, Decision& decision)
   if (const auto command = hands_.lessonCommand()) decision.commands.push_back(*command);
   const CueInteraction::Outcome outcome = play_.hands.step(hand, still, play_.game, record);
   if (outcome.stroke) decision.strokes.push_back(*outcome.stroke);
-  rumble_.set(felt(hand, record.hand));
+  rumble_.set(rumbleStrength(hand, record.hand));
   if (outcome.stroke && hand.device == "gamepad") rumble_.pulse();
   say(outcome.said, decision);
 }
@@ -106,8 +106,8 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   strike(still, times, decision);
   say(play_.drive.news().words(), decision);
   say(roomBoundary_.look(viewer_.head().pose.position_m), decision);
-  say(std::exchange(told_, {}), decision);
-  record.notice = play_.spoken.at(times.display_s);
+  say(std::exchange(pendingMessage_, {}), decision);
+  record.notice = play_.message.at(times.display_s);
   if (settings.views.myNow) play_.game.playToNowOf(record.observer);
   play_.game.advance(latestObservation_s(record.observer), frame);
   if (times.number % kFramesBetweenForgetting == 0)

@@ -14,7 +14,7 @@
 #include "app/play/game.h"
 #include "app/play/input_devices.h"
 #include "app/session/frame_source.h"
-#include "app/session/spoken.h"
+#include "app/session/status_message.h"
 #include "app/viewer/platform_motion.h"
 #include "app/viewer/viewer.h"
 #include "cave/room/room_boundary.h"
@@ -41,7 +41,7 @@ struct Play {
   PlatformMotion drive;
   Game game;
   CueInteraction hands;
-  Spoken spoken;
+  StatusMessage message;
   LessonState lesson;                  ///< of the last frame
   DriveMode driven = DriveMode::free;  ///< in the last frame
   std::optional<ObserverView> frozen;  ///< the sight that is walked round
@@ -58,7 +58,7 @@ class LiveSource : public FrameSource {
   void playAnew();
 
   /// Is said in the room from the next frame on.
-  void tell(const std::string& words) { told_ = words; }
+  void announce(const std::string& words) { pendingMessage_ = words; }
 
   void next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
             Decision& decision) override;
@@ -80,7 +80,7 @@ class LiveSource : public FrameSource {
   Rumble rumble_;
   RoomBoundary roomBoundary_;
   std::optional<std::uint64_t> lastFrame_;                            ///< its number
-  std::string told_;                                                  ///< and not said yet
+  std::string pendingMessage_;                                        ///< and not said yet
   double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< of the head, on the session's clock
 };
 

@@ -117,8 +117,8 @@ void RecordedSource::next(const FrameTimes& times, const FrameInput& input, Oper
   FrameRecord& record = decision.frame.record;
   record.last = ends_ && moves && !more_;
   keepChanges(input.commands, settings, record);
-  handsOff_.handled(input.desk, times.begin_s);
-  handsOff_.tell(times.begin_s, record.notice);
+  readOnly_.handled(input.desk, times.begin_s);
+  readOnly_.tell(times.begin_s, record.notice);
   begun_ = true;
 }
 

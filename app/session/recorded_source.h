@@ -6,7 +6,7 @@
 
 #include "app/journal/session_file.h"
 #include "app/session/frame_source.h"
-#include "app/session/hands_off.h"
+#include "app/session/read_only_notice.h"
 
 namespace carom {
 
@@ -56,7 +56,7 @@ class RecordedSource : public FrameSource {
   bool ends_ = true;                  ///< with the last frame: nobody has gone elsewhere
   bool bringsGame_ = false;           ///< the next frame brings all of the game
   Commands changed_;                  ///< the operator's last on each thing
-  HandsOff handsOff_;
+  ReadOnlyNotice readOnly_;
   std::optional<ObserverView> frozen_;  ///< the sight that the operator has frozen
 };
 

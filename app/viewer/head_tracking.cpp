@@ -1,20 +1,11 @@
 #include "app/viewer/head_tracking.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
 
 namespace carom {
-namespace {
-
-/// From its first samples the filter cannot tell noise from motion: so long the velocity comes in little by
-/// little, or the hall would hop when a session begins.
-constexpr double kFirst_s = 0.5;
-
-}  // namespace
-
 HeadTracking::HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart)
     : setup_(rig.head),
       roomFromTracker_(rig.trackers[rig.head.sensor.tracker].roomFromTracker),
@@ -69,15 +60,11 @@ HeadEstimate HeadTracking::at(const FrameTimes& times) {
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
   for (const TrackerSample& sample : samples_) {
     if (sample.sensor != setup_.sensor.sensor) continue;
+    if (!filter_.hasStarted()) filter_.fadeInFrom(times.display_s);
     filter_.add(sample.time_s - latency_s_, roomFromTracker_ * sample.pose * sensorFromEyes);
-    if (!firstTracked_s_) firstTracked_s_ = times.display_s;
   }
   HeadEstimate head = filter_.at(times.display_s);
-  if (!firstTracked_s_) {
-    head.pose = standing_;
-  } else {
-    head.celerity_m_s *= std::min((times.display_s - *firstTracked_s_) / kFirst_s, 1.0);
-  }
+  if (!filter_.hasStarted()) head.pose = standing_;
   return head;
 }
 

@@ -58,10 +58,9 @@ class HeadTracking {
   std::vector<Reading> inputs_;
   HandTracking hand_;
   std::vector<std::string> alarms_;
-  std::string name_;                      // of the head's tracker, in the rig
-  double begin_s_ = 0.0;                  // of the frame
-  Pose standing_;                         // shown until the first sample
-  std::optional<double> firstTracked_s_;  // display time of the first frame with a sample
+  std::string name_;      // of the head's tracker, in the rig
+  double begin_s_ = 0.0;  // of the frame
+  Pose standing_;         // shown until the first sample
 };
 
 }  // namespace carom

@@ -9,6 +9,8 @@
 // the user is still and quick when they move: an interacting-multiple-model Kalman filter
 // (celerity_filter.h).
 
+#include <limits>
+
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
@@ -78,6 +80,13 @@ class HeadFilter {
   /// sample).
   HeadEstimate at(double time_s) const;
 
+  /// Returns whether a sample has been used.
+  bool hasStarted() const { return started_; }
+
+  /// Lets the celerity grow from nothing to its full size over the 0.5 s after this time. From its first samples
+  /// the filter cannot tell noise from motion, so the scene would jump when a session begins.
+  void fadeInFrom(double time_s) { fadesInFrom_s_ = time_s; }
+
   /// Returns the present estimate of the tracker's noise: standard deviation per axis, metres.
   double trackerSigma_m() const { return celerity_.trackerSigma_m(); }
 
@@ -96,6 +105,7 @@ class HeadFilter {
 
   CelerityFilter celerity_;
   bool started_ = false;
+  double fadesInFrom_s_ = -std::numeric_limits<double>::infinity();
   double time_s_ = 0.0;                         // of the newest used sample
   glm::dquat orientation_{1.0, 0.0, 0.0, 0.0};  // filtered
   glm::dvec3 angularVelocity_rad_s_{0.0};

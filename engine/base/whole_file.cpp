@@ -19,7 +19,11 @@ namespace {
 /// Beside the file; no other of this machine's has that name.
 std::filesystem::path partOf(std::filesystem::path file) {
   static std::atomic<unsigned> parts = 0;
-  return file += "." + std::to_string(::getpid()) + "-" + std::to_string(++parts) + ".partial";
+  file += ".";
+  file += std::to_string(::getpid());
+  file += "-";
+  file += std::to_string(++parts);
+  return file += ".partial";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@
 #include "app/journal/journal.h"
 #include "app/journal/session_file.h"
 #include "app/session/recorded_source.h"
-#include "app/session/visitor_source.h"
+#include "app/session/replay_visitor_source.h"
 #include "app/viewer/viewer.h"
 #include "cave/frame/frame_digest.h"
 #include "engine/light/light_cone.h"
@@ -347,8 +347,8 @@ TEST(CueInteraction, ARecordingWithStrokesIsSeenAgain) {
   Scenario standing = lived.scenario;
   standing.observer = {};
   const RecordedGame whole = wholeGame(session, lived.atStart);
-  VisitorSource visit(lived.rig, standing, {{}, Vec3(0.2, 0.1, 0.0), true}, wholeGame(session, lived.atStart),
-                      {});
+  ReplayVisitorSource visit(lived.rig, standing, {{}, Vec3(0.2, 0.1, 0.0), true},
+                            wholeGame(session, lived.atStart), {});
   Pacer visitPacer(visitClock, kHz, 0.0);
   world = {lived.atStart, {}};
   for (int i = 0; i < 120; ++i) {
@@ -370,7 +370,7 @@ TEST(CueInteraction, ARecordingSaysThatItCannotBeChanged) {
   SimulatedClock clock, visitClock;
   RecordedSource source(session, lived.atStart, kHz);
   RecordingPacer pacer(clock);
-  VisitorSource visit(lived.rig, lived.scenario, {}, wholeGame(visited, lived.atStart), {});
+  ReplayVisitorSource visit(lived.rig, lived.scenario, {}, wholeGame(visited, lived.atStart), {});
   Pacer visitPacer(visitClock, kHz, 0.0);
   DeskInput desk, away;
   desk.mouse.emplace();

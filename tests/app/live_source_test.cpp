@@ -13,8 +13,8 @@
 
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
-#include "app/session/frame_listeners.h"
 #include "app/session/recorded_source.h"
+#include "app/session/session_listeners.h"
 #include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 #include "temporary_folder.h"

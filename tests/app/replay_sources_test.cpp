@@ -12,7 +12,7 @@
 #include "app/journal/journal.h"
 #include "app/play/game.h"
 #include "app/session/recorded_source.h"
-#include "app/session/visitor_source.h"
+#include "app/session/replay_visitor_source.h"
 #include "app/viewer/viewer.h"
 #include "cave/frame/frame_digest.h"
 #include "engine/billiard/billiard.h"
@@ -310,7 +310,7 @@ TEST_F(ReplaySources, AVisitorSeesTheGameAsSomeoneWhoLivesThere) {
   const auto trace = folder_.file("other.csv", walkText(3.0, 0.9));
   for (const Vec3& beta : {Vec3(0.0), Vec3(0.5, -0.2, 0.0)}) {
     SimulatedClock clock, livedClock;
-    VisitorSource source(rig_, scenario_, {trace, beta, false}, wholeGame(*session_, atStart_), {});
+    ReplayVisitorSource source(rig_, scenario_, {trace, beta, false}, wholeGame(*session_, atStart_), {});
     Pacer visitPacer(clock, kHz, 0.0);
     Show show(source, visitPacer, atStart_);
     Rig rig = rig_;
@@ -347,7 +347,7 @@ TEST_F(ReplaySources, AVisitorsRoomTimeGoesAsTheOperatorWishes) {
   for (const Vec3& beta : {Vec3(0.0), Vec3(0.4, 0.3, 0.0)}) {
     SimulatedClock clock;
     Visitor visitor{{}, beta, true};
-    VisitorSource source(rig_, scenario_, visitor, wholeGame(*session_, atStart_), {});
+    ReplayVisitorSource source(rig_, scenario_, visitor, wholeGame(*session_, atStart_), {});
     Pacer pacer(clock, kHz, 0.0);
     Show show(source, pacer, atStart_);
     ObserverStart start = scenario_.observer;
@@ -395,7 +395,7 @@ TEST_F(ReplaySources, NobodySeesWhatWasNotRecorded) {
   // A trace that goes on for longer than the game: the frames end.
   const auto trace = folder_.file("long.csv", walkText(9.0, 0.4));
   SimulatedClock clock;
-  VisitorSource source(rig_, scenario_, {trace, {}, false}, wholeGame(*session_, atStart_), {});
+  ReplayVisitorSource source(rig_, scenario_, {trace, {}, false}, wholeGame(*session_, atStart_), {});
   Pacer pacer(clock, kHz, 0.0);
   Show show(source, pacer, atStart_);
   std::uint64_t frames = 0;
@@ -408,7 +408,7 @@ TEST_F(ReplaySources, NobodySeesWhatWasNotRecorded) {
 
   // Who may stay stays where it ends, and may go back.
   SimulatedClock stayingClock;
-  VisitorSource staying(rig_, scenario_, {trace, {}, true}, wholeGame(*session_, atStart_), {});
+  ReplayVisitorSource staying(rig_, scenario_, {trace, {}, true}, wholeGame(*session_, atStart_), {});
   Pacer stayingPacer(stayingClock, kHz, 0.0);
   Show stay(staying, stayingPacer, atStart_);
   double end_s = 0.0;

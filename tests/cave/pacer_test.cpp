@@ -134,6 +134,31 @@ TEST(Pacer, SwapsThatWaitAreToldFromThoseThatDoNot) {
   EXPECT_FALSE(swapsWaitFor(60.0, {}));
 }
 
+TEST(RecordingPacer, ShowsFramesAsLongAfterEachOtherAsTheyWereThen) {
+  SimulatedClock clock;
+  clock.sleepUntil(5.0);
+  RecordingPacer pacer(clock);
+  double due_s = 5.0;
+  for (const double stay_s : {0.0, 0.25, 0.0, 0.125}) {
+    pacer.next();
+    pacer.awaitTick(stay_s);
+    EXPECT_EQ(clock.now_s(), due_s += stay_s);
+  }
+  clock.sleepUntil(7.0);  // drawing took long: the frame is shown at once
+  EXPECT_EQ(pacer.next().number, 4u);
+  pacer.awaitTick(0.25);
+  EXPECT_EQ(clock.now_s(), 7.0);
+}
+
+TEST(FramePacer, NeverWaitsAndCounts) {
+  FramePacer pacer;
+  for (std::uint64_t number = 0; number < 3; ++number) {
+    EXPECT_EQ(pacer.next().number, number);
+    pacer.awaitTick(1e9);
+    pacer.swapped();
+  }
+}
+
 TEST(Pacer, TheSteadyClockIsWaitedFor) {
   SteadyClock clock;
   Pacer pacer(clock, 200.0, 0.0);

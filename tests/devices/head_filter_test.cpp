@@ -61,6 +61,23 @@ TEST(HeadFilter, BeforeTheFirstSampleNothingIsKnown) {
   EXPECT_STREQ(toString(head.known), "lost");
 }
 
+TEST(HeadFilter, TheCelerityFadesInWhereItIsAskedTo) {
+  Walker plain(moveUnseen), fading(moveUnseen);
+  EXPECT_FALSE(fading.filter.hasStarted());
+  fading.filter.fadeInFrom(0.25);
+  plain.sample(0, 60);
+  fading.sample(0, 60);
+  EXPECT_TRUE(fading.filter.hasStarted());
+  for (const auto& [time_s, share] : {std::pair(1.0, 1.0), std::pair(1.01, 1.0)}) {
+    EXPECT_EQ(fading.filter.at(time_s).celerity_m_s, share * plain.filter.at(time_s).celerity_m_s);
+    EXPECT_EQ(fading.filter.at(time_s).pose.position_m, plain.filter.at(time_s).pose.position_m);
+  }
+  fading.filter.fadeInFrom(0.8);
+  EXPECT_NEAR(fading.filter.at(1.0).celerity_m_s.x, 0.4 * plain.filter.at(1.0).celerity_m_s.x, 1e-12);
+  fading.filter.fadeInFrom(1.5);
+  EXPECT_EQ(fading.filter.at(1.0).celerity_m_s, glm::dvec3(0.0)) << "it has not begun";
+}
+
 TEST(HeadFilter, SaysHowThePoseIsKnown) {
   Walker walker(moveUnseen);
   walker.sample(0, 120);

@@ -12,7 +12,7 @@ namespace carom {
 /// Long enough to be read twice.
 inline constexpr double kNoticeShown_s = 4.0;
 
-class Spoken {
+class StatusMessage {
  public:
   /// In the room from now on, and once in the log.
   void say(std::string_view words, double now_s) {

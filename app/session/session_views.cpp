@@ -1,4 +1,4 @@
-#include "app/session/frame_views.h"
+#include "app/session/session_views.h"
 
 #include "app/input/key_table.h"
 #include "cave/overlay/latency_overlay.h"

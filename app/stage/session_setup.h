@@ -4,12 +4,11 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/stage/agreement.h"
 #include "app/stage/recording.h"
 #include "cave/cluster/cluster.h"
 #include "cave/display/display_walls.h"
@@ -19,16 +18,7 @@
 
 namespace carom {
 
-/// A file that people wrote, as it is or, where it is given, as it was when a session was recorded.
-struct InputFile {
-  std::filesystem::path file;
-  std::optional<std::string> kept;
-};
-
-/// What it holds; empty where it cannot be read.
-std::string textOf(const InputFile& input);
-
-struct StageOptions {
+struct SetupOptions {
   InputFile rig, scenario;
   bool live = false;  ///< the rig's trackers will be used: their traces are read before a window opens
   RecordingOptions recording;
@@ -37,7 +27,7 @@ struct StageOptions {
   bool outside = false;    ///< rank 0 shows the room from outside, too
 };
 
-struct Stage {
+struct SessionSetup {
   Rig rig;
   Scenario scenario;
   std::unique_ptr<Graphics> graphics;
@@ -52,27 +42,16 @@ struct Stage {
   bool swapsWait = false;  ///< on rank 0: swaps return at the display's ticks (cave/frame/pacer.h)
 };
 
-/// Gives every node rank 0's rig and scenario, which it has from a session file.
-void shareInputs(const Cluster& cluster, StageOptions& options);
-
 /// Reads the files, makes sure that every node holds the same, opens this node's windows. Throws RankFailed
 /// on every rank when one of them cannot; that one has said why.
-Stage openStage(Cluster& cluster, const StageOptions& options);
+SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options);
 
-/// Has every node go on with another scenario, in the same windows; what the stage held of the old game is
-/// gone. Where a node cannot read it, or has another, that is said, the stage stays as it is, and false is
+/// Has every node go on with another scenario, in the same windows; what the setup held of the old game is
+/// gone. Where a node cannot read it, or has another, that is said, the setup stays as it is, and false is
 /// returned.
-bool playNext(Cluster& cluster, Stage& stage, const std::filesystem::path& scenario);
+bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path& scenario);
 
 /// The bodies' histories before the game.
-std::vector<WorldLine> historiesAtStart(const Stage& stage);
-
-/// Makes sure that every node holds the same rig, the files of its projectors included. Throws NodesDiffer on
-/// every rank where one does not.
-void agreeOnRig(const Cluster& cluster, const InputFile& input, const Rig& rig);
-
-/// Reads the walls' blend pictures once before there is a window; throws InputErrors, which name what is
-/// wrong at its line of the rig.
-void openBlends(const InputFile& input, const Rig& rig);
+std::vector<WorldLine> historiesAtStart(const SessionSetup& setup);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-#include "app/session/visitor_source.h"
+#include "app/session/replay_visitor_source.h"
 
 #include <fmt/format.h>
 
@@ -42,8 +42,8 @@ std::optional<double> lengthOf_s(const Visitor& visitor) {
 
 }  // namespace
 
-VisitorSource::VisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
-                             RecordedGame game, std::chrono::steady_clock::time_point start)
+ReplayVisitorSource::ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
+                                         RecordedGame game, std::chrono::steady_clock::time_point start)
     : viewer_(rigOf(rig, visitor), scenarioOf(scenario, visitor), start),
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
@@ -55,13 +55,13 @@ VisitorSource::VisitorSource(const Rig& rig, const Scenario& scenario, const Vis
       mayStay_(visitor.mayStay),
       game_(std::move(game)) {}
 
-double VisitorSource::roomTimeOf_s(const ObserverView& view) const {
+double ReplayVisitorSource::roomTimeOf_s(const ObserverView& view) const {
   return (roomFromBoard_ * (view.middle.observation - origin_)).dt_s;
 }
 
 /// Of no point of a puck is a later board time seen. In the puck's rest frame a point within R of the centre
 /// is seen within R/c of when the centre is, and within R of where; on the board at most γ(1 + β) R/c later.
-double VisitorSource::latestSeen_s(const ObserverView& view) const {
+double ReplayVisitorSource::latestSeen_s(const ObserverView& view) const {
   double latest_s = 0.0;
   for (std::size_t puck = 1; puck <= game_.pucks; ++puck) {
     const WorldLine& line = game_.world.histories[puck];
@@ -73,7 +73,7 @@ double VisitorSource::latestSeen_s(const ObserverView& view) const {
 }
 
 /// Not frozen: lives on, or goes where the operator wants to be; not beyond what was recorded.
-ObserverView VisitorSource::goOn(const Playback& playback, const FrameTimes& times) {
+ObserverView ReplayVisitorSource::goOn(const Playback& playback, const FrameTimes& times) {
   const std::optional<double> goTo_s = std::exchange(goTo_s_, std::nullopt);
   const bool lives = !goTo_s && !playback.paused && playback.rate == 1.0;
   double by_s = playback.paused ? 0.0 : playback.rate * times.step_s;
@@ -86,7 +86,7 @@ ObserverView VisitorSource::goOn(const Playback& playback, const FrameTimes& tim
   return viewer_.freeView(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
 }
 
-ObserverView VisitorSource::look(const OperatorSettings& settings, const FrameTimes& times) {
+ObserverView ReplayVisitorSource::look(const OperatorSettings& settings, const FrameTimes& times) {
   if (settings.views.frozen && sight_) return viewer_.frozenView(*sight_, times, eyeSeparation_m_);
   sight_ = goOn(settings.playback, times);
   roomTime_s_ = roomTimeOf_s(*sight_);
@@ -94,7 +94,7 @@ ObserverView VisitorSource::look(const OperatorSettings& settings, const FrameTi
 }
 
 /// The trace is at its end, or the next frame but one might show what was not recorded.
-bool VisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
+bool ReplayVisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
   const double seen_s = latestSeen_s(view), step_s = seen_s - seen_s_.value_or(seen_s);
   seen_s_ = seen_s;
   if (end_s_ && times.display_s + times.step_s > *end_s_) return true;
@@ -103,9 +103,9 @@ bool VisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
   return true;
 }
 
-void VisitorSource::next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
-                         Decision& decision) {
-  handsOff_.handled(input.desk, display_s_);
+void ReplayVisitorSource::next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
+                               Decision& decision) {
+  readOnly_.handled(input.desk, display_s_);
   if (const Seek* seek = lastOf<Seek>(input.commands)) goTo_s_ = seek->session_s;
   decision.frame = std::move(game_.news);
   game_.news = {};
@@ -120,7 +120,7 @@ void VisitorSource::next(const FrameTimes& times, const FrameInput& input, Opera
   putInto(record, settings);
   record.tracked = viewer_.tracked();
   decision.alarms = viewer_.takeAlarms();
-  handsOff_.tell(display_s_, record.notice);
+  readOnly_.tell(display_s_, record.notice);
 }
 
 }  // namespace carom

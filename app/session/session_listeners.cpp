@@ -1,4 +1,4 @@
-#include "app/session/frame_listeners.h"
+#include "app/session/session_listeners.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/session/frame_source.h"
-#include "app/session/hands_off.h"
+#include "app/session/read_only_notice.h"
 #include "app/session/recorded_source.h"
 #include "app/viewer/viewer.h"
 
@@ -28,13 +28,13 @@ struct Visitor {
   std::optional<double> facing_rad = {};
 };
 
-class VisitorSource : public FrameSource {
+class ReplayVisitorSource : public FrameSource {
  public:
   /// All of the game is brought with the first frame: this person's board time is their own. The frames end
   /// when the trace does, and before the person would see what was not recorded. `start`: where the clock reads zero
   /// that the frames' times are of. Throws InputError if the trace is at fault.
-  VisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor, RecordedGame game,
-                std::chrono::steady_clock::time_point start);
+  ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor, RecordedGame game,
+                      std::chrono::steady_clock::time_point start);
 
   /// Display times go on, whatever the operator does with the game's. While it runs otherwise than the
   /// person's, their own motion is not seen: it would be faster than light.
@@ -61,7 +61,7 @@ class VisitorSource : public FrameSource {
   bool heldBack_ = false;         ///< the last frame would have shown what was not recorded
   std::optional<double> seen_s_;  ///< the latest board time that was seen in the frame before
   std::optional<double> goTo_s_;  ///< where the operator wants to be, on the session's clock
-  HandsOff handsOff_;
+  ReadOnlyNotice readOnly_;
   std::optional<ObserverView> sight_;  ///< of the frame before: to be frozen
 };
 

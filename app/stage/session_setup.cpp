@@ -1,0 +1,122 @@
+#include "app/stage/session_setup.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+
+#include "app/files/starting_histories.h"
+#include "app/files/traces.h"
+#include "app/stage/all_ranks.h"
+#include "app/stage/scenario_scene.h"
+#include "cave/frame/pacer.h"
+#include "cave/scene/table_model.h"
+#include "devices/setup/tracker_factory.h"
+#include "engine/base/log.h"
+
+namespace carom {
+namespace {
+
+/// Swaps of nothing, on all nodes together: drivers settle, swap groups begin. Whether swaps wait for the
+/// display.
+bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
+  std::array<double, 12> returned_s{};
+  for (double& swap_s : returned_s) {
+    cluster.firstFailed(false);  // all are here
+    setup.walls->swap();
+    swap_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  if (cluster.rank() == 0) {
+    log::note(fmt::format("{} empty frames were swapped on every node to warm up.", returned_s.size()));
+  }
+  return swapsWaitFor(setup.rig.display_hz, returned_s);
+}
+
+/// What the walls say of a lesson; nothing where there is none.
+LessonWords lessonWords(const Scenario& scenario) {
+  return scenario.lesson ? scenario.lesson->words : LessonWords{};
+}
+
+/// For the view from outside: coarse, for nothing bends there.
+std::vector<ScenePart> plainTable(const Scenario& scenario) {
+  constexpr double kCell_m = 0.05;
+  if (!scenario.billiard.board) return {};
+  return tableParts(*scenario.billiard.board, scenario.observer.position_m.z, kCell_m);
+}
+
+}  // namespace
+
+SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
+  SessionSetup setup;
+  onAllRanks(cluster, [&] {
+    const auto& [rig, rigKept] = options.rig;
+    const auto& [scenario, scenarioKept] = options.scenario;
+    setup.rig = rigKept ? readRig(rig, *rigKept) : readRig(rig);
+    setup.scenario = scenarioKept ? readScenario(scenario, *scenarioKept) : readScenario(scenario);
+    openMeshes(setup.scenario);
+    openBlends(options.rig, setup.rig);
+    if (options.live && cluster.rank() == 0) openTraces(setup.rig);
+  });
+  agreeOnInputs(cluster, options.rig, setup.rig, options.scenario, setup.scenario);
+  cluster.nameNodes(setup.rig.walls);
+  onAllRanks(cluster, [&] {
+    setup.graphics = std::make_unique<Graphics>(displayOf(setup.rig, cluster.rank()));
+    setup.tessellation = tessellationFor(setup.rig, setup.graphics->rendererName());
+    setup.scene = sceneOf(setup.scenario, setup.tessellation);
+    setup.walls = std::make_unique<DisplayWalls>(
+        *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
+        cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
+    setup.walls->setRoom(roomGeometryOf(setup.rig));
+    setup.walls->setLesson(lessonWords(setup.scenario));
+    if (options.outside && cluster.rank() == 0) {
+      setup.outside = std::make_unique<SpectatorView>(*setup.graphics, roomGeometryOf(setup.rig), setup.scene,
+                                                      plainTable(setup.scenario), !options.noWindow);
+    }
+  });
+  setup.realTime = !options.simulated ||
+                   (options.live && isDevice(setup.rig.trackers[setup.rig.head.sensor.tracker].kind));
+  onAllRanks(cluster, [&] {
+    setup.recording =
+        std::make_unique<Recording>(*setup.graphics, options.recording, cluster, setup.rig, setup.realTime);
+  });
+  setup.lock = setup.walls->lockSwaps(setup.rig.frameLock);
+  if (!setup.lock.whyNot().empty()) {
+    log::warn(
+        fmt::format("{}: frame_lock = \"swap-group\": {}; the nodes' messages alone hold the swaps together.",
+                    cluster.nameOf(cluster.rank()), setup.lock.whyNot()));
+  }
+  if (setup.realTime && !options.noWindow) setup.swapsWait = warmUp(cluster, setup);
+  setup.world = {historiesAtStart(setup), {}};
+  return setup;
+}
+
+bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path& file) {
+  Scenario next;
+  try {
+    onAllRanks(cluster, [&] {
+      next = readScenario(file);
+      openMeshes(next);
+    });
+    agreeOnScenario(cluster, {file, {}}, next);
+  } catch (const RankFailed&) {
+    return false;  // which has been said
+  } catch (const NodesDiffer& error) {
+    if (cluster.rank() == 0) log::error(error.what());
+    return false;
+  }
+  setup.scenario = std::move(next);
+  onAllRanks(cluster, [&] {
+    setup.scene = sceneOf(setup.scenario, setup.tessellation);
+    setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);
+    setup.walls->setLesson(lessonWords(setup.scenario));
+    if (setup.outside) setup.outside->setScene(setup.scene, plainTable(setup.scenario));
+  });
+  setup.world = {historiesAtStart(setup), {}};
+  return true;
+}
+
+std::vector<WorldLine> historiesAtStart(const SessionSetup& setup) {
+  return reachingTo(startingHistories(setup.scenario), setup.scene.reach_m);
+}
+
+}  // namespace carom

@@ -1,0 +1,100 @@
+// What commands do to the operator's settings, and their words.
+#include "app/operator/command.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace carom {
+namespace {
+
+struct Case {
+  Command command;
+  const char* words;
+};
+
+/// Commands that each change one thing of the settings as they begin.
+std::vector<Case> changes() {
+  std::vector<Case> cases{{ShowOnWalls{Shown::alignmentPattern}, "shown: seam pattern"},
+                          {ShowKeys{true}, "keys: on"},
+                          {SetEyeSeparation{0.0615}, "eye separation: 61.5 mm"},
+                          {SetLightSpeed{299792458.0}, "light speed: 3e+08 m/s"},
+                          {Pause{true}, "playback: paused"},
+                          {SetRate{-0.25}, "playback rate: -0.25"},
+                          {SetWalls{&WallControls::blank, true}, "walls: black"},
+                          {SetWalls{&WallControls::eyesSwapped, true}, "eyes: swapped"},
+                          {SetWalls{&WallControls::trackerCross, true}, "tracker cross: on"},
+                          {SetWalls{&WallControls::latency, true}, "latency: on"}};
+  for (const NamedSwitch& s : kNamedSwitches) cases.push_back({SetSwitch{s.value, true, true}, nullptr});
+  for (const NamedView& view : kNamedViews) cases.push_back({SetView{view.value, true}, nullptr});
+  cases.push_back({SetSwitch{&Switches::retardation, false, false}, "retardation: off"});
+  cases.push_back({SetSwitch{&Switches::searchlight, false, true}, "searchlight: on"});
+  cases.push_back({SetSwitch{&Switches::contraction, true, true}, "beside: contraction: on"});
+  cases.push_back({SetView{&TimeViews::myNow, true}, "my-now: on"});
+  return cases;
+}
+
+TEST(Command, ChangesOneThingOnceAndSaysWhat) {
+  for (const Case& given : changes()) {
+    OperatorSettings settings;
+    SCOPED_TRACE(toString(given.command, settings));
+    EXPECT_TRUE(apply(given.command, settings));
+    EXPECT_NE(settings, OperatorSettings{});
+    const OperatorSettings once = settings;
+    EXPECT_FALSE(apply(given.command, settings)) << "it is so already";
+    EXPECT_EQ(settings, once);
+    if (given.words) {
+      EXPECT_EQ(toString(given.command, settings), given.words);
+    }
+  }
+}
+
+TEST(Command, SwitchesOfTheHalvesAreApart) {
+  OperatorSettings settings;
+  apply(SetSwitch{&Switches::aberration, false, false}, settings);
+  EXPECT_EQ(settings.switches.aberration, 0);
+  EXPECT_EQ(settings.views.beside, kNoSwitches);
+  apply(SetSwitch{&Switches::aberration, true, true}, settings);
+  EXPECT_EQ(settings.switches.aberration, 0);
+  EXPECT_EQ(settings.views.beside.aberration, 1);
+}
+
+TEST(Command, OrdersOfOneMomentLeaveTheSettings) {
+  for (const Command& order :
+       {Command(StartTour{}), Command(PlayScenario{"game.toml"}), Command(Seek{3.0})}) {
+    OperatorSettings settings;
+    EXPECT_TRUE(apply(order, settings)) << toString(order, settings);
+    EXPECT_EQ(settings, OperatorSettings{}) << toString(order, settings);
+  }
+  OperatorSettings settings;
+  EXPECT_FALSE(apply(PlayScenario{""}, settings)) << "nothing is played that could begin again";
+}
+
+TEST(Command, AnAnswerOfOneButtonComesBeforeGoingOn) {
+  EXPECT_EQ(lessonCommand(2, true), Command(AnswerLesson{2}));
+  EXPECT_EQ(lessonCommand(0, true), Command(AdvanceLesson{}));
+  EXPECT_FALSE(lessonCommand(0, false));
+}
+
+TEST(Command, ALessonIsAnsweredOnceAndToldAsItThenIs) {
+  OperatorSettings settings;
+  settings.lesson.phase = LessonPhase::asks;
+  settings.lessonAnswers = 3;
+  EXPECT_FALSE(apply(AnswerLesson{4}, settings)) << "there is no such answer";
+  EXPECT_TRUE(apply(AnswerLesson{2}, settings));
+  EXPECT_EQ(toString(AnswerLesson{2}, settings), "lesson: shows, answered 2");
+  EXPECT_FALSE(apply(AnswerLesson{1}, settings)) << "it has been answered";
+  EXPECT_TRUE(apply(AdvanceLesson{}, settings));
+  EXPECT_EQ(toString(AdvanceLesson{}, settings), "lesson: explains, answered 2");
+}
+
+TEST(Command, TheLastOrderOfAFrameCounts) {
+  const Commands commands{Seek{1.0}, Pause{true}, Seek{2.0}, StartTour{}};
+  ASSERT_TRUE(lastOf<Seek>(commands));
+  EXPECT_EQ(lastOf<Seek>(commands)->session_s, 2.0);
+  EXPECT_TRUE(lastOf<StartTour>(commands));
+  EXPECT_FALSE(lastOf<SetRate>(commands));
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,120 @@
+// How rank 0's director has commands take effect, whoever gives them.
+#include "app/session/director.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+namespace carom {
+namespace {
+
+/// Shows what the settings say; gives a hand's command where one is set.
+class Shows : public FrameSource {
+ public:
+  void next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
+            Decision& decision) override {
+    given.assign(input.commands.begin(), input.commands.end());
+    FrameRecord& record = decision.frame.record = {};
+    record.number = times.number;
+    record.display_s = static_cast<double>(times.number);
+    record.lesson = settings.lesson;
+    putInto(record, settings);
+    if (byHand) decision.commands.push_back(*std::exchange(byHand, std::nullopt));
+  }
+
+  Commands given;
+  std::optional<Command> byHand;
+};
+
+class DirectorTest : public testing::Test {
+ protected:
+  const FrameRecord& frame(const WindowInput& input = {}) {
+    testing::internal::CaptureStderr();
+    leader_.decide(pacer_.next(), input, decision_);
+    said_ = testing::internal::GetCapturedStderr();
+    return decision_.frame.record;
+  }
+  static WindowInput pressing(int key) { return {{{key, true}, {key, false}}, false}; }
+  std::vector<std::string> inputs() const {
+    std::vector<std::string> all;
+    for (const Note& input : decision_.inputs) all.push_back(input.what + ": " + input.value);
+    return all;
+  }
+
+  using Words = std::vector<std::string>;
+  Shows source_;
+  FramePacer pacer_;
+  FrameLeader leader_{source_, KeysOf::session, {}, nullptr};
+  Decision decision_;
+  std::string said_;
+};
+
+TEST_F(DirectorTest, AKeyHoldsInTheFrameThatItIsToldOf) {
+  EXPECT_EQ(frame().switches.colour, 0);
+  EXPECT_EQ(inputs(), Words{});
+  EXPECT_EQ(frame(pressing(GLFW_KEY_4)).switches.colour, 1);
+  EXPECT_EQ(inputs(), Words{"colour: on"});
+  EXPECT_EQ(said_, "colour: on\n");
+  EXPECT_EQ(source_.given, (Commands{SetSwitch{&Switches::colour, false, true}}));
+  EXPECT_EQ(frame().switches.colour, 1) << "it stays so";
+  EXPECT_EQ(inputs(), Words{}) << "it is told once";
+  EXPECT_TRUE(source_.given.empty());
+}
+
+TEST_F(DirectorTest, TheConsolesCommandsComeBeforeTheKeys) {
+  leader_.inbox().emplace_back(SetView{&TimeViews::paths, true});
+  EXPECT_EQ(frame(pressing(GLFW_KEY_P)).views.paths, 0) << "the key turns off what the click has turned on";
+  EXPECT_EQ(inputs(), (Words{"paths: on", "paths: off"}));
+  EXPECT_EQ(frame().views.paths, 0);
+}
+
+TEST_F(DirectorTest, WhatChangesNothingIsNotTold) {
+  leader_.inbox().emplace_back(SetLightSpeed{leader_.settings().lightSpeed_m_s});
+  leader_.inbox().emplace_back(AnswerLesson{1});
+  frame();
+  EXPECT_EQ(inputs(), Words{});
+  EXPECT_EQ(said_, "");
+}
+
+TEST_F(DirectorTest, AHandsButtonHoldsFromTheNextFrameOn) {
+  OperatorSettings asking;
+  asking.lesson.phase = LessonPhase::asks;
+  asking.lessonAnswers = 2;
+  leader_.begin(asking);
+  source_.byHand = AnswerLesson{2};
+  EXPECT_EQ(frame().lesson.phase, LessonPhase::asks);
+  EXPECT_EQ(frame().lesson, (LessonState{LessonPhase::shows, 2}));
+  EXPECT_EQ(inputs(), Words{"lesson: shows, answered 2"});
+  EXPECT_EQ(frame().lesson, (LessonState{LessonPhase::shows, 2}));
+  EXPECT_EQ(inputs(), Words{});
+}
+
+TEST_F(DirectorTest, AnotherGameEndsThisOneWithTheFrame) {
+  EXPECT_EQ(frame(pressing(GLFW_KEY_Y)).last, 0u) << "nothing is played that could begin again";
+  leader_.inbox().emplace_back(PlayScenario{"another.toml"});
+  EXPECT_EQ(frame().last, 1u);
+  EXPECT_EQ(inputs(), Words{"scenario: another.toml"});
+  EXPECT_EQ(leader_.takeNextGame(), "another.toml");
+  EXPECT_EQ(leader_.takeNextGame(), "");
+  EXPECT_EQ(frame().last, 0u);
+}
+
+TEST_F(DirectorTest, TheListOfKeysIsShownAndSaid) {
+  frame(pressing(GLFW_KEY_H));
+  EXPECT_TRUE(leader_.settings().keysShown);
+  EXPECT_EQ(said_.find("keys: on\nKeys: 1 retardation"), 0u) << said_;
+  frame(pressing(GLFW_KEY_F1));
+  EXPECT_FALSE(leader_.settings().keysShown);
+}
+
+TEST(FollowingDirector, DecidesNothing) {
+  Director follower;
+  Decision decision;
+  decision.frame.record.number = 7;
+  follower.decide({}, {{{GLFW_KEY_4, true}}, false}, decision);
+  EXPECT_EQ(decision.frame.record.number, 7u);
+  EXPECT_TRUE(decision.inputs.empty());
+  EXPECT_EQ(follower.settings(), OperatorSettings{});
+}
+
+}  // namespace
+}  // namespace carom
