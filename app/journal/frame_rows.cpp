@@ -138,8 +138,8 @@ std::span<const std::byte> bytesOf(const SQLite::Column& column) {
 
 std::string frameTables() {
   return fmt::format(
-      "CREATE TABLE frame(number INTEGER PRIMARY KEY, known TEXT, celerity_x_m_s REAL, celerity_y_m_s REAL, "
-      "celerity_z_m_s REAL{});\n"
+      "CREATE TABLE frame(number INTEGER PRIMARY KEY{}, known TEXT, celerity_x_m_s REAL, celerity_y_m_s "
+      "REAL, celerity_z_m_s REAL);\n"
       "CREATE TABLE knot(frame INTEGER, body INTEGER{});\n"
       "CREATE INDEX knot_of_frame ON knot(frame);\n"
       "CREATE TABLE frame_event(frame INTEGER{}, PRIMARY KEY(frame, number)) WITHOUT ROWID;\n",
@@ -154,10 +154,10 @@ FrameWriter::FrameWriter(SQLite::Database& database)
 void FrameWriter::write(const FrameRecord& record, const std::string& known, const Vec3& celerity_m_s) {
   Writing row(frame_);
   row("", "number", record.number);
+  visitRecord(row, record);
   row("", "known", known);
   for (const auto& [axis, name] : {std::pair(0, "x_m_s"), {1, "y_m_s"}, {2, "z_m_s"}})
     row("celerity_", name, celerity_m_s[axis]);
-  visitRecord(row, record);
   frame_.exec();
 }
 

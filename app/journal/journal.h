@@ -5,13 +5,14 @@
 //   session(key, value)
 //       What was played: program, rig and scenario with their texts, light speed, start (UTC); once it was
 //       closed well, its end.
-//   frame(number, known, celerity_x_m_s …, display_s, proper_time_s, t_s, x_m, y_m, z_m, switches, views,
-//         beside, truncate_from_s, …)
-//       One row a frame: how the head was known, then the fields of its record (cave/frame/frame_state.h),
-//       a column each (app/journal/frame_columns.h). t_s … z_m: the event at which the point between the eyes
-//       received the frame's light. switches: a bit each, retardation 1, contraction 2, aberration 4, colour
-//       8, searchlight 16; beside: the same of the right half where views has split. views: now on the board
-//       1, my now 2, paths 4, events 8, clocks 16, split 32, frozen 64, ruler 128, angles 256.
+//   frame(number, display_s, proper_time_s, t_s, x_m, y_m, z_m, switches, views, beside, truncate_from_s, …,
+//         known, celerity_x_m_s …)
+//       One row a frame: the fields of its record (cave/frame/frame_state.h), a column each
+//       (app/journal/frame_columns.h), and how the head was known. t_s … z_m: the event at which the point
+//       between the eyes received the frame's light. switches: a bit each, retardation 1, contraction 2,
+//       aberration 4, colour 8, searchlight 16; beside: the same of the right half where views has split.
+//       views: now on the board 1, my now 2, paths 4, events 8, clocks 16, split 32, frozen 64, ruler 128,
+//       angles 256.
 //   knot(frame, body, t_s, x_m, y_m, z_m, u_x, u_y, u_z, proper_time_s, signal_t_s …, deceleration_m_s2)
 //       Legs that a frame brought; u = γβ. signal_t_s …: the event whose light makes the body's points turn.
 //       Bodies count as in the scenario: 0 the board, then the pucks, then what is told.

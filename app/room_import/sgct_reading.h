@@ -1,0 +1,50 @@
+#pragma once
+// A room file of SGCT while it is read.
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "app/room_import/json_tree.h"
+#include "app/room_import/room.h"
+
+namespace carom {
+
+struct SgctUser {
+  std::string name;
+  double eyeSeparation_m = 0.06;  ///< SGCT's own
+  glm::dvec3 eyes_m{0.0};
+  FilePlace at, eyeSeparationAt;
+};
+
+/// What a window says of all its viewports.
+struct SgctWindow {
+  const JsonNode& node;
+  int rank = 0;
+  glm::dvec2 position_px{0.0}, size_px{0.0}, picture_px{0.0};
+  int monitor = 0;
+  bool fullscreen = false;
+  StereoMode stereo = StereoMode::mono;
+  Flip flip = Flip::none;
+};
+
+struct SgctReading {
+  /// A whole window.
+  struct Place {
+    glm::dvec2 position_px, size_px;
+    int monitor = 0;
+    bool fullscreen = false;
+  };
+
+  JsonNode root;
+  Room room;
+  std::vector<SgctUser> users = {};
+  bool stereoLeftOut = false;  ///< a window has said nothing of it
+  int ranks = 0;
+  int windows = 0;
+  std::vector<int> ofWindow = {};  ///< of each wall
+  std::vector<Place> places = {};  ///< of each wall's whole window
+};
+
+}  // namespace carom

@@ -1,0 +1,25 @@
+#pragma once
+// What is found about a room while it is judged.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/room_import/room.h"
+
+namespace carom {
+
+struct Verdict {
+  const Room& room;
+  std::vector<Finding> findings;
+
+  void warn(FilePlace at, std::string text) {
+    findings.push_back({Finding::Kind::warning, at, std::move(text)});
+  }
+};
+
+/// "; 0.21 ft would be 64.0 mm" for the units in which the file's number would be plausible; empty if there is
+/// none.
+std::string otherUnits(double value_m, double unit_m, double least_m, double most_m);
+
+}  // namespace carom
