@@ -42,8 +42,11 @@ Encounter encounterAtLaterStart(const CheckedLeg& first, const CheckedLeg& secon
   const Real lead = product(at[0].u + at[1].u, at[1].x - at[0].x);
   const int earlier = lead > 0 ? 0 : 1;
   const CheckedLeg::LegState& later = at[1 - earlier];
-  at[earlier] = legs[earlier]->at(legs[earlier]->whenRises(
-      at[earlier].x.t, [&](const auto& m) { return product(m.u + later.u, m.x - later.x); }));
+  const Real t = first.brake == 0 ? legs[earlier]->whenSimultaneous(at[0].u + at[1].u, later.x)
+                                  : legs[earlier]->whenRises(at[earlier].x.t, [&](const auto& m) {
+                                      return product(m.u + later.u, m.x - later.x);
+                                    });
+  at[earlier] = legs[earlier]->at(t);
   return encounterOf(at[0], at[1]);
 }
 
