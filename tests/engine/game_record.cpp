@@ -295,6 +295,14 @@ GameRecord::GameRecord(const BilliardSetup& played, const Billiard& billiard, do
       part->decidedFrom = later = std::min(later, part->due);
     }
   }
+  // All of a jam is decided at once.
+  for (std::size_t e = 1; e < events.size(); ++e) {
+    const GameEvent &before = events[e - 1], &event = events[e];
+    if (event.kind != EventKind::jam || before.kind != EventKind::jam || event.at.t_s != before.at.t_s)
+      continue;
+    Part* part = const_cast<Part*>(partOf(event.turns[0].puck, e));
+    part->decidedFrom = std::min(part->decidedFrom, partOf(before.turns[0].puck, e - 1)->decidedFrom);
+  }
   findFollowed();
 }
 
