@@ -19,7 +19,8 @@ struct Candidate {
 
 class MissedCheck {
  public:
-  MissedCheck(const GameRecord& record, Findings& findings) : game_(record), found_(findings) {}
+  MissedCheck(const GameRecord& record, Findings& findings)
+      : game_(record), followed_(record.followed), found_(findings) {}
 
   void check(std::size_t first, std::size_t second) {
     const auto& a = game_.legs[first];
@@ -34,6 +35,23 @@ class MissedCheck {
     }
   }
 
+  // Reports what is missed. A puck also waits at contacts of which nothing came: by its own moments it has each before
+  // its next turn, which begins the leg after only when the contact's other puck has come as far.
+  void report() {
+    for (const Candidate& c : dropped_) {
+      for (int i = 0; i < 2; ++i) {
+        const auto& legs = game_.legs[c.puck[i]];
+        for (std::size_t k = c.leg[i] + 1; k < legs.size(); ++k) {
+          Real& from = followed_[c.puck[i]][k][0];
+          if (c.own[i] < legs[k].start.t) from = std::max(from, c.due());
+        }
+      }
+    }
+    for (const Candidate& c : missed_) {
+      if (areFollowedTogether(c) && !isExcused(c)) report(c);
+    }
+  }
+
  private:
   const CheckedLeg& leg(const Candidate& c, int i) const { return game_.legs[c.puck[i]][c.leg[i]]; }
 
@@ -42,18 +60,32 @@ class MissedCheck {
     Candidate c;
     c.puck = puck, c.leg = which;
     const CheckedLeg &a = leg(c, 0), &b = leg(c, 1);
-    const auto &during = game_.followed[puck[0]][which[0]], &also = game_.followed[puck[1]][which[1]];
-    if (!(during[0] < also[1] && also[0] < during[1])) return;  // they were not followed at the same time
+    if (!areFollowedTogether(c)) return;
     const Real reach = game_.radius(puck[0]) + game_.radius(puck[1]);
     if (std::max(a.start.t, b.start.t) > game_.until || pass(a, b, reach)) return;
     const bool meets =
         a.brake > 0 ? findBraked(c, a, b, reach) : findStraight(c, a.start.t, b.start.t, reach);
-    if (!meets || isListed(c) || isExcused(c)) return;
-    const Four contact = c.encounter.contactAt(c.moment, game_.radius(puck[0]) / reach);
-    found_.expect(false, c.withoutDelay ? "approach" : "missed", game_.setup->pucks[puck[0]].name, " and ",
-                  game_.setup->pucks[puck[1]].name, c.withoutDelay ? " overlap and approach" : " touch",
-                  " at ", contact.t / game_.c, " s, (", contact.x, ", ", contact.y, ") m, on legs ", which[0],
-                  " and ", which[1], "; own moments ", c.own[0] / game_.c, " and ", c.own[1] / game_.c,
+    if (!meets || isListed(c)) return;
+    const bool found = c.own[0] < a.end && c.own[1] < b.end;
+    if (!isExcused(c))
+      missed_.push_back(c);
+    else if (found)
+      dropped_.push_back(c);
+  }
+
+  bool areFollowedTogether(const Candidate& c) const {
+    const auto& one = followed_[c.puck[0]][c.leg[0]];
+    const auto& other = followed_[c.puck[1]][c.leg[1]];
+    return one[0] < other[1] && other[0] < one[1];
+  }
+
+  void report(const Candidate& c) {
+    const Real reach = game_.radius(c.puck[0]) + game_.radius(c.puck[1]);
+    const Four contact = c.encounter.contactAt(c.moment, game_.radius(c.puck[0]) / reach);
+    found_.expect(false, c.withoutDelay ? "approach" : "missed", game_.setup->pucks[c.puck[0]].name, " and ",
+                  game_.setup->pucks[c.puck[1]].name, c.withoutDelay ? " overlap and approach" : " touch",
+                  " at ", contact.t / game_.c, " s, (", contact.x, ", ", contact.y, ") m, on legs ", c.leg[0],
+                  " and ", c.leg[1], "; own moments ", c.own[0] / game_.c, " and ", c.own[1] / game_.c,
                   " s, turns ", c.turn[0] / game_.c, " and ", c.turn[1] / game_.c, " s");
   }
 
@@ -191,8 +223,7 @@ class MissedCheck {
       if (maker >= 0 && part.event <= game_.parts[c.puck[i]][static_cast<std::size_t>(maker)].event)
         return true;
     }
-    const Real known =
-        std::max(game_.followed[c.puck[0]][c.leg[0]][0], game_.followed[c.puck[1]][c.leg[1]][0]);
+    const Real known = std::max(followed_[c.puck[0]][c.leg[0]][0], followed_[c.puck[1]][c.leg[1]][0]);
     return part.decidedFrom < std::max(known, c.due()) + 1e-6L * game_.radius(c.puck[0]) * c.encounter.u[0].t;
   }
 
@@ -263,6 +294,8 @@ class MissedCheck {
   }
 
   const GameRecord& game_;
+  std::vector<std::vector<std::array<Real, 2>>> followed_;
+  std::vector<Candidate> missed_, dropped_;  // contacts that are not in the list; the second by the rules
   Findings& found_;
 };
 
@@ -275,6 +308,7 @@ void checkNoneMissed(const GameRecord& game, Findings& found) {
       if (game.setup->pucks[a].name < game.setup->pucks[b].name) check.check(a, b);
     }
   }
+  check.report();
 }
 
 }  // namespace carom::test

@@ -42,8 +42,11 @@ Encounter encounterAtLaterStart(const CheckedLeg& first, const CheckedLeg& secon
   const Real lead = product(at[0].u + at[1].u, at[1].x - at[0].x);
   const int earlier = lead > 0 ? 0 : 1;
   const CheckedLeg::LegState& later = at[1 - earlier];
-  at[earlier] = legs[earlier]->at(legs[earlier]->whenRises(
-      at[earlier].x.t, [&](const auto& m) { return product(m.u + later.u, m.x - later.x); }));
+  const Real t = first.brake == 0 ? legs[earlier]->whenSimultaneous(at[0].u + at[1].u, later.x)
+                                  : legs[earlier]->whenRises(at[earlier].x.t, [&](const auto& m) {
+                                      return product(m.u + later.u, m.x - later.x);
+                                    });
+  at[earlier] = legs[earlier]->at(t);
   return encounterOf(at[0], at[1]);
 }
 
@@ -291,6 +294,14 @@ GameRecord::GameRecord(const BilliardSetup& played, const Billiard& billiard, do
       Part* part = const_cast<Part*>(partOf(turn.puck, e));
       part->decidedFrom = later = std::min(later, part->due);
     }
+  }
+  // All of a jam is decided at once.
+  for (std::size_t e = 1; e < events.size(); ++e) {
+    const GameEvent &before = events[e - 1], &event = events[e];
+    if (event.kind != EventKind::jam || before.kind != EventKind::jam || event.at.t_s != before.at.t_s)
+      continue;
+    Part* part = const_cast<Part*>(partOf(event.turns[0].puck, e));
+    part->decidedFrom = std::min(part->decidedFrom, partOf(before.turns[0].puck, e - 1)->decidedFrom);
   }
   findFollowed();
 }
