@@ -69,7 +69,7 @@ inline void PrintTo(const Knot& knot, std::ostream* out) {
   const test::AllDigits digits(*out);
   *out << "knot: turn ";
   PrintTo(knot.turn, out);
-  *out << ", u " << test::Print{knot.u} << ", proper time " << knot.properTime_s << " s, news ";
+  *out << ", u " << test::Print{knot.u} << ", proper time " << knot.properTime_s << " s, signal ";
   PrintTo(knot.signal, out);
   *out << ", deceleration " << knot.deceleration_m_s2 << " m/s²";
 }

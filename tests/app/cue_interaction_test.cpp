@@ -513,6 +513,7 @@ TEST(CueInteraction, NoEyeHasSeenWhatAHandDoes) {
   test::Random random(12);
   int atOnce = 0;
   for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
     const double c_m_s = 1.42;
     const Lorentz boardFromRoom = Lorentz::boost(random.u(0.95), c_m_s);
     const Head head{{random.inBox(1.0), {1.0, 0.0, 0.0, 0.0}}, random.inBall(10.0)};

@@ -109,6 +109,7 @@ TEST(Cue, TheWayOfAStrokeIsTurnedWithTheRoomNotBoosted) {
   const RoomAxes axes;  // of a rig: x right, y up, z back
   test::Random random(11);
   for (int i = 0; i < 200; ++i) {
+    CASE(random, i);
     const double facing_rad = random.in(-std::numbers::pi, std::numbers::pi);
     const Vec3 forward(std::cos(facing_rad), std::sin(facing_rad), 0.0), up(0.0, 0.0, 1.0);
     const glm::dmat3 board(glm::cross(forward, up), forward, up);

@@ -39,7 +39,7 @@ TEST(RayPicking, SeesThePuckWhereItsLightComesFrom) {
   RayPicking aim;
   const Switches all;
   for (int i = 0; i < 100; ++i) {
-    SCOPED_TRACE(testing::Message() << "seed 3, case " << i);
+    CASE(random, i);
     const Viewer person(random.direction() * random.in(0.0, 0.95), random.inBall(1.5));
     const WorldLine puck = test::randomWorldLine(random, kC_m_s, kRadius_m, 8, 0.7, 0.9);
     for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {

@@ -46,6 +46,7 @@ TEST(Pulses, GlowWhereTheEyeSeesThem) {
   test::Random random(91);
   int seen = 0;
   for (int i = 0; i < 500; ++i) {
+    CASE(random, i);
     const LightPath pulse{random.in(-1.0, 1.0), {random.inBox(1.5), random.inBox(1.5), random.inBox(1.5)}};
     const Event eye{random.in(0.0, 5.0), random.inBox(2.0)};
     const Lorentz headFromBoard = Lorentz::boost(random.u(0.8), kC_m_s);
@@ -90,6 +91,7 @@ TEST(TheRulersLight, GoesToAndFroAtC) {
   test::Random random(92);
   const Ruler ruler{{-0.5, -0.6, 0.0}, {1, 0, 0}, {0, 1, 0}};
   for (int i = 0; i < 300; ++i) {
+    CASE(random, i);
     const double c_m_s = random.in(0.3, kFastestOnRuler_m_s);
     const Event eye{random.in(-3.0, 30.0), random.inBox(3.0)};
     const ObserverView observer = observerAt(eye, Lorentz(c_m_s));

@@ -90,13 +90,13 @@ glm::dvec3 randomOnWall(test::Random& random, const Wall& wall) {
 TEST(OffAxis, ProjectsAsTheRayThroughTheWallDoes) {
   test::Random random(1);
   for (int i = 0; i < 10000; ++i) {
+    CASE(random, i);
     const Wall wall = randomWall(random);
     const glm::dvec3 middle = 0.5 * (wall.lowerRight_m + wall.upperLeft_m);
     const glm::dvec3 eye = middle + random.in(0.1, 3.0) * normalOf(wall) +
                            random.in(-2.0, 2.0) * (wall.lowerRight_m - wall.lowerLeft_m);
     const glm::dvec3 point = eye + random.direction() * random.in(0.2, 20.0);
     if (glm::dot(point - eye, normalOf(wall)) > -0.1) continue;  // beside or behind the eye
-    SCOPED_TRACE(testing::Message() << "case " << i);
     const auto fromEye = clipFromEye(wall, eye);
     const auto fromRoom = clipFromRoom(wall, eye);
     ASSERT_TRUE(fromEye && fromRoom);

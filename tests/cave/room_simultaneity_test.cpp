@@ -27,7 +27,7 @@ Event pointAt(const Knot& knot, const Vec3& offset_m, double t_s) {
 TEST(RoomSimultaneity, EveryPointIsWhereItsOwnWorldLineCrossesTheMoment) {
   test::Random random(8);
   for (int i = 0; i < 500; ++i) {
-    SCOPED_TRACE(i);
+    CASE(random, i);
     const Lorentz boardFromRoom =
         Lorentz::boost(random.u(0.9), kC_m_s) *
         Lorentz::rotation(glm::normalize(glm::dquat(1.0, random.inBox(1.0))), kC_m_s);

@@ -53,6 +53,7 @@ Looked lookAt(const GameEvent& event, const Event& eye, const Lorentz& headFromB
 TEST(LightOfAFlash, ArrivesWhenTheFlashIsSeen) {
   test::Random random(71);
   for (int i = 0; i < 200; ++i) {
+    CASE(random, i);
     const GameEvent flash = flashAt({random.in(-5.0, 5.0), random.inBox(1.0)});
     const double distance_m = random.in(0.3, 5.0);
     const Vec3 eye_m = flash.at.r_m + distance_m * Vec3(std::sqrt(0.5), 0.0, std::sqrt(0.5));
@@ -147,6 +148,7 @@ TEST(LabelLayout, KeepsPlatesApart) {
   const ObserverView observer = observerAt({0.0, {0.0, -2.0, 1.0}}, Lorentz(kC_m_s));
   const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, {}, {}};
   for (int i = 0; i < 100; ++i) {
+    CASE(random, i);
     LabelLayout crowd(sight);
     std::vector<StandingPlate> plates;
     for (int k = 0; k < 12; ++k) {
@@ -209,6 +211,7 @@ TEST(Plates, SayNumbersAndTimes) {
 TEST(PuckClocks, ShowThePucksOwnTimeAsItIsSeen) {
   test::Random random(72);
   for (int i = 0; i < 300; ++i) {
+    CASE(random, i);
     const Vec3 u = random.u(0.9);
     const Event start{random.in(-1.0, 1.0), random.inBox(1.0)};
     const double startTime_s = i % 2 == 0 ? random.in(-50.0, 50.0) : random.in(-9e4, 9e4);
@@ -253,6 +256,7 @@ TEST(PuckClocks, ShowThePucksOwnTimeAsItIsSeen) {
 TEST(Beacons, StandOnTheirGhosts) {
   test::Random random(74);
   for (int i = 0; i < 200; ++i) {
+    CASE(random, i);
     const Vec3 beta = betaFromU(random.u(0.9)), start_m = random.inBox(1.0);
     const WorldLine line({{0.0, start_m}, uFromBeta(beta), 0.0, {}, 0.0}, kC_m_s, 0.03);
     const std::array<WorldLine, 2> lines{WorldLine(Knot{}, kC_m_s), line};
@@ -289,6 +293,7 @@ TEST(Beacons, StandOnTheirGhosts) {
 TEST(PathRibbons, LieAlongTheCentresWay) {
   test::Random random(73);
   for (int i = 0; i < 100; ++i) {
+    CASE(random, i);
     const double game_s = i % 3 == 0 ? 0.0 : i % 3 == 1 ? 3600.0 : 86400.0, base_s = game_s + 100.0;
     WorldLine line({{game_s, {0.1, 0.2, 0.01}}, uFromBeta({0.6, 0.3, 0.0}), 0.0, {}, i % 2 == 0 ? 0.0 : 0.2},
                    kC_m_s, 0.03);

@@ -66,6 +66,7 @@ constexpr View kViews[] = {{{}, ViewTime::seen},
 TEST(AgedGame, AStoppedPuckStandsStillForADay) {
   test::Random random(1);
   for (int i = 0; i < 60; ++i) {
+    CASE(random, i);
     const double friction_m_s2 = std::pow(10.0, random.in(-2.0, 0.0)), radius_m = random.in(0.02, 0.1);
     Knot knot;
     knot.turn = {random.in(0.0, 100.0), random.inBox(0.5)};
@@ -106,6 +107,7 @@ TEST(AgedGame, BouncesLookTheSameAfterADay) {
   test::Random random(2);
   double worst[3] = {0.0, 0.0, 0.0};
   for (int i = 0; i < 3000; ++i) {
+    CASE(random, i);
     const double radius_m = random.in(0.02, 0.1), friction_m_s2 = i % 2 == 0 ? 0.0 : random.in(0.02, 2.0);
     const WorldLine line =
         randomWorldLine(random, kC_m_s, radius_m, i % 4, random.in(0.1, 3.0), 0.9, friction_m_s2);
@@ -139,6 +141,7 @@ TEST(AgedGame, BouncesLookTheSameAfterADay) {
 TEST(AgedGame, NoNumberGrowsAfterTheLastBounce) {
   test::Random random(3);
   for (int i = 0; i < 500; ++i) {
+    CASE(random, i);
     const double friction_m_s2 = i % 2 == 0 ? 0.0 : random.in(0.05, 2.0), radius_m = random.in(0.02, 0.1);
     WorldLine line = randomWorldLine(random, kC_m_s, radius_m, 3, random.in(0.1, 2.0), 0.9, friction_m_s2);
     const Knot& last = line.knots().back();

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <span>
 #include <sstream>
 #include <string>
@@ -15,25 +14,20 @@
 
 #include "engine/balance.h"
 #include "engine/billiard/billiard.h"
+#include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of the table's length: a thousand roundings of its coordinates
 
-class Random {
+class Random : public test::Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double in(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
-  }
+  using test::Random::Random;
   Vec2 way() {
     const double angle = in(0.0, 2.0 * std::numbers::pi);
     return {std::cos(angle), std::sin(angle)};
   }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 BilliardSetup table(CollisionEvent convention) {
@@ -146,6 +140,7 @@ TEST_P(FastGames, cushionsKickOnlyWhatTheyTouch) {
   Random random(static_cast<std::uint64_t>(1e4 * GetParam()));
   std::size_t events = 0;
   for (int game = 0; game < 12; ++game) {
+    CASE(random, game);
     BilliardSetup setup = table(game % 3 == 2 ? CollisionEvent::contact : CollisionEvent::centre);
     if (game >= 4) setup.rules.cushionRestitution = game >= 8 ? random.in(0.0, 1.0) : random.in(0.9, 1.0);
     if (game >= 8) setup.rules.puckRestitution = random.in(0.3, 1.0);
@@ -213,6 +208,7 @@ void expectSameGame(const Billiard& a, const Billiard& b, double until_s) {
 TEST(StrokesNearCushions, keepThePuckOnTheTable) {
   Random random(61);
   for (int game = 0; game < 600; ++game) {
+    CASE(random, game);
     BilliardSetup setup = table(game % 4 == 3 ? CollisionEvent::contact : CollisionEvent::centre);
     if (game % 2 == 1) setup.rules.friction_m_s2 = random.in(0.005, 0.3);
     if (game % 5 == 0) setup.rules.cushionRestitution = random.in(0.0, 1.0);
@@ -254,6 +250,7 @@ TEST(StrokesNearCushions, keepThePuckOnTheTable) {
 TEST(StrokesNearCushions, inAGame) {
   Random random(62);
   for (int game = 0; game < 25; ++game) {
+    CASE(random, game);
     BilliardSetup setup = table(game % 4 == 3 ? CollisionEvent::contact : CollisionEvent::centre);
     setup.board = Board{1.0, 0.7};
     if (game % 2 == 1) setup.rules.friction_m_s2 = random.in(0.005, 0.1);

@@ -55,6 +55,7 @@ TEST(BounceChain, HundredThousandWorldLinesAreContinuousSlowerThanLightAndSeenOn
   double longestJump = 0.0, fastest = 0.0, worst_m = 0.0;
   long points = 0, catchingUp = 0;
   for (int i = 0; i < kLines; ++i) {
+    CASE(random, i);
     const double radius_m = random.in(0.02, 0.3);
     const int bounces = static_cast<int>(random.in(1, 21));
     const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, bounces, random.in(0.02, 1.0), 0.9);
@@ -168,6 +169,7 @@ TEST(BounceChain, EyesThatStepBackStillFindTheRoot) {
   long stepsBack = 0, looks = 0;
   double farthestBack_s = 0.0, worst_m = 0.0;
   for (int i = 0; i < 4; ++i) {
+    CASE(random, i);
     const WorldLine line = randomWorldLine(random, kC_m_s, 0.1, 20, 0.15, 0.9);
     const std::vector<reference::Leg> legs = referenceLegs(line);
     const test::Cloud cloud = test::randomCloud(random, kPoints, 0.1);

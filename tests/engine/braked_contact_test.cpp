@@ -7,24 +7,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "engine/billiard/billiard.h"
 #include "engine/gas.h"
+#include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double in(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
+using test::Random;
 
 BrakedDisc randomDisc(Random& random, double brake) {
   const double beta = random.in(0.0, 0.97), angle = random.in(0.0, 2.0 * std::numbers::pi);
@@ -96,11 +87,11 @@ TEST(BrakedContact, missesNoneAndInventsNone) {
   Random random(31);
   int met = 0, passed = 0, inContact = 0;
   for (int i = 0; i < 1000; ++i) {
+    CASE(random, i);
     const double brake = random.in(0.05, 1.0);
     const BrakedDisc first = randomDisc(random, brake), second = randomDisc(random, brake);
     const double begin = std::max(first.leg.start.t, second.leg.start.t);
     const double end = std::max(restsAt(first.leg), restsAt(second.leg));
-    SCOPED_TRACE(testing::Message() << "pair " << i);
     const auto fast = findBrakedMeeting(first, second, TurnConvention::signalAtCentre);
     const std::array<Disc, 2> start = atLaterStart(first, second);
     if (!(gapOf(start[0], start[1]) > 0.0)) {
@@ -157,6 +148,7 @@ TEST(BrakedContact, doesNotDependOnTheAgeOfTheGame) {
   Random random(32);
   int met = 0, inContact = 0;
   for (int i = 0; i < 600; ++i) {
+    CASE(random, i);
     std::array<BrakedDisc, 2> pair;
     const double brake = std::pow(10.0, random.in(-3.0, 0.0));  // to a pull at which R a = 0.1
     for (int k = 0; k < 2; ++k) {
@@ -201,6 +193,7 @@ TEST(BrakedContact, doesNotDependOnTheAgeOfTheGame) {
 TEST(BrakedContact, aStrokeMeetsItsPuckAtAnyAge) {
   Random random(33);
   for (int i = 0; i < 20; ++i) {
+    CASE(random, i);
     const double u = randomU(random) + 0.5, y_m = random.in(-0.05, 0.05);
     const double friction_m_s2 = std::pow(10.0, random.in(-2.0, -0.5));
     for (const CollisionEvent convention : {CollisionEvent::centre, CollisionEvent::contact}) {
@@ -229,6 +222,7 @@ TEST(BrakedContact, vanishingFrictionIsNone) {
   Random random(34);
   int met = 0, inContact = 0, none = 0;
   for (int i = 0; i < 20000; ++i) {
+    CASE(random, i);
     std::array<BrakedDisc, 2> pair;
     std::array<Disc, 2> straight;
     for (int k = 0; k < 2; ++k) {
@@ -243,7 +237,6 @@ TEST(BrakedContact, vanishingFrictionIsNone) {
     }
     for (const TurnConvention convention :
          {TurnConvention::signalAtCentre, TurnConvention::simultaneousWithContact}) {
-      SCOPED_TRACE(testing::Message() << "pair " << i);
       const auto expected = findMeeting(straight[0], straight[1], convention);
       const auto found = findBrakedMeeting(pair[0], pair[1], convention);
       ASSERT_EQ(found.has_value(), expected.has_value());

@@ -46,6 +46,7 @@ TEST(CellGrid, FindsWhatAListFinds) {
   std::vector<Place> places(kItems);
   std::vector<int> found(kItems + CellGrid::kSpare);
   for (int step = 0; step < 5000; ++step) {
+    CASE(random, step);
     const int item = static_cast<int>(random.in(0.0, kItems));
     const double size = item % 2 == 0 ? 0.2 : 2.0;
     const double x = kLowX + random.in(-0.1, 1.0) * size, y = kLowY + random.in(-0.1, 1.0) * size;

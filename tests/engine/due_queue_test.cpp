@@ -33,6 +33,7 @@ TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
   };
   for (int item = 0; item < items; ++item) set(item, std::floor(random.in(0.0, 2.0 * items)));
   for (int step = 0; step < 20000; ++step) {
+    CASE(random, step);
     if (!sorted.empty() && random.in(0.0, 1.0) < 0.5) {  // the first has its turn
       const double now = sorted.begin()->first;
       set(sorted.begin()->second,

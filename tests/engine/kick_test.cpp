@@ -4,25 +4,21 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
+
+#include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of momenta of order 1 to 10, times γ
 
-class Random {
+class Random : public test::Random {
  public:
-  double in(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
-  }
+  Random() : test::Random(11) {}
   Vec21 fourVelocityBelow(double beta) {
     const double b = in(0.0, beta), angle = in(0.0, 2.0 * std::numbers::pi), u = b / std::sqrt(1.0 - b * b);
     return fourVelocity(u * std::cos(angle), u * std::sin(angle));
   }
-
- private:
-  std::mt19937_64 engine_{11};
 };
 
 double size(const Vec21& p) { return std::abs(p.t) + std::abs(p.x) + std::abs(p.y); }
@@ -32,7 +28,7 @@ double size(const Vec21& p) { return std::abs(p.t) + std::abs(p.x) + std::abs(p.
 TEST(Kick, pairConservesAndReflects) {
   Random random;
   for (int i = 0; i < 2000; ++i) {
-    SCOPED_TRACE(i);
+    CASE(random, i);
     const Vec21 u1 = random.fourVelocityBelow(0.99), u2 = random.fourVelocityBelow(0.99);
     const std::array<double, 2> mass{random.in(0.1, 5.0), random.in(0.1, 5.0)};
     const Vec21 U = (u1 + u2) * (1.0 / std::sqrt(dot(u1 + u2, u1 + u2)));
@@ -63,6 +59,7 @@ TEST(Kick, pairConservesAndReflects) {
 TEST(Kick, cushionReversesTheNormalVelocity) {
   Random random;
   for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
     const CushionPlane plane{i % 2, i % 4 < 2 ? 1.0 : -1.0, 1.0};
     const Vec21 u = random.fourVelocityBelow(0.999);
     const double e = random.in(0.0, 1.0), mass = random.in(0.1, 5.0);

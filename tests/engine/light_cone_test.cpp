@@ -35,6 +35,7 @@ TEST(LightCone, EmissionThroughBouncesMatchesBisection) {
   test::Random random(7);
   int bounced = 0;
   for (int i = 0; i < 20000; ++i) {
+    CASE(random, i);
     const double radius_m = random.in(0.02, 0.3);
     const int bounces = static_cast<int>(random.in(0, 21));
     const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, bounces, random.in(0.02, 1.0), 0.9);
@@ -68,6 +69,7 @@ Vec3 seenByKernel(const WorldLine& line, const Vec3& offset_m, const Event& eye,
 TEST(LightCone, KernelMatchesTheWholeHistory) {
   test::Random random(10);
   for (int i = 0; i < 20000; ++i) {
+    CASE(random, i);
     const double radius_m = random.in(0.02, 0.3);
     const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, i % 21, random.in(0.02, 1.0), 0.9);
     const Vec3 offset_m = random.inBall(radius_m);
@@ -85,6 +87,7 @@ TEST(LightCone, GlidingBodiesToo) {
   test::Random random(11);
   int gliding = 0;
   for (int i = 0; i < 5000; ++i) {
+    CASE(random, i);
     const double radius_m = random.in(0.02, 0.1);
     const double friction_m_s2 = random.in(0.05, 4.0);
     const WorldLine line =
@@ -108,6 +111,7 @@ TEST(LightCone, GlidingBodiesToo) {
 TEST(LightCone, DopplerFactorIsTheRatioOfDistances) {
   test::Random random(8);
   for (int i = 0; i < 1000; ++i) {
+    CASE(random, i);
     const Vec3 u = random.u(0.99);
     const WorldLine line({{0.0, random.inBox(1.0)}, u, 0.0, {}, 0.0}, kC_m_s, 0.1);
     const Event eye{random.in(-1, 1), random.inBox(3.0)};
@@ -145,6 +149,7 @@ TEST(LightCone, FloatKernelKeepsWithinAFewUlpsOfTheDistance) {
   BodyView view;
   double worst = 0.0;
   for (int i = 0; i < 20000; ++i) {
+    CASE(random, i);
     const double radius_m = 0.1;
     const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, i % 4, 0.2, 0.9);
     const Event eye{random.in(-1.0, line.knots().back().turn.t_s + 1.0), random.inBox(2.0)};

@@ -25,6 +25,7 @@ TEST(LightOnItsWay, IsSeenWhereItsLightReachesTheEye) {
   test::Random random(81);
   int onTheWay = 0;
   for (int i = 0; i < 3000; ++i) {
+    CASE(random, i);
     const std::vector<Vec3> path_m = randomPath(random);
     const double start_s = random.in(-3.0, 3.0), length_m = lengthOf(path_m);
     const Event eye{start_s + random.in(-1.0, 8.0), random.inBox(2.0)};

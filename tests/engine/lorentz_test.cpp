@@ -17,6 +17,7 @@ double difference(const Displacement& a, const Displacement& b) {
 TEST(Lorentz, IntervalIsInvariantAndInverseUndoes) {
   test::Random random(1);
   for (int i = 0; i < 1000; ++i) {
+    CASE(random, i);
     const Vec3 u = random.u(0.99);
     const Displacement d{random.in(-3, 3), random.inBox(3.0)};
     const Lorentz aFromB = Lorentz::boost(u, kC_m_s);
@@ -64,6 +65,7 @@ TEST(Lorentz, OrthonormalisedRemovesDriftOfManyProducts) {
   test::Random random(2);
   Lorentz drifting(kC_m_s);
   for (int i = 0; i < 20000; ++i) {
+    CASE(random, i);
     drifting = drifting * Lorentz::boost(random.direction() * 1e-3, kC_m_s);
     drifting = drifting.orthonormalised();
   }

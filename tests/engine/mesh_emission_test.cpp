@@ -40,6 +40,7 @@ TEST(MeshEmission, MatchesTheKernelInDouble) {
   double worst[2]{};
   int bodies[4]{};
   for (int i = 0; i < 6000; ++i) {
+    CASE(random, i);
     const Case made = randomCase(random, 0.1, i % 8, 0.9);
     const test::Cloud cloud = test::randomCloud(random, 37, 0.1);
     test::SeenCloud seen(37);
@@ -68,6 +69,7 @@ TEST(MeshEmission, MatchesTheKernelInDouble) {
 TEST(MeshEmission, AtNinetyNinePercentOnAStraightLeg) {
   test::Random random(22);
   for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
     const Knot flight{{random.in(-1, 1), random.inBox(1.0)}, uFromBeta(random.direction() * 0.99), 0, {}, 0};
     const WorldLine line(flight, kC_m_s, 0.1);
     BodyView view;
@@ -88,6 +90,7 @@ TEST(MeshEmission, CatchingUpVerticesKeepTheDopplerFactorOfTheirIncomingLeg) {
   test::Random random(23);
   int catchingUp = 0;
   for (int i = 0; i < 4000; ++i) {
+    CASE(random, i);
     const Case made = randomCase(random, 0.1, 1 + i % 3, 0.9);
     const test::Cloud cloud = test::randomCloud(random, 8, 0.1);
     test::SeenCloud seen(8);
@@ -116,6 +119,7 @@ TEST(MeshEmission, OneRootThroughChainsOfBouncesForHundredThousandVertices) {
   test::Random random(24);
   std::size_t throughBounces = 0;
   for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
     const double radius_m = random.in(0.02, 0.3);
     const int bounces = static_cast<int>(random.in(1, 21));
     const Case made = randomCase(random, radius_m, bounces, 0.9);
@@ -163,6 +167,7 @@ TEST(MeshEmission, SameBitsForSlicesThreadsAndInstructionSets) {
   test::Random random(25);
   int bodies[4]{};
   for (int i = 0; i < 60; ++i) {
+    CASE(random, i);
     const Case made = randomCase(random, 0.1, i % 6, 0.9);
     ++bodies[std::min<std::size_t>(made.view.legs.size(), 3)];
     const std::size_t count = 3 * MeshView::kSlice + 77;
@@ -194,6 +199,7 @@ TEST(MeshEmission, SameBitsForSlicesThreadsAndInstructionSets) {
 TEST(MeshEmission, PlacesDoNotDependOnWhatElseIsAsked) {
   test::Random random(26);
   for (int i = 0; i < 100; ++i) {
+    CASE(random, i);
     const Case made = randomCase(random, 0.1, i % 6, 0.9);
     const test::Cloud cloud = test::randomCloud(random, 100, 0.1);
     test::SeenCloud all(100);
@@ -235,6 +241,7 @@ TEST(MeshEmission, CountsAndHidesWhatIsNotThereYet) {
 TEST(MeshEmission, UnderFriction) {
   test::Random random(29);
   for (int i = 0; i < 500; ++i) {
+    CASE(random, i);
     Knot glide{{0.0, random.inBox(0.5)}, random.u(0.8), 0.0, {}, random.in(0.1, 3.0)};
     glide.signal = glide.turn;
     const WorldLine line(glide, kC_m_s, 0.1);
@@ -256,6 +263,7 @@ TEST(MeshEmission, UnderFriction) {
 TEST(MeshEmission, OwnClocksAreThoseOfTheSinglePoint) {
   test::Random random(28);
   for (int i = 0; i < 300; ++i) {
+    CASE(random, i);
     const Case made = randomCase(random, 0.1, i % 5, 0.9);
     const test::Cloud cloud = test::randomCloud(random, 10, 0.1);
     RigidMeshView view(made.line, cloud.points());

@@ -6,9 +6,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "engine/collision/kick.h"
+#include "engine/random_world.h"
 #include "reference/pair_reference.h"
 
 namespace carom {
@@ -16,15 +16,7 @@ namespace {
 
 constexpr int kPairs = 10000;
 
-class Random {
- public:
-  double in(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
-  }
-
- private:
-  std::mt19937_64 engine_{20240607};
-};
+using test::Random;
 
 struct Pair {
   std::array<Disc, 2> discs;
@@ -73,9 +65,10 @@ double distance(const Vec21& a, const reference::Point& b) {
 }
 
 TEST(PuckContact, agreesWithSlowReference) {
-  Random random;
+  Random random(20240607);
   int hits = 0;
   for (int i = 0; i < kPairs; ++i) {
+    CASE(random, i);
     const Pair pair = randomPair(random);
     SCOPED_TRACE(testing::Message() << "pair " << i << pair);
     const auto slow = reference::slowContact(pair.slow[0], pair.slow[1]);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
+#include "engine/random_world.h"
 #include "engine/spacetime/world_line.h"
 
 namespace carom {
@@ -12,20 +12,15 @@ namespace {
 
 constexpr double kRounding = 1e-11;  // metres, over legs of some ten metres
 
-class Random {
+class Random : public test::Random {
  public:
-  double in(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
-  }
+  Random() : test::Random(3) {}
   Leg leg(double brake) {
     return {{in(-1.0, 1.0), in(-1.0, 1.0), in(-1.0, 1.0)},
             fourVelocity(in(-2.0, 2.0), in(-2.0, 2.0)),
             in(0.0, 5.0),
             brake};
   }
-
- private:
-  std::mt19937_64 engine_{3};
 };
 
 // The physics' leg and the world line's are one motion.
@@ -33,6 +28,7 @@ TEST(PuckLeg, movesAsTheWorldLineDoes) {
   Random random;
   const double c = 1.42;
   for (int i = 0; i < 1000; ++i) {
+    CASE(random, i);
     const Leg leg = random.leg(i % 2 == 0 ? 0.0 : random.in(0.1, 1.0));
     const Knot knot{{leg.start.t / c, {leg.start.x, leg.start.y, 0.0}},
                     {leg.u.x, leg.u.y, 0.0},
@@ -52,7 +48,7 @@ TEST(PuckLeg, movesAsTheWorldLineDoes) {
 TEST(PuckLeg, solversSolve) {
   Random random;
   for (int i = 0; i < 1000; ++i) {
-    SCOPED_TRACE(i);
+    CASE(random, i);
     const Leg leg = random.leg(i % 2 == 0 ? 0.0 : random.in(0.1, 1.0));
     const Vec21 event{leg.start.t + random.in(0.0, 3.0), random.in(-1.0, 1.0), random.in(-1.0, 1.0)};
     const double height = random.in(-1.0, 1.0);
@@ -81,6 +77,7 @@ TEST(PuckLeg, solversSolve) {
 TEST(PuckLeg, signalArrivesOnTheConeAtAnyAge) {
   Random random;
   for (int i = 0; i < 1000; ++i) {
+    CASE(random, i);
     Leg leg = random.leg(0.0);
     if (i % 2 == 0) leg.u = {1.0, 0.0, 0.0};
     for (const double age_m : {10.0, 1000.0, 5112.0, 122688.0}) {

@@ -31,14 +31,17 @@ class Random {
                  (number + 1) * 0x9e3779b97f4a7c15u);  // 2⁶⁴ over the golden ratio: cases lie far apart
     return true;
   }
-  friend void PrintTo(const Random& random, std::ostream* out) {
-    *out << "seed " << random.seed_;
-    if (!random.case_) return;
+  /// Returns the seed, the case and the command that runs the case alone.
+  std::string words() const {
+    const std::string seed = "seed " + std::to_string(seed_);
+    if (!case_) return seed;
     static const std::string program = std::filesystem::read_symlink("/proc/self/exe");
     const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    *out << ", case " << *random.case_ << "; again: CAROM_CASE=" << *random.case_ << ' ' << program
-         << " --gtest_filter=" << (test ? std::string(test->test_suite_name()) + '.' + test->name() : "*");
+    const std::string number = std::to_string(*case_);
+    return seed + ", case " + number + "; again: CAROM_CASE=" + number + ' ' + program +
+           " --gtest_filter=" + (test ? std::string(test->test_suite_name()) + '.' + test->name() : "*");
   }
+  friend void PrintTo(const Random& random, std::ostream* out) { *out << random.words(); }
 
   /// Uniform in [low, high), the same on every platform.
   double in(double low, double high) {
@@ -65,7 +68,7 @@ class Random {
 /// command that runs it alone. What the test expects of all cases together does not hold then.
 #define CASE(random, i)                                         \
   if (!(random).begin(static_cast<std::uint64_t>(i))) continue; \
-  SCOPED_TRACE(testing::PrintToString(random))
+  SCOPED_TRACE((random).words())
 
 /// A body that bounces `bounces` times, `spacing_s` board seconds apart on average. As for a puck, the signal
 /// of each bounce comes from a point of the body and reaches the centre at the turn.

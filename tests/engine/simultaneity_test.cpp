@@ -13,6 +13,7 @@ constexpr double kC_m_s = 1.42;
 TEST(Simultaneity, TheNamedObserverIndeedSeesThemAtOnceOrAtOnePlace) {
   test::Random random(3);
   for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
     const Displacement d{random.in(-3, 3), random.inBox(3.0)};
     SCOPED_TRACE(testing::Message() << "dt " << d.dt_s << " dr " << d.dr_m.x << " " << d.dr_m.y << " "
                                     << d.dr_m.z);
@@ -36,6 +37,7 @@ TEST(Simultaneity, TheNamedObserverIndeedSeesThemAtOnceOrAtOnePlace) {
 TEST(Simultaneity, NobodyUpsetsTheOrderOfTimelikeEventsAndSomeoneThatOfSpacelikeOnes) {
   test::Random random(4);
   for (int i = 0; i < 300; ++i) {
+    CASE(random, i);
     const Displacement d{random.in(0.1, 3), random.inBox(3.0)};
     const Relation relation = relationOf(d, kC_m_s);
     bool upset = false;
@@ -53,6 +55,7 @@ TEST(Simultaneity, NobodyUpsetsTheOrderOfTimelikeEventsAndSomeoneThatOfSpacelike
 TEST(Simultaneity, LightIsToldFromBothInEveryDirection) {
   test::Random random(5);
   for (int i = 0; i < 1000; ++i) {
+    CASE(random, i);
     const Vec3 dr_m = random.inBox(3.0);
     const Relation relation = relationOf({glm::length(dr_m) / kC_m_s, dr_m}, kC_m_s);
     EXPECT_EQ(relation.separation, Separation::lightlike);

@@ -95,6 +95,7 @@ Switches switchesOf(int bits) {
 void compare(int cases, int mostBounces, double spacing_s, double friction_m_s2) {
   test::Random random(31);
   for (int i = 0; i < cases; ++i) {
+    CASE(random, i);
     const Case c = randomCase(random, i % (mostBounces + 1), spacing_s, friction_m_s2);
     for (int bits = 0; bits < 8; ++bits) {
       const Switches s = switchesOf(bits);

@@ -19,6 +19,7 @@ TEST(VertexHistory, ContinuousAndSlowerThanLightThroughChainsOfBounces) {
   test::Random random(5);
   int pieces = 0;
   for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
     const int bounces = static_cast<int>(random.in(1, 21));
     const WorldLine line = randomWorldLine(random, kC_m_s, 0.1, bounces, random.in(0.02, 2.0), 0.9);
     const Vec3 offset_m = random.inBall(0.1);
@@ -45,6 +46,7 @@ TEST(VertexHistory, GlidingPointsMoveAsTheirPlacesDo) {
   test::Random random(12);
   const double h_s = 1e-4;
   for (int i = 0; i < 100; ++i) {
+    CASE(random, i);
     const WorldLine line = randomWorldLine(random, kC_m_s, 0.1, 4, 2.0, 0.9, random.in(0.05, 4.0));
     const auto history = vertexHistory(line, random.inBall(0.1));
     SCOPED_TRACE(testing::Message() << "world line " << i);
@@ -91,6 +93,7 @@ TEST(VertexHistory, AllPointsHaveJoinedWhenTheLineSaysSo) {
   const double radius_m = 0.05;
   int unsettled = 0;
   for (int i = 0; i < 200; ++i) {
+    CASE(random, i);
     const auto inPlane = [&](double maxBeta) {
       const double angle = random.in(0.0, 6.2831853), beta = random.in(0.0, maxBeta);
       return Vec3(beta * std::cos(angle), beta * std::sin(angle), 0.0);
@@ -132,6 +135,7 @@ TEST(VertexHistory, NoPointJoinsLaterThanSaidInDenseGames) {
   test::Random random(10);
   int unsettled = 0;
   for (int game = 0; game < 36; ++game) {
+    CASE(random, game);
     constexpr double kStarts_beta[] = {0.5, 0.8, 0.9, 0.97, 0.99, 0.999};
     BilliardSetup setup;
     setup.lightSpeed_m_s = kC_m_s;

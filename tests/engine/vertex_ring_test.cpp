@@ -88,6 +88,7 @@ TEST(VertexRing, SinglePointsMatchBisectionOfTheTruePath) {
   const VertexRing ring = sampled(swarm, 0.0, 4.0, 300);
   RingView view(ring);
   for (int n = 0; n < 50; ++n) {
+    CASE(random, n);
     const Event eye{random.in(3.0, 4.0), random.direction() * random.in(0.4, 1.0)};
     const Lorentz headFromBoard = Lorentz::boost(random.u(0.9), kC_m_s);
     view.look(eye, headFromBoard);
@@ -111,6 +112,7 @@ TEST(VertexRing, WholeMeshMatchesSinglePoints) {
   const VertexRing ring = sampled(swarm, 0.0, 4.0, 300);
   RingView view(ring);
   for (int n = 0; n < 200; ++n) {
+    CASE(random, n);
     view.look({random.in(0.0, 5.5), random.direction() * random.in(0.4, 1.5)},
               Lorentz::boost(random.u(0.9), kC_m_s));
     test::SeenCloud seen(swarm.size());
@@ -136,6 +138,7 @@ TEST(VertexRing, WholeMeshMatchesSinglePoints) {
 TEST(VertexRing, AgreesWithTheKnotsOfTheSameFlight) {
   test::Random random(43);
   for (int n = 0; n < 20; ++n) {
+    CASE(random, n);
     const test::Cloud cloud = test::randomCloud(random, 150, 0.1);
     const WorldLine line({{0.0, random.inBox(0.2)}, random.u(0.8), 0.0, {}, 0.0}, kC_m_s, 0.1);
     const Vec3& u = line.knots().front().u;
@@ -179,6 +182,7 @@ TEST(VertexRing, CursorsStepBack) {
   RingView kept(ring);
   double t_s = 3.0;
   for (int n = 0; n < 300; ++n) {
+    CASE(random, n);
     t_s = n % 20 == 0 ? random.in(0.0, 5.0) : t_s + random.in(-0.12, 0.12);
     const Event eye{t_s, random.direction() * 0.8};
     const Lorentz headFromBoard = Lorentz::boost(random.u(0.9), kC_m_s);
@@ -196,6 +200,7 @@ TEST(VertexRing, SameBitsForThreadsAndInstructionSets) {
   RingView views[3]{RingView(ring), RingView(ring), RingView(ring)};
   RingView baseline(ring, InstructionSet::baseline);
   for (int n = 0; n < 10; ++n) {
+    CASE(random, n);
     const Event eye{random.in(1.0, 2.5), random.direction() * 0.8};
     const Lorentz headFromBoard = Lorentz::boost(random.u(0.9), kC_m_s);
     baseline.look(eye, headFromBoard);
@@ -218,6 +223,7 @@ TEST(VertexRing, TrimsOnlyWhatNoEyeWillLookAtAgain) {
   RingView fromTrimmed(trimmed);
   std::size_t most = 0;
   for (int n = 0; n < 900; ++n) {
+    CASE(random, n);
     const double t_s = n / kSampleHz;
     swarm.sample(t_s, all);
     swarm.sample(t_s, trimmed);
@@ -247,6 +253,7 @@ TEST(VertexRing, AFullRingGrowsCoarserWithAge) {
   EXPECT_NEAR(ring.eventOf(99, 0).t_s, 4999 / kSampleHz, 1e-6);
   double lastOwn_s = -1.0;
   for (std::size_t k = 0; k < 100; ++k) {
+    CASE(random, k);
     EXPECT_GT(ring.properTime_s(k, 7), lastOwn_s);
     lastOwn_s = ring.properTime_s(k, 7);
     if (k == 0) continue;
@@ -269,6 +276,7 @@ TEST(VertexRing, KeepsItsPrecisionAfterADay) {
     test::SeenCloud seen(swarm.size());
     ASSERT_EQ(view.see(0, seen.points()), 0U);
     for (std::size_t i = 0; i < swarm.size(); ++i) {
+      CASE(random, i);
       ASSERT_LT(glm::length(seen.at(i) - view.emission(i)->seen.dr_m), kFloat) << begin_s << " s";
     }
   }

@@ -68,6 +68,7 @@ Displacement atHeadsMoment(const Case& c) {
 void compareMyNow(int cases, int mostBounces, double spacing_s, double friction_m_s2, int& turning) {
   test::Random random(51);
   for (int i = 0; i < cases; ++i) {
+    CASE(random, i);
     const Case c = randomCase(random, i % (mostBounces + 1), spacing_s, friction_m_s2);
     const Placed placed = placedByKernel(c);
     const Displacement expected = atHeadsMoment(c);
@@ -97,6 +98,7 @@ TEST(MyNow, AlsoUnderFriction) {
 TEST(MyNow, LiesAheadOnTheBoardWhereTheHeadGoes) {
   test::Random random(52);
   for (int i = 0; i < 500; ++i) {
+    CASE(random, i);
     const Case c = randomCase(random, i % 4, 0.5, 0.0);
     const Displacement found = atHeadsMoment(c);
     const Vec3 beta = betaFromU(c.headFromBoard.inverse().u());
@@ -109,6 +111,7 @@ TEST(MyNow, LiesAheadOnTheBoardWhereTheHeadGoes) {
 TEST(MyNow, BodiesAreContractedByTheirMotionRelativeToTheHead) {
   test::Random random(53);
   for (int i = 0; i < 500; ++i) {
+    CASE(random, i);
     const Vec3 u = random.u(0.95), uHead = random.u(0.95);
     const WorldLine line({{0.3, random.inBox(1.0)}, u, 0.0, {}, 0.0}, kC_m_s, 0.5);
     const Lorentz headFromBoard = Lorentz::boost(-uHead, kC_m_s);
@@ -130,6 +133,7 @@ TEST(MyNow, BodiesAreContractedByTheirMotionRelativeToTheHead) {
 TEST(MyNow, OfAHeadAtRestIsTheBoards) {
   test::Random random(54);
   for (int i = 0; i < 500; ++i) {
+    CASE(random, i);
     Case c = randomCase(random, i % 5, 0.3, 0.0);
     c.headFromBoard = Lorentz(kC_m_s);
     const auto history = vertexHistory(c.line, c.offset_m);
@@ -142,6 +146,7 @@ TEST(MyNow, OfAHeadAtRestIsTheBoards) {
 TEST(MyNow, WithoutAberrationIsDrawnWhereItIsOnTheBoard) {
   test::Random random(55);
   for (int i = 0; i < 500; ++i) {
+    CASE(random, i);
     Case c = randomCase(random, i % 5, 0.3, 0.0);
     c.headFromBoard = Lorentz::boost(random.u(0.95), kC_m_s);  // axes as the board's
     ASSERT_LT(glm::length(placedByKernel(c, {1, 1, 0}).inHead_m - atHeadsMoment(c).dr_m), kTolerance_m) << i;
@@ -152,6 +157,7 @@ TEST(MyNow, WithoutAberrationIsDrawnWhereItIsOnTheBoard) {
 TEST(BoardNow, IsTheViewWithoutRetardation) {
   test::Random random(56);
   for (int i = 0; i < 500; ++i) {
+    CASE(random, i);
     const Case c = randomCase(random, i % 5, 0.3, i % 2 == 0 ? 0.0 : 0.3);
     BodyView asked, switched;
     viewBody(c.line, c.eye, c.headFromBoard, asked, {}, ViewTime::boardNow);
@@ -169,6 +175,7 @@ TEST(BoardNow, IsTheViewWithoutRetardation) {
 TEST(CentreSeen, IsTheCentresEmission) {
   test::Random random(57);
   for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
     const Case c = randomCase(random, i % 9, 0.3, i % 2 == 0 ? 0.0 : 0.3);
     const Motion centre = centreSeen(c.line, c.eye);
     const double late_m = kC_m_s * (c.eye.t_s - centre.event.t_s) - glm::length(c.eye.r_m - centre.event.r_m);

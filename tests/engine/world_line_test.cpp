@@ -41,6 +41,7 @@ TEST(WorldLine, TruncationForgetsTheFuture) {
   EXPECT_TRUE(line.settlesBeforeNext(5));
   for (std::size_t i = 6; i < whole.knots().size(); ++i) line.append(whole.knots()[i]);
   for (std::size_t i = 0; i < whole.knots().size(); ++i) {
+    CASE(random, i);
     EXPECT_EQ(line.settlesBeforeNext(i), whole.settlesBeforeNext(i));
     EXPECT_EQ(line.settled_s(i), whole.settled_s(i));
   }
@@ -72,6 +73,7 @@ TEST(WorldLine, FrictionLegMatchesNumericalIntegration) {
 TEST(WorldLine, EveryPointHasJoinedItsLegWhenItIsSettled) {
   test::Random random(4);
   for (int i = 0; i < 300; ++i) {
+    CASE(random, i);
     const double radius_m = 0.05;
     const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, 6, random.in(0.05, 2.0), 0.9);
     for (int k = 0; k < 20; ++k) {
@@ -96,6 +98,7 @@ TEST(WorldLine, WhatHasBeenForgottenCanBeginAnew) {
   EXPECT_EQ(line.at(start_s - 1.0).event.r_m, whole.at(start_s - 1.0).event.r_m);
   for (const Knot& knot : whole.knots().subspan(1)) line.append(knot);
   for (std::size_t knot = 0; knot < whole.knots().size(); ++knot) {
+    CASE(random, knot);
     EXPECT_EQ(line.settled_s(knot), whole.settled_s(knot)) << "knot " << knot;
     EXPECT_EQ(line.settlesBeforeNext(knot), whole.settlesBeforeNext(knot)) << "knot " << knot;
   }
