@@ -98,19 +98,4 @@ int runCommandLine(int argc, char** argv) {
   return status;
 }
 
-}  // namespace
-
-int runCommandLine(int argc, char** argv) {
-  CLI::App app("carom: billiards where light is slow, shown as special relativity says it would look.",
-               "carom");
-  int status = 0;
-  addCommands(app, status);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return status;
-}
-
 }  // namespace carom
