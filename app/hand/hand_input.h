@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/spacetime/event.h"
+#include "engine/spacetime/observer.h"
 
 namespace carom {
 
