@@ -82,7 +82,6 @@ struct SpectatorView::Drawing {
   void drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories, float covers) const;
   void drawTable(const glm::dmat4& roomFromTable) const;
   void drawLines(const FrameRecord& record, const std::optional<glm::dmat4>& roomFromTable);
-  void addRectangle(const Corners& corners_m, double halfWidth_m, const glm::vec4& colour);
   void resolve() const;
 };
 
@@ -155,28 +154,26 @@ void SpectatorView::Drawing::drawTable(const glm::dmat4& roomFromTable) const {
   glDepthFunc(GL_LESS);
 }
 
-void SpectatorView::Drawing::addRectangle(const Corners& corners_m, double halfWidth_m,
-                                          const glm::vec4& colour) {
-  for (std::size_t i = 0; i < 4; ++i)
-    lines.push_back({corners_m[i], corners_m[(i + 1) % 4], halfWidth_m, colour});
-}
-
 void SpectatorView::Drawing::drawLines(const FrameRecord& record,
                                        const std::optional<glm::dmat4>& roomFromTable) {
   constexpr double kFrame_m = 0.014, kFarFrame_m = 0.3 * kFrame_m, kSight_m = 0.003, kEdge_m = 0.005;
   lines.clear();
   for (const Wall& wall : surfaces.walls()) {
+    const Corners corners_m = cornersOf(wall);
     const bool inside = showsInside(wall, view.camera_m);
-    addRectangle(cornersOf(wall), inside ? kFrame_m : kFarFrame_m, inside ? kFrame : kFarFrame);
-    for (const glm::dvec3& corner_m : cornersOf(wall))
-      lines.push_back({record.observer.middle.positionInRoom_m, corner_m, kSight_m, kSight});
+    for (std::size_t i = 0; i < 4; ++i) {
+      lines.push_back({corners_m[i], corners_m[(i + 1) % 4], inside ? kFrame_m : kFarFrame_m,
+                       inside ? kFrame : kFarFrame});
+      lines.push_back({record.observer.middle.positionInRoom_m, corners_m[i], kSight_m, kSight});
+    }
   }
   const std::size_t ofRoom = lines.size();
-  if (roomFromTable) {
-    for (Corners edge_m : tableEdges) {
-      for (glm::dvec3& corner_m : edge_m) corner_m = glm::dvec3(*roomFromTable * glm::dvec4(corner_m, 1.0));
-      addRectangle(edge_m, kEdge_m, kTableEdge);
-    }
+  const auto inRoom_m = [&](const glm::dvec3& onBoard_m) {
+    return glm::dvec3(*roomFromTable * glm::dvec4(onBoard_m, 1.0));
+  };
+  for (const Corners& edge_m : tableEdges) {
+    for (std::size_t i = 0; i < 4 && roomFromTable; ++i)
+      lines.push_back({inRoom_m(edge_m[i]), inRoom_m(edge_m[(i + 1) % 4]), kEdge_m, kTableEdge});
   }
   glDepthMask(GL_FALSE);
   glEnable(GL_POLYGON_OFFSET_FILL);  // before the edges that they follow

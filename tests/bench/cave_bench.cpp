@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cave/frame/bodies.h"
+#include "cave/gl/gl_objects.h"
 #include "cave/mesh/mesh_builder.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/scene/scene_builder.h"
@@ -264,8 +265,7 @@ void millionSolvedAndUploaded(benchmark::State& state) {
   };
   const Points points{third(offsets, 0), third(offsets, 1), third(offsets, 2)};
   const SeenPoints places{third(seen, 0), third(seen, 1), third(seen, 2), {}, {}};
-  GLuint buffer = 0;
-  glGenBuffers(1, &buffer);
+  const GlBuffer buffer;
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
   BodyView view;
   std::vector<double> solve_s, upload_s;
@@ -282,7 +282,6 @@ void millionSolvedAndUploaded(benchmark::State& state) {
       }));
     }
   }
-  glDeleteBuffers(1, &buffer);
   state.counters["solve_ms"] = 2e3 * medianOf(solve_s);
   state.counters["upload_ms"] = 2e3 * medianOf(upload_s);
 }

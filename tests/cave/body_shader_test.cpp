@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cave/display/window.h"
+#include "cave/gl/gl_objects.h"
 #include "cave/render/body_shaders.h"
 #include "engine/colour/doppler_colour.h"
 #include "engine/colour_reference.h"
@@ -51,7 +52,7 @@ struct Lit {
 /// The program that draws a lamp's surface (whose `glow` is handed on, too) in one state of the switches.
 class BodyProgram {
  public:
-  BodyProgram(Legs legs, const Switches& switches) : switches_(switches), program_(glCreateProgram()) {
+  BodyProgram(Legs legs, const Switches& switches) : switches_(switches) {
     std::string text = bodyVertexShader(legs, Paint::lamp, switches);
     const std::string version = "//VTK::System::Dec\n";
     text.replace(text.find(version), version.size(), "#version 150\n");
@@ -68,10 +69,6 @@ class BodyProgram {
     GLint linked = GL_FALSE;
     glGetProgramiv(program_, GL_LINK_STATUS, &linked);
     EXPECT_EQ(linked, GL_TRUE) << log.c_str();
-    glGenBuffers(2, buffers_.data());
-    glGenTextures(2, textures_.data());
-    glGenBuffers(2, texels_.data());
-    glGenVertexArrays(1, &vertices_);
     const ColourTable table;
     upload(1, table.texels().data(), table.texels().size() * sizeof(glm::vec4));
   }
@@ -153,11 +150,11 @@ class BodyProgram {
   }
 
   Switches switches_;
-  GLuint program_;
-  GLuint vertices_ = 0;
-  std::array<GLuint, 2> buffers_{};
-  std::array<GLuint, 2> textures_{};
-  std::array<GLuint, 2> texels_{};
+  GlProgram program_;
+  GlVertexArray vertices_;
+  std::array<GlBuffer, 2> buffers_;
+  std::array<GlTexture, 2> textures_;
+  std::array<GlBuffer, 2> texels_;
 };
 
 /// Light of one source on its way over a body to the head: what it makes of the three primaries.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cave/display/window.h"
+#include "cave/gl/gl_objects.h"
 #include "cave/render/body_shaders.h"
 #include "engine/light/light_cone.h"
 #include "engine/random_world.h"
@@ -34,7 +35,7 @@ struct Output {
   float boardTime_m = 0.0F;
 };
 
-GLuint compileSolver(const Switches& switches) {
+GlProgram compileSolver(const Switches& switches) {
   const std::string states =
       std::string("const bool kRetarded = ") + (switches.retardation ? "true" : "false") +
       "; const bool kContracted = " + (switches.contraction ? "true" : "false") + ";\n";
@@ -51,7 +52,7 @@ GLuint compileSolver(const Switches& switches) {
       distanceInBody_m = distanceInBody(leg, emission.event);
       boardTime_m = boardTimeOf(leg, emission.event);
     })";
-  const GLuint program = glCreateProgram();
+  GlProgram program;
   const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
   const char* source = text.c_str();
   glShaderSource(shader, 1, &source, nullptr);
@@ -73,13 +74,10 @@ GLuint compileSolver(const Switches& switches) {
 /// Runs the solver on the graphics card over all inputs.
 std::vector<Output> solveByShader(const std::vector<kernel_float::LegView>& legs,
                                   const std::vector<Input>& inputs, const Switches& switches) {
-  const GLuint program = compileSolver(switches);
-  std::array<GLuint, 3> buffers{};
-  GLuint vertices = 0;
-  GLuint texture = 0;
-  glGenBuffers(3, buffers.data());
-  glGenVertexArrays(1, &vertices);
-  glGenTextures(1, &texture);
+  const GlProgram program = compileSolver(switches);
+  const std::array<GlBuffer, 3> buffers;
+  const GlVertexArray vertices;
+  const GlTexture texture;
   glBindBuffer(GL_TEXTURE_BUFFER, buffers[0]);
   glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(legs.size() * sizeof(legs[0])), legs.data(),
                GL_STATIC_DRAW);
