@@ -57,6 +57,7 @@
 #include <string>
 #include <vector>
 
+#include "app/journal/session_facts.h"
 #include "cave/frame/frame_state.h"
 #include "cave/frame/frame_timing.h"
 #include "devices/filter/head_filter.h"
@@ -65,30 +66,17 @@
 
 namespace carom {
 
-/// How a SQLite file tells that it is a journal ("Caro"), and the version of its tables. A file of a newer
-/// one, or of one before 3, is not read.
-inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 4;
-
-/// What a journal begins with.
-struct SessionFacts {
-  std::string program;
-  std::filesystem::path rig, scenario;
-  std::string rigText, scenarioText;
-  double lightSpeed_m_s = 0.0;
-  std::vector<std::string> pucks = {};  ///< their names, in the scenario's order; not read back
-};
-
 /// How often what was written goes into the session file itself; meanwhile it is in FILE-wal, beside it.
 inline constexpr std::chrono::milliseconds kIntoFileEvery{20000};
 
 /// Written by a thread of its own, one transaction a batch of frames, so that a frame only copies its rows.
 /// What has been handed over is on its way at once: a killed program lacks two frames at the most. When the
-/// disk is full, or the file cannot be written for another reason, the session goes on: the log tells it once, rows
-/// wait and are written when it works again, which it tells, too. Of frames ten minutes wait: the file then
-/// ends before the first that is lost, for good, as later ones would build on it. Of a killed program's file,
-/// copied without the FILE-wal beside it, no more than the last `intoFileEvery` is missing, unless it was
-/// killed in the few milliseconds of bringing the file up to date: that copy needs its FILE-wal.
+/// disk is full, or the file cannot be written for another reason, the session goes on: the log tells it
+/// once, rows wait and are written when it works again, which it tells, too. Of frames ten minutes wait:
+/// the file then ends before the first that is lost, for good, as later ones would build on it. Of a killed
+/// program's file, copied without the FILE-wal beside it, no more than the last `intoFileEvery` is missing,
+/// unless it was killed in the few milliseconds of bringing the file up to date: that copy needs its FILE-
+/// wal.
 class Journal {
  public:
   /// Makes the file, or with `goOn` goes on with the one that is there. Throws std::runtime_error if there is

@@ -10,7 +10,12 @@
 #include <vector>
 
 #include "app/journal/frame_rows.h"
-#include "app/journal/journal.h"
+#include "app/journal/session_facts.h"
+#include "cave/frame/frame_state.h"
+#include "cave/frame/frame_timing.h"
+#include "devices/filter/head_filter.h"
+#include "devices/tracker/tracker.h"
+#include "engine/billiard/billiard.h"
 
 namespace carom {
 

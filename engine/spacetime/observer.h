@@ -70,7 +70,7 @@ class Observer {
   static Observer at(const Event& headEvent, double properTime_s, const Lorentz& boardFromRoom,
                      const Head& head);
 
-  /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s (limits.h) moves the
+  /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s moves the
   /// person's place in the room, as re-anchoring, but not along the world line. `pace`: how many seconds of
   /// the board's light speed go by in one of the person's, whose light is so many times as fast.
   /// `thrust_m_s2`: the proper acceleration that the room has meanwhile, felt at the head, in the room's axes

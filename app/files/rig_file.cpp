@@ -1,0 +1,84 @@
+#include "app/files/rig.h"
+
+#include <array>
+#include <string_view>
+
+#include "app/files/rig_checks.h"
+#include "app/files/rig_trackers.h"
+#include "app/files/rig_walls.h"
+#include "app/files/toml_file.h"
+
+namespace carom {
+
+namespace {
+
+double readUnit_m(const TomlTable& root) {
+  constexpr std::array<std::string_view, 5> kNames{"mm", "cm", "in", "ft",
+                                                   "m"};  // an unknown one stands for the smallest
+  constexpr std::array<double, 5> kMetres{1e-3, 1e-2, 0.0254, 0.3048, 1.0};
+  return kMetres[root.choice("unit", kNames)];
+}
+
+RoomAxes readAxes(const TomlTable& root) {
+  constexpr std::array<std::string_view, 2> kNames{"x-right y-up z-back", "x-right y-forward z-up"};
+  const std::array<RoomAxes, 2> axes{RoomAxes{.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}},
+                                     RoomAxes{.right = {1, 0, 0}, .up = {0, 0, 1}, .forward = {0, 1, 0}}};
+  return axes[root.choice("axes", kNames)];
+}
+
+PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
+  const TomlTable& root = file.root();
+  PlacedRig placed;
+  const double unit_m = placed.unit_m = readUnit_m(root);
+  Rig& rig = placed.rig;
+  rig.title = root.text("title", name);
+  rig.axes = readAxes(root);
+  constexpr Range kDisplay_hz{.least = 1.0, .most = 1000.0};
+  rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
+  rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock", kFrameLocks, 0));
+  for (const TomlTable& table : root.tables("tracker"))
+    rig.trackers.push_back(readTracker(file, table, unit_m, rig.axes));
+  if (const auto head = root.requiredTable("head")) {
+    rig.head = readHead(*head, rig.trackers, unit_m);
+    placed.head = head->place();
+    placed.eyeSeparation = head->place("eye_separation");
+  }
+  if (const auto hand = root.table("hand")) rig.hand = readHand(*hand, rig.trackers, unit_m);
+  for (const TomlTable& table : root.tables("node")) {
+    rig.nodes.push_back({.rank = table.integer("rank", 0, kMostRanks), .display = table.text("display")});
+    placed.nodes.push_back(table.place());
+  }
+  if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
+  if (const auto console = root.table("console")) {
+    if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window);
+  }
+
+  std::vector<WallText> walls;
+  for (const TomlTable& table : root.tables("wall")) {
+    walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));
+    rig.walls.push_back(walls.back().wall);
+    placed.walls.push_back(placesOf(table));
+  }
+  if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
+  file.throwFaults();
+  if (rig.hand && rig.hand->buttons && *rig.hand->buttons != rig.head.sensor.tracker)
+    rig.trackers[*rig.hand->buttons].buttonsAlone = true;
+  checkTogether(root, rig, walls);
+  holdBackTheFast(rig, root.tables("wall"));
+  file.throwFaults();
+  return placed;
+}
+
+}  // namespace
+
+Rig readRig(const std::filesystem::path& path) { return readPlacedRig(path).rig; }
+
+Rig readRig(const std::filesystem::path& path, const std::string& kept) {
+  return readPlacedRig(TomlFile(path, kept), path.stem().string()).rig;
+}
+
+PlacedRig readPlacedRig(const std::filesystem::path& path) {
+  return readPlacedRig(TomlFile(path), path.stem().string());
+}
+
+}  // namespace carom
