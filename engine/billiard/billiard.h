@@ -59,7 +59,8 @@ class GameHistory;
 ///   perfectly plastic until it has been left in peace for as long: so between two cushions.
 ///
 /// With friction, the contact of two pucks is at the first board time t at which Dpar = dmin for the flights
-/// that touch the two world lines at t, and kicks act on the momenta the pucks have at their turns.
+/// that touch the two world lines at t, or, of a pair already in contact, where the later leg begins in its
+/// equal-speed frame, and kicks act on the momenta the pucks have at their turns.
 class Billiard {
  public:
   /// Throws std::invalid_argument, which names the puck and the values, for a setup that cannot be played: a
