@@ -48,7 +48,7 @@ struct FrameRecord {
   double forgetBefore_s = -std::numeric_limits<double>::infinity();
   std::uint64_t last = 0;  ///< 1: the session ends after this frame
   /// Light's speed for the person: metres in one second of their clock. The game keeps its own
-  /// (app/operator/controls.h).
+  /// (app/operator/operator_settings.h).
   double lightSpeed_m_s = 0.0;
   Switches switches;      ///< which effects are drawn
   WallControls controls;  ///< what else the operator has chosen
