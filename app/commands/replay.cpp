@@ -164,14 +164,11 @@ void addReplay(CLI::App& app, int& status) {
           "Which way that room's front looks, anticlockwise from the table's length")
       ->type_name("DEG")
       ->check(numberIn({-360.0, 360.0}, "an angle from -360 to 360 degrees"));
-  auto* at = command
-                 ->add_option("--at", options->at_s,
-                              "Begin at this second of the session instead of at its start; not with another "
-                              "person")
-                 ->type_name("S")
-                 ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
-  for (const char* other : {"--observer", "--walk", "--beta", "--from", "--facing"})
-    at->excludes(command->get_option(other));
+  command
+      ->add_option("--at", options->at_s,
+                   "Begin at this second of the session instead of at its start; not with another person")
+      ->type_name("S")
+      ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
   command
       ->add_option("--capture", options->recording.capture,
                    "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
@@ -187,7 +184,11 @@ void addReplay(CLI::App& app, int& status) {
       "  carom replay game.db --walk --from 0 1.6 -0.75 --facing -90   (from the other side of the table)\n"
       "Keys: Space pauses, arrows go back and on and change the speed, R runs backwards, H tells the "
       "others.");
-  command->callback([options, &status] { status = runReplay(*options); });
+  command->callback([options, &status] {
+    if (options->at_s && isVisit(*options))
+      throw CLI::ValidationError("--at", "is for the session as it was, expected it without another person");
+    status = runReplay(*options);
+  });
 }
 
 }  // namespace carom
