@@ -161,7 +161,7 @@ class Player {
       const double angle_rad = random_.in(-std::numbers::pi, std::numbers::pi);
       pull_m_ = Vec3(std::cos(angle_rad), random_.in(-0.2, 0.2), std::sin(angle_rad)) * random_.in(0.05, 0.5);
     }
-    const Vec3 seen_m = aim_.seenInRoom_m(game.pucks()[puck_], {observer, 2, Switches()});
+    const Vec3 seen_m = aim_.seenInRoom_m(game.pucks()[puck_], {observer, Eye::middle, Switches()});
     hand.along = glm::normalize(seen_m - hand.from_m);
     hand.held = phase > 3 && phase < 10;
     if (hand.held) hand.pull_m = pull_m_ * (static_cast<double>(phase - 4) / 5.0);
@@ -412,7 +412,7 @@ Lived::Hand pulled(std::size_t puck, const Vec3& pull_m, bool away = false) {
     HandInput hand;
     hand.device = "wand";
     hand.from_m = {0.2, 1.2, -0.3};
-    const Vec3 seen_m = aim.seenInRoom_m(game.pucks()[puck], {observer, 2, Switches()});
+    const Vec3 seen_m = aim.seenInRoom_m(game.pucks()[puck], {observer, Eye::middle, Switches()});
     hand.along = glm::normalize(away ? hand.from_m - seen_m : seen_m - hand.from_m);
     hand.held = frame >= 130 && frame < 135;
     if (hand.held) hand.pull_m = pull_m;
@@ -474,7 +474,7 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
             "Time stands still: nothing can be struck now");
   EXPECT_EQ(saidOf(stillGame(),
                    [](std::uint64_t frame, const ObserverView&, const Game&) {
-                     return HandInput{"mouse", {0, 1.6, 0}, {0, 1, 0}, 2, frame > 5, Vec3(0.0)};
+                     return HandInput{"mouse", {0, 1.6, 0}, {0, 1, 0}, Eye::middle, frame > 5, Vec3(0.0)};
                    }),
             "There is no puck where you point");
   EXPECT_EQ(saidOf(stillGame(),
@@ -487,11 +487,12 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
   Scenario empty = stillGame();
   empty.billiard.pucks.clear();
   empty.puckMeshes.clear();
-  EXPECT_EQ(saidOf(empty,
-                   [](std::uint64_t frame, const ObserverView&, const Game&) {
-                     return HandInput{"mouse", {0, 1.6, 0}, {0, -0.6, -0.8}, 2, frame > 5, Vec3(0.0)};
-                   }),
-            "There is no puck where you point");
+  EXPECT_EQ(
+      saidOf(empty,
+             [](std::uint64_t frame, const ObserverView&, const Game&) {
+               return HandInput{"mouse", {0, 1.6, 0}, {0, -0.6, -0.8}, Eye::middle, frame > 5, Vec3(0.0)};
+             }),
+      "There is no puck where you point");
   // At 0.95 c a hand before the head is earlier on the board: at first, before the game began.
   Scenario early = passingBy();
   early.observer.facing_rad = std::numbers::pi;
@@ -500,7 +501,8 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
     HandInput hand;
     hand.device = "wand";
     hand.from_m = observer.middle.positionInRoom_m + Vec3(0.0, -0.2, -1.0);
-    hand.along = glm::normalize(aim.seenInRoom_m(game.pucks()[1], {observer, 2, Switches()}) - hand.from_m);
+    hand.along =
+        glm::normalize(aim.seenInRoom_m(game.pucks()[1], {observer, Eye::middle, Switches()}) - hand.from_m);
     hand.held = frame < 4;
     hand.pull_m = {0.2, 0.0, 0.0};
     return hand;

@@ -122,7 +122,7 @@ TEST_F(DeskTest, WhileALessonAsksThePadsButtonsAnswerAndDoNothingElse) {
 }
 
 TEST_F(DeskTest, TheMouseIsHandedOn) {
-  const DeskInput input = desk_.gather(PointedWall{{1, 2, 3}, 1}, true, {}, nullptr, false);
+  const DeskInput input = desk_.gather(PointedWall{{1, 2, 3}, Eye::right}, true, {}, nullptr, false);
   ASSERT_TRUE(input.mouse);
   EXPECT_EQ(input.mouse->onWall_m, Vec3(1, 2, 3));
   EXPECT_EQ(input.mouse->eye, Eye::right);

@@ -209,9 +209,9 @@ TEST_F(HandsTest, WhoPressesFirstHoldsTheCue) {
 
 TEST_F(HandsTest, TheMousePointsFromItsEyeAndPullsAlongTheCloth) {
   wand_->fed.clear();
-  pointTo(0.0, -1.0, 1);
+  pointTo(0.0, -1.0, Eye::right);
   frame();
-  pointTo(0.2, -1.0, 1);
+  pointTo(0.2, -1.0, Eye::right);
   HandInput input = frame();
   EXPECT_EQ(input.device, "mouse");
   EXPECT_EQ(input.eye, Eye::right);
@@ -219,9 +219,9 @@ TEST_F(HandsTest, TheMousePointsFromItsEyeAndPullsAlongTheCloth) {
   expectNear(input.along, glm::normalize(glm::dvec3(0.2, 0.8, -1.0) - observer_.right.positionInRoom_m));
   desk_.mouseHeld = true;
   expectNear(frame().pull_m, {0, 0, 0});
-  pointTo(0.1, -0.7, 1);
+  pointTo(0.1, -0.7, Eye::right);
   expectNear(frame().pull_m, {-0.1, 0.0, 0.3});
-  pointTo(0.1, -0.7, 1);
+  pointTo(0.1, -0.7, Eye::right);
   desk_.mouse->onWall_m.y = 3.0;  // the sky
   expectNear(frame().pull_m, {-0.1, 0.0, 0.3});
   desk_.mouse.reset();  // off the wall

@@ -43,14 +43,14 @@ class Mouse {
     }
     const EyeView& eye = before.observer.middle;
     if (phase <= kPress) {
-      along_ =
-          aim_.seenInRoom_m(histories[puck_], {before.observer, 2, before.switches}) - eye.positionInRoom_m;
+      along_ = aim_.seenInRoom_m(histories[puck_], {before.observer, Eye::middle, before.switches}) -
+               eye.positionInRoom_m;
     } else {
       const double toCloth = -eye.observation.r_m.z / along_.y;  // the room stands upright
       along_ += pull_m_ / toCloth / static_cast<double>(kLetGo - kPress - 1);
     }
     DeskInput desk;
-    desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(along_), 2};
+    desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(along_), Eye::middle};
     desk.mouseHeld = phase >= kPress && phase < kLetGo;
     return desk;
   }
@@ -239,9 +239,9 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
     RayPicking aim;
     const EyeView& eye = state.record.observer.middle;
     const Vec3 way_m =
-        aim.seenInRoom_m(world.histories[1], {state.record.observer, 2, {}}) - eye.positionInRoom_m;
+        aim.seenInRoom_m(world.histories[1], {state.record.observer, Eye::middle, {}}) - eye.positionInRoom_m;
     DeskInput desk;
-    desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(way_m), 2};
+    desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(way_m), Eye::middle};
     desk.mouseHeld = held;
     return desk;
   };

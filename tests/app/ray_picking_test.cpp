@@ -61,21 +61,21 @@ TEST(RayPicking, SwitchesMoveWhatIsPointedTo) {
   const EyeView& eye = person.observer.middle;
   Switches switches = kNoSwitches;
   const Vec3 there_m = puck.at(eye.observation.t_s).event.r_m - eye.observation.r_m;
-  EXPECT_LT(
-      glm::distance(aim.seenInRoom_m(puck, {person.observer, 2, switches}), eye.seenFromInRoom_m + there_m),
-      1e-12);
+  EXPECT_LT(glm::distance(aim.seenInRoom_m(puck, {person.observer, Eye::middle, switches}),
+                          eye.seenFromInRoom_m + there_m),
+            1e-12);
   switches.aberration = 1;  // a ray (−|x|, x) that has come straight
   const Vec3 ray_m =
       (person.observer.headFromBoard * Displacement{-glm::length(there_m) / kC_m_s, there_m}).dr_m;
-  EXPECT_LT(
-      glm::distance(aim.seenInRoom_m(puck, {person.observer, 2, switches}), eye.seenFromInRoom_m + ray_m),
-      1e-12);
+  EXPECT_LT(glm::distance(aim.seenInRoom_m(puck, {person.observer, Eye::middle, switches}),
+                          eye.seenFromInRoom_m + ray_m),
+            1e-12);
   switches = Switches();
   switches.aberration = 0;
   const Vec3 light_m = centreSeen(puck, eye.observation).event.r_m - eye.observation.r_m;
-  EXPECT_LT(
-      glm::distance(aim.seenInRoom_m(puck, {person.observer, 2, switches}), eye.seenFromInRoom_m + light_m),
-      1e-12);
+  EXPECT_LT(glm::distance(aim.seenInRoom_m(puck, {person.observer, Eye::middle, switches}),
+                          eye.seenFromInRoom_m + light_m),
+            1e-12);
 }
 
 // A platform at 0.95 c: what is hit is what is seen; a ray at where the puck is by now, in the room, misses.
@@ -87,9 +87,9 @@ TEST(RayPicking, AFastPuckIsHitWhereItIsSeen) {
                                        puckAt({1.3, 0.5, 0.01}, {})};
   const Vec3 hand_m(0.5, -0.1, 1.2);
   for (std::size_t i = 0; i < pucks.size(); ++i) {
-    const Vec3 seen_m = aim.seenInRoom_m(pucks[i], {person.observer, 2, all});
-    const PickResult pointed =
-        aim.at({hand_m, directionTo(hand_m, seen_m)}, pucks, {person.observer, 2, all}, person.boardFromRoom);
+    const Vec3 seen_m = aim.seenInRoom_m(pucks[i], {person.observer, Eye::middle, all});
+    const PickResult pointed = aim.at({hand_m, directionTo(hand_m, seen_m)}, pucks,
+                                      {person.observer, Eye::middle, all}, person.boardFromRoom);
     EXPECT_EQ(pointed.puck, i);
     EXPECT_LT(glm::distance(pointed.end_m, seen_m), 1e-12);
     // Where it is at the head's moment in the room.
@@ -100,20 +100,22 @@ TEST(RayPicking, AFastPuckIsHitWhereItIsSeen) {
     const Vec3 now_m = person.head.roomFromHead.position_m +
                        (person.boardFromRoom.inverse() * (pucks[i].at(now_s).event - head)).dr_m;
     ASSERT_GT(glm::distance(now_m, seen_m), 0.3);
-    EXPECT_NE(
-        aim.at({hand_m, directionTo(hand_m, now_m)}, pucks, {person.observer, 2, all}, person.boardFromRoom)
-            .puck,
-        i);
+    EXPECT_NE(aim.at({hand_m, directionTo(hand_m, now_m)}, pucks, {person.observer, Eye::middle, all},
+                     person.boardFromRoom)
+                  .puck,
+              i);
   }
 }
 
 class StillRoom : public testing::Test {
  protected:
   PickResult at(const Vec3& from_m, const Vec3& to_m) {
-    return aim_.at({from_m, directionTo(from_m, to_m)}, pucks_, {person_.observer, 2, all_},
+    return aim_.at({from_m, directionTo(from_m, to_m)}, pucks_, {person_.observer, Eye::middle, all_},
                    person_.boardFromRoom);
   }
-  Vec3 seen_m(std::size_t puck) { return aim_.seenInRoom_m(pucks_[puck], {person_.observer, 2, all_}); }
+  Vec3 seen_m(std::size_t puck) {
+    return aim_.seenInRoom_m(pucks_[puck], {person_.observer, Eye::middle, all_});
+  }
 
   Viewer person_{Vec3(0.0), Vec3(0.0)};
   Switches all_;

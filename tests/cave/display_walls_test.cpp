@@ -206,7 +206,7 @@ TEST(DisplayWallsWindows, ThePointerIsOnTheWallAndOfTheEyeWhosePictureItIsOver) 
   shown.frame({.left = true, .right = true});
   const auto pointed = shown.pointAt({40.0, 16.0});  // a quarter of the way through the right eye's half
   if (!pointed) GTEST_SKIP() << "no pointer reaches the windows of this display";
-  EXPECT_EQ(pointed->eye, 1u);
+  EXPECT_EQ(pointed->eye, Eye::right);
   EXPECT_NEAR(pointed->onWall_m.x, -1.0, 1e-9);  // the wall is 4 × 4 m around the origin, 1 m away
   EXPECT_NEAR(pointed->onWall_m.y, 1.0, 1e-9);
   EXPECT_NEAR(pointed->onWall_m.z, 1.0, 1e-9);
