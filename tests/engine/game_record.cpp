@@ -117,6 +117,7 @@ void GameRecord::findLegsOfCollision(const GameEvent& event, Part& first, Part& 
   const auto& a = legs[who[0]];
   const auto& b = legs[who[1]];
   Real& best = first.off = kEndless;
+  bool fits = false;
   const auto consider = [&](std::size_t k, std::size_t l) {
     const Reading reading = readContact(*this, who, a[k], b[l], place(event.at));
     const Real reach = radius(who[0]) + radius(who[1]);
@@ -126,13 +127,14 @@ void GameRecord::findLegsOfCollision(const GameEvent& event, Part& first, Part& 
     const bool inTime = reading.own[0] <= a[k].end + tolerance && reading.own[1] <= b[l].end + tolerance;
     if (!(reading.off < best) || !(inTime || last)) return;
     contacts[first.event] = reading.contact;
+    fits = reading.off <= roundingOf(reading.contact.encounter);
     first.leg = k, second.leg = l;
     first.own = reading.own[0], second.own = reading.own[1];
     first.off = second.off = reading.off;
     first.tolerance = second.tolerance = tolerance;
   };
   for (std::size_t k = first.knot; k-- > 0;) {
-    for (std::size_t l = second.knot; l-- > 0 && !(first.off <= first.tolerance);) consider(k, l);
+    for (std::size_t l = second.knot; l-- > 0 && !fits;) consider(k, l);
   }
 }
 
@@ -140,6 +142,7 @@ void GameRecord::findLegsOfCollision(const GameEvent& event, Part& first, Part& 
 void GameRecord::placeWithoutDelay(const GameEvent& event, Part& first, Part& second) {
   const std::array<std::size_t, 2> who = pair(event);
   Real& best = first.off = kEndless;
+  bool fits = false;
   const auto consider = [&](std::size_t k, std::size_t l) {
     const CheckedLeg &a = legs[who[0]][k], &b = legs[who[1]][l];
     const Encounter e = encounterAtLaterStart(a, b);
@@ -151,6 +154,7 @@ void GameRecord::placeWithoutDelay(const GameEvent& event, Part& first, Part& se
     const Real off = reading.off + std::abs(early) + wrong;
     if (!(off < best)) return;
     contacts[first.event] = reading.contact;
+    fits = off <= roundingOf(reading.contact.encounter);
     first.leg = k, second.leg = l;
     first.off = second.off = off;
     first.tolerance = second.tolerance = roundingOf(e) + reach * roundingOfWay(e, a.brake);
@@ -158,7 +162,7 @@ void GameRecord::placeWithoutDelay(const GameEvent& event, Part& first, Part& se
       (i == 0 ? first : second).own = e.at(i, moment).t - (atCentre() ? e.u[i].t * radius(who[i]) : 0);
   };
   for (std::size_t k = first.knot; k-- > 0;) {
-    for (std::size_t l = second.knot; l-- > 0 && !(first.off <= first.tolerance);) consider(k, l);
+    for (std::size_t l = second.knot; l-- > 0 && !fits;) consider(k, l);
   }
 }
 
