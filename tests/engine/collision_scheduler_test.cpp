@@ -76,6 +76,7 @@ TEST(CollisionScheduler, ACopyIsAPointToReturnTo) {
   const std::vector<GameEvent> first(history.events().begin(), history.events().end());
   ASSERT_GT(first.size(), before);
   game = copy;
+  history.keepEvents(before);
   game.restore(history);
   EXPECT_EQ(history.events().size(), before);
   EXPECT_TRUE(game.playUntil(kUntil_s * kC_m_s, kMany, history));

@@ -14,7 +14,7 @@ namespace {
 constexpr double kRounding = 1e-8;  // metres; distances are least values, flat to the root of the rounding
 
 /// Distance of the cushion in the puck's rest frame at the centre's event `at`: the least length of
-/// displacements to the plane that the puck calls simultaneous, sought among them.
+/// displacements to the plane that the puck calls simultaneous, sought among them; negative beyond the plane.
 double distanceInRestFrame(const LegState& at, const CushionPlane& cushion) {
   const double y = cushion.inside(at.x);
   const auto length = [&](double along) {
@@ -27,7 +27,7 @@ double distanceInRestFrame(const LegState& at, const CushionPlane& cushion) {
     const double left = low + 0.382 * (high - low), right = low + 0.618 * (high - low);
     (length(left) < length(right) ? high : low) = length(left) < length(right) ? right : left;
   }
-  return length(0.5 * (low + high));
+  return std::copysign(length(0.5 * (low + high)), y);
 }
 
 /// How far the contracted disc reaches towards the cushion on the board, by going round its rim.

@@ -68,7 +68,6 @@ Displacement atHeadsMoment(const Case& c) {
 void compareMyNow(int cases, int mostBounces, double spacing_s, double friction_m_s2, int& turning) {
   test::Random random(51);
   for (int i = 0; i < cases; ++i) {
-    CASE(random, i);
     const Case c = randomCase(random, i % (mostBounces + 1), spacing_s, friction_m_s2);
     const Placed placed = placedByKernel(c);
     const Displacement expected = atHeadsMoment(c);
