@@ -25,7 +25,7 @@ std::set<std::string> lettersOf(const std::string& text) {
 
 TEST(LessonLetters, HaveInkOfTheirOwn) {
   constexpr int kHeight_px = 30;
-  const Ink missing = ink("\u0FFF", kHeight_px);  // no letter: what the font shows for what it lacks
+  const GlyphBitmap missing = ink("\u0FFF", kHeight_px);  // no letter: what the font shows for what it lacks
   std::set<std::string> letters;
   for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
     const Scenario scenario = readScenario(entry.path());
@@ -37,7 +37,7 @@ TEST(LessonLetters, HaveInkOfTheirOwn) {
   }
   EXPECT_TRUE(letters.contains("γ"));
   for (const std::string& letter : letters) {
-    const Ink written = ink(letter, kHeight_px);
+    const GlyphBitmap written = ink(letter, kHeight_px);
     EXPECT_FALSE(written.alpha.empty()) << letter;
     EXPECT_FALSE(written.size_px == missing.size_px && written.alpha == missing.alpha) << letter;
   }
