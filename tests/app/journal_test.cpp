@@ -771,7 +771,7 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
       {"a knot's turn", [](FrameState& s) { s.knots[0].knot.turn.t_s = kNan; }},
       {"a knot's u", [](FrameState& s) { s.knots[1].knot.u.y = kNan; }},
       {"a knot's proper time", [](FrameState& s) { s.knots[1].knot.properTime_s = kNan; }},
-      {"a knot's news", [](FrameState& s) { s.knots[1].knot.signal.r_m.x = kNan; }},
+      {"a knot's signal", [](FrameState& s) { s.knots[1].knot.signal.r_m.x = kNan; }},
       {"a knot's deceleration", [](FrameState& s) { s.knots[1].knot.deceleration_m_s2 = kNan; }}};
   TemporaryFolder folder;
   for (const Damage& damage : damages) {
@@ -825,7 +825,7 @@ TEST(SessionFile, AColumnThatCannotBeIsRefusedWithFileFrameAndField) {
       {"display_s is inf", "frame SET display_s = 1e999"},
       {"the head's frame is none", "frame SET head_from_board_xt = NULL"},
       {"the room's frame is none", "frame SET board_from_room_yz = 1e300"},
-      {"a knot's news is nan", "knot SET signal_x_m = x'00'"},
+      {"a knot's signal is nan", "knot SET signal_x_m = x'00'"},
       {"body is 1.5, expected a whole number", "knot SET body = 1.5"},
       {"an event of a kind that there is not", "frame_event SET kind = 5"},
       {"an event at a cushion that there is not", "frame_event SET cushion = 5"},
