@@ -191,7 +191,9 @@ KERNEL real glideCrossing(LegView leg, vec3 d, vec4 signal) {
   return s;
 }
 
-/// Where one that set out at `start` at catchUpSpeed in the frame of the turn meets it.
+/// Where one that set out at `start` at catchUpSpeed in the frame of the turn meets it. What is ahead of it there
+/// grows with s, but hardly where friction has slowed the leg much: a step that would leave what is known to be
+/// before and after the meeting goes half of the way instead.
 KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   // u of the turn's rest frame in this one
@@ -199,7 +201,9 @@ KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
   real gamma = gammaOf(u);
   real gap = length(d - vec3(start.y, start.z, start.w));
   real s = dot(leg.toBoardTime, vec4(start.x + gap / catchUpSpeed(), d));
-  for (int i = 0; i < glideSteps(); ++i) {
+  real before = dot(leg.toBoardTime, start);
+  real after = before + real(1e6);  // no way is that long
+  for (int i = 0; i < glideSteps() + 4; ++i) {
     vec4 way = glideEvent(leg, d, s, true) - start;
     vec4 flow = glideFlow(leg, d, s, true);
     vec3 x = vec3(way.y, way.z, way.w);
@@ -209,7 +213,12 @@ KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
     real length_ = length(xTurn);
     real value = catchUpSpeed() * (gamma * way.x - u * dot(x, n)) - length_;
     real slope = catchUpSpeed() * (gamma * flow.x - u * dot(f, n)) - dot(fTurn, xTurn) / max(length_, real(1e-9));
-    s = s - value / slope;
+    if (value < real(0)) before = s;
+    else after = s;
+    real nearer = s - value / slope;
+    if (!(nearer > before)) nearer = real(0.5) * (before + s);
+    if (!(nearer < after)) nearer = real(0.5) * (after + s);
+    s = nearer;
   }
   return s;
 }

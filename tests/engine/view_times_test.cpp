@@ -68,6 +68,7 @@ Displacement atHeadsMoment(const Case& c) {
 void compareMyNow(int cases, int mostBounces, double spacing_s, double friction_m_s2, int& turning) {
   test::Random random(51);
   for (int i = 0; i < cases; ++i) {
+    CASE(random, i);
     const Case c = randomCase(random, i % (mostBounces + 1), spacing_s, friction_m_s2);
     const Placed placed = placedByKernel(c);
     const Displacement expected = atHeadsMoment(c);
@@ -84,12 +85,12 @@ TEST(MyNow, IsTheWorldLineAtTheHeadsTimeThroughBounces) {
   EXPECT_GT(turning, 2000) << "the cases do reach beyond bounces";
 }
 
-// Bounces far enough apart that signal comes in turn.
+// Bounces far enough apart that signals come in turn.
 TEST(MyNow, AlsoUnderFriction) {
   for (const double friction_m_s2 : {0.05, 0.7, 3.0}) {
     int turning = 0;
-    compareMyNow(300, 3, 2.0, friction_m_s2, turning);
-    EXPECT_GT(turning, 100);
+    compareMyNow(3000, 3, 2.0, friction_m_s2, turning);
+    EXPECT_GT(turning, 1000);
   }
 }
 
