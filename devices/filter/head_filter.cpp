@@ -11,7 +11,7 @@ namespace carom {
 namespace {
 
 constexpr double kSlew_m_s = 1.0;  // how fast the pose comes over to where samples came back
-constexpr double kFirst_s = 0.5;   // in which celerity grows where fadeInFrom asks for it
+constexpr double kFadeIn_s = 0.5;  // in which celerity grows where fadeInFrom asks for it
 constexpr double kSlew_rad_s = 3.0;
 constexpr double kTurnMemory_s = 0.03;  // of the orientation filter
 constexpr double kUnknown_m_s = 1.0;    // standard deviation of a celerity nothing is known of
@@ -163,7 +163,7 @@ HeadEstimate HeadFilter::at(double time_s) const {
     head.pose = shownPose(time_s);
     head.lag_s = celerity_.lag_s() + ahead_s;
   }
-  head.celerity_m_s *= std::clamp((time_s - fadesInFrom_s_) / kFirst_s, 0.0, 1.0);
+  head.celerity_m_s *= std::clamp((time_s - fadesInFrom_s_) / kFadeIn_s, 0.0, 1.0);
   return head;
 }
 

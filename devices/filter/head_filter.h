@@ -45,7 +45,7 @@ struct HeadEstimate {
 /// How the filter has used a sample.
 enum class SampleUse {
   Used,
-  Glitch,    ///< where no head can be by that time: not used, unless the next sample shows one
+  Glitch,    ///< too far away for a head by that time; used only if the next sample confirms it
   Unusable,  ///< not after the last sample, or not finite: not used
 };
 
@@ -54,9 +54,9 @@ enum class SampleUse {
 /// Samples where no head gets are glitches of the tracker and count as loss (jump_judge.h). Where no usable
 /// sample comes, the pose is predicted for 0.1 s and then held, and the celerity fades to zero until 0.3 s
 /// after the last sample. When samples come back, celerity is estimated anew and fades in over 0.2 s, and the
-/// pose comes over to the new place at 1 m/s and 3 rad/s, beside the user's own motion. So it does where the
-/// tracker took a step, which the celerity takes no part in. Glitches that go on from each other for 0.3 s
-/// are the head's new place.
+/// pose slides to the new place at 1 m/s and 3 rad/s, beside the user's own motion. A step of the tracker is
+/// slid over in the same way; the celerity ignores it. Glitches that follow one another for 0.3 s are the
+/// head's new place.
 ///
 /// That slide is a motion of the shown pose and none of the celerity. The observer's world line follows it
 /// (engine/spacetime/observer.h) and stays timelike at any light speed: an eye that was put elsewhere instead

@@ -1,4 +1,4 @@
-// What comes of an predicted event: turns, kicks, and what is then certain.
+// What comes of a predicted event: turns, kicks, and what is then certain.
 
 #include <algorithm>
 #include <cmath>

@@ -36,7 +36,7 @@ struct alignas(64) Disc {
 /// happen.
 struct Meeting {
   /// Board time of each centre at its own moment of the contact. Where turns wait for the signal, this moment
-  /// lies before the turn by such a time that the order of these moments is the order of the turns. It lies
+  /// precedes the turn, and the order of these moments is the order of the turns. It lies
   /// before the start of the flight if the rim was in contact by then.
   std::array<double, 2> ownTime{};
   bool withoutDelay = false;  ///< already in contact and approaching when the later flight began
@@ -75,7 +75,7 @@ struct PairContact {
   Vec21 U;      ///< four-velocity of the equal-speed frame
   Vec21 n;      ///< normal of the touching rims, from the first towards the second: γ'² dmin e + perp
   std::array<double, 2> simultaneous{};  ///< own proper time from the start to C by U's simultaneity
-  std::array<double, 2> signal{};  ///< own proper time from the start to the signal' arrival at the centre
+  std::array<double, 2> signal{};  ///< own proper time from the start to the signal's arrival at the centre
 };
 PairContact contactOf(const Disc& first, const Disc& second, bool withoutDelay);
 

@@ -256,7 +256,7 @@ KERNEL VertexEmission uncontractedEmission(LEGS legs, int legCount, vec3 d, bool
 /// The emission event of the vertex at intrinsic offset d of a body that has these legs.
 ///
 /// A vertex keeps to its leg until the signal that ends it, spreading at c, arrives (A), then catches up with
-/// its place on the next leg, at catchUpSpeed there (B). Signal that arrives earlier than B cuts that short.
+/// its place on the next leg, at catchUpSpeed there (B). A signal that arrives earlier than B cuts that short.
 /// So every vertex has a continuous world line slower than light, and exactly one emission event.
 KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retarded, bool contracted) {
   if (!contracted) return uncontractedEmission(legs, legCount, d, retarded);
@@ -279,7 +279,7 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retard
     // A: the latest piece that the signal crosses after its start; the first piece has no start.
     vec4 a = crossingOf(pieces[count - 1], next.signalInPrevious);
     if (leg.glide.w > real(0)) {
-      // What lies behind A is from now on its chord: only signal that comes out of turn could tell.
+      // What lies behind A is from now on its chord: only a signal that comes out of turn could tell.
       real s = glideCrossing(leg, d, next.signalInPrevious);
       vec4 flow = glideFlow(leg, d, s, true);
       a = glideEvent(leg, d, s, true);

@@ -71,8 +71,8 @@ class Observer {
                      const Head& head);
 
   /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s moves the
-  /// person's place in the room, as re-anchoring, but not along the world line. `pace`: how many seconds of
-  /// the board's light speed go by in one of the person's, whose light is so many times as fast.
+  /// person's place in the room, as re-anchoring, but not along the world line. `pace`: board seconds
+  /// per second of the person, which is the light speed that is shown divided by the game's.
   /// `thrust_m_s2`: the proper acceleration that the room has meanwhile, felt at the head, in the room's axes
   /// and the board's seconds. Exact for a head at rest in the room: then its world line is a hyperbola, of
   /// which a step's chord is that of its middle's velocity.
