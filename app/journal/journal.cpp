@@ -167,6 +167,7 @@ void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<c
 
 void Journal::addInput(std::uint64_t frame, const std::string& what, const std::string& value) {
   const std::scoped_lock hold(writer_->mutex);
+  if (writer_->ended) return;
   writer_->waiting.inputs.push_back({frame, {what, value}});
   writer_->changed.notify_one();
 }
@@ -174,6 +175,7 @@ void Journal::addInput(std::uint64_t frame, const std::string& what, const std::
 void Journal::addAnswer(std::uint64_t frame, const std::string& lesson, const std::string& question,
                         const std::string& answer) {
   const std::scoped_lock hold(writer_->mutex);
+  if (writer_->ended) return;
   writer_->waiting.answers.push_back({frame, {lesson, question, answer}});
   writer_->changed.notify_one();
 }
