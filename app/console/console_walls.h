@@ -1,6 +1,6 @@
 #pragma once
-// The console's thumbnails of the walls: this node's walls as drawn; for other nodes' walls the node's name
-// and, if wanted, images rendered here once per second.
+// The console's thumbnails of the walls: this node's walls as drawn; for other nodes' walls the node that
+// draws them and, if wanted, images rendered here once per second.
 
 #include <memory>
 #include <string>
