@@ -11,19 +11,21 @@ class App;
 namespace carom {
 
 struct DiagramOptions {
-  std::filesystem::path source;  ///< a scenario, or a session file
+  std::filesystem::path source;  ///< a scenario or a session file
   std::filesystem::path figure;  ///< .svg or .png
-  char along = 'x';              ///< the board's axis that is shown beside time: x or y
-  std::optional<double> from_s;  ///< board time at the lower edge; none: 5 s before `until_s`, at least 0
+  char along = 'x';              ///< the board axis shown beside time: x or y
+  /// Board time at the lower edge; by default 5 s before `until_s`, at least 0.
+  std::optional<double> from_s;
   std::optional<double>
-      until_s;  ///< of the present event, at the upper third; none: 5 s, or the session's end
+      until_s;  ///< board time of the present event, at the upper third; by default 5 s, or the session's end
 };
 
-/// Draws the world lines, mine among them, and at my present event its light cones and my axes: my time and
-/// my now. Light goes at 45°. Returns the exit status; throws InputErrors or std::runtime_error.
+/// Draws all world lines with the observer's, and at the observer's present event the light cones and the
+/// observer's axes of time and of simultaneity. Light is at 45°. Returns the exit status. Throws InputErrors
+/// or std::runtime_error.
 int runDiagram(const DiagramOptions& options);
 
-/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addDiagram(CLI::App& app, int& status);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// `carom events`: what happened in a recorded session or happens in a scenario, in any frame.
+// `carom events`: the events of a recorded session or of a scenario, in any inertial frame.
 
 #include <filesystem>
 #include <optional>
@@ -15,12 +15,13 @@ class App;
 namespace carom {
 
 struct EventsOptions {
-  std::filesystem::path source;   ///< a session file, or a scenario
+  std::filesystem::path source;   ///< a session file or a scenario
   Vec3 movingBeta{0.0};           ///< v/c of the other frame on the board, below 1
-  std::optional<double> until_s;  ///< board time of the last event; none: the session's end, or 10 s
-  std::vector<Vec3> places_m;     ///< who rests there receives the light of each
-  std::optional<std::pair<std::uint64_t, std::uint64_t>> pair;  ///< numbers: these two events alone
-  std::optional<std::filesystem::path> csv;  ///< none: a table for people on standard output
+  std::optional<double> until_s;  ///< board time of the last event; by default the session's end, or 10 s
+  std::vector<Vec3> places_m;  ///< places on the board where the reception of each event's light is computed
+  /// Numbers of two events; only these are listed.
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> pair;
+  std::optional<std::filesystem::path> csv;  ///< if empty, a readable table on standard output
 };
 
 // clang-format off
@@ -30,18 +31,18 @@ struct EventsOptions {
 ///   t_s, x_m, y_m, z_m, order              on the board; order from 1, shared by events at the same time
 ///   moving_t_s … moving_z_m, moving_order  in the moving frame
 ///   next, interval                         number of the next row's event; timelike, lightlike or spacelike
-///   proper_time_s                          timelike: of a clock that goes from one to the other
-///   distance_m                             spacelike: where they happen at once
-///   beta_x, beta_y, beta_z                 v/c on the board of that clock; or of the slowest for whom they are at once
-///   seen_frame, seen_t_s,                  of a session: when its light reached the person's head
+///   proper_time_s                          timelike: of a clock that moves from one event to the other
+///   distance_m                             spacelike: in the frame where both are simultaneous
+///   beta_x, beta_y, beta_z                 v/c on the board of that clock, or of the slowest such frame
+///   seen_frame, seen_t_s,                  sessions: when the event's light reached the viewer's head
 ///     seen_proper_time_s
-///   place_1_t_s, …                         of --place: when it reached who rests there
+///   place_1_t_s, …                         with --place: when the light reached that place
 // clang-format on
 ///
-/// Returns the exit status; throws InputErrors or std::runtime_error.
+/// Returns the exit status. Throws InputErrors or std::runtime_error.
 int runEvents(const EventsOptions& options);
 
-/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addEvents(CLI::App& app, int& status);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// `carom export`: what a person saw in a recorded session, or another person sees of the same game, as
+// `carom export`: what the viewer saw in a recorded session, or what another viewer sees of the same game, as
 // numbers and meshes. Needs no display.
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace carom {
 
 struct ExportOptions {
   std::filesystem::path session;
-  std::optional<std::filesystem::path> observer;  ///< a trace of another person's head (room axes)
-  std::uint64_t every = 1;                        ///< frames whose numbers are multiples of this
+  std::optional<std::filesystem::path> observer;  ///< trace of another viewer's head (room axes)
+  std::uint64_t every = 1;                        ///< exports the frames whose numbers are multiples of this
   std::optional<std::filesystem::path> csv;       ///< "-": standard output
-  std::optional<std::filesystem::path> paraview;  ///< a folder that is not there yet, or is empty
+  std::optional<std::filesystem::path> paraview;  ///< output folder; must not exist or be empty
 };
 
 // clang-format off
@@ -26,24 +26,24 @@ struct ExportOptions {
 ///   proper_time_s                     of the observer's clock
 ///   t_s, x_m, y_m, z_m                the event at which the point between the eyes received the light, on the board
 ///   beta_x, beta_y, beta_z            the head's v/c there
-///   body, status                      seen, or unseen: its light has not arrived yet, and the rest is empty
+///   body, status                      seen; or unseen, with empty fields, until its light arrives
 ///   emission_t_s … emission_z_m       where and when the light left the body's centre, on the board
 ///   seen_x_m, seen_y_m, seen_z_m      emission − observation in the head's rest frame, axes by a rotation-free
 ///                                     boost of the board's
-///   distance_m                        how far that is
+///   distance_m                        length of that vector
 ///   doppler                           seen ÷ emitted frequency
-///   body_proper_time_s                of the body's centre when the light left
+///   body_proper_time_s                of the body's centre at emission
 // clang-format on
 ///
-/// As `carom observe` has them; switches and views of time, which only change how things are drawn, do not
-/// count.
+/// The values are those of `carom observe`. Switches and time views, which only change the drawing, have no
+/// effect.
 ///
-/// The folder holds seen_000000.vtp …, a file a frame (`carom observe --vtp`), and seen.pvd, which ParaView
-/// opens: all of them, at their display times. Both outputs appear whole or not at all. Returns the exit
-/// status; throws InputErrors or std::runtime_error.
+/// The folder contains seen_000000.vtp …, one file per frame (`carom observe --vtp`), and seen.pvd, which
+/// opens all of them in ParaView at their display times. Each output is written completely or not at all.
+/// Returns the exit status. Throws InputErrors or std::runtime_error.
 int runExport(const ExportOptions& options);
 
-/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addExport(CLI::App& app, int& status);
 
 }  // namespace carom

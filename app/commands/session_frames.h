@@ -1,5 +1,5 @@
 #pragma once
-// What this rank draws, keeps and hears of one game's frames, live or recorded.
+// Connects the views and listeners of one game's frames on this rank, live or recorded.
 
 #include <memory>
 #include <optional>
@@ -14,34 +14,35 @@
 
 namespace carom {
 
-/// The windows of rank 0 beside those of its walls, where they were asked for. The setup stays where it is.
+/// The windows of rank 0 besides those of its walls; null where not requested. The setup must not move in
+/// memory.
 struct OperatorWindows {
   std::unique_ptr<DiagramWindow> diagram;
   std::unique_ptr<Console> console;
 
-  /// Another game: the setup has it.
+  /// Switches to another game, which is in `setup`.
   void play(const SessionSetup& setup);
 };
 OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, bool diagram, bool console, KeysOf keys);
 
-/// What only rank 0 has.
+/// The parts that exist only on rank 0.
 struct LeaderParts {
   const FrameSource& source;
   FrameLeader& leader;
   OperatorWindows& windows;
-  Sounds* sounds;            ///< null: silent
-  JournalListener* journal;  ///< null: nothing is written
+  Sounds* sounds;            ///< null if silent
+  JournalListener* journal;  ///< null if the session is not recorded
 };
 
-/// Opens the system's sound device, for who watches in real time; null for others, or where they want silence.
+/// Opens the audio output of the system. Returns null in simulated time or if `silent`.
 std::unique_ptr<Sounds> soundsFor(const SessionSetup& setup, bool silent);
 
-/// Returns the settings with which rig and scenario begin.
+/// Returns the initial settings, from rig and scenario.
 OperatorSettings settingsAtStart(const SessionSetup& setup);
 
 class SessionFrames {
  public:
-  /// `lead`: null on ranks other than 0. All are used as long as this lives.
+  /// `lead` is null on ranks other than 0. All arguments must outlive this object.
   SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& pacer, const LeaderParts* lead,
                 KeysOf keys);
   SessionFrames(const SessionFrames&) = delete;

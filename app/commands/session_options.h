@@ -1,5 +1,5 @@
 #pragma once
-// What the commands that show sessions take on their command lines alike.
+// The command line options that the session commands share.
 
 #include <CLI/App.hpp>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #pragma once
-// The operator's console: one window on rank 0 that shows how the session goes and gives the same commands
-// as the keys do. It is there as long as the graphics are, through one game after the other.
+// The operator's console: a window on rank 0 that shows the state of the session and gives the same commands
+// as the keys. It stays open as long as Graphics lives, over several games.
 
 #include <chrono>
 #include <deque>
@@ -28,21 +28,21 @@ namespace carom {
 
 class Console {
  public:
-  /// Opens the window where the rig wants it. Rig and cluster are used as long as this lives; so are scenario
-  /// and scene until `play`.
+  /// Opens the window where the rig places it. `rig` and `cluster` must outlive this object, `scenario` and
+  /// `scene` until `play` is called.
   Console(Graphics& graphics, const Rig& rig, const Cluster& cluster, KeysOf keys, const Scenario& scenario,
           const Scene& scene);
 
-  /// Another game: the scenario and scene that it was made with hold it.
+  /// Switches to another game. `scenario` and `scene` must stay valid until the next call.
   void play(const Scenario& scenario, const Scene& scene);
-  /// The session is written to this file from now on; none: it is not.
+  /// Sets the session file that is written from now on; none if the session is not recorded.
   void writeTo(const std::optional<std::filesystem::path>& file) { recording_.writeTo(file); }
 
-  /// Another line of what has been said.
+  /// Adds a line to the log of messages.
   void say(const std::string& line);
-  /// After the walls have been swapped: draws the console and shows it, if that is due: 20 times a second at
-  /// most and a fifth of the time at most (a click is answered at once), and not while it is iconified.
-  /// Adds what the operator asks for to the frame's commands.
+  /// Draws and shows the console; call after the walls have been swapped. Draws at most 20 times per second
+  /// and for a fifth of the time (a click is answered at once), and not while the window is iconified. Adds
+  /// the operator's commands to those of the frame.
   void show(const ConsoleFrame& frame);
 
  private:
@@ -75,8 +75,9 @@ class Console {
   std::string notice_;
   double now_s_ = 0.0;  ///< session clock
   bool opensKeys_ = false;
-  bool keysShown_ = false;  ///< over the walls: the list opens here, too, when that changes
-  Clock::time_point earliest_ = Clock::now(), due_ = earliest_;  ///< when it may, and should, be drawn again
+  bool keysShown_ = false;  ///< over the walls; when this changes, the list opens here too
+  /// Earliest and intended time of the next drawing.
+  Clock::time_point earliest_ = Clock::now(), due_ = earliest_;
 };
 
 }  // namespace carom

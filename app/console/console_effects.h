@@ -1,5 +1,5 @@
 #pragma once
-// The console's column of what is shown: effects of relativity, views of time, light, eyes, patterns.
+// The console's column of display settings: relativistic effects, time views, light, eyes, patterns.
 
 #include <array>
 #include <string>
@@ -12,7 +12,7 @@ class EffectsPanel {
  public:
   explicit EffectsPanel(KeysOf keys);
 
-  /// `usual_m_s`: the game's own light speed.
+  /// Draws the column. `usual_m_s` is the scenario's own light speed.
   void draw(const ConsoleFrame& frame, double usual_m_s);
 
  private:
@@ -22,7 +22,7 @@ class EffectsPanel {
   void drawWalls(const ConsoleFrame& frame) const;
 
   KeysOf keys_;
-  std::array<std::string, kNamedSwitches.size()> switchKeys_;  ///< of the left half and of the right one
+  std::array<std::string, kNamedSwitches.size()> switchKeys_;  ///< of the left and right half
   std::array<KeyLine, kNamedViews.size()> views_;
   PatientSlider light_, eyes_;
 };

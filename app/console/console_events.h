@@ -1,5 +1,5 @@
 #pragma once
-// The console's table of what has happened in the game.
+// The console's table of the game's events.
 
 #include <cstddef>
 #include <string>
@@ -12,10 +12,10 @@ namespace carom::console {
 
 class EventsPanel {
  public:
-  /// Another game.
+  /// Switches to another game.
   void play(const Scenario& scenario);
 
-  /// Keeps what the world will forget, as many as a table can be read of.
+  /// Keeps events that the world will discard, up to the length of a readable table.
   void follow(const World& world);
   void draw(const FrameRecord& record);
 
@@ -34,7 +34,7 @@ class EventsPanel {
   double c_m_s_ = 1.0;
   std::vector<GameEvent> events_;  ///< in the order of their numbers
   std::vector<Row> rows_;          ///< newest first
-  bool mine_ = false;              ///< times in the person's own frame
+  bool mine_ = false;              ///< times in the viewer's own frame
 };
 
 }  // namespace carom::console

@@ -1,5 +1,5 @@
 #pragma once
-// The console's games: which are there, the one that is played, its lesson and tour.
+// The console's list of games, with lesson and tour of the current one.
 
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@ namespace carom::console {
 
 class GamesPanel {
  public:
-  /// Reads the scenarios of the configuration folder; one that is chosen is read again.
+  /// Reads the scenarios of the configuration folder. A scenario is read again when it is chosen.
   GamesPanel();
 
-  /// Another game. `scenario` is kept; `file`: where it is from.
+  /// Switches to another game. `scenario` must stay valid; `file` is where it was read from.
   void play(const Scenario& scenario, const std::string& file);
   void draw(const ConsoleFrame& frame);
 
@@ -23,7 +23,7 @@ class GamesPanel {
     std::string file, title;
     bool lesson = false;
     LessonWords words;  ///< of a lesson
-    std::string fault;  ///< why it could not be played when it was looked at last
+    std::string fault;  ///< why it could not be played when last read; empty if it could
   };
   static Game gameIn(const std::string& file);
   void drawList(const ConsoleFrame& frame);
@@ -32,7 +32,7 @@ class GamesPanel {
   void drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const;
 
   std::vector<Game> games_;
-  std::size_t chosen_ = 0, played_ = 0;  ///< in there
+  std::size_t chosen_ = 0, played_ = 0;  ///< indices into `games_`
   const Scenario* scenario_ = nullptr;
   std::string file_;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Shows the frames of a game in the operator's console. It is told of a frame when that is on the walls: the console
-// must keep no wall waiting.
+// Shows the frames of a game in the operator's console. It is called when a frame is already on the walls, so
+// that the console delays no wall.
 
 #include "app/console/console.h"
 #include "app/session/director.h"
@@ -12,7 +12,7 @@ namespace carom {
 
 class ConsoleListener : public FrameListener {
  public:
-  /// All are used as long as this lives.
+  /// Shows frames in `console`. All arguments must outlive this object.
   ConsoleListener(Console& console, const SessionSetup& setup, FrameStatistics& statistics,
                   const FrameSource& source, FrameLeader& leader, KeysOf keys)
       : console_(console),
@@ -32,7 +32,7 @@ class ConsoleListener : public FrameListener {
   FrameLeader& leader_;
   KeysOf keys_;
   SourceStatus status_;
-  double asked_s_ = -1.0;  ///< session clock: when the source was asked for it
+  double asked_s_ = -1.0;  ///< session clock: when the source was last asked for its status
 };
 
 }  // namespace carom

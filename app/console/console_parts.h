@@ -1,5 +1,5 @@
 #pragma once
-// What the console's panels have in common: colours, words, small things to look at.
+// Colours, text styles and small widgets shared by the console's panels.
 
 #include <string_view>
 
@@ -16,17 +16,17 @@
 
 namespace carom {
 
-/// The frame that is on the walls, and what there is to say about it.
+/// The frame on the walls, with everything that the console shows about it.
 struct ConsoleFrame {
   const FrameRecord& record;
   const World& world;
   const DisplayWalls& walls;
   const LatencyView& latency;
-  const SourceStatus& status;  ///< of up to a quarter of a second ago
+  const SourceStatus& status;  ///< up to a quarter of a second old
   const Recording& recording;
   KeysOf keys;
   const OperatorSettings& settings;
-  Commands& commands;  ///< what the operator asks for: it holds from the next frame on
+  Commands& commands;  ///< the operator's commands, which take effect with the next frame
 };
 
 namespace console {
@@ -35,30 +35,31 @@ inline const ImVec4 kBright{0.92F, 0.93F, 0.95F, 1.0F}, kDim{0.60F, 0.64F, 0.70F
 inline const ImVec4 kGood{0.36F, 0.76F, 0.47F, 1.0F}, kFair{0.93F, 0.76F, 0.33F, 1.0F},
     kBad{0.93F, 0.38F, 0.31F, 1.0F};
 
-/// Sets the style of the window whose Gui is current.
+/// Sets the ImGui style of the current Gui's window.
 void setStyle();
 
-/// A heading over what follows.
+/// Draws a heading.
 void heading(const char* words);
-/// What belongs to words, dimmer.
+/// Draws secondary text, dimmed.
 void dim(std::string_view words);
 void words(std::string_view words);
-/// Said when the pointer rests on the last thing.
+/// Shows a tooltip for the previous item.
 void tip(std::string_view words);
-/// A round light, as high as a line.
+/// Draws a round status light with the height of a line.
 void light(const ImVec4& colour);
-/// A key's label at the right edge of what is left of the line.
+/// Draws a key's label at the right edge of the line.
 void keyAtRight(std::string_view key);
-/// "12.3 s", so that numbers stand under each other.
+/// Draws a time as "12.3 s", aligned so that times in a column line up.
 void seconds(double value_s);
 
-/// A box to tick. Returns true if it was clicked.
+/// Draws a checkbox. Returns true if it was clicked.
 bool tick(const char* label, bool on);
 
-/// A slider that takes effect when it is let go, so that nothing is changed and noted on the way there.
+/// A slider that takes effect only when released, so that intermediate values are neither applied nor
+/// recorded.
 class PatientSlider {
  public:
-  /// True, and `value` changed, when it is let go.
+  /// Draws the slider. Returns true when it is released, with the new `value`.
   bool draw(const char* label, double& value, double least, double most, const char* format,
             ImGuiSliderFlags flags = 0);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The console's recording: the session file, pictures and movie.
+// The console's recording panel: session file, images and movie.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,10 +11,10 @@ namespace carom::console {
 
 class RecordingPanel {
  public:
-  /// The session is written to this file from now on; none: it is not.
+  /// Sets the session file that is written from now on; none if the session is not recorded.
   void writeTo(const std::optional<std::filesystem::path>& file) { file_ = file; }
 
-  /// In few words, for the top of the console.
+  /// Draws a short status for the top of the console.
   void drawLight(const ConsoleFrame& frame) const;
   void draw(const ConsoleFrame& frame);
 

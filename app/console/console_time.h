@@ -1,15 +1,15 @@
 #pragma once
-// The console's clocks, and of a recorded session the way through it.
+// The console's clocks, and the playback controls of a recorded session.
 
 #include "app/console/console_parts.h"
 
 namespace carom::console {
 
-/// One line: what the clocks show, how the platform moves.
+/// Draws one line with the clocks and the platform's motion.
 void drawClocks(const ConsoleFrame& frame);
 
-/// Of a recorded session: to and fro, slower and faster, and a slider over all of it where its ends are
-/// known.
+/// The playback controls of a recorded session: direction, rate, and a slider over its duration if both ends
+/// are known.
 class Playing {
  public:
   void draw(const ConsoleFrame& frame);

@@ -1,11 +1,11 @@
 #pragma once
-// The console's trackers: how each fares, and how the head is known.
+// The console's tracker panel: the state of each tracker, and how the head is known.
 
 #include "app/console/console_parts.h"
 
 namespace carom::console {
 
-/// Green, yellow or red: the worst of them.
+/// Returns the status colour of the worst tracker: green, yellow or red.
 const ImVec4& lightOfTrackers(const ConsoleFrame& frame);
 void drawTrackers(const ConsoleFrame& frame);
 

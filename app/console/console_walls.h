@@ -1,6 +1,6 @@
 #pragma once
-// The console's walls in small: what this node draws as it is; of other nodes' walls who draws them and, if
-// wanted, pictures made here once a second.
+// The console's thumbnails of the walls: this node's walls as drawn; for other nodes' walls the node that
+// draws them and, if wanted, images rendered here once per second.
 
 #include <memory>
 #include <string>
@@ -15,15 +15,15 @@ namespace carom::console {
 
 class WallsPanel {
  public:
-  /// All are kept.
+  /// Shows the walls of `rig`. All arguments must outlive this object.
   WallsPanel(Graphics& graphics, const Rig& rig, const Cluster& cluster);
 
-  /// Another game. `scene` is kept.
+  /// Switches to another game. `scene` must stay valid.
   void play(const Scene& scene, double lightSpeed_m_s);
 
-  /// Draws the pictures of other nodes' walls where it is time for them, in the drawing context.
+  /// Renders the images of other nodes' walls if they are due. Needs the drawing context to be current.
   void prepare(const ConsoleFrame& frame);
-  /// Fills what is left of the window.
+  /// Fills the rest of the window with the thumbnails.
   void draw(const ConsoleFrame& frame);
 
  private:
@@ -35,11 +35,11 @@ class WallsPanel {
   const Rig& rig_;
   const Cluster& cluster_;
   RoomGeometry room_;
-  std::vector<Wall> absent_;  ///< drawn by other nodes: small, for one eye
+  std::vector<Wall> absent_;  ///< walls of other nodes, small and mono
   const Scene* scene_ = nullptr;
   double lightSpeed_m_s_ = 0.0;
   bool drawsAbsent_ = false;
-  std::unique_ptr<DisplayWalls> copies_;  ///< of those, once they are wanted
+  std::unique_ptr<DisplayWalls> copies_;  ///< renders `absent_`; null until wanted
   double copied_s_ = 0.0;                 ///< session clock
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The spacetime diagram of the session at hand, in a window of its own on the first node.
+// The spacetime diagram of the running session, in a separate window on rank 0.
 
 #include "app/console/live_diagram.h"
 #include "app/session/view.h"
@@ -12,7 +12,7 @@ class DiagramWindow : public View {
  public:
   DiagramWindow(Graphics& graphics, const Scenario& scenario);
 
-  /// Another game.
+  /// Switches to another game.
   void play(const Scenario& scenario) { diagram_.play(scenario); }
 
   void draw(const FrameRecord& record, const World& world) override;

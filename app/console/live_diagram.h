@@ -1,5 +1,5 @@
 #pragma once
-// The spacetime diagram of the session at hand, drawn by Dear ImGui into a rectangle of a window.
+// The spacetime diagram of the running session, drawn by Dear ImGui into a rectangle of a window.
 
 #include <glm/vec2.hpp>
 
@@ -14,13 +14,14 @@ class LiveDiagram {
  public:
   explicit LiveDiagram(const Scenario& scenario) : subject_(subjectOf(scenario)) {}
 
-  /// Another game.
+  /// Switches to another game.
   void play(const Scenario& scenario);
 
-  /// Remembers my way: with every frame, or many times a second.
+  /// Records the viewer's world line; call with every frame, or many times per second.
   void follow(const FrameRecord& record);
 
-  /// Draws the chart, made anew some ten times a second; nothing while I have no way behind me.
+  /// Draws the chart, which is updated about ten times per second. Draws nothing until the viewer's world
+  /// line has some duration.
   void draw(const FrameRecord& record, const World& world, ImDrawList& list, const glm::vec2& origin_px,
             const glm::vec2& size_px);
 

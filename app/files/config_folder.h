@@ -1,21 +1,21 @@
 #pragma once
-// Where the shipped rigs, scenarios and traces are, and their short names.
+// The folder of the shipped rigs, scenarios and traces, and their short names.
 
 #include <filesystem>
 #include <string_view>
 
 namespace carom {
 
-/// The folder that holds rigs/, scenarios/ and traces/: share/carom beside the bin/ of the running program,
-/// as it is when installed; else that of the sources.
+/// Returns the folder that holds rigs/, scenarios/ and traces/: share/carom beside the bin/ of the running
+/// program if it is installed, otherwise that of the sources.
 const std::filesystem::path& configFolder();
 
-/// The shipped file that a bare name stands for: "three-pucks" among "scenarios" is
-/// …/scenarios/three-pucks.toml. What has a folder or an ending, names a file that is there, or is no
-/// shipped name is returned as it is.
+/// Returns the shipped file of a bare name: "three-pucks" of kind "scenarios" is
+/// …/scenarios/three-pucks.toml. A name with a folder or an extension, of an existing file, or without a
+/// shipped file is returned unchanged.
 std::filesystem::path shippedFile(const std::filesystem::path& given, std::string_view kind);
 
-/// The same file, however it is named.
+/// Returns whether both paths name the same file.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of all formats share: a file's text, places in it, and what may be wrong there.
+// Shared by the readers of all formats: a file's text, positions in it, and its faults.
 
 #include <cstddef>
 #include <filesystem>
@@ -13,10 +13,10 @@
 
 namespace carom {
 
-/// All faults of one file, in the order of its lines. As an InputError it is the first of them.
+/// All faults of one file, in the order of its lines. As an InputError, it is the first of them.
 class InputErrors : public InputError {
  public:
-  /// `faults` is not empty.
+  /// `faults` must not be empty.
   explicit InputErrors(std::vector<InputError> faults);
   const std::vector<InputError>& faults() const { return faults_; }
 
@@ -24,13 +24,13 @@ class InputErrors : public InputError {
   std::vector<InputError> faults_;
 };
 
-/// Where something stands in a file; lines and columns (in bytes) count from 1.
+/// A position in a file; lines and columns (in bytes) count from 1.
 struct FilePlace {
   int line = 1;
   int column = 1;
 };
 
-/// Places by offset: where lines begin in a text.
+/// Finds the line and column of an offset in a text.
 class LineIndex {
  public:
   explicit LineIndex(std::string_view text);
@@ -40,10 +40,10 @@ class LineIndex {
   std::vector<std::size_t> begins_;
 };
 
-/// Lengths (m), times (s) and the like lie within this: a file's numbers then never overflow when squared.
+/// Bound of all lengths (m), times (s) and the like, so that a file's numbers never overflow when squared.
 inline constexpr double kFurthest = 1e9;
 
-/// What a number may be.
+/// The allowed range of a number.
 struct Range {
   double least = -kFurthest;
   double most = kFurthest;
@@ -53,19 +53,20 @@ inline constexpr Range kPositive{.least = 0.0, .above = true};
 inline constexpr Range kNotNegative{.least = 0.0};
 
 bool within(const Range& range, double value);
-/// "a number from 0 to 1".
+/// Returns a description of the range: "a number from 0 to 1".
 std::string wordsFor(const Range& range, bool whole);
 
-/// The whole text as one decimal number; none if anything is left over.
+/// Returns the text as one decimal number, or nothing if it contains anything else.
 std::optional<double> wholeNumber(std::string_view text);
 
-/// Throws InputErrors (at 1:1) where the file cannot be read or is over 1 MiB. `kind`: "a TOML file".
+/// Returns the file's text. Throws InputErrors (at 1:1) if the file cannot be read or is over 1 MiB. `kind`
+/// is for the message: "a TOML file".
 std::string readText(const std::filesystem::path& file, std::string_view kind);
 
-/// Text from a file as it may be shown on a terminal: no control characters.
+/// Returns text from a file without control characters, so that it can be shown on a terminal.
 std::string printable(std::string_view text);
 
-/// The words of `known` nearest to a mistyped one; none if all are far.
+/// Returns the word of `known` nearest to a mistyped one, or nothing if none is near.
 std::optional<std::string_view> nearestWord(std::string_view mistyped, std::span<const std::string> known);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// A rig file: the walls of a room, who draws them, and how the person in it is tracked. The room keeps the
-// axes of its file; every length here is in metres.
+// A rig file: the walls of a room, the nodes that draw them, and the trackers of the viewer. The room keeps
+// the axes of its file; all lengths here are in metres.
 
 #include <cstddef>
 #include <filesystem>
@@ -22,29 +22,30 @@ namespace carom {
 std::string_view toString(StereoMode mode);
 std::string_view toString(Flip flip);
 
-/// A sensor of a tracker.
+/// One sensor of a tracker.
 struct SensorChoice {
   std::size_t tracker = 0;  ///< index into Rig::trackers
   int sensor = 0;
 };
 
 struct HandSetup : SensorChoice {
-  /// Takes the sensor's coordinates to those of the hand (origin where its ray begins; it points along the
-  /// rig's forward).
+  /// Transforms the sensor's coordinates to those of the hand (origin where its ray begins; it points along
+  /// the rig's forward axis).
   Pose handFromSensor;
-  /// Whose buttons and axes are the hand's, an index into Rig::trackers; none: those of its own tracker.
+  /// The tracker whose buttons and axes the hand uses, an index into Rig::trackers; without one, its own
+  /// tracker.
   std::optional<std::size_t> buttons{};
 };
 
 struct HeadSetup {
   SensorChoice sensor;
   double eyeSeparation_m = 0.064;
-  /// Takes the sensor's coordinates to those of the eyes (origin midway between them, the person's
+  /// Transforms the sensor's coordinates to those of the eyes (origin midway between them; the viewer's
   /// right, up and forward along the rig's axes).
   Pose eyesFromSensor;
 };
 
-/// Where a rank of a cluster draws.
+/// The display of one rank of a cluster.
 struct NodeSetup {
   int rank = 0;
   std::string display;  ///< X display, such as ":0.0"
@@ -54,50 +55,50 @@ struct Rig {
   std::string title;
   RoomAxes axes;
   double display_hz = 60.0;
-  double displayLatency_s = 0.0;  ///< from the swap to the photons, of the slowest wall
+  double displayLatency_s = 0.0;  ///< from buffer swap to light output, of the slowest wall
   FrameLock frameLock = FrameLock::software;
   HeadSetup head;
   std::optional<HandSetup> hand;
   std::vector<TrackerSetup> trackers;
-  std::vector<NodeSetup> nodes;  ///< empty: every rank uses the display it finds
+  std::vector<NodeSetup> nodes;  ///< if empty, every rank uses its default display
   std::vector<Wall> walls;       ///< at least one; rectangles to 2 mm
-  /// Where given, the only window of each node; a wall's `window` is then a place inside it.
+  /// If given, the only window of each node; a wall's `window` is then a position inside it.
   std::optional<WindowPlacement> oneWindow;
-  std::optional<WindowPlacement> console;  ///< where the operator's console is, if it is asked for
+  std::optional<WindowPlacement> console;  ///< the operator's console, if it is requested
 };
 
-/// What the walls' aids and the view from outside know of a rig's room.
+/// Returns the rig's room for the overlays on the walls and the spectator view.
 RoomGeometry roomGeometryOf(const Rig& rig);
 
-/// The X display of a rank; empty: the one it finds.
+/// Returns the X display of a rank; empty for its default display.
 std::string displayOf(const Rig& rig, int rank);
 
-/// Where the parts of a wall stand in its file; where one is left out, the place of its wall.
+/// Positions in the file of the parts of a wall; a part that is not given has the position of its wall.
 struct WallPlaces {
   FilePlace wall;
   FilePlace name;
-  FilePlace corner;  ///< the one that is to blame where the wall is askew
+  FilePlace corner;  ///< the corner to report if the wall is not a rectangle
   FilePlace pixels;
   FilePlace node;
   FilePlace window;
   FilePlace blend;
 };
 
-/// A rig and where its parts stand in the file.
+/// A rig and the positions of its parts in the file.
 struct PlacedRig {
   Rig rig;
   std::vector<WallPlaces> walls;
   std::vector<FilePlace> nodes;
   FilePlace head;
   FilePlace eyeSeparation;
-  double unit_m = 1.0;  ///< of the file's lengths
+  double unit_m = 1.0;  ///< of the lengths in the file
 };
 
-/// Reads and checks the whole file. Throws InputErrors (app/files/input_file.h), which names every fault's
-/// place. Traces are looked for beside the file, then in the configuration folder.
+/// Reads and checks the whole file. Throws InputErrors (app/files/input_file.h) with the position of every
+/// fault. Trace files are searched beside the file, then in the configuration folder.
 Rig readRig(const std::filesystem::path& file);
 PlacedRig readPlacedRig(const std::filesystem::path& file);
-/// The same of what the file held when a session was recorded.
+/// Reads `kept`, the content that the file had when a session was recorded.
 Rig readRig(const std::filesystem::path& file, const std::string& kept);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// What can be checked of a rig once every value by itself is right.
+// Checks of a rig that involve several values, after each value has been checked by itself.
 
 #include <vector>
 
@@ -9,11 +9,11 @@
 
 namespace carom {
 
-/// Names and ranks that are taken, walls that are no rectangle, places in windows that overlap.
+/// Reports duplicate names and ranks, walls that are not rectangles, and overlapping windows.
 void checkTogether(const TomlTable& root, const Rig& rig, const std::vector<WallText>& walls);
 
-/// Light should leave all walls together, that of the slowest. The others' pictures wait for it, by whole
-/// frames: what is left is half a frame at most.
+/// Delays the faster walls so that all walls emit light together with the slowest. The delay is a whole
+/// number of frames, so the remaining difference is at most half a frame.
 void holdBackTheFast(Rig& rig, const std::vector<TomlTable>& tables);
 
 }  // namespace carom

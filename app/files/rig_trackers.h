@@ -1,5 +1,5 @@
 #pragma once
-// The trackers of a rig file, and who uses them: the head, the hand.
+// Reads the trackers of a rig file and their use for head and hand.
 
 #include <string_view>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// `unit_m`: the file's unit of length.
+/// `unit_m` is the file's unit of length.
 TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m, const RoomAxes& axes);
 HandSetup readHand(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m);
 HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m);

@@ -1,5 +1,5 @@
 #pragma once
-// The walls of a rig file, their windows and projectors.
+// Reads the walls of a rig file with their windows and projectors.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -11,7 +11,7 @@ namespace carom {
 
 inline constexpr int kMostRanks = 4096;
 
-/// A wall as the file gives it, before its corners are checked.
+/// A wall as given in the file, before its corners are checked.
 struct WallText {
   TomlTable table;
   Wall wall;
@@ -22,7 +22,7 @@ WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, b
 
 WindowPlacement readWindow(const TomlTable& table);
 
-/// Where the file gives what is checked of a wall.
+/// Returns the positions in the file of everything that is checked of a wall.
 WallPlaces placesOf(const TomlTable& table);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// A scenario file: the light speed, the board, what moves on and over it, and where the observer starts.
+// A scenario file: light speed, board, pucks and other bodies, and the observer's initial state.
 
 #include <filesystem>
 #include <optional>
@@ -15,56 +15,57 @@
 
 namespace carom {
 
-/// A body that moves as told and collides with nothing: a rod, a train, a clock.
+/// A body with prescribed motion that collides with nothing: a rod, a train, a clock.
 struct ScriptedBody {
   std::string name;
-  /// Board frame; its radius is infinite, since how far a mesh reaches is not known here. The centre's clock
-  /// shows 0 at `appears_s` where the file gives it, else at board time 0.
+  /// Board frame. The radius is infinite because the mesh's extent is unknown here. The centre's clock shows
+  /// 0 at `appears_s` if the file gives it, otherwise at board time 0.
   WorldLine worldLine;
-  std::optional<std::filesystem::path> mesh;  ///< exists; in metres, in the body's rest frame
+  std::optional<std::filesystem::path> mesh;  ///< existing file; in metres, in the body's rest frame
 };
 
-/// A stretch of the platform's own way, on its clock (app/viewer/platform_motion.h) from when the tour sets out.
+/// One leg of the tour. Times are on the platform's clock (app/viewer/platform_motion.h), from the start of
+/// the tour.
 struct ThrustLeg {
   double from_s = 0.0;
   double for_s = 0.0;
   Vec3 thrust_m_s2{
-      0.0};  ///< proper acceleration: person's right, forward and up in the room; c²/2 a metre at most
+      0.0};  ///< proper acceleration: the viewer's right, forward and up in the room; at most c²/2 per metre
 };
 
-/// A pulse of light that is told: it goes straight from place to place at c and is seen by what it strikes on
-/// its way.
+/// A scripted light pulse: it moves along straight lines from point to point at c and is seen through the
+/// scattering of what it hits on its way.
 struct Pulse {
   std::string name;
-  double at_s = 0.0;         ///< when it starts
-  std::vector<Vec3> path_m;  ///< two places at least; board frame
+  double at_s = 0.0;         ///< start time
+  std::vector<Vec3> path_m;  ///< at least two points; board frame
 };
 
-/// A game that teaches. What it says is read from a panel on a wall (cave/overlay/hud_panel.h), so it is
-/// short: letters that a question, an answer, and each of the rest may have.
+/// A lesson. Its texts are shown on a wall panel (cave/overlay/hud_panel.h), so they are short: the constants
+/// limit the letters of the question, of an answer, and of each other text.
 struct Lesson {
   static constexpr std::size_t kQuestionLetters = 160, kAnswerLetters = 70, kTextLetters = 230;
 
   LessonWords words;
-  TimeViews views;  ///< that it begins with
+  TimeViews views;  ///< that are on when it begins
 };
 
 struct Scenario {
   std::string title;
-  BilliardSetup billiard;                                        ///< can be played
-  std::vector<std::optional<std::filesystem::path>> puckMeshes;  ///< one for each puck; scaled to its radius
+  BilliardSetup billiard;                                        ///< checked to be playable
+  std::vector<std::optional<std::filesystem::path>> puckMeshes;  ///< one for each puck, scaled to its radius
   std::vector<ScriptedBody> bodies;
   ObserverStart observer;
-  std::vector<ThrustLeg> tour;  ///< in the order of time, none overlapping
-  bool tourAtOnce = false;      ///< it sets out with the game; else when it is asked for
+  std::vector<ThrustLeg> tour;  ///< in the order of time, without overlap
+  bool tourAtOnce = false;      ///< the tour starts with the game; otherwise when requested
   std::vector<Pulse> pulses;
   std::optional<Lesson> lesson;
 };
 
-/// Reads and checks the whole file. Throws InputErrors (app/files/toml_file.h), which names every fault's
-/// place. Meshes are looked for beside the file, then in the configuration folder.
+/// Reads and checks the whole file. Throws InputErrors (app/files/toml_file.h) with the position of every
+/// fault. Mesh files are searched beside the file, then in the configuration folder.
 Scenario readScenario(const std::filesystem::path& file);
-/// The same of what the file held when a session was recorded.
+/// Reads `kept`, the content that the file had when a session was recorded.
 Scenario readScenario(const std::filesystem::path& file, const std::string& kept);
 
 }  // namespace carom

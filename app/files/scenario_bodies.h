@@ -1,5 +1,5 @@
 #pragma once
-// The scripted bodies of a scenario file.
+// Reads the scripted bodies of a scenario file.
 
 #include <filesystem>
 #include <optional>
@@ -13,11 +13,11 @@ namespace carom {
 
 /// One leg of a scripted body.
 struct Leg {
-  double from_s = 0.0;  ///< of the first leg: unused
+  double from_s = 0.0;  ///< unused for the first leg
   Vec3 u{0.0};
 };
 
-/// A body as the file gives it, before its world line can be laid.
+/// A body as given in the file, before its world line is computed.
 struct BodyText {
   TomlTable table;
   std::string name;
@@ -27,12 +27,12 @@ struct BodyText {
   std::vector<Leg> legs;
 };
 
-/// The mesh that a puck or a body names; none if it names none.
+/// Returns the mesh file that a puck or body names, if any.
 std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTable& table);
 
 BodyText readBody(const TomlFile& file, const TomlTable& table);
 
-/// Lays the world line of a body without faults.
+/// Computes the world line of a body that has no faults.
 ScriptedBody scriptedBody(const BodyText& body, double c_m_s);
 
 }  // namespace carom

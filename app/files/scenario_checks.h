@@ -1,5 +1,5 @@
 #pragma once
-// What can be checked of a scenario once every value by itself is right.
+// Checks of a scenario that involve several values, after each value has been checked by itself.
 
 #include <vector>
 
@@ -8,17 +8,18 @@
 
 namespace carom {
 
-/// Complains of a name that is taken.
+/// Reports duplicate names.
 void checkNames(const std::vector<TomlTable>& pucks, const std::vector<TomlTable>& bodies,
                 const std::vector<TomlTable>& flashes, const std::vector<TomlTable>& pulses);
 
-/// Complains of pucks that overlap or reach over a cushion at t = 0. `tables`: the pucks'.
+/// Reports pucks that overlap or reach over a cushion at t = 0. `tables` are those of the pucks.
 void checkPlaces(const BilliardSetup& setup, const std::vector<TomlTable>& tables);
 
-/// Under friction the points of a puck stay slower than light only while R a < c²/2.
+/// Reports friction too strong for a puck: under friction its points stay slower than light only while R a <
+/// c²/2.
 void checkFriction(const BilliardSetup& setup, const TomlTable& physics);
 
-/// What only the game itself can tell.
+/// Reports faults that only the simulation can find.
 void checkPlayable(const BilliardSetup& setup, const TomlTable& root);
 
 }  // namespace carom

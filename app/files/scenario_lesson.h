@@ -1,5 +1,5 @@
 #pragma once
-// The lesson of a scenario file.
+// Reads the lesson of a scenario file.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// `title`: the scenario's.
+/// Reads the lesson. `title` is that of the scenario.
 Lesson readLesson(const TomlTable& table, const std::string& title);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// The tour of a scenario file: the drive that it sets out on by itself.
+// Reads the tour of a scenario file: the prescribed motion of the platform.
 
 #include <vector>
 
@@ -8,13 +8,13 @@
 
 namespace carom {
 
-/// A leg without `from_s` follows the one before it.
+/// Reads the legs. A leg without `from_s` follows the previous one.
 std::vector<ThrustLeg> readTour(const TomlTable& tour, double c_m_s);
 
-/// Whether it starts without being asked to.
+/// Returns whether the tour starts with the game.
 bool readTourAtOnce(const TomlTable& tour);
 
-/// Complains of the leg that makes the platform too fast.
+/// Reports the leg that makes the platform too fast.
 void checkTourSpeed(const std::vector<ThrustLeg>& legs, const ObserverStart& start, const TomlTable& tour,
                     double c_m_s);
 

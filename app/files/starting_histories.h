@@ -1,5 +1,5 @@
 #pragma once
-// What every rank knows of the game before its first frame.
+// The state of the game that every rank knows before the first frame.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// The histories that every rank starts from: what rests on the board, the pucks, the scripted bodies. Knots that
-/// the game adds arrive with the frames.
+/// Returns the initial histories on every rank: the resting body (board and hall), the pucks, the scripted
+/// bodies. Knots that the game adds arrive with the frames.
 std::vector<WorldLine> startingHistories(const Scenario& scenario);
 
 }  // namespace carom

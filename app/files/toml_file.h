@@ -1,6 +1,6 @@
 #pragma once
-// Strict, typed reading of TOML files. The whole file is read before the first complaint: faults are
-// gathered with their places and thrown together, so that a person can mend them all at once.
+// Strict, typed reading of TOML files. The whole file is read before faults are reported: they are collected
+// with their positions and thrown together, so that the user can correct them all at once.
 
 #include <array>
 #include <cstddef>
@@ -16,26 +16,26 @@
 
 namespace carom {
 
-/// One text of an array.
+/// One string of an array.
 struct PlacedText {
   std::string text;
   FilePlace place;
 };
 
-/// One table of a file. Each reading function asks for one key. Where the key is wrong the fault is noted
-/// and a stand-in returned (the fallback if there is one), so that reading goes on; a key without fallback
-/// must be there. Keys that nobody asked for are faults. Nothing read may be used before
-/// TomlFile::throwFaults has returned. Lives no longer than its TomlFile.
+/// One table of a file. Each reading function takes one key. If its value is wrong, a fault is recorded and a
+/// substitute returned (the fallback if there is one), so that reading continues. A key without fallback is
+/// required. Keys that were never read are faults. Values must not be used before TomlFile::throwFaults has
+/// returned. The TomlFile must outlive its tables.
 class TomlTable {
  public:
-  /// Whether the key is there; counts as asking for it.
+  /// Returns whether the key exists; counts as reading it.
   bool has(std::string_view key) const;
 
   double number(std::string_view key, const Range& range, std::optional<double> fallback = {}) const;
   int integer(std::string_view key, int least, int most, std::optional<int> fallback = {}) const;
   bool flag(std::string_view key, std::optional<bool> fallback = {}) const;
   std::string text(std::string_view key, std::optional<std::string> fallback = {}) const;
-  /// Index of the text among `names`.
+  /// Returns the index of the text among `names`.
   std::size_t choice(std::string_view key, std::span<const std::string_view> names,
                      std::optional<std::size_t> fallback = {}) const;
   template <std::size_t N>
@@ -45,7 +45,7 @@ class TomlTable {
     readNumbers(key, range, fallback.has_value(), false, result);
     return result;
   }
-  /// The same for whole numbers.
+  /// Does the same for whole numbers.
   template <std::size_t N>
   std::array<double, N> wholeNumbers(std::string_view key, const Range& range,
                                      std::optional<std::array<double, N>> fallback = {}) const {
@@ -53,24 +53,25 @@ class TomlTable {
     readNumbers(key, range, fallback.has_value(), true, result);
     return result;
   }
-  /// An array of texts, each with its place; empty where the key is absent. Of one that is none: empty.
+  /// Returns an array of strings, each with its position; empty if the key is absent or its value is not such
+  /// an array.
   std::vector<PlacedText> texts(std::string_view key) const;
-  /// An array of places [x, y, z]; must be there. What is wrong in them: NaN.
+  /// Returns an array of points [x, y, z]; required. Wrong coordinates are NaN.
   std::vector<std::array<double, 3>> points(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::optional<TomlTable> requiredTable(std::string_view key) const;
-  /// An array of tables; empty where the key is absent.
+  /// Returns an array of tables; empty if the key is absent.
   std::vector<TomlTable> tables(std::string_view key) const;
 
-  /// Notes a fault if the key is there: it means something, but not to this program.
+  /// Records a fault if the key exists: a known key that is not allowed here.
   void refuse(std::string_view key, const std::string& why) const;
 
-  /// Of the key's value (of the table where it is absent), for faults found later.
+  /// Returns the position of the key's value (of the table if absent), for faults found later.
   FilePlace place(std::string_view key) const;
   FilePlace place() const;
-  /// Notes a fault.
+  /// Records a fault.
   void fault(FilePlace where, std::string message) const;
-  /// Notes a fault of a key's value.
+  /// Records a fault of a key's value.
   void fault(std::string_view key, std::string message) const { fault(place(key), std::move(message)); }
 
  private:
@@ -84,19 +85,19 @@ class TomlTable {
 
 class TomlFile {
  public:
-  /// Throws InputErrors where the file cannot be read (at 1:1), is over 1 MiB or is no TOML.
-  /// `kept`: what the file once held, to be read in its stead.
+  /// Reads the file or, if given, `kept`, the content that the file once had. Throws InputErrors if the file
+  /// cannot be read (at 1:1), is over 1 MiB or is not TOML.
   explicit TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept = {});
   ~TomlFile();
   TomlFile(const TomlFile&) = delete;
   TomlFile& operator=(const TomlFile&) = delete;
 
   const TomlTable& root() const;
-  /// Throws InputErrors if there is a fault so far; keys nobody has asked for are faults.
+  /// Throws InputErrors if there is any fault so far, including keys that were never read.
   void throwFaults() const;
 
-  /// The file that a key names, as given, beside this file or in the configuration folder; notes a fault
-  /// where it is in none of these.
+  /// Returns the file that a key names: as given, beside this file, or in the configuration folder. Records a
+  /// fault if it is in none of these.
   std::filesystem::path existingFile(const TomlTable& table, std::string_view key) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of several files have in common: vectors from a file's numbers, and speeds.
+// Shared by several file readers: vectors from a file's numbers, and checks of speeds.
 
 #include <fmt/format.h>
 
@@ -12,13 +12,13 @@
 
 namespace carom {
 
-/// Rounding of what a file says exactly: what touches to this fraction does not overlap.
+/// Relative tolerance for rounding: bodies that touch within this fraction do not overlap.
 inline constexpr double kTouching = 1e-12;
 
 inline glm::dvec2 toVec2(const std::array<double, 2>& a) { return {a[0], a[1]}; }
 inline glm::dvec3 toVec3(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-/// Complains where β is not below 1.
+/// Records a fault if β is not below 1.
 template <class Vec>
 void checkSpeed(const TomlTable& table, const Vec& beta) {
   if (glm::dot(beta, beta) < 1.0) return;

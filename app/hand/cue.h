@@ -1,5 +1,5 @@
 #pragma once
-// The cue in the person's hand: aimed, held, drawn back, let go.
+// The cue in the player's hand: aimed, held, drawn back and released.
 
 #include <cstddef>
 #include <optional>
@@ -13,43 +13,44 @@
 
 namespace carom {
 
-/// A cue that is drawn back so far gives u = 1: the rest momentum m c, √2 m c² with the puck's own energy.
+/// Pull for u = 1: the rest momentum m c, which with the puck's own energy makes √2 m c².
 inline constexpr double kPullForOne_m = 0.15;
-/// A hand that lets go of what it has not drawn back any further did not mean to shoot.
+/// Pulls below this are not strokes: the player did not mean to shoot.
 inline constexpr double kLeastPull_m = 0.02;
 
-/// What a pull means on the board.
+/// The stroke on the board that a pull gives.
 struct CueStroke {
   Vec2 u{0.0};        ///< γβ for a target at rest, in the board's axes: its momentum is m c u
-  Vec3 towards{0.0};  ///< the way of it, as a unit vector of the room's axes; 0 for no stroke
+  Vec3 towards{0.0};  ///< direction of u as a unit vector in the room's axes; 0 if there is no stroke
 };
 
-/// The stroke is the other way round than the pull, along the cloth. A direction is taken from the room to
-/// the board by the turn of `boardFromRoom` alone, without its boost: what the hand gives is a momentum on
-/// the board, and a person on a platform that is not turned and points along the table means along the table,
-/// however fast they go by.
+/// Returns the stroke for a pull; its direction is opposite to the pull, along the cloth. The direction is
+/// transformed from room to board by the rotation of `boardFromRoom` alone, without its boost: the hand gives
+/// a momentum on the board, and a viewer on a platform that is not rotated who points along the table means
+/// along the table at any platform speed.
 CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom);
 
 class Cue {
  public:
-  /// What becomes of a frame.
+  /// The result of one frame.
   struct Outcome {
-    std::optional<std::size_t> letGo;  ///< the puck that is struck, with the pull as it was last
-    std::string refused;               ///< what was wanted and cannot be, for the person; empty: nothing
+    std::optional<std::size_t> letGo;  ///< the puck that is struck, with the last `pull_m`
+    std::string refused;               ///< message to the player why the action was refused; empty if none
   };
 
-  /// `frozen`: the person's time stands still, and nothing can be done in it.
+  /// Advances the cue by one frame. `frozen` means that the viewer's time is frozen, in which no stroke is
+  /// possible.
   Outcome step(const HandInput& hand, const PickResult& pointed, bool frozen);
 
-  /// The puck that the cue is held for: the same until it is let go.
+  /// Returns the puck that the cue is held for; it does not change until the cue is released.
   std::optional<std::size_t> target() const { return target_; }
   const Vec3& pull_m() const { return pull_m_; }
 
  private:
   Outcome press(const HandInput& hand, const PickResult& pointed, bool frozen);
 
-  bool pressed_ = false;     ///< the button was down in the frame before
-  std::string_view device_;  ///< that holds the cue
+  bool pressed_ = false;     ///< the button was down in the previous frame
+  std::string_view device_;  ///< the device that holds the cue
   std::optional<std::size_t> target_;
   Vec3 pull_m_{0.0};
 };

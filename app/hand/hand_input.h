@@ -1,5 +1,5 @@
 #pragma once
-// What the one hand that holds the cue does in a frame, whatever device tells of it. Room frame.
+// The input of the hand that holds the cue in one frame, independent of the device. Room frame.
 
 #include <cstddef>
 #include <string_view>
@@ -10,18 +10,17 @@
 namespace carom {
 
 struct HandInput {
-  /// "wand", "mouse", "gamepad"; empty: no hand aims. Of static duration. A device that is lost while it
-  /// holds the cue has another, or none, in its place in the next frame: the stroke is then off.
+  /// "wand", "mouse" or "gamepad", with static lifetime; empty if no hand aims. If a device is lost while it
+  /// holds the cue, the next frame has another one or none here, and the stroke is cancelled.
   std::string_view device;
-  Vec3 from_m{0.0};       ///< where the hand is: its ray and its stroke start here
-  Vec3 along{0.0};        ///< unit vector: the way it points
-  Eye eye = Eye::middle;  ///< by whose sight it aims
+  Vec3 from_m{0.0};       ///< position of the hand, where its ray and its stroke start
+  Vec3 along{0.0};        ///< unit vector of its direction
+  Eye eye = Eye::middle;  ///< the eye from whose view it aims
   bool held = false;      ///< its button is down
-  /// While it is held: how far, and whereto, it has been drawn since it was pressed; the way of the stroke is
-  /// the other way round.
+  /// While `held`: the displacement since the button was pressed. The stroke goes in the opposite direction.
   Vec3 pull_m{0.0};
-  /// What was refused in this frame by those who hold the devices apart: a line for the person, of static
-  /// duration. Empty: nothing.
+  /// Message to the player when another device was refused the cue in this frame, with static lifetime; empty
+  /// if none.
   std::string_view refused = {};
 };
 

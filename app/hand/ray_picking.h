@@ -1,5 +1,5 @@
 #pragma once
-// Which puck a hand points to. What counts is where the person sees it, wherever it may be by now.
+// Finds the puck that a hand points to, at the position where the viewer sees it, not where it is by now.
 
 #include <cstddef>
 #include <optional>
@@ -12,41 +12,40 @@
 
 namespace carom {
 
-/// A ray that starts at a hand. Room frame; `along` is a unit vector.
+/// A ray from a hand. Room frame; `along` is a unit vector.
 struct HandRay {
   Vec3 from_m{0.0};
   Vec3 along{0.0};
 };
 
-/// What a ray meets.
+/// What a ray hits.
 struct PickResult {
-  std::optional<std::size_t> puck;  ///< the first one, counted as in the game
-  bool behind = false;              ///< none, but there is one the other way
-  Vec3 end_m{0.0};                  ///< where the ray ends: on the puck, on the cloth, or in the air
+  std::optional<std::size_t> puck;  ///< index in the game of the first puck hit
+  bool behind = false;              ///< no puck is hit, but there is one in the opposite direction
+  Vec3 end_m{0.0};                  ///< end of the ray: on the puck, on the cloth, or in the air
 };
 
 class RayPicking {
  public:
-  /// A ray that passes a puck by no more than this still means it: a hand that is held out freely trembles by
-  /// half a degree, and a puck of 3 cm five metres away is no larger than that.
+  /// A ray that misses a puck by up to this angle still picks it: an outstretched hand trembles by half a
+  /// degree, and a puck of 3 cm at five metres is no larger than that.
   static constexpr double kNear_rad = 0.02;
-  /// Where it meets nothing, a ray ends in the air, farther away than a table is long.
+  /// Length of a ray that hits nothing; longer than a table.
   static constexpr double kLongest_m = 5.0;
 
-  /// The sight of a frame: the eye by which is aimed, and what is switched
-  /// off.
+  /// The view of a frame: the eye used for aiming, and the effects that are switched off.
   struct Sight {
     const ObserverView& observer;
     Eye eye;
     const Switches& switches;
   };
 
-  /// Where the eye sees a body's centre, as the walls draw it. Room frame.
+  /// Returns where the eye sees a body's centre, as drawn on the walls. Room frame.
   Vec3 seenInRoom_m(const WorldLine& body, const Sight& sight);
 
-  /// Of the pucks that the ray goes through the first; else, of those it passes closely, the one it passes
-  /// most closely as seen from the hand. The cloth is where the room has it: for the horizontal motion of a
-  /// platform also where it is seen.
+  /// Returns the first puck that the ray intersects; otherwise, of those within kNear_rad, the one closest to
+  /// the ray in angle from the hand. The cloth is at its position in the room, which for horizontal motion of
+  /// the platform is also where it is seen.
   PickResult at(const HandRay& ray, std::span<const WorldLine> pucks, const Sight& sight,
                 const Lorentz& boardFromRoom);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What hands at the desk do, from GLFW: the mouse over the walls' windows, held keys, a gamepad.
+// The desktop input from GLFW: the mouse over the walls' windows, held keys, and a gamepad.
 //
 //   keys      W A S D steer, Space brakes, Home goes home
 //   mouse     aims at what it points to; its left button holds the cue
@@ -20,19 +20,19 @@ namespace carom {
 
 class DisplayWalls;
 
-/// A stick that rests within this of its middle is at rest; from there on it counts from 0 to 1.
+/// Dead zone of a stick: within this of its centre it counts as 0, and beyond it the value rises from 0 to 1.
 inline constexpr double kDeadZone = 0.15;
 Vec3 withoutDeadZone(const Vec3& stick);
 
-/// Buttons that are down, and what they mean: one that was pressed while a lesson asked was an answer, and
-/// means nothing more until it is pressed again.
+/// The pressed buttons and their meaning: a button pressed while a lesson asks is an answer and has no other
+/// meaning until it is pressed again.
 class Buttons {
  public:
-  /// Bit i: button i is down.
+  /// Sets the pressed buttons (bit i: button i).
   void set(std::uint32_t down, bool asks);
   bool isHeld(int button) const { return (meant_ >> button & 1U) != 0; }
   bool wasPressed(int button) const { return isHeld(button) && (fresh_ >> button & 1U) != 0; }
-  /// The first of the buttons that was pressed while a lesson asks; −1: none.
+  /// Returns the first button that was pressed while a lesson asks, or −1 if there is none.
   int answered() const { return answered_; }
 
  private:
@@ -42,13 +42,14 @@ class Buttons {
 
 class Desk {
  public:
-  /// In a replay Space and Home mean something else (app/input/keys.h).
+  /// In a replay Space and Home have another meaning (app/input/keys.h).
   explicit Desk(KeysOf place) : place_(place) {}
 
-  /// Once a frame, after the windows were polled. `asks`: a lesson waits for an answer.
+  /// Collects the input once per frame, after the windows have been polled. While `asks`, a lesson waits for
+  /// an answer.
   const DeskInput& gather(const DisplayWalls& walls, const WindowInput& input, bool asks);
 
-  /// The same of what was gathered elsewhere; no gamepad: null.
+  /// Does the same for input collected by the caller. `pad` is null if there is no gamepad.
   const DeskInput& gather(const std::optional<PointedWall>& mouse, bool mouseHeld, const WindowInput& input,
                           const GLFWgamepadstate* pad, bool asks);
 
@@ -58,7 +59,7 @@ class Desk {
 
   KeysOf place_;
   DeskInput input_;
-  std::array<bool, 5> held_{};  ///< keys: as kHeldKeys of desk.cpp
+  std::array<bool, 5> held_{};  ///< keys, in the order of kHeldKeys of desk.cpp
   Buttons buttons_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the keys do, as a table of Dear ImGui's.
+// The list of keys as a Dear ImGui table.
 
 #include <span>
 
@@ -12,10 +12,10 @@ namespace carom {
 /// The colour of keys and headings.
 inline const ImVec4 kAccent{0.33F, 0.62F, 0.82F, 1.0F};
 
-/// Draws what the keys do, in two columns.
+/// Draws the list of keys in two columns.
 void drawKeyTable(std::span<const KeyLine> map);
 
-/// Draws the same in the upper left corner of a wall's window, within a Gui's begin and end.
+/// Draws the same list in the upper left corner of a wall's window, between begin and end of a Gui.
 void drawKeysOver(std::span<const KeyLine> map);
 
 }  // namespace carom

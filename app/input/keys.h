@@ -1,5 +1,6 @@
 #pragma once
-// The keys of a session. They work in any of rank 0's windows; ending it, in any window of any node.
+// The keyboard commands of a session. They work in all of rank 0's windows; quitting works in any window of
+// any node.
 
 #include <string>
 #include <string_view>
@@ -10,30 +11,30 @@
 
 namespace carom {
 
-/// Escape, Q, or a window's own button.
+/// Returns whether Escape or Q was pressed or a window was closed.
 bool wantsToEnd(const WindowInput& input);
 
-/// Where keys are pressed: not every key means something everywhere.
+/// The kind of session in which keys are pressed; some keys work only in some.
 enum class KeysOf { session, replay, patterns };
 
-/// One line of the keyboard's map.
+/// One line of the list of keys.
 struct KeyLine {
   std::string keys;  ///< "1", "+ −"
-  std::string does;  ///< in a few words
+  std::string does;  ///< short description
 };
 
-/// What the keys do, in the order of the table.
+/// Returns the list of keys in the order of the table.
 std::vector<KeyLine> keyMap(KeysOf place);
 
-/// Returns the key for one thing, as `nameOf` (app/operator/command.h) names it: "aberration", "board-now",
-/// "walls". Empty where there is none.
+/// Returns the key of a command named as by `nameOf` (app/operator/command.h), such as "aberration",
+/// "board-now" or "walls". Empty if it has no key.
 KeyLine keyFor(KeysOf place, std::string_view what);
 
-/// Returns what the pressed keys ask for, each as the settings are after the ones before it. `now_s`: the session's
-/// time, from which the arrows go. Allocates only where a key is pressed.
+/// Returns the commands of the pressed keys, each computed from the settings after the previous ones. `now_s`
+/// is the session time from which the arrow keys seek. Allocates only if a key is pressed.
 Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const OperatorSettings& settings);
 
-/// Says on standard error what the keys do.
+/// Prints the list of keys to standard error.
 void sayKeys(KeysOf place);
 
 }  // namespace carom

@@ -1,7 +1,7 @@
 #pragma once
-// The columns that a frame's record, its knots and its events have in a session file, in their order. Writing
-// and reading go by the same list: `visit(prefix, name, value)` is called for each column, whose name is both
-// together; a value that is not const may be changed.
+// The columns of a frame's record, its knots and its events in a session file, in their order. Writing and
+// reading use the same list: `visit(prefix, name, value)` is called for each column, whose name is `prefix`
+// followed by `name`; a value that is not const may be changed.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 
 namespace carom {
 
-using Part = std::string_view;  ///< of a column's name
+using Part = std::string_view;  ///< part of a column's name
 
 template <typename Visit, typename Place>
 void visitPlace(Visit& visit, Part prefix, Place& place_m) {
@@ -26,7 +26,7 @@ void visitPlace(Visit& visit, Part prefix, Place& place_m) {
   visit(prefix, "z_m", place_m.z);
 }
 
-/// Of numbers without a unit.
+/// Visits the components of a vector without unit.
 template <typename Visit, typename Vector>
 void visitVector(Visit& visit, Part prefix, Vector& v) {
   visit(prefix, "x", v.x);
@@ -49,7 +49,7 @@ void visitPose(Visit& visit, Part prefix, APose& pose) {
   visit(prefix, "qz", pose.orientation.z);
 }
 
-/// A row and a column of the matrix that acts on (c t, x, y, z).
+/// Visits the elements of the matrix that acts on (c t, x, y, z), named by row and column.
 template <typename Visit, typename Transform>
 void visitTransform(Visit& visit, Part prefix, Transform& transform) {
   constexpr std::array<Part, 16> kElements{"tt", "xt", "yt", "zt", "tx", "xx", "yx", "zx",
@@ -61,7 +61,7 @@ void visitTransform(Visit& visit, Part prefix, Transform& transform) {
   if constexpr (!std::is_const_v<Transform>) transform = Lorentz(transform.lightSpeed_m_s(), matrix);
 }
 
-/// A bit for each of what can be on, in the order of its names.
+/// Visits one number with a bit for each flag, in the order of their names.
 template <typename Visit, typename Named, typename Flags>
 void visitBits(Visit& visit, Part name, const Named& named, Flags& flags) {
   std::uint64_t bits = 0;
@@ -91,8 +91,8 @@ void visitHand(Visit& visit, Hand& hand, PlatformMotion& drive) {
   visit("", "drive_at_limit", drive.atLimit);
 }
 
-/// All but the number, and what is not kept: to others, or from a session that was gone on with, more may be
-/// seen than was then, so nothing is forgotten.
+/// Visits all fields except the number and those that are not stored: for another viewer, or when a session
+/// is continued, more may be seen than was seen originally, so nothing is ever discarded.
 template <typename Visit, typename Record>
 void visitRecord(Visit& visit, Record& record) {
   auto& observer = record.observer;
@@ -157,7 +157,7 @@ void visitGameEvent(Visit& visit, AnEvent& event) {
   constexpr bool kReads = !std::is_const_v<AnEvent>;
   visit("", "number", event.number);
   visit("", "kind", event.kind);
-  // 0 is none.
+  // 0 means none.
   std::uint8_t cushion = event.cushion ? static_cast<std::uint8_t>(1 + static_cast<int>(*event.cushion)) : 0;
   visit("", "cushion", cushion);
   visit("", "which", event.which);

@@ -1,5 +1,5 @@
 #pragma once
-// Frames as rows of a session file (app/journal/journal.h): each field of a record is a column, by its name.
+// Frames as rows of a session file (app/journal/journal.h): each field of a record is a column with its name.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -10,22 +10,22 @@
 
 namespace carom {
 
-/// The newest version of the tables whose frames, knots and events lie there byte by byte
+/// The newest version of the tables that stores frames, knots and events as raw bytes
 /// (app/journal/version_3.h).
 inline constexpr int kVersion3 = 3;
 
-/// The statements that make the tables frame, knot and frame_event.
+/// Returns the SQL statements that create the tables frame, knot and frame_event.
 std::string frameTables();
 
-/// Fills the three tables.
+/// Writes the three tables.
 class FrameWriter {
  public:
   explicit FrameWriter(SQLite::Database& database);
 
-  /// `known`: how the head was known, as a word.
+  /// `known` is a word for how the head was known.
   void write(const FrameRecord& record, const std::string& known, const Vec3& celerity_m_s);
   void write(std::uint64_t frame, const BodyKnot& knot);
-  /// What the frame brought to the list of events.
+  /// Writes an event that the frame added to the list of events.
   void write(std::uint64_t frame, const GameEvent& event);
 
  private:
@@ -35,15 +35,15 @@ class FrameWriter {
 /// Reads frames in the order of their numbers.
 class FrameReader {
  public:
-  /// `version`: of the file's tables, kVersion3 or kJournalVersion. `lightSpeed_m_s`: the game's.
+  /// Reads tables of `version`, which is kVersion3 or kJournalVersion. `lightSpeed_m_s` is that of the game.
   FrameReader(SQLite::Database& database, int version, double lightSpeed_m_s);
 
-  /// The next frame will be the first whose number is at least this. From the first one at the beginning.
+  /// Makes the next frame the first whose number is at least `number`. Initially it is the first frame.
   void goTo(std::uint64_t number);
-  /// The number of the frame that `read` reads; none after the last.
+  /// Returns the number of the frame that `read` will read, or nothing after the last.
   std::optional<std::uint64_t> step();
-  /// The frame that `step` has found, with its knots and events. Throws std::exception that says what cannot
-  /// be, but not in which frame.
+  /// Reads the frame that `step` has found, with its knots and events. Throws std::exception that gives the
+  /// fault but not the frame.
   void read(FrameState& state);
 
  private:
@@ -53,7 +53,7 @@ class FrameReader {
   int version_;
   double lightSpeed_m_s_;
   SQLite::Statement frame_, knot_;
-  std::optional<SQLite::Statement> event_;  ///< version 3 has them in its frames
+  std::optional<SQLite::Statement> event_;  ///< not in version 3, which stores events with the frame
 };
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// The tables of a session file (app/journal/journal.h) and the rows that wait to be written into them.
+// The tables of a session file (app/journal/journal.h) and the rows still to be written to them.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -19,13 +19,13 @@
 
 namespace carom {
 
-/// Rows that wait to be written.
+/// Rows still to be written.
 struct Batch {
   struct Frame {
     FrameRecord record;
     Known known;
     Vec3 celerity_m_s;
-    std::size_t events;  ///< of the batch's, in order
+    std::size_t events;  ///< number of its events in `events`, in order
   };
   template <typename Value>
   struct OfFrame {
@@ -54,25 +54,25 @@ struct Batch {
   void clear();
 };
 
-/// The file and the statements that fill it. SQLite::Exception comes through.
+/// The database file and its SQL statements. Lets SQLite::Exception through.
 class JournalTables {
  public:
   explicit JournalTables(const std::filesystem::path& file);
 
-  /// Makes the tables of a new file.
+  /// Creates the tables of a new file.
   void make(const SessionFacts& facts);
   int version();
-  /// Makes a file of version 3 one of this version. Throws std::runtime_error, and leaves the file as it was,
+  /// Converts a file of version 3 to this version. Throws std::runtime_error, and leaves the file as it was,
   /// if it is older still or damaged.
   void convert();
-  /// Notes that a run of the program begins to write, now or again. Throws std::runtime_error if the file is
-  /// of another version.
+  /// Records that a run of the program begins to write, for the first time or again. Throws
+  /// std::runtime_error if the file has another version.
   void begin(const SessionFacts& facts);
-  /// All of it or, when it throws, nothing.
+  /// Writes all rows, or none if it throws.
   void write(const Batch& batch);
-  /// What is in the file beside goes into the file itself, as far as readers let it.
+  /// Moves the data of FILE-wal into the file itself, as far as readers allow.
   void intoFile();
-  /// One whole file again, that can be read where nothing can be written.
+  /// Makes the file complete without FILE-wal, so that it can be read where nothing can be written.
   void close();
 
  private:
@@ -86,7 +86,7 @@ class JournalTables {
 
   SQLite::Database database_;
   std::vector<std::string> pucks_;  // their names
-  std::uint64_t listed_ = 0;        // events in their table
+  std::uint64_t listed_ = 0;        // number of events in table event
   std::optional<FrameWriter> frames_;
   std::optional<SQLite::Statement> event_, turn_, sample_, latency_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What a session file is, and what it begins with.
+// The identity of a session file and its initial data.
 
 #include <filesystem>
 #include <string>
@@ -7,18 +7,18 @@
 
 namespace carom {
 
-/// How a SQLite file tells that it is a journal ("Caro"), and the version of its tables. A file of a newer
-/// one, or of one before 3, is not read.
+/// The SQLite application id of a journal ("Caro") and the version of its tables. Files of newer versions, or
+/// of versions before 3, are not read.
 inline constexpr int kJournalId = 0x4361726f;
 inline constexpr int kJournalVersion = 4;
 
-/// What a journal begins with.
+/// The initial data of a journal.
 struct SessionFacts {
   std::string program;
   std::filesystem::path rig, scenario;
   std::string rigText, scenarioText;
   double lightSpeed_m_s = 0.0;
-  std::vector<std::string> pucks = {};  ///< their names, in the scenario's order; not read back
+  std::vector<std::string> pucks = {};  ///< names in the scenario's order; not read back
 };
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Reading a session's journal (app/journal/journal.h) again.
+// Reads a session's journal (app/journal/journal.h).
 
 #include <filesystem>
 #include <memory>
@@ -18,37 +18,38 @@ namespace carom {
 /// A recorded session, frame by frame. May be opened while the session is still being written.
 class SessionFile {
  public:
-  /// Throws std::runtime_error that says what is wrong with the file and what was expected: missing, not a
-  /// session file, damaged, of a newer version, locked. Warns in the log if the session was not closed
-  /// and FILE-wal, which has its end, is not beside it; `quiet`: not again.
+  /// Opens the file. Throws std::runtime_error that gives the fault and what was expected: missing, not a
+  /// session file, damaged, of a newer version, locked. Logs a warning if the session was not closed and
+  /// FILE-wal, which has its end, is missing; with `quiet`, logs nothing.
   explicit SessionFile(const std::filesystem::path& file, bool quiet = false);
   ~SessionFile();
   SessionFile(const SessionFile&) = delete;
   SessionFile& operator=(const SessionFile&) = delete;
 
   const SessionFacts& facts() const { return facts_; }
-  /// The numbers of the first and the last frame; none if the session ended before its first.
+  /// Returns the numbers of the first and last frame, or nothing if the session has no frame.
   std::optional<std::pair<std::uint64_t, std::uint64_t>> frames() const;
 
-  /// What hands have struck, in the order of the frames. `pucks`: of the scenario. Throws std::runtime_error,
-  /// that names the file and the frame, for a stroke that this scenario cannot have had.
+  /// Returns the strokes by hand in the order of the frames. `pucks` are the scenario's. Throws
+  /// std::runtime_error with file and frame for a stroke that is impossible in this scenario.
   std::vector<Stroke> strokes(std::span<const Puck> pucks) const;
 
-  /// The next frame in the order of their numbers, with its knots; false after the last. Throws
-  /// std::runtime_error, that names the file and the frame, where the file turns out to be damaged.
+  /// Reads the next frame in the order of their numbers, with its knots. Returns false after the last. Throws
+  /// std::runtime_error with file and frame if the file is damaged there.
   bool next(FrameState& state);
-  /// Brings the world up to a frame of this session (applyFrame). Throws std::runtime_error, that names the
-  /// file and the frame, where it does not go on from what the world is.
+  /// Updates `world` by a frame of this session (applyFrame). Throws std::runtime_error with file and frame
+  /// if the frame does not continue the state of `world`.
   void apply(const FrameState& state, World& world) const try {
     applyFrame(state, world);
   } catch (const std::logic_error& error) {
     refuseFrame(state.record.number, error.what());
   }
-  /// The next frame will be the first whose number is at least this.
+  /// Makes the next frame the first whose number is at least `number`.
   void goTo(std::uint64_t number);
-  /// When a frame was on the walls: the first whose number is at least this. The session's clock.
+  /// Returns the display time, on the session clock, of the first frame whose number is at least `number`.
   double shownAt_s(std::uint64_t number) const;
-  /// The last frame that was on the walls at this time of the session's clock; the first, if none was yet.
+  /// Returns the number of the last frame displayed by `display_s` on the session clock, or of the first
+  /// frame if none was.
   std::uint64_t frameAt(double display_s) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// Session files of version 3: frames, knots and events lie there byte by byte, as the program of then held
-// them on x86-64.
+// Reads session files of version 3, which stored frames, knots and events as raw bytes in that program's
+// memory layout on x86-64.
 
 #include <cstddef>
 #include <span>
@@ -12,8 +12,8 @@
 
 namespace carom::version3 {
 
-/// Each throws std::runtime_error if there are not as many bytes as expected, or not such as can be read;
-/// whether the values are possible is not checked.
+/// Each function throws std::runtime_error if the number of bytes is wrong or they cannot be decoded. Whether
+/// the values are possible is not checked.
 FrameRecord frameOf(std::span<const std::byte> bytes);
 Knot knotOf(std::span<const std::byte> bytes);
 std::vector<GameEvent> eventsOf(std::span<const std::byte> bytes);

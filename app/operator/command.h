@@ -1,7 +1,7 @@
 #pragma once
-// What the operator can ask for: by a key (app/input/keys.h), in the console, by a button of a hand's device. A
-// command changes the settings (`apply`) or is an order of one moment, such as a place to go to in a recording,
-// which settings do not hold: then the source of the frames obeys it.
+// The operator's commands: from a key (app/input/keys.h), the console, or a button of a hand device. A
+// command either changes the settings (`apply`), or is a one-time order that settings do not hold, such as
+// seeking in a recording; the frame source executes those.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace carom {
 
 struct SetSwitch {
   std::uint8_t Switches::*effect;
-  bool beside;  ///< of the right half of the walls
+  bool beside;  ///< applies to the right half of the walls
   bool on;
   bool operator==(const SetSwitch&) const = default;
 };
@@ -26,7 +26,7 @@ struct SetView {
   bool on;
   bool operator==(const SetView&) const = default;
 };
-/// Black walls, swapped eyes, the trackers' crosses, the latency.
+/// Sets a wall option: black walls, swapped eyes, tracker crosses, latency overlay.
 struct SetWalls {
   std::uint8_t WallControls::*option;
   bool on;
@@ -49,18 +49,18 @@ struct SetLightSpeed {
   bool operator==(const SetLightSpeed&) const = default;
 };
 struct AnswerLesson {
-  int answer;  ///< from 1
+  int answer;  ///< counted from 1
   bool operator==(const AnswerLesson&) const = default;
 };
 struct AdvanceLesson {
   bool operator==(const AdvanceLesson&) const = default;
 };
-/// Sets out on the scenario's own drive.
+/// Starts the scenario's tour.
 struct StartTour {
   bool operator==(const StartTour&) const = default;
 };
 struct PlayScenario {
-  std::string file;  ///< the one that is played: from its beginning
+  std::string file;  ///< scenario file, played from its beginning
   bool operator==(const PlayScenario&) const = default;
 };
 struct Pause {
@@ -68,11 +68,11 @@ struct Pause {
   bool operator==(const Pause&) const = default;
 };
 struct SetRate {
-  double rate;  ///< as Playback::rate
+  double rate;  ///< as in Playback::rate
   bool operator==(const SetRate&) const = default;
 };
 struct Seek {
-  double session_s;  ///< the session's time to go on from
+  double session_s;  ///< session time to continue from
   bool operator==(const Seek&) const = default;
 };
 
@@ -81,13 +81,15 @@ using Command =
                  AnswerLesson, AdvanceLesson, StartTour, PlayScenario, Pause, SetRate, Seek>;
 using Commands = std::vector<Command>;
 
-/// Has the command take effect. Returns false if it changes nothing: everything is so already, there is no such answer.
+/// Applies the command to the settings. Returns false if nothing changes: the setting has that value already,
+/// or the lesson has no such answer.
 bool apply(const Command& command, OperatorSettings& settings);
 
-/// Returns what buttons of a hand's device say to a lesson: an answer from 1 (0: none), else "go on".
+/// Returns the lesson command for buttons of a hand device: the answer counted from 1 (0 is none), otherwise
+/// "go on" if `onwards`.
 std::optional<Command> lessonCommand(int answer, bool onwards);
 
-/// Returns the last of the commands that is an order of this kind; null if there is none.
+/// Returns the last of the commands that is of type `Order`, or null if there is none.
 template <typename Order>
 const Order* lastOf(std::span<const Command> commands) {
   const Order* last = nullptr;
@@ -97,13 +99,14 @@ const Order* lastOf(std::span<const Command> commands) {
   return last;
 }
 
-/// Returns the name of what the command is about: "aberration", "board-now", "walls".
+/// Returns the name of what the command sets: "aberration", "board-now", "walls".
 std::string nameOf(const Command& command);
 
-/// Returns what it is about that becomes: "off". `settings`: after it was applied; a lesson's place is told from there.
+/// Returns the value that the command sets, such as "off". `settings` are those after the command was
+/// applied; the lesson's state is read from them.
 std::string valueOf(const Command& command, const OperatorSettings& settings);
 
-/// Returns both: "aberration: off".
+/// Returns name and value: "aberration: off".
 std::string toString(const Command& command, const OperatorSettings& settings);
 
 }  // namespace carom

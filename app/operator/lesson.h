@@ -1,10 +1,10 @@
 #pragma once
-// How a lesson goes: first the visitor says what they expect, then they look, then the number behind it is
-// told.
+// The course of a lesson: the visitor predicts an outcome, then observes it, then the lesson gives the number
+// behind it.
 //
 //   asks ── an answer, or "go on" ──> shows ── "go on" ──> explains ── "go on" ──> shows …
 //
-// While it asks, the person's time stands still: nothing of the answer is to be seen yet.
+// While the lesson asks, the viewer's time is frozen so that nothing of the answer can be seen yet.
 
 #include <cstddef>
 #include <string>
@@ -15,16 +15,17 @@
 
 namespace carom {
 
-/// Where a lesson goes when a visitor presses a button: `answer` counts from 1, 0 is none; those beyond
-/// `answers` are none, and so is every answer once the question is over. "Go on" passes over a question.
+/// Returns the lesson's state after a visitor has pressed a button. `answer` counts from 1; 0 is none.
+/// Answers beyond `answers` are ignored, and so are all answers once the question is over. `onwards` ("go
+/// on") skips a question.
 LessonState advance(const LessonState& state, std::size_t answers, int answer, bool onwards);
 
-/// Has a session begin with the scenario's lesson, if there is one: with its views beside those that are on,
-/// and with its question if `asks`. A session that ends by itself, after so many frames, does not ask: nobody
-/// is there to answer, and it would show nothing else.
+/// Sets up the scenario's lesson, if there is one: adds its views to those that are on, and starts with its
+/// question if `asks`. Sessions of a fixed number of frames pass false: nobody would answer, and they would
+/// show nothing but the question.
 void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings);
 
-/// What was answered, in the lesson's words.
+/// Returns the text of the given answer.
 std::string answerText(const LessonWords& words, const LessonState& state);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// What the operator has chosen. Rank 0 has it; what other ranks must know of it travels in the frame record. Commands
-// change it (app/operator/command.h), nothing else does.
+// The operator's settings. Rank 0 holds them; what other ranks need travels in the frame record. Only
+// commands (app/operator/command.h) change them.
 
 #include <cstddef>
 #include <string>
@@ -13,10 +13,10 @@
 
 namespace carom {
 
-/// How a recorded game is gone through. A live game goes its own way.
+/// How a recorded game is played back. Has no effect on a live game.
 struct Playback {
   bool paused = false;
-  double rate = 1.0;  ///< seconds of the recording in one of the person's; below 0: backwards
+  double rate = 1.0;  ///< seconds of the recording per second of the viewer; negative plays backwards
 
   bool operator==(const Playback&) const = default;
 };
@@ -26,30 +26,30 @@ struct OperatorSettings {
   WallControls walls;
   TimeViews views;
   double eyeSeparation_m = 0.064;
-  /// Light's speed for the person. A change leaves every place and every length of light's way as it is, so
-  /// nothing jumps: pucks keep their β, and what changes is how many of the game's seconds go by in one of
-  /// the person's, this ÷ the scenario's light speed. Board clocks go on counting the game's.
+  /// The speed of light in the viewer's units. A change keeps all positions and light paths, so nothing
+  /// jumps: pucks keep their β, and only the number of game seconds per second of the viewer changes, to this
+  /// value divided by the scenario's light speed. Board clocks keep counting game seconds.
   double lightSpeed_m_s = 1.42;
   Playback playback;
   LessonState lesson;
-  std::size_t lessonAnswers = 0;  ///< how many its question offers
+  std::size_t lessonAnswers = 0;  ///< number of answers to its question
   bool keysShown = false;         ///< the list of keys is drawn over the walls of rank 0
-  std::string playing;            ///< the scenario file that is played
+  std::string playing;            ///< scenario file being played
 
   bool operator==(const OperatorSettings&) const = default;
 };
 
-/// Between 0 and this (metres) the eyes can be set apart.
+/// Largest eye separation in metres; the smallest is 0.
 inline constexpr double kMostEyeSeparation_m = 0.08;
 
-/// Has the record's walls drawn as the settings say.
+/// Copies the settings for the walls into the record.
 inline void putInto(FrameRecord& record, const OperatorSettings& settings) {
   record.switches = settings.switches;
   record.controls = settings.walls;
   record.views = settings.views;
 }
 
-/// Has the settings be as a recorded frame was drawn.
+/// Copies the settings of a recorded frame into `settings`.
 inline void takeFrom(const FrameRecord& record, OperatorSettings& settings) {
   settings.switches = record.switches;
   settings.walls = record.controls;

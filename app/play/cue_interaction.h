@@ -1,5 +1,5 @@
 #pragma once
-// What a hand does to the game: what it aims at, the strokes it lets go, what is said of them.
+// The hand's interaction with the game: what it aims at, its strokes, and the messages about them.
 
 #include <optional>
 #include <string>
@@ -13,24 +13,25 @@
 
 namespace carom {
 
-/// The board event at which a hand acts: where it is in the room at the head's moment there; at the earliest
-/// when no eye has yet received light from it (eyes are simultaneous for the head, which may move in the
-/// room). So nothing that any eye has seen lies in the future of it.
+/// Returns the board event at which a hand acts: the hand's position in the room at the head's time there, or
+/// later if an eye has already received light from there (the eyes are simultaneous for the head, which may
+/// move in the room): then the last event there whose light an eye has received. So no event that any eye has
+/// seen lies in its future.
 Event handEvent(const Vec3& handInRoom_m, const ObserverView& observer, const Lorentz& boardFromRoom);
 
 class CueInteraction {
  public:
-  /// The scenario is used as long as this lives.
+  /// `scenario` must outlive this object.
   explicit CueInteraction(const Scenario& scenario) : scenario_(&scenario) {}
 
   struct Outcome {
-    std::optional<Stroke> stroke;  ///< that the game has taken
-    std::string said;              ///< to the person; empty: nothing
+    std::optional<Stroke> stroke;  ///< accepted by the game
+    std::string said;              ///< message to the viewer; empty if none
   };
 
-  /// One frame: after the record has its observer, its switches and its light speed, before the game's knots
-  /// of this frame are taken. Fills record.hand; strikes the game where a stroke is let go. `still`: the
-  /// person's time stands still.
+  /// Processes one frame. Must be called after the record has its observer, switches and light speed, and
+  /// before the game's knots of this frame are taken. Fills record.hand, and strikes the puck when a stroke
+  /// is released. `still` means that the viewer's time is frozen.
   Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The game as rank 0 plays it: the billiard, ahead of what anyone can see, and what of it is new each frame.
+// The game on rank 0: a billiard simulated ahead of what anyone can see, and its changes in each frame.
 
 #include <span>
 #include <vector>
@@ -10,43 +10,43 @@
 
 namespace carom {
 
-/// No eye of this person, now or later, sees a leg of these bodies that ended before this board time. A leg
-/// is past when all points of the body have been seen to join a later one, from the middle of the eyes as it
-/// was kEyesMayRunBack_m/c earlier (engine/light/light_cone.h): the middle moves slower than light, so its
-/// past cone only grows. The eyes are up to 0.1 m from it and simultaneous with it for the head, so on the
-/// board up to γ × 0.1 m away and γβ × 0.1 m/c earlier; they are inside its past cone of then while γ(1 + β)
-/// × 0.1 m is less than kEyesMayRunBack_m: up to γ = 500.
+/// Returns the board time before which no leg of these bodies that has ended will be seen by any eye of this
+/// viewer, now or later. A leg is past when all points of the body have been seen to join a later one, from
+/// the middle of the eyes as it was kEyesMayRunBack_m/c earlier (engine/light/light_cone.h): the middle moves
+/// slower than light, so its past cone only grows. The eyes are up to 0.1 m from it and simultaneous with it
+/// for the head, so on the board up to γ × 0.1 m away and γβ × 0.1 m/c earlier; they are inside its past cone
+/// of then while γ(1 + β) × 0.1 m is less than kEyesMayRunBack_m: up to γ = 500.
 double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer);
 inline constexpr double kEyesMayRunBack_m = 100.0;
 
-/// The latest board time at which an eye receives light.
+/// Returns the latest board time at which an eye receives light.
 double latestObservation_s(const ObserverView& observer);
 
 class Game {
  public:
-  /// `struck`: the strokes that hands have let go in earlier frames of the session that goes on, in their
+  /// Starts a game. `struck` are the strokes by hand in earlier frames of a continued session, in their
   /// order.
   explicit Game(const Scenario& scenario, std::span<const Stroke> struck = {});
 
-  /// The pucks' ways as far as they are known, in the scenario's order.
+  /// Returns the pucks' world lines as far as they are known, in the scenario's order.
   std::span<const WorldLine> pucks() const { return billiard_.worldLines(); }
 
-  /// Plays on to board time `t_s` at least.
+  /// Simulates the game up to board time `t_s` or later.
   void playTo(double t_s) { billiard_.advanceTo(t_s); }
 
-  /// A hand's stroke (Billiard::strike): what was played beyond its arrival is played anew, and the next
-  /// frame says so. Returns the arrival. Throws std::invalid_argument for a stroke that cannot be.
+  /// Strikes a puck by hand (Billiard::strike). What was simulated after the stroke's arrival is computed
+  /// again, and the next frame says so. Returns the arrival event. Throws std::invalid_argument if the stroke
+  /// is impossible.
   Event strike(const Stroke& stroke);
 
-  /// Plays on until every puck's way is known as far as the head's own moment, which may lie ahead on the
-  /// board.
+  /// Simulates until every puck's motion is known at the head's own moment, which may lie ahead on the board.
   void playToNowOf(const ObserverView& observer);
 
-  /// Plays on to board time `t_s` and adds to `state` the knots that no frame has carried yet.
+  /// Simulates to board time `t_s` and adds to `state` the knots that no frame has carried yet.
   void advance(double t_s, FrameState& state);
 
-  /// Forgets what `forgettableBefore_s` allows, and has every rank forget it with this frame. `histories`: of
-  /// every body of the scene.
+  /// Discards the history before `forgettableBefore_s`, and tells every rank to do the same with this frame.
+  /// `histories` are those of all bodies of the scene.
   void forget(std::span<const WorldLine> histories, const ObserverView& observer, FrameState& state);
 
  private:

@@ -1,18 +1,18 @@
 #pragma once
-// The person's hands, whatever they hold: wand, mouse and gamepad hold the cue one at a time, and these, keys
-// and a SpaceMouse steer the platform.
+// All input devices of the players. Wand, mouse and gamepad hold the cue one at a time; wand, gamepad, keys
+// and SpaceMouse steer the platform.
 //
-//   wand        points along its forward; button 0 holds the cue, the way from where it was pressed draws
-//               it back; 1 brakes, 2 goes home, 3 goes on, the stick steers along where it points; while a
-//               lesson asks, buttons 0 to 3 are its answers 1 to 4
-//   mouse       points from the eye whose picture it is over; it draws the cue back as far as the place on
-//               the cloth that it points to goes
-//   gamepad     aims by looking: from between the eyes, forward; its right stick draws the cue back
+//   wand        aims along its forward axis; button 0 holds the cue, and the wand's displacement since the
+//               press draws it back; button 1 brakes, 2 goes home, 3 goes on; the stick steers along the
+//               direction of the wand; while a lesson asks, buttons 0 to 3 are its answers 1 to 4
+//   mouse       aims from the eye whose picture it is over; the cue is drawn back by the displacement of the
+//               point on the cloth that the mouse points to
+//   gamepad     aims with the head: from between the eyes, forward; its right stick draws the cue back
 //   SpaceMouse  steers right, up and forward; its left button brakes, its right one goes home
 //
-// Of those that hold nothing, who was used last aims: the mouse while it moves and for kPatience_s after, the
-// gamepad while it is touched and so long after, else the wand. A mouse that only lies there aims at nothing.
-// Who presses first holds the cue until it is let go.
+// While no device holds the cue, the one used last aims: the mouse while it moves and for kPatience_s after,
+// the gamepad while it is used and for kPatience_s after, otherwise the wand. An idle mouse does not aim. The
+// first device pressed owns the cue until it is released.
 
 #include <array>
 #include <cstddef>
@@ -32,39 +32,39 @@ namespace carom {
 class InputDevices {
  public:
   static constexpr double kPatience_s = 5.0;
-  static constexpr double kPadPull_m = 0.45;  ///< at the end of the stick
+  static constexpr double kPadPull_m = 0.45;  ///< with the stick at its limit
 
   explicit InputDevices(const RoomAxes& axes) : axes_(axes) {}
 
-  /// A frame begins: what the desk did since the one before. `asks`: a lesson waits for an answer; no hand
-  /// takes the cue meanwhile.
+  /// Starts a frame with the desktop input since the previous one. While `asks`, a lesson waits for an answer
+  /// and no device can take the cue.
   void begin(const DeskInput& desk, bool asks) {
     desk_ = desk;
     asks_ = asks;
   }
 
-  /// Whoever holds the cue has it no more, until they press again.
+  /// Releases the cue, whichever device holds it, until a button is pressed again.
   void letGo() { holder_.reset(); }
 
-  // Of wand and SpaceMouse as they were told for the frame before.
+  // Returns the platform input; wand and SpaceMouse are as received for the previous frame.
   DriveWish drive() const;
-  /// What the wand's buttons say to a lesson.
+  /// Returns the lesson command given by the wand's buttons, if any.
   std::optional<Command> lessonCommand() const;
 
-  /// The hand with the cue, once the frame's head and trackers are known.
+  /// Returns the input of the hand that has the cue, once the frame's head and trackers are known.
   HandInput cue(const HandDevices& devices, const ObserverView& observer, const Pose& roomFromHead,
                 double now_s);
 
  private:
   static constexpr double kNever_s = -1.0e9;
   enum Device : std::size_t { wand, mouse, pad, kDevices };
-  /// One device in this frame.
+  /// The state of one device in this frame.
   struct Hand {
-    bool there = false;  ///< it has a place to point from
+    bool there = false;  ///< it has a position to point from
     bool held = false;
     Vec3 from_m{0.0}, along{0.0};
     Eye eye = Eye::middle;
-    Vec3 at_m{0.0};  ///< a pull is the way that this went since the button was pressed
+    Vec3 at_m{0.0};  ///< the pull is the displacement of this point since the button was pressed
     double used_s = kNever_s;
   };
 
@@ -81,12 +81,12 @@ class InputDevices {
   bool asks_ = false;
   Buttons wandButtons_, spaceMouseButtons_;
   bool wandKnown_ = false;
-  Vec3 steered_{0.0};  ///< by wand and SpaceMouse, in the room's axes
+  Vec3 steered_{0.0};  ///< from wand and SpaceMouse, in the room's axes
   std::optional<Device> holder_;
   std::array<bool, kDevices> wasHeld_{};
-  Vec3 pressed_m_{0.0};  ///< where the holder was
+  Vec3 pressed_m_{0.0};  ///< position of the holder at the time of pressing
   std::optional<PointedWall> mouseWas_;
-  Vec3 mouseAt_m_{0.0};  ///< where it last pointed to on the cloth's plane
+  Vec3 mouseAt_m_{0.0};  ///< last position it pointed to in the plane of the cloth
   double mouseUsed_s_ = kNever_s, padUsed_s_ = kNever_s;
 };
 

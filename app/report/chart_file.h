@@ -1,5 +1,5 @@
 #pragma once
-// Charts of lines as SVG or PNG files, drawn by VTK without a display.
+// Writes line charts as SVG or PNG files, drawn by VTK without a display.
 
 #include <filesystem>
 #include <string>
@@ -12,10 +12,10 @@ namespace carom {
 
 struct ChartLine {
   enum class Style { solid, dashed, dotted, marks };
-  std::string name;                ///< in the legend; empty: not there
+  std::string name;                ///< name in the legend; without one, the line is not listed
   std::vector<glm::dvec2> points;  ///< in the axes' units
   glm::vec3 colour{0.0F};          ///< sRGB, 0 … 1
-  float width_px = 2.0F;           ///< of marks: their size
+  float width_px = 2.0F;           ///< for marks, their size
   Style style = Style::solid;
 };
 
@@ -26,12 +26,11 @@ struct Chart {
   glm::ivec2 size_px{1000, 1000};
 };
 
-/// The margins of a chart: what is left of `size_px` inside them shows the ranges. The legend stands on the
-/// right.
+/// The margins of a chart; the axis ranges fill the rest of `size_px`. The legend is on the right.
 inline constexpr int kChartLeft_px = 90, kChartRight_px = 280, kChartBottom_px = 80, kChartTop_px = 60;
 
-/// Writes the chart, whole or not at all; `file` ends in .svg or .png. Throws std::runtime_error that names
-/// the file and what is wrong.
+/// Writes the chart completely or not at all; `file` ends in .svg or .png. Throws std::runtime_error that
+/// names the file and the error.
 void writeChart(const Chart& chart, const std::filesystem::path& file);
 
 }  // namespace carom

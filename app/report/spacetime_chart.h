@@ -1,6 +1,6 @@
 #pragma once
-// The spacetime diagram: the world lines, mine among them, and at my present event its light cones and my
-// axes.
+// The spacetime diagram: all world lines with the observer's, and at the observer's present event the light
+// cones and the observer's axes.
 
 #include <limits>
 #include <optional>
@@ -15,30 +15,31 @@
 
 namespace carom {
 
-/// What a diagram is of. Board frame.
+/// The content of a diagram. Board frame.
 struct DiagramSubject {
   std::string title;
   double c_m_s = 1.0;
   std::vector<std::string> names;
   std::vector<WorldLine> lines;  ///< one for each name
   std::optional<Board> board;
-  std::vector<Event> mine;        ///< my world line, to the present event; never empty
-  Vec3 beta{0.0};                 ///< mine, there
-  std::vector<GameEvent> events;  ///< that are marked
-  /// Board time up to which all of this is known; lines end there, or with their last turn.
+  std::vector<Event> mine;        ///< the observer's world line up to the present event; never empty
+  Vec3 beta{0.0};                 ///< the observer's, at the present event
+  std::vector<GameEvent> events;  ///< the events to mark
+  /// Board time up to which all world lines are known; each ends there, or at its last knot if that is later.
   double knownUntil_s = std::numeric_limits<double>::infinity();
 };
 
-/// Of a scenario, before it is played.
+/// Returns the diagram content of a scenario before the game.
 DiagramSubject subjectOf(const Scenario& scenario);
 
 struct DiagramFrame {
-  char along = 'x';              ///< the board's axis that is shown beside time: x or y
-  std::optional<double> from_s;  ///< board time at the lower edge; none: 5 s before the present, at least 0
+  char along = 'x';  ///< the board axis shown beside time: x or y
+  /// Board time at the lower edge; by default 5 s before the present, at least 0.
+  std::optional<double> from_s;
 };
 
-/// Light goes at 45°; the present event is at the upper third. Throws std::runtime_error where there is
-/// nothing to show: less than 0.2 s up to the present event.
+/// Creates the diagram. Light is at 45°, and the present event is at the upper third. Throws
+/// std::runtime_error if there is nothing to show: less than 0.2 s up to the present event.
 Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame);
 
 }  // namespace carom

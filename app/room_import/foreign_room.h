@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of other programs' room files share.
+// Shared by the readers of other programs' room files.
 
 #include <span>
 #include <string>
@@ -9,16 +9,18 @@
 
 namespace carom {
 
-/// A room of another program: y up, -z ahead, metres, with the assumptions that follow.
+/// Returns an empty room with the axes of another program: y up, −z forward, metres, and the assumptions that
+/// follow.
 Room foreignRoom(const std::filesystem::path& file, std::string format);
 
 void addError(Room& room, FilePlace at, std::string text);
 void addWarning(Room& room, FilePlace at, std::string text);
 
-/// Warns of a key that the other program does not know either; names the nearest that it does.
+/// Warns of a key that the other program does not know either, with the nearest known one.
 void addUnknownKey(Room& room, FilePlace at, std::string_view key, std::span<const std::string_view> known);
 
-/// A name that a rig takes: other letters become -, and a number is added where it is taken.
+/// Returns a valid, unique rig name: other characters become -, and a number is appended to a name already
+/// used.
 std::string rigName(const Room& room, std::string_view given);
 
 }  // namespace carom

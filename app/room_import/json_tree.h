@@ -1,5 +1,5 @@
 #pragma once
-// A JSON file as a tree that knows where each value stands. Parsed by nlohmann's event interface.
+// A JSON file as a tree with the position of each value. Parsed by nlohmann's event interface.
 
 #include <filesystem>
 #include <string>
@@ -14,21 +14,21 @@ struct JsonNode {
   enum class Kind { null, flag, whole, number, text, array, object };
 
   Kind kind = Kind::null;
-  FilePlace at{};     ///< of the value's first letter
-  std::string key{};  ///< of a member of an object
-  FilePlace keyAt{};  ///< of the key's quote
+  FilePlace at{};     ///< position of the value's first character
+  std::string key{};  ///< key, for a member of an object
+  FilePlace keyAt{};  ///< position of the key's quote
   bool flag = false;
-  double number = 0.0;  ///< of `whole` and `number`
+  double number = 0.0;  ///< for `whole` and `number`
   std::string text{};
-  std::vector<JsonNode> children{};  ///< elements or members, in the order of the file; keys may repeat
+  std::vector<JsonNode> children{};  ///< elements or members in the order of the file; keys may repeat
 
-  /// The last member of that key, as most readers take it; null where there is none.
+  /// Returns the last member with that key, as most readers do, or null if there is none.
   const JsonNode* member(std::string_view wanted) const;
-  /// "an object", "the text 'left'": for messages.
+  /// Returns a description for messages: "an object", "the text 'left'".
   std::string words() const;
 };
 
-/// Throws InputErrors where the file cannot be read, is no JSON, or is nested over 32 deep.
+/// Throws InputErrors if the file cannot be read, is not JSON, or is nested over 32 levels deep.
 JsonNode readJson(const std::filesystem::path& file);
 
 }  // namespace carom

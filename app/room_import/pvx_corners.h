@@ -1,19 +1,19 @@
 #pragma once
-// Where a room file of ParaView has the screens of its machines.
+// Reads the screens of the machines in a ParaView room file.
 
 #include "app/room_import/room.h"
 #include "app/room_import/xml_tree.h"
 
 namespace carom {
 
-/// The largest picture of a window, along an edge.
+/// Largest edge length of a window's image.
 inline constexpr int kMostPvxPixels = 16384;
 
-/// Reads the corners of a machine's wall; one without any shows ParaView's ordinary view. False, with errors
-/// noted, where they make no wall.
+/// Reads the corners of a machine's wall; a machine without corners has ParaView's default view. Returns
+/// false, with errors noted, if they do not form a wall.
 bool readCorners(const XmlElement& machine, Wall& wall, Room& room);
 
-/// Gives a wall of known size its pixels, where the machine does not say them.
+/// Sets a default pixel count for a wall of known size if the machine does not give it.
 void assumePixels(const XmlElement& machine, Wall& wall, Room& room);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// ParaView's description of a CAVE (.pvx): one <Machine> for each MPI rank, in their order. Keys and defaults
-// as in ParaView's vtkDisplayConfiguration.
+// Reads ParaView's description of a CAVE (.pvx): one <Machine> per MPI rank, in their order. Keys and
+// defaults are those of ParaView's vtkDisplayConfiguration.
 
 #include <filesystem>
 
@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// Reads the whole file. Faults of single values become findings and their walls are left out; what ParaView
-/// would pass over in silence is named. Throws InputErrors where the file cannot be read or is no XML.
+/// Reads the whole file. Faults of single values become findings and their walls are left out; values that
+/// ParaView would ignore silently are reported. Throws InputErrors if the file cannot be read or is not XML.
 Room readPvx(const std::filesystem::path& file);
 
 }  // namespace carom

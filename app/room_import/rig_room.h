@@ -1,12 +1,13 @@
 #pragma once
-// A rig as a room to be judged.
+// Converts a rig to a room so that it can be checked.
 
 #include "app/room_import/room.h"
 
 namespace carom {
 
-/// The viewer is where the head starts: of a recorded tracker where its trace begins, of all others someone
-/// standing on the room's origin. Throws InputErrors where the trace cannot be read.
+/// Returns the rig's room. Its viewer is at the initial head position: for a recorded tracker the start of
+/// its trace, for all others someone standing at the room's origin. Throws InputErrors if the trace cannot be
+/// read.
 Room roomOf(const PlacedRig& rig, const std::filesystem::path& file);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// A room as one file describes it, whatever the format: what room_check judges, `carom check` prints and
-// `carom import` writes as a rig. Metres, in the room's axes; every part knows its place in the file.
+// A room as described by a file of any format: room_check checks it, `carom check` prints it, and `carom
+// import` writes it as a rig. Metres, in the room's axes; every part has its position in the file.
 
 #include <filesystem>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace carom {
 
-/// Something wrong or odd about a file.
+/// An error or an unusual value in a file.
 struct Finding {
   enum class Kind { warning, error };
   Kind kind = Kind::warning;
@@ -27,9 +27,9 @@ struct RoomWall {
   WallPlaces at;
 };
 
-/// Where the file has the person's eyes.
+/// The position of the viewer's eyes according to the file.
 struct Viewer {
-  glm::dvec3 eyes_m{0.0};  ///< midway between them
+  glm::dvec3 eyes_m{0.0};  ///< midpoint of the eyes
   FilePlace at;
   std::string words;  ///< "the recorded head at its start"
 };
@@ -41,15 +41,16 @@ struct Room {
   RoomAxes axes;
   std::vector<RoomWall> walls;
   std::vector<NodeSetup> nodes;
-  std::vector<FilePlace> nodesAt;  ///< of each node
+  std::vector<FilePlace> nodesAt;  ///< one for each node
   std::optional<WindowPlacement> oneWindow;
   double eyeSeparation_m = 0.064;
   FilePlace eyeSeparationAt;
-  double unit_m = 1.0;  ///< of the file's lengths
+  double unit_m = 1.0;  ///< of the lengths in the file
   Viewer viewer;
-  /// Height of the floor along axes.up, where the file's format fixes it; a wall that is a floor goes before.
+  /// Height of the floor along axes.up if the file's format defines it; a wall that is a floor takes
+  /// precedence.
   std::optional<double> floor_m;
-  std::vector<std::string> assumptions;  ///< what the file leaves open and how it was taken
+  std::vector<std::string> assumptions;  ///< what the file leaves open and the value assumed
   std::vector<Finding> findings;         ///< of the reader
 
   bool hasErrors() const {

@@ -1,6 +1,6 @@
 #pragma once
-// SGCT's description of a display system (.json): nodes, their windows, and viewports with a projection plane
-// each. Keys and words as in SGCT's own schema (sgct.schema.json).
+// Reads SGCT's description of a display system (.json): nodes, their windows, and viewports with one
+// projection plane each. Keys and words are those of SGCT's own schema (sgct.schema.json).
 
 #include <filesystem>
 
@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// Reads the whole file. Faults of single values become findings and their walls are left out; so do
-/// projections that no flat wall stands for. Throws InputErrors where the file cannot be read or is no JSON.
+/// Reads the whole file. Faults of single values become findings and their walls are left out, as are
+/// projections that correspond to no flat wall. Throws InputErrors if the file cannot be read or is not JSON.
 Room readSgct(const std::filesystem::path& file);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// A room file of SGCT while it is read.
+// The state while an SGCT room file is read.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -13,12 +13,12 @@ namespace carom {
 
 struct SgctUser {
   std::string name;
-  double eyeSeparation_m = 0.06;  ///< SGCT's own
+  double eyeSeparation_m = 0.06;  ///< SGCT's default
   glm::dvec3 eyes_m{0.0};
   FilePlace at, eyeSeparationAt;
 };
 
-/// What a window says of all its viewports.
+/// The settings of a window that apply to all its viewports.
 struct SgctWindow {
   const JsonNode& node;
   int rank = 0;
@@ -30,7 +30,7 @@ struct SgctWindow {
 };
 
 struct SgctReading {
-  /// A whole window.
+  /// The placement of a whole window.
   struct Place {
     glm::dvec2 position_px, size_px;
     int monitor = 0;
@@ -40,11 +40,11 @@ struct SgctReading {
   JsonNode root;
   Room room;
   std::vector<SgctUser> users = {};
-  bool stereoLeftOut = false;  ///< a window has said nothing of it
+  bool stereoLeftOut = false;  ///< a window has not given its stereo mode
   int ranks = 0;
   int windows = 0;
-  std::vector<int> ofWindow = {};  ///< of each wall
-  std::vector<Place> places = {};  ///< of each wall's whole window
+  std::vector<int> ofWindow = {};  ///< window index of each wall
+  std::vector<Place> places = {};  ///< of the whole window of each wall
 };
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Values in a room file of SGCT: what is not as it should be becomes a finding of the room.
+// Reads values of an SGCT room file; wrong values become findings of the room.
 
 #include <fmt/format.h>
 
@@ -14,26 +14,27 @@
 
 namespace carom {
 
-/// Warns of members that SGCT does not know, and of those that are given twice.
+/// Warns of members that SGCT does not know and of those given twice.
 void noteUnknown(const JsonNode& object, std::span<const std::string_view> known, Room& room);
 
-/// A member that must be of this kind if it is there; null, with an error noted, where it is not.
+/// Returns a member, which must be of this kind if it exists. Returns null if it is absent or, with an error
+/// noted, wrong.
 const JsonNode* member(const JsonNode& object, std::string_view key, JsonNode::Kind kind,
                        std::string_view words, Room& room);
 const JsonNode* array(const JsonNode& object, std::string_view key, Room& room);
 bool flag(const JsonNode& object, std::string_view key, Room& room);
 
-/// Whether it is an object; notes an error if not.
+/// Returns whether it is an object; notes an error if not.
 bool isObject(const JsonNode& node, std::string_view what, Room& room);
 
-/// None where the key is absent or, with an error noted, wrong.
+/// Returns nothing if the key is absent or, with an error noted, wrong.
 std::optional<double> number(const JsonNode& object, std::string_view key, const Range& range, bool whole,
                              Room& room);
 
-/// Warns of what cannot be taken over.
+/// Warns of a setting that cannot be imported.
 void noteIgnored(const JsonNode& node, std::string_view key, std::string_view what, Room& room);
 
-/// {x, y} or {x, y, z}; none where the key is absent or, with an error noted, wrong.
+/// Reads {x, y} or {x, y, z}. Returns nothing if the key is absent or, with an error noted, wrong.
 template <std::size_t N>
 std::optional<std::array<double, N>> numbers(const JsonNode& object, std::string_view key, const Range& range,
                                              bool whole, Room& room) {

@@ -1,5 +1,5 @@
 #pragma once
-// What is found about a room while it is judged.
+// The findings about a room while it is checked.
 
 #include <string>
 #include <utility>
@@ -18,8 +18,8 @@ struct Verdict {
   }
 };
 
-/// "; 0.21 ft would be 64.0 mm" for the units in which the file's number would be plausible; empty if there is
-/// none.
+/// Returns "; 0.21 ft would be 64.0 mm" for the units in which the file's number would be plausible; empty if
+/// there are none.
 std::string otherUnits(double value_m, double unit_m, double least_m, double most_m);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// What can be odd about one wall of a room.
+// Checks of a single wall of a room.
 
 #include <string_view>
 
@@ -7,17 +7,17 @@
 
 namespace carom {
 
-/// Judges a wall's pixels, window, name and distance.
+/// Checks a wall's pixels, window, name and distance.
 void judgeWall(const RoomWall& wall, Verdict& verdict);
 
 /// A side of a room.
 struct Side {
   std::string_view name;   ///< of the wall there
-  std::string_view where;  ///< as seen by a person
+  std::string_view where;  ///< as seen by the viewer
   glm::dvec3 direction;
 };
 
-/// The side whose direction is nearest to the one in which the wall is looked at squarely.
+/// Returns the side whose direction is nearest to that in which one looks at the wall perpendicularly.
 Side lookedAt(const Wall& wall, const RoomAxes& axes);
 
 }  // namespace carom

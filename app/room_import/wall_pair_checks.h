@@ -1,11 +1,11 @@
 #pragma once
-// What can be odd about two walls of a room together.
+// Checks of two walls of a room together.
 
 #include "app/room_import/verdict.h"
 
 namespace carom {
 
-/// Judges whether tiles lie in one plane, edges meet, walls cut through each other, windows overlap.
+/// Checks whether tiles lie in one plane, edges meet, walls intersect, or windows overlap.
 void judgePair(const RoomWall& a, const RoomWall& b, Verdict& verdict);
 
 }  // namespace carom

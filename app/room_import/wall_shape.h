@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// What is told apart from measuring with a tape.
+/// Smallest deviation that is reported: what a tape measure resolves.
 inline constexpr double kMeet_m = kCornerMiss_m;
 /// Edges and planes further apart than this are apart on purpose.
 inline constexpr double kNear_m = 0.1;

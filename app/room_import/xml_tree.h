@@ -1,5 +1,5 @@
 #pragma once
-// An XML file as a tree that knows where each element and attribute stands. Parsed by expat.
+// An XML file as a tree with the position of each element and attribute. Parsed by expat.
 
 #include <filesystem>
 #include <string>
@@ -14,21 +14,22 @@ struct XmlAttribute {
   std::string name;
   std::string value;
   FilePlace nameAt;
-  FilePlace valueAt;  ///< of its first letter, behind the quote
+  FilePlace valueAt;  ///< position of its first character, after the quote
 };
 
 struct XmlElement {
   std::string name;
-  FilePlace at;  ///< of its <
+  FilePlace at;  ///< position of its <
   std::vector<XmlAttribute> attributes;
   std::vector<XmlElement> children;
 
-  /// Null where there is none.
+  /// Returns null if there is none.
   const XmlAttribute* attribute(std::string_view wanted) const;
 };
 
-/// The root element. Text between elements is passed over. Throws InputErrors where the file cannot be read,
-/// is no XML, is nested over 32 deep or declares a document type (whose entities could grow without end).
+/// Returns the root element. Text between elements is ignored. Throws InputErrors if the file cannot be read,
+/// is not XML, is nested over 32 levels deep or declares a document type (whose entities could grow without
+/// limit).
 XmlElement readXml(const std::filesystem::path& file);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// What rank 0 has decided for one frame: the record that every rank draws, and what there is to tell of it.
+// Rank 0's decision about one frame: the record that every rank draws, and what is reported about the frame.
 
 #include <limits>
 #include <span>
@@ -14,37 +14,38 @@
 
 namespace carom {
 
-/// What a decision took. What is not known is NaN.
+/// Timing of one decision. Unknown values are NaN.
 struct DecisionTiming {
-  double sampleAge_s = std::numeric_limits<double>::quiet_NaN();  ///< of the head's newest, when it began
-  double took_s = std::numeric_limits<double>::quiet_NaN();       ///< without the wait for its beginning
+  /// Age of the newest head sample at its start.
+  double sampleAge_s = std::numeric_limits<double>::quiet_NaN();
+  double took_s = std::numeric_limits<double>::quiet_NaN();  ///< without the wait for the frame's start
 };
 
-/// Something that was done, in words: "aberration", "off".
+/// Name and value of something that happened, such as "aberration" and "off".
 struct Note {
   std::string what, value;
 };
 
-/// What a visitor answered.
+/// The answer that a visitor gave to a lesson's question.
 struct LessonAnswer {
   std::string lesson, question, answer;
 };
 
 struct Decision {
   FrameState frame;
-  std::vector<Note> inputs;           ///< what was commanded: it holds from this frame on
-  std::vector<Note> notes;            ///< what else happened: how the platform is driven, what was said
-  std::vector<LessonAnswer> answers;  ///< to a lesson's question
-  std::vector<Stroke> strokes;        ///< of hands
-  HeadEstimate head;                  ///< of a live session, and
-  std::span<const TrackerSample>
-      samples;                      ///< what its tracker delivered for this frame; until the next decision
-  std::vector<std::string> alarms;  ///< that trackers fail or are well again, for the terminal
-  Commands commands;                ///< by buttons of hands: they hold from the next frame on
-  double stay_s = 0.0;              ///< of a recorded session: how long after the frame before this one comes
+  std::vector<Note> inputs;           ///< commands that take effect with this frame
+  std::vector<Note> notes;            ///< other events: the drive's mode, messages in the room
+  std::vector<LessonAnswer> answers;  ///< answers to a lesson's question
+  std::vector<Stroke> strokes;        ///< strokes made by hand
+  HeadEstimate head;                  ///< the head's estimate; live sessions only
+  /// The head tracker's samples for this frame, valid until the next decision; live sessions only.
+  std::span<const TrackerSample> samples;
+  std::vector<std::string> alarms;  ///< tracker failures and recoveries, for the terminal
+  Commands commands;    ///< from the buttons of hand devices; they take effect with the next frame
+  double stay_s = 0.0;  ///< recorded sessions: time between the previous frame and this one
   DecisionTiming timing;
 
-  /// Forgets what was told of the frame before. The frame and all memory stay.
+  /// Clears everything reported about the previous frame. Keeps the frame and all allocated memory.
   void beginFrame() {
     inputs.clear();
     notes.clear();

@@ -1,5 +1,5 @@
 #pragma once
-// Who decides what the frames show.
+// The directors decide what each frame shows.
 
 #include "app/input/desk.h"
 #include "app/input/keys.h"
@@ -9,12 +9,12 @@ namespace carom {
 
 class DisplayWalls;
 
-/// Decides nothing: the director of every rank but the first, which is told what the first has decided.
+/// The director of all ranks but rank 0. It decides nothing: these ranks receive rank 0's decision.
 class Director {
  public:
   virtual ~Director() = default;
 
-  /// `decision`: in the beginning, of the frame before.
+  /// Decides the next frame. On entry, `decision` is that of the previous frame.
   virtual void decide(const FrameTimes& /*times*/, const WindowInput& /*input*/, Decision& /*decision*/) {}
 
   const OperatorSettings& settings() const { return settings_; }
@@ -23,24 +23,25 @@ class Director {
   OperatorSettings settings_;
 };
 
-/// Rank 0's: has the commands of keys, console and hands change the operator's settings, then asks the source for
-/// the frame.
+/// Rank 0's director: applies the commands of keys, console and hand devices to the operator's settings, then
+/// asks the source for the frame.
 class FrameLeader : public Director {
  public:
-  /// `windows`: the walls over whose windows a mouse plays, with the desk's other devices; null: nobody plays, so that
-  /// a run in simulated time is the same whatever lies on the desk. Source and walls are used as long as this lives.
+  /// Leads the frames of `source`, beginning with `settings`. `windows` are the walls whose windows take
+  /// mouse input; if null, all desktop devices are ignored, so that a run in simulated time does not depend
+  /// on them. `source` and `windows` must outlive this object.
   FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings,
               const DisplayWalls* windows);
 
   void decide(const FrameTimes& times, const WindowInput& input, Decision& decision) override;
 
-  /// What is put in here is commanded with the next frame.
+  /// Returns the commands to apply with the next frame; callers add theirs here.
   Commands& inbox() { return inbox_; }
 
-  /// Another game begins with these settings.
+  /// Replaces the settings when another game starts.
   void begin(const OperatorSettings& settings) { settings_ = settings; }
 
-  /// Returns the scenario to go on with after this game, and forgets it; empty if nobody has asked for any.
+  /// Returns the scenario to play after this game and clears it; empty if none was requested.
   std::string takeNextGame() { return std::exchange(nextGame_, {}); }
 
  private:
@@ -49,7 +50,7 @@ class FrameLeader : public Director {
   FrameSource& source_;
   KeysOf keys_;
   const DisplayWalls* windows_;
-  Desk desk_;  ///< what is held stays held from one game to the next
+  Desk desk_;  ///< kept between games, so that held buttons and keys stay held
   Commands inbox_, obeyed_;
   std::string nextGame_;
 };

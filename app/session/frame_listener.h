@@ -1,5 +1,6 @@
 #pragma once
-// Who wants to know of every frame that is on the walls: journal, recording, sounds, statistics, console.
+// The interface of everything that is called after each displayed frame: journal, recording, sounds,
+// statistics, console.
 
 #include "app/session/decision.h"
 
@@ -9,8 +10,8 @@ class FrameListener {
  public:
   virtual ~FrameListener() = default;
 
-  /// The frame is on the walls, and the world is as it brought it. On ranks other than 0 the decision has its
-  /// frame alone.
+  /// Is called when the frame is on the walls and the world has been updated to it. On ranks other than 0
+  /// only `decision.frame` is set.
   virtual void shown(const Decision& decision) = 0;
 };
 

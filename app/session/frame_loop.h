@@ -1,5 +1,5 @@
 #pragma once
-// The frame loop: from the tracker to the photons.
+// The frame loop: from the tracker samples to the displayed image.
 
 #include <vector>
 
@@ -13,20 +13,20 @@
 
 namespace carom {
 
-/// What a rank's frames go through. Ranks other than 0 have a pacer that never waits and a director that decides
-/// nothing.
+/// Everything that the frame loop uses on one rank. On ranks other than 0 the pacer never waits and the
+/// director decides nothing.
 struct FrameContext {
   Cluster& cluster;
   Graphics& graphics;
-  World& world;  ///< empty where there is no game
+  World& world;  ///< empty if there is no game
   FramePacer& pacer;
   Director& director;
   FrameStatistics& statistics;
-  std::vector<View*> views;               ///< in the order in which they are drawn and swapped
-  std::vector<FrameListener*> listeners;  ///< in the order in which they are told
+  std::vector<View*> views;               ///< in the order of drawing and swapping
+  std::vector<FrameListener*> listeners;  ///< in the order of their calls
 };
 
-/// Frame after frame until the last, or until somebody wants to end: returns whether somebody does.
+/// Runs frames until the last one or until someone asks to quit. Returns true if someone asked to quit.
 bool runFrames(FrameContext& context);
 
 }  // namespace carom

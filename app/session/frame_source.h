@@ -1,5 +1,5 @@
 #pragma once
-// Where frames come from, on rank 0: a game that is played, a recorded one, patterns.
+// The sources of rank 0's frames: a live game, a recorded one, or test patterns.
 
 #include <cstdint>
 #include <optional>
@@ -14,17 +14,17 @@
 
 namespace carom {
 
-/// What people have done since the frame before.
+/// The operator's and players' input since the previous frame.
 struct FrameInput {
-  std::span<const Command> commands;  ///< that have changed the settings, or are orders of one moment
+  std::span<const Command> commands;  ///< settings changes already applied, and one-time orders
   DeskInput desk;
 };
 
-/// How a source fares, for the console and for who waits.
+/// The state of a source, for the console and the progress display.
 struct SourceStatus {
-  std::optional<std::uint64_t> end;  ///< the number of the last frame plus one, where it is known
+  std::optional<std::uint64_t> end;  ///< number of the last frame plus one, if known
   std::optional<std::pair<double, double>>
-      span_s;  ///< session clock: what can be gone through; none: it goes its own way
+      span_s;  ///< session clock: the range that can be played through; empty if it cannot be controlled
   std::vector<TrackerReport> trackers;
 };
 
@@ -32,12 +32,13 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
-  /// Decides the frame of these times, its record marked if it is the last. `settings`: with all commands so far. A
-  /// recording puts in what was recorded, under what the operator has changed since.
+  /// Decides the frame for `times` and marks its record if it is the last. `settings` includes all commands
+  /// so far. A recorded source writes the recorded settings into it, except those that the operator has
+  /// changed since.
   virtual void next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
                     Decision& decision) = 0;
 
-  /// Returns how the source fares. It may allocate.
+  /// Returns the state of the source. May allocate.
   virtual SourceStatus status() const { return {}; }
 };
 

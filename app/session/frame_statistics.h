@@ -1,6 +1,6 @@
 #pragma once
-// How evenly frames follow each other, where their time goes and whether the nodes' swaps are locked:
-// measured on every node, gathered on rank 0.
+// Measures on every node how evenly frames follow each other, how their time is spent and whether the nodes'
+// buffer swaps are locked. Rank 0 gathers the results.
 
 #include <cstdint>
 #include <limits>
@@ -18,29 +18,31 @@ namespace carom {
 
 class FrameStatistics : public FrameListener {
  public:
-  /// `realTime`: rank 0 gathers what the nodes measure. Cluster and lock are used as long as this lives.
+  /// Measures this node's frames. With `realTime`, rank 0 gathers what all nodes measure. `cluster` and
+  /// `lock` must outlive this object.
   FrameStatistics(Cluster& cluster, NodeLock& lock, double display_hz, bool realTime);
 
   void begin() { stopwatch_.begin(); }
   void mark(FramePart part) { stopwatch_.mark(part); }
-  /// The frame has been decided. On ranks other than 0 nothing is known of it.
+  /// Records the decision's timing. On ranks other than 0 its values are NaN.
   void decided(const DecisionTiming& timing);
 
-  /// What this node's overlay says; null where it is off. Its numbers are those of up to a quarter of a
-  /// second ago, over the last five.
+  /// Returns the content of this node's latency overlay, or null if the overlay is off. The numbers cover the
+  /// last five seconds and are updated every quarter of a second.
   const LatencyView* view(const FrameRecord& record);
-  /// The same, whether it is on or not.
+  /// Returns the same content whether the overlay is on or not.
   const LatencyView& numbers(const FrameRecord& record);
 
-  /// On rank 0 what the nodes said with the frame is taken, and locks that were lost or are back are said on standard
-  /// error.
+  /// On rank 0, takes the measurements that the nodes sent with the frame, and logs to standard error when a
+  /// swap lock is lost or regained.
   void shown(const Decision& decision) override;
 
-  /// On rank 0, of the last frame: once a second the statistics of each node and part, else nothing.
+  /// On rank 0, returns the statistics of each node and part once a second, with the last frame; otherwise
+  /// empty.
   std::span<const LatencyRow> rows() const { return rows_; }
 
-  /// On rank 0, a line for each node on standard error: frames, ticks of the display without a new one, and
-  /// the 99th percentile of lateness.
+  /// On rank 0, prints a line for each node to standard error: number of frames, display refreshes without a
+  /// new frame, and the 99th percentile of lateness.
   void sayHowItWent() const;
 
  private:
@@ -60,12 +62,12 @@ class FrameStatistics : public FrameListener {
   std::size_t window_;  // in frames
   FrameStopwatch stopwatch_;
   FrameHistory own_;
-  std::vector<NodeFrames> nodes_;  // rank 0's
+  std::vector<NodeFrames> nodes_;  // on rank 0
   std::vector<LatencyRow> rows_;
   std::size_t untold_ = 0;  // frames
   double told_s_ = 0.0;     // session clock
   LatencyView view_;
-  std::size_t sinceViewed_ = std::numeric_limits<std::size_t>::max() / 2;  // frames: it never was
+  std::size_t sinceViewed_ = std::numeric_limits<std::size_t>::max() / 2;  // frames; initially as if never
 };
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Frames of a game that is being played, for the person whose head is tracked.
+// Decides the frames of a live game, for the viewer whose head is tracked.
 
 #include <chrono>
 #include <limits>
@@ -22,19 +22,20 @@
 
 namespace carom {
 
-/// How a session begins.
+/// How a live session starts.
 struct LiveStart {
-  std::chrono::steady_clock::time_point sessionStart;  ///< where the session's clock reads zero
-  std::optional<FrameRecord> before;                   ///< the last frame of a session that goes on
-  std::optional<std::uint64_t> frames;                 ///< so many, then the end
-  std::vector<Stroke> struck = {};                     ///< by hands, in the session that goes on
+  std::chrono::steady_clock::time_point sessionStart;  ///< where the session clock reads zero
+  std::optional<FrameRecord> before;                   ///< last frame of the session that is continued
+  std::optional<std::uint64_t> frames;                 ///< number of frames to show; unlimited if empty
+  std::vector<Stroke> struck = {};                     ///< strokes by hand in the session that is continued
 
   std::uint64_t firstFrame() const { return before ? before->number + 1 : 0; }
 };
 
-/// A game as it is played, and all that begins anew with another one.
+/// A live game with all state that is reset for each new game.
 struct Play {
-  /// `begins`: from the scenario's beginning. `struck`: by hands, in a session that goes on.
+  /// Starts the game. `begins` is true for a new game and false for one that continues an earlier session;
+  /// `struck` are the strokes by hand in that session.
   Play(const Scenario& scenario, const RoomAxes& axes, bool begins, std::span<const Stroke> struck = {})
       : drive(scenario, axes, begins), game(scenario, struck), hands(scenario), isNew(begins) {}
 
@@ -42,22 +43,22 @@ struct Play {
   Game game;
   CueInteraction hands;
   StatusMessage message;
-  LessonState lesson;                  ///< of the last frame
-  DriveMode driven = DriveMode::free;  ///< in the last frame
-  std::optional<ObserverView> frozen;  ///< the sight that is walked round
-  bool isNew;  ///< its first frame is still to come: nobody lives while a game is loaded
+  LessonState lesson;                  ///< in the previous frame
+  DriveMode driven = DriveMode::free;  ///< in the previous frame
+  std::optional<ObserverView> frozen;  ///< the last view before time was frozen
+  bool isNew;  ///< its first frame is still to come: no time passes for the viewer while a game is loaded
 };
 
 class LiveSource : public FrameSource {
  public:
-  /// Rig, scenario and world, that of rank 0's frames, are used as long as this lives. Throws InputError if a
-  /// trace is at fault.
+  /// Starts a live game on `world`, that of rank 0's frames. `rig`, `scenario` and `world` must outlive this
+  /// object. Throws InputError if a recorded trace is invalid.
   LiveSource(const Rig& rig, const Scenario& scenario, const World& world, const LiveStart& start);
 
-  /// There is another scenario, and its world, in the place of the first: from its beginning.
+  /// Starts a new game after scenario and world, which are held by reference, have been replaced.
   void playAnew();
 
-  /// Is said in the room from the next frame on.
+  /// Shows a message in the room with the next frame.
   void announce(const std::string& words) { pendingMessage_ = words; }
 
   void next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
@@ -79,9 +80,9 @@ class LiveSource : public FrameSource {
   InputDevices hands_;
   Rumble rumble_;
   RoomBoundary roomBoundary_;
-  std::optional<std::uint64_t> lastFrame_;                            ///< its number
-  std::string pendingMessage_;                                        ///< and not said yet
-  double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< of the head, on the session's clock
+  std::optional<std::uint64_t> lastFrame_;                            ///< number of the last frame
+  std::string pendingMessage_;                                        ///< message still to be shown
+  double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< newest head sample, session clock
 };
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Hands that would change a recording are told that they cannot.
+// Tells players who try to change a recording that it cannot be changed.
 
 #include "app/input/desk_input.h"
 #include "app/session/status_message.h"
@@ -15,14 +15,14 @@ class ReadOnlyNotice {
       message_.say("A recording cannot be changed: strokes and drive need a live game", now_s);
     touched_ = touched;
   }
-  /// In place of what a frame says itself, while they are told.
+  /// Replaces the frame's own message while the notice is shown.
   void tell(double now_s, Notice& notice) const {
     if (message_.stands(now_s)) notice = message_.at(now_s);
   }
 
  private:
   StatusMessage message_;
-  bool touched_ = false;  ///< in the frame before
+  bool touched_ = false;  ///< in the previous frame
 };
 
 }  // namespace carom

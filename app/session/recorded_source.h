@@ -1,5 +1,6 @@
 #pragma once
-// Frames of a recorded session: as it was seen, from beginning to end, or gone through by the operator.
+// Decides the frames of a recorded session: as recorded from beginning to end, or as the operator navigates
+// it.
 
 #include <optional>
 #include <vector>
@@ -10,27 +11,28 @@
 
 namespace carom {
 
-/// A game as it was in the end: what strokes took back is gone.
+/// The final state of a recorded game, without what later strokes invalidated.
 struct RecordedGame {
-  World world;            ///< with all of it
-  FrameState news;        ///< all of it, as the first frame of a session would bring it
-  std::size_t pucks = 0;  ///< bodies 1 to this
-  double known_s = 0.0;   ///< the board time up to which every puck's way is known
+  World world;            ///< with the complete game
+  FrameState news;        ///< the complete game in the form of a session's first frame
+  std::size_t pucks = 0;  ///< the pucks are bodies 1 to `pucks`
+  double known_s = 0.0;   ///< board time up to which every puck's motion is known
 };
 
-/// Reads all of the session. `atStart`: the bodies' histories before the game.
+/// Reads the complete session. `atStart` are the histories of all bodies before the game.
 RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart);
 
 class RecordedSource : public FrameSource {
  public:
-  /// `session` has at least one frame; it is used as long as this lives. `from_s`: the time of the session's
-  /// clock that it begins at, instead of at its first frame.
+  /// Plays `session`, which needs at least one frame and must outlive this object. `from_s`, on the session
+  /// clock, is where playback starts; without it, playback starts at the first frame.
   RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz,
                  std::optional<double> from_s = {});
 
-  /// Left alone, every frame again with what was known then: the same pixels, and after the last one the end.
-  /// Once the operator has been elsewhere all of the game is known in every frame; then the last frame stays.
-  /// What the operator has not changed is as it was.
+  /// Returns the recorded frames one after the other. Until the operator seeks or changes the rate, each
+  /// frame has only the knots known when it was recorded, so the pixels are the same, and the session ends
+  /// after the last frame. After that, every frame has the complete game, and the last frame stays. Settings
+  /// that the operator has not changed are as recorded.
   void next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
             Decision& decision) override;
   SourceStatus status() const override;
@@ -46,18 +48,18 @@ class RecordedSource : public FrameSource {
 
   SessionFile& session_;
   std::vector<WorldLine> atStart_;
-  double period_s_;                   ///< of the display
-  std::pair<double, double> span_s_;  ///< of the session's clock
-  FrameState ahead_;                  ///< the frame after the one that was shown last
-  bool more_ = false;                 ///< there is one
-  FrameState shown_;                  ///< as it was recorded
-  bool begun_ = false;                ///< there has been one
-  bool leftAlone_ = true;             ///< so far, the frames have been shown one after the other
-  bool ends_ = true;                  ///< with the last frame: nobody has gone elsewhere
-  bool bringsGame_ = false;           ///< the next frame brings all of the game
-  Commands changed_;                  ///< the operator's last on each thing
+  double period_s_;                   ///< display refresh period
+  std::pair<double, double> span_s_;  ///< session clock
+  FrameState ahead_;                  ///< the frame after the last one shown
+  bool more_ = false;                 ///< `ahead_` holds a frame
+  FrameState shown_;                  ///< the last frame shown, as recorded
+  bool begun_ = false;                ///< a frame has been shown
+  bool leftAlone_ = true;             ///< all frames so far were shown in recorded order and rate
+  bool ends_ = true;                  ///< the session ends with its last frame
+  bool bringsGame_ = false;           ///< the next frame brings the complete game
+  Commands changed_;                  ///< the operator's latest command on each setting
   ReadOnlyNotice readOnly_;
-  std::optional<ObserverView> frozen_;  ///< the sight that the operator has frozen
+  std::optional<ObserverView> frozen_;  ///< the view that the operator has frozen
 };
 
 }  // namespace carom

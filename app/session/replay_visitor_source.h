@@ -1,5 +1,5 @@
 #pragma once
-// Frames of a recorded game for somebody who was not there: another head, another motion.
+// Decides the frames of a recorded game seen by a new visitor, with another head and another motion.
 
 #include <chrono>
 #include <filesystem>
@@ -14,30 +14,32 @@
 
 namespace carom {
 
-/// Who visits, and where they begin.
+/// A visitor of a recorded game: head motion and initial state.
 struct Visitor {
-  /// Of their head, in the room; none: the rig's tracker follows it.
+  /// Trace of the head in the room; without it, the rig's tracker is used.
   std::optional<std::filesystem::path> trace;
-  std::optional<Vec3> beta;  ///< v/c of their room on the board; none: the scenario's
-  /// Where the recorded game ends time stands still for them, and they may go back; else the frames end
-  /// there.
+  std::optional<Vec3> beta;  ///< v/c of the visitor's room on the board; without it, as in the scenario
+  /// If true, the visitor's time stops where the recorded game ends, and they may go back. If false, the
+  /// frames end there.
   bool mayStay = false;
-  /// Where the room's floor origin begins on the board, and its forward, anticlockwise from +x; none: as in
-  /// the scenario.
+  /// The initial position of the room's floor origin on the board, and the initial direction of its forward
+  /// axis, anticlockwise from +x. Without them, as in the scenario.
   std::optional<Vec3> from_m = {};
   std::optional<double> facing_rad = {};
 };
 
 class ReplayVisitorSource : public FrameSource {
  public:
-  /// All of the game is brought with the first frame: this person's board time is their own. The frames end
-  /// when the trace does, and before the person would see what was not recorded. `start`: where the clock reads zero
-  /// that the frames' times are of. Throws InputError if the trace is at fault.
+  /// Starts a visit. The first frame brings the complete game, because the visitor's board time is
+  /// independent of the recorded one. The frames end with the trace, or before the visitor would see what was
+  /// not recorded. `start` is where the clock of the frames' times reads zero. Throws InputError if the trace
+  /// is invalid.
   ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor, RecordedGame game,
                       std::chrono::steady_clock::time_point start);
 
-  /// Display times go on, whatever the operator does with the game's. While it runs otherwise than the
-  /// person's, their own motion is not seen: it would be faster than light.
+  /// Decides the frame. Display times advance even if the operator pauses or changes the rate of the game. At
+  /// any rate other than the visitor's own, the head's motion has no relativistic effect: it could exceed the
+  /// speed of light.
   void next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
             Decision& decision) override;
 
@@ -50,19 +52,19 @@ class ReplayVisitorSource : public FrameSource {
 
   Viewer viewer_;
   Lorentz roomFromBoard_;
-  Event origin_;  ///< of the room, at its time 0
+  Event origin_;  ///< of the room at room time 0
   double eyeSeparation_m_;
   double lightSpeed_m_s_;
-  std::optional<double> end_s_;  ///< of the trace
+  std::optional<double> end_s_;  ///< duration of the trace
   bool mayStay_;
   RecordedGame game_;
-  double roomTime_s_ = 0.0;       ///< of the head at the frame before
-  double display_s_ = 0.0;        ///< of the frame before
+  double roomTime_s_ = 0.0;       ///< of the head in the previous frame
+  double display_s_ = 0.0;        ///< of the previous frame
   bool heldBack_ = false;         ///< the last frame would have shown what was not recorded
-  std::optional<double> seen_s_;  ///< the latest board time that was seen in the frame before
-  std::optional<double> goTo_s_;  ///< where the operator wants to be, on the session's clock
+  std::optional<double> seen_s_;  ///< latest board time seen in the previous frame
+  std::optional<double> goTo_s_;  ///< time the operator seeks, session clock
   ReadOnlyNotice readOnly_;
-  std::optional<ObserverView> sight_;  ///< of the frame before: to be frozen
+  std::optional<ObserverView> sight_;  ///< view of the previous frame, kept for freezing
 };
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Who listens to the frames of a session.
+// The listeners to the frames of a session.
 
 #include <functional>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace carom {
 
-/// Writes what the decisions say into the session file: inputs, notes, answers, strokes and the frames themselves.
+/// Writes each decision into the session file: inputs, notes, answers, strokes and the frame itself.
 class JournalListener : public FrameListener {
  public:
   JournalListener() = default;
@@ -23,21 +23,21 @@ class JournalListener : public FrameListener {
   JournalListener(const JournalListener&) = delete;
   JournalListener& operator=(const JournalListener&) = delete;
 
-  /// Writes to this journal from now on and closes the one before; null: the session is not written.
+  /// Writes to `journal` from now on and closes the previous one. Null stops the writing.
   void keep(std::unique_ptr<Journal> journal);
 
-  /// Takes the statistics of nodes and parts from there; null: from nowhere.
+  /// Sets the source of the statistics of nodes and parts; null if there is none.
   void measureBy(const FrameStatistics* statistics) { statistics_ = statistics; }
 
   void shown(const Decision& decision) override;
 
  private:
   std::unique_ptr<Journal> journal_;
-  std::optional<ClosedOnLeaving> onLeaving_;  ///< of the journal
+  std::optional<ClosedOnLeaving> onLeaving_;  ///< closes the journal when the process ends
   const FrameStatistics* statistics_ = nullptr;
 };
 
-/// Takes pictures and movie of the walls, and of the room from outside where there is one.
+/// Captures images and the movie of the walls, and of the spectator view if there is one.
 class RecordingListener : public FrameListener {
  public:
   RecordingListener(Recording& recording, const DisplayWalls& walls, const SpectatorView* outside)
@@ -51,7 +51,7 @@ class RecordingListener : public FrameListener {
   const SpectatorView* outside_;
 };
 
-/// Makes the game heard.
+/// Plays the game's sounds.
 class SoundsListener : public FrameListener {
  public:
   SoundsListener(Sounds& sounds, const World& world) : sounds_(sounds), world_(world) {}
@@ -63,7 +63,7 @@ class SoundsListener : public FrameListener {
   const World& world_;
 };
 
-/// For who waits for frames that nobody watches: says on standard error how many there are.
+/// Prints the number of frames so far to standard error, for runs that nobody watches.
 class ProgressListener : public FrameListener {
  public:
   explicit ProgressListener(const FrameSource& source) : source_(source) {}

@@ -1,5 +1,5 @@
 #pragma once
-// The views of a session: the walls, with keys and latency over them, and the room from outside.
+// The views of a session: the walls with their overlays of keys and latency, and the spectator view.
 
 #include <vector>
 
@@ -12,8 +12,8 @@
 
 namespace carom {
 
-/// The walls of this node. Over their windows: what the keys do, where the operator wants it; how the node's time is
-/// spent, where the record says so.
+/// Draws the walls of this node. Overlays the list of keys if the operator wants it, and the latency if the
+/// frame record says so.
 class WallsView : public View {
  public:
   WallsView(DisplayWalls& walls, FrameStatistics& statistics, const Director& director, KeysOf keys)
@@ -31,7 +31,7 @@ class WallsView : public View {
   std::vector<KeyLine> keys_;
 };
 
-/// The room from outside. After the walls, whose pictures it shows.
+/// Draws the spectator view of the room. It must be drawn after the walls because it shows their images.
 class OutsideView : public View {
  public:
   OutsideView(SpectatorView& room, const DisplayWalls& walls) : room_(room), walls_(walls) {}
@@ -47,8 +47,8 @@ class OutsideView : public View {
   const DisplayWalls& walls_;
 };
 
-/// The last of the views: measures how long the others took. In real time it waits until the graphics card has drawn
-/// them, so that the swap follows the others' at once.
+/// The last view: measures the drawing time of the others. In real time, waits until the GPU has finished so
+/// that all views swap without delay.
 class DrawingEnd : public View {
  public:
   DrawingEnd(DisplayWalls& walls, FrameStatistics& statistics, bool realTime)

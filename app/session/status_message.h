@@ -1,5 +1,5 @@
 #pragma once
-// What was last said to the person in the room, for as long as it stays there.
+// The latest message to the viewer in the room, with the time until it disappears.
 
 #include <limits>
 #include <string_view>
@@ -9,12 +9,12 @@
 
 namespace carom {
 
-/// Long enough to be read twice.
+/// Duration of a message, long enough to read it twice.
 inline constexpr double kNoticeShown_s = 4.0;
 
 class StatusMessage {
  public:
-  /// In the room from now on, and once in the log.
+  /// Shows the message in the room from now on, and logs it once.
   void say(std::string_view words, double now_s) {
     log::note(words);
     notice_ = Notice(words);

@@ -1,5 +1,5 @@
 #pragma once
-// What every frame is drawn into.
+// The interface of everything that draws and shows each frame.
 
 #include "cave/frame/frame_state.h"
 
@@ -9,9 +9,9 @@ class View {
  public:
   virtual ~View() = default;
 
-  /// Draws the frame, not yet visible.
+  /// Draws the frame into the back buffer.
   virtual void draw(const FrameRecord& record, const World& world) = 0;
-  /// Makes it visible, once every node has drawn it.
+  /// Shows the drawn frame; called once every node has drawn it.
   virtual void swap() {}
 };
 

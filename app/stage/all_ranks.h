@@ -1,5 +1,5 @@
 #pragma once
-// What happens on every rank or on none.
+// Steps that succeed on every rank or fail on all.
 
 #include <functional>
 
@@ -7,16 +7,16 @@
 
 namespace carom {
 
-/// Raised on every rank once one has failed and said why.
+/// Thrown on every rank after one has failed and logged the reason.
 struct RankFailed {};
 
-/// Runs `step` on every rank; if it fails on any, the lowest such rank says why and RankFailed is thrown
-/// everywhere.
+/// Runs `step` on every rank. If it fails on any, the lowest such rank logs the reason and RankFailed is
+/// thrown on all.
 void onAllRanks(const Cluster& cluster, const std::function<void()>& step);
 
-/// Runs a whole session on this rank, which leaves by itself once all is well (Cluster::leave) or comes back:
-/// its exit status is 0 then, or 1 after the log has told why. `failed` runs after that, on the rank that told
-/// it, before the others are ended.
+/// Runs a whole session on this rank. If all goes well, the rank leaves by itself (Cluster::leave) or returns
+/// exit status 0; after an error the log gives the reason and the status is 1. `failed` then runs on the rank
+/// that logged the error, before the others are ended.
 int runOnCluster(const std::function<void(Cluster&)>& session,
                  const std::function<void(const Cluster&)>& failed = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a session leaves behind of its pictures: files of every wall and eye, a movie.
+// The image recording of a session: files of every wall and eye, and a movie.
 
 #include <cstdint>
 #include <filesystem>
@@ -19,38 +19,39 @@ struct FrameRecord;
 struct Rig;
 
 struct RecordingOptions {
-  std::optional<std::filesystem::path> capture;  ///< folder for every picture of every frame; made if needed
+  std::optional<std::filesystem::path> capture;  ///< folder for every image of every frame; created if needed
   std::optional<std::filesystem::path> movie;
 };
 
-/// How the recording goes, for people. Empty names: nothing is made of it, or no more.
+/// The progress of the recording, for display. An empty path means that nothing is recorded there, or no
+/// more.
 struct RecordingReport {
   std::filesystem::path capture, movie;
   std::uint64_t captured = 0, filmed = 0;        ///< frames
-  std::uint64_t notCaptured = 0, notFilmed = 0;  ///< frames that came too fast
+  std::uint64_t notCaptured = 0, notFilmed = 0;  ///< frames dropped because they came too fast
 };
 
-/// Of one node.
+/// The recording of one node.
 class Recording {
  public:
-  /// Throws std::runtime_error, in words for the person, where a folder or file cannot be written.
-  /// `realTime`: what cannot be written in time is left out, and counted; once something cannot be written at
-  /// all, that is said and the session goes on without more of it.
+  /// Opens the outputs. Throws std::runtime_error with a message for the user if a folder or file cannot be
+  /// written. With `realTime`, frames that cannot be written in time are dropped and counted; if an output
+  /// fails completely, this is logged and the session continues without it.
   Recording(Graphics& graphics, const RecordingOptions& options, const Cluster& cluster, const Rig& rig,
             bool realTime);
   ~Recording();  ///< without `finish` there is no movie
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
-  /// The frame that was drawn last; the view from outside, where there is one, among the pictures. A frame
-  /// that stays is captured once. In simulated time throws std::runtime_error where something could not be
-  /// written.
+  /// Records the last drawn frame, with the spectator view if there is one. A frame that stays on screen is
+  /// captured once. In simulated time, throws std::runtime_error if something cannot be written.
   void take(const DisplayWalls& walls, const SpectatorView* outside, const FrameRecord& record);
 
   RecordingReport report() const;
 
-  /// On every node: returns when all is written, and says on standard error where the movie is and what was
-  /// left out. Throws RankFailed on all of them where something could not be written, which has been said.
+  /// Waits on every node until everything is written, and prints to standard error where the movie is and how
+  /// many frames were dropped. Throws RankFailed on all nodes if something could not be written, after
+  /// logging it.
   void finish();
 
  private:
@@ -63,10 +64,10 @@ class Recording {
   const Cluster& cluster_;
   bool realTime_;
   bool failed_ = false;
-  std::optional<std::uint64_t> captured_;  // the last frame
+  std::optional<std::uint64_t> captured_;  // number of the last frame captured
   std::filesystem::path folder_;
   std::uint64_t captures_ = 0, filmed_ = 0;  // frames
-  std::string node_;                         // for messages; empty where there is only one
+  std::string node_;                         // for messages; empty if there is only one node
   std::unique_ptr<Capture> capture_;
   std::unique_ptr<Movie> movie_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// From a scenario file to what there is to see of it.
+// Creates the visible scene from a scenario file.
 
 #include <span>
 #include <string>
@@ -16,25 +16,25 @@
 
 namespace carom {
 
-/// Whether OpenGL of this name is a processor's work, without a graphics card.
+/// Returns whether the OpenGL renderer of this name is a software renderer, without a GPU.
 bool drawsOnProcessor(const std::string& renderer);
 
-/// Fine enough for the rig's finest pixel as a person sees it who stands at the room's origin; `renderer` is
-/// what draws (Graphics::rendererName): a processor is given fewer vertices than a graphics card.
+/// Returns a tessellation as fine as the rig's finest pixel seen from the room's origin. `renderer` is
+/// Graphics::rendererName; a software renderer gets fewer vertices than a GPU.
 Tessellation tessellationFor(const Rig& rig, const std::string& renderer);
 
-/// Table, hall, pucks and scripted bodies; the meshes have been opened.
+/// Returns the scene of table, hall, pucks and scripted bodies. The meshes must have been opened.
 Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation);
 
 /// Opens every mesh of the scenario. Throws InputErrors with the fault of each that cannot be read.
 void openMeshes(const Scenario& scenario);
 
-/// The bodies of the scenario's scene. `pucks`: their world lines.
+/// Returns the bodies of the scenario's scene. `pucks` are their world lines.
 std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks);
 
-/// What an eye at `observation`, whose rest frame is `headFromBoard`, sees of the whole scene: the bytes of a
-/// .vtp file (cave/scene/seen_mesh.h). `pucks`: their world lines. Says on standard error how much is unseen.
-/// Throws as openMeshes does.
+/// Returns the whole scenario as seen by an eye at `observation` with rest frame `headFromBoard`, as the
+/// bytes of a .vtp file (cave/scene/seen_mesh.h). `pucks` are their world lines. Prints to standard error how
+/// much is unseen. Throws as openMeshes does.
 std::string seenSceneVtp(const Scenario& scenario, std::span<const WorldLine> pucks, const Event& observation,
                          const Lorentz& headFromBoard);
 

@@ -1,6 +1,5 @@
 #pragma once
-// What every node needs to show a game, live or recorded: the rig and the scenario, a display, the scene and
-// its walls.
+// Everything that a node needs to show a live or recorded game: rig, scenario, graphics, scene and walls.
 
 #include <filesystem>
 #include <memory>
@@ -20,11 +19,11 @@ namespace carom {
 
 struct SetupOptions {
   InputFile rig, scenario;
-  bool live = false;  ///< the rig's trackers will be used: their traces are read before a window opens
+  bool live = false;  ///< the rig's trackers will be used, so their traces are read before a window opens
   RecordingOptions recording;
   bool noWindow = false;
-  bool simulated = false;  ///< in simulated time, unless a device tracks the head
-  bool outside = false;    ///< rank 0 shows the room from outside, too
+  bool simulated = false;  ///< simulated time, unless a device tracks the head
+  bool outside = false;    ///< rank 0 also shows the spectator view
 };
 
 struct SessionSetup {
@@ -34,24 +33,24 @@ struct SessionSetup {
   Tessellation tessellation;
   Scene scene;
   std::unique_ptr<DisplayWalls> walls;
-  std::unique_ptr<SpectatorView> outside;  ///< where it was asked for
+  std::unique_ptr<SpectatorView> outside;  ///< null unless requested
   World world;
   std::unique_ptr<Recording> recording;
-  NodeLock lock;           ///< of this node's swaps
-  bool realTime = true;    ///< not in simulated time
-  bool swapsWait = false;  ///< on rank 0: swaps return at the display's ticks (cave/frame/pacer.h)
+  NodeLock lock;           ///< of this node's buffer swaps
+  bool realTime = true;    ///< false in simulated time
+  bool swapsWait = false;  ///< rank 0 only: buffer swaps wait for the display's refresh (cave/frame/pacer.h)
 };
 
-/// Reads the files, makes sure that every node holds the same, opens this node's windows. Throws RankFailed
-/// on every rank when one of them cannot; that one has said why.
+/// Reads the files, checks that every node has the same, and opens this node's windows. Throws RankFailed on
+/// every rank if one of them cannot; that one has logged the reason.
 SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options);
 
-/// Has every node go on with another scenario, in the same windows; what the setup held of the old game is
-/// gone. Where a node cannot read it, or has another, that is said, the setup stays as it is, and false is
-/// returned.
+/// Replaces the scenario on every node, in the same windows; everything of the old game in `setup` is
+/// discarded. If a node cannot read the scenario or has a different one, logs this, leaves the setup as it is
+/// and returns false.
 bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path& scenario);
 
-/// The bodies' histories before the game.
+/// Returns the histories of all bodies before the game.
 std::vector<WorldLine> historiesAtStart(const SessionSetup& setup);
 
 }  // namespace carom

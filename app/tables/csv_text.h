@@ -6,10 +6,10 @@
 
 namespace carom {
 
-/// Text as a field (RFC 4180): quoted where it must be.
+/// Returns the text as a CSV field (RFC 4180), quoted if necessary.
 std::string csvField(const std::string& text);
 
-/// Numbers in 17 digits, a comma behind each.
+/// Returns the numbers with 17 digits, each followed by a comma.
 std::string csvNumbers(std::initializer_list<double> values);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// JSON as this program writes it: numbers with 17 significant digits, so that they read back bit for bit.
+// Writes JSON with numbers of 17 significant digits, so that reading restores every bit.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace carom {
 
-/// Keys stay in the order in which they were added.
+/// Keys keep the order in which they were added.
 using Json = nlohmann::ordered_json;
 
-/// One line for each member of `value` and for each object in an array; a newline at the end. Every number
-/// must be finite.
+/// Returns the JSON text with one line for each member of `value` and for each object in an array, ending
+/// with a newline. Every number must be finite.
 std::string jsonText(const Json& value);
 
 inline Json vectorJson(const Vec2& v) { return Json::array({v.x, v.y}); }

@@ -1,5 +1,5 @@
 #pragma once
-// `carom filter`: a recorded trace through the head filter of a session.
+// `carom filter`: passes a recorded trace through the head filter of a session.
 
 #include <filesystem>
 #include <optional>
@@ -12,15 +12,15 @@ namespace carom {
 
 struct FilterOptions {
   std::filesystem::path trace;
-  double lightSpeed_m_s = 1.42;              ///< for what the eye would see of it
-  std::optional<std::filesystem::path> csv;  ///< none: a summary for people on standard output
+  double lightSpeed_m_s = 1.42;              ///< for the aberration caused by velocity errors
+  std::optional<std::filesystem::path> csv;  ///< if empty, a readable summary on standard output
 };
 
-/// One row out for each row in, made of that row and those before it. Returns the exit status. Throws
-/// InputError for a bad trace.
+/// Writes one row for each input row, computed from that row and the earlier ones. Returns the exit status.
+/// Throws InputError if the trace is invalid.
 int runFilter(const FilterOptions& options);
 
-/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addFilter(CLI::App& app, int& status);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// `carom observe`: what an eye at one event of the board sees of points fixed to bodies.
+// `carom observe`: computes what an eye at one board event sees of points fixed to bodies.
 
 #include <filesystem>
 #include <functional>
@@ -20,13 +20,13 @@ class App;
 
 namespace carom {
 
-/// A point fixed to a puck or a body, from its centre, in its rest frame.
+/// A point fixed to a puck or a body, relative to its centre, in its rest frame.
 struct BodyPoint {
   std::string body;
   Vec3 offset_m{0.0};
 };
 
-/// A point is asked for of something that is not in the scenario.
+/// Thrown for a point on a body that is not in the scenario.
 class UnknownBody : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -36,21 +36,21 @@ struct ObserveOptions {
   std::filesystem::path scenario;
   Event event;                    ///< of the eye, board frame
   Vec3 beta{0.0};                 ///< of the observer, board frame; below 1
-  std::vector<BodyPoint> points;  ///< none: the centres of all
+  std::vector<BodyPoint> points;  ///< if empty, the centres of all bodies
   std::optional<std::filesystem::path> json;
-  std::optional<std::filesystem::path> vtp;  ///< the whole seen scene
+  std::optional<std::filesystem::path> vtp;  ///< output file for the whole seen scene
 };
 
-/// The bytes of the whole seen scene's file: of a scenario and its pucks' world lines, for an eye at an event
-/// whose rest frame is `headFromBoard`.
+/// Returns the bytes of the file of the whole seen scene, from a scenario and its pucks' world lines, for an
+/// eye at `observation` with rest frame `headFromBoard`.
 using SeenSceneText = std::function<std::string(const Scenario& scenario, std::span<const WorldLine> pucks,
                                                 const Event& observation, const Lorentz& headFromBoard)>;
 
-/// Returns the exit status. Throws InputErrors for a bad scenario, UnknownBody for a wrong name. `seenScene`
-/// is what makes the .vtp file; a program built without VTK has none, and refuses.
+/// Returns the exit status. Throws InputErrors for an invalid scenario, UnknownBody for an unknown name.
+/// `seenScene` makes the .vtp file; it is empty in a program built without VTK, which then refuses --vtp.
 int runObserve(const ObserveOptions& options, const SeenSceneText& seenScene = {});
 
-/// Adds the command to `app`; when it is called, its exit status is left in `status`. `seenScene`: as of
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`. `seenScene` is as in
 /// runObserve.
 void addObserve(CLI::App& app, int& status, const SeenSceneText& seenScene);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What several commands take on their command lines, and how it is checked.
+// Command line values that several commands share, and their validation.
 
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
@@ -13,10 +13,11 @@
 
 namespace carom {
 
-/// The whole text is one number that this program can calculate with, within the range.
+/// Returns a validator that accepts one number within the range.
 CLI::Validator numberIn(const Range& range, const std::string& expected);
 
-/// Puts the shipped file in the place of its bare name. `kind`: the folder of such files.
+/// Returns a transformation that replaces a bare name by the path of the shipped file. `kind` is the folder
+/// of such files.
 CLI::Validator shipped(const std::string& kind);
 
 inline Vec3 toVec3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }

@@ -1,5 +1,5 @@
 #pragma once
-// `carom simulate`: every collision of a scenario's game and its states.
+// `carom simulate`: lists every collision of a scenario's game, and optionally its states.
 
 #include <cstddef>
 #include <filesystem>
@@ -13,21 +13,21 @@ namespace carom {
 
 struct SimulateOptions {
   std::filesystem::path scenario;
-  double until_s = 0.0;                       ///< board time, not negative
-  std::optional<double> every_s;              ///< also the states at 0, every_s, 2 every_s, …
-  std::optional<std::filesystem::path> json;  ///< none: a table for people on standard output
+  double until_s = 0.0;           ///< board time, not negative
+  std::optional<double> every_s;  ///< interval of the states to list: at 0, every_s, 2 every_s, …
+  std::optional<std::filesystem::path> json;  ///< if empty, a readable table on standard output
 };
 
-/// The most states that one run gives out.
+/// Largest number of states in one run.
 inline constexpr double kMostStates = 1e6;
 
-/// The most collisions that one run keeps, about 4 kB each while the JSON is made.
+/// Largest number of collisions in one run; each needs about 4 kB while the JSON is made.
 inline constexpr std::size_t kMostCollisions = 1200000;
 
-/// Returns the exit status. Throws InputErrors for a bad scenario.
+/// Returns the exit status. Throws InputErrors for an invalid scenario.
 int runSimulate(const SimulateOptions& options);
 
-/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addSimulate(CLI::App& app, int& status);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// `carom track`: watches the trackers of a rig, records the head, says what is plugged in.
+// `carom track`: monitors the trackers of a rig, records the head, and lists the connected devices.
 
 #include <filesystem>
 #include <optional>
@@ -13,18 +13,19 @@ namespace carom {
 struct TrackOptions {
   std::filesystem::path rig;
   std::optional<std::filesystem::path> record;  ///< trace of the head's sensor, in its tracker's axes
-  std::optional<double> seconds;                ///< none: until interrupted
+  std::optional<double> seconds;                ///< if empty, until interrupted
 };
 
-/// Watches in real time, recorded and simulated trackers too, until SIGINT or SIGTERM or the given time. The
-/// recording then appears, whole. Returns the exit status: 1 where there was nothing to record. Throws
-/// InputError for a bad rig or trace, std::runtime_error where the recording cannot be written.
+/// Monitors the trackers in real time, also recorded and simulated ones, until SIGINT, SIGTERM or the given
+/// time. The recording is then written completely or not at all. Returns the exit status: 1 if there was
+/// nothing to record. Throws InputError for an invalid rig or trace, std::runtime_error if the recording
+/// cannot be written.
 int runTrack(const TrackOptions& options);
 
-/// Prints the devices that are plugged in.
+/// Prints the connected devices.
 int runTrackList();
 
-/// Adds the command to `app`; when it is called, its exit status is left in `status`.
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addTrack(CLI::App& app, int& status);
 
 }  // namespace carom

@@ -1,8 +1,8 @@
 #pragma once
-// The hand's devices of a rig: a wand, which has a place, buttons and axes, and a SpaceMouse, which has no
-// place and steers alone. A wand may be a sensor of the head's tracker, and its buttons may be those of
-// another tracker: of whatever sensor there sends some, or, where several do, of the one numbered as the
-// wand's own.
+// The tracked hand devices of a rig: a wand with a pose, buttons and axes, and a SpaceMouse, which has no
+// pose and only steers. The wand may be a sensor of the head's tracker. Its buttons may come from another
+// tracker: from whichever sensor there sends some or, if several do, from the one with the wand's sensor
+// number.
 
 #include <array>
 #include <chrono>
@@ -21,50 +21,52 @@
 
 namespace carom {
 
-/// Buttons that are down (bit i: button i) and where axes stand.
+/// Pressed buttons (bit i: button i) and axis values.
 struct ButtonState {
   std::uint32_t down = 0;
   std::array<double, 6> axes{};
 };
 
-/// What the devices of the hand had told at a frame's begin.
+/// The state of the hand devices at the start of a frame.
 struct HandDevices {
-  bool wandKnown = false;  ///< its place has come lately (kTrackLost_s)
-  Pose roomFromHand;       ///< of the wand: its origin is the hand, the rig's forward is where it points
+  bool wandKnown = false;  ///< its pose is recent (kTrackLost_s)
+  Pose roomFromHand;       ///< wand pose: its origin is the hand, and it points along the rig's forward axis
   ButtonState wand;
   ButtonState spaceMouse;  ///< axes: pushed right, up, back, and turned; each −1 to 1
 };
 
-/// How a tracker fares at session time `now_s`; `place`: of the sensor that is used, null where none is.
+/// Returns the state of a tracker at session time `now_s`. `place` is that of the sensor in use, or null if
+/// none is.
 TrackerReport reportOf(const std::string& name, const char* use, const Tracker& tracker,
                        const SensorPlace* place, double now_s);
 
 class HandTracking {
  public:
-  /// The trackers themselves. `wand`: null where the head's tracker follows it, or where there is none;
-  /// `buttons`: null where the wand's own tracker or the head's has them.
+  /// The trackers. `wand` is null if the head's tracker follows the wand, or if there is no wand; `buttons`
+  /// is null if the wand's own tracker or the head's sends them.
   struct Trackers {
     std::unique_ptr<Tracker> wand, spaceMouse, buttons;
   };
 
   HandTracking(const Rig& rig, Trackers trackers);
-  /// Opens them as the rig has them: the first SpaceMouse among its trackers steers.
+  /// Opens the trackers of the rig. The first SpaceMouse among them steers.
   HandTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart);
 
-  /// Takes what has come up to a frame's begin. `samples`, `inputs`: of the head's tracker.
+  /// Takes everything received up to the start of a frame. `samples` and `inputs` are those of the head's
+  /// tracker.
   void follow(double now_s, std::span<const TrackerSample> samples, std::span<const Reading> inputs);
 
-  /// Whether it is time to look at its trackers again: a few times a second.
+  /// Returns whether the trackers should be checked again, which is a few times per second.
   bool isDue(double now_s) const { return wandWatch_ && wandWatch_->isDue(now_s); }
-  /// What the person should be told of them; of the head's tracker its own watch tells. Buttons of a tracker
-  /// that is gone are let go.
+  /// Checks the trackers and returns the messages for the operator, except those about the head's tracker,
+  /// which HeadTracking reports. Releases the buttons of a tracker that has failed.
   std::vector<std::string> look(double now_s, const Tracker& headTracker);
 
   const HandDevices& devices() const { return devices_; }
   const SensorPlace* place() const {
     return place_ ? &*place_ : nullptr;
-  }  ///< of the wand's sensor; null: no wand
-  /// Adds how its trackers fare.
+  }  ///< of the wand's sensor; null without a wand
+  /// Appends the state of its trackers to `reports`.
   void report(double now_s, const Tracker& headTracker, std::vector<TrackerReport>& reports) const;
 
  private:
@@ -74,19 +76,19 @@ class HandTracking {
   std::optional<std::string> tellOfButtons(double now_s, bool tracked);
 
   Trackers trackers_;
-  std::string wandName_, spaceMouseName_, buttonsName_;  ///< in the rig
+  std::string wandName_, spaceMouseName_, buttonsName_;  ///< as named in the rig
   std::optional<SensorPlace> place_;
   Pose sensorFromHand_;
-  int sensor_ = 0;                    ///< of the wand
-  bool otherButtons_ = false;         ///< they are another tracker's than its place
-  std::optional<int> buttonsSensor_;  ///< under which they come; none: it has not shown yet
+  int sensor_ = 0;                    ///< sensor number of the wand
+  bool otherButtons_ = false;         ///< the buttons come from another tracker than the pose
+  std::optional<int> buttonsSensor_;  ///< sensor number that sends the buttons; empty until one has
   HandDevices devices_;
   std::vector<TrackerSample> samples_;
   std::vector<Reading> inputs_;
   std::optional<TrackerAlarm> wandWatch_, buttonsWatch_;
   enum class Buttons { awaited, missed, came } buttons_ = Buttons::awaited;
-  bool buttonsTold_ = true;               ///< of what `buttons_` is
-  std::optional<double> trackedSince_s_;  ///< both trackers have delivered since then
+  bool buttonsTold_ = true;               ///< the state `buttons_` has been reported
+  std::optional<double> trackedSince_s_;  ///< when both trackers began to deliver
 };
 
 }  // namespace carom

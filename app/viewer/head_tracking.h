@@ -1,5 +1,5 @@
 #pragma once
-// From the rig's head sensor to the person's head in the room: tracker → place of the eyes → filter.
+// Tracks the viewer's head in the room: tracker → pose of the eyes → filter.
 
 #include <chrono>
 #include <memory>
@@ -24,26 +24,28 @@ namespace carom {
 
 class HeadTracking {
  public:
-  /// `sessionStart`: where the session's clock reads zero. Throws InputError if a trace is at fault.
+  /// Opens the rig's trackers. `sessionStart` is where the session clock reads zero. Throws InputError if a
+  /// recorded trace is invalid.
   HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart);
 
-  /// Takes what the trackers have up to the frame's begin and predicts the head to its display.
+  /// Takes all samples up to the start of the frame and returns the head predicted for its display time.
   HeadEstimate at(const FrameTimes& times);
 
-  /// Returns what there is to say since it was asked last: that the tracker of head or hand fails for long, or is well
-  /// again.
+  /// Returns and clears the messages since the last call: that the tracker of head or hand has failed for
+  /// long, or works again.
   std::vector<std::string> takeAlarms() { return std::exchange(alarms_, {}); }
 
-  /// Where the sensors of head and hand were last, as the trackers had told at that frame's begin.
+  /// Returns the latest poses of the head and hand sensors at the start of that frame.
   Tracked tracked() const;
 
-  /// Buttons, axes and place of the hand, as the trackers had told at that frame's begin.
+  /// Returns buttons, axes and pose of the hand devices at the start of that frame.
   const HandDevices& hand() const { return hand_.devices(); }
 
-  /// How the trackers fare; of the head, how `head` is known. For displays: it allocates.
+  /// Returns the state of all trackers; that of the head's tracker includes how `head` is known. Allocates,
+  /// so only for displays.
   std::vector<TrackerReport> reports(const HeadEstimate& head) const;
 
-  /// What the tracker had for that frame, of all its sensors.
+  /// Returns the samples of all sensors of the head's tracker for that frame.
   std::span<const TrackerSample> samples() const { return samples_; }
 
  private:
@@ -58,9 +60,9 @@ class HeadTracking {
   std::vector<Reading> inputs_;
   HandTracking hand_;
   std::vector<std::string> alarms_;
-  std::string name_;      // of the head's tracker, in the rig
-  double begin_s_ = 0.0;  // of the frame
-  Pose standing_;         // shown until the first sample
+  std::string name_;      // name of the head's tracker in the rig
+  double begin_s_ = 0.0;  // start of the frame
+  Pose standing_;         // head pose until the first sample
 };
 
 }  // namespace carom

@@ -1,10 +1,11 @@
 #pragma once
-// The platform's drive: what thrust it has, moment by moment, as it is steered, told or sent home.
+// The motion of the platform: its thrust at each moment, as steered by hand, as the tour prescribes, or on
+// the way home.
 //
-// Everything here counts the game's seconds (the person's, times the pace of Observer::step), and of those
-// the platform's own where the head is: they are the person's as long as they stand, and a little more than
-// theirs while they walk about. A way that ends at rest therefore does so whatever the person does meanwhile.
-// Motion is the exact sum of hyperbolae (Observer::step), split where one ends inside a frame.
+// All times here are game seconds (the viewer's, times the pace of Observer::step), measured as proper time
+// of the platform at the head. They equal the viewer's time while they stand and run slightly faster while
+// they walk, so a trip that ends at rest does so however the viewer walks meanwhile. Motion is the exact sum
+// of hyperbolae (Observer::step), split where one ends inside a frame.
 
 #include <cstddef>
 #include <span>
@@ -20,50 +21,52 @@
 
 namespace carom {
 
-/// What hands ask of the drive in one frame. Merged from all devices.
+/// The input to the platform's motion in one frame, combined from all devices.
 struct DriveWish {
-  Vec3 steer{0.0};  ///< share of the strongest thrust, in the room's axes (the rig's); longer than 1 asks for
-                    ///< more than there is
-  bool brake = false;  ///< while it is held
-  bool home = false;   ///< asked for in this frame
+  /// Fraction of the strongest thrust, in the room's axes (the rig's); a length above 1 asks for more than
+  /// available.
+  Vec3 steer{0.0};
+  bool brake = false;  ///< held down
+  bool home = false;   ///< requested in this frame
 };
 
 class PlatformMotion {
  public:
-  /// At home where the scenario's platform starts, but at rest. With `begins`, a tour that starts at once
-  /// does; a session that goes on does not go on with a tour or with the way home.
+  /// Sets home to the platform's initial position in the scenario, but at rest. If `begins`, a tour that
+  /// starts at once does so; a continued session resumes neither the tour nor the way home.
   PlatformMotion(const Scenario& scenario, const RoomAxes& axes, bool begins);
 
-  /// Sets out on the scenario's tour with the next frame, from its first leg; from rest, or as the scenario
-  /// begins, or it would end elsewhere: else it says so.
+  /// Starts the scenario's tour with the next frame, at its first leg. The platform must be at rest or move
+  /// as in the scenario's initial state, otherwise the tour would end elsewhere; if it does not, a message
+  /// says so.
   void setOut() { setsOut_ = true; }
 
-  /// The observer lives on for dτ while the tracked head moves from `before`, where Observer has it, to
-  /// `head`, as in Observer::step; the platform does what is wished, or what it is about.
+  /// Advances the observer by dτ while the tracked head moves from `before`, where Observer has it, to
+  /// `head`, as in Observer::step. The platform follows `wish`, or else its current manoeuvre.
   void live(const DriveWish& wish, double dtau_s, double pace, const Head& before, const Head& head,
             Observer& observer);
 
-  const DriveView& view() const { return view_; }  ///< of the last frame; thrust: the mean over it
-  /// What it has to say since it was asked last; empty: nothing.
+  const DriveView& view() const { return view_; }  ///< of the last frame; thrust is the mean over it
+  /// Returns and clears the message since the last call; empty if there is none.
   Notice news() { return std::exchange(notice_, {}); }
 
  private:
-  /// A constant thrust, or a turn about the head, for so long.
+  /// A constant thrust, or a turn about the head, of duration `for_s`.
   struct Manoeuvre {
     double for_s = 0.0;
     Vec3 thrust_m_s2{0.0};
     double turn_rad = 0.0;
     Vec3 turnAxisInRoom{0.0};
   };
-  /// A thrust of the way at hand, in the room's axes; it follows the one before it.
+  /// One thrust of the current trip, in the room's axes; it follows the previous one.
   struct Thrust {
     double for_s = 0.0;
     Vec3 thrust_m_s2{0.0};
   };
-  /// What is left of a frame.
+  /// The rest of a frame.
   struct Left {
     double platform_s = 0.0;
-    double person_s = 0.0;  ///< on their own clock, as they feel it
+    double person_s = 0.0;  ///< the viewer's proper time
   };
 
   void obey(const DriveWish& wish);
@@ -80,14 +83,15 @@ class PlatformMotion {
   void sayOnce(bool& said, std::string_view words);
 
   double c_m_s_, strongest_m_s2_;
-  Pose boardFromHome_;   ///< of the room, at rest
-  Vec3 atStart_u_{0.0};  ///< of the room, as the scenario begins
+  Pose boardFromHome_;   ///< of the room at rest, at home
+  Vec3 atStart_u_{0.0};  ///< of the room in the scenario's initial state
   bool setsOut_ = false;
-  bool steered_ = false;  ///< by hands, ever: who is led far away by the scenario is meant to be
-  double setOutBoard_s_ = 0.0, setOutOwn_s_ = 0.0;  ///< when the tour began
+  /// Steered by hand at some time; otherwise the scenario intends any distance from the table.
+  bool steered_ = false;
+  double setOutBoard_s_ = 0.0, setOutOwn_s_ = 0.0;  ///< start of the tour
   std::vector<Thrust> tour_, way_;
-  std::size_t push_ = 0;   ///< of the way: the one at hand,
-  double pushed_s_ = 0.0;  ///< and how much of it is over
+  std::size_t push_ = 0;   ///< current thrust of `way_`
+  double pushed_s_ = 0.0;  ///< elapsed time of that thrust
   DriveView view_;
   Notice notice_;
   bool saidStrongest_ = false, saidFastest_ = false, saidFar_ = false;

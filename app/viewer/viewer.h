@@ -1,5 +1,5 @@
 #pragma once
-// The person in the room: the tracked head and the world line that it walks.
+// The viewer in the room: the tracked head and its world line.
 
 #include <chrono>
 #include <optional>
@@ -17,30 +17,31 @@ namespace carom {
 
 class Viewer {
  public:
-  /// Stands where the scenario begins, or, with `before`, at the event at which an earlier session's last
-  /// frame was seen. `sessionStart`: where the session's clock reads zero. Throws InputError if a trace is at
-  /// fault.
+  /// Starts at the scenario's initial state or, with `before`, at the observation event of an earlier
+  /// session's last frame. `sessionStart` is where the session clock reads zero. Throws InputError if a
+  /// recorded trace is invalid.
   Viewer(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
          const std::optional<FrameRecord>& before = {});
 
-  /// Is where another scenario's platform begins, and as young; the tracker goes on.
+  /// Restarts in the initial state of another scenario, with proper time zero. The tracker continues.
   void startIn(const Rig& rig, const Scenario& scenario);
 
-  /// Lives on to the frame's display; the eyes then, so far apart. `pace`: how many of the game's seconds go
-  /// by in one of the person's.
+  /// Advances the world line to the frame's display time and returns the eyes there, `eyeSeparation_m` apart.
+  /// `pace` is the number of game seconds per second of the viewer.
   ObserverView at(const FrameTimes& times, double eyeSeparation_m, double pace = 1.0);
-  /// The same on a platform that is driven.
+  /// Does the same on a platform that is driven.
   ObserverView at(const FrameTimes& times, double eyeSeparation_m, double pace, const DriveWish& wish,
                   PlatformMotion& drive);
 
-  /// The person's time stands still, and so does what they see: they walk round it. `sight`: at that moment.
+  /// Frozen mode: the view stays at one observation event while the head moves. `sight` is the view at that
+  /// event.
   ObserverView frozenView(const ObserverView& sight, const FrameTimes& times, double eyeSeparation_m);
 
-  /// Walks about in a game while so much of the room's time goes by, or is gone back: their own motion is not
-  /// seen (Observer::moveUnseen).
+  /// Returns the view when the room's time is advanced, or set back, by `roomTime_s`. The head's motion has
+  /// no relativistic effect meanwhile (Observer::moveUnseen).
   ObserverView freeView(const FrameTimes& times, double eyeSeparation_m, double roomTime_s);
 
-  /// The head at that display, and what the tracker had delivered for it.
+  /// The head at that display time, and the tracker data for it.
   const HeadEstimate& head() const { return head_; }
   Tracked tracked() const { return tracking_.tracked(); }
   const HandDevices& hand() const { return tracking_.hand(); }
