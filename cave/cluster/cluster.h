@@ -1,10 +1,11 @@
 #pragma once
-// The nodes of a room, under OpenMPI: rank 0 shares each frame's record, all swap together. A single process
-// runs the same code with one rank.
+// The nodes of a room, under OpenMPI: rank 0 shares each frame's record, and all ranks swap together. A
+// single process runs the same code with one rank.
 //
-// In the frames every wait has an end and a name. A node that keeps the others waiting is named after 0.5 s,
-// and again when it is back; after 10 s (60 s while nodes warm up, in their first frames) the session ends.
-// When a node dies, mpirun asks the others to end; they say which one is gone and end within half a second.
+// Within the frames every wait is bounded, and a node that keeps the others waiting is named in the log after
+// 0.5 s, and again when it is back. After 10 s (60 s while nodes warm up, in their first frames) the session
+// ends. When a node dies, mpirun asks the others to end; they say which one is gone and end within half a
+// second.
 
 #include <cstdint>
 #include <limits>
@@ -22,7 +23,7 @@
 
 namespace carom {
 
-/// Nodes hold different things that must be the same. Thrown on every rank, with the same words.
+/// Thrown on every rank, with the same message, if nodes differ in data that must be the same.
 class NodesDiffer : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -30,8 +31,8 @@ class NodesDiffer : public std::runtime_error {
 
 class Cluster {
  public:
-  /// Starts MPI, on every core of the machine unless mpirun was told to bind. One per process, before it has
-  /// threads. Late and lost nodes are told in the log.
+  /// Starts MPI, and uses every core of the machine unless mpirun was told to bind the process. Create one
+  /// per process, before it has threads. Late and lost nodes are named in the log.
   Cluster();
   ~Cluster();
   Cluster(const Cluster&) = delete;
@@ -40,73 +41,77 @@ class Cluster {
   int rank() const { return rank_; }
   int size() const { return size_; }
 
-  /// Ends this process after a session that went well and whose files are closed, once every node is so far
-  /// (cave/process/termination.h says why nothing is taken down).
+  /// Ends this process, after a successful session whose files are closed, once every node has come this far
+  /// (cave/process/termination.h says why no objects are destroyed).
   [[noreturn]] void leave() const;
 
-  /// Ends the job on every node at once, after a fault that this rank alone knows of.
+  /// Ends the job on every node at once, after a fault that only this rank has found.
   [[noreturn]] void abort() const;
 
-  /// With fewer ranks than nodes, rank `node mod size` draws for the node.
+  /// Returns whether this rank draws `wall`. With fewer ranks than nodes, rank `node mod size` draws for the
+  /// node.
   bool draws(const Wall& wall) const { return wall.node % size_ == rank_; }
-  /// Returns those of the walls that this rank draws.
+  /// Returns the walls that this rank draws.
   std::vector<Wall> wallsOf(std::span<const Wall> walls) const;
 
-  /// The lowest rank whose `failed` is true, or −1. Every rank must call it.
+  /// Returns the lowest rank whose `failed` is true, or −1. Every rank must call it.
   int firstFailed(bool failed) const;
 
-  /// Every rank must hold the same `content`, of which `what` is the name: throws NodesDiffer, naming the
-  /// first node that holds another.
+  /// Checks that every rank holds the same `content`, which messages call `what`. Throws NodesDiffer, naming
+  /// the first node with another content.
   void agree(const std::string& what, std::string_view content) const;
 
-  /// What each node draws, for the lines about it: all of `walls`, of all nodes.
+  /// Sets the walls that messages name each node by. `walls`: those of all nodes.
   void nameNodes(std::span<const Wall> walls);
 
-  /// "node 1 (left)".
+  /// Returns the name of a rank for messages, such as "node 1 (left)".
   std::string nameOf(int rank) const;
 
-  /// Rank 0's text replaces everyone's.
+  /// Replaces the text of every rank by rank 0's.
   void share(std::string& text) const;
 
-  /// Rank 0's state replaces everyone's. Allocates only when a frame brings more knots or events
-  /// than any before.
+  /// Replaces the state of every rank by rank 0's. Allocates memory only when a frame brings more knots or
+  /// events than any before.
   void share(FrameState& state);
-  /// When the newest frame that was shared is on the walls, on the session's clock; NaN: there was none.
+  /// Returns when the newest shared frame is on the walls, on the session's clock, or NaN if none was shared.
   double newest_s() const { return newest_s_; }
 
-  /// What this node says of the frame before: it travels with the word that this one is drawn.
+  /// Sets this node's report on the previous frame. It travels with the message that the current frame is
+  /// drawn.
   void report(const NodeReport& mine);
-  /// On rank 0, what each node has said with the last frame that was swapped; by rank.
+  /// Returns, on rank 0, what `rank` reported with the last frame that was swapped.
   const NodeReport& reportOf(int rank) const;
 
-  /// This rank has drawn the frame. On rank 0, waits until every rank has. `wantsToEnd`: somebody here does.
+  /// Says that this rank has drawn the frame. On rank 0, waits until every rank has. `wantsToEnd`: the
+  /// session is asked to end on this rank.
   void gatherDrawn(const FrameState& state, const World& world, bool wantsToEnd);
 
-  /// After `gatherDrawn`, waits until rank 0 is here, so that all can swap; returns whether somebody wants to end, on
-  /// any rank. Throws NodesDiffer if a rank drew from other numbers than rank 0, naming the frame, the node, the field
-  /// and, of a history, the body. `world`: that of gatherDrawn.
+  /// Waits, after `gatherDrawn`, until rank 0 has come this far, so that all can swap. Returns whether the
+  /// session is asked to end on any rank. Throws NodesDiffer if a rank drew from other numbers than rank 0;
+  /// the message names the frame, the node, the field and, for a history, the body. `world`: the one given to
+  /// gatherDrawn.
   bool releaseSwap(const World& world);
 
  private:
-  struct Room;  // what the ranks say to each other, and the requests under way
+  struct Room;  // the messages between ranks, and the pending requests
 
   void shareFrame(FrameState& state) const;
   void fromRankZero(void* bytes, std::size_t count) const;
   void await(std::size_t requests, bool fromAll) const;
   bool done(std::size_t requests) const;
   int firstPending(std::size_t requests) const;
-  bool isHere(int rank) const;  // on this rank's machine
+  bool isHere(int rank) const;  // the rank runs on this rank's machine
   bool livesHere(int rank) const;
   [[noreturn]] void giveUp(const std::string& why, bool others) const;
   std::string whereHistoriesPart(std::span<const WorldLine> histories, int other) const;
 
   int rank_ = 0;
   int size_ = 1;
-  std::uint64_t frames_ = 0;  // swapped so far
-  std::uint64_t drawn_ = 0;   // the frame that this rank has drawn
-  bool wantsToEnd_ = false;   // somebody on this rank, then
+  std::uint64_t frames_ = 0;  // number of frames swapped so far
+  std::uint64_t drawn_ = 0;   // number of the frame that this rank has drawn
+  bool wantsToEnd_ = false;   // on this rank, when it had drawn that frame
   double newest_s_ = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::string> names_;  // of the walls of each rank
+  std::vector<std::string> names_;  // of each rank: the names of its walls
   std::unique_ptr<Room> room_;
 };
 

@@ -1,9 +1,10 @@
 #pragma once
-// What holds the swaps of all nodes together, and whether it does. Always: every node swaps once all have
-// drawn (cave/cluster/cluster.h). With `swap-group` the graphics cards do the last step as well, by the
-// extension GLX_NV_swap_group (https://registry.khronos.org/OpenGL/extensions/NV/GLX_NV_swap_group.txt):
-// every window joins group 1 of its card, the group is bound to barrier 1, which the cards share by a cable,
-// and a counter that all cards share counts the swaps.
+// What keeps the swaps of all nodes together, and whether it works. In every case, each node swaps once all
+// have drawn (cave/cluster/cluster.h). With `swap-group`, the graphics cards perform the last step together
+// as well, by the extension GLX_NV_swap_group
+// (https://registry.khronos.org/OpenGL/extensions/NV/GLX_NV_swap_group.txt): every window joins group 1 of
+// its card, the group is bound to barrier 1, which the cards share through a cable, and a counter that all
+// cards share counts the swaps.
 
 #include <optional>
 #include <string>
@@ -13,7 +14,8 @@
 
 namespace carom {
 
-/// The entry points of GLX_NV_swap_group, for one screen. Each takes GLX's display first; 0 is failure.
+/// The entry points of GLX_NV_swap_group, for one screen. Each takes GLX's display first and returns 0 on
+/// failure.
 struct SwapGroupCalls {
   using Display = void*;
   using Drawable = unsigned long;
@@ -27,26 +29,26 @@ struct SwapGroupCalls {
   int (*frameCount)(Display, int screen, unsigned* count) = nullptr;
 };
 
-/// Those of the driver, with a window's context current; none where the driver lacks the extension.
+/// Returns the driver's entry points, or none if it lacks the extension. A window's context must be current.
 std::optional<SwapGroupCalls> swapGroupOfDriver();
 
-/// The window whose context is current.
+/// Returns the window whose context is current.
 SwapGroupCalls::Drawable currentDrawable();
 
-/// The lock of one node.
+/// The frame lock of one node.
 class NodeLock {
  public:
-  /// By messages alone.
+  /// Creates a lock by messages alone.
   NodeLock() = default;
-  /// Asks for a swap group for these windows. Where there is none, `whyNot` says so and it stays with
+  /// Asks for a swap group for these windows. If there is none, `whyNot` says why and the lock remains one by
   /// messages.
   NodeLock(const std::optional<SwapGroupCalls>& driver, std::vector<SwapGroupCalls::Drawable> windows);
 
-  /// Looks after it; does so once a second, at the first swap after. `now_s`: of any steady clock.
+  /// Checks the lock at the first swap of every second. `now_s`: time of any steady clock.
   void swapped(double now_s);
 
   LockState state() const { return state_; }
-  const std::string& whyNot() const { return whyNot_; }  ///< empty where nothing is missing
+  const std::string& whyNot() const { return whyNot_; }  ///< empty if nothing is missing
 
  private:
   bool join();

@@ -1,7 +1,7 @@
 #pragma once
-// A pattern that moves through all walls as one: planes across each axis of the room, where they cut the
-// walls. A line that ends at a shared edge goes on from the same point of the next wall, at the same moment;
-// a step there is an error of the corners, of the projectors or of the frame lock.
+// A pattern that moves through all walls as one: planes across each axis of the room, drawn where they cut
+// the walls. A line that ends at the shared edge of two walls goes on from the same point of the other wall
+// at the same moment; a step there is an error of the corners, of the projectors or of the frame lock.
 
 #include <glm/vec3.hpp>
 
@@ -13,15 +13,15 @@ namespace carom {
 
 class AlignmentPattern {
  public:
-  static constexpr double kPeriod_m = 0.5;     ///< from plane to plane
-  static constexpr double kSpeed_m_s = 0.1;    ///< along each axis
-  static constexpr double kHalfLine_m = 0.01;  ///< of a line on the wall
+  static constexpr double kPeriod_m = 0.5;     ///< distance from plane to plane
+  static constexpr double kSpeed_m_s = 0.1;    ///< speed along each axis
+  static constexpr double kHalfLine_m = 0.01;  ///< half the width of a line on the wall
 
   /// Made and destroyed with the drawing context current.
   AlignmentPattern();
 
-  /// The planes x = k·kPeriod_m + kSpeed_m_s·time_s in red, those of y in green, of z in blue. Leaves the
-  /// drawing context's state as it was.
+  /// Draws the planes x = k·kPeriod_m + kSpeed_m_s·time_s in red, those of y in green and those of z in blue.
+  /// Leaves the drawing context's state as it was.
   void draw(const Wall& wall, double time_s, RenderTarget& picture) const;
 
  private:

@@ -9,15 +9,16 @@
 
 namespace carom {
 
-/// Lengths and places of the pattern, as shares of the picture's width and height or in metres.
+/// Lengths and places in the pattern, as fractions of the picture's width and height or in metres.
 struct CalibrationPatternLayout {
-  static constexpr double kLine_m = 0.1;        ///< between strong grid lines, from the lower left corner
-  static constexpr double kFineLine_m = 0.01;   ///< between weak ones, where a pixel is fine enough for them
-  static constexpr double kFinest_px = 4.0;     ///< weak lines nearer than this are left out
-  static constexpr double kCircle = 0.4;        ///< radius, of the wall's shorter side
-  static constexpr double kEyeBar = 0.06;       ///< one eye's bar: from here from its own side of the picture
-  static constexpr double kEyeBarWidth = 0.04;  ///< its width
-  static constexpr glm::dvec2 kEyeBarRows{0.25, 0.75};  ///< its lower and upper end
+  static constexpr double kLine_m = 0.1;  ///< between strong grid lines, from the lower left corner
+  static constexpr double kFineLine_m =
+      0.01;  ///< between weak grid lines, which need pixels that are small enough
+  static constexpr double kFinest_px = 4.0;  ///< weak lines closer together than this are left out
+  static constexpr double kCircle = 0.4;     ///< radius, as a fraction of the wall's shorter side
+  static constexpr double kEyeBar = 0.06;    ///< distance of one eye's bar from its own side of the picture
+  static constexpr double kEyeBarWidth = 0.04;          ///< width of that bar
+  static constexpr glm::dvec2 kEyeBarRows{0.25, 0.75};  ///< lower and upper end of that bar
 };
 
 /// Draws the pattern of `wall` for one eye: the wall's name and node, the three corners that the rig gives

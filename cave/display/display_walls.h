@@ -32,46 +32,47 @@ namespace carom {
 
 class DisplayWalls {
  public:
-  /// `oneWindow`: where given, all walls of a node share that window; otherwise each has its own, or its
-  /// viewport in one. A rank that draws for several nodes opens the windows of each. Without `visible`
-  /// nothing is shown; the pictures are the same.
+  /// `oneWindow`: if given, all walls of a node share that window; otherwise each wall has its own window, or
+  /// its viewport in a shared one. A rank that draws for several nodes opens the windows of each. `visible`:
+  /// if false, no window opens; the pictures are the same.
   DisplayWalls(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls,
                const std::optional<WindowPlacement>& oneWindow, bool visible);
 
   /// Shows another game in the same windows.
   void setScene(const Scene& scene, double lightSpeed_m_s);
 
-  /// Tells the aids over the session (cave/overlay/room_overlay.h, cave/overlay/hud_panel.h) about the room.
-  /// Without it they know no more than the walls, and there are no words.
+  /// Gives the room to the overlays over the session (cave/overlay/room_overlay.h, cave/overlay/hud_panel.h).
+  /// Without it they know only the walls, and there is no HUD panel.
   void setRoom(const RoomGeometry& room);
-  /// Sets what the words say of the game's lesson; an empty one is none.
+  /// Sets the texts of the game's lesson for the HUD panel; empty texts mean no lesson.
   void setLesson(const LessonWords& lesson) { words_.setLesson(lesson); }
 
-  /// Draws every wall as both eyes see the bodies, or what the operator has put in their place: a pattern, or
+  /// Draws every wall as both eyes see the bodies, or what the operator has chosen instead: a pattern, or
   /// black. `world.histories[i]` is body i of the scene.
   void draw(const FrameRecord& record, const World& world);
 
-  /// The newest picture of a wall, its left eye's where it has one for each; null where this node draws no
-  /// wall of that name.
+  /// Returns the newest picture of a wall (the left eye's, if it has one for each eye), or null if this node
+  /// draws no wall of that name.
   const RenderTarget* pictureOf(const std::string& wall) const;
 
-  /// Hands over every picture, and each wall's first (its left eye's) for the movie.
+  /// Hands over every picture, or for the movie only the first of each wall (its left eye's).
   void capture(Capture& capture, std::uint64_t frame) const;
   void film(Movie& movie, double display_s) const;
 
-  /// Puts the pictures into the windows, not yet visible; `swap` makes them so. Of a wall that is held back,
-  /// those of an earlier frame. `over`: draws over them, in a Gui; empty: nothing.
+  /// Puts the pictures into the windows; `swap` makes them visible. A wall that is held back gets the
+  /// pictures of an earlier frame. `over`: draws over the pictures, in a Gui; an empty function draws
+  /// nothing.
   void show(const std::function<void()>& over = {});
-  /// Waits until all of it is drawn: a swap then shows it at once.
+  /// Waits until everything is drawn, so that a swap shows it at once.
   void awaitShown();
   void swap();
 
-  /// The place of a wall that the mouse points to, over the pictures of the session in one of these windows.
-  /// While its button is held, it stays in the window where it was pressed.
+  /// Returns the point of a wall that the mouse points to, over the session's pictures in one of these
+  /// windows. While the mouse button is held, the pointer stays with the window in which it was pressed.
   std::optional<PointedWall> pointedAt() const;
   bool isHeld() const;  ///< the mouse's left button was pressed in one of these windows and is down
 
-  /// The lock of this node's swaps, as the rig asks for it.
+  /// Creates the lock of this node's swaps, as the rig asks for it.
   NodeLock lockSwaps(FrameLock asked);
 
  private:
@@ -97,16 +98,16 @@ class DisplayWalls {
   Graphics& graphics_;
   std::unique_ptr<EyeRenderer> session_;
   std::vector<Wall> walls_;
-  std::vector<WallEye> wallEyes_;        // of each wall its one or two, the left eye's first
-  std::vector<std::size_t> firstEyeOf_;  // of each wall, in there; and where the last ends
+  std::vector<WallEye> wallEyes_;        // of each wall one or two, the left eye's first
+  std::vector<std::size_t> firstEyeOf_;  // index in wallEyes_, of each wall; then the end of the last
   AlignmentPattern seams_;
   RoomGeometry room_;
-  std::optional<Wall> front_;  // where the words are
+  std::optional<Wall> front_;  // the wall with the HUD panel
   MotionOverlay motion_;
   RoomOverlay aids_;
   CueOverlay hands_;
   HudPanel words_;
-  std::optional<bool> calibrationPatterns_;  // the pictures hold them, with the eyes swapped or not
+  std::optional<bool> calibrationPatterns_;  // the pictures are these; true: with the eyes swapped
   bool blank_ = false;
   WallControls drawn_;                                  ///< as the pictures were last drawn
   std::vector<std::optional<Projection>> projections_;  // of each wall, where there are windows

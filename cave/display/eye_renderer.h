@@ -1,5 +1,5 @@
 #pragma once
-// A session as one eye sees it on its walls: the bodies, and the views of time that are on
+// A session as one eye sees it on its walls: the bodies, and the views of time that are turned on
 // (cave/frame/time_views.h).
 
 #include <memory>
@@ -16,27 +16,28 @@
 
 namespace carom {
 
-/// A wall and what is drawn for it; the wall has as many pixels as the picture.
+/// A wall and the picture that is drawn for it; the wall has as many pixels as the picture.
 struct PicturedWall {
   const Wall* wall = nullptr;
   RenderTarget* picture = nullptr;
 };
 
-/// The columns of a wall from `left_px` up to `right_px`, as a wall of its own.
+/// Returns the columns of `wall` from `left_px` up to `right_px` as a wall of its own.
 Wall columnsOf(const Wall& wall, int left_px, int right_px);
 
 class EyeRenderer {
  public:
-  /// Of a split wall, the columns around its middle that part its halves.
+  /// Width of the line between the halves of a split wall, in columns around its middle.
   static constexpr int kSplitLine_px = 3;
 
-  /// Keeps `graphics`.
+  /// Keeps a reference to `graphics`.
   EyeRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s);
   ~EyeRenderer();
 
-  /// What `eye` of `observer` sees on its walls. `world.histories[i]` is body i of the scene. What a view of
-  /// time needs is made when it is first turned on; off, it costs nothing. A scripted body that always rests on
-  /// the board has no ghost "now on the board", one that always goes with the room none of "my now".
+  /// Draws what `eye` of `observer` sees on its walls. `world.histories[i]` is body i of the scene. A view of
+  /// time creates what it needs when it is first turned on; turned off, it costs nothing. A scripted body
+  /// that always rests on the board has no ghost "now on the board", and one that always moves with the room
+  /// has none of "my now".
   void draw(const FrameRecord& record, const World& world, const ObserverView& observer, const EyeView& eye,
             std::span<const PicturedWall> walls);
 
@@ -52,7 +53,7 @@ class EyeRenderer {
   Scene scene_;
   double lightSpeed_m_s_;
   WallRenderer renderer_;
-  std::unique_ptr<WallRenderer> beside_;  // for the right halves: each keeps its shaders
+  std::unique_ptr<WallRenderer> beside_;  // for the right halves: each renderer keeps its shaders
   std::unique_ptr<SpacetimeMarks> marks_;
   bool marked_ = false;
   std::vector<BodyView> bodies_, boardNow_, myNow_;

@@ -1,6 +1,6 @@
 #pragma once
-// Visible windows, by GLFW: they share the textures of the drawing context (cave/gl/graphics.h) and only pack
-// them.
+// Visible windows, by GLFW. They share the textures of the drawing context (cave/gl/graphics.h) and only pack
+// them for the display.
 //
 // Use from the main thread only.
 
@@ -23,10 +23,10 @@ struct GLFWwindow;
 
 namespace carom {
 
-/// What the pointer did over one window. Pixels count right and down.
+/// Input of the pointer over one window. Pixels are counted to the right and down.
 struct PointerInput {
-  glm::dvec2 dragged_px{0.0};  ///< with the left button down
-  double wheel = 0.0;          ///< notches, forwards
+  glm::dvec2 dragged_px{0.0};  ///< drag with the left button down
+  double wheel = 0.0;          ///< notches turned forwards
 };
 
 /// A visible window.
@@ -40,7 +40,7 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Draws the panes and, in a Gui over them, what `over` draws (not yet visible: see swap). Leaves this
+  /// Draws the panes and, in a Gui over them, what `over` draws; `swap` makes them visible. Leaves this
   /// window's context current.
   void show(std::span<const Pane> panes, const std::function<void()>& over = {});
 
@@ -52,34 +52,35 @@ class Window {
   void makeCurrent() const;
   void setVsync(bool on);
 
-  /// What is drawn over it takes mouse and letters from now on, and keys while it wants them (cave/gl/gui.h);
-  /// other keys are the session's, as in every window. `text_px`, `heading_px`: of its letters.
+  /// Enables input for this window's Gui. It takes the mouse and letters, and keys while it wants them
+  /// (cave/gl/gui.h); other keys go to the session, as in every window. `text_px`, `heading_px`: heights of
+  /// its letters.
   void listen(float text_px, float heading_px);
   bool isPressed() const { return listens_ && gui_->isPressed(); }
   bool isIconified() const;
 
-  glm::ivec2 size_px() const;  ///< of its framebuffer
+  glm::ivec2 size_px() const;  ///< size of its framebuffer
   bool isDown(int key) const;
-  /// Where the pointer is, in pixels of the framebuffer, right and down; none while it is over no part of the
-  /// window that can be seen. While a button is held that was pressed here, it may be anywhere.
+  /// Returns where the pointer is, in pixels of the framebuffer to the right and down, or none if it is not
+  /// over a visible part of the window. While a button is held that was pressed here, it may be anywhere.
   std::optional<glm::dvec2> pointer_px() const;
   bool isHeld() const;  ///< the left button was pressed here and is down
-  /// Since the last call; call once a poll.
+  /// Returns the pointer's input since the last call; call it once per poll.
   PointerInput takePointer();
   SwapGroupCalls::Drawable drawable() const { return drawable_; }
 
  private:
-  struct Hears;  // what GLFW calls
+  struct Hears;  // GLFW callbacks
 
   Graphics& graphics_;
   GLFWwindow* window_ = nullptr;
-  bool listens_ = false;        // to what its Gui should know of
-  glm::dvec2 pointer_px_{0.0};  // when it was last asked for
-  bool dragging_ = false;       // then
+  bool listens_ = false;        // its Gui takes input
+  glm::dvec2 pointer_px_{0.0};  // at the last takePointer
+  bool dragging_ = false;       // at the last takePointer
   SwapGroupCalls::Drawable drawable_ = 0;
   std::unique_ptr<StereoPacker> packer_;
   std::unique_ptr<Gui> gui_;  // from its first use on
-  GlFence shown_;             // behind the last frame's drawing in this window
+  GlFence shown_;             // fence behind the last frame's drawing in this window
 };
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// How the bodies of a scene and of a frame are numbered: 0 is everything that rests on the board, then come
-// the pucks, then the scripted bodies, each in the order of the scenario.
+// How the bodies of a scene and of a frame are numbered: body 0 is everything at rest on the board; then come
+// the pucks and the scripted bodies, each in the order of the scenario.
 
 #include <cstddef>
 
@@ -8,11 +8,11 @@
 
 namespace carom {
 
-/// The body of all that rests on the board.
+/// The body that stands for everything at rest on the board.
 inline constexpr std::size_t kRestingBody = 0;
 inline constexpr std::size_t kFirstPuck = 1;
 
-/// Returns the world line of what rests on the board.
+/// Returns the world line of everything at rest on the board.
 inline WorldLine restingWorldLine(double lightSpeed_m_s) { return WorldLine(Knot{}, lightSpeed_m_s); }
 
 }  // namespace carom

@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// Returns the linear colour of a body of this name. A name that is no colour takes one of a palette by
-/// `index`.
+/// Returns the linear colour of a body called `name`. If the name is not a colour, `index` selects one from a
+/// palette.
 glm::vec3 colourOf(const std::string& name, std::size_t index);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Whether every node draws from the same numbers.
+// Digests that tell whether all nodes draw from the same numbers.
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace carom {
 
-/// What a node draws a frame from, field by field, as digests: the same on every node, or something is wrong.
+/// Digests of the data from which a node draws a frame, one for each field. If they differ between nodes,
+/// something is wrong.
 struct FrameDigest {
   static constexpr std::array<const char*, 9> kFields = {"frame number", "display time",   "observer",
                                                          "switches",     "tracked places", "new knots",
@@ -21,7 +22,7 @@ struct FrameDigest {
 
 FrameDigest digestOf(const FrameState& state, const World& world);
 
-/// A body's history, field by field: tells where two histories part.
+/// Digests of a body's history, one for each field. They tell in which field two histories differ.
 struct HistoryDigest {
   static constexpr std::array<const char*, 5> kFields = {"number of knots", "turns", "velocities",
                                                          "proper times", "signal"};

@@ -1,6 +1,6 @@
 #pragma once
-// One drawn frame's record: all that a node needs to draw its walls. Rank 0 decides it, every rank holds the
-// same bytes.
+// The record of one frame: everything that a node needs to draw its walls. Rank 0 decides it, and every rank
+// holds the same bytes.
 
 #include <cstdint>
 #include <limits>
@@ -20,16 +20,16 @@
 
 namespace carom {
 
-/// A knot that a body's history has gained. Bodies are numbered as in the scene.
+/// A knot that has been added to a body's history. Bodies are numbered as in the scene.
 struct BodyKnot {
   std::uint64_t body = 0;
   Knot knot;
 };
 
-/// Where the trackers say that the person's head sensor and hand are. Room frame.
+/// The poses of the person's head sensor and hand as the trackers report them. Room frame.
 struct Tracked {
   Pose roomFromHeadSensor, roomFromHand;
-  std::uint8_t headKnown = 0, handKnown = 0;  ///< 1: a tracker has told, lately
+  std::uint8_t headKnown = 0, handKnown = 0;  ///< 1: a tracker has reported it recently
 };
 
 struct FrameRecord {
@@ -37,21 +37,21 @@ struct FrameRecord {
   double display_s = 0.0;  ///< session clock: when the light of this frame leaves the walls
   ObserverView observer;
   Lorentz boardFromRoom{1.0};  ///< the room's attitude and motion
-  /// The pucks, bodies 1 to `pucks`, forget the knots whose turn is at or after this board time, before the
-  /// new ones are added.
+  /// Before the new knots are added, the pucks (bodies 1 to `pucks`) lose the knots whose turn is at or after
+  /// this board time.
   double truncateFrom_s = std::numeric_limits<double>::infinity();
   std::uint64_t pucks = 0;
-  /// The list of events forgets those of this number and above, before the new ones are added.
+  /// Before the new events are added, the list of events loses those with this number or a higher one.
   std::uint64_t eventsKept = std::numeric_limits<std::uint64_t>::max();
-  /// Then the pucks forget the legs that ended, and the list the events that were over, before this board
-  /// time: no eye will see them any more.
+  /// After both have been added, the pucks lose the legs that ended before this board time, and the list
+  /// loses the events that were over by then: no eye will see them any more.
   double forgetBefore_s = -std::numeric_limits<double>::infinity();
   std::uint64_t last = 0;  ///< 1: the session ends after this frame
-  /// Light's speed for the person: metres in one second of their clock. The game keeps its own
-  /// (app/operator/operator_settings.h).
+  /// Speed of light for the person, in metres per second of their own clock. The game keeps its own speed of
+  /// light (app/operator/operator_settings.h).
   double lightSpeed_m_s = 0.0;
   Switches switches;      ///< which effects are drawn
-  WallControls controls;  ///< what else the operator has chosen
+  WallControls controls;  ///< the operator's other choices
   TimeViews views;
   Tracked tracked;
   HandView hand;
@@ -62,21 +62,21 @@ struct FrameRecord {
 static_assert(std::is_trivially_copyable_v<FrameRecord> && std::is_trivially_copyable_v<BodyKnot> &&
               std::is_trivially_copyable_v<GameEvent>);
 
-/// The record, and the knots and events that came with it.
+/// A frame's record with its new knots and events.
 struct FrameState {
   FrameRecord record;
   std::vector<BodyKnot> knots;
   std::vector<GameEvent> events;
 };
 
-/// What a node knows of the game, as the frames have brought it.
+/// A node's copy of the game, built up from the frames.
 struct World {
   std::vector<WorldLine> histories;  ///< of every body of the scene
-  std::vector<GameEvent> events;     ///< in the order of their numbers; the first may be forgotten
+  std::vector<GameEvent> events;     ///< in the order of their numbers; the earliest may have been forgotten
 };
 
-/// Brings the world up to the frame: truncates, appends, forgets. Throws std::out_of_range if the frame
-/// speaks of a body that is not there.
+/// Brings `world` up to date with the frame: truncates, appends, then forgets. Throws std::out_of_range if
+/// the frame names a body that does not exist.
 void applyFrame(const FrameState& state, World& world);
 
 }  // namespace carom

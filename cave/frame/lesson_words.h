@@ -1,5 +1,5 @@
 #pragma once
-// A lesson: a game with a few words, a question before it and the number behind it.
+// A lesson: a game with short texts, a question before it and a number that explains it.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,30 +8,30 @@
 
 namespace carom {
 
-/// A lesson has so many answers at most: as many as a pad has buttons for.
+/// The most answers that a lesson can have: as many as a gamepad has buttons for.
 inline constexpr std::size_t kMostAnswers = 4;
 
-/// What a lesson says. All of it short: it is read from a wall.
+/// The texts of a lesson. They are short, because they are read from a wall.
 struct LessonWords {
   std::string title;
-  std::string question;              ///< asked before anything is shown of the answer
+  std::string question;              ///< asked before the answer can be seen
   std::vector<std::string> answers;  ///< two to kMostAnswers
-  std::size_t right = 0;             ///< of them
+  std::size_t right = 0;             ///< index of the right answer
   std::string todo;                  ///< what to do
   std::string notice;                ///< what to look for meanwhile
-  std::string number;                ///< what comes out, and why
+  std::string number;                ///< the number that comes out, and why
 };
 
 enum class LessonPhase : std::uint8_t {
   none,      ///< there is no lesson
   asks,      ///< waits for an answer
-  shows,     ///< what to do and to notice
-  explains,  ///< the number behind it, and what was answered
+  shows,     ///< says what to do and what to look for
+  explains,  ///< explains the number and says what was answered
 };
 
 struct LessonState {
   LessonPhase phase = LessonPhase::none;
-  std::uint8_t answer = 0;  ///< the one that was given, from 1; 0: none, it was passed over
+  std::uint8_t answer = 0;  ///< the answer that was given, from 1; 0: none, the question was skipped
 
   bool operator==(const LessonState&) const = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
-// What a frame's record, its knots and its events can hold: the rules for whatever reads them from outside.
+// Which values a frame's record, its knots and its events can hold: checks for all code that reads them from
+// outside.
 
 #include <cstdint>
 
@@ -9,11 +10,11 @@
 
 namespace carom {
 
-/// Each throws std::invalid_argument that names the first impossible field and says what was expected.
-/// `gameLightSpeed_m_s`: of the game whose frame it is.
+/// Each function throws std::invalid_argument that names the first impossible field and what was expected.
+/// `gameLightSpeed_m_s`: speed of light in the game that the frame belongs to.
 void expectPossible(const FrameRecord& record, double gameLightSpeed_m_s);
 void expectPossible(const Knot& knot);
-/// `pucks`: how many the game has.
+/// `pucks`: number of pucks in the game.
 void expectPossible(const GameEvent& event, std::uint64_t pucks);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// What the operator has chosen for all walls of a room.
+// The operator's choices for all walls of a room.
 
 #include <cstdint>
 
@@ -11,8 +11,8 @@ struct WallControls {
   Shown shown = Shown::session;
   std::uint8_t blank = 0;         ///< 1: every wall is black
   std::uint8_t eyesSwapped = 0;   ///< 1: each eye gets the other's picture
-  std::uint8_t trackerCross = 0;  ///< 1: a cross sits where each tracked sensor is
-  std::uint8_t latency = 0;       ///< 1: every node shows in its windows how its time is spent
+  std::uint8_t trackerCross = 0;  ///< 1: a cross is drawn at each tracked sensor
+  std::uint8_t latency = 0;       ///< 1: every node shows in its windows how it spends its time
 
   bool operator==(const WallControls&) const = default;
 };

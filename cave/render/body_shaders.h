@@ -1,5 +1,5 @@
 #pragma once
-// The shader texts for drawing bodies, put together from their files.
+// The shader texts for drawing bodies, assembled from their files.
 
 #include <string>
 
@@ -9,18 +9,19 @@
 
 namespace carom {
 
-/// What is known of the body's legs when the shader is compiled: the less it moves, the quicker.
+/// What is known about a body's legs when the shader is compiled: the simpler they are, the faster the
+/// shader.
 enum class Legs {
-  rest,  ///< one, at rest on the board
-  one,   ///< one, straight
-  many,  ///< any
+  rest,  ///< one leg, at rest on the board
+  one,   ///< one straight leg
+  many,  ///< any number of legs
 };
 
-/// The kernels of emission and colour as GLSL with all they need.
+/// Returns the GLSL text of the emission and colour kernels with everything they need.
 std::string kernelText(Legs legs);
 
-/// One program for each state of the switches: what is off costs nothing. Bodies at a moment are drawn as
-/// ghosts, whatever their paint.
+/// Returns the shaders for one state of the switches: effects that are off cost nothing. Bodies at a moment
+/// are drawn as ghosts, whatever their paint.
 std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches,
                              ViewTime moment = ViewTime::seen);
 std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen);

@@ -1,5 +1,5 @@
 #pragma once
-// The bodies at a moment, beside what is seen of them.
+// The bodies at one moment, drawn beside what is seen of them.
 
 #include <span>
 
@@ -7,8 +7,9 @@
 
 namespace carom {
 
-/// The bodies at a moment, drawn as ghosts beside what is seen: each as many as the scene has, or none.
-/// Viewed with ViewTime::boardNow and ViewTime::myNow; a view without legs: that body has no ghost.
+/// The bodies at one moment, drawn as ghosts beside what is seen. Each span has as many views as the scene
+/// has bodies, or none; they are viewed with ViewTime::boardNow and ViewTime::myNow. A body whose view has no
+/// legs has no ghost.
 struct Ghosts {
   std::span<const BodyView> boardNow, myNow;
 };

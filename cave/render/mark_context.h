@@ -1,5 +1,6 @@
 #pragma once
-// What marks among the bodies are made from: one eye's sight, and where it sees what rests on the board.
+// The data from which marks among the bodies are made: one eye's view, and where that eye sees what rests on
+// the board.
 
 #include <array>
 #include <cmath>
@@ -15,7 +16,7 @@
 
 namespace carom {
 
-/// What one eye looks at, and whose eye it is.
+/// What one eye sees, and the observer it belongs to.
 struct MarkContext {
   const ObserverView& observer;
   const EyeView& eye;
@@ -28,17 +29,17 @@ struct MarkContext {
   Ghosts ghosts;
 };
 
-/// The person's board time: of the point between the eyes, so that both eyes see one thing.
+/// Returns the person's board time, that of the point between the eyes, so that both eyes see the same marks.
 inline double boardNow_s(const MarkContext& sight) { return sight.observer.middle.observation.t_s; }
 
-/// How long the eye has seen that this has happened; negative: not yet.
+/// Returns for how long the eye has seen that this event has happened; negative if it has not seen it yet.
 inline double seenSince_s(const MarkContext& sight, const Event& event) {
   const Event& eye = sight.eye.observation;
   const double way_m = sight.switches.retardation ? glm::length(eye.r_m - event.r_m) : 0.0;
   return eye.t_s - event.t_s - way_m / sight.observer.headFromBoard.lightSpeed_m_s();
 }
 
-/// Where things at rest on the board are drawn: light from them has come straight, (−|x|, x).
+/// Computes where places at rest on the board are drawn: light from them has come straight, (−|x|, x).
 class Resting {
  public:
   explicit Resting(const MarkContext& sight)
@@ -53,16 +54,17 @@ class Resting {
   Vec3 eye_m_;
 };
 
-/// Horizontal, to the right of someone who looks there from between the eyes: plates face them.
+/// Returns the horizontal unit vector to the right of a person who looks at this place from between the eyes:
+/// plates face the person.
 inline Vec3 rightOf(const MarkContext& sight, const Vec3& place_m) {
   const Vec3 way = place_m - sight.observer.middle.observation.r_m;
   const double length_m = std::hypot(way.x, way.y);
   return length_m > 0.0 ? Vec3(way.y, -way.x, 0.0) / length_m : Vec3(1.0, 0.0, 0.0);
 }
 
-inline constexpr double kOnCloth_m = 0.003;  ///< height above it of what lies on it
+inline constexpr double kOnCloth_m = 0.003;  ///< height above the cloth of marks that lie on it
 
-/// A plate that stands at a place and faces the person, large enough to be read from where they are.
+/// A plate that stands at a place and faces the person, large enough to be read from where the person is.
 struct StandingPlate {
   PlateText text;
   PlateShape shape = PlateShape::box;
@@ -71,15 +73,15 @@ struct StandingPlate {
   double width_m() const { return kPlaceWidth_m * scale * placesAcross(text, shape); }
   double height_m() const { return kPlateHeight_m * scale; }
 
-  static constexpr double kPlaceWidth_m = 0.033, kPlateHeight_m = 0.055;  // of a plate nearby
+  static constexpr double kPlaceWidth_m = 0.033, kPlateHeight_m = 0.055;  // of a nearby plate
 };
 
-/// Of a size that can be read from between the eyes: further than 1.6 m away it is seen as large as there, up
-/// to three times its size.
+/// Returns a plate that can be read from between the eyes: beyond 1.6 m it is enlarged, at most three times,
+/// so that it looks as large as at 1.6 m.
 StandingPlate standingPlate(const MarkContext& sight, const PlateText& text, PlateShape shape,
                             const Vec3& foot_m);
 
-/// The plate, `draw(offset)` saying where a point so far from its foot is drawn.
+/// Adds the plate. `draw(offset)` returns where a point at this offset from the plate's foot is drawn.
 template <typename Draw>
 void addPlate(MarkBuffer& batch, const MarkContext& sight, const StandingPlate& plate,
               const glm::vec4& colour, const Draw& draw) {
@@ -94,15 +96,15 @@ void addPlate(MarkBuffer& batch, const MarkContext& sight, const StandingPlate& 
   batch.addPlate(lower, upper, plate.text, plate.shape, colour);
 }
 
-/// Keeps plates from covering each other, as seen from between the eyes: whoever comes later stands higher.
+/// Keeps plates from covering each other, as seen from between the eyes: later plates are placed higher.
 class LabelLayout {
  public:
   explicit LabelLayout(const MarkContext& sight) : eye_m_(sight.observer.middle.observation.r_m) {}
-  /// Takes in a plate whose foot is asked to be where it is; by how much it must stand higher.
+  /// Adds a plate that would stand at its foot, and returns by how much it must stand higher.
   double raise_m(const StandingPlate& plate);
 
  private:
-  struct Box {  // as seen: from the middle to a side, and heights, over the distance
+  struct Box {  // as seen: azimuth of the middle, half the width, and the heights over the distance
     double azimuth_rad, half, lower, upper;
   };
   Vec3 eye_m_;

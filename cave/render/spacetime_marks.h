@@ -1,7 +1,7 @@
 #pragma once
-// What the views of time put among the bodies besides ghosts: ways of pucks, markers of events, light on its
-// way, clocks on pucks. All of it where the eye sees it, or for the light of a flash where it is at the
-// person's board time. What measures is in cave/render/measure_marks.h.
+// The marks that the views of time add among the bodies, besides ghosts: paths of pucks, markers of events,
+// light on its way, clocks on pucks. Each is drawn where the eye sees it; the light of a flash is drawn where
+// it is at the person's board time. Marks for measuring are in cave/render/measure_marks.h.
 
 #include <memory>
 #include <span>
@@ -16,36 +16,36 @@
 
 namespace carom {
 
-/// Flags where the eye has seen something happen, each number and all at rest on the board: of the latest
-/// kMostMarkers, the older the fainter. And for flashes the sphere of their light, c (t − t_e) around at the
-/// person's board time t, with the ring that it draws on the cloth.
+/// Adds numbered flags, at rest on the board, where the eye has seen an event happen: for the latest
+/// kMostMarkers events, the older the fainter. For flashes it also adds the sphere of their light, of radius
+/// c (t − t_e) at the person's board time t, and the ring in which the sphere cuts the cloth.
 void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch);
 inline constexpr std::size_t kMostMarkers = 8;
-inline constexpr double kEventShown_s = 8.0;  ///< after its light has come
-inline constexpr double kFlashSeen_s = 0.35;  ///< how long one glows
-inline constexpr double kSphere_m = 9.0;      ///< radius to which light is followed
+inline constexpr double kEventShown_s = 8.0;  ///< after its light has arrived
+inline constexpr double kFlashSeen_s = 0.35;  ///< how long a flash glows
+inline constexpr double kSphere_m = 9.0;      ///< radius up to which the light is shown
 
-/// On a stem above each puck, which moves with it, a clock that shows the puck's own time at the event where
-/// the light left its centre. Of every body of the scene: `colours`, linear; `reach_m`, how far they reach
-/// from their centres.
+/// Adds a clock on a stem above each puck, moving with it, that shows the puck's own time at the event where
+/// the light left its centre. For every body of the scene, `colours` is linear and `reach_m` is how far it
+/// reaches from its centre.
 void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
                    std::span<const double> reach_m, LabelLayout& crowd, MarkBuffer& batch);
 
-/// A pin above each ghost, moving with it, so that it is found and told apart far away and without colours:
-/// with a diamond "now on the board", with a ring "my now", around the body's own colour. Of every body of
-/// the scene: `colours`, linear; `tops_m`, how far they reach up from their centres.
+/// Adds a pin above each ghost, moving with it, so that ghosts can be found and told apart from far away and
+/// without colours: a diamond marks "now on the board", a ring "my now", both around the body's own colour.
+/// For every body of the scene, `colours` is linear and `tops_m` is how far it reaches up from its centre.
 void addBeacons(const MarkContext& sight, std::span<const glm::vec3> colours, std::span<const double> tops_m,
                 MarkBuffer& batch);
 
 class SpacetimeMarks {
  public:
-  /// Copies what it needs of the scene. Made and destroyed with the drawing context current.
+  /// Copies what it needs of the scene. Create and destroy it with the drawing context current.
   explicit SpacetimeMarks(const Scene& scene);
 
-  /// For one eye.
+  /// Computes the marks for one eye.
   void look(const MarkContext& sight);
 
-  /// Into a picture whose depth is that of the bodies; `cutAt` as MarkDrawer::draw has it.
+  /// Draws the marks into a picture that has the depth of the bodies; `cutAt` as in MarkDrawer::draw.
   void draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, const glm::ivec2& size_px,
             float cutAt = 0.0F) const;
 

@@ -2,7 +2,7 @@
 // Draws the scene as one eye sees it on one wall, into a texture. The emission solve runs in the vertex
 // shader (engine/light/emission_kernel.glsl), over legs that were prepared in double for that eye.
 //
-//   renderer.look(observer.headFromBoard, eye, bodyViews);          // once an eye
+//   renderer.look(observer.headFromBoard, eye, bodyViews);          // once for each eye
 //   renderer.draw(wall, eye.positionInRoom_m, picture);             // for each wall of that eye
 
 #include <memory>
@@ -22,33 +22,33 @@ namespace carom {
 
 class SpacetimeMarks;
 
-/// Where and with what a wall is drawn.
+/// How one wall is drawn into its picture.
 struct WallDrawing {
-  glm::dvec3 seenFromEye_m{0.0};    ///< where seen places are counted from, from the eye; room axes
+  glm::dvec3 seenFromEye_m{0.0};    ///< origin of seen places, relative to the eye; room axes
   int left_px = 0;                  ///< column of the picture in which the wall begins
   SpacetimeMarks* marks = nullptr;  ///< drawn among the bodies
-  float cutAt = 0.0F;  ///< its border beyond which another picture goes on: 1 right, −1 left, 0 none
+  float cutAt = 0.0F;  ///< the wall's border beyond which another picture continues: 1 right, −1 left, 0 none
 };
 
 class WallRenderer {
  public:
-  /// `samples`: of multisample antialiasing (1: none). Keeps `graphics`; makes its context current in every
-  /// call.
+  /// `samples`: samples of multisample antialiasing (1: none). Keeps a reference to `graphics`, and makes its
+  /// context current in every call.
   WallRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, int samples = 4);
   ~WallRenderer();
   WallRenderer(const WallRenderer&) = delete;
   WallRenderer& operator=(const WallRenderer&) = delete;
 
-  /// Takes over what one eye receives: `bodies[i]` is body i of the scene, viewed by `eye` in the frame
-  /// `headFromBoard` with these switches. The first frame after a change of switches takes longer, as does
-  /// the first with ghosts of a kind. Throws std::invalid_argument if there are not as many bodies as the
-  /// scene has.
+  /// Sets what one eye receives: `bodies[i]` is body i of the scene, viewed by `eye` in the frame
+  /// `headFromBoard` with these switches. The first frame after a change of switches takes longer, and so
+  /// does the first frame with ghosts of a kind. Throws std::invalid_argument if the number of bodies is not
+  /// that of the scene.
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
             const Switches& switches = {}, const Ghosts& ghosts = {});
 
-  /// Draws what the eye last given to `look` sees on `wall` from `eyeInRoom_m` (the tracked eye, as it will
-  /// be when the photons leave the wall), into as many columns of the picture as the wall has. False, with a
-  /// black picture, if the eye is on or behind the wall.
+  /// Draws what the eye last given to `look` sees on `wall` from `eyeInRoom_m` (the tracked eye at the time
+  /// when the photons leave the wall), into as many columns of the picture as the wall has. Returns false and
+  /// leaves the picture black if the eye is on the wall or behind it.
   bool draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, RenderTarget& picture,
             const WallDrawing& drawing = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// Whether three measured corners make a wall.
+// Checks whether three measured corners make a wall.
 
 #include <array>
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace carom {
 
-/// Walls are measured with a tape: corners may miss a rectangle by this much.
+/// Walls are measured with a tape: their corners may deviate from a rectangle by this much.
 inline constexpr double kCornerMiss_m = 0.002;
-/// Edges below this make no wall.
+/// An edge shorter than this makes no wall.
 inline constexpr double kShortestEdge_m = 0.001;
 
-/// Three corners in the order in which they are joined by two edges, and what their file calls them.
+/// Three corners in the order in which two edges join them, with their names in the file.
 struct ThreeCorners {
   std::array<glm::dvec3, 3> at_m;
   std::array<std::string_view, 3> names;
@@ -24,15 +24,15 @@ struct ThreeCorners {
 };
 
 struct CornerFault {
-  std::size_t corner = 0;  ///< which of the three
+  std::size_t corner = 0;  ///< which of the three corners
   std::string what;
 };
 
-/// None if they span a rectangle to kCornerMiss_m.
+/// Returns none if the corners span a rectangle within kCornerMiss_m.
 std::optional<CornerFault> rectangleFault(std::string_view wall, const ThreeCorners& corners);
 
-/// How far the last corner is from where a right angle at the middle one would have it, along the first edge;
-/// signed: above zero where the angle is below 90 degrees.
+/// Returns how far the last corner lies, along the first edge, from where a right angle at the middle corner
+/// would put it; positive if the angle is below 90 degrees.
 double squareMiss_m(const std::array<glm::dvec3, 3>& corners_m);
 
 }  // namespace carom

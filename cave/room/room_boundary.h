@@ -1,5 +1,6 @@
 #pragma once
-// Whether the person has left the room: gone behind one of its walls, which then has nothing to show them.
+// Tells when the person has left the room, that is, gone behind one of its walls, which then has no picture
+// for them.
 
 #include <algorithm>
 #include <span>
@@ -14,13 +15,13 @@ namespace carom {
 
 class RoomBoundary {
  public:
-  /// Trackers err by a centimetre or two at the edge of what they see.
+  /// Allowance for trackers, which err by a centimetre or two at the edge of their volume.
   static constexpr double kBehind_m = 0.05;
 
-  /// Keeps the walls.
+  /// Keeps a reference to the walls.
   explicit RoomBoundary(std::span<const Wall> walls) : walls_(walls) {}
 
-  /// What to say to a head that is here now; empty but for once each time that it leaves.
+  /// Returns the message for a head at this place: once each time that it leaves the room, otherwise empty.
   std::string look(const glm::dvec3& headInRoom_m) {
     const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) {
       return glm::dot(normalOf(w), headInRoom_m - w.lowerLeft_m) < -kBehind_m;

@@ -1,6 +1,6 @@
 #pragma once
-// A wall of the room as the rig file gives it: where it stands, its pixels, who draws it and how its two
-// eyes reach the person. Room frame, metres.
+// A wall of the room as the rig file describes it: where it stands, its pixels, the node that draws it and
+// how its pictures reach the person's two eyes. Room frame, metres.
 
 #include <array>
 #include <cstddef>
@@ -25,26 +25,27 @@ enum class StereoMode {
   quadBuffer,
   sideBySide,
   topBottom,
-  anaglyph,  ///< for red and cyan glasses; colours as far as they do not fight between the eyes
+  anaglyph,  ///< for red and cyan glasses; colours are kept as far as the two eyes' images do not conflict
   interlaced,
   checkerboard,
-  anaglyphGrey,  ///< for red and cyan glasses, without colours: every brightness is kept
+  anaglyphGrey,  ///< for red and cyan glasses, without colours: all brightness is kept
 };
 
-/// How the projector mirrors its picture on the way to the eye; the picture is mirrored before it, too.
+/// How the projector mirrors its picture on the way to the eye; the picture is mirrored beforehand to undo
+/// it.
 enum class Flip {
   none,
-  horizontal,  ///< left and right: seen from the other side of the screen
+  horizontal,  ///< left and right, as for projection from behind the screen
   vertical,
-  both,  ///< upside down: hung from the ceiling
+  both,  ///< upside down, as for a projector hung from the ceiling
 };
 
-/// What holds the swaps of all nodes together (cave/cluster/frame_lock.h), as a rig asks for it.
+/// What keeps the swaps of all nodes together (cave/cluster/frame_lock.h), as a rig asks for it.
 enum class FrameLock : std::uint8_t { software, swapGroup };
 inline constexpr std::array<std::string_view, 2> kFrameLocks{"software", "swap-group"};
 
-/// Where a visible window lies on its monitor (or, in a rig with one window for all walls, where the
-/// wall's picture lies in that window). Pixels from the top left.
+/// Where a visible window lies on its monitor, or, in a rig with one window for all walls, where the wall's
+/// picture lies in that window. Pixels from the top left.
 struct WindowPlacement {
   int monitor = 0;
   glm::ivec2 position_px{0};
@@ -54,34 +55,34 @@ struct WindowPlacement {
   bool operator==(const WindowPlacement&) const = default;
 };
 
-/// A part of a window, in pixels from its top left.
+/// Part of a window, in pixels from its top left.
 struct Viewport {
   glm::ivec2 position_px{0};
   glm::ivec2 size_px{0};
 };
 
-/// A rectangle by three of its corners, as seen from inside the room.
+/// A rectangle given by three of its corners, as seen from inside the room.
 struct Wall {
   std::string name;
   glm::dvec3 lowerLeft_m{0.0};
   glm::dvec3 lowerRight_m{0.0};
   glm::dvec3 upperLeft_m{0.0};
-  glm::ivec2 pixels{0};  ///< per eye: what is drawn and captured
+  glm::ivec2 pixels{0};  ///< per eye: size of the pictures that are drawn and captured
   int node = 0;          ///< MPI rank that draws it
   WindowPlacement window;
-  /// Its part of the window, which it then shares with all walls of its node that name the same window and
-  /// a part; none: all of it.
+  /// The wall's part of the window, which it then shares with all walls of its node that name the same window
+  /// and a part; none: it has the whole window.
   std::optional<Viewport> viewport;
   StereoMode stereo = StereoMode::mono;
-  std::filesystem::path warp;   ///< mesh that bends the picture to the screen (.pfm, .obj); empty: none
+  std::filesystem::path warp;   ///< mesh that warps the picture to the screen (.pfm, .obj); empty: none
   std::filesystem::path blend;  ///< picture that dims where projectors overlap; empty: none
-  double blackLevel = 0.0;      ///< what black is lifted to, of the brightest: evens out overlaps
+  double blackLevel = 0.0;  ///< what black is lifted to, as a fraction of the brightest: evens out overlaps
   Flip flip = Flip::none;
   double displayLatency_s = 0.0;  ///< from the swap to the photons
-  std::size_t heldFrames = 0;     ///< its pictures wait so long for the light of slower walls
+  std::size_t heldFrames = 0;     ///< frames by which its pictures are delayed, to match slower walls
 };
 
-/// A wall's unit normal, towards who looks at it.
+/// Returns a wall's unit normal, which points to the person who looks at it.
 inline glm::dvec3 normalOf(const Wall& wall) {
   return glm::normalize(
       glm::cross(wall.lowerRight_m - wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m));

@@ -1,5 +1,5 @@
 #pragma once
-// What a pointer over a window points to: the place of a wall whose picture is there.
+// Finds the place of a wall to which a pointer over a window points.
 
 #include <cstddef>
 #include <optional>
@@ -13,20 +13,20 @@ namespace carom {
 
 /// The mouse over a wall's picture.
 struct PointedWall {
-  Vec3 onWall_m{0.0};     ///< the place of the wall that it points to; room frame
-  Eye eye = Eye::middle;  ///< from which that place is seen
+  Vec3 onWall_m{0.0};     ///< the place on the wall that it points to; room frame
+  Eye eye = Eye::middle;  ///< the eye from which that place is seen
 };
 
-/// How far the pointer is from the pane; 0 inside.
+/// Returns how far the pointer is outside the pane, in pixels; 0 inside.
 double outside_px(const Viewport& pane, const glm::dvec2& pointer_px);
 
-/// The place of `wall` that is shown at `pointer_px` of its window (right and down, counted from the window's
-/// top left corner), where the wall's picture has the part `pane` of it. None: the pointer is outside;
-/// `beyond`: the wall's plane goes on there.
+/// Returns the place of `wall` that is shown at `pointer_px` of its window (right and down, counted from the
+/// window's top left corner), if `pane` is the part of the window with the wall's picture. Returns none if
+/// the pointer is outside the pane; with `beyond`, the wall's plane continues there.
 ///
-/// Where the eyes' pictures lie side by side, or one above the other, the half tells the eye; where they lie
-/// over each other, it is the middle one. A projector's mirroring is undone, its warp is not: on a bent
-/// screen the place is off by as much as the screen bends.
+/// If the eyes' pictures lie side by side, or one above the other, the half tells which eye it is; if they
+/// overlap, it is the middle eye. A projector's mirroring is undone, but not its warp: on a bent screen the
+/// place is wrong by as much as the screen bends.
 std::optional<PointedWall> pointedIn(const Wall& wall, const Viewport& pane, const glm::dvec2& pointer_px,
                                      bool beyond = false);
 
