@@ -1,6 +1,6 @@
 #pragma once
-// The clicks of a game, played by OpenAL when the light of each comes (cave/audio/heard.h): on loudspeakers
-// around the room, or on headphones of someone who looks ahead in it.
+// The clicks of a game, played through OpenAL when the light of each event arrives (cave/audio/heard.h): on
+// loudspeakers around the room, or on headphones of a person who looks forward in it.
 
 #include <memory>
 #include <vector>
@@ -19,22 +19,22 @@ struct SoundAxes {
 
 class Sounds {
  public:
-  /// Opens the system's sound device. Where there is none it says so on standard error and is silent.
+  /// Opens the system's sound device. If there is none, says so on standard error and remains silent.
   explicit Sounds(const SoundAxes& axes);
   ~Sounds();
   Sounds(const Sounds&) = delete;
   Sounds& operator=(const Sounds&) = delete;
 
-  /// The frame has come onto the walls: what is seen in it and was not in the one before is heard. Waits for
-  /// nothing: OpenAL mixes on a thread of its own.
+  /// Plays the events that are seen in this frame, now on the walls, and were not in the one before. Does not
+  /// wait: OpenAL mixes on a thread of its own.
   void shown(const FrameRecord& record, const std::vector<GameEvent>& events);
 
  private:
   struct Device;
-  std::unique_ptr<Device> device_;  // none: silent
+  std::unique_ptr<Device> device_;  // null: silent
 };
 
-/// A click, 16 bit, one channel; deterministic.
+/// Returns a click, 16 bit, one channel; always the same for a kind.
 inline constexpr int kSoundRate_hz = 44100;
 std::vector<short> clickOf(EventKind kind);
 

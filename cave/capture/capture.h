@@ -21,38 +21,38 @@
 
 namespace carom {
 
-/// `directory`/WALL-EYE-FRAME.png, the frame as six digits.
+/// Returns `directory`/WALL-EYE-FRAME.png, with the frame as six digits.
 std::filesystem::path capturePath(const std::filesystem::path& directory, const std::string& wall, Eye eye,
                                   std::uint64_t frame);
 
-/// What a full queue means for the next frame.
+/// What happens to the next frame if the queue is full.
 enum class WhenFull {
-  wait,  ///< in simulated time: nothing is left out
-  drop,  ///< in real time: the frame is left out, and counted
+  wait,  ///< waits, in simulated time: no frame is left out
+  drop,  ///< leaves the frame out and counts it, in real time
 };
 
-/// Captures pictures while a session goes on: they are read back a frame or two later, encoded and written by
-/// other threads. Use with the drawing context current.
+/// Captures pictures while a session goes on: they are read back a frame or two later, and other threads
+/// encode and write them. Use it with the drawing context current.
 class Capture {
  public:
   Capture(std::filesystem::path directory, WhenFull whenFull);
-  ~Capture();  ///< without `finish`: writes what has been read back
+  ~Capture();  ///< without `finish`: writes the pictures that have been read back
 
   struct Taken {
     const RenderTarget* picture = nullptr;
     const std::string* wall = nullptr;
     Eye eye = Eye::middle;
   };
-  /// One more picture for the next `take`, which may not be drawn into until then.
+  /// Adds a picture to the next `take`; until then it must not be drawn into.
   void include(const Taken& picture) { frame_.push_back(picture); }
-  /// Takes all pictures of a frame, or none. Throws std::runtime_error, naming the file, once one could not
-  /// be written.
+  /// Captures all pictures of a frame, or none. After a picture could not be written, throws
+  /// std::runtime_error naming the file.
   void take(std::uint64_t frame, std::span<const Taken> pictures);
 
-  /// Returns when every picture is a file. Throws as `take` does.
+  /// Waits until every picture is a file. Throws as `take` does.
   void finish();
 
-  std::uint64_t dropped() const { return dropped_; }  ///< frames
+  std::uint64_t dropped() const { return dropped_; }  ///< number of frames
 
  private:
   struct Job {
@@ -67,9 +67,9 @@ class Capture {
   std::filesystem::path directory_;
   WhenFull whenFull_;
   std::uint64_t dropped_ = 0;
-  std::vector<Taken> frame_;  // the pictures of the next one
+  std::vector<Taken> frame_;  // the pictures of the next frame
   PictureReader reader_;
-  std::deque<std::filesystem::path> asked_;   // where the pictures go that are being read back
+  std::deque<std::filesystem::path> asked_;   // paths of the pictures that are being read back
   std::unique_ptr<WorkQueue<Job>> queue_;     // from the first frame on
   std::optional<ClosedOnLeaving> onLeaving_;  // last: it uses the queue
 };

@@ -24,45 +24,46 @@
 
 namespace carom {
 
-/// The endings of a movie's name: each is a kind of file that ffmpeg writes.
+/// The file endings of a movie; each selects a file format of ffmpeg.
 inline constexpr std::string_view kMovieEndings = ".mp4, .webm or .ogv";
 bool isMovieName(const std::filesystem::path& file);
 
-/// With several nodes each has its own: cave.mp4 is cave-node1.mp4 on rank 1.
+/// Returns the file of one node: each of several nodes has its own, such as cave-node1.mp4 of rank 1 for
+/// cave.mp4.
 std::filesystem::path movieOfNode(const std::filesystem::path& file, int rank, int ranks);
 
-/// Where each wall is in the movie's picture, from its top left.
+/// The place of each wall in the movie's picture, from its top left.
 struct MovieLayout {
-  glm::ivec2 size_px{0};  ///< even, as encoders want it
+  glm::ivec2 size_px{0};  ///< even numbers, as encoders require
   std::vector<Viewport> places;
 };
 
-/// One eye's picture of each wall, at its own pixels where the movie is then at most 3840 × 2160, else
-/// smaller: in a row; with `inOneWindow`, where a wall's `window` is its place among the others, as they lie
-/// there.
+/// Returns the layout for one eye's picture of each wall, in full size if the movie is then at most 3840 ×
+/// 2160, otherwise reduced. The walls stand in a row; with `inOneWindow`, where a wall's `window` is its
+/// place among the others, they lie as in that window.
 MovieLayout movieLayout(std::span<const Wall> walls, bool inOneWindow);
 
-/// Use with the drawing context current.
+/// Use it with the drawing context current.
 class Movie {
  public:
-  /// Starts ffmpeg. Throws std::runtime_error, in words for the person, if it is not installed or the file
-  /// cannot be written. The file appears at `finish`, whole; until then it has another name.
+  /// Starts ffmpeg. Throws std::runtime_error, with a message for the person, if it is not installed or the
+  /// file cannot be written. Until `finish` the file has another name; then it appears whole.
   Movie(std::filesystem::path file, MovieLayout layout, double frames_hz, WhenFull whenFull);
   ~Movie();  ///< without `finish` no file appears
   Movie(const Movie&) = delete;
   Movie& operator=(const Movie&) = delete;
 
-  /// The next frame: a picture of each wall, in the layout's order. The movie keeps the display's time: a
-  /// frame that stays for several ticks is there as often, a frame that is dropped gives its ticks to the one
-  /// before. A jump by over a second either way, as through a recording, is one frame. Throws
-  /// std::runtime_error once ffmpeg has failed.
+  /// Adds the next frame: a picture of each wall, in the layout's order. The movie keeps the display's time:
+  /// a frame that is displayed for several ticks is repeated as often, and the ticks of a dropped frame go to
+  /// the frame before. A jump by over a second in either direction, as when seeking in a recording, counts as
+  /// one frame. Throws std::runtime_error once ffmpeg has failed.
   void add(double display_s, std::span<const RenderTarget* const> pictures);
 
-  /// Returns when the movie is a file. Throws as `add` does; where it only cannot have its name, it stays
-  /// under the other, which is said.
+  /// Waits until the movie is a file. Throws as `add` does. If only its final name cannot be given, the movie
+  /// keeps the other name, and a message says so.
   void finish();
 
-  std::uint64_t dropped() const { return dropped_; }  ///< frames
+  std::uint64_t dropped() const { return dropped_; }  ///< number of frames
   const std::filesystem::path& file() const { return file_; }
 
  private:
@@ -80,7 +81,7 @@ class Movie {
   WhenFull whenFull_;
   std::uint64_t dropped_ = 0;
   std::uint64_t tick_ = 0;
-  std::optional<double> previous_s_;  // display time
+  std::optional<double> previous_s_;  // display time of the previous frame
   RenderTarget picture_;
   StereoPacker packer_;
   PictureReader reader_;

@@ -1,5 +1,5 @@
 #pragma once
-// Jobs for a few threads of their own, in a queue that does not grow without end.
+// Jobs for a few threads of their own, in a queue of bounded length.
 
 #include <algorithm>
 #include <condition_variable>
@@ -15,32 +15,32 @@
 
 namespace carom {
 
-/// One thread adds jobs. Jobs that are done are kept, so that their memory can be used again.
+/// One thread adds jobs. Finished jobs are kept so that their memory can be reused.
 template <typename Job>
 class WorkQueue {
  public:
-  /// `work` runs on `threads` threads; with one, in the order of the jobs. At most `capacity` jobs wait or
-  /// are being done.
+  /// `work` runs on `threads` threads; with one thread, in the order of the jobs. At most `capacity` jobs are
+  /// waiting or in progress.
   WorkQueue(std::size_t capacity, unsigned threads, std::function<void(Job&)> work)
       : capacity_(std::max<std::size_t>(capacity, 1)), work_(std::move(work)) {
     for (unsigned i = 0; i < std::max(threads, 1U); ++i) {
       threads_.emplace_back([this](const std::stop_token& stop) { run(stop); });
     }
   }
-  /// Does what waits; what fails then is not told.
+  /// Finishes the waiting jobs; failures at this stage are not reported.
   ~WorkQueue() {
     for (std::jthread& thread : threads_) thread.request_stop();
   }
   WorkQueue(const WorkQueue&) = delete;
   WorkQueue& operator=(const WorkQueue&) = delete;
 
-  /// How many jobs can be added before one of them has to wait.
+  /// Returns how many jobs can be added without waiting.
   std::size_t room() const {
     const std::scoped_lock hold(mutex_);
     return capacity_ - std::min(capacity_, unfinished());
   }
 
-  /// A job that was done, for its memory; a new one where there is none.
+  /// Returns a finished job, for its memory, or a new one if there is none.
   Job spare() {
     const std::scoped_lock hold(mutex_);
     if (spares_.empty()) return {};
@@ -49,8 +49,8 @@ class WorkQueue {
     return job;
   }
 
-  /// Waits while the queue is full. Throws what the first job that failed has thrown; jobs after it are not
-  /// done.
+  /// Adds a job, waiting while the queue is full. Throws the exception of the first job that failed; later
+  /// jobs are not done.
   void add(Job job) {
     std::unique_lock hold(mutex_);
     finished_.wait(hold, [this] { return unfinished() < capacity_ || failure_; });
@@ -86,7 +86,7 @@ class WorkQueue {
     }
   }
 
-  /// The next job; none when the end is asked for and nothing waits.
+  /// Returns the next job, or none when a stop is requested and no job waits.
   std::optional<Job> take(const std::stop_token& stop) {
     std::unique_lock hold(mutex_);
     added_.wait(hold, stop, [this] { return !waiting_.empty(); });

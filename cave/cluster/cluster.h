@@ -109,7 +109,7 @@ class Cluster {
   int size_ = 1;
   std::uint64_t frames_ = 0;  // number of frames swapped so far
   std::uint64_t drawn_ = 0;   // number of the frame that this rank has drawn
-  bool wantsToEnd_ = false;   // on this rank, when it had drawn that frame
+  bool wantsToEnd_ = false;   // whether this rank asked for the end with that frame
   double newest_s_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> names_;  // of each rank: the names of its walls
   std::unique_ptr<Room> room_;

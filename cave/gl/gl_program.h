@@ -1,5 +1,5 @@
 #pragma once
-// A small OpenGL program from its two texts.
+// Small OpenGL programs, each made from two shader texts.
 
 #include <string>
 
@@ -12,7 +12,8 @@
 
 namespace carom {
 
-/// Compiles and links in the current context; throws std::runtime_error with the compiler's message.
+/// Compiles and links a program in the current context. Throws std::runtime_error with the compiler's
+/// message.
 GlProgram makeProgram(const std::string& name, const std::string& vertexText,
                       const std::string& fragmentText);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The state in which plain pictures are drawn with OpenGL itself, beside VTK, which shares the context.
+// The OpenGL state for flat pictures that are drawn directly, beside VTK, which shares the context.
 
 #include <array>
 
@@ -7,8 +7,8 @@
 
 namespace carom {
 
-/// Draws into `framebuffer` from here on, over all of it, with every test and blending off, and puts back
-/// what was when it goes: others of this context rely on it.
+/// From its construction on, drawing goes into all of `framebuffer`, with every test and blending off. Its
+/// destructor restores the previous state, on which other users of the context rely.
 class GlStateGuard {
  public:
   GlStateGuard(unsigned framebuffer, const glm::ivec2& size_px);
@@ -24,7 +24,7 @@ class GlStateGuard {
   unsigned char depthMask_ = 0;
 };
 
-/// What is drawn from here on lies over what is there, as its alpha says. Within a GlStateGuard.
+/// Turns alpha blending on for what is drawn from here on. Call it within a GlStateGuard.
 void blendOver();
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
 // The OpenGL context in which every wall is drawn into textures, by GLFW: one hidden window owns it. Visible
-// windows (cave/display/window.h) share its textures and only pack them.
+// windows (cave/display/window.h) share its textures and only pack them for the display.
 //
 // Use from the main thread only.
 
@@ -19,15 +19,16 @@ struct KeyInput {
   bool pressed = false;
 };
 
-/// What happened in the windows since the last poll.
+/// Input of the windows since the last poll.
 struct WindowInput {
   std::vector<KeyInput> keys;  ///< in order
   bool closeRequested = false;
   double wheel = 0.0;  ///< notches, over any window
 };
 
-/// What every window of the process is made with: the hints for a context of OpenGL 3.2, the words for the
-/// last failure of GLFW, and the wait for a fence (null is passed at once), bounded in case the card hangs.
+/// Common to all windows of the process: hintContext sets the hints for a context of OpenGL 3.2,
+/// lastGlfwError returns the message of GLFW's last failure, and awaitFence waits for a fence (not at all for
+/// null), but only for a bounded time in case the graphics card hangs.
 void hintContext();
 std::string lastGlfwError();
 void awaitFence(const GlFence& fence);
@@ -35,8 +36,8 @@ void awaitFence(const GlFence& fence);
 /// GLFW and the hidden window with the drawing context. One per process.
 class Graphics {
  public:
-  /// Throws std::runtime_error, in words for the person at the machine, if there is no X display or no
-  /// OpenGL 3.2 on it. `display` (e.g. ":0.1") is used instead of $DISPLAY where given.
+  /// Throws std::runtime_error, with a message for the person at the machine, if there is no X display or no
+  /// OpenGL 3.2 on it. `display` (e.g. ":0.1"), if given, is used instead of $DISPLAY.
   explicit Graphics(const std::string& display = {});
   ~Graphics();
   Graphics(const Graphics&) = delete;
@@ -45,14 +46,14 @@ class Graphics {
   /// Makes the drawing context current.
   void makeCurrent() const;
 
-  /// Hands the drawing done so far to the windows: they wait (on the GPU) for it. Call after all walls
-  /// are drawn, before Window::show.
+  /// Makes the windows wait, on the GPU, for the drawing done so far. Call it after all walls are drawn,
+  /// before Window::show.
   void finishDrawing();
 
-  /// Waits until what was drawn before the last finishDrawing is drawn.
+  /// Waits until what was drawn before the last finishDrawing is complete.
   void awaitDrawing() const;
 
-  /// Processes what the windows received; call once a drawn frame. The span of keys is valid until the next.
+  /// Processes the windows' input; call it once per drawn frame. The result is valid until the next call.
   const WindowInput& poll();
 
   GLFWwindow* context() const { return context_; }
@@ -61,7 +62,7 @@ class Graphics {
  private:
   friend class Window;
   GLFWwindow* context_ = nullptr;
-  GlFence drawn_;  // behind the last frame's drawing
+  GlFence drawn_;  // fence behind the last frame's drawing
   WindowInput input_;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
-// Text, bars and tables over a window, by Dear ImGui: one Gui for each window that has any.
+// Text, bars and tables over a window, by Dear ImGui: one Gui for each window that needs one.
 //
-// Between `begin` and `end` the functions of imgui.h draw into the window whose context is current. What
-// mouse and keyboard do reaches them through `hear`; a Gui that is told nothing only shows.
+// Between `begin` and `end`, the functions of imgui.h draw into the window whose context is current. Input of
+// mouse and keyboard reaches them through `hear`; a Gui that gets no input only displays.
 
 #include <chrono>
 #include <vector>
@@ -15,7 +15,7 @@ struct ImGuiContext;
 
 namespace carom {
 
-/// One thing that a window received.
+/// One piece of input that a window received.
 struct HeardByGui {
   enum class Kind { pointer, button, wheel, key, letter };
   Kind kind = Kind::pointer;
@@ -26,24 +26,25 @@ struct HeardByGui {
 
 class Gui {
  public:
-  /// Made, used and destroyed with the window's OpenGL context current. `text_px`: the height of a line's
-  /// letters; `heading_px`: of a second, larger font, the atlas's number 1; 0: none.
+  /// Create, use and destroy it with the window's OpenGL context current. `text_px`: height of a line's
+  /// letters. `heading_px`: height of the letters of a second, larger font, number 1 in the atlas; 0: there
+  /// is none.
   explicit Gui(float text_px, float heading_px = 0.0F);
   ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// In the order in which it came. Of buttons and keys one change a frame is taken, so that a click is seen
-  /// however short it was.
+  /// Adds input, in the order in which it came. Each frame takes one change of buttons or keys, so that even
+  /// the shortest click is seen.
   void hear(const HeardByGui& heard);
-  /// A field is being filled in or a list is open: keys are for them.
+  /// Returns whether a field is being filled in or a list is open, so that keys belong to the Gui.
   bool wantsKeys() const { return wantsKeys_; }
-  /// A click or a key waits for the next frame, or was taken with the last one: who pressed it waits for an
-  /// answer.
+  /// Returns whether a click or a key waits for the next frame or was taken with the last one: the person who
+  /// pressed it expects an answer.
   bool isPressed() const;
 
   void begin(const glm::ivec2& window_px);
-  void end();  ///< draws it
+  void end();  ///< draws the frame
 
  private:
   void takeHeard();
@@ -54,7 +55,8 @@ class Gui {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-/// Within a Gui: what `draw` draws, on a dim ground in the window's upper left corner; it takes no input.
+/// Draws what `draw` draws, within a Gui, on a dim background in the window's upper left corner; it takes no
+/// input.
 void overCorner(const char* name, const std::function<void()>& draw);
 
 }  // namespace carom

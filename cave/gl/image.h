@@ -17,10 +17,10 @@ struct Image {
   std::vector<std::uint8_t> rgb;
 };
 
-/// Reads a picture back; waits for its drawing. The drawing context must be current.
+/// Reads a picture back, waiting until it is drawn. The drawing context must be current.
 Image readBack(const RenderTarget& picture);
 
-/// Writes a PNG that appears whole or not at all. Throws std::runtime_error naming the file.
+/// Writes a PNG file that appears either whole or not at all. Throws std::runtime_error naming the file.
 void writePng(const Image& image, const std::filesystem::path& path);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Straight lines in space with a thickness, smooth at their edges, drawn over a picture.
+// Thick straight lines in space, with smooth edges, drawn over a picture.
 
 #include <array>
 #include <span>
@@ -16,23 +16,23 @@ namespace carom {
 
 struct Ribbon {
   glm::dvec3 from_m{0.0}, to_m{0.0};
-  double halfWidth_m = 0.0;  ///< across the line of sight; never less than a pixel wide on the picture
-  glm::vec4 colour{1.0F};    ///< sRGB, and how much it covers
+  double halfWidth_m = 0.0;  ///< across the line of sight; on the picture, a line is at least a pixel wide
+  glm::vec4 colour{1.0F};    ///< sRGB, with opacity as alpha
 };
 
 class LineBatch {
  public:
-  /// Made and destroyed with the drawing context current.
+  /// Create and destroy it with the drawing context current.
   LineBatch();
 
-  /// Draws them in their order, into a picture of this size. Within a GlStateGuard, after blendOver; the depth
-  /// is theirs where the depth test is on. What is behind the eye is left out.
+  /// Draws the ribbons in their order, into a picture of this size. Call it within a GlStateGuard, after
+  /// blendOver. If the depth test is on, their own depth applies. What is behind the eye is left out.
   void draw(std::span<const Ribbon> ribbons, const glm::dmat4& clipFromRoom, const glm::ivec2& size_px);
 
  private:
   struct Corner {
     glm::vec4 clip;
-    glm::vec2 across_px;  ///< from the middle; half the width there
+    glm::vec2 across_px;  ///< from the middle of the line; half its width there
     glm::vec4 colour;
   };
   void add(const Ribbon& ribbon, const glm::dmat4& clipFromRoom, const glm::dvec2& half_px);

@@ -10,15 +10,14 @@
 
 namespace carom {
 
-/// An 8-bit RGBA texture, sRGB encoded, rows from the bottom up, with a framebuffer to draw into it. Made and
-/// destroyed with the drawing context current (Graphics::makeCurrent); the texture is shared with every
-/// window.
+/// An 8-bit RGBA texture, sRGB encoded, rows from the bottom up, with a framebuffer to draw into it. Create
+/// and destroy it with the drawing context current (Graphics::makeCurrent); every window shares the texture.
 class RenderTarget {
  public:
   explicit RenderTarget(const glm::ivec2& size_px);
 
-  void clear();  ///< to black
-  /// Holds these pixels from now on: RGB, rows from the bottom up, as many as the picture has.
+  void clear();  ///< fills it with black
+  /// Sets its pixels: RGB, rows from the bottom up, as many as the picture has.
   void fill(std::span<const std::uint8_t> rgb);
 
   unsigned texture() const { return texture_; }

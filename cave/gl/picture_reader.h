@@ -1,6 +1,6 @@
 #pragma once
-// Pictures on their way from the graphics card into memory, through pixel buffers: a frame asks for them and
-// goes on; they are fetched when they have arrived.
+// Reads pictures back from the graphics card into memory without stopping the frame, through pixel buffers: a
+// frame asks for its pictures, and later frames fetch those that have arrived.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,15 +19,15 @@ namespace carom {
 /// Use with the drawing context current.
 class PictureReader {
  public:
-  /// Asks for the picture as it is drawn so far. `view`: which of a frame's pictures it is; where its size
-  /// changes, what was kept for the old one goes.
+  /// Asks for the picture as drawn so far. `view`: which of a frame's pictures it is; when its size changes,
+  /// the buffers of the old size are dropped.
   void ask(const RenderTarget& picture, std::size_t view);
 
-  /// RGBA, rows from the bottom up; valid during the call.
+  /// Takes RGBA pixels, rows from the bottom up, which are valid during the call.
   using Fetch = std::function<void(const glm::ivec2& size_px, std::span<const std::uint8_t> rgba)>;
 
-  /// Hands over those that have arrived, in the order in which they were asked for; of more than `most` it
-  /// waits for the oldest. 0: all.
+  /// Hands over the pictures that have arrived, in the order in which they were asked for. If more than
+  /// `most` are under way, waits for the oldest; 0 waits for all.
   void fetch(std::size_t most, const Fetch& fetched);
 
   std::size_t underWay() const { return asked_.size(); }

@@ -1,6 +1,6 @@
 #pragma once
-// What the views of time are coloured with, so that a legend can name them: sRGB. They differ for every eye
-// that sees blue, and in their patterns for all.
+// The colours of the views of time, in one place so that a legend can name them: sRGB. They differ for every
+// eye that sees blue, and the patterns differ for everyone.
 
 #include <array>
 #include <cmath>
@@ -9,27 +9,27 @@
 
 namespace carom {
 
-/// Ghosts "now on the board": striped one way.
+/// Ghosts "now on the board", which are striped one way.
 constexpr glm::vec3 kBoardNowColour(0.30F, 0.75F, 1.0F);
-/// Ghosts "my now": striped both ways.
+/// Ghosts "my now", which are striped both ways.
 constexpr glm::vec3 kMyNowColour(1.0F, 0.45F, 0.85F);
-/// Markers where pucks met each other or a cushion, or were struck.
+/// Markers where pucks met each other or a cushion, or were struck by a cue.
 constexpr glm::vec3 kEventColour(0.95F, 0.95F, 0.95F);
 /// Flashes, and their light on its way.
 constexpr glm::vec3 kFlashColour(1.0F, 0.93F, 0.35F);
-/// Angles between ways, and light's way along the ruler.
+/// Angles between paths, and light along the ruler.
 constexpr glm::vec3 kAngleColour(1.0F, 0.78F, 0.45F);
 constexpr glm::vec3 kRulerLightColour(1.0F, 0.9F, 0.2F);
-/// Pulses of light that are told, one after another.
+/// Pulses of light that the scenario gives, in turn.
 constexpr std::array<glm::vec3, 3> kPulseColours{
     {{1.0F, 0.97F, 0.75F}, {0.55F, 0.95F, 1.0F}, {1.0F, 0.65F, 0.95F}}};
 
-/// The platform's motion, a round thing of the board as it is for the moving room, and the platform's thrust;
-/// where no more of it is to be had.
+/// The platform's motion; a round object of the board as it is in the moving room; the platform's thrust; and
+/// the thrust at its limit.
 constexpr glm::vec3 kMotionColour(1.0F, 0.62F, 0.15F), kContractedColour(0.45F, 0.90F, 0.45F),
     kThrustColour(0.74F, 0.66F, 1.0F), kLimitColour(1.0F, 0.28F, 0.22F);
 
-/// sRGB to linear light, IEC 61966-2-1.
+/// Converts sRGB to linear light, IEC 61966-2-1.
 inline glm::vec3 linearOf(const glm::vec3& code) {
   glm::vec3 linear{0.0F};
   for (int i = 0; i < 3; ++i) {
@@ -38,7 +38,7 @@ inline glm::vec3 linearOf(const glm::vec3& code) {
   return linear;
 }
 
-/// The other way.
+/// Converts linear light to sRGB.
 inline glm::vec3 codeOf(const glm::vec3& linear) {
   glm::vec3 code{0.0F};
   for (int i = 0; i < 3; ++i) {

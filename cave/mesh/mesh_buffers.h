@@ -1,5 +1,5 @@
 #pragma once
-// The files that a mesh file needs beside itself.
+// The further files that a mesh file refers to.
 
 #include <filesystem>
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace carom {
 
-/// Of a .gltf or .glb with this `content`: the buffers it names (glTF 2.0, section 5.10), beside it, in its
-/// order; of other meshes, none. A file that is no glTF has none either.
+/// Returns the paths of the buffers that a .gltf or .glb with this `content` names (glTF 2.0, section 5.10):
+/// beside the mesh, in its order. Returns none for other meshes and for files that are not glTF.
 std::vector<std::filesystem::path> meshBuffers(const std::filesystem::path& mesh, std::string_view content);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// Meshes from formulas: patches of a surface, cut into cells fine enough to bend where light makes straight
-// edges look curved.
+// Meshes from formulas: patches of a surface, divided into cells fine enough to bend where light makes
+// straight edges look curved.
 
 #include <array>
 #include <functional>
@@ -14,29 +14,29 @@
 
 namespace carom {
 
-/// A point of a patch: where it is (metres) and what the paint needs to know there.
+/// A point of a patch: its place (metres) and the data that the paint needs there.
 struct PatchPoint {
   glm::dvec3 place{0.0};
   glm::dvec3 surface{0.0};
-  glm::dvec3 normal{0.0};  ///< unit vector; 0: the patch's own
+  glm::dvec3 normal{0.0};  ///< unit vector; 0: use the patch's own normal
 };
 
 class MeshBuilder {
  public:
-  /// The patch at(u, v), u and v in [0, 1], in cellsU × cellsV cells. Its outer side is ∂u × ∂v.
+  /// Adds the patch at(u, v), u and v in [0, 1], in cellsU × cellsV cells. Its outer side faces ∂u × ∂v.
   void addPatch(int cellsU, int cellsV, const std::function<PatchPoint(double u, double v)>& at);
 
-  /// A flat parallelogram from `corner` along `alongU` and `alongV`, in cells no larger than `cell_m`.
+  /// Adds a flat parallelogram from `corner` along `alongU` and `alongV`, in cells no larger than `cell_m`.
   void addFlat(const glm::dvec3& corner, const glm::dvec3& alongU, const glm::dvec3& alongV, double cell_m);
 
-  /// A surface of revolution about the vertical through `foot`: from `profile[i]` = (radius, height above the
-  /// foot) to the next, each step its own facet rings, outer side to the right of the way. At least `sectors`
-  /// around; no cell larger than `cell_m`.
+  /// Adds a surface of revolution about the vertical through `foot`, from each `profile[i]` = (radius, height
+  /// above the foot) to the next. Each step has its own rings of facets; the outer side is to the right of
+  /// the profile's direction. It has at least `sectors` cells around, none larger than `cell_m`.
   void addTurned(const glm::dvec3& foot, const std::vector<glm::dvec2>& profile, int sectors, double cell_m);
 
   std::size_t pointCount() const { return points_.size(); }
 
-  /// Points, normals, triangles and the point array "surface", in single precision.
+  /// Returns points, normals, triangles and the point array "surface", in single precision.
   vtkSmartPointer<vtkPolyData> build() const;
 
  private:
@@ -48,10 +48,10 @@ class MeshBuilder {
   std::vector<std::array<std::size_t, 3>> triangles_;
 };
 
-/// Of models that are as coarse as they can be drawn.
+/// Cell size of models that are divided as little as possible.
 inline constexpr double kAnyCell_m = std::numeric_limits<double>::infinity();
 
-/// How many cells of at most `cell_m` a length needs.
+/// Returns how many cells of at most `cell_m` a length needs.
 int cellsFor(double length_m, double cell_m);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes from files, which are hostile until read: whatever is wrong is named with its place.
+// Reads meshes from files, which are not trusted: every fault is reported with its place in the file.
 
 #include <string>
 
@@ -8,12 +8,12 @@
 
 namespace carom {
 
-/// Endings that can be read, for messages.
+/// The file endings that can be read, for messages.
 inline constexpr const char* kMeshEndings = ".obj, .stl, .ply, .vtk, .vtp, .vtu, .gltf or .glb";
 
-/// The surface in a file, by its ending; z is up (glTF, whose y is up, is turned). Points and polygons only:
-/// at least one polygon, every corner a point, every coordinate finite, not all points the same. Throws
-/// InputError; nothing is printed.
+/// Returns the surface in a file, whose ending gives the format; z is up (glTF, whose y is up, is turned). It
+/// has points and polygons only: at least one polygon, every corner a point, every coordinate finite, and not
+/// all points the same. Throws InputError; nothing is printed.
 vtkSmartPointer<vtkPolyData> readMeshFile(const std::string& path);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// How finely meshes must be divided so that their edges, drawn straight between vertices, lie where light
-// that is slow shows them: bent.
+// How finely meshes must be divided so that their edges, which are drawn straight between vertices, follow
+// the curves that slow light makes of them.
 //
 // In the rest frame of an edge the eye's past cone shows it straight, in the plane through the edge and the
 // eye, with unit normal N. Light arriving along the null vector k satisfies k·(0, N) = 0; seen from a head
@@ -27,35 +27,36 @@
 
 namespace carom {
 
-/// Of heads and eyes for which meshes are made fine enough: speed relative to the body over c, and distance
+/// The heads and eyes for which meshes are made fine enough: speed relative to the body over c, and distance
 /// from its edges in its rest frame.
 inline constexpr double kFastestHead_beta = 0.95;
 inline constexpr double kNearestEye_m = 0.5;
 
-/// How far (radians, from the eye) the drawn middle of an edge of this length can lie from the seen edge, at
-/// worst over all eyes at least `nearest_m` from the edge and all motions up to `beta`.
+/// Returns the largest angle, at the eye, between the drawn middle of an edge of this length and the seen
+/// edge, in radians: the worst case over all eyes at least `nearest_m` from the edge and all motions up to
+/// `beta`.
 double worstBend_rad(double edge_m, double beta = kFastestHead_beta, double nearest_m = kNearestEye_m);
 
-/// The longest edge whose worst bend is at most `tolerance_rad`.
+/// Returns the longest edge whose worst bend is at most `tolerance_rad`.
 double longestEdge_m(double tolerance_rad, double beta = kFastestHead_beta, double nearest_m = kNearestEye_m);
 
-/// Up to which β the worst bend of an edge of this length is at most `tolerance_rad`; at most
+/// Returns the β up to which the worst bend of an edge of this length is at most `tolerance_rad`; at most
 /// kFastestHead_beta.
 double fastestHead_beta(double edge_m, double tolerance_rad);
 
-/// The smallest angle under which an eye at this place of the room sees a pixel of these walls, wherever on
-/// them. Walls that the eye is on or behind are left out; with none left, that of a wall of 1000 pixels a
-/// metre at 1 m.
+/// Returns the smallest angle at which an eye at this place of the room sees a pixel anywhere on these walls.
+/// Walls that the eye is on or behind are left out; if none is left, the result is that of a wall with 1000
+/// pixels per metre at 1 m.
 double finestPixel_rad(std::span<const Wall> walls, const glm::dvec3& eyeInRoom_m);
 
-/// What the meshes of a scene are divided to.
+/// How finely the meshes of a scene are divided.
 struct Tessellation {
   double pixel_rad = 0.001;  ///< of the walls they are drawn on
-  /// The most vertices of all that rests on the board, and of all other bodies together, shared out evenly:
-  /// edges that are longer than they should be then stay so.
+  /// The most vertices of everything that rests on the board, and of all other bodies together, shared out
+  /// evenly. Edges that would need more vertices stay longer than they should be.
   std::size_t mostVertices = 50000;
 
-  /// No edge should be longer: it is then off by half a pixel at most.
+  /// Returns the longest edge that is off by at most half a pixel.
   double edge_m() const { return longestEdge_m(0.5 * pixel_rad); }
 };
 

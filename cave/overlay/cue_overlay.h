@@ -1,12 +1,13 @@
 #pragma once
-// What a hand does, drawn over the pictures of the walls in the room's own frame (cave/frame/hand_view.h):
-// the ray that it points with, a ring around the puck that it aims at, and while the cue is drawn back: the
-// cue behind the puck, an arrow whereto the stroke goes, and a scale of what it costs.
+// Shows what a hand does, drawn over the pictures of the walls in the room's own frame
+// (cave/frame/hand_view.h): the ray that it points with, a ring around the puck that it aims at and, while
+// the cue is drawn back, the cue behind the puck, an arrow in the direction of the stroke, and a scale of its
+// cost.
 //
-// The scale stands beside and above the puck, at its distance, upright for the person. Its height is the
-// stroke's cost, the kinetic energy γ − 1 in rest energies of the puck: ticks at 0.5, 0.8, 0.9 and 0.95 c
-// show how every further step towards c takes more than the last. Under it stand the speed and the cost that
-// the stroke would now have.
+// The scale stands beside and above the puck, at the puck's distance, upright for the person. Its height is
+// the stroke's cost, the kinetic energy γ − 1 in rest energies of the puck: ticks at 0.5, 0.8, 0.9 and 0.95 c
+// show that every further step towards c takes more than the last. Below the scale are the speed and the cost
+// that the stroke would now have.
 
 #include <string_view>
 #include <vector>
@@ -21,13 +22,13 @@
 
 namespace carom {
 
-/// A plane that is upright for the person, leaning back only as far as it has to where it is read from above:
-/// where a place is, right and up there, and how far away. Sizes on it go with the distance, so that they are
-/// seen equally large everywhere.
+/// A plane that stands upright for the person and leans back only as far as needed to be read from above. It
+/// has a place, its directions right and up there, and its distance from the eyes. Sizes on it scale with the
+/// distance, so that they look equally large everywhere.
 struct FacingPlane {
   glm::dvec3 place_m{0.0}, right{0.0}, up{0.0};
   double distance_m = 0.0;
-  /// A point so many of its distances to the right and up.
+  /// Returns the point that lies this many distances to the right of the place and above it.
   glm::dvec3 at(double across, double upwards) const {
     return place_m + distance_m * (across * right + upwards * up);
   }
@@ -36,21 +37,21 @@ FacingPlane facing(const glm::dvec3& place_m, const glm::dvec3& eyes_m, const Ro
 
 class CueOverlay {
  public:
-  // Distances are the unit: 0.01 is 0.57°.
+  // Lengths without a unit are fractions of the distance: 0.01 is 0.57°.
   static constexpr double kRing_m = 0.08;  ///< radius around the target
-  static constexpr double kRim_m = 0.05;   ///< of a puck: where the cue begins at rest
-  /// From the target to the bar: right of it, or left of it where the stroke goes to the right.
+  static constexpr double kRim_m = 0.05;   ///< radius of a puck's rim: where the cue begins at rest
+  /// From the target to the bar: right of it, or left of it if the stroke goes to the right.
   static constexpr double kScaleRight = 0.13, kScaleLeft = -0.24;
-  static constexpr double kScaleFoot = 0.14;  ///< of zero cost, above the target
+  static constexpr double kScaleFoot = 0.14;  ///< height of zero cost above the target
   static constexpr double kPerCost = 0.09;    ///< height of one rest energy
-  static constexpr double kMostCost = 2.4;    ///< what the scale has room for: 0.955 c
-  static constexpr double kDrawn_m = 0.15;    ///< the cue's way back for γβ = 1: as far as the hand goes
+  static constexpr double kMostCost = 2.4;    ///< the highest cost on the scale: 0.955 c
+  static constexpr double kDrawn_m = 0.15;    ///< the cue's way back for γβ = 1: as far as the hand moves
 
-  /// The height of a cost on the scale, from its foot.
+  /// Returns the height of a cost on the scale, from the scale's foot.
   static double heightOf(double cost);
 
-  /// Over the picture of `wall` for an eye in the room. Costs nothing where no hand aims. Within the drawing
-  /// context, which has to be current when this is made and destroyed, too.
+  /// Draws over the picture of `wall` for an eye in the room; costs nothing if no hand aims. The drawing
+  /// context must be current here, and when this object is created and destroyed.
   void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
             const FrameRecord& record, const RenderTarget& picture);
 

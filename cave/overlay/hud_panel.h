@@ -1,7 +1,7 @@
 #pragma once
-// Words in the room: a panel of short lines at rest in the plane of the front wall, at its left, as high as
-// it is read from and the wall allows: the table is below the eyes, so that there it covers nothing of the
-// game. Lying in the wall's plane, it is the same for both eyes and asks for no effort to fuse.
+// Text in the room: a panel of short lines in the plane of the front wall, at its left, as high as the wall
+// and the eyes allow. The table is below the eyes, so up there the panel covers nothing of the game. Since it
+// lies in the wall's plane, it is the same for both eyes and needs no effort to fuse.
 
 #include <cstdint>
 #include <optional>
@@ -23,49 +23,50 @@ namespace carom {
 /// A line of the panel.
 struct HudLine {
   std::string text;
-  std::optional<glm::vec3> mark;  ///< sRGB colour of a square before it: what in the room it speaks of
-  bool urgent = false;            ///< its letters stand out
-  bool setIn = false;             ///< it goes on with what the line before it began with a number or a name
+  std::optional<glm::vec3> mark;  ///< sRGB colour of a square before it: what in the room the line refers to
+  bool urgent = false;            ///< its letters are highlighted
+  bool setIn = false;  ///< indented: it continues the line before it, which began with a number or a name
 
   bool operator==(const HudLine&) const = default;
 };
 
-/// The first wall that the person faces who looks forward: within 45° of it. None: no wall of the room is
-/// one.
+/// Returns the first wall within 45° of the direction in which a person faces who looks forward, or none if
+/// the room has no such wall.
 std::optional<Wall> frontWall(const RoomGeometry& room);
 
-/// What a session says, in lines of kLineLetters: what was just refused or happened; the lesson's words for
-/// the phase that the record is in; the views of time that are on, each with the colour it is drawn in; with
-/// `clocks` the person's own clock, their speed on the board and light's; with the tracker crosses what the
-/// stereo check (cave/overlay/room_overlay.h) should look like. Made from the record and the scenario alone, so
-/// all nodes write the same. Fills `lines`, whose memory is used again; empty where there is nothing to say.
+/// Fills `lines`, whose memory is reused, with the session's text, in lines of kLineLetters: what was just
+/// refused or has happened; the lesson's texts for the record's phase; the views of time that are on, each
+/// with the colour it is drawn in; with `clocks`, the person's own clock, their speed on the board and the
+/// speed of light; with the tracker crosses, what the stereo check (cave/overlay/room_overlay.h) should look
+/// like. The text depends on the record and the scenario alone, so all nodes write the same. `lines` is empty
+/// if there is no text.
 void describe(const FrameRecord& record, const LessonWords& lesson, std::vector<HudLine>& lines);
-inline constexpr std::size_t kLineLetters = 40;  ///< a word that is longer stays whole
+inline constexpr std::size_t kLineLetters = 40;  ///< longer words are not divided
 
 class HudPanel {
  public:
-  static constexpr double kCapital_m = 0.04;  ///< height of a capital: 1.5° from 1.5 m, as print is read
-  static constexpr double kMargin = 0.04;     ///< of the wall's height, from its left and upper edges
-  static constexpr double kHighest_m = 2.2;   ///< above the floor, for the panel's upper edge
-  /// Of the wall's width and height, for the panel at most: beside it there must be room for the game. Where
-  /// the words would need more, their letters are smaller.
+  static constexpr double kCapital_m = 0.04;  ///< height of a capital: 1.5° from 1.5 m, as in printed text
+  static constexpr double kMargin = 0.04;    ///< fraction of the wall's height, from its left and upper edges
+  static constexpr double kHighest_m = 2.2;  ///< above the floor: the panel's upper edge at most
+  /// The largest fractions of the wall's width and height that the panel may take, to leave room for the game
+  /// beside it. If the text needs more, its letters get smaller.
   static constexpr double kMostOfWidth = 0.4, kMostOfHeight = 0.4;
 
-  /// Made and destroyed with the drawing context current.
+  /// Create and destroy it with the drawing context current.
   HudPanel();
 
-  /// What the panel says from now on; none: it is not there. Only lines that have changed are written anew,
+  /// Sets the panel's lines; without lines there is no panel. Only lines that have changed are rendered anew,
   /// when they are next drawn.
   void set(const std::vector<HudLine>& lines);
 
-  /// Sets what it says of the game's lesson.
+  /// Sets the texts of the game's lesson.
   void setLesson(const LessonWords& lesson);
 
-  /// Has the panel describe the frames: ten times a second, and when what it says of the views, of the lesson
-  /// or of what happened changes.
+  /// Updates the panel from the frame: ten times a second, and whenever its text about the views, the lesson
+  /// or the latest notice changes.
   void follow(const FrameRecord& record);
 
-  /// Over the picture of the front wall.
+  /// Draws the panel over the picture of the front wall.
   void draw(const Wall& wall, const RenderTarget& picture);
 
  private:
@@ -80,17 +81,17 @@ class HudPanel {
 
   std::vector<Written> lines_;
   std::vector<HudLine> described_;
-  TimeViews views_;        ///< that were described
-  WallControls controls_;  ///< and these
+  TimeViews views_;        ///< the views that were last described
+  WallControls controls_;  ///< the controls that were last described
   LessonState lessonState_;
   Notice notice_;
   LessonWords lesson_;
-  std::int64_t tenths_s_ = -1;  ///< when
+  std::int64_t tenths_s_ = -1;  ///< time of the last description, in tenths
   std::vector<std::uint8_t> rgba_;
   bool written_ = false;
-  int height_px_ = 0;         ///< of the letters that are written
-  glm::ivec2 picture_px_{0};  ///< of the picture that they were written for
-  glm::ivec2 size_px_{0};     ///< of the panel
+  int height_px_ = 0;         ///< of the rendered letters
+  glm::ivec2 picture_px_{0};  ///< size of the picture for which they were rendered
+  glm::ivec2 size_px_{0};     ///< size of the panel
   GlProgram program_;
   GlVertexArray vertexArray_;
   GlTexture texture_;

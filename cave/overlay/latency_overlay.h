@@ -1,5 +1,5 @@
 #pragma once
-// A node's budget of time, over its windows: where each frame's time goes, against the display's period.
+// A node's time budget, over its windows: where each frame's time goes, compared with the display's period.
 
 #include <array>
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace carom {
 
-/// What the overlay says.
+/// The numbers that the overlay shows.
 struct LatencyView {
   std::string node;  ///< "node 1 (left)"
   std::uint64_t frame = 0;
   double display_hz = 60.0;
   LockState lock = LockState::software;
-  std::string lockWhyNot;  ///< why it is no swap group though the rig asks for one; empty: nothing is missing
+  std::string lockWhyNot;  ///< why there is no swap group though the rig asks for one; otherwise empty
   std::array<PartStatistics, kFrameParts.size()> parts;
-  /// Of every node, on rank 0 alone.
+  /// One entry for every node, on rank 0 alone.
   struct Node {
     std::string name;
     PartStatistics late;
@@ -27,9 +27,9 @@ struct LatencyView {
   std::vector<Node> nodes;
 };
 
-/// In the upper left corner of the window, within a Gui's begin and end.
+/// Draws in the upper left corner of the window, between a Gui's begin and end.
 void drawLatency(const LatencyView& view);
-/// The same within a window of Dear ImGui's.
+/// Draws the same inside a window of Dear ImGui.
 void drawLatencyNumbers(const LatencyView& view);
 
 }  // namespace carom

@@ -1,11 +1,11 @@
 #pragma once
-// Which way the platform goes, how fast, and what that does: at rest in the room, on the floor before the
-// person, while the platform moves on the board or is driven.
+// Shows which way the platform moves, how fast, and with what effect. It rests in the room, on the floor
+// before the person, and is shown while the platform moves on the board or is driven.
 //
-// A white circle: light's speed. An arrow from its middle: the platform's way on the board, as long as its β,
-// so that it never reaches the circle. Within the circle, the ellipse as which a circle at rest on the board
-// is in the room, 1/γ as long along the motion. A thinner arrow: the thrust, as a share of the strongest, red
-// where more was asked for.
+// A white circle stands for the speed of light. An arrow from its middle shows the platform's velocity on the
+// board; its length is β, so it never reaches the circle. The ellipse inside is the shape that a circle at
+// rest on the board has in the room: along the motion it is 1/γ as long. A thinner arrow shows the thrust as
+// a fraction of the strongest, in red if more was asked for.
 
 #include <vector>
 
@@ -19,24 +19,24 @@
 
 namespace carom {
 
-/// γβ of the platform on the board, in the room's axes.
+/// Returns γβ of the platform on the board, in the room's axes.
 glm::dvec3 platformInRoom_u(const FrameRecord& record);
-/// Whether the platform moves, or is driven.
+/// Returns whether the platform moves or is driven.
 bool isDriven(const FrameRecord& record);
 
 class MotionOverlay {
  public:
-  static constexpr double kRadius_m = 0.3;  ///< of the circle
-  static constexpr double kClear_m = 0.2;   ///< between it and the front wall
+  static constexpr double kRadius_m = 0.3;  ///< radius of the circle
+  static constexpr double kClear_m = 0.2;   ///< gap between the circle and the front wall
   static constexpr double kSmall_m = 0.15;  ///< radius in a room without a floor
 
-  /// Where its middle is: on the floor, before the front wall. In a room that has no floor to see it on:
-  /// small, behind that wall's lower right corner, where it is seen below the game.
+  /// Returns the circle's middle: on the floor, before the front wall. In a room without a floor to show it
+  /// on, the circle is small and lies behind that wall's lower right corner, where it is seen below the game.
   static glm::dvec3 middle_m(const RoomGeometry& room);
   static double radius_m(const RoomGeometry& room);
 
-  /// Over the picture of `wall` for an eye in the room. Costs nothing where there is nothing to draw. Within
-  /// the drawing context, which has to be current when this is made and destroyed, too.
+  /// Draws over the picture of `wall` for an eye in the room; costs nothing if there is nothing to draw. The
+  /// drawing context must be current here, and when this object is created and destroyed.
   void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
             const FrameRecord& record, const RenderTarget& picture);
 

@@ -1,18 +1,18 @@
 #pragma once
-// What helps the person and the operator in a session, drawn over the pictures of the walls in the room's own
-// frame: it stays where it stands whatever moves on the board.
+// Aids for the person and the operator during a session, drawn over the pictures of the walls in the room's
+// own frame: they keep their place in the room whatever moves on the board.
 //
-// Warning grid: where the head or the hand comes near a wall, a grid in the wall's plane says where the
-// screen is, for a person who sees through it.
+// Warning grid: when the head or the hand comes near a wall, a grid in the wall's plane shows where the
+// screen is, since the person otherwise looks through it.
 //
-// Tracker crosses: at the place of the hand's and of the head's sensor, and before the eyes. A cross that
-// does not sit on the sensor in the hand is an error of the tracker's place in the room or of the walls'. The
-// person's own head sensor cannot be seen: the cross 1 m before the eyes must go with the nose. Taken off and
-// held to a wall, the sensor must lie on its cross, from wherever one looks: what is in a wall's plane has no
-// parallax.
+// Tracker crosses: one at the hand's sensor, one at the head's sensor, and one before the eyes. A cross that
+// does not coincide with the sensor in the hand shows an error in the placement of the tracker or of the
+// walls. A person cannot see their own head sensor; instead, the cross 1 m before the eyes must follow the
+// nose. When the head sensor is taken off and held to a wall, it must coincide with its cross from every
+// viewpoint, since what lies in a wall's plane has no parallax.
 //
-// Stereo check: with the crosses, on the front wall, two bars that only the eyes' difference tells apart: the
-// right one stands before the wall, the left one behind it.
+// Stereo check, shown with the crosses: two bars on the front wall that differ only in their disparity. The
+// right bar stands before the wall, the left one behind it.
 
 #include <vector>
 
@@ -34,25 +34,25 @@ struct NearestOnWall {
 };
 NearestOnWall nearestOn(const Wall& wall, const glm::dvec3& place_m);
 
-/// How strongly a wall at this distance is warned of: 0 to 1.
+/// Returns how strong the warning of a wall at this distance is: 0 to 1.
 double warningAt(double distance_m);
 
 class RoomOverlay {
  public:
-  // Who moves unseen at 1 m/s and needs 0.3 s to notice and 0.3 m to stop, stops at the wall; within an arm's bend
-  // of it the warning is full.
+  // A person who moves at 1 m/s without noticing, and needs 0.3 s to react and 0.3 m to stop, stops at the
+  // wall; within the reach of a bent arm the warning is full.
   static constexpr double kWarnFrom_m = 0.6, kWarnFully_m = 0.3;
-  static constexpr double kGrid_m = 0.1, kHalfLine_m = 0.003;  ///< between lines; half a line's width
-  static constexpr double kReach_m = 0.7;                      ///< of the grid, around the nearest point
+  static constexpr double kGrid_m = 0.1, kHalfLine_m = 0.003;  ///< spacing of lines; half a line's width
+  static constexpr double kReach_m = 0.7;  ///< extent of the grid around the nearest point
   static constexpr double kAxis_m = 0.1, kHalfAxis_m = 0.004;  ///< of a cross; half its lines' width
-  static constexpr double kAhead_m = 1.0;                      ///< of the cross before the eyes
-  static constexpr double kBarsOff_m = 0.3;                    ///< before and behind the wall
+  static constexpr double kAhead_m = 1.0;                      ///< distance of the cross before the eyes
+  static constexpr double kBarsOff_m = 0.3;  ///< distance of the bars before and behind the wall
 
-  /// Made and destroyed with the drawing context current.
+  /// Create and destroy it with the drawing context current.
   RoomOverlay();
 
-  /// Over the picture of `wall` for an eye in the room; `isFront`: it has the stereo check. Costs nothing
-  /// where there is nothing to draw.
+  /// Draws over the picture of `wall` for an eye in the room; costs nothing if there is nothing to draw.
+  /// `isFront`: the wall shows the stereo check.
   void draw(const RoomGeometry& room, const Wall& wall, bool isFront, const glm::dvec3& eyeInRoom_m,
             const FrameRecord& record, const RenderTarget& picture);
 

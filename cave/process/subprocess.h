@@ -1,5 +1,5 @@
 #pragma once
-// Runs a job where it can do no harm: a reader of files that may crash on them.
+// Runs a job in a child process, for readers of files that may crash on bad input.
 
 #include <functional>
 #include <stdexcept>
@@ -7,15 +7,15 @@
 
 namespace carom {
 
-/// The job did not come back: it crashed or took too long.
+/// The job returned no answer: it crashed or took too long.
 class SubprocessFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The bytes that `job` returns, run in a child process with at most a minute of time and 4 GiB of memory
-/// more than this process has. What the job throws as std::exception is thrown here as std::runtime_error
-/// with its text; SubprocessFailed says why there is no answer. The child inherits no other threads: the job must not
+/// Returns the bytes that `job` returns, run in a child process with at most a minute of time and 4 GiB of
+/// memory more than this process has. A std::exception of the job is thrown here as std::runtime_error with
+/// its text; SubprocessFailed says why there is no answer. The child has no other threads: the job must not
 /// need any.
 std::string runInSubprocess(const std::function<std::string()>& job);
 

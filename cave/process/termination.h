@@ -1,26 +1,27 @@
 #pragma once
-// The end of a session that somebody asks for: Ctrl-C, SIGTERM, and what mpirun sends to the other nodes when
-// one of them has died.
+// The end of a session on request: by Ctrl-C, by SIGTERM, or by mpirun's signal to the other nodes when one
+// of them has died.
 
 #include <functional>
 
 namespace carom {
 
-/// From now on SIGINT and SIGTERM ask this process to end instead of ending it: loops that draw look at
-/// terminationAsked after each frame. A second Ctrl-C ends it at once. Whoever still runs 1.5 s after being
-/// asked (0.8 s after mpirun's SIGTERM, which comes late) is in the middle of something long: starting,
-/// dividing bodies, a frame of a million collisions. It is not waited for: from another thread all that is
-/// ClosedOnLeaving is closed, and the process ends with status 0, or 1 where something could not be closed.
+/// From now on, SIGINT and SIGTERM request the end of this process instead of killing it; drawing loops check
+/// terminationAsked after each frame. A second Ctrl-C kills it at once. A process that still runs 1.5 s after
+/// the request (0.8 s after mpirun's SIGTERM, which comes late) is in the middle of something long, such as
+/// starting, dividing bodies or a frame of a million collisions. It gets no more time: another thread closes
+/// everything that is ClosedOnLeaving and ends the process with status 0, or 1 if something could not be
+/// closed.
 void noticeTermination();
 
-/// Whether they have.
+/// Returns whether the end was requested.
 bool terminationAsked();
 
-/// Something that is to be whole when the process leaves in the middle of something else: a file.
+/// Something, such as a file, that must be complete even if the process ends in the middle of other work.
 class ClosedOnLeaving {
  public:
-  /// `close`: called at most once, from another thread, while the rest goes on; may throw. The latest made is
-  /// closed first.
+  /// `close`: called at most once, from another thread, while other threads continue; may throw. The newest
+  /// object is closed first.
   explicit ClosedOnLeaving(std::function<void()> close);
   ~ClosedOnLeaving();  ///< never returns once closing has begun
   ClosedOnLeaving(const ClosedOnLeaving&) = delete;
@@ -30,14 +31,15 @@ class ClosedOnLeaving {
   std::function<void()> close_;
 };
 
-/// Closes all that is ClosedOnLeaving, for a process that then ends at once: whoever makes or destroys such a thing
-/// after this waits for ever. Returns whether all could be closed; what could not is said on standard error.
+/// Closes every ClosedOnLeaving object, for a process that then ends at once: a thread that creates or
+/// destroys such an object afterwards waits for ever. Returns whether all could be closed; failures are
+/// reported on standard error.
 bool closeAll();
 
-/// Ends the process, with status 0, after a session whose files are closed, once `last` has returned; whoever
-/// is asked to end waits for that no longer than for anything else. Nothing is taken down: the system frees
-/// all at once what VTK would search a list for, vertex buffer by vertex buffer: minutes, for thousands of
-/// pucks.
+/// Ends the process with status 0, after a session whose files are closed, once `last` has returned. If the
+/// end is requested meanwhile, `last` gets no more time than anything else. No objects are destroyed: the
+/// system frees at once what VTK would look up in a list, vertex buffer by vertex buffer, which takes minutes
+/// for thousands of pucks.
 [[noreturn]] void leave(const std::function<void()>& last);
 
 }  // namespace carom

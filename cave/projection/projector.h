@@ -1,6 +1,6 @@
 #pragma once
-// What stands between a wall's picture and its screen: the projector's mesh, its share of the light where
-// projectors overlap, its black and its mirroring.
+// The steps between a wall's picture and its screen: the projector's mesh, its share of the light where
+// projectors overlap, its black level and its mirroring.
 
 #include <array>
 #include <cstdint>
@@ -18,21 +18,21 @@
 
 namespace carom {
 
-/// The share of the light that passes at each place of the window: RGB from 0 to 65535, rows from the bottom
-/// up, stretched over the whole window. The numbers count light, not its sRGB code: half of the highest lets
-/// half of the light through.
+/// The fraction of the light that passes at each place of the window: RGB from 0 to 65535, rows from the
+/// bottom up, stretched over the whole window. The numbers are linear in light, not sRGB: half of the highest
+/// lets half of the light through.
 struct BlendPicture {
   glm::ivec2 size_px{1};
   std::vector<std::uint16_t> rgb{0xffff, 0xffff, 0xffff};
 };
 
-/// A PNG, JPEG or TIFF (by its ending) of 8 or 16 bits, grey or RGB; what covers it (alpha) is not used.
-/// Throws std::runtime_error, "FILE:1:1: what is wrong, what was expected".
+/// Reads a PNG, JPEG or TIFF (by its ending) of 8 or 16 bits, grey or RGB; alpha is ignored. Throws
+/// std::runtime_error, "FILE:1:1: what is wrong, what was expected".
 BlendPicture readBlend(const std::filesystem::path& file);
 
-/// The light leaving a projector is black + (1 - black) × blend × picture, each a share of the brightest
-/// (decoded from sRGB, IEC 61966-2-1, and encoded again); outside the mesh and the picture, the picture is 0.
-/// Mesh and blend are given as the person sees them: mirroring comes last.
+/// The light leaving a projector is black + (1 - black) × blend × picture, each as a fraction of the
+/// brightest (decoded from sRGB, IEC 61966-2-1, and encoded again); outside the mesh and the picture, the
+/// picture is 0. Mesh and blend are given as the person sees them: mirroring is the last step.
 struct Projection {
   Warp warp;
   BlendPicture blend;
@@ -40,16 +40,16 @@ struct Projection {
   Flip flip = Flip::none;
 };
 
-/// None where the wall's picture goes to its window as it is. Throws as readWarp and readBlend.
+/// Returns none if the wall's picture goes to its window unchanged. Throws as readWarp and readBlend do.
 std::optional<Projection> projectionOf(const Wall& wall);
 
-/// Draws projected pictures in the context in which it was made, and is destroyed in it.
+/// Draws projected pictures. Create, use and destroy it in the same context.
 class Projector {
  public:
   explicit Projector(const Projection& projection);
 
-  /// What leaves the projector, `size_px` large, for a picture of this eye. Valid until the next call for the
-  /// eye.
+  /// Returns what leaves the projector for this eye's picture, of size `size_px`. It is valid until the next
+  /// call for that eye.
   const RenderTarget& project(const RenderTarget& picture, Eye eye, const glm::ivec2& size_px);
 
  private:

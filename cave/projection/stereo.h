@@ -1,5 +1,5 @@
 #pragma once
-// Packing of the left and the right picture of a wall into what a display or projector expects.
+// Packs the left and the right picture of a wall into the format that a display or projector expects.
 
 #include <map>
 #include <memory>
@@ -16,30 +16,32 @@ namespace carom {
 class Projector;
 struct Projection;
 
-/// The pictures that a wall with this stereo mode needs: {mono}, {left}, {right} or {left, right}.
+/// Returns the pictures that a wall with this stereo mode needs: {mono}, {left}, {right} or {left, right}.
 std::vector<Eye> eyesOf(StereoMode mode);
 
-/// The name used for files and messages: "left", "right" or "mono".
+/// Returns the eye's name in files and messages: "left", "right" or "mono".
 const char* nameOf(Eye eye);
 
 /// One wall in a visible window.
 struct Pane {
-  const RenderTarget* left = nullptr;   ///< left eye, or the only picture there is (mono, left, right)
-  const RenderTarget* right = nullptr;  ///< right eye; null where there is only one picture
+  const RenderTarget* left = nullptr;   ///< left eye, or the only picture (mono, left, right)
+  const RenderTarget* right = nullptr;  ///< right eye; null if there is only one picture
   StereoMode stereo = StereoMode::mono;
-  glm::ivec2 position_px{0};  ///< of its top left corner in the window, from the window's top left
+  glm::ivec2 position_px{0};  ///< its top left corner, from the window's top left
   glm::ivec2 size_px{0};
-  const Projection* projection = nullptr;  ///< null where the pictures go to the window as they are
+  const Projection* projection = nullptr;  ///< null if the pictures go to the window unchanged
 };
 
-/// Draws panes into the window whose context is current. One per context; made and destroyed in it.
+/// Draws panes into the window whose context is current. Create one per context, and destroy it in that
+/// context.
 class StereoPacker {
  public:
   StereoPacker();
   ~StereoPacker();
 
-  /// `windowSize_px` is the size of the current framebuffer. Each eye's picture is projected first, then
-  /// packed: which window pixel is whose does not depend on the projection, which must outlive this.
+  /// `windowSize_px` is the size of the current framebuffer. Each eye's picture is first projected, then
+  /// packed: which window pixel belongs to which eye does not depend on the projection. The pane's projection
+  /// must outlive this object.
   void draw(const Pane& pane, const glm::ivec2& windowSize_px);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// The hall around the table, at rest on the board: straight lines and columns by which aberration is seen,
-// and walls of four tints by which one keeps one's bearings.
+// The hall around the table, at rest on the board: straight lines and columns that make aberration visible,
+// and walls of four tints for orientation.
 
 #include <array>
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace carom {
 
-/// Floor, walls, ceiling, columns, wall clocks, in cells no larger than `cell_m`. `tableSize_m`: of the
-/// table's footprint (0: no table).
+/// Returns the floor, walls, ceiling, columns and wall clocks, in cells no larger than `cell_m`.
+/// `tableSize_m`: size of the table's footprint (0: no table).
 std::vector<ScenePart> hallParts(const Hall& hall, const glm::dvec2& tableSize_m, double cell_m);
 
-/// Three hanging lamps along x at these places.
+/// Returns three hanging lamps along x at these places.
 std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m, double cell_m);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// What there is to see: meshes, each fixed to one body, with the paint they wear. Built once.
+// The visible scene: meshes, each fixed to one body, with their paint. It is built once.
 
 #include <array>
 #include <cstddef>
@@ -16,18 +16,18 @@
 
 namespace carom {
 
-/// How a kind of things was divided, for the person.
+/// How a kind of objects was divided, for a message to the person.
 struct MeshNote {
   std::string kind;            ///< "Puck", "Body" or, at rest, "The"
   std::string name;            ///< "red"
-  std::size_t vertices = 0;    ///< as they would be without slow light
-  std::size_t divided = 0;     ///< and as they are drawn
-  std::size_t most = 0;        ///< they may become
-  double longestEdge_m = 0.0;  ///< then
+  std::size_t vertices = 0;    ///< without the division that slow light needs
+  std::size_t divided = 0;     ///< as they are drawn
+  std::size_t most = 0;        ///< the most that are allowed
+  double longestEdge_m = 0.0;  ///< after the division
 };
 
-/// A metre on the cloth: from `from_m` along the unit vector, its light's marks on the side of `aside`. Board
-/// frame.
+/// A metre on the cloth: it starts at `from_m` and goes along the unit vector `along`; light's marks are on
+/// the side of `aside`. Board frame.
 struct Ruler {
   glm::dvec3 from_m{-0.5, -1.0, 0.0};
   glm::dvec3 along{1.0, 0.0, 0.0}, aside{0.0, 1.0, 0.0};
@@ -37,7 +37,7 @@ struct Ruler {
 struct Scene {
   std::vector<ScenePart> parts;
   std::size_t bodyCount = 0;
-  /// Of each body: how far from its centre its points reach (its world line's radius).
+  /// For each body, how far its points reach from its centre (the radius of its world line).
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
@@ -45,12 +45,14 @@ struct Scene {
   Ruler ruler;
 };
 
-/// What a session says of them, one line for each kind of things and one for all. "Exact to half a pixel" is
-/// meant for eyes at least kNearestEye_m away and for heads up to the speed named (cave/mesh/tessellation.h).
+/// Returns a session's message about the division, one line for each kind of objects and one for all. "Exact
+/// to half a pixel" holds for eyes at least kNearestEye_m away and for heads up to the speed named
+/// (cave/mesh/tessellation.h).
 std::string tessellationReport(const Scene& scene, const Tessellation& tessellation);
 
-/// The same world lines, each body's radius widened to `reach_m[body]` where its points reach further than
-/// the physics knows (a mesh taller than its puck): which legs an eye must look at depends on it.
+/// Returns the same world lines, each with its body's radius widened to `reach_m[body]` if the mesh reaches
+/// further than the physics knows (a mesh taller than its puck). The radius decides which legs an eye must
+/// examine.
 std::vector<WorldLine> reachingTo(std::span<const WorldLine> histories, std::span<const double> reach_m);
 
 }  // namespace carom

@@ -1,6 +1,5 @@
 #pragma once
-// Builds the scene of a game: hall, table, pucks and bodies that move as told, divided finely enough for bent
-// light.
+// Builds the scene of a game: hall, table, pucks and scripted bodies, divided finely enough for bent light.
 
 #include <span>
 
@@ -13,14 +12,13 @@
 
 namespace carom {
 
-/// Of `setup` only the board is looked at. Throws InputError (engine/base/input_error.h) for a mesh file at
-/// fault.
+/// Uses only the board of `setup`. Throws InputError (engine/base/input_error.h) if a mesh file is faulty.
 Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
                  std::span<const BodyLooks> told = {}, const Hall& hall = {},
                  const Tessellation& tessellation = {});
 
-/// The ruler halfway to the near rail of someone who stands on the side of `person_m`; without a board, 1 m
-/// from its origin.
+/// Returns the ruler for a person on the side of `person_m`: halfway to the rail nearest to them or, without
+/// a board, 1 m from the origin.
 Ruler rulerBeside(const BilliardSetup& setup, const glm::dvec3& person_m);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// The pieces that a scene is built from: meshes with their paint, how bodies look, how large the hall is.
+// The parts that a scene is built from: meshes with their paint, how bodies look, how large the hall is.
 
 #include <cstddef>
 #include <string>
@@ -27,9 +27,9 @@ enum class Paint {
   lamp,    ///< shines
 };
 
-/// Part of a body. Point data of the mesh: points and normals in the body's rest frame (metres, from its
-/// centre) and, for painting, an array "surface" of three floats a point (what they mean is said in the
-/// paint's shader).
+/// Part of a body. The mesh has points and normals in the body's rest frame (metres, from its centre) and,
+/// for painting, a point array "surface" of three floats per point, whose meaning the paint's shader
+/// explains.
 struct ScenePart {
   std::size_t body = 0;
   vtkSmartPointer<vtkPolyData> mesh;
@@ -38,7 +38,7 @@ struct ScenePart {
   float gloss = 0.0F;      ///< strength of the highlight
 };
 
-/// How a puck, or a body that moves as told, looks.
+/// How a puck or a scripted body looks.
 struct BodyLooks {
   std::string name;  ///< "white", "yellow", "red" … give the colour; others take one of a palette
   std::string

@@ -1,6 +1,6 @@
 #pragma once
-// The whole scene as one eye sees it, as a mesh: for ParaView, where it can be turned and measured. Every
-// vertex is solved by itself in double (engine/light/light_cone.h, `emission`).
+// The whole scene as one eye sees it, as a mesh for ParaView, where it can be turned and measured. Every
+// vertex is solved separately in double (engine/light/light_cone.h, `emission`).
 
 #include <cstddef>
 #include <span>
@@ -23,7 +23,8 @@ struct SeenBody {
 };
 
 struct SeenMesh {
-  /// Points: emission − observation in the head frame, from the eye (metres), all that is seen. Point arrays:
+  /// Points: emission − observation in the head frame, relative to the eye (metres), for all that is seen.
+  /// Point arrays:
   ///   t_s, r_m        the emission event, board frame
   ///   proper_time_s   of the point's own clock then
   ///   doppler         ν_seen/ν_emitted
@@ -36,11 +37,11 @@ struct SeenMesh {
   std::size_t unseenTriangles = 0;  ///< left out with them
 };
 
-/// `bodies[i]` is body i of the scene. Contact shadows, which are no bodies, are left out.
+/// Returns the mesh; `bodies[i]` is body i of the scene. Contact shadows, which are no bodies, are left out.
 SeenMesh seenMesh(const Scene& scene, std::span<const SeenBody> bodies, const Event& observation,
                   const Lorentz& headFromBoard);
 
-/// The bytes of a .vtp file; the same for the same mesh.
+/// Returns the bytes of a .vtp file; equal meshes give equal bytes.
 std::string vtpText(const SeenMesh& seen);
 
 }  // namespace carom

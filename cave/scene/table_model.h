@@ -9,17 +9,17 @@
 
 namespace carom {
 
-/// Cloth, cushions, rails with diamonds, body and legs of a table whose legs stand on the floor at
-/// z = `floor_m`, and clocks on its rails, in cells no larger than `cell_m`.
+/// Returns the cloth, cushions, rails with diamonds, body and legs of a table whose legs stand on the floor
+/// at z = `floor_m`, and clocks on its rails, in cells no larger than `cell_m`.
 std::vector<ScenePart> tableParts(const Board& board, double floor_m, double cell_m);
 
-/// For an open plane: a square of cloth without cushions.
+/// Returns the cloth of an open plane: a square without cushions.
 std::vector<ScenePart> openPlaneParts(double size_m, double cell_m);
 
-/// Digital clocks with a face on both sides.
+/// Builds digital clocks with a face on both sides.
 class ClockMaker {
  public:
-  /// A clock whose foot's middle stands at `foot_m`; `facing` is the horizontal direction its front looks to.
+  /// Adds a clock whose foot has its middle at `foot_m`; its front faces the horizontal direction `facing`.
   void add(const glm::dvec3& foot_m, const glm::dvec3& facing, double width_m, double cell_m);
   std::vector<ScenePart> parts() const;
 

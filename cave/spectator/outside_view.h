@@ -1,5 +1,5 @@
 #pragma once
-// How the room is looked at from outside, in one frame.
+// The view of the room from outside, in one frame.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-// Where bodies are in the room at one moment of the room's own time: not what is seen, but what is there, for
-// those who rest in the room.
+// Where bodies are in the room at one time of the room's own clock: not what is seen, but where they are for
+// observers at rest in the room.
 
 #include <optional>
 
@@ -15,12 +15,13 @@ namespace carom {
 
 class RoomSimultaneity {
  public:
-  /// The moment at which something in the room at `placeInRoom_m` is at this event of the board.
+  /// Sets the time at which something at `placeInRoom_m` in the room is at this event of the board.
   RoomSimultaneity(const Lorentz& boardFromRoom, const Event& event, const glm::dvec3& placeInRoom_m);
 
-  /// Takes points of the body, given from its centre in its rest frame (axes as the board's), to the room:
-  /// the body as it stands there at that moment, contracted along its motion through the room. None if it has
-  /// not appeared yet. While a body is turning, as if all its points moved as its centre does.
+  /// Returns the transform that takes points of the body, given from its centre in its rest frame (axes as
+  /// the board's), to the room: the body as it is there at that time, contracted along its motion through the
+  /// room. Returns none if the body has not appeared yet. While a body turns, all its points are treated as
+  /// moving with its centre.
   std::optional<glm::dmat4> roomFromBody(const WorldLine& line) const;
 
  private:

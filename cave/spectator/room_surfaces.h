@@ -1,6 +1,6 @@
 #pragma once
-// The flat parts of the room seen from outside: the ground on which it stands, and its walls with what they
-// show and their names.
+// The flat parts of the room seen from outside: the ground on which it stands, and its walls with their
+// pictures and names.
 
 #include <vector>
 
@@ -21,10 +21,11 @@ class RoomSurfaces {
   double floor_m() const { return floor_m_; }                ///< the lowest corner, along the room's up
 
   // These draw within a GlStateGuard.
-  /// Draws what is behind everything, and the ground, which is not seen from below: it would hide the room.
+  /// Draws the backdrop and the ground. The ground is not drawn when seen from below, where it would hide the
+  /// room.
   void drawGround(const OutsideView& view) const;
-  /// Draws the pictures of the walls that show their inner side; a wall that `shown` does not draw is an empty
-  /// panel.
+  /// Draws the pictures of the walls that show their inner side; a wall that `shown` does not draw is an
+  /// empty panel.
   void drawPanels(const OutsideView& view, const DisplayWalls& shown) const;
   /// Draws each wall's name above it, before the near edge of one that lies on the floor, and at the foot of
   /// one that is seen from behind.
@@ -45,7 +46,7 @@ class RoomSurfaces {
   std::vector<Name> names_;  // of each wall
 };
 
-/// Returns whether the camera sees the side that the person sees.
+/// Returns whether the camera sees the side of the wall that the person sees.
 bool showsInside(const Wall& wall, const glm::dvec3& camera_m);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 #pragma once
-// Draws meshes of one colour in the soft light of a model, not in the game's.
+// Draws meshes of one colour in soft light of their own, not in the game's light.
 
 #include <vtkPolyData.h>
 #include <glm/mat4x4.hpp>
@@ -29,9 +29,10 @@ class SolidDrawer {
 
   Solid upload(vtkPolyData& mesh, const glm::vec3& colour) const;
 
-  /// Begins drawing, within a GlStateGuard. `up`, `right`: the room's axes, by which the light comes.
+  /// Begins drawing, within a GlStateGuard. `up`, `right`: the room's axes, which set the direction of the
+  /// light.
   void begin(const OutsideView& view, const glm::dvec3& up, const glm::dvec3& right) const;
-  /// Draws a solid that covers what is behind it by `opacity`, where that blends.
+  /// Draws a solid with this opacity, if blending is on.
   void draw(const Solid& solid, const glm::dmat4& roomFromModel, float opacity = 1.0F) const;
 
  private:

@@ -1,7 +1,8 @@
 #pragma once
-// The room from outside: its walls with what they show at this moment, the person's head with its lines of
-// sight to the walls' corners, the hand, and the table and the pucks where they are in the room at this
-// moment of the room's time, not where they are seen. A picture of its own, and perhaps a window.
+// The room from outside: its walls with their current pictures, the person's head with its lines of sight to
+// the walls' corners, the hand, and the table and the pucks where they are in the room at this time of the
+// room's clock, not where they are seen. It is drawn into a picture of its own and, if wanted, shown in a
+// window.
 
 #include <memory>
 #include <span>
@@ -22,8 +23,8 @@ class SpectatorView {
  public:
   static constexpr glm::ivec2 kPicture_px{1440, 900};  ///< where there is no window
 
-  /// `table`: the parts of `scene` that rest on the board have a hall around them; these stand in their
-  /// place. Without `visible` there is no window.
+  /// `table`: parts that are drawn instead of those of `scene` that rest on the board, which include a hall.
+  /// Without `visible` there is no window.
   SpectatorView(Graphics& graphics, const RoomGeometry& room, const Scene& scene,
                 std::span<const ScenePart> table, bool visible);
   ~SpectatorView();
@@ -33,21 +34,21 @@ class SpectatorView {
   /// Shows another game.
   void setScene(const Scene& scene, std::span<const ScenePart> table);
 
-  /// Draws the frame, after the walls. A wall that `walls` does not draw is an empty panel with its name.
-  /// `histories[i]` is body i of the scene.
+  /// Draws the frame; call it after the walls are drawn. A wall that `walls` does not draw is an empty panel
+  /// with its name. `histories[i]` is body i of the scene.
   void draw(const FrameRecord& record, std::span<const WorldLine> histories, const DisplayWalls& walls);
 
   const RenderTarget& picture() const;
-  /// It, to be written as outside-mono-FRAME.png.
+  /// Returns the picture for capture, to be written as outside-mono-FRAME.png.
   Capture::Taken taken() const;
 
-  /// Into the window, if there is one; `swap` makes it visible. There, a drag turns the room and the wheel
-  /// comes nearer.
+  /// Draws into the window, if there is one; `swap` makes it visible. In the window, a drag turns the room
+  /// and the wheel moves the camera.
   void show();
   void swap();
 
  private:
-  struct Drawing;  // OpenGL's
+  struct Drawing;  // holds the OpenGL objects
   std::unique_ptr<Drawing> drawing_;
 };
 

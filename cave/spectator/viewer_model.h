@@ -1,5 +1,5 @@
 #pragma once
-// A model of the viewer for the room seen from outside: a head with 3-D glasses, a coat below it, a wand.
+// A model of the viewer for the room seen from outside: a head with 3-D glasses, a coat below it, and a wand.
 
 #include <optional>
 #include <vector>
@@ -22,16 +22,16 @@ struct ModelPart {
 
 /// Meshes in metres; x right, y forward, z up.
 struct ViewerModel {
-  std::vector<ModelPart> head;  ///< from the point between the eyes
-  ModelPart coat;               ///< from the floor below the neck; the eyes are 1 m high
-  ModelPart wand;               ///< from where it is held
+  std::vector<ModelPart> head;  ///< relative to the point between the eyes
+  ModelPart coat;               ///< relative to the floor below the neck; the eyes are 1 m high
+  ModelPart wand;               ///< relative to the point where it is held
 };
 ViewerModel makeViewerModel();
 
-/// Takes points of the model to the room.
+/// Transforms from the model to the room.
 struct ViewerPlaces {
   glm::dmat4 roomFromHead{1.0};
-  std::optional<glm::dmat4> roomFromCoat;  ///< none for eyes that are too low to stand on the floor
+  std::optional<glm::dmat4> roomFromCoat;  ///< none if the eyes are too low for a standing person
   std::optional<glm::dmat4> roomFromWand;  ///< none while the hand is not tracked
 };
 /// `floor_m`: the floor's height along the room's up.
