@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Bad input and what else can go wrong while a command runs: status 1.
+/// Logs an error of a command and returns exit status 1.
 int report(const std::exception& error) {
   if (const auto* faults = dynamic_cast<const carom::InputErrors*>(&error)) {
     for (const carom::InputError& fault : faults->faults()) carom::log::error(fault.what());

@@ -26,7 +26,7 @@
 namespace carom {
 namespace {
 
-// What needs VTK: not there in builds for the sanitizers.
+// These need VTK, which builds for the sanitizers do not have.
 #ifdef CAROM_WITH_CAVE
 const SeenSceneText kSeenScene = seenSceneVtp;
 const std::function<void(const Scenario&)> kOpenMeshes = openMeshes;
@@ -39,7 +39,7 @@ const std::function<void(const Scenario&)> kOpenMeshes;
 const ShowPattern kShowPattern;
 #endif
 
-/// What was wrong, and which help says what is right.
+/// Returns the message for a command line error, with the help command that explains it.
 std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> given = app->get_subcommands();
   std::string what = error.what();
@@ -56,7 +56,7 @@ std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
                      given.empty() ? "" : " " + given[0]->get_name());
 }
 
-/// Adds every command to `app`; the one that is called runs while the line is parsed and leaves its exit status in
+/// Adds every command to `app`. The named one runs while the line is parsed and stores its exit status in
 /// `status`.
 void addCommands(CLI::App& app, int& status) {
   app.require_subcommand(1);

@@ -17,9 +17,9 @@ namespace {
 
 constexpr float kText_px = 16.0F, kHeading_px = 21.0F;
 constexpr std::chrono::milliseconds kEvery(50);
-constexpr int kRest = 4;  // times as long as drawing took
+constexpr int kRest = 4;  // idle time as a multiple of the drawing time
 constexpr std::size_t kMostSaid = 200;
-// The places of its parts.
+// Layout of the console's parts.
 constexpr float kTop_px = 84.0F, kLeft_px = 366.0F, kSaid_px = 104.0F, kWalls_px = 250.0F, kGap_px = 8.0F;
 constexpr float kButton_px = 150.0F;
 
@@ -32,7 +32,7 @@ void useHeadingFont() {
   ImGui::PushFont(fonts.Size > 1 ? fonts[1] : fonts[0]);
 }
 
-/// A part of the console; `end` it with ImGui::EndChild.
+/// Begins a part of the console; end it with ImGui::EndChild.
 void part(const char* name, const ImVec2& at, const ImVec2& size) {
   ImGui::SetCursorPos(at);
   ImGui::BeginChild(name, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
@@ -183,7 +183,7 @@ void Console::drawDiagram(const ConsoleFrame& frame) {
   diagram_.draw(frame.record, frame.world, *ImGui::GetWindowDrawList(), {at.x, at.y}, {size.x, size.y});
 }
 
-/// The newest first.
+/// Draws the log, newest line first.
 void Console::drawSaid() const {
   for (const Line& line : said_) {
     dim(fmt::format("{:7.1f} s", line.said_s));

@@ -9,7 +9,7 @@
 namespace carom::console {
 namespace {
 
-/// What each does, in the order of kNamedSwitches.
+/// Tooltips, in the order of kNamedSwitches.
 constexpr std::array<const char*, kNamedSwitches.size()> kSwitchTips{
     "Light takes its time: things are seen where they were when it left them. Off: they are drawn where they "
     "are "
@@ -21,7 +21,7 @@ constexpr std::array<const char*, kNamedSwitches.size()> kSwitchTips{
     "surfaces keep their colours.",
     "Light from ahead is brighter for who moves. Off: brightness keeps."};
 
-/// In the order of kNamedViews.
+/// Tooltips, in the order of kNamedViews.
 constexpr std::array<const char*, kNamedViews.size()> kViewTips{
     "Striped ghosts where things are at this moment by the board's clocks: their light is still on its way.",
     "Crossed ghosts where things are at your own moment, which is another one as soon as you move.",
@@ -34,7 +34,7 @@ constexpr std::array<const char*, kNamedViews.size()> kViewTips{
     "A metre on the cloth, with light's way along it.",
     "The angles between the ways of two pucks that met."};
 
-constexpr float kBeside_em = 7.5F;  // for what stands beside a slider
+constexpr float kBeside_em = 7.5F;  // width left beside a slider
 
 void drawKey(const std::string& key) {
   if (!key.empty()) keyAtRight(key);
@@ -116,7 +116,7 @@ void EffectsPanel::drawLight(const ConsoleFrame& frame, double usual_m_s) {
   double apart_mm = 1e3 * frame.settings.eyeSeparation_m;
   ImGui::SetNextItemWidth(-kBeside_em * ImGui::GetFontSize());
   if (eyes_.draw("between eyes", apart_mm, 0.0, 1e3 * kMostEyeSeparation_m, "%.1f mm")) {
-    // To a tenth of a millimetre, as by key.
+    // Rounded to a tenth of a millimetre, as with the keys.
     frame.commands.emplace_back(SetEyeSeparation{std::round(10.0 * apart_mm) / 1e4});
   }
   tip("How far the person's eyes are apart (keys + and -). 0: without depth.");
@@ -156,7 +156,7 @@ void EffectsPanel::drawWalls(const ConsoleFrame& frame) const {
        {Box{&WallControls::eyesSwapped, "eyes"}, Box{&WallControls::trackerCross, "tracker cross"},
         Box{&WallControls::latency, "latency"}}) {
     const KeyLine key = keyFor(keys_, what);
-    if (key.does.empty()) continue;  // not here
+    if (key.does.empty()) continue;  // not available in this kind of session
     const bool on = walls.*value;
     if (tick(key.does.c_str(), on)) frame.commands.emplace_back(SetWalls{value, !on});
     drawKey(key.keys);

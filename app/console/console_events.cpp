@@ -44,7 +44,7 @@ void EventsPanel::follow(const World& world) {
   if (events_.size() > kKept) events_.erase(events_.begin(), events_.end() - kKept);
 }
 
-/// What has happened by now: by the board's clocks or in the person's own frame.
+/// Finds the events that have happened by now, by the board's clocks or in the viewer's own frame.
 void EventsPanel::find(const FrameRecord& record) {
   const Event& here = record.observer.middle.observation;
   rows_.clear();

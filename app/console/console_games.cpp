@@ -12,7 +12,7 @@
 namespace carom::console {
 namespace {
 
-constexpr float kListWidth = 0.46F;  // of what there is
+constexpr float kListWidth = 0.46F;  // fraction of the panel
 
 void paragraph(const char* what, const std::string& text) {
   if (text.empty()) return;
@@ -84,7 +84,7 @@ void GamesPanel::drawList(const ConsoleFrame& frame) {
     ImGui::PushStyleColor(ImGuiCol_Text, game.fault.empty() ? kBright : kDim);
     if (ImGui::Selectable(game.title.c_str(), chosen_ == i, ImGuiSelectableFlags_AllowDoubleClick)) {
       chosen_ = i;
-      if (i != played_) games_[i] = gameIn(game.file);  // it may have been mended meanwhile
+      if (i != played_) games_[i] = gameIn(game.file);  // it may have been corrected meanwhile
       twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     }
     ImGui::PopStyleColor();
@@ -131,7 +131,7 @@ void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) con
     frame.commands.emplace_back(AdvanceLesson{});
 }
 
-/// Another game than the one that is played, before it begins.
+/// Draws the description of a chosen game that is not the current one.
 void GamesPanel::drawChosen() const {
   const Game& game = games_[chosen_];
   heading(game.title.c_str());

@@ -45,7 +45,7 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
     if (std::abs(frame.record.display_s - measured_s_) >= kMeasuredEvery_s) {
       measured_s_ = frame.record.display_s;
       bytes_ = 0;
-      for (const char* part : {"", "-wal"}) {  // SQLite's own
+      for (const char* part : {"", "-wal"}) {  // the WAL file of SQLite
         std::error_code failed;
         const std::uintmax_t bytes = std::filesystem::file_size(file_->string() + part, failed);
         if (!failed) bytes_ += bytes;

@@ -27,7 +27,7 @@ void clock(const char* name, const std::string& value, const char* meaning) {
   ImGui::SameLine(0.0F, 24.0F);
 }
 
-/// As the clocks in the room show it.
+/// Formats a time as the clocks in the room do.
 std::string shown(double time_s) { return fmt::format("{:7.1f} s", shownTime_s(time_s)); }
 
 void goTo(const ConsoleFrame& frame, double session_s) {

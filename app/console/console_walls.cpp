@@ -15,7 +15,7 @@ constexpr int kCopyWidth_px = 240;
 constexpr double kCopyEvery_s = 1.0;
 constexpr float kGap_px = 8.0F;
 
-/// The same wall for one eye, with few pixels and nothing of its projector.
+/// Returns the same wall in mono, with few pixels and without its projector's settings.
 Wall smallOf(const Wall& wall) {
   Wall small;
   small.name = wall.name;
@@ -27,10 +27,10 @@ Wall smallOf(const Wall& wall) {
   return small;
 }
 
-/// The picture's own alpha means nothing.
+/// Turns blending off: the image's alpha has no meaning.
 void drawOpaque(const ImDrawList*, const ImDrawCmd*) { glDisable(GL_BLEND); }
 
-/// The largest rectangle of the picture's shape in the middle of the place.
+/// Shrinks the rectangle to the image's aspect ratio, centred horizontally.
 void fit(const glm::ivec2& picture_px, ImVec2& from, ImVec2& to) {
   const ImVec2 place{to.x - from.x, to.y - from.y};
   const float scale =
@@ -120,7 +120,7 @@ void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImV
                   absent ? "for the point between the eyes" : "its left eye's picture, if it has two"));
 }
 
-/// Of a grid of all walls, such that they are largest.
+/// Returns the number of columns for which a grid of all walls has the largest tiles.
 std::size_t WallsPanel::columnsFor(const ImVec2& room_px, float label_px) const {
   const std::size_t walls = rig_.walls.size();
   std::size_t best = 1;

@@ -8,20 +8,20 @@
 namespace carom {
 namespace {
 
-constexpr double kEvery_s = 0.1;      // the chart is made anew
-constexpr double kShown_s = 5.0;      // below the present event
-constexpr double kKept_s = 6.0;       // of my world line, board time
-constexpr double kLeastWay_s = 0.25;  // before there is anything to show
+constexpr double kEvery_s = 0.1;      // update interval of the chart
+constexpr double kShown_s = 5.0;      // shown below the present event
+constexpr double kKept_s = 6.0;       // kept of the viewer's world line, board time
+constexpr double kLeastWay_s = 0.25;  // needed before the chart is drawn
 constexpr float kLeft_px = 60, kRight_px = 270, kTop_px = 40, kBottom_px = 40;
 
 ImU32 inkOf(const glm::vec3& colour) {
   return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F});
 }
 
-/// A chart in a rectangle of a window: its axes' units to pixels.
+/// A chart in a rectangle of a window: maps its axes' units to pixels.
 class Paper {
  public:
-  /// A metre of way and a metre of light's way are equally long: so light goes at 45°.
+  /// One metre in x and one metre of c t have the same length, so that light is at 45°.
   Paper(const Chart& chart, ImDrawList& list, const ImVec2& origin, const ImVec2& size)
       : chart_(chart),
         list_(list),
@@ -57,7 +57,7 @@ class Paper {
     list_.AddText(where, IM_COL32(30, 30, 30, 255), words.c_str());
   }
 
-  /// A line at every metre.
+  /// Draws a grid line at every metre.
   void drawAxes() const {
     const ImU32 grey = IM_COL32(225, 225, 225, 255);
     for (double x = std::ceil(xRange_.x); x <= xRange_.y; x += 1.0) {
@@ -74,7 +74,8 @@ class Paper {
     text({origin_.x + 8, origin_.y + kTop_px - 24}, chart_.yTitle);
   }
 
-  /// Dots are short dashes. Only what lies in the rectangle is drawn: axes go on for kilometres.
+  /// Draws a dashed line; dots are short dashes. Draws only what lies in the rectangle, because axes are
+  /// kilometres long.
   void drawDashes(const ImVec2& from, const ImVec2& to, ImU32 ink, float width, float dash_px) const {
     const float length = std::hypot(to.x - from.x, to.y - from.y);
     if (!(length > 0.0F)) return;
@@ -131,7 +132,7 @@ class Paper {
   ImDrawList& list_;
   ImVec2 origin_, size_;
   double px_m_;
-  glm::dvec2 xRange_{0.0};  // that the rectangle shows
+  glm::dvec2 xRange_{0.0};  // shown by the rectangle
 };
 
 }  // namespace
@@ -144,7 +145,7 @@ void LiveDiagram::play(const Scenario& scenario) {
 void LiveDiagram::follow(const FrameRecord& record) {
   const Event& here = record.observer.middle.observation;
   std::vector<Event>& mine = subject_.mine;
-  if (!mine.empty() && here.t_s < mine.back().t_s) mine.clear();  // a recording that was gone back in
+  if (!mine.empty() && here.t_s < mine.back().t_s) mine.clear();  // the recording was set back
   if (!mine.empty() && here.t_s == mine.back().t_s) return;
   mine.push_back(here);
   std::erase_if(mine, [&](const Event& event) { return event.t_s < here.t_s - kKept_s; });

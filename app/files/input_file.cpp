@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
 
-/// Least number of letters to add, drop, change or swap with a neighbour to make `a` into `b`.
+/// Returns the least number of letters to add, drop, change or swap with a neighbour to make `a` into `b`.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
@@ -94,7 +94,7 @@ std::optional<std::string_view> nearestWord(std::string_view mistyped, std::span
   std::size_t least = std::max<std::size_t>(2, mistyped.size() / 3) + 1;
   for (const std::string& word : known) {
     if (mistyped.size() > kLongestWord) break;
-    // A unit forgotten or added (length for length_m) is near, however short the word.
+    // A forgotten or added unit (length for length_m) counts as near, however short the word.
     const bool prefix = word.starts_with(mistyped) || mistyped.starts_with(word);
     const std::size_t distance = prefix ? 1 : editDistance(mistyped, word);
     if (distance < least && distance < word.size()) {

@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-/// Complains where the three or four corners are no rectangle.
+/// Records a fault if the three or four corners are not those of a rectangle.
 void checkRectangle(const TomlTable& table, const Wall& wall, const std::optional<glm::dvec3>& upperRight_m) {
   const ThreeCorners corners{{wall.lowerRight_m, wall.lowerLeft_m, wall.upperLeft_m},
                              {"lower_right", "lower_left", "upper_left"}};
@@ -33,7 +33,7 @@ void checkRectangle(const TomlTable& table, const Wall& wall, const std::optiona
   }
 }
 
-/// File names of captured pictures are made of it.
+/// Checks a wall's name, which is used in the file names of captured images.
 void checkWallName(const TomlTable& table, const std::string& name) {
   const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
@@ -60,7 +60,7 @@ bool meet(const Viewport& a, const Viewport& b) {
   return low.x < high.x && low.y < high.y;
 }
 
-/// A wall's part of a window that it shares, with the window.
+/// A shared window and a wall's part of it.
 struct SharedPlace {
   WindowPlacement window;
   Viewport part;
@@ -72,7 +72,7 @@ std::optional<SharedPlace> sharedPlaceOf(const Rig& rig, const Wall& wall) {
   return {};
 }
 
-/// Walls that share a window have each their own place inside.
+/// Checks that walls that share a window have separate parts of it.
 void checkPlaces(const Rig& rig, const std::vector<TomlTable>& tables) {
   const char* window = rig.oneWindow ? "the one window" : "their window";
   for (std::size_t i = 0; i < rig.walls.size(); ++i) {
@@ -113,7 +113,8 @@ void checkTogether(const TomlTable& root, const Rig& rig, const std::vector<Wall
 }
 
 void holdBackTheFast(Rig& rig, const std::vector<TomlTable>& tables) {
-  constexpr double kMostHeld_s = 0.1;  // pictures take memory; displays that differ by more are mistaken
+  // Buffered images take memory; a larger difference between displays is a mistake.
+  constexpr double kMostHeld_s = 0.1;
   for (const Wall& wall : rig.walls)
     rig.displayLatency_s = std::max(rig.displayLatency_s, wall.displayLatency_s);
   for (std::size_t i = 0; i < rig.walls.size(); ++i) {

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kMostSensors = 65535;
 
-/// { translation, rotation_deg }: turned about the fixed x, then y, then z axis, then moved.
+/// Reads { translation, rotation_deg }: rotations about the fixed x, then y, then z axis, then the
+/// translation.
 Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
   const auto table = parent.table(key);
   if (!table) return {};
@@ -29,7 +30,7 @@ Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
   return {toVec3(table->numbers<3>("translation", {}, none)) * unit_m, aboutZ * aboutY * aboutX};
 }
 
-/// Where a tracker's samples come from.
+/// Reads and checks the source of a tracker's samples.
 std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, TrackerKind kind,
                                  const RoomAxes& axes) {
   if (kind == TrackerKind::recorded) return file.existingFile(table, "source");
@@ -37,9 +38,9 @@ std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, T
     table.refuse("source", "has no meaning for a simulated tracker, expected none");
     return {};
   }
-  if (kind == TrackerKind::spaceMouse && !table.has("source")) return {};  // the first that is plugged in
+  if (kind == TrackerKind::spaceMouse && !table.has("source")) return {};  // the first one connected
   const std::string source = table.text("source");
-  if (source.empty()) return {};  // complained of already
+  if (source.empty()) return {};  // has been reported
   try {
     createTransport(kind, source, axes);
   } catch (const std::invalid_argument& wrong) {
@@ -48,7 +49,7 @@ std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, T
   return source;
 }
 
-/// The tracker that a key names, an index; beyond the last one where there is none of that name.
+/// Returns the index of the tracker that a key names; beyond the last one if there is none of that name.
 std::size_t readTrackerName(const TomlTable& table, std::string_view key,
                             const std::vector<TrackerSetup>& trackers) {
   const std::string name = table.text(key);
@@ -65,7 +66,7 @@ std::size_t readTrackerName(const TomlTable& table, std::string_view key,
   return static_cast<std::size_t>(found - trackers.begin());
 }
 
-/// `tracker` and `sensor` of the head or the hand.
+/// Reads `tracker` and `sensor` of the head or the hand.
 SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>& trackers) {
   return {.tracker = readTrackerName(table, "tracker", trackers),
           .sensor = table.integer("sensor", 0, kMostSensors, 0)};

@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-constexpr int kMostPixels = 16384;  // the largest texture of common GPUs
+constexpr int kMostPixels = 16384;  // largest texture size of common GPUs
 constexpr Range kPlace_px{.least = -65536.0, .most = 65536.0};
 constexpr Range kSize_px{.least = 1.0, .most = kMostPixels};
 
@@ -29,7 +29,7 @@ glm::ivec2 toPixels(const std::array<double, 2>& a) {
   return {static_cast<int>(a[0]), static_cast<int>(a[1])};
 }
 
-/// A wall's window, and its part of it where it shares one.
+/// Reads a wall's window and, if it is shared, the wall's part of it.
 void readWallWindow(const TomlTable& table, bool hasOneWindow, Wall& wall) {
   wall.window = readWindow(table);
   const auto part = table.table("viewport");
@@ -40,7 +40,8 @@ void readWallWindow(const TomlTable& table, bool hasOneWindow, Wall& wall) {
     table.fault("viewport", "a place inside the one window has no viewport of its own, expected none");
 }
 
-/// The file that a wall's key names, empty where it names none. `kinds` are the endings that can be read.
+/// Returns the file that a wall's key names, or an empty path if it names none. `kinds` are the supported
+/// extensions.
 std::filesystem::path readWallFile(const TomlFile& file, const TomlTable& table, std::string_view key,
                                    std::span<const std::string_view> kinds) {
   if (!table.has(key)) return {};
@@ -53,9 +54,9 @@ std::filesystem::path readWallFile(const TomlFile& file, const TomlTable& table,
   return found;
 }
 
-/// A file that is no such mesh is named with the place in it.
+/// Checks that a warp mesh can be read; a fault gives the position in it.
 void checkWarp(const TomlTable& table, const std::filesystem::path& warp) {
-  if (warp.extension() != ".pfm" && warp.extension() != ".obj") return;  // none, or complained of already
+  if (warp.extension() != ".pfm" && warp.extension() != ".obj") return;  // none, or has been reported
   try {
     readWarp(warp);
   } catch (const std::runtime_error& fault) {
@@ -63,7 +64,7 @@ void checkWarp(const TomlTable& table, const std::filesystem::path& warp) {
   }
 }
 
-/// What stands between the picture and the screen: the projector.
+/// Reads the settings of the projector, between the image and the screen.
 void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
   constexpr std::array<std::string_view, 2> kMeshes{".pfm", ".obj"};
   constexpr std::array<std::string_view, 5> kPictures{".png", ".jpg", ".jpeg", ".tif", ".tiff"};

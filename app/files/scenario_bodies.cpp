@@ -37,18 +37,18 @@ std::vector<Leg> readLegs(const TomlTable& body) {
   return legs;
 }
 
-/// The centre on a straight leg that it passes at `event`, at board time `t_s`.
+/// Returns the centre at board time `t_s`, on a straight leg that it passes at `event`.
 Event alongLeg(const Event& event, const Vec3& u, double t_s, double c_m_s) {
   return {t_s, event.r_m + betaFromU(u) * (c_m_s * (t_s - event.t_s))};
 }
 
-/// World line of a body whose centre passes `at`, on whichever leg holds that time: the events of its turns
-/// follow from there in both directions.
+/// Returns the world line of a body whose centre passes `at`, on whichever leg holds that time: the events of
+/// its turns follow from there in both directions.
 WorldLine scriptedWorldLine(const std::vector<Leg>& legs, const Event& at, std::optional<double> appears_s,
                             double c_m_s) {
   std::size_t holding = 0;
   while (holding + 1 < legs.size() && legs[holding + 1].from_s <= at.t_s) ++holding;
-  std::vector<Event> begins(legs.size(), at);  // of the first leg: an event on it
+  std::vector<Event> begins(legs.size(), at);  // for the first leg, an event on it
   for (std::size_t i = holding; i > 0; --i) {
     begins[i] = alongLeg(i == holding ? at : begins[i + 1], legs[i].u, legs[i].from_s, c_m_s);
     begins[i - 1] = begins[i];

@@ -15,14 +15,15 @@
 namespace carom {
 namespace {
 
-/// Shape of the contracted puck in the board: the ellipse xᵀ S⁻¹ x = 1 with S = R²(1 − β βᵀ), semi-axes R/γ
-/// along the motion and R across it.
+/// Returns the shape of the contracted puck on the board: the ellipse xᵀ S⁻¹ x = 1 with S = R²(1 − β βᵀ),
+/// semi-axes R/γ along the motion and R across it.
 glm::dmat2 shapeOf(const Puck& puck) {
   return puck.radius_m * puck.radius_m * (glm::dmat2(1.0) - glm::outerProduct(puck.beta, puck.beta));
 }
 
-/// Whether two pucks' ellipses overlap at board time 0: with d from centre to centre they do if and only if
-/// λ(1−λ) dᵀ[(1−λ)A + λB]⁻¹d, concave in λ, stays below 1 on 0 < λ < 1 (Perram, Wertheim 1985, eq. 3.7).
+/// Returns whether two pucks' ellipses overlap at board time 0: with d from centre to centre they do if and
+/// only if λ(1−λ) dᵀ[(1−λ)A + λB]⁻¹d, concave in λ, stays below 1 on 0 < λ < 1 (Perram, Wertheim 1985, eq.
+/// 3.7).
 bool overlap(const Puck& a, const Puck& b) {
   const Vec2 d = b.position_m - a.position_m;
   if (glm::length(d) >= (a.radius_m + b.radius_m) * (1.0 - kTouching)) return false;
@@ -43,7 +44,7 @@ bool overlap(const Puck& a, const Puck& b) {
   return contact(0.5 * (low + high)) < 1.0 - kTouching;
 }
 
-/// Distance from the centre to the rim along the board's x and y: sqrt(nᵀSn).
+/// Returns the distance from the centre to the rim along the board's x and y: sqrt(nᵀSn).
 Vec2 reachOf(const Puck& puck) { return puck.radius_m * glm::sqrt(1.0 - puck.beta * puck.beta); }
 
 }  // namespace

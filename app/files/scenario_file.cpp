@@ -61,7 +61,7 @@ Puck readPuck(const TomlTable& table) {
           .beta = readBeta2(table)};
 }
 
-/// A stroke as the file gives it, before its puck is looked up.
+/// A stroke as given in the file, before its puck is looked up.
 struct StrokeText {
   TomlTable table;
   std::string puck;

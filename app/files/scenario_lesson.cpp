@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-/// In letters, not in bytes.
+/// Returns the length in letters, not in bytes.
 std::size_t lettersOf(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
@@ -57,7 +57,7 @@ TimeViews readViews(const TomlTable& table) {
       views.*kNamedViews[static_cast<std::size_t>(found - names.begin())].value = 1;
       continue;
     }
-    if (given.text.empty()) continue;  // a fault already
+    if (given.text.empty()) continue;  // has been reported
     const auto nearest = nearestWord(given.text, names);
     table.fault(given.place, fmt::format("there is no view '{}', expected {}", given.text,
                                          nearest ? fmt::format("'{}'?", *nearest)

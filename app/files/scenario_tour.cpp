@@ -18,7 +18,7 @@ namespace carom {
 std::vector<ThrustLeg> readTour(const TomlTable& tour, double c_m_s) {
   std::vector<ThrustLeg> legs;
   const double most_m_s2 = strongestThrust_m_s2(c_m_s);
-  double free_s = 0.0;  // from when on
+  double free_s = 0.0;  // end of the previous leg
   for (const TomlTable& table : tour.tables("leg")) {
     const ThrustLeg leg{.from_s = table.number("from_s", kNotNegative, free_s),
                         .for_s = table.number("for_s", kPositive),
@@ -47,7 +47,7 @@ bool readTourAtOnce(const TomlTable& tour) {
   return tour.choice("starts", kStarts, 0) == 1;
 }
 
-/// Along a leg of constant thrust |γβ| is largest at an end of it.
+/// Checks the speed at the ends of the legs: along a leg of constant thrust |γβ| is largest at one of them.
 void checkTourSpeed(const std::vector<ThrustLeg>& legs, const ObserverStart& start, const TomlTable& tour,
                     double c_m_s) {
   const glm::dquat facing = glm::angleAxis(start.facing_rad - std::numbers::pi / 2, Vec3(0.0, 0.0, 1.0));

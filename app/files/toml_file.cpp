@@ -45,11 +45,11 @@ std::string_view kindOf(const toml::node& node) {
   }
 }
 
-/// The first letter beyond ASCII outside quotes and comments, where TOML has none. Must be found before
-/// toml++ 3.3 meets it: its table of white space has undefined behaviour there.
+/// Returns the position of the first non-ASCII character outside quotes and comments, where TOML allows none.
+/// Must run before toml++ 3.3 parses the text: its table of white space has undefined behaviour there.
 std::optional<FilePlace> strayLetter(std::string_view text) {
   FilePlace place;
-  std::string_view quote;  // that ends the text at hand; "\n" in a comment; empty outside both
+  std::string_view quote;  // delimiter that ends the current string; "\n" in a comment; empty outside both
   for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     const std::string_view rest = text.substr(i);
@@ -94,7 +94,7 @@ struct TomlTable::State {
   FilePlace place;
   std::vector<std::string> asked;
   std::vector<std::string> missing;
-  std::vector<std::string> unknown;  // already complained of
+  std::vector<std::string> unknown;  // already reported
 
   const toml::node* find(std::string_view key) {
     if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.emplace_back(key);
@@ -106,7 +106,7 @@ struct TomlTable::State {
   void wrong(std::string_view key, const toml::node& node, std::string_view expected) {
     fault(placeOf(node.source()), fmt::format("{} is {}, expected {}", key, kindOf(node), expected));
   }
-  /// The key's value, or null with a fault noted where it is required.
+  /// Returns the key's value, or null, with a fault noted if it is required.
   const toml::node* ask(std::string_view key, bool optional) {
     const toml::node* node = find(key);
     const bool noted = std::find(missing.begin(), missing.end(), key) != missing.end();
@@ -256,7 +256,7 @@ std::vector<std::array<double, 3>> TomlTable::points(std::string_view key) const
     const std::string name = fmt::format("{}[{}]", key, i);
     const toml::array* place = (*array)[i].as_array();
     auto& point = result.emplace_back();
-    point.fill(std::numeric_limits<double>::quiet_NaN());  // stands in: unlike any other
+    point.fill(std::numeric_limits<double>::quiet_NaN());  // placeholder that equals no other value
     if (!place || place->size() != 3) {
       state_->fault(placeOf((*array)[i].source()),
                     fmt::format("{} is wrong, expected a place [x, y, z]", name));

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-/// The turn of a frame's axes, without its boost.
+/// Returns the rotation part of the transformation, without its boost.
 Lorentz turnOf(const Lorentz& boardFromRoom) {
   return Lorentz::boost(boardFromRoom.u(), boardFromRoom.lightSpeed_m_s()).inverse() * boardFromRoom;
 }
@@ -25,7 +25,7 @@ CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom) {
   if (!(pull_m > 0.0)) return {};
   const Vec3 way = way_m / pull_m;
   const double u = pull_m < kLeastPull_m ? 0.0 : std::min(pull_m / kPullForOne_m, kStrongestU);
-  // + 0: no −0, which a session file would not bring back.
+  // + 0: avoids −0, which a session file would not restore.
   return {{u * way.x + 0.0, u * way.y + 0.0}, (turn.inverse() * Displacement{0.0, way}).dr_m};
 }
 

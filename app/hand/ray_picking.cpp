@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-/// How a ray goes by a ball.
+/// The position of a ray relative to a ball.
 struct Passing {
   double along_m = 0.0;     ///< from the hand to where the ray is nearest to its centre; below 0: behind
   double missedBy_m = 0.0;  ///< from there to its surface; below 0: hit
@@ -19,8 +19,8 @@ Passing passing(const HandRay& ray, const Vec3& centre_m, double radius_m) {
   return {along_m, glm::length(way_m - along_m * ray.along) - radius_m};
 }
 
-/// Less is better: those that are hit come first, by distance; then the others, by angle. None: it is not
-/// meant.
+/// Returns a rank, smaller is better: hits come first, by distance, then near misses, by angle. Nothing if
+/// the ball is not picked.
 std::optional<double> rankOf(const Passing& by) {
   if (!(by.along_m > 0.0)) return std::nullopt;
   if (by.missedBy_m <= 0.0) return -1.0 / by.along_m;
@@ -28,7 +28,7 @@ std::optional<double> rankOf(const Passing& by) {
   return missedBy_rad <= RayPicking::kNear_rad ? std::optional(missedBy_rad) : std::nullopt;
 }
 
-/// From the hand to where the ray meets the plane z = 0 of the board, as it stands in the room.
+/// Returns the distance along the ray from the hand to the plane z = 0 of the board, as it is in the room.
 double toCloth_m(const HandRay& ray, const EyeView& head, const Lorentz& boardFromRoom) {
   const auto height_m = [&](const Vec3& inRoom_m) {
     return (boardFromRoom * Displacement{0.0, inRoom_m}).dr_m.z;

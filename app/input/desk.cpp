@@ -13,15 +13,15 @@
 namespace carom {
 namespace {
 
-/// In the order of Desk::held_.
+/// Keys in the order of Desk::held_.
 constexpr std::array kHeldKeys{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_SPACE};
 
-/// Buttons of a pad in the order in which they answer.
+/// Gamepad buttons in the order of the answers.
 constexpr std::array kPadButtons{GLFW_GAMEPAD_BUTTON_A, GLFW_GAMEPAD_BUTTON_B, GLFW_GAMEPAD_BUTTON_X,
                                  GLFW_GAMEPAD_BUTTON_Y, GLFW_GAMEPAD_BUTTON_START};
 enum PadButton { kPadA, kPadB, kPadX, kPadY, kPadStart, kPadTrigger };
 
-/// The first gamepad that is there.
+/// Reads the first gamepad connected. Returns false if there is none.
 bool readPad(GLFWgamepadstate& pad) {
   for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST; ++id) {
     if (glfwJoystickIsGamepad(id) && glfwGetGamepadState(id, &pad)) return true;
@@ -29,7 +29,7 @@ bool readPad(GLFWgamepadstate& pad) {
   return false;
 }
 
-/// Right and down, as GLFW has its sticks.
+/// Returns a stick's deflection to the right and down, as in GLFW.
 Vec3 stickOf(const GLFWgamepadstate& pad, int rightAxis, int downAxis) {
   return withoutDeadZone({pad.axes[rightAxis], pad.axes[downAxis], 0.0});
 }

@@ -15,8 +15,8 @@ namespace carom {
 namespace {
 
 constexpr double kEyeSeparationStep_m = 0.001;
-constexpr double kLightSpeedSteps = 12.0;  // from one light speed to twice it
-constexpr double kScrub_s = 1.0;           // an arrow's way through a recording
+constexpr double kLightSpeedSteps = 12.0;  // steps per doubling of the light speed
+constexpr double kScrub_s = 1.0;           // one press of an arrow key in a recording
 constexpr double kMostRate = 16.0;
 
 constexpr unsigned kInSession = 1, kInReplay = 2, kInPatterns = 4;
@@ -58,7 +58,7 @@ Command showNext(const OperatorSettings& now, const Pressed& pressed) {
 
 template <int steps>
 Command setEyesApart(const OperatorSettings& now, const Pressed&) {
-  // To a tenth of a millimetre, so that steps there and back end where they began.
+  // Rounded to a tenth of a millimetre, so that steps back and forth end at the initial value.
   const double set_m = std::round((now.eyeSeparation_m + steps * kEyeSeparationStep_m) * 1e4) / 1e4;
   return SetEyeSeparation{std::clamp(set_m, 0.0, kMostEyeSeparation_m)};
 }
@@ -77,11 +77,11 @@ Command setRate(double rate) {
 }
 
 struct Key {
-  int key;       // GLFW's
-  int otherKey;  // does the same; 0: none
+  int key;       // GLFW key code
+  int otherKey;  // second key with the same effect; 0 if none
   const char* label;
   unsigned where;
-  const char* does;  // null: told by the line before
+  const char* does;  // null if described by the previous line
   Command (*command)(const OperatorSettings&, const Pressed&);
 };
 
@@ -165,7 +165,7 @@ std::optional<int> digitOf(int key) {
   return {};
 }
 
-/// While a lesson asks, the digits are its answers, and nothing else.
+/// Returns the answer for a digit: while a lesson asks, digits have no other meaning.
 std::optional<Command> answerOf(int key, KeysOf place, const OperatorSettings& now) {
   const std::optional<int> digit = digitOf(key);
   if (!digit || place != KeysOf::session || now.lesson.phase != LessonPhase::asks) return {};
@@ -187,7 +187,7 @@ bool wantsToEnd(const WindowInput& input) { return input.closeRequested || press
 
 Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const OperatorSettings& settings) {
   Commands commands;
-  std::optional<OperatorSettings> then;  // as each key finds them: a copy is made only where one is pressed
+  std::optional<OperatorSettings> then;  // settings as each key finds them, copied only if a key is pressed
   for (const KeyInput& pressed : input.keys) {
     if (!pressed.pressed || pressed.key == 0) continue;
     if (!then) then = settings;
@@ -195,7 +195,7 @@ Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const 
     if (!command) continue;
     apply(*command, *then);
     if (const auto* seek = std::get_if<Seek>(&*command))
-      now_s = seek->session_s;  // the next key goes on from there
+      now_s = seek->session_s;  // the next key continues from there
     commands.push_back(*command);
   }
   return commands;

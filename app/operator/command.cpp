@@ -27,7 +27,7 @@ const WallOption& wallOption(std::uint8_t WallControls::*option) {
                        [&](const WallOption& known) { return known.option == option; });
 }
 
-/// Of kNamedSwitches or kNamedViews.
+/// Returns the name of a member in kNamedSwitches or kNamedViews.
 template <typename Named, typename Member>
 const char* nameIn(const Named& named, Member member) {
   return std::find_if(named.begin(), named.end(), [&](const auto& known) { return known.value == member; })
@@ -42,7 +42,7 @@ std::string wordsFor(const LessonState& lesson) {
   return lesson.answer == 0 ? phase : fmt::format("{}, answered {}", phase, lesson.answer);
 }
 
-/// Returns whether that changes the value.
+/// Sets the value. Returns whether it changes.
 template <typename T, typename Value>
 bool set(T& value, const Value& to) {
   const T before = value;

@@ -25,7 +25,7 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
                                              FrameRecord& record) {
   PickResult pointed;
   if (!hand.device.empty()) {
-    game.playTo(latestObservation_s(record.observer));  // as far as is seen
+    game.playTo(latestObservation_s(record.observer));  // as far as the eyes see
     pointed = aim_.at({hand.from_m, hand.along}, game.pucks(), {record.observer, hand.eye, record.switches},
                       record.boardFromRoom);
   }
@@ -35,7 +35,8 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
   return {{}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
 }
 
-/// While the cue is held its ray goes to where the target is seen, whatever else the hand points to.
+/// Returns the hand's view. While the cue is held, its ray ends where the target is seen, wherever the hand
+/// points.
 HandView CueInteraction::viewOf(const HandInput& hand, const PickResult& pointed, const Game& game,
                                 const FrameRecord& record) {
   HandView view;
@@ -67,7 +68,7 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
   const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u};
   try {
     const Event arrival = game.strike(stroke);
-    const double pace = record.lightSpeed_m_s / c_m_s;  // of the game's seconds in one of the person's
+    const double pace = record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
     const double after_s = (record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
     return {stroke,
             fmt::format("{}: p = {:.2g} kg m/s, costs {:.2g} mc²; it arrives in {:.1f} s", target.name,

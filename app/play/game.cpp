@@ -50,7 +50,7 @@ Event Game::strike(const Stroke& stroke) {
 }
 
 void Game::playToNowOf(const ObserverView& observer) {
-  constexpr double kNear_s = 1e-6;  // some micrometres of way
+  constexpr double kNear_s = 1e-6;  // micrometres of motion
   const Event& head = observer.middle.observation;
   const Vec3 beta_s_m =
       betaFromU(observer.headFromBoard.inverse().u()) / observer.headFromBoard.lightSpeed_m_s();
@@ -72,7 +72,7 @@ void Game::advance(double t_s, FrameState& state) {
   const Changes changes = billiard_.takeChanges();
   state.record.truncateFrom_s = changes.truncatedFrom_s.value_or(std::numeric_limits<double>::infinity());
   state.record.eventsKept = changes.eventsKept;
-  // A game's first frame brings all of it: a session file that it goes on with has parts of it already.
+  // A game's first frame brings all of it, because a continued session file has parts of it already.
   if (!begun_) state.record.truncateFrom_s = 0.0, state.record.eventsKept = 0;
   begun_ = true;
   state.record.pucks = billiard_.worldLines().size();

@@ -13,12 +13,13 @@ namespace {
 constexpr std::array<std::string_view, 3> kNames{"wand", "mouse", "gamepad"};
 constexpr std::array<std::string_view, 3> kRefusals{
     "The cue is in the wand's hand", "The cue is in the mouse's hand", "The cue is in the gamepad's hand"};
-constexpr double kFarthestOnCloth_m = 10.0;  // of a mouse that points near the horizon
+constexpr double kFarthestOnCloth_m = 10.0;  // limit for a mouse that points near the horizon
 
 enum WandButton { kTrigger, kBrake, kHome, kOnwards };
 enum SpaceMouseButton { kLeftBrakes, kRightGoesHome };
 
-/// Where a ray meets the cloth's plane, as high in the room as the board is for the middle of the eyes.
+/// Returns where a ray meets the plane of the cloth, which is as high in the room as the board is for the
+/// midpoint of the eyes.
 std::optional<Vec3> onCloth(const Vec3& from_m, const Vec3& along, const ObserverView& observer,
                             const Vec3& up) {
   const EyeView& middle = observer.middle;
@@ -51,7 +52,8 @@ std::optional<Command> InputDevices::lessonCommand() const {
   return carom::lessonCommand(wandButtons_.answered() + 1, wandButtons_.wasPressed(kOnwards));
 }
 
-/// The wand's stick along where it points, level; the SpaceMouse along the room's axes.
+/// Combines the steering: the wand's stick along the wand's horizontal direction, the SpaceMouse along the
+/// room's axes.
 void InputDevices::steer(const HandDevices& devices) {
   wandKnown_ = devices.wandKnown;
   steered_ = Vec3(0.0);
@@ -75,7 +77,8 @@ InputDevices::Hand InputDevices::wandHand(const HandDevices& devices, double now
   return hand;
 }
 
-/// While it holds the cue the walls may show something else: it then points to where it last did.
+/// Returns the mouse's state. While it holds the cue and is over no wall, it keeps pointing to its last
+/// position.
 InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double now_s) {
   if (desk_.mouse && mouseWas_ && desk_.mouse->onWall_m != mouseWas_->onWall_m) mouseUsed_s_ = now_s;
   if (desk_.mouseHeld) mouseUsed_s_ = now_s;
@@ -119,7 +122,8 @@ std::optional<InputDevices::Device> InputDevices::aiming(const std::array<Hand, 
   return latest;
 }
 
-/// Who presses first takes the cue, unless a lesson asks; whoever lets it go, or is lost, has it no more.
+/// Assigns the cue to the first device pressed, unless a lesson asks. A device that is lost no longer holds
+/// it.
 void InputDevices::take(const std::array<Hand, kDevices>& hands, HandInput& input) {
   if (holder_ && !hands[*holder_].there) holder_.reset();
   for (const Device device : {wand, mouse, pad}) {
@@ -131,7 +135,7 @@ void InputDevices::take(const std::array<Hand, kDevices>& hands, HandInput& inpu
       continue;
     }
     holder_ = device;
-    pressed_m_ = device == pad ? Vec3(0.0) : hand.at_m;  // a stick comes back by itself
+    pressed_m_ = device == pad ? Vec3(0.0) : hand.at_m;  // a stick returns to its centre by itself
   }
 }
 

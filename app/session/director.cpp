@@ -12,7 +12,7 @@ FrameLeader::FrameLeader(FrameSource& source, KeysOf keys, const OperatorSetting
   settings_ = settings;
 }
 
-/// The one place where the operator's settings change.
+/// Applies a command. This is the only place where the operator's settings change.
 void FrameLeader::obey(const Command& command, Decision& decision) {
   if (!apply(command, settings_)) return;
   obeyed_.push_back(command);
@@ -36,7 +36,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
   source_.next(times, {obeyed_, desk}, settings_, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
-  if (!nextGame_.empty()) decision.frame.record.last = 1;  // of this game
+  if (!nextGame_.empty()) decision.frame.record.last = 1;  // ends this game
   for (const std::string& alarm : decision.alarms) log::note(alarm);
   decision.timing.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }

@@ -3,13 +3,13 @@
 namespace carom {
 
 bool runFrames(FrameContext& context) {
-  Decision decision;  // its memory is used again: a steady frame allocates nothing
+  Decision decision;  // reused, so that a steady frame allocates nothing
   const FrameState& frame = decision.frame;
   bool isAskedToEnd = false;
   while (!isAskedToEnd && !frame.record.last) {
     context.statistics.begin();
     const FrameTimes times = context.pacer.next();       // when the photons leave the walls
-    const WindowInput& input = context.graphics.poll();  // since the frame before
+    const WindowInput& input = context.graphics.poll();  // since the previous frame
     context.director.decide(times, input, decision);     // rank 0: tracker, head, observer, game
     context.statistics.decided(decision.timing);
     context.cluster.share(decision.frame);  // every rank holds the same bytes

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-constexpr double kWindow_s = 5.0;  // of the overlay's statistics
+constexpr double kWindow_s = 5.0;  // duration of the overlay's statistics
 constexpr double kNewNumbers_s = 0.25;
 
 std::size_t framesIn(double duration_s, double display_hz) {

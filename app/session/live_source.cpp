@@ -15,7 +15,8 @@ namespace {
 constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
 constexpr std::array<const char*, 4> kDriveModes{"as steered", "braking", "home", "tour"};
 
-/// What a stroke costs, of the strongest one's, as the gamepad that draws it back makes felt.
+/// Returns the rumble strength in [0, 1]: stroke energy relative to the strongest stroke. 0 unless a gamepad
+/// draws the cue.
 double rumbleStrength(const HandInput& hand, const HandView& view) {
   return view.pulling && hand.device == "gamepad" ? costOf(view.u) / costOf(kStrongestU) : 0.0;
 }
@@ -39,7 +40,7 @@ void LiveSource::playAnew() {
   hands_.letGo();
 }
 
-/// Where the lesson is with this frame.
+/// Takes over the lesson's state for this frame and notes an answer just given.
 void LiveSource::advanceLesson(const LessonState& lesson, Decision& decision) {
   const bool answered = play_.lesson.phase == LessonPhase::asks && lesson.phase != LessonPhase::asks;
   play_.lesson = lesson;
@@ -48,7 +49,8 @@ void LiveSource::advanceLesson(const LessonState& lesson, Decision& decision) {
   decision.answers.push_back({words.title, words.question, answerText(words, lesson)});
 }
 
-/// What the person sees: they live on, driven as hands, the tour or the way home have it, or time stands still.
+/// Fills in the viewer's view: the world line continues, driven by hand, on the tour or on the way home, or
+/// time is frozen.
 void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, bool still,
                      Decision& decision) {
   FrameRecord& record = decision.frame.record;
@@ -68,14 +70,14 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
   record.boardFromRoom = viewer_.boardFromRoom();
 }
 
-/// To the person in the room, whatever it is that has to be told.
+/// Shows a message in the room and notes it in the decision.
 void LiveSource::say(std::string_view words, Decision& decision) {
   if (words.empty()) return;
   play_.message.say(words, decision.frame.record.display_s);
   decision.notes.push_back({"notice", std::string(words)});
 }
 
-/// What the hand does to the game in this frame.
+/// Processes the hand's interaction with the game in this frame.
 void LiveSource::strike(bool still, const FrameTimes& times, Decision& decision) {
   FrameRecord& record = decision.frame.record;
   const HandInput hand = hands_.cue(viewer_.hand(), record.observer, viewer_.head().pose, times.display_s);
@@ -100,7 +102,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   hands_.begin(input.desk, play_.lesson.phase == LessonPhase::asks);
   advanceLesson(record.lesson = settings.lesson, decision);
   if (lastOf<StartTour>(input.commands)) play_.drive.setOut();
-  // Before the question is answered, nothing of the answer is to be seen: time stands still.
+  // Until the question is answered time is frozen, so that nothing of the answer can be seen.
   const bool still = settings.views.frozen || play_.lesson.phase == LessonPhase::asks;
   see(settings, times, still, decision);
   strike(still, times, decision);

@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-/// Of a frame: a gap in the recording must not leave the other nodes waiting, nor the keys.
+/// Longest duration of a frame: a gap in the recording must not block the other nodes or the keys.
 constexpr double kLongestStay_s = 0.25;
 
 }  // namespace
@@ -47,7 +47,7 @@ RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atSt
 
 void RecordedSource::readAhead() { more_ = session_.next(ahead_); }
 
-/// From now on the frames bring nothing of the game: all of it comes with the next one.
+/// Continues at frame `number`. From now on frames add nothing to the game: the next one brings all of it.
 void RecordedSource::goElsewhere(std::uint64_t number) {
   ends_ = false;
   if (leftAlone_) {
@@ -58,7 +58,7 @@ void RecordedSource::goElsewhere(std::uint64_t number) {
   readAhead();
 }
 
-/// The number of the frame after the one at hand, at another speed than the recorded one.
+/// Returns the number of the frame after the current one, at a rate other than the recorded one.
 std::uint64_t RecordedSource::following(double rate) const {
   const auto stride = static_cast<std::uint64_t>(std::ceil(std::abs(rate)));
   const std::uint64_t here = shown_.record.number;
@@ -67,7 +67,7 @@ std::uint64_t RecordedSource::following(double rate) const {
   return here > first + stride ? here - stride : first;
 }
 
-/// Has the next frame follow in `ahead_`; false: the one at hand stays.
+/// Selects the next frame into `ahead_`. Returns false if the current one stays.
 bool RecordedSource::move(const Playback& playback, const Seek* seek) {
   if (seek) {
     goElsewhere(session_.frameAt(seek->session_s));
@@ -81,7 +81,7 @@ bool RecordedSource::move(const Playback& playback, const Seek* seek) {
   return more_;
 }
 
-/// With the frame at hand.
+/// Adds the complete game to the current frame.
 void RecordedSource::bringGame() {
   FrameState news = wholeGame(session_, atStart_).news;
   shown_.knots = std::move(news.knots);
@@ -122,7 +122,7 @@ void RecordedSource::next(const FrameTimes& times, const FrameInput& input, Oper
   begun_ = true;
 }
 
-/// What the operator has changed stays so, whatever the recording says; the rest is as it was.
+/// Keeps the settings that the operator has changed; all others are as recorded.
 void RecordedSource::keepChanges(std::span<const Command> commands, OperatorSettings& settings,
                                  FrameRecord& record) {
   for (const Command& command : commands) {
@@ -136,7 +136,7 @@ void RecordedSource::keepChanges(std::span<const Command> commands, OperatorSett
   freeze(record, wasFrozen);
 }
 
-/// `wasFrozen`: the recording is, in this frame.
+/// Applies the operator's freezing. `wasFrozen` means that the recording itself is frozen in this frame.
 void RecordedSource::freeze(FrameRecord& record, bool wasFrozen) {
   if (!record.views.frozen || wasFrozen) return frozen_.reset();
   if (!frozen_) frozen_ = record.observer;

@@ -59,8 +59,9 @@ double ReplayVisitorSource::roomTimeOf_s(const ObserverView& view) const {
   return (roomFromBoard_ * (view.middle.observation - origin_)).dt_s;
 }
 
-/// Of no point of a puck is a later board time seen. In the puck's rest frame a point within R of the centre
-/// is seen within R/c of when the centre is, and within R of where; on the board at most γ(1 + β) R/c later.
+/// Returns a board time that no visible point of a puck exceeds. In the puck's rest frame a point within R of
+/// the centre is seen within R/c of when the centre is, and within R of where; on the board at most γ(1 + β)
+/// R/c later.
 double ReplayVisitorSource::latestSeen_s(const ObserverView& view) const {
   double latest_s = 0.0;
   for (std::size_t puck = 1; puck <= game_.pucks; ++puck) {
@@ -72,12 +73,13 @@ double ReplayVisitorSource::latestSeen_s(const ObserverView& view) const {
   return latest_s;
 }
 
-/// Not frozen: lives on, or goes where the operator wants to be; not beyond what was recorded.
+/// Returns the view when not frozen: advances, or goes to the time the operator seeks, but not beyond what
+/// was recorded.
 ObserverView ReplayVisitorSource::goOn(const Playback& playback, const FrameTimes& times) {
   const std::optional<double> goTo_s = std::exchange(goTo_s_, std::nullopt);
   const bool lives = !goTo_s && !playback.paused && playback.rate == 1.0;
   double by_s = playback.paused ? 0.0 : playback.rate * times.step_s;
-  // The beginning is the game's, the room's time 0, however much of it the person has lived through.
+  // The beginning is the game's, at room time 0, however long the visit has lasted.
   if (goTo_s) by_s = *goTo_s > 0.0 ? *goTo_s - display_s_ : -roomTime_s_;
   const ObserverView view = lives ? viewer_.at(times, eyeSeparation_m_)
                                   : viewer_.freeView(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
@@ -93,7 +95,7 @@ ObserverView ReplayVisitorSource::look(const OperatorSettings& settings, const F
   return *sight_;
 }
 
-/// The trace is at its end, or the next frame but one might show what was not recorded.
+/// Returns whether the trace ends, or whether the next frame but one might show what was not recorded.
 bool ReplayVisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
   const double seen_s = latestSeen_s(view), step_s = seen_s - seen_s_.value_or(seen_s);
   seen_s_ = seen_s;

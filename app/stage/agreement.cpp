@@ -18,7 +18,7 @@ std::string bytesOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A mesh and the files that it needs beside itself.
+/// Checks a mesh and the files that it refers to.
 void agreeOnMesh(const Cluster& cluster, const std::optional<std::filesystem::path>& mesh) {
   if (!mesh) return;
   const std::string content = bytesOf(*mesh);

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-/// Tells the person what went wrong; names the node where it is not the one they sit at.
+/// Logs the error, with the node unless it is rank 0.
 void sayWhy(const Cluster& cluster, const std::exception& error) {
   const std::string node = cluster.rank() == 0 ? "" : " (node " + std::to_string(cluster.rank()) + ")";
   if (const auto* input = dynamic_cast<const InputErrors*>(&error)) {

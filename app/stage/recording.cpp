@@ -53,7 +53,7 @@ Recording::~Recording() {
   capture_.reset();
 }
 
-/// What fails is said, and nothing more is made of that part.
+/// Runs `work`. If it fails, logs the error and discards that output.
 template <typename Part, typename Work>
 void Recording::attempt(std::unique_ptr<Part>& part, const char* outcome, const Work& work) {
   if (!part) return;

@@ -25,8 +25,7 @@ bool drawsOnProcessor(const std::string& renderer) {
 }
 
 Tessellation tessellationFor(const Rig& rig, const std::string& renderer) {
-  // Eight views of half a million vertices: a few milliseconds on a graphics card, a second on two processor
-  // cores.
+  // Eight views of half a million vertices take a few milliseconds on a GPU, and a second on two CPU cores.
   constexpr std::size_t kMostOnCard = 500000;
   Tessellation tessellation;
   tessellation.pixel_rad = finestPixel_rad(rig.walls, rig.axes.up * kStandingEyes_m);

@@ -17,12 +17,12 @@
 namespace carom {
 namespace {
 
-/// Swaps of nothing, on all nodes together: drivers settle, swap groups begin. Whether swaps wait for the
-/// display.
+/// Swaps empty frames on all nodes together, so that drivers settle and swap groups start. Returns whether
+/// swaps wait for the display.
 bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
   std::array<double, 12> returned_s{};
   for (double& swap_s : returned_s) {
-    cluster.firstFailed(false);  // all are here
+    cluster.firstFailed(false);  // a barrier
     setup.walls->swap();
     swap_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
@@ -32,12 +32,12 @@ bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
   return swapsWaitFor(setup.rig.display_hz, returned_s);
 }
 
-/// What the walls say of a lesson; nothing where there is none.
+/// Returns the texts of the lesson for the walls; empty if there is none.
 LessonWords lessonWords(const Scenario& scenario) {
   return scenario.lesson ? scenario.lesson->words : LessonWords{};
 }
 
-/// For the view from outside: coarse, for nothing bends there.
+/// Returns the table for the spectator view, coarse because nothing is distorted there.
 std::vector<ScenePart> plainTable(const Scenario& scenario) {
   constexpr double kCell_m = 0.05;
   if (!scenario.billiard.board) return {};
@@ -99,7 +99,7 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
     });
     agreeOnScenario(cluster, {file, {}}, next);
   } catch (const RankFailed&) {
-    return false;  // which has been said
+    return false;  // the error has been logged
   } catch (const NodesDiffer& error) {
     if (cluster.rank() == 0) log::error(error.what());
     return false;

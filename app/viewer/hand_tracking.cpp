@@ -10,8 +10,8 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kMostSamples = 4096;  // of one frame: more than a device's queue holds
-constexpr double kButtonsWithin_s = 5.0;    // most devices tell how they stand at once
+constexpr std::size_t kMostSamples = 4096;  // per frame; more than a device's queue holds
+constexpr double kButtonsWithin_s = 5.0;    // most devices send their state at once
 constexpr const char* kWithoutWand = "the wand aims at nothing";
 
 void take(const Reading& reading, ButtonState& handles) {
@@ -31,7 +31,7 @@ void takeOf(int sensor, std::span<const Reading> inputs, ButtonState& handles) {
   }
 }
 
-/// The first one of the rig; null: there is none.
+/// Returns the first SpaceMouse of the rig, or null if there is none.
 const TrackerSetup* spaceMouseOf(const Rig& rig) {
   const auto found = std::find_if(rig.trackers.begin(), rig.trackers.end(), [](const TrackerSetup& tracker) {
     return tracker.kind == TrackerKind::spaceMouse;
@@ -64,7 +64,7 @@ HandTracking::HandTracking(const Rig& rig, Trackers trackers) : trackers_(std::m
   if (const TrackerSetup* mouse = spaceMouseOf(rig)) spaceMouseName_ = mouse->name;
   if (!rig.hand) return;
   const TrackerSetup& wand = rig.trackers[rig.hand->tracker];
-  if (wand.kind == TrackerKind::spaceMouse) return;  // it has no place
+  if (wand.kind == TrackerKind::spaceMouse) return;  // it has no pose
   place_.emplace(rig.hand->sensor, wand.roomFromTracker);
   sensorFromHand_ = inverse(rig.hand->handFromSensor);
   sensor_ = rig.hand->sensor;
@@ -101,8 +101,8 @@ void HandTracking::report(double now_s, const Tracker& headTracker,
     reports.push_back(reportOf(spaceMouseName_, "steering", *trackers_.spaceMouse, nullptr, now_s));
 }
 
-/// Whether a sensor's buttons are the wand's. Of another tracker, which numbers its sensors in its own way,
-/// the first that sends some is taken, unless one numbered as the wand's own does, too.
+/// Returns whether a sensor's buttons are the wand's. Another tracker numbers its sensors in its own way, so
+/// its first sensor that sends buttons is taken, unless the one with the wand's number sends some too.
 bool HandTracking::isOfTheWand(int sensor) {
   if (otherButtons_ && sensor != buttonsSensor_ && (!buttonsSensor_ || sensor == sensor_)) {
     buttonsSensor_ = sensor;
@@ -134,7 +134,7 @@ void HandTracking::followWand(double now_s, std::span<const TrackerSample> sampl
   place_->see(now_s, samples);
   wandWatch_->see(now_s, samples);
   if (trackers_.buttons) {
-    samples_.clear();  // whatever has its buttons on it
+    samples_.clear();  // poses from the buttons' tracker are ignored
     inputs_.clear();
     trackers_.buttons->poll(now_s, samples_);
     trackers_.buttons->takeInputs(inputs_);
@@ -142,7 +142,7 @@ void HandTracking::followWand(double now_s, std::span<const TrackerSample> sampl
   }
   takeButtons(inputs);
   devices_.wandKnown = place_->isKnown(now_s);
-  if (!devices_.wandKnown) devices_.wand = {};  // who finds it again presses anew
+  if (!devices_.wandKnown) devices_.wand = {};  // buttons must be pressed again once it is back
   devices_.roomFromHand = place_->roomFromSensor() * sensorFromHand_;
 }
 
@@ -158,7 +158,8 @@ void HandTracking::follow(double now_s, std::span<const TrackerSample> samples,
   }
 }
 
-/// `tracked`: the wand has a place, and the tracker of its buttons delivers.
+/// Returns the message about the wand's buttons, if any. `tracked` means that the wand has a pose and the
+/// tracker of its buttons delivers.
 std::optional<std::string> HandTracking::tellOfButtons(double now_s, bool tracked) {
   if (!tracked) trackedSince_s_.reset();
   if (tracked && !trackedSince_s_) trackedSince_s_ = now_s;

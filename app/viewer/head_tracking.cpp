@@ -16,7 +16,7 @@ HeadTracking::HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point
       hand_(rig, sessionStart),
       name_(rig.trackers[rig.head.sensor.tracker].name),
       standing_{rig.axes.up * kStandingEyes_m, {1.0, 0.0, 0.0, 0.0}} {
-  constexpr std::size_t kMostSamples = 4096;  // of one frame: more than a device's queue holds
+  constexpr std::size_t kMostSamples = 4096;  // per frame; more than a device's queue holds
   samples_.reserve(kMostSamples);
   inputs_.reserve(kMostSamples);
 }

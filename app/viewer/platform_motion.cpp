@@ -18,13 +18,13 @@ constexpr double kAtRest_u = 1e-12;  // rounding of a platform that has been bra
 constexpr double kInPlace_m = 1e-4;
 constexpr double kFacing_rad = 1e-9;
 constexpr double kTurn_rad_s = std::numbers::pi / 6.0;
-constexpr double kTourFrom_u = 1e-9;    // a tour begins so near to the motion that it was made for
-constexpr double kFar_m = 8.0;          // from the table's middle: beyond the hall's walls
-constexpr double kMeant = 0.1;          // steering that takes the drive from a tour: not a device's noise
-constexpr int kMostStretches = 32;      // of a frame; what is left then goes by without thrust
-constexpr std::size_t kTripPushes = 3;  // off, coasting, and to a stop
+constexpr double kTourFrom_u = 1e-9;    // largest deviation from the motion for which the tour was made
+constexpr double kFar_m = 8.0;          // from the table's centre: beyond the hall's walls
+constexpr double kMeant = 0.1;          // least steering that ends a tour; less is a device's noise
+constexpr int kMostStretches = 32;      // per frame; the rest then passes without thrust
+constexpr std::size_t kTripPushes = 3;  // accelerate, coast, decelerate
 
-/// The room's attitude: boardFromRoom is a boost after it.
+/// Returns the room's orientation: boardFromRoom is a boost after it.
 glm::dquat attitudeOf(const Lorentz& boardFromRoom) {
   const glm::dmat4 rest =
       (Lorentz::boost(boardFromRoom.u(), boardFromRoom.lightSpeed_m_s()).inverse() * boardFromRoom).matrix();
@@ -124,7 +124,7 @@ void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, con
   if (!(glm::length(step_m) <= kGlitchCelerity_m_s * dtau_s)) step_m = Vec3(0.0);
   const double frame_s = std::hypot(pace * dtau_s, glm::length(step_m) / c_m_s_);
   Vec3 gained_m_s(0.0);
-  double lived = 0.0;  // share of the frame
+  double lived = 0.0;  // fraction of the frame
   for (int count = 0; lived < 1.0 && count < kMostStretches; ++count) {
     const Vec3 headInRoom_m = headOnTheWay(before, head, lived).roomFromHead.position_m;
     const Left left{(1.0 - lived) * frame_s, (1.0 - lived) * dtau_s};
@@ -184,8 +184,8 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   return {left_s};
 }
 
-/// The board moves through the room with u = sinh η: a boost by the same brings the room to rest on it,
-/// without turning it. η = aτ/c.
+/// Stops the platform. The board moves through the room with u = sinh η: a boost by the same brings the room
+/// to rest on it, without turning it. η = aτ/c.
 PlatformMotion::Manoeuvre PlatformMotion::brake(const Observer& observer, double left_s) const {
   const Vec3 board_u = observer.boardFromRoom().inverse().u();
   const double u = glm::length(board_u);
@@ -194,8 +194,8 @@ PlatformMotion::Manoeuvre PlatformMotion::brake(const Observer& observer, double
   return {std::min(left_s, c_m_s_ * std::asinh(u) / strongest_m_s2_), along * strongest_m_s2_};
 }
 
-/// Stops, turns as it stood at the start, goes straight to where it was. Whoever walks about meanwhile leads
-/// the room astray a little: then it goes once more.
+/// Stops, turns to the initial orientation, and moves straight to the initial position. If the viewer walks
+/// meanwhile, the room ends slightly off; then the trip is repeated.
 PlatformMotion::Manoeuvre PlatformMotion::returnHome(const Observer& observer, const Vec3& headInRoom_m,
                                                      const Left& left) {
   if (push_ < way_.size()) return alongWay(left.platform_s);
@@ -222,8 +222,9 @@ PlatformMotion::Manoeuvre PlatformMotion::returnHome(const Observer& observer, c
   return {left.platform_s};
 }
 
-/// From rest to rest: half the way off, half to a stop. On the hyperbola γ − 1 = a x/c² = 2 sinh²(η/2)
-/// (Rindler 2006, §3.8); where that would be too fast, so fast in between: x = c u τ.
+/// Plans a trip from rest to rest: half of the distance accelerating, half decelerating. On the hyperbola γ −
+/// 1 = a x/c² = 2 sinh²(η/2) (Rindler 2006, §3.8); if the top speed would be too high, the platform coasts in
+/// between: x = c u τ.
 void PlatformMotion::planTrip(const Vec3& wayInRoom_m) {
   const double length_m = glm::length(wayInRoom_m);
   const Vec3 thrust_m_s2 = wayInRoom_m * (strongest_m_s2_ / length_m);

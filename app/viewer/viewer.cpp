@@ -15,7 +15,7 @@ Observer startOf(const Rig& rig, const Scenario& scenario, const Head& head,
   return Observer(room, {0.0, scenario.observer.position_m}, head);
 }
 
-/// A period before the first frame is shown; a session that goes on keeps its clock.
+/// Returns times one period before the first frame is shown; a continued session keeps its clock.
 FrameTimes firstTimes(const Rig& rig, const std::optional<FrameRecord>& before) {
   const double begin_s = before ? before->display_s : 0.0;
   return {0, begin_s, begin_s + 1.0 / rig.display_hz + rig.displayLatency_s, 0.0};
