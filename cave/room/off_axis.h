@@ -32,7 +32,7 @@ inline constexpr double kNearestToWall_m = 1e-3;
 std::optional<glm::dmat4> clipFromEye(const Wall& wall, const glm::dvec3& eyeInRoom_m,
                                       const ClipRange& range = {});
 
-/// Returns the same for places given in the room: clipFromRoom = clipFromEye · (room − eye).
+/// Returns the same for places given in the room: clipFromRoom = clipFromEye · translation(−eye).
 std::optional<glm::dmat4> clipFromRoom(const Wall& wall, const glm::dvec3& eyeInRoom_m,
                                        const ClipRange& range = {});
 
