@@ -46,7 +46,7 @@ struct FrameRecord {
   /// After both have been added, the pucks lose the legs that ended before this board time, and the list
   /// loses the events that were over by then: no eye will see them any more.
   double forgetBefore_s = -std::numeric_limits<double>::infinity();
-  std::uint64_t last = 0;  ///< 1: the session ends after this frame
+  std::uint64_t last = 0;  ///< 1: the frame loop ends after this frame: the end, or another game follows
   /// Speed of light for the person, in metres per second of their own clock. The game keeps its own speed of
   /// light (app/operator/operator_settings.h).
   double lightSpeed_m_s = 0.0;
