@@ -25,7 +25,7 @@
 namespace carom {
 namespace {
 
-/// Time as a session lives it: simulated for a given number of frames, unless a device tracks the head.
+/// Returns the session's clock: simulated for a given number of frames, unless a device tracks the head.
 std::unique_ptr<Clock> clockOf(const SessionSetup& setup, const CaveOptions& options,
                                std::chrono::steady_clock::time_point start) {
   if (!setup.realTime) return std::make_unique<SimulatedClock>();
@@ -33,7 +33,7 @@ std::unique_ptr<Clock> clockOf(const SessionSetup& setup, const CaveOptions& opt
   return std::make_unique<SteadyClock>(start);
 }
 
-/// What is about to be seen, for the person at rank 0.
+/// Prints what will be shown, on rank 0.
 void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptions& options) {
   const std::vector<Wall>& walls = setup.rig.walls;
   log::note(fmt::format("{} (light at {} m/s) in {}: {} wall{}, {} node{}.", setup.scenario.title,
@@ -63,7 +63,7 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
   log::note(tessellationReport(setup.scene, setup.tessellation));
 }
 
-/// The file that the session is written to: --session, new or gone on with; none without it.
+/// Opens the session file: --session, new or continued. Returns null without that option.
 std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>& file, bool goOn,
                                      const SetupOptions& inputs, const SessionSetup& setup) {
   if (!file) return nullptr;
@@ -73,10 +73,10 @@ std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>&
   return std::make_unique<Journal>(*file, facts, goOn);
 }
 
-/// What a session that goes on goes on from.
+/// The state from which a session is continued.
 struct Before {
   SessionFacts facts;
-  std::optional<FrameRecord> last;  ///< none: it ended before its first frame
+  std::optional<FrameRecord> last;  ///< empty if it ended before its first frame
 };
 
 Before whatWas(const std::filesystem::path& file) {
@@ -90,7 +90,7 @@ Before whatWas(const std::filesystem::path& file) {
   return before;
 }
 
-/// What a game begins with.
+/// Returns the initial settings of a game.
 OperatorSettings settingsOf(const SessionSetup& setup, const CaveOptions& options) {
   OperatorSettings settings = settingsAtStart(setup);
   settings.switches = options.switches;
@@ -99,26 +99,26 @@ OperatorSettings settingsOf(const SessionSetup& setup, const CaveOptions& option
   return settings;
 }
 
-/// What the session begins with: asked for, or left by the one that goes on.
+/// Returns the initial settings of the session: from the options, or from the session that is continued.
 OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& options, const std::string& file,
                                const Before& before) {
   OperatorSettings settings = settingsOf(setup, options);
   settings.playing = file;
   if (!before.last) return settings;
-  // A question that waits for its answer is asked again.
+  // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
   settings.switches = before.last->switches;
   settings.views = before.last->views;
   settings.views.frozen = 0;
   settings.lightSpeed_m_s = before.last->lightSpeed_m_s;
   const ObserverView& observer = before.last->observer;
-  // To a tenth of a micrometre: as it was set, not as rounding left it.
+  // Rounded to a tenth of a micrometre, which restores the value without its rounding errors.
   settings.eyeSeparation_m =
       std::round(glm::distance(observer.left.positionInRoom_m, observer.right.positionInRoom_m) * 1e7) / 1e7;
   return settings;
 }
 
-/// What rank 0 has for all games of the session.
+/// Rank 0's objects for all games of the session.
 struct LivePlay {
   LivePlay(const SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
            const Before& before, LiveStart start)
@@ -142,7 +142,7 @@ struct LivePlay {
   JournalListener journal;
 };
 
-/// At the start of the game, or after the last frame of the session that goes on.
+/// Creates the play, at the start of the game or after the last frame of the session that is continued.
 std::unique_ptr<LivePlay> playOf(const SessionSetup& setup, const CaveOptions& options,
                                  const SetupOptions& inputs, const Before& before) {
   using SystemClock = std::chrono::steady_clock;
@@ -150,13 +150,13 @@ std::unique_ptr<LivePlay> playOf(const SessionSetup& setup, const CaveOptions& o
   start.sessionStart = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
                                                 std::chrono::duration<double>(LivePlay::livedOf_s(start)));
   if (options.resume) {
-    constexpr bool kQuiet = true;  // whatWas has spoken
+    constexpr bool kQuiet = true;  // whatWas has logged the warnings
     start.struck = SessionFile(*options.session, kQuiet).strokes(setup.scenario.billiard.pucks);
   }
   return std::make_unique<LivePlay>(setup, options, inputs, before, std::move(start));
 }
 
-/// Each game's session file, beside the first: visit.db, visit-2.db, visit-3.db.
+/// Returns the session file of a game, beside that of the first game: visit.db, visit-2.db, visit-3.db.
 std::filesystem::path fileOf(std::filesystem::path first, int game) {
   return first.replace_filename(
       fmt::format("{}-{}{}", first.stem().string(), game, first.extension().string()));
@@ -167,7 +167,7 @@ std::filesystem::path fileAfter(const std::filesystem::path& first) {
   return fileOf(first, game);
 }
 
-/// What is wrong with a scenario that cannot be played, for the console.
+/// Shows in the console why a scenario cannot be played.
 void tellConsole(Console& console, const std::string& file) try {
   console.say(fmt::format("{} cannot be played", file));
   openMeshes(readScenario(file));
@@ -182,23 +182,24 @@ std::filesystem::path newestOf(const std::filesystem::path& first) {
   return newest;
 }
 
-/// Where the games of a session are.
+/// Prints the files of the session's games.
 void sayWhere(const std::filesystem::path& first) {
   const std::filesystem::path newest = newestOf(first);
   const std::string upTo = newest == first ? "" : " and, game by game, up to " + newest.string();
   log::note(fmt::format("The session is in {}{}.", first.string(), upTo));
 }
 
-/// How the end of a session that ended by an error is seen again.
+/// Prints the command that replays the end of a session that was ended by an error.
 void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesystem::path>& session) {
   if (!session || std::isnan(cluster.newest_s())) return;
-  const double at_s = std::ceil(cluster.newest_s() * 1e3) / 1e3;  // not a frame too early
+  // Rounded up, so as not to start a frame early.
+  const double at_s = std::ceil(cluster.newest_s() * 1e3) / 1e3;
   log::note(fmt::format("carom replay {} --at {:.3f}", newestOf(*session).string(), at_s));
 }
 
-/// Another game begins as this program does; what belongs to the room stays. The same game again keeps all
-/// that was set; a lesson that is being looked at is shown again, and one that was explained is over: its
-/// question is the next visitor's.
+/// Returns the settings of the next game. A different game starts with the program's initial settings, except
+/// those of the room. The same game keeps all settings; a lesson in its phase `shows` stays there, and one
+/// that was explained starts again with its question, for the next visitor.
 OperatorSettings settingsOfNext(const OperatorSettings& before, const std::string& file,
                                 const SessionSetup& setup, const CaveOptions& options) {
   OperatorSettings settings = settingsOf(setup, options);
@@ -215,7 +216,8 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const std::strin
   return settings;
 }
 
-/// The journal of the next game; where it cannot be written, that is said and the game is played without.
+/// Opens the journal of the next game. If it cannot be written, logs this, and the game is played without a
+/// journal.
 std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& session,
                                          const SetupOptions& inputs, const SessionSetup& setup) try {
   return openJournal(session, false, inputs, setup);
@@ -225,8 +227,8 @@ std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& s
   return nullptr;
 }
 
-/// Rank 0 may have chosen another game, or the same from its beginning: then every node goes on with it.
-/// False: nobody has, it is the end. `play`: null on ranks other than 0.
+/// Continues on every node with the game that rank 0 has chosen, which may be the same from its beginning.
+/// Returns false if none was chosen, which ends the session. `play` is null on ranks other than 0.
 bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions& inputs, SessionSetup& setup,
                      OperatorWindows& windows, LivePlay* play) {
   std::string file = play ? play->leader.takeNextGame() : "";
@@ -250,11 +252,11 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions&
     log::note(
         fmt::format("{}{}", setup.scenario.title, session ? " is written to " + session->string() : ""));
   });
-  setup.graphics->poll();  // what was pressed while it was made ready is meant for nothing
+  setup.graphics->poll();  // discards input that arrived during the setup
   return true;
 }
 
-/// One game's frames; returns whether somebody wants the session to end.
+/// Runs one game's frames. Returns whether someone asked to quit.
 bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play) {
   FramePacer follows;
   if (!play) return runFrames(SessionFrames(cluster, setup, follows, nullptr, KeysOf::session).context());
@@ -296,7 +298,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
          goOnWithAnother(cluster, options, inputs, setup, windows, play.get())) {
   }
   const bool leads = play != nullptr;
-  play.reset();  // the session file is whole
+  play.reset();  // completes the session file
   if (leads && options.session) sayWhere(*options.session);
   setup.recording->finish();
   if (leads && options.recording.capture)
@@ -313,7 +315,7 @@ int runCave(const CaveOptions& options) {
 
 namespace {
 
-/// Turns a switch as "NAME=on" or "NAME=off" says.
+/// Sets a switch as "NAME=on" or "NAME=off" says.
 void turnSwitch(const std::string& text, Switches& switches) {
   for (const NamedSwitch& s : kNamedSwitches) {
     for (const bool on : {false, true}) {
@@ -328,7 +330,7 @@ void turnSwitch(const std::string& text, Switches& switches) {
                               text));
 }
 
-/// Turns a view of time on.
+/// Turns a time view on.
 void showView(const std::string& name, TimeViews& views) {
   std::string names;
   for (const NamedView& view : kNamedViews) {

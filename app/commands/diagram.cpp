@@ -15,11 +15,12 @@
 namespace carom {
 namespace {
 
-constexpr double kShown_s = 5.0;       // of a scenario
-constexpr double kPlayedBeyond = 1.5;  // × the present event's time: a diagram shows some of the future
-constexpr double kEyes_m = 1.7;        // above the floor, where a scenario begins
+constexpr double kShown_s = 5.0;  // default duration of a scenario
+// × the present event's time, because a diagram shows some of the future.
+constexpr double kPlayedBeyond = 1.5;
+constexpr double kEyes_m = 1.7;  // initial eye height above the floor in a scenario
 
-/// Of a scenario: the room goes on as it begins.
+/// Returns the diagram of a scenario, in which the room keeps its initial velocity.
 DiagramSubject subjectOf(const Scenario& scenario, double until_s) {
   Billiard billiard(scenario.billiard);
   billiard.advanceTo(kPlayedBeyond * until_s);
@@ -34,7 +35,7 @@ DiagramSubject subjectOf(const Scenario& scenario, double until_s) {
   return subject;
 }
 
-/// Of a recorded session, to its end or to a board time.
+/// Returns the diagram of a recorded session, to its end or to a board time.
 DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<double>& until_s) {
   SessionFile session(file);
   const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
@@ -50,7 +51,7 @@ DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<
   if (subject.mine.empty())
     throw std::runtime_error(fmt::format("session file {}: no frame of it is that early", file.string()));
   subject.lines.assign(world.histories.begin() + 1,
-                       world.histories.end());  // without what rests on the board
+                       world.histories.end());  // without the resting body
   subject.events = world.events;
   subject.knownUntil_s = subject.mine.back().t_s;
   return subject;

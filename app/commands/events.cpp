@@ -19,15 +19,15 @@
 namespace carom {
 namespace {
 
-constexpr double kPlayed_s = 10.0;  // of a scenario
+constexpr double kPlayed_s = 10.0;  // default duration of a scenario
 
-/// What the table is of.
+/// The content of the table.
 struct Subject {
   std::string title;
   double c_m_s = 1.0;
   std::vector<std::string> pucks, flashes;  // names
   std::vector<GameEvent> events;
-  std::vector<HeadAt> head;  // of a session
+  std::vector<HeadAt> head;  // sessions only
   bool isSession = false;
 };
 
@@ -53,7 +53,7 @@ Subject played(const Scenario& scenario, double until_s) {
   return subject;
 }
 
-/// As the game was in the end.
+/// Returns the final state of the recorded game.
 Subject recorded(const std::filesystem::path& file, const std::optional<double>& until_s) {
   SessionFile session(file);
   const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
@@ -84,7 +84,7 @@ std::string vectorText(const Vec3& v) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);
 }
 
-/// With a comma behind it, as all fields; empty where there is none.
+/// Returns the CSV field with its comma; empty if there is no value.
 std::string perhaps(const std::optional<double>& value) { return value ? csvNumbers({*value}) : ","; }
 
 std::string relationCsv(const EventRow& row, const EventRow* next, double c_m_s) {
@@ -120,7 +120,7 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
     }
     for (const Vec3& place_m : options.places_m)
       text += csvNumbers({receptionAt(place_m, at, subject.c_m_s).t_s});
-    text.back() = '\n';  // in the place of the last comma
+    text.back() = '\n';  // replaces the last comma
   }
   return text;
 }

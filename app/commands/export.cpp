@@ -28,7 +28,7 @@
 namespace carom {
 namespace {
 
-/// A folder that appears whole, by `commit`, or not at all.
+/// An output folder that appears complete, by `commit`, or not at all.
 class WholeFolder {
  public:
   explicit WholeFolder(const std::filesystem::path& folder) : folder_(folder.lexically_normal()) {
@@ -71,7 +71,7 @@ class WholeFolder {
   std::filesystem::path folder_, part_;
 };
 
-/// A session as it is exported.
+/// The session that is exported.
 struct Recorded {
   explicit Recorded(const std::filesystem::path& file)
       : session(file),
@@ -115,7 +115,7 @@ void eachFrameOf(const std::filesystem::path& observer, const Recorded& recorded
   }
 }
 
-/// The head of a frame as `carom observe` would be told of it.
+/// The head of a frame in the form of the arguments of `carom observe`.
 struct Observation {
   explicit Observation(const ObserverView& observer)
       : event(observer.middle.observation),
@@ -145,11 +145,11 @@ void addRows(const Recorded& recorded, const FrameRecord& frame, const Observati
     const Vec3 &from = light->event.r_m, &seen = light->seen.dr_m;
     csv += csvNumbers({light->event.t_s, from.x, from.y, from.z, seen.x, seen.y, seen.z, glm::length(seen),
                        light->doppler, light->properTime_s});
-    csv.back() = '\n';  // in the place of the last comma
+    csv.back() = '\n';  // replaces the last comma
   }
 }
 
-/// The files of a series for ParaView.
+/// Writes the files of a ParaView series.
 class Series {
  public:
   Series(const std::filesystem::path& folder, const Recorded& recorded)
@@ -179,7 +179,7 @@ class Series {
   std::string index_;
 };
 
-/// Says once a second how far it is.
+/// Prints the progress once per second.
 class Progress {
  public:
   void at(std::uint64_t frame) {

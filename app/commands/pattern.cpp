@@ -20,7 +20,7 @@
 namespace carom {
 namespace {
 
-/// The walls of this rank; nothing else is in the scene.
+/// The setup of this rank: its walls, with an empty scene.
 struct Patterns {
   Rig rig;
   std::unique_ptr<Graphics> graphics;
@@ -53,7 +53,7 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
   return patterns;
 }
 
-/// The patterns as the operator chooses them, one frame at each of the display's ticks.
+/// Shows the patterns that the operator selects, one frame per refresh of the display.
 class ChosenPatterns : public FrameSource {
  public:
   void next(const FrameTimes& times, const FrameInput&, OperatorSettings& settings,
@@ -65,7 +65,7 @@ class ChosenPatterns : public FrameSource {
   }
 };
 
-/// All of them once, for pictures: the test patterns, then the seam pattern at 0, 1 and 2 s.
+/// Shows each pattern once, for images: the test patterns, then the seam pattern at 0, 1 and 2 s.
 class EveryPattern : public FrameSource {
  public:
   void next(const FrameTimes& times, const FrameInput&, OperatorSettings& settings,

@@ -24,7 +24,7 @@ bool isVisit(const ReplayOptions& options) {
   return options.observer || options.walk || options.beta || options.from_m || options.facing_rad;
 }
 
-/// The session's rig and scenario, from its file.
+/// Opens the session file and takes rig and scenario from it.
 std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOptions& inputs) {
   auto session = std::make_unique<SessionFile>(options.session);
   if (!session->frames()) {
@@ -37,7 +37,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
   return session;
 }
 
-/// Where the frames come from, and what they go by.
+/// The frame source, with its clock and pacer.
 struct Frames {
   std::unique_ptr<Clock> clock;
   std::unique_ptr<FramePacer> pacer;
@@ -70,7 +70,7 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
   return frames;
 }
 
-/// On rank 0: the frames as the source has them.
+/// Shows the frames of the source, on rank 0.
 void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, const ReplayOptions& options,
                 const std::string& scenario, Frames& frames) {
   OperatorSettings settings = settingsAtStart(setup);
@@ -109,7 +109,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
     runFrames(SessionFrames(cluster, setup, follows, nullptr, KeysOf::replay).context());
   }
   const bool leads = frames.source != nullptr;
-  frames.source.reset();  // trackers are asked to be quiet
+  frames.source.reset();  // stops the trackers
   setup.recording->finish();
   if (leads && options.recording.capture)
     log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));

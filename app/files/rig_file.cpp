@@ -13,8 +13,8 @@ namespace carom {
 namespace {
 
 double readUnit_m(const TomlTable& root) {
-  constexpr std::array<std::string_view, 5> kNames{
-      "mm", "cm", "in", "ft", "m"};  // an unknown unit falls back to the first, the smallest
+  // An unknown unit falls back to the first, the smallest.
+  constexpr std::array<std::string_view, 5> kNames{"mm", "cm", "in", "ft", "m"};
   constexpr std::array<double, 5> kMetres{1e-3, 1e-2, 0.0254, 0.3048, 1.0};
   return kMetres[root.choice("unit", kNames)];
 }

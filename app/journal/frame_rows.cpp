@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-/// The names alone, each after a comma.
+/// Collects the column names, each after a comma.
 struct Names {
   std::string text;
   int count = 0;
@@ -47,12 +47,12 @@ Names eventNames() {
   return names;
 }
 
-/// Binds values to a row's parameters, one after the other.
+/// Binds values to a row's parameters in order.
 class Writing {
  public:
   explicit Writing(SQLite::Statement& row) : row_(row) { row_.tryReset(); }
 
-  /// Zero is written as a whole number, which needs no byte; minus zero stays what it is. NaN becomes NULL.
+  /// Writes zero as an integer, which needs no byte, but keeps minus zero. NaN becomes NULL.
   void operator()(Part, Part, double value) {
     if (value == 0.0 && !std::signbit(value)) {
       row_.bind(parameter_++, 0);
@@ -75,7 +75,8 @@ class Writing {
   int parameter_ = 1;
 };
 
-/// Takes values from a row's columns, one after the other. What is no number is NaN: the rules refuse it.
+/// Reads values from a row's columns in order. Anything that is not a number becomes NaN, which later checks
+/// refuse.
 class Reading {
  public:
   explicit Reading(SQLite::Statement& row) : row_(row) {}

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kMostWaiting = 36000;  // frames: ten minutes at 60 Hz
 constexpr std::chrono::milliseconds kRetry{500};
 
-/// Held while a session writes to a file, by the system's own lock: it goes with the process.
+/// A lock of the operating system, held while a session writes to a file; it ends with the process.
 class FileLock {
  public:
   FileLock(const std::filesystem::path& file, bool there)
@@ -125,14 +125,14 @@ struct Journal::Writer {
   std::chrono::milliseconds intoFileEvery;
   FileLock lock;  // closed after the tables: closing any handle on the file would drop SQLite's own locks
   JournalTables tables;
-  bool troubled = false;  // the writing thread's
-  bool ended = false;     // the session's: a frame was lost, so what followed could not be understood
+  bool troubled = false;  // used by the writing thread
+  bool ended = false;     // a frame was lost, so later ones could not be understood
 
   std::mutex mutex;
   std::condition_variable_any changed;
   Batch waiting;
   std::once_flag closed;
-  std::jthread thread;  // last: it uses the rest
+  std::jthread thread;  // last, because it uses the other members
 };
 
 Journal::Journal(const std::filesystem::path& file, const SessionFacts& facts, bool goOn,

@@ -9,9 +9,9 @@
 namespace carom {
 namespace {
 
-constexpr int kBusy_ms = 2000;  // how long somebody who reads the file is waited for
+constexpr int kBusy_ms = 2000;  // how long to wait for a reader of the file
 
-// Beside those of the frames (frameTables).
+// The tables besides those of the frames (frameTables).
 constexpr const char* kTables = R"(
 CREATE TABLE session(key TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE sample(time_s REAL, sensor INTEGER, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, qz REAL);
@@ -73,7 +73,7 @@ void Batch::clear() {
 JournalTables::JournalTables(const std::filesystem::path& file)
     : database_(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusy_ms) {
   database_.exec("PRAGMA journal_mode = WAL");
-  // Enough for a killed program; a machine that loses power may lose the last seconds, never the file.
+  // Safe for a killed program; a power failure may lose the last seconds, but never the file.
   database_.exec("PRAGMA synchronous = NORMAL");
 }
 
@@ -100,7 +100,7 @@ void JournalTables::refuse(const std::string& what) const {
   throw std::runtime_error(fmt::format("session file {}: {}", database_.getFilename(), what));
 }
 
-// A second connection reads the tables as they are until the transaction ends.
+// A second connection reads the old tables until the transaction ends.
 void JournalTables::convert() {
   if (version() != kVersion3)
     refuse(fmt::format("version {} of the tables, expected version {} or {}", version(), kVersion3,
@@ -158,7 +158,7 @@ void JournalTables::intoFile() {
   try {
     database_.exec("PRAGMA wal_checkpoint(PASSIVE)");
   } catch (const SQLite::Exception&) {
-    // The disk is full, perhaps: it stays where it is, and the next time may be better.
+    // Perhaps the disk is full: the data stays in FILE-wal, and the next time may succeed.
   }
 }
 
@@ -168,7 +168,7 @@ void JournalTables::close() {
     put(row, utcNow());
     database_.exec("PRAGMA journal_mode = DELETE");
   } catch (const SQLite::Exception&) {
-    // Somebody is reading it: it stays as it is, which is as good.
+    // Another process is reading the file: it stays in WAL mode, which is as good.
   }
 }
 
@@ -198,7 +198,7 @@ void JournalTables::writeFrames(const Batch& batch) {
   for (const auto& [frame, knot] : batch.knots) frames_->write(frame, knot);
 }
 
-/// The table of events becomes what it is after a frame: those from `kept` on go, these come.
+/// Updates the table of events to a frame: deletes those from number `kept` on and adds `brought`.
 void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept) {
   if (kept < listed_) {
     for (const char* sql : {"DELETE FROM event WHERE number >= ?", "DELETE FROM turn WHERE event >= ?"}) {

@@ -35,7 +35,8 @@ namespace {
   }
 }
 
-/// Where a session is until it is closed, and after a crash what was not yet written into its own file.
+/// Returns FILE-wal, which holds an open session's data and, after a crash, what was not yet moved into the
+/// file.
 std::filesystem::path besideOf(std::filesystem::path file) { return file += "-wal"; }
 
 bool hasBeside(const std::filesystem::path& file) {
@@ -52,7 +53,7 @@ struct SessionFile::Tables {
   }
   void prepare(int version, double lightSpeed_m_s) {
     frames.emplace(database, version, lightSpeed_m_s);
-    // Two searches of the key; both in one SELECT would read every row.
+    // Two key lookups; both in one SELECT would read every row.
     ends.emplace(database,
                  "SELECT (SELECT min(number) FROM frame WHERE number >= 0), (SELECT max(number) FROM frame)");
     shown.emplace(database, "SELECT number, display_s FROM frame WHERE number >= ? ORDER BY number LIMIT 1");
@@ -71,7 +72,7 @@ struct SessionFile::Tables {
 SessionFile::SessionFile(const std::filesystem::path& file, bool quiet) : file_(file) {
   if (!std::filesystem::exists(file)) refuse(file, "there is no such file");
   if (std::filesystem::is_directory(file)) refuse(file, "this is a folder, expected a session file");
-  const bool alone = !hasBeside(file);  // opening it makes an empty one
+  const bool alone = !hasBeside(file);  // opening the database creates an empty one
   try {
     tables_ = std::make_unique<Tables>(file);
     SQLite::Database& database = tables_->database;
@@ -194,7 +195,7 @@ double SessionFile::shownAt_s(std::uint64_t number) const {
   return shown_s;
 }
 
-// Bisects, as display_s grows with the number.
+// Bisection works because display_s grows with the frame number.
 std::uint64_t SessionFile::frameAt(double display_s) const {
   const auto ends = frames();
   if (!ends) return 0;

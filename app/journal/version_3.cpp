@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFrameBytes = 1008, kKnotBytes = 104, kEventBytes = 216;
 
-/// Values one behind the other, with the gaps that the compiler left.
+/// Reads values one after the other, with the compiler's padding.
 class Bytes {
  public:
   Bytes(std::span<const std::byte> bytes, std::size_t expected) : rest_(bytes) {

@@ -38,8 +38,8 @@ namespace {
 
 unsigned char byteOf(float channel) { return static_cast<unsigned char>(channel * 255.0F + 0.5F); }
 
-/// VTK 9.1 rounds what it writes as SVG to whole units of the axes, so the axes it is given count quarters of
-/// a pixel, and the figures at their ticks are ours.
+/// Scale of the plot. VTK 9.1 rounds SVG coordinates to whole units of the axes, so VTK's axes count quarters
+/// of a pixel, and the tick labels are set by this program.
 constexpr double kUnits_px = 4.0;
 
 glm::dvec2 plotSize(const Chart& chart) {
@@ -52,7 +52,7 @@ glm::dvec2 toUnits(const Chart& chart, const glm::dvec2& point) {
   return (point - from) / (to - from) * plotSize(chart);
 }
 
-/// The part of a..b within 0 … `size` (Liang and Barsky); false if there is none.
+/// Clips a..b to 0 … `size` (Liang and Barsky). Returns false if nothing is left.
 bool clip(glm::dvec2& a, glm::dvec2& b, const glm::dvec2& size) {
   double from = 0.0, to = 1.0;
   const glm::dvec2 d = b - a;
@@ -69,7 +69,7 @@ bool clip(glm::dvec2& a, glm::dvec2& b, const glm::dvec2& size) {
   return true;
 }
 
-/// Appends the visible piece of a..b, parted by NaN from what was before unless it goes on from there.
+/// Appends the visible piece of a..b, separated by NaN from the previous one unless it continues it.
 void addPiece(std::vector<glm::dvec2>& points, glm::dvec2 a, glm::dvec2 b, const glm::dvec2& size) {
   if (!clip(a, b, size)) return;
   if (points.empty() || points.back() != a) {
@@ -79,7 +79,7 @@ void addPiece(std::vector<glm::dvec2>& points, glm::dvec2 a, glm::dvec2 b, const
   points.push_back(b);
 }
 
-/// What of the line is to be drawn, in units: the line, or a ring around each of its marks.
+/// Returns the visible part of the line, in units: the line, or a ring around each of its marks.
 std::vector<glm::dvec2> visible(const Chart& chart, const ChartLine& line) {
   std::vector<glm::dvec2> points;
   const glm::dvec2 size = plotSize(chart);
@@ -122,7 +122,7 @@ void addLine(vtkChartXY& chart, const Chart& what, const ChartLine& line) {
   if (line.style == ChartLine::Style::dotted) plot->GetPen()->SetLineType(vtkPen::DOT_LINE);
 }
 
-/// DejaVu has Greek letters; VTK's own fonts have none.
+/// Sets the DejaVu font, which has Greek letters; VTK's own fonts have none.
 void useFont(vtkTextProperty& text, int size) {
   text.SetFontFamily(VTK_FONT_FILE);
   text.SetFontFile(kLettersFile);
@@ -130,7 +130,7 @@ void useFont(vtkTextProperty& text, int size) {
   text.SetBold(false);
 }
 
-/// A step of 1, 2 or 5 times a power of ten that makes about eight of the range.
+/// Returns a tick step of 1, 2 or 5 times a power of ten that divides the range into about eight parts.
 double tickStep(const glm::dvec2& range) {
   const double rough = (range.y - range.x) / 8.0;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -157,8 +157,8 @@ void setAxis(vtkChartXY& chart, int which, const std::string& title, const glm::
   useFont(*axis->GetLabelProperties(), 14);
 }
 
-/// Mends two faults of VTK 9.1: plots are clipped in the wrong frame, and the lengths of their dashes are
-/// taken to be in units of the axes.
+/// Corrects two faults of VTK 9.1: plots are clipped in the wrong frame, and the dash lengths are taken to be
+/// in units of the axes.
 void mend(vtkXMLDataElement& element, bool inPlot = false) {
   element.RemoveAttribute("clip-path");
   if (const char* dashes = element.GetAttribute("stroke-dasharray"); inPlot && dashes) {
@@ -169,7 +169,7 @@ void mend(vtkXMLDataElement& element, bool inPlot = false) {
 }
 
 std::string svgOf(const Chart& chart) {
-  // VTK's charts ask their renderer for its size; nothing is rendered with it.
+  // VTK's charts need a renderer for its size; it renders nothing.
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);

@@ -11,13 +11,13 @@
 namespace carom {
 namespace {
 
-constexpr double kShown_s = 5.0;   // of board time, below the present event
-constexpr double kLeast_s = 0.2;   // that a diagram shows
-constexpr double kFuture = 0.5;    // of the time below the present, shown above it
+constexpr double kShown_s = 5.0;   // board time shown below the present event
+constexpr double kLeast_s = 0.2;   // shortest board time for a diagram
+constexpr double kFuture = 0.5;    // fraction of the time below the present that is shown above it
 constexpr double kMargin_m = 0.3;  // beside the board
 constexpr int kHeight_px = 1100, kLeastWidth_px = 760, kMostWidth_px = 2400;
 
-/// A board event as a point of the figure.
+/// Maps a board event to a point of the chart.
 class Plane {
  public:
   Plane(char along, double c_m_s) : axis_(along == 'x' ? 0 : 1), c_m_s_(c_m_s) {}
@@ -29,7 +29,7 @@ class Plane {
   double c_m_s_;
 };
 
-/// Linear light to what a figure's colours are, and no paler than can be told from the paper.
+/// Returns the line colour of a body: linear light as sRGB, dark enough to be visible on white paper.
 glm::vec3 inkOf(const std::string& name, std::size_t index) {
   const glm::vec3 ink = glm::pow(colourOf(name, index), glm::vec3(1.0F / 2.2F));
   const float light = glm::dot(ink, glm::vec3(0.3F, 0.6F, 0.1F));
@@ -54,7 +54,7 @@ ChartLine lineOf(const WorldLine& line, const Plane& plane, double from_s, doubl
   return drawn;
 }
 
-/// The straight line through an event, its slope dx/d(ct), from one edge of the figure to the other.
+/// Returns the straight line through an event in a direction (x, c t), across the whole chart.
 ChartLine through(const glm::dvec2& event, const glm::dvec2& direction, const std::string& name,
                   const glm::vec3& colour, ChartLine::Style style, float width_px) {
   constexpr double kFar_m = 1e3;
@@ -95,7 +95,7 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
       subject.board ? (frame.along == 'x' ? subject.board->length_m : subject.board->width_m) / 2 : 1.0;
   const glm::dvec2 here = plane(present);
   chart.xRange = {std::min(-half_m, here.x) - kMargin_m, std::max(half_m, here.x) + kMargin_m};
-  // As wide as light at 45° asks for, but no wider than a page: then time goes on above.
+  // The width follows from light at 45°, but is limited; if the limit is reached, more future is shown.
   const double least_m =
       (chart.xRange.y - chart.xRange.x) * (kHeight_px - kChartBottom_px - kChartTop_px) / kMostWidth_px;
   chart.yRange.y = std::max(chart.yRange.y, chart.yRange.x + least_m);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kDeepest = 32;
 
-/// Steps through the text and keeps in `*read` how far any copy of it has come: where the parser's newest
-/// token ends.
+/// Iterates over the text and counts in `*read` the characters that any copy has passed, which is where the
+/// parser's newest token ends.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -42,8 +42,8 @@ class CountingIterator {
   std::size_t* read_;
 };
 
-/// Builds the tree from nlohmann's events. Each token begins at the first letter behind the one before it
-/// that is neither blank, comma nor colon.
+/// Builds the tree from nlohmann's events. Each token begins at the first character after the previous one
+/// that is neither white space, comma nor colon.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   TreeBuilder(std::string_view text, const std::size_t& read) : text_(text), read_(read), lines_(text) {}
@@ -71,7 +71,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::json::exception& error) override {
-    // Numbers beyond double come here, too: out_of_range.
+    // Also called for numbers beyond the range of double: out_of_range.
     const bool tooLarge = error.id == 406;
     const std::size_t end = std::min(std::max<std::size_t>(position, 1), text_.size() + 1) - 1;
     const FilePlace at = tooLarge ? beginOfToken() : lines_.at(end);
@@ -128,7 +128,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   const std::size_t& read_;
   LineIndex lines_;
   std::size_t previousEnd_ = 0;
-  std::vector<std::size_t> path_;  // from the root to the open node, by index among children
+  std::vector<std::size_t> path_;  // from the root to the open node, as indices among children
   std::size_t open_ = 0;
   std::string key_;
   FilePlace keyAt_;

@@ -19,14 +19,14 @@
 namespace carom {
 namespace {
 
-// What ParaView draws a machine without corners with: a camera of 30 degrees. We hang that picture up here.
+// ParaView's view of a machine without corners: a camera of 30 degrees. The wall is placed to match it.
 constexpr double kViewAngle_rad = 30.0 * std::numbers::pi / 180.0;
 constexpr double kAssumedDistance_m = 1.0;
 constexpr int kAssumedHeight_px = 1080;
 
 constexpr std::array<std::string_view, 3> kCorners{"LowerLeft", "LowerRight", "UpperRight"};
 
-/// One of the three numbers of a corner, or what stands there instead.
+/// One of the three numbers of a corner, or the text found there instead.
 struct Token {
   std::string text;
   FilePlace at;
@@ -48,7 +48,7 @@ std::vector<Token> tokensOf(const XmlAttribute& attribute) {
   return tokens;
 }
 
-/// As ParaView reads a corner: each number up to the first letter that fits none, zeros from there on.
+/// Returns a corner as ParaView reads it: each number up to the first invalid character, zeros from there on.
 glm::dvec3 asParaViewReads(const std::string& text) {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
@@ -59,12 +59,12 @@ glm::dvec3 asParaViewReads(const std::string& text) {
   return corner_m;
 }
 
-/// The value of one coordinate that makes the three corners a rectangle; none where it does not matter or no
-/// value does. Corner 1 is where the right angle is.
+/// Returns the value of one coordinate that makes the three corners a rectangle. Returns nothing if it does
+/// not matter or no value does. Corner 1 has the right angle.
 std::optional<double> valueThatFits(const std::array<glm::dvec3, 3>& corners_m, std::size_t corner, int axis,
                                     double near) {
   const glm::dvec3 &a = corners_m[0], &m = corners_m[1], &b = corners_m[2];
-  double others = 0.0;  // of (a − m)·(b − m), without the axis in question
+  double others = 0.0;  // part of (a − m)·(b − m) without this axis
   for (int i = 0; i < 3; ++i) {
     if (i != axis) others += (a[i] - m[i]) * (b[i] - m[i]);
   }
@@ -88,8 +88,8 @@ std::optional<double> valueThatFits(const std::array<glm::dvec3, 3>& corners_m, 
   return best;
 }
 
-/// What reading the file as ParaView does would have done to the wall; empty where the other corners do not
-/// tell.
+/// Returns a description of the error that ParaView's reading would cause in the wall; empty if the other
+/// corners do not determine it.
 std::string harmOf(const std::array<const XmlAttribute*, 3>& texts,
                    const std::array<std::vector<Token>, 3>& tokens, std::size_t corner, int axis) {
   std::array<glm::dvec3, 3> corners_m;
@@ -136,7 +136,7 @@ bool readNumbers(const std::array<const XmlAttribute*, 3>& texts,
   return sound;
 }
 
-/// A machine without corners shows ParaView's ordinary view.
+/// Places the wall of a machine without corners as ParaView's default view.
 void hangUp(const XmlElement& machine, Wall& wall, Room& room) {
   if (wall.pixels.x == 0) wall.pixels = wall.window.size_px = {kAssumedHeight_px, kAssumedHeight_px};
   const double up_m = kAssumedDistance_m * std::tan(0.5 * kViewAngle_rad);

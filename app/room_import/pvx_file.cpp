@@ -18,13 +18,13 @@
 namespace carom {
 namespace {
 
-constexpr double kEyeSeparation_m = 0.065;  // ParaView's own
+constexpr double kEyeSeparation_m = 0.065;  // ParaView's default
 constexpr std::size_t kMostMachines = 512;
 constexpr std::array<std::string_view, 12> kMachineKeys{
     "Name",       "Environment", "Geometry",  "LowerLeft",      "LowerRight", "UpperRight",
     "StereoType", "ViewerId",    "Coverable", "Show2DOverlays", "FullScreen", "ShowBorders"};
 
-/// A file while it is read.
+/// The state while a file is read.
 struct Reading {
   XmlElement root;
   Room room;
@@ -40,7 +40,8 @@ void noteUnknown(const XmlElement& element, std::span<const std::string_view> kn
   }
 }
 
-/// Files of old wrap the machines into <Process>; the server's count, or the last.
+/// Returns the element with the machines. Old files wrap them into <Process>: that of the server counts,
+/// otherwise the last.
 const XmlElement& processOf(Reading& in) {
   const XmlElement* process = &in.root;
   for (const XmlElement& child : in.root.children) {
@@ -147,7 +148,7 @@ void readDisplay(const XmlElement& machine, int rank, Reading& in) {
   in.room.nodesAt.push_back(environment->valueAt);
 }
 
-/// "640x360+100+1200". False, with an error noted, where it is something else.
+/// Reads a window "640x360+100+1200". Returns false, with an error noted, if the text is anything else.
 bool readWindow(const XmlElement& machine, Wall& wall, Reading& in) {
   const auto on = [&](std::string_view key) {
     const XmlAttribute* attribute = machine.attribute(key);

@@ -15,10 +15,10 @@
 namespace carom {
 namespace {
 
-// Eyes of adults are 52 to 78 mm apart (N. A. Dodgson, "Variation and extrema of human interpupillary
-// distance", 2004); a little more for glasses that sit badly.
+// Adult eyes are 52 to 78 mm apart (N. A. Dodgson, "Variation and extrema of human interpupillary distance",
+// 2004); the limits leave a margin for glasses that fit badly.
 constexpr double kNarrowestEyes_m = 0.050, kWidestEyes_m = 0.080;
-// Eyes of a seated child and of a very tall person, above the floor.
+// Eye heights above the floor of a seated child and of a very tall person.
 constexpr double kLowestEyes_m = 0.9, kHighestEyes_m = 2.2;
 constexpr double kSmallestWall_m = 0.1, kLargestWall_m = 20.0;
 
@@ -99,7 +99,7 @@ std::string otherUnits(double value_m, double unit_m, double least_m, double mos
 }
 
 std::optional<double> floorHeight_m(const Room& room) {
-  constexpr double kLevel = 0.985;  // to 10 degrees
+  constexpr double kLevel = 0.985;  // cosine of 10 degrees
   std::optional<double> lowest_m;
   for (const RoomWall& wall : room.walls) {
     if (glm::dot(normal(wall.wall), room.axes.up) < kLevel) continue;

@@ -96,7 +96,7 @@ StereoMode stereoOf(const JsonNode& window, SgctReading& in) {
   struct Named {
     std::string_view name;
     StereoMode mode;
-    std::string_view differs;  // from what SGCT shows
+    std::string_view differs;  // difference from what SGCT shows
   };
   constexpr std::array<Named, 15> kModes{{
       {"none", StereoMode::mono, ""},
@@ -177,7 +177,7 @@ void readNode(const JsonNode& node, SgctReading& in) {
   for (const JsonNode& window : windows->children) readWindow(window, rank, in);
 }
 
-/// One window with several viewports is what a rig calls one_window. Several such windows are taken apart.
+/// Converts one window with several viewports to a rig's one_window. Several such windows are separated.
 void shareWindow(SgctReading& in) {
   const bool several = in.room.walls.size() > 1 && in.windows == 1;
   bool split = false;

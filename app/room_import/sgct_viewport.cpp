@@ -46,7 +46,8 @@ void checkUser(const JsonNode& viewport, SgctReading& in) {
   }
 }
 
-/// SGCT counts a viewport from its window's lower left, in parts of it.
+/// Reads a viewport's position and size, which SGCT gives as fractions of the window from its lower left
+/// corner.
 bool readPlace(const JsonNode& viewport, const SgctWindow& window, Wall& wall, SgctReading& in) {
   const auto position = numbers<2>(viewport, "pos", {.least = 0.0, .most = 1.0}, false, in.room);
   const auto size = numbers<2>(viewport, "size", {.least = 0.0, .most = 1.0, .above = true}, false, in.room);

@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-// A person is before a wall or behind it by more than this; as in the projection.
+// Smallest distance by which a viewer is in front of a wall or behind it, as in the projection.
 constexpr double kBefore_m = 1e-3;
 
 std::array<Side, 6> sidesOf(const RoomAxes& axes) {
@@ -94,7 +94,7 @@ void judgeName(const RoomWall& wall, Verdict& verdict) {
   const glm::dvec3 seen_m = middle(wall.wall) - verdict.room.viewer.eyes_m;
   const double squarely = glm::dot(named->direction, -normal(wall.wall));
   const double towards = glm::dot(named->direction, seen_m) / std::max(glm::length(seen_m), kBefore_m);
-  constexpr double kSlanted = 0.3;  // side walls folded open by up to 70 degrees
+  constexpr double kSlanted = 0.3;  // side walls may be folded open by up to 70 degrees
   if (std::max(squarely, towards) >= kSlanted || (towards > 0.0 && isTile(wall, verdict.room))) return;
   const Side side = lookedAt(wall.wall, verdict.room.axes);
   verdict.warn(

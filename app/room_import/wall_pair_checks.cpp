@@ -35,7 +35,7 @@ void judgeEyesOfOneWall(const RoomWall& a, const RoomWall& b, double off_m, Verd
 }
 
 void judgePlanes(const RoomWall& a, const RoomWall& b, Verdict& verdict) {
-  constexpr double kParallel = 0.9994;  // to 2 degrees; a bent row of screens has more
+  constexpr double kParallel = 0.9994;  // cosine of 2 degrees; a curved row of screens has more
   if (glm::dot(normal(a.wall), normal(b.wall)) < kParallel) return;
   const glm::dvec3 right = glm::normalize(across(a.wall)), up = glm::normalize(upwards(a.wall));
   glm::dvec2 low(1e300), high(-1e300);
@@ -63,7 +63,7 @@ void judgePlanes(const RoomWall& a, const RoomWall& b, Verdict& verdict) {
 }
 
 double edgeMiss_m(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r, const glm::dvec3& s) {
-  constexpr double kAlong = 0.9994;  // to 2 degrees
+  constexpr double kAlong = 0.9994;  // cosine of 2 degrees
   const double length_m = glm::distance(p, q), other_m = glm::distance(r, s);
   const glm::dvec3 along = (q - p) / length_m;
   if (std::abs(glm::dot(along, s - r)) < kAlong * other_m) return 0.0;
@@ -81,7 +81,7 @@ double edgeMiss_m(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r,
 }
 
 void judgeEdges(const RoomWall& a, const RoomWall& b, Verdict& verdict) {
-  constexpr double kCorner = 0.985;  // less than 10 degrees between them is no corner of a room
+  constexpr double kCorner = 0.985;  // cosine of 10 degrees; a room's corners have more
   if (std::abs(glm::dot(normal(a.wall), normal(b.wall))) > kCorner) return;
   const auto cornersA = cornersOf(a.wall), cornersB = cornersOf(b.wall);
   double worst_m = 0.0;

@@ -13,15 +13,15 @@ namespace {
 constexpr std::size_t kDeepest = 32;
 constexpr std::string_view kBlank = " \t\r\n";
 
-/// What expat's handlers work on.
+/// The state of expat's handlers.
 struct Reading {
   XML_Parser parser;
   std::string_view text;
   LineIndex lines;
   XmlElement root;
-  std::vector<std::size_t> path;  // from the root to the open element, by index among children
+  std::vector<std::size_t> path;  // from the root to the open element, as indices among children
   std::size_t open = 0;
-  std::string refusal;  // why reading stopped, where expat did not say
+  std::string refusal;  // why reading stopped, if expat gave no reason
 
   XmlElement& current() {
     XmlElement* element = &root;
@@ -34,8 +34,8 @@ struct Reading {
   }
 };
 
-/// Expat gives attributes in their order but not their places; the tag, already known to be well formed, is
-/// gone through for them.
+/// Sets the positions of the attributes by scanning the tag, which is already known to be well formed,
+/// because expat reports only their order.
 void placeAttributes(XmlElement& element, std::string_view text, std::size_t tag, const LineIndex& lines) {
   std::size_t i = text.find_first_of(" \t\r\n/>", tag);
   for (XmlAttribute& attribute : element.attributes) {

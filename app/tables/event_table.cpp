@@ -8,8 +8,8 @@
 namespace carom {
 namespace {
 
-/// c (t − t_e) − |r − r_e|: not negative from where the event's light has arrived on. Grows along every world
-/// line of less than light's speed.
+/// Returns c (t − t_e) − |r − r_e|, which is not negative once the event's light has arrived. It grows along
+/// every world line slower than light.
 double insideBy_m(const Event& source, const Event& receiver, double c_m_s) {
   return c_m_s * (receiver.t_s - source.t_s) - glm::length(receiver.r_m - source.r_m);
 }
@@ -18,7 +18,7 @@ Event between(const Event& a, const Event& b, double part) {
   return {a.t_s + part * (b.t_s - a.t_s), a.r_m + part * (b.r_m - a.r_m)};
 }
 
-/// 1 + how many rows are earlier.
+/// Numbers the rows by time: 1 plus the number of earlier rows.
 template <class TimeOf>
 void numberRows(std::vector<EventRow>& rows, std::size_t EventRow::*order, const TimeOf& timeOf) {
   std::vector<double> times_s;

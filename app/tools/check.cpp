@@ -30,21 +30,22 @@ enum class FileKind { scenario, rig, foreignRoom };
   throw InputErrors({InputError(path.string(), 1, 1, what)});
 }
 
-/// Of what is not named as TOML a TOML parser's words would tell nobody anything.
+/// Opens a TOML file. If a file without that extension cannot be parsed, throws a message about the known
+/// file kinds instead of the parser's.
 TomlFile openedToml(const std::filesystem::path& path) {
   try {
     return TomlFile(path);
   } catch (const InputError&) {
     constexpr int kNothing = std::char_traits<char>::eof();
     if (path.extension() == ".toml" || std::ifstream(path).peek() == kNothing)
-      throw;  // not to be read at all
+      throw;  // cannot be read at all
     refuse(path,
            "this is no file of a kind that is known here, expected a .toml of Carom, a .pvx of ParaView or a "
            ".json of SGCT");
   }
 }
 
-/// Told by what is in it.
+/// Returns the kind of file, from its content.
 FileKind kindOf(const std::filesystem::path& path) {
   if (isForeignRoom(path)) return FileKind::foreignRoom;
   const TomlFile file = openedToml(path);
@@ -71,7 +72,7 @@ void tellWalls(const Room& room) {
   }
 }
 
-/// Of every kind of room.
+/// Prints the first lines about a room of any format.
 void tellHead(const Room& room) {
   const glm::dvec3& eyes_m = room.viewer.eyes_m;
   fmt::print("distances are seen from {}, eyes at ({}, {}, {}) mm\n", room.viewer.words,

@@ -22,7 +22,7 @@ namespace carom {
 
 namespace {
 
-/// A root mean square, value by value.
+/// Accumulates a root mean square.
 class MeanSquare {
  public:
   void add(double square) {
@@ -37,15 +37,15 @@ class MeanSquare {
   long count_ = 0;
 };
 
-/// What a trace looks like to its filter.
+/// Statistics of a filtered trace.
 struct Summary {
   long glitches = 0;
-  double lag_s = 0.0;   // summed over the rows
-  MeanSquare celerity;  // its magnitude
+  double lag_s = 0.0;   // sum over the rows
+  MeanSquare celerity;  // of its magnitude
   double fastest_m_s = 0.0;
-  MeanSquare sigma;           // stated, of a component
-  MeanSquare swing_rad;       // stated
-  double quietest_m_s = 0.0;  // RMS of a component in the quietest second
+  MeanSquare sigma;           // estimated by the filter, of one component
+  MeanSquare swing_rad;       // estimated by the filter
+  double quietest_m_s = 0.0;  // RMS of one component in the quietest second
   double trackerSigma_m = 0.0;
 };
 
@@ -55,7 +55,7 @@ std::string rowOf(const HeadEstimate& head) {
                      r.y, r.z, w.x, w.y, w.z, head.sigma_m_s);
 }
 
-/// Calls `each` with the head at every row, as it was known then.
+/// Calls `each` with the head estimate at every row, computed without later rows.
 template <class Each>
 Summary filterTrace(const std::vector<TrackerSample>& rows, double lightSpeed_m_s, const Each& each) {
   constexpr double kWindow_s = 1.0;
@@ -89,7 +89,7 @@ Summary filterTrace(const std::vector<TrackerSample>& rows, double lightSpeed_m_
   return summary;
 }
 
-/// The spacing of a trace's rows.
+/// The time steps between a trace's rows.
 struct Spacing {
   double median_s = 0.0;  ///< 0 where there is only one row
   double longest_s = 0.0;
@@ -135,7 +135,7 @@ std::string tableOf(const FilterOptions& options, const std::vector<TrackerSampl
   line("rest noise",
        fmt::format("{:.2f} mm/s RMS of a component, in the quietest second", 1e3 * summary.quietest_m_s));
   text += fmt::format("\nwhat the sky swings by, light at {} m/s (RMS)\n", c_m_s);
-  // Of a landmark at right angles to it, a component of celerity turns the direction in one of two ways.
+  // For a landmark perpendicular to it, each component of celerity turns the direction about one of two axes.
   line("  quietest second", fmt::format("{:.3f}°", degrees(std::sqrt(2.0) * summary.quietest_m_s / c_m_s)));
   line("  on the whole", fmt::format("{:.3f}°, as stated by the filter", degrees(summary.swing_rad.root())));
   if (spacing.median_s > 0.0) {

@@ -21,7 +21,7 @@ namespace carom {
 
 namespace {
 
-/// A length in metres to a thousandth of a millimetre.
+/// Returns a length in metres rounded to a thousandth of a millimetre.
 std::string metres(double length_m) {
   std::string text = fmt::format("{:.6f}", length_m);
   text.erase(text.find_last_not_of('0') + 1);
@@ -42,7 +42,7 @@ std::string tomlText(std::string_view text) {
   return result + '"';
 }
 
-/// A rig's origin lies on the floor: moves the room so that it does, beneath the viewer.
+/// Moves the room so that the origin is on the floor below the viewer, as rigs require.
 void putOnFloor(Room& room) {
   const auto floor_m = floorHeight_m(room);
   const glm::dvec3 up = room.axes.up;
@@ -67,7 +67,7 @@ void putOnFloor(Room& room) {
   }
 }
 
-/// Displays are kept only where they tell ranks apart.
+/// Removes the displays unless they differ between ranks.
 void keepDisplays(Room& room) {
   std::set<std::string> displays;
   for (const NodeSetup& node : room.nodes) displays.insert(node.display);
@@ -175,7 +175,7 @@ int runImport(const ImportOptions& options) {
     throw std::runtime_error(fmt::format(
         "{} is there already, expected a new file: rigs are measured by hand", options.rig.string()));
   }
-  readRig(options.rig, text);  // what it would refuse is not written
+  readRig(options.rig, text);  // throws if the written rig would be refused
   WholeFile(options.rig).commit(text);
   for (const std::string& assumption : room.assumptions) log::note(fmt::format("assumed: {}", assumption));
   return 0;

@@ -19,7 +19,7 @@ namespace carom {
 
 namespace {
 
-/// Everything that can be seen, by name.
+/// A visible body and its name.
 struct SeenBody {
   std::string name;
   const WorldLine* line;
@@ -56,7 +56,7 @@ void checkNames(const std::vector<BodyPoint>& points, const std::vector<std::str
   }
 }
 
-/// A point and what is seen of it: nothing if its light has not arrived.
+/// A point and its emission event; empty if its light has not arrived.
 struct SeenPoint {
   BodyPoint point;
   std::optional<Emission> emission;

@@ -38,9 +38,9 @@ PuckState stateAt(const WorldLine& line, double t_s) {
   return {Vec2(motion.event.r_m), Vec2(betaFromU(motion.u)), motion.properTime_s};
 }
 
-/// The collisions whose contact or first turn is at or before `until_s`, as they were committed; the turns of
-/// each in the order of the file's pucks. Not those after `until_s` that turn a puck before the news of a
-/// listed contact reaches it.
+/// Returns the collisions whose contact or first turn is at or before `until_s`, in the order of their
+/// commitment, each with its turns in the order of the file's pucks. Collisions after `until_s` that turn a
+/// puck before the signal of a listed contact reaches it are not included.
 std::vector<GameEvent> collisionsUntil(const Billiard& billiard, double until_s) {
   std::vector<GameEvent> listed;
   for (GameEvent collision : billiard.events()) {
@@ -55,7 +55,8 @@ std::vector<GameEvent> collisionsUntil(const Billiard& billiard, double until_s)
   return listed;
 }
 
-/// The times of the states: 0, D, 2D, … up to `until_s`, rounding of the last one forgiven.
+/// Returns the times of the states: 0, D, 2D, … up to `until_s`, with a tolerance for rounding at the last
+/// one.
 std::vector<double> stateTimes_s(double until_s, double every_s) {
   std::vector<double> times_s;
   const auto last = static_cast<long>(std::floor(until_s / every_s * (1.0 + 1e-14)));
@@ -65,7 +66,7 @@ std::vector<double> stateTimes_s(double until_s, double every_s) {
 
 Json toJson(const Event& event) { return {{"t_s", event.t_s}, {"r_m", vectorJson(Vec2(event.r_m))}}; }
 
-/// One collision: an event, or the events of all pucks that one jam moves.
+/// Returns one collision: an event, or the events of all pucks that one jam moves.
 Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks) {
   std::vector<Turn> all;
   double heat_j = 0.0;
@@ -94,7 +95,8 @@ Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks
   return json;
 }
 
-/// Returns the events of each collision: the pucks that one jam moves have an event each, with the same contact.
+/// Returns the events of each collision: the pucks that one jam moves have one event each, with the same
+/// contact.
 std::vector<std::span<const GameEvent>> byCollision(std::span<const GameEvent> events) {
   const auto isOneJam = [](const GameEvent& a, const GameEvent& b) {
     return a.kind == EventKind::jam && b.kind == EventKind::jam && a.at.t_s == b.at.t_s &&
@@ -190,7 +192,8 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
   return text;
 }
 
-/// The ledger with what friction took on the last legs up to `until_s`, which it books when they end.
+/// Returns the ledger including friction on the unfinished legs up to `until_s`, which the billiard adds only
+/// when they end.
 Ledger ledgerAt(const Scenario& scenario, const Billiard& billiard, double until_s) {
   const double c_m_s = scenario.billiard.lightSpeed_m_s;
   Ledger ledger = billiard.ledger();
@@ -229,7 +232,7 @@ std::string balanceOf(const Scenario& scenario, const Ledger& start, const Ledge
          energy("heat, in the pucks' rest frames", end.heat_j);
 }
 
-/// Says on standard error how far a long game is.
+/// Prints the progress of a long game to standard error.
 class Progress {
  public:
   void say(double t_s, double until_s, std::size_t collisions) {
@@ -250,7 +253,7 @@ class Progress {
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
 };
 
-/// Plays in steps of about a tenth of a second of the user's time.
+/// Advances the game in steps of about a tenth of a second of computing time.
 void play(Billiard& billiard, double until_s) {
   using Clock = std::chrono::steady_clock;
   constexpr auto kStep = std::chrono::milliseconds(100);

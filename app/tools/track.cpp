@@ -32,12 +32,12 @@ namespace {
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 constexpr double kPoll_s = 0.005;
-constexpr double kRefresh_s = 0.25;  // on a terminal
-constexpr double kReport_s = 1.0;    // elsewhere
+constexpr double kRefresh_s = 0.25;  // refresh interval on a terminal
+constexpr double kReport_s = 1.0;    // interval otherwise
 
 volatile std::sig_atomic_t wantsToEnd = 0;
 
-/// Makes SIGINT and SIGTERM end the watching, not the program, while it lives.
+/// While it lives, SIGINT and SIGTERM end the monitoring instead of the program.
 class EndOnSignals {
  public:
   EndOnSignals() {
@@ -60,16 +60,16 @@ class EndOnSignals {
   struct sigaction terminateBefore_ {};
 };
 
-/// A tracker of the rig and what has come from it.
+/// A tracker of the rig and the statistics of its data.
 struct Watched {
   const TrackerSetup* setup = nullptr;
   std::unique_ptr<Tracker> tracker;
   std::map<int, SensorStatistics> sensors;
-  std::map<int, InputMonitor> inputs;  // of the sensors that have some
-  std::vector<LossCounter> losses;     // of the sensors that the rig names
+  std::map<int, InputMonitor> inputs;  // for sensors that have some
+  std::vector<LossCounter> losses;     // for sensors that the rig uses
 };
 
-/// A counter for each sensor of that tracker whose place the rig takes.
+/// Returns a counter for each sensor of that tracker whose pose the rig uses.
 std::vector<LossCounter> lossCountersOf(const Rig& rig, std::size_t tracker) {
   std::vector<LossCounter> counters;
   if (rig.head.sensor.tracker == tracker) counters.emplace_back(rig.head.sensor.sensor);
@@ -77,7 +77,8 @@ std::vector<LossCounter> lossCountersOf(const Rig& rig, std::size_t tracker) {
   return counters;
 }
 
-/// The head's sensor as a trace. Made at once, so that a place that cannot be written to is told at once.
+/// Records the head's sensor as a trace. The file is created at once, so that an unwritable path is reported
+/// at once.
 class Recording {
  public:
   Recording(std::filesystem::path file, const Rig& rig)
@@ -173,7 +174,7 @@ std::string tableOf(const std::vector<Watched>& all, double now_s) {
   return text;
 }
 
-/// Prints a table in the place of the one before on a terminal, one after the other elsewhere.
+/// Prints a table: on a terminal in place of the previous one, otherwise below it.
 class Display {
  public:
   double period_s() const { return isTerminal_ ? kRefresh_s : kReport_s; }
@@ -181,7 +182,7 @@ class Display {
   void show(const std::string& table, double now_s) {
     if (isTerminal_) {
       if (lines_ > 0) fmt::print("\033[{}A\033[J", lines_);
-      fmt::print("\033[?7l{}\033[?7h", table);  // a line that is too long is cut, not broken
+      fmt::print("\033[?7l{}\033[?7h", table);  // cuts lines that are too long instead of wrapping them
       lines_ = std::count(table.begin(), table.end(), '\n');
     } else {
       fmt::print("after {:.1f} s\n{}", now_s, table);
@@ -213,7 +214,7 @@ void take(Watched& watched, std::size_t number, double now_s, Recording* recordi
   }
 }
 
-/// Polls and shows until someone or the clock says it is enough.
+/// Polls and prints until interrupted or until the given time has passed.
 void watch(std::vector<Watched>& all, SteadyTime start, const TrackOptions& options, Recording* recording) {
   const EndOnSignals endOnSignals;
   Display display;
