@@ -22,7 +22,7 @@ struct ReplayOptions {
   std::optional<double> facing_rad;  ///< initial direction of its forward axis, anticlockwise from +x
   std::optional<double> at_s;        ///< session time at which to start; not with another viewer
   RecordingOptions recording;        ///< images and movie
-  bool noWindow = false;             ///< as fast as possible
+  bool noWindow = false;             ///< without windows, frames go as fast as possible
   bool silent = false;               ///< no sounds
   bool outside = false;              ///< rank 0 also shows the spectator view
   bool diagram = false;              ///< rank 0 also shows the spacetime diagram

@@ -18,7 +18,7 @@ struct HandRay {
   Vec3 along{0.0};
 };
 
-/// What a ray hits.
+/// The object that a ray hits, and where it ends.
 struct PickResult {
   std::optional<std::size_t> puck;  ///< index in the game of the first puck hit
   bool behind = false;              ///< no puck is hit, but there is one in the opposite direction

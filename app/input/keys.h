@@ -14,7 +14,7 @@ namespace carom {
 /// Returns whether Escape or Q was pressed or a window was closed.
 bool wantsToEnd(const WindowInput& input);
 
-/// The kind of session in which keys are pressed; some keys work only in some.
+/// The kind of session in which keys are pressed; some keys work only in certain kinds.
 enum class KeysOf { session, replay, patterns };
 
 /// One line of the list of keys.

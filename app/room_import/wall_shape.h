@@ -1,5 +1,5 @@
 #pragma once
-// The shape of a wall, and what is told apart when rooms are judged.
+// The shape of a wall, and the tolerances of the room checks.
 
 #include <array>
 #include <glm/geometric.hpp>
