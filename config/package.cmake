@@ -1,17 +1,17 @@
-# `cmake --install build/release`, and the target `deb`: Debian packages of the program and of the engine.
+# Debian packages of the program and of the engine, by the target `deb`; also `cmake --install build/release`.
 include(GNUInstallDirs)
 
-# Installing builds nothing: it takes what is there, and tests need not be.
+# Installing builds nothing: it takes the files that are there, which need not include the tests.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
-# The program finds what is in share/carom from where it is itself (app/files/config_folder.h).
+# The program finds share/carom relative to its own place (app/files/config_folder.h).
 install(TARGETS carom COMPONENT program DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY config/ COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}/carom
   PATTERN build EXCLUDE PATTERN install-packages EXCLUDE PATTERN packages.txt EXCLUDE PATTERN "*.cmake" EXCLUDE
   PATTERN udev EXCLUDE)
 install(FILES config/udev/70-carom.rules COMPONENT program DESTINATION lib/udev/rules.d)
 install(FILES ${PROJECT_BINARY_DIR}/app/doc/carom.1.gz COMPONENT program DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-# The pages keep their places to each other, so that their links hold.
+# The pages keep their places relative to each other, so that their links remain valid.
 install(FILES README.md COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY app/pictures app/doc COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR}/app
   FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
@@ -35,7 +35,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
   "Pucks move at nearly the speed of a light of 1.4 m/s, and a person with a
  tracked head, in a room of stereo walls, sees them as special relativity says.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-# The letters of charts; and orted, without which MPI does not begin even alone.
+# The font of charts; and orted, without which MPI does not start even for a single process.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-dejavu-core, openmpi-bin")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "fxload, sqlite3, xvfb")

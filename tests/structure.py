@@ -1,6 +1,7 @@
-"""structure.py ROOT: no header includes itself by way of others; rooms use each other only downwards, and a room
-includes only from rooms that it uses; no folder holds more than 28 modules; and every source file is in the format of
-.clang-format. Prints a line for each folder and one for each of the rules."""
+"""structure.py ROOT: checks that no header includes itself through others, that the dependencies between
+rooms (the folders with a carom_room in their CMakeLists.txt) have no circle, that a room includes only
+from rooms that it uses, that no folder holds more than 28 modules, and that every source file has the
+format of .clang-format. Prints a line for each folder and one for each of the rules."""
 
 import pathlib
 import re
@@ -22,7 +23,7 @@ def fail(*words):
 
 
 def circles(arrows):
-    """The circles of a graph, one for each way back that is found."""
+    """Returns the circles of a graph, one for each edge that leads back."""
     found, done, path = [], set(), []
 
     def visit(node):
@@ -41,11 +42,11 @@ def circles(arrows):
 
 
 def module(path):
-    """A .h, its .cpp and its .glsl are one module."""
+    """Returns the module of a file: a .h, its .cpp and its .glsl are one module."""
     return str(path).rsplit(".", 1)[0]
 
 
-# What each room uses, as its CMakeLists.txt says.
+# The rooms that each room uses, according to its CMakeLists.txt.
 uses = {}
 for listing in root.rglob("CMakeLists.txt"):
     for room, rest in re.findall(r"(?m)^carom_room\((\S+)([^)]*)\)", listing.read_text()):
@@ -54,7 +55,7 @@ for listing in root.rglob("CMakeLists.txt"):
         for other in uses[room] - {path for path in uses[room] if (root / path).is_dir()}:
             fail(f"{room} uses {other}, which is no folder")
 
-# What each module includes.
+# The modules that each module includes.
 includes = {}
 for file in files:
     own = module(file.relative_to(root))
@@ -74,7 +75,7 @@ print(f"room circles {len(found)}")
 
 
 def below(room, seen):
-    """The rooms that a room reaches."""
+    """Returns the rooms that a room uses, directly or through others."""
     for other in uses.get(room, ()):
         if other not in seen:
             seen.add(other)
@@ -85,7 +86,7 @@ def below(room, seen):
 forbidden = 0
 for own in sorted(includes):
     room = str(pathlib.PurePath(own).parent)
-    if room not in uses:  # the program itself, in app/, uses any room
+    if room not in uses:  # the program itself, in app/, may use any room
         continue
     for other in sorted(includes[own]):
         if str(pathlib.PurePath(other).parent) not in {room} | below(room, set()):

@@ -8,15 +8,15 @@
 namespace carom {
 namespace {
 
-constexpr double kFull_m = 0.8;  // so near, and nearer, a thing is as loud as it can be
+constexpr double kFull_m = 0.8;  // at this distance or less, an event has full loudness
 
-/// Has its light come?
+/// Returns whether the event's light has arrived.
 bool hasCome(const Event& event, const Event& eye, double c_m_s, bool retarded) {
   const double way_m = retarded ? glm::distance(eye.r_m, event.r_m) : 0.0;
   return c_m_s * (eye.t_s - event.t_s) >= way_m;
 }
 
-/// How hard the pucks' motion was changed: the largest change of γβ.
+/// Returns how much the pucks' motion was changed: the largest change of γβ.
 double changeOf(const Turns& turns) {
   double change = 0.0;
   for (const Turn& turn : turns) {

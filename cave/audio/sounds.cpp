@@ -20,14 +20,15 @@ namespace carom {
 namespace {
 
 constexpr std::array kSounding{EventKind::puckPuck, EventKind::puckCushion, EventKind::stroke};
-constexpr std::size_t kVoices = 16;  // that sound at a time
+constexpr std::size_t kVoices = 16;  // sounds that can play at the same time
 
-/// A tone that dies away.
+/// A decaying tone.
 struct Ring {
   double pitch_hz, loudness, fades_s;
 };
 
-/// Of each kind: a hard clack of two pucks, the dull knock of rubber, the tap of a leather tip.
+/// Returns the tones of each kind: a hard clack of two pucks, the dull knock of rubber, the tap of a leather
+/// tip.
 std::array<Ring, 3> ringsOf(EventKind kind) {
   switch (kind) {
     case EventKind::puckPuck:
@@ -41,12 +42,12 @@ std::array<Ring, 3> ringsOf(EventKind kind) {
 
 void saysNothing(const char*, int, const char*, int, const char*, ...) {}
 
-/// Where there is no device, ALSA and OpenAL tell at length what they have looked for. It is not the person's
-/// business: they are told in a line of ours.
+/// Silences ALSA and OpenAL, which list at length what they have tried if there is no device. The person gets
+/// a message of our own instead.
 void hushLibraries() {
   using Handler = decltype(&saysNothing);
   setenv("ALSOFT_LOGLEVEL", "0", 0);
-  void* alsa = dlopen("libasound.so.2", RTLD_LAZY);  // as OpenAL opens it: the same
+  void* alsa = dlopen("libasound.so.2", RTLD_LAZY);  // the same library that OpenAL opens
   if (!alsa) return;
   const auto handleErrors = reinterpret_cast<int (*)(Handler)>(dlsym(alsa, "snd_lib_error_set_handler"));
   if (handleErrors) handleErrors(saysNothing);
@@ -106,12 +107,12 @@ struct Sounds::Device {
     }
     for (const ALuint voice : voices) {
       alSourcei(voice, AL_SOURCE_RELATIVE, AL_TRUE);
-      alSourcef(voice, AL_ROLLOFF_FACTOR, 0.0F);  // the loudness has the distance in it
+      alSourcef(voice, AL_ROLLOFF_FACTOR, 0.0F);  // the loudness already includes the distance
     }
     return alGetError() == AL_NO_ERROR;
   }
 
-  /// OpenAL's axes: right, up, back.
+  /// Plays an event; OpenAL's axes are right, up, back.
   void play(const Heard& event) {
     constexpr double kLowest = 0.25, kHighest = 4.0;
     const double away_m = glm::length(event.seen_m);

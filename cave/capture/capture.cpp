@@ -12,11 +12,10 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kMostWaiting_bytes = std::size_t{256}
-                                           << 20;  // of pictures that wait for their encoding
-constexpr std::size_t kMostWaiting = 8;            // frames of them
+constexpr std::size_t kMostWaiting_bytes = std::size_t{256} << 20;  // of pictures that wait to be encoded
+constexpr std::size_t kMostWaiting = 8;                             // frames with such pictures
 
-/// Half of the processors: the others draw.
+/// Returns half the number of processors, so that the others can draw.
 unsigned encoders() { return std::clamp(std::thread::hardware_concurrency() / 2, 1U, 8U); }
 
 }  // namespace
@@ -54,7 +53,7 @@ void Capture::take(std::uint64_t frame, std::span<const Taken> pictures) {
     queue_ = std::make_unique<WorkQueue<Job>>(capacity, encoders(), write);
     onLeaving_.emplace([this] { queue_->finish(); });
   }
-  fetch(frame_.size());  // of the last frame; what is older is waited for
+  fetch(frame_.size());  // of the last frame; older ones are waited for
   if (whenFull_ == WhenFull::drop && queue_->room() < frame_.size() + reader_.underWay()) {
     ++dropped_;
     frame_.clear();

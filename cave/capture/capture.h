@@ -25,7 +25,7 @@ namespace carom {
 std::filesystem::path capturePath(const std::filesystem::path& directory, const std::string& wall, Eye eye,
                                   std::uint64_t frame);
 
-/// What happens to the next frame if the queue is full.
+/// The treatment of the next frame if the queue is full.
 enum class WhenFull {
   wait,  ///< waits, in simulated time: no frame is left out
   drop,  ///< leaves the frame out and counts it, in real time

@@ -25,10 +25,10 @@ namespace carom {
 namespace {
 
 constexpr glm::ivec2 kLargest_px{3840, 2160};
-constexpr std::size_t kMostWaiting = 16;  // frames, for the encoder
-constexpr double kLongestStay_s = 1.0;    // of a frame
+constexpr std::size_t kMostWaiting = 16;  // frames waiting for the encoder
+constexpr double kLongestStay_s = 1.0;    // longest time that a frame is shown
 
-/// What ffmpeg is told for a kind of file: the container and how to fill it.
+/// ffmpeg's options for a kind of file: the container and its codec.
 struct Kind {
   std::string_view ending;
   std::vector<std::string> arguments;
@@ -49,7 +49,7 @@ const Kind* kindOf(const std::filesystem::path& file) {
   return nullptr;
 }
 
-/// The part of a wall's place that one eye's picture takes.
+/// Returns the fraction of a wall's place that one eye's picture takes.
 glm::dvec2 eyesAcross(StereoMode mode) {
   if (mode == StereoMode::sideBySide) return {2.0, 1.0};
   if (mode == StereoMode::topBottom) return {1.0, 2.0};
@@ -61,7 +61,7 @@ struct Place {
 };
 
 std::vector<Place> placesInOneWindow(std::span<const Wall> walls) {
-  glm::dvec2 eyes(2.0);  // of all walls
+  glm::dvec2 eyes(2.0);  // for all walls
   for (const Wall& wall : walls) eyes = glm::min(eyes, eyesAcross(wall.stereo));
   std::vector<Place> places;
   glm::dvec2 first(1e9);
@@ -69,7 +69,7 @@ std::vector<Place> placesInOneWindow(std::span<const Wall> walls) {
     places.push_back({glm::dvec2(wall.window.position_px) / eyes, glm::dvec2(wall.window.size_px) / eyes});
     first = glm::min(first, places.back().position);
   }
-  double scale = 1e9;  // all pictures at least at their own pixels
+  double scale = 1e9;  // makes all pictures at least as large as their own pixels
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const glm::dvec2 own = glm::dvec2(walls[i].pixels) / places[i].size;
     scale = std::min({scale, own.x, own.y});
@@ -115,7 +115,7 @@ MovieLayout movieLayout(std::span<const Wall> walls, bool inOneWindow) {
   return layout;
 }
 
-/// The program ffmpeg and the pipe into it.
+/// The ffmpeg process and the pipe into it.
 class Movie::Encoder {
  public:
   Encoder(const std::filesystem::path& file, const glm::ivec2& size_px, double frames_hz) : file_(file) {
@@ -142,7 +142,7 @@ class Movie::Encoder {
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  /// On the encoding thread: shows the frame before until this one's tick, then this one.
+  /// Runs on the encoding thread: repeats the previous frame up to this one's tick, then writes this one.
   void add(Job& job) {
     for (; next_ < job.tick; ++next_) write(last_);
     write(job.rgba);
@@ -150,7 +150,7 @@ class Movie::Encoder {
     std::swap(last_, job.rgba);
   }
 
-  /// All frames are in.
+  /// Ends the movie after its last frame.
   void finish() {
     close(pipe_);
     pipe_ = -1;
@@ -205,7 +205,7 @@ class Movie::Encoder {
     posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    // A group of its own: Ctrl-C ends the session, which then closes the movie.
+    // The process gets a group of its own: Ctrl-C ends the session, which then closes the movie.
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     const int failed = posix_spawnp(&child_, "ffmpeg", &actions, &attributes, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -239,8 +239,8 @@ class Movie::Encoder {
     }
   }
 
-  /// When ffmpeg is gone a write fails; without this the whole program would be ended instead. On the
-  /// encoding thread alone.
+  /// Blocks SIGPIPE, on the encoding thread alone: once ffmpeg is gone, a write then fails instead of ending
+  /// the whole program.
   void holdBackPipeSignal() {
     if (held_) return;
     sigset_t pipe;
@@ -255,7 +255,7 @@ class Movie::Encoder {
   int pipe_ = -1;
   bool held_ = false;
   bool kept_ = false;
-  std::uint64_t next_ = 0;  // tick
+  std::uint64_t next_ = 0;  // the next tick
   std::vector<std::uint8_t> last_;
 };
 
@@ -318,7 +318,7 @@ void Movie::finish() {
   conclude();
 }
 
-/// What has been read back becomes the movie, once.
+/// Completes the movie from all that has been read back; does so once.
 void Movie::conclude() {
   const std::scoped_lock hold(finishing_);
   if (std::exchange(finished_, true)) return;

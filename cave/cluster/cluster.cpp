@@ -27,33 +27,33 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr int kRankOfDevices = 0;         // owns trackers, physics and the record
 constexpr std::uint64_t kWarmUp = 3;      // frames in which drivers still compile and allocate
-constexpr double kLate_s = 0.5;           // a node is late when it keeps the others waiting for so long
-constexpr double kLost_s = 10.0;          // and lost then
-constexpr double kLostAtStart_s = 60.0;   // in the frames of the warm-up
-constexpr double kLastWords_s = 0.25;     // when asked to end: how long a frame may still take
-constexpr double kRankZerosTurn_s = 0.2;  // by how much later the others give up, rank by rank
-constexpr double kSpin_s = 0.002;         // waits shorter than this take no nap
+constexpr double kLate_s = 0.5;           // a node that keeps the others waiting for so long is late
+constexpr double kLost_s = 10.0;          // and after this it is lost
+constexpr double kLostAtStart_s = 60.0;   // the same for the frames of the warm-up
+constexpr double kLastWords_s = 0.25;     // how long a frame may still take once the end is requested
+constexpr double kRankZerosTurn_s = 0.2;  // each rank gives up this much later than the one before it
+constexpr double kSpin_s = 0.002;         // shorter waits do not sleep
 constexpr std::chrono::microseconds kNap{100};
-constexpr int kShared = 1, kDrawn = 2, kLastWords = 3;  // tags of messages
+constexpr int kShared = 1, kDrawn = 2, kLastWords = 3;  // message tags
 
-/// What precedes the knots and events in a frame's message.
+/// The head of a frame's message, before the knots and events.
 struct Header {
   FrameRecord record;
   std::uint64_t knots = 0;
   std::uint64_t events = 0;
 };
 
-/// What a rank says when it has drawn a frame.
+/// A rank's message that it has drawn a frame.
 struct Drawn {
   FrameDigest digest;
   std::uint64_t wantsToEnd = 0;
   NodeReport before;
 };
 
-/// What rank 0 makes of it.
+/// Rank 0's conclusion from these messages.
 struct Verdict {
   std::int32_t different = -1;  // the first rank that drew from other numbers
-  std::uint32_t field = 0;      // the first in which it did
+  std::uint32_t field = 0;      // the first field that differed
   std::uint64_t end = 0;
 };
 static_assert(std::is_trivially_copyable_v<Header> && std::is_trivially_copyable_v<Drawn>);
@@ -69,7 +69,7 @@ Verdict judge(std::span<const Drawn> drawn) {
   return verdict;
 }
 
-/// Where a rank runs.
+/// The host and process of a rank.
 struct Place {
   std::array<char, 64> host{};
   std::int64_t process = 0;
@@ -83,8 +83,8 @@ Place ownPlace() {
 }
 
 /// Open MPI pins each of one or two processes of a machine to one core, unless it is told otherwise; drawing
-/// and dividing bodies want them all. The system gives what it allows of what is asked for. Before there are
-/// threads.
+/// and dividing bodies need them all. The system grants those of the requested cores that it allows. Call it
+/// before there are threads.
 void useEveryCore() {
   if (!std::getenv("OMPI_MCA_orte_bound_at_launch") || std::getenv("OMPI_MCA_hwloc_base_binding_policy"))
     return;
@@ -103,7 +103,7 @@ struct Cluster::Room {
 
 Cluster::Cluster() {
   useEveryCore();
-  // A rank that waits gives its core to those that draw; a person's own setting stands.
+  // A waiting rank yields its core to those that draw; a setting by the user stays in force.
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
   MPI_Init(nullptr, nullptr);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -122,7 +122,7 @@ Cluster::Cluster() {
 Cluster::~Cluster() { MPI_Finalize(); }
 
 void Cluster::leave() const {
-  carom::leave([] { MPI_Finalize(); });  // which waits for ever where mpirun was asked to end
+  carom::leave([] { MPI_Finalize(); });  // MPI_Finalize waits for ever if mpirun was asked to end
 }
 
 void Cluster::abort() const {
@@ -191,7 +191,8 @@ void Cluster::shareFrame(FrameState& state) const {
   if (!state.events.empty()) fromRankZero(state.events.data(), state.events.size() * sizeof(GameEvent));
 }
 
-/// Rank 0's bytes to every rank. One message each, not a broadcast, whose tree hides who is late.
+/// Sends rank 0's bytes to every rank, in one message each: a broadcast, which forwards along a tree, would
+/// hide which rank is late.
 void Cluster::fromRankZero(void* bytes, std::size_t count) const {
   std::vector<MPI_Request>& requests = room_->requests;
   const int length = static_cast<int>(count);
@@ -246,7 +247,7 @@ bool Cluster::releaseSwap(const World& world) {
       field == "histories" ? whereHistoriesPart(world.histories, verdict.different) : std::string()));
 }
 
-/// Of two nodes' histories, the first body and field that differ. Every rank must call it.
+/// Returns the first body and field in which two nodes' histories differ. Every rank must call it.
 std::string Cluster::whereHistoriesPart(std::span<const WorldLine> histories, int other) const {
   for (std::size_t body = 0; body < histories.size(); ++body) {
     const HistoryDigest mine = digestOf(histories[body]);
@@ -261,8 +262,8 @@ std::string Cluster::whereHistoriesPart(std::span<const WorldLine> histories, in
   return {};
 }
 
-/// Waits for the first `requests` of the room. Where they come from all other ranks (`fromAll`; request i
-/// from rank i + 1), the late are named; otherwise rank 0 is waited for, who names them.
+/// Waits for the first `requests` of the room's requests. If they come from all other ranks (`fromAll`;
+/// request i from rank i + 1), late ranks are named; otherwise the wait is for rank 0, which names them.
 void Cluster::await(std::size_t requests, bool fromAll) const {
   const auto start = std::chrono::steady_clock::now();
   const double patience_s = (frames_ < kWarmUp ? kLostAtStart_s : kLost_s) + rank_ * kRankZerosTurn_s;
@@ -275,7 +276,7 @@ void Cluster::await(std::size_t requests, bool fromAll) const {
     waited_s = Seconds(std::chrono::steady_clock::now() - start).count();
     if (terminationAsked()) asked_s = std::min(asked_s, waited_s);
     const int pending = fromAll ? firstPending(requests) : 0;
-    if (pending == static_cast<int>(requests)) continue;  // the last one came this moment
+    if (pending == static_cast<int>(requests)) continue;  // the last one has just arrived
     const int awaited = fromAll ? pending + 1 : kRankOfDevices;
     if (waited_s - asked_s > kLastWords_s + rank_ * kRankZerosTurn_s && !livesHere(awaited)) {
       const char* what = isHere(awaited) ? "is gone" : "does not answer";
@@ -304,7 +305,7 @@ bool Cluster::isHere(int rank) const {
          room_->places[static_cast<std::size_t>(rank_)].host;
 }
 
-/// Whether a rank is a living process of this machine. Of other machines nothing is known.
+/// Returns whether a rank is a living process of this machine. Nothing is known of other machines.
 bool Cluster::livesHere(int rank) const {
   const auto process = static_cast<pid_t>(room_->places[static_cast<std::size_t>(rank)].process);
   return isHere(rank) && kill(process, 0) == 0;
@@ -319,8 +320,8 @@ int Cluster::firstPending(std::size_t requests) const {
   return at;
 }
 
-/// Says why and ends, unless another rank has said it. `others`: end them too; where a node has died, mpirun
-/// does.
+/// Reports why and ends, unless another rank has reported it. `others`: ends the other ranks, too; when a
+/// node has died, mpirun does so.
 void Cluster::giveUp(const std::string& why, bool others) const {
   int said = 0;
   MPI_Iprobe(MPI_ANY_SOURCE, kLastWords, MPI_COMM_WORLD, &said, MPI_STATUS_IGNORE);

@@ -1,7 +1,7 @@
 #pragma once
-// What keeps the swaps of all nodes together, and whether it works. In every case, each node swaps once all
-// have drawn (cave/cluster/cluster.h). With `swap-group`, the graphics cards perform the last step together
-// as well, by the extension GLX_NV_swap_group
+// The mechanism that keeps the swaps of all nodes together, and its state. In every case, each node swaps
+// once all have drawn (cave/cluster/cluster.h). With `swap-group`, the graphics cards perform the last step
+// together as well, by the extension GLX_NV_swap_group
 // (https://registry.khronos.org/OpenGL/extensions/NV/GLX_NV_swap_group.txt): every window joins group 1 of
 // its card, the group is bound to barrier 1, which the cards share through a cable, and a counter that all
 // cards share counts the swaps.

@@ -24,7 +24,7 @@ constexpr Colour kBlack{0, 0, 0}, kWhite{255, 255, 255};
 constexpr Colour kFine{56, 56, 56}, kStrong{150, 150, 150};
 constexpr Colour kCircleColour{255, 220, 0}, kLeftColour{255, 0, 0}, kRightColour{0, 255, 255};
 
-/// A picture under the brush. Rows count from the bottom.
+/// A picture to draw on. Rows count from the bottom.
 class Canvas {
  public:
   explicit Canvas(const glm::ivec2& size_px) {
@@ -35,7 +35,7 @@ class Canvas {
   const glm::ivec2& size_px() const { return image_.size_px; }
   Image take() { return std::move(image_); }
 
-  /// From `from` up to, but without, `to`; what lies outside the picture is left out.
+  /// Fills from `from` up to, but not including, `to`; parts outside the picture are left out.
   void fill(glm::ivec2 from, glm::ivec2 to, const Colour& colour) {
     from = glm::max(from, glm::ivec2(0));
     to = glm::min(to, image_.size_px);
@@ -46,7 +46,7 @@ class Canvas {
 
   void dot(int x, int y, const Colour& colour) { std::copy(colour.begin(), colour.end(), at(x, y)); }
 
-  /// White, as strong as `alpha` of 255.
+  /// Blends white in, with an opacity of `alpha`/255.
   void whiten(const glm::ivec2& place, int alpha) {
     if (place.x < 0 || place.y < 0 || place.x >= image_.size_px.x || place.y >= image_.size_px.y) return;
     std::uint8_t* rgb = at(place.x, place.y);
@@ -62,7 +62,7 @@ class Canvas {
   Image image_;
 };
 
-/// Lines a step apart, across the whole picture, each on the pixel in which it lies.
+/// Draws lines at intervals of `step_m` across the whole picture, each on the pixel in which it lies.
 void drawLines(Canvas& canvas, const glm::dvec2& pxPerM, double step_m, const Colour& colour) {
   const glm::ivec2 size = canvas.size_px();
   const auto count = [&](int axis) { return static_cast<int>(size[axis] / pxPerM[axis] / step_m); };
@@ -82,7 +82,7 @@ void drawGrid(Canvas& canvas, const glm::dvec2& pxPerM) {
   drawLines(canvas, pxPerM, Layout::kLine_m, kStrong);
 }
 
-/// Round in metres: every pixel whose centre is less than a pixel from the line.
+/// Draws a circle that is round in metres: every pixel whose centre is less than a pixel from the line.
 void drawCircle(Canvas& canvas, const glm::dvec2& size_m, const glm::dvec2& pxPerM) {
   const double radius_m = Layout::kCircle * std::min(size_m.x, size_m.y);
   const double halfLine_m = 1.0 / std::min(pxPerM.x, pxPerM.y);
@@ -102,7 +102,7 @@ void drawFrame(Canvas& canvas) {
   canvas.fill({size.x - 1, 0}, size, kWhite);
 }
 
-/// Two corners of a box, given as shares of the picture, in pixels.
+/// Fills a box given by two corners, as fractions of the picture's size.
 void fillShare(Canvas& canvas, const glm::dvec2& from, const glm::dvec2& to, const Colour& colour) {
   const glm::dvec2 size(canvas.size_px());
   canvas.fill(glm::ivec2(from * size), glm::ivec2(to * size), colour);
@@ -124,8 +124,9 @@ void drawEyeBar(Canvas& canvas, Eye eye) {
             eye == Eye::left ? kLeftColour : kRightColour);
 }
 
-/// White on black; smaller where it would be wider than `widest` of the picture. `anchor` is the text's place
-/// as a share of the picture; there lies its left (0), middle (0.5) or right (1) end, at half its height.
+/// Writes white text on black, smaller if it would be wider than `widest` of the picture's width. `anchor`, a
+/// fraction of the picture's size, is where the text's left (0), middle (0.5) or right (1) end lies, at half
+/// its height.
 void write(Canvas& canvas, const std::string& text, double height_px, const glm::dvec2& anchor, double end,
            double widest = 0.7) {
   constexpr double kSmallest_px = 6.0;

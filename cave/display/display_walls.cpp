@@ -39,7 +39,7 @@ DisplayWalls::DisplayWalls(Graphics& graphics, const Scene& scene, double lightS
 void DisplayWalls::openWindows(const std::optional<WindowPlacement>& oneWindow) {
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
     const Wall& shown = walls_[wall];
-    if (oneWindow) {  // the wall's own placement is a part of it
+    if (oneWindow) {  // the wall's own placement is its part of that window
       walls_[wall].viewport = Viewport{shown.window.position_px, shown.window.size_px};
       walls_[wall].window = *oneWindow;
     }
@@ -62,7 +62,7 @@ void DisplayWalls::openWindows(const std::optional<WindowPlacement>& oneWindow) 
     }
     window.window = std::make_unique<Window>(graphics_, title, window.placement, quadBuffer);
   }
-  windows_.front().window->setVsync(true);  // one wait a frame is enough for all windows of a node
+  windows_.front().window->setVsync(true);  // one wait per frame is enough for all windows of a node
 }
 
 void DisplayWalls::drawSession(const FrameRecord& record, const World& world, const ObserverView& observer) {
@@ -135,7 +135,7 @@ std::optional<PointedWall> DisplayWalls::pointedAt() const {
         *std::min_element(window.walls.begin(), window.walls.end(), [&](std::size_t a, std::size_t b) {
           return outside_px(paneOf(a), *pointer_px) < outside_px(paneOf(b), *pointer_px);
         });
-    // Who draws back beyond the edge draws on.
+    // A pointer that is held continues beyond the edge of the wall, as when a cue is drawn back.
     auto pointed = pointedIn(walls_[nearest], paneOf(nearest), *pointer_px, held);
     if (!pointed) continue;
     if (drawn_.eyesSwapped) pointed->eye = otherOf(pointed->eye);
@@ -156,7 +156,7 @@ const RenderTarget* DisplayWalls::pictureOf(const std::string& wall) const {
   return nullptr;
 }
 
-/// They stand still: made once, kept until something else is shown.
+/// The patterns stand still: they are drawn once and kept until something else is shown.
 void DisplayWalls::drawCalibrationPatterns(bool eyesSwapped) {
   if (calibrationPatterns_ == eyesSwapped) return;
   graphics_.makeCurrent();
@@ -204,7 +204,7 @@ void DisplayWalls::show(const std::function<void()>& over) {
   for (const WallWindow& window : windows_) {
     panes_.clear();
     const glm::ivec2 size_px = window.window->size_px();
-    // Where it is blank: black as the screens are, without the level that black is lifted to.
+    // If blank, the windows are as black as the screens can be, without the level that black is lifted to.
     for (std::size_t i = 0; i < window.walls.size() && !blank_; ++i)
       panes_.push_back(paneOf(window.walls[i], size_px));
     window.window->show(panes_, over);

@@ -10,7 +10,8 @@
 namespace carom {
 namespace {
 
-/// Does the body stay in this motion? At a moment of the frame that has it, it is where it is seen.
+/// Returns whether the body always keeps this motion. If so, at any moment of the frame with this motion it
+/// is where it is seen.
 bool stays(const WorldLine& line, const Vec3& u) {
   constexpr double kSame_u = 1e-6;
   const Knot& first = line.knots().front();
@@ -80,7 +81,8 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
 Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& record, const World& world,
                                const ObserverView& observer, const EyeView& eye) {
   const TimeViews& views = record.views;
-  // Scenery, and what goes along with the person, is told and needs no ghost that lies upon it.
+  // Scripted scenery, and scripted bodies that move with the person, need no ghost: it would coincide with
+  // them.
   const auto view = [&](std::vector<BodyView>& ghosts, const Event& observation, ViewTime moment,
                         const Vec3& u) {
     ghosts.resize(bodies_.size());
@@ -92,8 +94,8 @@ Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& reco
     return std::span<const BodyView>(ghosts);
   };
   Ghosts ghosts;
-  // At one moment for both eyes, that of the point between them: they see one thing. Without retardation the
-  // bodies themselves are there.
+  // The ghosts are at one moment for both eyes, that of the point between them, so that both eyes see the
+  // same. Without retardation the bodies themselves are drawn there.
   if (views.boardNow && switches.retardation) {
     const Event moment{observer.middle.observation.t_s, eye.observation.r_m};
     ghosts.boardNow = view(boardNow_, moment, ViewTime::boardNow, Vec3(0.0));

@@ -32,7 +32,7 @@ struct Window::Hears {
     const bool pressed = action == GLFW_PRESS;
     if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return;
     if (here.listens_) here.gui_->hear({HeardByGui::Kind::key, {}, static_cast<unsigned>(key), pressed});
-    // Who has seen a key pressed sees it released.
+    // A receiver that has seen a key pressed also sees it released.
     const bool taken = here.listens_ && pressed && here.gui_->wantsKeys();
     if (!taken) here.graphics_.input_.keys.push_back({key, pressed});
   }
@@ -48,7 +48,7 @@ struct Window::Hears {
 
   static void close(GLFWwindow* window) { of(window).graphics_.input_.closeRequested = true; }
 
-  /// GLFW counts in the desk's units.
+  /// Takes the position from GLFW, which counts in the desktop's units.
   static void pointer(GLFWwindow* window, double x, double y) {
     glm::ivec2 size{1};
     glfwGetWindowSize(window, &size.x, &size.y);
@@ -79,7 +79,7 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
   hintContext();
   glfwWindowHint(GLFW_STEREO, quadBuffer ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_DECORATED, GLFW_TRUE);
-  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a wall must not vanish when another takes the focus
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a wall must not vanish when it loses the focus
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   glm::ivec2 size_px = placement.size_px;
   if (placement.fullscreen) {
@@ -99,7 +99,7 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
             : fmt::format("window \"{}\" cannot be opened: {}", title, reason));
   }
   if (placement.fullscreen) {
-    glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);  // nothing of the desk on a wall
+    glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);  // no desktop cursor on a wall
   } else {
     glm::ivec2 origin_px{0};
     glfwGetMonitorPos(monitor, &origin_px.x, &origin_px.y);

@@ -1,5 +1,5 @@
 #pragma once
-// How the bodies of a scene and of a frame are numbered: body 0 is everything at rest on the board; then come
+// The numbers of the bodies in a scene and in a frame: body 0 is everything at rest on the board; then come
 // the pucks and the scripted bodies, each in the order of the scenario.
 
 #include <cstddef>

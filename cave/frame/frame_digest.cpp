@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-/// Digests values one after the other, never the padding between them.
+/// Digests values one after the other, without the padding between them.
 class Digest {
  public:
   template <typename T>
@@ -69,14 +69,15 @@ std::uint64_t digestOf(const HandView& hand) {
                   << hand.towards << hand.u;
 }
 
-/// The newest knot and how many there are: a history that lost or gained one differs from then on.
+/// Digests the newest knots and their numbers: once a history has lost or gained a knot, its digest stays
+/// different.
 std::uint64_t digestOfNewest(std::span<const WorldLine> histories) {
   Digest digest;
   for (const WorldLine& history : histories) digest << history.knots().size() << history.knots().back();
   return digest;
 }
 
-/// The same of the list of events.
+/// Does the same for the list of events.
 std::uint64_t digestOfNewest(std::span<const GameEvent> events) {
   Digest digest;
   digest << events.size();

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-/// As the game does (GameHistory::forgetBefore).
+/// Returns whether an event is over, as the game decides it (GameHistory::forgetBefore).
 bool isOver(const GameEvent& event, double before_s) {
   return event.at.t_s < before_s &&
          std::all_of(event.turns.begin(), event.turns.end(),

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kNotMeasured = std::numeric_limits<float>::quiet_NaN();
 
-/// The nearest rank of a fraction: how many of `count` come before it.
+/// Returns the index of the nearest rank of `fraction` among `count` sorted values.
 std::size_t rankOf(double fraction, std::size_t count) {
   const auto rank = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(count)));
   return std::clamp<std::size_t>(rank, 1, count) - 1;

@@ -36,7 +36,7 @@ struct FrameTiming {
   float operator[](FramePart part) const { return parts_s[static_cast<std::size_t>(part)]; }
 };
 
-/// How a node's swaps are kept together with the other nodes' (cave/cluster/frame_lock.h).
+/// The state of the lock between a node's swaps and the other nodes' (cave/cluster/frame_lock.h).
 enum class LockState : std::uint8_t {
   software,  ///< the nodes keep their swaps together by messages
   pending,   ///< the windows have joined the group; its counter has not been checked since

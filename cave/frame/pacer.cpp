@@ -8,11 +8,11 @@
 namespace carom {
 namespace {
 
-constexpr double kMargin_s = 0.0015;    // a frame begins so much earlier than the longest of late would need
-constexpr double kSwapAhead_s = 0.001;  // how long before its tick a swap that waits is asked for
-constexpr double kPhaseGain = 0.1, kPeriodGain = 0.005;  // of the loop: settles within some 30 frames
-constexpr double kOffNominal = 0.01;                     // what a display's period may differ from the rig's
-constexpr double kSamePeriod = 0.05;  // swaps this near to the display's period wait for it
+constexpr double kMargin_s = 0.0015;    // added to the longest recent drawing time when a frame is scheduled
+constexpr double kSwapAhead_s = 0.001;  // a swap that waits is requested this long before its tick
+constexpr double kPhaseGain = 0.1, kPeriodGain = 0.005;  // of the control loop: settles within some 30 frames
+constexpr double kOffNominal = 0.01;  // greatest relative difference of a display's period from the rig's
+constexpr double kSamePeriod = 0.05;  // swaps this near to the display's period (relative) wait for it
 
 double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -35,7 +35,7 @@ FrameTimes RecordingPacer::next() {
   return {number_++, begin_s_, begin_s_, 0.0};
 }
 
-/// A frame that is late is shown at once; the ones after it follow the schedule again.
+/// A late frame is shown at once; the frames after it follow the schedule again.
 void RecordingPacer::awaitTick(double stay_s) {
   due_s_ = std::max(due_s_ + stay_s, begin_s_);
   clock_.sleepUntil(due_s_);
@@ -51,7 +51,7 @@ Pacer::Pacer(Clock& clock, double display_hz, double displayLatency_s, bool swap
       tick_s_(clock.now_s()),
       begun_(firstFrame > 0) {
   number_ = firstFrame;
-  drawing_s_.fill(period_s_ / 2);  // until it is known
+  drawing_s_.fill(period_s_ / 2);  // until drawing has been measured
 }
 
 FrameTimes Pacer::next() {
@@ -75,10 +75,10 @@ void Pacer::swapped() {
   if (swapsWait_) follow(clock_.now_s());
 }
 
-/// The display has just ticked: a loop of second order over phase and period.
+/// Corrects phase and period by a second-order loop, given the time of the display's latest tick.
 void Pacer::follow(double tick_s) {
   const double off_s =
-      std::remainder(tick_s - tick_s_, period_s_);  // of the nearest tick: it may have been missed
+      std::remainder(tick_s - tick_s_, period_s_);  // from the nearest tick: a tick may have been missed
   tick_s_ += kPhaseGain * off_s;
   const double nominal_s = nominalPeriod_s_;
   period_s_ = std::clamp(period_s_ + kPeriodGain * off_s, nominal_s * (1 - kOffNominal),
@@ -95,7 +95,7 @@ double Pacer::longestDrawing_s() const { return *std::max_element(drawing_s_.beg
 
 bool swapsWaitFor(double display_hz, std::span<const double> returned_s) {
   if (returned_s.size() < 3) return false;
-  const std::span<const double> settled_s = returned_s.subspan(returned_s.size() / 3);  // queues have filled
+  const std::span<const double> settled_s = returned_s.subspan(returned_s.size() / 3);  // with full queues
   const double interval_s =
       (settled_s.back() - settled_s.front()) / static_cast<double>(settled_s.size() - 1);
   return std::abs(interval_s * display_hz - 1.0) < kSamePeriod;

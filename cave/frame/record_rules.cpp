@@ -42,7 +42,7 @@ void expectPossible(const char* frame, const Lorentz& transform, double gameLigh
   const double c_m_s = transform.lightSpeed_m_s();
   if (c_m_s != gameLightSpeed_m_s)
     refuse("{} has light at {} m/s, expected the game's {}", frame, c_m_s, gameLightSpeed_m_s);
-  // The inverse of a Lorentz transform is written down, not sought: of any other it is none.
+  // `inverse` uses the formula for Lorentz transforms; it does not invert any other matrix.
   constexpr double kRounding = 1e-9;
   const glm::dmat4 one = (transform.inverse() * transform).matrix();
   const double gamma = transform.matrix()[0][0];

@@ -1,5 +1,5 @@
 #pragma once
-// Which values a frame's record, its knots and its events can hold: checks for all code that reads them from
+// Checks of the values in a frame's record, its knots and its events, for all code that reads them from
 // outside.
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-/// Puts back the vertex array and the array buffer that were bound.
+/// Restores the vertex array and the array buffer that were bound.
 class KeptBindings {
  public:
   KeptBindings() {

@@ -22,7 +22,7 @@ void compileInto(GLuint program, const std::string& name, GLenum stage, const st
     throw std::runtime_error("shader \"" + name + "\" does not compile: " + message.c_str());
   }
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // lives on with the program
+  glDeleteShader(shader);  // the program keeps it alive
 }
 
 }  // namespace

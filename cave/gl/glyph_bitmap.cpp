@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-/// VTK's picture of a text is wider than the text: only where there is ink.
+/// Crops VTK's picture of a text, which is wider than the text, to the pixels with ink.
 GlyphBitmap inked(vtkImageData& rgba) {
   const glm::ivec2 size(rgba.GetDimensions()[0], rgba.GetDimensions()[1]);
   const auto* bytes = static_cast<const std::uint8_t*>(rgba.GetScalarPointer());

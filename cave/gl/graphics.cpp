@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a card that takes longer hangs
+constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a graphics card that takes longer hangs
 
 [[noreturn]] void failWithoutDisplay(const std::string& reason) {
   const char* display = std::getenv("DISPLAY");

@@ -1,7 +1,7 @@
 #include "cave/gl/gui.h"
 
 #include <imgui.h>
-// Of this folder alone: its loader of OpenGL must not meet GLEW's.
+// Include this in no other folder: its OpenGL loader conflicts with GLEW.
 #include <backends/imgui_impl_opengl3.h>
 
 #define GLFW_INCLUDE_NONE
@@ -36,7 +36,7 @@ constexpr std::array<std::pair<ImGuiKey_, int>, 15> kKeys{{{ImGuiKey_Tab, GLFW_K
                                                            {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
                                                            {ImGuiKey_A, GLFW_KEY_A}}};
 
-/// Letters of Europe and Greek ones.
+/// European and Greek letters, and some signs.
 constexpr ImWchar kLetters[] = {0x20, 0x24F, 0x370, 0x3FF, 0x2010, 0x205E, 0x2190, 0x21FF, 0};
 
 }  // namespace
@@ -44,7 +44,7 @@ constexpr ImWchar kLetters[] = {0x20, 0x24F, 0x370, 0x3FF, 0x2010, 0x205E, 0x219
 Gui::Gui(float text_px, float heading_px) : context_(ImGui::CreateContext()) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // nothing is kept
+  io.IniFilename = nullptr;  // no settings are saved
   io.LogFilename = nullptr;
   for (const float height_px : {text_px, heading_px}) {
     if (height_px > 0.0F && std::filesystem::exists(kLettersFile))
@@ -65,11 +65,11 @@ Gui::~Gui() {
 
 void Gui::hear(const HeardByGui& heard) {
   const auto points = [](const HeardByGui& any) { return any.kind == HeardByGui::Kind::pointer; };
-  if (!heard_.empty() && points(heard) && points(heard_.back())) {  // only where it is now counts
+  if (!heard_.empty() && points(heard) && points(heard_.back())) {  // only the latest place counts
     heard_.back() = heard;
     return;
   }
-  if (heard_.size() == kMostHeard) heard_.clear();  // nobody has been looking
+  if (heard_.size() == kMostHeard) heard_.clear();  // nothing has read the input
   heard_.push_back(heard);
 }
 
@@ -82,7 +82,7 @@ bool Gui::isPressed() const {
 void Gui::takeHeard() {
   using Kind = HeardByGui::Kind;
   ImGuiIO& io = ImGui::GetIO();
-  bool changed = false;  // a button or a key
+  bool changed = false;  // a button or a key has changed
   const auto waits = [&](const HeardByGui& heard) {
     if (heard.kind == Kind::wheel || heard.kind == Kind::letter) return false;
     if (changed) return true;

@@ -14,11 +14,11 @@
 namespace carom {
 namespace {
 
-constexpr double kThinnest_px = 0.6;  // half a width; thinner lines would break up
+constexpr double kThinnest_px = 0.6;  // half of a width; thinner lines would have gaps
 constexpr double kNearest = 1e-3;     // of clip w, the distance from the eye: metres
 
-/// Pixels that a metre across the line of sight has at w = 1: the part of the matrix's x row that is not
-/// along the direction in which w grows.
+/// Returns how many pixels a metre across the line of sight has at w = 1: the part of the matrix's x row that
+/// is not along the direction in which w grows.
 double pixelsAcross(const glm::dmat4& clip, double half_px) {
   const glm::dvec3 x(clip[0][0], clip[1][0], clip[2][0]), w(clip[0][3], clip[1][3], clip[2][3]);
   return half_px * glm::length(x - w * (glm::dot(x, w) / glm::dot(w, w)));
@@ -32,12 +32,12 @@ LineBatch::LineBatch()
                          {"corner_px", 2, offsetof(Corner, across_px)},
                          {"ink", 4, offsetof(Corner, colour)}}) {}
 
-/// Two triangles around the line on the picture, each end as wide as its distance makes it.
+/// Adds two triangles around the line on the picture, each end as wide as its distance makes it.
 void LineBatch::add(const Ribbon& ribbon, const glm::dmat4& clipFromRoom, const glm::dvec2& half_px) {
   std::array<glm::dvec4, 2> ends{clipFromRoom * glm::dvec4(ribbon.from_m, 1.0),
                                  clipFromRoom * glm::dvec4(ribbon.to_m, 1.0)};
   if (!(std::max(ends[0].w, ends[1].w) > kNearest)) return;
-  for (std::size_t i = 0; i < 2; ++i) {  // what is behind the eye is cut off
+  for (std::size_t i = 0; i < 2; ++i) {  // cuts off the part behind the eye
     const glm::dvec4& other = ends[1 - i];
     if (ends[i].w < kNearest) ends[i] += (other - ends[i]) * ((kNearest - ends[i].w) / (other.w - ends[i].w));
   }

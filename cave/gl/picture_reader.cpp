@@ -9,14 +9,14 @@
 namespace carom {
 namespace {
 
-// RGBA: what cards hand over without converting it.
+// RGBA, which graphics cards transfer without conversion.
 std::size_t bytesOf(const glm::ivec2& size_px) {
   return 4 * static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y);
 }
 
 }  // namespace
 
-/// A buffer of this size, bound for packing.
+/// Returns a buffer of this size, bound for packing.
 GlBuffer PictureReader::bufferFor(std::size_t view, const glm::ivec2& size_px) {
   std::erase_if(spare_, [&](const Asked& spare) { return spare.view == view && spare.size_px != size_px; });
   const auto fits =

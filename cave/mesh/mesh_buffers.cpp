@@ -8,8 +8,8 @@
 namespace carom {
 namespace {
 
-/// The JSON of a glTF; that of a .glb is the first chunk (glTF 2.0, section 4.4: after a header of 12 bytes
-/// its length, its type and itself).
+/// Returns the JSON of a glTF; in a .glb it is the first chunk (glTF 2.0, section 4.4: after a header of 12
+/// bytes come its length, its type and its content).
 std::string_view jsonOf(std::string_view content) {
   constexpr std::size_t kLengthAt = 12, kJsonAt = 20;
   if (!content.starts_with("glTF")) return content;

@@ -15,7 +15,8 @@
 namespace carom {
 namespace {
 
-/// ∂u × ∂v by central differences, kept off the patch's border, where it may degenerate (a disc's middle).
+/// Returns ∂u × ∂v by central differences, away from the patch's border, where it may degenerate (a disc's
+/// middle).
 glm::dvec3 normalAt(const std::function<PatchPoint(double, double)>& at, double u, double v) {
   constexpr double kStep = 1e-4;
   u = std::clamp(u, 2 * kStep, 1 - 2 * kStep);
@@ -40,7 +41,7 @@ void setTuple(vtkFloatArray& array, std::size_t i, const glm::dvec3& value) {
 }  // namespace
 
 int cellsFor(double length_m, double cell_m) {
-  constexpr double kMost = 1000.0;  // of a patch's side: a board of kilometres must not ask for all memory
+  constexpr double kMost = 1000.0;  // cells per side: a board of kilometres must not take all memory
   return std::max(1, static_cast<int>(std::ceil(std::min(length_m / cell_m - 1e-9, kMost))));
 }
 
@@ -62,7 +63,7 @@ void MeshBuilder::addPatch(int cellsU, int cellsV, const std::function<PatchPoin
     for (std::size_t i = 0; i < static_cast<std::size_t>(cellsU); ++i) {
       const std::size_t a = first + j * row + i;
       const std::size_t b = a + 1, c = b + row, d = a + row;
-      const bool alongAc = length_m(a, c) <= length_m(b, d);  // cut by the shorter diagonal
+      const bool alongAc = length_m(a, c) <= length_m(b, d);  // along the shorter diagonal
       triangles_.push_back({a, b, alongAc ? c : d});
       triangles_.push_back({alongAc ? a : b, c, d});
     }

@@ -44,7 +44,7 @@ namespace {
 
 constexpr std::uintmax_t kMostBytes = 256U << 20U;
 
-/// Takes VTK's complaints, which would go to the terminal.
+/// Collects VTK's error messages, which would otherwise go to the terminal.
 class Complaints : public vtkOutputWindow {
  public:
   static Complaints* New() { return new Complaints; }
@@ -54,7 +54,7 @@ class Complaints : public vtkOutputWindow {
   void DisplayGenericWarningText(const char* text) override { take(text); }
   void DisplayDebugText(const char*) override {}
 
-  /// The first, in one line, without the source file and the object it came from.
+  /// Returns the first message on one line, without the source file and the object it came from.
   std::string first() const {
     std::string text = text_.substr(0, text_.find("\n\n"));
     if (const std::size_t after = text.find("): "); after != std::string::npos) text = text.substr(after + 3);
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkPolyData> readSurface(const std::string& path) {
   return reader->GetOutput();
 }
 
-/// Of a file that may hold volumes: their outside.
+/// Reads the outer surface of a file that may hold volumes.
 template <typename Reader>
 vtkSmartPointer<vtkPolyData> readOutside(const std::string& path) {
   vtkNew<Reader> reader;
@@ -91,7 +91,7 @@ vtkSmartPointer<vtkPolyData> readOutside(const std::string& path) {
   return outside->GetOutput();
 }
 
-/// glTF 2.0, section 3.4: y is up, metres. All meshes of the scene, in their places.
+/// Reads glTF 2.0 (section 3.4: y is up, metres): all meshes of the scene, each in its place.
 vtkSmartPointer<vtkPolyData> readGltf(const std::string& path) {
   vtkNew<vtkGLTFReader> reader;
   reader->SetFileName(path.c_str());
@@ -125,10 +125,10 @@ std::string contentOf(const std::string& path) {
 /// Coordinates and corners as plain numbers.
 struct Triangles {
   std::vector<double> places_m;    // x, y, z of each point
-  std::vector<vtkIdType> corners;  // three a triangle
+  std::vector<vtkIdType> corners;  // three per triangle
 };
 
-/// Throws, without the file's name, where there is something else than triangles between points.
+/// Throws, without the file's name, if there is anything other than triangles between points.
 Triangles trianglesOf(vtkPolyData& surface) {
   Triangles triangles;
   const vtkIdType points = surface.GetNumberOfPoints();
@@ -158,8 +158,8 @@ Triangles trianglesOf(vtkPolyData& surface) {
   return triangles;
 }
 
-/// Points that are there and corners that are among them: polygons and strips before they are cut to
-/// triangles.
+/// Checks that there are points and that all corners are among them, before polygons and strips are divided
+/// into triangles.
 void checkCorners(vtkPolyData& read) {
   for (vtkCellArray* cells : {read.GetPolys(), read.GetStrips()}) {
     const auto each = vtk::TakeSmartPointer(cells->NewIterator());
@@ -178,8 +178,8 @@ void checkCorners(vtkPolyData& read) {
 
 using Reader = std::function<vtkSmartPointer<vtkPolyData>(const std::string&)>;
 
-/// Reads, in a process of its own; VTK's readers trust their files. The number of points, their coordinates,
-/// the corners of the triangles, as bytes.
+/// Reads a file in a process of its own, since VTK's readers trust their files. Returns the number of points,
+/// their coordinates and the corners of the triangles, as bytes.
 std::string readApart(const Reader& reader, const std::string& path) {
   vtkNew<Complaints> complaints;
   vtkOutputWindow::SetInstance(complaints);
@@ -232,7 +232,8 @@ vtkSmartPointer<vtkPolyData> surfaceFrom(const std::string& bytes) {
   return surface;
 }
 
-/// Line and column where a reader's message names them (of XML, with columns from 0, and of JSON), else 1, 1.
+/// Returns the line and column that a reader's message names (of XML, with columns from 0, and of JSON),
+/// otherwise 1, 1.
 std::pair<int, int> placeIn(const std::string& message) {
   static const std::regex kXml("at line ([0-9]{1,8}), column ([0-9]{1,8})");
   static const std::regex kJson("Line ([0-9]{1,8}), Column ([0-9]{1,8})");

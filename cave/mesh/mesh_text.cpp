@@ -17,13 +17,13 @@
 namespace carom {
 namespace {
 
-/// A word of the file; empty past its end.
+/// A word of the file; empty beyond its end.
 struct Word {
   std::string_view text;
   std::size_t at = 0;  ///< byte in the file
 };
 
-/// The beginning of a word as it can be printed.
+/// Returns the beginning of a word in printable form.
 std::string shown(std::string_view text) {
   std::string printable(text.substr(0, 40));
   std::replace_if(
@@ -36,12 +36,12 @@ class Words {
  public:
   Words(const std::string& path, std::string_view content) : path_(path), content_(content) {}
 
-  /// The next word, on whichever line.
+  /// Returns the next word, on any line.
   Word next() {
     while (at_ < content_.size() && isBlank(content_[at_])) ++at_;
     return take();
   }
-  /// The next word of this line; empty at its end.
+  /// Returns the next word of this line, or an empty one at its end.
   Word nextInLine() {
     while (at_ < content_.size() && content_[at_] != '\n' && isBlank(content_[at_])) ++at_;
     return take();
@@ -74,7 +74,7 @@ class Words {
     }
     return value;
   }
-  /// How many of something that takes at least one byte each.
+  /// Returns a count of items that take at least one byte each.
   std::size_t count(const Word& word) const {
     return static_cast<std::size_t>(
         integer(word, 0, static_cast<long long>(content_.size()), "a count that this file has room for,"));
@@ -106,8 +106,8 @@ class Words {
   std::size_t at_ = 0;
 };
 
-/// Wavefront OBJ: v x y z …, vt, vn, f with corners v, v/vt, v//vn or v/vt/vn that count from 1, or back from
-/// the latest where negative.
+/// Checks Wavefront OBJ: v x y z …, vt, vn, and f with corners v, v/vt, v//vn or v/vt/vn, which count from 1
+/// or, if negative, back from the latest.
 class ObjCheck {
  public:
   ObjCheck(const std::string& path, std::string_view content) : words_(path, content) {}
@@ -183,7 +183,7 @@ Number numberAt(std::string_view content, std::size_t at, bool bigEndian = false
   return std::bit_cast<Number>(bytes);
 }
 
-/// STL. Binary: 80 bytes, a count, 50 bytes a triangle. Text: facets of three vertices.
+/// Checks STL. Binary: 80 bytes, a count, 50 bytes per triangle. Text: facets of three vertices.
 void checkStl(const std::string& path, std::string_view content) {
   constexpr std::size_t kHeader = 84, kTriangle = 50;
   const std::size_t triangles = content.size() >= kHeader ? numberAt<std::uint32_t>(content, 80) : 0;
@@ -202,7 +202,7 @@ void checkStl(const std::string& path, std::string_view content) {
   Word word = words.next();
   for (; !word.text.empty() && word.text != "endsolid"; word = words.next()) {
     if (word.text == "normal") {
-      for (int i = 0; i < 3; ++i) words.next();  // some programs write no numbers here; normals are made anew
+      for (int i = 0; i < 3; ++i) words.next();  // an unused normal: some files have no numbers here
     } else if (word.text == "vertex") {
       for (int i = 0; i < 3; ++i) words.number(words.next());
       ++vertices;
@@ -218,7 +218,8 @@ void checkStl(const std::string& path, std::string_view content) {
   if (word.text.empty()) words.fault(word, "this STL ends before its endsolid, expected it whole");
 }
 
-/// Stanford PLY: a header that says what rows of which elements follow, then the rows, as text or binary.
+/// Checks Stanford PLY: a header that says which elements follow and how many, then their rows, as text or
+/// binary.
 class PlyCheck {
  public:
   PlyCheck(const std::string& path, std::string_view content) : words_(path, content), content_(content) {}
@@ -327,7 +328,7 @@ class PlyCheck {
     }
   }
 
-  /// The place of the next value: of a binary row, none.
+  /// Returns the place of the next value, or none in a binary row.
   Word here() const {
     if (!isText_) return {};
     Words ahead = words_;
@@ -357,7 +358,7 @@ class PlyCheck {
   bool isText_ = true, bigEndian_ = false;
 };
 
-/// VTK legacy files: counts, and in text files the points and polygons.
+/// Checks VTK legacy files: the counts and, in text files, the points and polygons.
 void checkVtk(const std::string& path, std::string_view content) {
   Words words(path, content);
   if (!content.starts_with("# vtk DataFile"))

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Bend of the edge whose middle is `chi` from straight behind the head, half its angle being `a`, as above.
+/// Returns the bend of the edge whose middle is `chi` from straight behind the head and half of whose angle
+/// is `a`, as explained in the header.
 double bendAt(double chi, double a, double expEta) {
   const double chiEnd = std::acos(std::cos(chi) * std::cos(a));
   const double omega = std::atan2(std::tan(a), std::sin(chi));
@@ -24,7 +25,7 @@ double bendAt(double chi, double a, double expEta) {
   return std::abs(seen(chi) - drawn);
 }
 
-/// The x in [low, high] with f(x) = `value`, by halving; f grows.
+/// Returns the x in [low, high] with f(x) = `value`, by bisection; f must increase.
 template <typename F>
 double whereReached(const F& f, double value, double low, double high) {
   constexpr int kSteps = 60;
@@ -35,8 +36,8 @@ double whereReached(const F& f, double value, double low, double high) {
   return low;
 }
 
-/// The smallest angle of a pixel in this corner: across the line of sight a pixel is pitch/distance, along
-/// its slant also shorter by the cosine of the angle of incidence, height/distance.
+/// Returns the smallest angle of a pixel in this corner: across the line of sight it is pitch/distance; along
+/// the slant of the wall it is also shorter by the cosine of the angle of incidence, height/distance.
 double pixelAt(const glm::dvec3& corner_m, double pitch_m, double height_m) {
   const double distance_m = glm::length(corner_m);
   return pitch_m * height_m / (distance_m * distance_m);
@@ -47,7 +48,7 @@ double pixelAt(const glm::dvec3& corner_m, double pitch_m, double height_m) {
 double worstBend_rad(double edge_m, double beta, double nearest_m) {
   const double a = std::atan(0.5 * edge_m / nearest_m);
   const double expEta = std::exp(std::atanh(beta));
-  // One peak over χ; its place moves from where sin χ/D² is largest towards 0 as edges grow.
+  // There is one peak over χ; as edges grow, it moves from where sin χ/D² is largest towards 0.
   constexpr int kDirections = 400;
   double worst = 0.0;
   int at = 1;
@@ -59,7 +60,7 @@ double worstBend_rad(double edge_m, double beta, double nearest_m) {
     }
   }
   double low = kPi * (at - 1) / kDirections, high = kPi * (at + 1) / kDirections;
-  constexpr int kSteps = 40;  // to a thousandth of the first step, where the peak is flat
+  constexpr int kSteps = 40;  // to a thousandth of the first step, which suffices since the peak is flat
   for (int i = 0; i < kSteps; ++i) {
     const double left = low + (high - low) / 3.0, right = high - (high - low) / 3.0;
     (bendAt(left, a, expEta) < bendAt(right, a, expEta) ? low : high) =

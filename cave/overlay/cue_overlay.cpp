@@ -20,17 +20,17 @@ constexpr glm::vec4 kIdle(0.75F, 0.85F, 1.0F, 0.45F), kAimed(1.0F, 0.93F, 0.55F,
 constexpr glm::vec4 kWood(0.80F, 0.56F, 0.30F, 1.0F), kTip(0.92F, 0.92F, 0.95F, 1.0F);
 constexpr glm::vec4 kGround(0.05F, 0.055F, 0.07F, 0.70F), kInk(0.93F, 0.93F, 0.93F, 1.0F),
     kTrack(0.25F, 0.26F, 0.30F, 1.0F);
-constexpr double kOwnRay_m = 0.15;  // a ray that begins nearer to the eyes than this is seen from its end
+constexpr double kOwnRay_m = 0.15;  // a ray that begins nearer to the eyes is seen end-on
 constexpr double kRay_m = 0.002, kDot_m = 0.008;
 constexpr std::array<double, 4> kTicks{0.5, 0.8, 0.9, 0.95};  // of c
 constexpr std::array<std::string_view, 4> kTickWords{"0.5 c", "0.8 c", "0.9 c", "0.95 c"};
-constexpr double kDigits = 0.025, kTickDigits = 0.016;  // heights, of the distance
+constexpr double kDigits = 0.025, kTickDigits = 0.016;  // heights, as fractions of the distance
 constexpr double kBar = 0.010, kPanel = 0.076,
-                 kPanelMiddle = 0.055;  // halves of widths, and where that middle is
-constexpr double kReadout = 0.092;      // height of the numbers under the bar
+                 kPanelMiddle = 0.055;  // half widths, and the place of the panel's middle
+constexpr double kReadout = 0.092;      // height of the numbers below the bar
 
-/// Pen strokes of a letter: points on a grid of 2 × 4 (right, up), a blank where the pen is lifted; '^' is a
-/// raised 2.
+/// Returns the pen strokes of a letter: points on a grid of 2 × 4 (right, up), with a blank where the pen is
+/// lifted; '^' is a raised 2.
 std::string_view strokesOf(char letter) {
   constexpr std::array<std::string_view, 10> kNumerals{
       "0020240400",   "031410",       "042422020020", "04242000 0222",   "040222 2420",
@@ -48,10 +48,10 @@ std::string_view strokesOf(char letter) {
   }
 }
 
-/// As a puck's speed from u = γβ.
+/// Returns the speed, in units of c, of u = γβ.
 double betaOf(double u) { return u / std::sqrt(1.0 + u * u); }
 
-/// From easy to dear.
+/// Returns the colour of a cost, from low to high.
 glm::vec4 colourOf(double cost) {
   const glm::vec3 easy(0.35F, 0.85F, 0.55F), dear(1.0F, 0.35F, 0.22F), between(1.0F, 0.80F, 0.30F);
   const auto share = static_cast<float>(std::min(cost / 2.0, 1.0));
@@ -62,11 +62,11 @@ glm::vec4 colourOf(double cost) {
 }  // namespace
 
 FacingPlane facing(const glm::dvec3& place_m, const glm::dvec3& eyes_m, const RoomGeometry& room) {
-  constexpr double kAslant_rad = 0.6;  // so far from facing the eye it is read as well
+  constexpr double kAslant_rad = 0.6;  // up to this angle from facing the eye, the plane is still readable
   FacingPlane plane{place_m, {}, {}, std::max(glm::distance(place_m, eyes_m), 0.1)};
   const glm::dvec3 sight = (place_m - eyes_m) / plane.distance_m;
   glm::dvec3 right = glm::cross(sight, room.up);
-  if (glm::length(right) < 0.05) right = glm::cross(room.forward, room.up);  // it lies straight below
+  if (glm::length(right) < 0.05) right = glm::cross(room.forward, room.up);  // the place lies straight below
   plane.right = glm::normalize(right);
   const double below_rad = std::asin(std::clamp(-glm::dot(sight, room.up), -1.0, 1.0));
   const double leans_rad = below_rad - std::clamp(below_rad, -kAslant_rad, kAslant_rad);
@@ -91,7 +91,7 @@ void CueOverlay::addRing(const FacingPlane& plane, double radius_m, double halfW
   for (int i = 0; i < kSides; ++i) addLine(at(i), at(i + 1), halfWidth_m, colour);
 }
 
-/// An octagon.
+/// Adds a dot as an octagon.
 void CueOverlay::addDot(const FacingPlane& plane, double radius_m, const glm::vec4& colour) {
   for (int i = 0; i < 4; ++i) {
     const double angle_rad = std::numbers::pi * i / 4.0;
@@ -101,14 +101,14 @@ void CueOverlay::addDot(const FacingPlane& plane, double radius_m, const glm::ve
   }
 }
 
-/// Its foot's left end is at (across, upwards).
+/// Adds text whose lower left end is at (across, upwards).
 void CueOverlay::addText(const FacingPlane& plane, double across, double upwards, double height,
                          std::string_view text) {
   for (const char letter : text) {
     const double grid = (letter == '^' ? 0.5 : 1.0) * height / 4.0,
                  foot = upwards + (letter == '^' ? height / 2.0 : 0.0);
     const double half_m = 0.4 * grid * plane.distance_m;
-    const auto stroke = [&](const glm::dvec2& from, const glm::dvec2& to) {  // a pen with a square tip
+    const auto stroke = [&](const glm::dvec2& from, const glm::dvec2& to) {  // as by a pen with a square tip
       const glm::dvec2 over = 0.4 * glm::normalize(to - from);
       const auto on = [&](const glm::dvec2& p) { return plane.at(across + grid * p.x, foot + grid * p.y); };
       addLine(on(from - over), on(to + over), half_m, kInk);
@@ -127,7 +127,7 @@ void CueOverlay::addText(const FacingPlane& plane, double across, double upwards
   }
 }
 
-/// A ray of one's own eye is a point: then no more than its end is drawn.
+/// Adds the ray. For the eye from which a ray starts it is a point, so only its end is drawn.
 void CueOverlay::addRay(const HandView& hand, const glm::dvec3& eyes_m, const RoomGeometry& room) {
   const glm::vec4& colour = hand.target ? kAimed : kIdle;
   if (glm::distance(hand.from_m, eyes_m) > kOwnRay_m) addLine(hand.from_m, hand.to_m, kRay_m, colour);
@@ -138,7 +138,7 @@ void CueOverlay::addRay(const HandView& hand, const glm::dvec3& eyes_m, const Ro
   addRing(facing(hand.target_m, eyes_m, room), kRing_m, 0.003 * std::max(end.distance_m, 1.0), colour);
 }
 
-/// A stick behind the puck, thicker towards the hand; drawn back by the stroke's momentum.
+/// Adds a stick behind the puck, thicker towards the hand, drawn back in proportion to the stroke's momentum.
 void CueOverlay::addCue(const HandView& hand) {
   constexpr int kPieces = 10;
   constexpr double kLength_m = 0.9, kThin_m = 0.006, kThick_m = 0.014;
@@ -163,11 +163,12 @@ void CueOverlay::addArrow(const HandView& hand, const FacingPlane& plane) {
     addLine(head_m - 0.07 * hand.towards + side * aside, head_m, width_m, colour);
 }
 
-/// From the foot of its panel: the speed and the cost that the stroke would have, and above them the bar.
+/// Adds, from the bottom of the panel, the speed and the cost that the stroke would have, and the bar above
+/// them.
 void CueOverlay::addScale(const HandView& hand, const FacingPlane& target) {
   const double cost = costOf(hand.u), unit_m = target.distance_m;
   const auto up = [](double of) { return kScaleFoot + heightOf(of); };
-  // On the side that the stroke does not go to.
+  // The scale stands on the side away from the stroke.
   const bool goesRight = glm::dot(hand.towards, target.right) > 1e-6;
   const double aside = goesRight ? kScaleLeft : kScaleRight;
   const auto on = [&](double across, double upwards) { return target.at(aside + across, upwards); };
@@ -201,7 +202,7 @@ void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dve
   if (hand.pulling && hand.towards != glm::dvec3(0.0)) addCue(hand);
   if (hand.pulling && hand.u > 0.0) addArrow(hand, target);
   addRay(hand, eyes_m, room);
-  if (hand.pulling) addScale(hand, target);  // last: nothing lies over what is read
+  if (hand.pulling) addScale(hand, target);  // last, so that nothing covers the scale
   const GlStateGuard state(picture.framebuffer(), picture.size_px());
   blendOver();
   ribbons_.draw(marks_, *clip, picture.size_px());

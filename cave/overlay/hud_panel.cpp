@@ -24,14 +24,14 @@
 namespace carom {
 namespace {
 
-constexpr double kCapitalOfLetters = 0.72;  // height of a capital, of the letters' nominal height
-constexpr double kLine = 1.5;               // from line to line, of that height
-constexpr double kSmallest_px = 9.0;        // letters lower than this cannot be read at all
+constexpr double kCapitalOfLetters = 0.72;  // a capital's height, as a fraction of the nominal height
+constexpr double kLine = 1.5;               // distance from line to line, in that height
+constexpr double kSmallest_px = 9.0;        // smaller letters are illegible
 constexpr std::array<std::uint8_t, 4> kGround{12, 14, 18, 175};  // dark; half of the picture shows through
 constexpr glm::vec3 kWhite(235.0F), kUrgent(255.0F, 200.0F, 70.0F);  // letters
 constexpr glm::vec3 kSeenMark(0.92F);
 
-/// Lines one after the other into memory that is used again.
+/// Builds the lines, one after the other, in memory that is reused.
 class Lines {
  public:
   explicit Lines(std::vector<HudLine>& lines) : lines_(lines) {}
@@ -49,19 +49,19 @@ class Lines {
     fmt::format_to(std::back_inserter(line.text), words, std::forward<Values>(values)...);
   }
 
-  /// As many lines as the words need; the first begins with `first`, those after it are then set in.
+  /// Adds as many lines as the text needs; the first begins with `first`, which indents the following ones.
   void wrap(std::string_view words, std::string_view first = {}, bool urgent = false) {
     for (bool begins = true; !words.empty(); begins = false) {
       const std::size_t bytes = fitting(words, kLineLetters);
       add({}, "{}{}", begins ? first : std::string_view(), words.substr(0, bytes));
       lines_[count_ - 1].urgent = urgent;
       lines_[count_ - 1].setIn = !begins && !first.empty();
-      words.remove_prefix(std::min(words.size(), bytes + 1));  // with the space
+      words.remove_prefix(std::min(words.size(), bytes + 1));  // including the space
     }
   }
 
  private:
-  /// The space of "0.6 c" and "2.84 m".
+  /// Returns whether a space stands before a unit, as in "0.6 c" and "2.84 m".
   static bool beforeUnit(std::string_view words, std::size_t space) {
     const auto letter = [&](std::size_t at) {
       return at < words.size() && words[at] >= 'a' && words[at] <= 'z';
@@ -70,7 +70,8 @@ class Lines {
            !letter(space + 2);
   }
 
-  /// How many bytes of whole words have no more letters than this; of the first word alone, if that has more.
+  /// Returns how many bytes of whole words have at most this many letters; if the first word has more, its
+  /// bytes alone.
   static std::size_t fitting(std::string_view words, std::size_t most) {
     std::size_t letters = 0, fits = 0;
     for (std::size_t i = 0; i <= words.size(); ++i) {
@@ -117,7 +118,7 @@ void addNumber(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
   }
 }
 
-/// What it says of its phase, and how it goes on.
+/// Adds the lesson's text for its phase, and how to continue.
 void addLesson(const LessonWords& lesson, const LessonState& state, Lines& lines) {
   switch (state.phase) {
     case LessonPhase::none:
@@ -134,7 +135,7 @@ void addLesson(const LessonWords& lesson, const LessonState& state, Lines& lines
   }
 }
 
-/// What the compass on the floor shows (cave/overlay/motion_overlay.h), in numbers.
+/// Adds the numbers behind the motion overlay on the floor (cave/overlay/motion_overlay.h).
 void addDrive(const FrameRecord& record, Lines& lines) {
   if (!isDriven(record)) return;
   const Vec3 u = record.boardFromRoom.u();
@@ -173,7 +174,7 @@ void addViews(const FrameRecord& record, Lines& lines) {
   }
 }
 
-/// How far a line is set in: as far as an answer behind its number.
+/// Returns the indent of a line, which is that of an answer behind its number.
 int beginOf_px(const HudLine& line, int height_px) { return line.setIn ? 8 * height_px / 5 : 0; }
 
 }  // namespace
@@ -246,7 +247,7 @@ void HudPanel::write(const glm::ivec2& picture_px, const glm::dvec2& size_m) {
     height_px_ = height_px;
     return widest;
   };
-  // A small wall has small words.
+  // A small wall gets small letters.
   const double wide = widest_px() + 4.0 * height_px;
   const double high = (kLine * static_cast<double>(lines_.size()) + 1.0) * height_px;
   const double share = std::min(kMostOfWidth * picture_px.x / wide, kMostOfHeight * picture_px.y / high);
@@ -256,7 +257,7 @@ void HudPanel::write(const glm::ivec2& picture_px, const glm::dvec2& size_m) {
   }
 }
 
-/// The ground, the marks and the ink as one picture.
+/// Uploads the background, the marks and the letters as one picture.
 void HudPanel::upload(const glm::ivec2& size_px, int height_px) {
   size_px_ = size_px;
   rgba_.resize(4 * static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y));
@@ -296,7 +297,7 @@ void HudPanel::upload(const glm::ivec2& size_px, int height_px) {
     glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
 }
 
-/// Of the panel, on a wall whose room has its floor at height 0.
+/// Returns the panel's lower left corner, on a wall whose room has its floor at height 0.
 glm::ivec2 HudPanel::lowerLeft_px(const Wall& wall, const glm::dvec2& pxPerM) const {
   const double height_m = sizeOf_m(wall).y, margin_m = kMargin * height_m;
   const double foot_m = glm::dot(wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m) / height_m;
@@ -314,14 +315,14 @@ void HudPanel::draw(const Wall& wall, const RenderTarget& picture) {
     write(picture.size_px(), sizeOf_m(wall));
     int widest_px = 0;
     for (const Written& written : lines_) widest_px = std::max(widest_px, endOf_px(written, height_px_));
-    widest_px += height_px_ - widest_px % height_px_;  // so that it does not tremble with its digits
+    widest_px += height_px_ - widest_px % height_px_;  // so that the width does not change with every digit
     upload({widest_px + 3 * height_px_,
             static_cast<int>(kLine * height_px_) * static_cast<int>(lines_.size()) + height_px_},
            height_px_);
     written_ = true;
     picture_px_ = picture.size_px();
   }
-  // Pixel on pixel, but for pixels that are not square.
+  // Draws pixel on pixel, unless pixels are not square.
   const glm::ivec2 from_px = lowerLeft_px(wall, pxPerM);
   blendOver();
   glUseProgram(program_);

@@ -30,8 +30,8 @@ struct HudLine {
   bool operator==(const HudLine&) const = default;
 };
 
-/// Returns the first wall within 45° of the direction in which a person faces who looks forward, or none if
-/// the room has no such wall.
+/// Returns the first wall that a person faces, within 45°, when looking forward, or none if the room has no
+/// such wall.
 std::optional<Wall> frontWall(const RoomGeometry& room);
 
 /// Fills `lines`, whose memory is reused, with the session's text, in lines of kLineLetters: what was just

@@ -11,9 +11,9 @@ namespace carom {
 namespace {
 
 const ImVec4 kGood{0.35F, 0.75F, 0.45F, 1.0F}, kBad{0.95F, 0.35F, 0.25F, 1.0F};
-const ImVec4 kIdle{0.35F, 0.45F, 0.6F, 1.0F};  // waits that cost nothing
-constexpr float kBar_em = 16.0F;               // of the display's period
-constexpr float kBars_periods = 1.25F;         // a bar's longest
+const ImVec4 kIdle{0.35F, 0.45F, 0.6F, 1.0F};  // colour of waits, which cost nothing
+constexpr float kBar_em = 16.0F;               // length of one display period
+constexpr float kBars_periods = 1.25F;         // a bar's greatest length
 
 bool isWait(FramePart part) { return part == FramePart::wait || part == FramePart::share; }
 
@@ -21,10 +21,10 @@ void number_ms(float value_s) {
   ImGui::TableNextColumn();
   if (std::isnan(value_s)) return;
   const double value_ms = std::round(1e5 * static_cast<double>(value_s)) / 100.0;
-  ImGui::Text("%8.2f", value_ms + 0.0);  // not −0.00
+  ImGui::Text("%8.2f", value_ms + 0.0);  // avoids −0.00
 }
 
-/// The median as a bar, the 99th percentile as a line; the period is a line across.
+/// Draws the median as a bar and the 99th percentile as a line; another line marks the display's period.
 void bar(const PartStatistics& part, float period_s, bool waits) {
   const float em = ImGui::GetFontSize(), perSecond = kBar_em * em / period_s;
   const ImVec2 from = ImGui::GetCursorScreenPos();

@@ -19,12 +19,12 @@ namespace {
 constexpr int kSides = 48;
 constexpr double kMoves_u = 1e-6;
 constexpr double kCircle_m = 0.004, kEllipse_m = 0.005, kMotion_m = 0.008, kThrust_m = 0.004;  // half widths
-constexpr double kRim_m = 0.003;  // of the dark that a line lies on
+constexpr double kRim_m = 0.003;  // dark border of a line
 constexpr glm::vec4 kDark(0.03F, 0.03F, 0.04F, 0.75F);
 constexpr glm::vec3 kLight(0.95F, 0.95F, 0.95F);
-constexpr double kFlat = 0.7;  // cosine of a floor's slope against the room's
+constexpr double kFlat = 0.7;  // least cosine between a floor's normal and the room's up
 
-/// How far the corners of the walls reach along a direction.
+/// The extent of the walls' corners along a direction.
 struct Reach {
   double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
 };
@@ -73,7 +73,7 @@ void MotionOverlay::addLine(const glm::dvec3& from_m, const glm::dvec3& to_m, do
   lines_.push_back({from_m, to_m, halfWidth_m, glm::vec4(colour, 1.0F)});
 }
 
-/// Its head lies in the floor, or stands across it where the arrow points up or down.
+/// Adds an arrow whose head lies in the floor, or stands upright if the arrow points up or down.
 void MotionOverlay::addArrow(const RoomGeometry& room, const glm::dvec3& from_m, const glm::dvec3& along_m,
                              double halfWidth_m, const glm::vec3& colour) {
   const double length_m = glm::length(along_m);
@@ -88,7 +88,7 @@ void MotionOverlay::addArrow(const RoomGeometry& room, const glm::dvec3& from_m,
     addLine(tip_m, tip_m - head_m * along + side * head_m * aside, halfWidth_m, colour);
 }
 
-/// L(v)d = d + (1/γ − 1)(d·v̂)v̂: the board's circle in the room.
+/// Adds the lines. L(v)d = d + (1/γ − 1)(d·v̂)v̂ gives the board's circle in the room.
 void MotionOverlay::add(const RoomGeometry& room, const FrameRecord& record) {
   const glm::dvec3 middle = middle_m(room), right = glm::cross(room.forward, room.up);
   const glm::dvec3 u = platformInRoom_u(record);
@@ -120,7 +120,7 @@ void MotionOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::
   if (!clip) return;
   lines_.clear();
   add(room, record);
-  const std::size_t count = lines_.size();  // first the dark that they lie on
+  const std::size_t count = lines_.size();  // first the dark borders, below the lines
   lines_.resize(2 * count);
   for (std::size_t i = 0; i < count; ++i) {
     lines_[count + i] = lines_[i];

@@ -19,7 +19,7 @@
 namespace carom {
 namespace {
 
-/// The grid around one point: where, and how strong.
+/// Returns the place and the strength of the grid around one point.
 glm::vec3 warningOf(const Wall& wall, const glm::dvec3& place_m) {
   const NearestOnWall nearest = nearestOn(wall, place_m);
   return {glm::vec2(nearest.place_m), static_cast<float>(warningAt(nearest.distance_m))};
@@ -51,7 +51,7 @@ void RoomOverlay::draw(const RoomGeometry& room, const Wall& wall, bool isFront,
   if (record.controls.trackerCross) drawMarks(room, wall, isFront, eyeInRoom_m, record, picture);
 }
 
-/// In the wall's plane: what lies there is its place on the picture, for every eye.
+/// Draws the grid in the wall's plane, where every eye sees it at the same place of the picture.
 void RoomOverlay::drawGrid(const Wall& wall, const FrameRecord& record, const RenderTarget& picture) const {
   std::array<glm::vec3, 2> warnings{warningOf(wall, record.observer.middle.positionInRoom_m), {}};
   if (record.tracked.handKnown) warnings[1] = warningOf(wall, record.tracked.roomFromHand.position_m);
@@ -78,15 +78,15 @@ void RoomOverlay::addCross(const Pose& roomFromCross) {
   }
 }
 
-/// Both are drawn on the wall and pushed along the lines of sight of the point between the eyes: for it they
-/// are equally large.
+/// Adds the bars. Both are placed on the wall and then moved along the lines of sight of the point between
+/// the eyes, so that both look equally large from there.
 void RoomOverlay::addBars(const Wall& wall, const glm::dvec3& eyes_m) {
   const glm::dvec3 across_m = wall.lowerRight_m - wall.lowerLeft_m,
                    upwards_m = wall.upperLeft_m - wall.lowerLeft_m;
   const double far_m = glm::dot(glm::normalize(glm::cross(across_m, upwards_m)), eyes_m - wall.lowerLeft_m);
   constexpr double kHalfBar_m = 0.02;
   if (!(far_m > 1.5 * kBarsOff_m)) return;
-  for (const double side : {-1.0, 1.0}) {  // the left one behind
+  for (const double side : {-1.0, 1.0}) {  // the left one behind the wall
     const double share = 1.0 - side * kBarsOff_m / far_m;
     const glm::dvec3 foot_m = wall.lowerLeft_m + (0.5 + 0.08 * side) * across_m + 0.4 * upwards_m;
     const auto pushed = [&](const glm::dvec3& onWall_m) { return eyes_m + share * (onWall_m - eyes_m); };

@@ -51,7 +51,7 @@ void limitMemory() {
 [[noreturn]] void runChild(const std::function<std::string()>& job, int to) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGINT, SIGTERM})
     std::signal(signal, SIG_DFL);
-  // What libraries print as they break is no message for a person.
+  // The messages that libraries print when they crash are not meant for the person.
   ::close(STDERR_FILENO);
   ::close(STDOUT_FILENO);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);

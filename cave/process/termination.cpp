@@ -23,7 +23,7 @@ constexpr std::chrono::milliseconds kPatience{1500};
 // Open MPI 4.1's mpirun, asked to end, sends SIGTERM after a second and SIGKILL after another.
 constexpr std::chrono::milliseconds kMpirunsPatience{800};
 
-volatile std::sig_atomic_t asked = 0;  // the first signal
+volatile std::sig_atomic_t asked = 0;  // the first signal that was received
 std::atomic<bool> allClosed = false;
 sem_t wasAsked;
 
@@ -39,7 +39,7 @@ extern "C" void ask(int signal) {
 }
 
 std::mutex& mutexOfOpen() {
-  static auto* mutex = new std::mutex;  // outlives what leaves late
+  static auto* mutex = new std::mutex;  // outlives objects that are destroyed late
   return *mutex;
 }
 std::vector<const std::function<void()>*>& open() {
@@ -47,7 +47,7 @@ std::vector<const std::function<void()>*>& open() {
   return *all;
 }
 
-/// Waits until it is asked for, and a little for the others to end by themselves.
+/// Waits until the end is requested, and then gives the other threads a little time to end by themselves.
 void endIfNobodyDoes() {
   while (sem_wait(&wasAsked) != 0) {
   }
@@ -72,7 +72,7 @@ void noticeTermination() {
 bool terminationAsked() { return asked != 0; }
 
 bool closeAll() {
-  mutexOfOpen().lock();  // for good
+  mutexOfOpen().lock();  // never unlocked
   bool whole = true;
   for (auto close = open().rbegin(); close != open().rend(); ++close) {
     try {

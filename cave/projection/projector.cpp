@@ -31,7 +31,7 @@ namespace {
 
 constexpr int kWidestBlend_px = 16384;
 
-/// Remembers that VTK complained.
+/// Records that VTK reported an error.
 class Complaint : public vtkCommand {
  public:
   static Complaint* New() { return new Complaint; }
@@ -46,12 +46,12 @@ vtkSmartPointer<vtkImageReader2> readerFor(const std::string& ending) {
   return nullptr;
 }
 
-/// sRGB, IEC 61966-2-1.
+/// Returns the sRGB code of linear light, IEC 61966-2-1.
 float codeOf(double light) {
   return static_cast<float>(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055);
 }
 
-/// Sets the state that drawing into a picture needs, and puts back which framebuffer was drawn into.
+/// Sets the state for drawing into a picture, and restores the framebuffer that was bound.
 class DrawInto {
  public:
   explicit DrawInto(const RenderTarget& picture) {
@@ -68,7 +68,7 @@ class DrawInto {
   GLint before_ = 0;
 };
 
-/// The picture as bytes: width, height, then RGB.
+/// Returns the picture as bytes: width, height, then RGB.
 std::string bytesOf(const glm::ivec2& size_px, vtkDataArray& values) {
   const bool deep = values.GetDataType() == VTK_UNSIGNED_SHORT;
   const int parts = values.GetNumberOfComponents();
@@ -92,9 +92,9 @@ BlendPicture blendFrom(const std::string& bytes) {
   return blend;
 }
 
-/// VTK's readers crash on some broken files: for a process of its own.
+/// Reads the blend picture. Run it in a subprocess: VTK's readers crash on some broken files.
 std::string blendBytes(const std::filesystem::path& file) {
-  std::freopen("/dev/null", "w", stderr);  // the libraries complain there, in their own words
+  std::freopen("/dev/null", "w", stderr);  // the libraries print their own messages there
   const std::string name = file.string();
   const auto reader = readerFor(file.extension().string());
   if (!reader) throw std::runtime_error("is of a kind that cannot be read, expected a PNG, JPEG or TIFF");

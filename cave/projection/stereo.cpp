@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-/// `mode` of shaders/stereo_frag.glsl.
+/// Returns `mode` of shaders/stereo_frag.glsl.
 int packingOf(StereoMode mode) {
   switch (mode) {
     case StereoMode::sideBySide:
@@ -35,7 +35,8 @@ int packingOf(StereoMode mode) {
   return 0;
 }
 
-/// The part of a pane that one eye's picture is packed into; all of it where the eyes take turns.
+/// Returns the size of the part of a pane that one eye's picture fills; all of it if the eyes' pixels
+/// alternate.
 glm::ivec2 eyeSize_px(const Pane& pane) {
   if (pane.stereo == StereoMode::sideBySide) return {(pane.size_px.x + 1) / 2, pane.size_px.y};
   if (pane.stereo == StereoMode::topBottom) return {pane.size_px.x, (pane.size_px.y + 1) / 2};

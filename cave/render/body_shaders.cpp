@@ -28,7 +28,7 @@
 namespace carom {
 namespace {
 
-// VTK puts the version line here.
+// VTK replaces this with the version line.
 const std::string kPreamble = "//VTK::System::Dec\n";
 
 std::string paintText(Paint paint) {
@@ -57,7 +57,7 @@ std::string paintText(Paint paint) {
   return shaders::paint_plain;
 }
 
-/// What differs from one program to another.
+/// Returns the definitions that differ from one program to another.
 std::string variantText(Paint paint, const Switches& switches, ViewTime moment) {
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " true\n" : " false\n");

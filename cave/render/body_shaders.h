@@ -9,8 +9,7 @@
 
 namespace carom {
 
-/// What is known about a body's legs when the shader is compiled: the simpler they are, the faster the
-/// shader.
+/// The legs for which a shader is compiled: the simpler they are, the faster the shader.
 enum class Legs {
   rest,  ///< one leg, at rest on the board
   one,   ///< one straight leg

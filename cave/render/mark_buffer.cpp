@@ -18,17 +18,17 @@
 namespace carom {
 namespace {
 
-// As shaders/mark_frag.glsl has them, and the code of a plate.
+// The styles of shaders/mark_frag.glsl, and the encoding of a plate.
 constexpr float kFlat = 0.0F;
 constexpr float kGlow = -1.0F;
 constexpr int kBehindPoint = 16, kShape = 256;
-constexpr double kPointWide = 0.35;                          // in places
-constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, of each shape
+constexpr double kPointWide = 0.35;                          // in digit places
+constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, for each shape
 
 constexpr int kPlaces = 12, kPlacesInAFloat = 6;
 constexpr std::uint64_t kMinus = 10, kDegrees = 12, kMetres = 13;
 
-/// Tenths with a unit's sign behind them.
+/// Returns a number in tenths, followed by the sign of a unit.
 PlateText measured(double value, std::uint64_t unit) {
   PlateText text = wholeNumber(static_cast<std::uint64_t>(std::clamp(std::round(10.0 * value), 0.0, 9999.0)));
   text.places = std::max(text.places, 2) + 1;
@@ -77,7 +77,8 @@ void MarkBuffer::addStrip(std::span<const glm::dvec3> left_m, std::span<const gl
 }
 
 void MarkBuffer::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& colour, double halfWidth_rad) {
-  // Across the line of sight and the line; all of it has some length, so neither is 0 for long.
+  // The direction across both the line of sight and the line. Every part of the line has some length, so
+  // neither vanishes for long.
   const auto aside = [&](std::size_t i) {
     const glm::dvec3 way = drawn_m[std::min(i + 1, drawn_m.size() - 1)] - drawn_m[i > 0 ? i - 1 : 0];
     const glm::dvec3 across = glm::cross(way, drawn_m[i]);
@@ -94,7 +95,7 @@ void MarkBuffer::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& c
 void MarkBuffer::addPlate(std::span<const glm::dvec3> lower_m, std::span<const glm::dvec3> upper_m,
                           const PlateText& text, PlateShape shape, const glm::vec4& colour) {
   const int behind = text.tenths ? (text.unit ? 2 : 1) : 0;
-  constexpr int kBits = 4 * kPlacesInAFloat;  // which a float holds exactly
+  constexpr int kBits = 4 * kPlacesInAFloat;  // as many as a float holds exactly
   const glm::vec3 what(text.places + kBehindPoint * behind + kShape * static_cast<int>(shape),
                        text.digits >> kBits, text.digits & ((1U << kBits) - 1U));
   const glm::dvec3 middle_m = 0.5 * (lower_m.front() + upper_m.back());

@@ -16,7 +16,7 @@
 
 namespace carom {
 
-/// What one eye sees, and the observer it belongs to.
+/// The view of one eye, and the observer it belongs to.
 struct MarkContext {
   const ObserverView& observer;
   const EyeView& eye;

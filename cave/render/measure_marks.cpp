@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A strip on the cloth.
+/// Adds a strip on the cloth.
 void addFlat(MarkBuffer& batch, const Resting& draw, const Vec3& from_m, const Vec3& to_m,
              const Vec3& halfWidth_m, const glm::vec4& colour) {
-  constexpr std::size_t kPoints = 5;  // light bends what is straight
+  constexpr std::size_t kPoints = 5;  // light bends straight lines
   std::array<glm::dvec3, kPoints> left, right;
   for (std::size_t i = 0; i < kPoints; ++i) {
     const Vec3 place_m = glm::mix(from_m, to_m, static_cast<double>(i) / (kPoints - 1));
@@ -28,7 +28,8 @@ void addFlat(MarkBuffer& batch, const Resting& draw, const Vec3& from_m, const V
   batch.addStrip(left, right, colour);
 }
 
-/// How far along its path the eye sees light that started then; without retardation, where it is.
+/// Returns how far along its path the eye sees light that started at `start_s`; without retardation, how far
+/// the light has come.
 double seenOrReached_m(const MarkContext& sight, double start_s, std::span<const Vec3> path_m, double ago_s) {
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
   const Event& eye = sight.eye.observation;
@@ -36,7 +37,7 @@ double seenOrReached_m(const MarkContext& sight, double start_s, std::span<const
   return seenAlong_m(start_s, path_m, {eye.t_s - ago_s, eye.r_m}, c_m_s);
 }
 
-/// A pulse and its tail, as far as they are seen on the path.
+/// Adds a pulse with its tail, as far as they are seen on the path.
 void addPulse(const MarkContext& sight, const Resting& draw, double start_s, std::span<const Vec3> path_m,
               double size_m, const glm::vec3& colour, MarkBuffer& batch) {
   constexpr int kSteps = 10;
@@ -63,8 +64,8 @@ void addPulse(const MarkContext& sight, const Resting& draw, double start_s, std
   batch.addGlow(drawn_m, radius_m, glm::vec4(colour, 1.0F));
 }
 
-/// Light that has gone to and fro between two places since board time 0. The eye sees it within the last few
-/// of its ways, which begin at the times k L/c: where the light of its turns has just come.
+/// Adds light that has gone to and fro between two places since board time 0. Its passes begin at k L/c; the
+/// eye sees it on one of the last few, where light from its turns has just arrived.
 void addToAndFro(const MarkContext& sight, const Resting& draw, const Vec3& a_m, const Vec3& b_m,
                  MarkBuffer& batch) {
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
@@ -111,12 +112,12 @@ void addRuler(const MarkContext& sight, const Ruler& ruler, LabelLayout& crowd, 
 
 namespace {
 
-/// The direction of a puck's way, or none.
+/// Returns whether a puck moves, so that its path has a direction.
 bool hasWay(const Vec2& beta) { return glm::length(beta) > 1e-6; }
 
 double azimuthOf(const Vec2& way) { return std::atan2(way.y, way.x); }
 
-/// An arc on the cloth from one azimuth on by `turn_rad`, its half width.
+/// Adds an arc on the cloth, from one azimuth on by `turn_rad`; `half_m` is half its width.
 void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double from_rad, double turn_rad,
             double radius_m, double half_m, const glm::vec4& colour) {
   constexpr std::size_t kPoints = 33;
@@ -130,7 +131,7 @@ void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double
   batch.addStrip(inner, outer, colour);
 }
 
-/// A line on the cloth from the middle that way, in dashes or whole.
+/// Adds a line on the cloth from the middle in a direction, dashed or solid.
 void addRay(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double azimuth_rad, double length_m,
             int dashes, double half_m, const glm::vec4& colour) {
   const Vec3 way(std::cos(azimuth_rad), std::sin(azimuth_rad), 0.0), aside(-way.y, way.x, 0.0);
@@ -141,7 +142,7 @@ void addRay(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double
   }
 }
 
-/// The turn from one azimuth to another, the shorter way round.
+/// Returns the turn from one azimuth to another, the shorter way round.
 double turnBetween(double from_rad, double to_rad) { return std::remainder(to_rad - from_rad, 2.0 * kPi); }
 
 void addParting(const MarkContext& sight, const Resting& draw, const GameEvent& event, float shown,

@@ -19,11 +19,11 @@
 namespace carom {
 namespace {
 
-constexpr double kCell_m = 0.05;      // fine enough to bend as the cloth does
-constexpr double kAhead_s = 4.0;      // the last leg is made so far, and anew when that is used up
-constexpr double kShortest_m = 1e-3;  // a way that is no way: the puck rests
+constexpr double kCell_m = 0.05;  // fine enough to bend as the cloth does
+constexpr double kAhead_s = 4.0;  // the last leg is computed this far ahead, and anew when that is used up
+constexpr double kShortest_m = 1e-3;  // a shorter path is none: the puck is at rest
 
-/// One straight leg, from board time to board time.
+/// Adds one straight leg, between two board times.
 void addLeg(const Knot& knot, double from_s, double until_s, double base_s, double c_m_s,
             std::vector<PathRibbons::Corner>& corners) {
   const Vec3 start_m = motionOnLeg(knot, from_s, c_m_s).event.r_m;
@@ -84,7 +84,7 @@ bool PathRibbons::changed(std::span<const WorldLine> pucks, double now_s) const 
 
 void PathRibbons::follow(std::span<const WorldLine> pucks, double now_s) {
   if (!changed(pucks, now_s)) return;
-  base_s_ = std::floor(now_s - kAhead_s);  // whole seconds: dots are counted from it
+  base_s_ = std::floor(now_s - kAhead_s);  // in whole seconds: dots are counted from it
   madeUntil_s_ = now_s + kAhead_s;
   ways_.resize(pucks.size());
   corners_.clear();
@@ -98,7 +98,7 @@ void PathRibbons::follow(std::span<const WorldLine> pucks, double now_s) {
            knots.back().turn.t_s,
            0,
            0};
-    // What is seen lies back by its light's way.
+    // The seen puck lags by the travel time of its light.
     const double seenFrom_s = now_s - kPast_s - kAhead_s - 20.0 / pucks[i].lightSpeed_m_s();
     addWay(pucks[i], seenFrom_s, madeUntil_s_, base_s_, corners_);
     way.count = static_cast<int>(corners_.size()) - way.first;

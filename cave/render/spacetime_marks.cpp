@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-/// Where points of a body are drawn, at the moment that is viewed.
+/// Computes where points of a body are drawn, at the moment that is viewed.
 class OnBody {
  public:
   OnBody(const MarkContext& sight, const BodyView& view, ViewTime moment)
@@ -36,7 +36,7 @@ class OnBody {
 
 constexpr std::size_t kAround = 96;
 
-/// A ring on the board around `middle_m`, between two radii.
+/// Adds a ring on the board around `middle_m`, between two radii.
 void addRing(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double inner_m, double outer_m,
              const glm::vec4& colour) {
   std::array<glm::dvec3, kAround + 1> inner, outer;
@@ -49,7 +49,7 @@ void addRing(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, doubl
   batch.addStrip(inner, outer, colour);
 }
 
-/// An arc of the light's sphere: around the vertical at one height, or over the top at one azimuth.
+/// Adds an arc of the light's sphere: around the vertical at one height, or over the top at one azimuth.
 template <typename Direction>
 void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double radius_m,
             const glm::vec4& colour, const Direction& direction) {
@@ -60,7 +60,8 @@ void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double
   batch.addLine(arc, colour, kHalfWidth_rad);
 }
 
-/// Light of a flash on its way: what of its sphere is above the cloth, in hoops, and the ring on the cloth.
+/// Adds the light of a flash on its way: the part of its sphere above the cloth, as hoops, and the ring on
+/// the cloth.
 void addSphere(MarkBuffer& batch, const Resting& draw, const Event& flash, double radius_m) {
   const double left = std::clamp(1.0 - radius_m / kSphere_m, 0.0, 1.0);
   const glm::vec4 faint(kFlashColour, static_cast<float>(0.55 * left));
@@ -88,7 +89,7 @@ void addSphere(MarkBuffer& batch, const Resting& draw, const Event& flash, doubl
           glm::vec4(kFlashColour, static_cast<float>(0.4 + 0.6 * left)));
 }
 
-/// A ring around the place, and on a pin a flag with the number; since `age_s` ago it is seen.
+/// Adds a ring around the place and, on a pin, a flag with the number. The event has been seen for `age_s`.
 void addMarker(MarkBuffer& batch, const MarkContext& sight, const Resting& draw, const GameEvent& event,
                double age_s, float shown, LabelLayout& crowd) {
   const bool flash = event.kind == EventKind::flash;
@@ -106,12 +107,12 @@ void addMarker(MarkBuffer& batch, const MarkContext& sight, const Resting& draw,
   const double glowing = 1.0 - age_s / kFlashSeen_s;
   if (glowing <= 0.0) return;
   const glm::vec4 light(kFlashColour, static_cast<float>(glowing));
-  // No thing on the table but dazzle: nearer than all that could cut it.
+  // The flash is drawn nearer than everything that could cut it: it is dazzle, not an object on the table.
   constexpr double kNearer = 0.6;
   batch.addGlow(kNearer * draw(at_m), kNearer * (flash ? 0.3 : 0.08), light);
 }
 
-/// The events that the eye has seen last, the latest first.
+/// Selects the events that the eye has seen last, the latest first.
 class Latest {
  public:
   struct Seen {
@@ -170,7 +171,8 @@ void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
     const glm::vec4 colour(codeOf(glm::max(colours[body], glm::vec3(0.08F))), 1.0F);
     const std::array<glm::dvec3, 2> stem{draw(Vec3(0.0)), draw(foot_m)};
     batch.addLine(stem, colour, 0.0014);
-    // The plate is no thing: it stands there upright, as if at rest, so that it can be read at any speed.
+    // The plate is no object of the scene: it stands upright, as if at rest, so that it can be read at any
+    // speed.
     addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) {
       return stem[1] + resting(plate.foot_m + offset_m) - resting(plate.foot_m);
     });
@@ -179,7 +181,7 @@ void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
 
 namespace {
 
-/// A figure of `corners` around a place, seen from the front, between two radii.
+/// Adds a figure of `corners` around a place, seen from the front, between two radii.
 void addFigure(MarkBuffer& batch, const glm::dvec3& drawn_m, const glm::dvec3& up_m, int corners,
                double inner_m, double outer_m, const glm::vec4& colour) {
   const glm::dvec3 across_m = glm::cross(drawn_m, up_m);
@@ -225,7 +227,7 @@ void addBeacons(const MarkContext& sight, std::span<const glm::vec3> colours, st
     }
   };
   add(sight.ghosts.myNow, ViewTime::myNow);
-  add(sight.ghosts.boardNow, ViewTime::boardNow);  // for a head at rest the same: its diamond within the ring
+  add(sight.ghosts.boardNow, ViewTime::boardNow);  // the same for a head at rest: within the ring
 }
 
 SpacetimeMarks::SpacetimeMarks(const Scene& scene)

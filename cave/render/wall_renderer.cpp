@@ -47,25 +47,25 @@ constexpr int kTexels = 15;
 static_assert(sizeof(GpuLeg) == kTexels * 4 * sizeof(float),
               "shaders/leg_at.glsl reads fifteen texels a leg");
 
-constexpr float kAlways_m = -1e30F;     // stands for a body that always existed
-constexpr float kDecalNearer = 0.002F;  // share of the distance by which a decal is drawn nearer
-constexpr float kHatch = 0.5F;          // of a ghost, of how far its body reaches from its centre
+constexpr float kAlways_m = -1e30F;     // means that the body has always existed
+constexpr float kDecalNearer = 0.002F;  // fraction of the distance by which a decal is drawn nearer
+constexpr float kHatch = 0.5F;          // of a ghost, as a fraction of its body's reach from its centre
 
-/// Where the legs of one body lie in the buffer.
+/// The range of one body's legs in the buffer.
 struct LegRange {
   int first = 0;
   int count = 0;
   float appears_m = kAlways_m;
 };
 
-/// The bodies as they are seen, or their ghosts.
+/// The bodies as they are seen, or one kind of ghosts.
 struct Layer {
   std::vector<LegRange> ranges;  ///< of each body; empty: not drawn
   glm::mat4 drawnFromSeen{1.0F};
   bool made = false;  ///< there are actors
 };
 
-/// What the shaders of all parts need, for one eye and one wall.
+/// The uniforms that the shaders of all parts share, for one eye and one wall.
 struct EyeUniforms {
   glm::mat4 clipFromDrawn{1.0F};
   glm::mat4 boardFromDrawn{1.0F};
@@ -82,8 +82,8 @@ struct EyeUniforms {
   float lightSpeed_m_s = 0.0F;
 };
 
-/// Where the body of a leg is drawn, if its frame is the drawn one, moved to the centre: when all switches
-/// are off.
+/// Returns where the body of a leg is drawn, shifted to its centre, if its frame is the one that is drawn:
+/// when all switches are off.
 glm::mat4 placement(const GpuLeg& leg) {
   const auto column = [&](int i) { return glm::vec4(leg.toSeenX[i], leg.toSeenY[i], leg.toSeenZ[i], 0.0F); };
   return {column(1), column(2), column(3), glm::vec4(leg.seenCentre, 1.0F)};
@@ -101,7 +101,7 @@ class PartUniforms : public vtkCommand {
     const bool ghost = moment != ViewTime::seen;
     const bool decal = part->paint == Paint::shadow;
     state->SetEnumState(GL_BLEND, decal || ghost);
-    state->vtkglDepthMask(decal ? GL_FALSE : GL_TRUE);  // shadows lie in each other
+    state->vtkglDepthMask(decal ? GL_FALSE : GL_TRUE);  // shadows overlap each other
     state->SetEnumState(GL_CLIP_DISTANCE0, legs.appears_m > kAlways_m);
     program.SetUniformi("legTexels", eye->legTexels);
     program.SetUniformi("firstLeg", legs.first);
@@ -139,7 +139,7 @@ class PartUniforms : public vtkCommand {
   float hatch_m = 1.0F;         ///< from stripe to stripe of a ghost
 
  private:
-  /// VTK wants the elements in the order that OpenGL does.
+  /// Sets a matrix; VTK takes its elements in OpenGL's order.
   static void set(vtkShaderProgram& program, const char* name, const glm::mat4& matrix) {
     program.SetUniformMatrix4x4(name, const_cast<float*>(glm::value_ptr(matrix)));
   }
@@ -194,9 +194,9 @@ void WallRenderer::Stage::prepareWindow(int samples) {
   window->OpenGLInit();
 
   renderer->SetBackground(0.0, 0.0, 0.0);
-  renderer->GetCullers()->RemoveAllItems();  // they cull where Euclid would see things
+  renderer->GetCullers()->RemoveAllItems();  // VTK's cullers assume Euclidean places
   renderer->AutomaticLightCreationOff();
-  vtkNew<vtkCamera> camera;  // unused by the shaders; without one VTK would measure the scene
+  vtkNew<vtkCamera> camera;  // unused by the shaders; without a camera VTK would compute the scene's bounds
   renderer->SetActiveCamera(camera);
 }
 
@@ -209,8 +209,8 @@ void WallRenderer::Stage::prepareColours() {
   colourTexture->CreateTextureBuffer(static_cast<unsigned>(texels), 4, VTK_FLOAT, colourBuffer);
 }
 
-/// A part of a body that can turn has two actors, of which one is seen: for a body that the eye sees on one
-/// straight leg the shader is much shorter. They share the mesh's buffers.
+/// Adds a part. A part of a body that can turn has two actors, of which one is visible, since the shader is
+/// much shorter for a body that the eye sees on one straight leg. They share the mesh's buffers.
 void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, ViewTime moment) {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputData(part.mesh);
@@ -237,7 +237,7 @@ void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, ViewTime mom
   actors.push_back({actor.Get(), legs, moment, &part});
 }
 
-/// After all else: one looks through them.
+/// Adds ghosts after everything else, because they are transparent.
 void WallRenderer::Stage::addGhosts(ViewTime moment) {
   Layer& layer = eye.layers[static_cast<std::size_t>(moment)];
   if (layer.made) return;
@@ -250,7 +250,8 @@ void WallRenderer::Stage::addGhosts(ViewTime moment) {
   chooseShaders();
 }
 
-/// VTK keeps the programs it has made: switching back costs little.
+/// Selects the shaders for the switches. VTK keeps the programs it has compiled, so switching back costs
+/// little.
 void WallRenderer::Stage::chooseShaders() {
   for (const auto& [actor, legs, moment, part] : actors) {
     vtkShaderProperty& shaders = *actor->GetShaderProperty();
@@ -312,8 +313,8 @@ void WallRenderer::Stage::upload() {
 
 void WallRenderer::Stage::drawScene(const RenderTarget& picture, const glm::ivec2& size,
                                     const WallDrawing& drawing) {
-  // VTK's buffers grow to the largest picture and stay: made anew for every size they would cost more than
-  // the drawing.
+  // VTK's buffers grow to the largest picture and keep that size: creating them for every size would cost
+  // more than the drawing.
   buffer_px = glm::max(buffer_px, size);
   window->SetSize(buffer_px.x, buffer_px.y);
   renderer->SetViewport(0.0, 0.0, static_cast<double>(size.x) / buffer_px.x,

@@ -40,7 +40,8 @@ enum class Flip {
   both,  ///< upside down, as for a projector hung from the ceiling
 };
 
-/// What keeps the swaps of all nodes together (cave/cluster/frame_lock.h), as a rig asks for it.
+/// The mechanism that keeps the swaps of all nodes together (cave/cluster/frame_lock.h), as a rig asks for
+/// it.
 enum class FrameLock : std::uint8_t { software, swapGroup };
 inline constexpr std::array<std::string_view, 2> kFrameLocks{"software", "swap-group"};
 

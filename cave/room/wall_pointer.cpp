@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-/// Returns whose half of the pane `share` is in, and makes `share` a share of that half.
+/// Returns the eye whose half of the pane contains `share`, and makes `share` a fraction of that half.
 Eye halve(double& share) {
   const bool second = share >= 0.5;
   share = 2.0 * share - (second ? 1.0 : 0.0);

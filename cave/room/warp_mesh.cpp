@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::uintmax_t kMostBytes = 128U << 20U;
 constexpr float kFarthest =
-    16.0F;  // in window or picture widths: what is beyond is another unit, or no number
+    16.0F;  // in window or picture widths: anything beyond is in another unit, or not a number
 
 [[noreturn]] void fault(std::size_t line, std::size_t column, const std::string& message) {
   throw std::runtime_error(fmt::format("{}:{}: {}", line, column, message));
 }
 
-/// The beginning of a text as it can be printed.
+/// Returns the beginning of a text in printable form.
 std::string shown(std::string_view text) {
   std::string printable(text.substr(0, 40));
   std::replace_if(
@@ -41,9 +41,9 @@ std::optional<Number> whole(std::string_view text) {
   return value;
 }
 
-bool isNear(float value) { return std::abs(value) <= kFarthest; }  // not so for NaN
+bool isNear(float value) { return std::abs(value) <= kFarthest; }  // false for NaN
 
-/// A text file's words, line by line.
+/// Reads the words of a text file, line by line.
 class Lines {
  public:
   explicit Lines(std::string_view content) : left_(content) {}
@@ -57,7 +57,7 @@ class Lines {
     at_ = 0;
     return true;
   }
-  /// Empty at the line's end.
+  /// Returns the line's next word, or an empty one at its end.
   std::string_view word() {
     constexpr std::string_view kBlanks = " \t\r\f\v";
     wordAt_ = std::min(line_.find_first_not_of(kBlanks, at_), line_.size());
@@ -70,14 +70,14 @@ class Lines {
     if (!value || !isNear(*value)) wrong(text, fmt::format("a number from {} to {}", -kFarthest, kFarthest));
     return *value;
   }
-  /// Names the last word.
+  /// Throws a fault at the last word.
   [[noreturn]] void wrong(std::string_view text, const std::string& expected) const {
     fault(number_, wordAt_ + 1,
           text.empty() ? "something is missing here, expected " + expected
                        : fmt::format("'{}' is wrong, expected {}", shown(text), expected));
   }
   std::size_t lineNumber() const { return number_; }
-  /// What follows the lines so far.
+  /// Returns the text after the lines read so far.
   std::string_view rest() const { return left_; }
 
  private:
@@ -96,7 +96,7 @@ class ObjReader {
     while (lines_.next()) {
       const std::string_view keyword = lines_.word();
       if (keyword == "v") {
-        window_.push_back((pair() + 1.0F) * 0.5F);  // of z a window has no use
+        window_.push_back((pair() + 1.0F) * 0.5F);  // z is not used: the window is flat
       } else if (keyword == "vt") {
         picture_.push_back(pair());
       } else if (keyword == "f") {
@@ -118,9 +118,10 @@ class ObjReader {
     const float x = lines_.number();
     return {x, lines_.number()};
   }
-  /// Corners count from 1; whether they are among the points is known at the end of the file.
+  /// Returns the index of a corner, whose number counts from 1. Whether it is among the points is checked at
+  /// the end of the file.
   std::uint32_t corner(std::string_view text) {
-    constexpr std::uint32_t kMost = kMostBytes;  // a point takes more than a byte
+    constexpr std::uint32_t kMost = kMostBytes;  // a point takes more than one byte
     const std::size_t slash = std::min(text.find('/'), text.size());
     const std::string_view vertex = text.substr(0, slash);
     const std::string_view rest = text.substr(std::min(slash + 1, text.size()));
@@ -172,7 +173,7 @@ class ObjReader {
   std::size_t largestLine_ = 1;
 };
 
-/// The floats of a PFM.
+/// The grid of floats in a PFM.
 struct FloatGrid {
   std::size_t columns = 0, rows = 0;
   bool bigEndian = false;
@@ -193,7 +194,7 @@ struct FloatGrid {
   }
 };
 
-/// "PF", columns and rows, scale: a line each, then the grid and nothing else.
+/// Reads "PF", columns and rows, and the scale, on one line each, then the grid, which must end the file.
 FloatGrid gridOf(std::string_view content) {
   constexpr std::size_t kMost = kMostBytes / 12;
   Lines lines(content);
@@ -214,7 +215,7 @@ FloatGrid gridOf(std::string_view content) {
     const std::string_view text = lines.word();
     const auto value = whole<std::size_t>(text);
     const bool isColumns = count == &grid.columns;
-    const std::size_t least = isColumns ? 4 : 2;  // two each way for each of two eyes
+    const std::size_t least = isColumns ? 4 : 2;  // two in each direction for each of the two eyes
     if (!value || *value < least || *value > kMost || (isColumns && *value % 2 != 0)) {
       lines.wrong(text, isColumns ? "an even number of columns from 4, half of them for each eye"
                                   : "a number of rows from 2");
@@ -232,7 +233,7 @@ FloatGrid gridOf(std::string_view content) {
   grid.bigEndian = *scale > 0.0;
   grid.bytes = lines.rest();
   grid.at = content.size() - grid.bytes.size();
-  // No overflow: each is at most kMost, under 2^24.
+  // The product cannot overflow: each factor is at most kMost, under 2^24.
   if (const std::size_t needed = 12 * grid.columns * grid.rows; grid.bytes.size() != needed) {
     fault(1, 1,
           fmt::format("{} × {} points take {} bytes behind the header, but there are {}, expected it whole",
@@ -241,7 +242,7 @@ FloatGrid gridOf(std::string_view content) {
   return grid;
 }
 
-/// One eye's part of the grid, two triangles a cell.
+/// Returns one eye's part of the grid as a mesh, with two triangles per cell.
 WarpMesh meshOf(const FloatGrid& grid, std::size_t firstColumn) {
   const std::size_t columns = grid.columns / 2, rows = grid.rows;
   WarpMesh mesh;

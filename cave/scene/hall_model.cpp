@@ -13,10 +13,10 @@
 namespace carom {
 namespace {
 
-constexpr double kCell_m = 1.0 / 6.0;  // one for all that meets: where cells differed, cracks would open
+constexpr double kCell_m = 1.0 / 6.0;  // the same for all parts that meet: different cells would leave cracks
 constexpr double kColumnCell_m = 0.3;
 
-/// The share of the hall's light that a table leaves on the floor at this place.
+/// Returns the fraction of the hall's light that a table leaves on the floor at this place.
 double lightUnderTable(const glm::dvec2& place, const glm::dvec2& tableSize_m) {
   if (tableSize_m.x <= 0.0) return 1.0;
   const glm::dvec2 outside = glm::max(glm::abs(place) - 0.5 * tableSize_m + 0.25, glm::dvec2(0.0));
@@ -32,7 +32,7 @@ ScenePart floorPart(const Hall& hall, const glm::dvec2& tableSize_m, double cell
   return {kRestingBody, floor.build(), Paint::floor, glm::vec3(0.50F, 0.43F, 0.34F), 0.05F};
 }
 
-/// The middles of the flat lamps under the ceiling.
+/// Returns the middles of the flat lamps under the ceiling.
 std::array<glm::dvec2, 16> ceilingLamps(const Hall& hall) {
   std::array<glm::dvec2, 16> middles;
   for (std::size_t i = 0; i < middles.size(); ++i) {
@@ -42,7 +42,7 @@ std::array<glm::dvec2, 16> ceilingLamps(const Hall& hall) {
   return middles;
 }
 
-/// What those lamps add to the ceiling's light.
+/// Returns what those lamps add to the ceiling's light.
 double lightBesideLamps(const Hall& hall, const glm::dvec2& place) {
   double light = 0.0;
   for (const glm::dvec2& lamp : ceilingLamps(hall)) {
@@ -62,9 +62,9 @@ ScenePart ceilingPart(const Hall& hall, double cell_m) {
   return {kRestingBody, ceiling.build(), Paint::panels, glm::vec3(0.72F, 0.70F, 0.66F), 0.0F};
 }
 
-/// The wall towards `outwards`, `half_m` from the middle.
+/// Returns the wall in the direction `outwards`, `half_m` from the middle.
 ScenePart wallPart(const Hall& hall, const glm::dvec2& outwards, const glm::vec3& colour, double cell_m) {
-  const glm::dvec2 along(outwards.y, -outwards.x);  // to the right of someone who looks at it
+  const glm::dvec2 along(outwards.y, -outwards.x);  // to the right, for a person who looks at the wall
   const double half_m = 0.5 * (outwards.x == 0.0 ? hall.size_m.y : hall.size_m.x);
   const double width_m = outwards.x == 0.0 ? hall.size_m.x : hall.size_m.y;
   MeshBuilder wall;
@@ -76,7 +76,7 @@ ScenePart wallPart(const Hall& hall, const glm::dvec2& outwards, const glm::vec3
   return {kRestingBody, wall.build(), Paint::panels, colour, 0.0F};
 }
 
-/// Round columns in two rows along the walls towards ±y, with base and capital.
+/// Returns round columns in two rows along the walls towards ±y, with base and capital.
 ScenePart columnsPart(const Hall& hall, double cell_m) {
   MeshBuilder columns;
   const double top_m = hall.size_m.z;
@@ -97,7 +97,7 @@ std::vector<ScenePart> wallClocks(const Hall& hall, double cell_m) {
   const double z = hall.floor_m + 2.6;
   const double x = 0.5 * hall.size_m.x - 0.1;
   const double y = 0.5 * hall.size_m.y - 0.1;
-  // Off the middle, where a split wall has its line: one for each half.
+  // The clocks are off the middle, where a split wall has its line: there is one for each half.
   for (const double aside_m : {-0.95, 0.95}) {
     clocks.add({aside_m, y, z}, {0, -1, 0}, 1.1, cell_m);
     clocks.add({aside_m, -y, z}, {0, 1, 0}, 1.1, cell_m);
@@ -107,7 +107,7 @@ std::vector<ScenePart> wallClocks(const Hall& hall, double cell_m) {
   return clocks.parts();
 }
 
-/// Flat lamps under the ceiling.
+/// Returns flat lamps under the ceiling.
 ScenePart ceilingLampsPart(const Hall& hall, double cell_m) {
   MeshBuilder lamps;
   const double z = hall.floor_m + hall.size_m.z - 0.03;

@@ -25,12 +25,13 @@ namespace {
 constexpr int kSectors = 72;
 constexpr double kShadowHeight_m = 0.0005;  // above the cloth
 
-/// Around a puck of this radius.
+/// Returns the number of sectors around a puck of this radius.
 int sectorsOf(double radius_m, double cell_m) {
   return std::max(kSectors, cellsFor(2.0 * std::numbers::pi * radius_m, cell_m));
 }
 
-/// A ring of the puck, from (radius, z) to (radius, z); outer side to the right of the way.
+/// Adds a ring of the puck, from (radius, z) to (radius, z); its outer side is to the right of that
+/// direction.
 void addRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, const glm::dvec3& surface,
              double cell_m) {
   mesh.addPatch(sectorsOf(surface.x, cell_m), cellsFor(glm::distance(from, to), cell_m),
@@ -41,8 +42,8 @@ void addRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, co
                 });
 }
 
-/// A ring cut at 45° that is lit as if it were round: its normals go from the angle `from_rad` above outwards
-/// on by a right angle.
+/// Adds a ring with a slope of 45° that is shaded as if it were round: its normals turn by a right angle,
+/// starting at `from_rad` above outwards.
 void addRoundRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, double from_rad,
                   const glm::dvec3& surface, double cell_m) {
   constexpr int kSteps = 4;
@@ -56,9 +57,9 @@ void addRoundRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& t
                 });
 }
 
-/// What a puck takes from the cloth of the light of each lamp (0 to 2) and of the hall (3), in this order in
-/// surface.y; surface.x is 0 where all of it is hidden and 1 where nothing is, surface.z the puck's height.
-/// Discs: where their far side comes to lie is the vertex shader's work.
+/// Returns the shadow of a puck: the fraction that it takes from the cloth's light of each lamp (0 to 2) and
+/// of the hall (3), in this order in surface.y. surface.x is 0 where all of that light is hidden and 1 where
+/// none is; surface.z is the puck's height. The parts are discs; the vertex shader places their far side.
 ScenePart shadowPart(double radius_m, double height_m, std::size_t body, double cell_m) {
   constexpr double kHall = 3.0;
   const double z = kShadowHeight_m - 0.5 * height_m;
@@ -75,7 +76,7 @@ ScenePart shadowPart(double radius_m, double height_m, std::size_t body, double 
   const double hallReach_m = radius_m + 0.9 * height_m;
   addDisc(kHall, hallReach_m, 0.95 * radius_m, 1.0);
   addDisc(kHall, 0.95 * radius_m, 0.0, 0.0);
-  // A lamp of 0.22 m radius 1.45 m above: the top rim's shadow is soft over ±0.15 of its height.
+  // For a lamp of 0.22 m radius 1.45 m above, the top rim's shadow is soft over ±0.15 of its height.
   const double soft_m = 0.15 * height_m;
   for (const double lamp : {0.0, 1.0, 2.0}) {
     addDisc(lamp, radius_m + soft_m, radius_m - soft_m, 1.0);
@@ -84,7 +85,7 @@ ScenePart shadowPart(double radius_m, double height_m, std::size_t body, double 
   return {body, shadow.build(), Paint::shadow, glm::vec3(0.0F), 0.0F};
 }
 
-/// Moves the box's middle to the origin and scales to the radius.
+/// Returns the transform that moves the middle of the mesh's box to the origin and scales it to the radius.
 vtkSmartPointer<vtkTransform> fitTo(vtkPolyData& mesh, double radius_m) {
   std::array<double, 6> box{};
   mesh.GetBounds(box.data());
@@ -101,8 +102,8 @@ vtkSmartPointer<vtkTransform> fitTo(vtkPolyData& mesh, double radius_m) {
   return transform;
 }
 
-/// Triangles whose edges are no longer than asked, halved in passes: in a pass every edge that is too long,
-/// so that triangles on both sides of an edge agree and no crack opens. Stops before a pass that would make
+/// Divides triangles until no edge is longer than asked. Each pass halves every edge that is too long, so
+/// that the triangles on both sides of an edge agree and no crack opens. Stops before a pass that would make
 /// more vertices than asked.
 vtkSmartPointer<vtkPolyData> dividedTo(const Tessellation& tessellation, vtkSmartPointer<vtkPolyData> mesh) {
   constexpr int kMostPasses = 24;

@@ -7,13 +7,13 @@
 namespace carom {
 namespace {
 
-/// Of the same kind and divided alike.
+/// Returns whether two notes are of the same kind and divided alike.
 bool alike(const MeshNote& a, const MeshNote& b) {
   return a.kind == b.kind && a.vertices == b.vertices && a.divided == b.divided &&
          a.longestEdge_m == b.longestEdge_m;
 }
 
-/// "Puck white, red".
+/// Returns the names in one text, such as "Puck white, red".
 std::string joined(std::span<const MeshNote> notes) {
   std::string text = notes.front().kind;
   for (std::size_t i = 0; i < notes.size(); ++i) text += (i > 0 ? ", " : " ") + notes[i].name;
@@ -36,7 +36,7 @@ std::vector<WorldLine> reachingTo(std::span<const WorldLine> histories, std::spa
 
 std::string tessellationReport(const Scene& scene, const Tessellation& tessellation) {
   const double tolerance_rad = 0.5 * tessellation.pixel_rad;
-  constexpr double kRounding = 1.0 + 1e-5;  // of places in single precision
+  constexpr double kRounding = 1.0 + 1e-5;  // of coordinates in single precision
   std::string text;
   std::size_t total = 0;
   for (auto note = scene.notes.begin(); note != scene.notes.end();) {

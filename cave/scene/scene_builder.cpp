@@ -22,9 +22,9 @@ namespace {
 
 constexpr double kLampHeight_m = 1.45;  // above the cloth
 constexpr double kOpenPlane_m = 6.0;
-constexpr double kAroundTable_m = 5.0;  // the least space between the table and the hall's walls
+constexpr double kAroundTable_m = 5.0;  // least space between the table and the hall's walls
 
-constexpr double kHallCoarser = 4.0;  // its cells against the table's: one stands closer to the table
+constexpr double kHallCoarser = 4.0;  // its cells relative to the table's, which is nearer to the person
 
 void append(std::vector<ScenePart>& to, std::vector<ScenePart> parts) {
   std::move(parts.begin(), parts.end(), std::back_inserter(to));
@@ -68,7 +68,7 @@ double reachOf(std::span<const ScenePart> parts) {
   return reach_m;
 }
 
-/// What rests on the board.
+/// The parts that rest on the board.
 struct Resting {
   std::vector<ScenePart> table;
   std::vector<ScenePart> hall;
@@ -85,9 +85,9 @@ Resting restingParts(const BilliardSetup& setup, const Hall& hall, const glm::dv
   return resting;
 }
 
-/// The finest cells of the table, at least `finest_m`, with which `build` makes no more than `most` vertices:
-/// from coarse to fine, with counts taken to grow as 1/cell². They grow a little slower, so each step stays
-/// short of the goal.
+/// Returns the finest cells of the table, at least `finest_m`, with which `build` makes at most `most`
+/// vertices. It goes from coarse to fine and assumes that counts grow as 1/cell²; they grow a little slower,
+/// so each step stays short of the goal.
 template <typename Build>
 Resting finestWithin(std::size_t most, double finest_m, const Build& build) {
   constexpr double kCoarsest_m = 0.05;
@@ -105,11 +105,11 @@ Resting finestWithin(std::size_t most, double finest_m, const Build& build) {
   return found;
 }
 
-/// Of cells whose diagonals are the longest edges.
+/// Returns the size of cells whose diagonals are the longest edges.
 double cellOf(const Tessellation& tessellation) { return tessellation.edge_m() / std::sqrt(2.0); }
 
-/// The finest parts of a body, with cells no smaller than `finest_m`, that have no more than `most` vertices;
-/// or the coarsest that `build` makes.
+/// Returns the finest parts of a body, with cells no smaller than `finest_m`, that have at most `most`
+/// vertices; otherwise the coarsest that `build` makes.
 template <typename Build>
 std::vector<ScenePart> finestPartsWithin(std::size_t most, double finest_m, const Build& build) {
   constexpr double kLeastStep = 1.1;
@@ -119,18 +119,18 @@ std::vector<ScenePart> finestPartsWithin(std::size_t most, double finest_m, cons
     const double share =
         static_cast<double>(verticesOf(parts)) / static_cast<double>(std::max<std::size_t>(1, most));
     if (share <= 1.0) return parts;
-    cell_m *= std::max(kLeastStep, std::sqrt(share));  // counts grow as 1/cell² at most
+    cell_m *= std::max(kLeastStep, std::sqrt(share));  // counts grow at most as 1/cell²
   }
   return build(kAnyCell_m);
 }
 
-/// A body as it will be drawn, and how many vertices it would have without slow light.
+/// A body as it will be drawn, and its number of vertices without slow light.
 struct BuiltBody {
   std::vector<ScenePart> parts;
   std::size_t vertices = 0;
 };
 
-/// `looks` of body number `body`; `model(cell_m)` makes it where it has no mesh file.
+/// Builds body number `body` from `looks`; `model(cell_m)` makes it if it has no mesh file.
 template <typename Model>
 BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& colour,
                     const Tessellation& tessellation, const Model& model) {
@@ -202,13 +202,14 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
 
   append(scene.parts, std::move(divided.table));
   addBodies(scene, pucks, told, tessellation);
-  // Last what is behind all else, so that most of it is found hidden before it is painted.
+  // The background comes last, so that most of it is hidden before it is painted.
   append(scene.parts, std::move(divided.hall));
   return scene;
 }
 
 Ruler rulerBeside(const BilliardSetup& setup, const glm::dvec3& person_m) {
-  // Seen over the rail from a metre beside the table, also on a screen that begins at the table's height.
+  // The ruler is visible over the rail from a metre beside the table, also on a screen that begins at the
+  // table's height.
   const double y = setup.board ? 0.25 * setup.board->width_m : 1.0;
   const double side = person_m.y > 0.0 ? 1.0 : -1.0;
   return {{0.5 * side, side * y, 0.0}, {-side, 0.0, 0.0}, {0.0, -side, 0.0}};

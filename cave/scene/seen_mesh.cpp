@@ -27,7 +27,7 @@ vtkSmartPointer<vtkDoubleArray> makeArray(const char* name, int components) {
   return array;
 }
 
-/// Gathers the seen points of one part after another.
+/// Collects the seen points of one part after another.
 class Gathering {
  public:
   Gathering(const Event& observation, const Lorentz& headFromBoard)
@@ -36,7 +36,7 @@ class Gathering {
     body_->SetName("body");
   }
 
-  /// The part's points; where each went, -1 for the unseen.
+  /// Adds the part's points. Returns the index of each, or -1 if it is unseen.
   std::vector<vtkIdType> addPoints(const ScenePart& part, const WorldLine& line) {
     std::vector<vtkIdType> places;
     for (vtkIdType i = 0; i < part.mesh->GetNumberOfPoints(); ++i) {
@@ -48,7 +48,7 @@ class Gathering {
     return places;
   }
 
-  /// The part's triangles whose corners are all seen; how many are left out.
+  /// Adds the part's triangles whose corners are all seen. Returns how many are left out.
   std::size_t addTriangles(const ScenePart& part, const std::vector<vtkIdType>& places) {
     std::size_t leftOut = 0;
     const auto cells = vtk::TakeSmartPointer(part.mesh->GetPolys()->NewIterator());
@@ -102,7 +102,7 @@ class Gathering {
   vtkNew<vtkIntArray> body_;
 };
 
-/// Points of a body, and how many of them are unseen.
+/// The number of a body's points, and how many of them are unseen.
 struct Count {
   std::size_t points = 0;
   std::size_t unseen = 0;

@@ -10,7 +10,7 @@ namespace carom {
 namespace {
 
 constexpr double kRailTop_m = 0.045;     // above the cloth
-constexpr double kRailMiddle_m = 0.105;  // outwards from the cushion's edge: where diamonds and clocks are
+constexpr double kRailMiddle_m = 0.105;  // outwards from the cushion's edge: the place of diamonds and clocks
 constexpr double kRailEnd_m = 0.175;
 constexpr double kClockWidth_m = 0.26;
 constexpr double kCell_m = 0.05;
@@ -18,7 +18,7 @@ constexpr double kCell_m = 0.05;
 const glm::vec3 kClothColour(0.030F, 0.185F, 0.085F);
 const glm::vec3 kWoodColour(0.23F, 0.085F, 0.034F);
 
-/// One of the four sides: `outwards` from the cloth, `along` so that along × outwards points up.
+/// One of the four sides: `outwards` points away from the cloth, and along × outwards points up.
 struct Side {
   glm::dvec2 along;
   glm::dvec2 outwards;
@@ -36,12 +36,12 @@ std::array<Side, 4> sidesOf(const Board& board) {
           Side{{-1, 0}, {0, -1}, x, y, onLong}, Side{{0, -1}, {1, 0}, y, x, onShort}};
 }
 
-/// Cells along a side of the cloth: as many as the frame's outer edge needs, the same in all that meets
-/// there.
+/// Returns the number of cells along a side of the cloth: as many as the frame's outer edge needs, and the
+/// same in all parts that meet there.
 int cellsAlong(double side_m, double cell_m) { return cellsFor(side_m + 2.0 * kRailEnd_m, cell_m); }
 
-/// A strip of the frame around the cloth, mitred at the corners: the profile from (outwards, z) `from` to
-/// `to`.
+/// Adds a strip of the frame around the cloth, mitred at the corners, with the profile from `from` to `to` in
+/// (outwards, z).
 void addStrip(MeshBuilder& mesh, const Board& board, const glm::dvec2& from, const glm::dvec2& to,
               double cell_m) {
   const bool diamonds = from.y == kRailTop_m && to.y == kRailTop_m;
@@ -63,7 +63,7 @@ void addProfile(MeshBuilder& mesh, const Board& board, const std::vector<glm::dv
     addStrip(mesh, board, profile[i], profile[i + 1], cell_m);
 }
 
-/// A square leg, narrower at its foot.
+/// Adds a square leg that is narrower at its foot.
 void addLeg(MeshBuilder& mesh, const glm::dvec2& at, double top_m, double floor_m, double cell_m) {
   const std::array<glm::dvec2, 4> corners{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -117,7 +117,7 @@ std::vector<ScenePart> tableParts(const Board& board, double floor_m, double cel
 
   ClockMaker clocks;
   for (const Side& side : sidesOf(board)) {
-    // At the quarters of the long rails, out of the way of someone who stands at their middle.
+    // The clocks stand at the quarters of the long rails, out of the way of a person at their middle.
     const glm::dvec2 middle = (side.fromCentre_m + kRailMiddle_m) * side.outwards;
     const bool isLong = side.outwards.x == 0.0;
     const double aside_m = isLong ? 0.5 * side.halfLength_m : 0.0;
@@ -145,11 +145,11 @@ void ClockMaker::add(const glm::dvec3& foot_m, const glm::dvec3& facing, double 
   const double depth_m = 0.10 * width_m;
   for (const double sign : {1.0, -1.0}) {
     const glm::dvec3 out = sign * facing;
-    const glm::dvec3 right = glm::cross(up, out);  // of someone who looks at this face
+    const glm::dvec3 right = glm::cross(up, out);  // for a person who looks at this face
     const glm::dvec3 corner = foot_m + 0.5 * depth_m * out - 0.5 * width_m * right;
-    // The whole side is one face, its bezel painted: two layers would cut through each other once light bends
-    // them. The digits' field is 0.9 times as wide and, as body_vert.glsl relies on, 0.4 times as high as
-    // that.
+    // The whole side is one face with a painted bezel: two layers would intersect once light bends them. The
+    // digits' field is 0.9 times as wide as the side and, as body_vert.glsl relies on, 0.4 times as high as
+    // it is wide.
     const double field_m = 0.9 * width_m;
     faces_.addPatch(cellsFor(width_m, cell_m), cellsFor(height_m, cell_m), [&](double u, double v) {
       return PatchPoint{

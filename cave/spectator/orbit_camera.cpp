@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr double kFieldOfView_rad = 0.56;  // 32°: little distortion, as of a model on a table
+constexpr double kFieldOfView_rad = 0.56;  // 32°: little distortion, as for a model on a table
 constexpr double kPerPixel_rad = 0.006;
 constexpr double kPerNotch = 0.9;
 constexpr double kLowest_rad = -0.2, kHighest_rad = 1.5;
@@ -28,7 +28,7 @@ OrbitCamera::OrbitCamera(const RoomGeometry& room)
       most_m = glm::max(most_m, corner_m);
     }
   }
-  constexpr double kStanding_m = 1.8;  // a person on the room's origin is in sight, too
+  constexpr double kStanding_m = 1.8;  // a person at the room's origin is in view, too
   for (const glm::dvec3& place_m : {glm::dvec3(0.0), kStanding_m * room.up}) {
     least_m = glm::min(least_m, place_m);
     most_m = glm::max(most_m, place_m);
@@ -57,7 +57,7 @@ glm::dvec3 OrbitCamera::place_m() const {
 
 glm::dmat4 OrbitCamera::clipFromRoom(const glm::ivec2& picture_px) const {
   const double aspect = static_cast<double>(picture_px.x) / std::max(picture_px.y, 1);
-  // The whole room, in a window that is higher than wide, too.
+  // The whole room is in view, also in a window that is higher than wide.
   const double vertical_rad = 2.0 * std::atan(std::tan(0.5 * kFieldOfView_rad) / std::min(aspect, 1.0));
   return glm::perspective(vertical_rad, aspect, 0.02 * distance_m_, 20.0 * distance_m_) *
          glm::lookAt(place_m(), middle_m_, up_);

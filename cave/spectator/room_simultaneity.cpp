@@ -14,14 +14,14 @@ RoomSimultaneity::RoomSimultaneity(const Lorentz& boardFromRoom, const Event& ev
       event_(event),
       placeInRoom_m_(placeInRoom_m) {}
 
-/// The centre where its world line crosses the room's moment. Room time grows along every timelike line, so
-/// there is one such event; halving finds it between two that hold it.
+/// Returns the motion of the centre where its world line crosses this time of the room. Room time increases
+/// along every timelike line, so there is exactly one such event; bisection finds it.
 Motion RoomSimultaneity::at(const WorldLine& line) const {
   const auto roomTime_s = [&](double t_s) { return (roomFromBoard_ * (line.at(t_s).event - event_)).dt_s; };
   double before_s = event_.t_s, after_s = event_.t_s;
   for (double step_s = 1.0; roomTime_s(before_s) > 0.0 && step_s < 1e9; step_s *= 2.0) before_s -= step_s;
   for (double step_s = 1.0; roomTime_s(after_s) < 0.0 && step_s < 1e9; step_s *= 2.0) after_s += step_s;
-  constexpr double kEnough_s = 1e-9;  // light goes a nanometre
+  constexpr double kEnough_s = 1e-9;  // light travels a nanometre
   while (after_s - before_s > kEnough_s) {
     const double middle_s = 0.5 * (before_s + after_s);
     if (middle_s == before_s || middle_s == after_s) break;
@@ -30,8 +30,8 @@ Motion RoomSimultaneity::at(const WorldLine& line) const {
   return line.at(after_s);
 }
 
-/// At one moment of the room, dt = 0 there, so a body's point is at d = Λ dr with Λ the spatial part of
-/// bodyFromRoom; in the room it is at dr = Λ⁻¹ d.
+/// At one time of the room dt = 0, so a body's point is at d = Λ dr with Λ the spatial part of bodyFromRoom;
+/// in the room it is at dr = Λ⁻¹ d.
 std::optional<glm::dmat4> RoomSimultaneity::roomFromBody(const WorldLine& line) const {
   const Motion motion = at(line);
   if (motion.event.t_s < line.appears_s()) return std::nullopt;

@@ -84,7 +84,7 @@ void RoomSurfaces::drawGround(const OutsideView& view) const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
   blendOver();
   if (glm::dot(view.camera_m, room_.up) < floor_m_) return;
-  constexpr double kBelow_m = 0.01;  // a wall may be the floor
+  constexpr double kBelow_m = 0.01;  // the ground is lower, since a wall may be the floor
   const glm::dvec3 right = glm::cross(room_.forward, room_.up);
   Wall ground;
   ground.lowerLeft_m = (floor_m_ - kBelow_m) * room_.up - 0.5 * kGround_m * (right + room_.forward);

@@ -31,7 +31,7 @@ std::vector<SolidVertex> verticesOf(vtkPolyData& mesh) {
   return vertices;
 }
 
-/// Three corners a triangle; larger polygons as fans.
+/// Returns three corners per triangle; larger polygons become fans.
 std::vector<unsigned> trianglesOf(vtkPolyData& mesh) {
   std::vector<unsigned> corners;
   const auto cells = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());

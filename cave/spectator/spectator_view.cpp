@@ -24,8 +24,8 @@ namespace {
 
 constexpr int kSamples = 4;
 constexpr glm::ivec2 kWindowPlace_px{80, 80};
-constexpr float kTableCovers = 0.4F;   // the table is no thing of the room
-constexpr float kBehindCovers = 0.5F;  // of what is behind a wall
+constexpr float kTableCovers = 0.4F;   // the table is drawn transparent, as it is not in the room
+constexpr float kBehindCovers = 0.5F;  // opacity of what is behind a wall
 constexpr glm::vec3 kClock(0.02F);
 constexpr glm::vec4 kFrame(0.88F, 0.91F, 0.95F, 1.0F), kFarFrame(0.75F, 0.82F, 0.92F, 0.45F);
 constexpr glm::vec4 kTableEdge(0.65F, 1.0F, 0.80F, 0.9F);
@@ -37,9 +37,9 @@ struct BodySolid {
   Solid solid;
 };
 
-using Corners = std::array<glm::dvec3, 4>;  // in their order around a rectangle
+using Corners = std::array<glm::dvec3, 4>;  // in order around a rectangle
 
-/// Of the upper side of a mesh's bounding box.
+/// Returns the upper side of a mesh's bounding box.
 Corners topOf(vtkPolyData& mesh) {
   const double* b = mesh.GetBounds();
   return {{{b[0], b[2], b[5]}, {b[1], b[2], b[5]}, {b[1], b[3], b[5]}, {b[0], b[3], b[5]}}};
@@ -110,7 +110,7 @@ void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const SceneP
   }
 }
 
-/// Creates the picture, and again only when the window has another size.
+/// Creates the picture, and creates it anew when the window's size changes.
 void SpectatorView::Drawing::makePicture(const glm::ivec2& wanted_px) {
   if (wanted_px == size_px && picture) return;
   size_px = wanted_px;
@@ -144,7 +144,7 @@ void SpectatorView::Drawing::drawBodies(const RoomSimultaneity& moment, std::spa
   }
 }
 
-/// Draws its nearest surface alone: depth first.
+/// Draws only the table's nearest surface, by drawing its depth first.
 void SpectatorView::Drawing::drawTable(const glm::dmat4& roomFromTable) const {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   for (const Solid& part : table) solids.draw(part, roomFromTable, kTableCovers);
@@ -176,18 +176,18 @@ void SpectatorView::Drawing::drawLines(const FrameRecord& record,
       lines.push_back({inRoom_m(edge_m[i]), inRoom_m(edge_m[(i + 1) % 4]), kEdge_m, kTableEdge});
   }
   glDepthMask(GL_FALSE);
-  glEnable(GL_POLYGON_OFFSET_FILL);  // before the edges that they follow
+  glEnable(GL_POLYGON_OFFSET_FILL);  // in front of the edges that they follow
   glPolygonOffset(-2.0F, -2.0F);
   ribbons.draw(lines, view.clipFromRoom, size_px);
   glDisable(GL_POLYGON_OFFSET_FILL);
-  glDepthFunc(GL_GREATER);  // the table's edges behind a wall, dimly
+  glDepthFunc(GL_GREATER);  // the table's edges behind a wall are dim
   for (std::size_t i = ofRoom; i < lines.size(); ++i) lines[i].colour.a *= kBehindCovers;
   ribbons.draw(std::span<const Ribbon>(lines).subspan(ofRoom), view.clipFromRoom, size_px);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
 }
 
-/// Makes one sample of each pixel's many, in the picture.
+/// Resolves the samples of each pixel into the picture.
 void SpectatorView::Drawing::resolve() const {
   GLint readBefore = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
@@ -233,7 +233,7 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   glDepthFunc(GL_LESS);
   d.surfaces.drawPanels(d.view, walls);
   d.solids.begin(d.view, d.room.up, glm::cross(d.room.forward, d.room.up));
-  // What stands behind a wall, dimly.
+  // Draws dimly what stands behind a wall.
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_FALSE);
   d.drawBodies(moment, histories, kBehindCovers);

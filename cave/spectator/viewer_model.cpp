@@ -15,8 +15,8 @@ namespace {
 
 constexpr glm::vec3 kSkin(0.80F, 0.32F, 0.09F), kCoat(0.06F, 0.16F, 0.42F), kGlasses(0.02F),
     kWand(0.75F, 0.72F, 0.65F);
-constexpr double kBehindEyes_m = 0.09;  // the head's middle
-constexpr double kLowest_m = 0.5;       // of eyes above the floor, for a coat below them
+constexpr double kBehindEyes_m = 0.09;  // distance of the head's middle behind the eyes
+constexpr double kLowest_m = 0.5;       // least height of the eyes above the floor for a coat below them
 
 void addEllipsoid(MeshBuilder& mesh, const glm::dvec3& middle_m, const glm::dvec3& radii_m) {
   constexpr int kAround = 32, kUp = 20;
@@ -27,7 +27,7 @@ void addEllipsoid(MeshBuilder& mesh, const glm::dvec3& middle_m, const glm::dvec
   });
 }
 
-/// Skull and nose, and the eyes' 3-D glasses.
+/// Returns the skull and the nose, and the 3-D glasses before the eyes.
 std::vector<ModelPart> head() {
   MeshBuilder skull, glasses;
   addEllipsoid(skull, {0.0, -kBehindEyes_m, 0.01}, {0.078, 0.10, 0.125});
@@ -39,7 +39,7 @@ std::vector<ModelPart> head() {
   return {{skull.build(), kSkin}, {glasses.build(), kGlasses}};
 }
 
-/// A body without arms: as wide as a coat hangs, wider than deep.
+/// Returns a body without arms: a coat, wider than deep.
 vtkSmartPointer<vtkPolyData> coat() {
   constexpr std::array<glm::dvec2, 9> kProfile{{{0.0, 0.0},
                                                 {0.15, 0.01},
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> coat() {
   return mesh.build();
 }
 
-/// A ball where it is held, and the wand.
+/// Returns a ball where the wand is held, and the wand.
 vtkSmartPointer<vtkPolyData> wand() {
   MeshBuilder mesh;
   addEllipsoid(mesh, glm::dvec3(0.0), glm::dvec3(0.035));
