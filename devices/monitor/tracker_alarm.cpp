@@ -24,6 +24,8 @@ void TrackerAlarm::see(double now_s, std::span<const TrackerSample> samples) {
   for (const TrackerSample& sample : samples) {
     if (sample.sensor == sensor_) {
       seen_s_ = now_s;
+      pose_s_ = sample.time_s;
+      if (!back_s_) back_s_ = pose_s_;
       wasSeen_ = true;
     } else if (otherSensors_.size() < kMostSensors &&
                std::find(otherSensors_.begin(), otherSensors_.end(), sample.sensor) == otherSensors_.end()) {
@@ -46,13 +48,14 @@ std::optional<std::string> TrackerAlarm::look(double now_s, const TrackerHealth&
   if (trouble == Trouble::none) {
     if (sensor_ && now_s - seen_s_ > kLookEvery_s) return {};  // too soon to say so
     told_ = trouble;
-    const std::string again = returnLine(now_s);
+    const std::string again = returnLine();
     missedSince_s_.reset();
     return told(again);
   }
   messages_.clear();
   isNew(health);
-  if (told_ == Trouble::none && wasSeen_) missedSince_s_ = seen_s_;
+  if (told_ == Trouble::none && wasSeen_) missedSince_s_ = pose_s_;
+  back_s_.reset();
   told_ = trouble;
   return told(line(trouble, health));
 }
@@ -91,12 +94,12 @@ std::string TrackerAlarm::line(Trouble trouble, const TrackerHealth& health) con
       return (health.message.empty() ? "nothing has come yet" : health.message) +
              (health.connected ? "; it is waited for" : "; it is tried again") + held;
     case Trouble::silent:
-      return fmt::format("silent since second {:.1f} of the session{}", seen_s_, held);
+      return fmt::format("silent since second {:.1f} of the session{}", pose_s_, held);
     case Trouble::unseen:
       break;
   }
   if (wasSeen_) {
-    return fmt::format("sensor {} has not been seen since second {:.1f} of the session{}", *sensor_, seen_s_,
+    return fmt::format("sensor {} has not been seen since second {:.1f} of the session{}", *sensor_, pose_s_,
                        held);
   }
   return fmt::format(
@@ -108,9 +111,9 @@ std::string TrackerAlarm::told(const std::string& what) const {
   return fmt::format("Tracker {}: {}", name_, what);
 }
 
-std::string TrackerAlarm::returnLine(double now_s) const {
+std::string TrackerAlarm::returnLine() const {
   if (!missedSince_s_) return "delivers";
-  return fmt::format("delivers again, after {:.1f} s", now_s - *missedSince_s_);
+  return fmt::format("delivers again, after {:.1f} s", back_s_.value_or(pose_s_) - *missedSince_s_);
 }
 
 }  // namespace carom

@@ -33,14 +33,16 @@ class TrackerAlarm {
 
   Trouble troubleOf(double now_s, const TrackerHealth& health) const;
   std::string line(Trouble trouble, const TrackerHealth& health) const;
-  std::string returnLine(double now_s) const;
+  std::string returnLine() const;
   std::string told(const std::string& what) const;
   bool isNew(const TrackerHealth& health);
 
   std::string name_;
   std::optional<int> sensor_;
   std::string withoutIt_;
-  double seen_s_ = 0.0;  // when the wanted sensor was last seen, or the session's start
+  double seen_s_ = 0.0;           // when the wanted sensor was last seen, or the session's start
+  double pose_s_ = 0.0;           // the time of its newest pose; a frame that comes late sees it late
+  std::optional<double> back_s_;  // the time of its first pose since the last trouble was told
   bool wasSeen_ = false;
   std::vector<int> otherSensors_;
   double well_s_ = 0.0;  // when it last delivered, or the session's start

@@ -21,6 +21,7 @@ std::vector<std::pair<double, std::string>> said(const std::function<TrackerHeal
     const TrackerHealth health = healthAt(now_s);
     TrackerSample sample;
     sample.sensor = sensor;
+    sample.time_s = now_s;
     watch.see(now_s, {&sample, health.state == State::delivering ? 1u : 0u});
     if (!watch.isDue(now_s)) continue;
     if (const auto line = watch.look(now_s, health)) lines.emplace_back(now_s, *line);
@@ -49,6 +50,21 @@ TEST(TrackerAlarm, TellsOnceOfSilenceAndOnceOfItsEnd) {
   ASSERT_EQ(std::sscanf(lines[1].second.c_str(), "Tracker cap: delivers again, after %lf s", &away_s), 1)
       << lines[1].second;
   EXPECT_NEAR(away_s, lines[1].first - 2.0, 0.1);
+}
+
+// A frame that comes late sees poses late: what is told are the poses' own times.
+TEST(TrackerAlarm, TellsTheTimesOfThePosesNotOfTheFrames) {
+  TrackerAlarm watch("cap", 3);
+  TrackerSample sample;
+  sample.sensor = 3;
+  sample.time_s = 2.0;
+  watch.see(3.5, {&sample, 1});
+  EXPECT_EQ(watch.look(3.5, healthOf(State::delivering)), std::nullopt);
+  EXPECT_EQ(watch.look(9.0, healthOf(State::silent)),
+            "Tracker cap: silent since second 2.0 of the session; the head is held");
+  sample.time_s = 12.0;
+  watch.see(13.5, {&sample, 1});
+  EXPECT_EQ(watch.look(13.5, healthOf(State::delivering)), "Tracker cap: delivers again, after 10.0 s");
 }
 
 // The second silence is told with its own beginning.
