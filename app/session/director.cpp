@@ -12,7 +12,7 @@ FrameLeader::FrameLeader(FrameSource& source, KeysOf keys, const OperatorSetting
   settings_ = settings;
 }
 
-/// Applies a command. This is the only place where the operator's settings change.
+/// Applies a command and notes it. In a live game nothing else changes the settings.
 void FrameLeader::obey(const Command& command, Decision& decision) {
   if (!apply(command, settings_)) return;
   obeyed_.push_back(command);

@@ -66,7 +66,7 @@ TEST_F(GlObjects, AMoveHandsTheObjectOver) {
   ASSERT_TRUE(isBuffer(name));
   GlBuffer second = std::move(first);
   EXPECT_EQ(unsigned{second}, name);
-  EXPECT_EQ(unsigned{first}, 0U);  // NOLINT(bugprone-use-after-move): that is what is tested
+  EXPECT_EQ(unsigned{first}, 0U);  // moved from, which is what is tested
   EXPECT_TRUE(isBuffer(name));
 
   GlBuffer third;

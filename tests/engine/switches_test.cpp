@@ -9,7 +9,7 @@
 
 #include "engine/light/light_cone.h"
 #include "engine/light/vertex_history.h"
-#include "engine/random_world.h"
+#include "engine/seen_point.h"
 
 namespace carom {
 namespace {
@@ -17,21 +17,10 @@ namespace {
 constexpr double kC_m_s = 1.42;
 constexpr double kTolerance_m = 1e-8;  // rounding in double, through γ up to 7 twice
 
-struct Case {
-  WorldLine line;
-  Vec3 offset_m;
-  Event eye;
-  Lorentz headFromBoard;
-};
+using Case = test::SeenPoint;
 
-/// Bounces up to 0.9 c, `spacing_s` apart on average, seen by heads up to 0.95 c whose axes are turned.
 Case randomCase(test::Random& random, int bounces, double spacing_s, double friction_m_s2) {
-  const double radius_m = random.in(0.02, 0.2);
-  const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, bounces, spacing_s, 0.9, friction_m_s2);
-  const Event eye{random.in(-1.0, line.knots().back().turn.t_s + 3.0), random.inBox(2.0)};
-  const glm::dquat turn = glm::angleAxis(random.in(0.0, 3.0), random.direction());
-  const Vec3 offset_m = random.inBall(radius_m);
-  return {line, offset_m, eye, Lorentz::boost(random.u(0.95), kC_m_s) * Lorentz::rotation(turn, kC_m_s)};
+  return test::randomSeenPoint(random, kC_m_s, bounces, spacing_s, friction_m_s2, 3.0);
 }
 
 /// Where the kernel says that the point is drawn, as the shaders do it.
