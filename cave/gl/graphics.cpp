@@ -61,6 +61,9 @@ Graphics::Graphics(const std::string& display) {
                                          reinterpret_cast<const char*>(glewGetErrorString(status))));
   }
   input_.keys.reserve(64);
+  const std::string renderer = rendererName();
+  for (const char* const known : {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"})
+    inSoftware_ = inSoftware_ || renderer.find(known) != std::string::npos;
 }
 
 Graphics::~Graphics() {

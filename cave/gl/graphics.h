@@ -57,11 +57,14 @@ class Graphics {
   const WindowInput& poll();
 
   GLFWwindow* context() const { return context_; }
+  /// Returns whether the processor stands in for a graphics card: then samples cost as much as pixels.
+  bool inSoftware() const { return inSoftware_; }
   std::string rendererName() const;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)"
 
  private:
   friend class Window;
   GLFWwindow* context_ = nullptr;
+  bool inSoftware_ = false;
   GlFence drawn_;  // fence behind the last frame's drawing
   WindowInput input_;
 };

@@ -11,21 +11,20 @@
 namespace carom {
 namespace {
 
-/// Returns `mode` of shaders/stereo_frag.glsl.
-int packingOf(StereoMode mode) {
+/// Returns `mode` of shaders/stereo_frag.glsl if the eyes share the pane's pixels, 0 if each picture has its own
+/// part of the pane.
+int mixtureOf(StereoMode mode) {
   switch (mode) {
-    case StereoMode::sideBySide:
-      return 1;
-    case StereoMode::topBottom:
-      return 2;
     case StereoMode::anaglyph:
-      return 3;
+      return 1;
     case StereoMode::interlaced:
-      return 4;
+      return 2;
     case StereoMode::checkerboard:
-      return 5;
+      return 3;
     case StereoMode::anaglyphGrey:
-      return 6;
+      return 4;
+    case StereoMode::sideBySide:
+    case StereoMode::topBottom:
     case StereoMode::mono:
     case StereoMode::left:
     case StereoMode::right:
@@ -93,26 +92,50 @@ Pane StereoPacker::projected(const Pane& pane) {
 void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) {
   if (pane.projection) return draw(projected(pane), windowSize_px);
   if (pane.stereo == StereoMode::quadBuffer && pane.right) {
-    Pane oneEye = pane;
-    oneEye.right = nullptr;
     glDrawBuffer(GL_BACK_LEFT);
-    fill(oneEye, windowSize_px, 0);
-    oneEye.left = pane.right;
+    copy(*pane.left, pane.position_px, pane.size_px, windowSize_px);
     glDrawBuffer(GL_BACK_RIGHT);
-    fill(oneEye, windowSize_px, 0);
+    copy(*pane.right, pane.position_px, pane.size_px, windowSize_px);
     glDrawBuffer(GL_BACK);
     return;
   }
-  fill(pane, windowSize_px, packingOf(pane.stereo));
+  if (const int mixture = mixtureOf(pane.stereo)) return mix(pane, windowSize_px, mixture);
+  const RenderTarget& right = pane.right ? *pane.right : *pane.left;
+  const glm::ivec2 half_px = pane.size_px / 2;
+  if (pane.stereo == StereoMode::sideBySide) {
+    copy(*pane.left, pane.position_px, {half_px.x, pane.size_px.y}, windowSize_px);
+    copy(right, pane.position_px + glm::ivec2(half_px.x, 0), {pane.size_px.x - half_px.x, pane.size_px.y},
+         windowSize_px);
+  } else if (pane.stereo == StereoMode::topBottom) {
+    const int top_px = pane.size_px.y - half_px.y;
+    copy(*pane.left, pane.position_px, {pane.size_px.x, top_px}, windowSize_px);
+    copy(right, pane.position_px + glm::ivec2(0, top_px), {pane.size_px.x, half_px.y}, windowSize_px);
+  } else {
+    copy(*pane.left, pane.position_px, pane.size_px, windowSize_px);
+  }
 }
 
-void StereoPacker::fill(const Pane& pane, const glm::ivec2& windowSize_px, int mode) const {
+/// Copies a picture into a part of the window: pixel by pixel if that is as large, smoothly if not.
+void StereoPacker::copy(const RenderTarget& picture, const glm::ivec2& position_px, const glm::ivec2& size_px,
+                        const glm::ivec2& windowSize_px) const {
+  GLint readBefore = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, source_);
+  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.texture(), 0);
+  const glm::ivec2 from_px = picture.size_px();
+  const int top_px = windowSize_px.y - position_px.y;
+  glBlitFramebuffer(0, 0, from_px.x, from_px.y, position_px.x, top_px - size_px.y, position_px.x + size_px.x,
+                    top_px, GL_COLOR_BUFFER_BIT, from_px == size_px ? GL_NEAREST : GL_LINEAR);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
+}
+
+void StereoPacker::mix(const Pane& pane, const glm::ivec2& windowSize_px, int mixture) const {
   const RenderTarget& right = pane.right ? *pane.right : *pane.left;
   glDisable(GL_DEPTH_TEST);
   glViewport(pane.position_px.x, windowSize_px.y - pane.position_px.y - pane.size_px.y, pane.size_px.x,
              pane.size_px.y);
   glUseProgram(program_);
-  glUniform1i(glGetUniformLocation(program_, "mode"), mode);
+  glUniform1i(glGetUniformLocation(program_, "mode"), mixture);
   glUniform1f(glGetUniformLocation(program_, "windowHeight_px"), static_cast<float>(windowSize_px.y));
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, pane.left->texture());

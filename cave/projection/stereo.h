@@ -46,10 +46,13 @@ class StereoPacker {
 
  private:
   Pane projected(const Pane& pane);
-  void fill(const Pane& pane, const glm::ivec2& windowSize_px, int mode) const;
+  void copy(const RenderTarget& picture, const glm::ivec2& position_px, const glm::ivec2& size_px,
+            const glm::ivec2& windowSize_px) const;
+  void mix(const Pane& pane, const glm::ivec2& windowSize_px, int mixture) const;
 
   GlProgram program_;
   GlVertexArray vertexArray_;
+  GlFramebuffer source_;                                                // reads the picture that is copied
   std::map<const Projection*, std::unique_ptr<Projector>> projectors_;  // made when first drawn
 };
 

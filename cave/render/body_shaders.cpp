@@ -57,6 +57,9 @@ std::string paintText(Paint paint) {
   return shaders::paint_plain;
 }
 
+/// Returns whether what is painted so has no varnish, whatever its part's gloss.
+bool isMatt(Paint paint) { return paint == Paint::cloth || paint == Paint::panels || paint == Paint::shadow; }
+
 /// Returns the definitions that differ from one program to another.
 std::string variantText(Paint paint, const Switches& switches, ViewTime moment) {
   const auto define = [](const char* name, bool value) {
@@ -74,6 +77,7 @@ std::string variantText(Paint paint, const Switches& switches, ViewTime moment) 
   if (switches.colour) text += "#define COLOUR\n";
   if (paint == Paint::clock) text += "#define CLOCK\n";
   if (paint == Paint::shadow) text += "#define SHADOW\n";
+  if (isMatt(paint)) text += "#define MATT\n";
   if (paint == Paint::clock || paint == Paint::lamp) text += "#define GLOWS\n";
   return text + shaders::light_types;
 }

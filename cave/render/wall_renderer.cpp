@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@
 #include "cave/frame/clock_time.h"
 #include "cave/gl/view_colours.h"
 #include "cave/render/body_shaders.h"
+#include "cave/render/edge_smoother.h"
 #include "cave/render/spacetime_marks.h"
 #include "cave/room/off_axis.h"
 #include "engine/colour/doppler_colour.h"
@@ -49,7 +51,8 @@ static_assert(sizeof(GpuLeg) == kTexels * 4 * sizeof(float),
 
 constexpr float kAlways_m = -1e30F;     // means that the body has always existed
 constexpr float kDecalNearer = 0.002F;  // fraction of the distance by which a decal is drawn nearer
-constexpr float kHatch = 0.5F;          // of a ghost, as a fraction of its body's reach from its centre
+constexpr double kGoldenRatio = 0.61803398875;
+constexpr float kHatch = 0.5F;  // of a ghost, as a fraction of its body's reach from its centre
 
 /// The range of one body's legs in the buffer.
 struct LegRange {
@@ -101,7 +104,9 @@ class PartUniforms : public vtkCommand {
     const bool ghost = moment != ViewTime::seen;
     const bool decal = part->paint == Paint::shadow;
     state->SetEnumState(GL_BLEND, decal || ghost);
-    state->vtkglDepthMask(decal ? GL_FALSE : GL_TRUE);  // shadows overlap each other
+    state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, decal ? GL_ZERO : GL_ONE,
+                                  decal ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);  // a shadow has no edge
+    state->vtkglDepthMask(decal ? GL_FALSE : GL_TRUE);                       // shadows overlap each other
     state->SetEnumState(GL_CLIP_DISTANCE0, legs.appears_m > kAlways_m);
     program.SetUniformi("legTexels", eye->legTexels);
     program.SetUniformi("firstLeg", legs.first);
@@ -120,6 +125,7 @@ class PartUniforms : public vtkCommand {
     program.SetUniform3fv("lamps_m", 3, reinterpret_cast<const float(*)[3]>(eye->lamps_m.data()));
     program.SetUniform3f("colour", glm::value_ptr(part->colour));
     program.SetUniformf("gloss", part->gloss);
+    program.SetUniformf("tint", tint);
     program.SetUniformf("nearer", decal || ghost ? kDecalNearer : 0.0F);
     if (ghost) {
       program.SetUniform3f("ghostColour", glm::value_ptr(ghostColour));
@@ -135,6 +141,7 @@ class PartUniforms : public vtkCommand {
   const EyeUniforms* eye = nullptr;
   vtkOpenGLState* state = nullptr;
   ViewTime moment = ViewTime::seen;
+  float tint = 0.0F;            ///< sets its tone off from other parts'
   glm::vec3 ghostColour{0.0F};  ///< linear
   float hatch_m = 1.0F;         ///< from stripe to stripe of a ghost
 
@@ -162,6 +169,7 @@ struct WallRenderer::Stage {
   glm::ivec2 buffer_px{0};
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
+  std::optional<EdgeSmoother> smoother;
   vtkNew<vtkOpenGLBufferObject> legBuffer;
   vtkNew<vtkTextureObject> legTexture;
   vtkNew<vtkOpenGLBufferObject> colourBuffer;
@@ -226,6 +234,8 @@ void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, ViewTime mom
   const auto uniforms = vtkSmartPointer<PartUniforms>::New();
   uniforms->part = &part;
   uniforms->eye = &eye;
+  const double turns = kGoldenRatio * static_cast<double>(&part - scene.parts.data());
+  uniforms->tint = static_cast<float>(turns - std::floor(turns));
   uniforms->state = window->GetState();
   uniforms->moment = moment;
   if (moment != ViewTime::seen) {
@@ -340,6 +350,10 @@ void WallRenderer::Stage::drawScene(const RenderTarget& picture, const glm::ivec
   glBlitFramebuffer(0, 0, size.x, size.y, drawing.left_px, 0, drawing.left_px + size.x, size.y,
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
   window->GetState()->PopFramebufferBindings();
+  if (smoother) {
+    smoother->smooth(window->GetRenderFramebuffer()->GetColorAttachmentAsTextureObject(0)->GetHandle(), size,
+                     picture, drawing.left_px);
+  }
 }
 
 WallRenderer::WallRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, int samples)
@@ -349,7 +363,9 @@ WallRenderer::WallRenderer(Graphics& graphics, const Scene& scene, double lightS
   stage_->scene = scene;
   stage_->eye.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
   for (std::size_t i = 0; i < 3; ++i) stage_->eye.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
-  stage_->prepareWindow(samples);
+  const bool smooths = samples > 1 && graphics.inSoftware();
+  stage_->prepareWindow(smooths ? 1 : samples);
+  if (smooths) stage_->smoother.emplace();
   stage_->prepareColours();
   for (const ScenePart& part : stage_->scene.parts) {
     if (part.body == kRestingBody) {

@@ -32,8 +32,9 @@ struct WallDrawing {
 
 class WallRenderer {
  public:
-  /// `samples`: samples of multisample antialiasing (1: none). Keeps a reference to `graphics`, and makes its
-  /// context current in every call.
+  /// `samples`: samples of multisample antialiasing (1: none). Where the processor stands in for a graphics
+  /// card, edges are smoothed in the finished picture instead (cave/render/edge_smoother.h). Keeps a
+  /// reference to `graphics`, and makes its context current in every call.
   WallRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, int samples = 4);
   ~WallRenderer();
   WallRenderer(const WallRenderer&) = delete;

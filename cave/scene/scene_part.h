@@ -35,7 +35,7 @@ struct ScenePart {
   vtkSmartPointer<vtkPolyData> mesh;
   Paint paint = Paint::plain;
   glm::vec3 colour{1.0F};  ///< linear light, the share reflected
-  float gloss = 0.0F;      ///< strength of the highlight
+  float gloss = 0.0F;      ///< strength of the highlight; cloth and panels have none
 };
 
 /// How a puck or a scripted body looks.

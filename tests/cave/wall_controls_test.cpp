@@ -20,8 +20,8 @@ class Controls : public testing::Test {
     record.display_s = display_s;
     record.controls = controls;
     record.observer.headFromBoard = Lorentz(kC_m_s);
-    record.observer.left = {{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 0.0, 0.0}};
-    record.observer.right = {{0.0, {0.03, 0.0, 0.0}}, {0.03, 0.0, 0.0}};
+    record.observer.left = {{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 0.0, 0.0}, {-0.03, 0.0, 0.0}};
+    record.observer.right = {{0.0, {0.03, 0.0, 0.0}}, {0.03, 0.0, 0.0}, {0.03, 0.0, 0.0}};
     record.observer.middle = {};
     walls_.draw(record, world_);
     Capture capture(folder_ / "", WhenFull::wait);

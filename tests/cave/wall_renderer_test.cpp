@@ -14,6 +14,7 @@
 #include "cave/room/off_axis.h"
 #include "cave/scene/scene_builder.h"
 #include "cave/scene/table_model.h"
+#include "engine/colour/exposure.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -123,6 +124,30 @@ TEST_F(WallRendererTest, AnEyeBehindTheWallSeesBlack) {
   EXPECT_LT(litBox(readBack(picture))[0], 64.0);
   EXPECT_FALSE(renderer.draw(wall, {0, 2, 0}, picture));
   EXPECT_GT(litBox(readBack(picture))[0], 64.0);
+}
+
+/// The sRGB code, 0 to 255, of linear light (IEC 61966-2-1) behind the exposure of a head at rest.
+double screenStepOf(double light) {
+  const Exposure exposure = exposureFor(0.0, false, false);
+  const double x = exposure.gain * light;
+  const double shown = std::min(x * (1.0 + exposure.rise * x) / (1.0 + exposure.fall * x), 1.0);
+  return 255.0 * (shown <= 0.0031308 ? 12.92 * shown : 1.055 * std::pow(shown, 1.0 / 2.4) - 0.055);
+}
+
+TEST_F(WallRendererTest, LightIsShownByTheExposureAndTheCurveOfSrgb) {
+  const WorldLine line({{0.0, {0.0, 2.0, 0.0}}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s);
+  const Event eye{5.0, Vec3(0.0)};
+  const Wall wall = wallTowards({0, 0, 0}, {0, 1, 0}, {16, 16});
+  RenderTarget picture(wall.pixels);
+  for (const float light : {0.0F, 0.002F, 0.01F, 0.05F, 0.2F, 0.5F, 1.0F, 1.5F, 2.5F}) {
+    const std::array<float, 3> colour{light, 0.7F * light, 0.3F * light};
+    WallRenderer renderer(graphics_, glowingPuck(2.0, glm::vec3(colour[0], colour[1], colour[2])), kC_m_s, 1);
+    renderer.look(Lorentz(kC_m_s), {eye, {}}, viewsOf(line, eye, Lorentz(kC_m_s)));
+    renderer.draw(wall, {0, 0, 0}, picture);
+    const Image image = readBack(picture);
+    for (std::size_t part = 0; part < 3; ++part)
+      EXPECT_NEAR(image.rgb[3 * (8 * 16 + 8) + part], screenStepOf(colour[part]), 2.0) << colour[part];
+  }
 }
 
 TEST_F(WallRendererTest, TheSameFrameGivesTheSamePixels) {

@@ -1,7 +1,7 @@
 // A vertex of a body: from its place in the body's rest frame to where the eye sees it, and how it is lit there.
 // RETARDED, CONTRACTED, ABERRATED, COLOURED and SEARCHLIGHT are true or false: the switches; BOARD_NOW if bodies are
 // where they are at the observation's board time. EUCLID is defined if all switches are off, COLOUR if colours
-// shift, CLOCK for clocks, SHADOW for what a puck takes from the cloth, GLOWS for what has light of its own, GHOST for bodies at a moment, which show no light.
+// shift, CLOCK for clocks, MATT for what has no varnish, SHADOW for what a puck takes from the cloth, GLOWS for what has light of its own, GHOST for bodies at a moment, which show no light.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
@@ -18,6 +18,9 @@ uniform vec4 headOnBoard;      // γ, γβ
 uniform vec3 eyeOnBoard_m;     // where the eye receives the light
 uniform vec3 lamps_m[3];       // at rest on the board
 uniform float gloss;
+uniform vec3 colour;           // linear, the share reflected
+uniform float tint;            // 0 to 1, of this part
+uniform vec3 exposure;         // engine/colour/exposure.h
 uniform float nearer;          // share by which decals are drawn nearer than they are
 
 out vec3 place;       // vertexMC, for painting
@@ -29,7 +32,10 @@ out LIGHT light;      // received by the surface: times its colour is what the e
 #ifdef GLOWS
 out LIGHT glow;       // the same for light of its own
 #endif
+#ifndef MATT
 out SHINE shine;      // mirrored to the eye by its varnish
+#endif
+out float tone;       // 0 to 1: how bright it is as if it were painted evenly, and set off from other parts by its tint
 #endif
 out float boardTime_m;  // c (t − t_o) of the emission
 
@@ -98,10 +104,11 @@ void lightUp(Sight sight) {
   float hall = hallLight(normal) * headPower * radiancePower(hallToBody, COLOURED, SEARCHLIGHT);
 #ifdef COLOUR
   Bands received = added(Bands(vec4(0.0), vec2(0.0)), hall, hallSpectrum(hallToBody * toHead));
-  shine = vec3(0.0);
 #else
   light = vec3(hall);
-  shine = 0.0;
+#endif
+#ifndef MATT
+  shine = SHINE(0.0);
 #endif
   for (int i = 0; i < 3; ++i) {
     vec3 ray = onBoard_m - lamps_m[i];
@@ -110,15 +117,21 @@ void lightUp(Sight sight) {
     float lampToBody = dopplerInto(sight.gamma, sight.u, lampRay);
     float strength = lampStrength(ray) * headPower * lampPower(lampToBody, COLOURED, SEARCHLIGHT);
     float facing = max(dot(normal, toLamp), 0.0);
+#ifndef MATT
     float mirrored = max(dot(normal, normalize(toLamp + toEye)), 0.0);
     float varnish = facing > 0.0 ? gloss * strength * pow(mirrored, 60.0) : 0.0;
+#endif
 #ifdef COLOUR
     Bands lamp = lampSpectrum(lampToBody * toHead);
     received = added(received, kLampPower * strength * facing, lamp);
+#ifndef MATT
     shine += kLampPower * varnish * seenWhite(lamp);
+#endif
 #else
     light += kLampColour * (strength * facing);
+#ifndef MATT
     shine += varnish;
+#endif
 #endif
   }
 #ifdef COLOUR
@@ -211,5 +224,7 @@ void main() {
   fromEye_m = sight.drawn;
 #else
   lightUp(sight);
+  float bright = exposure.x * max(dot(light * colour, vec3(0.2126, 0.7152, 0.0722)), 0.0);
+  tone = 0.55 * tint + 0.45 * bright / (bright + 0.2);
 #endif
 }

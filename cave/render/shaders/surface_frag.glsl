@@ -7,7 +7,10 @@ in LIGHT light;         // times the share reflected is what the eye receives (l
 #ifdef GLOWS
 in LIGHT glow;          // times light of its own is that
 #endif
+#ifndef MATT
 in SHINE shine;         // mirrored by its varnish
+#endif
+in float tone;          // of its surface, as if it were painted evenly
 #endif
 in float boardTime_m;   // c (t − t_o) of the emission
 
@@ -44,10 +47,15 @@ vec3 toScreen(vec3 linear) {
   return max(1.2345 * sqrt(x) - 0.2172 * x - 0.0231, 0.0);
 }
 
-/// Linear light as the picture is exposed: the brightest is 1.
-vec3 exposed(vec3 linear) {
+/// Linear light as the picture is exposed, for the screen.
+vec3 shown(vec3 linear) {
+  if (!COLOURED && !SEARCHLIGHT) {
+    // The exposure is then always the same, and both curves together are within 1.5 steps of 255 a cubic of the root.
+    vec3 root = sqrt(clamp(linear, 0.0, 1.57));
+    return max(((0.05259 * root - 0.44084) * root + 1.28424) * root - 0.02573, 0.0);
+  }
   vec3 x = max(exposure.x * linear, 0.0);
-  return x * (1.0 + exposure.y * x) / (1.0 + exposure.z * x);
+  return toScreen(x * (1.0 + exposure.y * x) / (1.0 + exposure.z * x));
 }
 
 //CAROM::Paint
@@ -57,10 +65,18 @@ void main() {
 #ifdef GHOST
   gl_FragData[0] = vec4(toScreen(painted.shines), painted.cover);
 #else
-  vec3 seen = light * painted.reflects + SHINE_COLOUR * shine;
+  vec3 seen = light * painted.reflects;
+#ifndef MATT
+  seen += SHINE_COLOUR * shine;
+#endif
 #ifdef GLOWS
   seen += glow * painted.shines;
 #endif
-  gl_FragData[0] = vec4(toScreen(exposed(seen)), painted.cover);
+#ifdef SHADOW
+  float alpha = painted.cover;
+#else
+  float alpha = tone;  // what edge_frag.glsl finds edges in
+#endif
+  gl_FragData[0] = vec4(shown(seen), alpha);
 #endif
 }
