@@ -11,7 +11,7 @@ namespace carom {
 namespace {
 
 constexpr int kTile_px = 8;
-constexpr float kLeastStep = 0.024F;  // of tones 0 to 1: six of the picture's steps
+constexpr float kLeastStep = 0.016F;  // of tones 0 to 1: four of the picture's steps
 
 }  // namespace
 

@@ -51,7 +51,6 @@ static_assert(sizeof(GpuLeg) == kTexels * 4 * sizeof(float),
 
 constexpr float kAlways_m = -1e30F;     // means that the body has always existed
 constexpr float kDecalNearer = 0.002F;  // fraction of the distance by which a decal is drawn nearer
-constexpr double kGoldenRatio = 0.61803398875;
 constexpr float kHatch = 0.5F;  // of a ghost, as a fraction of its body's reach from its centre
 
 /// The range of one body's legs in the buffer.
@@ -234,8 +233,7 @@ void WallRenderer::Stage::addPart(const ScenePart& part, Legs legs, ViewTime mom
   const auto uniforms = vtkSmartPointer<PartUniforms>::New();
   uniforms->part = &part;
   uniforms->eye = &eye;
-  const double turns = kGoldenRatio * static_cast<double>(&part - scene.parts.data());
-  uniforms->tint = static_cast<float>(turns - std::floor(turns));
+  uniforms->tint = static_cast<float>((&part - scene.parts.data()) % 3);
   uniforms->state = window->GetState();
   uniforms->moment = moment;
   if (moment != ViewTime::seen) {

@@ -19,7 +19,7 @@ uniform vec3 eyeOnBoard_m;     // where the eye receives the light
 uniform vec3 lamps_m[3];       // at rest on the board
 uniform float gloss;
 uniform vec3 colour;           // linear, the share reflected
-uniform float tint;            // 0 to 1, of this part
+uniform float tint;            // 0, 1 or 2, of this part
 uniform vec3 exposure;         // engine/colour/exposure.h
 uniform float nearer;          // share by which decals are drawn nearer than they are
 
@@ -35,7 +35,7 @@ out LIGHT glow;       // the same for light of its own
 #ifndef MATT
 out SHINE shine;      // mirrored to the eye by its varnish
 #endif
-out float tone;       // 0 to 1: how bright it is as if it were painted evenly, and set off from other parts by its tint
+out float tone;       // 0 to 1: how bright it is as if it were painted evenly, and set off from parts of another tint
 #endif
 out float boardTime_m;  // c (t − t_o) of the emission
 
@@ -225,6 +225,9 @@ void main() {
 #else
   lightUp(sight);
   float bright = exposure.x * max(dot(light * colour, vec3(0.2126, 0.7152, 0.0722)), 0.0);
-  tone = 0.55 * tint + 0.45 * bright / (bright + 0.2);
+#ifdef GLOWS
+  bright += exposure.x * dot(glow * colour, vec3(0.2126, 0.7152, 0.0722));
+#endif
+  tone = (tint + 0.6 * bright / (bright + 0.2)) / 2.6;  // those of different tints never agree
 #endif
 }
