@@ -65,8 +65,14 @@ int runDiagram(const DiagramOptions& options) {
   const DiagramSubject subject =
       isScenario(options.source) ? subjectOf(readScenario(options.source), options.until_s.value_or(kShown_s))
                                  : subjectOf(options.source, options.until_s);
-  writeChart(spacetimeChart(subject, {options.along, options.from_s}), options.figure);
+  const Chart chart = spacetimeChart(subject, {options.along, options.from_s});
+  writeChart(chart, options.figure);
+  const glm::dvec2 shown_s = chart.yRange / subject.c_m_s;
   log::note(fmt::format("The diagram is in {}.", options.figure.string()));
+  log::note(
+      fmt::format("It shows {:.4g} to {:.4g} s of board time, the present event at {:.4g} s; --from and "
+                  "--until choose others.",
+                  shown_s.x, shown_s.y, subject.mine.back().t_s));
   return 0;
 }
 

@@ -14,6 +14,7 @@
 #include "app/tables/csv_text.h"
 #include "app/tables/event_table.h"
 #include "app/tools/option_values.h"
+#include "engine/base/log.h"
 #include "engine/base/whole_file.h"
 
 namespace carom {
@@ -211,6 +212,9 @@ int runEvents(const EventsOptions& options) {
   const bool isScenario = options.source.extension() == ".toml";
   Subject subject = isScenario ? played(readScenario(options.source), options.until_s.value_or(kPlayed_s))
                                : recorded(options.source, options.until_s);
+  if (isScenario && !options.until_s)
+    log::note(
+        fmt::format("The scenario was played for {:g} s of board time; --until S plays on.", kPlayed_s));
   if (options.pair) keepPair(subject.events, *options.pair);
   const std::vector<EventRow> rows =
       eventRows(subject.events, subject.pucks, subject.flashes, options.movingBeta, subject.c_m_s);

@@ -23,7 +23,7 @@
 #include "cave/frame/pacer.h"
 #include "engine/base/log.h"
 #include "engine/base/whole_file.h"
-#include "engine/light/light_cone.h"
+#include "engine/light/point_emission.h"
 
 namespace carom {
 namespace {
@@ -83,13 +83,16 @@ struct Recorded {
           fmt::format("session file {}: it ended before its first frame", file.string()));
     for (const Puck& puck : scenario.billiard.pucks) names.push_back(puck.name);
     for (const ScriptedBody& body : scenario.bodies) names.push_back(body.name);
+    for (std::size_t body = 1; body <= names.size(); ++body)
+      centres.emplace_back(game.world.histories[body], Vec3(0.0));
   }
 
   SessionFile session;
   Rig rig;
   Scenario scenario;
   RecordedGame game;
-  std::vector<std::string> names;  ///< of bodies 1, 2, …
+  std::vector<std::string> names;      ///< of bodies 1, 2, …
+  std::vector<PointEmission> centres;  ///< of the same bodies
 };
 
 using TakeFrame = std::function<void(const FrameRecord&)>;
@@ -132,14 +135,14 @@ constexpr const char* kColumns =
     "m,"
     "emission_y_m,emission_z_m,seen_x_m,seen_y_m,seen_z_m,distance_m,doppler,body_proper_time_s\n";
 
-void addRows(const Recorded& recorded, const FrameRecord& frame, const Observation& eye, std::string& csv) {
+std::string rowsOf(const Recorded& recorded, const FrameRecord& frame, const Observation& eye) {
+  std::string csv;
   const Vec3 &r = eye.event.r_m, &beta = eye.beta;
   const std::string observer =
       fmt::format("{},", frame.number) + csvNumbers({frame.display_s, frame.observer.properTime_s,
                                                      eye.event.t_s, r.x, r.y, r.z, beta.x, beta.y, beta.z});
   for (std::size_t i = 0; i < recorded.names.size(); ++i) {
-    const auto light =
-        emission(recorded.game.world.histories[i + 1], Vec3(0.0), eye.event, eye.headFromBoard);
+    const auto light = recorded.centres[i].seenAt(eye.event, eye.headFromBoard);
     csv += observer + csvField(recorded.names[i]) + (light ? ",seen," : ",unseen,,,,,,,,,,\n");
     if (!light) continue;
     const Vec3 &from = light->event.r_m, &seen = light->seen.dr_m;
@@ -147,6 +150,7 @@ void addRows(const Recorded& recorded, const FrameRecord& frame, const Observati
                        light->doppler, light->properTime_s});
     csv.back() = '\n';  // replaces the last comma
   }
+  return csv;
 }
 
 /// Writes the files of a ParaView series.
@@ -199,18 +203,17 @@ int runExport(const ExportOptions& options) {
   Recorded recorded(options.session);
   std::optional<WholeFile> csv;
   std::optional<Series> series;
-  if (options.csv) csv.emplace(*options.csv);
+  if (options.csv) csv.emplace(*options.csv).add(kColumns);
   if (options.paraview) {
     openMeshes(recorded.scenario);
     series.emplace(*options.paraview, recorded);
   }
-  std::string rows = kColumns;
   std::uint64_t frames = 0;
   Progress progress;
   const auto take = [&](const FrameRecord& frame) {
     if (frame.number % options.every != 0) return;
     const Observation eye(frame.observer);
-    if (csv) addRows(recorded, frame, eye, rows);
+    if (csv) csv->add(rowsOf(recorded, frame, eye));
     if (series) series->add(frame, eye);
     ++frames;
     progress.at(frame.number);
@@ -221,7 +224,7 @@ int runExport(const ExportOptions& options) {
     eachFrameSeen(recorded, take);
   }
   if (series) series->commit();
-  if (csv) csv->commit(rows);
+  if (csv) csv->commit();
   log::note(fmt::format("{} frame{} exported.", frames, frames == 1 ? "" : "s"));
   if (options.paraview)
     log::note(fmt::format("ParaView opens {}.", (*options.paraview / "seen.pvd").string()));

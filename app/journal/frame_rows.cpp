@@ -122,9 +122,13 @@ std::string insertInto(const char* table, int columns) {
   return text + ")";
 }
 
-std::string framesOf(int version) {
-  return fmt::format("SELECT number{} FROM frame WHERE number >= ? ORDER BY number",
-                     version == kVersion3 ? ", record, events" : frameNames().text);
+std::string framesOf(int version, const char* which) {
+  return fmt::format("SELECT number{} FROM frame WHERE number >= ? {} ORDER BY number",
+                     version == kVersion3 ? ", record, events" : frameNames().text, which);
+}
+const char* changingOf(int version) {
+  return version == kVersion3 ? ""
+                              : "AND number IN (SELECT frame FROM knot UNION SELECT frame FROM frame_event)";
 }
 std::string knotsOf(int version) {
   return fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid",
@@ -180,7 +184,8 @@ void FrameWriter::write(std::uint64_t frame, const GameEvent& event) {
 FrameReader::FrameReader(SQLite::Database& database, int version, double lightSpeed_m_s)
     : version_(version),
       lightSpeed_m_s_(lightSpeed_m_s),
-      frame_(database, framesOf(version)),
+      frame_(database, framesOf(version, "")),
+      change_(database, framesOf(version, changingOf(version))),
       knot_(database, knotsOf(version)) {
   if (version != kVersion3)
     event_.emplace(database,
@@ -188,18 +193,19 @@ FrameReader::FrameReader(SQLite::Database& database, int version, double lightSp
   goTo(0);
 }
 
-void FrameReader::goTo(std::uint64_t number) {
-  frame_.reset();
-  frame_.bind(1, static_cast<std::int64_t>(number));
+void FrameReader::goTo(std::uint64_t number, bool changesOnly) {
+  changesOnly_ = changesOnly;
+  frames().reset();
+  frames().bind(1, static_cast<std::int64_t>(number));
 }
 
 std::optional<std::uint64_t> FrameReader::step() {
-  if (!frame_.executeStep()) return std::nullopt;
-  return static_cast<std::uint64_t>(frame_.getColumn(0).getInt64());
+  if (!frames().executeStep()) return std::nullopt;
+  return static_cast<std::uint64_t>(frames().getColumn(0).getInt64());
 }
 
 void FrameReader::read(FrameState& state) {
-  const std::int64_t number = frame_.getColumn(0).getInt64();
+  const std::int64_t number = frames().getColumn(0).getInt64();
   state.knots.clear();
   state.events.clear();
   knot_.reset();
@@ -215,7 +221,7 @@ void FrameReader::read(FrameState& state) {
 void FrameReader::readFields(FrameState& state) {
   state.record = FrameRecord();
   state.record.observer.headFromBoard = state.record.boardFromRoom = Lorentz(lightSpeed_m_s_);
-  Reading row(frame_);
+  Reading row(frames());
   row("", "number", state.record.number);
   visitRecord(row, state.record);
   while (knot_.executeStep()) {
@@ -235,9 +241,9 @@ void FrameReader::readFields(FrameState& state) {
 }
 
 void FrameReader::readVersion3(FrameState& state) {
-  state.record = version3::frameOf(bytesOf(frame_.getColumn(1)));
+  state.record = version3::frameOf(bytesOf(frames().getColumn(1)));
   state.record.forgetBefore_s = FrameRecord().forgetBefore_s;
-  state.events = version3::eventsOf(bytesOf(frame_.getColumn(2)));
+  state.events = version3::eventsOf(bytesOf(frames().getColumn(2)));
   while (knot_.executeStep()) {
     state.knots.push_back({static_cast<std::uint64_t>(knot_.getColumn(0).getInt64()),
                            version3::knotOf(bytesOf(knot_.getColumn(1)))});

@@ -38,8 +38,10 @@ class FrameReader {
   /// Reads tables of `version`, which is kVersion3 or kJournalVersion. `lightSpeed_m_s` is that of the game.
   FrameReader(SQLite::Database& database, int version, double lightSpeed_m_s);
 
-  /// Makes the next frame the first whose number is at least `number`. Initially it is the first frame.
-  void goTo(std::uint64_t number);
+  /// Makes the next frame the first whose number is at least `number`. Initially it is the first frame. With
+  /// `changesOnly`, the frames are from then on those alone that change the game: those with knots or events,
+  /// as a frame that removes some has others in their place. Of version 3, they are all.
+  void goTo(std::uint64_t number, bool changesOnly = false);
   /// Returns the number of the frame that `read` will read, or nothing after the last.
   std::optional<std::uint64_t> step();
   /// Reads the frame that `step` has found, with its knots and events. Throws std::exception that gives the
@@ -50,9 +52,12 @@ class FrameReader {
   void readFields(FrameState& state);
   void readVersion3(FrameState& state);
 
+  SQLite::Statement& frames() { return changesOnly_ ? change_ : frame_; }
+
   int version_;
   double lightSpeed_m_s_;
-  SQLite::Statement frame_, knot_;
+  bool changesOnly_ = false;
+  SQLite::Statement frame_, change_, knot_;
   std::optional<SQLite::Statement> event_;  ///< not in version 3, which stores events with the frame
 };
 

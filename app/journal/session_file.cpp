@@ -187,6 +187,8 @@ void SessionFile::refuseFrame(std::uint64_t number, const std::string& what) con
 
 void SessionFile::goTo(std::uint64_t number) { tables_->frames->goTo(number); }
 
+void SessionFile::goToChanges() { tables_->frames->goTo(0, true); }
+
 double SessionFile::shownAt_s(std::uint64_t number) const {
   SQLite::Statement& row = *tables_->shown;
   row.bind(1, static_cast<std::int64_t>(number));

@@ -46,6 +46,8 @@ class SessionFile {
   }
   /// Makes the next frame the first whose number is at least `number`.
   void goTo(std::uint64_t number);
+  /// Makes `next` begin anew and read only those frames that change the game, until `goTo` is called.
+  void goToChanges();
   /// Returns the display time, on the session clock, of the first frame whose number is at least `number`.
   double shownAt_s(std::uint64_t number) const;
   /// Returns the number of the last frame displayed by `display_s` on the session clock, or of the first

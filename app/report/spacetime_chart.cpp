@@ -138,7 +138,10 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   }
   if (!happened.points.empty()) chart.lines.push_back(happened);
   ChartLine me{"me", {}, glm::vec3(0.0F), 3.5F, Style::solid};
-  for (const Event& event : subject.mine) me.points.push_back(plane(event));
+  for (std::size_t i = 0; i < subject.mine.size(); ++i) {  // from the last event below the lower edge on
+    if (i + 1 == subject.mine.size() || subject.mine[i + 1].t_s >= from_s)
+      me.points.push_back(plane(subject.mine[i]));
+  }
   chart.lines.push_back(me);
   chart.lines.push_back({"", {here}, glm::vec3(0.0F), 10.0F, Style::marks});
   return chart;

@@ -12,15 +12,23 @@ constexpr double kLongestStay_s = 0.25;
 
 }  // namespace
 
-RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart) {
+RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart, std::uint64_t last) {
   RecordedGame game{{{atStart.begin(), atStart.end()}, {}}, {}};
-  session.goTo(0);
-  for (FrameState frame; session.next(frame);) {
-    session.apply(frame, game.world);
+  FrameState frame;
+  const auto look = [&] {
     game.pucks = game.news.record.pucks = frame.record.pucks;
     for (const EyeView& eye : frame.record.observer.all()) {
       game.known_s = std::max(game.known_s, eye.observation.t_s);
     }
+  };
+  session.goToChanges();
+  while (session.next(frame) && frame.record.number <= last) {
+    session.apply(frame, game.world);
+    look();
+  }
+  if (const auto frames = session.frames()) {  // the latest frame says until when the game is known
+    session.goTo(std::min(last, frames->second));
+    if (session.next(frame)) look();
   }
   game.news.record.truncateFrom_s = 0.0;
   game.news.record.eventsKept = 0;
@@ -41,8 +49,9 @@ RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atSt
   session_.goTo(0);
   readAhead();
   if (!from_s) return;
-  goElsewhere(session_.frameAt(*from_s));
-  ends_ = true;
+  session_.goTo(session_.frameAt(*from_s));
+  readAhead();
+  bringsGame_ = true;
 }
 
 void RecordedSource::readAhead() { more_ = session_.next(ahead_); }
@@ -81,14 +90,15 @@ bool RecordedSource::move(const Playback& playback, const Seek* seek) {
   return more_;
 }
 
-/// Adds the complete game to the current frame.
+/// Adds the game to the current frame: as it was known then while all is shown as recorded, else all of it.
 void RecordedSource::bringGame() {
-  FrameState news = wholeGame(session_, atStart_).news;
+  const std::uint64_t here = shown_.record.number;
+  FrameState news = (leftAlone_ ? wholeGame(session_, atStart_, here) : wholeGame(session_, atStart_)).news;
   shown_.knots = std::move(news.knots);
   shown_.events = std::move(news.events);
   shown_.record.truncateFrom_s = news.record.truncateFrom_s;
   shown_.record.eventsKept = news.record.eventsKept;
-  session_.goTo(shown_.record.number + 1);
+  session_.goTo(here + 1);
   readAhead();
   bringsGame_ = false;
 }

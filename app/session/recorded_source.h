@@ -2,6 +2,7 @@
 // Decides the frames of a recorded session: as recorded from beginning to end, or as the operator navigates
 // it.
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,13 +20,17 @@ struct RecordedGame {
   double known_s = 0.0;   ///< board time up to which every puck's motion is known
 };
 
-/// Reads the complete session. `atStart` are the histories of all bodies before the game.
-RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart);
+/// Reads the complete game, or the game as it was known in frame `last`. `atStart` are the histories of all
+/// bodies before the game. Takes as long as the game has knots and events, however many frames it lasted; the
+/// frame that `session` reads next is then undetermined.
+RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart,
+                       std::uint64_t last = std::numeric_limits<std::uint64_t>::max());
 
 class RecordedSource : public FrameSource {
  public:
   /// Plays `session`, which needs at least one frame and must outlive this object. `from_s`, on the session
-  /// clock, is where playback starts; without it, playback starts at the first frame.
+  /// clock, is where playback starts, with the game as it was known then; without it, playback starts at the
+  /// first frame.
   RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz,
                  std::optional<double> from_s = {});
 
@@ -56,7 +61,7 @@ class RecordedSource : public FrameSource {
   bool begun_ = false;                ///< a frame has been shown
   bool leftAlone_ = true;             ///< all frames so far were shown in recorded order and rate
   bool ends_ = true;                  ///< the session ends with its last frame
-  bool bringsGame_ = false;           ///< the next frame brings the complete game
+  bool bringsGame_ = false;           ///< the next frame brings the game: all of it, unless leftAlone_
   Commands changed_;                  ///< the operator's latest command on each setting
   ReadOnlyNotice readOnly_;
   std::optional<ObserverView> frozen_;  ///< the view that the operator has frozen

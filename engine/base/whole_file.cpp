@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 
 namespace carom {
@@ -34,9 +33,9 @@ WholeFile::WholeFile(const std::filesystem::path& file) : file_(file) {
   if (std::filesystem::is_symlink(file, failed)) file_ = std::filesystem::weakly_canonical(file, failed);
   if (file_.empty()) fail(file, ENOENT);
   if (std::filesystem::is_directory(file_, failed)) fail(file, EISDIR);
-  if (std::filesystem::is_other(file_, failed)) return;
-  part_ = partOf(file_);
-  if (!std::ofstream(part_)) fail(file);
+  if (!std::filesystem::is_other(file_, failed)) part_ = partOf(file_);
+  out_.open(part_.empty() ? file_ : part_, std::ios::binary);
+  if (!out_) fail(file);
 }
 
 WholeFile::~WholeFile() {
@@ -44,16 +43,22 @@ WholeFile::~WholeFile() {
   if (!part_.empty()) std::filesystem::remove(part_, ignored);
 }
 
-void WholeFile::commit(std::string_view bytes) {
+void WholeFile::add(std::string_view bytes) {
   if (file_ == "-") {
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
-    if (!written || std::fflush(stdout) != 0) fail("standard output");
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) fail("standard output");
+  } else if (!(out_ << bytes)) {
+    fail(file_);
+  }
+}
+
+void WholeFile::commit(std::string_view bytes) {
+  add(bytes);
+  if (file_ == "-") {
+    if (std::fflush(stdout) != 0) fail("standard output");
     return;
   }
-  std::ofstream out(part_.empty() ? file_ : part_, std::ios::binary);
-  out << bytes;
-  out.close();
-  if (!out) fail(file_);
+  out_.close();
+  if (!out_) fail(file_);
   if (part_.empty()) return;
   std::error_code failed;
   std::filesystem::rename(part_, file_, failed);

@@ -2,6 +2,7 @@
 // Output files that appear whole or not at all.
 
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -30,11 +31,14 @@ class WholeFile {
   WholeFile& operator=(const WholeFile&) = delete;
   ~WholeFile();
 
-  void commit(std::string_view bytes);
+  /// Adds to what `commit` will leave in its place; standard output, devices and pipes get it at once.
+  void add(std::string_view bytes);
+  void commit(std::string_view bytes = {});
 
  private:
   std::filesystem::path file_;
   std::filesystem::path part_;  ///< empty where there is nothing to move
+  std::ofstream out_;           ///< not open for standard output
 };
 
 }  // namespace carom

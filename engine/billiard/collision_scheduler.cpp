@@ -33,6 +33,7 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
                       : TurnConvention::simultaneousWithContact),
       puckRestitution_(setup.rules.puckRestitution),
       cushionRestitution_(setup.rules.cushionRestitution),
+      canPress_(std::min(puckRestitution_, cushionRestitution_) < 1.0),
       brake_(setup.rules.friction_m_s2 / (c_m_s_ * c_m_s_)),
       cushions_(cushionsOf(setup.board)),
       predictions_(setup.pucks.size()),
@@ -43,18 +44,16 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
     const Puck& puck = setup.pucks[file];
     const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta));
     PuckState player;
-    player.leg = {{0.0, puck.position_m.x, puck.position_m.y},
-                  fourVelocity(gamma * puck.beta.x, gamma * puck.beta.y),
-                  0.0,
-                  brake_};
+    const Vec21 start{0.0, puck.position_m.x, puck.position_m.y};
+    const Vec21 u = fourVelocity(gamma * puck.beta.x, gamma * puck.beta.y);
     player.mass = puck.mass_kg;
     player.height = 0.5 * puck.height_m;
-    player.file = file;
-    discs_.push_back({player.leg.start, player.leg.u, puck.radius_m, kNever});
+    player.file = static_cast<unsigned>(file);
+    discs_.push_back({start, u, puck.radius_m, kNever});
     pucks_.push_back(player);
     largestRadius_ = std::max(largestRadius_, puck.radius_m);
-    gammaBound_ = std::max(gammaBound_, 1.25 * player.leg.u.t);
-    rollbackWindow_ = std::max(rollbackWindow_, 4.0 * player.leg.u.t * puck.radius_m);
+    gammaBound_ = std::max(gammaBound_, 1.25 * u.t);
+    rollbackWindow_ = std::max(rollbackWindow_, 4.0 * u.t * puck.radius_m);
     lowX = std::min(lowX, puck.position_m.x), highX = std::max(highX, puck.position_m.x);
     lowY = std::min(lowY, puck.position_m.y), highY = std::max(highY, puck.position_m.y);
   }
@@ -133,8 +132,7 @@ void CollisionScheduler::prefetchUpcoming() {
   const auto fetch = [&](int i) {
     __builtin_prefetch(&predictions_[i]);
     __builtin_prefetch(&discs_[i]);
-    const char* player = reinterpret_cast<const char*>(&pucks_[i]);
-    for (std::size_t byte = 0; byte < sizeof(PuckState); byte += 64) __builtin_prefetch(player + byte);
+    __builtin_prefetch(&pucks_[i]), __builtin_prefetch(&pucks_[i].decided);
   };
   for (int k = 1; k < static_cast<int>(fetched_.size()); ++k) {
     const int i = queue_.soon(k);
@@ -256,8 +254,9 @@ Ledger CollisionScheduler::ledger() const {
 }
 
 void CollisionScheduler::restore(GameHistory& history) const {
-  for (const PuckState& player : pucks_) {
-    history.keepLegs(player.file, player.begun);
+  for (std::size_t i = 0; i < pucks_.size(); ++i) {
+    const PuckState& player = pucks_[i];
+    history.keepLegs(player.file, legsBegun(static_cast<int>(i)));
     for (const CommittedLeg& decided : player.decided) {
       history.addLeg(player.file, decided.leg, decided.signal);
       history.changeTurn(decided.event, player.file,

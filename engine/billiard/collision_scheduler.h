@@ -81,29 +81,31 @@ class CollisionScheduler {
     int puck;
     unsigned leg;
   };
-  // The state of a puck without its disc. The members that other pucks read lie next to each other.
+  // The state of a puck without its disc, in three cache lines: what every prediction reads, what every
+  // collision reads besides, and what is seldom needed.
   struct alignas(64) PuckState {
     double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
-    unsigned legNumber = 0;
-    int lastPartner = -1;  // the puck it collided with last, if nothing else happened to it since
+    unsigned legNumber = 0;      // legs begun before the one that it follows
+    int lastPartner = -1;        // the puck it collided with last, if nothing else happened to it since
     std::vector<HandledContact>
         met;  // pucks whose contact with this leg is dealt with, and the number of their leg
     std::array<double, 2> leavesCell{kNever, kNever};  // when its centre leaves its cell, along each axis
     unsigned metCushions = 0;                          // the same for cushions, one bit each
 
-    Leg leg;  // the leg that it follows
-    std::vector<CommittedLeg> decided;
-    std::vector<int> strokes;  // those still to come
+    alignas(64) std::vector<CommittedLeg> decided;
+    double properTime = 0.0;  // when the leg began
     double mass = 0.0;
-    double height = 0.0;    // of the centre
-    std::size_t file = 0;   // place in the setup
-    std::size_t begun = 1;  // legs begun
     double runBegan = -kNever, lastKick = -kNever;
-    int kicksInRun = 0;
+    unsigned file = 0;  // place in the setup
+    unsigned short kicksInRun = 0;
     bool jammed = false;
+
     // The current run of blows by other pucks, and the hardest of them, as a celerity.
-    double blowsBegan = -kNever, lastBlow = -kNever, hardestBlow = 0.0;
-    int blows = 0, jams = 0;  // since other pucks last left it alone; `jams` counts its turns in jams
+    alignas(64) double blowsBegan = -kNever;
+    double lastBlow = -kNever, hardestBlow = 0.0;
+    int blows = 0, jams = 0;   // since other pucks last left it alone; `jams` counts its turns in jams
+    double height = 0.0;       // of the centre
+    std::vector<int> strokes;  // those still to come
   };
   struct PuckStroke {
     Vec21 hand;
@@ -174,10 +176,11 @@ class CollisionScheduler {
   void beginCommitted(int i);
   double restitution(int i, double usual, double turnTime);
   // Returns the number of the last leg decided, counted from the start of the game.
-  std::size_t lastLegNumber(int i) const { return pucks_[i].begun + pucks_[i].decided.size(); }
-  const Leg& lastLeg(int i) const {
-    return pucks_[i].decided.empty() ? pucks_[i].leg : pucks_[i].decided.back().leg;
-  }
+  std::size_t lastLegNumber(int i) const { return legsBegun(i) + pucks_[i].decided.size(); }
+  std::size_t legsBegun(int i) const { return pucks_[i].legNumber + std::size_t{1}; }
+  // Returns the leg that the puck follows.
+  Leg legOf(int i) const { return {discs_[i].start, discs_[i].u, pucks_[i].properTime, brake_}; }
+  Leg lastLeg(int i) const { return pucks_[i].decided.empty() ? legOf(i) : pucks_[i].decided.back().leg; }
   void placeAnew(int i, CommittedLeg kick, GameHistory& history);
   void noteBounce(const CommittedLeg& decided, GameHistory& history) const;
   void noteKick(int i, const Vec21& turn);
@@ -214,7 +217,8 @@ class CollisionScheduler {
   double c_m_s_;
   TurnConvention convention_;
   double puckRestitution_, cushionRestitution_;
-  double brake_;  // friction over c²
+  bool canPress_;  // whether pucks or cushions are inelastic
+  double brake_;   // friction over c²
   std::vector<CushionPlane> cushions_;
   double largestRadius_ = 0.0;
   double boxLowX_ = 0.0, boxLowY_ = 0.0, boxWidth_ = 0.0, boxHeight_ = 0.0;

@@ -24,7 +24,7 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
   const std::array<int, 2> who{first, second};
   const bool braked = brake_ != 0.0;
   const auto flight = [&](int k) {
-    return braked ? flightAt({pucks_[who[k]].leg, discs_[who[k]].radius}, a.touchAt[k]) : discs_[who[k]];
+    return braked ? flightAt({legOf(who[k]), discs_[who[k]].radius}, a.touchAt[k]) : discs_[who[k]];
   };
   const PairContact contact = contactOf(flight(0), flight(1), a.withoutDelay);
 
@@ -76,9 +76,9 @@ void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& his
   PuckState& player = pucks_[i];
   player.metCushions |= 1u << a.with;
   std::optional<CushionContact> contact =
-      findContact(player.leg, discs_[i].radius, cushions_[a.with], convention_);
+      findContact(legOf(i), discs_[i].radius, cushions_[a.with], convention_);
   if (!contact) return;
-  std::size_t foundOn = player.begun;
+  std::size_t foundOn = legsBegun(i);
   if (!player.decided.empty()) {
     if (contact->withoutDelay) return;
     // What is decided already has turned the puck off this cushion.
@@ -148,7 +148,7 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
 
 LegState CollisionScheduler::turnOnFollowedLeg(int i, int which, const PairContact& contact,
                                                bool simultaneous) const {
-  const Leg& leg = pucks_[i].leg;
+  const Leg leg = legOf(i);
   if (brake_ == 0.0) {
     return momentAfter(leg,
                        std::max(0.0, simultaneous ? contact.simultaneous[which] : contact.signal[which]));
@@ -164,8 +164,7 @@ CollisionScheduler::Place CollisionScheduler::placeTurn(int i, const Vec21& sign
                                                         const LegState& onFollowedLeg, GameHistory& history) {
   const PuckState& player = pucks_[i];
   if (player.decided.empty()) return {onFollowedLeg, false, {}};
-  if (onFollowedLeg.x.t <
-      player.decided.front().leg.start.t - sameTurn_m(discs_[i].radius) * player.leg.u.t) {
+  if (onFollowedLeg.x.t < player.decided.front().leg.start.t - sameTurn_m(discs_[i].radius) * discs_[i].u.t) {
     return {onFollowedLeg, true, {}};
   }
   return whereSignalArrives(i, signal, cushion, history);
@@ -214,7 +213,7 @@ void CollisionScheduler::decide(int i, const CommittedLeg& given, const LegState
   rollbackWindow_ = std::max(rollbackWindow_, 4.0 * decided.leg.u.t * discs_[i].radius);
   if (convention_ == TurnConvention::signalAtCentre && decided.leg.u.t > gammaBound_) cellsTooSmall_ = true;
 
-  const bool atOnce = player.decided.empty() && (turn.x.t <= player.leg.start.t || decided.atOnce ||
+  const bool atOnce = player.decided.empty() && (turn.x.t <= discs_[i].start.t || decided.atOnce ||
                                                  convention_ == TurnConvention::simultaneousWithContact);
   if (atOnce) {
     beginLeg(i, decided.leg);
@@ -226,10 +225,9 @@ void CollisionScheduler::decide(int i, const CommittedLeg& given, const LegState
 
 void CollisionScheduler::beginLeg(int i, const Leg& leg) {
   PuckState& player = pucks_[i];
-  player.leg = leg;
+  player.properTime = leg.properTime;
   player.decidedAt = -kNever;
   ++player.legNumber;
-  ++player.begun;
   player.met.clear();
   player.metCushions = 0;
   discs_[i].start = leg.start;
@@ -262,13 +260,14 @@ void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
     accounts_.taken = accounts_.taken - old.taken;
     accounts_.braked = accounts_.braked - old.braked;
   }
-  history.keepLegs(player.file, player.begun);
+  history.keepLegs(player.file, legsBegun(i));
 
-  LegState struck = s.fromHand ? signalArrives(player.leg, s.hand, s.height) : momentAt(player.leg, s.hand.t);
+  const Leg followed = legOf(i);
+  LegState struck = s.fromHand ? signalArrives(followed, s.hand, s.height) : momentAt(followed, s.hand.t);
   // Light that arrives as a turn does may by rounding find the new leg before it begins.
-  if (struck.x.t < player.leg.start.t) struck = {player.leg.start, player.leg.u, player.leg.properTime};
+  if (struck.x.t < followed.start.t) struck = {followed.start, followed.u, followed.properTime};
   const Vec21 u = fourVelocity(struck.u.x + s.px / player.mass, struck.u.y + s.py / player.mass);
-  const std::size_t struckLeg = player.begun;
+  const std::size_t struckLeg = legsBegun(i);
   CommittedLeg decided;
   if (!onTheirWay.empty()) history.noteChange(struck.x);
   decided.leg = {struck.x, u, struck.properTime, brake_};

@@ -46,6 +46,7 @@ double relative2(const Vec21& u1, const Vec21& u2) {
 }  // namespace
 
 void CollisionScheduler::noteBlow(int i, double turnTime, double closing, bool byPressed) {
+  if (!canPress_) return;
   PuckState& player = pucks_[i];
   const double radius = discs_[i].radius;
   const bool peace = turnTime - player.lastBlow > radius;
@@ -59,8 +60,7 @@ void CollisionScheduler::noteBlow(int i, double turnTime, double closing, bool b
 
 bool CollisionScheduler::isPressed(int i, double t) const {
   const PuckState& player = pucks_[i];
-  return player.blows >= kBlowsOfAJam && std::min(puckRestitution_, cushionRestitution_) < 1.0 &&
-         !(t - player.lastBlow > discs_[i].radius);
+  return canPress_ && player.blows >= kBlowsOfAJam && !(t - player.lastBlow > discs_[i].radius);
 }
 
 // The kick of two pressed pucks: together with all pressed pucks that touch them, in a chain, they come to
@@ -111,7 +111,7 @@ void CollisionScheduler::addMember(int i, const LegState& turn) {
 // Where a further puck would turn; none if it meets something else before.
 std::optional<LegState> CollisionScheduler::joinsAt(int i, const Vec21& touched, const Vec21& U,
                                                     double earliest) const {
-  const Leg& leg = lastLeg(i);
+  const Leg leg = lastLeg(i);
   LegState turn = simultaneousWith(leg, touched, U);
   if (turn.x.t < earliest) turn = momentAt(leg, earliest);
   if (turn.x.t < leg.start.t) turn = {leg.start, leg.u, leg.properTime};

@@ -20,10 +20,9 @@ constexpr std::size_t kPucksWithoutCells = 32;
 // * by the puck's own simultaneity, R2 + R1 γ (1 + β β_2) < (2γ + 1) R.
 void CollisionScheduler::layOutCells() {
   const auto count = pucks_.size();
-  for (const PuckState& player : pucks_) {
-    if (lastLeg(static_cast<int>(&player - pucks_.data())).u.t > gammaBound_) {
-      gammaBound_ = 2.0 * lastLeg(static_cast<int>(&player - pucks_.data())).u.t;
-    }
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    const double gamma = lastLeg(i).u.t;
+    if (gamma > gammaBound_) gammaBound_ = 2.0 * gamma;
   }
   pairReach_ = (convention_ == TurnConvention::simultaneousWithContact ? 2.0 : 2.0 * gammaBound_ + 1.0) *
                largestRadius_;
@@ -62,8 +61,7 @@ void CollisionScheduler::predict(int i) {
     }
   } else {
     // A puck that was waited for is behind the others: those it can meet may be farther off by now.
-    const double behind =
-        std::max(0.0, clock_ - std::max(predictions_[i].next.ownTime, pucks_[i].leg.start.t));
+    const double behind = std::max(0.0, clock_ - std::max(predictions_[i].next.ownTime, discs_[i].start.t));
     const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
     const int reach = reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0));
     considerPairs(i, cells_.findNear(enterCell(i), reach, near_.data()), best);
@@ -74,7 +72,7 @@ void CollisionScheduler::predict(int i) {
 
 // Puts the puck into the cell where its leg has it now.
 int CollisionScheduler::enterCell(int i) {
-  const Leg& leg = pucks_[i].leg;
+  const Leg leg = legOf(i);
   const Vec21 x = momentAt(leg, std::max(clock_, leg.start.t)).x;
   const int cell = cells_.cellAt(x.x, x.y);
   if (cell != cells_.cellOf(i)) cells_.move(i, cell);
@@ -169,8 +167,8 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
 std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second,
                                                      std::array<double, 2>& touchAt) const {
   if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
-  const auto found = findBrakedMeeting({pucks_[first].leg, discs_[first].radius},
-                                       {pucks_[second].leg, discs_[second].radius}, convention_);
+  const auto found = findBrakedMeeting({legOf(first), discs_[first].radius},
+                                       {legOf(second), discs_[second].radius}, convention_);
   if (!found) return std::nullopt;
   touchAt = found->touchAt;
   return found->meeting;
@@ -184,20 +182,20 @@ void CollisionScheduler::considerCushions(int i, PredictedEvent& best) const {
   for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
     const CushionPlane& plane = cushions_[cushion];
     if (cells_.canLeave(cell, plane.axis, plane.sign > 0.0 ? 1 : -1)) continue;
-    if (!(plane.towards(pucks_[i].leg.u) > 0.0) || (pucks_[i].metCushions >> cushion & 1u) != 0) continue;
+    if (!(plane.towards(discs_[i].u) > 0.0) || (pucks_[i].metCushions >> cushion & 1u) != 0) continue;
     considerCushion(i, cushion, best);
   }
 }
 
 void CollisionScheduler::considerCushion(int i, int cushion, PredictedEvent& best) const {
-  const PuckState& player = pucks_[i];
+  const Leg leg = legOf(i);
   // No earlier than straight flight to R (1 + u_n) from the plane, as R sqrt(1 + u_n²) is less; a glide is
   // slower.
-  const double un = cushions_[cushion].towards(player.leg.u);
-  const double atLeast = cushions_[cushion].inside(player.leg.start) - discs_[i].radius * (1.0 + un);
-  if (atLeast * player.leg.u.t > (best.ownTime - player.leg.start.t) * un) return;
+  const double un = cushions_[cushion].towards(leg.u);
+  const double atLeast = cushions_[cushion].inside(leg.start) - discs_[i].radius * (1.0 + un);
+  if (atLeast * leg.u.t > (best.ownTime - leg.start.t) * un) return;
   const std::optional<CushionContact> contact =
-      findContact(player.leg, discs_[i].radius, cushions_[cushion], convention_);
+      findContact(leg, discs_[i].radius, cushions_[cushion], convention_);
   if (!contact) return;
   const double own = contact->ownTime;
   if (own >= discs_[i].turnsAt || own > best.ownTime) return;
@@ -210,11 +208,11 @@ void CollisionScheduler::considerCushion(int i, int cushion, PredictedEvent& bes
 }
 
 void CollisionScheduler::considerStrokes(int i, PredictedEvent& best) const {
-  const PuckState& player = pucks_[i];
-  for (const int stroke : player.strokes) {
+  const Leg leg = legOf(i);
+  for (const int stroke : pucks_[i].strokes) {
     const PuckStroke& s = strokes_[stroke];
-    const double arrival = s.fromHand ? signalArrives(player.leg, s.hand, s.height).x.t : s.hand.t;
-    const double own = std::max(arrival, player.leg.start.t);
+    const double arrival = s.fromHand ? signalArrives(leg, s.hand, s.height).x.t : s.hand.t;
+    const double own = std::max(arrival, leg.start.t);
     if (own >= discs_[i].turnsAt || own >= best.ownTime) continue;
     best = {};
     best.kind = Kind::stroke;
@@ -224,7 +222,7 @@ void CollisionScheduler::considerStrokes(int i, PredictedEvent& best) const {
 }
 
 double CollisionScheduler::leavesCell(int i, int axis) const {
-  const Leg& leg = pucks_[i].leg;
+  const Leg leg = legOf(i);
   const double u = axis == 0 ? leg.u.x : leg.u.y;
   const int cell = cells_.cellOf(i), step = wayAlong(i, axis);
   if (u == 0.0 || !cells_.canLeave(cell, axis, step)) return kNever;

@@ -38,7 +38,7 @@ void GameHistory::complete() {
   for (std::size_t k = 0; k < newLegs_.size(); ++k) {
     if (k + kLines < newLegs_.size()) {
       const char* line = reinterpret_cast<const char*>(&lines_[newLegs_[k + kLines].puck]);
-      __builtin_prefetch(line), __builtin_prefetch(line + 64);
+      for (std::size_t byte = 0; byte < sizeof(WorldLine); byte += 64) __builtin_prefetch(line + byte);
     }
     if (k + kEnds < newLegs_.size()) lines_[newLegs_[k + kEnds].puck].fetchEnd();
     const auto& [puck, leg, signal] = newLegs_[k];

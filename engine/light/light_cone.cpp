@@ -163,13 +163,6 @@ void joinLegs(const Knot& knot, const Motion& previousCentre, const Motion& cent
   leg.fromPrevious = (thisFromBoard * boardFromPrevious).matrix();
 }
 
-/// ν_seen/ν_emitted = (k·u_observer)/(k·u_source), with k along the light from source to observer.
-double dopplerFactor(const Displacement& emissionFromEye, const Vec3& uSource, const Vec3& uObserver) {
-  const double distance_m = glm::length(emissionFromEye.dr_m);
-  const Vec3 k = distance_m > 0.0 ? -emissionFromEye.dr_m / distance_m : Vec3(0.0);
-  return (gammaFromU(uObserver) - glm::dot(uObserver, k)) / (gammaFromU(uSource) - glm::dot(uSource, k));
-}
-
 }  // namespace
 
 kernel_float::LegView toFloat(const LegView& leg) {
@@ -239,21 +232,6 @@ Motion centreSeen(const WorldLine& line, const Event& observation, const Switche
     if (centre.event.t_s >= knots[i].turn.t_s) return centre;
   }
   return centreEmission(knots.front(), ask, c_m_s);
-}
-
-std::optional<Emission> emission(const WorldLine& line, const Vec3& offset_m, const Event& observation,
-                                 const Lorentz& headFromBoard) {
-  const double c_m_s = line.lightSpeed_m_s();
-  const std::vector<VertexPiece> history = vertexHistory(line, offset_m);
-  Emission result;
-  result.event = eventOnPastCone(history, observation, c_m_s);
-  if (result.event.t_s < line.appears_s()) return std::nullopt;
-  const VertexPiece& piece = pieceAt(history, result.event.t_s);
-  result.seen = headFromBoard * (result.event - observation);
-  result.u = uAt(piece, result.event.t_s, c_m_s);
-  result.properTime_s = properTimeAt(piece, result.event.t_s, c_m_s);
-  result.doppler = dopplerFactor(result.event - observation, result.u, headFromBoard.inverse().u());
-  return result;
 }
 
 }  // namespace carom

@@ -112,8 +112,8 @@ void WorldLine::settlesAfter(double after_s) {
 
 void WorldLine::truncateFrom(double t_s) {
   if (forgotten_ && knots_.front().turn.t_s >= t_s) *this = WorldLine(origin_, c_m_s_, radius_m_, appears_s_);
-  const auto firstGone = std::find_if(knots_.begin() + 1, knots_.end(),
-                                      [t_s](const Knot& knot) { return knot.turn.t_s >= t_s; });
+  const auto firstGone = std::partition_point(knots_.begin() + 1, knots_.end(),
+                                              [t_s](const Knot& knot) { return knot.turn.t_s < t_s; });
   keepFirst(static_cast<std::size_t>(firstGone - knots_.begin()));
 }
 

@@ -77,6 +77,20 @@ bool sameBits(const FrameRecord& a, const FrameRecord& b) {
   return digestOf(FrameState{a, {}, {}}, World{}) == digestOf(FrameState{b, {}, {}}, World{});
 }
 
+void expectSameGame(const World& a, const World& b) {
+  ASSERT_EQ(a.histories.size(), b.histories.size());
+  for (std::size_t body = 0; body < a.histories.size(); ++body) {
+    const auto these = a.histories[body].knots(), those = b.histories[body].knots();
+    ASSERT_EQ(these.size(), those.size()) << "body " << body;
+    for (std::size_t k = 0; k < these.size(); ++k) {
+      ASSERT_EQ(these[k].turn.t_s, those[k].turn.t_s) << "body " << body << " knot " << k;
+      ASSERT_EQ(these[k].u, those[k].u) << "body " << body << " knot " << k;
+    }
+  }
+  ASSERT_EQ(a.events.size(), b.events.size());
+  for (std::size_t i = 0; i < a.events.size(); ++i) ASSERT_EQ(a.events[i].number, b.events[i].number);
+}
+
 /// A session of four seconds: as it was lived, and its file. Colour is on from frame 30 to 59.
 class ReplaySources : public testing::Test {
  protected:
@@ -190,6 +204,45 @@ TEST_F(ReplaySources, LeftAloneEveryFrameComesAsItWasAtItsTime) {
     ASSERT_EQ(show.frame.knots.size(), lived_[number].knots.size()) << "no more is known than was then";
     EXPECT_NEAR(clock.now_s(), static_cast<double>(number) * kPeriod_s, 1e-9);
   }
+}
+
+TEST_F(ReplaySources, BegunInTheMiddleEveryFrameComesAsItWasAtItsTime) {
+  constexpr std::uint64_t kFrom = 100;
+  World known{atStart_, {}};
+  session_->goTo(0);
+  FrameState recorded;
+  for (std::uint64_t number = 0; number < kFrom && session_->next(recorded); ++number)
+    session_->apply(recorded, known);
+  SimulatedClock clock;
+  RecordingPacer pacer(clock);
+  SessionFile again(folder_ / "game.db");
+  RecordedSource source(again, atStart_, kHz, lived_[kFrom].record.display_s);
+  Show seen(source, pacer, atStart_);
+  for (std::uint64_t number = kFrom; number < kFrames; ++number) {
+    ASSERT_TRUE(session_->next(recorded));
+    session_->apply(recorded, known);
+    const FrameRecord& record = seen.next();
+    ASSERT_EQ(record.number, number);
+    EXPECT_EQ(record.last, number + 1 == kFrames ? 1u : 0u);
+    ASSERT_TRUE(sameBits(record.observer, lived_[number].record.observer)) << "frame " << number;
+    expectSameGame(seen.world, known);
+  }
+}
+
+TEST_F(ReplaySources, TheGameIsReadFromTheFramesThatChangeIt) {
+  World game{atStart_, {}};
+  std::size_t changing = 0, read = 0;
+  FrameState frame;
+  for (session_->goTo(0); session_->next(frame);) {
+    session_->apply(frame, game);
+    changing += frame.knots.empty() && frame.events.empty() ? 0 : 1;
+  }
+  for (session_->goToChanges(); session_->next(frame); ++read)
+    EXPECT_FALSE(frame.knots.empty() && frame.events.empty()) << "frame " << frame.record.number;
+  EXPECT_EQ(read, changing);
+  EXPECT_GT(read, 3u);
+  EXPECT_LT(read, kFrames / 4) << "the other frames are not read";
+  expectSameGame(wholeGame(*session_, atStart_).world, game);
 }
 
 TEST_F(ReplaySources, GoneThroughToAndFroTheRightFramesComeAndSeeTheSame) {

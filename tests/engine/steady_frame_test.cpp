@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "counted_new.h"
+#include "engine/light/point_emission.h"
 #include "engine/light/ring_view.h"
 #include "engine/meshes.h"
 
@@ -27,6 +28,28 @@ TEST(SteadyFrame, RigidBodiesAllocateNothing) {
     allocations = test::allocationCount() - before;
   }
   EXPECT_EQ(allocations, 0U);
+}
+
+// However many legs a world line has: so a row of an hour's export costs what a row of a minute's costs.
+TEST(SteadyFrame, AnObservationOfAPointAllocatesNothing) {
+  test::Random random(63);
+  for (const int legs : {10, 1000}) {
+    const WorldLine line = test::randomWorldLine(random, kC_m_s, 0.1, legs, 0.3, 0.9);
+    const Vec3 offset_m = random.inBall(0.1);
+    const PointEmission point(line, offset_m);
+    const double end_s = line.knots().back().turn.t_s + 1.0;
+    for (double part = 0.0; part <= 1.0; part += 1.0 / 64.0) {
+      SCOPED_TRACE(testing::Message() << legs << " legs, at " << part);
+      const Event eye{part * end_s, {0.3, 0.2, 0.1}};
+      const std::size_t before = test::allocationCount();
+      const std::optional<Emission> seen = point.seenAt(eye, Lorentz(kC_m_s));
+      ASSERT_EQ(test::allocationCount(), before);
+      const std::optional<Emission> alone = emission(line, offset_m, eye, Lorentz(kC_m_s));
+      ASSERT_TRUE(seen && alone);
+      ASSERT_EQ(seen->event.t_s, alone->event.t_s);
+      ASSERT_EQ(seen->properTime_s, alone->properTime_s);
+    }
+  }
 }
 
 TEST(SteadyFrame, SampledMeshesAllocateNothingEvenWhileTheyAreRecorded) {

@@ -19,6 +19,16 @@ TEST(WholeFile, AppearsWhenCommitted) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+TEST(WholeFile, AppearsWithAllThatWasAdded) {
+  const TemporaryFolder folder;
+  WholeFile file(folder / "rows.csv");
+  for (const char* part : {"a", "b", "c"}) file.add(part);
+  EXPECT_FALSE(std::filesystem::exists(folder / "rows.csv"));
+  file.commit("d");
+  EXPECT_EQ(contentOf(folder / "rows.csv"), "abcd");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 TEST(WholeFile, LeavesWhatWasThereWithoutCommit) {
   const TemporaryFolder folder;
   folder.file("a.json", "old");
