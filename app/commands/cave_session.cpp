@@ -14,6 +14,7 @@
 #include "app/commands/session_options.h"
 #include "app/files/config_folder.h"
 #include "app/journal/session_file.h"
+#include "app/operator/playlist.h"
 #include "app/operator/lesson.h"
 #include "app/session/live_source.h"
 #include "app/stage/all_ranks.h"
@@ -348,14 +349,18 @@ void showView(const std::string& name, TimeViews& views) {
 void addCave(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
   auto options = std::make_shared<CaveOptions>();
-  options->rig = configFolder() / "rigs/desk.toml";
-  options->scenario = configFolder() / "scenarios/three-pucks.toml";
-  command->add_option("--rig", options->rig, "Rig file: walls and trackers")
-      ->capture_default_str()
-      ->transform(shipped("rigs"));
-  command->add_option("--scenario", options->scenario, "Scenario file")
-      ->capture_default_str()
-      ->transform(shipped("scenarios"));
+  auto* rig = command
+                  ->add_option("--rig", options->rig,
+                               "Rig file: walls and trackers. With --frames or --no-window, the default is "
+                               "rigs/desk.toml")
+                  ->default_str((configFolder() / "rigs/play.toml").string())
+                  ->transform(shipped("rigs"));
+  auto* scenario = command
+                       ->add_option("--scenario", options->scenario,
+                                    "Scenario file. With --frames or --no-window, the default is "
+                                    "scenarios/three-pucks.toml")
+                       ->default_str(fileOfGame(kWelcome))
+                       ->transform(shipped("scenarios"));
   command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));
@@ -402,10 +407,15 @@ void addCave(CLI::App& app, int& status) {
   addSilent(*command, options->silent);
   addOutside(*command, options->outside, options->diagram, options->console);
   command->footer(
-      "Examples:\n  carom cave\n  carom cave --frames 90 --capture pictures --no-window\n"
+      "Examples:\n  carom cave\n  carom cave --scenario twins --console\n  carom cave --frames 90 --capture pictures --no-window\n"
       "  carom cave --switch colour=on --switch searchlight=on\n"
       "  mpirun -n 4 carom cave --rig four-walls-cluster");
-  command->callback([options, &status] { status = runCave(*options); });
+  command->callback([=, &status] {
+    const bool isWatched = !options->frames && !options->noWindow;
+    if (rig->empty()) options->rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
+    if (scenario->empty()) options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
+    status = runCave(*options);
+  });
 }
 
 }  // namespace carom
