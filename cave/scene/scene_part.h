@@ -48,6 +48,5 @@ struct BodyLooks {
   double radius_m = 0.0;  ///< a puck's mesh is scaled to it; 0: as it is
   double height_m = 0.0;  ///< of the built-in puck
 };
-};
 
 }  // namespace carom
