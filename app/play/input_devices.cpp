@@ -99,10 +99,10 @@ InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double 
 
 /// Turns the room so that what the mouse took hold of stays under it. With the room's axes turned by some angle,
 /// the scene turns by the opposite one.
-void InputDevices::turn(const Hand& mouse) {
+void InputDevices::turn(const Hand& hand) {
   turn_rad_ = 0.0;
-  if (!desk_.mouseTurns || !mouse.there) return grabbed_.reset();
-  const Vec3 now = level(mouse.along), before = grabbed_.value_or(now);
+  if (!desk_.mouseTurns || !hand.there) return grabbed_.reset();
+  const Vec3 now = level(hand.along), before = grabbed_.value_or(now);
   turn_rad_ = -std::atan2(glm::dot(glm::cross(before, now), axes_.up), glm::dot(before, now));
   grabbed_ = now;
 }

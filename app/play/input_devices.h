@@ -73,7 +73,7 @@ class InputDevices {
   Hand wandHand(const HandDevices& devices, double now_s) const;
   Hand mouseHand(const ObserverView& observer, double now_s);
   Hand padHand(const ObserverView& observer, const Pose& roomFromHead, double now_s);
-  void turn(const Hand& mouse);
+  void turn(const Hand& hand);
   void take(const std::array<Hand, kDevices>& hands, HandInput& input);
   std::optional<Device> aiming(const std::array<Hand, kDevices>& hands, double now_s) const;
   Vec3 level(const Vec3& way) const;
