@@ -144,6 +144,8 @@ constexpr std::array kKeys{
         [](const OperatorSettings&, const Pressed&) -> Command {
           return PlayScenario{fileOfGame(kWelcome)};
         }},
+    Key{GLFW_KEY_F8, 0, "F8", kInSession, "the next visitor: everything as at the beginning",
+        [](const OperatorSettings&, const Pressed&) -> Command { return WelcomeNextVisitor{}; }},
     Key{GLFW_KEY_G, 0, "G", kInSession, "start the scripted flight",
         [](const OperatorSettings&, const Pressed&) -> Command { return StartTour{}; }},
     Key{GLFW_KEY_T, 0, "T", kEverywhere, "patterns", showNext},
