@@ -17,6 +17,7 @@
 #ifdef CAROM_WITH_CAVE
 #include "app/commands/cave_session.h"
 #include "app/commands/diagram.h"
+#include "app/commands/doctor.h"
 #include "app/commands/events.h"
 #include "app/commands/export.h"
 #include "app/commands/pattern.h"
@@ -79,6 +80,7 @@ void addCommands(CLI::App& app, int& status) {
   addTrack(app, status);
 #ifdef CAROM_WITH_CAVE
   addCave(app, status);
+  addDoctor(app, status);
   addEvents(app, status);
   addDiagram(app, status);
   addReplay(app, status);
