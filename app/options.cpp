@@ -66,7 +66,8 @@ void addCommands(CLI::App& app, int& status) {
   app.set_version_flag("--version", CAROM_VERSION, "Print the version");
   app.set_help_all_flag("--help-all", "Print the help of every command");
   app.footer(
-      "Start with:\n  carom cave                                        the welcome: a game that already runs\n"
+      "Start with:\n  carom cave                                        the welcome: a game that already "
+      "runs\n"
       "  carom list                                        the shipped games, lessons and rigs\n"
       "  carom check desk                                  what a file says\n"
       "  carom simulate three-pucks --until 10\n"

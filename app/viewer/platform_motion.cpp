@@ -185,7 +185,7 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   const Lorentz& room = observer.boardFromRoom();
   const Lorentz after = room * Lorentz::fromRapidity(thrust_m_s2 * (left_s / c_m_s_), c_m_s_);
   const Vec3 here_m = observer.headEvent().r_m;
-  if (staysInHall(room, here_m) && !staysInHall(after, here_m)) {
+  if (!staysInHall(after, here_m)) {
     view_.atLimit = 1;
     sayOnce(saidWall_, "The drive stops in front of the hall's walls. Home brings you back to the table.");
     return brake(observer, left_s);
@@ -199,19 +199,19 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   return {left_s};
 }
 
-/// Returns whether the platform, braked from now on, comes to rest within the hall. On the hyperbola of the
-/// strongest thrust it goes on for (γ − 1) c²/a (Rindler 2006, §3.8). A place outside counts as within, so
-/// that the drive does not hold back a person who begins there.
+/// Returns whether the platform, braked from now on, comes to rest within the hall or at least no further
+/// outside than it is. On the hyperbola of the strongest thrust it goes on for (γ − 1) c²/a (Rindler 2006,
+/// §3.8).
 bool PlatformMotion::staysInHall(const Lorentz& boardFromRoom, const Vec3& place_m) const {
   if (!halfHall_m_) return true;
-  const auto isInside = [&](const Vec3& at_m) {
-    return std::abs(at_m.x) <= halfHall_m_->x && std::abs(at_m.y) <= halfHall_m_->y;
+  const auto outside_m = [&](const Vec3& at_m) {
+    return std::max({std::abs(at_m.x) - halfHall_m_->x, std::abs(at_m.y) - halfHall_m_->y, 0.0});
   };
   const Vec3 u = boardFromRoom.u();
   const double size_u = glm::length(u);
-  if (!isInside(place_m) || !(size_u > kAtRest_u)) return true;
+  if (!(size_u > kAtRest_u)) return true;
   const double way_m = (std::hypot(1.0, size_u) - 1.0) * c_m_s_ * c_m_s_ / strongest_m_s2_;
-  return isInside(place_m + u * (way_m / size_u));
+  return outside_m(place_m + u * (way_m / size_u)) <= outside_m(place_m);
 }
 
 /// Stops the platform. The board moves through the room with u = sinh η: a boost by the same brings the room
