@@ -10,12 +10,14 @@
 #include "app/tools/check.h"
 #include "app/tools/filter.h"
 #include "app/tools/import.h"
+#include "app/tools/list.h"
 #include "app/tools/observe.h"
 #include "app/tools/simulate.h"
 #include "app/tools/track.h"
 #ifdef CAROM_WITH_CAVE
 #include "app/commands/cave_session.h"
 #include "app/commands/diagram.h"
+#include "app/commands/doctor.h"
 #include "app/commands/events.h"
 #include "app/commands/export.h"
 #include "app/commands/pattern.h"
@@ -64,7 +66,9 @@ void addCommands(CLI::App& app, int& status) {
   app.set_version_flag("--version", CAROM_VERSION, "Print the version");
   app.set_help_all_flag("--help-all", "Print the help of every command");
   app.footer(
-      "Start with:\n  carom cave                                        the default session\n"
+      "Start with:\n  carom cave                                        the welcome: a game that already "
+      "runs\n"
+      "  carom list                                        the shipped games, lessons and rigs\n"
       "  carom check desk                                  what a file says\n"
       "  carom simulate three-pucks --until 10\n"
       "Each command explains itself: carom simulate --help");
@@ -72,10 +76,12 @@ void addCommands(CLI::App& app, int& status) {
   addObserve(app, status, kSeenScene);
   addCheck(app, status, kOpenMeshes, kShowPattern);
   addImport(app, status);
+  addList(app, status);
   addFilter(app, status);
   addTrack(app, status);
 #ifdef CAROM_WITH_CAVE
   addCave(app, status);
+  addDoctor(app, status);
   addEvents(app, status);
   addDiagram(app, status);
   addReplay(app, status);

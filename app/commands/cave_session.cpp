@@ -15,6 +15,7 @@
 #include "app/files/config_folder.h"
 #include "app/journal/session_file.h"
 #include "app/operator/lesson.h"
+#include "app/operator/playlist.h"
 #include "app/session/live_source.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
@@ -127,7 +128,7 @@ struct LivePlay {
               setup.swapsWait, start.firstFrame()),
         source(setup.rig, setup.scenario, setup.world, start),
         leader(source, KeysOf::session, firstSettings(setup, options, inputs.scenario.file.string(), before),
-               setup.realTime ? setup.walls.get() : nullptr),
+               setup.realTime ? setup.walls.get() : nullptr, options.unattended_s),
         sounds(soundsFor(setup, options.silent || options.noWindow)) {
     journal.keep(openJournal(options.session, options.resume, inputs, setup));
   }
@@ -199,10 +200,15 @@ void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesy
 
 /// Returns the settings of the next game. A different game starts with the program's initial settings, except
 /// those of the room. The same game keeps all settings; a lesson in its phase `shows` stays there, and one
-/// that was explained starts again with its question, for the next visitor.
-OperatorSettings settingsOfNext(const OperatorSettings& before, const std::string& file,
+/// that was explained starts again with its question. For the next visitor, everything is as the session began.
+OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& next,
                                 const SessionSetup& setup, const CaveOptions& options) {
   OperatorSettings settings = settingsOf(setup, options);
+  const std::string& file = next.file;
+  if (next.isForNextVisitor) {
+    settings.playing = file;
+    return settings;
+  }
   settings.eyeSeparation_m = before.eyeSeparation_m;
   settings.walls = before.walls;
   settings.keysShown = before.keysShown;
@@ -231,7 +237,8 @@ std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& s
 /// Returns false if none was chosen, which ends the session. `play` is null on ranks other than 0.
 bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions& inputs, SessionSetup& setup,
                      OperatorWindows& windows, LivePlay* play) {
-  std::string file = play ? play->leader.takeNextGame() : "";
+  const NextGame next = play ? play->leader.takeNextGame() : NextGame{};
+  std::string file = next.file;
   cluster.share(file);
   if (file.empty()) return false;
   if (!playNext(cluster, setup, file)) {
@@ -248,7 +255,7 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions&
     play->source.playAnew();
     play->journal.keep(openNextJournal(session, inputs, setup));
     if (windows.console) windows.console->writeTo(session);
-    play->leader.begin(settingsOfNext(play->leader.settings(), file, setup, options));
+    play->leader.begin(settingsOfNext(play->leader.settings(), next, setup, options));
     log::note(
         fmt::format("{}{}", setup.scenario.title, session ? " is written to " + session->string() : ""));
   });
@@ -348,14 +355,18 @@ void showView(const std::string& name, TimeViews& views) {
 void addCave(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
   auto options = std::make_shared<CaveOptions>();
-  options->rig = configFolder() / "rigs/desk.toml";
-  options->scenario = configFolder() / "scenarios/three-pucks.toml";
-  command->add_option("--rig", options->rig, "Rig file: walls and trackers")
-      ->capture_default_str()
-      ->transform(shipped("rigs"));
-  command->add_option("--scenario", options->scenario, "Scenario file")
-      ->capture_default_str()
-      ->transform(shipped("scenarios"));
+  auto* rig = command
+                  ->add_option("--rig", options->rig,
+                               "Rig file: walls and trackers. With --frames or --no-window, the default is "
+                               "rigs/desk.toml")
+                  ->default_str((configFolder() / "rigs/play.toml").string())
+                  ->transform(shipped("rigs"));
+  auto* scenario = command
+                       ->add_option("--scenario", options->scenario,
+                                    "Scenario file. With --frames or --no-window, the default is "
+                                    "scenarios/three-pucks.toml")
+                       ->default_str(fileOfGame(kWelcome))
+                       ->transform(shipped("scenarios"));
   command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));
@@ -399,13 +410,25 @@ void addCave(CLI::App& app, int& status) {
       ->excludes(command->get_option("--switch"))
       ->excludes(command->get_option("--view"));
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  command
+      ->add_option("--unattended", options->unattended_s,
+                   "Welcome the next visitor after so many seconds without input or motion of the head: the "
+                   "first game starts anew, all settings as at the beginning")
+      ->type_name("S")
+      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
   addSilent(*command, options->silent);
   addOutside(*command, options->outside, options->diagram, options->console);
   command->footer(
-      "Examples:\n  carom cave\n  carom cave --frames 90 --capture pictures --no-window\n"
+      "Examples:\n  carom cave\n  carom cave --scenario twins --console\n  carom cave --frames 90 --capture "
+      "pictures --no-window\n"
       "  carom cave --switch colour=on --switch searchlight=on\n"
       "  mpirun -n 4 carom cave --rig four-walls-cluster");
-  command->callback([options, &status] { status = runCave(*options); });
+  command->callback([=, &status] {
+    const bool isWatched = !options->frames && !options->noWindow;
+    if (rig->empty()) options->rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
+    if (scenario->empty()) options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
+    status = runCave(*options);
+  });
 }
 
 }  // namespace carom

@@ -24,12 +24,13 @@ struct CaveOptions {
   std::optional<std::filesystem::path> session;  ///< the session file to write
   bool resume = false;  ///< continue from the end of `session`, with its rig and scenario
   bool noWindow = false;
-  bool silent = false;   ///< no sounds
-  Switches switches;     ///< at the start
-  TimeViews views;       ///< at the start
-  bool outside = false;  ///< rank 0 also shows the spectator view
-  bool diagram = false;  ///< rank 0 also shows the spacetime diagram
-  bool console = false;  ///< rank 0 also shows the operator's console
+  bool silent = false;                 ///< no sounds
+  Switches switches;                   ///< at the start
+  TimeViews views;                     ///< at the start
+  bool outside = false;                ///< rank 0 also shows the spectator view
+  bool diagram = false;                ///< rank 0 also shows the spacetime diagram
+  bool console = false;                ///< rank 0 also shows the operator's console
+  std::optional<double> unattended_s;  ///< the next visitor is welcomed after so long without a sign of life
 };
 
 /// Runs a session to its end; under mpirun, this rank's part of it. Returns the exit status: 0, or 1 after a

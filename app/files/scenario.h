@@ -8,6 +8,7 @@
 
 #include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"
+#include "engine/base/limits.h"
 #include "engine/billiard/billiard.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/observer.h"
@@ -50,15 +51,27 @@ struct Lesson {
   TimeViews views;  ///< that are on when it begins
 };
 
+/// A sentence shown in the room while the observer's proper time in this game is in its interval, with the
+/// time views that belong to it.
+struct Caption {
+  static constexpr std::size_t kLetters = 110;
+
+  double from_s = 0.0, for_s = 0.0;
+  std::string text;
+  TimeViews views;
+};
+
 struct Scenario {
   std::string title;
   BilliardSetup billiard;                                        ///< checked to be playable
   std::vector<std::optional<std::filesystem::path>> puckMeshes;  ///< one for each puck, scaled to its radius
   std::vector<ScriptedBody> bodies;
   ObserverStart observer;
-  std::vector<ThrustLeg> tour;  ///< in the order of time, without overlap
-  bool tourAtOnce = false;      ///< the tour starts with the game; otherwise when requested
+  std::vector<ThrustLeg> tour;     ///< in the order of time, without overlap
+  bool tourAtOnce = false;         ///< the tour starts with the game; otherwise when requested
+  double most_u = kMostPlatformU;  ///< γβ beyond which the drive makes the platform no faster
   std::vector<Pulse> pulses;
+  std::vector<Caption> captions;  ///< in the order of time, without overlap
   std::optional<Lesson> lesson;
 };
 

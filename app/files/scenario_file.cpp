@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/files/scenario_bodies.h"
+#include "app/files/scenario_captions.h"
 #include "app/files/scenario_checks.h"
 #include "app/files/scenario_lesson.h"
 #include "app/files/scenario_tour.h"
@@ -81,6 +82,13 @@ Flash readFlash(const TomlTable& table, std::size_t index) {
           {table.number("at_s", kNotNegative), toVec3(table.numbers<3>("r_m", {}))}};
 }
 
+/// Returns γβ of the fastest that the drive makes the room.
+double readMost_u(const TomlTable& observer) {
+  const double most = kMostPlatformU / std::hypot(1.0, kMostPlatformU);
+  const double beta = observer.number("fastest_beta", {.least = 0.0, .most = most, .above = true}, most);
+  return beta < most ? beta / std::sqrt(1.0 - beta * beta) : kMostPlatformU;
+}
+
 Pulse readPulse(const TomlTable& table) {
   Pulse pulse{.name = table.text("name"), .at_s = table.number("at_s", {}), .path_m = {}};
   for (const auto& place : table.points("path_m")) pulse.path_m.push_back(toVec3(place));
@@ -121,7 +129,10 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   if (const auto board = root.table("board")) scenario.billiard.board = readBoard(*board);
   const auto physics = root.table("physics");
   if (physics) scenario.billiard.rules = readRules(*physics);
-  if (const auto observer = root.table("observer")) scenario.observer = readObserver(*observer);
+  if (const auto observer = root.table("observer")) {
+    scenario.observer = readObserver(*observer);
+    scenario.most_u = readMost_u(*observer);
+  }
 
   const std::vector<TomlTable> pucks = root.tables("puck");
   for (const TomlTable& puck : pucks) {
@@ -143,6 +154,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     scenario.tour = readTour(*tour, scenario.billiard.lightSpeed_m_s);
     scenario.tourAtOnce = readTourAtOnce(*tour);
   }
+  scenario.captions = readCaptions(root);
   if (const auto lesson = root.table("lesson")) scenario.lesson = readLesson(*lesson, scenario.title);
   file.throwFaults();
 

@@ -24,12 +24,6 @@ void checkLength(const TomlTable& table, FilePlace place, std::string_view name,
                                  letters, most));
 }
 
-std::string readWords(const TomlTable& table, std::string_view key, std::size_t most) {
-  std::string text = table.text(key);
-  checkLength(table, table.place(key), key, text, most);
-  return text;
-}
-
 constexpr std::size_t kFewestAnswers = 2;
 
 std::vector<std::string> readAnswers(const TomlTable& table) {
@@ -45,6 +39,14 @@ std::vector<std::string> readAnswers(const TomlTable& table) {
                             answers.size(), answers.size() == 1 ? "" : "s"));
   }
   return answers;
+}
+
+}  // namespace
+
+std::string readWords(const TomlTable& table, std::string_view key, std::size_t most) {
+  std::string text = table.text(key);
+  checkLength(table, table.place(key), key, text, most);
+  return text;
 }
 
 TimeViews readViews(const TomlTable& table) {
@@ -65,8 +67,6 @@ TimeViews readViews(const TomlTable& table) {
   }
   return views;
 }
-
-}  // namespace
 
 Lesson readLesson(const TomlTable& table, const std::string& title) {
   Lesson lesson;

@@ -2,11 +2,18 @@
 // Reads the lesson of a scenario file.
 
 #include <string>
+#include <string_view>
 
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
 
 namespace carom {
+
+/// Reads a text of at most so many letters; a longer one is a fault.
+std::string readWords(const TomlTable& table, std::string_view key, std::size_t most);
+
+/// Reads the key `views`: the names of time views. The others are off.
+TimeViews readViews(const TomlTable& table);
 
 /// Reads the lesson. `title` is that of the scenario.
 Lesson readLesson(const TomlTable& table, const std::string& title);

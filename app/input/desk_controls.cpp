@@ -87,10 +87,12 @@ void DeskControls::takePad(const GLFWgamepadstate& pad, bool asks) {
 }
 
 const DeskInput& DeskControls::gather(const std::optional<PointedWall>& mouse, bool mouseHeld,
-                                      const WindowInput& input, const GLFWgamepadstate* pad, bool asks) {
+                                      const WindowInput& input, const GLFWgamepadstate* pad, bool asks,
+                                      bool mouseTurns) {
   input_ = {};
   input_.mouse = mouse;
   input_.mouseHeld = mouseHeld;
+  input_.mouseTurns = mouseTurns;
   takeKeys(input);
   if (pad) {
     takePad(*pad, asks);
@@ -104,7 +106,7 @@ const DeskInput& DeskControls::gather(const std::optional<PointedWall>& mouse, b
 const DeskInput& DeskControls::gather(const DisplayWalls& walls, const WindowInput& input, bool asks) {
   GLFWgamepadstate pad;
   const bool hasPad = readPad(pad);
-  return gather(walls.pointedAt(), walls.isHeld(), input, hasPad ? &pad : nullptr, asks);
+  return gather(walls.pointedAt(), walls.isHeld(), input, hasPad ? &pad : nullptr, asks, walls.isTurning());
 }
 
 }  // namespace carom

@@ -2,7 +2,7 @@
 // The desktop input from GLFW: the mouse over the walls' windows, held keys, and a gamepad.
 //
 //   keys      W A S D steer, Space brakes, Home goes home
-//   mouse     aims at what it points to; its left button holds the cue
+//   mouse     aims at what it points to; its left button holds the cue, its right button turns the view
 //   gamepad   left stick steers, A or the right trigger holds the cue, the right stick draws it back,
 //             B brakes, Y goes home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4
 
@@ -51,7 +51,7 @@ class DeskControls {
 
   /// Does the same for input collected by the caller. `pad` is null if there is no gamepad.
   const DeskInput& gather(const std::optional<PointedWall>& mouse, bool mouseHeld, const WindowInput& input,
-                          const GLFWgamepadstate* pad, bool asks);
+                          const GLFWgamepadstate* pad, bool asks, bool mouseTurns = false);
 
  private:
   void takeKeys(const WindowInput& input);

@@ -11,6 +11,7 @@ namespace carom {
 struct DeskInput {
   std::optional<PointedWall> mouse;  ///< empty if the mouse is over no wall
   bool mouseHeld = false;            ///< left button
+  bool mouseTurns = false;           ///< right button
   /// Sum of held keys and gamepad sticks: right, forward, up; −1 to 1 each.
   Vec3 steer{0.0};
   bool brake = false;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/operator/playlist.h"
 #include "engine/base/limits.h"
 #include "engine/base/log.h"
 
@@ -133,6 +134,18 @@ constexpr std::array kKeys{
         [](const OperatorSettings&, const Pressed&) -> Command { return AdvanceLesson{}; }},
     Key{GLFW_KEY_Y, 0, "Y", kInSession, "restart this game",
         [](const OperatorSettings& now, const Pressed&) -> Command { return PlayScenario{now.playing}; }},
+    Key{GLFW_KEY_F5, 0, "F5", kInSession, "Show me: relativity in a minute",
+        [](const OperatorSettings&, const Pressed&) -> Command { return PlayScenario{fileOfGame(kShowMe)}; }},
+    Key{GLFW_KEY_F6, 0, "F6", kInSession, "Lessons: the next one",
+        [](const OperatorSettings& now, const Pressed&) -> Command {
+          return PlayScenario{lessonAfter(now.playing)};
+        }},
+    Key{GLFW_KEY_F7, 0, "F7", kInSession, "Play: the game of the beginning",
+        [](const OperatorSettings&, const Pressed&) -> Command {
+          return PlayScenario{fileOfGame(kWelcome)};
+        }},
+    Key{GLFW_KEY_F8, 0, "F8", kInSession, "the next visitor: everything as at the beginning",
+        [](const OperatorSettings&, const Pressed&) -> Command { return WelcomeNextVisitor{}; }},
     Key{GLFW_KEY_G, 0, "G", kInSession, "start the scripted flight",
         [](const OperatorSettings&, const Pressed&) -> Command { return StartTour{}; }},
     Key{GLFW_KEY_T, 0, "T", kEverywhere, "patterns", showNext},
@@ -210,6 +223,7 @@ std::vector<KeyLine> keyMap(KeysOf place) {
     lines.push_back({"Space", "brake"});
     lines.push_back({"Home", "return to the table"});
     lines.push_back({"Mouse", "point at a puck, press, draw back, let go: a stroke"});
+    lines.push_back({"Right button", "turn the view"});
     lines.push_back({"1 to 4", "answer a lesson's question"});
   }
   lines.push_back({"H", "this list"});

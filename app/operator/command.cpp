@@ -71,6 +71,7 @@ struct Apply {
   bool operator()(const AdvanceLesson&) { return setLesson(settings, 0, true); }
   bool operator()(const StartTour&) { return true; }
   bool operator()(const PlayScenario& c) { return !c.file.empty(); }
+  bool operator()(const WelcomeNextVisitor&) { return true; }
   bool operator()(const Pause& c) { return set(settings.playback.paused, c.on); }
   bool operator()(const SetRate& c) { return set(settings.playback.rate, c.rate); }
   bool operator()(const Seek&) { return true; }
@@ -90,6 +91,7 @@ struct NameOf {
   std::string operator()(const AdvanceLesson&) { return "lesson"; }
   std::string operator()(const StartTour&) { return "tour"; }
   std::string operator()(const PlayScenario&) { return "scenario"; }
+  std::string operator()(const WelcomeNextVisitor&) { return "visitor"; }
   std::string operator()(const Pause&) { return "playback"; }
   std::string operator()(const SetRate&) { return "playback rate"; }
   std::string operator()(const Seek&) { return "playback"; }
@@ -112,6 +114,7 @@ struct ValueOf {
   std::string operator()(const AdvanceLesson&) { return wordsFor(settings.lesson); }
   std::string operator()(const StartTour&) { return "asked for"; }
   std::string operator()(const PlayScenario& c) { return c.file; }
+  std::string operator()(const WelcomeNextVisitor&) { return "the next one"; }
   std::string operator()(const Pause& c) { return c.on ? "paused" : "goes on"; }
   std::string operator()(const SetRate& c) { return fmt::format("{:g}", c.rate); }
   std::string operator()(const Seek& c) { return fmt::format("from {:.2f} s", c.session_s); }

@@ -63,6 +63,10 @@ struct PlayScenario {
   std::string file;  ///< scenario file, played from its beginning
   bool operator==(const PlayScenario&) const = default;
 };
+/// Starts the session's first game anew, with every setting as the session began: for the next visitor.
+struct WelcomeNextVisitor {
+  bool operator==(const WelcomeNextVisitor&) const = default;
+};
 struct Pause {
   bool on;
   bool operator==(const Pause&) const = default;
@@ -76,9 +80,9 @@ struct Seek {
   bool operator==(const Seek&) const = default;
 };
 
-using Command =
-    std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, SetEyeSeparation, SetLightSpeed,
-                 AnswerLesson, AdvanceLesson, StartTour, PlayScenario, Pause, SetRate, Seek>;
+using Command = std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, SetEyeSeparation,
+                             SetLightSpeed, AnswerLesson, AdvanceLesson, StartTour, PlayScenario,
+                             WelcomeNextVisitor, Pause, SetRate, Seek>;
 using Commands = std::vector<Command>;
 
 /// Applies the command to the settings. Returns false if nothing changes: the setting has that value already,

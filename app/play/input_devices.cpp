@@ -44,6 +44,7 @@ DriveWish InputDevices::drive() const {
       steered_ + desk_.steer.x * axes_.right + desk_.steer.y * axes_.forward + desk_.steer.z * axes_.up;
   wish.brake =
       desk_.brake || (wandKnown_ && wandButtons_.isHeld(kBrake)) || spaceMouseButtons_.isHeld(kLeftBrakes);
+  wish.turn_rad = turn_rad_;
   wish.home = desk_.home || wandButtons_.wasPressed(kHome) || spaceMouseButtons_.wasPressed(kRightGoesHome);
   return wish;
 }
@@ -96,6 +97,16 @@ InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double 
   return hand;
 }
 
+/// Turns the room so that what the mouse took hold of stays under it. With the room's axes turned by some angle,
+/// the scene turns by the opposite one.
+void InputDevices::turn(const Hand& hand) {
+  turn_rad_ = 0.0;
+  if (!desk_.mouseTurns || !hand.there) return grabbed_.reset();
+  const Vec3 now = level(hand.along), before = grabbed_.value_or(now);
+  turn_rad_ = -std::atan2(glm::dot(glm::cross(before, now), axes_.up), glm::dot(before, now));
+  grabbed_ = now;
+}
+
 InputDevices::Hand InputDevices::padHand(const ObserverView& observer, const Pose& roomFromHead,
                                          double now_s) {
   if (desk_.padHeld || desk_.padPull != Vec3(0.0)) padUsed_s_ = now_s;
@@ -146,6 +157,7 @@ HandInput InputDevices::cue(const HandDevices& devices, const ObserverView& obse
   steer(devices);
   const std::array<Hand, kDevices> hands{wandHand(devices, now_s), mouseHand(observer, now_s),
                                          padHand(observer, roomFromHead, now_s)};
+  turn(hands[mouse]);
   HandInput input;
   take(hands, input);
   const std::optional<Device> device = aiming(hands, now_s);

@@ -6,7 +6,8 @@
 //               press draws it back; button 1 brakes, 2 goes home, 3 goes on; the stick steers along the
 //               direction of the wand; while a lesson asks, buttons 0 to 3 are its answers 1 to 4
 //   mouse       aims from the eye whose picture it is over; the cue is drawn back by the displacement of the
-//               point on the cloth that the mouse points to
+//               point on the cloth that the mouse points to; its right button takes hold of the scene and turns
+//               the room about the head
 //   gamepad     aims with the head: from between the eyes, forward; its right stick draws the cue back
 //   SpaceMouse  steers right, up and forward; its left button brakes, its right one goes home
 //
@@ -72,6 +73,7 @@ class InputDevices {
   Hand wandHand(const HandDevices& devices, double now_s) const;
   Hand mouseHand(const ObserverView& observer, double now_s);
   Hand padHand(const ObserverView& observer, const Pose& roomFromHead, double now_s);
+  void turn(const Hand& hand);
   void take(const std::array<Hand, kDevices>& hands, HandInput& input);
   std::optional<Device> aiming(const std::array<Hand, kDevices>& hands, double now_s) const;
   Vec3 level(const Vec3& way) const;
@@ -81,7 +83,9 @@ class InputDevices {
   bool asks_ = false;
   Buttons wandButtons_, spaceMouseButtons_;
   bool wandKnown_ = false;
-  Vec3 steered_{0.0};  ///< from wand and SpaceMouse, in the room's axes
+  Vec3 steered_{0.0};            ///< from wand and SpaceMouse, in the room's axes
+  std::optional<Vec3> grabbed_;  ///< horizontal direction of the mouse while it turns the room
+  double turn_rad_ = 0.0;        ///< of the room about the vertical, in the next frame
   std::optional<Device> holder_;
   std::array<bool, kDevices> wasHeld_{};
   Vec3 pressed_m_{0.0};  ///< position of the holder at the time of pressing

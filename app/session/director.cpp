@@ -7,8 +7,13 @@
 namespace carom {
 
 FrameLeader::FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings,
-                         const DisplayWalls* windows)
-    : source_(source), keys_(keys), windows_(windows), desk_(keys) {
+                         const DisplayWalls* windows, std::optional<double> patience_s)
+    : source_(source),
+      keys_(keys),
+      windows_(windows),
+      desk_(keys),
+      firstGame_(settings.playing),
+      idle_(patience_s) {
   settings_ = settings;
 }
 
@@ -19,7 +24,18 @@ void FrameLeader::obey(const Command& command, Decision& decision) {
   decision.inputs.push_back({nameOf(command), valueOf(command, settings_)});
   log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
-  if (const auto* play = std::get_if<PlayScenario>(&command)) nextGame_ = play->file;
+  if (const auto* play = std::get_if<PlayScenario>(&command)) nextGame_ = {play->file};
+  if (std::holds_alternative<WelcomeNextVisitor>(command)) nextGame_ = {firstGame_, true};
+}
+
+/// Returns whether nobody has given a sign of life for so long that the next visitor is to be welcomed.
+bool FrameLeader::isAbandoned(const WindowInput& input, const DeskInput& desk, const Decision& decision) {
+  const bool mouseMoved = desk.mouse && (!mouseWas_ || desk.mouse->onWall_m != mouseWas_->onWall_m);
+  mouseWas_ = desk.mouse;
+  const bool acted = !input.keys.empty() || !obeyed_.empty() || mouseMoved || desk.mouseHeld ||
+                     desk.mouseTurns || desk.padHeld || desk.steer != Vec3(0.0) ||
+                     decision.frame.record.hand.pulling || decision.frame.record.drive.thrust != Vec3(0.0);
+  return idle_.look(decision.frame.record.display_s, acted, decision.head.pose.position_m);
 }
 
 void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Decision& decision) {
@@ -36,7 +52,8 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
   source_.next(times, {obeyed_, desk}, settings_, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
-  if (!nextGame_.empty()) decision.frame.record.last = 1;  // ends this game
+  if (isAbandoned(input, desk, decision)) obey(WelcomeNextVisitor{}, decision);
+  if (!nextGame_.file.empty()) decision.frame.record.last = 1;  // ends this game
   for (const std::string& alarm : decision.alarms) log::note(alarm);
   decision.timing.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }

@@ -110,6 +110,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   say(roomBoundary_.look(viewer_.head().pose.position_m), decision);
   say(std::exchange(pendingMessage_, {}), decision);
   record.notice = play_.message.at(times.display_s);
+  showCaption(decision);
   if (settings.views.myNow) play_.game.playToNowOf(record.observer);
   play_.game.advance(latestObservation_s(record.observer), frame);
   if (times.number % kFramesBetweenForgetting == 0)
@@ -120,6 +121,23 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   decision.samples = viewer_.samples();
   decision.alarms = viewer_.takeAlarms();
   decision.timing.sampleAge_s = sampleAge_s(times.begin_s);
+}
+
+/// Shows the scenario's caption for the observer's proper time, unless a message is shown. When a caption
+/// begins, commands turn on its time views and turn off the others.
+void LiveSource::showCaption(Decision& decision) {
+  FrameRecord& record = decision.frame.record;
+  const double own_s = record.observer.properTime_s;
+  const std::vector<Caption>& captions = scenario_.captions;
+  while (play_.captions < captions.size() && captions[play_.captions].from_s <= own_s) {
+    const Caption& caption = captions[play_.captions++];
+    for (const NamedView& view : kNamedViews)
+      decision.commands.push_back(SetView{view.value, caption.views.*view.value != 0});
+    decision.notes.push_back({"notice", caption.text});
+  }
+  if (play_.captions == 0 || !record.notice.words().empty()) return;
+  const Caption& latest = captions[play_.captions - 1];
+  if (own_s < latest.from_s + latest.for_s) record.notice = Notice(latest.text);
 }
 
 double LiveSource::sampleAge_s(double begin_s) {

@@ -46,6 +46,7 @@ struct Play {
   LessonState lesson;                  ///< in the previous frame
   DriveMode driven = DriveMode::free;  ///< in the previous frame
   std::optional<ObserverView> frozen;  ///< the last view before time was frozen
+  std::size_t captions = 0;            ///< that have begun
   bool isNew;  ///< its first frame is still to come: no time passes for the viewer while a game is loaded
 };
 
@@ -70,6 +71,7 @@ class LiveSource : public FrameSource {
   void see(const OperatorSettings& settings, const FrameTimes& times, bool still, Decision& decision);
   void strike(bool still, const FrameTimes& times, Decision& decision);
   void say(std::string_view words, Decision& decision);
+  void showCaption(Decision& decision);
   double sampleAge_s(double begin_s);
 
   const Rig& rig_;

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <numbers>
 
+#include "cave/frame/hall.h"
 #include "engine/base/limits.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -20,6 +21,7 @@ constexpr double kFacing_rad = 1e-9;
 constexpr double kTurn_rad_s = std::numbers::pi / 6.0;
 constexpr double kTourFrom_u = 1e-9;    // largest deviation from the motion for which the tour was made
 constexpr double kFar_m = 8.0;          // from the table's centre: beyond the hall's walls
+constexpr double kToWall_m = 0.5;       // least distance that the drive keeps from the hall's walls
 constexpr double kMeant = 0.1;          // least steering that ends a tour; less is a device's noise
 constexpr int kMostStretches = 32;      // per frame; the rest then passes without thrust
 constexpr std::size_t kTripPushes = 3;  // accelerate, coast, decelerate
@@ -45,8 +47,12 @@ Head headOnTheWay(const Head& before, const Head& head, double share) {
 PlatformMotion::PlatformMotion(const Scenario& scenario, const RoomAxes& axes, bool begins)
     : c_m_s_(scenario.billiard.lightSpeed_m_s),
       strongest_m_s2_(strongestThrust_m_s2(c_m_s_)),
+      most_u_(scenario.most_u),
+      up_(axes.up),
       boardFromHome_{scenario.observer.position_m, attitudeOf(startingRoom(scenario.observer, axes, c_m_s_))},
       atStart_u_(startingRoom(scenario.observer, axes, c_m_s_).u()) {
+  if (const auto& board = scenario.billiard.board)
+    halfHall_m_ = 0.5 * hallFloor_m({board->length_m, board->width_m}) - kToWall_m;
   double at_s = 0.0;
   for (const ThrustLeg& leg : scenario.tour) {
     if (leg.from_s > at_s) tour_.push_back({leg.from_s - at_s, Vec3(0.0)});
@@ -120,6 +126,8 @@ void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, con
   if (setsOut_) begin(observer);
   obey(wish);
   view_.atLimit = 0;
+  const bool turns = view_.mode == DriveMode::free || view_.mode == DriveMode::braking;
+  if (turns && wish.turn_rad != 0.0) observer.turn(wish.turn_rad, up_);
   // Observer's dT = sqrt(dτ² + |dx|²/c²): both run evenly through the frame.
   Vec3 step_m = head.roomFromHead.position_m - before.roomFromHead.position_m;
   if (!(glm::length(step_m) <= kGlitchCelerity_m_s * dtau_s)) step_m = Vec3(0.0);
@@ -175,14 +183,35 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
                         behind_m));
   }
   const Lorentz& room = observer.boardFromRoom();
-  const double after_u =
-      glm::length((room * Lorentz::fromRapidity(thrust_m_s2 * (left_s / c_m_s_), c_m_s_)).u());
-  if (after_u <= std::max(kMostPlatformU, glm::length(room.u()))) return {left_s, thrust_m_s2};
+  const Lorentz after = room * Lorentz::fromRapidity(thrust_m_s2 * (left_s / c_m_s_), c_m_s_);
+  const Vec3 here_m = observer.headEvent().r_m;
+  if (!staysInHall(after, here_m)) {
+    view_.atLimit = 1;
+    sayOnce(saidWall_, "The drive stops in front of the hall's walls. Home brings you back to the table.");
+    return brake(observer, left_s);
+  }
+  const double after_u = glm::length(after.u());
+  if (after_u <= std::max(most_u_, glm::length(room.u()))) return {left_s, thrust_m_s2};
   view_.atLimit = 1;
   sayOnce(saidFastest_,
-          fmt::format("The drive makes it no faster: of the board's time {:.0f} s go by in one of yours.",
-                      gammaFromU(Vec3(kMostPlatformU, 0.0, 0.0))));
+          fmt::format("No faster here: at {:.3g} c, {:.3g} s pass on the table in one of yours.",
+                      most_u_ / std::hypot(1.0, most_u_), std::hypot(1.0, most_u_)));
   return {left_s};
+}
+
+/// Returns whether the platform, braked from now on, comes to rest within the hall or at least no further
+/// outside than it is. On the hyperbola of the strongest thrust it goes on for (γ − 1) c²/a (Rindler 2006,
+/// §3.8).
+bool PlatformMotion::staysInHall(const Lorentz& boardFromRoom, const Vec3& place_m) const {
+  if (!halfHall_m_) return true;
+  const auto outside_m = [&](const Vec3& at_m) {
+    return std::max({std::abs(at_m.x) - halfHall_m_->x, std::abs(at_m.y) - halfHall_m_->y, 0.0});
+  };
+  const Vec3 u = boardFromRoom.u();
+  const double size_u = glm::length(u);
+  if (!(size_u > kAtRest_u)) return true;
+  const double way_m = (std::hypot(1.0, size_u) - 1.0) * c_m_s_ * c_m_s_ / strongest_m_s2_;
+  return outside_m(place_m + u * (way_m / size_u)) <= outside_m(place_m);
 }
 
 /// Stops the platform. The board moves through the room with u = sinh η: a boost by the same brings the room
@@ -230,9 +259,9 @@ void PlatformMotion::planTrip(const Vec3& wayInRoom_m) {
   const double length_m = glm::length(wayInRoom_m);
   const Vec3 thrust_m_s2 = wayInRoom_m * (strongest_m_s2_ / length_m);
   const double perMetre = strongest_m_s2_ / (c_m_s_ * c_m_s_);
-  const double off_m = std::min(0.5 * length_m, (std::hypot(1.0, kMostPlatformU) - 1.0) / perMetre);
+  const double off_m = std::min(0.5 * length_m, (std::hypot(1.0, most_u_) - 1.0) / perMetre);
   const double off_s = 2.0 * std::asinh(std::sqrt(0.5 * perMetre * off_m)) * c_m_s_ / strongest_m_s2_;
-  const double coast_s = (length_m - 2.0 * off_m) / (c_m_s_ * kMostPlatformU);
+  const double coast_s = (length_m - 2.0 * off_m) / (c_m_s_ * most_u_);
   take(std::array<Thrust, kTripPushes>{{{off_s, thrust_m_s2}, {coast_s, Vec3(0.0)}, {off_s, -thrust_m_s2}}});
 }
 

@@ -8,6 +8,7 @@
 // of hyperbolae (Observer::step), split where one ends inside a frame.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -26,8 +27,9 @@ struct DriveWish {
   /// Fraction of the strongest thrust, in the room's axes (the rig's); a length above 1 asks for more than
   /// available.
   Vec3 steer{0.0};
-  bool brake = false;  ///< held down
-  bool home = false;   ///< requested in this frame
+  bool brake = false;     ///< held down
+  bool home = false;      ///< requested in this frame
+  double turn_rad = 0.0;  ///< of the room about the vertical through the head, anticlockwise from above
 };
 
 class PlatformMotion {
@@ -74,6 +76,7 @@ class PlatformMotion {
   void endTour(const Observer& observer);
   Manoeuvre next(const DriveWish& wish, const Observer& observer, const Vec3& headInRoom_m, const Left& left);
   Manoeuvre steered(const Vec3& steer, const Observer& observer, double left_s);
+  bool staysInHall(const Lorentz& boardFromRoom, const Vec3& place_m) const;
   Manoeuvre brake(const Observer& observer, double left_s) const;
   Manoeuvre returnHome(const Observer& observer, const Vec3& headInRoom_m, const Left& left);
   Manoeuvre alongWay(double left_s);
@@ -82,7 +85,10 @@ class PlatformMotion {
   void leaveWay(DriveMode mode);
   void sayOnce(bool& said, std::string_view words);
 
-  double c_m_s_, strongest_m_s2_;
+  double c_m_s_, strongest_m_s2_, most_u_;
+  Vec3 up_;  ///< of the room
+  std::optional<glm::dvec2>
+      halfHall_m_;       ///< how far the head may go from the table's centre; empty: anywhere
   Pose boardFromHome_;   ///< of the room at rest, at home
   Vec3 atStart_u_{0.0};  ///< of the room in the scenario's initial state
   bool setsOut_ = false;
@@ -94,7 +100,7 @@ class PlatformMotion {
   double pushed_s_ = 0.0;  ///< elapsed time of that thrust
   DriveView view_;
   Notice notice_;
-  bool saidStrongest_ = false, saidFastest_ = false, saidFar_ = false;
+  bool saidStrongest_ = false, saidFastest_ = false, saidFar_ = false, saidWall_ = false;
 };
 
 }  // namespace carom

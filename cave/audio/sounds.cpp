@@ -129,6 +129,16 @@ struct Sounds::Device {
   }
 };
 
+std::string soundDeviceName() {
+  hushLibraries();
+  ALCdevice* device = alcOpenDevice(nullptr);
+  if (!device) return {};
+  const bool namesAll = alcIsExtensionPresent(nullptr, "ALC_ENUMERATE_ALL_EXT") == ALC_TRUE;
+  const std::string name = alcGetString(device, namesAll ? ALC_ALL_DEVICES_SPECIFIER : ALC_DEVICE_SPECIFIER);
+  alcCloseDevice(device);
+  return name;
+}
+
 Sounds::Sounds(const SoundAxes& axes) : device_(std::make_unique<Device>()) {
   device_->axes = axes;
   device_->heard.reserve(2 * kVoices);

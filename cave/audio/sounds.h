@@ -3,6 +3,7 @@
 // loudspeakers around the room, or on headphones of a person who looks forward in it.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -33,6 +34,9 @@ class Sounds {
   struct Device;
   std::unique_ptr<Device> device_;  // null: silent
 };
+
+/// Returns the name of the system's sound device; empty if there is none.
+std::string soundDeviceName();
 
 /// Returns a click, 16 bit, one channel; always the same for a kind.
 inline constexpr int kSoundRate_hz = 44100;

@@ -175,6 +175,33 @@ void Cluster::share(std::string& text) const {
   MPI_Bcast(text.data(), static_cast<int>(bytes), MPI_BYTE, kRankOfDevices, MPI_COMM_WORLD);
 }
 
+std::vector<std::string> Cluster::gather(const std::string& text) const {
+  const int bytes = static_cast<int>(text.size());
+  std::vector<int> sizes(static_cast<std::size_t>(size_)), places(sizes.size(), 0);
+  MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, kRankOfDevices, MPI_COMM_WORLD);
+  if (rank_ != kRankOfDevices) {
+    MPI_Gatherv(text.data(), bytes, MPI_BYTE, nullptr, nullptr, nullptr, MPI_BYTE, kRankOfDevices,
+                MPI_COMM_WORLD);
+    return {};
+  }
+  for (std::size_t i = 1; i < sizes.size(); ++i) places[i] = places[i - 1] + sizes[i - 1];
+  std::string all(static_cast<std::size_t>(places.back() + sizes.back()), '\0');
+  MPI_Gatherv(text.data(), bytes, MPI_BYTE, all.data(), sizes.data(), places.data(), MPI_BYTE, kRankOfDevices,
+              MPI_COMM_WORLD);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    texts.push_back(all.substr(static_cast<std::size_t>(places[i]), static_cast<std::size_t>(sizes[i])));
+  return texts;
+}
+
+std::string Cluster::libraryVersion() {
+  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
+  int length = 0;
+  MPI_Get_library_version(text.data(), &length);
+  const std::string version(text.data(), static_cast<std::size_t>(length));
+  return version.substr(0, version.find(','));
+}
+
 void Cluster::share(FrameState& state) {
   shareFrame(state);
   newest_s_ = state.record.display_s;

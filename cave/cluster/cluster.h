@@ -70,6 +70,12 @@ class Cluster {
   /// Replaces the text of every rank by rank 0's.
   void share(std::string& text) const;
 
+  /// Returns, on rank 0, the text of every rank, in the order of ranks; elsewhere nothing.
+  std::vector<std::string> gather(const std::string& text) const;
+
+  /// Returns the name and version of the MPI library.
+  static std::string libraryVersion();
+
   /// Replaces the state of every rank by rank 0's. Allocates memory only when a frame brings more knots or
   /// events than any before.
   void share(FrameState& state);

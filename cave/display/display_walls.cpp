@@ -125,8 +125,8 @@ void DisplayWalls::drawAids(const FrameRecord& record, const ObserverView& obser
 std::optional<PointedWall> DisplayWalls::pointedAt() const {
   if (drawn_.blank || drawn_.shown != Shown::session) return std::nullopt;
   for (const WallWindow& window : windows_) {
-    const bool held = window.window->isHeld();
-    const auto pointer_px = isHeld() && !held ? std::nullopt : window.window->pointer_px();
+    const bool held = window.window->isHeld() || window.window->isTurning();
+    const auto pointer_px = (isHeld() || isTurning()) && !held ? std::nullopt : window.window->pointer_px();
     if (!pointer_px) continue;
     const auto paneOf = [&](std::size_t wall) {
       return walls_[wall].viewport.value_or(Viewport{{0, 0}, window.window->size_px()});
@@ -147,6 +147,11 @@ std::optional<PointedWall> DisplayWalls::pointedAt() const {
 bool DisplayWalls::isHeld() const {
   return std::any_of(windows_.begin(), windows_.end(),
                      [](const WallWindow& window) { return window.window->isHeld(); });
+}
+
+bool DisplayWalls::isTurning() const {
+  return std::any_of(windows_.begin(), windows_.end(),
+                     [](const WallWindow& window) { return window.window->isTurning(); });
 }
 
 const RenderTarget* DisplayWalls::pictureOf(const std::string& wall) const {

@@ -70,7 +70,8 @@ class DisplayWalls {
   /// Returns the point of a wall that the mouse points to, over the session's pictures in one of these
   /// windows. While the mouse button is held, the pointer stays with the window in which it was pressed.
   std::optional<PointedWall> pointedAt() const;
-  bool isHeld() const;  ///< the mouse's left button was pressed in one of these windows and is down
+  bool isHeld() const;     ///< the mouse's left button was pressed in one of these windows and is down
+  bool isTurning() const;  ///< its right button was
 
   /// Creates the lock of this node's swaps, as the rig asks for it.
   NodeLock lockSwaps(FrameLock asked);

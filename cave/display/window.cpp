@@ -174,9 +174,10 @@ glm::ivec2 Window::size_px() const {
 bool Window::isDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 
 bool Window::isHeld() const { return glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS; }
+bool Window::isTurning() const { return glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS; }
 
 std::optional<glm::dvec2> Window::pointer_px() const {
-  if (!isHeld() && !glfwGetWindowAttrib(window_, GLFW_HOVERED)) return std::nullopt;
+  if (!isHeld() && !isTurning() && !glfwGetWindowAttrib(window_, GLFW_HOVERED)) return std::nullopt;
   glm::dvec2 place(0.0);
   glm::ivec2 size(0);
   glfwGetCursorPos(window_, &place.x, &place.y);  // in the desktop's units

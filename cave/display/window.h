@@ -64,7 +64,8 @@ class Window {
   /// Returns where the pointer is, in pixels of the framebuffer to the right and down, or none if it is not
   /// over a visible part of the window. While a button is held that was pressed here, it may be anywhere.
   std::optional<glm::dvec2> pointer_px() const;
-  bool isHeld() const;  ///< the left button was pressed here and is down
+  bool isHeld() const;     ///< the left button was pressed here and is down
+  bool isTurning() const;  ///< the right button was pressed here and is down
   /// Returns the pointer's input since the last call; call it once per poll.
   PointerInput takePointer();
   SwapGroupCalls::Drawable drawable() const { return drawable_; }

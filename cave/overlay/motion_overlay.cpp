@@ -51,8 +51,7 @@ bool hasFloor(const RoomGeometry& room) {
 glm::dvec3 platformInRoom_u(const FrameRecord& record) { return -record.boardFromRoom.inverse().u(); }
 
 bool isDriven(const FrameRecord& record) {
-  return glm::length(record.boardFromRoom.u()) > kMoves_u || record.drive.thrust != Vec3(0.0) ||
-         record.drive.mode != DriveMode::free;
+  return glm::length(record.boardFromRoom.u()) > kMoves_u || record.drive.thrust != Vec3(0.0);
 }
 
 double MotionOverlay::radius_m(const RoomGeometry& room) { return hasFloor(room) ? kRadius_m : kSmall_m; }

@@ -22,7 +22,6 @@ namespace {
 
 constexpr double kLampHeight_m = 1.45;  // above the cloth
 constexpr double kOpenPlane_m = 6.0;
-constexpr double kAroundTable_m = 5.0;  // least space between the table and the hall's walls
 
 constexpr double kHallCoarser = 4.0;  // its cells relative to the table's, which is nearer to the person
 
@@ -185,8 +184,7 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
   const glm::dvec2 table_m =
       setup.board ? glm::dvec2(setup.board->length_m, setup.board->width_m) : glm::dvec2(kOpenPlane_m);
   Hall around = hall;
-  around.size_m.x = std::max(hall.size_m.x, table_m.x + 2.0 * kAroundTable_m);
-  around.size_m.y = std::max(hall.size_m.y, table_m.y + 2.0 * kAroundTable_m);
+  around.size_m = {hallFloor_m(table_m, hall), hall.size_m.z};
   const double lampHeight_m = std::min(kLampHeight_m, around.floor_m + around.size_m.z - 0.5);
   for (int i = 0; i < 3; ++i) scene.lamps_m[i] = {(i - 1) * table_m.x / 3.0, 0.0, lampHeight_m};
 

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/frame/bodies.h"
+#include "cave/frame/hall.h"
 
 namespace carom {
 
@@ -46,12 +47,6 @@ struct BodyLooks {
                  ///< 1 m along x
   double radius_m = 0.0;  ///< a puck's mesh is scaled to it; 0: as it is
   double height_m = 0.0;  ///< of the built-in puck
-};
-
-/// The hall around the table: its floor's height below the playing surface.
-struct Hall {
-  double floor_m = -0.75;
-  glm::dvec3 size_m{14.0, 12.0, 5.0};
 };
 
 }  // namespace carom

@@ -88,13 +88,53 @@ TEST_F(DirectorTest, AHandsButtonHoldsFromTheNextFrameOn) {
   EXPECT_EQ(inputs(), Words{});
 }
 
+TEST_F(DirectorTest, TheNextVisitorBeginsWithTheFirstGame) {
+  OperatorSettings settings;
+  settings.playing = "first.toml";
+  FrameLeader leader(source_, KeysOf::session, settings, nullptr);
+  leader.inbox().emplace_back(PlayScenario{"second.toml"});
+  const auto next = [&](const WindowInput& input = {}) {
+    testing::internal::CaptureStderr();
+    leader.decide(pacer_.next(), input, decision_);
+    testing::internal::GetCapturedStderr();
+    return leader.takeNextGame();
+  };
+  NextGame game = next();
+  EXPECT_EQ(game.file, "second.toml");
+  EXPECT_FALSE(game.isForNextVisitor);
+  game = next(pressing(GLFW_KEY_F8));
+  EXPECT_EQ(game.file, "first.toml");
+  EXPECT_TRUE(game.isForNextVisitor);
+  EXPECT_EQ(decision_.frame.record.last, 1U);
+}
+
+// A frame a second. The patience counts from the latest sign of life, and a room that nobody has entered since is
+// not welcomed again.
+TEST_F(DirectorTest, AnAbandonedSessionWelcomesTheNextVisitorOnce) {
+  OperatorSettings settings;
+  settings.playing = "first.toml";
+  FrameLeader leader(source_, KeysOf::session, settings, nullptr, 60.0);
+  std::vector<int> welcomed;
+  for (int frame = 0; frame < 600; ++frame) {
+    const bool presses = frame == 100;
+    if (frame >= 130 && frame < 140)
+      decision_.head.pose.position_m.x = 0.01 * (frame - 129);                         // a step of 10 cm
+    if (frame >= 300) decision_.head.pose.position_m.y = frame % 2 == 0 ? 0.01 : 0.0;  // noise
+    testing::internal::CaptureStderr();
+    leader.decide(pacer_.next(), presses ? pressing(GLFW_KEY_4) : WindowInput{}, decision_);
+    testing::internal::GetCapturedStderr();
+    if (leader.takeNextGame().isForNextVisitor) welcomed.push_back(frame);
+  }
+  EXPECT_EQ(welcomed, (std::vector<int>{195})) << "60 s after the head had moved by more than 5 cm";
+}
+
 TEST_F(DirectorTest, AnotherGameEndsThisOneWithTheFrame) {
   EXPECT_EQ(frame(pressing(GLFW_KEY_Y)).last, 0u) << "nothing is played that could begin again";
   leader_.inbox().emplace_back(PlayScenario{"another.toml"});
   EXPECT_EQ(frame().last, 1u);
   EXPECT_EQ(inputs(), Words{"scenario: another.toml"});
-  EXPECT_EQ(leader_.takeNextGame(), "another.toml");
-  EXPECT_EQ(leader_.takeNextGame(), "");
+  EXPECT_EQ(leader_.takeNextGame().file, "another.toml");
+  EXPECT_EQ(leader_.takeNextGame().file, "");
   EXPECT_EQ(frame().last, 0u);
 }
 

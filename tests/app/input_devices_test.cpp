@@ -118,6 +118,30 @@ void expectNear(const glm::dvec3& a, const glm::dvec3& b, double within = 1e-12)
   EXPECT_NEAR(a.z, b.z, within);
 }
 
+// What the mouse took hold of stays under it: after the room has turned, the place on the board is in the
+// direction in which the mouse points now.
+TEST_F(HandsTest, TheRightButtonTurnsTheRoomWithTheMouse) {
+  pointTo(-0.5, -2.0);
+  desk_.mouseTurns = true;
+  frame();
+  EXPECT_EQ(hands_.drive().turn_rad, 0.0) << "it takes hold here";
+  const auto azimuth_rad = [](const glm::dvec3& place_m) { return std::atan2(-place_m.x, -place_m.z); };
+  pointTo(0.7, -1.0);
+  frame();
+  const double turn_rad = hands_.drive().turn_rad;
+  const double held_rad = azimuth_rad({-0.5, 0.0, -2.0}), now_rad = azimuth_rad({0.7, 0.0, -1.0});
+  EXPECT_NEAR(held_rad - turn_rad, now_rad, 1e-12);
+  frame();
+  EXPECT_EQ(hands_.drive().turn_rad, 0.0) << "it stands still";
+  desk_.mouseTurns = false;
+  pointTo(-0.7, -1.0);
+  frame();
+  EXPECT_EQ(hands_.drive().turn_rad, 0.0);
+  desk_.mouseTurns = true;
+  frame();
+  EXPECT_EQ(hands_.drive().turn_rad, 0.0) << "a new hold";
+}
+
 TEST_F(HandsTest, AWandPointsWhereItsSensorDoes) {
   HandInput input = frame();
   EXPECT_EQ(input.device, "wand");

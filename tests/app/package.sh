@@ -30,7 +30,7 @@ for name in three-pucks desk; do
   said=$("$carom" check "$name" 2>&1) || fail "check $name: $said"
   grep -q "^Of the prefix: " <<<"$said" || fail "check $name read another file: $said"
 done
-grep -qF "$share/rigs/desk.toml" <<<"$("$carom" cave --help)" || fail "the usual rig is not the installed one"
+grep -qF "$share/rigs/play.toml" <<<"$("$carom" cave --help)" || fail "the usual rig is not the installed one"
 mv "$share/traces/walk.csv" "$share/traces/moveUnseen.csv"
 ! said=$("$carom" check desk 2>&1) || fail "the rig's trace came from elsewhere: $said"
 grep -qF "expected one beside this file or in $share" <<<"$said" || fail "of the missing trace it said: $said"

@@ -224,6 +224,56 @@ TEST(PlatformMotion, WhoSteersFarAwayIsToldOnceOfTheWayHome) {
   EXPECT_EQ(told, 1);
 }
 
+// A hall with walls that stop: in any direction and from any speed, the head stays within, and it is told once.
+TEST(PlatformMotion, TheDriveStopsInFrontOfTheHallsWalls) {
+  for (int direction = 0; direction < 8; ++direction) {
+    Scenario scenario = platform();
+    scenario.billiard.board = Board{2.84, 1.42};
+    Ride ride(scenario, standing);
+    const double angle_rad = direction * std::numbers::pi / 4.0;
+    int told = 0;
+    double fastest_u = 0.0;
+    for (int frame = 0; frame < 40 * 60; ++frame) {
+      ride.live({.steer = {0.9 * std::cos(angle_rad), 0.0, 0.9 * std::sin(angle_rad)}});
+      told += ride.drive.news().words().starts_with("The drive stops in front of the hall's walls") ? 1 : 0;
+      fastest_u = std::max(fastest_u, ride.speed_u());
+      const Vec3 at_m = ride.observer.headEvent().r_m;
+      ASSERT_LE(std::abs(at_m.x), 7.0) << "direction " << direction << ", frame " << frame;
+      ASSERT_LE(std::abs(at_m.y), 6.0) << "direction " << direction << ", frame " << frame;
+    }
+    EXPECT_EQ(told, 1) << direction;
+    EXPECT_GT(fastest_u, 1.0) << direction;
+    const Vec3 at_m = ride.observer.headEvent().r_m;
+    EXPECT_TRUE(std::abs(at_m.x) > 6.0 || std::abs(at_m.y) > 5.0) << "up to the wall, not far before it";
+  }
+}
+
+TEST(PlatformMotion, IsNoFasterThanTheGameSays) {
+  Scenario scenario = platform();
+  scenario.most_u = 0.75;  // 0.6 c
+  Ride ride(scenario, standing);
+  for (int frame = 0; frame < 10 * 60; ++frame) ride.live({.steer = {0.3, 0.0, -0.9}});
+  EXPECT_LE(ride.speed_u(), 0.75);
+  EXPECT_GT(ride.speed_u(), 0.98 * 0.75);
+}
+
+// The mouse turns the room about the head: the head stays at its event, the room at its speed.
+TEST(PlatformMotion, TurnsAboutTheHead) {
+  for (const double beta : {0.0, 0.6}) {
+    Ride turned(platform({.beta = {beta, 0.0, 0.0}}), standing),
+        still(platform({.beta = {beta, 0.0, 0.0}}), standing);
+    turned.live({.turn_rad = 0.3});
+    still.live();
+    EXPECT_LT(glm::distance(turned.observer.headEvent().r_m, still.observer.headEvent().r_m), 1e-12);
+    EXPECT_NEAR(turned.speed_u(), still.speed_u(), 1e-12);
+    // What lay ahead, −z, lies 0.3 rad to the right now.
+    const Vec3 place = (turned.observer.boardFromRoom().inverse() *
+                        (still.observer.boardFromRoom() * Displacement{0.0, {0.0, 0.0, -1.0}}))
+                           .dr_m;
+    EXPECT_NEAR(std::atan2(place.x, -place.z), 0.3, 1e-12) << beta;
+  }
+}
+
 TEST(PlatformMotion, NoMoreThanTheStrongestThrustAndItSaysSoOnce) {
   Ride ride(platform(), standing);
   ride.live({.steer = {0.0, 0.0, -1.0}});

@@ -1,0 +1,240 @@
+#include "app/commands/doctor.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sched.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/files/rig.h"
+#include "app/stage/all_ranks.h"
+#include "app/stage/scenario_scene.h"
+#include "app/tools/option_values.h"
+#include "cave/audio/sounds.h"
+#include "cave/cluster/cluster.h"
+#include "cave/display/display_facts.h"
+#include "devices/tracker/realtime_thread.h"
+#include "devices/usb/device_list.h"
+#include "engine/base/log.h"
+
+namespace carom {
+namespace {
+
+constexpr double kLeastDisk_gib = 2.0;  // an hour's session file with its samples takes about a quarter
+
+/// What one node has, and what keeps it from showing a room.
+struct NodeReport {
+  std::vector<std::pair<std::string, std::string>> facts;
+  std::vector<std::string> warnings, errors;
+
+  void add(const char* what, std::string said) { facts.emplace_back(what, std::move(said)); }
+};
+
+void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wall> walls,
+                   NodeReport& report) {
+  const DisplayFacts facts = displayFacts(graphics);
+  const char* session = std::getenv("XDG_SESSION_TYPE");
+  report.add("display", fmt::format("{}, session type {}, {}", facts.display, session ? session : "unknown",
+                                    facts.isXwayland      ? "Xwayland"
+                                    : facts.hasCompositor ? "with a compositor"
+                                                          : "no compositor"));
+  report.add("OpenGL", fmt::format("{}, by {}", facts.openGl, facts.renderer));
+  report.add("stereo", facts.hasQuadBuffer ? "quad-buffer windows" : "no quad-buffer windows");
+  for (const MonitorFacts& monitor : facts.monitors)
+    report.add("monitor",
+               fmt::format("{}: {} × {} at {} Hz, from ({}, {})", monitor.name, monitor.size_px.x,
+                           monitor.size_px.y, monitor.rate_hz, monitor.position_px.x, monitor.position_px.y));
+  if (drawsOnProcessor(facts.renderer))
+    report.warnings.push_back(
+        fmt::format("{} draws on the processor, expected the driver of a graphics card: frames take longer",
+                    facts.renderer));
+  if (facts.isXwayland)
+    report.warnings.emplace_back(
+        "a Wayland compositor draws the windows, expected an X11 session: its frames come later and at its "
+        "own "
+        "rate");
+  else if (facts.hasCompositor)
+    report.warnings.emplace_back(
+        "a compositor redraws the windows, expected none: it adds a frame of latency");
+  if (!rig) return;
+  const bool wantsStereo = std::any_of(
+      walls.begin(), walls.end(), [](const Wall& wall) { return wall.stereo == StereoMode::quadBuffer; });
+  const bool wantsLock = rig->frameLock == FrameLock::swapGroup;
+  if (wantsStereo && !facts.hasQuadBuffer)
+    report.errors.emplace_back("the rig has a quad-buffer wall here, expected a display with such windows");
+  if ((wantsStereo || wantsLock) && (facts.isXwayland || facts.hasCompositor))
+    report.errors.push_back(fmt::format("the rig asks for {}, expected a display without a compositor",
+                                        wantsStereo ? "quad-buffer stereo" : "a swap group"));
+  for (const Wall& wall : walls) {
+    const auto monitor = static_cast<std::size_t>(wall.window.monitor);
+    if (monitor >= facts.monitors.size()) {
+      report.errors.push_back(fmt::format("wall {} is on monitor {}, expected one of 0 to {}", wall.name,
+                                          monitor, facts.monitors.size() - 1));
+      continue;
+    }
+    const int rate_hz = facts.monitors[monitor].rate_hz;
+    if (rate_hz > 0 && std::abs(rate_hz - rig->display_hz) > 1.0)
+      report.warnings.push_back(
+          fmt::format("wall {} is on a monitor of {} Hz, expected {:g}, the rig's display_hz", wall.name,
+                      rate_hz, rig->display_hz));
+  }
+}
+
+void lookAtSystem(NodeReport& report) {
+  const std::string sound = soundDeviceName();
+  report.add("sound", sound.empty() ? "none" : sound);
+  if (sound.empty()) report.warnings.emplace_back("there is no sound device: sessions are silent");
+
+  const std::vector<ListedDevice> devices = listDevices();
+  for (const ListedDevice& device : devices) {
+    report.add("device", fmt::format("{} ({}) at {}", device.name, device.kind, device.place));
+    if (!device.problem.empty())
+      report.warnings.push_back(fmt::format("{}: {}", device.name, device.problem));
+  }
+  if (devices.empty()) report.add("device", "no tracker on USB or HID");
+
+  Promptness granted = Promptness::usual;
+  std::thread([&] { granted = askForPromptness(); }).join();
+  report.add("real time", granted == Promptness::realTime ? "granted"
+                          : granted == Promptness::nicer  ? "a higher priority is granted"
+                                                          : "refused");
+  if (granted != Promptness::realTime)
+    report.warnings.emplace_back(
+        "trackers' threads are not real-time, expected a line like '@users - rtprio 10' in "
+        "/etc/security/limits.conf: on a busy machine poses come late");
+
+  cpu_set_t mask;
+  CPU_ZERO(&mask);
+  sched_getaffinity(0, sizeof mask, &mask);
+  report.add("cores", fmt::format("{} of {}", CPU_COUNT(&mask), std::thread::hardware_concurrency()));
+
+  std::error_code failed;
+  const auto space = std::filesystem::space(".", failed);
+  const double free_gib = failed ? 0.0 : static_cast<double>(space.available) / (1024.0 * 1024.0 * 1024.0);
+  report.add("disk",
+             fmt::format("{:.0f} GiB free in {}", free_gib, std::filesystem::current_path(failed).string()));
+  if (free_gib < kLeastDisk_gib)
+    report.warnings.push_back(fmt::format(
+        "{:.1f} GiB are free here, expected {:g} at least for session files", free_gib, kLeastDisk_gib));
+}
+
+NodeReport lookAt(const Cluster& cluster, const Rig* rig) {
+  NodeReport report;
+  try {
+    const Graphics graphics(rig ? displayOf(*rig, cluster.rank()) : "");
+    const std::vector<Wall> walls = rig ? cluster.wallsOf(rig->walls) : std::vector<Wall>();
+    lookAtDisplay(graphics, rig, walls, report);
+  } catch (const std::runtime_error& error) {
+    report.errors.emplace_back(error.what());
+  }
+  lookAtSystem(report);
+  report.add("MPI", fmt::format("{}, {} node{}", Cluster::libraryVersion(), cluster.size(),
+                                cluster.size() == 1 ? "" : "s"));
+  return report;
+}
+
+std::string packed(const NodeReport& report) {
+  return nlohmann::json{{"facts", report.facts}, {"warnings", report.warnings}, {"errors", report.errors}}
+      .dump();
+}
+
+NodeReport unpacked(const std::string& text) {
+  const auto json = nlohmann::json::parse(text);
+  NodeReport report;
+  json.at("facts").get_to(report.facts);
+  json.at("warnings").get_to(report.warnings);
+  json.at("errors").get_to(report.errors);
+  return report;
+}
+
+/// Prints the facts of all nodes, kind by kind: once what is the same on every node.
+void printFacts(const Cluster& cluster, const std::vector<NodeReport>& nodes) {
+  std::vector<std::string> kinds;
+  for (const NodeReport& node : nodes) {
+    for (const auto& [what, said] : node.facts) {
+      if (std::find(kinds.begin(), kinds.end(), what) == kinds.end()) kinds.push_back(what);
+    }
+  }
+  for (const std::string& kind : kinds) {
+    std::vector<std::vector<std::string>> said(nodes.size());
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      for (const auto& [what, words] : nodes[node].facts) {
+        if (what == kind) said[node].push_back(words);
+      }
+    }
+    const bool same =
+        std::all_of(said.begin(), said.end(), [&](const auto& words) { return words == said[0]; });
+    std::string label = kind;
+    for (std::size_t node = 0; node < (same ? 1 : nodes.size()); ++node) {
+      for (const std::string& words : said[node]) {
+        const std::string where = same ? "" : cluster.nameOf(static_cast<int>(node)) + ": ";
+        fmt::print("{:10}{}{}\n", label, where, words);
+        label.clear();
+      }
+    }
+  }
+}
+
+/// Prints the findings of all nodes, each once with the nodes that have it.
+bool printFindings(const Cluster& cluster, const std::vector<NodeReport>& nodes) {
+  const auto print = [&](auto member, const auto& log) {
+    std::vector<std::string> told;
+    for (const NodeReport& node : nodes) {
+      for (const std::string& finding : node.*member) {
+        if (std::find(told.begin(), told.end(), finding) != told.end()) continue;
+        told.push_back(finding);
+        std::vector<std::string> where;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+          const auto& all = nodes[i].*member;
+          if (std::find(all.begin(), all.end(), finding) != all.end())
+            where.push_back(cluster.nameOf(static_cast<int>(i)));
+        }
+        const bool everywhere = where.size() == nodes.size();
+        log(everywhere ? finding : fmt::format("{}: {}", fmt::join(where, ", "), finding));
+      }
+    }
+    return !told.empty();
+  };
+  print(&NodeReport::warnings, [](const std::string& line) { log::warn(line); });
+  return print(&NodeReport::errors, [](const std::string& line) { log::error(line); });
+}
+
+}  // namespace
+
+int runDoctor(const std::optional<std::filesystem::path>& rigFile) {
+  int status = 0;
+  const int failed = runOnCluster([&](Cluster& cluster) {
+    std::optional<Rig> rig;
+    onAllRanks(cluster, [&] {
+      if (rigFile) rig = readRig(*rigFile);
+    });
+    if (rig) cluster.nameNodes(rig->walls);
+    const std::vector<std::string> texts = cluster.gather(packed(lookAt(cluster, rig ? &*rig : nullptr)));
+    if (cluster.rank() > 0) return;
+    std::vector<NodeReport> nodes;
+    for (const std::string& text : texts) nodes.push_back(unpacked(text));
+    printFacts(cluster, nodes);
+    if (printFindings(cluster, nodes)) status = 1;
+  });
+  return std::max(failed, status);
+}
+
+void addDoctor(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand(
+      "doctor", "Says what this machine, or each node of a room, has and lacks for a session");
+  auto rig = std::make_shared<std::optional<std::filesystem::path>>();
+  command->add_option("RIG", *rig, "Rig file that the machine is to show")->transform(shipped("rigs"));
+  command->footer(
+      "Examples:\n  carom doctor\n  mpirun -n 4 --hostfile hosts carom doctor my-cave.toml\n"
+      "The exit status is 1 if something keeps a session from running.");
+  command->callback([rig, &status] { status = runDoctor(*rig); });
+}
+
+}  // namespace carom

@@ -1,0 +1,19 @@
+#include "app/operator/playlist.h"
+
+#include <algorithm>
+
+#include "app/files/config_folder.h"
+
+namespace carom {
+
+std::string fileOfGame(std::string_view name) { return shippedFile(name, "scenarios").string(); }
+
+std::string lessonAfter(const std::string& playing) {
+  const auto* now = std::find_if(kLessons.begin(), kLessons.end(), [&](std::string_view lesson) {
+    return isSameFile(fileOfGame(lesson), playing);
+  });
+  const bool isLast = now == kLessons.end() || now + 1 == kLessons.end();
+  return fileOfGame(isLast ? kLessons.front() : *(now + 1));
+}
+
+}  // namespace carom

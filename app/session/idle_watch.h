@@ -1,0 +1,38 @@
+#pragma once
+// Notices that nobody is there: no input and no motion of the head for a while, after there was some.
+
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "engine/spacetime/event.h"
+
+namespace carom {
+
+class IdleWatch {
+ public:
+  /// A head that stays within this distance stands still.
+  static constexpr double kStill_m = 0.05;
+
+  /// Watches for `patience_s` without a sign of life; never if empty.
+  explicit IdleWatch(std::optional<double> patience_s = {}) : patience_s_(patience_s) {}
+
+  /// Takes a frame: its time, whether the person did anything, and where their head is in the room. Returns
+  /// true in the frame in which the patience ends, and then not again before there is another sign of life.
+  bool look(double now_s, bool acted, const Vec3& head_m) {
+    if (!patience_s_) return false;
+    const bool moved = head_m_ && glm::distance(*head_m_, head_m) > kStill_m;
+    if (!head_m_ || moved) head_m_ = head_m;
+    if (acted || moved) latest_s_ = now_s;
+    if (!latest_s_ || now_s - *latest_s_ < *patience_s_) return false;
+    latest_s_.reset();
+    return true;
+  }
+
+ private:
+  std::optional<double> patience_s_;
+  std::optional<double> latest_s_;  ///< of the latest sign of life; empty: none since the last visitor
+  std::optional<Vec3> head_m_;      ///< where the head stands
+};
+
+}  // namespace carom

@@ -1,0 +1,106 @@
+#include "app/tools/list.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "app/files/config_folder.h"
+#include "app/files/rig.h"
+#include "app/files/scenario.h"
+#include "app/operator/playlist.h"
+
+namespace carom {
+namespace {
+
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, std::string_view extension) {
+  std::vector<std::filesystem::path> files;
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
+    if (entry.path().extension() == extension && entry.is_regular_file(failed)) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Returns the first fault of an exception as one line.
+ListedFile faulty(const std::string& name, const std::exception& error) {
+  const std::string said = error.what();
+  return {name, said.substr(0, said.find('\n')), true};
+}
+
+void addScenario(const std::filesystem::path& file, const std::string& name, ListedFiles& listed) try {
+  const Scenario scenario = readScenario(file);
+  (scenario.lesson ? listed.lessons : listed.games).push_back({name, scenario.title});
+} catch (const std::exception& error) {
+  listed.games.push_back(faulty(name, error));
+}
+
+void addRig(const std::filesystem::path& file, const std::string& name, ListedFiles& listed) try {
+  listed.rigs.push_back({name, readRig(file).title});
+} catch (const std::exception& error) {
+  listed.rigs.push_back(faulty(name, error));
+}
+
+/// Adds a file of a user's folder, if it is a scenario or a rig: only a scenario has a light speed, only a rig
+/// has walls. One that can be read as neither is left out, since other programs have TOML files as well.
+void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
+  ListedFiles as;
+  addScenario(file, file.string(), as);
+  if (as.games.empty() || !as.games[0].isFaulty) {
+    listed.lessons.insert(listed.lessons.end(), as.lessons.begin(), as.lessons.end());
+    listed.games.insert(listed.games.end(), as.games.begin(), as.games.end());
+    return;
+  }
+  addRig(file, file.string(), as);
+  if (!as.rigs[0].isFaulty) listed.rigs.push_back(as.rigs[0]);
+}
+
+void print(const char* heading, const std::vector<ListedFile>& files) {
+  if (files.empty()) return;
+  std::size_t width = 0;
+  for (const ListedFile& file : files) width = std::max(width, file.name.size());
+  fmt::print("{}\n", heading);
+  for (const ListedFile& file : files)
+    fmt::print("  {:{}}  {}{}\n", file.name, width, file.isFaulty ? "error: " : "", file.title);
+}
+
+int runList() {
+  const ListedFiles listed = listFiles(".");
+  print("games (carom cave --scenario NAME)", listed.games);
+  print("lessons (carom cave --scenario NAME)", listed.lessons);
+  print("rigs (carom cave --rig NAME)", listed.rigs);
+  print("traces (carom filter NAME)", listed.traces);
+  const auto isFaulty = [](const ListedFile& file) { return file.isFaulty; };
+  return std::any_of(listed.games.begin(), listed.games.end(), isFaulty) ||
+                 std::any_of(listed.rigs.begin(), listed.rigs.end(), isFaulty)
+             ? 1
+             : 0;
+}
+
+}  // namespace
+
+ListedFiles listFiles(const std::filesystem::path& folder) {
+  ListedFiles listed;
+  for (const std::string_view lesson : kLessons) addScenario(fileOfGame(lesson), std::string(lesson), listed);
+  for (const auto& file : filesIn(configFolder() / "scenarios", ".toml")) {
+    const std::string name = file.stem().string();
+    if (std::find(kLessons.begin(), kLessons.end(), name) == kLessons.end()) addScenario(file, name, listed);
+  }
+  for (const auto& file : filesIn(configFolder() / "rigs", ".toml"))
+    addRig(file, file.stem().string(), listed);
+  for (const auto& file : filesIn(configFolder() / "traces", ".csv"))
+    listed.traces.push_back({file.stem().string(), ""});
+  for (const auto& file : filesIn(folder, ".toml")) addLocal(file.lexically_normal(), listed);
+  return listed;
+}
+
+void addList(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("list", "Lists the games, lessons, rigs and traces, shipped and in this folder");
+  command->footer("Example:\n  carom list");
+  command->callback([&status] { status = runList(); });
+}
+
+}  // namespace carom

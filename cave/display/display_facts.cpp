@@ -1,0 +1,71 @@
+#include "cave/display/display_facts.h"
+
+#define GLFW_INCLUDE_NONE
+#define GLFW_EXPOSE_NATIVE_X11
+#include <GLFW/glfw3.h>
+#include <GLFW/glfw3native.h>
+#include <vtk_glew.h>
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+/// Returns whether a compositing manager has announced itself as the Extended Window Manager Hints ask: it
+/// owns the selection _NET_WM_CM_Sn of screen n.
+bool hasCompositor(Display* display) {
+  const std::string name = "_NET_WM_CM_S" + std::to_string(DefaultScreen(display));
+  const Atom selection = XInternAtom(display, name.c_str(), True);
+  return selection != None && XGetSelectionOwner(display, selection) != None;
+}
+
+bool hasExtension(Display* display, const char* name) {
+  int opcode = 0, event = 0, error = 0;
+  return XQueryExtension(display, name, &opcode, &event, &error) != 0;
+}
+
+bool hasQuadBuffer() {
+  hintContext();
+  glfwWindowHint(GLFW_STEREO, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  GLFWwindow* window = glfwCreateWindow(16, 16, "stereo", nullptr, nullptr);
+  if (window) glfwDestroyWindow(window);
+  return window != nullptr;
+}
+
+std::vector<MonitorFacts> monitors() {
+  std::vector<MonitorFacts> facts;
+  int count = 0;
+  GLFWmonitor** all = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    MonitorFacts monitor{glfwGetMonitorName(all[i]), {}, {}, 0};
+    glfwGetMonitorPos(all[i], &monitor.position_px.x, &monitor.position_px.y);
+    if (const GLFWvidmode* mode = glfwGetVideoMode(all[i])) {
+      monitor.size_px = {mode->width, mode->height};
+      monitor.rate_hz = mode->refreshRate;
+    }
+    facts.push_back(monitor);
+  }
+  return facts;
+}
+
+}  // namespace
+
+DisplayFacts displayFacts(const Graphics& graphics) {
+  Display* display = glfwGetX11Display();
+  DisplayFacts facts;
+  facts.display = DisplayString(display);
+  facts.monitors = monitors();
+  facts.isXwayland =
+      hasExtension(display, "XWAYLAND") ||
+      std::any_of(facts.monitors.begin(), facts.monitors.end(),
+                  [](const MonitorFacts& monitor) { return monitor.name.rfind("XWAYLAND", 0) == 0; });
+  facts.hasCompositor = hasCompositor(display);
+  facts.hasQuadBuffer = hasQuadBuffer();
+  graphics.makeCurrent();
+  facts.openGl = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  facts.renderer = graphics.rendererName();
+  return facts;
+}
+
+}  // namespace carom
