@@ -14,7 +14,7 @@ in float boardTime_m;   // c (t − t_o) of the emission
 uniform vec3 colour;    // linear, the share reflected
 uniform vec3 exposure;  // gain, rise, fall: engine/colour/exposure.h
 
-//VTK::Output::Dec
+out vec4 pixel;
 
 struct Painted {
   vec3 reflects;  // share of the light, linear
@@ -55,12 +55,12 @@ vec3 exposed(vec3 linear) {
 void main() {
   Painted painted = paint();
 #ifdef GHOST
-  gl_FragData[0] = vec4(toScreen(painted.shines), painted.cover);
+  pixel = vec4(toScreen(painted.shines), painted.cover);
 #else
   vec3 seen = light * painted.reflects + SHINE_COLOUR * shine;
 #ifdef GLOWS
   seen += glow * painted.shines;
 #endif
-  gl_FragData[0] = vec4(toScreen(exposed(seen)), painted.cover);
+  pixel = vec4(toScreen(exposed(seen)), painted.cover);
 #endif
 }
