@@ -27,11 +27,13 @@ void compileInto(GLuint program, const std::string& name, GLenum stage, const st
 
 }  // namespace
 
-GlProgram makeProgram(const std::string& name, const std::string& vertexText,
-                      const std::string& fragmentText) {
+GlProgram makeProgram(const std::string& name, const std::string& vertexText, const std::string& fragmentText,
+                      std::span<const char* const> inputs) {
   GlProgram program;
   compileInto(program, name, GL_VERTEX_SHADER, vertexText);
   compileInto(program, name, GL_FRAGMENT_SHADER, fragmentText);
+  GLuint location = 0;
+  for (const char* input : inputs) glBindAttribLocation(program, location++, input);
   glLinkProgram(program);
   GLint linked = GL_FALSE;
   glGetProgramiv(program, GL_LINK_STATUS, &linked);

@@ -1,6 +1,7 @@
 #pragma once
 // Small OpenGL programs, each made from two shader texts.
 
+#include <span>
 #include <string>
 
 #include <glm/mat3x3.hpp>
@@ -12,10 +13,11 @@
 
 namespace carom {
 
-/// Compiles and links a program in the current context. Throws std::runtime_error with the compiler's
-/// message.
-GlProgram makeProgram(const std::string& name, const std::string& vertexText,
-                      const std::string& fragmentText);
+/// Compiles and links a program in the current context. The inputs of its vertices that are named get the
+/// locations 0, 1 and so on, so that several programs can share a vertex array. Throws std::runtime_error with
+/// the compiler's message.
+GlProgram makeProgram(const std::string& name, const std::string& vertexText, const std::string& fragmentText,
+                      std::span<const char* const> inputs = {});
 
 /// Sets the uniform `name` of the program, which is in use; OpenGL takes single precision.
 void setUniform(const GlProgram& program, const char* name, int value);

@@ -27,17 +27,28 @@ RenderTarget::RenderTarget(const glm::ivec2& size_px) : size_px_(size_px) {
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBefore);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+  clear(0, size_px.x);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawBefore));
-  clear();
 }
 
 void RenderTarget::clear() {
   GLint drawBefore = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBefore);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
-  const std::array<float, 4> black{0.0F, 0.0F, 0.0F, 1.0F};
-  glClearBufferfv(GL_COLOR, 0, black.data());
+  clear(0, size_px_.x);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawBefore));
+}
+
+void RenderTarget::clear(int left_px, int width_px) {
+  constexpr std::array<float, 4> kBlack{0.0F, 0.0F, 0.0F, 1.0F};
+  const bool whole = width_px == size_px_.x;
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+  if (!whole) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(left_px, 0, width_px, size_px_.y);
+  }
+  glClearBufferfv(GL_COLOR, 0, kBlack.data());
+  if (!whole) glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
 }
 
 void RenderTarget::fill(std::span<const std::uint8_t> rgb) {

@@ -16,7 +16,9 @@ class RenderTarget {
  public:
   explicit RenderTarget(const glm::ivec2& size_px);
 
-  void clear();  ///< fills it with black
+  void clear();  ///< fills it with black; the framebuffer that is bound stays bound
+  /// Fills `width_px` columns with black, from `left_px` on; leaves no framebuffer bound.
+  void clear(int left_px, int width_px);
   /// Sets its pixels: RGB, rows from the bottom up, as many as the picture has.
   void fill(std::span<const std::uint8_t> rgb);
 

@@ -28,8 +28,7 @@
 namespace carom {
 namespace {
 
-// VTK replaces this with the version line.
-const std::string kPreamble = "//VTK::System::Dec\n";
+const std::string kPreamble = "#version 150\n";
 
 std::string paintText(Paint paint) {
   switch (paint) {

@@ -28,6 +28,7 @@ struct WallDrawing {
   int left_px = 0;                  ///< column of the picture in which the wall begins
   SpacetimeMarks* marks = nullptr;  ///< drawn among the bodies
   float cutAt = 0.0F;  ///< the wall's border beyond which another picture continues: 1 right, −1 left, 0 none
+  bool everything = false;  ///< draw also what the wall cannot show: the same picture, for comparison
 };
 
 class WallRenderer {
@@ -54,8 +55,9 @@ class WallRenderer {
             const WallDrawing& drawing = {});
 
  private:
-  struct Stage;  // VTK's
-  std::unique_ptr<Stage> stage_;
+  struct Drawing;  // what OpenGL holds
+  Graphics& graphics_;
+  std::unique_ptr<Drawing> drawing_;
 };
 
 }  // namespace carom

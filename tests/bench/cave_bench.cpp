@@ -12,6 +12,7 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,18 +27,19 @@ namespace carom {
 namespace {
 
 constexpr double kC_m_s = 1.42;
+constexpr int kSide_px = 960;
 constexpr Switches kAllOn{1, 1, 1, 1, 1};
 constexpr Switches kUnsolved{0, 0, 1, 0, 0};  // the shader has all to do but the solve
 
 /// Walls of a room of 3 m around its origin: front, left, right, floor.
-std::array<Wall, 4> walls() {
-  const auto wall = [](const glm::dvec3& lowerLeft, const glm::dvec3& lowerRight,
-                       const glm::dvec3& upperLeft) {
+std::array<Wall, 4> walls(int side_px) {
+  const auto wall = [side_px](const glm::dvec3& lowerLeft, const glm::dvec3& lowerRight,
+                              const glm::dvec3& upperLeft) {
     Wall w;
     w.lowerLeft_m = lowerLeft;
     w.lowerRight_m = lowerRight;
     w.upperLeft_m = upperLeft;
-    w.pixels = {960, 960};
+    w.pixels = {side_px, side_px};
     return w;
   };
   return {wall({-1.5, 1.5, 0}, {1.5, 1.5, 0}, {-1.5, 1.5, 3}),
@@ -49,8 +51,13 @@ std::array<Wall, 4> walls() {
 /// A scene, its bodies' world lines, and two eyes of a head that walks beside the board.
 class Room {
  public:
-  Room(Graphics& graphics, const Scene& scene, std::vector<WorldLine> histories)
-      : graphics_(graphics), scene_(scene), histories_(std::move(histories)), bodies_(scene.bodyCount) {
+  Room(Graphics& graphics, const Scene& scene, std::vector<WorldLine> histories, int side_px = kSide_px)
+      : graphics_(graphics),
+        scene_(scene),
+        histories_(std::move(histories)),
+        bodies_(scene.bodyCount),
+        walls_(carom::walls(side_px)),
+        pictures_(makePictures(side_px)) {
     for (const ScenePart& part : scene.parts) vertices_ += part.mesh->GetNumberOfPoints();
   }
 
@@ -96,12 +103,12 @@ class Room {
   std::vector<BodyView> bodies_;
   vtkIdType vertices_ = 0;
   Lorentz headFromBoard_ = Lorentz::boost({-0.5, 0.1, 0.05}, kC_m_s);
-  std::array<Wall, 4> walls_ = carom::walls();
-  std::array<std::unique_ptr<RenderTarget>, 8> pictures_ = makePictures();
+  std::array<Wall, 4> walls_;
+  std::array<std::unique_ptr<RenderTarget>, 8> pictures_;
 
-  static std::array<std::unique_ptr<RenderTarget>, 8> makePictures() {
+  static std::array<std::unique_ptr<RenderTarget>, 8> makePictures(int side_px) {
     std::array<std::unique_ptr<RenderTarget>, 8> pictures;
-    for (auto& picture : pictures) picture = std::make_unique<RenderTarget>(glm::ivec2(960, 960));
+    for (auto& picture : pictures) picture = std::make_unique<RenderTarget>(glm::ivec2(side_px));
     return pictures;
   }
 };
@@ -212,6 +219,25 @@ void frame(benchmark::State& state) {
   measureInTurn(state, room);
 }
 
+// The same at a size at which pixels cost nothing: what is left is the price of vertices and of commands.
+void frameWithoutPixels(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Game game;
+  Room room(graphics(), game.scene, game.histories, 16);
+  measureInTurn(state, room);
+}
+
+// The same with nothing in sight: the table lies behind all walls, and there is no hall.
+void nothingInSight(benchmark::State& state) {
+  graphics().makeCurrent();
+  Game game;
+  std::erase_if(game.scene.parts, [](const ScenePart& part) { return part.body == kRestingBody; });
+  for (WorldLine& line : std::span(game.histories).subspan(kFirstPuck))
+    line = WorldLine({{0.0, {0.0, -20.0, 20.0}}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s, line.radius_m());
+  Room room(graphics(), game.scene, game.histories);
+  measureInTurn(state, room);
+}
+
 // Eight views (four walls, two eyes) in one process beside one view in one process: what a view costs must
 // not grow with their number. In turn, with and without the emission solve.
 void views(benchmark::State& state) {
@@ -287,6 +313,8 @@ void millionSolvedAndUploaded(benchmark::State& state) {
 }
 
 BENCHMARK(frame)->Unit(benchmark::kMillisecond);
+BENCHMARK(frameWithoutPixels)->Unit(benchmark::kMillisecond);
+BENCHMARK(nothingInSight)->Unit(benchmark::kMillisecond);
 BENCHMARK(views)->Unit(benchmark::kMillisecond);
 BENCHMARK(million)->Unit(benchmark::kMillisecond);
 BENCHMARK(millionSolvedAndUploaded)->Unit(benchmark::kMillisecond);

@@ -53,9 +53,7 @@ struct Lit {
 class BodyProgram {
  public:
   BodyProgram(Legs legs, const Switches& switches) : switches_(switches) {
-    std::string text = bodyVertexShader(legs, Paint::lamp, switches);
-    const std::string version = "//VTK::System::Dec\n";
-    text.replace(text.find(version), version.size(), "#version 150\n");
+    const std::string text = bodyVertexShader(legs, Paint::lamp, switches);
     const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
     const char* source = text.c_str();
     glShaderSource(shader, 1, &source, nullptr);

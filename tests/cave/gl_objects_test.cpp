@@ -146,6 +146,8 @@ TEST_F(GlObjects, AStreamDrawsWhatWasUploadedLastAndLeavesTheBindings) {
   const RenderTarget picture({8, 4});
   for (const auto& [points, counts] :
        {std::pair{green, std::array{16, 16, 0, 0}}, {blue, std::array{16, 0, 16, 0}}}) {
+    glBindVertexArray(otherArray);
+    glBindBuffer(GL_ARRAY_BUFFER, otherBuffer);
     stream.upload(points);
     expectBindings();
     const GlStateGuard state(picture.framebuffer(), picture.size_px());

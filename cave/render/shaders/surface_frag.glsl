@@ -17,7 +17,7 @@ in float boardTime_m;   // c (t − t_o) of the emission
 uniform vec3 colour;    // linear, the share reflected
 uniform vec3 exposure;  // gain, rise, fall: engine/colour/exposure.h
 
-//VTK::Output::Dec
+out vec4 pixel;
 
 struct Painted {
   vec3 reflects;  // share of the light, linear
@@ -63,7 +63,7 @@ vec3 shown(vec3 linear) {
 void main() {
   Painted painted = paint();
 #ifdef GHOST
-  gl_FragData[0] = vec4(toScreen(painted.shines), painted.cover);
+  pixel = vec4(toScreen(painted.shines), painted.cover);
 #else
   vec3 seen = light * painted.reflects;
 #ifndef MATT
@@ -77,6 +77,6 @@ void main() {
 #else
   float alpha = tone;  // what edge_frag.glsl finds edges in
 #endif
-  gl_FragData[0] = vec4(shown(seen), alpha);
+  pixel = vec4(shown(seen), alpha);
 #endif
 }

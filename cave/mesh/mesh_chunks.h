@@ -1,0 +1,44 @@
+#pragma once
+// Meshes as they are drawn: vertices and triangles in two arrays, in chunks of triangles that lie together,
+// so that what a wall cannot show need not be drawn.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <vtkPolyData.h>
+#include <glm/vec3.hpp>
+
+namespace carom {
+
+/// A vertex as the shaders take it. Body's rest frame, from its centre.
+struct MeshVertex {
+  glm::vec3 place_m{0.0F};
+  glm::vec3 normal{0.0F};
+  glm::vec3 surface{0.0F};  ///< for painting
+};
+
+/// A run of triangles, and a sphere around them in the body's rest frame.
+struct MeshChunk {
+  std::uint32_t firstIndex = 0;
+  std::uint32_t indexCount = 0;
+  glm::dvec3 middle_m{0.0};
+  double radius_m = 0.0;
+};
+
+/// Chunks of one mesh after another. Each three indices are a triangle of `vertices`.
+struct ChunkedMeshes {
+  std::vector<MeshVertex> vertices;
+  std::vector<std::uint32_t> indices;
+  std::vector<MeshChunk> chunks;
+};
+
+/// The most triangles of a chunk; chunks of larger meshes have at least half as many. Smaller ones leave out
+/// more of what is not seen, and cost more to look at.
+inline constexpr std::size_t kChunkTriangles = 256;
+
+/// Appends a mesh with its normals and its point array "surface"; where it lacks them, they are 0. Points that no
+/// triangle uses are left out. The order depends on the mesh alone.
+void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to);
+
+}  // namespace carom

@@ -1,0 +1,220 @@
+#include "cave/render/body_drawer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <vtk_glew.h>
+
+#include "cave/frame/bodies.h"
+#include "cave/frame/clock_time.h"
+#include "cave/gl/view_colours.h"
+#include "engine/colour/doppler_colour.h"
+#include "engine/colour/exposure.h"
+
+namespace carom {
+namespace {
+
+constexpr float kAlways_m = -1e30F;     // means that the body has always existed
+constexpr float kDecalNearer = 0.002F;  // fraction of the distance by which a decal is drawn nearer
+constexpr float kHatch = 0.5F;          // of a ghost, as a fraction of its body's reach from its centre
+constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
+
+/// Makes a texture of the four numbers a texel that a buffer holds.
+void attach(const GlTexture& texture, const GlBuffer& buffer) {
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer);
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+}
+
+void bind(int unit, GLuint texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
+}
+
+void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
+
+}  // namespace
+
+BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s) : scene_(scene), chunks_(scene) {
+  eye_.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
+  for (std::size_t i = 0; i < 3; ++i) eye_.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
+  layers_.reserve(kMoments.size());
+  for (std::size_t i = 0; i < kMoments.size(); ++i)
+    layers_.emplace_back(chunks_, scene_.bodyCount, scene_.parts.size());
+  makeVertices();
+  makeColours();
+  uploadLegs();  // a buffer exists from its first use on
+  attach(legTexture_, legBuffer_);
+}
+
+void BodyDrawer::makeVertices() {
+  const ChunkedMeshes& meshes = chunks_.meshes;
+  glBindVertexArray(array_);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(meshes.vertices.size() * sizeof(MeshVertex)),
+               meshes.vertices.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(meshes.indices.size() * sizeof(std::uint32_t)), meshes.indices.data(),
+               GL_STATIC_DRAW);
+  constexpr std::array<std::size_t, 3> kOffsets{offsetof(MeshVertex, place_m), offsetof(MeshVertex, normal),
+                                                offsetof(MeshVertex, surface)};
+  for (std::size_t i = 0; i < kOffsets.size(); ++i) {
+    glEnableVertexAttribArray(static_cast<GLuint>(i));
+    glVertexAttribPointer(static_cast<GLuint>(i), 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
+                          reinterpret_cast<const void*>(kOffsets[i]));
+  }
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void BodyDrawer::makeColours() {
+  const ColourTable table;
+  glBindBuffer(GL_TEXTURE_BUFFER, colourBuffer_);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(table.texels().size() * sizeof(table.texels()[0])),
+               table.texels().data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  attach(colourTexture_, colourBuffer_);
+}
+
+void BodyDrawer::takeLayer(ViewTime moment, std::span<const BodyView> bodies, const Lorentz& headFromBoard) {
+  Layer& layer = layers_[static_cast<std::size_t>(moment)];
+  const ViewFrame frame(headFromBoard, switches_, moment);
+  layer.drawnFromSeen = glm::mat4(frame.drawnFromSeen.matrix());
+  layer.ranges.clear();
+  for (const BodyView& body : bodies) {
+    layer.ranges.push_back({static_cast<int>(legs_.size()), static_cast<int>(body.legs.size()),
+                            std::max(static_cast<float>(body.appears_m), kAlways_m)});
+    for (const LegView& leg : body.legs) legs_.push_back(toFloat(leg));
+  }
+  layer.visible.look(bodies, frame);
+}
+
+void BodyDrawer::uploadLegs() {
+  glBindBuffer(GL_TEXTURE_BUFFER, legBuffer_);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(legs_.size() * sizeof(GpuLeg)), legs_.data(),
+               GL_STREAM_DRAW);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
+                      const Switches& switches, const Ghosts& ghosts) {
+  switches_ = switches;
+  legs_.clear();
+  takeLayer(ViewTime::seen, bodies, headFromBoard);
+  takeLayer(ViewTime::boardNow, ghosts.boardNow, headFromBoard);
+  takeLayer(ViewTime::myNow, ghosts.myNow, headFromBoard);
+  uploadLegs();
+  ++eye_.number;
+  const ViewFrame frame(headFromBoard, switches);
+  eye_.boardFromDrawn = glm::mat4(frame.drawnFromBoard.inverse().matrix());
+  const Vec3 u = headFromBoard.inverse().u();
+  eye_.headOnBoard = glm::vec4(gammaFromU(u), u);
+  const Exposure exposure =
+      exposureFor(glm::length(betaFromU(u)), switches.colour != 0, switches.searchlight != 0);
+  eye_.exposure = {exposure.gain, exposure.rise, exposure.fall};
+  eye_.eyeOnBoard_m = glm::vec3(eye.observation.r_m);
+  const double whole_s = std::clamp(std::floor(eye.observation.t_s), -kMostShown_s, kMostShown_s);
+  eye_.observedWhole_s = static_cast<int>(whole_s);
+  eye_.observedPart_s = static_cast<float>(eye.observation.t_s - whole_s);
+}
+
+BodyProgram& BodyDrawer::programFor(const BodyVariant& variant, BodyProgram*& last) {
+  if (last && last->variant() == variant) return *last;
+  const auto found = std::find_if(programs_.begin(), programs_.end(),
+                                  [&](const auto& program) { return program->variant() == variant; });
+  if (found == programs_.end()) {
+    last = programs_.emplace_back(std::make_unique<BodyProgram>(variant)).get();
+  } else {
+    last = found->get();
+  }
+  return *last;
+}
+
+PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
+  const auto layerNumber = static_cast<std::size_t>(moment);
+  const ScenePart& part = scene_.parts[number];
+  const LegRange& range = layers_[layerNumber].ranges[part.body];
+  const bool ghost = moment != ViewTime::seen;
+  PartUniforms uniforms;
+  uniforms.number = 1 + number + layerNumber * scene_.parts.size();
+  uniforms.drawnFromSeen = layers_[layerNumber].drawnFromSeen;
+  uniforms.legs = &legs_[static_cast<std::size_t>(range.first)];
+  uniforms.firstLeg = range.first;
+  uniforms.legCount = range.count;
+  uniforms.appears_m = range.appears_m;
+  uniforms.colour = part.colour;
+  uniforms.gloss = part.gloss;
+  uniforms.tint = static_cast<float>(number % 3);
+  uniforms.nearer = ghost || part.paint == Paint::shadow ? kDecalNearer : 0.0F;
+  uniforms.ghostColour = linearOf(moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
+  uniforms.hatch_m = kHatch * static_cast<float>(scene_.reach_m.empty() ? 1.0 : scene_.reach_m[part.body]);
+  return uniforms;
+}
+
+void BodyDrawer::setState(bool blend, bool depthMask, bool clip) {
+  if (blend != blend_) enable(GL_BLEND, blend);
+  if (depthMask != depthMask_) glDepthMask(depthMask);
+  if (clip != clip_) enable(GL_CLIP_DISTANCE0, clip);
+  blend_ = blend;
+  depthMask_ = depthMask;
+  clip_ = clip;
+}
+
+void BodyDrawer::drawPart(ViewTime moment, std::size_t number, const WallUniforms& wall) {
+  Layer& layer = layers_[static_cast<std::size_t>(moment)];
+  const IndexRanges ranges = layer.visible.of(number);
+  if (ranges.counts.empty()) return;
+  const ScenePart& part = scene_.parts[number];
+  const PartUniforms uniforms = uniformsOf(moment, number);
+  const bool bends = uniforms.legCount > 1 || uniforms.legs->glide.w > 0.0F;
+  const Legs legs = moment == ViewTime::seen && part.body == kRestingBody ? Legs::rest
+                    : bends                                               ? Legs::many
+                                                                          : Legs::one;
+  const bool ghost = moment != ViewTime::seen;
+  const bool decal = part.paint == Paint::shadow;
+  const Paint paint = ghost ? Paint::plain : part.paint;
+  programFor({legs, paint, switches_, moment}, layer.programs[number]).use(eye_, wall, uniforms);
+  setState(decal || ghost, !decal, uniforms.appears_m > kAlways_m);  // shadows overlap each other
+  glMultiDrawElements(GL_TRIANGLES, ranges.counts.data(), GL_UNSIGNED_INT, ranges.offsets.data(),
+                      static_cast<GLsizei>(ranges.counts.size()));
+}
+
+void BodyDrawer::drawLayer(ViewTime moment, const WallUniforms& wall) {
+  for (std::size_t number = 0; number < scene_.parts.size(); ++number) {
+    const ScenePart& part = scene_.parts[number];
+    const bool hasGhost = part.body != kRestingBody && part.paint != Paint::shadow;
+    if (moment == ViewTime::seen || hasGhost) drawPart(moment, number, wall);
+  }
+}
+
+bool BodyDrawer::choose(const glm::dmat4& clipFromDrawn, bool everything) {
+  bool anything = false;
+  for (Layer& layer : layers_) {
+    layer.visible.choose(clipFromDrawn, everything);
+    anything = anything || !layer.visible.chosen().empty();
+  }
+  return anything;
+}
+
+void BodyDrawer::draw(const glm::dmat4& clipFromDrawn) {
+  const WallUniforms wall{++walls_, glm::mat4(clipFromDrawn)};
+  glBindVertexArray(array_);
+  bind(kColourUnit, colourTexture_);
+  bind(kLegUnit, legTexture_);
+  for (const ViewTime moment : kMoments) {  // ghosts last: they are transparent
+    const bool ghost = moment != ViewTime::seen;
+    glBlendFuncSeparate(
+        GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, ghost ? GL_ONE : GL_ZERO,
+        ghost ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);  // a shadow has no edge: shaders/edge_frag.glsl
+    drawLayer(moment, wall);
+  }
+  setState(false, true, false);
+  bind(kColourUnit, 0);
+  bind(kLegUnit, 0);
+  glBindVertexArray(0);
+  glUseProgram(0);
+}
+
+}  // namespace carom

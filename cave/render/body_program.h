@@ -1,0 +1,104 @@
+#pragma once
+// The programs that draw bodies, and their uniforms: what all parts share for one eye and wall, and what is
+// each part's own.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "cave/gl/gl_objects.h"
+#include "cave/render/body_shaders.h"
+#include "engine/light/light_cone.h"
+
+namespace carom {
+
+/// A leg as the shaders take it.
+using GpuLeg = kernel_float::LegView;
+inline constexpr int kLegTexels = 15;
+static_assert(sizeof(GpuLeg) == kLegTexels * 4 * sizeof(float),
+              "shaders/leg_at.glsl reads fifteen texels a leg");
+
+/// The texture units of the legs and of the table of colours.
+inline constexpr int kLegUnit = 0, kColourUnit = 1;
+
+/// What the shaders of all parts need of one eye.
+struct EyeUniforms {
+  std::uint64_t number = 0;  ///< another for every eye
+  glm::mat4 boardFromDrawn{1.0F};
+  glm::vec4 headOnBoard{1.0F, 0.0F, 0.0F, 0.0F};
+  glm::vec3 eyeOnBoard_m{0.0F};
+  glm::vec3 exposure{0.0F};
+  int observedWhole_s = 0;
+  float observedPart_s = 0.0F;
+  float lightSpeed_m_s = 0.0F;
+  std::array<glm::vec3, 3> lamps_m{};
+};
+
+/// What they need of one wall.
+struct WallUniforms {
+  std::uint64_t number = 0;  ///< another for every wall and eye
+  glm::mat4 clipFromDrawn{1.0F};
+};
+
+/// What they need of one part.
+struct PartUniforms {
+  std::size_t number = 0;  ///< another for every part
+  glm::mat4 drawnFromSeen{1.0F};
+  const GpuLeg* legs = nullptr;  ///< of this body, the first
+  int firstLeg = 0;
+  int legCount = 0;
+  float appears_m = 0.0F;
+  glm::vec3 colour{0.0F};
+  float gloss = 0.0F;
+  float tint = 0.0F;  ///< sets its tone off from other parts' (shaders/edge_frag.glsl)
+  float nearer = 0.0F;
+  glm::vec3 ghostColour{0.0F};
+  float hatch_m = 1.0F;
+};
+
+/// The inputs of a vertex, in the order of MeshVertex.
+inline constexpr std::array<const char*, 3> kVertexInputs{"vertexMC", "normalMC", "surfaceMC"};
+
+/// What a program is compiled for.
+struct BodyVariant {
+  Legs legs = Legs::rest;
+  Paint paint = Paint::plain;
+  Switches switches;
+  ViewTime moment = ViewTime::seen;
+
+  bool operator==(const BodyVariant&) const = default;
+};
+
+class BodyProgram {
+ public:
+  /// Compiles. Throws std::runtime_error with the compiler's message.
+  explicit BodyProgram(const BodyVariant& variant);
+
+  const BodyVariant& variant() const { return variant_; }
+
+  /// Puts the program to use and sets those of its uniforms that differ from what it has.
+  void use(const EyeUniforms& eye, const WallUniforms& wall, const PartUniforms& part);
+
+ private:
+  void setEye(const EyeUniforms& eye) const;
+  void setPart(const PartUniforms& part) const;
+
+  /// Places of the uniforms; −1 of those that the program does not have.
+  struct Places {
+    int clipFromDrawn, boardFromDrawn, headOnBoard, eyeOnBoard_m, exposure, lamps_m, observedWhole_s,
+        observedPart_s, lightSpeed_m_s;
+    int drawnFromSeen, drawnFromBody, onlyLeg, firstLeg, legCount, appears_m, colour, gloss, tint, nearer,
+        ghostColour, hatch_m;
+  };
+  BodyVariant variant_;
+  GlProgram program_;
+  Places at_;
+  std::uint64_t eye_ = 0, wall_ = 0;  // whose uniforms it has
+  std::size_t part_ = 0;
+};
+
+}  // namespace carom

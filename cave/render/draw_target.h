@@ -1,0 +1,39 @@
+#pragma once
+// The buffers into which a wall is drawn, with depth and if asked for with several samples a pixel, before it is
+// copied into its picture.
+
+#include <glm/vec2.hpp>
+
+#include "cave/gl/gl_objects.h"
+#include "cave/gl/picture.h"
+
+namespace carom {
+
+class DrawTarget {
+ public:
+  /// `samples`: samples a pixel (1: no multisampling).
+  explicit DrawTarget(int samples);
+
+  /// Makes what follows draw into a black picture of this size, with the depth test on. The buffers grow to the
+  /// largest picture and keep that size: making them anew for every size would cost more than the drawing.
+  void begin(const glm::ivec2& size_px);
+  /// Copies the picture into columns of another, from `left_px` on.
+  void copyTo(const RenderTarget& picture, int left_px) const;
+
+  unsigned framebuffer() const { return framebuffer_; }
+  /// Returns the texture that is drawn into with one sample a pixel. It may be larger than the picture, which is in
+  /// its first columns and rows.
+  unsigned texture() const { return texture_; }
+
+ private:
+  void grow(const glm::ivec2& size_px);
+
+  int samples_;
+  glm::ivec2 buffer_px_{0}, size_px_{0};
+  GlFramebuffer framebuffer_;
+  GlTexture texture_;      // of colours, with one sample a pixel
+  GlRenderbuffer colour_;  // with several
+  GlRenderbuffer depth_;
+};
+
+}  // namespace carom
