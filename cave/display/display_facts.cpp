@@ -1,12 +1,13 @@
 #include "cave/display/display_facts.h"
 
 #define GLFW_INCLUDE_NONE
-#define GLFW_EXPOSE_NATIVE_X11
 #include <GLFW/glfw3.h>
-#include <GLFW/glfw3native.h>
+#include <X11/Xlib.h>
 #include <vtk_glew.h>
 
 #include <algorithm>
+#include <memory>
+#include <stdexcept>
 
 namespace carom {
 namespace {
@@ -52,10 +53,12 @@ std::vector<MonitorFacts> monitors() {
 }  // namespace
 
 DisplayFacts displayFacts(const Graphics& graphics) {
-  Display* display = glfwGetX11Display();
   DisplayFacts facts;
-  facts.display = DisplayString(display);
   facts.monitors = monitors();
+  const std::unique_ptr<Display, int (*)(Display*)> connection(XOpenDisplay(nullptr), XCloseDisplay);
+  if (!connection) throw std::runtime_error("the X display does not take another program");
+  Display* display = connection.get();
+  facts.display = DisplayString(display);
   facts.isXwayland =
       hasExtension(display, "XWAYLAND") ||
       std::any_of(facts.monitors.begin(), facts.monitors.end(),
