@@ -1,7 +1,11 @@
-// A vertex of a body: from its place in the body's rest frame to where the eye sees it, and how it is lit there.
-// RETARDED, CONTRACTED, ABERRATED, COLOURED and SEARCHLIGHT are true or false: the switches; BOARD_NOW if bodies are
-// where they are at the observation's board time. EUCLID is defined if all switches are off, COLOUR if colours
-// shift, CLOCK for clocks, MATT for what has no varnish, SHADOW for what a puck takes from the cloth, GLOWS for what has light of its own, GHOST for bodies at a moment, which show no light.
+// Transforms a vertex of a body from its place in the body's rest frame to the place where the eye sees it, and
+// computes the light that falls on it there.
+//
+// The program is compiled with these macros. True or false are the switches RETARDED, CONTRACTED, ABERRATED,
+// COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined or not
+// are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it has no varnish;
+// SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; GHOST, the body is shown at one
+// moment and is not lit.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;

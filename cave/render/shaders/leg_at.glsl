@@ -1,5 +1,5 @@
-// Where legs come from: a single one from uniforms. Of that it is known that it is straight, and of what rests on
-// the board, the velocity too: all that follows from friction and from motion then falls away.
+// Returns the legs of a body. A single leg comes from uniforms and is straight; the leg of a body at rest on the board
+// also has a known velocity. The compiler then leaves out what friction and motion need.
 
 #ifdef ONE_LEG
 uniform vec4 onlyLeg[15];

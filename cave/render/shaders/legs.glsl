@@ -1,5 +1,5 @@
-// What the kernels need to know of their surroundings, as GLSL. Legs lie in a texture buffer, fifteen texels
-// each, in the order of LegView's members; the table of shifted colours in another.
+// The GLSL definitions that the kernels need. A texture buffer holds the legs, fifteen texels each, in the order of the
+// members of LegView; another holds the table of shifted colours.
 #define real float
 #define KERNEL
 #define LEGS int

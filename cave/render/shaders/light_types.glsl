@@ -1,5 +1,5 @@
-// How light is handed from a vertex to the points of its surface. With colour, what comes back from a surface is no
-// product of its colour and the light's: a matrix takes its place.
+// The types in which light is interpolated from the vertices to the points of a surface. With shifted colours, the
+// light that a surface returns is not the product of its colour and the light's colour; a matrix takes its place.
 #ifdef COLOUR
 #define LIGHT mat3
 #define SHINE vec3

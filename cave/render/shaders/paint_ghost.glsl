@@ -1,6 +1,6 @@
-// A body at a moment: no light, a cage of stripes through which one looks. Stripes one way for the board's moment,
-// CROSSED for the head's, so that they can be told apart without colours. What is between keeps a breath of the body's
-// own colour.
+// Paints a ghost, a body at one moment: an unlit cage of stripes that one can look through. The stripes run one way for
+// the board's now and both ways (CROSSED) for the head's now, so that the two can be told apart without colours.
+// Between the stripes a trace of the body's own colour remains.
 in vec3 fromEye_m;
 uniform vec3 ghostColour;  // linear
 uniform float hatch_m;     // from stripe to stripe

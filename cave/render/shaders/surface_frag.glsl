@@ -1,4 +1,4 @@
-// A point of a surface: what it is painted with, how bright it is, and that as the screen wants it.
+// Colours a point of a surface: paints it, lights it, and encodes the result for the screen.
 
 in vec3 place;          // in the body's rest frame, from its centre (metres)
 in vec3 surface;        // what the model says for painting
