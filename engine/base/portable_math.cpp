@@ -36,8 +36,8 @@ double cosNearZero(double r, double tail) {
 
 constexpr int kAsinTerms = 26;
 
-// asin x = x Σ c_k x^2k, c_0 = 1, c_k = c_{k−1} (2k−1)²/(2k (2k+1)); for |x| ≤ 1/2 these terms leave less than
-// 1e-18.
+// asin x = x Σ c_k x^2k, c_0 = 1, c_k = c_{k−1} (2k−1)²/(2k (2k+1)); for |x| ≤ 1/2 these terms leave less
+// than 1e-18.
 constexpr std::array<double, kAsinTerms> asinCoefficients() {
   std::array<double, kAsinTerms> c{1.0};
   double central = 1.0;  // the binomial (2k over k)/4^k
