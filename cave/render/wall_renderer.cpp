@@ -43,9 +43,9 @@ namespace carom {
 namespace {
 
 using GpuLeg = kernel_float::LegView;
-constexpr int kTexels = 15;
+constexpr int kTexels = 16;
 static_assert(sizeof(GpuLeg) == kTexels * 4 * sizeof(float),
-              "shaders/leg_at.glsl reads fifteen texels a leg");
+              "shaders/leg_at.glsl reads sixteen texels a leg");
 
 constexpr float kAlways_m = -1e30F;     // means that the body has always existed
 constexpr float kDecalNearer = 0.002F;  // fraction of the distance by which a decal is drawn nearer
@@ -296,7 +296,8 @@ void WallRenderer::Stage::chooseActors() {
       actor->SetVisibility(false);
       continue;
     }
-    const bool many = range.count > 1 || eye.legs[static_cast<std::size_t>(range.first)].glide.w > 0.0F;
+    const GpuLeg& first = eye.legs[static_cast<std::size_t>(range.first)];
+    const bool many = range.count > 1 || first.glide.w > 0.0F || first.spin.w > 0.0F;
     actor->SetVisibility(many == (legs == Legs::many));
   }
 }
