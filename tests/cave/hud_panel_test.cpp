@@ -49,14 +49,18 @@ TEST(HudPanel, SayWhichViewsAreOn) {
   FrameRecord record = recordAt(12.36);
   EXPECT_TRUE(said(record).empty());
   record.views.boardNow = record.views.frozen = 1;
-  EXPECT_EQ(said(record), (std::vector<std::string>{"as seen", "now on the board", "frozen"}));
+  EXPECT_EQ(said(record),
+            (std::vector<std::string>{"as seen: light that reaches me now", "now, in the table's frame",
+                                      "frozen view: walk around it"}));
   record.views = {};
   record.views.clocks = 1;
-  EXPECT_EQ(said(record), (std::vector<std::string>{"plates on the pucks: their own time", "my clock  12.3 s",
-                                                    "my speed  0.60 c   gamma 1.25", "light  1.42 m/s"}));
+  EXPECT_EQ(said(record),
+            (std::vector<std::string>{"labels: each puck's proper time", "my proper time  12.3 s",
+                                      "my speed  0.60 c   γ = 1.25", "light  1.42 m/s"}));
   record.views = {};
   record.views.split = 1;
-  EXPECT_EQ(said(record), (std::vector<std::string>{"as seen", "left: Einstein, right: Newton"}));
+  EXPECT_EQ(said(record), (std::vector<std::string>{"as seen: light that reaches me now",
+                                                    "left: Einstein, right: Newton"}));
 }
 
 const LessonWords kLesson{
@@ -106,7 +110,7 @@ TEST(HudPanel, WhileTheyAskTheySayNothingElseOfTheViews) {
   record.views.boardNow = record.views.clocks = 1;
   record.lesson.phase = LessonPhase::asks;
   const auto asked = said(record, kLesson);
-  EXPECT_EQ(std::find(asked.begin(), asked.end(), "now on the board"), asked.end());
+  EXPECT_EQ(std::find(asked.begin(), asked.end(), "now, in the table's frame"), asked.end());
   EXPECT_EQ(asked.back(), "light  1.42 m/s");
 }
 
