@@ -43,9 +43,10 @@ Event alongLeg(const Event& event, const Vec3& u, double t_s, double c_m_s) {
 }
 
 /// Returns the world line of a body whose centre passes `at`, on whichever leg holds that time: the events of
-/// its turns follow from there in both directions.
-WorldLine scriptedWorldLine(const std::vector<Leg>& legs, const Event& at, std::optional<double> appears_s,
-                            double c_m_s) {
+/// its turns follow from there in both directions. Its angle is 0 there.
+WorldLine scriptedWorldLine(const BodyText& body, double c_m_s) {
+  const std::vector<Leg>& legs = body.legs;
+  const Event& at = body.at;
   std::size_t holding = 0;
   while (holding + 1 < legs.size() && legs[holding + 1].from_s <= at.t_s) ++holding;
   std::vector<Event> begins(legs.size(), at);  // for the first leg, an event on it
@@ -63,16 +64,19 @@ WorldLine scriptedWorldLine(const std::vector<Leg>& legs, const Event& at, std::
     if (i > 0) knot.properTime_s = motionOnLeg(knots.back(), knot.turn.t_s, c_m_s).properTime_s;
     knots.push_back(knot);
   }
+  const double at_s = motionOnLeg(knots[holding], at.t_s, c_m_s).properTime_s;
+  for (Knot& knot : knots)
+    knot.spin = {angleAfter({0.0, body.spin_rad_s}, knot.properTime_s - at_s), body.spin_rad_s};
 
   // The clock shows 0 where the body appears, or at board time 0.
-  const double zero_s = appears_s.value_or(0.0);
+  const double zero_s = body.appears_s.value_or(0.0);
   const auto holdsZero = std::find_if(knots.rbegin(), knots.rend() - 1,
                                       [&](const Knot& knot) { return knot.turn.t_s <= zero_s; });
   const double shown_s = motionOnLeg(*holdsZero, zero_s, c_m_s).properTime_s;
   for (Knot& knot : knots) knot.properTime_s -= shown_s;
 
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  WorldLine line(knots.front(), c_m_s, kInfinity, appears_s.value_or(-kInfinity));
+  WorldLine line(knots.front(), c_m_s, kInfinity, body.appears_s.value_or(-kInfinity));
   for (std::size_t i = 1; i < knots.size(); ++i) line.append(knots[i]);
   return line;
 }
@@ -85,17 +89,18 @@ std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTa
 }
 
 BodyText readBody(const TomlFile& file, const TomlTable& table) {
-  BodyText body{table, table.text("name"), readMesh(file, table), {}, {}, {}};
+  BodyText body{table, table.text("name"), readMesh(file, table), {}, {}, 0.0, {}};
   if (const auto at = table.requiredTable("at")) {
     body.at = {at->number("t_s", {}), toVec3(at->numbers<3>("r_m", {}))};
   }
   if (table.has("appears_s")) body.appears_s = table.number("appears_s", {});
+  if (table.has("spin_rad_s")) body.spin_rad_s = table.number("spin_rad_s", {});
   body.legs = readLegs(table);
   return body;
 }
 
 ScriptedBody scriptedBody(const BodyText& body, double c_m_s) {
-  return {body.name, scriptedWorldLine(body.legs, body.at, body.appears_s, c_m_s), body.mesh};
+  return {body.name, scriptedWorldLine(body, c_m_s), body.mesh};
 }
 
 }  // namespace carom

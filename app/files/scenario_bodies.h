@@ -24,6 +24,7 @@ struct BodyText {
   std::optional<std::filesystem::path> mesh;
   Event at;
   std::optional<double> appears_s;
+  double spin_rad_s = 0.0;
   std::vector<Leg> legs;
 };
 

@@ -139,7 +139,9 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
   }
   for (const ScriptedBody& body : scenario.bodies) {
     const std::size_t turns = body.worldLine.knots().size() - 1;
-    fmt::print("body {}: moves as told, turns {}\n", body.name, counted(turns, "time"));
+    const double spin_rad_s = body.worldLine.knots().front().spin.omega_rad_s;
+    fmt::print("body {}: moves as told, turns {}{}\n", body.name, counted(turns, "time"),
+               spin_rad_s == 0.0 ? std::string() : fmt::format(", spins at {:.6g} rad/s", spin_rad_s));
   }
   fmt::print("{}\n", counted(setup.strokes.size(), "scripted stroke"));
   if (!setup.flashes.empty()) fmt::print("flashes of light: {}\n", setup.flashes.size());

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <tuple>
 
@@ -51,9 +52,21 @@ void checkNames(const std::vector<BodyPoint>& points, const std::vector<std::str
   for (const BodyPoint& point : points) {
     if (std::find(names.begin(), names.end(), point.body) != names.end()) continue;
     const auto nearest = nearestWord(point.body, names);
-    throw UnknownBody(fmt::format("--point: there is no puck or body '{}', expected {}", point.body,
-                                  nearest ? fmt::format("'{}'?", *nearest) : "a name of the scenario"));
+    throw UnknownPoint(fmt::format("--point: there is no puck or body '{}', expected {}", point.body,
+                                   nearest ? fmt::format("'{}'?", *nearest) : "a name of the scenario"));
   }
+}
+
+/// Refuses a point that the body's spin would carry round as fast as light.
+void checkSpin(const BodyPoint& point, const WorldLine& line) {
+  const double reach_m = std::hypot(point.offset_m.x, point.offset_m.y);
+  const double turn_rad_s = std::abs(line.knots().front().spin.omega_rad_s);
+  if (turn_rad_s * reach_m < line.lightSpeed_m_s()) return;
+  throw UnknownPoint(
+      fmt::format("--point: '{}' spins at {:.6g} rad/s, so this point would move at {:.6g} c, "
+                  "expected one less than {:.6g} m from its axis",
+                  point.body, turn_rad_s, turn_rad_s * reach_m / line.lightSpeed_m_s(),
+                  line.lightSpeed_m_s() / turn_rad_s));
 }
 
 /// A point and its emission event; empty if its light has not arrived.
@@ -132,6 +145,7 @@ int runObserve(const ObserveOptions& options, const SeenSceneText& seenScene) {
   for (const BodyPoint& point : points) {
     const auto body =
         std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.name == point.body; });
+    checkSpin(point, *body->line);
     seen.push_back({point, emission(*body->line, point.offset_m, options.event, headFromBoard)});
   }
   const std::string sceneText =
@@ -193,7 +207,7 @@ void addObserve(CLI::App& app, int& status, const SeenSceneText& seenScene) {
     }
     try {
       status = runObserve(options, seenScene);
-    } catch (const UnknownBody& error) {
+    } catch (const UnknownPoint& error) {
       throw CLI::ValidationError(error.what());
     }
   });

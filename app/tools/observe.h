@@ -26,8 +26,8 @@ struct BodyPoint {
   Vec3 offset_m{0.0};
 };
 
-/// Thrown for a point on a body that is not in the scenario.
-class UnknownBody : public std::invalid_argument {
+/// Thrown for a point on a body that is not in the scenario, or that cannot be part of the body.
+class UnknownPoint : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
@@ -46,8 +46,9 @@ struct ObserveOptions {
 using SeenSceneText = std::function<std::string(const Scenario& scenario, std::span<const WorldLine> pucks,
                                                 const Event& observation, const Lorentz& headFromBoard)>;
 
-/// Returns the exit status. Throws InputErrors for an invalid scenario, UnknownBody for an unknown name.
-/// `seenScene` makes the .vtp file; it is empty in a program built without VTK, which then refuses --vtp.
+/// Returns the exit status. Throws InputErrors for an invalid scenario, UnknownPoint for a point that is
+/// not there. `seenScene` makes the .vtp file; it is empty in a program built without VTK, which then
+/// refuses --vtp.
 int runObserve(const ObserveOptions& options, const SeenSceneText& seenScene = {});
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`. `seenScene` is as in

@@ -122,6 +122,7 @@ void expectPossible(const Knot& knot) {
   expectFinite("a knot's proper time", {knot.properTime_s});
   expectFinite("a knot's signal", knot.signal);
   expectFinite("a knot's deceleration", {knot.deceleration_m_s2});
+  expectFinite("a knot's spin", {knot.spin.angle_rad, knot.spin.omega_rad_s});
 }
 
 void expectPossible(const GameEvent& event, std::uint64_t pucks) {

@@ -168,7 +168,7 @@ void BodyDrawer::drawPart(ViewTime moment, std::size_t number, const WallUniform
   if (ranges.counts.empty()) return;
   const ScenePart& part = scene_.parts[number];
   const PartUniforms uniforms = uniformsOf(moment, number);
-  const bool bends = uniforms.legCount > 1 || uniforms.legs->glide.w > 0.0F;
+  const bool bends = uniforms.legCount > 1 || uniforms.legs->glide.w > 0.0F || uniforms.legs->spin.w > 0.0F;
   const Legs legs = moment == ViewTime::seen && part.body == kRestingBody ? Legs::rest
                     : bends                                               ? Legs::many
                                                                           : Legs::one;

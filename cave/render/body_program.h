@@ -18,9 +18,9 @@ namespace carom {
 
 /// A leg as the shaders take it.
 using GpuLeg = kernel_float::LegView;
-inline constexpr int kLegTexels = 15;
+inline constexpr int kLegTexels = 16;
 static_assert(sizeof(GpuLeg) == kLegTexels * 4 * sizeof(float),
-              "shaders/leg_at.glsl reads fifteen texels a leg");
+              "shaders/leg_at.glsl reads sixteen texels a leg");
 
 /// The texture units of the legs and of the table of colours.
 inline constexpr int kLegUnit = 0, kColourUnit = 1;

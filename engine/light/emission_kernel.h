@@ -1,23 +1,27 @@
 #pragma once
-// The kernel engine/light/emission_kernel.glsl compiled as C++: in double, as the reference and for single
-// answers (`carom observe`), and in float, as the GPU computes it.
+// The kernel engine/light/emission_kernel.glsl compiled as C++: in double, for chains of bounces,
+// and in float, as the GPU computes it. Single answers (`carom observe`) come from vertex_history.h.
 
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "engine/spacetime/world_line.h"
 
 #define LEGS const LegView*
-#define KERNEL inline
+#define KERNEL [[gnu::always_inline]] inline  // or no loop over vertices becomes vector instructions
+#define UNROLLED _Pragma("GCC unroll 8")
 #define CATCH_UP_SPEED carom::kCatchUpSpeed
 
 namespace carom::kernel {
+using std::floor;
 using std::sqrt;
 using real = double;
+using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
 using vec4 = glm::dvec4;
 using mat4 = glm::dmat4;
@@ -33,8 +37,10 @@ inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
 }  // namespace carom::kernel
 
 namespace carom::kernel_float {
+using std::floor;
 using std::sqrt;
 using real = float;
+using vec2 = glm::vec2;
 using vec3 = glm::vec3;
 using vec4 = glm::vec4;
 using mat4 = glm::mat4;
@@ -51,4 +57,5 @@ inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
 
 #undef LEGS
 #undef CATCH_UP_SPEED
+#undef UNROLLED
 #undef KERNEL

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "engine/base/portable_math.h"
 #include "engine/base/root.h"
 #include "engine/light/vertex_history.h"
 
@@ -121,9 +122,17 @@ bool restsForGood(std::span<const Knot> knots, std::size_t leg, const Motion& ce
          (leg + 1 == knots.size() || knots[leg + 1].signal.t_s >= rests_s);
 }
 
+/// What the kernel needs to know of a spin. Four steps of its search do for rims up to 0.99 c.
+glm::dvec4 spinOf(const Knot& knot, const Motion& centre, double radius_m, double c_m_s) {
+  if (!spins(knot)) return glm::dvec4(0.0);
+  const SinCos angle = portableSinCos(angleAfter(knot.spin, centre.properTime_s - knot.properTime_s));
+  const double turn_1_m = knot.spin.omega_rad_s / c_m_s;
+  return {turn_1_m, angle.cos, angle.sin, std::abs(turn_1_m) * radius_m <= 0.99 ? 4.0 : 6.0};
+}
+
 /// One leg as the eye sees it; `centre` is the centre's emission on it.
 LegView viewLeg(const Knot& knot, const Motion& centre, const ViewQuery& ask, const Lorentz& seenFromBoard,
-                bool glides) {
+                bool glides, double radius_m) {
   const double c_m_s = seenFromBoard.lightSpeed_m_s();
   const Lorentz boardFromBody = Lorentz::boost(centre.u, c_m_s);
   const bool rigid = !ask.switches.retardation && !ask.switches.contraction;
@@ -150,6 +159,7 @@ LegView viewLeg(const Knot& knot, const Motion& centre, const ViewQuery& ask, co
     leg.glide = {knot.u / uTurn, a};
     leg.glideTimes = {uTurn, glm::length(centre.u), turn_m, turn_m + uTurn / a};
   }
+  leg.spin = spinOf(knot, centre, radius_m, c_m_s);
   return leg;
 }
 
@@ -179,7 +189,8 @@ kernel_float::LegView toFloat(const LegView& leg) {
           glm::mat4(leg.fromPrevious),
           glm::vec4(leg.glide),
           glm::vec4(leg.glideTimes),
-          glm::vec4(leg.toMoment)};
+          glm::vec4(leg.toMoment),
+          glm::vec4(leg.spin)};
 }
 
 ViewFrame::ViewFrame(const Lorentz& headFromBoard, const Switches& switches, ViewTime moment)
@@ -215,7 +226,7 @@ void viewBody(const WorldLine& line, const Event& observation, const Lorentz& he
     const bool first = i == view.firstLeg;
     const bool glides = knots[i].deceleration_m_s2 > 0.0 && knots[i].u != Vec3(0.0) &&
                         !(first && restsForGood(knots, i, centre, line.radius_m() / c_m_s, c_m_s));
-    view.legs.push_back(viewLeg(knots[i], centre, ask, seenFromBoard, glides));
+    view.legs.push_back(viewLeg(knots[i], centre, ask, seenFromBoard, glides, line.radius_m()));
     if (first && !glides) view.legs.back().glideTimes.z = 0.0;  // of no use: it reaches back without end
     if (!first) joinLegs(knots[i], previous, centre, c_m_s, view.legs.back());
     previous = centre;

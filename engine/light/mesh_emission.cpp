@@ -60,6 +60,26 @@ template <bool kDetails>
   }
 }
 
+/// The kernel for a single leg on which the body spins, with so many steps.
+template <bool kDetails, int kSteps>
+[[gnu::always_inline]] inline void onOneSpinningLeg(FloatLeg leg, CAROM_ARRAYS) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const vec4 event = kernel_float::spinEmission(leg, vec3(x[i], y[i], z[i]), kSteps);
+    const vec3 seen = kernel_float::seenFromEye(leg, event);
+    seenX[i] = seen.x;
+    seenY[i] = seen.y;
+    seenZ[i] = seen.z;
+    if constexpr (kDetails) {
+      // The light's way against the four-velocity γ_w (1, w) of the point.
+      const vec3 place(event.y, event.z, event.w);
+      const vec3 w = kernel_float::spinVelocity(leg, place);
+      const float way = kernel_float::distanceInBody(leg, event) - glm::dot(w, leg.eye - place);
+      doppler[i] = dopplerOf(seen, way) * std::sqrt(1.0F - glm::dot(w, w));
+      boardTime[i] = kernel_float::boardTimeOf(leg, event);
+    }
+  }
+}
+
 /// The distance that light reaching the eye from `event` travels in the rest frame of the previous leg:
 /// its wave vector (ℓ, e − x) against that frame's four-velocity, the first column of fromPrevious.
 [[gnu::always_inline]] inline float distanceInPrevious(const FloatLeg& leg, const vec4& event) {
@@ -128,6 +148,10 @@ template <bool kDetails>
 CAROM_AVX2 void onOneLegAvx2(const FloatLeg& leg, const Block& block) {
   onOneLeg<kDetails>(leg, CAROM_ARRAYS_OF(block));
 }
+template <bool kDetails, int kSteps>
+CAROM_AVX2 void onOneSpinningLegAvx2(const FloatLeg& leg, const Block& block) {
+  onOneSpinningLeg<kDetails, kSteps>(leg, CAROM_ARRAYS_OF(block));
+}
 template <bool kDetails>
 CAROM_AVX2 void betweenTwoLegsAvx2(const FloatLeg& from, const FloatLeg& to, const Block& block) {
   betweenTwoLegs<kDetails>(from, to, CAROM_ARRAYS_OF(block));
@@ -137,22 +161,31 @@ template <bool kDetails>
 void onOneLegBaseline(const FloatLeg& leg, const Block& block) {
   onOneLeg<kDetails>(leg, CAROM_ARRAYS_OF(block));
 }
+template <bool kDetails, int kSteps>
+void onOneSpinningLegBaseline(const FloatLeg& leg, const Block& block) {
+  onOneSpinningLeg<kDetails, kSteps>(leg, CAROM_ARRAYS_OF(block));
+}
 template <bool kDetails>
 void betweenTwoLegsBaseline(const FloatLeg& from, const FloatLeg& to, const Block& block) {
   betweenTwoLegs<kDetails>(from, to, CAROM_ARRAYS_OF(block));
 }
 
 bool glides(const LegView& leg) { return leg.glide.w > 0.0; }
+bool spins(const LegView& leg) { return leg.spin.w > 0.0; }
 
-/// (γ, γβ) in the frame of the leg of a vertex that keeps to it: at rest, but for friction.
+/// (γ, γβ) in the frame of the leg of a vertex that keeps to it: at rest, but for friction and spin.
 glm::dvec4 fourVelocity(const LegView& leg, const Vec3& offset, const glm::dvec4& event) {
+  if (spins(leg)) {
+    const Vec3 w = kernel::spinVelocity(leg, Vec3(event.y, event.z, event.w));
+    return glm::dvec4(1.0, w) / std::sqrt(1.0 - glm::dot(w, w));
+  }
   if (!glides(leg)) return {1.0, 0.0, 0.0, 0.0};
   const glm::dvec4 flow = kernel::glideFlow(leg, offset, glm::dot(leg.toBoardTime, event), true);
   const Vec3 step(flow.y, flow.z, flow.w);
   return flow / std::sqrt(flow.x * flow.x - glm::dot(step, step));
 }
 
-/// Chains of bounces, and friction: the kernel in double, a vertex at a time.
+/// Chains of bounces, spin in a bounce, and friction: the kernel in double, a vertex at a time.
 void alongChain(const BodyView& view, const Block& block) {
   for (std::size_t i = 0; i < block.count; ++i) {
     const Vec3 offset(block.x[i], block.y[i], block.z[i]);
@@ -178,11 +211,18 @@ template <bool kDetails>
 void solveBlock(const BodyView& view, const std::array<FloatLeg, 2>& legs, InstructionSet instructions,
                 const Block& block) {
   const bool avx2 = instructions == InstructionSet::avx2;
-  const bool straight = std::none_of(view.legs.begin(), view.legs.end(), glides);
+  const bool straight = std::none_of(view.legs.begin(), view.legs.end(),
+                                     [](const LegView& leg) { return glides(leg) || spins(leg); });
   if (view.legs.size() == 1 && straight) {
     (avx2 ? onOneLegAvx2<kDetails> : onOneLegBaseline<kDetails>)(legs[0], block);
   } else if (view.legs.size() == 2 && straight) {
     (avx2 ? betweenTwoLegsAvx2<kDetails> : betweenTwoLegsBaseline<kDetails>)(legs[0], legs[1], block);
+  } else if (view.legs.size() == 1 && spins(view.legs[0])) {
+    const bool fast = view.legs[0].spin.w > 4.0;
+    const auto solve =
+        avx2 ? (fast ? onOneSpinningLegAvx2<kDetails, 6> : onOneSpinningLegAvx2<kDetails, 4>)
+             : (fast ? onOneSpinningLegBaseline<kDetails, 6> : onOneSpinningLegBaseline<kDetails, 4>);
+    solve(legs[0], block);
   } else {
     alongChain(view, block);
   }

@@ -1,10 +1,10 @@
 #pragma once
 // The emission solve for whole meshes: where one eye sees every vertex of a body, many vertices at once.
 //
-// The equations are those of engine/light/emission_kernel.glsl, solved in float in the rest frame of the leg.
-// A body whose points are all seen on one leg takes the short path (one square root and one division a
-// vertex); a body between two legs takes the kernel written without branches; longer chains of bounces take
-// the kernel itself in double, vertex by vertex.
+// The equations are those of engine/light/emission_kernel.glsl, solved in float in the rest frame of the
+// leg. A body whose points are all seen on one leg takes the short path (one square root and one division a
+// vertex), or that of a spinning body; a body between two legs takes the kernel written without branches;
+// longer chains of bounces take the kernel itself in double, vertex by vertex.
 //
 // A solve is a pure function of its spans and starts no thread: a caller that has several bodies knows best
 // how to distribute them. Any slice of a mesh gives the same bits as the whole, on every instruction set.

@@ -13,8 +13,9 @@ namespace carom {
 /// For light from a body that keeps to one straight leg the cap is exact: it is that of the sphere in the leg's
 /// rest frame (without contraction γ times as large, around its stretched middle), carried to the frame in which
 /// walls draw. At a moment of the board's or the head's, a sphere is drawn within a sphere of the same radius,
-/// since nothing is longer there than at rest (the head's moment without aberration: the whole sky). Of a body that glides under friction, the cap is that of a larger
-/// sphere at rest on the board. A body between two legs may be seen anywhere: the whole sky.
+/// since nothing is longer there than at rest (the head's moment without aberration: the whole sky). A sphere of a
+/// spinning body is within a larger one around its centre. Of a body that glides under friction, the cap is that of
+/// a larger sphere at rest on the board. A body between two legs may be seen anywhere: the whole sky.
 class SeenCaps {
  public:
   /// `view` is the body in `frame`, which viewBody and ViewFrame made with the same switches.

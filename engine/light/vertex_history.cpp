@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/base/portable_math.h"
 #include "engine/base/root.h"
 #include "engine/light/emission_kernel.h"
 
@@ -17,9 +18,63 @@ Vec3 contracted(const Vec3& d, const Vec3& u) {
   return d - u * (glm::dot(d, u) / (gamma * (gamma + 1.0)));
 }
 
+bool glides(const VertexPiece& piece) { return piece.onLeg && piece.onLeg->knot.deceleration_m_s2 > 0.0; }
+bool helical(const VertexPiece& piece) { return piece.onLeg && !glides(piece); }
+
+// A point of a spinning body in the rest frame of its leg, τ after the turn on the centre's clock.
+
+Vec3 placeAboard(const VertexPiece::OnLeg& helix, double tau_s) {
+  const auto [sine, cosine] = portableSinCos(angleAfter(helix.knot.spin, tau_s));
+  const Vec3& d = helix.offset_m;
+  return {cosine * d.x - sine * d.y, sine * d.x + cosine * d.y, d.z};
+}
+
+/// w = ω ẑ × x, over c.
+Vec3 betaAboard(const VertexPiece::OnLeg& helix, const Vec3& place_m, double c_m_s) {
+  return helix.knot.spin.omega_rad_s / c_m_s * Vec3(-place_m.y, place_m.x, 0.0);
+}
+
+Event eventAboard(const VertexPiece::OnLeg& helix, double tau_s, double c_m_s) {
+  return helix.knot.turn +
+         Lorentz::boost(helix.knot.u, c_m_s) * Displacement{tau_s, placeAboard(helix, tau_s)};
+}
+
+/// τ at which the point is at board time `t_s`: t − t_turn = γ τ + u·x(τ)/c rises, as no point is as fast
+/// as light.
+double tauAt(const VertexPiece::OnLeg& helix, double t_s, double c_m_s) {
+  const Knot& knot = helix.knot;
+  const double gamma = gammaFromU(knot.u), since_s = t_s - knot.turn.t_s;
+  return rootOfIncreasing(
+      [&](double tau_s) {
+        return gamma * tau_s + glm::dot(knot.u, placeAboard(helix, tau_s)) / c_m_s - since_s;
+      },
+      since_s / gamma);
+}
+
+/// τ at which what left an event of the leg's frame at `speed`, over c, meets the point; `towards` −1: what
+/// the point sends at c to that event.
+double tauMeeting(const VertexPiece::OnLeg& helix, const Displacement& from, double speed, double towards,
+                  double c_m_s) {
+  return rootOfIncreasing(
+      [&](double tau_s) {
+        return speed * c_m_s * (tau_s - from.dt_s) -
+               towards * glm::length(placeAboard(helix, tau_s) - from.dr_m);
+      },
+      from.dt_s);
+}
+
+/// An event in the leg's frame, from the turn.
+Displacement aboard(const Knot& knot, const Event& event, double c_m_s) {
+  return Lorentz::boost(-knot.u, c_m_s) * (event - knot.turn);
+}
+
 /// Where a piece crosses the future light cone of `signal`, in board time.
 Event crossing(const VertexPiece& piece, const Event& signal, double c_m_s) {
-  if (piece.glide) {
+  if (helical(piece)) {
+    const Displacement from = aboard(piece.onLeg->knot, signal, c_m_s);
+    return eventAboard(*piece.onLeg, tauMeeting(*piece.onLeg, from, 1.0, 1.0, c_m_s), c_m_s);
+  }
+  if (glides(piece)) {
     const double t_s = rootOfIncreasing(
         [&](double t) {
           return c_m_s * (t - signal.t_s) - glm::length(placeAt(piece, t, c_m_s) - signal.r_m);
@@ -35,7 +90,11 @@ Event crossing(const VertexPiece& piece, const Event& signal, double c_m_s) {
 
 /// Where a piece crosses the past light cone of the eye: c (T − s) = |X − v s|.
 Event retardedEvent(const VertexPiece& piece, const Event& observation, double c_m_s) {
-  if (piece.glide) {
+  if (helical(piece)) {
+    const Displacement eye = aboard(piece.onLeg->knot, observation, c_m_s);
+    return eventAboard(*piece.onLeg, tauMeeting(*piece.onLeg, eye, 1.0, -1.0, c_m_s), c_m_s);
+  }
+  if (glides(piece)) {
     const double t_s = rootOfIncreasing(
         [&](double t) {
           return glm::length(observation.r_m - placeAt(piece, t, c_m_s)) - c_m_s * (observation.t_s - t);
@@ -58,7 +117,15 @@ Event retardedEvent(const VertexPiece& piece, const Event& observation, double c
 /// The piece on which the point follows the leg of `knot`; its clock is set by who appends it.
 VertexPiece pieceOnLeg(const Knot& knot, const Vec3& offset_m, const Event& start) {
   VertexPiece piece{start, knot.u, 0.0, std::nullopt};
-  if (knot.deceleration_m_s2 > 0.0) piece.glide = {knot, offset_m};
+  if (knot.deceleration_m_s2 > 0.0 || spins(knot)) piece.onLeg = {knot, offset_m};
+  return piece;
+}
+
+/// The piece of the first leg, from the board time of its turn.
+VertexPiece firstPiece(const Knot& knot, const Vec3& offset_m, double c_m_s) {
+  const Event start{knot.turn.t_s, knot.turn.r_m + contracted(offset_m, knot.u)};
+  VertexPiece piece = pieceOnLeg(knot, offset_m, start);
+  if (helical(piece)) piece.start.r_m = placeAt(piece, start.t_s, c_m_s);
   return piece;
 }
 
@@ -78,6 +145,12 @@ Event joining(const Knot& knot, const Vec3& offset_m, const Event& left, double 
     return {t_s, placeAt(leg, t_s, c_m_s)};
   }
   const Displacement leftInBody = bodyFromBoard * (left - knot.turn);
+  if (spins(knot)) {
+    const VertexPiece::OnLeg helix{knot, offset_m};
+    const double own = glm::length(betaAboard(helix, offset_m, c_m_s));
+    const double speed = std::max(kCatchUpSpeed, 0.5 + 0.5 * own);
+    return eventAboard(helix, tauMeeting(helix, leftInBody, speed, 1.0, c_m_s), c_m_s);
+  }
   const double gap_m = glm::length(offset_m - leftInBody.dr_m);
   return knot.turn +
          boardFromBody * Displacement{leftInBody.dt_s + gap_m / (kCatchUpSpeed * c_m_s), offset_m};
@@ -125,26 +198,37 @@ double integral(const Function& f, double a, double b) {
 }  // namespace
 
 Vec3 placeAt(const VertexPiece& piece, double t_s, double c_m_s) {
-  if (!piece.glide) return piece.start.r_m + betaFromU(piece.u) * (c_m_s * (t_s - piece.start.t_s));
-  const Motion centre = motionOnLeg(piece.glide->knot, t_s, c_m_s);
-  return centre.event.r_m + contracted(piece.glide->offset_m, centre.u);
+  if (helical(piece)) return eventAboard(*piece.onLeg, tauAt(*piece.onLeg, t_s, c_m_s), c_m_s).r_m;
+  if (!glides(piece)) return piece.start.r_m + betaFromU(piece.u) * (c_m_s * (t_s - piece.start.t_s));
+  const Motion centre = motionOnLeg(piece.onLeg->knot, t_s, c_m_s);
+  return centre.event.r_m + contracted(piece.onLeg->offset_m, centre.u);
 }
 
 // On a glide with d∥ along the motion: β = (u/γ)(1 + a d∥/(c²γ²)), from d(1/γ)/dt = a u/(c γ³).
 Vec3 uAt(const VertexPiece& piece, double t_s, double c_m_s) {
-  if (!piece.glide) return piece.u;
-  const Knot& knot = piece.glide->knot;
+  if (helical(piece)) {
+    const Vec3 place_m = placeAboard(*piece.onLeg, tauAt(*piece.onLeg, t_s, c_m_s));
+    const Vec3 w = uFromBeta(betaAboard(*piece.onLeg, place_m, c_m_s));
+    return (Lorentz::boost(piece.onLeg->knot.u, c_m_s) * Displacement{gammaFromU(w) / c_m_s, w}).dr_m;
+  }
+  if (!glides(piece)) return piece.u;
+  const Knot& knot = piece.onLeg->knot;
   const Vec3 u = motionOnLeg(knot, t_s, c_m_s).u;
   const double size = glm::length(u);
   if (size == 0.0 || t_s <= knot.turn.t_s) return u;
   const double gamma = gammaFromU(u);
-  const double along_m = glm::dot(piece.glide->offset_m, u) / size;
+  const double along_m = glm::dot(piece.onLeg->offset_m, u) / size;
   return uFromBeta(u / gamma * (1.0 + knot.deceleration_m_s2 * along_m / (c_m_s * c_m_s * gamma * gamma)));
 }
 
 double properTimeAt(const VertexPiece& piece, double t_s, double c_m_s) {
-  if (!piece.glide) return piece.properTime_s + (t_s - piece.start.t_s) / gammaFromU(piece.u);
-  const Knot& knot = piece.glide->knot;
+  if (helical(piece)) {  // at the rate sqrt(1 − w²), w the same all the time
+    const double w = glm::length(betaAboard(*piece.onLeg, piece.onLeg->offset_m, c_m_s));
+    const double since_s = tauAt(*piece.onLeg, t_s, c_m_s) - tauAt(*piece.onLeg, piece.start.t_s, c_m_s);
+    return piece.properTime_s + since_s * std::sqrt((1.0 - w) * (1.0 + w));
+  }
+  if (!glides(piece)) return piece.properTime_s + (t_s - piece.start.t_s) / gammaFromU(piece.u);
+  const Knot& knot = piece.onLeg->knot;
   const auto rate = [&](double t) { return 1.0 / gammaFromU(uAt(piece, t, c_m_s)); };
   // The rate has kinks where the leg begins and where the body comes to rest.
   const double rest_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
@@ -163,8 +247,7 @@ double properTimeAt(const VertexPiece& piece, double t_s, double c_m_s) {
 std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset_m) {
   const double c_m_s = line.lightSpeed_m_s();
   const Knot& first = line.knots().front();
-  const Event start{first.turn.t_s, first.turn.r_m + contracted(offset_m, first.u)};
-  std::vector<VertexPiece> history{pieceOnLeg(first, offset_m, start)};
+  std::vector<VertexPiece> history{firstPiece(first, offset_m, c_m_s)};
   for (const Knot& knot : line.knots().subspan(1)) turn(history, knot, offset_m, c_m_s);
 
   const double zero_s = std::isfinite(line.appears_s()) ? line.appears_s() : 0.0;
@@ -280,8 +363,7 @@ double followedJoining_s(const WorldLine& line, std::size_t from, int around) {
     const double level = k < around ? 1.0 : std::numbers::sqrt2 / 2.0;
     const Vec3 offset_m = line.radius_m() * Vec3(level * std::cos(angle_rad), level * std::sin(angle_rad),
                                                  std::sqrt(1.0 - level * level));
-    const Event start{knots[from].turn.t_s, knots[from].turn.r_m + contracted(offset_m, knots[from].u)};
-    history.assign(1, pieceOnLeg(knots[from], offset_m, start));
+    history.assign(1, firstPiece(knots[from], offset_m, c_m_s));
     for (const Knot& knot : knots.subspan(from + 1)) turn(history, knot, offset_m, c_m_s);
     longest_s = std::max(longest_s, (bodyFromBoard * (history.back().start - last.turn)).dt_s);
   }

@@ -10,26 +10,26 @@
 
 namespace carom {
 
-/// One piece. From `start` until the start of the next piece the point moves straight, with γβ = u, or glides
-/// with its body under friction.
+/// One piece. From `start` until the start of the next piece the point moves straight, with γβ = u, or with
+/// its body, which glides under friction or spins.
 struct VertexPiece {
-  /// The leg with which a point glides, and its place on the body.
-  struct Glide {
+  /// A leg on which a point does not move straight, and the point's place on the body.
+  struct OnLeg {
     Knot knot;
     Vec3 offset_m{0.0};
   };
   Event start;
   Vec3 u{0.0};
-  double properTime_s = 0.0;  ///< the point's own clock at the start
-  std::optional<Glide> glide;
+  double properTime_s = 0.0;   ///< the point's own clock at the start
+  std::optional<OnLeg> onLeg;  ///< of a point that does not move straight
 };
 
 /// Returns the pieces of the point `offset_m` from the centre (rest frame of the body). The first piece
 /// reaches back without end. The point's clock shows 0 at the body's appearance, or else at board time 0.
 ///
-/// Rigid motion: centre(t) + L(v) d, with L(v) d = d + (1/γ − 1)(d·v̂) v̂ in board time. Bounces: the point
-/// keeps to its leg until the signal arrives at light speed, then catches up with the next
-/// (emission_kernel.glsl).
+/// Rigid motion: centre(t) + L(v) d, with L(v) d = d + (1/γ − 1)(d·v̂) v̂ in board time. Spin: Rot(φ(τ)) d
+/// in the centre's rest frame, where τ is its time; on the board a helix. Bounces: the point keeps to its
+/// leg until the signal arrives at light speed, then catches up with the next (emission_kernel.glsl).
 std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset_m);
 
 /// Returns how long after the last turn, by the centre's own clock, all points within the line's radius have

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "engine/base/portable_math.h"
@@ -33,6 +34,10 @@ Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s) {
   const double rapidityLost = portableAsinh(a * glide_s * (u0 + u1) / (u0 * gamma1 + u1 * gamma0));
   const double properTime_s = rapidityLost / a + (dt_s - glide_s);
   return {{t_s, knot.turn.r_m + direction * distance_m}, direction * u1, knot.properTime_s + properTime_s, 0};
+}
+
+double angleAfter(const Spin& spin, double own_s) {
+  return std::remainder(spin.angle_rad + spin.omega_rad_s * own_s, 2.0 * std::numbers::pi);
 }
 
 WorldLine::WorldLine(const Knot& first, double c_m_s, double radius_m, double appears_s)

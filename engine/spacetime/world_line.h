@@ -13,8 +13,14 @@
 namespace carom {
 
 /// The speed, over c, at which a point of a body catches up with its outgoing leg, in the rest frame of that
-/// leg.
+/// leg. A point that goes round on that leg faster than at 0.8 c catches up at (1 + its speed)/2.
 inline constexpr double kCatchUpSpeed = 0.9;
+
+/// How a body turns about its own z, in the rest frame of its centre; anticlockwise seen from above.
+struct Spin {
+  double angle_rad = 0.0;    ///< at the turn with which the leg begins, in that leg's axes
+  double omega_rad_s = 0.0;  ///< by the centre's own clock; constant on the leg
+};
 
 /// The beginning of a leg of motion. Board frame.
 struct Knot {
@@ -23,7 +29,13 @@ struct Knot {
   double properTime_s = 0.0;       ///< the centre's own clock at the turn
   Event signal;                    ///< the event whose signal, at light speed, makes the body's points turn
   double deceleration_m_s2 = 0.0;  ///< constant proper deceleration from here until rest (friction)
+  Spin spin{};                     ///< on legs without friction alone
 };
+
+/// Returns whether a body has ever turned by the leg of this knot.
+inline bool spins(const Knot& knot) { return knot.spin.omega_rad_s != 0.0 || knot.spin.angle_rad != 0.0; }
+/// Returns the angle that a body has `own_s` after its turn, by the centre's own clock; from −π to π.
+double angleAfter(const Spin& spin, double own_s);
 
 /// The centre at one board time.
 struct Motion {

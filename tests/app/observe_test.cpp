@@ -140,6 +140,83 @@ TEST(Observe, SeesWhatExactCasesSay) {
   EXPECT_GT(seen, 10);
 }
 
+/// A case of a spinning disc as a scripted body.
+std::string spinningScenarioOf(const json& input) {
+  const double c = input["c"];
+  const json& centre = input["centre"];
+  return "light_speed_m_s = " + exact(c) + "\n[[body]]\nname = \"it\"\nat = { t_s = " + exact(centre["t"]) +
+         ", r_m = " + vectorText(centre["r"], 1.0) + " }\nspin_rad_s = " + exact(input["omega"]) +
+         "\n[[body.leg]]\nbeta = " + vectorText(centre["v"], 1.0 / c) + "\n";
+}
+
+// The event of emission, the place, the velocity and the Doppler factor are the point's own.
+TEST(Observe, SeesPointsOfSpinningBodiesWhereExactCasesSay) {
+  const json cases = sharedCases("spin_emission.json");
+  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const TemporaryFolder folder;
+  for (const json& testCase : cases["cases"]) {
+    SCOPED_TRACE(testCase["id"].get<std::string>());
+    const json &input = testCase["input"], &expected = testCase["expected"], &tolerance = testCase["tol"];
+    const json &eye = input["observer"], &xi = input["xi"];
+    const double c = input["c"];
+    std::vector<std::string> arguments{"--event", exact(eye["t"])};
+    for (const json& r : eye["r"]) arguments.push_back(exact(r));
+    arguments.push_back("--beta");
+    for (const json& v : eye["v"]) arguments.push_back(exact(v.get<double>() / c));
+    arguments.insert(arguments.end(), {"--point", "it", exact(xi[0]), exact(xi[1]), exact(xi[2])});
+    const json point = observe(folder, spinningScenarioOf(input), arguments)["points"][0];
+    ASSERT_EQ(point["status"], "seen");
+    const auto near = [&](const json& found, const char* key, double scale = 1.0) {
+      EXPECT_NEAR(found.get<double>(), expected[key].get<double>() * scale, tolerance[key].get<double>())
+          << key;
+    };
+    const auto vectorNear = [&](const json& found, const char* key, double scale = 1.0) {
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(found[i].get<double>(), expected[key][i].get<double>() * scale, tolerance[key]) << key;
+    };
+    near(point["emission"]["t_s"], "t_e");
+    vectorNear(point["emission"]["r_m"], "r_e");
+    vectorNear(point["seen_m"], "apparent_position_observer");
+    near(point["distance_m"], "distance_observer");
+    near(point["doppler"], "doppler");
+    vectorNear(point["beta_at_emission"], "velocity_at_emission", 1.0 / c);
+  }
+}
+
+// The angle is 0 at the event `at`, on whichever leg that is, and goes on by the centre's own clock: on the
+// second leg, at 0.6 c, it runs slow by 0.8.
+TEST(Observe, TurnsABodyByItsOwnClock) {
+  const TemporaryFolder folder;
+  const std::string scenario =
+      "light_speed_m_s = 10\n[[body]]\nname = \"disc\"\nat = { t_s = -2, r_m = [0, 0, 0] }\nspin_rad_s = "
+      "0.5\n"
+      "[[body.leg]]\nbeta = [0, 0, 0]\n[[body.leg]]\nfrom_s = 1\nbeta = [0, 0, 0.6]\n";
+  const auto placeAt = [&](double t_s, double z_m) {
+    const double way_s = 5.0 / 10.0;  // from the eye, 5 m above
+    const json found = observe(
+        folder, scenario,
+        {"--event", exact(t_s + way_s), "0", "0", exact(z_m + 5.0), "--point", "disc", "1e-6", "0", "0"});
+    return found["points"][0]["emission"]["r_m"];
+  };
+  const double early_rad = 0.5 * (0.5 + 2.0), late_rad = 0.5 * (3.0 + 0.8 * 4.0);
+  EXPECT_NEAR(placeAt(0.5, 0.0)[1].get<double>(), 1e-6 * std::sin(early_rad), 1e-12);
+  EXPECT_NEAR(placeAt(5.0, 24.0)[1].get<double>(), 1e-6 * std::sin(late_rad), 1e-12);
+}
+
+TEST(Observe, RefusesAPointThatWouldGoRoundAtTheSpeedOfLight) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.file("scenario.toml",
+                  "light_speed_m_s = 2\n[[body]]\nname = \"disc\"\nat = { t_s = 0, r_m = "
+                  "[0, 0, 0] }\nspin_rad_s = 4\n[[body.leg]]\nbeta = [0, 0, 0]\n");
+  const auto result =
+      runCarom(folder, {"observe", file, "--event", "1", "0", "0", "1", "--point", "disc", "0", "0.6", "0"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("this point would move at 1.2 c, expected one less than 0.5 m from its axis"),
+            std::string::npos)
+      << result.err;
+}
+
 TEST(Observe, SeesEveryCentreUnlessTold) {
   const TemporaryFolder folder;
   const std::string scenario =

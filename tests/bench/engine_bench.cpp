@@ -139,6 +139,25 @@ void rigid(benchmark::State& state, std::size_t n, bool all, bool mid) {
   reportVertices(state, n);
 }
 
+/// A disc at 0.8 c whose rim moves at 0.9 c, seen by a walking eye.
+void emissionSpin(benchmark::State& state, std::size_t n, bool all) {
+  const Arrays mesh = sphere(n);
+  Arrays out(n);
+  Knot flight{{0.0, Vec3(0.0)}, uFromBeta({0.8, 0.1, 0.0}), 0.0, {}, 0.0, {0.0, 0.9 * kC_m_s / kRadius_m}};
+  flight.signal = flight.turn;
+  const WorldLine line(flight, kC_m_s, kRadius_m);
+  const Lorentz headFromBoard = Lorentz::boost(uFromBeta({0.3, 0.4, 0.0}), kC_m_s);
+  RigidMeshView view(line, mesh.points());
+  int frame = 0;
+  for (auto _ : state) {
+    view.look({1.0 + 0.001 * (frame++ % 10), {0.0, -kC_m_s, 0.0}}, headFromBoard);
+    inSlices(n, all,
+             [&](std::size_t first, std::size_t count) { view.see(first, out.seen().slice(first, count)); });
+    benchmark::ClobberMemory();
+  }
+  reportVertices(state, n);
+}
+
 void emission(benchmark::State& state, std::size_t n, bool all) { rigid(state, n, all, false); }
 void emissionBounce(benchmark::State& state, std::size_t n, bool all) { rigid(state, n, all, true); }
 
@@ -278,6 +297,7 @@ void registerRows() {
                    {"paper_table_in_step", paperTable<seeInStep>, tableSizes, false},
                    {"paper_table", paperTable<seeOneByOne>, tableSizes, false},
                    {"emission", emission, sizes, true},
+                   {"emission_spin", emissionSpin, sizes, true},
                    {"emission_bounce", emissionBounce, sizes, true},
                    {"ring", ring, sizes, true}};
   for (const Row& row : rows) registerRow(row, false);

@@ -3,7 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/billiard/billiard.h"
+#include "engine/collision/rim_friction.h"
 #include "engine/gas.h"
+#include "engine/random_world.h"
 
 namespace carom {
 namespace {
@@ -78,8 +80,31 @@ void gas(benchmark::State& state) {
       benchmark::Counter(static_cast<double>(collisions), benchmark::Counter::kIsRate);
 }
 
+// Kicks of pucks up to 0.9 c and rims up to 0.9 c that never slide; the argument is the tangential
+// restitution in hundredths.
+void collisionSpin(benchmark::State& state) {
+  test::Random random(1);
+  const auto puck = [&](double towards) {
+    const double beta = random.in(0.0, 0.9), across = random.in(-0.5, 0.5), rim = random.in(-0.9, 0.9);
+    const double u = beta / std::sqrt(1.0 - beta * beta);
+    const SpinningBody body{0.2, 0.1};
+    return SpinningPuck{body, spinOfRim(body, rim), fourVelocity(towards * u, across * u)};
+  };
+  std::vector<std::array<SpinningPuck, 2>> pairs;
+  for (int i = 0; i < 256; ++i) pairs.push_back({puck(1.0), puck(-1.0)});
+  const RimRules rules{0.9, std::numeric_limits<double>::infinity(),
+                       0.01 * static_cast<double>(state.range(0))};
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& pair = pairs[i++ % pairs.size()];
+    const Vec21 sum = pair[0].u + pair[1].u, U = sum * (1.0 / std::sqrt(dot(sum, sum)));
+    benchmark::DoNotOptimize(kickSpinningPair(U, cross(U, {1.0, 0.0, 1.0}), pair, rules));
+  }
+}
+
 BENCHMARK(idleFrame)->Name("idle_frame/pucks")->Arg(2)->Arg(10)->Arg(20);
 BENCHMARK(collisionFrame)->Name("collision_frame/pucks")->Arg(2)->Arg(10)->Arg(20);
+BENCHMARK(collisionSpin)->Name("collision_spin/restitution_percent")->Arg(0)->Arg(50);
 BENCHMARK(gas)
     ->Unit(benchmark::kMillisecond)
     ->ArgNames({"pucks", "coverage_per_10000"})

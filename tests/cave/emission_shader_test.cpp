@@ -119,16 +119,17 @@ struct Cases {
 };
 
 /// Bodies of the sizes of a puck and of a hall, at rest and up to `maxBeta`, seen by eyes that move up to
-/// 0.99 c.
-Cases makeCases(std::uint64_t seed, int count, double maxBeta, int maxBounces,
-                const Switches& switches = {}) {
+/// 0.99 c. Rims move at up to `maxRim` c.
+Cases makeCases(std::uint64_t seed, int count, double maxBeta, int maxBounces, const Switches& switches = {},
+                double maxRim = 0.0) {
   Cases cases{switches, {}, {}, {}, 0};
   test::Random random(seed);
   for (int i = 0; i < count; ++i) {
     const bool hall = maxBounces == 0 && i % 4 == 0;
     const double radius_m = hall ? 10.0 : random.in(0.02, 0.3);
     const int bounces = static_cast<int>(random.in(0.0, maxBounces + 1.0));
-    const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, bounces, 0.5, hall ? 0.0 : maxBeta);
+    WorldLine line = randomWorldLine(random, kC_m_s, radius_m, bounces, 0.5, hall ? 0.0 : maxBeta);
+    if (maxRim > 0.0 && !hall) line = test::spun(random, line, maxRim);
     const Event eye{random.in(-1.0, line.knots().back().turn.t_s + 3.0), random.inBox(2.0)};
     BodyView view;
     viewBody(line, eye, Lorentz::boost(random.u(0.99), kC_m_s), view, switches);
@@ -193,6 +194,14 @@ TEST(EmissionShader, AgreesWithDoubleWithoutRetardationOrContraction) {
                                     << +switches.contraction);
     worstError(makeCases(13, 5000, 0.9, 4, switches));
   }
+}
+
+TEST(EmissionShader, AgreesWithDoubleOnSpinningBodies) {
+  Graphics graphics;
+  worstError(makeCases(14, 10000, 0.9, 0, {}, 0.99));
+  const Cases bouncing = makeCases(15, 10000, 0.8, 2, {}, 0.95);
+  EXPECT_GT(bouncing.manyLegs, 1500);
+  worstError(bouncing);
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(LightCone, GlidingBodiesToo) {
     const double t_s = emissionByBisection(history, eye);
     ASSERT_LT(std::abs(seen->event.t_s - t_s) * kC_m_s, kRounding_m * 20);
     ASSERT_LT(glm::length(seenByKernel(line, offset_m, eye, headFromBoard) - seen->seen.dr_m), 1e-8);
-    if (pieceAt(history, t_s).glide) ++gliding;
+    if (pieceAt(history, t_s).onLeg) ++gliding;
   }
   EXPECT_GT(gliding, test::casesOf(2000));
 }

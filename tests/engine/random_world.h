@@ -8,6 +8,7 @@
 #include <ostream>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -88,6 +89,22 @@ inline WorldLine randomWorldLine(Random& random, double c_m_s, double radius_m, 
     line.append(next);
   }
   return line;
+}
+
+/// The same motion of a body that spins: its rim moves at up to `maxRim` c on each leg, and its angle goes
+/// on at each turn, as it does for a puck.
+inline WorldLine spun(Random& random, const WorldLine& line, double maxRim) {
+  std::vector<Knot> knots(line.knots().begin(), line.knots().end());
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    knots[i].spin.omega_rad_s = random.in(-maxRim, maxRim) * line.lightSpeed_m_s() / line.radius_m();
+    knots[i].spin.angle_rad = random.in(-3.0, 3.0);
+    if (i == 0) continue;
+    const double since_s = knots[i].properTime_s - knots[i - 1].properTime_s;
+    knots[i].spin.angle_rad = angleAfter(knots[i - 1].spin, since_s);
+  }
+  WorldLine spinning(knots[0], line.lightSpeed_m_s(), line.radius_m(), line.appears_s());
+  for (std::size_t i = 1; i < knots.size(); ++i) spinning.append(knots[i]);
+  return spinning;
 }
 
 }  // namespace carom::test

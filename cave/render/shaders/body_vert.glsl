@@ -58,7 +58,9 @@ Bands lampSpectrum(float doppler) { return blackBody(0.848 * doppler); }
 const float kLampPower = 1.88;  // in units of its own white at rest: then kLampColour below is what it shows
 #endif
 
-/// Where the vertex is drawn, from the eye, and where and how fast it was. Sets boardTime_m.
+vec3 normalInLeg;  // normalMC as the body has turned it by the emission
+
+/// Where the vertex is drawn, from the eye, and where and how fast it was. Sets boardTime_m and normalInLeg.
 struct Sight {
   vec3 drawn;
   float gamma;
@@ -68,7 +70,9 @@ struct Sight {
 #ifdef EUCLID
 Sight sightOf(vec3 d) {
   boardTime_m = 0.0;
-  return Sight((drawnFromBody * vec4(d, 1.0)).xyz, 1.0, vec3(0.0));
+  LegView leg = legAt(firstLeg, 0);
+  normalInLeg = carriedAlong(leg, vec4(0.0), normalMC);
+  return Sight((drawnFromBody * vec4(carriedAlong(leg, vec4(0.0), d), 1.0)).xyz, 1.0, vec3(0.0));
 }
 #else
 Sight sightOf(vec3 d) {
@@ -77,6 +81,7 @@ Sight sightOf(vec3 d) {
   vec3 drawn = seenFromEye(leg, emission.event);
   if (ABERRATED && BOARD_NOW) drawn = rayThrough(drawnFromSeen, drawn);
   boardTime_m = BOARD_NOW ? 0.0 : boardTimeOf(leg, emission.event);
+  normalInLeg = carriedAlong(leg, emission.event, normalMC);
   // A vertex that is catching up is lit as on its incoming leg: its colour must not flash.
   if (emission.catchingUp) leg = legAt(firstLeg, emission.leg - 1);
   // The first row of toBoardTime takes (c t, x) to γ (c t + β·x).
@@ -100,7 +105,8 @@ void lightUp(Sight sight) {
                  dopplerInto(sight.gamma, sight.u, towardsEye);
   float headPower = radiancePower(toHead, COLOURED, SEARCHLIGHT);
   vec3 toEye = inBodyFrame(sight, towardsEye);
-  vec3 normal = normalMC * inversesqrt(max(dot(normalMC, normalMC), 1e-12));  // a spike of a mesh may have none
+  // A spike of a mesh may have none.
+  vec3 normal = normalInLeg * inversesqrt(max(dot(normalInLeg, normalInLeg), 1e-12));
 
   // The hall's light as if all of it came from where light on a matt surface does on average, 2/3 being the mean
   // cosine: from direction n of the body's sky D = 1/(γ − u·n).

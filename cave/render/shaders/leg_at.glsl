@@ -1,16 +1,18 @@
 // Returns the legs of a body. A single leg comes from uniforms and is straight; the leg of a body at rest on the board
-// also has a known velocity. The compiler then leaves out what friction and motion need.
+// also has a known velocity. The compiler then leaves out what friction, spin and motion need.
 
 #ifdef ONE_LEG
-uniform vec4 onlyLeg[15];
+uniform vec4 onlyLeg[16];
 #define LEG_TEXEL(i) onlyLeg[i]
 #define LEG_COUNT 1
 #define GLIDE vec4(0.0)
+#define SPIN vec4(0.0)
 #else
 uniform samplerBuffer legTexels;
 #define LEG_TEXEL(i) texelFetch(legTexels, at + i)
 #define LEG_COUNT legCount
 #define GLIDE LEG_TEXEL(12)
+#define SPIN LEG_TEXEL(15)
 #endif
 #ifdef RESTS
 #define BOARD_TIME_ROW vec4(1.0, 0.0, 0.0, 0.0)
@@ -21,7 +23,7 @@ uniform samplerBuffer legTexels;
 #endif
 
 LegView legAt(int first, int i) {
-  int at = 15 * (first + i);
+  int at = 16 * (first + i);
   vec4 a = LEG_TEXEL(0);
   vec4 b = LEG_TEXEL(1);
   LegView leg;
@@ -39,5 +41,6 @@ LegView legAt(int first, int i) {
   leg.glide = GLIDE;
   leg.glideTimes = LEG_TEXEL(13);
   leg.toMoment = MOMENT_ROW;
+  leg.spin = SPIN;
   return leg;
 }

@@ -1,7 +1,8 @@
-// The GLSL definitions that the kernels need. A texture buffer holds the legs, fifteen texels each, in the order of the
+// The GLSL definitions that the kernels need. A texture buffer holds the legs, sixteen texels each, in the order of the
 // members of LegView; another holds the table of shifted colours.
 #define real float
 #define KERNEL
+#define UNROLLED
 #define LEGS int
 #define COLOUR_TABLE int
 #ifndef MAX_PIECES
