@@ -56,7 +56,8 @@ SeenCaps::SeenCaps(const BodyView& view, const ViewFrame& frame)
 }
 
 SphericalCap SeenCaps::of(const Vec3& middle_m, double radius_m) const {
-  if (leg_.spin.w > 0.0 && middle_m != Vec3(0.0)) return of(Vec3(0.0), glm::length(middle_m) + radius_m);
+  if (kind_ != Kind::wholeSky && leg_.spin.w > 0.0 && middle_m != Vec3(0.0))
+    return of(Vec3(0.0), glm::length(middle_m) + radius_m);
   switch (kind_) {
     case Kind::wholeSky:
       return {};
