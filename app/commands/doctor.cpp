@@ -30,7 +30,7 @@ namespace {
 constexpr double kLeastDisk_gib = 2.0;  // an hour's session file with its samples takes about a quarter
 
 /// What one node has, and what keeps it from showing a room.
-struct NodeReport {
+struct NodeHealth {
   std::vector<std::pair<std::string, std::string>> facts;
   std::vector<std::string> warnings, errors;
 
@@ -38,7 +38,7 @@ struct NodeReport {
 };
 
 void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wall> walls,
-                   NodeReport& report) {
+                   NodeHealth& report) {
   const DisplayFacts facts = displayFacts(graphics);
   const char* session = std::getenv("XDG_SESSION_TYPE");
   report.add("display", fmt::format("{}, session type {}, {}", facts.display, session ? session : "unknown",
@@ -87,7 +87,7 @@ void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wal
   }
 }
 
-void lookAtSystem(NodeReport& report) {
+void lookAtSystem(NodeHealth& report) {
   const std::string sound = soundDeviceName();
   report.add("sound", sound.empty() ? "none" : sound);
   if (sound.empty()) report.warnings.emplace_back("there is no sound device: sessions are silent");
@@ -125,8 +125,8 @@ void lookAtSystem(NodeReport& report) {
         "{:.1f} GiB are free here, expected {:g} at least for session files", free_gib, kLeastDisk_gib));
 }
 
-NodeReport lookAt(const Cluster& cluster, const Rig* rig) {
-  NodeReport report;
+NodeHealth lookAt(const Cluster& cluster, const Rig* rig) {
+  NodeHealth report;
   try {
     const Graphics graphics(rig ? displayOf(*rig, cluster.rank()) : "");
     const std::vector<Wall> walls = rig ? cluster.wallsOf(rig->walls) : std::vector<Wall>();
@@ -140,14 +140,14 @@ NodeReport lookAt(const Cluster& cluster, const Rig* rig) {
   return report;
 }
 
-std::string packed(const NodeReport& report) {
+std::string packed(const NodeHealth& report) {
   return nlohmann::json{{"facts", report.facts}, {"warnings", report.warnings}, {"errors", report.errors}}
       .dump();
 }
 
-NodeReport unpacked(const std::string& text) {
+NodeHealth unpacked(const std::string& text) {
   const auto json = nlohmann::json::parse(text);
-  NodeReport report;
+  NodeHealth report;
   json.at("facts").get_to(report.facts);
   json.at("warnings").get_to(report.warnings);
   json.at("errors").get_to(report.errors);
@@ -155,9 +155,9 @@ NodeReport unpacked(const std::string& text) {
 }
 
 /// Prints the facts of all nodes, kind by kind: once what is the same on every node.
-void printFacts(const Cluster& cluster, const std::vector<NodeReport>& nodes) {
+void printFacts(const Cluster& cluster, const std::vector<NodeHealth>& nodes) {
   std::vector<std::string> kinds;
-  for (const NodeReport& node : nodes) {
+  for (const NodeHealth& node : nodes) {
     for (const auto& [what, said] : node.facts) {
       if (std::find(kinds.begin(), kinds.end(), what) == kinds.end()) kinds.push_back(what);
     }
@@ -183,10 +183,10 @@ void printFacts(const Cluster& cluster, const std::vector<NodeReport>& nodes) {
 }
 
 /// Prints the findings of all nodes, each once with the nodes that have it.
-bool printFindings(const Cluster& cluster, const std::vector<NodeReport>& nodes) {
+bool printFindings(const Cluster& cluster, const std::vector<NodeHealth>& nodes) {
   const auto print = [&](auto member, const auto& log) {
     std::vector<std::string> told;
-    for (const NodeReport& node : nodes) {
+    for (const NodeHealth& node : nodes) {
       for (const std::string& finding : node.*member) {
         if (std::find(told.begin(), told.end(), finding) != told.end()) continue;
         told.push_back(finding);
@@ -202,8 +202,8 @@ bool printFindings(const Cluster& cluster, const std::vector<NodeReport>& nodes)
     }
     return !told.empty();
   };
-  print(&NodeReport::warnings, [](const std::string& line) { log::warn(line); });
-  return print(&NodeReport::errors, [](const std::string& line) { log::error(line); });
+  print(&NodeHealth::warnings, [](const std::string& line) { log::warn(line); });
+  return print(&NodeHealth::errors, [](const std::string& line) { log::error(line); });
 }
 
 }  // namespace
@@ -218,7 +218,7 @@ int runDoctor(const std::optional<std::filesystem::path>& rigFile) {
     if (rig) cluster.nameNodes(rig->walls);
     const std::vector<std::string> texts = cluster.gather(packed(lookAt(cluster, rig ? &*rig : nullptr)));
     if (cluster.rank() > 0) return;
-    std::vector<NodeReport> nodes;
+    std::vector<NodeHealth> nodes;
     for (const std::string& text : texts) nodes.push_back(unpacked(text));
     printFacts(cluster, nodes);
     if (printFindings(cluster, nodes)) status = 1;
