@@ -11,7 +11,9 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 1 << 20;
+/// The most that is read: enough for a hundred thousand pucks, and little enough for the memory of the parsed file.
+constexpr std::size_t kMostBytes = 16 << 20;
+constexpr std::size_t kStep_bytes = 1 << 16;
 
 /// Returns the least number of letters to add, drop, change or swap with a neighbour to make `a` into `b`.
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -72,11 +74,15 @@ std::string readText(const std::filesystem::path& file, std::string_view kind) {
     refuse(fmt::format("this is a folder, expected {}", kind));
   }
   std::ifstream in(file, std::ios::binary);
-  std::string text(kMostBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  while (in && text.size() <= kMostBytes) {
+    const std::size_t before = text.size();
+    text.resize(before + kStep_bytes);
+    in.read(text.data() + before, static_cast<std::streamsize>(kStep_bytes));
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
   if (!in.is_open() || in.bad()) refuse("the file cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > kMostBytes) refuse("the file is too large, expected at most 1 MiB");
+  if (text.size() > kMostBytes) refuse("the file is too large, expected at most 16 MiB");
   return text;
 }
 

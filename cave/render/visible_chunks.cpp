@@ -1,6 +1,7 @@
 #include "cave/render/visible_chunks.h"
 
 #include <algorithm>
+#include <map>
 
 #include "cave/room/wall_pyramid.h"
 #include "engine/light/seen_cap.h"
@@ -28,20 +29,25 @@ double shadowReachOf(const ChunkedMeshes& meshes, const PartChunks& part) {
 }  // namespace
 
 SceneChunks::SceneChunks(const Scene& scene) {
+  std::map<const vtkPolyData*, PartChunks> made;
   for (const ScenePart& part : scene.parts) {
-    const std::size_t first = meshes.chunks.size();
-    appendChunks(*part.mesh, meshes);
-    parts.push_back({part.body, static_cast<std::uint32_t>(first),
-                     static_cast<std::uint32_t>(meshes.chunks.size() - first), 0.0});
-    if (part.paint == Paint::shadow) parts.back().shadowReach_m = shadowReachOf(meshes, parts.back());
+    const auto [found, isNew] = made.try_emplace(part.mesh);
+    PartChunks& chunks = found->second;
+    if (isNew) {
+      chunks.first = static_cast<std::uint32_t>(meshes.chunks.size());
+      appendChunks(*part.mesh, meshes);
+      chunks.count = static_cast<std::uint32_t>(meshes.chunks.size()) - chunks.first;
+      if (part.paint == Paint::shadow) chunks.shadowReach_m = shadowReachOf(meshes, chunks);
+    }
+    chunks.body = part.body;
+    chunks.firstPlace = static_cast<std::uint32_t>(places);
+    places += chunks.count;
+    parts.push_back(chunks);
   }
 }
 
 VisibleChunks::VisibleChunks(const SceneChunks& scene)
-    : scene_(&scene),
-      caps_(scene.meshes.chunks.size()),
-      drawn_(scene.parts.size()),
-      firstOfPart_(scene.parts.size() + 1) {
+    : scene_(&scene), caps_(scene.places), drawn_(scene.parts.size()), firstOfPart_(scene.parts.size() + 1) {
   chosen_.reserve(caps_.size());
   counts_.reserve(caps_.size());
   offsets_.reserve(caps_.size());
@@ -49,9 +55,9 @@ VisibleChunks::VisibleChunks(const SceneChunks& scene)
 
 void VisibleChunks::lookAtPart(const PartChunks& part, const BodyView& body, const ViewFrame& frame) {
   const SeenCaps seen(body, frame);
-  for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
-    const MeshChunk& chunk = scene_->meshes.chunks[i];
-    caps_[i] =
+  for (std::uint32_t i = 0; i < part.count; ++i) {
+    const MeshChunk& chunk = scene_->meshes.chunks[part.first + i];
+    caps_[part.firstPlace + i] =
         part.shadowReach_m > 0.0 ? seen.around(part.shadowReach_m) : seen.of(chunk.middle_m, chunk.radius_m);
   }
 }
@@ -71,7 +77,7 @@ void VisibleChunks::choose(const glm::dmat4& clipFromDrawn, bool everything) {
     firstOfPart_[part] = chosen_.size();
     if (!drawn_[part]) continue;
     const PartChunks& chunks = scene_->parts[part];
-    for (std::uint32_t i = chunks.first; i < chunks.first + chunks.count; ++i) {
+    for (std::uint32_t i = chunks.firstPlace; i < chunks.firstPlace + chunks.count; ++i) {
       if (everything || pyramid.mayShow(caps_[i])) chosen_.push_back(i);
     }
     std::sort(chosen_.begin() + static_cast<std::ptrdiff_t>(firstOfPart_[part]), chosen_.end(),
@@ -83,10 +89,13 @@ void VisibleChunks::choose(const glm::dmat4& clipFromDrawn, bool everything) {
   firstOfPart_.back() = chosen_.size();
   counts_.clear();
   offsets_.clear();
-  for (const std::uint32_t i : chosen_) {
-    const MeshChunk& chunk = scene_->meshes.chunks[i];
-    counts_.push_back(static_cast<int>(chunk.indexCount));
-    offsets_.push_back(reinterpret_cast<const void*>(chunk.firstIndex * sizeof(std::uint32_t)));
+  for (std::size_t part = 0; part < scene_->parts.size(); ++part) {
+    const PartChunks& chunks = scene_->parts[part];
+    for (std::size_t i = firstOfPart_[part]; i < firstOfPart_[part + 1]; ++i) {
+      const MeshChunk& chunk = scene_->meshes.chunks[chunks.first + chosen_[i] - chunks.firstPlace];
+      counts_.push_back(static_cast<int>(chunk.indexCount));
+      offsets_.push_back(reinterpret_cast<const void*>(chunk.firstIndex * sizeof(std::uint32_t)));
+    }
   }
 }
 

@@ -18,11 +18,13 @@
 
 namespace carom {
 
-/// The chunks of one part of a scene.
+/// The chunks of one part of a scene. Parts with the same mesh share them, but each sees its own in another place:
+/// it counts them from `firstPlace`.
 struct PartChunks {
   std::size_t body = 0;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
+  std::uint32_t firstPlace = 0;
   /// Of a shadow, how far it can reach from the place of its puck's centre; of all else, 0.
   double shadowReach_m = 0.0;
 };
@@ -33,6 +35,7 @@ struct SceneChunks {
 
   ChunkedMeshes meshes;
   std::vector<PartChunks> parts;
+  std::size_t places = 0;  ///< chunks of all parts together, each part's own
 };
 
 /// Ranges of the indices, as glMultiDrawElements takes them.
@@ -56,16 +59,16 @@ class VisibleChunks {
 
   /// Returns the chosen chunks of a part, the nearest first.
   IndexRanges of(std::size_t part) const;
-  /// Returns the numbers of all chosen chunks, part by part.
+  /// Returns the places of all chosen chunks (PartChunks::firstPlace), part by part.
   std::span<const std::uint32_t> chosen() const { return chosen_; }
 
  private:
   void lookAtPart(const PartChunks& part, const BodyView& body, const ViewFrame& frame);
 
   const SceneChunks* scene_;
-  std::vector<SphericalCap> caps_;        // of each chunk
+  std::vector<SphericalCap> caps_;        // of each place
   std::vector<std::uint8_t> drawn_;       // of each part
-  std::vector<std::uint32_t> chosen_;     // numbers of chunks
+  std::vector<std::uint32_t> chosen_;     // places
   std::vector<std::size_t> firstOfPart_;  // in chosen_, and its end
   std::vector<int> counts_;               // of each chosen chunk
   std::vector<const void*> offsets_;

@@ -13,11 +13,13 @@ bool alike(const MeshNote& a, const MeshNote& b) {
          a.longestEdge_m == b.longestEdge_m;
 }
 
-/// Returns the names in one text, such as "Puck white, red".
+/// Returns the names in one text, such as "Puck white, red"; of many, the first and how many more there are.
 std::string joined(std::span<const MeshNote> notes) {
+  constexpr std::size_t kMost = 20;
   std::string text = notes.front().kind;
-  for (std::size_t i = 0; i < notes.size(); ++i) text += (i > 0 ? ", " : " ") + notes[i].name;
-  return text;
+  const std::size_t named = notes.size() > kMost ? 1 : notes.size();
+  for (std::size_t i = 0; i < named; ++i) text += (i > 0 ? ", " : " ") + notes[i].name;
+  return named < notes.size() ? text + fmt::format(" and {} more", notes.size() - named) : text;
 }
 
 }  // namespace

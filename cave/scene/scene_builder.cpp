@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <string>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -127,6 +130,8 @@ std::vector<ScenePart> finestPartsWithin(std::size_t most, double finest_m, cons
 struct BuiltBody {
   std::vector<ScenePart> parts;
   std::size_t vertices = 0;
+  double longestEdge_m = 0.0;
+  double reach_m = 0.0;
 };
 
 /// Builds body number `body` from `looks`; `model(cell_m)` makes it if it has no mesh file.
@@ -136,10 +141,12 @@ BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& c
   if (!looks.meshPath.empty()) {
     const auto mesh = readMeshFile(looks.meshPath);
     return {{meshPart(mesh, looks.radius_m, body, colour, tessellation)},
-            static_cast<std::size_t>(mesh->GetNumberOfPoints())};
+            static_cast<std::size_t>(mesh->GetNumberOfPoints()),
+            0.0,
+            0.0};
   }
   return {finestPartsWithin(tessellation.mostVertices, cellOf(tessellation), model),
-          verticesOf(model(kAnyCell_m))};
+          verticesOf(model(kAnyCell_m)), 0.0, 0.0};
 }
 
 void addNote(Scene& scene, const std::string& kind, const std::string& name, std::size_t vertices,
@@ -148,30 +155,60 @@ void addNote(Scene& scene, const std::string& kind, const std::string& name, std
       {kind, name, vertices, verticesOf(parts), tessellation.mostVertices, longestEdgeOf(parts)});
 }
 
+/// Bodies that look alike but for their colour share their meshes: each is built once.
+class BuiltBodies {
+ public:
+  /// Returns the parts of body number `body`; `build` makes it if none like it has been built.
+  template <typename Build>
+  const BuiltBody& of(const BodyLooks& looks, std::size_t body, const glm::vec3& colour, const Build& build) {
+    const auto [found, isNew] =
+        built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m));
+    BuiltBody& like = found->second;
+    if (isNew) {
+      like = build();
+      like.longestEdge_m = longestEdgeOf(like.parts);
+      like.reach_m = reachOf(like.parts);
+    }
+    for (ScenePart& part : like.parts) {
+      part.body = body;
+      if (part.paint != Paint::shadow) part.colour = colour;
+    }
+    return like;
+  }
+
+ private:
+  std::map<std::tuple<std::string, double, double>, BuiltBody> built_;
+};
+
 void addBodies(Scene& scene, std::span<const BodyLooks> pucks, std::span<const BodyLooks> told,
                const Tessellation& tessellation) {
   Tessellation shared = tessellation;
   shared.mostVertices /= std::max<std::size_t>(1, pucks.size() + told.size());
-  const auto add = [&](const char* kind, const BodyLooks& looks, BuiltBody built) {
-    addNote(scene, kind, looks.name, built.vertices, built.parts, shared);
-    scene.reach_m.push_back(reachOf(built.parts));
-    append(scene.parts, std::move(built.parts));
-  };
   std::size_t body = kRestingBody;
+  const auto add = [&](const char* kind, const BodyLooks& looks, const BuiltBody& built) {
+    scene.notes.push_back({kind, looks.name, built.vertices, verticesOf(built.parts), shared.mostVertices,
+                           built.longestEdge_m});
+    scene.reach_m.push_back(built.reach_m);
+    append(scene.parts, built.parts);
+  };
+  BuiltBodies builtPucks, builtTold;
   for (std::size_t i = 0; i < pucks.size(); ++i) {
     const BodyLooks& puck = pucks[i];
     const glm::vec3 colour = colourOf(puck.name, i);
     ++body;
-    add("Puck", puck, buildBody(puck, body, colour, shared, [&](double cell_m) {
-          return puckParts(puck.radius_m, puck.height_m, body, colour, cell_m);
-        }));
+    add("Puck", puck, builtPucks.of(puck, body, colour, [&] {
+      return buildBody(puck, body, colour, shared, [&](double cell_m) {
+        return puckParts(puck.radius_m, puck.height_m, body, colour, cell_m);
+      });
+    }));
   }
   for (std::size_t i = 0; i < told.size(); ++i) {
     const glm::vec3 colour = colourOf(told[i].name, i);
     ++body;
-    add("Body", told[i], buildBody(told[i], body, colour, shared, [&](double cell_m) {
-          return std::vector<ScenePart>{rodPart(body, colour, cell_m)};
-        }));
+    add("Body", told[i], builtTold.of(told[i], body, colour, [&] {
+      return buildBody(told[i], body, colour, shared,
+                       [&](double cell_m) { return std::vector<ScenePart>{rodPart(body, colour, cell_m)}; });
+    }));
   }
 }
 

@@ -123,18 +123,18 @@ void expectNothingLeftOut(const RandomEye& random, const Vec3& seenFromEye_m, co
     const glm::dmat4 clipFromDrawn = glm::translate(*projection, seenFromEye_m);
     visible.choose(clipFromDrawn);
     share.drawn += visible.chosen().size();
-    share.all += chunks.meshes.chunks.size();
-    std::vector<bool> chosen(chunks.meshes.chunks.size());
+    share.all += chunks.places;
+    std::vector<bool> chosen(chunks.places);
     for (const std::uint32_t i : visible.chosen()) chosen[i] = true;
     for (std::size_t part = 0; part < chunks.parts.size(); ++part) {
       if (scene.parts[part].paint == Paint::shadow) continue;  // the shader moves them: see the pictures
       const PartChunks& range = chunks.parts[part];
-      for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+      for (std::uint32_t i = range.firstPlace; i < range.firstPlace + range.count; ++i) {
         if (chosen[i]) continue;
         const auto [at, fresh] = drawn.try_emplace(i);
         if (fresh) {
-          at->second = drawnOf(chunks, chunks.meshes.chunks[i], random.bodies[range.body],
-                               frame.drawnFromSeen.matrix());
+          at->second = drawnOf(chunks, chunks.meshes.chunks[range.first + i - range.firstPlace],
+                               random.bodies[range.body], frame.drawnFromSeen.matrix());
         }
         for (const Vec3& place : at->second) ASSERT_FALSE(liesOn(clipFromDrawn, place)) << "chunk " << i;
       }

@@ -110,8 +110,8 @@ TEST(TomlFile, RefusesWhatIsNoToml) {
     ASSERT_EQ(faults.size(), 1u) << text;
     EXPECT_EQ(faults[0].substr(0, place.size()), place) << text << faults[0];
   }
-  EXPECT_EQ(faultsOf(std::string(2 << 20, '\n'), nothing),
-            Faults{"1:1 the file is too large, expected at most 1 MiB"});
+  EXPECT_EQ(faultsOf(std::string(17 << 20, '\n'), nothing),
+            Faults{"1:1 the file is too large, expected at most 16 MiB"});
 }
 
 TEST(TomlFile, RefusesMissingFilesAndFolders) {

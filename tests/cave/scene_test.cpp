@@ -270,5 +270,30 @@ TEST(Scene, NamesGiveColoursAndOthersDiffer) {
   EXPECT_NE(colourOf("Ada", 0), colourOf("Bob", 1));
 }
 
+TEST(Scene, PucksThatLookAlikeShareTheirMeshesButNotTheirColours) {
+  const std::vector<BodyLooks> looks{
+      {"white", "", 0.03, 0.02}, {"red", "", 0.03, 0.02}, {"yellow", "", 0.05, 0.02}};
+  const Scene scene = buildScene({}, looks, {}, {}, {0.001, 3000});
+  std::vector<const ScenePart*> pucks;
+  for (const ScenePart& part : scene.parts)
+    if (part.paint == Paint::puck) pucks.push_back(&part);
+  ASSERT_EQ(pucks.size(), 3U);
+  EXPECT_EQ(pucks[0]->mesh, pucks[1]->mesh);
+  EXPECT_NE(pucks[0]->mesh, pucks[2]->mesh);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(pucks[i]->body, i + 1);
+    EXPECT_NE(pucks[i]->colour, pucks[(i + 1) % 3]->colour);
+  }
+  EXPECT_EQ(scene.reach_m[1], scene.reach_m[2]);
+  EXPECT_LT(scene.reach_m[1], scene.reach_m[3]);
+}
+
+TEST(Scene, TheReportNamesTheFirstOfManyAlike) {
+  const std::vector<BodyLooks> looks(25, {"red", "", 0.03, 0.02});
+  const Tessellation tessellation{0.001, 3000};
+  const std::string report = tessellationReport(buildScene({}, looks, {}, {}, tessellation), tessellation);
+  EXPECT_NE(report.find("Puck red and 24 more: "), std::string::npos) << report;
+}
+
 }  // namespace
 }  // namespace carom
