@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/stage/recording.h"
+#include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"
 #include "engine/light/switches.h"
 
@@ -24,12 +25,13 @@ struct CaveOptions {
   std::optional<std::filesystem::path> session;  ///< the session file to write
   bool resume = false;  ///< continue from the end of `session`, with its rig and scenario
   bool noWindow = false;
-  bool silent = false;   ///< no sounds
-  Switches switches;     ///< at the start
-  TimeViews views;       ///< at the start
-  bool outside = false;  ///< rank 0 also shows the spectator view
-  bool diagram = false;  ///< rank 0 also shows the spacetime diagram
-  bool console = false;  ///< rank 0 also shows the operator's console
+  bool silent = false;                ///< no sounds
+  std::optional<LessonPhase> lesson;  ///< the phase in which a lesson begins; empty: the usual one
+  Switches switches;                  ///< at the start
+  TimeViews views;                    ///< at the start
+  bool outside = false;               ///< rank 0 also shows the spectator view
+  bool diagram = false;               ///< rank 0 also shows the spacetime diagram
+  bool console = false;               ///< rank 0 also shows the operator's console
 };
 
 /// Runs a session to its end; under mpirun, this rank's part of it. Returns the exit status: 0, or 1 after a

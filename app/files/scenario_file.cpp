@@ -143,7 +143,12 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     scenario.tour = readTour(*tour, scenario.billiard.lightSpeed_m_s);
     scenario.tourAtOnce = readTourAtOnce(*tour);
   }
-  if (const auto lesson = root.table("lesson")) scenario.lesson = readLesson(*lesson, scenario.title);
+  if (const auto lesson = root.table("lesson")) {
+    LessonGame game{scenario.billiard, {}};
+    for (const Puck& puck : scenario.billiard.pucks) game.bodies.push_back(puck.name);
+    for (const BodyText& body : bodies) game.bodies.push_back(body.name);
+    scenario.lesson = readLesson(*lesson, scenario.title, game);
+  }
   file.throwFaults();
 
   checkNames(pucks, bodyTables, flashes, pulses);

@@ -45,6 +45,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   hall.floor_m = scenario.observer.position_m.z;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
   for (const Pulse& pulse : scenario.pulses) scene.pulses.push_back({pulse.at_s, pulse.path_m});
+  if (scenario.lesson) scene.lesson = scenario.lesson->plan;
   scene.ruler = rulerBeside(scenario.billiard, scenario.observer.position_m);
   return scene;
 }

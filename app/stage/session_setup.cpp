@@ -32,9 +32,10 @@ bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
   return swapsWaitFor(setup.rig.display_hz, returned_s);
 }
 
-/// Returns the texts of the lesson for the walls; empty if there is none.
-LessonWords lessonWords(const Scenario& scenario) {
-  return scenario.lesson ? scenario.lesson->words : LessonWords{};
+/// Gives the lesson to the walls; it is empty if there is none.
+void setLesson(const Scenario& scenario, DisplayWalls& walls) {
+  const Lesson lesson = scenario.lesson.value_or(Lesson{});
+  walls.setLesson(lesson.words, lesson.plan);
 }
 
 /// Returns the table for the spectator view, coarse because nothing is distorted there.
@@ -67,7 +68,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
     setup.walls->setRoom(roomGeometryOf(setup.rig));
-    setup.walls->setLesson(lessonWords(setup.scenario));
+    setLesson(setup.scenario, *setup.walls);
     if (options.outside && cluster.rank() == 0) {
       setup.outside = std::make_unique<SpectatorView>(*setup.graphics, roomGeometryOf(setup.rig), setup.scene,
                                                       plainTable(setup.scenario), !options.noWindow);
@@ -108,7 +109,7 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
   onAllRanks(cluster, [&] {
     setup.scene = sceneOf(setup.scenario, setup.tessellation);
     setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);
-    setup.walls->setLesson(lessonWords(setup.scenario));
+    setLesson(setup.scenario, *setup.walls);
     if (setup.outside) setup.outside->setScene(setup.scene, plainTable(setup.scenario));
   });
   setup.world = {historiesAtStart(setup), {}};
