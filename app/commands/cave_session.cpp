@@ -375,8 +375,8 @@ void addCave(CLI::App& app, int& status) {
           [options](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) turnSwitch(text, options->switches);
           },
-          "An effect to begin with on or off: retardation, contraction, aberration (on), colour, searchlight "
-          "(off). May be given again. Keys 1 to 5 turn them later")
+          "Begin with this effect on or off: retardation, contraction, aberration (on), colour, searchlight "
+          "(off). May be given several times. Keys 1 to 5 turn them later")
       ->type_name("NAME=on|off")
       ->allow_extra_args(false);
   command

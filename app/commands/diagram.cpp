@@ -80,17 +80,17 @@ void addDiagram(CLI::App& app, int& status) {
   command->add_option("-o,--output", options->figure, "The figure: FIG.svg or FIG.png")
       ->required()
       ->type_name("FIG");
-  command->add_option("--along", options->along, "The board's axis beside time: x or y")
+  command->add_option("--along", options->along, "Board axis drawn across, with time upwards: x or y")
       ->capture_default_str()
       ->check(CLI::IsMember({'x', 'y'}));
   command
       ->add_option("--from", options->from_s,
-                   "Board time at the lower edge; left out: 5 s before the present event")
+                   "Board time at the lower edge; by default 5 s before the present event")
       ->type_name("S")
       ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
   command
       ->add_option("--until", options->until_s,
-                   "Board time of the present event; left out: 5 s, or a session's end")
+                   "Board time of the present event; by default 5 s, or the end of a session")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
   command->footer("Example:\n  carom diagram three-pucks -o three-pucks.svg");

@@ -232,31 +232,36 @@ void addEvents(CLI::App& app, int& status) {
   command->add_option("SOURCE", line->options.source, "Session file or scenario")
       ->required()
       ->transform(shipped("scenarios"));
-  command->add_option("--velocity", line->velocity, "v/c on the board of another frame, to list them in, too")
+  command
+      ->add_option("--velocity", line->velocity,
+                   "Velocity v/c on the board of another frame, in which the events are listed as well")
       ->expected(3)
       ->type_name("BX BY BZ")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
   command
       ->add_option("--until", line->options.until_s,
-                   "Board time of the last event; left out: 10 s, or a session's end")
+                   "Board time of the last event; by default 10 s, or the end of a session")
       ->type_name("S")
       ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
   command
       ->add_option(
           "--place", line->places,
-          "Who rests at this place of the board (m): when light brings them the news of each. May be "
-          "given again")
+          "Place on the board (m) of a person at rest: when the light of each event reaches them. May "
+          "be given several times")
       ->type_name("X Y Z")
       ->allow_extra_args(false);
-  command->add_option("--pair", line->pair, "Only the two events of these numbers")
+  command->add_option("--pair", line->pair, "Compare only the two events with these numbers")
       ->expected(2)
       ->type_name("A B");
   command
-      ->add_option("--csv", line->options.csv,
-                   "Write them to this file, a row an event; - is standard output. Left out: a table")
+      ->add_option(
+          "--csv", line->options.csv,
+          "Write the events to this file, one row each; - is standard output. By default, a table is "
+          "printed")
       ->type_name("FILE");
   command->footer(
-      "A session says also in which frame, and when, the light of each reached the person's head.\n"
+      "For a session, the list also tells in which drawn frame and when the light of each event reached the\n"
+      "person's head.\n"
       "Examples:\n  carom events game.db --velocity 0.5 0 0\n"
       "  carom events two-cushions --until 2 --velocity 0.5 0 0 --place 0 -1 0.3 --csv events.csv");
   command->callback([line, &status] {

@@ -134,7 +134,9 @@ void addReplay(CLI::App& app, int& status) {
           "what was not recorded")
       ->type_name("TRACE")
       ->transform(shipped("traces"));
-  command->add_flag("--walk", options->walk, "Walk about in the game yourself: the rig's tracker follows you")
+  command
+      ->add_flag("--walk", options->walk,
+                 "Walk about in the recorded game yourself, with the head tracked by the rig's tracker")
       ->excludes(command->get_option("--observer"));
   command
       ->add_option_function<std::vector<double>>(

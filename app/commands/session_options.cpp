@@ -9,15 +9,17 @@
 namespace carom {
 
 void addSilent(CLI::App& command, bool& silent) {
-  command.add_flag("--silent", silent, "No sounds; else each collision and stroke clicks when it is seen");
+  command.add_flag("--silent", silent,
+                   "Play no sounds. Without it, each collision and stroke clicks when it is seen");
 }
 
 void addOutside(CLI::App& command, bool& outside, bool& diagram, bool& console) {
   command.add_flag(
       "--console", console,
       "Open the operator's console on the first node: walls in small, trackers, switches, games, events");
-  command.add_flag("--diagram", diagram,
-                   "Show the spacetime diagram in a window of its own: my axes tilt as I move");
+  command.add_flag(
+      "--diagram", diagram,
+      "Show the spacetime diagram in a window of its own; the observer's axes tilt as they move");
   command.add_flag(
       "--outside", outside,
       "Show the room from outside, too: its walls, the person, the table where it is. With --capture "

@@ -100,11 +100,11 @@ void GamesPanel::drawList(const ConsoleFrame& frame) {
   ImGui::BeginDisabled(!canPlay);
   if ((ImGui::Button("Play") || twice) && canPlay)
     frame.commands.emplace_back(PlayScenario{games_[chosen_].file});
-  tip("Go on with the chosen game, from its beginning.");
+  tip("Play the chosen game from its beginning.");
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (ImGui::Button("Begin again")) frame.commands.emplace_back(PlayScenario{frame.settings.playing});
-  tip("The game that is played now, from its beginning.");
+  if (ImGui::Button("Restart")) frame.commands.emplace_back(PlayScenario{frame.settings.playing});
+  tip("Play the present game from its beginning.");
 }
 
 /// Draws a button for each velocity that the lesson offers.
@@ -173,8 +173,8 @@ void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
   dim(std::filesystem::path(file_).filename().string());
   tip(file_);
   if (scenario_->tour.empty() || !live) return;
-  if (ImGui::Button("Set out on the tour")) frame.commands.emplace_back(StartTour{});
-  tip("The platform goes the way that the scenario gives.");
+  if (ImGui::Button("Start the scripted flight")) frame.commands.emplace_back(StartTour{});
+  tip("The room moves as the scenario prescribes.");
   keyAtRight(keyFor(frame.keys, "tour").keys);
 }
 

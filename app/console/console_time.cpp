@@ -41,12 +41,15 @@ void drawClocks(const ConsoleFrame& frame) {
   const double platform = glm::length(betaFromU(record.boardFromRoom.u()));
   const double person = glm::length(betaFromU(record.observer.headFromBoard.inverse().u()));
   clock("session", shown(record.display_s), "Since the session began, by the clock on the wall.");
-  clock("person", shown(record.observer.properTime_s), "What the person's own clock shows.");
-  clock("board", shown(record.observer.middle.observation.t_s),
-        "What the board's clocks show where the person is. It runs ahead of the person's as they move.");
-  clock("platform", platform < 1e-9 ? "at rest" : fmt::format("{:.3f} c", platform),
-        "How fast the room moves on the board.");
-  clock("person moves", fmt::format("{:.2f} c", person), "On the board, the room's motion included.");
+  clock("observer's proper time", shown(record.observer.properTime_s),
+        "What the observer's own clock shows.");
+  clock("table time", shown(record.observer.middle.observation.t_s),
+        "What the table's clocks show where the observer is. It runs ahead of the observer's proper time "
+        "while they move.");
+  clock("room speed", platform < 1e-9 ? "at rest" : fmt::format("{:.3f} c", platform),
+        "Speed of the room relative to the table.");
+  clock("observer's speed", fmt::format("{:.2f} c", person),
+        "Speed of the observer relative to the table, the room's motion included.");
   clock("light", fmt::format("{:.2f} m/s", record.lightSpeed_m_s), "The speed of light.");
   ImGui::NewLine();
 }
@@ -59,7 +62,7 @@ void Playing::draw(const ConsoleFrame& frame) {
   ImGui::SameLine();
   if (ImGui::Button("- 1 s")) goTo(frame, now_s - kStep_s);
   ImGui::SameLine();
-  if (ImGui::Button(playback.paused ? "Go on" : "Pause", {5.0F * ImGui::GetFontSize(), 0.0F}))
+  if (ImGui::Button(playback.paused ? "Continue" : "Pause", {5.0F * ImGui::GetFontSize(), 0.0F}))
     frame.commands.emplace_back(Pause{!playback.paused});
   tip("Space does the same.");
   ImGui::SameLine();

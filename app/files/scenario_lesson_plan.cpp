@@ -8,13 +8,15 @@
 
 #include "app/files/toml_values.h"
 #include "cave/frame/bodies.h"
+#include "cave/frame/lesson_words.h"
 
 namespace carom {
 namespace {
 
 constexpr double kLongest_s = 60.0;  // of an interval: a lesson is watched again and again
 constexpr double kSlowest = 100.0;
-constexpr double kWithoutBoard_m = 1.5;  // half the length of a line on an open plane
+constexpr std::size_t kMostObservers = kMostAnswers - 1;  // the wand's last button goes on
+constexpr double kWithoutBoard_m = 1.5;                   // half the length of a line on an open plane
 
 LessonInterval readInterval(const TomlTable& lesson) {
   LessonInterval interval;
@@ -146,7 +148,7 @@ LessonPlan readLessonPlan(const TomlTable& lesson, const LessonGame& game) {
   LessonPlan plan;
   plan.interval = readInterval(lesson);
   const PlanReader read(game, plan.interval);
-  plan.observers = readAll(lesson, "observer", kMostLessonObservers,
+  plan.observers = readAll(lesson, "observer", kMostObservers,
                            [&](const TomlTable& table) { return read.observer(table); });
   const int most = static_cast<int>(std::max<std::size_t>(plan.observers.size(), 1));
   plan.explainedFor = static_cast<std::size_t>(lesson.integer("explained_for", 1, most, 1) - 1);

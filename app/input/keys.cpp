@@ -91,30 +91,30 @@ struct Key {
 };
 
 constexpr std::array kKeys{
-    Key{GLFW_KEY_1, 0, "1", kWithGame, "retardation", turnSwitch<&Switches::retardation>},
+    Key{GLFW_KEY_1, 0, "1", kWithGame, "light delay (retardation)", turnSwitch<&Switches::retardation>},
     Key{GLFW_KEY_2, 0, "2", kWithGame, "contraction", turnSwitch<&Switches::contraction>},
-    Key{GLFW_KEY_3, 0, "3", kWithGame, "aberration", turnSwitch<&Switches::aberration>},
-    Key{GLFW_KEY_4, 0, "4", kWithGame, "colour", turnSwitch<&Switches::colour>},
-    Key{GLFW_KEY_5, 0, "5", kWithGame, "searchlight", turnSwitch<&Switches::searchlight>},
-    Key{GLFW_KEY_N, 0, "N", kWithGame, "ghosts: now on the board", turnView<&TimeViews::boardNow>},
-    Key{GLFW_KEY_M, 0, "M", kWithGame, "ghosts: my now", turnView<&TimeViews::myNow>},
+    Key{GLFW_KEY_3, 0, "3", kWithGame, "aberration of directions", turnSwitch<&Switches::aberration>},
+    Key{GLFW_KEY_4, 0, "4", kWithGame, "Doppler colour", turnSwitch<&Switches::colour>},
+    Key{GLFW_KEY_5, 0, "5", kWithGame, "beaming (searchlight)", turnSwitch<&Switches::searchlight>},
+    Key{GLFW_KEY_N, 0, "N", kWithGame, "ghosts: now, in the table's frame", turnView<&TimeViews::boardNow>},
+    Key{GLFW_KEY_M, 0, "M", kWithGame, "ghosts: now, in my frame", turnView<&TimeViews::myNow>},
     Key{GLFW_KEY_P, 0, "P", kWithGame, "paths", turnView<&TimeViews::paths>},
     Key{GLFW_KEY_E, 0, "E", kWithGame, "events", turnView<&TimeViews::events>},
     Key{GLFW_KEY_C, 0, "C", kWithGame, "clocks", turnView<&TimeViews::clocks>},
     Key{GLFW_KEY_U, 0, "U", kWithGame, "ruler", turnView<&TimeViews::ruler>},
     Key{GLFW_KEY_O, 0, "O", kWithGame, "angles", turnView<&TimeViews::angles>},
     Key{GLFW_KEY_V, 0, "V", kWithGame, "Newton beside Einstein", turnView<&TimeViews::split>},
-    Key{GLFW_KEY_6, 0, "6", kWithGame, "in the right half: retardation", turnBeside<&Switches::retardation>},
-    Key{GLFW_KEY_7, 0, "7", kWithGame, "in the right half: contraction", turnBeside<&Switches::contraction>},
-    Key{GLFW_KEY_8, 0, "8", kWithGame, "in the right half: aberration", turnBeside<&Switches::aberration>},
-    Key{GLFW_KEY_9, 0, "9", kWithGame, "in the right half: colour", turnBeside<&Switches::colour>},
-    Key{GLFW_KEY_0, 0, "0", kWithGame, "in the right half: searchlight", turnBeside<&Switches::searchlight>},
-    Key{GLFW_KEY_F, 0, "F", kWithGame, "freeze the sight and walk round it", turnView<&TimeViews::frozen>},
+    Key{GLFW_KEY_6, 0, "6", kWithGame, "right half: light delay", turnBeside<&Switches::retardation>},
+    Key{GLFW_KEY_7, 0, "7", kWithGame, "right half: contraction", turnBeside<&Switches::contraction>},
+    Key{GLFW_KEY_8, 0, "8", kWithGame, "right half: aberration", turnBeside<&Switches::aberration>},
+    Key{GLFW_KEY_9, 0, "9", kWithGame, "right half: Doppler colour", turnBeside<&Switches::colour>},
+    Key{GLFW_KEY_0, 0, "0", kWithGame, "right half: beaming", turnBeside<&Switches::searchlight>},
+    Key{GLFW_KEY_F, 0, "F", kWithGame, "freeze the view and walk around it", turnView<&TimeViews::frozen>},
     Key{GLFW_KEY_LEFT_BRACKET, 0, "[ ]", kInSession, "slower and faster light", setLightSpeed<-1>},
     Key{GLFW_KEY_RIGHT_BRACKET, 0, "]", kInSession, nullptr, setLightSpeed<1>},
     Key{GLFW_KEY_SPACE, 0, "Space", kInReplay, "pause",
         [](const OperatorSettings& now, const Pressed&) -> Command { return Pause{!now.playback.paused}; }},
-    Key{GLFW_KEY_LEFT, 0, "← →", kInReplay, "a second back, a second on",
+    Key{GLFW_KEY_LEFT, 0, "← →", kInReplay, "one second back, one second on",
         [](const OperatorSettings&, const Pressed& pressed) -> Command {
           return goTo(pressed.now_s - kScrub_s);
         }},
@@ -134,15 +134,14 @@ constexpr std::array kKeys{
         [](const OperatorSettings& now, const Pressed&) -> Command { return SetRate{-now.playback.rate}; }},
     Key{GLFW_KEY_HOME, 0, "Home", kInReplay, "from the beginning",
         [](const OperatorSettings&, const Pressed&) -> Command { return Seek{0.0}; }},
-    Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, "Enter", kInSession, "the lesson goes on",
+    Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, "Enter", kInSession, "continue the lesson",
         [](const OperatorSettings&, const Pressed&) -> Command { return AdvanceLesson{}; }},
-    Key{GLFW_KEY_F2, 0, "F2 to F5", kInSession, "the velocities that a lesson offers", chooseInLesson<1>},
+    Key{GLFW_KEY_F2, 0, "F2 to F4", kInSession, "the velocities that a lesson offers", chooseInLesson<1>},
     Key{GLFW_KEY_F3, 0, "F3", kInSession, nullptr, chooseInLesson<2>},
     Key{GLFW_KEY_F4, 0, "F4", kInSession, nullptr, chooseInLesson<3>},
-    Key{GLFW_KEY_F5, 0, "F5", kInSession, nullptr, chooseInLesson<4>},
-    Key{GLFW_KEY_Y, 0, "Y", kInSession, "this game from its beginning",
+    Key{GLFW_KEY_Y, 0, "Y", kInSession, "restart this game",
         [](const OperatorSettings& now, const Pressed&) -> Command { return PlayScenario{now.playing}; }},
-    Key{GLFW_KEY_G, 0, "G", kInSession, "set out on the scenario's tour",
+    Key{GLFW_KEY_G, 0, "G", kInSession, "start the scripted flight",
         [](const OperatorSettings&, const Pressed&) -> Command { return StartTour{}; }},
     Key{GLFW_KEY_T, 0, "T", kEverywhere, "patterns", showNext},
     Key{GLFW_KEY_B, 0, "B", kEverywhere, "black walls", turnWalls<&WallControls::blank>},
@@ -150,9 +149,8 @@ constexpr std::array kKeys{
     Key{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD, "+ -", kInSession, "eye separation",  // + without Shift is =
         setEyesApart<1>},
     Key{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT, "-", kInSession, nullptr, setEyesApart<-1>},
-    Key{GLFW_KEY_K, 0, "K", kInSession, "crosses where the trackers' sensors are",
-        turnWalls<&WallControls::trackerCross>},
-    Key{GLFW_KEY_L, 0, "L", kEverywhere, "latency of every node", turnWalls<&WallControls::latency>},
+    Key{GLFW_KEY_K, 0, "K", kInSession, "show the tracked sensors", turnWalls<&WallControls::trackerCross>},
+    Key{GLFW_KEY_L, 0, "L", kEverywhere, "latency overlay", turnWalls<&WallControls::latency>},
     Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
         [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
 };
@@ -218,12 +216,12 @@ std::vector<KeyLine> keyMap(KeysOf place) {
   if (place == KeysOf::session) {
     lines.push_back({"W A S D", "steer: forward, left, back, right"});
     lines.push_back({"Space", "brake"});
-    lines.push_back({"Home", "go home"});
-    lines.push_back({"Mouse", "point to a puck; hold, draw back, let go: strike it"});
-    lines.push_back({"1 to 4", "while a lesson asks: the answer"});
+    lines.push_back({"Home", "return to the table"});
+    lines.push_back({"Mouse", "point at a puck, press, draw back, let go: a stroke"});
+    lines.push_back({"1 to 4", "answer a lesson's question"});
   }
   lines.push_back({"H", "this list"});
-  lines.push_back({"Escape Q", "the end"});
+  lines.push_back({"Escape Q", "quit"});
   return lines;
 }
 

@@ -58,6 +58,8 @@ bool choose(OperatorSettings& settings, int choice) {
   } else if (offersChoices(settings) && choice >= 1 &&
              static_cast<std::size_t>(choice) <= settings.lessonObservers) {
     settings.lessonObserver = static_cast<std::size_t>(choice) - 1;
+  } else if (offersChoices(settings) && choice == static_cast<int>(kMostAnswers)) {
+    return goOn(settings);
   }
   return settings.lesson != before || settings.lessonObserver != observer;
 }

@@ -33,7 +33,8 @@ bool offersChoices(const OperatorSettings& settings);
 /// whether that changes the settings.
 bool goOn(OperatorSettings& settings);
 
-/// Takes the choice with this number, counted from 1. Returns whether that changes the settings.
+/// Takes the choice with this number, counted from 1. Where velocities are offered, the last number that a
+/// hand device has a button for goes on. Returns whether that changes the settings.
 bool choose(OperatorSettings& settings, int choice);
 
 /// Returns the text of the given answer.

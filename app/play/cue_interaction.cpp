@@ -71,8 +71,8 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
     const double pace = record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
     const double after_s = (record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
     return {stroke,
-            fmt::format("{}: p = {:.2g} kg m/s, costs {:.2g} mc²; it arrives in {:.1f} s", target.name,
-                        glm::length(stroke.momentum_kg_m_s), costOf(glm::length(u)), after_s)};
+            fmt::format("{}: p = {:.2g} kg m/s, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s",
+                        target.name, glm::length(stroke.momentum_kg_m_s), costOf(glm::length(u)), after_s)};
   } catch (const std::invalid_argument& error) {
     log::note(error.what());
     return {{}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};

@@ -20,7 +20,7 @@
 
 #include "app/files/rig.h"
 #include "app/hand/hand_input.h"
-#include "app/input/desk.h"
+#include "app/input/desk_controls.h"
 #include "app/input/desk_input.h"
 #include "app/operator/command.h"
 #include "app/viewer/hand_tracking.h"

@@ -126,12 +126,12 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
     chart.lines.push_back(line);
   }
   const glm::vec3 light(0.9F, 0.55F, 0.0F), mine(0.1F, 0.2F, 0.7F);
-  chart.lines.push_back(through(here, {1.0, 1.0}, "light of my present event", light, Style::dashed, 1.5F));
+  chart.lines.push_back(through(here, {1.0, 1.0}, "my light cone", light, Style::dashed, 1.5F));
   chart.lines.push_back(through(here, {-1.0, 1.0}, "", light, Style::dashed, 1.5F));
   const double beta = plane.along(subject.beta);
   chart.lines.push_back(
-      through(here, {beta, 1.0}, fmt::format("my time: {:.2f} c", beta), mine, Style::dotted, 2.0F));
-  chart.lines.push_back(through(here, {1.0, beta}, "my now", mine, Style::dashed, 2.0F));
+      through(here, {beta, 1.0}, fmt::format("my time axis ({:.2f} c)", beta), mine, Style::dotted, 2.0F));
+  chart.lines.push_back(through(here, {1.0, beta}, "my line of simultaneity", mine, Style::dashed, 2.0F));
   ChartLine happened{"events", {}, glm::vec3(0.35F), 6.0F, Style::marks};
   for (const GameEvent& event : subject.events) {
     if (event.at.t_s >= from_s && event.at.t_s <= until_s) happened.points.push_back(plane(event.at));

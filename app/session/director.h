@@ -1,7 +1,7 @@
 #pragma once
 // The directors decide what each frame shows.
 
-#include "app/input/desk.h"
+#include "app/input/desk_controls.h"
 #include "app/input/keys.h"
 #include "app/session/frame_source.h"
 
@@ -50,7 +50,7 @@ class FrameLeader : public Director {
   FrameSource& source_;
   KeysOf keys_;
   const DisplayWalls* windows_;
-  Desk desk_;  ///< kept between games, so that held buttons and keys stay held
+  DeskControls desk_;  ///< kept between games, so that held buttons and keys stay held
   Commands inbox_, obeyed_;
   std::string nextGame_;
 };

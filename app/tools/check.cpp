@@ -188,8 +188,8 @@ void addCheck(CLI::App& app, int& status, const std::function<void(const Scenari
   if (showPattern) {
     auto* show =
         command->add_flag("--pattern", *pattern,
-                          "Show test patterns on a rig's walls instead, until Escape; under mpirun on "
-                          "every node's");
+                          "Show test patterns on the walls of the rig until Escape; under mpirun, on the "
+                          "walls of every node");
     command
         ->add_option("--capture", *capture,
                      "Folder for the patterns as pictures, without a window: WALL-EYE-FRAME.png, frame 0 the "

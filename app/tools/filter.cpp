@@ -65,7 +65,7 @@ Summary filterTrace(const std::vector<TrackerSample>& rows, double lightSpeed_m_
   double windowBegin_s = rows.front().time_s;
   bool windowed = false;
   for (const TrackerSample& row : rows) {
-    summary.glitches += filter.add(row.time_s, row.pose) != SampleUse::Used;
+    summary.glitches += filter.add(row.time_s, row.pose) != SampleUse::used;
     const HeadEstimate head = filter.at(row.time_s);
     each(head);
     const double square_m2_s2 = glm::dot(head.celerity_m_s, head.celerity_m_s);
@@ -166,20 +166,25 @@ void addFilter(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("filter", "Run a recorded tracker trace through the head filter of a session");
   auto options = std::make_shared<FilterOptions>();
-  command->add_option("TRACE", options->trace, "Trace: time_s,x_m,y_m,z_m and perhaps qx,qy,qz,qw")
+  command
+      ->add_option("TRACE", options->trace,
+                   "Recorded trace with the columns time_s,x_m,y_m,z_m and optionally qx,qy,qz,qw")
       ->required()
       ->transform(shipped("traces"));
-  command->add_option("--light-speed", options->lightSpeed_m_s, "Light speed for what the eye would see, m/s")
+  command
+      ->add_option("--light-speed", options->lightSpeed_m_s,
+                   "Speed of light in m/s, for the error of the directions that the eye sees")
       ->capture_default_str()
       ->type_name("C")
       ->check(numberIn(kPositive, "a speed above 0 up to 1e9 m/s"));
   command
-      ->add_option("--csv", options->csv,
-                   "Write position, celerity and its standard deviation, a row for each of the trace's; - is "
-                   "standard output. Left out: a summary")
+      ->add_option(
+          "--csv", options->csv,
+          "Write position, celerity and its standard deviation, one row for each row of the trace; - "
+          "is standard output. By default, a summary is printed")
       ->type_name("FILE");
   command->footer(
-      "Each row out is made of its own row and earlier ones only.\n"
+      "Each row of the result depends only on the same row of the trace and earlier ones.\n"
       "Example:\n  carom filter walk --light-speed 1.42");
   command->callback([options, &status] { status = runFilter(*options); });
 }

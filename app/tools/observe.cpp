@@ -159,14 +159,14 @@ void addObserve(CLI::App& app, int& status, const SeenSceneText& seenScene) {
       ->expected(4)
       ->type_name("T X Y Z")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
-  command->add_option("--beta", line->beta, "The eye's velocity over c; at rest on the board if left out")
+  command->add_option("--beta", line->beta, "Velocity v/c of the eye on the board; by default at rest")
       ->expected(3)
       ->type_name("BX BY BZ")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
   command
       ->add_option("--point", line->points,
-                   "A point of a puck or body, from its centre in its rest frame (m); may be given again. "
-                   "Left out: every centre")
+                   "A point of a puck or body, from its centre in its rest frame (m). May be given several "
+                   "times; by default every centre")
       ->type_name("NAME DX DY DZ")
       ->allow_extra_args(false);
   addJson(*command, line->json);

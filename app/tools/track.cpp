@@ -284,16 +284,20 @@ void addTrack(CLI::App& app, int& status) {
       ->capture_default_str()
       ->transform(shipped("rigs"));
   command
-      ->add_option("--record", options->record,
-                   "Write the samples of the head's sensor to this trace; it appears, whole, at the end")
+      ->add_option(
+          "--record", options->record,
+          "Write the samples of the head's sensor to this trace. The file appears when the command ends")
       ->type_name("TRACE");
-  command->add_option("--seconds", options->seconds, "End after so long; left out: at Ctrl-C")
+  command->add_option("--seconds", options->seconds, "End after this many seconds; by default, Ctrl-C ends")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
-  command->add_flag("--list", *list, "Only say what is plugged in");
+  command->add_flag("--list", *list, "Only list the devices that are plugged in");
   command->footer(
-      "Columns: age, since the newest pose held; jitter, of the intervals; rest, the noise of a coordinate "
-      "while the sensor last kept still; dropouts, intervals of over one and a half usual ones.\n"
+      "Columns: age, the time since the newest pose; jitter, the spread of the intervals between poses; "
+      "rest, the\n"
+      "noise of a coordinate while the sensor last kept still; dropouts, the intervals longer than one and a "
+      "half\n"
+      "usual ones.\n"
       "Example:\n  carom track --rig desk --record walk.csv --seconds 60");
   command->callback([options, list, &status] { status = *list ? runTrackList() : runTrack(*options); });
 }

@@ -62,11 +62,12 @@ void PlatformMotion::begin(const Observer& observer) {
   setsOut_ = false;
   const Vec3 u = observer.boardFromRoom().u();
   if (tour_.empty()) {
-    notice_ = Notice("This game has no tour to set out on.");
+    notice_ = Notice("This game has no scripted flight.");
   } else if (view_.mode == DriveMode::tour) {
-    notice_ = Notice("You are on the tour already.");
+    notice_ = Notice("The scripted flight is under way already.");
   } else if (glm::length(u) > kTourFrom_u && glm::length(u - atStart_u_) > kTourFrom_u) {
-    notice_ = Notice("The tour begins at rest: brake (Space), or go home (Home), then set out.");
+    notice_ =
+        Notice("The scripted flight begins at rest: brake (Space) or return to the table (Home) first.");
   } else {
     take(tour_);
     view_.mode = DriveMode::tour;
@@ -80,7 +81,7 @@ void PlatformMotion::endTour(const Observer& observer) {
   const double board_s = observer.headEvent().t_s - setOutBoard_s_,
                own_s = observer.properTime_s() - setOutOwn_s_;
   notice_ = Notice(
-      fmt::format("The tour is over: {:.1f} s went by on the board, {:.1f} s for you.", board_s, own_s));
+      fmt::format("Flight finished: {:.1f} s on the table's clocks, {:.1f} s on yours.", board_s, own_s));
 }
 
 void PlatformMotion::take(std::span<const Thrust> way) {
@@ -104,7 +105,7 @@ void PlatformMotion::obey(const DriveWish& wish) {
   const bool steers = glm::length(wish.steer) > kMeant;
   steered_ = steered_ || steers;
   if (view_.mode == DriveMode::tour && (wish.home || wish.brake || steers))
-    notice_ = Notice("The tour is broken off: you drive yourself.");
+    notice_ = Notice("Flight interrupted: you drive yourself.");
   if (wish.home) {
     if (view_.mode != DriveMode::home) leaveWay(DriveMode::home);
   } else if (wish.brake) {

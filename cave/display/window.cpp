@@ -31,7 +31,7 @@ struct Window::Hears {
     Window& here = of(window);
     const bool pressed = action == GLFW_PRESS;
     if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return;
-    if (here.listens_) here.gui_->hear({HeardByGui::Kind::key, {}, static_cast<unsigned>(key), pressed});
+    if (here.listens_) here.gui_->hear({GuiEvent::Kind::key, {}, static_cast<unsigned>(key), pressed});
     // A receiver that has seen a key pressed also sees it released.
     const bool taken = here.listens_ && pressed && here.gui_->wantsKeys();
     if (!taken) here.graphics_.input_.keys.push_back({key, pressed});
@@ -42,7 +42,7 @@ struct Window::Hears {
     if (!here.listens_) {
       here.graphics_.input_.wheel += forwards;
     } else {
-      here.gui_->hear({HeardByGui::Kind::wheel, {sideways, forwards}});
+      here.gui_->hear({GuiEvent::Kind::wheel, {sideways, forwards}});
     }
   }
 
@@ -53,22 +53,21 @@ struct Window::Hears {
     glm::ivec2 size{1};
     glfwGetWindowSize(window, &size.x, &size.y);
     const glm::vec2 scale = glm::vec2(of(window).size_px()) / glm::vec2(glm::max(size, 1));
-    of(window).gui_->hear({HeardByGui::Kind::pointer, glm::vec2(x, y) * scale});
+    of(window).gui_->hear({GuiEvent::Kind::pointer, glm::vec2(x, y) * scale});
   }
 
   static void left(GLFWwindow* window, int inside) {
     const bool dragging = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-    if (!inside && !dragging) of(window).gui_->hear({HeardByGui::Kind::pointer, {-1e9F, -1e9F}});
+    if (!inside && !dragging) of(window).gui_->hear({GuiEvent::Kind::pointer, {-1e9F, -1e9F}});
   }
 
   static void button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-    of(window).gui_->hear(
-        {HeardByGui::Kind::button, {}, static_cast<unsigned>(button), action == GLFW_PRESS});
+    of(window).gui_->hear({GuiEvent::Kind::button, {}, static_cast<unsigned>(button), action == GLFW_PRESS});
   }
 
   static void letter(GLFWwindow* window, unsigned code) {
-    of(window).gui_->hear({HeardByGui::Kind::letter, {}, code});
+    of(window).gui_->hear({GuiEvent::Kind::letter, {}, code});
   }
 };
 

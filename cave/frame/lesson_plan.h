@@ -74,7 +74,7 @@ struct LessonPlan {
   std::vector<SimultaneityLine> simultaneous;
 };
 
-/// The most velocities that a lesson can offer, and the most of each kind of drawing.
-inline constexpr std::size_t kMostLessonObservers = 4, kMostLessonDrawings = 4;
+/// The most drawings of each kind that a lesson can have.
+inline constexpr std::size_t kMostLessonDrawings = 4;
 
 }  // namespace carom

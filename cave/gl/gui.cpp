@@ -52,7 +52,7 @@ Gui::Gui(float text_px, float heading_px) : context_(ImGui::CreateContext()) {
   }
   for (const auto& [meaning, key] : kKeys) io.KeyMap[meaning] = key;
   io.MousePos = kNowhere;
-  heard_.reserve(kMostHeard);
+  events_.reserve(kMostHeard);
   ImGui::StyleColorsDark();
   ImGui_ImplOpenGL3_Init("#version 150");
 }
@@ -63,34 +63,33 @@ Gui::~Gui() {
   ImGui::DestroyContext(context_);
 }
 
-void Gui::hear(const HeardByGui& heard) {
-  const auto points = [](const HeardByGui& any) { return any.kind == HeardByGui::Kind::pointer; };
-  if (!heard_.empty() && points(heard) && points(heard_.back())) {  // only the latest place counts
-    heard_.back() = heard;
+void Gui::hear(const GuiEvent& heard) {
+  const auto points = [](const GuiEvent& any) { return any.kind == GuiEvent::Kind::pointer; };
+  if (!events_.empty() && points(heard) && points(events_.back())) {  // only the latest place counts
+    events_.back() = heard;
     return;
   }
-  if (heard_.size() == kMostHeard) heard_.clear();  // nothing has read the input
-  heard_.push_back(heard);
+  if (events_.size() == kMostHeard) events_.clear();  // nothing has read the input
+  events_.push_back(heard);
 }
 
 bool Gui::isPressed() const {
-  return took_ || std::any_of(heard_.begin(), heard_.end(), [](const HeardByGui& heard) {
-           return heard.kind != HeardByGui::Kind::pointer;
-         });
+  return took_ || std::any_of(events_.begin(), events_.end(),
+                              [](const GuiEvent& heard) { return heard.kind != GuiEvent::Kind::pointer; });
 }
 
 void Gui::takeHeard() {
-  using Kind = HeardByGui::Kind;
+  using Kind = GuiEvent::Kind;
   ImGuiIO& io = ImGui::GetIO();
   bool changed = false;  // a button or a key has changed
-  const auto waits = [&](const HeardByGui& heard) {
+  const auto waits = [&](const GuiEvent& heard) {
     if (heard.kind == Kind::wheel || heard.kind == Kind::letter) return false;
     if (changed) return true;
     changed = heard.kind != Kind::pointer;
     return false;
   };
-  const auto end = std::find_if(heard_.begin(), heard_.end(), waits);
-  for (auto heard = heard_.begin(); heard != end; ++heard) {
+  const auto end = std::find_if(events_.begin(), events_.end(), waits);
+  for (auto heard = events_.begin(); heard != end; ++heard) {
     switch (heard->kind) {
       case Kind::pointer:
         io.MousePos = {heard->at.x, heard->at.y};
@@ -110,9 +109,9 @@ void Gui::takeHeard() {
         break;
     }
   }
-  took_ = std::any_of(heard_.begin(), end,
-                      [](const HeardByGui& heard) { return heard.kind != HeardByGui::Kind::pointer; });
-  heard_.erase(heard_.begin(), end);
+  took_ = std::any_of(events_.begin(), end,
+                      [](const GuiEvent& heard) { return heard.kind != GuiEvent::Kind::pointer; });
+  events_.erase(events_.begin(), end);
   io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
   io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
   io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];

@@ -16,7 +16,7 @@ struct ImGuiContext;
 namespace carom {
 
 /// One piece of input that a window received.
-struct HeardByGui {
+struct GuiEvent {
   enum class Kind { pointer, button, wheel, key, letter };
   Kind kind = Kind::pointer;
   glm::vec2 at{0.0F};  ///< pointer: pixels from the upper left; wheel: notches sideways and forwards
@@ -36,7 +36,7 @@ class Gui {
 
   /// Adds input, in the order in which it came. Each frame takes one change of buttons or keys, so that even
   /// the shortest click is seen.
-  void hear(const HeardByGui& heard);
+  void hear(const GuiEvent& heard);
   /// Returns whether a field is being filled in or a list is open, so that keys belong to the Gui.
   bool wantsKeys() const { return wantsKeys_; }
   /// Returns whether a click or a key waits for the next frame or was taken with the last one: the person who
@@ -50,7 +50,7 @@ class Gui {
   void takeHeard();
 
   ImGuiContext* context_ = nullptr;
-  std::vector<HeardByGui> heard_;
+  std::vector<GuiEvent> events_;
   bool wantsKeys_ = false, took_ = false;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };

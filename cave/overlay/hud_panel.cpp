@@ -96,8 +96,8 @@ void addLight(const FrameRecord& record, Lines& lines) {
 
 void addClocks(const FrameRecord& record, Lines& lines) {
   const Vec3 u = record.observer.headFromBoard.inverse().u();
-  lines.add({}, "my clock  {:.1f} s", shownTime_s(record.observer.properTime_s));
-  lines.add({}, "my speed  {:.2f} c   gamma {:.2f}", glm::length(betaFromU(u)), gammaFromU(u));
+  lines.add({}, "my proper time  {:.1f} s", shownTime_s(record.observer.properTime_s));
+  lines.add({}, "my speed  {:.2f} c   γ = {:.2f}", glm::length(betaFromU(u)), gammaFromU(u));
   addLight(record, lines);
 }
 
@@ -173,36 +173,38 @@ void addDrive(const FrameRecord& record, Lines& lines) {
   if (!isDriven(record)) return;
   const Vec3 u = record.boardFromRoom.u();
   const double gamma = gammaFromU(u);
-  lines.add(kMotionColour, "my way over the board: {:.3f} c, gamma {:.2f}", glm::length(betaFromU(u)), gamma);
+  lines.add(kMotionColour, "my speed on the table: {:.3f} c, γ = {:.2f}", glm::length(betaFromU(u)), gamma);
   lines.add(kSeenMark, "the speed of light");
-  lines.add(kContractedColour, "a circle of the board: {:.2f} as long", 1.0 / gamma);
+  lines.add(kContractedColour, "a circle on the table, contracted to {:.2f}", 1.0 / gamma);
   const DriveView& drive = record.drive;
   if (drive.thrust == Vec3(0.0) && drive.mode == DriveMode::free && !drive.atLimit) return;
-  constexpr std::array<std::string_view, 4> kModes{"", ", braking", ", on the way home", ", on tour"};
-  lines.add(drive.atLimit ? kLimitColour : kThrustColour, "thrust {:.2f} of the strongest{}",
-            glm::length(drive.thrust), kModes[static_cast<std::size_t>(drive.mode)]);
+  constexpr std::array<std::string_view, 4> kModes{"", " (braking)", " (returning home)",
+                                                   " (scripted flight)"};
+  lines.add(drive.atLimit ? kLimitColour : kThrustColour, "thrust: {:.0f} % of maximum{}",
+            100.0 * glm::length(drive.thrust), kModes[static_cast<std::size_t>(drive.mode)]);
 }
 
 void addViews(const FrameRecord& record, Lines& lines) {
   const TimeViews& views = record.views;
-  if (views.boardNow || views.myNow || views.split) lines.add(kSeenMark, "as seen");
-  if (views.boardNow) lines.add(kBoardNowColour, "now on the board");
-  if (views.myNow) lines.add(kMyNowColour, "my now");
+  if (views.boardNow || views.myNow || views.split)
+    lines.add(kSeenMark, "as seen: light that reaches me now");
+  if (views.boardNow) lines.add(kBoardNowColour, "now, in the table's frame");
+  if (views.myNow) lines.add(kMyNowColour, "now, in my frame: simultaneous with me");
   if (views.split && views.beside == kNoSwitches) {
     lines.add({}, "left: Einstein, right: Newton");
   } else if (views.split) {
     lines.add({}, "left: as chosen, right: otherwise");
   }
-  if (views.paths) lines.add({}, "paths: full as seen, dashed to come");
+  if (views.paths) lines.add({}, "paths: solid = seen, dashed = still to come");
   if (views.events) {
-    lines.add(kEventColour, "numbers: it happened here");
+    lines.add(kEventColour, "numbered flags: events");
     lines.add(kFlashColour, "light of a flash, on its way");
   }
-  if (views.ruler) lines.add({}, "ruler: a metre, and light's way");
-  if (views.angles) lines.add({}, "angles: between two ways after a blow");
-  if (views.frozen) lines.add({}, "frozen");
+  if (views.ruler) lines.add({}, "ruler: 1 m, and light travelling along it");
+  if (views.angles) lines.add({}, "angles between the outgoing paths");
+  if (views.frozen) lines.add({}, "frozen view: walk around it");
   if (views.clocks) {
-    lines.add({}, "plates on the pucks: their own time");
+    lines.add({}, "labels: each puck's proper time");
     addClocks(record, lines);
   }
 }
@@ -223,6 +225,21 @@ std::size_t bandLetters(const Wall& wall) {
   const double letter_px = kLetterWidth * HudPanel::kBandCapital / kCapitalOfLetters * wall.pixels.y;
   const double width_px = (1.0 - 2.0 * HudPanel::kMargin) * wall.pixels.x;
   return std::max<std::size_t>(kLineLetters, static_cast<std::size_t>(width_px / letter_px));
+}
+
+bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wall) {
+  constexpr double kLetter = HudPanel::kBandCapital / kCapitalOfLetters;
+  std::vector<HudLine> lines;
+  for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
+    for (std::uint8_t answer = 0; answer <= words.answers.size(); ++answer) {
+      FrameRecord record;
+      record.lesson = {phase, answer};
+      describe(record, words, plan, bandLetters(wall), lines);
+      const double high = (kBandLine * static_cast<double>(lines.size()) + 1.0) * kLetter;
+      if (high > HudPanel::kMostOfHeight) return false;
+    }
+  }
+  return true;
 }
 
 void describe(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan,

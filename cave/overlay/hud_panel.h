@@ -51,6 +51,9 @@ inline constexpr std::size_t kLineLetters = 40;  ///< without a lesson; longer w
 /// Returns how many letters a line of the band has on a wall.
 std::size_t bandLetters(const Wall& wall);
 
+/// Returns whether the band shows the lesson's longest text on this wall in letters of their full height.
+bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wall);
+
 class HudPanel {
  public:
   static constexpr double kCapital_m = 0.04;  ///< height of a capital: 1.5° from 1.5 m, as in printed text

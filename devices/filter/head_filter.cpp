@@ -43,13 +43,13 @@ glm::dvec3 shortened(const glm::dvec3& v, double by) {
 
 const char* toString(Known known) {
   switch (known) {
-    case Known::Measured:
+    case Known::measured:
       return "measured";
-    case Known::Predicted:
+    case Known::predicted:
       return "predicted";
-    case Known::Held:
+    case Known::held:
       return "held";
-    case Known::Lost:
+    case Known::lost:
       return "lost";
   }
   return "";
@@ -60,32 +60,32 @@ HeadFilter::HeadFilter(double trackerSigma_m) : celerity_(trackerSigma_m), judge
 SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
   const double norm = glm::length(roomFromHead.orientation);
   if (!std::isfinite(time_s) || !isFinite(roomFromHead.position_m) || !std::isfinite(norm) || norm < 0.5) {
-    return SampleUse::Unusable;
+    return SampleUse::unusable;
   }
   const Pose measured{roomFromHead.position_m, roomFromHead.orientation / norm};
   if (!started_) {
     start(time_s, measured);
     started_ = true;
-    return SampleUse::Used;
+    return SampleUse::used;
   }
   const double newestSeen_s = judge_.doubts() ? judge_.doubted_s() : time_s_;
-  if (time_s <= newestSeen_s) return SampleUse::Unusable;
+  if (time_s <= newestSeen_s) return SampleUse::unusable;
   const Jump jump = judge_.judge(celerity_, time_s, measured.position_m);
-  if (jump == Jump::Doubted) {
+  if (jump == Jump::doubted) {
     doubted_ = {time_s, measured};
-    return SampleUse::Glitch;
+    return SampleUse::glitch;
   }
 
   const double interval_s = time_s - time_s_;
   const double share = shownShare(time_s);
-  const bool isLongAgo = jump == Jump::New || interval_s > kTrackPredicted_s;
-  const bool returned = isLongAgo || jump == Jump::Shifted;
+  const bool isLongAgo = jump == Jump::elsewhere || interval_s > kTrackPredicted_s;
+  const bool returned = isLongAgo || jump == Jump::shifted;
   const Pose shown = returned ? shownPose(time_s) : Pose{};
-  if (jump == Jump::New || interval_s > kTrackLost_s) {
+  if (jump == Jump::elsewhere || interval_s > kTrackLost_s) {
     start(time_s, measured);
   } else {
-    if (jump == Jump::Quick) use(doubted_.time_s, doubted_.roomFromHead);
-    if (jump == Jump::Shifted) celerity_.moveBy(judge_.offset_m());
+    if (jump == Jump::quick) use(doubted_.time_s, doubted_.roomFromHead);
+    if (jump == Jump::shifted) celerity_.moveBy(judge_.offset_m());
     use(time_s, measured);
   }
   share_ = isLongAgo ? share : std::min(1.0, share + interval_s / kTrackFades_s);
@@ -95,7 +95,7 @@ SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
     offset_m_ = shown.position_m - filtered.position_m;
     offset_rad_ = rotationVector(shown.orientation * glm::conjugate(filtered.orientation));
   }
-  return SampleUse::Used;
+  return SampleUse::used;
 }
 
 void HeadFilter::use(double time_s, const Pose& measured) {
@@ -154,9 +154,9 @@ HeadEstimate HeadFilter::at(double time_s) const {
     const glm::dvec3 hidden_m_s = estimated_m_s - head.celerity_m_s;
     covariance = celerity_.celerityCovariance_m2_s2() + glm::dmat3(celerity_.celerityChange_m2_s2(ahead_s)) +
                  glm::outerProduct(hidden_m_s, hidden_m_s);
-    head.known = ahead_s == 0.0                 ? Known::Measured
-                 : ahead_s <= kTrackPredicted_s ? Known::Predicted
-                                                : Known::Held;
+    head.known = ahead_s == 0.0                 ? Known::measured
+                 : ahead_s <= kTrackPredicted_s ? Known::predicted
+                                                : Known::held;
   }
   head.sigma_m_s = std::sqrt(std::max({covariance[0][0], covariance[1][1], covariance[2][2]}));
   if (started_) {

@@ -22,10 +22,10 @@ namespace carom {
 
 /// How a head pose is known.
 enum class Known {
-  Measured,   ///< at the time of the newest sample
-  Predicted,  ///< a little after the newest sample, from its motion
-  Held,       ///< samples are overdue: kept where the prediction ended
-  Lost,       ///< no samples for long, or none yet: kept, and not to be trusted
+  measured,   ///< at the time of the newest sample
+  predicted,  ///< a little after the newest sample, from its motion
+  held,       ///< samples are overdue: kept where the prediction ended
+  lost,       ///< no samples for long, or none yet: kept, and not to be trusted
 };
 
 /// Returns the name for people: "measured", "predicted", "held" or "lost".
@@ -34,7 +34,7 @@ const char* toString(Known known);
 /// The head at one time. Axes and origin are those of the poses given to the filter.
 struct HeadEstimate {
   double time_s = 0.0;
-  Known known = Known::Lost;
+  Known known = Known::lost;
   Pose pose;                     ///< roomFromHead, metres
   glm::dvec3 celerity_m_s{0.0};  ///< dx/dτ of the eye midpoint
   glm::dmat3 celerityCovariance_m2_s2{0.0};
@@ -44,9 +44,9 @@ struct HeadEstimate {
 
 /// How the filter has used a sample.
 enum class SampleUse {
-  Used,
-  Glitch,    ///< too far away for a head by that time; used only if the next sample confirms it
-  Unusable,  ///< not after the last sample, or not finite: not used
+  used,
+  glitch,    ///< too far away for a head by that time; used only if the next sample confirms it
+  unusable,  ///< not after the last sample, or not finite: not used
 };
 
 /// Filters the samples of one head. No allocation, the same bits in every run.

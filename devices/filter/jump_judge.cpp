@@ -39,11 +39,11 @@ Jump JumpJudge::judge(const CelerityFilter& head, double time_s, const glm::dvec
 
 Jump JumpJudge::judgeFirst(const CelerityFilter& head, const Sample& sample, double interval_s) {
   // After a loss the head may be anywhere: nothing is travel then.
-  if (interval_s > lost_s_) return Jump::None;
+  if (interval_s > lost_s_) return Jump::none;
   const bool isFast = !isTravel(used_m_, sample.position_m, interval_s, head.trackerSigma_m());
   const double off_m = glm::length(sample.offCourse_m);
   const bool isOff = head.isTrackerSigmaKnown() && !(off_m <= tolerance_m(head, interval_s, interval_s));
-  if (!isFast && !isOff) return Jump::None;
+  if (!isFast && !isOff) return Jump::none;
   count_ = 1;
   last_ = sample;
   travels_s_ = beside_s_ = sample.time_s;
@@ -51,28 +51,28 @@ Jump JumpJudge::judgeFirst(const CelerityFilter& head, const Sample& sample, dou
   offset_m_ = sample.offCourse_m;
   offCelerity_m_s_ = sample.offCourse_m / interval_s;
   moves_ = glm::length(offCelerity_m_s_) <= kMost_m_s2 * interval_s ? 1 : 0;
-  return Jump::Doubted;
+  return Jump::doubted;
 }
 
 Jump JumpJudge::judgeNext(const CelerityFilter& head, const Sample& sample, double interval_s) {
   const double off_m = glm::length(sample.offCourse_m);
   const bool isCourseKnown = interval_s <= lost_s_;
   const double within_m = tolerance_m(head, sample.time_s - last_.time_s, 0.0);
-  if (isCourseKnown && off_m <= within_m) return Jump::None;
+  if (isCourseKnown && off_m <= within_m) return Jump::none;
 
   follow(sample, within_m, head.trackerSigma_m());
   if (isCourseKnown && beside_ > 1) {
     const bool isLong = beside_ >= kBeside && sample.time_s - beside_s_ >= kBeside_s;
-    return isLong ? Jump::Shifted : Jump::Doubted;
+    return isLong ? Jump::shifted : Jump::doubted;
   }
   if (isCourseKnown) {
-    if (moves_ == count_) return count_ == 2 ? Jump::Quick : Jump::None;
-    if (moves_ >= kMoves && glm::length(offCelerity_m_s_) <= kQuick_m_s) return Jump::None;
+    if (moves_ == count_) return count_ == 2 ? Jump::quick : Jump::none;
+    if (moves_ >= kMoves && glm::length(offCelerity_m_s_) <= kQuick_m_s) return Jump::none;
     const double known_s = std::min(interval_s, kCourse_s);
     const double reach_m = 0.5 * (kVigour_m_s2 - kStartle_m_s2) * known_s * known_s;
-    if (off_m <= reach_m + tolerance_m(head, known_s, interval_s)) return Jump::None;
+    if (off_m <= reach_m + tolerance_m(head, known_s, interval_s)) return Jump::none;
   }
-  return sample.time_s - travels_s_ >= lost_s_ ? Jump::New : Jump::Doubted;
+  return sample.time_s - travels_s_ >= lost_s_ ? Jump::elsewhere : Jump::doubted;
 }
 
 // Whether the doubted samples travel, keep beside the course, or move as a head might.

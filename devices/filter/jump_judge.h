@@ -9,11 +9,11 @@ namespace carom {
 
 /// The kinds of samples.
 enum class Jump {
-  None,     ///< the head, which continues from the last used sample
-  Doubted,  ///< where a head cannot get: not to be used, or not yet
-  Quick,    ///< the head; the doubted sample before was the head, too: both are to be used
-  Shifted,  ///< the head, which the tracker shows beside its place before: see offset_m()
-  New,      ///< a place to which doubted samples have led for long: nothing is known of the motion
+  none,       ///< the head, which continues from the last used sample
+  doubted,    ///< where a head cannot get: not to be used, or not yet
+  quick,      ///< the head; the doubted sample before was the head, too: both are to be used
+  shifted,    ///< the head, which the tracker shows beside its place before: see offset_m()
+  elsewhere,  ///< a place to which doubted samples have led for long: nothing is known of the motion
 };
 
 /// Judges samples by the head's course, as its filter foresees it. A head that stands reaches 15 m/s² within
@@ -43,7 +43,7 @@ class JumpJudge {
   /// Whether the newest sample was doubted, and its time.
   bool doubts() const { return count_ > 0; }
   double doubted_s() const { return last_.time_s; }
-  /// After Jump::Shifted: by how much the tracker's places now lie beside those before.
+  /// After Jump::shifted: by how much the tracker's places now lie beside those before.
   const glm::dvec3& offset_m() const { return offset_m_; }
 
  private:

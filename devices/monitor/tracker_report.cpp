@@ -8,7 +8,7 @@ namespace {
 constexpr double kOld_s = 0.1;  // of a sample: so far a head is predicted (devices/filter/head_filter.h)
 
 bool isKnown(const TrackerReport& report) {
-  return report.known == Known::Measured || report.known == Known::Predicted;
+  return report.known == Known::measured || report.known == Known::predicted;
 }
 
 }  // namespace
@@ -34,11 +34,11 @@ std::string headWords(const TrackerReport& report) {
       fmt::format("speed {:.2f} m/s ± {:.3f} m/s", report.celerity_m_s, report.sigma_m_s);
   if (isKnown(report)) return fmt::format("{},  {}", toString(*report.known), speed);
   if (!(report.age_s <= kOld_s)) {
-    if (report.known == Known::Held) return fmt::format("held: samples are overdue,  {}", speed);
+    if (report.known == Known::held) return fmt::format("held: samples are overdue,  {}", speed);
     return "lost: no sample has come for long; it is shown at rest, where it was";
   }
   // The tracker delivers, and yet the picture is too late for what it told.
-  if (report.known == Known::Held) {
+  if (report.known == Known::held) {
     return fmt::format("held: drawing is slow, and light leaves {:.2f} s after the newest sample,  {}",
                        report.shownAfter_s, speed);
   }

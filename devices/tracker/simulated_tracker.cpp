@@ -58,8 +58,8 @@ void SimulatedTracker::decide() {
   const double now_s = static_cast<double>(steps_) * kStep_s;
   if (now_s >= intent_.until_s) {
     const bool shifts = now_s < kFirstStand_s + kFirstShift_s;
-    const bool walked = intent_.activity == Activity::Walking;
-    intent_.activity = shifts ? Activity::Shifting : walked ? Activity::Standing : Activity::Walking;
+    const bool walked = intent_.activity == Activity::walking;
+    intent_.activity = shifts ? Activity::shifting : walked ? Activity::standing : Activity::walking;
     if (shifts) {
       intent_.place_m.x = between(motionRandom_, -0.08, 0.08);
       intent_.until_s = now_s + between(motionRandom_, 0.8, 1.5);
@@ -80,8 +80,8 @@ void SimulatedTracker::decide() {
 
 void SimulatedTracker::step() {
   decide();
-  const Posture& posture = intent_.activity == Intent::Activity::Standing   ? kStanding
-                           : intent_.activity == Intent::Activity::Shifting ? kShifting
+  const Posture& posture = intent_.activity == Intent::Activity::standing   ? kStanding
+                           : intent_.activity == Intent::Activity::shifting ? kShifting
                                                                             : kWalking;
   const glm::dvec3 way_m = intent_.place_m - intent_.onTheWay_m;
   const double distance_m = glm::length(way_m);

@@ -51,7 +51,7 @@ class SimulatedTracker : public Tracker {
  private:
   /// The person's intention: what they do now, until when, and where they want to be.
   struct Intent {
-    enum class Activity { Standing, Shifting, Walking } activity = Activity::Standing;
+    enum class Activity { standing, shifting, walking } activity = Activity::standing;
     double until_s = 0.0;
     glm::dvec3 place_m{0.0};     // where to be (right, up, forward)
     glm::dvec3 onTheWay_m{0.0};  // moves there at walking speed, and the body follows it

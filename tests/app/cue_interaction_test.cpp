@@ -440,8 +440,9 @@ TEST(CueInteraction, AStrokeGivesItsMomentumWhenItsLightArrivesAndSaysSo) {
   EXPECT_NEAR(turned.turn.t_s, stroke.at_s + light_s, 1e-12);
   EXPECT_NEAR(turned.u.y, u, 1e-14);
   ASSERT_EQ(lived.said.size(), 1u);
-  EXPECT_EQ(lived.said[0], fmt::format("red: p = 0.23 kg m/s, costs {:.2f} mc²; it arrives in {:.1f} s",
-                                       std::hypot(1.0, u) - 1.0, light_s));
+  EXPECT_EQ(lived.said[0],
+            fmt::format("red: p = 0.23 kg m/s, kinetic energy {:.2f} mc²; the stroke reaches it in {:.1f} s",
+                        std::hypot(1.0, u) - 1.0, light_s));
   EXPECT_LT(lived.said[0].size(), Notice().text.size());
   // What the room shows: aimed, held, drawn back, let go.
   const auto handAt = [&](std::size_t frame) { return lived.states[frame].record.hand; };

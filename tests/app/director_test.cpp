@@ -101,7 +101,7 @@ TEST_F(DirectorTest, AnotherGameEndsThisOneWithTheFrame) {
 TEST_F(DirectorTest, TheListOfKeysIsShownAndSaid) {
   frame(pressing(GLFW_KEY_H));
   EXPECT_TRUE(leader_.settings().keysShown);
-  EXPECT_EQ(said_.find("keys: on\nKeys: 1 retardation"), 0u) << said_;
+  EXPECT_EQ(said_.find("keys: on\nKeys: 1 light delay (retardation)"), 0u) << said_;
   frame(pressing(GLFW_KEY_F1));
   EXPECT_FALSE(leader_.settings().keysShown);
 }

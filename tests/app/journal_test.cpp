@@ -21,6 +21,7 @@
 #include "cave/frame/frame_digest.h"
 #include "cave/frame/record_rules.h"
 #include "log_lines.h"
+#include "sanitized.h"
 #include "temporary_folder.h"
 
 namespace carom {
@@ -88,7 +89,7 @@ bool sameBits(const FrameState& a, const FrameState& b) {
 
 HeadEstimate head() {
   HeadEstimate estimate;
-  estimate.known = Known::Predicted;
+  estimate.known = Known::predicted;
   estimate.celerity_m_s = {0.1, 0.2, 0.3};
   return estimate;
 }
@@ -460,7 +461,7 @@ TEST(Journal, AKilledProgramLacksTwoFramesAtMost) {
   ASSERT_NE(handedOver, MAP_FAILED);
   std::mt19937 random(5);
   std::uniform_int_distribution<int> frames(1, 20), moment_us(0, 5000);
-  for (int run = 0; run < 100; ++run) {
+  for (int run = 0; run < test::casesOf(100); ++run) {
     const auto file = folder / (std::to_string(run) + ".db");
     handedOver->store(0);
     const pid_t child = fork();

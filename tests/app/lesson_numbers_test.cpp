@@ -500,7 +500,6 @@ TEST(LessonNumbers, Twins) {
   Observer traveller(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, head);
   const Vec3 home_m = traveller.headEvent().r_m;
   constexpr double kStep_s = 1e-3;
-  double fastest = 0.0;
   Numbers numbers(claims(scenario));
   double firstLeg_s = 0.0, leg_s = 0.0, size_m_s2 = 0.0;
   for (const ThrustLeg& leg : scenario.tour) {
@@ -508,7 +507,6 @@ TEST(LessonNumbers, Twins) {
     leg_s = leg_s == 0.0 ? leg.for_s : std::min(leg_s, leg.for_s);
     for (int i = 0; i < static_cast<int>(std::lround(leg.for_s / kStep_s)); ++i) {
       traveller.step(kStep_s, head, 1.0, leg.thrust_m_s2);
-      fastest = std::max(fastest, glm::length(betaFromU(traveller.boardFromRoom().u())));
     }
     if (firstLeg_s == 0.0) firstLeg_s = traveller.headEvent().t_s;
   }
@@ -534,8 +532,7 @@ TEST(LessonNumbers, Twins) {
       .has(traveller.properTime_s() / leg_s, 0)
       .has(leg_s, 0)
       .has(size_m_s2, 1)
-      .has(firstLeg_s, 2)
-      .has(fastest, 2);
+      .has(firstLeg_s, 2);
 }
 
 }  // namespace

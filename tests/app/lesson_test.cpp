@@ -208,6 +208,10 @@ TEST(LessonFlow, AfterTheQuestionChoicesAreVelocities) {
   EXPECT_FALSE(choose(settings, 2)) << "it is chosen already";
   for (const int none : {-1, 0, 3, 9}) EXPECT_FALSE(choose(settings, none)) << none;
   EXPECT_EQ(settings.lesson, (LessonState{LessonPhase::shows, 3})) << "the answer stays";
+  settings.lessonExplainedFor = 0;
+  EXPECT_TRUE(choose(settings, 4)) << "the wand's last button";
+  EXPECT_EQ(settings.lesson, (LessonState{LessonPhase::explains, 3}));
+  EXPECT_EQ(settings.lessonObserver, 0u) << "it explains with the velocity of its number";
   settings.lessonObservers = 0;
   EXPECT_FALSE(offersChoices(settings));
   EXPECT_FALSE(choose(settings, 1));

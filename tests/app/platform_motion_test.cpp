@@ -179,7 +179,7 @@ TEST(PlatformMotion, SteeringTakesOver) {
   Ride untold(platform(), standing);
   untold.drive.setOut();
   untold.live();
-  EXPECT_EQ(untold.drive.news().words(), "This game has no tour to set out on.");
+  EXPECT_EQ(untold.drive.news().words(), "This game has no scripted flight.");
   EXPECT_EQ(untold.drive.view().mode, DriveMode::free);
 }
 
@@ -194,7 +194,7 @@ TEST(PlatformMotion, ATourBeginsAtRestOnceAndSaysHowItEnded) {
   ride.live();
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
   EXPECT_EQ(ride.drive.news().words(),
-            "The tour begins at rest: brake (Space), or go home (Home), then set out.");
+            "The scripted flight begins at rest: brake (Space) or return to the table (Home) first.");
   for (int frame = 0; frame < 60; ++frame) ride.live({.brake = true});
   const double board_s = ride.observer.headEvent().t_s;
   ride.drive.setOut();
@@ -202,13 +202,13 @@ TEST(PlatformMotion, ATourBeginsAtRestOnceAndSaysHowItEnded) {
   EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
   ride.drive.setOut();
   ride.live();
-  EXPECT_EQ(ride.drive.news().words(), "You are on the tour already.");
+  EXPECT_EQ(ride.drive.news().words(), "The scripted flight is under way already.");
   for (int frame = 0; frame < 4 * 60; ++frame) ride.live();
   EXPECT_LT(ride.speed_u(), 1e-12);
   const double phi = 0.9 / 1.42, tour_s = 4.0 * std::sinh(phi) / phi;
   EXPECT_LT(ride.observer.headEvent().t_s, board_s + tour_s + 0.1);
   EXPECT_EQ(ride.drive.news().words(),
-            fmt::format("The tour is over: {:.1f} s went by on the board, 4.0 s for you.", tour_s));
+            fmt::format("Flight finished: {:.1f} s on the table's clocks, 4.0 s on yours.", tour_s));
 }
 
 TEST(PlatformMotion, WhoSteersFarAwayIsToldOnceOfTheWayHome) {

@@ -52,14 +52,14 @@ TEST(TrackerReport, LampAndWordsAgreeWhateverTheFramesTake) {
 TEST(TrackerReport, OneWhoseSamplesAreOverdueIsHeldOrLost) {
   TrackerReport report;
   report.health.state = TrackerHealth::State::delivering;
-  report.known = Known::Lost;
+  report.known = Known::lost;
   for (const double age_s : {0.5, std::numeric_limits<double>::quiet_NaN()}) {
     report.age_s = age_s;
     EXPECT_TRUE(headWords(report).starts_with("lost: no sample has come for long"));
     EXPECT_EQ(lampOf(report), TrackerLamp::doubtful);
   }
   report.age_s = 0.2;
-  report.known = Known::Held;
+  report.known = Known::held;
   EXPECT_TRUE(headWords(report).starts_with("held: samples are overdue"));
   EXPECT_EQ(lampOf(report), TrackerLamp::doubtful);
 }

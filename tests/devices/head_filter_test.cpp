@@ -17,6 +17,7 @@
 #include "counted_new.h"
 #include "devices/tracker/recorded_tracker.h"
 #include "devices/tracker/simulated_tracker.h"
+#include "sanitized.h"
 
 namespace carom {
 namespace {
@@ -38,7 +39,7 @@ class Walker {
   }
   /// Samples from one frame to before another.
   void sample(int first, int end) {
-    for (int i = first; i < end; ++i) ASSERT_EQ(sample(i * kFrame_s), SampleUse::Used) << i;
+    for (int i = first; i < end; ++i) ASSERT_EQ(sample(i * kFrame_s), SampleUse::used) << i;
   }
 
   HeadFilter filter;
@@ -54,7 +55,7 @@ glm::dvec3 stand(double) { return {0.0, 1.7, 0.0}; }
 
 TEST(HeadFilter, BeforeTheFirstSampleNothingIsKnown) {
   const HeadEstimate head = HeadFilter().at(3.0);
-  EXPECT_EQ(head.known, Known::Lost);
+  EXPECT_EQ(head.known, Known::lost);
   EXPECT_EQ(head.celerity_m_s, glm::dvec3(0.0));
   EXPECT_EQ(head.pose.position_m, glm::dvec3(0.0));
   EXPECT_GE(head.sigma_m_s, 0.5);
@@ -82,10 +83,10 @@ TEST(HeadFilter, SaysHowThePoseIsKnown) {
   Walker walker(moveUnseen);
   walker.sample(0, 120);
   const double last_s = 119 * kFrame_s;
-  EXPECT_EQ(walker.filter.at(last_s).known, Known::Measured);
-  EXPECT_EQ(walker.filter.at(last_s + 0.03).known, Known::Predicted);
-  EXPECT_EQ(walker.filter.at(last_s + 0.15).known, Known::Held);
-  EXPECT_EQ(walker.filter.at(last_s + 0.5).known, Known::Lost);
+  EXPECT_EQ(walker.filter.at(last_s).known, Known::measured);
+  EXPECT_EQ(walker.filter.at(last_s + 0.03).known, Known::predicted);
+  EXPECT_EQ(walker.filter.at(last_s + 0.15).known, Known::held);
+  EXPECT_EQ(walker.filter.at(last_s + 0.5).known, Known::lost);
 }
 
 TEST(HeadFilter, PredictsThePoseButNotTheCelerity) {
@@ -126,21 +127,21 @@ TEST(HeadFilter, TheOtherSignOfAQuaternionIsTheSameTurn) {
 TEST(HeadFilter, RefusesWhatIsNoSample) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Walker walker(stand);
-  EXPECT_EQ(walker.filter.add(nan, at({0, 0, 0})), SampleUse::Unusable);
+  EXPECT_EQ(walker.filter.add(nan, at({0, 0, 0})), SampleUse::unusable);
   walker.sample(0, 10);
-  EXPECT_EQ(walker.filter.add(9 * kFrame_s, at({0, 1.7, 0})), SampleUse::Unusable);
-  EXPECT_EQ(walker.filter.add(5 * kFrame_s, at({0, 1.7, 0})), SampleUse::Unusable);
-  EXPECT_EQ(walker.filter.add(10 * kFrame_s, at({0, nan, 0})), SampleUse::Unusable);
-  EXPECT_EQ(walker.filter.add(10 * kFrame_s, {{0, 1.7, 0}, glm::dquat(0, 0, 0, 0)}), SampleUse::Unusable);
-  EXPECT_EQ(walker.filter.add(10 * kFrame_s, {{0, 1.7, 0}, glm::dquat(nan, 0, 0, 0)}), SampleUse::Unusable);
-  EXPECT_EQ(walker.sample(10 * kFrame_s), SampleUse::Used);
+  EXPECT_EQ(walker.filter.add(9 * kFrame_s, at({0, 1.7, 0})), SampleUse::unusable);
+  EXPECT_EQ(walker.filter.add(5 * kFrame_s, at({0, 1.7, 0})), SampleUse::unusable);
+  EXPECT_EQ(walker.filter.add(10 * kFrame_s, at({0, nan, 0})), SampleUse::unusable);
+  EXPECT_EQ(walker.filter.add(10 * kFrame_s, {{0, 1.7, 0}, glm::dquat(0, 0, 0, 0)}), SampleUse::unusable);
+  EXPECT_EQ(walker.filter.add(10 * kFrame_s, {{0, 1.7, 0}, glm::dquat(nan, 0, 0, 0)}), SampleUse::unusable);
+  EXPECT_EQ(walker.sample(10 * kFrame_s), SampleUse::used);
 }
 
 TEST(HeadFilter, AGlitchLeavesNoTrace) {
   Walker walker(stand), calm(stand);
   walker.sample(0, 120);
   calm.sample(0, 120);
-  EXPECT_EQ(walker.filter.add(120 * kFrame_s, at({0.5, 1.7, 0.0})), SampleUse::Glitch);
+  EXPECT_EQ(walker.filter.add(120 * kFrame_s, at({0.5, 1.7, 0.0})), SampleUse::glitch);
   walker.sample(121, 180);
   calm.sample(121, 180);
   const HeadEstimate head = walker.filter.at(179 * kFrame_s), expected = calm.filter.at(179 * kFrame_s);
@@ -156,8 +157,8 @@ TEST(HeadFilter, TwelveMetresASecondIsTheLimitAtFirst) {
       below.add(i / rate_hz, at({0, 0, 0}));
       above.add(i / rate_hz, at({0, 0, 0}));
     }
-    EXPECT_EQ(below.add(6 / rate_hz, at({11.9 / rate_hz, 0, 0})), SampleUse::Used) << rate_hz;
-    EXPECT_EQ(above.add(6 / rate_hz, at({12.8 / rate_hz, 0, 0})), SampleUse::Glitch) << rate_hz;
+    EXPECT_EQ(below.add(6 / rate_hz, at({11.9 / rate_hz, 0, 0})), SampleUse::used) << rate_hz;
+    EXPECT_EQ(above.add(6 / rate_hz, at({12.8 / rate_hz, 0, 0})), SampleUse::glitch) << rate_hz;
   }
 }
 
@@ -177,7 +178,7 @@ TEST(HeadFilter, AJumpOfTheTrackerIsNoMotion) {
   for (const double metres : {0.3, 0.5}) {
     for (const int over : {3, 7}) jumps.push_back({metres, over, kForGood});
   }
-  for (const double rate_hz : {60.0, 72.0, 120.0, 240.0}) {
+  for (const double rate_hz : test::someOf({60.0, 72.0, 120.0, 240.0})) {
     for (const Jump& jump : jumps) {
       for (const std::uint64_t seed : {1u, 2u}) {
         std::mt19937_64 random(seed);
@@ -219,7 +220,7 @@ TEST(HeadFilter, AStepOfTheTrackerLeavesTheWalk) {
 // A head that sets off as quickly as one can, a smooth push of up to 30 m/s² within a tenth of a second, is
 // followed: a twentieth of a second after it the celerity is right to a tenth.
 TEST(HeadFilter, AQuickStartIsFollowed) {
-  for (const double rate_hz : {60.0, 72.0, 120.0, 240.0}) {
+  for (const double rate_hz : test::someOf({60.0, 72.0, 120.0, 240.0})) {
     for (const double most_m_s2 : {2.0, 5.0, 10.0, 20.0, 30.0}) {
       for (const double phase : {0.0, 0.3, 0.6, 0.9}) {
         // a = A sin²(πt/P): v = A(t/2 − sin(2πt/P) P/4π), x = A(t²/4 − (1 − cos(2πt/P)) P²/8π²)
@@ -258,7 +259,7 @@ TEST(HeadFilter, AJumpToANewPlaceIsNotTravel) {
     glm::dvec3 shown = stand(0);
     int used = 0;
     for (int i = 0; i < 60 * 10; ++i) {
-      used += walker.sample(i * kFrame_s) == SampleUse::Used;
+      used += walker.sample(i * kFrame_s) == SampleUse::used;
       const HeadEstimate head = walker.filter.at(i * kFrame_s);
       ASSERT_TRUE(i < 30 || glm::length(head.celerity_m_s) < kSettling_m_s) << jump_m << " m, frame " << i;
       ASSERT_TRUE(i < 30 || glm::distance(head.pose.position_m, shown) < kSlew_m_s * kFrame_s + 0.001)
@@ -276,7 +277,7 @@ TEST(HeadFilter, ABurstOfGlitchesIsBridged) {
     Walker walker(moveUnseen);
     walker.sample(0, 180);
     for (int i = 180; i < 180 + burst; ++i) {
-      EXPECT_EQ(walker.filter.add(i * kFrame_s, at({-1.0, 1.0, 2.0})), SampleUse::Glitch) << i;
+      EXPECT_EQ(walker.filter.add(i * kFrame_s, at({-1.0, 1.0, 2.0})), SampleUse::glitch) << i;
     }
     walker.sample(180 + burst, 300);
     const HeadEstimate head = walker.filter.at(299 * kFrame_s);
@@ -292,10 +293,10 @@ TEST(HeadFilter, NonsenseIsNeverTakenForAPlace) {
   std::uniform_real_distribution<double> uniform(-50.0, 50.0);
   for (int i = 120; i < 400; ++i) {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
-    EXPECT_EQ(walker.filter.add(i * kFrame_s, at({x, y, z})), SampleUse::Glitch) << i;
+    EXPECT_EQ(walker.filter.add(i * kFrame_s, at({x, y, z})), SampleUse::glitch) << i;
   }
   const HeadEstimate head = walker.filter.at(400 * kFrame_s);
-  EXPECT_EQ(head.known, Known::Lost);
+  EXPECT_EQ(head.known, Known::lost);
   EXPECT_TRUE(glm::distance(head.pose.position_m, stand(0)) < 0.01);
 }
 
@@ -310,7 +311,7 @@ TEST(HeadFilter, LossAndReturnAreSmooth) {
     glm::dvec3 celerity = walker.filter.at(last_s).celerity_m_s;
     for (int i = 180; i < 180 + missing + 480; ++i) {
       if (i >= 180 + missing) {
-        ASSERT_EQ(walker.sample(i * kFrame_s), SampleUse::Used);
+        ASSERT_EQ(walker.sample(i * kFrame_s), SampleUse::used);
       }
       const HeadEstimate head = walker.filter.at(i * kFrame_s);
       const double sinceLast_s = i * kFrame_s - last_s;
@@ -387,7 +388,7 @@ TEST(HeadFilter, TurningAboutTheSensorMovesTheEyes) {
   for (int i = 0; i < 240; ++i) {
     const Pose sensor{{0.3, 1.7, 0.1}, glm::angleAxis(turn_rad_s.y * i * kFrame_s, glm::dvec3(0, 1, 0))};
     eyes = sensor * sensorFromEyes;
-    ASSERT_EQ(filter.add(i * kFrame_s, eyes), SampleUse::Used);
+    ASSERT_EQ(filter.add(i * kFrame_s, eyes), SampleUse::used);
   }
   const glm::dvec3 lever_m = eyes.position_m - glm::dvec3(0.3, 1.7, 0.1);
   const glm::dvec3 expected_m_s = glm::cross(turn_rad_s, lever_m);
@@ -475,7 +476,7 @@ TEST(HeadFilter, WorksOnCalendarTime) {
   for (int i = 0; i < 240; ++i) {
     const glm::dvec3 position_m = moveUnseen(i * kFrame_s);
     walker.filter.add(i * kFrame_s, at(position_m));
-    ASSERT_EQ(calendar.add(epoch_s + i * kFrame_s, at(position_m)), SampleUse::Used);
+    ASSERT_EQ(calendar.add(epoch_s + i * kFrame_s, at(position_m)), SampleUse::used);
   }
   EXPECT_TRUE(glm::distance(calendar.at(epoch_s + 4.0).celerity_m_s, walker.filter.at(4.0).celerity_m_s) <
               1e-3);

@@ -14,6 +14,7 @@
 #include "devices/vrpn_sender.h"
 #include "fuzz/expect.h"
 #include "mutate.h"
+#include "sanitized.h"
 
 namespace carom {
 namespace {
@@ -22,11 +23,7 @@ using test::Bytes;
 using test::NatnetSender;
 using test::VrpnSender;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kPackets = 100'000;  // the sanitizers cost a factor of ten
-#else
-constexpr int kPackets = 1'000'000;
-#endif
+constexpr int kPackets = test::casesOf(1'000'000);
 constexpr std::size_t kMostHeld = 1'000'000;
 
 using Decode = std::function<void(const Bytes&, std::vector<Reading>&)>;

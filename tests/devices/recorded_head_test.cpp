@@ -6,6 +6,7 @@
 
 #include "devices/filter/head_filter.h"
 #include "devices/velocity_peers.h"
+#include "sanitized.h"
 
 namespace carom {
 namespace {
@@ -29,8 +30,8 @@ struct Limit {
 TEST(RecordedHead, CelerityIsFoundWithinTheLimits) {
   const auto path = recordedHead(2000, 8000);
   if (!path) GTEST_SKIP() << "no recording in " CAROM_SHARED_DIR;
-  for (const Limit limit : {Limit{60, 0.0088, 0.011, 0.0004}, Limit{120, 0.0080, 0.010, 0.0004},
-                            Limit{240, 0.0071, 0.009, 0.0004}}) {
+  for (const Limit limit : test::someOf({Limit{60, 0.0088, 0.011, 0.0004}, Limit{120, 0.0080, 0.010, 0.0004},
+                                         Limit{240, 0.0071, 0.009, 0.0004}})) {
     const FilterScore score = scoreOf(resampled(*path, limit.rate_hz), limit.rate_hz, headFilter());
     EXPECT_LE(score.error_m_s, limit.error_m_s) << limit.rate_hz << " Hz";
     EXPECT_LE(score.lag_s, limit.lag_s) << limit.rate_hz << " Hz";
@@ -42,7 +43,7 @@ TEST(RecordedHead, CelerityIsFoundWithinTheLimits) {
 TEST(RecordedHead, StatedErrorAndLagAreThoseSeen) {
   const auto path = recordedHead(2000, 8000);
   if (!path) GTEST_SKIP() << "no recording in " CAROM_SHARED_DIR;
-  for (const int rate_hz : {60, 120, 240}) {
+  for (const int rate_hz : test::someOf({60, 120, 240})) {
     double variance = 0.0, lag_s = 0.0;
     int count = 0;
     const auto watched = [&]() -> VelocityFilter {
@@ -66,8 +67,9 @@ TEST(RecordedHead, StatedErrorAndLagAreThoseSeen) {
 // Whatever the noise, and in motion from the first sample on: not far behind the best of four other filters,
 // of which two are told the noise.
 TEST(RecordedHead, NoiseIsLearntInMotion) {
-  const std::vector<NoisyHead> heads = noisyHeads();
+  std::vector<NoisyHead> heads = noisyHeads();
   if (heads.empty()) GTEST_SKIP() << "no recordings in " CAROM_SHARED_DIR;
+  heads.resize(test::casesOf(heads.size()));
   for (const NoisyHead& head : heads) {
     const NoisyScore score = noisyScoreOf(head, headFilter(), 1);
     EXPECT_LE(score.ratio(), 1.1) << head.recording << " at " << head.rate_hz << " Hz with " << head.noise_m

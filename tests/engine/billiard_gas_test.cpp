@@ -12,6 +12,7 @@
 #include "engine/balance.h"
 #include "engine/billiard/billiard.h"
 #include "engine/gas.h"
+#include "sanitized.h"
 
 namespace carom {
 namespace {
@@ -100,7 +101,7 @@ TEST(BilliardGas, conservesOverAMillionCollisions) {
   Billiard billiard(setup);
   const Ledger start = billiard.ledger();
   std::size_t collisions = 0;
-  for (double t_s = 1.0; collisions < 1000000; t_s += 1.0) {
+  for (double t_s = 1.0; collisions < test::casesOf(1000000U); t_s += 1.0) {
     const std::size_t before = billiard.events().size();
     billiard.advanceTo(t_s);
     collisions += billiard.events().size() - before;

@@ -12,6 +12,7 @@
 #include "engine/balance.h"
 #include "engine/billiard/billiard.h"
 #include "engine/random_game.h"
+#include "sanitized.h"
 
 namespace carom {
 namespace {
@@ -207,7 +208,7 @@ Game randomGame(std::uint64_t seed, int mostPucks) {
 }
 
 TEST(Jam, anyPileComesToAnEnd) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::casesOf<std::uint64_t>(60); ++seed) {
     const Game game = randomGame(seed, 100);
     playThrough(game, 2.5, mostEvents(game, 2.5));
     if (HasFailure()) return;
@@ -278,7 +279,7 @@ TEST(Jam, manyPacked) {
 
 // Games drawn from everything that can be played: a sample, and those in which pucks pressed hardest.
 TEST(Jam, randomGamesMakeProgress) {
-  for (const std::uint64_t seed : {1, 7, 31, 53, 54, 95, 103, 113, 114, 150, 21}) {
+  for (const int seed : test::someOf({1, 7, 31, 53, 54, 95, 103, 113, 114, 150, 21})) {
     const test::RandomGame game = test::randomGame(seed);
     SCOPED_TRACE(testing::Message() << "seed " << seed << " (" << game.kind << "), until " << game.until_s
                                     << " s");

@@ -4,6 +4,7 @@
 
 #include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
+#include "sanitized.h"
 
 namespace carom {
 namespace {
@@ -86,7 +87,7 @@ TEST(LightCone, KernelMatchesTheWholeHistory) {
 TEST(LightCone, GlidingBodiesToo) {
   test::Random random(11);
   int gliding = 0;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < test::casesOf(5000); ++i) {
     CASE(random, i);
     const double radius_m = random.in(0.02, 0.1);
     const double friction_m_s2 = random.in(0.05, 4.0);
@@ -104,7 +105,7 @@ TEST(LightCone, GlidingBodiesToo) {
     ASSERT_LT(glm::length(seenByKernel(line, offset_m, eye, headFromBoard) - seen->seen.dr_m), 1e-8);
     if (pieceAt(history, t_s).glide) ++gliding;
   }
-  EXPECT_GT(gliding, 2000);
+  EXPECT_GT(gliding, test::casesOf(2000));
 }
 
 // D = |seen|/ℓ, the distance in the head frame over that in the source's rest frame.

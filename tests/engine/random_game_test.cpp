@@ -8,15 +8,12 @@
 #include <cstdlib>
 
 #include "engine/game_invariants.h"
+#include "sanitized.h"
 
 namespace carom::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kGames = 16;
-#else
-constexpr std::uint64_t kGames = 100;
-#endif
+constexpr std::uint64_t kGames = casesOf(100);
 constexpr std::uint64_t kFirst = 1;
 constexpr std::size_t kMostEvents = 120;
 constexpr GameLimits kGameLimits{kMostEvents, 20};

@@ -1,5 +1,5 @@
 // What keys, mouse and a gamepad at the desk come to.
-#include "app/input/desk.h"
+#include "app/input/desk_controls.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class DeskTest : public testing::Test {
   void press(int button) { pad_.buttons[button] = GLFW_PRESS; }
   void letGo() { pad_ = padAtRest(); }
 
-  Desk desk_{KeysOf::session};
+  DeskControls desk_{KeysOf::session};
   GLFWgamepadstate pad_ = padAtRest();
 };
 
@@ -54,7 +54,7 @@ TEST_F(DeskTest, HomeIsAskedForOnce) {
 }
 
 TEST_F(DeskTest, InAReplaySpaceAndHomeMeanSomethingElse) {
-  desk_ = Desk(KeysOf::replay);
+  desk_ = DeskControls(KeysOf::replay);
   const DeskInput input = type({{GLFW_KEY_SPACE, true}, {GLFW_KEY_HOME, true}, {GLFW_KEY_W, true}});
   EXPECT_FALSE(input.brake || input.home);
   EXPECT_EQ(input.steer, Vec3(0, 1, 0));

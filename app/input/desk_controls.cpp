@@ -1,4 +1,4 @@
-#include "app/input/desk.h"
+#include "app/input/desk_controls.h"
 
 #include <GLFW/glfw3.h>
 
@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-/// Keys in the order of Desk::held_.
+/// Keys in the order of DeskControls::held_.
 constexpr std::array kHeldKeys{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_SPACE};
 
 /// Gamepad buttons in the order of the answers.
@@ -55,7 +55,7 @@ void Buttons::set(std::uint32_t down, bool asks) {
   if (asks) meant_ &= ~kAnswers;
 }
 
-void Desk::takeKeys(const WindowInput& input) {
+void DeskControls::takeKeys(const WindowInput& input) {
   for (const KeyInput& key : input.keys) {
     for (std::size_t i = 0; i < kHeldKeys.size(); ++i) {
       if (key.key == kHeldKeys[i]) held_[i] = key.pressed;
@@ -67,7 +67,7 @@ void Desk::takeKeys(const WindowInput& input) {
   input_.brake = space && place_ == KeysOf::session;
 }
 
-void Desk::takePad(const GLFWgamepadstate& pad, bool asks) {
+void DeskControls::takePad(const GLFWgamepadstate& pad, bool asks) {
   input_.hasPad = true;
   std::uint32_t down = 0;
   for (std::size_t i = 0; i < kPadButtons.size(); ++i) {
@@ -86,8 +86,8 @@ void Desk::takePad(const GLFWgamepadstate& pad, bool asks) {
   input_.padPull = right;
 }
 
-const DeskInput& Desk::gather(const std::optional<PointedWall>& mouse, bool mouseHeld,
-                              const WindowInput& input, const GLFWgamepadstate* pad, bool asks) {
+const DeskInput& DeskControls::gather(const std::optional<PointedWall>& mouse, bool mouseHeld,
+                                      const WindowInput& input, const GLFWgamepadstate* pad, bool asks) {
   input_ = {};
   input_.mouse = mouse;
   input_.mouseHeld = mouseHeld;
@@ -101,7 +101,7 @@ const DeskInput& Desk::gather(const std::optional<PointedWall>& mouse, bool mous
   return input_;
 }
 
-const DeskInput& Desk::gather(const DisplayWalls& walls, const WindowInput& input, bool asks) {
+const DeskInput& DeskControls::gather(const DisplayWalls& walls, const WindowInput& input, bool asks) {
   GLFWgamepadstate pad;
   const bool hasPad = readPad(pad);
   return gather(walls.pointedAt(), walls.isHeld(), input, hasPad ? &pad : nullptr, asks);

@@ -40,10 +40,10 @@ class Buttons {
   int answered_ = -1;
 };
 
-class Desk {
+class DeskControls {
  public:
   /// In a replay Space and Home have another meaning (app/input/keys.h).
-  explicit Desk(KeysOf place) : place_(place) {}
+  explicit DeskControls(KeysOf place) : place_(place) {}
 
   /// Collects the input once per frame, after the windows have been polled. While `asks`, a lesson waits for
   /// an answer.
@@ -59,7 +59,7 @@ class Desk {
 
   KeysOf place_;
   DeskInput input_;
-  std::array<bool, 5> held_{};  ///< keys, in the order of kHeldKeys of desk.cpp
+  std::array<bool, 5> held_{};  ///< keys, in the order of kHeldKeys of desk_controls.cpp
   Buttons buttons_;
 };
 
