@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -105,6 +106,10 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
                                const Before& before) {
   OperatorSettings settings = settingsOf(setup, options);
   settings.playing = file;
+  if (options.lesson && setup.scenario.lesson) {
+    settings.lesson.phase = *options.lesson;
+    if (options.lesson == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
+  }
   if (!before.last) return settings;
   // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
@@ -396,6 +401,14 @@ void addCave(CLI::App& app, int& status) {
           "again. Keys turn them later")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  const std::map<std::string, LessonPhase> phases{
+      {"asks", LessonPhase::asks}, {"shows", LessonPhase::shows}, {"explains", LessonPhase::explains}};
+  command
+      ->add_option("--lesson", options->lesson,
+                   "The phase in which a lesson begins: asks, shows or explains. Default: asks, or shows "
+                   "with --frames")
+      ->type_name("PHASE")
+      ->transform(CLI::CheckedTransformer(phases).description(""));
   auto* session =
       command
           ->add_option("--session", options->session,

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/stage/recording.h"
+#include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"
 #include "engine/light/switches.h"
 
@@ -25,6 +26,7 @@ struct CaveOptions {
   bool resume = false;  ///< continue from the end of `session`, with its rig and scenario
   bool noWindow = false;
   bool silent = false;                 ///< no sounds
+  std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one
   Switches switches;                   ///< at the start
   TimeViews views;                     ///< at the start
   bool outside = false;                ///< rank 0 also shows the spectator view

@@ -25,11 +25,11 @@ const char* phaseWords(LessonPhase phase) {
     case LessonPhase::none:
       return "";
     case LessonPhase::asks:
-      return "It asks, and time stands still until it is answered.";
+      return "Phase: question. Time stands still until it is answered.";
     case LessonPhase::shows:
-      return "It is being looked at.";
+      return "Phase: observe";
     case LessonPhase::explains:
-      return "The number behind it is told.";
+      return "Phase: explain";
   }
   return "";
 }
@@ -107,27 +107,42 @@ void GamesPanel::drawList(const ConsoleFrame& frame) {
   tip("Play the present game from its beginning.");
 }
 
+/// Draws a button for each velocity that the lesson offers.
+void GamesPanel::drawObservers(const ConsoleFrame& frame, const LessonPlan& plan) {
+  if (plan.observers.empty() || frame.record.lesson.phase == LessonPhase::asks) return;
+  dim("Observer's velocity");
+  for (std::size_t i = 0; i < plan.observers.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    ImGui::BeginDisabled(i == frame.settings.lessonObserver);
+    if (ImGui::Button(plan.observers[i].name.c_str()))
+      frame.commands.emplace_back(ChooseInLesson{static_cast<int>(i) + 1});
+    ImGui::EndDisabled();
+  }
+}
+
 void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const {
   const LessonState& state = frame.record.lesson;
   const LessonWords& said = lesson.words;
   heading(fmt::format("Lesson: {}", said.title).c_str());
-  if (state.phase == LessonPhase::none) return dim("It has been put aside.");
+  if (state.phase == LessonPhase::none) return dim("Phase: skipped");
   dim(phaseWords(state.phase));
   if (state.phase == LessonPhase::asks) {
     ImGui::TextWrapped("%s", said.question.c_str());
     for (std::size_t i = 0; i < said.answers.size(); ++i) {
       const std::string label = fmt::format("{}  {}", i + 1, said.answers[i]);
       if (ImGui::Button(label.c_str(), {-1.0F, 0.0F}))
-        frame.commands.emplace_back(AnswerLesson{static_cast<int>(i) + 1});
+        frame.commands.emplace_back(ChooseInLesson{static_cast<int>(i) + 1});
     }
   } else if (state.phase == LessonPhase::shows) {
-    paragraph("To do", said.todo);
-    paragraph("To notice", said.notice);
+    paragraph("Try this", said.todo);
+    paragraph("Look for", said.notice);
   } else {
     ImGui::TextWrapped("%s", said.number.c_str());
-    paragraph("Answered", answerText(said, state));
+    paragraph("Answer", answerText(said, state));
+    paragraph("Correct", said.answers[said.right]);
   }
-  if (ImGui::Button(state.phase == LessonPhase::asks ? "Pass over the question" : "Go on"))
+  drawObservers(frame, lesson.plan);
+  if (ImGui::Button(state.phase == LessonPhase::asks ? "Skip the question" : "Next"))
     frame.commands.emplace_back(AdvanceLesson{});
 }
 
@@ -140,8 +155,8 @@ void GamesPanel::drawChosen() const {
   dim("A lesson. Play begins it, with its question:");
   ImGui::TextWrapped("%s", game.words.question.c_str());
   for (const std::string& answer : game.words.answers) words("    " + answer);
-  paragraph("To do", game.words.todo);
-  paragraph("To notice", game.words.notice);
+  paragraph("Try this", game.words.todo);
+  paragraph("Look for", game.words.notice);
 }
 
 void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {

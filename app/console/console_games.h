@@ -29,6 +29,7 @@ class GamesPanel {
   void drawList(const ConsoleFrame& frame);
   void drawChosen() const;
   void drawPlayed(const ConsoleFrame& frame) const;
+  static void drawObservers(const ConsoleFrame& frame, const LessonPlan& plan);
   void drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const;
 
   std::vector<Game> games_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cave/frame/lesson_plan.h"
 #include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"
 #include "engine/base/limits.h"
@@ -42,12 +43,14 @@ struct Pulse {
   std::vector<Vec3> path_m;  ///< at least two points; board frame
 };
 
-/// A lesson. Its texts are shown on a wall panel (cave/overlay/hud_panel.h), so they are short: the constants
-/// limit the letters of the question, of an answer, and of each other text.
+/// A lesson. Its texts are shown in a band of a wall (cave/overlay/hud_panel.h), so they are short: the
+/// constants limit the letters of the question and of what to do and to look for, of an answer, and of the
+/// explanation.
 struct Lesson {
-  static constexpr std::size_t kQuestionLetters = 160, kAnswerLetters = 70, kTextLetters = 230;
+  static constexpr std::size_t kTextLetters = 160, kAnswerLetters = 70, kNumberLetters = 230;
 
   LessonWords words;
+  LessonPlan plan;
   TimeViews views;  ///< that are on when it begins
 };
 

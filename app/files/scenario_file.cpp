@@ -155,7 +155,12 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     scenario.tourAtOnce = readTourAtOnce(*tour);
   }
   scenario.captions = readCaptions(root);
-  if (const auto lesson = root.table("lesson")) scenario.lesson = readLesson(*lesson, scenario.title);
+  if (const auto lesson = root.table("lesson")) {
+    LessonGame game{scenario.billiard, {}};
+    for (const Puck& puck : scenario.billiard.pucks) game.bodies.push_back(puck.name);
+    for (const BodyText& body : bodies) game.bodies.push_back(body.name);
+    scenario.lesson = readLesson(*lesson, scenario.title, game);
+  }
   file.throwFaults();
 
   checkNames(pucks, bodyTables, flashes, pulses);

@@ -68,19 +68,20 @@ TimeViews readViews(const TomlTable& table) {
   return views;
 }
 
-Lesson readLesson(const TomlTable& table, const std::string& title) {
+Lesson readLesson(const TomlTable& table, const std::string& title, const LessonGame& game) {
   Lesson lesson;
   LessonWords& words = lesson.words;
   words.title = title;
-  words.question = readWords(table, "question", Lesson::kQuestionLetters);
+  words.question = readWords(table, "question", Lesson::kTextLetters);
   words.answers = readAnswers(table);
   const bool offered = words.answers.size() >= kFewestAnswers && words.answers.size() <= kMostAnswers;
   const std::size_t answers = offered ? words.answers.size() : kMostAnswers;
   words.right = static_cast<std::size_t>(table.integer("right", 1, static_cast<int>(answers)) - 1);
   words.todo = readWords(table, "todo", Lesson::kTextLetters);
   words.notice = readWords(table, "notice", Lesson::kTextLetters);
-  words.number = readWords(table, "number", Lesson::kTextLetters);
+  words.number = readWords(table, "number", Lesson::kNumberLetters);
   lesson.views = readViews(table);
+  lesson.plan = readLessonPlan(table, game);
   return lesson;
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/files/scenario.h"
+#include "app/files/scenario_lesson_plan.h"
 #include "app/files/toml_file.h"
 
 namespace carom {
@@ -15,7 +16,7 @@ std::string readWords(const TomlTable& table, std::string_view key, std::size_t 
 /// Reads the key `views`: the names of time views. The others are off.
 TimeViews readViews(const TomlTable& table);
 
-/// Reads the lesson. `title` is that of the scenario.
-Lesson readLesson(const TomlTable& table, const std::string& title);
+/// Reads the lesson of a game. `title` is that of the scenario.
+Lesson readLesson(const TomlTable& table, const std::string& title, const LessonGame& game);
 
 }  // namespace carom

@@ -30,7 +30,7 @@ CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom) {
 }
 
 Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool frozen) {
-  if (frozen) return {{}, "Time stands still: nothing can be struck now"};
+  if (frozen) return {{}, "Nothing can be struck while time stands still or a lesson replays"};
   if (pointed.behind) return {{}, "The puck is behind your hand: point the other way"};
   if (!pointed.puck) return {{}, "There is no puck where you point"};
   target_ = pointed.puck;

@@ -77,6 +77,11 @@ Command setRate(double rate) {
   return SetRate{std::copysign(fast, rate)};
 }
 
+template <int choice>
+Command chooseInLesson(const OperatorSettings&, const Pressed&) {
+  return ChooseInLesson{choice};
+}
+
 struct Key {
   int key;       // GLFW key code
   int otherKey;  // second key with the same effect; 0 if none
@@ -132,6 +137,9 @@ constexpr std::array kKeys{
         [](const OperatorSettings&, const Pressed&) -> Command { return Seek{0.0}; }},
     Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, "Enter", kInSession, "continue the lesson",
         [](const OperatorSettings&, const Pressed&) -> Command { return AdvanceLesson{}; }},
+    Key{GLFW_KEY_F2, 0, "F2 to F4", kInSession, "the velocities that a lesson offers", chooseInLesson<1>},
+    Key{GLFW_KEY_F3, 0, "F3", kInSession, nullptr, chooseInLesson<2>},
+    Key{GLFW_KEY_F4, 0, "F4", kInSession, nullptr, chooseInLesson<3>},
     Key{GLFW_KEY_Y, 0, "Y", kInSession, "restart this game",
         [](const OperatorSettings& now, const Pressed&) -> Command { return PlayScenario{now.playing}; }},
     Key{GLFW_KEY_F5, 0, "F5", kInSession, "Show me: relativity in a minute",
@@ -181,7 +189,7 @@ std::optional<int> digitOf(int key) {
 std::optional<Command> answerOf(int key, KeysOf place, const OperatorSettings& now) {
   const std::optional<int> digit = digitOf(key);
   if (!digit || place != KeysOf::session || now.lesson.phase != LessonPhase::asks) return {};
-  return AnswerLesson{*digit};
+  return ChooseInLesson{*digit};
 }
 
 std::optional<Command> commandOf(int pressed, const OperatorSettings& now, const Pressed& where) {

@@ -36,10 +36,13 @@ const char* nameIn(const Named& named, Member member) {
 
 std::string onOrOff(bool on) { return on ? "on" : "off"; }
 
-std::string wordsFor(const LessonState& lesson) {
+std::string lessonWords(const OperatorSettings& settings) {
+  const LessonState& lesson = settings.lesson;
   constexpr std::array<const char*, 4> kPhases{"none", "asks", "shows", "explains"};
   const char* phase = kPhases[static_cast<std::size_t>(lesson.phase)];
-  return lesson.answer == 0 ? phase : fmt::format("{}, answered {}", phase, lesson.answer);
+  std::string words = lesson.answer == 0 ? phase : fmt::format("{}, answered {}", phase, lesson.answer);
+  if (settings.lessonObservers > 0) words += fmt::format(", velocity {}", settings.lessonObserver + 1);
+  return words;
 }
 
 /// Sets the value. Returns whether it changes.
@@ -48,10 +51,6 @@ bool set(T& value, const Value& to) {
   const T before = value;
   value = static_cast<T>(to);
   return value != before;
-}
-
-bool setLesson(OperatorSettings& settings, int answer, bool onwards) {
-  return set(settings.lesson, advance(settings.lesson, settings.lessonAnswers, answer, onwards));
 }
 
 struct Apply {
@@ -67,8 +66,8 @@ struct Apply {
   bool operator()(const ShowKeys& c) { return set(settings.keysShown, c.on); }
   bool operator()(const SetEyeSeparation& c) { return set(settings.eyeSeparation_m, c.apart_m); }
   bool operator()(const SetLightSpeed& c) { return set(settings.lightSpeed_m_s, c.speed_m_s); }
-  bool operator()(const AnswerLesson& c) { return setLesson(settings, c.answer, false); }
-  bool operator()(const AdvanceLesson&) { return setLesson(settings, 0, true); }
+  bool operator()(const ChooseInLesson& c) { return choose(settings, c.choice); }
+  bool operator()(const AdvanceLesson&) { return goOn(settings); }
   bool operator()(const StartTour&) { return true; }
   bool operator()(const PlayScenario& c) { return !c.file.empty(); }
   bool operator()(const WelcomeNextVisitor&) { return true; }
@@ -87,7 +86,7 @@ struct NameOf {
   std::string operator()(const ShowKeys&) { return "keys"; }
   std::string operator()(const SetEyeSeparation&) { return "eye separation"; }
   std::string operator()(const SetLightSpeed&) { return "light speed"; }
-  std::string operator()(const AnswerLesson&) { return "lesson"; }
+  std::string operator()(const ChooseInLesson&) { return "lesson"; }
   std::string operator()(const AdvanceLesson&) { return "lesson"; }
   std::string operator()(const StartTour&) { return "tour"; }
   std::string operator()(const PlayScenario&) { return "scenario"; }
@@ -110,8 +109,8 @@ struct ValueOf {
   std::string operator()(const ShowKeys& c) { return onOrOff(c.on); }
   std::string operator()(const SetEyeSeparation& c) { return fmt::format("{:.1f} mm", c.apart_m * 1e3); }
   std::string operator()(const SetLightSpeed& c) { return fmt::format("{:.3g} m/s", c.speed_m_s); }
-  std::string operator()(const AnswerLesson&) { return wordsFor(settings.lesson); }
-  std::string operator()(const AdvanceLesson&) { return wordsFor(settings.lesson); }
+  std::string operator()(const ChooseInLesson&) { return lessonWords(settings); }
+  std::string operator()(const AdvanceLesson&) { return lessonWords(settings); }
   std::string operator()(const StartTour&) { return "asked for"; }
   std::string operator()(const PlayScenario& c) { return c.file; }
   std::string operator()(const WelcomeNextVisitor&) { return "the next one"; }
@@ -126,8 +125,8 @@ bool apply(const Command& command, OperatorSettings& settings) {
   return std::visit(Apply{settings}, command);
 }
 
-std::optional<Command> lessonCommand(int answer, bool onwards) {
-  if (answer > 0) return AnswerLesson{answer};
+std::optional<Command> lessonCommand(int choice, bool onwards) {
+  if (choice > 0) return ChooseInLesson{choice};
   if (onwards) return AdvanceLesson{};
   return {};
 }

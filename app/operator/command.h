@@ -48,9 +48,10 @@ struct SetLightSpeed {
   double speed_m_s;
   bool operator==(const SetLightSpeed&) const = default;
 };
-struct AnswerLesson {
-  int answer;  ///< counted from 1
-  bool operator==(const AnswerLesson&) const = default;
+/// Takes one of the choices that the lesson offers (app/operator/lesson.h): an answer or a velocity.
+struct ChooseInLesson {
+  int choice;  ///< counted from 1
+  bool operator==(const ChooseInLesson&) const = default;
 };
 struct AdvanceLesson {
   bool operator==(const AdvanceLesson&) const = default;
@@ -81,7 +82,7 @@ struct Seek {
 };
 
 using Command = std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, SetEyeSeparation,
-                             SetLightSpeed, AnswerLesson, AdvanceLesson, StartTour, PlayScenario,
+                             SetLightSpeed, ChooseInLesson, AdvanceLesson, StartTour, PlayScenario,
                              WelcomeNextVisitor, Pause, SetRate, Seek>;
 using Commands = std::vector<Command>;
 
@@ -89,9 +90,9 @@ using Commands = std::vector<Command>;
 /// or the lesson has no such answer.
 bool apply(const Command& command, OperatorSettings& settings);
 
-/// Returns the lesson command for buttons of a hand device: the answer counted from 1 (0 is none), otherwise
+/// Returns the lesson command for buttons of a hand device: the choice counted from 1 (0 is none), otherwise
 /// "go on" if `onwards`.
-std::optional<Command> lessonCommand(int answer, bool onwards);
+std::optional<Command> lessonCommand(int choice, bool onwards);
 
 /// Returns the last of the commands that is of type `Order`, or null if there is none.
 template <typename Order>

@@ -26,17 +26,46 @@ LessonState advance(const LessonState& state, std::size_t answers, int answer, b
 
 void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings) {
   settings.lesson = {};
-  settings.lessonAnswers = 0;
+  settings.lessonAnswers = settings.lessonObservers = 0;
+  settings.lessonObserver = settings.lessonExplainedFor = 0;
   if (!scenario.lesson) return;
   settings.lesson.phase = asks ? LessonPhase::asks : LessonPhase::shows;
   settings.lessonAnswers = scenario.lesson->words.answers.size();
+  settings.lessonObservers = scenario.lesson->plan.observers.size();
+  settings.lessonExplainedFor = scenario.lesson->plan.explainedFor;
   for (const NamedView& view : kNamedViews) {
     if (scenario.lesson->views.*view.value) settings.views.*view.value = 1;
   }
 }
 
+bool offersChoices(const OperatorSettings& settings) {
+  if (settings.lesson.phase == LessonPhase::none) return false;
+  return settings.lesson.phase == LessonPhase::asks || settings.lessonObservers > 0;
+}
+
+bool goOn(OperatorSettings& settings) {
+  const LessonState before = settings.lesson;
+  settings.lesson = advance(before, settings.lessonAnswers, 0, true);
+  if (settings.lesson.phase == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
+  return settings.lesson != before;
+}
+
+bool choose(OperatorSettings& settings, int choice) {
+  const LessonState before = settings.lesson;
+  const std::size_t observer = settings.lessonObserver;
+  if (settings.lesson.phase == LessonPhase::asks) {
+    settings.lesson = advance(settings.lesson, settings.lessonAnswers, choice, false);
+  } else if (offersChoices(settings) && choice >= 1 &&
+             static_cast<std::size_t>(choice) <= settings.lessonObservers) {
+    settings.lessonObserver = static_cast<std::size_t>(choice) - 1;
+  } else if (offersChoices(settings) && choice == static_cast<int>(kMostAnswers)) {
+    return goOn(settings);
+  }
+  return settings.lesson != before || settings.lessonObserver != observer;
+}
+
 std::string answerText(const LessonWords& words, const LessonState& state) {
-  return state.answer == 0 || state.answer > words.answers.size() ? "(passed over)"
+  return state.answer == 0 || state.answer > words.answers.size() ? "(skipped)"
                                                                   : words.answers[state.answer - 1U];
 }
 

@@ -25,6 +25,18 @@ LessonState advance(const LessonState& state, std::size_t answers, int answer, b
 /// show nothing but the question.
 void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings);
 
+/// Returns whether the lesson offers choices by number: answers while it asks, then the velocities of the
+/// observer, if it has any.
+bool offersChoices(const OperatorSettings& settings);
+
+/// Goes on to the lesson's next phase. It explains with the velocity of which its number speaks. Returns
+/// whether that changes the settings.
+bool goOn(OperatorSettings& settings);
+
+/// Takes the choice with this number, counted from 1. Where velocities are offered, the last number that a
+/// hand device has a button for goes on. Returns whether that changes the settings.
+bool choose(OperatorSettings& settings, int choice);
+
 /// Returns the text of the given answer.
 std::string answerText(const LessonWords& words, const LessonState& state);
 

@@ -32,9 +32,12 @@ struct OperatorSettings {
   double lightSpeed_m_s = 1.42;
   Playback playback;
   LessonState lesson;
-  std::size_t lessonAnswers = 0;  ///< number of answers to its question
-  bool keysShown = false;         ///< the list of keys is drawn over the walls of rank 0
-  std::string playing;            ///< scenario file being played
+  std::size_t lessonAnswers = 0;       ///< number of answers to its question
+  std::size_t lessonObservers = 0;     ///< number of velocities that it offers
+  std::size_t lessonObserver = 0;      ///< the velocity that was chosen
+  std::size_t lessonExplainedFor = 0;  ///< the velocity with which it explains
+  bool keysShown = false;              ///< the list of keys is drawn over the walls of rank 0
+  std::string playing;                 ///< scenario file being played
 
   bool operator==(const OperatorSettings&) const = default;
 };

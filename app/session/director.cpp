@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "app/operator/lesson.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -41,14 +42,14 @@ bool FrameLeader::isAbandoned(const WindowInput& input, const DeskInput& desk, c
 void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Decision& decision) {
   const auto begun = std::chrono::steady_clock::now();
   const FrameRecord& before = decision.frame.record;
-  const bool asked = before.lesson.phase == LessonPhase::asks;
+  const bool choosing = offersChoices(settings_);
   decision.beginFrame();
   obeyed_.clear();
   for (const Command& command : inbox_) obey(command, decision);
   inbox_.clear();
   for (const Command& command : commandsOf(input, keys_, before.display_s, settings_))
     obey(command, decision);
-  const DeskInput desk = windows_ ? desk_.gather(*windows_, input, asked) : DeskInput{};
+  const DeskInput desk = windows_ ? desk_.gather(*windows_, input, choosing) : DeskInput{};
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
   source_.next(times, {obeyed_, desk}, settings_, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());

@@ -15,6 +15,17 @@ namespace {
 constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
 constexpr std::array<const char*, 4> kDriveModes{"as steered", "braking", "home", "tour"};
 
+/// Returns where the platform is at board time 0 and how it moves, with this velocity of the lesson: at the
+/// lesson's moment it passes the scenario's position.
+ObserverStart startOf(const Scenario& scenario, std::size_t observer) {
+  ObserverStart start = scenario.observer;
+  const LessonPlan& plan = scenario.lesson->plan;
+  if (observer >= plan.observers.size()) return start;
+  start.beta = plan.observers[observer].beta;
+  start.position_m -= start.beta * (scenario.billiard.lightSpeed_m_s * plan.interval.moment_s);
+  return start;
+}
+
 /// Returns the rumble strength in [0, 1]: stroke energy relative to the strongest stroke. 0 unless a gamepad
 /// draws the cue.
 double rumbleStrength(const HandInput& hand, const HandView& view) {
@@ -31,6 +42,7 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       play_(scenario, rig.axes, !start.before, start.struck),
       hands_(rig.axes),
       roomBoundary_(rig.walls) {
+  if (scenario.lesson && !start.before) beginPass(0);
   if (start.frames) lastFrame_ = start.firstFrame() + *start.frames - 1;
 }
 
@@ -38,6 +50,41 @@ void LiveSource::playAnew() {
   viewer_.startIn(rig_, scenario_);
   play_ = Play(scenario_, rig_.axes, true);
   hands_.letGo();
+  if (scenario_.lesson) beginPass(0);
+}
+
+/// Starts the game and the observer, with this velocity of the lesson, where the lesson begins.
+void LiveSource::beginPass(std::size_t observer) {
+  const LessonPlan& plan = scenario_.lesson->plan;
+  viewer_.startAt(rig_, scenario_, startOf(scenario_, observer), plan.interval.from_s);
+  play_.drive = PlatformMotion(scenario_, rig_.axes, true);
+  play_.game = Game(scenario_);
+  play_.passEnded_s.reset();
+}
+
+/// Returns the view in a lesson. While it shows, the game passes from the beginning of its interval to the
+/// end, slowly, stays there for a moment and begins again. While it explains, its moment is held.
+ObserverView LiveSource::lessonView(const OperatorSettings& settings, const FrameTimes& times) {
+  constexpr double kStay_s = 1.5;
+  const LessonInterval& interval = scenario_.lesson->plan.interval;
+  const bool explains = settings.lesson.phase == LessonPhase::explains;
+  const bool isOver = play_.passEnded_s && times.display_s - *play_.passEnded_s >= kStay_s;
+  const bool changes =
+      std::exchange(play_.lessonObserver, settings.lessonObserver) != settings.lessonObserver;
+  if (changes || isOver || explains != play_.explained) {
+    beginPass(settings.lessonObserver);
+    if (explains) viewer_.runTo(interval.moment_s, play_.drive);
+    play_.drive.news();  // of a way that nobody has seen
+  }
+  play_.explained = explains;
+  if (!explains && !play_.passEnded_s && viewer_.board_s() >= interval.until_s)
+    play_.passEnded_s = times.display_s;
+  if (explains || play_.passEnded_s) return viewer_.freeView(times, settings.eyeSeparation_m, 0.0);
+  const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
+  if (interval.slowness == 1.0)
+    return viewer_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
+  return viewer_.slowView(times, settings.eyeSeparation_m, pace, times.step_s / interval.slowness,
+                          hands_.drive(), play_.drive);
 }
 
 /// Takes over the lesson's state for this frame and notes an answer just given.
@@ -58,8 +105,12 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
   if (still && play_.frozen) {
     record.observer = viewer_.frozenView(*play_.frozen, times, settings.eyeSeparation_m);
   } else {
-    const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-    record.observer = viewer_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
+    if (scenario_.lesson) {
+      record.observer = lessonView(settings, times);
+    } else {
+      const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
+      record.observer = viewer_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
+    }
     record.drive = play_.drive.view();
     play_.frozen = record.observer;
     const DriveMode mode = record.drive.mode;
@@ -99,13 +150,13 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   record.display_s = times.display_s;
   record.lightSpeed_m_s = settings.lightSpeed_m_s;
   putInto(record, settings);
-  hands_.begin(input.desk, play_.lesson.phase == LessonPhase::asks);
+  hands_.begin(input.desk, offersChoices(settings));
   advanceLesson(record.lesson = settings.lesson, decision);
   if (lastOf<StartTour>(input.commands)) play_.drive.setOut();
   // Until the question is answered time is frozen, so that nothing of the answer can be seen.
   const bool still = settings.views.frozen || play_.lesson.phase == LessonPhase::asks;
   see(settings, times, still, decision);
-  strike(still, times, decision);
+  strike(still || scenario_.lesson, times, decision);  // a lesson plays the same game again and again
   say(play_.drive.news().words(), decision);
   say(roomBoundary_.look(viewer_.head().pose.position_m), decision);
   say(std::exchange(pendingMessage_, {}), decision);
@@ -113,7 +164,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   showCaption(decision);
   if (settings.views.myNow) play_.game.playToNowOf(record.observer);
   play_.game.advance(latestObservation_s(record.observer), frame);
-  if (times.number % kFramesBetweenForgetting == 0)
+  if (times.number % kFramesBetweenForgetting == 0 && !scenario_.lesson)
     play_.game.forget(world_.histories, record.observer, frame);
   record.last = lastFrame_ && times.number >= *lastFrame_;
   record.tracked = viewer_.tracked();

@@ -44,6 +44,9 @@ struct Play {
   CueInteraction hands;
   StatusMessage message;
   LessonState lesson;                  ///< in the previous frame
+  std::size_t lessonObserver = 0;      ///< the lesson's velocity in the previous frame
+  bool explained = false;              ///< the lesson's moment was held in the previous frame
+  std::optional<double> passEnded_s;   ///< display time at which a pass of the lesson ended
   DriveMode driven = DriveMode::free;  ///< in the previous frame
   std::optional<ObserverView> frozen;  ///< the last view before time was frozen
   std::size_t captions = 0;            ///< that have begun
@@ -68,6 +71,8 @@ class LiveSource : public FrameSource {
 
  private:
   void advanceLesson(const LessonState& lesson, Decision& decision);
+  void beginPass(std::size_t observer);
+  ObserverView lessonView(const OperatorSettings& settings, const FrameTimes& times);
   void see(const OperatorSettings& settings, const FrameTimes& times, bool still, Decision& decision);
   void strike(bool still, const FrameTimes& times, Decision& decision);
   void say(std::string_view words, Decision& decision);

@@ -80,6 +80,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
   checkSpins(scenario, scene);
   for (const Pulse& pulse : scenario.pulses) scene.pulses.push_back({pulse.at_s, pulse.path_m});
+  if (scenario.lesson) scene.lesson = scenario.lesson->plan;
   scene.ruler = rulerBeside(scenario.billiard, scenario.observer.position_m);
   return scene;
 }

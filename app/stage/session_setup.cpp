@@ -10,6 +10,7 @@
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/frame/pacer.h"
+#include "cave/overlay/hud_panel.h"
 #include "cave/scene/table_model.h"
 #include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
@@ -32,9 +33,18 @@ bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
   return swapsWaitFor(setup.rig.display_hz, returned_s);
 }
 
-/// Returns the texts of the lesson for the walls; empty if there is none.
-LessonWords lessonWords(const Scenario& scenario) {
-  return scenario.lesson ? scenario.lesson->words : LessonWords{};
+/// Gives the lesson to the walls; it is empty if there is none. On rank 0, warns of texts that are too long
+/// for the front wall.
+void setLesson(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
+  const Lesson lesson = scenario.lesson.value_or(Lesson{});
+  walls.setLesson(lesson.words, lesson.plan);
+  const std::optional<Wall> front = frontWall(roomGeometryOf(rig));
+  if (!scenario.lesson || cluster.rank() > 0 || !front) return;
+  if (bandHolds(lesson.words, lesson.plan, *front)) return;
+  log::warn(
+      fmt::format("The texts of the lesson \"{}\" are too long for the wall {}: their letters will be "
+                  "lower than 1/40 of it.",
+                  scenario.title, front->name));
 }
 
 /// Returns the table for the spectator view, coarse because nothing is distorted there.
@@ -67,7 +77,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
     setup.walls->setRoom(roomGeometryOf(setup.rig));
-    setup.walls->setLesson(lessonWords(setup.scenario));
+    setLesson(setup.scenario, setup.rig, cluster, *setup.walls);
     if (options.outside && cluster.rank() == 0) {
       setup.outside = std::make_unique<SpectatorView>(*setup.graphics, roomGeometryOf(setup.rig), setup.scene,
                                                       plainTable(setup.scenario), !options.noWindow);
@@ -108,7 +118,7 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
   onAllRanks(cluster, [&] {
     setup.scene = sceneOf(setup.scenario, setup.tessellation);
     setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);
-    setup.walls->setLesson(lessonWords(setup.scenario));
+    setLesson(setup.scenario, setup.rig, cluster, *setup.walls);
     if (setup.outside) setup.outside->setScene(setup.scene, plainTable(setup.scenario));
   });
   setup.world = {historiesAtStart(setup), {}};

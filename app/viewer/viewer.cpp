@@ -1,9 +1,13 @@
 #include "app/viewer/viewer.h"
 
+#include <algorithm>
+
 namespace carom {
 namespace {
 
 Head headOf(const HeadEstimate& estimate) { return {estimate.pose, estimate.celerity_m_s}; }
+
+Head atRest(const HeadEstimate& estimate) { return {estimate.pose, Vec3(0.0)}; }
 
 Observer startOf(const Rig& rig, const Scenario& scenario, const Head& head,
                  const std::optional<FrameRecord>& before) {
@@ -33,6 +37,13 @@ void Viewer::startIn(const Rig& rig, const Scenario& scenario) {
   observer_ = startOf(rig, scenario, headOf(head_), {});
 }
 
+void Viewer::startAt(const Rig& rig, const Scenario& scenario, const ObserverStart& start, double board_s) {
+  const Lorentz room = startingRoom(start, rig.axes, scenario.billiard.lightSpeed_m_s);
+  observer_ = Observer(room, {0.0, start.position_m}, headOf(head_));
+  // Board time runs γ times as fast as time in the room: dt = γ dT for a head at rest there.
+  observer_.moveUnseen((board_s - observer_.headEvent().t_s) / gammaFromU(room.u()), headOf(head_));
+}
+
 ObserverView Viewer::at(const FrameTimes& times, double eyeSeparation_m, double pace) {
   head_ = tracking_.at(times);
   observer_.step(times.step_s, headOf(head_), pace);
@@ -45,6 +56,24 @@ ObserverView Viewer::at(const FrameTimes& times, double eyeSeparation_m, double 
   head_ = tracking_.at(times);
   drive.live(wish, times.step_s, pace, before, headOf(head_), observer_);
   return observer_.view(eyeSeparation_m);
+}
+
+ObserverView Viewer::slowView(const FrameTimes& times, double eyeSeparation_m, double pace, double step_s,
+                              const DriveWish& wish, PlatformMotion& drive) {
+  const Head before = atRest(head_);
+  head_ = tracking_.at(times);
+  drive.live(wish, step_s, pace, before, before, observer_);
+  observer_.moveUnseen(0.0, headOf(head_));
+  return observer_.view(eyeSeparation_m);
+}
+
+void Viewer::runTo(double board_s, PlatformMotion& drive) {
+  constexpr double kStep_s = 1.0 / 60.0, kThere_s = 1e-9;
+  const Head head = atRest(head_);
+  for (double left_s = board_s - this->board_s(); left_s > kThere_s; left_s = board_s - this->board_s()) {
+    const double step_s = std::min(kStep_s, left_s / gammaFromU(observer_.boardFromRoom().u()));
+    drive.live({}, step_s, 1.0, head, head, observer_);
+  }
 }
 
 ObserverView Viewer::frozenView(const ObserverView& sight, const FrameTimes& times, double eyeSeparation_m) {

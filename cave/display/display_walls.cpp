@@ -105,6 +105,7 @@ void DisplayWalls::setScene(const Scene& scene, double lightSpeed_m_s) {
 void DisplayWalls::setRoom(const RoomGeometry& room) {
   room_ = room;
   front_ = frontWall(room);
+  if (front_) words_.setWall(*front_);
 }
 
 void DisplayWalls::drawAids(const FrameRecord& record, const ObserverView& observer) {

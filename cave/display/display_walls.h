@@ -44,8 +44,8 @@ class DisplayWalls {
   /// Gives the room to the overlays over the session (cave/overlay/room_overlay.h, cave/overlay/hud_panel.h).
   /// Without it they know only the walls, and there is no HUD panel.
   void setRoom(const RoomGeometry& room);
-  /// Sets the texts of the game's lesson for the HUD panel; empty texts mean no lesson.
-  void setLesson(const LessonWords& lesson) { words_.setLesson(lesson); }
+  /// Sets the game's lesson for the HUD panel; empty texts mean no lesson.
+  void setLesson(const LessonWords& words, const LessonPlan& plan) { words_.setLesson(words, plan); }
 
   /// Draws every wall as both eyes see the bodies, or what the operator has chosen instead: a pattern, or
   /// black. `world.histories[i]` is body i of the scene.

@@ -70,12 +70,12 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
   const Ghosts ghosts = viewGhosts(switches, record, world, observer, eye);
   renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts);
   marked_ = views.paths || views.events || views.clocks || views.boardNow || views.myNow || views.ruler ||
-            views.angles || !scene_.pulses.empty();
+            views.angles || !scene_.pulses.empty() || record.lesson.phase != LessonPhase::none;
   if (!marked_) return;
   graphics_.makeCurrent();
   if (!marks_) marks_ = std::make_unique<SpacetimeMarks>(scene_);
-  marks_->look(
-      {observer, eye, switches, views, record.pucks, world.histories, bodies_, world.events, ghosts});
+  marks_->look({observer, eye, switches, views, record.pucks, world.histories, bodies_, world.events, ghosts,
+                record.lesson, record.boardFromRoom});
 }
 
 Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& record, const World& world,

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/frame/clock_time.h"
+#include "cave/frame/lesson_readings.h"
 #include "cave/gl/gl_program.h"
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/view_colours.h"
@@ -24,9 +25,10 @@
 namespace carom {
 namespace {
 
-constexpr double kCapitalOfLetters = 0.72;  // a capital's height, as a fraction of the nominal height
-constexpr double kLine = 1.5;               // distance from line to line, in that height
-constexpr double kSmallest_px = 9.0;        // smaller letters are illegible
+constexpr double kCapitalOfLetters = 0.72;      // a capital's height, as a fraction of the nominal height
+constexpr double kLine = 1.5, kBandLine = 1.3;  // distance from line to line, in that height
+constexpr double kLetterWidth = 0.54;           // of running text, in that height
+constexpr double kSmallest_px = 9.0;            // smaller letters are illegible
 constexpr std::array<std::uint8_t, 4> kGround{12, 14, 18, 175};  // dark; half of the picture shows through
 constexpr glm::vec3 kWhite(235.0F), kUrgent(255.0F, 200.0F, 70.0F);  // letters
 constexpr glm::vec3 kSeenMark(0.92F);
@@ -34,7 +36,7 @@ constexpr glm::vec3 kSeenMark(0.92F);
 /// Builds the lines, one after the other, in memory that is reused.
 class Lines {
  public:
-  explicit Lines(std::vector<HudLine>& lines) : lines_(lines) {}
+  Lines(std::vector<HudLine>& lines, std::size_t letters) : lines_(lines), letters_(letters) {}
   ~Lines() { lines_.resize(count_); }
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
@@ -49,10 +51,10 @@ class Lines {
     fmt::format_to(std::back_inserter(line.text), words, std::forward<Values>(values)...);
   }
 
-  /// Adds as many lines as the text needs; the first begins with `first`, which indents the following ones.
+  /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented.
   void wrap(std::string_view words, std::string_view first = {}, bool urgent = false) {
     for (bool begins = true; !words.empty(); begins = false) {
-      const std::size_t bytes = fitting(words, kLineLetters);
+      const std::size_t bytes = fitting(words, letters_);
       add({}, "{}{}", begins ? first : std::string_view(), words.substr(0, bytes));
       lines_[count_ - 1].urgent = urgent;
       lines_[count_ - 1].setIn = !begins && !first.empty();
@@ -84,6 +86,7 @@ class Lines {
   }
 
   std::vector<HudLine>& lines_;
+  std::size_t letters_;
   std::size_t count_ = 0;
 };
 
@@ -99,39 +102,69 @@ void addClocks(const FrameRecord& record, Lines& lines) {
 }
 
 void addQuestion(const LessonWords& lesson, Lines& lines) {
-  lines.wrap(lesson.question);
+  lines.wrap(lesson.question, "Question:  ");
   constexpr std::array<std::string_view, kMostAnswers> kNumbers{"1   ", "2   ", "3   ", "4   "};
   for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i)
     lines.wrap(lesson.answers[i], kNumbers[i]);
   const bool two = lesson.answers.size() == 2;
-  lines.add({}, "press {}{}, or the wand's button", two ? "1 or " : "1 to ", lesson.answers.size());
+  lines.add({}, "press {}{}, or a wand button    Enter: skip the question", two ? "1 or " : "1 to ",
+            lesson.answers.size());
 }
 
-void addNumber(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
-  lines.wrap(lesson.number);
-  if (answer == 0 || answer > lesson.answers.size()) return;
-  lines.wrap(lesson.answers[answer - 1U], "You said: ");
-  if (answer - 1U == lesson.right) {
-    lines.add({}, "That is right.");
-  } else {
-    lines.wrap(lesson.answers[lesson.right], "Right is: ");
+/// Adds the readings of the stopwatches in one line.
+void addReadings(const FrameRecord& record, const LessonPlan& plan, Lines& lines) {
+  std::string readings;
+  for (const Stopwatch& watch : plan.stopwatches) {
+    readings += fmt::format("{}{}: {:.2f} s", readings.empty() ? "" : "    ", watch.name,
+                            reading_s(watch, {record.observer, record.boardFromRoom, record.lesson.phase}));
   }
+  lines.wrap(readings, {}, true);
+}
+
+/// Adds the velocities that the lesson offers, the present one in brackets.
+void addObservers(const FrameRecord& record, const LessonPlan& plan, Lines& lines) {
+  if (plan.observers.empty()) return;
+  const auto present = observerOf(plan, record.boardFromRoom);
+  std::string offered = "You move:";
+  for (std::size_t i = 0; i < plan.observers.size(); ++i) {
+    const bool here = present == i;
+    offered += fmt::format("  {}F{} {}{}", here ? "[" : "", i + 2, plan.observers[i].name, here ? "]" : "");
+  }
+  lines.wrap(offered);
+}
+
+void addAnswer(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
+  if (answer == 0 || answer > lesson.answers.size()) return;
+  const std::string& given = lesson.answers[answer - 1U];
+  if (answer - 1U == lesson.right) return lines.wrap(fmt::format("{}. Correct.", given), "Your answer:  ");
+  lines.wrap(fmt::format("{}. Correct: {}.", given, lesson.answers[lesson.right]), "Your answer:  ");
+}
+
+/// Returns how the lesson's pace is told, or nothing.
+std::string paceWords(const LessonPlan& plan) {
+  const double slowness = plan.interval.slowness;
+  return slowness > 1.0 ? fmt::format("    (slow motion: 1/{:g})", slowness) : "";
 }
 
 /// Adds the lesson's text for its phase, and how to continue.
-void addLesson(const LessonWords& lesson, const LessonState& state, Lines& lines) {
-  switch (state.phase) {
+void addLesson(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan, Lines& lines) {
+  switch (record.lesson.phase) {
     case LessonPhase::none:
       return;
     case LessonPhase::asks:
       return addQuestion(lesson, lines);
     case LessonPhase::shows:
-      lines.wrap(lesson.todo);
-      lines.wrap(lesson.notice);
-      return lines.add({}, "Y: again    Enter: the number behind it");
+      lines.wrap(lesson.todo, "Try this:  ");
+      lines.wrap(lesson.notice, "Look for:  ");
+      addReadings(record, plan, lines);
+      addObservers(record, plan, lines);
+      return lines.add({}, "Y: replay    Enter: explanation{}", paceWords(plan));
     case LessonPhase::explains:
-      addNumber(lesson, state.answer, lines);
-      return lines.add({}, "Enter: look again    Y: ask anew");
+      lines.wrap(lesson.number);
+      addAnswer(lesson, record.lesson.answer, lines);
+      addReadings(record, plan, lines);
+      addObservers(record, plan, lines);
+      return lines.add({}, "Enter: back to the scene    Y: ask again");
   }
 }
 
@@ -188,14 +221,36 @@ std::optional<Wall> frontWall(const RoomGeometry& room) {
   return std::nullopt;
 }
 
-void describe(const FrameRecord& record, const LessonWords& lesson, std::vector<HudLine>& words) {
-  Lines lines(words);
+std::size_t bandLetters(const Wall& wall) {
+  const double letter_px = kLetterWidth * HudPanel::kBandCapital / kCapitalOfLetters * wall.pixels.y;
+  const double width_px = (1.0 - 2.0 * HudPanel::kMargin) * wall.pixels.x;
+  return std::max<std::size_t>(kLineLetters, static_cast<std::size_t>(width_px / letter_px));
+}
+
+bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wall) {
+  constexpr double kLetter = HudPanel::kBandCapital / kCapitalOfLetters;
+  std::vector<HudLine> lines;
+  for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
+    for (std::uint8_t answer = 0; answer <= words.answers.size(); ++answer) {
+      FrameRecord record;
+      record.lesson = {phase, answer};
+      describe(record, words, plan, bandLetters(wall), lines);
+      const double high = (kBandLine * static_cast<double>(lines.size()) + 1.0) * kLetter;
+      if (high > HudPanel::kMostOfHeight) return false;
+    }
+  }
+  return true;
+}
+
+void describe(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan,
+              std::size_t letters, std::vector<HudLine>& words) {
+  Lines lines(words, letters);
   lines.wrap(record.notice.words(), {}, true);
-  addLesson(lesson, record.lesson, lines);
-  if (record.lesson.phase != LessonPhase::asks) addViews(record, lines);
-  addDrive(record, lines);
-  const bool saysLight = record.views.clocks && record.lesson.phase != LessonPhase::asks;
-  if (record.lesson.phase != LessonPhase::none && !saysLight) addLight(record, lines);
+  addLesson(record, lesson, plan, lines);
+  if (record.lesson.phase == LessonPhase::none) {
+    addViews(record, lines);
+    addDrive(record, lines);
+  }
   if (record.controls.trackerCross) lines.add({}, "of the two bars the right one is nearer");
 }
 
@@ -212,8 +267,9 @@ void HudPanel::set(const std::vector<HudLine>& lines) {
   }
 }
 
-void HudPanel::setLesson(const LessonWords& lesson) {
-  lesson_ = lesson;
+void HudPanel::setLesson(const LessonWords& words, const LessonPlan& plan) {
+  lesson_ = words;
+  plan_ = plan;
   tenths_s_ = -1;
 }
 
@@ -228,7 +284,10 @@ void HudPanel::follow(const FrameRecord& record) {
   controls_ = record.controls;
   lessonState_ = record.lesson;
   notice_ = record.notice;
-  describe(record, lesson_, described_);
+  const bool band = record.lesson.phase != LessonPhase::none;
+  if (band != band_) written_ = false;
+  band_ = band;
+  describe(record, lesson_, plan_, band ? bandLetters_ : kLineLetters, described_);
   set(described_);
 }
 
@@ -236,9 +295,12 @@ int HudPanel::endOf_px(const Written& written, int height_px) {
   return beginOf_px(written.line, height_px) + written.ink.size_px.x;
 }
 
+/// Returns the distance from line to line, in the nominal height of letters.
+double HudPanel::line() const { return band_ ? kBandLine : kLine; }
+
 void HudPanel::write(const glm::ivec2& picture_px, const glm::dvec2& size_m) {
-  int height_px = static_cast<int>(
-      std::lround(std::max(kSmallest_px, kCapital_m / kCapitalOfLetters * picture_px.y / size_m.y)));
+  const double capital_px = band_ ? kBandCapital * picture_px.y : kCapital_m * picture_px.y / size_m.y;
+  int height_px = static_cast<int>(std::ceil(std::max(kSmallest_px, capital_px / kCapitalOfLetters)));
   const auto widest_px = [&] {
     int widest = 0;
     for (Written& written : lines_) {
@@ -251,8 +313,9 @@ void HudPanel::write(const glm::ivec2& picture_px, const glm::dvec2& size_m) {
   };
   // A small wall gets small letters.
   const double wide = widest_px() + 4.0 * height_px;
-  const double high = (kLine * static_cast<double>(lines_.size()) + 1.0) * height_px;
-  const double share = std::min(kMostOfWidth * picture_px.x / wide, kMostOfHeight * picture_px.y / high);
+  const double high = (line() * static_cast<double>(lines_.size()) + 1.0) * height_px;
+  const double mostOfWidth = band_ ? 1.0 : kMostOfWidth;
+  const double share = std::min(mostOfWidth * picture_px.x / wide, kMostOfHeight * picture_px.y / high);
   if (share < 1.0) {
     height_px = std::max(1, static_cast<int>(share * height_px));
     widest_px();
@@ -274,7 +337,7 @@ void HudPanel::upload(const glm::ivec2& size_px, int height_px) {
     }
     pixel[3] = std::max(pixel[3], static_cast<std::uint8_t>(alpha));
   };
-  const int line_px = static_cast<int>(kLine * height_px);
+  const int line_px = static_cast<int>(line() * height_px);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const auto& [line, ink] = lines_[i];
     const int text_px = 2 * height_px + beginOf_px(line, height_px);
@@ -301,7 +364,7 @@ void HudPanel::upload(const glm::ivec2& size_px, int height_px) {
 
 /// Returns the panel's lower left corner, on a wall whose room has its floor at height 0.
 glm::ivec2 HudPanel::lowerLeft_px(const Wall& wall, const glm::dvec2& pxPerM) const {
-  const double height_m = sizeOf_m(wall).y, margin_m = kMargin * height_m;
+  const double height_m = sizeOf_m(wall).y, margin_m = band_ ? 0.0 : kMargin * height_m;
   const double foot_m = glm::dot(wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m) / height_m;
   const double top_m = std::min(height_m - margin_m, std::max(kHighest_m - foot_m, 0.5 * height_m));
   return {static_cast<int>(margin_m * pxPerM.x),
@@ -314,15 +377,15 @@ void HudPanel::draw(const Wall& wall, const RenderTarget& picture) {
   const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);
   if (!written_ || picture_px_ != picture.size_px()) {
     if (picture_px_ != picture.size_px()) height_px_ = 0;
-    write(picture.size_px(), sizeOf_m(wall));
+    picture_px_ = picture.size_px();
+    write(picture_px_, sizeOf_m(wall));
     int widest_px = 0;
     for (const Written& written : lines_) widest_px = std::max(widest_px, endOf_px(written, height_px_));
     widest_px += height_px_ - widest_px % height_px_;  // so that the width does not change with every digit
-    upload({widest_px + 3 * height_px_,
-            static_cast<int>(kLine * height_px_) * static_cast<int>(lines_.size()) + height_px_},
+    upload({band_ ? picture_px_.x : widest_px + 3 * height_px_,
+            static_cast<int>(line() * height_px_) * static_cast<int>(lines_.size()) + height_px_},
            height_px_);
     written_ = true;
-    picture_px_ = picture.size_px();
   }
   // Draws pixel on pixel, unless pixels are not square.
   const glm::ivec2 from_px = lowerLeft_px(wall, pxPerM);

@@ -2,6 +2,9 @@
 // Text in the room: a panel of short lines in the plane of the front wall, at its left, as high as the wall
 // and the eyes allow. The table is below the eyes, so up there the panel covers nothing of the game. Since it
 // lies in the wall's plane, it is the same for both eyes and needs no effort to fuse.
+//
+// While a lesson speaks, the panel is a band across the whole wall with larger letters, for a group to read,
+// and has the lesson's texts alone.
 
 #include <cstdint>
 #include <optional>
@@ -12,6 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/frame/frame_state.h"
+#include "cave/frame/lesson_plan.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/picture.h"
@@ -34,14 +38,21 @@ struct HudLine {
 /// such wall.
 std::optional<Wall> frontWall(const RoomGeometry& room);
 
-/// Fills `lines`, whose memory is reused, with the session's text, in lines of kLineLetters: what was just
-/// refused or has happened; the lesson's texts for the record's phase; the views of time that are on, each
-/// with the colour it is drawn in; with `clocks`, the person's own clock, their speed on the board and the
-/// speed of light; with the tracker crosses, what the stereo check (cave/overlay/room_overlay.h) should look
-/// like. The text depends on the record and the scenario alone, so all nodes write the same. `lines` is empty
-/// if there is no text.
-void describe(const FrameRecord& record, const LessonWords& lesson, std::vector<HudLine>& lines);
-inline constexpr std::size_t kLineLetters = 40;  ///< longer words are not divided
+/// Fills `lines`, whose memory is reused, with the session's text, in lines of `letters`: what was just
+/// refused or has happened; the lesson's texts for the record's phase, or without a lesson the views of time
+/// that are on, each with the colour it is drawn in; with `clocks`, the person's own clock, their speed on
+/// the board and the speed of light; with the tracker crosses, what the stereo check
+/// (cave/overlay/room_overlay.h) should look like. The text depends on the record and the scenario alone, so
+/// all nodes write the same. `lines` is empty if there is no text.
+void describe(const FrameRecord& record, const LessonWords& words, const LessonPlan& plan,
+              std::size_t letters, std::vector<HudLine>& lines);
+inline constexpr std::size_t kLineLetters = 40;  ///< without a lesson; longer words are not divided
+
+/// Returns how many letters a line of the band has on a wall.
+std::size_t bandLetters(const Wall& wall);
+
+/// Returns whether the band shows the lesson's longest text on this wall in letters of their full height.
+bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wall);
 
 class HudPanel {
  public:
@@ -51,6 +62,8 @@ class HudPanel {
   /// The largest fractions of the wall's width and height that the panel may take, to leave room for the game
   /// beside it. If the text needs more, its letters get smaller.
   static constexpr double kMostOfWidth = 0.4, kMostOfHeight = 0.4;
+  /// The height of a capital of the band, as a fraction of the picture's height.
+  static constexpr double kBandCapital = 1.0 / 40.0;
 
   /// Create and destroy it with the drawing context current.
   HudPanel();
@@ -59,8 +72,11 @@ class HudPanel {
   /// when they are next drawn.
   void set(const std::vector<HudLine>& lines);
 
-  /// Sets the texts of the game's lesson.
-  void setLesson(const LessonWords& lesson);
+  /// Sets the wall on which the panel is drawn.
+  void setWall(const Wall& wall) { bandLetters_ = bandLetters(wall); }
+
+  /// Sets the game's lesson.
+  void setLesson(const LessonWords& words, const LessonPlan& plan);
 
   /// Updates the panel from the frame: ten times a second, and whenever its text about the views, the lesson
   /// or the latest notice changes.
@@ -76,6 +92,7 @@ class HudPanel {
   };
   static int endOf_px(const Written& written, int height_px);
   void write(const glm::ivec2& picture_px, const glm::dvec2& size_m);
+  double line() const;
   void upload(const glm::ivec2& size_px, int height_px);
   glm::ivec2 lowerLeft_px(const Wall& wall, const glm::dvec2& pxPerM) const;
 
@@ -86,6 +103,9 @@ class HudPanel {
   LessonState lessonState_;
   Notice notice_;
   LessonWords lesson_;
+  LessonPlan plan_;
+  std::size_t bandLetters_ = kLineLetters;
+  bool band_ = false;           ///< a lesson speaks
   std::int64_t tenths_s_ = -1;  ///< time of the last description, in tenths
   std::vector<std::uint8_t> rgba_;
   bool written_ = false;

@@ -33,7 +33,19 @@ PlateText measured(double value, std::uint64_t unit) {
   PlateText text = wholeNumber(static_cast<std::uint64_t>(std::clamp(std::round(10.0 * value), 0.0, 9999.0)));
   text.places = std::max(text.places, 2) + 1;
   text.digits = text.digits << 4 | unit;
-  text.tenths = text.unit = true;
+  text.behind = 2;
+  return text;
+}
+
+/// Returns a whole number with its decimal point before the last `behind` digits.
+PlateText decimal(double number, int behind) {
+  PlateText text = wholeNumber(static_cast<std::uint64_t>(std::abs(number)));
+  text.places = std::max(text.places, behind + 1);
+  text.behind = behind;
+  if (number < 0.0) {
+    text.digits |= kMinus << (4 * text.places);
+    ++text.places;
+  }
   return text;
 }
 
@@ -49,22 +61,18 @@ PlateText wholeNumber(std::uint64_t number) {
 }
 
 PlateText tenthsOf(double time_s) {
-  const double tenths = std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s);
-  PlateText text = wholeNumber(static_cast<std::uint64_t>(std::abs(tenths)));
-  text.places = std::max(text.places, 2);
-  text.tenths = true;
-  if (tenths < 0.0) {
-    text.digits |= kMinus << (4 * text.places);
-    ++text.places;
-  }
-  return text;
+  return decimal(std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s), 1);
+}
+
+PlateText hundredthsOf(double time_s) {
+  return decimal(std::clamp(std::round(100.0 * time_s), -99999.0, 99999.0), 2);
 }
 
 PlateText degreesOf(double angle_deg) { return measured(angle_deg, kDegrees); }
 PlateText metresOf(double length_m) { return measured(length_m, kMetres); }
 
 double placesAcross(const PlateText& text, PlateShape shape) {
-  return text.places + (text.tenths ? kPointWide : 0.0) + 2.0 * kMargins[static_cast<std::size_t>(shape)];
+  return text.places + (text.behind > 0 ? kPointWide : 0.0) + 2.0 * kMargins[static_cast<std::size_t>(shape)];
 }
 
 void MarkBuffer::addStrip(std::span<const glm::dvec3> left_m, std::span<const glm::dvec3> right_m,
@@ -94,9 +102,8 @@ void MarkBuffer::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& c
 
 void MarkBuffer::addPlate(std::span<const glm::dvec3> lower_m, std::span<const glm::dvec3> upper_m,
                           const PlateText& text, PlateShape shape, const glm::vec4& colour) {
-  const int behind = text.tenths ? (text.unit ? 2 : 1) : 0;
   constexpr int kBits = 4 * kPlacesInAFloat;  // as many as a float holds exactly
-  const glm::vec3 what(text.places + kBehindPoint * behind + kShape * static_cast<int>(shape),
+  const glm::vec3 what(text.places + kBehindPoint * text.behind + kShape * static_cast<int>(shape),
                        text.digits >> kBits, text.digits & ((1U << kBits) - 1U));
   const glm::dvec3 middle_m = 0.5 * (lower_m.front() + upper_m.back());
   const glm::vec4 plate(middle_m, 0.5 * glm::distance(lower_m.front(), upper_m.back()));

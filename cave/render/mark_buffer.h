@@ -30,12 +30,12 @@ struct PlateText {
   /// 4 bits per place, the last place lowest: 0 to 9, 10 a minus sign, 11 blank, 12 a degree sign, 13 an m.
   std::uint64_t digits = 0;
   int places = 0;
-  bool tenths = false;  ///< a decimal point stands before the last digit
-  bool unit = false;    ///< with `tenths`: the sign of a unit follows that digit
+  int behind = 0;  ///< places behind the decimal point, the sign of a unit among them; 0: there is no point
 };
 PlateText wholeNumber(std::uint64_t number);  ///< the last twelve digits of `number`
 /// Returns a time as all clocks show it: rounded down to tenths, from minus to plus six years.
 PlateText tenthsOf(double time_s);
+PlateText hundredthsOf(double time_s);  ///< rounded to hundredths; minus to plus 999.99
 PlateText degreesOf(double angle_deg);  ///< rounded to tenths; 0 to 999.9
 PlateText metresOf(double length_m);    ///< rounded to tenths; 0 to 999.9
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 
+#include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"
 #include "cave/render/ghosts.h"
 #include "cave/render/mark_buffer.h"
@@ -27,6 +28,8 @@ struct MarkContext {
   std::span<const BodyView> bodies;      ///< as the eye sees them
   std::span<const GameEvent> events;
   Ghosts ghosts;
+  LessonState lesson = {};
+  Lorentz boardFromRoom{1.0};  ///< the room's attitude and motion
 };
 
 /// Returns the person's board time, that of the point between the eyes, so that both eyes see the same marks.

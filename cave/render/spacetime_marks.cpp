@@ -235,7 +235,8 @@ SpacetimeMarks::SpacetimeMarks(const Scene& scene)
       reach_m_(scene.reach_m),
       tops_m_(scene.bodyCount),
       ruler_(scene.ruler),
-      pulses_(scene.pulses) {
+      pulses_(scene.pulses),
+      lesson_(scene.lesson) {
   reach_m_.resize(scene.bodyCount);
   for (const ScenePart& part : scene.parts) {
     if (part.paint == Paint::shadow) continue;
@@ -262,6 +263,7 @@ void SpacetimeMarks::look(const MarkContext& sight) {
   if (sight.views.angles) addAngles(sight, crowd, batch_);
   addBeacons(sight, colours_, tops_m_, batch_);
   addPulses(sight, pulses_, batch_);
+  addLessonMarks(sight, lesson_, reach_m_, crowd, batch_);
   marks_.upload(batch_);
 }
 

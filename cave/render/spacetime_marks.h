@@ -9,6 +9,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "cave/render/lesson_marks.h"
 #include "cave/render/mark_buffer.h"
 #include "cave/render/mark_context.h"
 #include "cave/render/path_ribbons.h"
@@ -54,6 +55,7 @@ class SpacetimeMarks {
   std::vector<double> reach_m_, tops_m_;  // of every body
   Ruler ruler_;
   std::vector<LightPath> pulses_;
+  LessonPlan lesson_;
   std::size_t pucks_ = 0;
   PathRibbons paths_;
   MarkBuffer batch_;

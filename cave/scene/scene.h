@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "cave/frame/lesson_plan.h"
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene_part.h"
 #include "engine/light/light_path.h"
@@ -43,6 +44,7 @@ struct Scene {
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
   std::vector<LightPath> pulses;
   Ruler ruler;
+  LessonPlan lesson;
 };
 
 /// Returns a session's message about the division, one line for each kind of objects and one for all. "Exact

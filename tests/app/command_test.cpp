@@ -71,7 +71,7 @@ TEST(Command, OrdersOfOneMomentLeaveTheSettings) {
 }
 
 TEST(Command, AnAnswerOfOneButtonComesBeforeGoingOn) {
-  EXPECT_EQ(lessonCommand(2, true), Command(AnswerLesson{2}));
+  EXPECT_EQ(lessonCommand(2, true), Command(ChooseInLesson{2}));
   EXPECT_EQ(lessonCommand(0, true), Command(AdvanceLesson{}));
   EXPECT_FALSE(lessonCommand(0, false));
 }
@@ -80,10 +80,10 @@ TEST(Command, ALessonIsAnsweredOnceAndToldAsItThenIs) {
   OperatorSettings settings;
   settings.lesson.phase = LessonPhase::asks;
   settings.lessonAnswers = 3;
-  EXPECT_FALSE(apply(AnswerLesson{4}, settings)) << "there is no such answer";
-  EXPECT_TRUE(apply(AnswerLesson{2}, settings));
-  EXPECT_EQ(toString(AnswerLesson{2}, settings), "lesson: shows, answered 2");
-  EXPECT_FALSE(apply(AnswerLesson{1}, settings)) << "it has been answered";
+  EXPECT_FALSE(apply(ChooseInLesson{4}, settings)) << "there is no such answer";
+  EXPECT_TRUE(apply(ChooseInLesson{2}, settings));
+  EXPECT_EQ(toString(ChooseInLesson{2}, settings), "lesson: shows, answered 2");
+  EXPECT_FALSE(apply(ChooseInLesson{1}, settings)) << "it has been answered";
   EXPECT_TRUE(apply(AdvanceLesson{}, settings));
   EXPECT_EQ(toString(AdvanceLesson{}, settings), "lesson: explains, answered 2");
 }

@@ -69,7 +69,7 @@ TEST_F(DirectorTest, TheConsolesCommandsComeBeforeTheKeys) {
 
 TEST_F(DirectorTest, WhatChangesNothingIsNotTold) {
   leader_.inbox().emplace_back(SetLightSpeed{leader_.settings().lightSpeed_m_s});
-  leader_.inbox().emplace_back(AnswerLesson{1});
+  leader_.inbox().emplace_back(ChooseInLesson{1});
   frame();
   EXPECT_EQ(inputs(), Words{});
   EXPECT_EQ(said_, "");
@@ -80,7 +80,7 @@ TEST_F(DirectorTest, AHandsButtonHoldsFromTheNextFrameOn) {
   asking.lesson.phase = LessonPhase::asks;
   asking.lessonAnswers = 2;
   leader_.begin(asking);
-  source_.byHand = AnswerLesson{2};
+  source_.byHand = ChooseInLesson{2};
   EXPECT_EQ(frame().lesson.phase, LessonPhase::asks);
   EXPECT_EQ(frame().lesson, (LessonState{LessonPhase::shows, 2}));
   EXPECT_EQ(inputs(), Words{"lesson: shows, answered 2"});

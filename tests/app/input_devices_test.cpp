@@ -302,7 +302,7 @@ TEST_F(HandsTest, WhileALessonAsksTheWandsButtonsAnswer) {
   for (int button = 0; button < 4; ++button) {
     wand_->press(button, true, 3);
     EXPECT_FALSE(frame().held);
-    EXPECT_EQ(hands_.lessonCommand(), Command(AnswerLesson{button + 1}));
+    EXPECT_EQ(hands_.lessonCommand(), Command(ChooseInLesson{button + 1}));
     EXPECT_FALSE(hands_.drive().brake || hands_.drive().home);
     frame();
     EXPECT_FALSE(hands_.lessonCommand());

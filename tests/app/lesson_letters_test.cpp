@@ -7,6 +7,7 @@
 
 #include "app/files/scenario.h"
 #include "cave/gl/glyph_bitmap.h"
+#include "cave/overlay/hud_panel.h"
 
 namespace carom {
 namespace {
@@ -21,6 +22,16 @@ std::set<std::string> lettersOf(const std::string& text) {
     i = end;
   }
   return letters;
+}
+
+TEST(LessonLetters, FitIntoTheBandOfAScreen) {
+  Wall wall;
+  wall.pixels = {1280, 720};
+  for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
+    const Scenario scenario = readScenario(entry.path());
+    if (!scenario.lesson) continue;
+    EXPECT_TRUE(bandHolds(scenario.lesson->words, scenario.lesson->plan, wall)) << entry.path();
+  }
 }
 
 TEST(LessonLetters, HaveInkOfTheirOwn) {

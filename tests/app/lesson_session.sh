@@ -46,7 +46,7 @@ press y screen
 await class-3 "SELECT count(*) >= 15 FROM frame"
 expect class-3 "SELECT count(DISTINCT t_s) FROM frame" 1 "board times while it asks anew"
 press Return screen
-await class-3 "SELECT count(*) = 1 FROM answer WHERE answer = '(passed over)'"
+await class-3 "SELECT count(*) = 1 FROM answer WHERE answer = '(skipped)'"
 more_frames class-3
 press Escape screen
 wait "$job" || fail "the session did not end well"

@@ -22,6 +22,9 @@ todo = "Go."
 notice = "The clocks."
 number = "10 s and 8 s."
 views = ["clocks", "my-now"]
+from_s = 0.5
+until_s = 3.0
+moment_s = 1.0
 )";
 
 Scenario read(const std::string& text) {
@@ -79,7 +82,7 @@ TEST(LessonFlow, TheNextGameWithoutALessonHasNone) {
 TEST(LessonFlow, TheJournalHasTheAnswerInWords) {
   const LessonWords words = read(kHead + kLesson).lesson->words;
   EXPECT_EQ(answerText(words, {LessonPhase::shows, 2}), "Who stayed");
-  EXPECT_EQ(answerText(words, {LessonPhase::shows, 0}), "(passed over)");
+  EXPECT_EQ(answerText(words, {LessonPhase::shows, 0}), "(skipped)");
 }
 
 TEST(LessonFile, IsRead) {
@@ -119,6 +122,99 @@ TEST(LessonFile, TheTeachersExampleIsOne) {
       (glm::distance(eye_m, flashes.at(1).at.r_m) - glm::distance(eye_m, flashes.at(0).at.r_m)) /
       scenario.billiard.lightSpeed_m_s;
   EXPECT_NEAR(later_s, 1.41, 0.005) << scenario.lesson->words.number;
+}
+
+TEST(LessonFile, ItsPlanIsRead) {
+  const LessonPlan plan = read(kHead + kLesson + R"(slowness = 4
+[[lesson.observer]]
+name = "at rest"
+beta = [0, 0, 0]
+[[lesson.observer]]
+name = "0.5 c to the left"
+beta = [-0.5, 0, 0]
+[[lesson.stopwatch]]
+name = "in your frame"
+clock = "room"
+starts = "tick 1"
+stops = "tick 2"
+stands_m = [0, 0, 0.1]
+[[lesson.stopwatch]]
+name = "seen"
+clock = "seen"
+place_m = [1, 2, 3]
+[[lesson.counter]]
+body = "clock"
+flashes = "tick"
+[[lesson.line]]
+from_m = [0, -1, 0]
+to_m = [0, 1, 0]
+[[lesson.simultaneous]]
+with = "tick 2"
+beta = [0.8, 0, 0]
+[board]
+length_m = 3
+width_m = 2
+[[body]]
+name = "clock"
+at = { t_s = 0, r_m = [0, 0, 0] }
+[[body.leg]]
+beta = [0, 0, 0]
+[[flash]]
+name = "tick 1"
+at_s = 1
+r_m = [0.5, 0, 0]
+[[flash]]
+name = "tick 2"
+at_s = 2
+r_m = [-0.5, 0, 0]
+)")
+                              .lesson->plan;
+  EXPECT_EQ(plan.interval.from_s, 0.5);
+  EXPECT_EQ(plan.interval.until_s, 3.0);
+  EXPECT_EQ(plan.interval.moment_s, 1.0);
+  EXPECT_EQ(plan.interval.slowness, 4.0);
+  ASSERT_EQ(plan.observers.size(), 2u);
+  EXPECT_EQ(plan.observers[1].beta, Vec3(-0.5, 0.0, 0.0));
+  ASSERT_EQ(plan.stopwatches.size(), 2u);
+  EXPECT_EQ(plan.stopwatches[0].clock, StopwatchClock::room);
+  EXPECT_EQ(plan.stopwatches[0].starts.t_s, 1.0);
+  EXPECT_EQ(plan.stopwatches[0].stops.value().r_m, Vec3(-0.5, 0.0, 0.0));
+  EXPECT_EQ(plan.stopwatches[0].stands_m.value(), Vec3(0.0, 0.0, 0.1));
+  EXPECT_EQ(plan.stopwatches[1].seen_m, Vec3(1.0, 2.0, 3.0));
+  EXPECT_EQ(plan.stopwatches[1].starts.t_s, 0.5) << "the lesson's beginning";
+  ASSERT_EQ(plan.counters.size(), 1u);
+  EXPECT_EQ(plan.counters[0].body, 1u);
+  EXPECT_EQ(plan.counters[0].ticks.size(), 2u);
+  ASSERT_EQ(plan.lines.size(), 1u);
+  EXPECT_EQ(plan.lines[0].to_m, Vec3(0.0, 1.0, 0.0));
+  ASSERT_EQ(plan.simultaneous.size(), 1u);
+  EXPECT_EQ(plan.simultaneous[0].with.t_s, 2.0);
+  EXPECT_EQ(plan.simultaneous[0].beta.value(), Vec3(0.8, 0.0, 0.0));
+  EXPECT_EQ(plan.simultaneous[0].to_m, 1.5) << "to the cushion";
+}
+
+TEST(LessonFlow, AfterTheQuestionChoicesAreVelocities) {
+  OperatorSettings settings;
+  settings.lessonAnswers = 3;
+  settings.lessonObservers = 2;
+  EXPECT_FALSE(offersChoices(settings)) << "there is no lesson";
+  settings.lesson = kAsks;
+  EXPECT_TRUE(offersChoices(settings));
+  EXPECT_TRUE(choose(settings, 3));
+  EXPECT_EQ(settings.lesson, (LessonState{LessonPhase::shows, 3}));
+  EXPECT_EQ(settings.lessonObserver, 0u) << "an answer is no velocity";
+  EXPECT_TRUE(choose(settings, 2));
+  EXPECT_EQ(settings.lessonObserver, 1u);
+  EXPECT_FALSE(choose(settings, 2)) << "it is chosen already";
+  for (const int none : {-1, 0, 3, 9}) EXPECT_FALSE(choose(settings, none)) << none;
+  EXPECT_EQ(settings.lesson, (LessonState{LessonPhase::shows, 3})) << "the answer stays";
+  settings.lessonExplainedFor = 0;
+  EXPECT_TRUE(choose(settings, 4)) << "the wand's last button";
+  EXPECT_EQ(settings.lesson, (LessonState{LessonPhase::explains, 3}));
+  EXPECT_EQ(settings.lessonObserver, 0u) << "it explains with the velocity of its number";
+  settings.lessonObservers = 0;
+  EXPECT_FALSE(offersChoices(settings));
+  EXPECT_FALSE(choose(settings, 1));
 }
 
 TEST(LessonFile, PulsesAreRead) {
@@ -173,21 +269,45 @@ INSTANTIATE_TEST_SUITE_P(
               "answers[1] has 71 letters, expected 70 at most"},
         Fault{"right beyond the answers", "right = 2", "right = 3", 6, 9, "right is 3, expected"},
         Fault{"right before them", "right = 2", "right = 0", 6, 9, "right is 0, expected"},
-        Fault{"a question too long", "Who is older?", std::string(Lesson::kQuestionLetters + 1, 'w'), 4, 12,
+        Fault{"a question too long", "Who is older?", std::string(Lesson::kTextLetters + 1, 'w'), 4, 12,
               "question has 161 letters, expected 160 at most"},
-        Fault{"a number too long", "10 s", std::string(Lesson::kTextLetters, 'w'), 9, 10,
+        Fault{"a number too long", "10 s", std::string(Lesson::kNumberLetters, 'w'), 9, 10,
               "number has 239 letters"},
         Fault{"a view mistyped", "\"clocks\"", "\"clock\"", 10, 10,
               "there is no view 'clock', expected 'clocks'?"},
         Fault{"no array of views", R"(["clocks", "my-now"])", "1", 10, 9, "views is a whole number"},
-        Fault{"a pulse of one place", "[[0, 0, 1], [0, 0, 2]]", "[[0, 0, 1]]", 14, 10,
+        Fault{"a moment before what is shown", "moment_s = 1.0", "moment_s = 0.4", 13, 12,
+              "moment_s is 0.4, which lies outside what the lesson shows, expected a time from 0.5 to 3"},
+        Fault{"a moment after it", "moment_s = 1.0", "moment_s = 3.1", 13, 12, "moment_s is 3.1, which lies"},
+        Fault{"no moment", "moment_s = 1.0\n", "", 3, 1, "moment_s is missing"},
+        Fault{"an end before the beginning", "until_s = 3.0", "until_s = 0.5", 12, 11,
+              "until_s is 0.5, expected a time after from_s"},
+        Fault{"a lesson without end", "until_s = 3.0", "until_s = 1e6", 12, 11, "until_s is 1000000"},
+        Fault{"time that runs faster", "moment_s = 1.0", "moment_s = 1.0\nslowness = 0.5", 14, 12,
+              "slowness is 0.5"},
+        Fault{"an observer of light", "[[pulse]]",
+              "[[lesson.observer]]\nname = 'light'\nbeta = [1.0, 0, 0]\n[[pulse]]", 16, 8,
+              "beta has magnitude 1"},
+        Fault{"a stopwatch of a flash that is not there", "[[pulse]]",
+              "[[flash]]\nname = 'lamp'\nat_s = 1.0\nr_m = [0, 0, 0]\n[[lesson.stopwatch]]\nname = 'time'\n"
+              "starts = 'lamb'\n[[pulse]]",
+              20, 10, "there is no flash 'lamb', expected 'lamp'?"},
+        Fault{"a flash after the end", "[[pulse]]",
+              "[[flash]]\nname = 'lamp'\nat_s = 4.0\nr_m = [0, 0, 0]\n[[lesson.stopwatch]]\nname = 'time'\n"
+              "starts = 'lamp'\n[[pulse]]",
+              20, 10, "the flash 'lamp' is at 4 s, expected one that the lesson shows, up to 3 s"},
+        Fault{"a counter on nothing", "[[pulse]]",
+              "[[flash]]\nname = 'tick 1'\nat_s = 1.0\nr_m = [0, 0, 0]\n[[lesson.counter]]\nbody = 'clock'\n"
+              "flashes = 'tick'\n[[pulse]]",
+              19, 8, "there is no body 'clock'"},
+        Fault{"a pulse of one place", "[[0, 0, 1], [0, 0, 2]]", "[[0, 0, 1]]", 17, 10,
               "path_m has one place, expected two places at least"},
-        Fault{"a pulse that stays", "[0, 0, 2]", "[0, 0, 1]", 14, 10, "path_m[1] is the place before it"},
-        Fault{"a place of two numbers", "[0, 0, 2]", "[0, 0]", 14, 22,
+        Fault{"a pulse that stays", "[0, 0, 2]", "[0, 0, 1]", 17, 10, "path_m[1] is the place before it"},
+        Fault{"a place of two numbers", "[0, 0, 2]", "[0, 0]", 17, 22,
               "path_m[1] is wrong, expected a place"},
-        Fault{"a place that is none", "[0, 0, 2]", "[0, 0, 'x']", 14, 29, "path_m[1][2] is a text"},
-        Fault{"a pulse without a way", "path_m = [[0, 0, 1], [0, 0, 2]]\n", "", 11, 1, "path_m is missing"},
-        Fault{"a pulse without a name", "name = 'light'\n", "", 11, 1, "name is missing"}));
+        Fault{"a place that is none", "[0, 0, 2]", "[0, 0, 'x']", 17, 29, "path_m[1][2] is a text"},
+        Fault{"a pulse without a way", "path_m = [[0, 0, 1], [0, 0, 2]]\n", "", 14, 1, "path_m is missing"},
+        Fault{"a pulse without a name", "name = 'light'\n", "", 14, 1, "name is missing"}));
 
 TEST(LessonFile, NamesOfPulsesAreTheirOwn) {
   const std::string pulse = "[[pulse]]\nname = 'light'\nat_s = 0\npath_m = [[0, 0, 1], [0, 0, 2]]\n";

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# replay_proofs.sh CAROM CONFIG: a session with views of time on, with keys pressed while it went on, is replayed by 1 and
-# 4 processes with the same pictures, byte for byte; a visitor is shown what a session of their own would have shown them.
+# replay_proofs.sh CAROM CONFIG: a session with views of time on, a lesson that repeats what it shows or holds its moment,
+# and a session with keys pressed are replayed by 1 and 4 processes with the same pictures, byte for byte; a visitor is
+# shown what a session of their own would have shown them.
 set -uo pipefail
 carom=$1
 config=$2
@@ -39,6 +40,18 @@ proves() {
   fail "a session without: $(cat "$out/stderr")"
 cmp -s "$out/views/front-left-000005.png" "$out/plain/front-left-000005.png" && fail "views and switches change nothing"
 proves views
+
+# A lesson that repeats what it shows, and one that holds its moment for an observer in motion.
+sed 's/^display_hz = .*/display_hz = 2.0/' "$out/room.toml" >"$out/slow-room.toml"
+for phase in shows explains; do
+  frames=26
+  [ "$phase" = shows ] || frames=3
+  "$carom" cave --rig "$out/slow-room.toml" --scenario two-cushions --lesson "$phase" --frames "$frames" \
+    --session "$out/$phase.db" --capture "$out/$phase" --no-window 2>"$out/stderr" || fail "$phase: $(cat "$out/stderr")"
+  proves "$phase"
+done
+again=$(rows shows "SELECT count(*) FROM frame a JOIN frame b ON b.number = a.number + 1 WHERE b.t_s < a.t_s")
+[ "$again" -eq 1 ] || fail "a lesson of two passes began again $again times"
 
 # Keys: colour, paths, ghosts, a frozen sight and on, patterns and back, slower light, eyes further apart; the end.
 "$carom" cave --rig "$out/room.toml" --frames 1000000 --session "$out/keys.db" --capture "$out/keys" 2>"$out/stderr" &

@@ -178,7 +178,7 @@ int placeOf(const PlateText& text, int place) {
 std::string readingOf(const PlateText& text) {
   std::string reading;
   for (int i = 0; i < text.places; ++i) {
-    if (text.tenths && i == text.places - (text.unit ? 2 : 1)) reading += '.';
+    if (text.behind > 0 && i == text.places - text.behind) reading += '.';
     reading += "0123456789- dm"[placeOf(text, i)];
   }
   return reading;
@@ -189,6 +189,10 @@ TEST(Plates, SayNumbersAndTimes) {
   EXPECT_EQ(readingOf(wholeNumber(17)), "17");
   EXPECT_EQ(readingOf(wholeNumber(98765)), "98765");
   EXPECT_EQ(readingOf(wholeNumber(1234567890123)), "234567890123");
+  EXPECT_EQ(readingOf(hundredthsOf(0.938)), "0.94");
+  EXPECT_EQ(readingOf(hundredthsOf(-0.004)), "0.00");
+  EXPECT_EQ(readingOf(hundredthsOf(-1.154)), "-1.15");
+  EXPECT_EQ(readingOf(hundredthsOf(1e300)), "999.99");
   EXPECT_EQ(readingOf(tenthsOf(0.0)), "0.0");
   EXPECT_EQ(readingOf(tenthsOf(0.19)), "0.1");
   EXPECT_EQ(readingOf(tenthsOf(12.35)), "12.3");

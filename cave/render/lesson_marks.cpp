@@ -1,0 +1,97 @@
+#include "cave/render/lesson_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "cave/frame/lesson_readings.h"
+#include "cave/gl/view_colours.h"
+
+namespace carom {
+namespace {
+
+/// Adds a straight strip on the cloth.
+void addStripe(MarkBuffer& batch, const Resting& draw, const Vec3& from_m, const Vec3& to_m, double half_m,
+               const glm::vec4& colour) {
+  constexpr std::size_t kPoints = 17;  // aberration bends straight lines
+  const Vec3 way = glm::normalize(to_m - from_m);
+  const Vec3 aside_m = half_m * Vec3(-way.y, way.x, 0.0), up_m(0.0, 0.0, kOnCloth_m);
+  std::array<glm::dvec3, kPoints> left, right;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const Vec3 place_m = up_m + glm::mix(from_m, to_m, static_cast<double>(i) / (kPoints - 1));
+    left[i] = draw(place_m + aside_m);
+    right[i] = draw(place_m - aside_m);
+  }
+  batch.addStrip(left, right, colour);
+}
+
+/// Adds a plate on a thin stem above a place of the board.
+void addStandingPlate(MarkBuffer& batch, const MarkContext& sight, const Resting& draw, const PlateText& text,
+                      PlateShape shape, const Vec3& foot_m, const glm::vec4& colour, LabelLayout& crowd) {
+  constexpr double kStem_m = 0.07;
+  StandingPlate plate = standingPlate(sight, text, shape, foot_m + Vec3(0.0, 0.0, kStem_m));
+  plate.scale *= 1.3;
+  plate.foot_m.z += crowd.raise_m(plate);
+  const std::array<glm::dvec3, 2> stem{draw(foot_m), draw(plate.foot_m)};
+  batch.addLine(stem, colour, 0.0014);
+  addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) { return draw(plate.foot_m + offset_m); });
+}
+
+/// Returns the colour of a frame's clocks: that of "now" in the frame.
+glm::vec4 colourOf(const Vec3& beta) {
+  return glm::vec4(beta == Vec3(0.0) ? kBoardNowColour : kMyNowColour, 1.0F);
+}
+
+void addSimultaneity(const MarkContext& sight, const Resting& draw, const SimultaneityLine& line,
+                     LabelLayout& crowd, MarkBuffer& batch) {
+  constexpr int kClocks = 5;
+  const Lorentz boardFromRoom = sight.boardFromRoom;
+  const Vec3 beta = line.beta.value_or(betaFromU(boardFromRoom.u()));
+  const glm::vec4 colour = colourOf(beta);
+  const auto at = [&](double x_m) { return Vec3(x_m, line.with.r_m.y, 0.0); };
+  addStripe(batch, draw, at(line.from_m), at(line.to_m), 0.006, colour);
+  for (int i = 0; i < kClocks; ++i) {
+    const Vec3 place_m = at(glm::mix(line.from_m, line.to_m, static_cast<double>(i) / (kClocks - 1)));
+    const double t_s = simultaneousAt_s(line.with, place_m, beta, boardFromRoom.lightSpeed_m_s());
+    addStandingPlate(batch, sight, draw, hundredthsOf(t_s), PlateShape::clock, place_m, colour, crowd);
+  }
+}
+
+void addCounter(const MarkContext& sight, const Resting& draw, const TickCounter& counter, double reach_m,
+                LabelLayout& crowd, MarkBuffer& batch) {
+  const Event& between = sight.observer.middle.observation;
+  const Vec3 centre_m = centreSeen(sight.histories[counter.body], between, sight.switches).event.r_m;
+  addStandingPlate(batch, sight, draw, wholeNumber(seenTicks(sight, counter)), PlateShape::box,
+                   centre_m + Vec3(0.0, 0.0, reach_m), glm::vec4(kFlashColour, 1.0F), crowd);
+}
+
+}  // namespace
+
+std::size_t seenTicks(const MarkContext& sight, const TickCounter& counter) {
+  return static_cast<std::size_t>(
+      std::count_if(counter.ticks.begin(), counter.ticks.end(),
+                    [&](const Event& tick) { return seenSince_s(sight, tick) >= 0.0; }));
+}
+
+void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<const double> reach_m,
+                    LabelLayout& crowd, MarkBuffer& batch) {
+  if (sight.lesson.phase == LessonPhase::none) return;
+  const Resting draw(sight);
+  for (const ClothLine& line : plan.lines)
+    addStripe(batch, draw, line.from_m, line.to_m, 0.006, glm::vec4(kFlashColour, 1.0F));
+  if (sight.lesson.phase == LessonPhase::asks) return;
+  for (const TickCounter& counter : plan.counters)
+    addCounter(sight, draw, counter, reach_m[counter.body], crowd, batch);
+  for (const Stopwatch& watch : plan.stopwatches) {
+    if (!watch.stands_m) continue;
+    addStandingPlate(
+        batch, sight, draw,
+        hundredthsOf(reading_s(watch, {sight.observer, sight.boardFromRoom, sight.lesson.phase})),
+        PlateShape::clock, *watch.stands_m, colourOf(watch.beta), crowd);
+  }
+  if (sight.lesson.phase != LessonPhase::explains) return;
+  for (const SimultaneityLine& line : plan.simultaneous) addSimultaneity(sight, draw, line, crowd, batch);
+}
+
+}  // namespace carom

@@ -1,0 +1,151 @@
+// A lesson as the frame loop plays it: slowly, again and again, at rest or in motion, and held at its moment.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "app/files/starting_histories.h"
+#include "app/operator/lesson.h"
+#include "app/session/live_source.h"
+#include "temporary_folder.h"
+
+namespace carom {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr double kHz = 60.0, kExact = 1e-9;
+
+/// A lesson of the shipped files, in a room whose head stands still or walks.
+class LessonPass : public testing::Test {
+ protected:
+  static Rig rigWith(const TemporaryFolder& folder, double walk_m) {
+    std::ostringstream walk("time_s,x_m,y_m,z_m\n", std::ios::ate);
+    for (double t_s = 0.0; t_s <= 40.0; t_s += 0.01)
+      walk << t_s << ',' << walk_m * std::sin(2.0 * t_s) << ",1.7,0\n";
+    folder.file("walk.csv", walk.str());
+    return readRig(
+        folder.file("room.toml",
+                    "unit = \"m\"\naxes = \"x-right y-up z-back\"\ndisplay_hz = 60.0\n[head]\ntracker = "
+                    "\"walker\"\n"
+                    "[[tracker]]\nname = \"walker\"\nkind = \"recorded\"\nsource = \"walk.csv\"\n"
+                    "[[wall]]\nname = \"front\"\nlower_left = [-1, 0, -1]\nlower_right = [1, 0, -1]\n"
+                    "upper_left = [-1, 2, -1]\npixels = [64, 64]\nstereo = \"mono\"\n"
+                    "window = { position = [0, 0], size = [64, 64] }\n"));
+  }
+
+  explicit LessonPass(double walk_m = 0.0) : rig_(rigWith(folder_, walk_m)) {
+    beginLesson(scenario_, true, settings_);
+    settings_.lightSpeed_m_s = scenario_.billiard.lightSpeed_m_s;
+  }
+
+  const FrameRecord& next() {
+    decision_.beginFrame();
+    const double display_s = static_cast<double>(number_) / kHz;
+    source_.next({number_++, display_s, display_s, 1.0 / kHz}, {}, settings_, decision_);
+    applyFrame(decision_.frame, world_);
+    return decision_.frame.record;
+  }
+  static double board_s(const FrameRecord& record) { return record.observer.middle.observation.t_s; }
+
+  const TemporaryFolder folder_;
+  const Rig rig_;
+  const Scenario scenario_ = readScenario(CAROM_CONFIG_DIR "/scenarios/two-cushions.toml");
+  const LessonInterval interval_ = scenario_.lesson->plan.interval;
+  World world_{startingHistories(scenario_), {}};
+  LiveSource source_{rig_, scenario_, world_, {}};
+  OperatorSettings settings_;
+  Decision decision_;
+  std::uint64_t number_ = 0;
+};
+
+class WalkingPass : public LessonPass {
+ protected:
+  WalkingPass() : LessonPass(0.3) {}
+};
+
+TEST_F(LessonPass, AsksAtTheBeginningOfItsIntervalWhileTimeStandsStill) {
+  for (int i = 0; i < 30; ++i) EXPECT_NEAR(board_s(next()), interval_.from_s, kExact);
+}
+
+TEST_F(LessonPass, ShowsItsIntervalSlowlyAndAgain) {
+  next();
+  settings_.lesson.phase = LessonPhase::shows;
+  double before_s = interval_.from_s, longest_s = before_s;
+  int passes = 0;
+  for (int i = 0; i < 60 * 24; ++i) {
+    const double t_s = board_s(next());
+    if (t_s < before_s) {
+      ++passes;
+      EXPECT_NEAR(t_s, interval_.from_s, 1.1 / kHz / interval_.slowness) << "from its beginning";
+      EXPECT_GE(before_s, interval_.until_s);
+    } else if (before_s < interval_.until_s) {
+      EXPECT_NEAR(t_s - before_s, 1.0 / kHz / interval_.slowness, kExact);
+    }
+    longest_s = std::max(longest_s, t_s);
+    before_s = t_s;
+  }
+  EXPECT_EQ(passes, 2);
+  EXPECT_LT(longest_s, interval_.until_s + 1.0 / kHz);
+}
+
+TEST_F(LessonPass, HoldsItsMomentWheneverItIsAskedToExplain) {
+  for (const int shown : {1, 100, 500}) {
+    settings_.lesson.phase = LessonPhase::shows;
+    for (int i = 0; i < shown; ++i) next();
+    settings_.lesson.phase = LessonPhase::explains;
+    const FrameRecord first = next();
+    EXPECT_NEAR(board_s(first), interval_.moment_s, kExact) << shown;
+    for (int i = 0; i < 200; ++i) EXPECT_EQ(board_s(next()), board_s(first));
+  }
+}
+
+TEST_F(LessonPass, ObserversOfAllVelocitiesMeetAtTheMoment) {
+  settings_.lesson.phase = LessonPhase::explains;
+  const Vec3 place_m = next().observer.middle.observation.r_m;
+  for (const std::size_t observer : {1U, 2U, 0U}) {
+    settings_.lessonObserver = observer;
+    const FrameRecord& record = next();
+    EXPECT_NEAR(board_s(record), interval_.moment_s, kExact);
+    EXPECT_NEAR(glm::distance(record.observer.middle.observation.r_m, place_m), 0.0, kExact);
+    const Vec3 beta = betaFromU(record.boardFromRoom.u());
+    EXPECT_NEAR(glm::distance(beta, scenario_.lesson->plan.observers[observer].beta), 0.0, kExact);
+  }
+}
+
+// The pucks' histories do not depend on how often the game was begun again.
+TEST_F(LessonPass, EveryPassIsTheSameGame) {
+  settings_.lesson.phase = LessonPhase::explains;
+  next();
+  const std::vector<Knot> first(world_.histories[1].knots().begin(), world_.histories[1].knots().end());
+  const std::size_t events = world_.events.size();
+  settings_.lesson.phase = LessonPhase::shows;
+  for (int i = 0; i < 60 * 15; ++i) next();
+  settings_.lesson.phase = LessonPhase::explains;
+  next();
+  const auto again = world_.histories[1].knots();
+  ASSERT_EQ(again.size(), first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(again[i].turn.t_s, first[i].turn.t_s);
+    EXPECT_EQ(again[i].turn.r_m, first[i].turn.r_m);
+    EXPECT_EQ(again[i].u, first[i].u);
+  }
+  EXPECT_EQ(world_.events.size(), events);
+}
+
+// Whoever walks while time is slowed is not faster than light: slow motion is the replay's, not the light's.
+TEST_F(WalkingPass, WalkingDoesNotHurryTheSlowedTime) {
+  settings_.lesson.phase = LessonPhase::shows;
+  double before_s = board_s(next()), x_m = 0.0;
+  for (int i = 0; i < 120; ++i) {
+    const FrameRecord& record = next();
+    EXPECT_NEAR(board_s(record) - before_s, 1.0 / kHz / interval_.slowness, kExact);
+    EXPECT_EQ(record.lightSpeed_m_s, scenario_.billiard.lightSpeed_m_s);
+    before_s = board_s(record);
+    x_m = std::max(x_m, record.observer.middle.observation.r_m.x);
+  }
+  EXPECT_GT(x_m, 0.2) << "they have walked";
+}
+
+}  // namespace
+}  // namespace carom
