@@ -9,9 +9,9 @@
 namespace carom {
 
 inline constexpr std::string_view kWelcome = "welcome", kShowMe = "show-me";
-inline constexpr std::array<std::string_view, 12> kLessons{
+inline constexpr std::array<std::string_view, 11> kLessons{
     "comes-and-goes", "seen-at-once",    "seen-length",  "parallel-tracks", "two-cushions", "light-clock",
-    "twins",          "train-in-tunnel", "train-aboard", "angles",          "pairs-4",      "pairs-20"};
+    "twins",          "train-in-tunnel", "train-aboard", "angles",          "pairs-4"};
 
 /// Returns the scenario file of a shipped game.
 std::string fileOfGame(std::string_view name);
