@@ -202,6 +202,11 @@ TEST(EmissionShader, AgreesWithDoubleOnSpinningBodies) {
   const Cases bouncing = makeCases(15, 10000, 0.8, 2, {}, 0.95);
   EXPECT_GT(bouncing.manyLegs, 1500);
   worstError(bouncing);
+  for (const Switches switches : {Switches{0, 1, 1}, Switches{1, 0, 1}, Switches{0, 0, 1}}) {
+    SCOPED_TRACE(testing::Message() << "retardation " << +switches.retardation << ", contraction "
+                                    << +switches.contraction);
+    worstError(makeCases(16, 2000, 0.8, 1, switches, 0.9));
+  }
 }
 
 }  // namespace

@@ -261,5 +261,18 @@ TEST(RimFriction, HasTheLimitsOfNewtonAndOfSymmetry) {
   EXPECT_NEAR(blow->j[1], -0.1, 1e-15);
 }
 
+// Known bits: the same on every machine, or cluster nodes would drift apart.
+TEST(RimFriction, HasTheseBits) {
+  const SpinningBody body{0.2, 0.1};
+  const SpinningPuck puck{body, 0.05, fourVelocity(0.75, 0.5)}, other{body, -0.02, fourVelocity(-0.75, -0.5)};
+  const auto bounce = kickSpinningOffCushion({0, 1.0, 1.0}, puck, {0.9, 0.3, 0.5});
+  const auto blow = kickSpinningPair({1.0, 0.0, 0.0}, {0.0, 0.8, 0.6}, {puck, other}, {0.9, 5.0, 0.5});
+  ASSERT_TRUE(bounce && blow);
+  EXPECT_EQ(bounce->centre.u.y, 0x1.fedbd7ce0e3b2p-5);
+  EXPECT_EQ(bounce->j, -0x1.6162a3738ba66p-5);
+  EXPECT_EQ(blow->centres.u[0].y, -0x1.069e93b351649p-1);
+  EXPECT_EQ(blow->j[1], -0x1.e91d1fb74049cp-6);
+}
+
 }  // namespace
 }  // namespace carom
