@@ -19,8 +19,8 @@ class Digest {
   Digest& operator<<(const Vec3& v) { return *this << v.x << v.y << v.z; }
   Digest& operator<<(const Event& event) { return *this << event.t_s << event.r_m; }
   Digest& operator<<(const Knot& knot) {
-    return *this << knot.turn << knot.u << knot.properTime_s << knot.signal << knot.deceleration_m_s2
-                 << knot.spin.angle_rad << knot.spin.omega_rad_s;
+    *this << knot.turn << knot.u << knot.properTime_s << knot.signal << knot.deceleration_m_s2;
+    return spins(knot) ? *this << knot.spin.angle_rad << knot.spin.omega_rad_s : *this;
   }
 
   Digest& operator<<(const GameEvent& event) {

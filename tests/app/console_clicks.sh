@@ -31,7 +31,7 @@ frames() { # N: until so many more frames were shown, and the console with them
 }
 newest() { echo "SELECT value FROM input WHERE what = '$1' ORDER BY rowid DESC LIMIT 1"; }
 
-"$carom" cave --rig "$out/room.toml" --console --session "$out/game.db" 2>"$out/stderr" &
+"$carom" cave --rig "$out/room.toml" --scenario three-pucks --console --session "$out/game.db" 2>"$out/stderr" &
 job=$!
 await "the session begins" 'SELECT count(*) > 5 FROM frame' 1
 

@@ -507,10 +507,12 @@ TEST(Journal, TheFileOfAKilledProgramAloneLacksNoMoreThanItsLastMinute) {
   for (const auto& [every, whole] : {std::pair(50ms, true), std::pair(3600000ms, false)}) {
     SCOPED_TRACE(every.count());
     const auto file = folder / (whole ? "whole.db" : "early.db"),
-               copy = folder / ("copy of " + file.filename().string());
+               copy = folder / ("copy of " + file.filename().string()),
+               begun = folder / ("begun " + file.filename().string());
     const pid_t child = fork();
     if (child == 0) {
       Journal journal(file, kFacts, false, every);
+      std::ofstream(begun) << "its tables are in the file\n";
       for (std::uint64_t number = 0; number < 200; ++number) journal.add(frameOf(number), head(), {});
       for (;;) pause();
     }
@@ -524,6 +526,8 @@ TEST(Journal, TheFileOfAKilledProgramAloneLacksNoMoreThanItsLastMinute) {
       const auto frames = session.frames();
       return frames ? frames->second + 1 : 0;
     };
+    // Nobody reads while it is begun: its tables would then go into the file only with the first update.
+    while (!std::filesystem::exists(begun)) std::this_thread::sleep_for(1ms);
     // Until all is written, and where it goes into the file at once, also until all has gone there: while the
     // file is being brought up to date, a copy of it alone is not whole.
     const auto gone = [&] {

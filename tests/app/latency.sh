@@ -17,7 +17,7 @@ sed 's/^pixels = .*/pixels = [64, 64]/; s/^\(window = .*size = \).*/\1[64, 32] }
   "$config/rigs/four-walls-cluster.toml" >"$out/room.toml" # seen from outside: black, and drawn at once
 grep -q swap-group "$out/room.toml" || fail "the rig has no display_hz to go by"
 
-mpirun --allow-run-as-root --oversubscribe -n 2 "$carom" cave --rig "$out/room.toml" --session "$out/game.db" \
+mpirun --allow-run-as-root --oversubscribe -n 2 "$carom" cave --rig "$out/room.toml" --scenario three-pucks --session "$out/game.db" \
   2>"$out/stderr" &
 job=$!
 for _ in $(seq 900); do

@@ -149,10 +149,10 @@ TEST(CompassInWords, SaysHowFastAndHowContracted) {
   };
   FrameRecord record = moving({0.0, 0.0, -0.6});
   record.drive = {.thrust = {0.3, 0.0, 0.4}, .mode = DriveMode::home};
-  EXPECT_TRUE(says(record, "0.600 c, gamma 1.25"));
-  EXPECT_TRUE(says(record, "0.80 as long"));
-  EXPECT_TRUE(says(record, "thrust 0.50 of the strongest, on the way home"));
-  EXPECT_FALSE(says(moving(Vec3(0.0)), "gamma"));
+  EXPECT_TRUE(says(record, "0.600 c, γ = 1.25"));
+  EXPECT_TRUE(says(record, "contracted to 0.80"));
+  EXPECT_TRUE(says(record, "thrust: 50 % of maximum (returning home)"));
+  EXPECT_FALSE(says(moving(Vec3(0.0)), "γ"));
   EXPECT_FALSE(says(moving({0.6, 0.0, 0.0}), "thrust")) << "none, and nobody asks for any";
 }
 
