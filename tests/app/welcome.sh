@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# welcome.sh CAROM CONFIG [PICTURES]: a visitor's first minute: `carom cave` opens on a game that already runs; the right
+# mouse button turns the room; F5, F6 and F7 lead to "Show me", the first lesson and back; F8 puts everything back for
+# the next visitor. With PICTURES, screenshots of each step are left there to be looked at.
+set -uo pipefail
+. "$(dirname "$0")/session_in_window.sh"
+pictures=${3:-}
+"$carom" cave --session "$out/visit.db" 2>"$out/stderr" &
+job=$!
+frames() { # of a game's file, which may not be there yet
+  [ -e "$out/$1.db" ] && sqlite3 "$out/$1.db" "SELECT count(*) FROM frame" 2>/dev/null || echo 0
+}
+await_frames() { # GAME COUNT
+  for _ in $(seq 900); do
+    [ "$(frames "$1")" -ge "$2" ] && return
+    sleep 0.1
+  done
+  fail "$1 has too few frames: $(frames "$1")"
+}
+picture() { # NAME
+  [ -z "$pictures" ] || ffmpeg -y -loglevel error -f x11grab -video_size 1920x1200 -i "$DISPLAY" -frames:v 1 "$pictures/$1.png"
+}
+
+await_frames visit 10
+picture 1-first
+window=$(xdotool search --name "Carom: screen" | head -1)
+eval "$(xdotool getwindowgeometry --shell "$window")"
+before=$(frames visit)
+xdotool mousemove $((X + 900)) $((Y + 360)) mousedown 3
+await_frames visit $((before + 3))
+xdotool mousemove $((X + 500)) $((Y + 360))
+await_frames visit $((before + 8))
+xdotool mouseup 3
+picture 2-turned
+press 4 screen
+await_frames visit $((before + 12))
+
+game=1
+for key in F5 F6 F7 F8; do
+  press $key screen
+  game=$((game + 1))
+  await_frames visit-$game 5
+  picture "3-$key"
+done
+press Escape screen
+wait "$job" || fail "the session did not end well"
+job=
+turned=$(sqlite3 "$out/visit.db" "SELECT max(board_from_room_xx) - min(board_from_room_xx) > 0.01 FROM frame")
+[ "$turned" = 1 ] || fail "the right mouse button did not turn the room"
+for expected in "2 show-me" "3 comes-and-goes" "4 welcome" "5 welcome"; do
+  read -r number name <<<"$expected"
+  played=$(sqlite3 "$out/visit-$number.db" "SELECT value FROM session WHERE key = 'scenario'")
+  [ "$played" = "$(cat "$config/scenarios/$name.toml")" ] || fail "game $number is not $name"
+done
+switches() { sqlite3 "$out/$1.db" "SELECT switches FROM frame ORDER BY number $2 LIMIT 1"; }
+[ "$(switches visit DESC)" != "$(switches visit ASC)" ] || fail "key 4 changed no switch"
+[ "$(switches visit-5 DESC)" = "$(switches visit ASC)" ] || fail "the next visitor has other switches"
+echo "a running game, a turn, and four keys"
