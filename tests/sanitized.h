@@ -1,6 +1,6 @@
 #pragma once
-// How much a test does in the builds with sanitizers. They look for faults of memory, arithmetic and threads, which a
-// few hundred cases show as well as many thousand; the statistics are the optimised build's.
+// How much a test does in the builds with sanitizers. They look for faults of memory, arithmetic and threads,
+// which a few hundred cases show as well as many thousand; the statistics are the optimised build's.
 
 #include <initializer_list>
 #include <vector>

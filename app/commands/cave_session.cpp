@@ -58,9 +58,9 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
   if (!hasWindow && !options.frames) {
     log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
   }
-  const std::string renderer = setup.graphics->rendererName();
-  if (drawsOnProcessor(renderer)) {
-    log::note(fmt::format("Drawn without a graphics card, by {}: slower than the display.", renderer));
+  if (setup.graphics->inSoftware()) {
+    log::note(fmt::format("Drawn without a graphics card, by {}: slower than the display.",
+                          setup.graphics->rendererName()));
   }
   log::note(tessellationReport(setup.scene, setup.tessellation));
 }
@@ -98,6 +98,9 @@ OperatorSettings settingsOf(const SessionSetup& setup, const CaveOptions& option
   settings.switches = options.switches;
   settings.views = options.views;
   beginLesson(setup.scenario, !options.frames, settings);
+  if (!options.lesson || !setup.scenario.lesson) return settings;
+  settings.lesson.phase = *options.lesson;
+  if (options.lesson == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
   return settings;
 }
 
@@ -106,13 +109,10 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
                                const Before& before) {
   OperatorSettings settings = settingsOf(setup, options);
   settings.playing = file;
-  if (options.lesson && setup.scenario.lesson) {
-    settings.lesson.phase = *options.lesson;
-    if (options.lesson == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
-  }
   if (!before.last) return settings;
   // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
+  if (settings.lesson.phase == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
   settings.switches = before.last->switches;
   settings.views = before.last->views;
   settings.views.frozen = 0;
@@ -205,7 +205,8 @@ void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesy
 
 /// Returns the settings of the next game. A different game starts with the program's initial settings, except
 /// those of the room. The same game keeps all settings; a lesson in its phase `shows` stays there, and one
-/// that was explained starts again with its question. For the next visitor, everything is as the session began.
+/// that was explained starts again with its question. For the next visitor, everything is as the session
+/// began.
 OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& next,
                                 const SessionSetup& setup, const CaveOptions& options) {
   OperatorSettings settings = settingsOf(setup, options);
@@ -223,7 +224,10 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& 
   settings.views = before.views;
   settings.views.frozen = 0;
   settings.lightSpeed_m_s = before.lightSpeed_m_s;
-  if (before.lesson.phase == LessonPhase::shows) settings.lesson = before.lesson;
+  if (before.lesson.phase == LessonPhase::shows) {
+    settings.lesson = before.lesson;
+    settings.lessonObserver = before.lessonObserver;
+  }
   return settings;
 }
 
@@ -421,7 +425,8 @@ void addCave(CLI::App& app, int& status) {
       ->excludes(command->get_option("--rig"))
       ->excludes(command->get_option("--scenario"))
       ->excludes(command->get_option("--switch"))
-      ->excludes(command->get_option("--view"));
+      ->excludes(command->get_option("--view"))
+      ->excludes(command->get_option("--lesson"));
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
   command
       ->add_option("--unattended", options->unattended_s,

@@ -15,7 +15,6 @@
 
 #include "app/files/rig.h"
 #include "app/stage/all_ranks.h"
-#include "app/stage/scenario_scene.h"
 #include "app/tools/option_values.h"
 #include "cave/audio/sounds.h"
 #include "cave/cluster/cluster.h"
@@ -51,7 +50,7 @@ void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wal
     report.add("monitor",
                fmt::format("{}: {} × {} at {} Hz, from ({}, {})", monitor.name, monitor.size_px.x,
                            monitor.size_px.y, monitor.rate_hz, monitor.position_px.x, monitor.position_px.y));
-  if (drawsOnProcessor(facts.renderer))
+  if (graphics.inSoftware())
     report.warnings.push_back(
         fmt::format("{} draws on the processor, expected the driver of a graphics card: frames take longer",
                     facts.renderer));
@@ -72,7 +71,8 @@ void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wal
   if ((wantsStereo || wantsLock) && (facts.isXwayland || facts.hasCompositor))
     report.errors.push_back(fmt::format("the rig asks for {}, expected a display without a compositor",
                                         wantsStereo ? "quad-buffer stereo" : "a swap group"));
-  for (const Wall& wall : walls) {
+  if (facts.monitors.empty()) report.errors.emplace_back("there is no monitor, expected one at least");
+  for (const Wall& wall : facts.monitors.empty() ? std::span<const Wall>() : walls) {
     const auto monitor = static_cast<std::size_t>(wall.window.monitor);
     if (monitor >= facts.monitors.size()) {
       report.errors.push_back(fmt::format("wall {} is on monitor {}, expected one of 0 to {}", wall.name,
@@ -125,16 +125,35 @@ void lookAtSystem(NodeHealth& report) {
         "{:.1f} GiB are free here, expected {:g} at least for session files", free_gib, kLeastDisk_gib));
 }
 
+/// Says which walls this node draws, and which of them the rig gives to a node that is not there.
+void lookAtWalls(const Cluster& cluster, std::span<const Wall> walls, NodeHealth& report) {
+  std::vector<std::string> names;
+  for (const Wall& wall : walls) {
+    names.push_back(wall.name);
+    if (wall.node < cluster.size()) continue;
+    report.warnings.push_back(
+        fmt::format("wall {} asks for node {}, expected {} processes under mpirun; node {} draws it",
+                    wall.name, wall.node, wall.node + 1, cluster.rank()));
+  }
+  report.add("walls", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")));
+}
+
 NodeHealth lookAt(const Cluster& cluster, const Rig* rig) {
   NodeHealth report;
-  try {
+  const auto tried = [&](const auto& look) {
+    try {
+      look();
+    } catch (const std::exception& error) {
+      report.errors.emplace_back(error.what());
+    }
+  };
+  tried([&] {
     const Graphics graphics(rig ? displayOf(*rig, cluster.rank()) : "");
     const std::vector<Wall> walls = rig ? cluster.wallsOf(rig->walls) : std::vector<Wall>();
+    if (rig) lookAtWalls(cluster, walls, report);
     lookAtDisplay(graphics, rig, walls, report);
-  } catch (const std::runtime_error& error) {
-    report.errors.emplace_back(error.what());
-  }
-  lookAtSystem(report);
+  });
+  tried([&] { lookAtSystem(report); });
   report.add("MPI", fmt::format("{}, {} node{}", Cluster::libraryVersion(), cluster.size(),
                                 cluster.size() == 1 ? "" : "s"));
   return report;
@@ -142,7 +161,7 @@ NodeHealth lookAt(const Cluster& cluster, const Rig* rig) {
 
 std::string packed(const NodeHealth& report) {
   return nlohmann::json{{"facts", report.facts}, {"warnings", report.warnings}, {"errors", report.errors}}
-      .dump();
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);  // names may be in any encoding
 }
 
 NodeHealth unpacked(const std::string& text) {

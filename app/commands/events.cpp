@@ -69,7 +69,11 @@ Subject recorded(const std::filesystem::path& file, const std::optional<double>&
   if (subject.head.empty())
     throw std::runtime_error(fmt::format("session file {}: it ended before its first frame", file.string()));
   subject.events = std::move(world.events);
-  keepUntil(subject.events, until_s.value_or(subject.head.back().event.t_s));
+  // A lesson repeats a part of its game, so that its last frame need not be the latest on the board.
+  const auto latest =
+      std::max_element(subject.head.begin(), subject.head.end(),
+                       [](const auto& a, const auto& b) { return a.event.t_s < b.event.t_s; });
+  keepUntil(subject.events, until_s.value_or(latest->event.t_s));
   return subject;
 }
 

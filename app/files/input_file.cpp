@@ -11,7 +11,8 @@ namespace carom {
 
 namespace {
 
-/// The most that is read: enough for a hundred thousand pucks, and little enough for the memory of the parsed file.
+/// The most that is read: enough for a hundred thousand pucks, and little enough for the memory of the parsed
+/// file.
 constexpr std::size_t kMostBytes = 16 << 20;
 constexpr std::size_t kStep_bytes = 1 << 16;
 

@@ -77,9 +77,11 @@ Command setRate(double rate) {
   return SetRate{std::copysign(fast, rate)};
 }
 
+/// Chooses a velocity of the observer. While the lesson asks, its numbers are answers, so none is chosen.
 template <int choice>
-Command chooseInLesson(const OperatorSettings&, const Pressed&) {
-  return ChooseInLesson{choice};
+Command chooseInLesson(const OperatorSettings& now, const Pressed&) {
+  constexpr int kNone = 0;
+  return ChooseInLesson{now.lesson.phase == LessonPhase::asks ? kNone : choice};
 }
 
 struct Key {

@@ -6,9 +6,12 @@
 
 namespace carom {
 
-std::string fileOfGame(std::string_view name) { return shippedFile(name, "scenarios").string(); }
+std::string fileOfGame(std::string_view name) {
+  return (configFolder() / "scenarios" / name).replace_extension(".toml").string();
+}
 
 std::string lessonAfter(const std::string& playing) {
+  if (playing.empty()) return fileOfGame(kLessons.front());
   const auto* now = std::find_if(kLessons.begin(), kLessons.end(), [&](std::string_view lesson) {
     return isSameFile(fileOfGame(lesson), playing);
   });

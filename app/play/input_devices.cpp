@@ -97,8 +97,8 @@ InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double 
   return hand;
 }
 
-/// Turns the room so that what the mouse took hold of stays under it. With the room's axes turned by some angle,
-/// the scene turns by the opposite one.
+/// Turns the room so that what the mouse took hold of stays under it. With the room's axes turned by some
+/// angle, the scene turns by the opposite one.
 void InputDevices::turn(const Hand& hand) {
   turn_rad_ = 0.0;
   if (!desk_.mouseTurns || !hand.there) return grabbed_.reset();

@@ -41,8 +41,9 @@ struct Decision {
   /// The head tracker's samples for this frame, valid until the next decision; live sessions only.
   std::span<const TrackerSample> samples;
   std::vector<std::string> alarms;  ///< tracker failures and recoveries, for the terminal
-  Commands commands;    ///< from the buttons of hand devices; they take effect with the next frame
-  double stay_s = 0.0;  ///< recorded sessions: time between the previous frame and this one
+  Commands commands;                ///< from hand devices and captions; they take effect with the next frame
+  bool isHandled = false;  ///< the person uses a device of the hand: it steers, brakes, turns or presses
+  double stay_s = 0.0;     ///< recorded sessions: time between the previous frame and this one
   DecisionTiming timing;
 
   /// Clears everything reported about the previous frame. Keeps the frame and all allocated memory.
@@ -53,6 +54,7 @@ struct Decision {
     strokes.clear();
     alarms.clear();
     commands.clear();
+    isHandled = false;
     samples = {};
     stay_s = 0.0;
     timing = {};

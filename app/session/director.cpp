@@ -33,9 +33,13 @@ void FrameLeader::obey(const Command& command, Decision& decision) {
 bool FrameLeader::isAbandoned(const WindowInput& input, const DeskInput& desk, const Decision& decision) {
   const bool mouseMoved = desk.mouse && (!mouseWas_ || desk.mouse->onWall_m != mouseWas_->onWall_m);
   mouseWas_ = desk.mouse;
-  const bool acted = !input.keys.empty() || !obeyed_.empty() || mouseMoved || desk.mouseHeld ||
-                     desk.mouseTurns || desk.padHeld || desk.steer != Vec3(0.0) ||
-                     decision.frame.record.hand.pulling || decision.frame.record.drive.thrust != Vec3(0.0);
+  const bool acted = isTold_ || !input.keys.empty() || mouseMoved || desk.mouseHeld || desk.mouseTurns ||
+                     desk.padHeld || decision.isHandled || decision.frame.record.hand.pulling;
+  if (nextGame_.isForNextVisitor) {
+    idle_.forget();
+    return false;
+  }
+  if (decision.frame.record.drive.mode == DriveMode::tour) idle_.wait(decision.frame.record.display_s);
   return idle_.look(decision.frame.record.display_s, acted, decision.head.pose.position_m);
 }
 
@@ -45,6 +49,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const bool choosing = offersChoices(settings_);
   decision.beginFrame();
   obeyed_.clear();
+  isTold_ = inbox_.size() > fromSource_;
   for (const Command& command : inbox_) obey(command, decision);
   inbox_.clear();
   for (const Command& command : commandsOf(input, keys_, before.display_s, settings_))
@@ -53,6 +58,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
   source_.next(times, {obeyed_, desk}, settings_, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
+  fromSource_ = decision.commands.size();
   if (isAbandoned(input, desk, decision)) obey(WelcomeNextVisitor{}, decision);
   if (!nextGame_.file.empty()) decision.frame.record.last = 1;  // ends this game
   for (const std::string& alarm : decision.alarms) log::note(alarm);

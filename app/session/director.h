@@ -35,9 +35,9 @@ struct NextGame {
 class FrameLeader : public Director {
  public:
   /// Leads the frames of `source`, beginning with `settings`; the next visitor begins with the game that they
-  /// name. `patience_s`: the next visitor is welcomed after so long without a sign of life; empty: never. `windows` are the walls whose windows take
-  /// mouse input; if null, all desktop devices are ignored, so that a run in simulated time does not depend
-  /// on them. `source` and `windows` must outlive this object.
+  /// name. `patience_s`: the next visitor is welcomed after so long without a sign of life; empty: never.
+  /// `windows` are the walls whose windows take mouse input; if null, all desktop devices are ignored, so
+  /// that a run in simulated time does not depend on them. `source` and `windows` must outlive this object.
   FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings, const DisplayWalls* windows,
               std::optional<double> patience_s = {});
 
@@ -47,7 +47,11 @@ class FrameLeader : public Director {
   Commands& inbox() { return inbox_; }
 
   /// Replaces the settings when another game starts.
-  void begin(const OperatorSettings& settings) { settings_ = settings; }
+  void begin(const OperatorSettings& settings) {
+    settings_ = settings;
+    inbox_.clear();  // of the game before
+    fromSource_ = 0;
+  }
 
   /// Returns the game to play after this one and clears it.
   NextGame takeNextGame() { return std::exchange(nextGame_, {}); }
@@ -61,10 +65,12 @@ class FrameLeader : public Director {
   const DisplayWalls* windows_;
   DeskControls desk_;  ///< kept between games, so that held buttons and keys stay held
   Commands inbox_, obeyed_;
+  std::size_t fromSource_ = 0;  ///< number of commands in the inbox that the source has given
   std::string firstGame_;
   NextGame nextGame_;
   IdleWatch idle_;
   std::optional<PointedWall> mouseWas_;
+  bool isTold_ = false;  ///< somebody else than the source gave a command for this frame
 };
 
 }  // namespace carom

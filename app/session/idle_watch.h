@@ -29,6 +29,15 @@ class IdleWatch {
     return true;
   }
 
+  /// Says that something is shown to the person, such as a scripted flight: it is no sign of life, but nobody has
+  /// to move meanwhile.
+  void wait(double now_s) {
+    if (latest_s_) latest_s_ = now_s;
+  }
+
+  /// Forgets the signs of life so far: the next visitor is welcomed already.
+  void forget() { latest_s_.reset(); }
+
  private:
   std::optional<double> patience_s_;
   std::optional<double> latest_s_;  ///< of the latest sign of life; empty: none since the last visitor

@@ -43,6 +43,7 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       hands_(rig.axes),
       roomBoundary_(rig.walls) {
   if (scenario.lesson && !start.before) beginPass(0);
+  if (start.before) play_.captions = captionsBegunAt(start.before->observer.properTime_s);
   if (start.frames) lastFrame_ = start.firstFrame() + *start.frames - 1;
 }
 
@@ -53,12 +54,12 @@ void LiveSource::playAnew() {
   if (scenario_.lesson) beginPass(0);
 }
 
-/// Starts the game and the observer, with this velocity of the lesson, where the lesson begins.
+/// Starts the observer, with this velocity of the lesson, where the lesson begins. The game stays: nobody can
+/// strike in a lesson, so it is the same in every pass.
 void LiveSource::beginPass(std::size_t observer) {
   const LessonPlan& plan = scenario_.lesson->plan;
   viewer_.startAt(rig_, scenario_, startOf(scenario_, observer), plan.interval.from_s);
   play_.drive = PlatformMotion(scenario_, rig_.axes, true);
-  play_.game = Game(scenario_);
   play_.passEnded_s.reset();
 }
 
@@ -112,6 +113,7 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
       record.observer = viewer_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
     }
     record.drive = play_.drive.view();
+    if (scenario_.lesson && (play_.explained || play_.passEnded_s)) record.drive.thrust = Vec3(0.0);
     play_.frozen = record.observer;
     const DriveMode mode = record.drive.mode;
     if (mode != play_.driven)
@@ -132,7 +134,10 @@ void LiveSource::say(std::string_view words, Decision& decision) {
 void LiveSource::strike(bool still, const FrameTimes& times, Decision& decision) {
   FrameRecord& record = decision.frame.record;
   const HandInput hand = hands_.cue(viewer_.hand(), record.observer, viewer_.head().pose, times.display_s);
-  if (const auto command = hands_.lessonCommand()) decision.commands.push_back(*command);
+  if (const auto command = hands_.lessonCommand()) {
+    decision.commands.push_back(*command);
+    decision.isHandled = true;
+  }
   const CueInteraction::Outcome outcome = play_.hands.step(hand, still, play_.game, record);
   if (outcome.stroke) decision.strokes.push_back(*outcome.stroke);
   rumble_.set(rumbleStrength(hand, record.hand));
@@ -151,6 +156,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   record.lightSpeed_m_s = settings.lightSpeed_m_s;
   putInto(record, settings);
   hands_.begin(input.desk, offersChoices(settings));
+  decision.isHandled = asksForAnything(hands_.drive());
   advanceLesson(record.lesson = settings.lesson, decision);
   if (lastOf<StartTour>(input.commands)) play_.drive.setOut();
   // Until the question is answered time is frozen, so that nothing of the answer can be seen.
@@ -174,16 +180,26 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   decision.timing.sampleAge_s = sampleAge_s(times.begin_s);
 }
 
+/// Returns how many of the scenario's captions have begun by this time of the observer's own clock.
+std::size_t LiveSource::captionsBegunAt(double own_s) const {
+  const auto begun = std::partition_point(scenario_.captions.begin(), scenario_.captions.end(),
+                                          [&](const Caption& caption) { return caption.from_s <= own_s; });
+  return static_cast<std::size_t>(begun - scenario_.captions.begin());
+}
+
 /// Shows the scenario's caption for the observer's proper time, unless a message is shown. When a caption
-/// begins, commands turn on its time views and turn off the others.
+/// begins, commands turn on its time views and turn off those of the caption before it.
 void LiveSource::showCaption(Decision& decision) {
   FrameRecord& record = decision.frame.record;
   const double own_s = record.observer.properTime_s;
   const std::vector<Caption>& captions = scenario_.captions;
-  while (play_.captions < captions.size() && captions[play_.captions].from_s <= own_s) {
-    const Caption& caption = captions[play_.captions++];
-    for (const NamedView& view : kNamedViews)
-      decision.commands.push_back(SetView{view.value, caption.views.*view.value != 0});
+  for (const std::size_t begun = captionsBegunAt(own_s); play_.captions < begun; ++play_.captions) {
+    const Caption& caption = captions[play_.captions];
+    const TimeViews before = play_.captions > 0 ? captions[play_.captions - 1].views : TimeViews();
+    for (const NamedView& view : kNamedViews) {
+      const bool on = caption.views.*view.value != 0;
+      if (on || before.*view.value != 0) decision.commands.push_back(SetView{view.value, on});
+    }
     decision.notes.push_back({"notice", caption.text});
   }
   if (play_.captions == 0 || !record.notice.words().empty()) return;

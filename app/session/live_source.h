@@ -76,6 +76,7 @@ class LiveSource : public FrameSource {
   void see(const OperatorSettings& settings, const FrameTimes& times, bool still, Decision& decision);
   void strike(bool still, const FrameTimes& times, Decision& decision);
   void say(std::string_view words, Decision& decision);
+  std::size_t captionsBegunAt(double own_s) const;
   void showCaption(Decision& decision);
   double sampleAge_s(double begin_s);
 

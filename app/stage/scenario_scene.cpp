@@ -54,16 +54,12 @@ void checkSpins(const Scenario& scenario, const Scene& scene) {
 
 }  // namespace
 
-bool drawsOnProcessor(const std::string& renderer) {
-  return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
-}
-
-Tessellation tessellationFor(const Rig& rig, const std::string& renderer) {
+Tessellation tessellationFor(const Rig& rig, bool inSoftware) {
   // Eight views of half a million vertices take a few milliseconds on a GPU, and a second on two CPU cores.
   constexpr std::size_t kMostOnCard = 500000;
   Tessellation tessellation;
   tessellation.pixel_rad = finestPixel_rad(rig.walls, rig.axes.up * kStandingEyes_m);
-  if (!drawsOnProcessor(renderer)) tessellation.mostVertices = kMostOnCard;
+  if (!inSoftware) tessellation.mostVertices = kMostOnCard;
   return tessellation;
 }
 

@@ -16,12 +16,9 @@
 
 namespace carom {
 
-/// Returns whether the OpenGL renderer of this name is a software renderer, without a GPU.
-bool drawsOnProcessor(const std::string& renderer);
-
-/// Returns a tessellation as fine as the rig's finest pixel seen from the room's origin. `renderer` is
-/// Graphics::rendererName; a software renderer gets fewer vertices than a GPU.
-Tessellation tessellationFor(const Rig& rig, const std::string& renderer);
+/// Returns a tessellation as fine as the rig's finest pixel seen from the room's origin. A software renderer
+/// gets fewer vertices than a GPU.
+Tessellation tessellationFor(const Rig& rig, bool inSoftware);
 
 /// Returns the scene of table, hall, pucks and scripted bodies. The meshes must have been opened.
 Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation);

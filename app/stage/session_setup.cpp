@@ -71,7 +71,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   cluster.nameNodes(setup.rig.walls);
   onAllRanks(cluster, [&] {
     setup.graphics = std::make_unique<Graphics>(displayOf(setup.rig, cluster.rank()));
-    setup.tessellation = tessellationFor(setup.rig, setup.graphics->rendererName());
+    setup.tessellation = tessellationFor(setup.rig, setup.graphics->inSoftware());
     setup.scene = sceneOf(setup.scenario, setup.tessellation);
     setup.walls = std::make_unique<DisplayWalls>(
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,

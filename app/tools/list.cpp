@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <fstream>
 #include <memory>
 
 #include "app/files/config_folder.h"
@@ -43,8 +44,18 @@ void addRig(const std::filesystem::path& file, const std::string& name, ListedFi
   listed.rigs.push_back(faulty(name, error));
 }
 
-/// Adds a file of a user's folder, if it is a scenario or a rig: only a scenario has a light speed, only a rig
-/// has walls. One that can be read as neither is left out, since other programs have TOML files as well.
+/// Returns the beginning of a file.
+std::string beginningOf(const std::filesystem::path& file) {
+  constexpr std::size_t kMost = 1U << 20U;
+  std::string text(kMost, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+/// Adds a file of a user's folder, if it is a scenario or a rig: only a scenario has a light speed, only a
+/// rig has walls. Of others, which another program may have written, nothing is said.
 void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
   ListedFiles as;
   addScenario(file, file.string(), as);
@@ -54,7 +65,12 @@ void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
     return;
   }
   addRig(file, file.string(), as);
-  if (!as.rigs[0].isFaulty) listed.rigs.push_back(as.rigs[0]);
+  const std::string text = beginningOf(file);
+  if (!as.rigs[0].isFaulty || text.find("[[wall]]") != std::string::npos) {
+    listed.rigs.push_back(as.rigs[0]);
+  } else if (text.find("light_speed_m_s") != std::string::npos) {
+    listed.games.push_back(as.games[0]);
+  }
 }
 
 void print(const char* heading, const std::vector<ListedFile>& files) {
@@ -97,8 +113,9 @@ ListedFiles listFiles(const std::filesystem::path& folder) {
 }
 
 void addList(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("list", "Lists the games, lessons, rigs and traces, shipped and in this folder");
+  CLI::App* command = app.add_subcommand(
+      "list",
+      "List the shipped games, lessons, rigs and traces, and the games, lessons and rigs in this folder");
   command->footer("Example:\n  carom list");
   command->callback([&status] { status = runList(); });
 }

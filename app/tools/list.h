@@ -1,5 +1,5 @@
 #pragma once
-// `carom list`: the games, lessons, rigs and traces that are shipped or in a folder, with their titles.
+// `carom list`: the shipped games, lessons, rigs and traces, and those of a folder, with their titles.
 
 #include <filesystem>
 #include <string>
@@ -23,8 +23,8 @@ struct ListedFiles {
   std::vector<ListedFile> games, rigs, traces;
 };
 
-/// Returns the shipped files and those of `folder`. Files of `folder` that are neither scenarios nor rigs nor
-/// traces are left out.
+/// Returns the shipped files and the scenarios and rigs of `folder`. A file that can be read as neither is left
+/// out, unless it names a light speed or walls: then its first fault is listed.
 ListedFiles listFiles(const std::filesystem::path& folder);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.

@@ -171,7 +171,7 @@ PlatformMotion::Manoeuvre PlatformMotion::next(const DriveWish& wish, const Obse
 PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Observer& observer,
                                                   double left_s) {
   const double asked = glm::length(steer);
-  if (!(asked > 0.0)) return {left_s};
+  if (!(asked > 0.0)) return steered_ ? coast(observer, left_s) : Manoeuvre{left_s};
   Vec3 thrust_m_s2 = steer * strongest_m_s2_;
   if (asked > 1.0 + 1e-9) {
     thrust_m_s2 /= asked;
@@ -197,6 +197,16 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
           fmt::format("No faster here: at {:.3g} c, {:.3g} s pass on the table in one of yours.",
                       most_u_ / std::hypot(1.0, most_u_), std::hypot(1.0, most_u_)));
   return {left_s};
+}
+
+/// Moves on without thrust, after somebody has steered: brakes where the hall would end.
+PlatformMotion::Manoeuvre PlatformMotion::coast(const Observer& observer, double left_s) {
+  const Vec3 here_m = observer.headEvent().r_m;
+  const Vec3 u = observer.boardFromRoom().u();
+  const Vec3 then_m = here_m + betaFromU(u) * (c_m_s_ * left_s * gammaFromU(u));
+  if (staysInHall(observer.boardFromRoom(), then_m)) return {left_s};
+  sayOnce(saidWall_, "The drive stops in front of the hall's walls. Home brings you back to the table.");
+  return brake(observer, left_s);
 }
 
 /// Returns whether the platform, braked from now on, comes to rest within the hall or at least no further

@@ -32,6 +32,11 @@ struct DriveWish {
   double turn_rad = 0.0;  ///< of the room about the vertical through the head, anticlockwise from above
 };
 
+/// Returns whether anything is wished.
+inline bool asksForAnything(const DriveWish& wish) {
+  return wish.steer != Vec3(0.0) || wish.brake || wish.home || wish.turn_rad != 0.0;
+}
+
 class PlatformMotion {
  public:
   /// Sets home to the platform's initial position in the scenario, but at rest. If `begins`, a tour that
@@ -76,6 +81,7 @@ class PlatformMotion {
   void endTour(const Observer& observer);
   Manoeuvre next(const DriveWish& wish, const Observer& observer, const Vec3& headInRoom_m, const Left& left);
   Manoeuvre steered(const Vec3& steer, const Observer& observer, double left_s);
+  Manoeuvre coast(const Observer& observer, double left_s);
   bool staysInHall(const Lorentz& boardFromRoom, const Vec3& place_m) const;
   Manoeuvre brake(const Observer& observer, double left_s) const;
   Manoeuvre returnHome(const Observer& observer, const Vec3& headInRoom_m, const Left& left);

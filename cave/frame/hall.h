@@ -12,7 +12,8 @@ struct Hall {
   glm::dvec3 size_m{14.0, 12.0, 5.0};  ///< at least; larger around a large table
 };
 
-/// Returns the size of the hall's floor around a table of this size: at least 5 m from the table to each wall.
+/// Returns the size of the hall's floor around a table of this size: at least 5 m from the table to each
+/// wall.
 inline glm::dvec2 hallFloor_m(const glm::dvec2& table_m, const Hall& hall = {}) {
   constexpr double kAroundTable_m = 5.0;
   return glm::max(glm::dvec2(hall.size_m), table_m + 2.0 * kAroundTable_m);

@@ -14,8 +14,8 @@
 namespace carom {
 
 /// Compiles and links a program in the current context. The inputs of its vertices that are named get the
-/// locations 0, 1 and so on, so that several programs can share a vertex array. Throws std::runtime_error with
-/// the compiler's message.
+/// locations 0, 1 and so on, so that several programs can share a vertex array. Throws std::runtime_error
+/// with the compiler's message.
 GlProgram makeProgram(const std::string& name, const std::string& vertexText, const std::string& fragmentText,
                       std::span<const char* const> inputs = {});
 

@@ -37,8 +37,8 @@ struct ChunkedMeshes {
 /// more of what is not seen, and cost more to look at.
 inline constexpr std::size_t kChunkTriangles = 256;
 
-/// Appends a mesh with its normals and its point array "surface"; where it lacks them, they are 0. Points that no
-/// triangle uses are left out. The order depends on the mesh alone.
+/// Appends a mesh with its normals and its point array "surface"; where it lacks them, they are 0. Points
+/// that no triangle uses are left out. The order depends on the mesh alone.
 void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to);
 
 }  // namespace carom

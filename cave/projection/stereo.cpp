@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
-/// Returns `mode` of shaders/stereo_frag.glsl if the eyes share the pane's pixels, 0 if each picture has its own
-/// part of the pane.
+/// Returns `mode` of shaders/stereo_frag.glsl if the eyes share the pane's pixels, 0 if each picture has its
+/// own part of the pane.
 int mixtureOf(StereoMode mode) {
   switch (mode) {
     case StereoMode::anaglyph:

@@ -1,6 +1,6 @@
 #pragma once
-// The buffers into which a wall is drawn, with depth and if asked for with several samples a pixel, before it is
-// copied into its picture.
+// The buffers into which a wall is drawn, with depth and if asked for with several samples a pixel, before it
+// is copied into its picture.
 
 #include <glm/vec2.hpp>
 
@@ -14,15 +14,16 @@ class DrawTarget {
   /// `samples`: samples a pixel (1: no multisampling).
   explicit DrawTarget(int samples);
 
-  /// Makes what follows draw into a black picture of this size, with the depth test on. The buffers grow to the
-  /// largest picture and keep that size: making them anew for every size would cost more than the drawing.
+  /// Makes what follows draw into a black picture of this size, with the depth test on. The buffers grow to
+  /// the largest picture and keep that size: making them anew for every size would cost more than the
+  /// drawing.
   void begin(const glm::ivec2& size_px);
   /// Copies the picture into columns of another, from `left_px` on.
   void copyTo(const RenderTarget& picture, int left_px) const;
 
   unsigned framebuffer() const { return framebuffer_; }
-  /// Returns the texture that is drawn into with one sample a pixel. It may be larger than the picture, which is in
-  /// its first columns and rows.
+  /// Returns the texture that is drawn into with one sample a pixel. It may be larger than the picture, which
+  /// is in its first columns and rows.
   unsigned texture() const { return texture_; }
 
  private:

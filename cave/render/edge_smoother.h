@@ -1,7 +1,8 @@
 #pragma once
-// Smooth edges without multisampling, for renderers in software, where four samples a pixel cost two and a half
-// times the time of a frame: edges are found in the finished picture and drawn again, each pixel mixed with its
-// neighbour as far as the edge covers it (shaders/edge_frag.glsl). What holds no edge is not touched.
+// Smooth edges without multisampling, for renderers in software, where four samples a pixel cost two and a
+// half times the time of a frame: edges are found in the finished picture and drawn again, each pixel mixed
+// with its neighbour as far as the edge covers it (shaders/edge_frag.glsl). What holds no edge is not
+// touched.
 
 #include <glm/vec2.hpp>
 
@@ -15,9 +16,10 @@ class EdgeSmoother {
  public:
   EdgeSmoother();
 
-  /// Smooths the picture's columns from `left_px` on, `size_px` large. They are a copy of the first columns and
-  /// rows of the texture `drawn`, which has in its alpha the tones between which edges are sought. Nothing from
-  /// beyond these columns and rows gets into the picture; one that is smaller than a tile stays as it is.
+  /// Smooths the picture's columns from `left_px` on, `size_px` large. They are a copy of the first columns
+  /// and rows of the texture `drawn`, which has in its alpha the tones between which edges are sought.
+  /// Nothing from beyond these columns and rows gets into the picture; one that is smaller than a tile stays
+  /// as it is.
   void smooth(unsigned drawn, const glm::ivec2& size_px, const RenderTarget& picture, int left_px) const;
 
  private:

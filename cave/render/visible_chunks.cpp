@@ -9,8 +9,8 @@
 namespace carom {
 namespace {
 
-/// Light that falls as flat as it can, 0.05 in shaders/body_vert.glsl, makes a shadow 20 times as long as the puck
-/// is high; its motion may double that.
+/// Light that falls as flat as it can, 0.05 in shaders/body_vert.glsl, makes a shadow 20 times as long as the
+/// puck is high; its motion may double that.
 constexpr double kLongestShadow = 40.0;
 
 /// Returns how far a shadow's vertices are from the puck's centre, and how far they are moved at most. The

@@ -1,8 +1,9 @@
 #pragma once
 // Which chunks of a scene's meshes a wall may show to one eye: only these are drawn.
 //
-// Each chunk has a sphere around it, which the eye sees within a cap of its sky (engine/light/seen_cap.h); a cap
-// outside the wall's pyramid is not drawn. Shadows lie where no part of their puck is: they have one wide cap.
+// Each chunk has a sphere around it, which the eye sees within a cap of its sky (engine/light/seen_cap.h); a
+// cap outside the wall's pyramid is not drawn. Shadows lie where no part of their puck is: they have one wide
+// cap.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +19,8 @@
 
 namespace carom {
 
-/// The chunks of one part of a scene. Parts with the same mesh share them, but each sees its own in another place:
+/// The chunks of one part of a scene. Parts with the same mesh share them, but each sees its own in another
+/// place:
 /// it counts them from `firstPlace`.
 struct PartChunks {
   std::size_t body = 0;
@@ -50,11 +52,12 @@ class VisibleChunks {
   /// Keeps a reference to `scene`.
   explicit VisibleChunks(const SceneChunks& scene);
 
-  /// Sets what an eye sees: `bodies[i]` is body i in `frame`; a body without legs is not drawn. No bodies: nothing
-  /// is.
+  /// Sets what an eye sees: `bodies[i]` is body i in `frame`; a body without legs is not drawn. No bodies:
+  /// nothing is.
   void look(std::span<const BodyView> bodies, const ViewFrame& frame);
 
-  /// Chooses the chunks that the wall with this projection may show; or with `everything`, all that are drawn.
+  /// Chooses the chunks that the wall with this projection may show; or with `everything`, all that are
+  /// drawn.
   void choose(const glm::dmat4& clipFromDrawn, bool everything = false);
 
   /// Returns the chosen chunks of a part, the nearest first.

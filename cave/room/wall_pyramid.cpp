@@ -21,9 +21,9 @@ WallPyramid::WallPyramid(const glm::dmat4& clipFromDrawn) {
   }
 }
 
-// The cap's direction furthest inwards is at the angle θ − α from the normal, with θ that of the axis, so that
-// its cosine is cos θ cos α + sin θ sin α; it is negative if θ > α + 90°, cos θ < −sin α. A whole cap beyond a
-// plane is less than half the sky, and so is convex: faces between its points lie in it, too.
+// The cap's direction furthest inwards is at the angle θ − α from the normal, with θ that of the axis, so
+// that its cosine is cos θ cos α + sin θ sin α; it is negative if θ > α + 90°, cos θ < −sin α. A whole cap
+// beyond a plane is less than half the sky, and so is convex: faces between its points lie in it, too.
 bool WallPyramid::mayShow(const SphericalCap& cap) const {
   if (cap.cosine <= 0.0) return true;
   return std::all_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {

@@ -25,14 +25,16 @@ namespace {
 constexpr int kSectors = 72;
 constexpr double kShadowHeight_m = 0.0005;  // above the cloth
 
-/// Returns the number of sectors around a puck of this radius. The rim lies outside its chords by at most
-/// r (1 − cos(π/n)) = π² r/2n²: with 72 sectors for a carom ball's radius, that is 29 µm, and at most 30 µm for larger
-/// pucks.
+/// Returns the number of sectors around a puck of this radius. The rim lies outside its chords by
+/// r (1 − cos(π/n)) = π² r/2n²: 29 µm with 72 sectors for a carom ball's radius, and hardly more up to three times
+/// that radius; even larger pucks leave vertices for finer cells.
 int sectorsOf(double radius_m, double cell_m) {
   constexpr double kFarthestOut_m = 30e-6;
+  constexpr int kMostForRoundness = 128;
   const int round =
       static_cast<int>(std::ceil(std::numbers::pi * std::sqrt(0.5 * radius_m / kFarthestOut_m)));
-  return std::max({kSectors, round, cellsFor(2.0 * std::numbers::pi * radius_m, cell_m)});
+  return std::max(
+      {kSectors, std::min(round, kMostForRoundness), cellsFor(2.0 * std::numbers::pi * radius_m, cell_m)});
 }
 
 /// Adds a ring of the puck, from (radius, z) to (radius, z); its outer side is to the right of that

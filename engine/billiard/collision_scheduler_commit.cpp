@@ -98,7 +98,8 @@ void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& his
 
 // The cushions end at the corners, and so does what can be touched: the end of the cushion, if the contact
 // found with its prolonged line lies beyond a neighbour. It can do so only
-// * after the leg has touched that neighbour, whose signal is still on its way: the rim met the neighbour there
+// * after the leg has touched that neighbour, whose signal is still on its way: the rim met the neighbour
+// there
 //   before, and has never come to where this leg, which does not know of it yet, would have it;
 // * or where the rim was in contact before the leg began, on this leg continued backwards through its turn at
 //   that neighbour. Then the signal is taken to come from the end of the cushion: the event from which it
@@ -158,8 +159,8 @@ LegState CollisionScheduler::turnOnFollowedLeg(int i, int which, const PairConta
   return turn.x.t < leg.start.t ? momentAt(leg, leg.start.t) : turn;
 }
 
-// Where the future cone of the signal meets the centre's world line as it stands. On the leg being followed the
-// caller knows.
+// Where the future cone of the signal meets the centre's world line as it stands. On the leg being followed
+// the caller knows.
 CollisionScheduler::Place CollisionScheduler::placeTurn(int i, const Vec21& signal, int cushion,
                                                         const LegState& onFollowedLeg, GameHistory& history) {
   const PuckState& player = pucks_[i];
@@ -171,8 +172,8 @@ CollisionScheduler::Place CollisionScheduler::placeTurn(int i, const Vec21& sign
 }
 
 // Where signal finds the centre from the last leg decided on. Cushions that it reaches before are bounced off
-// first. The signal of a cushion kicks it once for one approach: where the leg's own contact with that cushion
-// is heard of first, this stands for it, and the older signal has nothing more to say.
+// first. The signal of a cushion kicks it once for one approach: where the leg's own contact with that
+// cushion is heard of first, this stands for it, and the older signal has nothing more to say.
 CollisionScheduler::Place CollisionScheduler::whereSignalArrives(int i, const Vec21& signal, int cushion,
                                                                  GameHistory& history) {
   const double same = sameTurn_m(discs_[i].radius);
@@ -243,8 +244,9 @@ void CollisionScheduler::beginCommitted(int i) {
 }
 
 // The stroke changes the leg being followed. Kicks decided but still on their way keep their impulse (a
-// cushion: its law) and act where their signal meets the new motion, or where the new motion itself has touched
-// the cushion before. A cushion that the stroke keeps the puck from, or drives it away from, does nothing.
+// cushion: its law) and act where their signal meets the new motion, or where the new motion itself has
+// touched the cushion before. A cushion that the stroke keeps the puck from, or drives it away from, does
+// nothing.
 void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
   PuckState& player = pucks_[i];
   const PuckStroke& s = strokes_[stroke];

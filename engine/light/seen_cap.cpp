@@ -18,8 +18,8 @@ glm::dmat4 seenFromLeg(const LegView& leg) {
   return glm::transpose(glm::dmat4(t, x, y, z));
 }
 
-/// Returns whether the moment that is shown is one of the frame in which the leg is shown, so that nothing looks
-/// longer than at rest: the head's moment shown without aberration is not.
+/// Returns whether the moment that is shown is one of the frame in which the leg is shown, so that nothing
+/// looks longer than at rest: the head's moment shown without aberration is not.
 bool isMomentOf(const glm::dmat4& seenFromLeg, const LegView& leg) {
   constexpr double kRounding = 1e-9;
   return glm::distance(glm::transpose(seenFromLeg)[0], leg.toMoment) < kRounding * leg.toMoment.x;

@@ -10,24 +10,25 @@ namespace carom {
 
 /// How one eye sees spheres that are fixed to a body.
 ///
-/// For light from a body that keeps to one straight leg the cap is exact: it is that of the sphere in the leg's
-/// rest frame (without contraction γ times as large, around its stretched middle), carried to the frame in which
-/// walls draw. At a moment of the board's or the head's, a sphere is drawn within a sphere of the same radius,
-/// since nothing is longer there than at rest (the head's moment without aberration: the whole sky). A sphere of a
-/// spinning body is within a larger one around its centre. Of a body that glides under friction, the cap is that of
-/// a larger sphere at rest on the board. A body between two legs may be seen anywhere: the whole sky.
+/// For light from a body that keeps to one straight leg the cap is exact: it is that of the sphere in the
+/// leg's rest frame (without contraction γ times as large, around its stretched middle), carried to the frame
+/// in which walls draw. At a moment of the board's or the head's, a sphere is drawn within a sphere of the
+/// same radius, since nothing is longer there than at rest (the head's moment without aberration: the whole
+/// sky). A sphere of a spinning body is within a larger one around its centre. Of a body that glides under
+/// friction, the cap is that of a larger sphere at rest on the board. A body between two legs may be seen
+/// anywhere: the whole sky.
 class SeenCaps {
  public:
   /// `view` is the body in `frame`, which viewBody and ViewFrame made with the same switches.
   SeenCaps(const BodyView& view, const ViewFrame& frame);
 
-  /// Returns where the points are drawn that are at most `radius_m` from `middle_m` (in the body's rest frame,
-  /// from its centre): in the frame in which walls draw.
+  /// Returns where the points are drawn that are at most `radius_m` from `middle_m` (in the body's rest
+  /// frame, from its centre): in the frame in which walls draw.
   SphericalCap of(const Vec3& middle_m, double radius_m) const;
 
   /// Returns where everything is drawn that is at rest to the body's centre on the board within `radius_m` of
-  /// the place from which the centre's light came: larger than `of` in most cases, and good for a shadow, which
-  /// goes with its body but is no part of it.
+  /// the place from which the centre's light came: larger than `of` in most cases, and good for a shadow,
+  /// which goes with its body but is no part of it.
   SphericalCap around(double radius_m) const;
 
  private:

@@ -296,10 +296,10 @@ double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
   return largest_m + radius_m * (gamma + size) * apart * apart / 8.0;
 }
 
-// c = 1. N_m is the signal that begins leg m, A_m the event at which it reaches a point, U_q the four-velocity
-// of leg q: U_q·(A_m − N_m) ≥ 0 is how far the light of N_m has come by then, in the frame of q. Bounds
-// b_m(q) of that follow from each other. A point found by N_m on leg j < m, or on its way there, has not
-// heard of N_i, i = j + 1, before. If it
+// c = 1. N_m is the signal that begins leg m, A_m the event at which it reaches a point, U_q the
+// four-velocity of leg q: U_q·(A_m − N_m) ≥ 0 is how far the light of N_m has come by then, in the frame of
+// q. Bounds b_m(q) of that follow from each other. A point found by N_m on leg j < m, or on its way there,
+// has not heard of N_i, i = j + 1, before. If it
 //   rests on leg j, A_m is not later than where N_i would have found it: U_q·(A_m − N_m) ≤ the furthest that N_i
 //     reaches in the body + U_q·(N_i − N_m);
 //   or is on its way from A_j to its place d there, at w = catchUpSpeed: in the frame of j its distance from x_i
@@ -347,8 +347,8 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   return knot.deceleration_m_s2 > 0.0 ? 2.0 * joined_s : joined_s;
 }
 
-/// The longest of points all around the body, `around` on the equator and a third as many half way up, followed from the
-/// leg that all had joined.
+/// The longest of points all around the body, `around` on the equator and a third as many half way up,
+/// followed from the leg that all had joined.
 double followedJoining_s(const WorldLine& line, std::size_t from, int around) {
   const int halfWay = around / 3;
   const double c_m_s = line.lightSpeed_m_s();
@@ -373,8 +373,8 @@ double followedJoining_s(const WorldLine& line, std::size_t from, int around) {
 }  // namespace
 
 double joinedAfter_s(const WorldLine& line) {
-  // The bound costs the square of the number of legs: in a pile of pucks that press on one another hundreds can come
-  // before any is joined by all points.
+  // The bound costs the square of the number of legs: in a pile of pucks that press on one another hundreds
+  // can come before any is joined by all points.
   constexpr std::size_t kManyLegs = 32;
   // Of faster bodies a few points can lag behind all others, so many times longer that no number of them
   // shows it.

@@ -2,8 +2,8 @@
 // A round part of an eye's sky: in which directions a sphere is seen, from any frame.
 //
 // In its rest frame a sphere (middle p from the eye, radius ρ) is seen within the cap {n : n·a ≥ cos α},
-// a = p/|p|, sin α = ρ/|p|. A cone of light stays a cone under a boost (Penrose 1959, "The apparent shape of a
-// relativistically moving sphere"): light from the direction n has the null vector N = (−1, n), and with
+// a = p/|p|, sin α = ρ/|p|. A cone of light stays a cone under a boost (Penrose 1959, "The apparent shape of
+// a relativistically moving sphere"): light from the direction n has the null vector N = (−1, n), and with
 // S = (−cos α, a)
 //   N·S = n·a − cos α ≥ 0    (metric −+++)
 // holds in every frame or in none. In another frame S becomes (s₀, s), so that the cap there has the axis
@@ -25,8 +25,8 @@ struct SphericalCap {
   bool isWholeSky() const { return cosine <= -1.0; }
 };
 
-/// Returns the cap in which a sphere at rest is seen, whose middle is at `middleFromEye_m`: the whole sky for an
-/// eye in the sphere.
+/// Returns the cap in which a sphere at rest is seen, whose middle is at `middleFromEye_m`: the whole sky for
+/// an eye in the sphere.
 SphericalCap capOfSphere(const Vec3& middleFromEye_m, double radius_m);
 
 /// Returns the same cap in another frame, for an eye at the same event. The matrix is a Lorentz transform's

@@ -63,10 +63,10 @@ RestFrameSplit inRestFrame(const Vec3& u, const Displacement& d, double c_m_s) {
 
 }  // namespace
 
-// c = 1, origin at the turn. A point at x, |x| ≤ ρ, of the old leg's rest frame leaves it at A when the signal
-// (t_n, x_n) arrives: t_A = t_n + |x − x_n|, so |t_A| ≤ |t_n + |x_n|| + ρ. Seen from the new leg's rest
-// frame, which moves at relative rapidity η, both coordinates of A are at most e^η times the larger of the
-// two bounds; from there the point needs at most (|x_A| + R)/kCatchUpSpeed.
+// c = 1, origin at the turn. A point at x, |x| ≤ ρ, of the old leg's rest frame leaves it at A when the
+// signal (t_n, x_n) arrives: t_A = t_n + |x − x_n|, so |t_A| ≤ |t_n + |x_n|| + ρ. Seen from the new leg's
+// rest frame, which moves at relative rapidity η, both coordinates of A are at most e^η times the larger of
+// the two bounds; from there the point needs at most (|x_A| + R)/kCatchUpSpeed.
 WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before) const {
   const std::size_t last = knots_.size() - 1;
   const RestFrameSplit signal = inRestFrame(before.u, next.signal - next.turn, c_m_s_);
@@ -82,7 +82,8 @@ WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before
 }
 
 void WorldLine::noteNext(const Knot& next) {
-  // In the body's rest frame the centre's clock, when it sees the signal made, is at most |x_n|/c ahead of it.
+  // In the body's rest frame the centre's clock, when it sees the signal made, is at most |x_n|/c ahead of
+  // it.
   const Knot& last = knots_.back();
   const Motion then = motionOnLeg(last, next.signal.t_s, c_m_s_);
   const RestFrameSplit signal = inRestFrame(then.u, next.signal - then.event, c_m_s_);

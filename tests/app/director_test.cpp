@@ -108,8 +108,8 @@ TEST_F(DirectorTest, TheNextVisitorBeginsWithTheFirstGame) {
   EXPECT_EQ(decision_.frame.record.last, 1U);
 }
 
-// A frame a second. The patience counts from the latest sign of life, and a room that nobody has entered since is
-// not welcomed again.
+// A frame a second. The patience counts from the latest sign of life, and a room that nobody has entered
+// since is not welcomed again.
 TEST_F(DirectorTest, AnAbandonedSessionWelcomesTheNextVisitorOnce) {
   OperatorSettings settings;
   settings.playing = "first.toml";
@@ -126,6 +126,23 @@ TEST_F(DirectorTest, AnAbandonedSessionWelcomesTheNextVisitorOnce) {
     if (leader.takeNextGame().isForNextVisitor) welcomed.push_back(frame);
   }
   EXPECT_EQ(welcomed, (std::vector<int>{195})) << "60 s after the head had moved by more than 5 cm";
+}
+
+// Commands of the source itself, as captions give them, are no sign of life; the key that welcomes the next visitor
+// is none either.
+TEST_F(DirectorTest, ACaptionIsNoSignOfLife) {
+  OperatorSettings settings;
+  settings.playing = "first.toml";
+  FrameLeader leader(source_, KeysOf::session, settings, nullptr, 60.0);
+  std::vector<int> welcomed;
+  for (int frame = 0; frame < 400; ++frame) {
+    if (frame % 40 == 20) source_.byHand = SetView{&TimeViews::boardNow, frame % 80 == 20};
+    testing::internal::CaptureStderr();
+    leader.decide(pacer_.next(), frame == 100 ? pressing(GLFW_KEY_F8) : WindowInput{}, decision_);
+    testing::internal::GetCapturedStderr();
+    if (leader.takeNextGame().isForNextVisitor) welcomed.push_back(frame);
+  }
+  EXPECT_EQ(welcomed, (std::vector<int>{100}));
 }
 
 TEST_F(DirectorTest, AnotherGameEndsThisOneWithTheFrame) {

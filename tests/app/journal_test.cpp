@@ -241,8 +241,8 @@ std::array<std::uint64_t, FrameDigest::kFields.size()> digestsOf(const std::file
   return digests;
 }
 
-// A session of twenty frames, two knots and three events, and its digests, by the program that wrote version 3
-// last. Earlier files of that version lack the column of delays.
+// A session of twenty frames, two knots and three events, and its digests, by the program that wrote version
+// 3 last. Earlier files of that version lack the column of delays.
 TEST(Journal, AFileOfVersion3IsReadAndGoneOnWithAndHasTheSameDigests) {
   constexpr int kFrames = 20;
   constexpr std::array<std::uint64_t, FrameDigest::kFields.size()> kDigests{

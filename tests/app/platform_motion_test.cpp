@@ -224,7 +224,8 @@ TEST(PlatformMotion, WhoSteersFarAwayIsToldOnceOfTheWayHome) {
   EXPECT_EQ(told, 1);
 }
 
-// A hall with walls that stop: in any direction and from any speed, the head stays within, and it is told once.
+// A hall with walls that stop: in any direction and from any speed, the head stays within, and it is told
+// once.
 TEST(PlatformMotion, TheDriveStopsInFrontOfTheHallsWalls) {
   for (int direction = 0; direction < 8; ++direction) {
     Scenario scenario = platform();
@@ -245,6 +246,22 @@ TEST(PlatformMotion, TheDriveStopsInFrontOfTheHallsWalls) {
     EXPECT_GT(fastest_u, 1.0) << direction;
     const Vec3 at_m = ride.observer.headEvent().r_m;
     EXPECT_TRUE(std::abs(at_m.x) > 6.0 || std::abs(at_m.y) > 5.0) << "up to the wall, not far before it";
+  }
+}
+
+// A push and then nothing: the room coasts, and still stops in front of the wall.
+TEST(PlatformMotion, ACoastingRoomStopsInFrontOfTheHallsWalls) {
+  for (const double push_s : {0.5, 1.0, 2.0}) {
+    Scenario scenario = platform();
+    scenario.billiard.board = Board{2.84, 1.42};
+    Ride ride(scenario, standing);
+    for (int frame = 0; frame < 30 * 60; ++frame) {
+      ride.live({.steer = {frame < push_s * 60 ? 0.9 : 0.0, 0.0, 0.0}});
+      ASSERT_LE(std::abs(ride.observer.headEvent().r_m.x), 7.0)
+          << "after " << push_s << " s, frame " << frame;
+    }
+    EXPECT_LT(ride.speed_u(), 1e-9);
+    EXPECT_GT(ride.observer.headEvent().r_m.x, 5.0);
   }
 }
 

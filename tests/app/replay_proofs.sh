@@ -52,6 +52,11 @@ for phase in shows explains; do
 done
 again=$(rows shows "SELECT count(*) FROM frame a JOIN frame b ON b.number = a.number + 1 WHERE b.t_s < a.t_s")
 [ "$again" -eq 1 ] || fail "a lesson of two passes began again $again times"
+"$carom" export "$out/shows.db" --csv "$out/shows.csv" 2>"$out/stderr" || fail "export of two passes: $(cat "$out/stderr")"
+"$carom" replay "$out/shows.db" --at 11 --capture "$out/at" --no-window 2>"$out/stderr" || fail "--at: $(cat "$out/stderr")"
+for picture in "$out"/at/*.png; do
+  cmp "$picture" "$out/shows/$(basename "$picture")" || fail "the second pass, begun in its middle, differs from what was seen"
+done
 
 # Keys: colour, paths, ghosts, a frozen sight and on, patterns and back, slower light, eyes further apart; the end.
 "$carom" cave --rig "$out/room.toml" --frames 1000000 --session "$out/keys.db" --capture "$out/keys" 2>"$out/stderr" &

@@ -90,8 +90,8 @@ TEST(SeenCap, NoPointOfASphereIsSeenOutside) {
   EXPECT_LT(whole, kCases / 5);
 }
 
-// The points in which rays from the eye touch the sphere, p + ρ (cos ψ t − sin ψ a) with sin ψ = ρ/|p − e| and t
-// across the axis a, lie on the border: the cap is no larger than it must be.
+// The points in which rays from the eye touch the sphere, p + ρ (cos ψ t − sin ψ a) with sin ψ = ρ/|p − e|
+// and t across the axis a, lie on the border: the cap is no larger than it must be.
 TEST(SeenCap, RaysThatTouchTheSphereAreItsBorder) {
   test::Random random(62);
   for (int i = 0; i < 20000; ++i) {
