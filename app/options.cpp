@@ -7,14 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/tools/check.h"
-#include "app/tools/filter.h"
-#include "app/tools/import.h"
-#include "app/tools/list.h"
-#include "app/tools/observe.h"
-#include "app/tools/simulate.h"
-#include "app/tools/track.h"
-#ifdef CAROM_WITH_CAVE
 #include "app/commands/cave_session.h"
 #include "app/commands/diagram.h"
 #include "app/commands/doctor.h"
@@ -23,23 +15,22 @@
 #include "app/commands/pattern.h"
 #include "app/commands/replay.h"
 #include "app/stage/scenario_scene.h"
-#endif
+#include "app/tools/check.h"
+#include "app/tools/filter.h"
+#include "app/tools/import.h"
+#include "app/tools/list.h"
+#include "app/tools/observe.h"
+#include "app/tools/simulate.h"
+#include "app/tools/track.h"
 
 namespace carom {
 namespace {
 
-// These need VTK, which builds for the sanitizers do not have.
-#ifdef CAROM_WITH_CAVE
 const SeenSceneText kSeenScene = seenSceneVtp;
 const std::function<void(const Scenario&)> kOpenMeshes = openMeshes;
 const ShowPattern kShowPattern = [](const auto& rig, const auto& capture) {
   return runPattern({rig, capture});
 };
-#else
-const SeenSceneText kSeenScene;
-const std::function<void(const Scenario&)> kOpenMeshes;
-const ShowPattern kShowPattern;
-#endif
 
 /// Returns the message for a command line error, with the help command that explains it.
 std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
@@ -79,14 +70,12 @@ void addCommands(CLI::App& app, int& status) {
   addList(app, status);
   addFilter(app, status);
   addTrack(app, status);
-#ifdef CAROM_WITH_CAVE
   addCave(app, status);
   addDoctor(app, status);
   addEvents(app, status);
   addDiagram(app, status);
   addReplay(app, status);
   addExport(app, status);
-#endif
 }
 
 }  // namespace
