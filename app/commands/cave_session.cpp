@@ -98,9 +98,8 @@ OperatorSettings settingsOf(const SessionSetup& setup, const CaveOptions& option
   settings.switches = options.switches;
   settings.views = options.views;
   beginLesson(setup.scenario, !options.frames, settings);
-  if (!options.lesson || !setup.scenario.lesson) return settings;
-  settings.lesson.phase = *options.lesson;
-  if (options.lesson == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
+  if (options.lesson && setup.scenario.lesson) settings.lesson.phase = *options.lesson;
+  explainInMotion(settings);
   return settings;
 }
 
@@ -112,7 +111,7 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
   if (!before.last) return settings;
   // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
-  if (settings.lesson.phase == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
+  explainInMotion(settings);
   settings.switches = before.last->switches;
   settings.views = before.last->views;
   settings.views.frozen = 0;
@@ -401,8 +400,7 @@ void addCave(CLI::App& app, int& status) {
             for (const std::string& name : names) showView(name, options->views);
           },
           "A view of time to begin with: board-now, my-now, paths, events, clocks, ruler, angles, split, "
-          "frozen. May be given "
-          "again. Keys turn them later")
+          "frozen. May be given several times. Keys turn them later")
       ->type_name("NAME")
       ->allow_extra_args(false);
   const std::map<std::string, LessonPhase> phases{

@@ -43,10 +43,14 @@ bool offersChoices(const OperatorSettings& settings) {
   return settings.lesson.phase == LessonPhase::asks || settings.lessonObservers > 0;
 }
 
+void explainInMotion(OperatorSettings& settings) {
+  if (settings.lesson.phase == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
+}
+
 bool goOn(OperatorSettings& settings) {
   const LessonState before = settings.lesson;
   settings.lesson = advance(before, settings.lessonAnswers, 0, true);
-  if (settings.lesson.phase == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
+  explainInMotion(settings);
   return settings.lesson != before;
 }
 

@@ -29,8 +29,10 @@ void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings
 /// observer, if it has any.
 bool offersChoices(const OperatorSettings& settings);
 
-/// Goes on to the lesson's next phase. It explains with the velocity of which its number speaks. Returns
-/// whether that changes the settings.
+/// Gives the observer the velocity of which the number speaks, if the lesson explains it.
+void explainInMotion(OperatorSettings& settings);
+
+/// Goes on to the lesson's next phase. Returns whether that changes the settings.
 bool goOn(OperatorSettings& settings);
 
 /// Takes the choice with this number, counted from 1. Where velocities are offered, the last number that a

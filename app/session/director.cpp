@@ -29,12 +29,13 @@ void FrameLeader::obey(const Command& command, Decision& decision) {
   if (std::holds_alternative<WelcomeNextVisitor>(command)) nextGame_ = {firstGame_, true};
 }
 
-/// Returns whether nobody has given a sign of life for so long that the next visitor is to be welcomed.
-bool FrameLeader::isAbandoned(const WindowInput& input, const DeskInput& desk, const Decision& decision) {
+/// Returns whether nobody has given a sign of life for so long that the next visitor is to be welcomed. `acted`:
+/// somebody gave a command or pressed a key.
+bool FrameLeader::isAbandoned(bool acted, const DeskInput& desk, const Decision& decision) {
   const bool mouseMoved = desk.mouse && (!mouseWas_ || desk.mouse->onWall_m != mouseWas_->onWall_m);
   mouseWas_ = desk.mouse;
-  const bool acted = isTold_ || !input.keys.empty() || mouseMoved || desk.mouseHeld || desk.mouseTurns ||
-                     desk.padHeld || decision.isHandled || decision.frame.record.hand.pulling;
+  acted = acted || mouseMoved || desk.mouseHeld || desk.mouseTurns || desk.padHeld || decision.isHandled ||
+          decision.frame.record.hand.pulling;
   if (nextGame_.isForNextVisitor) {
     idle_.forget();
     return false;
@@ -49,7 +50,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const bool choosing = offersChoices(settings_);
   decision.beginFrame();
   obeyed_.clear();
-  isTold_ = inbox_.size() > fromSource_;
+  const bool acted = inbox_.size() > fromSource_ || !input.keys.empty();
   for (const Command& command : inbox_) obey(command, decision);
   inbox_.clear();
   for (const Command& command : commandsOf(input, keys_, before.display_s, settings_))
@@ -59,7 +60,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   source_.next(times, {obeyed_, desk}, settings_, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   fromSource_ = decision.commands.size();
-  if (isAbandoned(input, desk, decision)) obey(WelcomeNextVisitor{}, decision);
+  if (isAbandoned(acted, desk, decision)) obey(WelcomeNextVisitor{}, decision);
   if (!nextGame_.file.empty()) decision.frame.record.last = 1;  // ends this game
   for (const std::string& alarm : decision.alarms) log::note(alarm);
   decision.timing.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

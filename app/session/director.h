@@ -58,7 +58,7 @@ class FrameLeader : public Director {
 
  private:
   void obey(const Command& command, Decision& decision);
-  bool isAbandoned(const WindowInput& input, const DeskInput& desk, const Decision& decision);
+  bool isAbandoned(bool acted, const DeskInput& desk, const Decision& decision);
 
   FrameSource& source_;
   KeysOf keys_;
@@ -70,7 +70,6 @@ class FrameLeader : public Director {
   NextGame nextGame_;
   IdleWatch idle_;
   std::optional<PointedWall> mouseWas_;
-  bool isTold_ = false;  ///< somebody else than the source gave a command for this frame
 };
 
 }  // namespace carom

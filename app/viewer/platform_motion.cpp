@@ -187,8 +187,7 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   const Vec3 here_m = observer.headEvent().r_m;
   if (!staysInHall(after, here_m)) {
     view_.atLimit = 1;
-    sayOnce(saidWall_, "The drive stops in front of the hall's walls. Home brings you back to the table.");
-    return brake(observer, left_s);
+    return stopAtWall(observer, left_s);
   }
   const double after_u = glm::length(after.u());
   if (after_u <= std::max(most_u_, glm::length(room.u()))) return {left_s, thrust_m_s2};
@@ -201,10 +200,12 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
 
 /// Moves on without thrust, after somebody has steered: brakes where the hall would end.
 PlatformMotion::Manoeuvre PlatformMotion::coast(const Observer& observer, double left_s) {
-  const Vec3 here_m = observer.headEvent().r_m;
-  const Vec3 u = observer.boardFromRoom().u();
-  const Vec3 then_m = here_m + betaFromU(u) * (c_m_s_ * left_s * gammaFromU(u));
-  if (staysInHall(observer.boardFromRoom(), then_m)) return {left_s};
+  const Lorentz& room = observer.boardFromRoom();
+  const Vec3 then_m = observer.headEvent().r_m + room.u() * (c_m_s_ * left_s);
+  return staysInHall(room, then_m) ? Manoeuvre{left_s} : stopAtWall(observer, left_s);
+}
+
+PlatformMotion::Manoeuvre PlatformMotion::stopAtWall(const Observer& observer, double left_s) {
   sayOnce(saidWall_, "The drive stops in front of the hall's walls. Home brings you back to the table.");
   return brake(observer, left_s);
 }

@@ -82,6 +82,7 @@ class PlatformMotion {
   Manoeuvre next(const DriveWish& wish, const Observer& observer, const Vec3& headInRoom_m, const Left& left);
   Manoeuvre steered(const Vec3& steer, const Observer& observer, double left_s);
   Manoeuvre coast(const Observer& observer, double left_s);
+  Manoeuvre stopAtWall(const Observer& observer, double left_s);
   bool staysInHall(const Lorentz& boardFromRoom, const Vec3& place_m) const;
   Manoeuvre brake(const Observer& observer, double left_s) const;
   Manoeuvre returnHome(const Observer& observer, const Vec3& headInRoom_m, const Left& left);

@@ -27,11 +27,19 @@ class Shows : public FrameSource {
 
 class DirectorTest : public testing::Test {
  protected:
-  const FrameRecord& frame(const WindowInput& input = {}) {
+  void decide(FrameLeader& leader, const WindowInput& input) {
     testing::internal::CaptureStderr();
-    leader_.decide(pacer_.next(), input, decision_);
+    leader.decide(pacer_.next(), input, decision_);
     said_ = testing::internal::GetCapturedStderr();
+  }
+  const FrameRecord& frame(const WindowInput& input = {}) {
+    decide(leader_, input);
     return decision_.frame.record;
+  }
+  /// The game that a frame of this leader asks for.
+  NextGame next(FrameLeader& leader, const WindowInput& input = {}) {
+    decide(leader, input);
+    return leader.takeNextGame();
   }
   static WindowInput pressing(int key) { return {{{key, true}, {key, false}}, false}; }
   std::vector<std::string> inputs() const {
@@ -93,16 +101,10 @@ TEST_F(DirectorTest, TheNextVisitorBeginsWithTheFirstGame) {
   settings.playing = "first.toml";
   FrameLeader leader(source_, KeysOf::session, settings, nullptr);
   leader.inbox().emplace_back(PlayScenario{"second.toml"});
-  const auto next = [&](const WindowInput& input = {}) {
-    testing::internal::CaptureStderr();
-    leader.decide(pacer_.next(), input, decision_);
-    testing::internal::GetCapturedStderr();
-    return leader.takeNextGame();
-  };
-  NextGame game = next();
+  NextGame game = next(leader);
   EXPECT_EQ(game.file, "second.toml");
   EXPECT_FALSE(game.isForNextVisitor);
-  game = next(pressing(GLFW_KEY_F8));
+  game = next(leader, pressing(GLFW_KEY_F8));
   EXPECT_EQ(game.file, "first.toml");
   EXPECT_TRUE(game.isForNextVisitor);
   EXPECT_EQ(decision_.frame.record.last, 1U);
@@ -120,16 +122,14 @@ TEST_F(DirectorTest, AnAbandonedSessionWelcomesTheNextVisitorOnce) {
     if (frame >= 130 && frame < 140)
       decision_.head.pose.position_m.x = 0.01 * (frame - 129);                         // a step of 10 cm
     if (frame >= 300) decision_.head.pose.position_m.y = frame % 2 == 0 ? 0.01 : 0.0;  // noise
-    testing::internal::CaptureStderr();
-    leader.decide(pacer_.next(), presses ? pressing(GLFW_KEY_4) : WindowInput{}, decision_);
-    testing::internal::GetCapturedStderr();
-    if (leader.takeNextGame().isForNextVisitor) welcomed.push_back(frame);
+    const WindowInput input = presses ? pressing(GLFW_KEY_4) : WindowInput{};
+    if (next(leader, input).isForNextVisitor) welcomed.push_back(frame);
   }
   EXPECT_EQ(welcomed, (std::vector<int>{195})) << "60 s after the head had moved by more than 5 cm";
 }
 
-// Commands of the source itself, as captions give them, are no sign of life; the key that welcomes the next visitor
-// is none either.
+// Commands of the source itself, as captions give them, are no sign of life; the key that welcomes the next
+// visitor is none either.
 TEST_F(DirectorTest, ACaptionIsNoSignOfLife) {
   OperatorSettings settings;
   settings.playing = "first.toml";
@@ -137,10 +137,8 @@ TEST_F(DirectorTest, ACaptionIsNoSignOfLife) {
   std::vector<int> welcomed;
   for (int frame = 0; frame < 400; ++frame) {
     if (frame % 40 == 20) source_.byHand = SetView{&TimeViews::boardNow, frame % 80 == 20};
-    testing::internal::CaptureStderr();
-    leader.decide(pacer_.next(), frame == 100 ? pressing(GLFW_KEY_F8) : WindowInput{}, decision_);
-    testing::internal::GetCapturedStderr();
-    if (leader.takeNextGame().isForNextVisitor) welcomed.push_back(frame);
+    const WindowInput input = frame == 100 ? pressing(GLFW_KEY_F8) : WindowInput{};
+    if (next(leader, input).isForNextVisitor) welcomed.push_back(frame);
   }
   EXPECT_EQ(welcomed, (std::vector<int>{100}));
 }
