@@ -19,6 +19,13 @@ struct WallCorner {
 };
 
 std::array<WallCorner, 4> cornersOf(const Wall& wall) {
+  if (wall.skewed) {
+    const auto& at_m = wall.skewed->corners_m;
+    return {{{"lower_left", at_m[0]},
+             {"lower_right", at_m[1]},
+             {"upper_left", at_m[2]},
+             {"upper_right", at_m[3]}}};
+  }
   return {{{"lower_left", wall.lowerLeft_m},
            {"lower_right", wall.lowerRight_m},
            {"upper_left", wall.upperLeft_m},
