@@ -76,11 +76,11 @@ class Finder {
     glm::dquat turn(0.0, 0.0, 0.0, 0.0);
     double squares_m2 = 0.0;
     std::vector<std::size_t> kept;
-    const glm::dvec3 anchor_m = medianOf(first, end);
+    const std::size_t anchor = medianOf(first, end);
     for (std::size_t i = first; i < end; ++i) {
-      if (glm::distance(points_m_[i], anchor_m) > 2.0 * limits_.radius_m) continue;  // a glitch
+      if (glm::distance(points_m_[i], points_m_[anchor]) > 2.0 * limits_.radius_m) continue;  // a glitch
       const glm::dquat& q = samples_[i].pose.orientation;
-      turn = turn + (glm::dot(q, samples_[first].pose.orientation) < 0.0 ? -q : q);
+      turn = turn + (glm::dot(q, samples_[anchor].pose.orientation) < 0.0 ? -q : q);
       sensor_m += samples_[i].pose.position_m;
       point_m += points_m_[i];
       kept.push_back(i);
@@ -97,8 +97,8 @@ class Finder {
     return rest;
   }
 
-  /// Returns the median of each coordinate.
-  glm::dvec3 medianOf(std::size_t first, std::size_t end) const {
+  /// Returns the sample that is nearest to the median of each coordinate.
+  std::size_t medianOf(std::size_t first, std::size_t end) const {
     glm::dvec3 median_m(0.0);
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<double> values_m;
@@ -107,7 +107,12 @@ class Finder {
       std::nth_element(values_m.begin(), middle, values_m.end());
       median_m[axis] = *middle;
     }
-    return median_m;
+    const auto nearest = std::min_element(points_m_.begin() + static_cast<std::ptrdiff_t>(first),
+                                          points_m_.begin() + static_cast<std::ptrdiff_t>(end),
+                                          [&](const auto& a, const auto& b) {
+                                            return glm::distance(a, median_m) < glm::distance(b, median_m);
+                                          });
+    return static_cast<std::size_t>(nearest - points_m_.begin());
   }
 
   std::span<const TrackerSample> samples_;
