@@ -84,6 +84,13 @@ TEST(Rig, ReadsEveryKindOfTracker) {
   }
 }
 
+TEST(Rig, MaySayThatDtrackIsStarted) {
+  const Rig rig =
+      read(changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:5000?controller=art'\nstart = true"));
+  EXPECT_TRUE(rig.trackers.at(0).start);
+  EXPECT_FALSE(read(changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:5000'")).trackers.at(0).start);
+}
+
 TEST(Rig, MayHaveASpaceMouse) {
   const std::string mouse = kGood + "[[tracker]]\nname = 'mouse'\nkind = 'spacemouse'\n";
   const Rig first = read(mouse);
@@ -319,6 +326,31 @@ TEST(Rig, MayHaveASkewedScreen) {
   EXPECT_THROW(read(unsaid), InputErrors);  // a slip of the tape is not taken for a skewed screen
 }
 
+TEST(Rig, OneThingAloneSaysWhereThePictureGoes) {
+  const TemporaryFolder folder;
+  folder.file("warp.pfm", "PF\n4 2\n-1.0\n" + std::string(4 * 2 * 12, '\0'));
+  const std::string colours = "warp_red = 'warp.pfm'\nwarp_green = 'warp.pfm'\nwarp_blue = 'warp.pfm'\n";
+  const std::string skewed = "skewed = true\nupper_right = [1500, 1900, -1500]\n";
+  const auto faultsOf = [&](const std::string& text) {
+    try {
+      readRig(folder.file("given.toml", kGood + text));
+    } catch (const InputErrors& error) {
+      std::string all;
+      for (const InputError& fault : error.faults()) all += fault.message() + "\n";
+      return all;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(faultsOf(skewed), "");
+  EXPECT_EQ(faultsOf(colours), "");
+  EXPECT_NE(faultsOf(skewed + "warp = 'warp.pfm'\n").find("as the corners of a skewed wall do"),
+            std::string::npos);
+  EXPECT_NE(faultsOf(skewed + colours).find("as the corners of a skewed wall do"), std::string::npos);
+  EXPECT_NE(faultsOf(colours + "warp = 'warp.pfm'\n").find("expected no warp for all of them"),
+            std::string::npos);
+  EXPECT_NE(faultsOf("warp_red = 'warp.pfm'\n").find("warp_green is missing"), std::string::npos);
+}
+
 TEST(Rig, WallsMayMissARectangleByTwoMillimetres) {
   EXPECT_NO_THROW(read(changed("[-1500, 2000, -1500]", "[-1498.1, 2000, -1500]")));
   EXPECT_THROW(read(changed("[-1500, 2000, -1500]", "[-1497.9, 2000, -1500]")), InputErrors);
@@ -363,6 +395,11 @@ INSTANTIATE_TEST_SUITE_P(
               "expected one such as 'Head@tcp://host:3883'"},
         Fault{"DTRACK address", changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:99999'"), 9, 10,
               "expected a number from 1 to 65535"},
+        Fault{"DTRACK without controller",
+              changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:5000'\nstart = true"), 10, 9,
+              "does not say which controller"},
+        Fault{"start of another kind", changed("'simulated'", "'simulated'\nstart = true"), 9, 9,
+              "dtrack alone"},
         Fault{"NatNet group", changed("'simulated'", "'natnet'\nsource = 'udp://h?group=10.0.0.1'"), 9, 10,
               "expected a multicast address"},
         Fault{"USB address", changed("'simulated'", "'polhemus-usb'\nsource = 'FASTRAK'"), 9, 10,
@@ -393,11 +430,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"white below black", kGood + "gain = [1, 0.1, 1]\nblack_level = 0.2\n", 15, 8,
               "white above black"},
         Fault{"gamma", kGood + "gamma = [0.5, 2, 2]\n", 15, 10, "from 1 to 4"},
-        Fault{"no such colour mesh", kGood + "warp_red = 'no.obj'\nwarp_green = 'no.obj'\nwarp_blue = 1\n",
-              15, 12, "'no.obj' is no file"},
         Fault{"skewed of three corners", kGood + "skewed = true\n", 15, 10, "needs all four corners"},
-        Fault{"skewed and warped",
-              kGood + "skewed = true\nupper_right = [1500, 1900, -1500]\nwarp = 'rigs/no.obj'\n", 17, 8, ""},
         Fault{"bent", kGood + "skewed = true\nupper_right = [1500, 2000, -1400]\n", 16, 15, "off one plane"},
         Fault{"crossed", kGood + "skewed = true\nupper_right = [-1600, 2000, -1500]\n", 16, 15, "degrees"},
         Fault{"latency of a wall", kGood + "display_latency_ms = -1\n", 15, 22, "from 0"},

@@ -14,6 +14,7 @@
 #include <random>
 
 #include "cave/room/off_axis.h"
+#include "cave/room/wall_pointer.h"
 
 namespace carom {
 namespace {
@@ -102,6 +103,25 @@ TEST(SkewedScreen, ThrowsEveryPointOfTheRoomOntoTheLineOfSight) {
     }
   }
   EXPECT_EQ(thrown, 6000);
+}
+
+// What the mouse points to in the window is the place on the wall to which the lens throws that pixel.
+TEST(SkewedScreen, ThePointerPointsToWhereTheLensThrowsItsPixel) {
+  Random random(5);
+  for (int i = 0; i < 100; ++i) {
+    const Scene scene(random);
+    const AroundScreen found = around(scene.corners_m);
+    Wall wall = wallOf(found);
+    wall.skewed = found.screen;
+    wall.flip = i % 2 == 0 ? Flip::none : Flip::both;
+    const Viewport pane{{40, 20}, {800, 600}};
+    const glm::dvec2 pointer_px(uniform(random, 40, 839), uniform(random, 20, 619));
+    const auto pointed = pointedIn(wall, pane, pointer_px);
+    ASSERT_TRUE(pointed) << "case " << i;
+    glm::dvec2 inWindow((pointer_px.x - 40) / 800, 1.0 - (pointer_px.y - 20) / 600);
+    if (wall.flip == Flip::both) inWindow = 1.0 - inWindow;
+    EXPECT_LT(glm::distance(pointed->onWall_m, scene.at(inWindow)), 1e-9) << "case " << i;
+  }
 }
 
 /// The homography from its eight linear equations: x (g u + h v + 1) = a u + b v + c, and so for y.
