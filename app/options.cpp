@@ -15,6 +15,7 @@
 #include "app/commands/pattern.h"
 #include "app/commands/replay.h"
 #include "app/stage/scenario_scene.h"
+#include "app/tools/calibrate.h"
 #include "app/tools/check.h"
 #include "app/tools/filter.h"
 #include "app/tools/import.h"
@@ -70,6 +71,7 @@ void addCommands(CLI::App& app, int& status) {
   addList(app, status);
   addFilter(app, status);
   addTrack(app, status);
+  addCalibrate(app, status);
   addCave(app, status);
   addDoctor(app, status);
   addEvents(app, status);

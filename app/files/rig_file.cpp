@@ -56,10 +56,14 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
   std::vector<WallText> walls;
   for (const TomlTable& table : root.tables("wall")) {
     walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));
-    rig.walls.push_back(walls.back().wall);
     placed.walls.push_back(placesOf(table));
   }
   if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
+  file.throwFaults();
+  for (WallText& text : walls) {
+    straighten(text);
+    rig.walls.push_back(text.wall);
+  }
   file.throwFaults();
   if (rig.hand && rig.hand->buttons && *rig.hand->buttons != rig.head.sensor.tracker)
     rig.trackers[*rig.hand->buttons].buttonsAlone = true;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/files/toml_values.h"
+#include "devices/network/dtrack_tracker.h"
 #include "devices/setup/tracker_factory.h"
 
 namespace carom {
@@ -49,6 +50,20 @@ std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, T
   return source;
 }
 
+/// Reads whether the session starts DTRACK, for which the source must name the controller.
+bool readStart(const TomlTable& table, const std::filesystem::path& source) {
+  const bool start = table.flag("start", false);
+  try {
+    if (!start || source.empty() || readDtrackSource(source.string()).controller) return start;
+  } catch (const std::invalid_argument&) {
+    return start;  // has been reported
+  }
+  table.fault("start",
+              "the source does not say which controller to start, expected one such as "
+              "'udp://0.0.0.0:5000?controller=10.0.0.7'");
+  return start;
+}
+
 /// Returns the index of the tracker that a key names; beyond the last one if there is none of that name.
 std::size_t readTrackerName(const TomlTable& table, std::string_view key,
                             const std::vector<TrackerSetup>& trackers) {
@@ -84,6 +99,11 @@ TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double un
     tracker.still = table.choice("person", kPersons, 0) == 1;
   } else {
     table.refuse("person", "has a meaning for a simulated tracker alone, expected none");
+  }
+  if (tracker.kind == TrackerKind::dtrack) {
+    tracker.start = readStart(table, tracker.source);
+  } else {
+    table.refuse("start", "has a meaning for dtrack alone, expected none");
   }
   constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
   tracker.latency_s = table.number("latency_ms", kLatency_ms, 0.0) * 1e-3;

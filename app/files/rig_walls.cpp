@@ -54,26 +54,58 @@ std::filesystem::path readWallFile(const TomlFile& file, const TomlTable& table,
   return found;
 }
 
-/// Checks that a warp mesh can be read; a fault gives the position in it.
-void checkWarp(const TomlTable& table, const std::filesystem::path& warp) {
-  if (warp.extension() != ".pfm" && warp.extension() != ".obj") return;  // none, or has been reported
+/// Reads the name of a warp mesh and checks that the mesh can be read; a fault gives the position in it.
+std::filesystem::path readWallWarp(const TomlFile& file, const TomlTable& table, std::string_view key) {
+  constexpr std::array<std::string_view, 2> kMeshes{".pfm", ".obj"};
+  const std::filesystem::path warp = readWallFile(file, table, key, kMeshes);
+  if (warp.extension() != ".pfm" && warp.extension() != ".obj") return warp;  // none, or has been reported
   try {
     readWarp(warp);
   } catch (const std::runtime_error& fault) {
-    table.fault("warp", fault.what());
+    table.fault(key, fault.what());
   }
+  return warp;
+}
+
+/// Reads the meshes of single colours, which come all three or not at all.
+void readColourWarps(const TomlFile& file, const TomlTable& table, Wall& wall) {
+  constexpr std::array<std::string_view, 3> kKeys{"warp_red", "warp_green", "warp_blue"};
+  const bool any = table.has(kKeys[0]) || table.has(kKeys[1]) || table.has(kKeys[2]);
+  for (std::size_t colour = 0; any && colour < kKeys.size(); ++colour) {
+    wall.colourWarps[colour] = readWallWarp(file, table, kKeys[colour]);
+    if (table.has(kKeys[colour])) continue;
+    table.fault(
+        table.place(),
+        fmt::format("{} is missing: the meshes of the colours come all three or not at all", kKeys[colour]));
+  }
+  if (any && table.has("warp")) {
+    table.fault("warp", "each colour has a mesh of its own, expected no warp for all of them");
+  }
+}
+
+/// Reads how bright each colour of the projector's white is and how its light follows the code.
+void readColours(const TomlTable& table, Wall& wall) {
+  constexpr Range kGain{.least = 0.0, .most = 1.0, .above = true};
+  constexpr Range kGamma{.least = 1.0, .most = 4.0};
+  wall.gain = toVec3(table.numbers<3>("gain", kGain, {{1.0, 1.0, 1.0}}));
+  if (table.has("gamma")) wall.gamma = toVec3(table.numbers<3>("gamma", kGamma));
+  const double weakest = std::min({wall.gain.x, wall.gain.y, wall.gain.z});
+  if (weakest > wall.blackLevel) return;
+  table.fault("gain",
+              fmt::format("gain has {} for a colour whose black_level is {}, expected white above black",
+                          weakest, wall.blackLevel));
 }
 
 /// Reads the settings of the projector, between the image and the screen.
 void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
-  constexpr std::array<std::string_view, 2> kMeshes{".pfm", ".obj"};
   constexpr std::array<std::string_view, 5> kPictures{".png", ".jpg", ".jpeg", ".tif", ".tiff"};
   constexpr Range kLevel{.least = 0.0, .most = 1.0};
   constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
-  wall.warp = readWallFile(file, table, "warp", kMeshes);
-  checkWarp(table, wall.warp);
+  wall.warp = readWallWarp(file, table, "warp");
+  readColourWarps(file, table, wall);
   wall.blend = readWallFile(file, table, "blend", kPictures);
   wall.blackLevel = table.number("black_level", kLevel, 0.0);
+  readColours(table, wall);
   wall.flip = static_cast<Flip>(table.choice("flip", kFlips, 0));
   wall.displayLatency_s = table.number("display_latency_ms", kLatency_ms, 0.0) * 1e-3;
 }
@@ -96,6 +128,10 @@ WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, b
   wall.upperLeft_m = toVec3(table.numbers<3>("upper_left", {})) * unit_m;
   std::optional<glm::dvec3> upperRight_m;
   if (table.has("upper_right")) upperRight_m = toVec3(table.numbers<3>("upper_right", {})) * unit_m;
+  const bool skewed = table.flag("skewed", false);
+  if (skewed && !upperRight_m) {
+    table.fault("skewed", "a skewed wall needs all four corners, expected upper_right beside it");
+  }
   wall.pixels = toPixels(table.wholeNumbers<2>("pixels", kPixels));
   wall.node = table.integer("node", 0, kMostRanks, 0);
   wall.stereo = static_cast<StereoMode>(table.choice("stereo", kStereoModes, 0));
@@ -103,7 +139,27 @@ WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, b
   const auto window = hasOneWindow ? table.requiredTable("window") : table.table("window");
   if (window) readWallWindow(*window, hasOneWindow, wall);
   readProjector(file, table, wall);
-  return {table, wall, upperRight_m};
+  for (const char* key : {"warp", "warp_red", "warp_green", "warp_blue"}) {
+    if (!skewed || !table.has(key)) continue;
+    table.fault(
+        key,
+        "a warp mesh says where the picture goes, as the corners of a skewed wall do: expected one of "
+        "them");
+  }
+  return {table, wall, upperRight_m, skewed};
+}
+
+void straighten(WallText& text) {
+  if (!text.skewed) return;
+  Wall& wall = text.wall;
+  const AroundScreen found =
+      around({wall.lowerLeft_m, wall.lowerRight_m, wall.upperLeft_m, *text.upperRight_m});
+  if (!found.fault.empty()) return text.table.fault("upper_right", found.fault);
+  wall.lowerLeft_m = found.lowerLeft_m;
+  wall.lowerRight_m = found.lowerRight_m;
+  wall.upperLeft_m = found.upperLeft_m;
+  wall.skewed = found.screen;
+  text.upperRight_m.reset();
 }
 
 WallPlaces placesOf(const TomlTable& table) {

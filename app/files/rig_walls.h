@@ -16,7 +16,12 @@ struct WallText {
   TomlTable table;
   Wall wall;
   std::optional<glm::dvec3> upperRight_m;
+  bool skewed = false;  ///< its four corners are no rectangle
 };
+
+/// Puts the rectangle around the screen into the place of the measured corners of a skewed wall. Call it once
+/// all numbers have been read.
+void straighten(WallText& text);
 
 WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow);
 

@@ -85,6 +85,20 @@ void judgeRanks(Verdict& verdict) {
   }
 }
 
+/// Returns what it costs that a screen is no rectangle; empty for one that is.
+std::string skewWords(const Wall& wall) {
+  if (!wall.skewed) return {};
+  const SkewCost cost = costOf(*wall.skewed, {width_m(wall), height_m(wall)}, wall.pixels);
+  return fmt::format(
+      "\n  skewed: its corners lie up to {:.1f} mm ({:.1f} pixels) inside the rectangle for which the "
+      "picture is "
+      "drawn, and {:.1f} mm off one plane;\n"
+      "  {:.1f} % of the pixels fall beside the screen; a pixel of the projector shows {:.2f} to {:.2f} "
+      "pixels of "
+      "the picture, across",
+      mm(cost.inset_m), cost.inset_px, mm(wall.skewed->offPlane_m), 1e2 * cost.lost, cost.least, cost.most);
+}
+
 }  // namespace
 
 std::string otherUnits(double value_m, double unit_m, double least_m, double most_m) {
@@ -154,9 +168,10 @@ std::string wordsFor(const RoomWall& wall, const Room& room) {
                                 : fmt::format("{:.2f} m off, turned away", -before_m);
   return fmt::format(
       "{}: {:.3f} × {:.3f} m ({}), {}, {}\n"
-      "  {:.0f} × {:.0f} mm, {} × {} pixels an eye, {}, drawn by rank {}",
+      "  {:.0f} × {:.0f} mm, {} × {} pixels an eye, {}, drawn by rank {}{}",
       wall.wall.name, width, height, feet, density, place, mm(width), mm(height), wall.wall.pixels.x,
-      wall.wall.pixels.y, kStereo[static_cast<std::size_t>(wall.wall.stereo)], wall.wall.node);
+      wall.wall.pixels.y, kStereo[static_cast<std::size_t>(wall.wall.stereo)], wall.wall.node,
+      skewWords(wall.wall));
 }
 
 }  // namespace carom

@@ -235,7 +235,8 @@ Room readSgct(const std::filesystem::path& file) {
   }
   if (in.room.walls.empty() && !in.room.hasErrors()) {
     addError(in.room, in.root.at,
-             "no viewport here shows a flat wall, expected one with a projection of type 'ProjectionPlane'");
+             "no viewport here shows a flat wall, expected one with a projection of type 'ProjectionPlane' "
+             "or 'PlanarProjection'");
   }
   shareWindow(in);
   noteTrackers(in);

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "app/room_import/room_check.h"
+#include "app/room_import/sgct_planar.h"
 #include "app/room_import/sgct_values.h"
 #include "cave/room/rectangle.h"
 
@@ -19,6 +20,7 @@ namespace {
 using Kind = JsonNode::Kind;
 
 constexpr std::size_t kMostWalls = 512;
+constexpr double kRounding = 1e-6;  // of a window: files write thirds with some digits
 constexpr std::array<std::string_view, 3> kCorners{"lowerleft", "upperleft", "upperright"};
 constexpr std::array<std::string_view, 10> kViewportKeys{
     "pos", "size", "projection", "overlay", "blendmask", "mesh", "tracked", "eye", "user", "blacklevelmask"};
@@ -54,14 +56,27 @@ bool readPlace(const JsonNode& viewport, const SgctWindow& window, Wall& wall, S
   if ((viewport.member("pos") && !position) || (viewport.member("size") && !size)) return false;
   const glm::dvec2 low = position ? glm::dvec2((*position)[0], (*position)[1]) : glm::dvec2(0.0);
   const glm::dvec2 part = size ? glm::dvec2((*size)[0], (*size)[1]) : glm::dvec2(1.0);
-  const auto rounded = [](const glm::dvec2& v) {
-    return glm::ivec2(static_cast<int>(std::lround(v.x)), static_cast<int>(std::lround(v.y)));
+  const glm::dvec2 high = low + part;
+  if (high.x > 1.0 + kRounding || high.y > 1.0 + kRounding) {
+    addError(in.room, viewport.at,
+             fmt::format("this viewport reaches to ({:.4g}, {:.4g}) of its window, expected at most 1",
+                         high.x, high.y));
+    return false;
+  }
+  // Edges are rounded, not sizes, so that viewports that share an edge share it in pixels, too.
+  const glm::dvec2 topLeft(low.x, std::max(0.0, 1.0 - high.y));
+  const glm::dvec2 bottomRight(std::min(1.0, high.x), 1.0 - low.y);
+  const auto edge = [](const glm::dvec2& whole_px, const glm::dvec2& at) {
+    return glm::ivec2(glm::round(whole_px * at));
   };
-  wall.pixels = glm::max(rounded(window.picture_px * part), glm::ivec2(1));
+  const auto between = [&](const glm::dvec2& whole_px) {
+    return glm::max(edge(whole_px, bottomRight) - edge(whole_px, topLeft), glm::ivec2(1));
+  };
+  wall.pixels = between(window.picture_px);
   wall.window.monitor = window.monitor;
-  wall.window.size_px = glm::max(rounded(window.size_px * part), glm::ivec2(1));
-  wall.window.position_px =
-      rounded(window.position_px + window.size_px * glm::dvec2(low.x, 1.0 - low.y - part.y));
+  wall.window.size_px = between(window.size_px);
+  wall.window.position_px = glm::ivec2(window.position_px) +
+                            glm::min(edge(window.size_px, topLeft), glm::ivec2(window.size_px) - 1);
   wall.window.fullscreen = window.fullscreen && part == glm::dvec2(1.0);
   return true;
 }
@@ -72,11 +87,12 @@ bool readPlane(const JsonNode& projection, RoomWall& wall, SgctReading& in) {
     if (!projection.member("type")) addError(in.room, projection.at, "type is missing in projection");
     return false;
   }
+  if (type->text == "PlanarProjection") return readPlanar(projection, wall, in);
   if (type->text != "ProjectionPlane") {
     addWarning(
         in.room, type->at,
-        fmt::format("a projection of type '{}' is an opening angle or a curved screen, not a flat wall with "
-                    "corners: this viewport is left out, expected 'ProjectionPlane'",
+        fmt::format("a projection of type '{}' shows no flat wall: this viewport is left out, expected "
+                    "'ProjectionPlane' or 'PlanarProjection'",
                     printable(type->text)));
     return false;
   }

@@ -88,6 +88,15 @@ bool isTile(const RoomWall& wall, const Room& room) {
   });
 }
 
+void judgePlane(const RoomWall& wall, Verdict& verdict) {
+  if (!wall.wall.skewed || wall.wall.skewed->offPlane_m <= kMeet_m) return;
+  verdict.warn(
+      wall.at.corner,
+      fmt::format("the corners of wall '{}' are {:.1f} mm off one plane, which no straight picture mends, "
+                  "expected at most {:.0f} mm",
+                  wall.wall.name, mm(wall.wall.skewed->offPlane_m), mm(kMeet_m)));
+}
+
 void judgeName(const RoomWall& wall, Verdict& verdict) {
   const auto named = namedSide(wall.wall, verdict.room.axes);
   if (!named) return;
@@ -146,6 +155,7 @@ Side lookedAt(const Wall& wall, const RoomAxes& axes) {
 }
 
 void judgeWall(const RoomWall& wall, Verdict& verdict) {
+  judgePlane(wall, verdict);
   judgePixels(wall, verdict);
   judgeWindow(wall, verdict);
   judgeName(wall, verdict);

@@ -27,7 +27,12 @@ inline glm::dvec3 middle(const Wall& wall) { return wall.lowerLeft_m + 0.5 * (ac
 inline double width_m(const Wall& wall) { return glm::length(across(wall)); }
 inline double height_m(const Wall& wall) { return glm::length(upwards(wall)); }
 
+/// Returns the corners of the screen itself, anticlockwise.
 inline std::array<glm::dvec3, 4> cornersOf(const Wall& wall) {
+  if (wall.skewed) {
+    const auto& corners_m = wall.skewed->corners_m;
+    return {corners_m[0], corners_m[1], corners_m[3], corners_m[2]};
+  }
   return {wall.lowerLeft_m, wall.lowerRight_m, wall.lowerRight_m + upwards(wall), wall.upperLeft_m};
 }
 

@@ -40,7 +40,10 @@ void agreeOnScenario(const Cluster& cluster, const InputFile& input, const Scena
 void agreeOnRig(const Cluster& cluster, const InputFile& input, const Rig& rig) {
   cluster.agree("rig", textOf(input));
   for (const Wall& wall : rig.walls) {
-    for (const auto& [what, file] : {std::pair("warp", &wall.warp), std::pair("blend", &wall.blend)}) {
+    for (const auto& [what, file] :
+         {std::pair("warp", &wall.warp), std::pair("blend", &wall.blend),
+          std::pair("warp_red", &wall.colourWarps[0]), std::pair("warp_green", &wall.colourWarps[1]),
+          std::pair("warp_blue", &wall.colourWarps[2])}) {
       if (file->empty()) continue;
       cluster.agree(fmt::format("{} {} of wall '{}'", what, file->filename().string(), wall.name),
                     bytesOf(*file));

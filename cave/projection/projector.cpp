@@ -46,8 +46,9 @@ vtkSmartPointer<vtkImageReader2> readerFor(const std::string& ending) {
   return nullptr;
 }
 
-/// Returns the sRGB code of linear light, IEC 61966-2-1.
-float codeOf(double light) {
+/// Returns the code of linear light for a projector: sRGB (IEC 61966-2-1), or that of its gamma.
+float codeOf(double light, const std::optional<glm::dvec3>& gamma, int colour) {
+  if (gamma) return static_cast<float>(std::pow(light, 1.0 / (*gamma)[colour]));
   return static_cast<float>(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055);
 }
 
@@ -138,30 +139,59 @@ BlendPicture readBlend(const std::filesystem::path& file) {
 }
 
 std::optional<Projection> projectionOf(const Wall& wall) {
-  if (wall.warp.empty() && wall.blend.empty() && wall.blackLevel == 0.0 && wall.flip == Flip::none) return {};
-  return Projection{.warp = wall.warp.empty() ? straightWarp() : readWarp(wall.warp),
-                    .blend = wall.blend.empty() ? BlendPicture{} : readBlend(wall.blend),
-                    .blackLevel = wall.blackLevel,
-                    .flip = wall.flip};
+  const bool coloured = wall.gain != glm::dvec3(1.0) || wall.gamma || !wall.colourWarps[0].empty();
+  if (!wall.skewed && wall.warp.empty() && wall.blend.empty() && wall.blackLevel == 0.0 &&
+      wall.flip == Flip::none && !coloured)
+    return {};
+  Projection projection{.warp = wall.skewed         ? skewWarp(*wall.skewed)
+                                : wall.warp.empty() ? straightWarp()
+                                                    : readWarp(wall.warp),
+                        .blend = wall.blend.empty() ? BlendPicture{} : readBlend(wall.blend),
+                        .blackLevel = wall.blackLevel,
+                        .flip = wall.flip,
+                        .gain = wall.gain,
+                        .gamma = wall.gamma};
+  if (!wall.colourWarps[0].empty()) {
+    projection.colourWarps = {readWarp(wall.colourWarps[0]), readWarp(wall.colourWarps[1]),
+                              readWarp(wall.colourWarps[2])};
+  }
+  return projection;
 }
 
 Projector::Projector(const Projection& projection)
     : program_(makeProgram("projector", shaders::projector_vert, shaders::projector_frag)),
-      black_(static_cast<float>(projection.blackLevel)),
-      meshes_{DrawnMesh(program_, projection.warp.left), DrawnMesh(program_, projection.warp.right)} {
+      dark_{codeOf(projection.blackLevel, projection.gamma, 0),
+            codeOf(projection.blackLevel, projection.gamma, 1),
+            codeOf(projection.blackLevel, projection.gamma, 2)} {
+  if (projection.colourWarps) {
+    addMeshes({true, false, false}, (*projection.colourWarps)[0]);
+    addMeshes({false, true, false}, (*projection.colourWarps)[1]);
+    addMeshes({false, false, true}, (*projection.colourWarps)[2]);
+  } else {
+    addMeshes({true, true, true}, projection.warp);
+  }
   uploadBlend(projection.blend);
+  const glm::vec3 gain(projection.gain);
+  const glm::vec3 gamma(projection.gamma.value_or(glm::dvec3(0.0)));
   const bool across = projection.flip == Flip::horizontal || projection.flip == Flip::both;
   const bool up = projection.flip == Flip::vertical || projection.flip == Flip::both;
   glUseProgram(program_);
   glUniform1i(glGetUniformLocation(program_, "picture"), 0);
   glUniform1i(glGetUniformLocation(program_, "blend"), 1);
-  glUniform1f(glGetUniformLocation(program_, "black"), black_);
+  glUniform1f(glGetUniformLocation(program_, "black"), static_cast<float>(projection.blackLevel));
+  glUniform3f(glGetUniformLocation(program_, "gain"), gain.x, gain.y, gain.z);
+  glUniform3f(glGetUniformLocation(program_, "gamma"), gamma.x, gamma.y, gamma.z);
   glUniform2f(glGetUniformLocation(program_, "mirror"), across ? -1.0F : 1.0F, up ? -1.0F : 1.0F);
+}
+
+void Projector::addMeshes(const std::array<bool, 3>& colours, const Warp& warp) {
+  meshes_.push_back({colours, {DrawnMesh(program_, warp.left), DrawnMesh(program_, warp.right)}});
 }
 
 Projector::DrawnMesh::DrawnMesh(const GlProgram& program, const WarpMesh& mesh)
     : points(program, {{"inWindow", 2, offsetof(WarpPoint, inWindow)},
-                       {"inPicture", 2, offsetof(WarpPoint, inPicture)}}),
+                       {"inPicture", 2, offsetof(WarpPoint, inPicture)},
+                       {"weight", 1, offsetof(WarpPoint, weight)}}),
       corners(static_cast<int>(3 * mesh.triangles.size())) {
   points.upload(mesh.points);
   points.bind();
@@ -189,16 +219,19 @@ const RenderTarget& Projector::project(const RenderTarget& picture, Eye eye, con
   std::unique_ptr<RenderTarget>& projected = projected_[which];
   if (!projected || projected->size_px() != size_px) projected = std::make_unique<RenderTarget>(size_px);
   const DrawInto target(*projected);
-  const float dark = codeOf(black_);
-  const std::array<float, 4> outside{dark, dark, dark, 1.0F};
+  const std::array<float, 4> outside{dark_[0], dark_[1], dark_[2], 1.0F};
   glClearBufferfv(GL_COLOR, 0, outside.data());
   glUseProgram(program_);
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, blend_);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, picture.texture());
-  meshes_[which].points.bind();
-  glDrawElements(GL_TRIANGLES, meshes_[which].corners, GL_UNSIGNED_INT, nullptr);
+  for (const ColourMeshes& part : meshes_) {
+    glColorMask(part.colours[0], part.colours[1], part.colours[2], GL_TRUE);
+    part.meshes[which].points.bind();
+    glDrawElements(GL_TRIANGLES, part.meshes[which].corners, GL_UNSIGNED_INT, nullptr);
+  }
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glBindVertexArray(0);
   return *projected;
 }

@@ -30,14 +30,19 @@ struct BlendPicture {
 /// std::runtime_error, "FILE:1:1: what is wrong, what was expected".
 BlendPicture readBlend(const std::filesystem::path& file);
 
-/// The light leaving a projector is black + (1 - black) × blend × picture, each as a fraction of the
-/// brightest (decoded from sRGB, IEC 61966-2-1, and encoded again); outside the mesh and the picture, the
-/// picture is 0. Mesh and blend are given as the person sees them: mirroring is the last step.
+/// The light leaving a projector is black + (gain - black) × blend × picture for each colour, each as a
+/// fraction of the brightest; outside the mesh and the picture, the picture is 0. Pictures are sRGB encoded (IEC
+/// 61966-2-1). What leaves is encoded for the projector: for light = code^gamma if it has a gamma, otherwise as
+/// sRGB. Meshes and blend are given as the person sees them: mirroring is the last step.
 struct Projection {
   Warp warp;
-  BlendPicture blend;
+  BlendPicture blend{};
   double blackLevel = 0.0;
   Flip flip = Flip::none;
+  glm::dvec3 gain{1.0};               ///< above the black level
+  std::optional<glm::dvec3> gamma{};  ///< above 0
+  /// Red, green and blue, in place of `warp`.
+  std::optional<std::array<Warp, 3>> colourWarps{};
 };
 
 /// Returns none if the wall's picture goes to its window unchanged. Throws as readWarp and readBlend do.
@@ -60,12 +65,18 @@ class Projector {
     GlBuffer triangles;
     int corners;
   };
+  /// The meshes of the colours that are drawn together.
+  struct ColourMeshes {
+    std::array<bool, 3> colours;
+    std::array<DrawnMesh, 2> meshes;  ///< left, right
+  };
+  void addMeshes(const std::array<bool, 3>& colours, const Warp& warp);
   void uploadBlend(const BlendPicture& blend);
 
   GlProgram program_;
   GlTexture blend_;
-  float black_ = 0.0F;
-  std::array<DrawnMesh, 2> meshes_;                         // left, right
+  std::array<float, 3> dark_{};  // the code of the black level
+  std::vector<ColourMeshes> meshes_;
   std::array<std::unique_ptr<RenderTarget>, 2> projected_;  // left, right
 };
 

@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "cave/room/skewed_screen.h"
 #include "engine/spacetime/observer.h"
 
 namespace carom {
@@ -62,7 +63,8 @@ struct Viewport {
   glm::ivec2 size_px{0};
 };
 
-/// A rectangle given by three of its corners, as seen from inside the room.
+/// A rectangle given by three of its corners, as seen from inside the room. Of a screen that is no rectangle, it
+/// is the one around it.
 struct Wall {
   std::string name;
   glm::dvec3 lowerLeft_m{0.0};
@@ -75,9 +77,16 @@ struct Wall {
   /// and a part; none: it has the whole window.
   std::optional<Viewport> viewport;
   StereoMode stereo = StereoMode::mono;
-  std::filesystem::path warp;   ///< mesh that warps the picture to the screen (.pfm, .obj); empty: none
+  /// The screen's own corners; none: they are those of the rectangle.
+  std::optional<SkewedScreen> skewed;
+  std::filesystem::path warp;  ///< mesh that warps the picture to the screen (.pfm, .obj); empty: none
+  /// Meshes of its own for red, green and blue, for projectors whose colours do not lie upon each other; empty:
+  /// all colours as `warp`.
+  std::array<std::filesystem::path, 3> colourWarps;
   std::filesystem::path blend;  ///< picture that dims where projectors overlap; empty: none
   double blackLevel = 0.0;  ///< what black is lifted to, as a fraction of the brightest: evens out overlaps
+  glm::dvec3 gain{1.0};     ///< red, green and blue of its white, as fractions of the brightest
+  std::optional<glm::dvec3> gamma;  ///< its light is code^gamma; none: sRGB
   Flip flip = Flip::none;
   double displayLatency_s = 0.0;  ///< from the swap to the photons
   std::size_t heldFrames = 0;     ///< frames by which its pictures are delayed, to match slower walls

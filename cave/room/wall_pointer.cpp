@@ -35,8 +35,14 @@ std::optional<PointedWall> pointedIn(const Wall& wall, const Viewport& pane, con
   if (wall.stereo == StereoMode::topBottom) eye = halve(share.y);
   if (wall.flip == Flip::horizontal || wall.flip == Flip::both) share.x = 1.0 - share.x;
   if (wall.flip == Flip::vertical || wall.flip == Flip::both) share.y = 1.0 - share.y;
-  return PointedWall{wall.lowerLeft_m + share.x * (wall.lowerRight_m - wall.lowerLeft_m) +
-                         (1.0 - share.y) * (wall.upperLeft_m - wall.lowerLeft_m),
+  glm::dvec2 inPicture(share.x, 1.0 - share.y);
+  if (wall.skewed) {
+    const glm::dvec3 place = pictureFromWindow(*wall.skewed) * glm::dvec3(inPicture, 1.0);
+    if (!(place.z > 0.0)) return std::nullopt;  // so far beyond the pane that the screen's plane has ended
+    inPicture = glm::dvec2(place) / place.z;
+  }
+  return PointedWall{wall.lowerLeft_m + inPicture.x * (wall.lowerRight_m - wall.lowerLeft_m) +
+                         inPicture.y * (wall.upperLeft_m - wall.lowerLeft_m),
                      eye};
 }
 

@@ -25,8 +25,8 @@ double outside_px(const Viewport& pane, const glm::dvec2& pointer_px);
 /// the pointer is outside the pane; with `beyond`, the wall's plane continues there.
 ///
 /// If the eyes' pictures lie side by side, or one above the other, the half tells which eye it is; if they
-/// overlap, it is the middle eye. A projector's mirroring is undone, but not its warp: on a bent screen the
-/// place is wrong by as much as the screen bends.
+/// overlap, it is the middle eye. A projector's mirroring is undone, and the homography of a skewed screen,
+/// but not its warp mesh: on a bent screen the place is wrong by as much as the screen bends.
 std::optional<PointedWall> pointedIn(const Wall& wall, const Viewport& pane, const glm::dvec2& pointer_px,
                                      bool beyond = false);
 

@@ -161,7 +161,8 @@ class ObjReader {
     }
     if (triangles_.empty()) fault(1, 1, "there is no f, expected a triangle at least");
     WarpMesh mesh;
-    for (std::size_t i = 0; i < window_.size(); ++i) mesh.points.push_back({window_[i], picture_[i]});
+    for (std::size_t i = 0; i < window_.size(); ++i)
+      mesh.points.push_back({.inWindow = window_[i], .inPicture = picture_[i]});
     mesh.triangles = std::move(triangles_);
     return mesh;
   }
@@ -253,7 +254,8 @@ WarpMesh meshOf(const FloatGrid& grid, std::size_t firstColumn) {
       const glm::vec2 inPicture((static_cast<float>(column) + 0.5F) / static_cast<float>(columns),
                                 1.0F - (static_cast<float>(row) + 0.5F) / static_cast<float>(rows));
       const std::size_t at = firstColumn + column;
-      mesh.points.push_back({{grid.value(at, row, 0), grid.value(at, row, 1)}, inPicture});
+      mesh.points.push_back(
+          {.inWindow = {grid.value(at, row, 0), grid.value(at, row, 1)}, .inPicture = inPicture});
     }
   }
   for (std::size_t row = 0; row + 1 < rows; ++row) {
@@ -272,9 +274,22 @@ WarpMesh meshOf(const FloatGrid& grid, std::size_t firstColumn) {
 Warp straightWarp() {
   WarpMesh mesh;
   for (const glm::vec2 corner : {glm::vec2(0, 0), {1, 0}, {0, 1}, {1, 1}})
-    mesh.points.push_back({corner, corner});
+    mesh.points.push_back({.inWindow = corner, .inPicture = corner});
   mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
   return {mesh, mesh};
+}
+
+Warp skewWarp(const SkewedScreen& screen) {
+  const glm::dmat3 pictureOf = pictureFromWindow(screen);
+  Warp warp = straightWarp();
+  for (WarpMesh* mesh : {&warp.left, &warp.right}) {
+    for (WarpPoint& point : mesh->points) {
+      const glm::dvec3 place = pictureOf * glm::dvec3(glm::dvec2(point.inWindow), 1.0);
+      point.inPicture = glm::vec2(glm::dvec2(place) / place.z);
+      point.weight = static_cast<float>(place.z);
+    }
+  }
+  return warp;
 }
 
 Warp parseObjWarp(std::string_view content) {

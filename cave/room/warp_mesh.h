@@ -10,15 +10,20 @@
 
 #include <glm/vec2.hpp>
 
+#include "cave/room/skewed_screen.h"
+
 namespace carom {
 
 /// A point of the picture and its place in the window. Both are counted from the lower left, 0 to 1.
 struct WarpPoint {
   glm::vec2 inWindow{0.0F};
   glm::vec2 inPicture{0.0F};
+  /// Places in the picture are interpolated as inPicture · weight and weight, each linearly, and then divided:
+  /// with equal weights the place is linear, with those of a homography it is this homography.
+  float weight = 1.0F;
 };
 
-/// Triangles in the window; places in the picture are interpolated within them. Where triangles overlap, the
+/// Triangles in the window; places in the picture are interpolated within them, as WarpPoint says. Where triangles overlap, the
 /// later one is visible.
 struct WarpMesh {
   std::vector<WarpPoint> points;
@@ -34,6 +39,9 @@ struct Warp {
 
 /// Returns the warp with which the picture fills the window.
 Warp straightWarp();
+
+/// Returns the warp with which the part of the picture that the screen shows fills the window.
+Warp skewWarp(const SkewedScreen& screen);
 
 /// Wavefront OBJ, the same for both eyes: `v x y` is a place in the window, from -1, -1 in its lower left to
 /// 1, 1; `vt s t` with the same number is its place in the picture, 0 to 1; `f` is a convex polygon of such

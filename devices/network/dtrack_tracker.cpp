@@ -3,8 +3,10 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "devices/network/dtrack_controller.h"
 #include "devices/network/source_url.h"
 #include "devices/protocol/dtrack_decoder.h"
 #include "devices/protocol/frame_gaps.h"
@@ -16,20 +18,53 @@ namespace {
 constexpr std::uint16_t kUsualPort = 5000;
 constexpr std::size_t kMostDatagram = 65536;
 constexpr std::chrono::milliseconds kPause{1000};
+constexpr std::chrono::seconds kStartEvery{5};
+constexpr std::uint16_t kCommandPort = 50105;
+
+/// Starts the measurement, again and again while it fails and nothing comes.
+class Starter {
+ public:
+  Starter(const DtrackSource& source, DeviceSink& sink) : sink_(sink) {
+    if (source.start && source.controller) controller_.emplace(*source.controller);
+  }
+
+  void tryAgain(bool delivers, const std::stop_token& stop) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!controller_ || started_ || (tried_ && (delivers || now - *tried_ < kStartEvery))) return;
+    try {
+      controller_->start(stop);
+      started_ = true;
+      sink_.remark({});
+    } catch (const std::exception& error) {
+      if (!stop.stop_requested()) sink_.remark(error.what());
+    }
+    tried_ = std::chrono::steady_clock::now();
+  }
+
+ private:
+  DeviceSink& sink_;
+  std::optional<DtrackController> controller_;
+  bool started_ = false;
+  std::optional<std::chrono::steady_clock::time_point> tried_;
+};
 
 void listen(const DtrackSource& source, DeviceSink& sink, const std::stop_token& stop) {
   Socket socket = Socket::boundTo(source.local, source.interface);
   sink.connected();
+  Starter starter(source, sink);
   DtrackDecoder decoder;
   FrameGaps gaps;
   std::vector<std::uint8_t> bytes(kMostDatagram);
   std::vector<Reading> readings;
+  bool delivers = false;
   while (!stop.stop_requested()) {
+    starter.tryAgain(std::exchange(delivers, false), stop);
     if (!waitReadable({&socket}, kLookAtStop)) continue;
     Ipv4 sender;
     const auto count = socket.receive(bytes, &sender);
     const auto arrival = std::chrono::steady_clock::now();
     if (!count || (source.from != 0 && sender.address != source.from)) continue;
+    delivers = true;
     readings.clear();
     const std::uint64_t refused = decoder.refused();
     const bool understood = decoder.decode({bytes.data(), *count}, readings);
@@ -43,7 +78,7 @@ void listen(const DtrackSource& source, DeviceSink& sink, const std::stop_token&
 
 DtrackSource readDtrackSource(std::string_view text) {
   constexpr std::string_view kExample = "udp://0.0.0.0:5000";
-  constexpr std::array<std::string_view, 2> kOptions{"from", "interface"};
+  constexpr std::array<std::string_view, 3> kOptions{"from", "interface", "controller"};
   const SourceUrl url = readSourceUrl(text, "udp", kUsualPort, kOptions, kExample);
   const auto local = ipv4Of(url.endpoint.host);
   if (!local) {
@@ -51,7 +86,10 @@ DtrackSource readDtrackSource(std::string_view text) {
         "'" + url.endpoint.host +
         "' is no IPv4 address, expected one of this machine, 0.0.0.0 for all of them, or a group");
   }
-  return {{*local, url.endpoint.port}, url.address("interface"), url.address("from")};
+  DtrackSource source{{*local, url.endpoint.port}, url.address("interface"), url.address("from")};
+  const auto controller = url.options.find("controller");
+  if (controller != url.options.end()) source.controller = readEndpoint(controller->second, kCommandPort);
+  return source;
 }
 
 Transport dtrackTransport(const DtrackSource& source) {

@@ -61,7 +61,14 @@ std::unique_ptr<Tracker> createTracker(const TrackerSetup& setup, const RoomAxes
     person.still = setup.still;
     return std::make_unique<SimulatedTracker>(person);
   }
-  Transport transport = createTransport(setup.kind, setup.source.string(), axes);
+  Transport transport;
+  if (setup.kind == TrackerKind::dtrack) {
+    DtrackSource source = readDtrackSource(setup.source.string());
+    source.start = setup.start;
+    transport = dtrackTransport(source);
+  } else {
+    transport = createTransport(setup.kind, setup.source.string(), axes);
+  }
   const bool saysNothingAtRest =
       setup.kind == TrackerKind::spaceMouse || (setup.kind == TrackerKind::vrpn && setup.buttonsAlone);
   if (!saysNothingAtRest) {

@@ -36,6 +36,7 @@ struct TrackerSetup {
   double latency_s = 0.0;        ///< known age of its samples, if they do not carry it themselves
   bool still = false;            ///< for a simulated tracker: the person does not move
   std::filesystem::path source;  ///< recorded tracker: the trace, which exists. Device: its address
+  bool start = false;            ///< for DTRACK: the session starts and stops the measurement
   Pose roomFromTracker;
   bool buttonsAlone = false;  ///< the rig uses only the buttons, for the hand
 };

@@ -31,6 +31,26 @@ TEST(Check, TellsWhatAScenarioIs) {
   EXPECT_NE(result.out.find("0.8 c (γ = 1.667)"), std::string::npos) << result.out;
 }
 
+TEST(Check, SaysWhatASkewedScreenCosts) {
+  const TemporaryFolder folder;
+  std::string text = test::contentOf(CAROM_CONFIG_DIR "/rigs/single-screen.toml");
+  const std::size_t at = text.find("lower_left");
+  const auto line = [&](const std::string& key) {
+    const std::size_t begin = text.find(key);
+    text.erase(begin, text.find('\n', begin) + 1 - begin);
+  };
+  for (const char* key : {"lower_left", "lower_right", "upper_left"}) line(key);
+  text.insert(
+      at,
+      "lower_left = [-1.00, 1.0, -1.5]\nlower_right = [0.96, 1.02, -1.5]\nupper_left = [-0.97, 2.1, -1.5]\n"
+      "upper_right = [1.00, 2.0825, -1.494]\nskewed = true\n");
+  const auto result = runCarom(folder, {"check", folder.file("skewed.toml", text)});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("skewed: its corners lie up to "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" and 1.5 mm off one plane"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" % of the pixels fall beside the screen"), std::string::npos) << result.out;
+}
+
 TEST(Check, CountsInWords) {
   const TemporaryFolder folder;
   const auto result = runCarom(folder, {"check", CAROM_CONFIG_DIR "/rigs/single-screen.toml"});

@@ -84,6 +84,13 @@ TEST(Rig, ReadsEveryKindOfTracker) {
   }
 }
 
+TEST(Rig, MaySayThatDtrackIsStarted) {
+  const Rig rig =
+      read(changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:5000?controller=art'\nstart = true"));
+  EXPECT_TRUE(rig.trackers.at(0).start);
+  EXPECT_FALSE(read(changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:5000'")).trackers.at(0).start);
+}
+
 TEST(Rig, MayHaveASpaceMouse) {
   const std::string mouse = kGood + "[[tracker]]\nname = 'mouse'\nkind = 'spacemouse'\n";
   const Rig first = read(mouse);
@@ -219,6 +226,21 @@ TEST(Rig, CarriesWhatTheProjectorDoes) {
   EXPECT_NEAR(wall.displayLatency_s, 0.0125, 1e-15);
 }
 
+TEST(Rig, CarriesTheColoursOfTheProjector) {
+  const TemporaryFolder folder;
+  folder.file("warp.pfm", "PF\n4 2\n-1.0\n" + std::string(4 * 2 * 12, '\0'));
+  const std::string meshes = "warp_red = 'warp.pfm'\nwarp_green = 'warp.pfm'\nwarp_blue = 'warp.pfm'\n";
+  const Wall wall =
+      readRig(folder.file("given.toml", kGood + "gain = [1, 0.9, 0.8]\ngamma = [2.2, 2.3, 2.4]\n" + meshes))
+          .walls.at(0);
+  EXPECT_EQ(wall.gain, glm::dvec3(1.0, 0.9, 0.8));
+  EXPECT_EQ(wall.gamma, glm::dvec3(2.2, 2.3, 2.4));
+  for (const auto& warp : wall.colourWarps) EXPECT_EQ(warp, folder / "warp.pfm");
+  const Wall plain = read(kGood).walls.at(0);
+  EXPECT_EQ(plain.gain, glm::dvec3(1.0));
+  EXPECT_FALSE(plain.gamma);
+}
+
 TEST(Rig, NamesWhatIsWrongInAWarpAtItsOwnLine) {
   const TemporaryFolder folder;
   const auto warp = folder.file("warp.obj", "v 0 0 0\nv nan 0 0\n");
@@ -281,6 +303,54 @@ TEST(Rig, FastWallsWaitForTheSlowest) {
   EXPECT_EQ(held(5.0, 40.0), Held(2, 0));
 }
 
+// A screen that a projector distorts is drawn for the rectangle around it.
+TEST(Rig, MayHaveASkewedScreen) {
+  const std::string four =
+      "lower_left = [-1500, 0, -1500]\nlower_right = [1480, 10, -1500]\nupper_left = [-1460, 1990, -1500]\n"
+      "upper_right = [1500, 2000, -1500]\nskewed = true\n";
+  const std::string three =
+      "lower_left = [-1500, 0, -1500]\nlower_right = [1500, 0, -1500]\nupper_left = [-1500, 2000, -1500]\n";
+  const Wall wall = read(changed(three, four)).walls.at(0);
+  ASSERT_TRUE(wall.skewed);
+  expectNear(wall.skewed->corners_m[3], {1.5, 2.0, -1.5});
+  EXPECT_NEAR(wall.skewed->offPlane_m, 0.0, kRounding_m);
+  // The edges of the rectangle touch the screen: along each side lies one corner at least, none beyond.
+  glm::dvec2 least(1.0), most(0.0);
+  for (const glm::dvec2& corner : wall.skewed->inPicture) {
+    least = glm::min(least, corner);
+    most = glm::max(most, corner);
+  }
+  EXPECT_EQ(least, glm::dvec2(0.0));
+  EXPECT_EQ(most, glm::dvec2(1.0));
+  const std::string unsaid = changed(three, four.substr(0, four.find("skewed")));
+  EXPECT_THROW(read(unsaid), InputErrors);  // a slip of the tape is not taken for a skewed screen
+}
+
+TEST(Rig, OneThingAloneSaysWhereThePictureGoes) {
+  const TemporaryFolder folder;
+  folder.file("warp.pfm", "PF\n4 2\n-1.0\n" + std::string(4 * 2 * 12, '\0'));
+  const std::string colours = "warp_red = 'warp.pfm'\nwarp_green = 'warp.pfm'\nwarp_blue = 'warp.pfm'\n";
+  const std::string skewed = "skewed = true\nupper_right = [1500, 1900, -1500]\n";
+  const auto faultsOf = [&](const std::string& text) {
+    try {
+      readRig(folder.file("given.toml", kGood + text));
+    } catch (const InputErrors& error) {
+      std::string all;
+      for (const InputError& fault : error.faults()) all += fault.message() + "\n";
+      return all;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(faultsOf(skewed), "");
+  EXPECT_EQ(faultsOf(colours), "");
+  EXPECT_NE(faultsOf(skewed + "warp = 'warp.pfm'\n").find("as the corners of a skewed wall do"),
+            std::string::npos);
+  EXPECT_NE(faultsOf(skewed + colours).find("as the corners of a skewed wall do"), std::string::npos);
+  EXPECT_NE(faultsOf(colours + "warp = 'warp.pfm'\n").find("expected no warp for all of them"),
+            std::string::npos);
+  EXPECT_NE(faultsOf("warp_red = 'warp.pfm'\n").find("warp_green is missing"), std::string::npos);
+}
+
 TEST(Rig, WallsMayMissARectangleByTwoMillimetres) {
   EXPECT_NO_THROW(read(changed("[-1500, 2000, -1500]", "[-1498.1, 2000, -1500]")));
   EXPECT_THROW(read(changed("[-1500, 2000, -1500]", "[-1497.9, 2000, -1500]")), InputErrors);
@@ -325,6 +395,11 @@ INSTANTIATE_TEST_SUITE_P(
               "expected one such as 'Head@tcp://host:3883'"},
         Fault{"DTRACK address", changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:99999'"), 9, 10,
               "expected a number from 1 to 65535"},
+        Fault{"DTRACK without controller",
+              changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:5000'\nstart = true"), 10, 9,
+              "does not say which controller"},
+        Fault{"start of another kind", changed("'simulated'", "'simulated'\nstart = true"), 9, 9,
+              "dtrack alone"},
         Fault{"NatNet group", changed("'simulated'", "'natnet'\nsource = 'udp://h?group=10.0.0.1'"), 9, 10,
               "expected a multicast address"},
         Fault{"USB address", changed("'simulated'", "'polhemus-usb'\nsource = 'FASTRAK'"), 9, 10,
@@ -350,6 +425,14 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"blend of another kind", kGood + "blend = 'rigs/desk.toml'\n", 15, 9, "ending in .png"},
         Fault{"black level", kGood + "black_level = 1.1\n", 15, 15, "from 0 to 1"},
         Fault{"flip", kGood + "flip = true\n", 15, 8, "'none' or 'horizontal'"},
+        Fault{"gain", kGood + "gain = [1, 1, 1.1]\n", 15, 15, "above 0 up to 1"},
+        Fault{"two gains", kGood + "gain = [1, 1]\n", 15, 8, "3 numbers"},
+        Fault{"white below black", kGood + "gain = [1, 0.1, 1]\nblack_level = 0.2\n", 15, 8,
+              "white above black"},
+        Fault{"gamma", kGood + "gamma = [0.5, 2, 2]\n", 15, 10, "from 1 to 4"},
+        Fault{"skewed of three corners", kGood + "skewed = true\n", 15, 10, "needs all four corners"},
+        Fault{"bent", kGood + "skewed = true\nupper_right = [1500, 2000, -1400]\n", 16, 15, "off one plane"},
+        Fault{"crossed", kGood + "skewed = true\nupper_right = [-1600, 2000, -1500]\n", 16, 15, "degrees"},
         Fault{"latency of a wall", kGood + "display_latency_ms = -1\n", 15, 22, "from 0"},
         Fault{"wall name", changed("'front'", "'../front'"), 10, 8, "letters"},
         Fault{"same wall", kGood + kGood.substr(kGood.find("[[wall]]")), 16, 8, "taken in line 10"},

@@ -35,6 +35,14 @@ for values, right in [
     ({"blend": "b.obj"}, False),
     ({"black_level": 1.1}, False),
     ({"flip": True}, False),
+    ({"upper_right": [1, 2, 3], "skewed": True}, True),
+    ({"skewed": 1}, False),
+    ({"gain": [1.0, 0.9, 0.8], "gamma": [2.2, 2.2, 2.3]}, True),
+    ({"gain": [1.0, 0.9]}, False),
+    ({"gain": [1.0, 0.9, 1.2]}, False),
+    ({"gamma": 2.2}, False),
+    ({"warp_red": "r.obj", "warp_green": "g.obj", "warp_blue": "b.pfm"}, True),
+    ({"warp_red": "r.png"}, False),
 ]:
     tried = rig | {"wall": [rig["wall"][0] | values]}
     assert schema.is_valid(tried) == right, f"the schema judges {values} wrongly"

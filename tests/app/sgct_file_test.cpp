@@ -1,6 +1,10 @@
 #include "app/room_import/sgct_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "app/room_import/room_check.h"
 #include "app/temporary_folder.h"
@@ -170,15 +174,114 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-TEST(SgctFile, SaysWhichProjectionsItCannotUse) {
+/// kGood with another projection.
+std::string projected(const std::string& projection) {
   const std::size_t begin = kGood.find("\"type\""), end = kGood.find("      }\n    }]");
   std::string text = kGood;
-  text.replace(begin, end - begin, R"("type": "PlanarProjection", "fov": { "hfov": 80, "vfov": 60 } )");
-  const Room room = read(text);
+  return text.replace(begin, end - begin, projection + " ");
+}
+
+TEST(SgctFile, SaysWhichProjectionsItCannotUse) {
+  const Room room = read(projected(R"("type": "FisheyeProjection", "fov": 180)"));
   ASSERT_EQ(room.findings.size(), 2u);
   EXPECT_EQ(room.findings[0].at.line, 7);
-  EXPECT_NE(room.findings[0].text.find("'PlanarProjection' is an opening angle"), std::string::npos);
+  EXPECT_NE(room.findings[0].text.find("'FisheyeProjection' shows no flat wall"), std::string::npos);
   EXPECT_TRUE(room.hasErrors()) << "no wall is left";
+}
+
+// A screen by angles lies where SGCT draws it: 10 m along -z unless told, turned, then moved.
+TEST(SgctFile, TakesPlanarProjectionsAsSgctDrawsThem) {
+  const Room room = read(projected(R"("type": "PlanarProjection", "fov": { "hfov": 90, "vfov": 60 })"));
+  ASSERT_EQ(room.walls.size(), 1u);
+  const double half_m = 10.0 / std::sqrt(3.0);  // tan 30°
+  const auto expectNear = [](const glm::dvec3& found_m, const glm::dvec3& expected_m) {
+    EXPECT_LT(glm::distance(found_m, expected_m), 1e-9) << found_m.x << ' ' << found_m.y << ' ' << found_m.z;
+  };
+  expectNear(room.walls[0].wall.lowerLeft_m, {-10, -half_m, -10});
+  expectNear(room.walls[0].wall.lowerRight_m, {10, -half_m, -10});
+  expectNear(room.walls[0].wall.upperLeft_m, {-10, half_m, -10});
+  ASSERT_EQ(room.findings.size(), 1u);
+  EXPECT_EQ(room.findings[0].kind, Finding::Kind::warning);
+  EXPECT_NE(room.findings[0].text.find("20.00 × 11.55 m, 10 m from the origin"), std::string::npos)
+      << room.findings[0].text;
+  // Yaw turns to the right, pitch up, roll clockwise; the offset comes last.
+  const Room turned = read(projected(
+      R"("type": "PlanarProjection", "distance": 2, "offset": { "x": 0, "y": 1, "z": 0 },
+      "orientation": { "yaw": 90, "pitch": 0, "roll": 0 },
+      "fov": { "left": 45, "right": 0, "down": 0, "up": 45 })"));
+  ASSERT_EQ(turned.walls.size(), 1u);
+  expectNear(turned.walls[0].wall.lowerLeft_m, {2, 1, -2});
+  expectNear(turned.walls[0].wall.lowerRight_m, {2, 1, 0});
+  expectNear(turned.walls[0].wall.upperLeft_m, {2, 3, -2});
+  const Room up =
+      read(projected(R"("type": "PlanarProjection", "orientation": { "yaw": 0, "pitch": 90, "roll": 0 },
+      "fov": { "hfov": 90, "vfov": 90, "distance": 3 })"));
+  expectNear(up.walls.at(0).wall.lowerLeft_m, {-3, 3, -3});
+  expectNear(up.walls.at(0).wall.upperLeft_m, {-3, 3, 3});
+  const Room quaternion = read(projected(R"("type": "PlanarProjection",
+      "orientation": { "x": 0, "y": -0.70710678, "z": 0, "w": 0.70710678 },
+      "fov": { "hfov": 90, "vfov": 90, "distance": 1 })"));
+  EXPECT_LT(glm::distance(quaternion.walls.at(0).wall.lowerLeft_m, glm::dvec3(1, -1, -1)), 1e-7);
+}
+
+TEST(SgctFile, NamesWhatIsWrongInAPlanarProjection) {
+  const auto says = [](const std::string& rest, const std::string& words) {
+    const Room room = read(projected(R"("type": "PlanarProjection", )" + rest));
+    ASSERT_FALSE(room.findings.empty()) << rest;
+    EXPECT_TRUE(room.hasErrors()) << rest;
+    EXPECT_NE(room.findings[0].text.find(words), std::string::npos) << room.findings[0].text;
+  };
+  says(R"("distance": 1)", "fov is missing");
+  says(R"("fov": 80)", "expected an object");
+  says(R"("fov": { "hfov": 80 })", "vfov, or down and up, is missing in fov");
+  says(R"("fov": { "hfov": 80, "down": 3 })", "vfov, or down and up, is missing in fov");
+  says(R"("fov": { "hfov": 180, "vfov": 60 })", "hfov is 180, expected");
+  says(R"("fov": { "hfov": 80, "left": 10, "right": -10, "vfov": 60 })", "together are 0 degrees");
+  says(R"("fov": { "hfov": 80, "vfov": 60 }, "distance": 0)", "distance is 0, expected");
+  says(R"("fov": { "hfov": 80, "vfov": 60 }, "orientation": { "yaw": 1, "pitch": 2 })", "roll is missing");
+  says(R"("fov": { "hfov": 80, "vfov": 60 }, "orientation": { "x": 0, "y": 0, "z": 0, "w": 0 })", "length 0");
+  says(R"("fov": { "hfov": 80, "vfov": 60 }, "offset": { "x": 0, "y": 0 })", "z is missing in offset");
+}
+
+// Parts of a window that meet there meet in pixels, too, whatever its size, and none reaches out.
+TEST(SgctFile, SplitWindowsOfOddSizesFit) {
+  const auto viewport = [](double x, double y, double width, double height) {
+    std::string text = kGood.substr(kGood.find("{\n      \"projection\""));
+    text = text.substr(0, text.find("}]\n  }] }]") + 1);
+    return text.insert(1, fmt::format(R"("pos": {{ "x": {}, "y": {} }}, "size": {{ "x": {}, "y": {} }},)", x,
+                                      y, width, height));
+  };
+  const std::size_t begin = kGood.find("{\n      \"projection\""), end = kGood.find("}]\n  }] }]") + 1;
+  for (const int height : {1, 2, 3, 525, 1079, 1080, 1081}) {
+    for (const int parts : {2, 3, 7}) {
+      if (height < parts) continue;
+      std::string viewports;
+      for (int i = 0; i < parts; ++i) {
+        const double low = std::round(1e6 * i / parts) / 1e6, high = std::round(1e6 * (i + 1) / parts) / 1e6;
+        viewports += (i == 0 ? "" : ", ") + viewport(0, low, 1, high - low);
+      }
+      std::string text = kGood;
+      text.replace(begin, end - begin, viewports);
+      text.replace(text.find("\"y\": 720"), 8, fmt::format("\"y\": {}", height));
+      const Room room = read(text);
+      ASSERT_FALSE(room.hasErrors()) << height << ", " << parts << ": " << room.findings[0].text;
+      ASSERT_EQ(room.walls.size(), static_cast<std::size_t>(parts));
+      int edge = height;  // from the bottom up
+      for (const RoomWall& wall : room.walls) {
+        const WindowPlacement& place = wall.wall.window;
+        EXPECT_EQ(place.position_px.y + place.size_px.y, edge) << height << " in " << parts;
+        EXPECT_EQ(wall.wall.pixels.y, place.size_px.y);
+        edge = place.position_px.y;
+      }
+      EXPECT_EQ(edge, 0) << height << " in " << parts;
+    }
+  }
+  std::string text = kGood;
+  text.replace(begin, end - begin, viewport(0, 0.6, 1, 0.5));
+  const Room room = read(text);
+  ASSERT_TRUE(room.hasErrors());
+  EXPECT_NE(room.findings[0].text.find("reaches to (1, 1.1) of its window"), std::string::npos)
+      << room.findings[0].text;
 }
 
 TEST(SgctFile, RefusesWhatIsNoJson) {

@@ -137,7 +137,8 @@ void expectSound(const WarpMesh& mesh) {
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t corner : triangle) ASSERT_LT(corner, mesh.points.size());
   }
-  for (const auto& [inWindow, inPicture] : mesh.points) {
+  for (const auto& [inWindow, inPicture, weight] : mesh.points) {
+    EXPECT_EQ(weight, 1.0F);  // files tell no other
     for (const float value : {inWindow.x, inWindow.y, inPicture.x, inPicture.y})
       ASSERT_LE(std::abs(value), 16.0F);
   }

@@ -245,6 +245,90 @@ TEST_F(ProjectorPixels, AKeystoneIsTheHomographyItSamples) {
   EXPECT_GT(compared, kSize_px * kSize_px / 2);
 }
 
+// A pixel of the window shows what the homography of the screen's corners has there, to an eighth of a picture's pixel,
+// which is the rounding of its colour to 8 bits, and as much for the interpolation between its pixels.
+TEST_F(ProjectorPixels, ASkewedScreenIsSeenThroughItsHomography) {
+  SkewedScreen screen;
+  screen.inPicture = {{{0.06, 0.1}, {1.0, 0.0}, {0.0, 0.9}, {0.9, 1.0}}};
+  const glm::dmat3 pictureFromWindow =
+      homographyTo({{screen.inPicture[0], screen.inPicture[1], screen.inPicture[3], screen.inPicture[2]}});
+  Pixels places;
+  for (int row = 0; row < kSize_px; ++row) {
+    for (int column = 0; column < kSize_px; ++column) places.push_back({4 * column, 4 * row, 255});
+  }
+  paint(*left_, places);
+  Projection projection = straight();
+  projection.warp = skewWarp(screen);
+  projection.blend = {{kSize_px, 1}, {}};  // which stays in the window
+  for (int i = 0; i < 3 * kSize_px; ++i) projection.blend.rgb.push_back(i / 3 < 60 ? 65535 : 0);
+  const Pixels seen = packed(&projection);
+  int compared = 0;
+  for (int row = 0; row < kSize_px; ++row) {
+    for (int column = 0; column < kSize_px; ++column) {
+      const glm::dvec3 h =
+          pictureFromWindow * glm::dvec3((column + 0.5) / kSize_px, (row + 0.5) / kSize_px, 1.0);
+      const glm::dvec2 place_px = glm::dvec2(h) / h.z * double(kSize_px);
+      const Rgb& colour = at(seen, column, row);
+      if (column >= 60) {
+        ASSERT_EQ(colour, kBlack) << column << ", " << row;
+        continue;
+      }
+      if (glm::any(glm::lessThan(place_px, glm::dvec2(0.5))) ||
+          glm::any(glm::greaterThan(place_px, glm::dvec2(kSize_px - 0.5))))
+        continue;
+      ++compared;
+      ASSERT_NEAR(colour[0] / 4.0 + 0.5, place_px.x, 0.25) << column << ", " << row;
+      ASSERT_NEAR(colour[1] / 4.0 + 0.5, place_px.y, 0.25) << column << ", " << row;
+    }
+  }
+  EXPECT_GT(compared, kSize_px * kSize_px * 9 / 10);
+}
+
+TEST_F(ProjectorPixels, GainIsTheLightOfWhiteAndGammaItsCode) {
+  Projection projection = straight();
+  projection.blackLevel = 0.02;
+  projection.gain = {1.0, 0.8, 0.5};
+  projection.gamma = glm::dvec3(1.8, 2.2, 2.6);
+  const Pixels seen = packed(&projection);
+  for (int column = 0; column < kSize_px; ++column) {
+    for (int part = 0; part < 3; ++part) {
+      const auto colour = static_cast<std::size_t>(part);
+      const double light =
+          0.02 + (projection.gain[part] - 0.02) * lightOf(at(leftPixels_, column, 31)[colour]);
+      const double code = 255.0 * std::pow(light, 1.0 / (*projection.gamma)[part]);
+      EXPECT_NEAR(at(seen, column, 31)[colour], code, 0.6) << column << ", part " << part;
+    }
+  }
+  // Beside the picture is black, in the projector's code, and all of its light counts.
+  for (WarpPoint& point : projection.warp.left.points) point.inWindow.x *= 0.5F;
+  const Rgb dark = at(packed(&projection), kSize_px - 1, 5);
+  for (int part = 0; part < 3; ++part) {
+    EXPECT_NEAR(dark[static_cast<std::size_t>(part)], 255.0 * std::pow(0.02, 1.0 / (*projection.gamma)[part]),
+                0.6);
+  }
+}
+
+TEST_F(ProjectorPixels, EachColourHasItsMesh) {
+  Projection projection = straight();
+  projection.colourWarps = {straightWarp(), straightWarp(), straightWarp()};
+  const std::array<glm::ivec2, 3> moved_px{{{0, 0}, {3, -2}, {-5, 1}}};
+  for (std::size_t part = 0; part < 3; ++part) {
+    for (WarpPoint& point : (*projection.colourWarps)[part].left.points) {
+      point.inWindow += glm::vec2(moved_px[part]) / float(kSize_px);
+    }
+  }
+  expectSame(packed(&projection), [&](int column, int row) {
+    Rgb expected{};
+    for (std::size_t part = 0; part < 3; ++part) {
+      expected[part] = leftOr(column - moved_px[part].x, row - moved_px[part].y, kBlack)[part];
+    }
+    return expected;
+  });
+  // What is drawn afterwards has all colours again.
+  const Projection plain = straight();
+  EXPECT_EQ(packed(&plain), packed(nullptr));
+}
+
 TEST_F(ProjectorPixels, BlendRampsOfTwoTilesAddUpToOneLight) {
   const Pixels flat(kSize_px * kSize_px, {255, 180, 90});
   paint(*left_, flat);
@@ -379,8 +463,12 @@ TEST(Blend, ReadsEveryKindAndNamesBrokenOnes) {
 TEST(Projection, IsNoneForAPlainWall) {
   Wall wall;
   EXPECT_FALSE(projectionOf(wall));
-  wall.flip = Flip::vertical;
-  EXPECT_TRUE(projectionOf(wall));
+  Wall mirrored = wall, dimmed = wall, bright = wall, skewed = wall;
+  mirrored.flip = Flip::vertical;
+  dimmed.gain.y = 0.9;
+  bright.gamma = glm::dvec3(2.2);
+  skewed.skewed = SkewedScreen{.inPicture = {{{0.1, 0}, {1, 0}, {0, 1}, {0.9, 1}}}};
+  for (const Wall& one : {mirrored, dimmed, bright, skewed}) EXPECT_TRUE(projectionOf(one));
 }
 
 }  // namespace

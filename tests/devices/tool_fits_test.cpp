@@ -1,0 +1,136 @@
+// The tip of a turned tool and the eyes behind lines of sight: simulated ones, found again.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+#include <random>
+#include <vector>
+
+#include "devices/calibration/eye_fit.h"
+#include "devices/calibration/pivot_fit.h"
+
+namespace carom {
+namespace {
+
+using Random = std::mt19937_64;
+
+glm::dvec3 normal3(Random& random, double sigma) {
+  std::normal_distribution<double> one(0.0, sigma);
+  const double x = one(random), y = one(random), z = one(random);
+  return {x, y, z};
+}
+
+glm::dquat turned(const glm::dvec3& turn_rad) {
+  const double angle = glm::length(turn_rad);
+  return angle == 0.0 ? glm::dquat(1, 0, 0, 0) : glm::angleAxis(angle, turn_rad / angle);
+}
+
+/// Poses of a tool that is turned about its tip, by up to about `reach_rad` about each of the axes.
+std::vector<Pose> pivoting(Random& random, const glm::dvec3& tip_m, const glm::dvec3& pivot_m, int count,
+                           const glm::dvec3& reach_rad, double sigma_m, double sigma_rad) {
+  std::uniform_real_distribution<double> reach(-1.0, 1.0);
+  const glm::dquat start = turned(normal3(random, 2.0));
+  std::vector<Pose> poses;
+  for (int i = 0; i < count; ++i) {
+    const double x = reach(random), y = reach(random), z = reach(random);
+    const glm::dquat q = start * turned(glm::dvec3(x, y, z) * reach_rad);
+    poses.push_back({pivot_m - q * tip_m + normal3(random, sigma_m),
+                     glm::normalize(turned(normal3(random, sigma_rad)) * q)});
+  }
+  return poses;
+}
+
+TEST(PivotFit, FindsTheTipExactly) {
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 tip_m = normal3(random, 0.2), pivot_m = normal3(random, 2.0);
+    const PivotFit fit = fitPivot(pivoting(random, tip_m, pivot_m, 20, glm::dvec3(0.5), 0.0, 0.0));
+    EXPECT_LT(glm::distance(fit.tip_m, tip_m), 1e-9) << "case " << i;
+    EXPECT_LT(glm::distance(fit.pivot_m, pivot_m), 1e-9) << "case " << i;
+    EXPECT_LT(fit.rms_m, 1e-9) << "case " << i;
+  }
+}
+
+// The error that it states is the one that it makes.
+TEST(PivotFit, KnowsItsOwnError) {
+  Random random(2);
+  double made_m2 = 0.0, stated_m2 = 0.0;
+  constexpr int kRuns = 1000;
+  for (int i = 0; i < kRuns; ++i) {
+    const glm::dvec3 tip_m(0.0, 0.0, 0.15);
+    // Tilted by up to 0.6 about x and y, turned by 0.3 about z: the tip is known worst along z.
+    const auto poses = pivoting(random, tip_m, {1, 1, 1}, 100, {0.6, 0.6, 0.3}, 0.001, 0.0);
+    const PivotFit fit = fitPivot(poses);
+    glm::dvec3 off_m = fit.tip_m - tip_m;
+    made_m2 += std::max({off_m.x * off_m.x, off_m.y * off_m.y, off_m.z * off_m.z});
+    stated_m2 += fit.tipError_m * fit.tipError_m;
+    EXPECT_LT(fit.tipError_m, 0.001);
+  }
+  // The greatest of three errors is larger than one of them, though not twice as large.
+  EXPECT_GT(std::sqrt(made_m2 / stated_m2), 0.7);
+  EXPECT_LT(std::sqrt(made_m2 / stated_m2), 2.0);
+}
+
+TEST(PivotFit, ATurnAboutOneAxisLeavesTheTipOpen) {
+  Random random(3);
+  const auto poses = pivoting(random, {0, 0, 0.15}, {1, 1, 1}, 100, {0.0, 0.0, 1.0}, 0.0, 0.0);
+  EXPECT_TRUE(std::isinf(fitPivot(poses).tipError_m));
+  const auto still = pivoting(random, {0, 0, 0.15}, {1, 1, 1}, 100, glm::dvec3(0.0), 0.0, 0.0);
+  EXPECT_TRUE(std::isinf(fitPivot(still).tipError_m));
+}
+
+/// A head at any place whose eye is on the line of two marks, behind the near one.
+Sighting sighting(Random& random, const glm::dvec3& eyeInSensor_m, double sigma_m) {
+  const glm::dvec3 near_m(0.0, 1.5, 0.0);
+  const glm::dvec3 far_m = glm::dvec3(0.0, 1.5, -2.0) + normal3(random, 1.0);
+  const double behind_m = std::uniform_real_distribution<double>(0.2, 0.6)(random);
+  const glm::dvec3 eye_m = near_m + behind_m * glm::normalize(near_m - far_m) + normal3(random, sigma_m);
+  const glm::dquat turn = turned(normal3(random, 0.3));
+  return {{eye_m - turn * eyeInSensor_m, turn}, near_m, far_m};
+}
+
+TEST(EyeFit, FindsTheEyeExactly) {
+  Random random(4);
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 eye_m = normal3(random, 0.1);
+    std::vector<Sighting> sightings;
+    for (int k = 0; k < 4; ++k) sightings.push_back(sighting(random, eye_m, 0.0));
+    const EyeFit fit = fitEye(sightings);
+    EXPECT_LT(glm::distance(fit.eye_m, eye_m), 1e-8) << "case " << i;
+    EXPECT_LT(fit.rms_m, 1e-9) << "case " << i;
+  }
+}
+
+TEST(EyeFit, ItsErrorShrinksWithTheSightings) {
+  Random random(5);
+  const glm::dvec3 eye_m(0.03, -0.08, -0.1);
+  double few_m = 0.0, many_m = 0.0, off_m2 = 0.0, stated_m2 = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Sighting> sightings;
+    for (int k = 0; k < 32; ++k) sightings.push_back(sighting(random, eye_m, 0.002));
+    const EyeFit many = fitEye(sightings);
+    many_m += many.eyeError_m;
+    few_m += fitEye({sightings.data(), 8}).eyeError_m;
+    off_m2 += glm::dot(many.eye_m - eye_m, many.eye_m - eye_m);
+    stated_m2 += 3.0 * many.eyeError_m * many.eyeError_m;
+  }
+  EXPECT_NEAR(few_m / many_m, 2.0, 0.4);  // √(32/8)
+  EXPECT_LT(off_m2, 1.2 * stated_m2);     // stated along the worst direction, for all three
+  EXPECT_GT(off_m2, 0.2 * stated_m2);
+}
+
+TEST(EyeFit, ParallelLinesLeaveTheEyeOpen) {
+  std::vector<Sighting> sightings;
+  for (int k = 0; k < 5; ++k) {
+    sightings.push_back(
+        {{glm::dvec3(0.1 * k, 1.5, 0.5), {1, 0, 0, 0}}, {0.1 * k, 1.5, 0}, {0.1 * k, 1.5, -2}});
+  }
+  EXPECT_TRUE(std::isinf(fitEye(sightings).eyeError_m));
+  EXPECT_TRUE(std::isinf(fitEye({sightings.data(), 1}).eyeError_m));
+}
+
+}  // namespace
+}  // namespace carom
