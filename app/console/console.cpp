@@ -207,9 +207,8 @@ void Console::drawKeys() {
   dim("In this window and in any of this computer's walls.");
   ImGui::Spacing();
   drawKeyTable(keyMap_);
-  const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
-  if (ImGui::Button("Close   Escape") || pressed(GLFW_KEY_ESCAPE) || pressed(GLFW_KEY_H) ||
-      pressed(GLFW_KEY_F1)) {
+  if (ImGui::Button("Close   Escape") || isKeyPressed(GLFW_KEY_ESCAPE) || isKeyPressed(GLFW_KEY_H) ||
+      isKeyPressed(GLFW_KEY_F1)) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
