@@ -36,6 +36,23 @@ struct NodeHealth {
   void add(const char* what, std::string said) { facts.emplace_back(what, std::move(said)); }
 };
 
+/// Judges the monitors on which a wall's window is to be.
+void lookAtMonitors(const Rig& rig, const Wall& wall, std::span<const Monitor> present, NodeHealth& report) {
+  std::vector<Monitor> chosen;
+  try {
+    chosen = monitorsOf(rig.oneWindow.value_or(wall.window), present);
+  } catch (const std::runtime_error& error) {
+    report.errors.push_back(fmt::format("wall {}: {}", wall.name, error.what()));
+  }
+  for (const Monitor& monitor : chosen) {
+    if (monitor.rate_hz > 0.0 && std::abs(monitor.rate_hz - rig.display_hz) > 1.0)
+      report.warnings.push_back(
+          fmt::format("wall {} is on monitor \"{}\" of {:.2f} Hz, expected {:g}, the rig's "
+                      "display_hz",
+                      wall.name, monitor.name, monitor.rate_hz, rig.display_hz));
+  }
+}
+
 void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wall> walls,
                    NodeHealth& report) {
   const DisplayFacts facts = displayFacts(graphics);
@@ -46,10 +63,12 @@ void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wal
                                                           : "no compositor"));
   report.add("OpenGL", fmt::format("{}, by {}", facts.openGl, facts.renderer));
   report.add("stereo", facts.hasQuadBuffer ? "quad-buffer windows" : "no quad-buffer windows");
-  for (const MonitorFacts& monitor : facts.monitors)
-    report.add("monitor",
-               fmt::format("{}: {} × {} at {} Hz, from ({}, {})", monitor.name, monitor.size_px.x,
-                           monitor.size_px.y, monitor.rate_hz, monitor.position_px.x, monitor.position_px.y));
+  for (const Monitor& monitor : facts.monitors)
+    report.add(
+        "monitor",
+        fmt::format("{}: {} × {} at {}, from ({}, {})", monitor.name, monitor.size_px.x, monitor.size_px.y,
+                    monitor.rate_hz > 0.0 ? fmt::format("{:.2f} Hz", monitor.rate_hz) : "an unknown rate",
+                    monitor.position_px.x, monitor.position_px.y));
   if (graphics.inSoftware())
     report.warnings.push_back(
         fmt::format("{} draws on the processor, expected the driver of a graphics card: frames take longer",
@@ -71,20 +90,7 @@ void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wal
   if ((wantsStereo || wantsLock) && (facts.isXwayland || facts.hasCompositor))
     report.errors.push_back(fmt::format("the rig asks for {}, expected a display without a compositor",
                                         wantsStereo ? "quad-buffer stereo" : "a swap group"));
-  if (facts.monitors.empty()) report.errors.emplace_back("there is no monitor, expected one at least");
-  for (const Wall& wall : facts.monitors.empty() ? std::span<const Wall>() : walls) {
-    const auto monitor = static_cast<std::size_t>(wall.window.monitor);
-    if (monitor >= facts.monitors.size()) {
-      report.errors.push_back(fmt::format("wall {} is on monitor {}, expected one of 0 to {}", wall.name,
-                                          monitor, facts.monitors.size() - 1));
-      continue;
-    }
-    const int rate_hz = facts.monitors[monitor].rate_hz;
-    if (rate_hz > 0 && std::abs(rate_hz - rig->display_hz) > 1.0)
-      report.warnings.push_back(
-          fmt::format("wall {} is on a monitor of {} Hz, expected {:g}, the rig's display_hz", wall.name,
-                      rate_hz, rig->display_hz));
-  }
+  for (const Wall& wall : walls) lookAtMonitors(*rig, wall, facts.monitors, report);
 }
 
 void lookAtSystem(NodeHealth& report) {

@@ -43,6 +43,7 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
   onAllRanks(cluster, [&] {
     const Rig& rig = patterns.rig;
     patterns.graphics = std::make_unique<Graphics>(displayOf(rig, cluster.rank()));
+    if (!options.capture) checkMonitors(cluster.wallsOf(rig.walls), rig.oneWindow);
     const double anyLightSpeed_m_s = 1.0;
     patterns.walls =
         std::make_unique<DisplayWalls>(*patterns.graphics, Scene{}, anyLightSpeed_m_s,

@@ -24,7 +24,8 @@ constexpr float kTop_px = 84.0F, kLeft_px = 366.0F, kSaid_px = 104.0F, kWalls_px
 constexpr float kButton_px = 150.0F;
 
 WindowPlacement placeIn(const Rig& rig) {
-  return rig.console.value_or(WindowPlacement{.position_px = {40, 40}, .size_px = {1280, 860}});
+  return rig.console.value_or(
+      WindowPlacement{.position_px = {40, 40}, .size_px = {1280, 860}, .border = true});
 }
 
 void useHeadingFont() {

@@ -48,9 +48,9 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
     rig.nodes.push_back({.rank = table.integer("rank", 0, kMostRanks), .display = table.text("display")});
     placed.nodes.push_back(table.place());
   }
-  if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
+  if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window, false);
   if (const auto console = root.table("console")) {
-    if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window);
+    if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window, true);
   }
 
   std::vector<WallText> walls;

@@ -158,6 +158,11 @@ void TomlTable::State::noteUnknownAndMissing() {
 
 bool TomlTable::has(std::string_view key) const { return state_->find(key) != nullptr; }
 
+bool TomlTable::isNumber(std::string_view key) const {
+  const toml::node* node = state_->find(key);
+  return node && node->is_number();
+}
+
 double TomlTable::number(std::string_view key, const Range& range, std::optional<double> fallback) const {
   const toml::node* node = state_->ask(key, fallback.has_value());
   const auto value = node ? state_->numberOf(key, *node, range, false) : std::nullopt;
@@ -241,6 +246,12 @@ std::vector<PlacedText> TomlTable::texts(std::string_view key) const {
     }
   }
   return result;
+}
+
+std::vector<PlacedText> TomlTable::oneOrMoreTexts(std::string_view key) const {
+  const toml::node* node = state_->find(key);
+  if (!node || !node->is_string()) return texts(key);
+  return {{text(key), placeOf(node->source())}};
 }
 
 std::vector<std::array<double, 3>> TomlTable::points(std::string_view key) const {

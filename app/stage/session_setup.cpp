@@ -71,6 +71,9 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   cluster.nameNodes(setup.rig.walls);
   onAllRanks(cluster, [&] {
     setup.graphics = std::make_unique<Graphics>(displayOf(setup.rig, cluster.rank()));
+    if (!options.noWindow) checkMonitors(cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow);
+  });
+  onAllRanks(cluster, [&] {
     setup.tessellation = tessellationFor(setup.rig, setup.graphics->inSoftware());
     setup.scene = sceneOf(setup.scenario, setup.tessellation);
     setup.walls = std::make_unique<DisplayWalls>(
@@ -96,6 +99,8 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
                     cluster.nameOf(cluster.rank()), setup.lock.whyNot()));
   }
   if (setup.realTime && !options.noWindow) setup.swapsWait = warmUp(cluster, setup);
+  for (const std::string& window : setup.walls->misplaced())
+    log::warn(fmt::format("{}: {}", cluster.nameOf(cluster.rank()), window));
   setup.world = {historiesAtStart(setup), {}};
   return setup;
 }

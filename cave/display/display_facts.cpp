@@ -34,22 +34,6 @@ bool hasQuadBuffer() {
   return window != nullptr;
 }
 
-std::vector<MonitorFacts> monitors() {
-  std::vector<MonitorFacts> facts;
-  int count = 0;
-  GLFWmonitor** all = glfwGetMonitors(&count);
-  for (int i = 0; i < count; ++i) {
-    MonitorFacts monitor{glfwGetMonitorName(all[i]), {}, {}, 0};
-    glfwGetMonitorPos(all[i], &monitor.position_px.x, &monitor.position_px.y);
-    if (const GLFWvidmode* mode = glfwGetVideoMode(all[i])) {
-      monitor.size_px = {mode->width, mode->height};
-      monitor.rate_hz = mode->refreshRate;
-    }
-    facts.push_back(monitor);
-  }
-  return facts;
-}
-
 }  // namespace
 
 DisplayFacts displayFacts(const Graphics& graphics) {
@@ -59,10 +43,10 @@ DisplayFacts displayFacts(const Graphics& graphics) {
   if (!connection) throw std::runtime_error("the X display does not take another program");
   Display* display = connection.get();
   facts.display = DisplayString(display);
-  facts.isXwayland =
-      hasExtension(display, "XWAYLAND") ||
-      std::any_of(facts.monitors.begin(), facts.monitors.end(),
-                  [](const MonitorFacts& monitor) { return monitor.name.rfind("XWAYLAND", 0) == 0; });
+  facts.isXwayland = hasExtension(display, "XWAYLAND") ||
+                     std::any_of(facts.monitors.begin(), facts.monitors.end(), [](const Monitor& monitor) {
+                       return monitor.name.rfind("XWAYLAND", 0) == 0;
+                     });
   facts.hasCompositor = hasCompositor(display);
   facts.hasQuadBuffer = hasQuadBuffer();
   graphics.makeCurrent();

@@ -39,3 +39,16 @@ for values, right in [
     tried = rig | {"wall": [rig["wall"][0] | values]}
     assert schema.is_valid(tried) == right, f"the schema judges {values} wrongly"
 print("the keys of a projector are judged rightly")
+
+for window, right in [
+    ({"monitor": "DP-1", "border": True}, True),
+    ({"monitor": ["DP-1", "DP-3"], "fullscreen": True}, True),
+    ({"monitor": 1}, True),
+    ({"monitor": []}, False),
+    ({"monitor": -1}, False),
+    ({"monitor": [0, 1]}, False),
+    ({"border": 1}, False),
+]:
+    tried = rig | {"wall": [rig["wall"][0] | {"window": {"size": [640, 480]} | window}]}
+    assert schema.is_valid(tried) == right, f"the schema judges the window {window} wrongly"
+print("the keys of a window are judged rightly")
