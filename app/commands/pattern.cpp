@@ -35,10 +35,10 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
       throw std::runtime_error(fmt::format(
           "{}: --pattern takes a rig, expected one that `carom import` made of this", options.rig.string()));
     }
-    patterns.rig = readRig(options.rig);
-    openBlends({options.rig, {}}, patterns.rig);
   });
-  agreeOnRig(cluster, {options.rig, {}}, patterns.rig);
+  agreeOnVersion(cluster);
+  Handover files(cluster);
+  patterns.rig = files.rig({options.rig, {}});
   cluster.nameNodes(patterns.rig.walls);
   onAllRanks(cluster, [&] {
     const Rig& rig = patterns.rig;

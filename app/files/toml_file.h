@@ -89,9 +89,11 @@ class TomlTable {
 
 class TomlFile {
  public:
-  /// Reads the file or, if given, `kept`, the content that the file once had. Throws InputErrors if the file
-  /// cannot be read (at 1:1), is over 1 MiB or is not TOML.
-  explicit TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept = {});
+  /// Reads the file or, if given, `kept`, the content that the file once had. Files that it names are looked
+  /// for below `root` first. Throws InputErrors if the file cannot be read (at 1:1), is over 1 MiB or is not
+  /// TOML.
+  explicit TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept = {},
+                    const std::filesystem::path& root = {});
   ~TomlFile();
   TomlFile(const TomlFile&) = delete;
   TomlFile& operator=(const TomlFile&) = delete;

@@ -52,3 +52,20 @@ for window, right in [
     tried = rig | {"wall": [rig["wall"][0] | {"window": {"size": [640, 480]} | window}]}
     assert schema.is_valid(tried) == right, f"the schema judges the window {window} wrongly"
 print("the keys of a window are judged rightly")
+
+for node, right in [
+    ({"rank": 0, "host": "cave-front"}, True),
+    ({"rank": 0, "host": "10.0.0.7", "slots": 2, "display": ":0.1"}, True),
+    ({"rank": 0, "display": ":0"}, True),
+    ({"rank": 0}, False),
+    ({"rank": 0, "host": "-x"}, False),
+    ({"rank": 0, "host": "a", "slots": 0}, False),
+]:
+    assert schema.is_valid(rig | {"node": [node]}) == right, f"the schema judges the node {node} wrongly"
+for start, right in [
+    ({"network": "10.0.0.0/24", "environment": ["A=b c", "XAUTHORITY"]}, True),
+    ({"network": "a b"}, False),
+    ({"environment": ["=b"]}, False),
+]:
+    assert schema.is_valid(rig | {"start": start}) == right, f"the schema judges [start] {start} wrongly"
+print("the keys of nodes and their start are judged rightly")
