@@ -6,18 +6,50 @@
 #include <vtk_glew.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
+
+#include "cave/cluster/frame_lock.h"
 
 namespace carom {
 namespace {
 
-/// Returns whether a compositing manager has announced itself as the Extended Window Manager Hints ask: it
-/// owns the selection _NET_WM_CM_Sn of screen n.
-bool hasCompositor(Display* display) {
+/// Returns the window of the compositing manager, or None. It announces itself as the Extended Window Manager
+/// Hints ask: it owns the selection _NET_WM_CM_Sn of screen n.
+::Window compositorOf(Display* display) {
   const std::string name = "_NET_WM_CM_S" + std::to_string(DefaultScreen(display));
   const Atom selection = XInternAtom(display, name.c_str(), True);
-  return selection != None && XGetSelectionOwner(display, selection) != None;
+  return selection == None ? None : XGetSelectionOwner(display, selection);
+}
+
+/// Returns the bytes of a window's property; empty if it has none.
+std::string propertyOf(Display* display, ::Window window, const char* property) {
+  const Atom atom = XInternAtom(display, property, True);
+  if (atom == None || window == None) return {};
+  Atom type = None;
+  int format = 0;
+  unsigned long items = 0, more = 0;
+  unsigned char* bytes = nullptr;
+  XGetWindowProperty(display, window, atom, 0, 64, False, AnyPropertyType, &type, &format, &items, &more,
+                     &bytes);
+  const std::unique_ptr<unsigned char, int (*)(void*)> owned(bytes, XFree);
+  if (!bytes || format == 0) return {};
+  const std::size_t size = format == 32 ? sizeof(long) : static_cast<std::size_t>(format) / 8;
+  return {reinterpret_cast<const char*>(bytes), items * size};
+}
+
+std::string nameOf(Display* display, ::Window window) {
+  const std::string name = propertyOf(display, window, "_NET_WM_NAME");
+  return name.empty() ? propertyOf(display, window, "WM_NAME") : name;
+}
+
+/// Returns the name of the window manager, by the window that its root window names.
+std::string windowManagerOf(Display* display) {
+  const std::string bytes = propertyOf(display, DefaultRootWindow(display), "_NET_SUPPORTING_WM_CHECK");
+  ::Window window = None;
+  if (bytes.size() == sizeof window) std::memcpy(&window, bytes.data(), sizeof window);
+  return nameOf(display, window);
 }
 
 bool hasExtension(Display* display, const char* name) {
@@ -47,9 +79,13 @@ DisplayFacts displayFacts(const Graphics& graphics) {
                      std::any_of(facts.monitors.begin(), facts.monitors.end(), [](const Monitor& monitor) {
                        return monitor.name.rfind("XWAYLAND", 0) == 0;
                      });
-  facts.hasCompositor = hasCompositor(display);
+  const ::Window compositor = compositorOf(display);
+  facts.hasCompositor = compositor != None;
+  facts.compositor = nameOf(display, compositor);
+  if (facts.compositor.empty()) facts.compositor = windowManagerOf(display);
   facts.hasQuadBuffer = hasQuadBuffer();
   graphics.makeCurrent();
+  facts.noSwapGroup = whyNoSwapGroup(swapGroupOfDriver());
   facts.openGl = reinterpret_cast<const char*>(glGetString(GL_VERSION));
   facts.renderer = graphics.rendererName();
   return facts;

@@ -13,9 +13,11 @@ struct DisplayFacts {
   std::string display;         ///< such as ":0"
   bool isXwayland = false;     ///< a Wayland compositor draws what X programs show
   bool hasCompositor = false;  ///< a compositor redraws all windows, a frame later
+  std::string compositor;      ///< its name, or that of the window manager, as far as they say
   std::string openGl;          ///< version
   std::string renderer;
   bool hasQuadBuffer = false;  ///< a window with a left and a right buffer can be opened
+  std::string noSwapGroup;     ///< why windows cannot join a swap group and its barrier; empty if they can
   std::vector<Monitor> monitors;
 };
 
