@@ -120,7 +120,7 @@ Scenario Handover::scenario(const InputFile& input) {
 InputFile Handover::take(const InputFile& input, const std::vector<fs::path>& named) {
   if (cluster_.size() == 1) return input;
   const bool gives = cluster_.rank() == 0;
-  std::string file = fs::absolute(input.file).string(), text = gives ? textOf(input) : "";
+  std::string file = gives ? fs::absolute(input.file).string() : "", text = gives ? textOf(input) : "";
   std::string count = std::to_string(named.size());
   cluster_.share(file);
   cluster_.share(text);
