@@ -14,6 +14,7 @@
 #include "app/commands/export.h"
 #include "app/commands/pattern.h"
 #include "app/commands/replay.h"
+#include "app/commands/room.h"
 #include "app/stage/scenario_scene.h"
 #include "app/tools/calibrate.h"
 #include "app/tools/check.h"
@@ -73,6 +74,7 @@ void addCommands(CLI::App& app, int& status) {
   addTrack(app, status);
   addCalibrate(app, status);
   addCave(app, status);
+  addRoom(app, status);
   addDoctor(app, status);
   addEvents(app, status);
   addDiagram(app, status);

@@ -15,6 +15,7 @@
 #include "app/commands/session_options.h"
 #include "app/files/config_folder.h"
 #include "app/journal/session_file.h"
+#include "app/journal/session_series.h"
 #include "app/operator/lesson.h"
 #include "app/operator/playlist.h"
 #include "app/session/live_source.h"
@@ -145,6 +146,7 @@ struct LivePlay {
   FrameLeader leader;
   std::unique_ptr<Sounds> sounds;
   JournalListener journal;
+  std::unique_ptr<StatusFile> status;  // null without --status
 };
 
 /// Creates the play, at the start of the game or after the last frame of the session that is continued.
@@ -161,30 +163,12 @@ std::unique_ptr<LivePlay> playOf(const SessionSetup& setup, const CaveOptions& o
   return std::make_unique<LivePlay>(setup, options, inputs, before, std::move(start));
 }
 
-/// Returns the session file of a game, beside that of the first game: visit.db, visit-2.db, visit-3.db.
-std::filesystem::path fileOf(std::filesystem::path first, int game) {
-  return first.replace_filename(
-      fmt::format("{}-{}{}", first.stem().string(), game, first.extension().string()));
-}
-std::filesystem::path fileAfter(const std::filesystem::path& first) {
-  int game = 2;
-  while (std::filesystem::exists(fileOf(first, game))) ++game;
-  return fileOf(first, game);
-}
-
 /// Shows in the console why a scenario cannot be played.
 void tellConsole(Console& console, const std::string& file) try {
   console.say(fmt::format("{} cannot be played", file));
   openMeshes(readScenario(file));
 } catch (const InputErrors& errors) {
   for (const InputError& error : errors.faults()) console.say(error.what());
-}
-
-/// Returns the file of a session's newest game.
-std::filesystem::path newestOf(const std::filesystem::path& first) {
-  std::filesystem::path newest = first;
-  for (int game = 2; std::filesystem::exists(fileOf(first, game)); ++game) newest = fileOf(first, game);
-  return newest;
 }
 
 /// Prints the files of the session's games.
@@ -263,6 +247,7 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions&
     play->source.playAnew();
     play->journal.keep(openNextJournal(session, inputs, setup));
     if (windows.console) windows.console->writeTo(session);
+    if (play->status) play->status->play(setup.rig.title, setup.scenario.title, session.value_or(""));
     play->leader.begin(settingsOfNext(play->leader.settings(), next, setup, options));
     log::note(
         fmt::format("{}{}", setup.scenario.title, session ? " is written to " + session->string() : ""));
@@ -275,7 +260,8 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions&
 bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play) {
   FramePacer follows;
   if (!play) return runFrames(SessionFrames(cluster, setup, follows, nullptr, KeysOf::session).context());
-  const LeaderParts lead{play->source, play->leader, windows, play->sounds.get(), &play->journal};
+  const LeaderParts lead{play->source,       play->leader,   windows,
+                         play->sounds.get(), &play->journal, play->status.get()};
   SessionFrames frames(cluster, setup, play->pacer, &lead, KeysOf::session);
   const bool isAskedToEnd = runFrames(frames.context());
   if (setup.realTime) frames.statistics().sayHowItWent();
@@ -286,7 +272,9 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
                       options.noWindow,  options.frames.has_value(), options.outside};
   Before before;
+  std::unique_ptr<StatusFile> status;
   onAllRanks(cluster, [&] {
+    if (cluster.rank() == 0 && options.status) status = std::make_unique<StatusFile>(*options.status);
     if (cluster.rank() > 0 || !options.session) return;
     if (!options.resume && std::filesystem::exists(*options.session)) {
       throw std::runtime_error(fmt::format(
@@ -298,7 +286,6 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
     inputs.rig = {before.facts.rig, before.facts.rigText};
     inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
   });
-  if (options.resume) shareInputs(cluster, inputs.rig, inputs.scenario);
   SessionSetup setup = setUpSession(cluster, inputs);
   const bool visible = !options.noWindow;
   OperatorWindows windows =
@@ -306,7 +293,10 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   if (windows.console) windows.console->writeTo(options.session);
   std::unique_ptr<LivePlay> play;
   onAllRanks(cluster, [&] {
-    if (cluster.rank() == 0) play = playOf(setup, options, inputs, before);
+    if (cluster.rank() > 0) return;
+    play = playOf(setup, options, inputs, before);
+    play->status = std::move(status);
+    if (play->status) play->status->play(setup.rig.title, setup.scenario.title, options.session.value_or(""));
   });
   if (play) announce(setup, cluster, options);
   while (!playGame(cluster, setup, windows, play.get()) &&
@@ -419,6 +409,10 @@ void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) 
       ->excludes(command.get_option("--switch"))
       ->excludes(command.get_option("--view"))
       ->excludes(command.get_option("--lesson"));
+  command
+      .add_option("--status", options->status,
+                  "Say once a second in this JSON file how the session goes. It is always whole")
+      ->type_name("FILE.json");
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ struct CaveOptions {
   RecordingOptions recording;                    ///< images and movie
   std::optional<std::filesystem::path> session;  ///< the session file to write
   bool resume = false;  ///< continue from the end of `session`, with its rig and scenario
+  std::optional<std::filesystem::path> status;  ///< rank 0 says here once a second how the session goes
   bool noWindow = false;
   bool silent = false;                 ///< no sounds
   std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one

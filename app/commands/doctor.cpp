@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,6 +17,7 @@
 
 #include "app/files/rig.h"
 #include "app/stage/all_ranks.h"
+#include "app/stage/handover.h"
 #include "app/tools/option_values.h"
 #include "cave/audio/sounds.h"
 #include "cave/cluster/cluster.h"
@@ -36,20 +39,50 @@ struct NodeHealth {
   void add(const char* what, std::string said) { facts.emplace_back(what, std::move(said)); }
 };
 
+/// Judges the monitors on which a wall's window is to be.
+void lookAtMonitors(const Rig& rig, const Wall& wall, std::span<const Monitor> present, NodeHealth& report) {
+  std::vector<Monitor> chosen;
+  try {
+    chosen = monitorsOf(rig.oneWindow.value_or(wall.window), present);
+  } catch (const std::runtime_error& error) {
+    report.errors.push_back(fmt::format("wall {}: {}", wall.name, error.what()));
+  }
+  for (const Monitor& monitor : chosen) {
+    if (monitor.rate_hz > 0.0 && std::abs(monitor.rate_hz - rig.display_hz) > 1.0)
+      report.warnings.push_back(
+          fmt::format("wall {} is on monitor \"{}\" of {:.2f} Hz, expected {:g}, the rig's "
+                      "display_hz",
+                      wall.name, monitor.name, monitor.rate_hz, rig.display_hz));
+  }
+}
+
+/// Returns the kind of the graphical session: X11, Wayland or unknown.
+std::string sessionWords() {
+  const char* session = std::getenv("XDG_SESSION_TYPE");
+  const char* wayland = std::getenv("WAYLAND_DISPLAY");
+  return fmt::format("session type {}{}", session ? session : "unknown",
+                     wayland ? fmt::format(", Wayland display {}", wayland) : "");
+}
+
+std::string compositorWords(const DisplayFacts& facts) {
+  const std::string name = facts.compositor.empty() ? "unnamed" : facts.compositor;
+  if (facts.isXwayland) return fmt::format("Xwayland under a Wayland compositor ({})", name);
+  return facts.hasCompositor ? fmt::format("with a compositor ({})", name) : "no compositor";
+}
+
 void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wall> walls,
                    NodeHealth& report) {
   const DisplayFacts facts = displayFacts(graphics);
-  const char* session = std::getenv("XDG_SESSION_TYPE");
-  report.add("display", fmt::format("{}, session type {}, {}", facts.display, session ? session : "unknown",
-                                    facts.isXwayland      ? "Xwayland"
-                                    : facts.hasCompositor ? "with a compositor"
-                                                          : "no compositor"));
+  report.add("display", fmt::format("{}, {}, {}", facts.display, sessionWords(), compositorWords(facts)));
   report.add("OpenGL", fmt::format("{}, by {}", facts.openGl, facts.renderer));
   report.add("stereo", facts.hasQuadBuffer ? "quad-buffer windows" : "no quad-buffer windows");
-  for (const MonitorFacts& monitor : facts.monitors)
-    report.add("monitor",
-               fmt::format("{}: {} × {} at {} Hz, from ({}, {})", monitor.name, monitor.size_px.x,
-                           monitor.size_px.y, monitor.rate_hz, monitor.position_px.x, monitor.position_px.y));
+  report.add("swap group", facts.noSwapGroup.empty() ? "available" : "none: " + facts.noSwapGroup);
+  for (const Monitor& monitor : facts.monitors)
+    report.add(
+        "monitor",
+        fmt::format("{}: {} × {} at {}, from ({}, {})", monitor.name, monitor.size_px.x, monitor.size_px.y,
+                    monitor.rate_hz > 0.0 ? fmt::format("{:.2f} Hz", monitor.rate_hz) : "an unknown rate",
+                    monitor.position_px.x, monitor.position_px.y));
   if (graphics.inSoftware())
     report.warnings.push_back(
         fmt::format("{} draws on the processor, expected the driver of a graphics card: frames take longer",
@@ -68,23 +101,13 @@ void lookAtDisplay(const Graphics& graphics, const Rig* rig, std::span<const Wal
   const bool wantsLock = rig->frameLock == FrameLock::swapGroup;
   if (wantsStereo && !facts.hasQuadBuffer)
     report.errors.emplace_back("the rig has a quad-buffer wall here, expected a display with such windows");
+  if (wantsLock && !facts.noSwapGroup.empty())
+    report.errors.push_back(
+        fmt::format("the rig asks for a swap group, expected one here: {}", facts.noSwapGroup));
   if ((wantsStereo || wantsLock) && (facts.isXwayland || facts.hasCompositor))
     report.errors.push_back(fmt::format("the rig asks for {}, expected a display without a compositor",
                                         wantsStereo ? "quad-buffer stereo" : "a swap group"));
-  if (facts.monitors.empty()) report.errors.emplace_back("there is no monitor, expected one at least");
-  for (const Wall& wall : facts.monitors.empty() ? std::span<const Wall>() : walls) {
-    const auto monitor = static_cast<std::size_t>(wall.window.monitor);
-    if (monitor >= facts.monitors.size()) {
-      report.errors.push_back(fmt::format("wall {} is on monitor {}, expected one of 0 to {}", wall.name,
-                                          monitor, facts.monitors.size() - 1));
-      continue;
-    }
-    const int rate_hz = facts.monitors[monitor].rate_hz;
-    if (rate_hz > 0 && std::abs(rate_hz - rig->display_hz) > 1.0)
-      report.warnings.push_back(
-          fmt::format("wall {} is on a monitor of {} Hz, expected {:g}, the rig's display_hz", wall.name,
-                      rate_hz, rig->display_hz));
-  }
+  for (const Wall& wall : walls) lookAtMonitors(*rig, wall, facts.monitors, report);
 }
 
 void lookAtSystem(NodeHealth& report) {
@@ -125,6 +148,12 @@ void lookAtSystem(NodeHealth& report) {
         "{:.1f} GiB are free here, expected {:g} at least for session files", free_gib, kLeastDisk_gib));
 }
 
+std::string hostName() {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
 /// Says which walls this node draws, and which of them the rig gives to a node that is not there.
 void lookAtWalls(const Cluster& cluster, std::span<const Wall> walls, NodeHealth& report) {
   std::vector<std::string> names;
@@ -140,6 +169,7 @@ void lookAtWalls(const Cluster& cluster, std::span<const Wall> walls, NodeHealth
 
 NodeHealth lookAt(const Cluster& cluster, const Rig* rig) {
   NodeHealth report;
+  report.add("host", hostName());
   const auto tried = [&](const auto& look) {
     try {
       look();
@@ -194,7 +224,7 @@ void printFacts(const Cluster& cluster, const std::vector<NodeHealth>& nodes) {
     for (std::size_t node = 0; node < (same ? 1 : nodes.size()); ++node) {
       for (const std::string& words : said[node]) {
         const std::string where = same ? "" : cluster.nameOf(static_cast<int>(node)) + ": ";
-        fmt::print("{:10}{}{}\n", label, where, words);
+        fmt::print("{:11}{}{}\n", label, where, words);
         label.clear();
       }
     }
@@ -231,9 +261,9 @@ int runDoctor(const std::optional<std::filesystem::path>& rigFile) {
   int status = 0;
   const int failed = runOnCluster([&](Cluster& cluster) {
     std::optional<Rig> rig;
-    onAllRanks(cluster, [&] {
-      if (rigFile) rig = readRig(*rigFile);
-    });
+    agreeOnVersion(cluster);
+    Handover files(cluster);
+    if (rigFile) rig = files.rig({*rigFile, {}});
     if (rig) cluster.nameNodes(rig->walls);
     const std::vector<std::string> texts = cluster.gather(packed(lookAt(cluster, rig ? &*rig : nullptr)));
     if (cluster.rank() > 0) return;
@@ -251,7 +281,7 @@ void addDoctor(CLI::App& app, int& status) {
   auto rig = std::make_shared<std::optional<std::filesystem::path>>();
   command->add_option("RIG", *rig, "Rig file that the machine is to show")->transform(shipped("rigs"));
   command->footer(
-      "Examples:\n  carom doctor\n  mpirun -n 4 --hostfile hosts carom doctor my-cave.toml\n"
+      "Examples:\n  carom doctor\n  carom room --doctor my-cave.toml\n"
       "The exit status is 1 if something keeps a session from running.");
   command->callback([rig, &status] { status = runDoctor(*rig); });
 }

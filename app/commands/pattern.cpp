@@ -35,14 +35,15 @@ Patterns openPatterns(Cluster& cluster, const PatternOptions& options) {
       throw std::runtime_error(fmt::format(
           "{}: --pattern takes a rig, expected one that `carom import` made of this", options.rig.string()));
     }
-    patterns.rig = readRig(options.rig);
-    openBlends({options.rig, {}}, patterns.rig);
   });
-  agreeOnRig(cluster, {options.rig, {}}, patterns.rig);
+  agreeOnVersion(cluster);
+  Handover files(cluster);
+  patterns.rig = files.rig({options.rig, {}});
   cluster.nameNodes(patterns.rig.walls);
   onAllRanks(cluster, [&] {
     const Rig& rig = patterns.rig;
     patterns.graphics = std::make_unique<Graphics>(displayOf(rig, cluster.rank()));
+    if (!options.capture) checkMonitors(cluster.wallsOf(rig.walls), rig.oneWindow);
     const double anyLightSpeed_m_s = 1.0;
     patterns.walls =
         std::make_unique<DisplayWalls>(*patterns.graphics, Scene{}, anyLightSpeed_m_s,

@@ -77,7 +77,7 @@ void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows,
   settings.playing = scenario;
   FrameLeader leader(*frames.source, KeysOf::replay, settings, setup.realTime ? setup.walls.get() : nullptr);
   const auto sounds = soundsFor(setup, options.silent || options.noWindow);
-  const LeaderParts lead{*frames.source, leader, windows, sounds.get(), nullptr};
+  const LeaderParts lead{*frames.source, leader, windows, sounds.get(), nullptr, nullptr};
   runFrames(SessionFrames(cluster, setup, *frames.pacer, &lead, KeysOf::replay).context());
 }
 
@@ -91,7 +91,6 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
-  shareInputs(cluster, inputs.rig, inputs.scenario);
   SessionSetup setup = setUpSession(cluster, inputs);
   const bool visible = !options.noWindow;
   OperatorWindows windows =

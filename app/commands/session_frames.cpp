@@ -56,6 +56,10 @@ void SessionFrames::listen(SessionSetup& setup, const LeaderParts& lead, KeysOf 
     lead.journal->measureBy(&statistics_);
     listeners.push_back(lead.journal);
   }
+  if (lead.status) {
+    lead.status->watch(lead.source, statistics_);
+    listeners.push_back(lead.status);
+  }
   if (lead.windows.console) {
     listeners.push_back(
         &console_.emplace(*lead.windows.console, setup, statistics_, lead.source, lead.leader, keys));

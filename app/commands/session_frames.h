@@ -10,6 +10,7 @@
 #include "app/session/frame_loop.h"
 #include "app/session/session_listeners.h"
 #include "app/session/session_views.h"
+#include "app/session/status_file.h"
 #include "app/stage/session_setup.h"
 
 namespace carom {
@@ -32,6 +33,7 @@ struct LeaderParts {
   OperatorWindows& windows;
   Sounds* sounds;            ///< null if silent
   JournalListener* journal;  ///< null if the session is not recorded
+  StatusFile* status;        ///< null if there is none
 };
 
 /// Opens the audio output of the system. Returns null in simulated time or if `silent`.

@@ -24,7 +24,8 @@ constexpr float kTop_px = 84.0F, kLeft_px = 366.0F, kSaid_px = 104.0F, kWalls_px
 constexpr float kButton_px = 150.0F;
 
 WindowPlacement placeIn(const Rig& rig) {
-  return rig.console.value_or(WindowPlacement{.position_px = {40, 40}, .size_px = {1280, 860}});
+  return rig.console.value_or(
+      WindowPlacement{.position_px = {40, 40}, .size_px = {1280, 860}, .border = true});
 }
 
 void useHeadingFont() {
@@ -207,9 +208,8 @@ void Console::drawKeys() {
   dim("In this window and in any of this computer's walls.");
   ImGui::Spacing();
   drawKeyTable(keyMap_);
-  const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
-  if (ImGui::Button("Close   Escape") || pressed(GLFW_KEY_ESCAPE) || pressed(GLFW_KEY_H) ||
-      pressed(GLFW_KEY_F1)) {
+  if (ImGui::Button("Close   Escape") || isKeyPressed(GLFW_KEY_ESCAPE) || isKeyPressed(GLFW_KEY_H) ||
+      isKeyPressed(GLFW_KEY_F1)) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();

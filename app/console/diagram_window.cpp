@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-const WindowPlacement kPlace{.size_px = {1000, 820}};
+const WindowPlacement kPlace{.size_px = {1000, 820}, .border = true};
 
 }  // namespace
 

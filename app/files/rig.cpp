@@ -8,7 +8,7 @@ RoomGeometry roomGeometryOf(const Rig& rig) {
 
 std::string displayOf(const Rig& rig, int rank) {
   for (const NodeSetup& node : rig.nodes) {
-    if (node.rank == rank) return node.display;
+    if (rank >= node.rank && rank < node.rank + node.slots) return node.display;
   }
   return {};
 }

@@ -45,10 +45,18 @@ struct HeadSetup {
   Pose eyesFromSensor;
 };
 
-/// The display of one rank of a cluster.
+/// Where one rank of a cluster runs, or several consecutive ones.
 struct NodeSetup {
-  int rank = 0;
-  std::string display;  ///< X display, such as ":0.0"
+  int rank = 0;         ///< the first of them
+  std::string display;  ///< X display, such as ":0.0"; empty: their default display
+  std::string host{};   ///< name or address; empty: mpirun is told otherwise
+  int slots = 1;        ///< number of ranks
+};
+
+/// How `carom room` starts the nodes.
+struct StartSetup {
+  std::string network;                   ///< of MPI's messages, such as "10.0.0.0/24"; empty: any
+  std::vector<std::string> environment;  ///< variables of the nodes, as "NAME=VALUE" or "NAME"
 };
 
 struct Rig {
@@ -61,7 +69,8 @@ struct Rig {
   std::optional<HandSetup> hand;
   std::vector<TrackerSetup> trackers;
   std::vector<NodeSetup> nodes;  ///< if empty, every rank uses its default display
-  std::vector<Wall> walls;       ///< at least one; rectangles to 2 mm
+  StartSetup start;
+  std::vector<Wall> walls;  ///< at least one; rectangles to 2 mm
   /// If given, the only window of each node; a wall's `window` is then a position inside it.
   std::optional<WindowPlacement> oneWindow;
   std::optional<WindowPlacement> console;  ///< the operator's console, if it is requested
@@ -98,7 +107,9 @@ struct PlacedRig {
 /// fault. Trace files are searched beside the file, then in the configuration folder.
 Rig readRig(const std::filesystem::path& file);
 PlacedRig readPlacedRig(const std::filesystem::path& file);
-/// Reads `kept`, the content that the file had when a session was recorded.
-Rig readRig(const std::filesystem::path& file, const std::string& kept);
+/// Reads `kept`, the content that the file had when a session was recorded or handed over. The files that it
+/// names are looked for below `root` first, if one is given.
+Rig readRig(const std::filesystem::path& file, const std::string& kept,
+            const std::filesystem::path& root = {});
 
 }  // namespace carom

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/files/rig_nodes.h"
 #include "cave/room/rectangle.h"
 
 namespace carom {
@@ -102,7 +103,7 @@ void checkPlaces(const Rig& rig, const std::vector<TomlTable>& tables) {
 
 void checkTogether(const TomlTable& root, const Rig& rig, const std::vector<WallText>& walls) {
   checkUnique(root.tables("tracker"), "name", rig.trackers, [](const TrackerSetup& t) { return t.name; });
-  checkUnique(root.tables("node"), "rank", rig.nodes, [](const NodeSetup& node) { return node.rank; });
+  checkNodes(rig.nodes, root.tables("node"));
   const std::vector<TomlTable> tables = root.tables("wall");
   checkUnique(tables, "name", rig.walls, [](const Wall& wall) { return wall.name; });
   for (const WallText& text : walls) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/files/rig_checks.h"
+#include "app/files/rig_nodes.h"
 #include "app/files/rig_trackers.h"
 #include "app/files/rig_walls.h"
 #include "app/files/toml_file.h"
@@ -45,12 +46,13 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
   }
   if (const auto hand = root.table("hand")) rig.hand = readHand(*hand, rig.trackers, unit_m);
   for (const TomlTable& table : root.tables("node")) {
-    rig.nodes.push_back({.rank = table.integer("rank", 0, kMostRanks), .display = table.text("display")});
+    rig.nodes.push_back(readNode(table));
     placed.nodes.push_back(table.place());
   }
-  if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
+  if (const auto start = root.table("start")) rig.start = readStart(*start);
+  if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window, false);
   if (const auto console = root.table("console")) {
-    if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window);
+    if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window, true);
   }
 
   std::vector<WallText> walls;
@@ -77,8 +79,8 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
 
 Rig readRig(const std::filesystem::path& path) { return readPlacedRig(path).rig; }
 
-Rig readRig(const std::filesystem::path& path, const std::string& kept) {
-  return readPlacedRig(TomlFile(path, kept), path.stem().string()).rig;
+Rig readRig(const std::filesystem::path& path, const std::string& kept, const std::filesystem::path& root) {
+  return readPlacedRig(TomlFile(path, kept, root), path.stem().string()).rig;
 }
 
 PlacedRig readPlacedRig(const std::filesystem::path& path) {

@@ -31,7 +31,7 @@ glm::ivec2 toPixels(const std::array<double, 2>& a) {
 
 /// Reads a wall's window and, if it is shared, the wall's part of it.
 void readWallWindow(const TomlTable& table, bool hasOneWindow, Wall& wall) {
-  wall.window = readWindow(table);
+  wall.window = readWindow(table, false);
   const auto part = table.table("viewport");
   if (!part) return;
   wall.viewport = Viewport{toPixels(part->wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
@@ -112,11 +112,19 @@ void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
 
 }  // namespace
 
-WindowPlacement readWindow(const TomlTable& table) {
-  return {.monitor = table.integer("monitor", 0, 63, 0),
-          .position_px = toPixels(table.wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
-          .size_px = toPixels(table.wholeNumbers<2>("size", kSize_px)),
-          .fullscreen = table.flag("fullscreen", false)};
+WindowPlacement readWindow(const TomlTable& table, bool border) {
+  WindowPlacement window{.position_px = toPixels(table.wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
+                         .size_px = toPixels(table.wholeNumbers<2>("size", kSize_px)),
+                         .fullscreen = table.flag("fullscreen", false),
+                         .border = table.flag("border", border)};
+  if (table.isNumber("monitor") || !table.has("monitor")) {
+    window.monitor = table.integer("monitor", 0, 63, 0);
+  } else {
+    for (PlacedText& name : table.oneOrMoreTexts("monitor")) window.monitorNames.push_back(name.text);
+    if (window.monitorNames.empty())
+      table.fault("monitor", "monitor names none, expected a number, a name or a list of names");
+  }
+  return window;
 }
 
 WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow) {

@@ -25,7 +25,8 @@ void straighten(WallText& text);
 
 WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow);
 
-WindowPlacement readWindow(const TomlTable& table);
+/// `border`: whether the window has a border if the table does not say.
+WindowPlacement readWindow(const TomlTable& table, bool border);
 
 /// Returns the positions in the file of everything that is checked of a wall.
 WallPlaces placesOf(const TomlTable& table);

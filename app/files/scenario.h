@@ -81,7 +81,9 @@ struct Scenario {
 /// Reads and checks the whole file. Throws InputErrors (app/files/toml_file.h) with the position of every
 /// fault. Mesh files are searched beside the file, then in the configuration folder.
 Scenario readScenario(const std::filesystem::path& file);
-/// Reads `kept`, the content that the file had when a session was recorded.
-Scenario readScenario(const std::filesystem::path& file, const std::string& kept);
+/// Reads `kept`, the content that the file had when a session was recorded or handed over. The files that it
+/// names are looked for below `root` first, if one is given.
+Scenario readScenario(const std::filesystem::path& file, const std::string& kept,
+                      const std::filesystem::path& root = {});
 
 }  // namespace carom

@@ -184,8 +184,9 @@ Scenario readScenario(const std::filesystem::path& path) {
   return readScenario(TomlFile(path), path.stem().string());
 }
 
-Scenario readScenario(const std::filesystem::path& path, const std::string& kept) {
-  return readScenario(TomlFile(path, kept), path.stem().string());
+Scenario readScenario(const std::filesystem::path& path, const std::string& kept,
+                      const std::filesystem::path& root) {
+  return readScenario(TomlFile(path, kept, root), path.stem().string());
 }
 
 }  // namespace carom

@@ -82,6 +82,7 @@ std::optional<FilePlace> strayLetter(std::string_view text) {
 
 struct TomlFile::Document {
   std::filesystem::path file;
+  std::filesystem::path searchRoot;  // empty: none
   toml::table root;
   std::vector<InputError> faults;
   std::map<const toml::table*, std::shared_ptr<TomlTable::State>> opened;
@@ -157,6 +158,11 @@ void TomlTable::State::noteUnknownAndMissing() {
 }
 
 bool TomlTable::has(std::string_view key) const { return state_->find(key) != nullptr; }
+
+bool TomlTable::isNumber(std::string_view key) const {
+  const toml::node* node = state_->find(key);
+  return node && node->is_number();
+}
 
 double TomlTable::number(std::string_view key, const Range& range, std::optional<double> fallback) const {
   const toml::node* node = state_->ask(key, fallback.has_value());
@@ -243,6 +249,12 @@ std::vector<PlacedText> TomlTable::texts(std::string_view key) const {
   return result;
 }
 
+std::vector<PlacedText> TomlTable::oneOrMoreTexts(std::string_view key) const {
+  const toml::node* node = state_->find(key);
+  if (!node || !node->is_string()) return texts(key);
+  return {{text(key), placeOf(node->source())}};
+}
+
 std::vector<std::array<double, 3>> TomlTable::points(std::string_view key) const {
   std::vector<std::array<double, 3>> result;
   const toml::node* node = state_->ask(key, false);
@@ -315,9 +327,11 @@ void TomlTable::fault(FilePlace where, std::string message) const {
   state_->fault(where, std::move(message));
 }
 
-TomlFile::TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept)
+TomlFile::TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept,
+                   const std::filesystem::path& root)
     : document_(std::make_unique<Document>()) {
   document_->file = file;
+  document_->searchRoot = root;
   const std::string text = kept ? *kept : readText(file, "a TOML file");
   if (const auto stray = strayLetter(text)) {
     throw InputErrors({InputError(file.string(), stray->line, stray->column,
@@ -356,6 +370,8 @@ std::filesystem::path TomlFile::existingFile(const TomlTable& table, std::string
   const std::filesystem::path shipped = configFolder() / given;
   std::error_code failed;
   for (const auto& candidate : {beside, shipped}) {
+    const auto below = document_->searchRoot / candidate.lexically_normal().relative_path();
+    if (!document_->searchRoot.empty() && std::filesystem::is_regular_file(below, failed)) return below;
     if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
   }
   if (table.has(key) && !given.empty()) {

@@ -30,6 +30,8 @@ class TomlTable {
  public:
   /// Returns whether the key exists; counts as reading it.
   bool has(std::string_view key) const;
+  /// Returns whether the key's value is a number; counts as reading it.
+  bool isNumber(std::string_view key) const;
 
   double number(std::string_view key, const Range& range, std::optional<double> fallback = {}) const;
   int integer(std::string_view key, int least, int most, std::optional<int> fallback = {}) const;
@@ -56,6 +58,8 @@ class TomlTable {
   /// Returns an array of strings, each with its position; empty if the key is absent or its value is not such
   /// an array.
   std::vector<PlacedText> texts(std::string_view key) const;
+  /// Returns the same of a key whose value may also be a single string.
+  std::vector<PlacedText> oneOrMoreTexts(std::string_view key) const;
   /// Returns an array of points [x, y, z]; required. Wrong coordinates are NaN.
   std::vector<std::array<double, 3>> points(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
@@ -85,9 +89,11 @@ class TomlTable {
 
 class TomlFile {
  public:
-  /// Reads the file or, if given, `kept`, the content that the file once had. Throws InputErrors if the file
-  /// cannot be read (at 1:1), is over 1 MiB or is not TOML.
-  explicit TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept = {});
+  /// Reads the file or, if given, `kept`, the content that the file once had. Files that it names are looked
+  /// for below `root` first. Throws InputErrors if the file cannot be read (at 1:1), is over 1 MiB or is not
+  /// TOML.
+  explicit TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept = {},
+                    const std::filesystem::path& root = {});
   ~TomlFile();
   TomlFile(const TomlFile&) = delete;
   TomlFile& operator=(const TomlFile&) = delete;

@@ -68,10 +68,13 @@ void judgeRanks(Verdict& verdict) {
   std::set<int> drawing;
   for (const RoomWall& wall : verdict.room.walls) drawing.insert(wall.wall.node);
   for (std::size_t i = 0; i < verdict.room.nodes.size(); ++i) {
-    if (drawing.contains(verdict.room.nodes[i].rank)) continue;
-    verdict.warn(verdict.room.nodesAt[i],
-                 fmt::format("rank {} has display {} but no wall to draw on it", verdict.room.nodes[i].rank,
-                             verdict.room.nodes[i].display));
+    const NodeSetup& node = verdict.room.nodes[i];
+    for (int rank = node.rank; rank < node.rank + node.slots; ++rank) {
+      if (drawing.contains(rank)) continue;
+      const std::string where = node.display.empty() ? "host " + node.host : "display " + node.display;
+      verdict.warn(verdict.room.nodesAt[i],
+                   fmt::format("rank {} has {} but no wall to draw on it", rank, where));
+    }
   }
   for (const RoomWall& wall : verdict.room.walls) {
     const int below = wall.wall.node - 1;

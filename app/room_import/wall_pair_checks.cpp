@@ -1,6 +1,7 @@
 #include "app/room_import/wall_pair_checks.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,18 +127,21 @@ void judgeCut(const RoomWall& a, const RoomWall& b, Verdict& verdict) {
 }
 
 void judgeWindows(const RoomWall& a, const RoomWall& b, Verdict& verdict) {
-  if (verdict.room.oneWindow || a.wall.node != b.wall.node || a.wall.window.monitor != b.wall.window.monitor)
-    return;
   const WindowPlacement &p = a.wall.window, &q = b.wall.window;
+  if (verdict.room.oneWindow || a.wall.node != b.wall.node || p.monitor != q.monitor ||
+      p.monitorNames != q.monitorNames)
+    return;
   if (a.wall.viewport && b.wall.viewport && p == q) return;  // the same window
   const glm::ivec2 shared =
       glm::min(p.position_px + p.size_px, q.position_px + q.size_px) - glm::max(p.position_px, q.position_px);
   if (shared.x <= 0 || shared.y <= 0) return;
-  verdict.warn(
-      b.at.window,
-      fmt::format("the windows of walls '{}' and '{}' overlap by {} × {} pixels on monitor {} of rank {}, "
-                  "expected them apart",
-                  a.wall.name, b.wall.name, shared.x, shared.y, p.monitor, a.wall.node));
+  const std::string monitor = p.monitorNames.empty()
+                                  ? fmt::format("monitor {}", p.monitor)
+                                  : fmt::format("monitor {}", fmt::join(p.monitorNames, " and "));
+  verdict.warn(b.at.window,
+               fmt::format("the windows of walls '{}' and '{}' overlap by {} × {} pixels on {} of rank {}, "
+                           "expected them apart",
+                           a.wall.name, b.wall.name, shared.x, shared.y, monitor, a.wall.node));
 }
 
 }  // namespace

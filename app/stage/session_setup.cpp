@@ -58,19 +58,19 @@ std::vector<ScenePart> plainTable(const Scenario& scenario) {
 
 SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   SessionSetup setup;
+  agreeOnVersion(cluster);
+  Handover files(cluster);
+  setup.rig = files.rig(options.rig);
+  setup.scenario = files.scenario(options.scenario);
   onAllRanks(cluster, [&] {
-    const auto& [rig, rigKept] = options.rig;
-    const auto& [scenario, scenarioKept] = options.scenario;
-    setup.rig = rigKept ? readRig(rig, *rigKept) : readRig(rig);
-    setup.scenario = scenarioKept ? readScenario(scenario, *scenarioKept) : readScenario(scenario);
-    openMeshes(setup.scenario);
-    openBlends(options.rig, setup.rig);
     if (options.live && cluster.rank() == 0) openTraces(setup.rig);
   });
-  agreeOnInputs(cluster, options.rig, setup.rig, options.scenario, setup.scenario);
   cluster.nameNodes(setup.rig.walls);
   onAllRanks(cluster, [&] {
     setup.graphics = std::make_unique<Graphics>(displayOf(setup.rig, cluster.rank()));
+    if (!options.noWindow) checkMonitors(cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow);
+  });
+  onAllRanks(cluster, [&] {
     setup.tessellation = tessellationFor(setup.rig, setup.graphics->inSoftware());
     setup.scene = sceneOf(setup.scenario, setup.tessellation);
     setup.walls = std::make_unique<DisplayWalls>(
@@ -96,25 +96,19 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
                     cluster.nameOf(cluster.rank()), setup.lock.whyNot()));
   }
   if (setup.realTime && !options.noWindow) setup.swapsWait = warmUp(cluster, setup);
+  for (const std::string& window : setup.walls->misplaced())
+    log::warn(fmt::format("{}: {}", cluster.nameOf(cluster.rank()), window));
   setup.world = {historiesAtStart(setup), {}};
   return setup;
 }
 
 bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path& file) {
-  Scenario next;
+  Handover files(cluster);
   try {
-    onAllRanks(cluster, [&] {
-      next = readScenario(file);
-      openMeshes(next);
-    });
-    agreeOnScenario(cluster, {file, {}}, next);
+    setup.scenario = files.scenario({file, {}});
   } catch (const RankFailed&) {
     return false;  // the error has been logged
-  } catch (const NodesDiffer& error) {
-    if (cluster.rank() == 0) log::error(error.what());
-    return false;
   }
-  setup.scenario = std::move(next);
   onAllRanks(cluster, [&] {
     setup.scene = sceneOf(setup.scenario, setup.tessellation);
     setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);

@@ -7,7 +7,7 @@
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
-#include "app/stage/agreement.h"
+#include "app/stage/handover.h"
 #include "app/stage/recording.h"
 #include "cave/cluster/cluster.h"
 #include "cave/display/display_walls.h"
@@ -41,13 +41,12 @@ struct SessionSetup {
   bool swapsWait = false;  ///< rank 0 only: buffer swaps wait for the display's refresh (cave/frame/pacer.h)
 };
 
-/// Reads the files, checks that every node has the same, and opens this node's windows. Throws RankFailed on
-/// every rank if one of them cannot; that one has logged the reason.
+/// Reads the files on rank 0, hands them to the other nodes, and opens this node's windows. Throws RankFailed
+/// on every rank if one of them cannot; that one has logged the reason.
 SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options);
 
 /// Replaces the scenario on every node, in the same windows; everything of the old game in `setup` is
-/// discarded. If a node cannot read the scenario or has a different one, logs this, leaves the setup as it is
-/// and returns false.
+/// discarded. If the scenario cannot be read, logs this, leaves the setup as it is and returns false.
 bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path& scenario);
 
 /// Returns the histories of all bodies before the game.

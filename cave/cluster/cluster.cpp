@@ -144,7 +144,7 @@ void Cluster::agree(const std::string& what, std::string_view content) const {
   const int different = firstFailed(digest != rankZeros);
   if (different < 0) return;
   throw NodesDiffer(
-      fmt::format("node {} has another {} than node 0, expected the same on every node", different, what));
+      fmt::format("{} has another {} than node 0, expected the same on every node", nameOf(different), what));
 }
 
 std::vector<Wall> Cluster::wallsOf(std::span<const Wall> walls) const {
@@ -165,14 +165,23 @@ void Cluster::nameNodes(std::span<const Wall> walls) {
 
 std::string Cluster::nameOf(int rank) const {
   const std::string& walls = names_[static_cast<std::size_t>(rank)];
-  return fmt::format("node {}{}", rank, walls.empty() ? "" : " (" + walls + ")");
+  const bool severalHosts = !std::all_of(room_->places.begin(), room_->places.end(), [&](const Place& place) {
+    return place.host == room_->places.front().host;
+  });
+  return fmt::format(
+      "node {}{}{}", rank, walls.empty() ? "" : " (" + walls + ")",
+      severalHosts ? fmt::format(" on {}", room_->places[static_cast<std::size_t>(rank)].host.data()) : "");
 }
 
 void Cluster::share(std::string& text) const {
   std::uint64_t bytes = text.size();
   MPI_Bcast(&bytes, 1, MPI_UINT64_T, kRankOfDevices, MPI_COMM_WORLD);
   text.resize(bytes);
-  MPI_Bcast(text.data(), static_cast<int>(bytes), MPI_BYTE, kRankOfDevices, MPI_COMM_WORLD);
+  constexpr std::uint64_t kMost = 1U << 30U;  // MPI counts in int
+  for (std::uint64_t from = 0; from < bytes; from += kMost) {
+    MPI_Bcast(text.data() + from, static_cast<int>(std::min(bytes - from, kMost)), MPI_BYTE, kRankOfDevices,
+              MPI_COMM_WORLD);
+  }
 }
 
 std::vector<std::string> Cluster::gather(const std::string& text) const {

@@ -64,7 +64,8 @@ class Cluster {
   /// Sets the walls that messages name each node by. `walls`: those of all nodes.
   void nameNodes(std::span<const Wall> walls);
 
-  /// Returns the name of a rank for messages, such as "node 1 (left)".
+  /// Returns the name of a rank for messages, such as "node 1 (left)", with its host if there are several:
+  /// "node 1 (left) on cave-left".
   std::string nameOf(int rank) const;
 
   /// Replaces the text of every rank by rank 0's.

@@ -38,6 +38,14 @@ std::optional<SwapGroupCalls> swapGroupOfDriver() {
   return calls;
 }
 
+std::string whyNoSwapGroup(const std::optional<SwapGroupCalls>& driver) {
+  if (!driver) return "the driver lacks GLX_NV_swap_group";
+  unsigned groups = 0, barriers = 0;
+  if (!driver->maxima(driver->display, driver->screen, &groups, &barriers) || groups < kGroup)
+    return "the graphics card has no swap group";
+  return barriers < kBarrier ? "the graphics card has no swap barrier: is a sync card built in?" : "";
+}
+
 SwapGroupCalls::Drawable currentDrawable() {
   const auto current = lookUp<SwapGroupCalls::Drawable (*)()>("glXGetCurrentDrawable");
   return current ? current() : 0;
@@ -45,24 +53,15 @@ SwapGroupCalls::Drawable currentDrawable() {
 
 NodeLock::NodeLock(const std::optional<SwapGroupCalls>& driver, std::vector<SwapGroupCalls::Drawable> windows)
     : windows_(std::move(windows)) {
-  if (windows_.empty()) {
-    whyNot_ = "there is no window";
-  } else if (!driver) {
-    whyNot_ = "the driver lacks GLX_NV_swap_group";
-  } else {
-    calls_ = *driver;
-    unsigned groups = 0, barriers = 0;
-    if (!calls_.maxima(calls_.display, calls_.screen, &groups, &barriers) || groups < kGroup) {
-      whyNot_ = "the graphics card has no swap group";
-    } else if (barriers < kBarrier) {
-      whyNot_ = "the graphics card has no swap barrier: is a sync card built in?";
-    } else if (!join()) {
-      whyNot_ = "the driver does not let the windows join a swap group and its barrier";
-    } else {
-      state_ = LockState::pending;
-      counted_ = count();
-    }
+  whyNot_ = windows_.empty() ? "there is no window" : whyNoSwapGroup(driver);
+  if (!whyNot_.empty()) return;
+  calls_ = *driver;
+  if (!join()) {
+    whyNot_ = "the driver does not let the windows join a swap group and its barrier";
+    return;
   }
+  state_ = LockState::pending;
+  counted_ = count();
 }
 
 bool NodeLock::join() {

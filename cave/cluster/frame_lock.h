@@ -32,6 +32,9 @@ struct SwapGroupCalls {
 /// Returns the driver's entry points, or none if it lacks the extension. A window's context must be current.
 std::optional<SwapGroupCalls> swapGroupOfDriver();
 
+/// Returns why windows cannot join a swap group and its barrier by these calls; empty if they can.
+std::string whyNoSwapGroup(const std::optional<SwapGroupCalls>& driver);
+
 /// Returns the window whose context is current.
 SwapGroupCalls::Drawable currentDrawable();
 

@@ -6,18 +6,50 @@
 #include <vtk_glew.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
+
+#include "cave/cluster/frame_lock.h"
 
 namespace carom {
 namespace {
 
-/// Returns whether a compositing manager has announced itself as the Extended Window Manager Hints ask: it
-/// owns the selection _NET_WM_CM_Sn of screen n.
-bool hasCompositor(Display* display) {
+/// Returns the window of the compositing manager, or None. It announces itself as the Extended Window Manager
+/// Hints ask: it owns the selection _NET_WM_CM_Sn of screen n.
+::Window compositorOf(Display* display) {
   const std::string name = "_NET_WM_CM_S" + std::to_string(DefaultScreen(display));
   const Atom selection = XInternAtom(display, name.c_str(), True);
-  return selection != None && XGetSelectionOwner(display, selection) != None;
+  return selection == None ? None : XGetSelectionOwner(display, selection);
+}
+
+/// Returns the bytes of a window's property; empty if it has none.
+std::string propertyOf(Display* display, ::Window window, const char* property) {
+  const Atom atom = XInternAtom(display, property, True);
+  if (atom == None || window == None) return {};
+  Atom type = None;
+  int format = 0;
+  unsigned long items = 0, more = 0;
+  unsigned char* bytes = nullptr;
+  XGetWindowProperty(display, window, atom, 0, 64, False, AnyPropertyType, &type, &format, &items, &more,
+                     &bytes);
+  const std::unique_ptr<unsigned char, int (*)(void*)> owned(bytes, XFree);
+  if (!bytes || format == 0) return {};
+  const std::size_t size = format == 32 ? sizeof(long) : static_cast<std::size_t>(format) / 8;
+  return {reinterpret_cast<const char*>(bytes), items * size};
+}
+
+std::string nameOf(Display* display, ::Window window) {
+  const std::string name = propertyOf(display, window, "_NET_WM_NAME");
+  return name.empty() ? propertyOf(display, window, "WM_NAME") : name;
+}
+
+/// Returns the name of the window manager, by the window that its root window names.
+std::string windowManagerOf(Display* display) {
+  const std::string bytes = propertyOf(display, DefaultRootWindow(display), "_NET_SUPPORTING_WM_CHECK");
+  ::Window window = None;
+  if (bytes.size() == sizeof window) std::memcpy(&window, bytes.data(), sizeof window);
+  return nameOf(display, window);
 }
 
 bool hasExtension(Display* display, const char* name) {
@@ -34,22 +66,6 @@ bool hasQuadBuffer() {
   return window != nullptr;
 }
 
-std::vector<MonitorFacts> monitors() {
-  std::vector<MonitorFacts> facts;
-  int count = 0;
-  GLFWmonitor** all = glfwGetMonitors(&count);
-  for (int i = 0; i < count; ++i) {
-    MonitorFacts monitor{glfwGetMonitorName(all[i]), {}, {}, 0};
-    glfwGetMonitorPos(all[i], &monitor.position_px.x, &monitor.position_px.y);
-    if (const GLFWvidmode* mode = glfwGetVideoMode(all[i])) {
-      monitor.size_px = {mode->width, mode->height};
-      monitor.rate_hz = mode->refreshRate;
-    }
-    facts.push_back(monitor);
-  }
-  return facts;
-}
-
 }  // namespace
 
 DisplayFacts displayFacts(const Graphics& graphics) {
@@ -59,13 +75,17 @@ DisplayFacts displayFacts(const Graphics& graphics) {
   if (!connection) throw std::runtime_error("the X display does not take another program");
   Display* display = connection.get();
   facts.display = DisplayString(display);
-  facts.isXwayland =
-      hasExtension(display, "XWAYLAND") ||
-      std::any_of(facts.monitors.begin(), facts.monitors.end(),
-                  [](const MonitorFacts& monitor) { return monitor.name.rfind("XWAYLAND", 0) == 0; });
-  facts.hasCompositor = hasCompositor(display);
+  facts.isXwayland = hasExtension(display, "XWAYLAND") ||
+                     std::any_of(facts.monitors.begin(), facts.monitors.end(), [](const Monitor& monitor) {
+                       return monitor.name.rfind("XWAYLAND", 0) == 0;
+                     });
+  const ::Window compositor = compositorOf(display);
+  facts.hasCompositor = compositor != None;
+  facts.compositor = nameOf(display, compositor);
+  if (facts.compositor.empty()) facts.compositor = windowManagerOf(display);
   facts.hasQuadBuffer = hasQuadBuffer();
   graphics.makeCurrent();
+  facts.noSwapGroup = whyNoSwapGroup(swapGroupOfDriver());
   facts.openGl = reinterpret_cast<const char*>(glGetString(GL_VERSION));
   facts.renderer = graphics.rendererName();
   return facts;

@@ -4,26 +4,21 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
-
+#include "cave/display/monitors.h"
 #include "cave/gl/graphics.h"
 
 namespace carom {
-
-struct MonitorFacts {
-  std::string name;  ///< of the output, such as "DP-1"
-  glm::ivec2 size_px{0}, position_px{0};
-  int rate_hz = 0;
-};
 
 struct DisplayFacts {
   std::string display;         ///< such as ":0"
   bool isXwayland = false;     ///< a Wayland compositor draws what X programs show
   bool hasCompositor = false;  ///< a compositor redraws all windows, a frame later
+  std::string compositor;      ///< its name, or that of the window manager, as far as they say
   std::string openGl;          ///< version
   std::string renderer;
   bool hasQuadBuffer = false;  ///< a window with a left and a right buffer can be opened
-  std::vector<MonitorFacts> monitors;
+  std::string noSwapGroup;     ///< why windows cannot join a swap group and its barrier; empty if they can
+  std::vector<Monitor> monitors;
 };
 
 /// Returns the facts of the display on which `graphics` draws. Opens a hidden window for a moment.

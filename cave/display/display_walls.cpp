@@ -1,9 +1,12 @@
 #include "cave/display/display_walls.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "cave/display/calibration_pattern.h"
+#include "cave/display/wall_window.h"
 #include "cave/projection/stereo.h"
 
 namespace carom {
@@ -53,6 +56,7 @@ void DisplayWalls::openWindows(const std::optional<WindowPlacement>& oneWindow) 
       windows_.push_back({shown.window, shown.node, shared, {wall}, nullptr});
     }
   }
+  keepDisplayAwake();
   for (WallWindow& window : windows_) {
     std::string title;
     bool quadBuffer = false;
@@ -62,7 +66,22 @@ void DisplayWalls::openWindows(const std::optional<WindowPlacement>& oneWindow) 
     }
     window.window = std::make_unique<Window>(graphics_, title, window.placement, quadBuffer);
   }
-  windows_.front().window->setVsync(true);  // one wait per frame is enough for all windows of a node
+  for (const WallWindow& window : windows_) window.window->setVsync(true);
+  if (windows_.size() > 1) swapTogether();
+}
+
+/// Gives each window's swap a thread, in which its context is current for that time only: a swap may block
+/// until the display's next refresh, and one after the other would take as many refreshes as there are windows.
+void DisplayWalls::swapTogether() {
+  std::vector<std::function<void()>> swaps;
+  for (const WallWindow& window : windows_) {
+    swaps.emplace_back([shown = window.window.get()] {
+      shown->makeCurrent();
+      shown->swap();
+      Window::makeNoneCurrent();
+    });
+  }
+  swaps_ = std::make_unique<ParallelCalls>(std::move(swaps));
 }
 
 void DisplayWalls::drawSession(const FrameRecord& record, const World& world, const ObserverView& observer) {
@@ -193,16 +212,22 @@ void DisplayWalls::film(Movie& movie, double display_s) const {
   movie.add(display_s, filmed_);
 }
 
+std::vector<std::string> DisplayWalls::misplaced() const {
+  std::vector<std::string> found;
+  for (const WallWindow& window : windows_) {
+    const std::string words = window.window->misplaced();
+    if (!words.empty())
+      found.push_back(fmt::format("the window of wall {} is {}", walls_[window.walls.front()].name, words));
+  }
+  return found;
+}
+
 NodeLock DisplayWalls::lockSwaps(FrameLock asked) {
   if (asked == FrameLock::software) return {};
   std::vector<SwapGroupCalls::Drawable> drawables;
   for (const WallWindow& window : windows_) drawables.push_back(window.window->drawable());
   if (!windows_.empty()) windows_.front().window->makeCurrent();
-  NodeLock lock(swapGroupOfDriver(), std::move(drawables));
-  if (lock.state() != LockState::software) {
-    for (const WallWindow& window : windows_) window.window->setVsync(true);
-  }
-  return lock;
+  return NodeLock(swapGroupOfDriver(), std::move(drawables));
 }
 
 void DisplayWalls::show(const std::function<void()>& over) {
@@ -223,6 +248,10 @@ void DisplayWalls::awaitShown() {
 }
 
 void DisplayWalls::swap() {
+  if (swaps_) {
+    graphics_.makeCurrent();  // so that no window's context is current here
+    return swaps_->run();
+  }
   for (const WallWindow& window : windows_) window.window->swap();
 }
 

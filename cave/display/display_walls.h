@@ -15,6 +15,7 @@
 #include "cave/cluster/frame_lock.h"
 #include "cave/display/alignment_pattern.h"
 #include "cave/display/eye_renderer.h"
+#include "cave/display/parallel_calls.h"
 #include "cave/display/window.h"
 #include "cave/frame/frame_state.h"
 #include "cave/overlay/cue_overlay.h"
@@ -73,6 +74,9 @@ class DisplayWalls {
   bool isHeld() const;     ///< the mouse's left button was pressed in one of these windows and is down
   bool isTurning() const;  ///< its right button was
 
+  /// Returns which of the windows a window manager has moved, and where to.
+  std::vector<std::string> misplaced() const;
+
   /// Creates the lock of this node's swaps, as the rig asks for it.
   NodeLock lockSwaps(FrameLock asked);
 
@@ -91,6 +95,7 @@ class DisplayWalls {
     std::unique_ptr<Window> window;
   };
   void openWindows(const std::optional<WindowPlacement>& oneWindow);
+  void swapTogether();
   void drawSession(const FrameRecord& record, const World& world, const ObserverView& observer);
   void drawCalibrationPatterns(bool eyesSwapped);
   void drawAids(const FrameRecord& record, const ObserverView& observer);
@@ -113,7 +118,8 @@ class DisplayWalls {
   WallControls drawn_;                                  ///< as the pictures were last drawn
   std::vector<std::optional<Projection>> projections_;  // of each wall, where there are windows
   std::vector<WallWindow> windows_;
-  std::vector<PicturedWall> pictured_;  // of one eye
+  std::unique_ptr<ParallelCalls> swaps_;  // of several windows
+  std::vector<PicturedWall> pictured_;    // of one eye
   std::vector<Pane> panes_;
   mutable std::vector<Capture::Taken> taken_;
   mutable std::vector<const RenderTarget*> filmed_;

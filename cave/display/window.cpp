@@ -8,19 +8,12 @@
 #include <vtk_glew.h>
 #include <glm/common.hpp>
 
+#include "cave/display/wall_window.h"
+
 namespace carom {
 namespace {
 
 constexpr float kText_px = 18.0F;
-GLFWmonitor* monitorOf(const WindowPlacement& placement) {
-  int count = 0;
-  GLFWmonitor** monitors = glfwGetMonitors(&count);
-  if (placement.monitor < 0 || placement.monitor >= count) {
-    throw std::runtime_error(
-        fmt::format("there is no monitor {}: this display has {}, counted from 0", placement.monitor, count));
-  }
-  return monitors[placement.monitor];
-}
 
 }  // namespace
 
@@ -73,21 +66,15 @@ struct Window::Hears {
 
 Window::Window(Graphics& graphics, const std::string& title, const WindowPlacement& placement,
                bool quadBuffer)
-    : graphics_(graphics) {
-  GLFWmonitor* monitor = monitorOf(placement);
+    : graphics_(graphics), border_(placement.border) {
+  const std::vector<Monitor> present = monitors();
+  place_ = placeOf(placement, present);
   hintContext();
   glfwWindowHint(GLFW_STEREO, quadBuffer ? GLFW_TRUE : GLFW_FALSE);
-  glfwWindowHint(GLFW_DECORATED, GLFW_TRUE);
+  glfwWindowHint(GLFW_DECORATED, border_ ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a wall must not vanish when it loses the focus
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-  glm::ivec2 size_px = placement.size_px;
-  if (placement.fullscreen) {
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-    size_px = {mode->width, mode->height};
-    glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
-  }
-  window_ = glfwCreateWindow(size_px.x, size_px.y, title.c_str(), placement.fullscreen ? monitor : nullptr,
-                             graphics.context_);
+  window_ = glfwCreateWindow(place_.size_px.x, place_.size_px.y, title.c_str(), nullptr, graphics.context_);
   if (!window_) {
     const std::string reason = lastGlfwError();
     throw std::runtime_error(
@@ -97,12 +84,11 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
                           title, reason)
             : fmt::format("window \"{}\" cannot be opened: {}", title, reason));
   }
-  if (placement.fullscreen) {
+  glfwSetWindowPos(window_, place_.position_px.x, place_.position_px.y);
+  beginBlack(window_);
+  if (!border_) {
     glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);  // no desktop cursor on a wall
-  } else {
-    glm::ivec2 origin_px{0};
-    glfwGetMonitorPos(monitor, &origin_px.x, &origin_px.y);
-    glfwSetWindowPos(window_, origin_px.x + placement.position_px.x, origin_px.y + placement.position_px.y);
+    claimWall(window_, placement.fullscreen && monitorsOf(placement, present).size() == 1);
   }
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, Hears::key);
@@ -148,6 +134,8 @@ void Window::swap() { glfwSwapBuffers(window_); }
 
 void Window::makeCurrent() const { glfwMakeContextCurrent(window_); }
 
+void Window::makeNoneCurrent() { glfwMakeContextCurrent(nullptr); }
+
 void Window::setVsync(bool on) {
   makeCurrent();
   glfwSwapInterval(on ? 1 : 0);
@@ -157,10 +145,23 @@ void Window::listen(float text_px, float heading_px) {
   makeCurrent();
   gui_ = std::make_unique<Gui>(text_px, heading_px);
   listens_ = true;
+  glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
   glfwSetCursorPosCallback(window_, Hears::pointer);
   glfwSetCursorEnterCallback(window_, Hears::left);
   glfwSetMouseButtonCallback(window_, Hears::button);
   glfwSetCharCallback(window_, Hears::letter);
+}
+
+std::string Window::misplaced() const {
+  if (border_) return {};
+  ScreenPlace now;
+  glfwGetWindowPos(window_, &now.position_px.x, &now.position_px.y);
+  glfwGetWindowSize(window_, &now.size_px.x, &now.size_px.y);
+  const auto words = [](const ScreenPlace& place) {
+    return fmt::format("{} × {} pixels from ({}, {})", place.size_px.x, place.size_px.y, place.position_px.x,
+                       place.position_px.y);
+  };
+  return now == place_ ? "" : fmt::format("{}, expected {}", words(now), words(place_));
 }
 
 bool Window::isIconified() const { return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE; }

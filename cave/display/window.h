@@ -2,7 +2,8 @@
 // Visible windows, by GLFW. They share the textures of the drawing context (cave/gl/graphics.h) and only pack
 // them for the display.
 //
-// Use from the main thread only.
+// Use from the main thread only; makeCurrent, swap and makeNoneCurrent also from another, if no other thread uses
+// this window meanwhile.
 
 #include <functional>
 #include <memory>
@@ -13,6 +14,7 @@
 #include <glm/vec2.hpp>
 
 #include "cave/cluster/frame_lock.h"
+#include "cave/display/monitors.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/gui.h"
@@ -32,8 +34,8 @@ struct PointerInput {
 /// A visible window.
 class Window {
  public:
-  /// Throws std::runtime_error if the monitor does not exist or quad-buffer stereo is asked for but not
-  /// offered by the display.
+  /// Throws std::runtime_error if a monitor does not exist or quad-buffer stereo is asked for but not offered
+  /// by the display. A window without border is a wall's: it hides the cursor.
   Window(Graphics& graphics, const std::string& title, const WindowPlacement& placement,
          bool quadBuffer = false);
   ~Window();
@@ -50,6 +52,7 @@ class Window {
   /// Makes what was shown visible; waits for the display's refresh if `setVsync(true)`.
   void swap();
   void makeCurrent() const;
+  static void makeNoneCurrent();  ///< in this thread
   void setVsync(bool on);
 
   /// Enables input for this window's Gui. It takes the mouse and letters, and keys while it wants them
@@ -58,6 +61,9 @@ class Window {
   void listen(float text_px, float heading_px);
   bool isPressed() const { return listens_ && gui_->isPressed(); }
   bool isIconified() const;
+
+  /// Returns where a window without border lies, and where it should, if a window manager has moved it.
+  std::string misplaced() const;
 
   glm::ivec2 size_px() const;  ///< size of its framebuffer
   bool isDown(int key) const;
@@ -75,6 +81,8 @@ class Window {
 
   Graphics& graphics_;
   GLFWwindow* window_ = nullptr;
+  ScreenPlace place_;
+  bool border_ = false;
   bool listens_ = false;        // its Gui takes input
   glm::dvec2 pointer_px_{0.0};  // at the last takePointer
   bool dragging_ = false;       // at the last takePointer

@@ -44,6 +44,9 @@ void awaitFence(const GlFence& fence) {
 
 Graphics::Graphics(const std::string& display) {
   if (!display.empty()) setenv("DISPLAY", display.c_str(), 1);
+#ifdef GLFW_PLATFORM  // from GLFW 3.4 on, which would choose Wayland where there is both
+  glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
   if (!glfwInit()) failWithoutDisplay(lastGlfwError());
   hintContext();
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);

@@ -20,21 +20,57 @@ namespace {
 constexpr std::size_t kMostHeard = 256;
 const ImVec2 kNowhere{-1e9F, -1e9F};
 
-constexpr std::array<std::pair<ImGuiKey_, int>, 15> kKeys{{{ImGuiKey_Tab, GLFW_KEY_TAB},
-                                                           {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
-                                                           {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
-                                                           {ImGuiKey_UpArrow, GLFW_KEY_UP},
-                                                           {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
-                                                           {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
-                                                           {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
-                                                           {ImGuiKey_Home, GLFW_KEY_HOME},
-                                                           {ImGuiKey_End, GLFW_KEY_END},
-                                                           {ImGuiKey_Delete, GLFW_KEY_DELETE},
-                                                           {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
-                                                           {ImGuiKey_Space, GLFW_KEY_SPACE},
-                                                           {ImGuiKey_Enter, GLFW_KEY_ENTER},
-                                                           {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
-                                                           {ImGuiKey_A, GLFW_KEY_A}}};
+struct KeyMeaning {
+  ImGuiKey meaning;
+  unsigned key;  // of GLFW
+};
+constexpr std::array<KeyMeaning, 15> kKeys{{{ImGuiKey_Tab, GLFW_KEY_TAB},
+                                            {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
+                                            {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
+                                            {ImGuiKey_UpArrow, GLFW_KEY_UP},
+                                            {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
+                                            {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
+                                            {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
+                                            {ImGuiKey_Home, GLFW_KEY_HOME},
+                                            {ImGuiKey_End, GLFW_KEY_END},
+                                            {ImGuiKey_Delete, GLFW_KEY_DELETE},
+                                            {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
+                                            {ImGuiKey_Space, GLFW_KEY_SPACE},
+                                            {ImGuiKey_Enter, GLFW_KEY_ENTER},
+                                            {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
+                                            {ImGuiKey_A, GLFW_KEY_A}}};
+
+#if IMGUI_VERSION_NUM >= 18700  // of Debian 13
+
+void nameKeys(ImGuiIO& /*io*/) {}
+
+void pressKey(ImGuiIO& io, unsigned key, bool down) {
+  for (const KeyMeaning& known : kKeys) {
+    if (known.key == key) io.AddKeyEvent(known.meaning, down);
+  }
+}
+
+void holdModifiers(ImGuiIO& io, bool control, bool shift, bool alt) {
+  io.AddKeyEvent(ImGuiMod_Ctrl, control);
+  io.AddKeyEvent(ImGuiMod_Shift, shift);
+  io.AddKeyEvent(ImGuiMod_Alt, alt);
+}
+
+#else  // of Debian 12
+
+void nameKeys(ImGuiIO& io) {
+  for (const KeyMeaning& known : kKeys) io.KeyMap[known.meaning] = static_cast<int>(known.key);
+}
+
+void pressKey(ImGuiIO& io, unsigned key, bool down) { io.KeysDown[key] = down; }
+
+void holdModifiers(ImGuiIO& io, bool control, bool shift, bool alt) {
+  io.KeyCtrl = control;
+  io.KeyShift = shift;
+  io.KeyAlt = alt;
+}
+
+#endif
 
 /// European and Greek letters, and some signs.
 constexpr ImWchar kLetters[] = {0x20, 0x24F, 0x370, 0x3FF, 0x2010, 0x205E, 0x2190, 0x21FF, 0};
@@ -50,7 +86,8 @@ Gui::Gui(float text_px, float heading_px) : context_(ImGui::CreateContext()) {
     if (height_px > 0.0F && std::filesystem::exists(kLettersFile))
       io.Fonts->AddFontFromFileTTF(kLettersFile, height_px, nullptr, kLetters);
   }
-  for (const auto& [meaning, key] : kKeys) io.KeyMap[meaning] = key;
+  io.UserData = this;
+  nameKeys(io);
   io.MousePos = kNowhere;
   events_.reserve(kMostHeard);
   ImGui::StyleColorsDark();
@@ -81,6 +118,7 @@ bool Gui::isPressed() const {
 void Gui::takeHeard() {
   using Kind = GuiEvent::Kind;
   ImGuiIO& io = ImGui::GetIO();
+  pressedKey_.reset();
   bool changed = false;  // a button or a key has changed
   const auto waits = [&](const GuiEvent& heard) {
     if (heard.kind == Kind::wheel || heard.kind == Kind::letter) return false;
@@ -102,7 +140,9 @@ void Gui::takeHeard() {
         io.MouseWheel += heard->at.y;
         break;
       case Kind::key:
-        io.KeysDown[heard->code] = heard->down;
+        keysDown_[heard->code] = heard->down;
+        if (heard->down) pressedKey_ = heard->code;
+        pressKey(io, heard->code, heard->down);
         break;
       case Kind::letter:
         io.AddInputCharacter(heard->code);
@@ -112,9 +152,9 @@ void Gui::takeHeard() {
   took_ = std::any_of(events_.begin(), end,
                       [](const GuiEvent& heard) { return heard.kind != GuiEvent::Kind::pointer; });
   events_.erase(events_.begin(), end);
-  io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
-  io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
-  io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
+  holdModifiers(io, keysDown_[GLFW_KEY_LEFT_CONTROL] || keysDown_[GLFW_KEY_RIGHT_CONTROL],
+                keysDown_[GLFW_KEY_LEFT_SHIFT] || keysDown_[GLFW_KEY_RIGHT_SHIFT],
+                keysDown_[GLFW_KEY_LEFT_ALT] || keysDown_[GLFW_KEY_RIGHT_ALT]);
 }
 
 void Gui::begin(const glm::ivec2& window_px) {
@@ -133,6 +173,10 @@ void Gui::end() {
   wantsKeys_ = ImGui::GetIO().WantCaptureKeyboard || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool isKeyPressed(int key) {
+  return static_cast<const Gui*>(ImGui::GetIO().UserData)->pressedKey() == static_cast<unsigned>(key);
 }
 
 void overCorner(const char* name, const std::function<void()>& draw) {

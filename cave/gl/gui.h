@@ -4,10 +4,11 @@
 // Between `begin` and `end`, the functions of imgui.h draw into the window whose context is current. Input of
 // mouse and keyboard reaches them through `hear`; a Gui that gets no input only displays.
 
+#include <bitset>
 #include <chrono>
-#include <vector>
-
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -43,6 +44,9 @@ class Gui {
   /// pressed it expects an answer.
   bool isPressed() const;
 
+  /// Returns the key, of GLFW, that was pressed for this frame.
+  std::optional<unsigned> pressedKey() const { return pressedKey_; }
+
   void begin(const glm::ivec2& window_px);
   void end();  ///< draws the frame
 
@@ -51,9 +55,14 @@ class Gui {
 
   ImGuiContext* context_ = nullptr;
   std::vector<GuiEvent> events_;
+  std::bitset<512> keysDown_;  // by GLFW's numbers, which end at 348
+  std::optional<unsigned> pressedKey_;
   bool wantsKeys_ = false, took_ = false;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
+
+/// Returns whether this key, of GLFW, was pressed for this frame of the Gui that is drawn now.
+bool isKeyPressed(int key);
 
 /// Draws what `draw` draws, within a Gui, on a dim background in the window's upper left corner; it takes no
 /// input.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -46,13 +47,16 @@ enum class Flip {
 enum class FrameLock : std::uint8_t { software, swapGroup };
 inline constexpr std::array<std::string_view, 2> kFrameLocks{"software", "swap-group"};
 
-/// Where a visible window lies on its monitor, or, in a rig with one window for all walls, where the wall's
+/// Where a visible window lies on its monitors, or, in a rig with one window for all walls, where the wall's
 /// picture lies in that window. Pixels from the top left.
 struct WindowPlacement {
   int monitor = 0;
   glm::ivec2 position_px{0};
   glm::ivec2 size_px{0};
-  bool fullscreen = false;
+  bool fullscreen = false;  ///< it covers its monitors
+  bool border = false;      ///< it has a title and a border, as on a desk
+  /// Names of the monitors that it spans, such as "DP-1"; if empty, it is on the monitor of that number.
+  std::vector<std::string> monitorNames{};
 
   bool operator==(const WindowPlacement&) const = default;
 };

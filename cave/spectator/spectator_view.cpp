@@ -203,7 +203,7 @@ SpectatorView::SpectatorView(Graphics& graphics, const RoomGeometry& room, const
   drawing_ = std::make_unique<Drawing>(graphics, room, makeViewerModel());
   drawing_->makeGame(scene, table);
   if (visible) {
-    const WindowPlacement place{0, kWindowPlace_px, kPicture_px, false};
+    const WindowPlacement place{.position_px = kWindowPlace_px, .size_px = kPicture_px, .border = true};
     drawing_->window = std::make_unique<Window>(graphics, "Carom: the room from outside", place);
     graphics.makeCurrent();
   }

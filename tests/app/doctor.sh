@@ -9,7 +9,7 @@ status=0
 fail() { echo "FAILED: $*"; status=1; }
 
 "$carom" doctor >"$work/said" 2>"$work/errors" || fail "it ended with an error: $(cat "$work/errors")"
-for kind in display OpenGL stereo monitor sound device "real time" cores disk MPI; do
+for kind in host display OpenGL stereo "swap group" monitor sound device "real time" cores disk MPI; do
   grep -q "^$kind  *[^ ]" "$work/said" || fail "it says nothing of '$kind': $(cat "$work/said")"
 done
 
@@ -17,7 +17,13 @@ done
 
 sed 's/^stereo = .*/stereo = "quad-buffer"/; s/monitor = 0/monitor = 7/' "$config/rigs/play.toml" >"$work/stereo.toml"
 ! "$carom" doctor "$work/stereo.toml" >"$work/said" 2>"$work/errors" || fail "a rig on monitor 7 was found well"
-grep -q "^error: wall screen is on monitor 7, expected one of 0 to " "$work/errors" || fail "of monitor 7: $(cat "$work/errors")"
+grep -q '^error: wall screen: there is no monitor 7, expected one of 0 "' "$work/errors" || fail "of monitor 7: $(cat "$work/errors")"
+
+sed 's/^unit = .*/&\nframe_lock = "swap-group"/' "$config/rigs/play.toml" >"$work/lock.toml"
+if "$carom" doctor | grep -q '^swap group none'; then
+  ! "$carom" doctor "$work/lock.toml" >"$work/said" 2>"$work/errors" || fail "a rig with a swap group was found well"
+  grep -q "^error: the rig asks for a swap group, expected one here: " "$work/errors" || fail "of a swap group: $(cat "$work/errors")"
+fi
 
 mpirun --allow-run-as-root --oversubscribe -n 4 "$carom" doctor "$config/rigs/four-walls-cluster.toml" \
   >"$work/said" 2>"$work/errors" || fail "of four nodes: $(cat "$work/errors")"

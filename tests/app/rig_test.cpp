@@ -162,9 +162,25 @@ TEST(Rig, TurnsAboutXThenYThenZ) {
 TEST(Rig, TheConsoleHasAPlace) {
   const Rig rig = read(std::string(kGood) +
                        "\n[console]\nwindow = { monitor = 1, position = [10, 20], size = [800, 600] }\n");
-  const WindowPlacement expected{.monitor = 1, .position_px = {10, 20}, .size_px = {800, 600}};
+  const WindowPlacement expected{
+      .monitor = 1, .position_px = {10, 20}, .size_px = {800, 600}, .border = true};
   EXPECT_EQ(rig.console, expected);
   EXPECT_FALSE(read(kGood).console);
+}
+
+TEST(Rig, AWindowNamesItsMonitors) {
+  const auto windowOf = [](const std::string& keys) {
+    return read(kGood + "window = { size = [800, 600]" + keys + " }\n").walls.at(0).window;
+  };
+  EXPECT_EQ(windowOf("").monitor, 0);
+  EXPECT_FALSE(windowOf("").border);
+  EXPECT_TRUE(windowOf(", border = true").border);
+  EXPECT_EQ(windowOf(", monitor = 2").monitor, 2);
+  EXPECT_EQ(windowOf(", monitor = 'DP-1'").monitorNames, std::vector<std::string>{"DP-1"});
+  EXPECT_EQ(windowOf(", monitor = ['DP-1', 'DP-3']").monitorNames,
+            (std::vector<std::string>{"DP-1", "DP-3"}));
+  for (const char* wrong : {"[]", "[1]", "-1", "64", "true", "''", "['DP-1', '']", "1.5"})
+    EXPECT_THROW(windowOf(std::string(", monitor = ") + wrong), InputErrors) << wrong;
 }
 
 TEST(Rig, LeavesOutWhatIsOptional) {

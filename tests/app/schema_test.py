@@ -47,3 +47,33 @@ for values, right in [
     tried = rig | {"wall": [rig["wall"][0] | values]}
     assert schema.is_valid(tried) == right, f"the schema judges {values} wrongly"
 print("the keys of a projector are judged rightly")
+
+for window, right in [
+    ({"monitor": "DP-1", "border": True}, True),
+    ({"monitor": ["DP-1", "DP-3"], "fullscreen": True}, True),
+    ({"monitor": 1}, True),
+    ({"monitor": []}, False),
+    ({"monitor": -1}, False),
+    ({"monitor": [0, 1]}, False),
+    ({"border": 1}, False),
+]:
+    tried = rig | {"wall": [rig["wall"][0] | {"window": {"size": [640, 480]} | window}]}
+    assert schema.is_valid(tried) == right, f"the schema judges the window {window} wrongly"
+print("the keys of a window are judged rightly")
+
+for node, right in [
+    ({"rank": 0, "host": "cave-front"}, True),
+    ({"rank": 0, "host": "10.0.0.7", "slots": 2, "display": ":0.1"}, True),
+    ({"rank": 0, "display": ":0"}, True),
+    ({"rank": 0}, False),
+    ({"rank": 0, "host": "-x"}, False),
+    ({"rank": 0, "host": "a", "slots": 0}, False),
+]:
+    assert schema.is_valid(rig | {"node": [node]}) == right, f"the schema judges the node {node} wrongly"
+for start, right in [
+    ({"network": "10.0.0.0/24", "environment": ["A=b c", "XAUTHORITY"]}, True),
+    ({"network": "a b"}, False),
+    ({"environment": ["=b"]}, False),
+]:
+    assert schema.is_valid(rig | {"start": start}) == right, f"the schema judges [start] {start} wrongly"
+print("the keys of nodes and their start are judged rightly")

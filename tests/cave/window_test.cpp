@@ -1,15 +1,22 @@
 #include "cave/display/window.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <X11/Xutil.h>
+#include <X11/extensions/scrnsaver.h>
 #include <gtest/gtest.h>
 #include <vtk_glew.h>
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <string>
+#include <thread>
 
 #include "cave/capture/capture.h"
+#include "cave/display/wall_window.h"
 
 namespace carom {
 namespace {
@@ -61,6 +68,77 @@ TEST(Window, AMonitorThatIsNotThereIsNamed) {
   Graphics graphics;
   const std::string message = failureOf([&] { Window(graphics, "test", {7, {0, 0}, {64, 64}, false}); });
   EXPECT_NE(message.find("no monitor 7"), std::string::npos) << message;
+}
+
+/// What another program sees of the display.
+class Onlooker {
+ public:
+  /// A white desk, and a screen saver after a second.
+  Onlooker() {
+    XSetWindowBackground(display_, root_, ~0UL);
+    XClearWindow(display_, root_);
+    XSetScreenSaver(display_, 1, 1, PreferBlanking, AllowExposures);
+    XSync(display_, False);
+  }
+  ~Onlooker() {
+    XSetWindowBackground(display_, root_, 0);
+    XSetScreenSaver(display_, 0, 0, PreferBlanking, AllowExposures);
+    XCloseDisplay(display_);
+  }
+  Onlooker(const Onlooker&) = delete;
+  Onlooker& operator=(const Onlooker&) = delete;
+
+  unsigned long colourAt(int x, int y) {
+    XImage* const image = XGetImage(display_, root_, x, y, 1, 1, AllPlanes, ZPixmap);
+    const unsigned long colour = XGetPixel(image, 0, 0) & 0xffffffUL;
+    XDestroyImage(image);
+    return colour;
+  }
+  /// Whether the screen saver is on once nobody has touched anything for three times its second.
+  bool isSavedAfterAWhile() {
+    XScreenSaverInfo info{};
+    XResetScreenSaver(display_);
+    do {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      XScreenSaverQueryInfo(display_, root_, &info);
+    } while (info.idle < 3000);
+    return info.state == ScreenSaverOn;
+  }
+
+ private:
+  Display* display_ = XOpenDisplay(nullptr);
+  ::Window root_ = DefaultRootWindow(display_);
+};
+
+TEST(Window, OfAWallIsBlackFromTheStartWithoutACursor) {
+  Graphics graphics;
+  Onlooker onlooker;
+  const Window window(graphics, "wall", {0, {10, 20}, {64, 32}, false});
+  EXPECT_EQ(window.misplaced(), "");
+  EXPECT_EQ(onlooker.colourAt(10, 20), 0u);
+  EXPECT_EQ(onlooker.colourAt(73, 51), 0u);
+  EXPECT_EQ(onlooker.colourAt(9, 20), 0xffffffu) << "beside it";
+  EXPECT_EQ(onlooker.colourAt(74, 51), 0xffffffu) << "beside it";
+  EXPECT_EQ(glfwGetInputMode(glfwGetCurrentContext(), GLFW_CURSOR), GLFW_CURSOR_HIDDEN);
+  graphics.makeCurrent();
+}
+
+TEST(Window, ThatIsMovedSaysWhereItIs) {
+  Graphics graphics;
+  const Window window(graphics, "wall", {0, {10, 20}, {64, 32}, false});
+  glfwSetWindowPos(glfwGetCurrentContext(), 10, 47);
+  EXPECT_EQ(window.misplaced(), "64 × 32 pixels from (10, 47), expected 64 × 32 pixels from (10, 20)");
+  graphics.makeCurrent();
+}
+
+TEST(Window, TheScreenSaverWaitsUntilTheProgramEnds) {
+  Onlooker onlooker;
+  {
+    Graphics graphics;
+    keepDisplayAwake();
+    EXPECT_FALSE(onlooker.isSavedAfterAWhile());
+  }
+  EXPECT_TRUE(onlooker.isSavedAfterAWhile());
 }
 
 // A virtual display has no shutter glasses; on a display that has them this window opens.

@@ -138,8 +138,8 @@ TEST(BilliardCases, cushions) {
         ASSERT_GE(billiard.events().size(), 1u);
         const GameEvent& collision = billiard.events()[0];
         const std::string wall = walls[static_cast<int>(*collision.cushion)];
-        EXPECT_EQ(wall,
-                  one["expected"]["first_wall"][centre ? "puck/centre_delayed" : "board/centre_contact"]);
+        const Json& first = one["expected"]["first_wall"];
+        EXPECT_EQ(wall, first[centre ? "puck/centre_delayed" : "board/centre_contact"].get<std::string>());
         const Json& expected = one["expected"]["walls"][wall];
         const Json& events = expected[centre ? "puck" : "board"];
         Event contact = collision.at, turn = collision.turns[0].event;

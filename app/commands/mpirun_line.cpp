@@ -1,0 +1,123 @@
+#include "app/commands/mpirun_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+
+namespace carom {
+namespace {
+
+const NodeSetup* nodeOf(const Rig& rig, int rank) {
+  const auto found = std::find_if(rig.nodes.begin(), rig.nodes.end(), [&](const NodeSetup& node) {
+    return rank >= node.rank && rank < node.rank + node.slots;
+  });
+  return found == rig.nodes.end() ? nullptr : &*found;
+}
+
+bool isOption(const std::string& argument, std::string_view option) {
+  return argument == option || argument.starts_with(fmt::format("{}=", option));
+}
+
+}  // namespace
+
+int nodesOf(const Rig& rig) {
+  int nodes = 1;
+  for (const Wall& wall : rig.walls) nodes = std::max(nodes, wall.node + 1);
+  for (const NodeSetup& node : rig.nodes) nodes = std::max(nodes, node.rank + node.slots);
+  return nodes;
+}
+
+std::vector<std::string> hostsOf(const Rig& rig) {
+  std::vector<std::string> hosts;
+  std::string missing;
+  bool named = false;
+  for (int rank = 0; rank < nodesOf(rig); ++rank) {
+    const NodeSetup* node = nodeOf(rig, rank);
+    const bool hasHost = node && !node->host.empty();
+    hosts.push_back(hasHost ? node->host : "localhost");
+    named = named || hasHost;
+    if (!hasHost) missing += fmt::format("{}{}", missing.empty() ? "" : ", ", rank);
+  }
+  if (named && !missing.empty()) {
+    throw std::runtime_error(fmt::format(
+        "node {} of the rig has no host though others have, expected a [[node]] with rank and host "
+        "for each of nodes 0 to {}",
+        missing, nodesOf(rig) - 1));
+  }
+  return hosts;
+}
+
+std::vector<std::string> mpirunLine(const Rig& rig, const std::string& program,
+                                    const std::vector<std::string>& arguments) {
+  const std::vector<std::string> hosts = hostsOf(rig);
+  // The program itself uses every core (cave/cluster/cluster.h).
+  std::vector<std::string> words{"mpirun", "--bind-to", "none"};
+  if (!rig.start.network.empty()) {
+    for (const char* channel : {"btl_tcp_if_include", "oob_tcp_if_include"})
+      words.insert(words.end(), {"--mca", channel, rig.start.network});
+  }
+  for (std::size_t first = 0, end = 0; first < hosts.size(); first = end) {
+    while (end < hosts.size() && hosts[end] == hosts[first]) ++end;
+    const std::size_t count = end - first;
+    if (first > 0) words.emplace_back(":");
+    words.insert(words.end(),
+                 {"-n", std::to_string(count), "--host", fmt::format("{}:{}", hosts[first], count)});
+    for (const std::string& variable : rig.start.environment) words.insert(words.end(), {"-x", variable});
+    words.push_back(program);
+    words.insert(words.end(), arguments.begin(), arguments.end());
+  }
+  return words;
+}
+
+std::string shellLine(const std::vector<std::string>& words) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=./:,@%+";
+  std::string line;
+  for (const std::string& word : words) {
+    std::string quoted = word;
+    if (word.empty() || word.find_first_not_of(kPlain) != std::string::npos) {
+      quoted = "'";
+      for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+      quoted += "'";
+    }
+    line += (line.empty() ? "" : " ") + quoted;
+  }
+  return line;
+}
+
+std::string valueOf(const std::vector<std::string>& arguments, const std::string& option) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == option) return i + 1 < arguments.size() ? arguments[i + 1] : "";
+    if (isOption(arguments[i], option)) return arguments[i].substr(option.size() + 1);
+  }
+  return {};
+}
+
+std::vector<std::string> startArguments(const std::string& rig, const std::vector<std::string>& arguments) {
+  std::vector<std::string> all{"cave", "--rig", rig};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return all;
+}
+
+std::vector<std::string> resumedArguments(const std::vector<std::string>& arguments,
+                                          const std::string& session) {
+  constexpr std::array<std::string_view, 6> kOfTheBeginning{"--rig",  "--scenario", "--switch",
+                                                            "--view", "--lesson",   "--session"};
+  std::vector<std::string> left{"cave"};
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto option = std::find_if(kOfTheBeginning.begin(), kOfTheBeginning.end(),
+                                     [&](std::string_view name) { return isOption(arguments[i], name); });
+    if (option == kOfTheBeginning.end()) {
+      if (arguments[i] != "--resume") left.push_back(arguments[i]);
+    } else if (arguments[i] == *option) {
+      ++i;  // its value
+    }
+  }
+  left.insert(left.end(), {"--session", session, "--resume"});
+  return left;
+}
+
+}  // namespace carom

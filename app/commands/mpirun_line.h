@@ -1,0 +1,37 @@
+#pragma once
+// The line of mpirun that starts the nodes of a rig, each on its host.
+
+#include <string>
+#include <vector>
+
+#include "app/files/rig.h"
+
+namespace carom {
+
+/// Returns the number of nodes that a rig needs: for all of its walls and all of its [[node]] entries.
+int nodesOf(const Rig& rig);
+
+/// Returns the host of each node; this machine ("localhost") for all if the rig names none. Throws
+/// std::runtime_error if it names hosts for some nodes only.
+std::vector<std::string> hostsOf(const Rig& rig);
+
+/// Returns the words of the line that runs `program` with `arguments` on every node. Consecutive nodes of one
+/// host share a part of it, so that rank i is node i of the rig in every version of Open MPI.
+std::vector<std::string> mpirunLine(const Rig& rig, const std::string& program,
+                                    const std::vector<std::string>& arguments);
+
+/// Returns the words as a line for a shell.
+std::string shellLine(const std::vector<std::string>& words);
+
+/// Returns the arguments of carom with which a session of `rig` begins.
+std::vector<std::string> startArguments(const std::string& rig, const std::vector<std::string>& arguments);
+
+/// Returns the arguments of carom with which a session goes on that was cut off: without those that its file
+/// holds.
+std::vector<std::string> resumedArguments(const std::vector<std::string>& arguments,
+                                          const std::string& session);
+
+/// Returns the value of an option, given as "--name VALUE" or "--name=VALUE", or an empty text.
+std::string valueOf(const std::vector<std::string>& arguments, const std::string& option);
+
+}  // namespace carom

@@ -1,0 +1,222 @@
+#include "app/commands/room.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "app/commands/mpirun_line.h"
+#include "app/files/rig.h"
+#include "app/journal/session_file.h"
+#include "app/journal/session_series.h"
+#include "app/tools/option_values.h"
+#include "engine/base/log.h"
+
+namespace carom {
+namespace {
+
+constexpr int kAnswers_s = 5;  // how long a host may take to answer
+
+volatile std::sig_atomic_t asked = 0;  // someone asked for the end
+volatile pid_t running = 0;            // mpirun
+
+extern "C" void passOn(int) {
+  asked = 1;
+  if (running > 0) kill(running, SIGTERM);
+}
+
+std::string ownProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+std::string ownHost() {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+/// Returns what a command prints, of both of its outputs, and its exit status.
+std::pair<std::string, int> outputOf(const std::vector<std::string>& words) {
+  const std::string line = shellLine(words) + " 2>&1 </dev/null";
+  std::FILE* const pipe = popen(line.c_str(), "r");
+  if (!pipe) return {std::strerror(errno), -1};
+  std::string text;
+  std::array<char, 4096> block{};
+  while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe))
+    text.append(block.data(), got);
+  const int status = pclose(pipe);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return {printable(text), WIFEXITED(status) ? WEXITSTATUS(status) : -1};
+}
+
+/// Returns what is wrong with a host: it does not answer, or its program is missing or another version. Empty
+/// if nothing is.
+std::string faultOf(const std::string& host, const std::string& program) {
+  const auto [said, status] =
+      outputOf({"ssh", "-o", "BatchMode=yes", "-o", fmt::format("ConnectTimeout={}", kAnswers_s), host,
+                program, "--version"});
+  if (status == 255)  // of ssh itself
+    return fmt::format("host {} does not answer: {}, expected to reach it by ssh without a password", host,
+                       said);
+  if (status != 0)
+    return fmt::format("host {} does not run {}: {}, expected {} there", host, program, said, CAROM_VERSION);
+  if (said == CAROM_VERSION) return {};
+  return fmt::format("host {} has another version, {}, expected {} as here", host, said, CAROM_VERSION);
+}
+
+/// Asks all other hosts at once. Returns whether every one of them can take part; logs those that cannot.
+bool allAnswer(const std::vector<std::string>& hosts, const std::string& program) {
+  std::map<std::string, std::future<std::string>> answers;
+  for (const std::string& host : hosts) {
+    if (host == "localhost" || host == ownHost() || answers.contains(host)) continue;
+    answers[host] = std::async(std::launch::async, faultOf, host, program);
+  }
+  bool all = true;
+  for (auto& [host, answer] : answers) {
+    const std::string fault = answer.get();
+    if (fault.empty()) continue;
+    log::error(fault);
+    all = false;
+  }
+  return all;
+}
+
+/// Runs mpirun in a process group of its own, so that Ctrl-C in the terminal reaches it through us alone.
+/// Returns its exit status.
+int run(const std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  std::vector<std::string> copy = words;
+  for (std::string& word : copy) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error(fmt::format("mpirun cannot be started: {}", std::strerror(errno)));
+  if (child == 0) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    execvp(pointers[0], pointers.data());
+    std::fprintf(stderr, "error: mpirun cannot be started: %s; expected the package openmpi-bin\n",
+                 std::strerror(errno));
+    _exit(127);
+  }
+  running = child;
+  if (asked) kill(child, SIGTERM);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  running = 0;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+/// How far a session has come: its newest file, and the last frame there.
+struct Progress {
+  std::filesystem::path file;
+  std::uint64_t frame = 0;
+
+  bool operator==(const Progress&) const = default;
+};
+
+/// Returns how far a session has come, or none if it has no frame.
+std::optional<Progress> progressOf(const std::filesystem::path& session) try {
+  if (!std::filesystem::exists(session)) return {};
+  constexpr bool kQuiet = true;
+  const std::filesystem::path newest = newestOf(session);
+  const auto frames = SessionFile(newest, kQuiet).frames();
+  return frames ? std::optional(Progress{newest, frames->second}) : std::nullopt;
+} catch (const std::exception&) {
+  return {};  // a file without a readable frame
+}
+
+/// Returns a name for the session file: that of the rig, and the time.
+std::string sessionNameOf(const std::filesystem::path& rig) {
+  const std::time_t now = std::time(nullptr);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", std::localtime(&now));
+  return fmt::format("{}-{}.db", rig.stem().string(), text.data());
+}
+
+void noticeSignals() {
+  struct sigaction action {};
+  action.sa_handler = passOn;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+/// Runs the session of this line, and again from where it was cut off as long as it gets further.
+int runSession(const Rig& rig, const std::string& program, const std::vector<std::string>& arguments,
+               const std::filesystem::path& session, std::vector<std::string> line) {
+  for (auto before = progressOf(session);;) {
+    const int status = run(line);
+    if (status == 0 || asked) return status;
+    const auto reached = progressOf(session);
+    if (!reached || reached == before) return 1;  // it would fail again: it has shown nothing new
+    before = reached;
+    log::warn(fmt::format("the session was cut off after frame {}: it goes on by itself.", reached->frame));
+    line = mpirunLine(rig, program, resumedArguments(arguments, reached->file.string()));
+  }
+}
+
+}  // namespace
+
+int runRoom(const RoomOptions& options) {
+  const Rig rig = readRig(options.rig);
+  const std::string program = ownProgram(), rigFile = options.rig.string();
+  std::vector<std::string> arguments = options.arguments;
+  const bool isSession = !options.doctor && !options.pattern;
+  if (isSession && valueOf(arguments, "--session").empty())
+    arguments.insert(arguments.end(), {"--session", sessionNameOf(options.rig)});
+  const std::filesystem::path session = valueOf(arguments, "--session");
+  std::vector<std::string> first = startArguments(rigFile, arguments);
+  if (std::find(arguments.begin(), arguments.end(), "--resume") != arguments.end())
+    first = resumedArguments(arguments, session.string());
+  if (options.doctor) first = {"doctor", rigFile};
+  if (options.pattern) first = {"check", rigFile, "--pattern"};
+  const std::vector<std::string> line = mpirunLine(rig, program, first);
+  if (options.lineOnly) {
+    fmt::print("{}\n", shellLine(line));
+    return 0;
+  }
+  if (!allAnswer(hostsOf(rig), program)) return 1;
+  noticeSignals();
+  return isSession ? runSession(rig, program, arguments, session, line) : run(line);
+}
+
+void addRoom(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand(
+      "room", "Start a session on every host of a rig by mpirun, and again if it loses a node");
+  auto options = std::make_shared<RoomOptions>();
+  command->add_flag("--line", options->lineOnly, "Print the line of mpirun and start nothing");
+  auto* doctor =
+      command->add_flag("--doctor", options->doctor, "Say instead what every node has: carom doctor RIG");
+  command
+      ->add_flag("--pattern", options->pattern, "Show the test patterns instead: carom check RIG --pattern")
+      ->excludes(doctor);
+  command->add_option("RIG", options->rig, "Rig file with a [[node]] for each rank")
+      ->required()
+      ->transform(shipped("rigs"));
+  command->prefix_command();
+  command->footer(
+      "Examples:\n  carom room my-cave.toml --scenario twins --session monday.db\n"
+      "  carom room --doctor my-cave.toml\n"
+      "What follows the rig are arguments of carom cave. Without --session, the session is written to a new "
+      "file\nhere, RIG-DATE-TIME.db, from which it goes on if a node is lost.");
+  command->callback([=, &status] {
+    options->arguments = command->remaining();
+    status = runRoom(*options);
+  });
+}
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+#pragma once
+// `carom room`: starts a session on every host of a rig by mpirun, and again if it lost a node.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace carom {
+
+struct RoomOptions {
+  std::filesystem::path rig;
+  std::vector<std::string> arguments;  ///< for `carom cave`
+  bool lineOnly = false;               ///< print the line of mpirun and start nothing
+  bool doctor = false;                 ///< run `carom doctor` on every node instead
+  bool pattern = false;                ///< show the test patterns instead
+};
+
+/// Runs the session to its end. Returns the exit status: 0, or 1 after a message on standard error.
+int runRoom(const RoomOptions& options);
+
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`.
+void addRoom(CLI::App& app, int& status);
+
+}  // namespace carom

@@ -1,0 +1,130 @@
+#include "app/session/status_file.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "engine/base/log.h"
+#include "engine/base/whole_file.h"
+
+namespace carom {
+namespace {
+
+constexpr std::chrono::seconds kEvery{1};
+constexpr std::size_t kWaiting = 2;  // statuses; further ones are left out until the disk has taken these
+
+nlohmann::ordered_json statusOf(const char* state) {
+  return {{"version", CAROM_VERSION},
+          {"written", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+          {"state", state}};
+}
+
+std::string textOf(const nlohmann::ordered_json& status) {
+  return status.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+const char* wordsFor(const WallControls& walls) {
+  if (walls.blank) return "black";
+  switch (walls.shown) {
+    case Shown::calibrationPattern:
+      return "test patterns";
+    case Shown::alignmentPattern:
+      return "seam pattern";
+    case Shown::session:
+      break;
+  }
+  return "session";
+}
+
+const char* wordsFor(TrackerLamp lamp) {
+  if (lamp == TrackerLamp::well) return "well";
+  return lamp == TrackerLamp::doubtful ? "doubtful" : "bad";
+}
+
+nlohmann::ordered_json nodesOf(const LatencyView& numbers) {
+  auto nodes = nlohmann::ordered_json::array();
+  for (const LatencyView::Node& node : numbers.nodes) {
+    nodes.push_back({{"name", node.name},
+                     {"late_ms", {{"median", 1e3 * node.late.median_s}, {"p99", 1e3 * node.late.p99_s}}},
+                     {"frame_lock", kLockStates[static_cast<std::size_t>(node.lock)]}});
+  }
+  return nodes;
+}
+
+nlohmann::ordered_json trackersOf(const SourceStatus& status) {
+  auto trackers = nlohmann::ordered_json::array();
+  for (const TrackerReport& report : status.trackers) {
+    trackers.push_back({{"name", report.name},
+                        {"use", report.use},
+                        {"state", wordsFor(lampOf(report))},
+                        {"message", report.health.message},
+                        {"rate_hz", report.rate_hz},
+                        {"age_ms", 1e3 * report.age_s}});
+  }
+  return trackers;
+}
+
+}  // namespace
+
+StatusFile::StatusFile(std::filesystem::path file)
+    : file_(std::move(file)),
+      writer_(kWaiting, 1, [this](const std::string& text) { write(text); }),
+      onLeaving_([this] { end(); }) {
+  WholeFile(file_).commit(textOf(statusOf("starting")));
+}
+
+StatusFile::~StatusFile() {
+  writer_.finish();
+  try {
+    end();
+  } catch (const NotWritten& error) {
+    log::warn(error.what());
+  }
+}
+
+void StatusFile::play(const std::string& rig, const std::string& game, const std::filesystem::path& session) {
+  rig_ = rig;
+  game_ = game;
+  session_ = session.string();
+}
+
+void StatusFile::watch(const FrameSource& source, FrameStatistics& statistics) {
+  source_ = &source;
+  statistics_ = &statistics;
+}
+
+void StatusFile::shown(const Decision& decision) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_ || writer_.room() == 0) return;
+  next_ = now + kEvery;
+  const FrameRecord& record = decision.frame.record;
+  nlohmann::ordered_json status = statusOf("playing");
+  status["rig"] = rig_;
+  status["game"] = game_;
+  status["session"] = session_;
+  status["frame"] = record.number;
+  status["session_s"] = record.display_s;
+  status["walls"] = wordsFor(record.controls);
+  if (statistics_) status["nodes"] = nodesOf(statistics_->numbers(record));
+  if (source_) status["trackers"] = trackersOf(source_->status());
+  writer_.add(textOf(status));
+}
+
+void StatusFile::write(const std::string& text) try {
+  const std::scoped_lock hold(mutex_);
+  if (!hasEnded_) WholeFile(file_).commit(text);
+} catch (const NotWritten& error) {
+  if (!std::exchange(hasFailed_, true))
+    log::warn(fmt::format("{}: {}. The session goes on.", error.what(), error.reason()));
+}
+
+void StatusFile::end() {
+  const std::scoped_lock hold(mutex_);
+  if (std::exchange(hasEnded_, true)) return;
+  WholeFile(file_).commit(textOf(statusOf("ended")));
+}
+
+}  // namespace carom

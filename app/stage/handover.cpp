@@ -1,0 +1,162 @@
+#include "app/stage/handover.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "app/files/toml_file.h"
+#include "app/stage/all_ranks.h"
+#include "app/stage/scenario_scene.h"
+#include "cave/mesh/mesh_buffers.h"
+#include "cave/projection/projector.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytesOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Returns the files that a rig names: projectors' meshes and pictures, recorded traces.
+std::vector<fs::path> filesOf(const Rig& rig) {
+  std::vector<fs::path> files;
+  for (const Wall& wall : rig.walls) {
+    for (const fs::path* file :
+         {&wall.warp, &wall.blend, &wall.colourWarps[0], &wall.colourWarps[1], &wall.colourWarps[2]}) {
+      if (!file->empty()) files.push_back(*file);
+    }
+  }
+  for (const TrackerSetup& tracker : rig.trackers) {
+    if (tracker.kind == TrackerKind::recorded) files.emplace_back(tracker.source);
+  }
+  return files;
+}
+
+/// Returns the files that a scenario names: meshes, and the buffers that these name.
+std::vector<fs::path> filesOf(const Scenario& scenario) {
+  std::vector<fs::path> files;
+  const auto add = [&](const std::optional<fs::path>& mesh) {
+    if (!mesh) return;
+    files.push_back(*mesh);
+    for (const fs::path& buffer : meshBuffers(*mesh, bytesOf(*mesh))) files.push_back(buffer);
+  };
+  for (const auto& mesh : scenario.puckMeshes) add(mesh);
+  for (const ScriptedBody& body : scenario.bodies) add(body.mesh);
+  return files;
+}
+
+}  // namespace
+
+std::string textOf(const InputFile& input) { return input.kept ? *input.kept : bytesOf(input.file); }
+
+Rig readRig(const InputFile& input) {
+  return input.kept ? readRig(input.file, *input.kept, input.root) : readRig(input.file);
+}
+
+Scenario readScenario(const InputFile& input) {
+  return input.kept ? readScenario(input.file, *input.kept, input.root) : readScenario(input.file);
+}
+
+void openBlends(const InputFile& input, const Rig& rig) {
+  std::vector<InputError> faults;
+  for (std::size_t i = 0; i < rig.walls.size(); ++i) {
+    if (rig.walls[i].blend.empty()) continue;
+    try {
+      readBlend(rig.walls[i].blend);
+    } catch (const std::runtime_error& error) {
+      const FilePlace at = input.kept ? FilePlace{} : readPlacedRig(input.file).walls[i].blend;
+      faults.emplace_back(input.file.string(), at.line, at.column, error.what());
+    }
+  }
+  if (!faults.empty()) throw InputErrors(std::move(faults));
+}
+
+void agreeOnVersion(const Cluster& cluster) { cluster.agree("version of the program", CAROM_VERSION); }
+
+Handover::~Handover() {
+  std::error_code failed;
+  if (!folder_.empty()) fs::remove_all(folder_, failed);
+}
+
+Rig Handover::rig(const InputFile& input) {
+  Rig rig;
+  onAllRanks(cluster_, [&] {
+    if (cluster_.rank() > 0) return;
+    rig = readRig(input);
+    openBlends(input, rig);
+  });
+  const InputFile taken = take(input, filesOf(rig));
+  onAllRanks(cluster_, [&] {
+    if (cluster_.rank() > 0) rig = readRig(taken);
+  });
+  return rig;
+}
+
+Scenario Handover::scenario(const InputFile& input) {
+  Scenario scenario;
+  onAllRanks(cluster_, [&] {
+    if (cluster_.rank() > 0) return;
+    scenario = readScenario(input);
+    openMeshes(scenario);
+  });
+  const InputFile taken = take(input, filesOf(scenario));
+  onAllRanks(cluster_, [&] {
+    if (cluster_.rank() == 0) return;
+    scenario = readScenario(taken);
+    openMeshes(scenario);
+  });
+  return scenario;
+}
+
+/// Sends rank 0's input and the files that it names to all ranks. Each lies at its path on rank 0, below a
+/// folder, so that files find each other as they do there.
+InputFile Handover::take(const InputFile& input, const std::vector<fs::path>& named) {
+  if (cluster_.size() == 1) return input;
+  const bool gives = cluster_.rank() == 0;
+  std::string file = gives ? fs::absolute(input.file).string() : "", text = gives ? textOf(input) : "";
+  std::string count = std::to_string(named.size());
+  cluster_.share(file);
+  cluster_.share(text);
+  cluster_.share(count);
+  std::vector<std::pair<std::string, std::string>> files(std::stoul(count));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    auto& [name, content] = files[i];
+    if (gives) name = fs::absolute(named[i]).lexically_normal().string();
+    if (gives) content = bytesOf(named[i]);
+    cluster_.share(name);
+    cluster_.share(content);
+  }
+  onAllRanks(cluster_, [&] {
+    if (gives) return;
+    for (const auto& [name, content] : files) keep(name, content);
+  });
+  return gives ? input : InputFile{file, text, folder_};
+}
+
+/// Writes a file of rank 0's into the folder.
+void Handover::keep(const fs::path& file, const std::string& content) {
+  if (folder_.empty()) {
+    std::string name = (fs::temp_directory_path() / "carom-XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      throw std::runtime_error(
+          fmt::format("no folder for files of node 0: {}: {}", name, std::strerror(errno)));
+    folder_ = name;
+  }
+  const fs::path place = folder_ / file.relative_path();
+  fs::create_directories(place.parent_path());
+  std::ofstream out(place, std::ios::binary);
+  out << content << std::flush;
+  if (!out)
+    throw std::runtime_error(
+        fmt::format("{} cannot be written, expected room for files of node 0", place.string()));
+}
+
+}  // namespace carom

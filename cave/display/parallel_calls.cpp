@@ -1,0 +1,31 @@
+#include "cave/display/parallel_calls.h"
+
+#include <utility>
+
+namespace carom {
+
+ParallelCalls::ParallelCalls(std::vector<std::function<void()>> calls)
+    : begun_(static_cast<std::ptrdiff_t>(calls.size()) + 1),
+      done_(static_cast<std::ptrdiff_t>(calls.size()) + 1),
+      calls_(std::move(calls)) {
+  for (const std::function<void()>& call : calls_) {
+    threads_.emplace_back([this, &call] {
+      for (begun_.arrive_and_wait(); !ends_; begun_.arrive_and_wait()) {
+        call();
+        done_.arrive_and_wait();
+      }
+    });
+  }
+}
+
+ParallelCalls::~ParallelCalls() {
+  ends_ = true;
+  begun_.arrive_and_wait();
+}
+
+void ParallelCalls::run() {
+  begun_.arrive_and_wait();
+  done_.arrive_and_wait();
+}
+
+}  // namespace carom
