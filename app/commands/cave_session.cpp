@@ -358,33 +358,25 @@ void showView(const std::string& name, TimeViews& views) {
   throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
 }
 
-}  // namespace
+/// Adds the rig and the game. What is left out depends on whether somebody watches, which is known when the
+/// command runs.
+void addRigAndScenario(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  command
+      .add_option("--rig", options->rig,
+                  "Rig file: walls and trackers. With --frames or --no-window, the default is rigs/desk.toml")
+      ->default_str((configFolder() / "rigs/play.toml").string())
+      ->transform(shipped("rigs"));
+  command
+      .add_option("--scenario", options->scenario,
+                  "Scenario file. With --frames or --no-window, the default is scenarios/three-pucks.toml")
+      ->default_str(fileOfGame(kWelcome))
+      ->transform(shipped("scenarios"));
+}
 
-void addCave(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
-  auto options = std::make_shared<CaveOptions>();
-  auto* rig = command
-                  ->add_option("--rig", options->rig,
-                               "Rig file: walls and trackers. With --frames or --no-window, the default is "
-                               "rigs/desk.toml")
-                  ->default_str((configFolder() / "rigs/play.toml").string())
-                  ->transform(shipped("rigs"));
-  auto* scenario = command
-                       ->add_option("--scenario", options->scenario,
-                                    "Scenario file. With --frames or --no-window, the default is "
-                                    "scenarios/three-pucks.toml")
-                       ->default_str(fileOfGame(kWelcome))
-                       ->transform(shipped("scenarios"));
-  command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
-      ->type_name("N")
-      ->check(CLI::Range(1L, 1000000000L));
+/// Adds what is on when the session begins: effects, views of time, the phase of a lesson.
+void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   command
-      ->add_option("--capture", options->recording.capture,
-                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
-      ->type_name("DIR");
-  addMovie(*command, options->recording.movie);
-  command
-      ->add_option_function<std::vector<std::string>>(
+      .add_option_function<std::vector<std::string>>(
           "--switch",
           [options](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) turnSwitch(text, options->switches);
@@ -394,7 +386,7 @@ void addCave(CLI::App& app, int& status) {
       ->type_name("NAME=on|off")
       ->allow_extra_args(false);
   command
-      ->add_option_function<std::vector<std::string>>(
+      .add_option_function<std::vector<std::string>>(
           "--view",
           [options](const std::vector<std::string>& names) {
             for (const std::string& name : names) showView(name, options->views);
@@ -406,25 +398,45 @@ void addCave(CLI::App& app, int& status) {
   const std::map<std::string, LessonPhase> phases{
       {"asks", LessonPhase::asks}, {"shows", LessonPhase::shows}, {"explains", LessonPhase::explains}};
   command
-      ->add_option("--lesson", options->lesson,
-                   "The phase in which a lesson begins: asks, shows or explains. Default: asks, or shows "
-                   "with --frames")
+      .add_option("--lesson", options->lesson,
+                  "The phase in which a lesson begins: asks, shows or explains. Default: asks, or shows "
+                  "with --frames")
       ->type_name("PHASE")
       ->transform(CLI::CheckedTransformer(phases).description(""));
-  auto* session =
-      command
-          ->add_option("--session", options->session,
-                       "Write the session to this new file (SQLite): every frame, sample and turn")
-          ->type_name("DB");
+}
+
+void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  auto* session = command
+                      .add_option("--session", options->session,
+                                  "Write the session to this new file (SQLite): every frame, sample and turn")
+                      ->type_name("DB");
   command
-      ->add_flag("--resume", options->resume,
-                 "Go on from the end of the session file, with its rig and scenario")
+      .add_flag("--resume", options->resume,
+                "Go on from the end of the session file, with its rig and scenario")
       ->needs(session)
-      ->excludes(command->get_option("--rig"))
-      ->excludes(command->get_option("--scenario"))
-      ->excludes(command->get_option("--switch"))
-      ->excludes(command->get_option("--view"))
-      ->excludes(command->get_option("--lesson"));
+      ->excludes(command.get_option("--rig"))
+      ->excludes(command.get_option("--scenario"))
+      ->excludes(command.get_option("--switch"))
+      ->excludes(command.get_option("--view"))
+      ->excludes(command.get_option("--lesson"));
+}
+
+}  // namespace
+
+void addCave(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
+  auto options = std::make_shared<CaveOptions>();
+  addRigAndScenario(*command, options);
+  command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L));
+  command
+      ->add_option("--capture", options->recording.capture,
+                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
+      ->type_name("DIR");
+  addMovie(*command, options->recording.movie);
+  addBeginning(*command, options);
+  addSession(*command, options);
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
   command
       ->add_option("--unattended", options->unattended_s,
@@ -439,10 +451,12 @@ void addCave(CLI::App& app, int& status) {
       "pictures --no-window\n"
       "  carom cave --switch colour=on --switch searchlight=on\n"
       "  mpirun -n 4 carom cave --rig four-walls-cluster");
-  command->callback([=, &status] {
+  command->callback([command, options, &status] {
     const bool isWatched = !options->frames && !options->noWindow;
-    if (rig->empty()) options->rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
-    if (scenario->empty()) options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
+    if (command->get_option("--rig")->empty())
+      options->rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
+    if (command->get_option("--scenario")->empty())
+      options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
     status = runCave(*options);
   });
 }

@@ -8,6 +8,9 @@
 #include "shaders/digits.h"
 #include "shaders/doppler_kernel.h"
 #include "shaders/emission_kernel.h"
+#include "shaders/glide_kernel.h"
+#include "shaders/leg_kernel.h"
+#include "shaders/spin_kernel.h"
 #include "shaders/leg_at.h"
 #include "shaders/legs.h"
 #include "shaders/light_types.h"
@@ -88,6 +91,9 @@ std::string kernelText(Legs legs) {
   text += fmt::format("#define CATCH_UP_SPEED {}\n", kCatchUpSpeed);
   if (legs != Legs::many) text += "#define ONE_LEG\n";
   if (legs == Legs::rest) text += "#define RESTS\n";
+  text += shaders::leg_kernel;
+  text += shaders::spin_kernel;
+  text += shaders::glide_kernel;
   text += shaders::emission_kernel;
   text += shaders::leg_at;
   text += shaders::doppler_kernel;
