@@ -11,6 +11,7 @@
 #include "shaders/glide_kernel.h"
 #include "shaders/leg_kernel.h"
 #include "shaders/spin_kernel.h"
+#include "shaders/turning_kernel.h"
 #include "shaders/leg_at.h"
 #include "shaders/legs.h"
 #include "shaders/light_types.h"
@@ -94,6 +95,7 @@ std::string kernelText(Legs legs) {
   text += shaders::leg_kernel;
   text += shaders::spin_kernel;
   text += shaders::glide_kernel;
+  text += shaders::turning_kernel;
   text += shaders::emission_kernel;
   text += shaders::leg_at;
   text += shaders::doppler_kernel;
