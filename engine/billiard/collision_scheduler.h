@@ -186,10 +186,14 @@ class CollisionScheduler {
   void beginCommitted(int i);
   // Spin, all 0 in a game in which nothing can turn a puck.
   Turning lastTurning(int i) const {
+    if (!turns_) return {};
     return pucks_[i].decided.empty() ? spins_[i].turning : pucks_[i].decided.back().turning;
   }
   // Returns the spin on the last leg decided, at a moment of the puck's own clock.
-  Turning turningAt(int i, double properTime) const;
+  Turning turningAt(int i, double properTime) const {
+    return turns_ ? spunTurning(i, properTime) : Turning{};
+  }
+  Turning spunTurning(int i, double properTime) const;
   // Returns the rest mass that moves.
   double massOf(int i, double j) const { return j == 0.0 ? pucks_[i].mass : restMass(spins_[i].body, j); }
   std::optional<SpinningPairKick> pairKick(const std::array<int, 2>& who, const PairContact& contact,

@@ -18,7 +18,61 @@ constexpr int kKicksOfAJam = 64;
 constexpr double kJamPerRadius = 1e-6;  // of the time in which light crosses the radius
 constexpr double kStill = 1e-9;         // of light speed: slower than this, jammed pucks do not kick
 
+/// Whether a kick keeps every spin.
+bool isSmooth(const RimRules& rims) { return rims.friction == 0.0; }
+
+RimRules withRestitution(RimRules rims, double restitution) {
+  rims.restitution = restitution;
+  return rims;
+}
+
 }  // namespace
+
+// By the momenta that are decided.
+bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairContact& contact,
+                                  const PredictedEvent& a) const {
+  const bool braked = brake_ != 0.0;
+  std::array<Vec21, 2> u;
+  std::array<double, 2> mass;
+  for (int k = 0; k < 2; ++k) {
+    const int i = who[k];
+    const Leg leg = lastLeg(i);
+    u[k] = braked ? momentAt(leg, a.touchAt[k]).u : leg.u;
+    double j = lastTurning(i).j;
+    if (slowing_ > 0.0 && j != 0.0)
+      j = turningAt(i, momentAt(leg, std::max(k == 0 ? a.ownTime : a.otherTime, leg.start.t)).properTime).j;
+    mass[k] = massOf(i, j);
+  }
+  return !kickPair(contact.U, contact.n, u, mass, 1.0);
+}
+
+std::optional<SpinningPairKick> CollisionScheduler::pairKick(const std::array<int, 2>& who,
+                                                             const PairContact& contact,
+                                                             const std::array<LegState, 2>& turn,
+                                                             const std::array<double, 2>& j,
+                                                             double restitution) const {
+  if (!isSmooth(puckRims_)) {
+    return kickSpinningPair(contact.U, contact.n,
+                            {SpinningPuck{spins_[who[0]].body, j[0], turn[0].u},
+                             SpinningPuck{spins_[who[1]].body, j[1], turn[1].u}},
+                            withRestitution(puckRims_, restitution));
+  }
+  const auto kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u},
+                             {massOf(who[0], j[0]), massOf(who[1], j[1])}, restitution);
+  if (!kick) return std::nullopt;
+  return SpinningPairKick{*kick, j};
+}
+
+std::optional<SpinningCushionKick> CollisionScheduler::cushionKick(int i, int cushion, const Vec21& u,
+                                                                   double j, double restitution) const {
+  if (!isSmooth(cushionRims_)) {
+    return kickSpinningOffCushion(cushions_[cushion], {spins_[i].body, j, u},
+                                  withRestitution(cushionRims_, restitution));
+  }
+  const auto kick = kickOffCushion(cushions_[cushion], u, massOf(i, j), restitution);
+  if (!kick) return std::nullopt;
+  return SpinningCushionKick{*kick, j};
+}
 
 void CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
   const std::array<int, 2> who{first, second};
