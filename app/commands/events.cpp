@@ -109,7 +109,7 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
       "moving_z_m,moving_order,next,interval,proper_time_s,distance_m,beta_x,beta_y,beta_z";
   if (subject.isSession) text += ",seen_frame,seen_t_s,seen_proper_time_s";
   for (std::size_t i = 1; i <= options.places_m.size(); ++i) text += fmt::format(",place_{}_t_s", i);
-  text += '\n';
+  text += ",first_spin_kg_m2_s,second_spin_kg_m2_s\n";
   for (const EventRow& row : rows) {
     const Event &at = row.event.at, &moving = row.moving;
     text += fmt::format("{},{},{},{},", row.event.number, nameOf(row.event.kind), csvField(row.who),
@@ -125,6 +125,8 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
     }
     for (const Vec3& place_m : options.places_m)
       text += csvNumbers({receptionAt(place_m, at, subject.c_m_s).t_s});
+    for (std::size_t i = 0; i < 2; ++i)  // afterwards, in the order of `who`
+      text += i < row.event.turns.size() ? csvNumbers({row.event.turns[i].spinAfter_kg_m2_s}) : ",";
     text.back() = '\n';  // replaces the last comma
   }
   return text;

@@ -37,6 +37,8 @@ struct EventsOptions {
 ///   seen_frame, seen_t_s,                  sessions: when the event's light reached the viewer's head
 ///     seen_proper_time_s
 ///   place_1_t_s, …                         with --place: when the light reached that place
+///   first_spin_kg_m2_s,                    angular momenta after it, in the order of `who`
+///     second_spin_kg_m2_s
 // clang-format on
 ///
 /// Returns the exit status. Throws InputErrors or std::runtime_error.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,14 @@ struct FilePlace {
   int column = 1;
 };
 
+/// An error or an unusual value in a file.
+struct Finding {
+  enum class Kind { warning, error };
+  Kind kind = Kind::warning;
+  FilePlace at;
+  std::string text;
+};
+
 /// Finds the line and column of an offset in a text.
 class LineIndex {
  public:
@@ -51,6 +60,7 @@ struct Range {
 };
 inline constexpr Range kPositive{.least = 0.0, .above = true};
 inline constexpr Range kNotNegative{.least = 0.0};
+inline constexpr Range kUnlimited{.least = 0.0, .most = std::numeric_limits<double>::infinity()};
 
 bool within(const Range& range, double value);
 /// Returns a description of the range: "a number from 0 to 1".

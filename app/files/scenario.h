@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/input_file.h"
 #include "cave/frame/lesson_plan.h"
 #include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"
@@ -76,6 +77,7 @@ struct Scenario {
   std::vector<Pulse> pulses;
   std::vector<Caption> captions;  ///< in the order of time, without overlap
   std::optional<Lesson> lesson;
+  std::vector<Finding> odd;  ///< values that can be played but are unusual
 };
 
 /// Reads and checks the whole file. Throws InputErrors (app/files/toml_file.h) with the position of every

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numbers>
 #include <string_view>
 
@@ -11,6 +12,7 @@
 #include "app/files/scenario_captions.h"
 #include "app/files/scenario_checks.h"
 #include "app/files/scenario_lesson.h"
+#include "app/files/scenario_spin.h"
 #include "app/files/scenario_tour.h"
 #include "app/files/toml_values.h"
 
@@ -37,6 +39,12 @@ PhysicsRules readRules(const TomlTable& table) {
   rules.puckRestitution = table.number("puck_restitution", kRestitution, rules.puckRestitution);
   rules.cushionRestitution = table.number("cushion_restitution", kRestitution, rules.cushionRestitution);
   rules.friction_m_s2 = table.number("friction_m_s2", kNotNegative, rules.friction_m_s2);
+  rules.puckFriction = table.number("puck_friction", kUnlimited, rules.puckFriction);
+  rules.cushionFriction = table.number("cushion_friction", kUnlimited, rules.cushionFriction);
+  rules.tangentialRestitution =
+      table.number("tangential_restitution", kRestitution, rules.tangentialRestitution);
+  rules.spinDeceleration_m_s2 =
+      table.number("spin_deceleration_m_s2", kNotNegative, rules.spinDeceleration_m_s2);
   rules.collisionEvent = static_cast<CollisionEvent>(table.choice("collision_event", kEvents, 0));
   return rules;
 }
@@ -53,13 +61,17 @@ ObserverStart readObserver(const TomlTable& table) {
   return observer;
 }
 
-Puck readPuck(const TomlTable& table) {
-  return {.name = table.text("name"),
-          .radius_m = table.number("radius_m", kPositive),
-          .height_m = table.number("height_m", kPositive, kDefaultPuckHeight_m),
-          .mass_kg = table.number("mass_kg", kPositive),
-          .position_m = toVec2(table.numbers<2>("position_m", {})),
-          .beta = readBeta2(table)};
+Puck readPuck(const TomlTable& table, double c_m_s) {
+  constexpr Range kShare{.least = 0.0, .most = 1.0, .above = true};
+  Puck puck{.name = table.text("name"),
+            .radius_m = table.number("radius_m", kPositive),
+            .height_m = table.number("height_m", kPositive, kDefaultPuckHeight_m),
+            .mass_kg = table.number("mass_kg", kPositive),
+            .position_m = toVec2(table.numbers<2>("position_m", {})),
+            .beta = readBeta2(table)};
+  puck.inertia = table.number("inertia", kShare, puck.inertia);
+  puck.spin_kg_m2_s = readSpin(table, puck, c_m_s);
+  return puck;
 }
 
 /// A stroke as given in the file, before its puck is looked up.
@@ -74,6 +86,7 @@ StrokeText readStroke(const TomlTable& table) {
   text.stroke.at_s = table.number("at_s", kNotNegative);
   if (table.has("from_m")) text.stroke.from_m = toVec3(table.numbers<3>("from_m", {}));
   text.stroke.momentum_kg_m_s = toVec2(table.numbers<2>("momentum_kg_m_s", {}));
+  text.stroke.offset_m = table.number("offset_m", {}, 0.0);
   return text;
 }
 
@@ -112,7 +125,10 @@ std::vector<Stroke> resolveStrokes(const std::vector<StrokeText>& texts, const s
     strokes.push_back(text.stroke);
     const auto found = std::find(names.begin(), names.end(), text.puck);
     strokes.back().puck = static_cast<std::size_t>(found - names.begin());
-    if (found != names.end()) continue;
+    if (found != names.end()) {
+      checkOffset(text.table, text.stroke, pucks[strokes.back().puck]);
+      continue;
+    }
     const auto nearest = nearestWord(text.puck, names);
     text.table.fault("puck",
                      fmt::format("there is no puck '{}', expected {}", text.puck,
@@ -136,7 +152,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
 
   const std::vector<TomlTable> pucks = root.tables("puck");
   for (const TomlTable& puck : pucks) {
-    scenario.billiard.pucks.push_back(readPuck(puck));
+    scenario.billiard.pucks.push_back(readPuck(puck, scenario.billiard.lightSpeed_m_s));
     scenario.puckMeshes.push_back(readMesh(file, puck));
   }
   const std::vector<TomlTable> bodyTables = root.tables("body");
@@ -171,6 +187,12 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   file.throwFaults();
   checkPlayable(scenario.billiard, root);
   file.throwFaults();
+  if (physics) scenario.odd = oddFriction(*physics, scenario.billiard.rules);
+  for (std::size_t i = 0; i < pucks.size(); ++i) {
+    std::ranges::move(oddSpin(pucks[i], scenario.billiard.pucks[i], scenario.puckMeshes[i].has_value(),
+                              scenario.billiard.lightSpeed_m_s),
+                      std::back_inserter(scenario.odd));
+  }
 
   for (const BodyText& body : bodies) {
     scenario.bodies.push_back(scriptedBody(body, scenario.billiard.lightSpeed_m_s));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/base/limits.h"
@@ -27,6 +28,15 @@ CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom) {
   const double u = pull_m < kLeastPull_m ? 0.0 : std::min(pull_m / kPullForOne_m, kStrongestU);
   // + 0: avoids −0, which a session file would not restore.
   return {{u * way.x + 0.0, u * way.y + 0.0}, (turn.inverse() * Displacement{0.0, way}).dr_m};
+}
+
+double sideOf(const Vec3& asideInRoom_m, const Vec2& u, const Lorentz& boardFromRoom, double radius_m) {
+  const double size = glm::length(u);
+  if (size == 0.0) return 0.0;
+  const Vec3 aside_m = (turnOf(boardFromRoom) * Displacement{0.0, asideInRoom_m}).dr_m;
+  const double right_m = (aside_m.x * u.y - aside_m.y * u.x) / size;
+  if (std::abs(right_m) < kLeastSide * radius_m) return 0.0;
+  return std::clamp(right_m, -kMostSide * radius_m, kMostSide * radius_m);
 }
 
 Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool frozen) {

@@ -131,6 +131,7 @@ void visitRecord(Visit& visit, Record& record) {
   visit("", "lesson_phase", record.lesson.phase);
   visit("", "lesson_answer", record.lesson.answer);
   visit("", "notice", record.notice);
+  visit("", "cue_offset_m", record.hand.offset_m);
 }
 
 template <typename Visit, typename AKnot>
@@ -140,6 +141,10 @@ void visitKnot(Visit& visit, AKnot& knot) {
   visit("", "proper_time_s", knot.properTime_s);
   visitEvent(visit, "signal_", knot.signal);
   visit("", "deceleration_m_s2", knot.deceleration_m_s2);
+  visit("", "angle_rad", knot.spin.angle_rad);
+  visit("", "spin_rad_s", knot.spin.omega_rad_s);
+  visit("", "rim_u", knot.spin.rim_u);
+  visit("", "spin_slowing_1_s", knot.spin.slowing_1_s);
 }
 
 template <typename Visit, typename ATurn>
@@ -150,6 +155,12 @@ void visitTurn(Visit& visit, Part prefix, ATurn& turn) {
   visitVector(visit, name + "beta_before_", turn.betaBefore);
   visitVector(visit, name + "beta_after_", turn.betaAfter);
   visit(prefix, "proper_time_s", turn.properTime_s);
+}
+
+template <typename Visit, typename ATurn>
+void visitTurnedSpin(Visit& visit, Part prefix, ATurn& turn) {
+  visit(prefix, "spin_before_kg_m2_s", turn.spinBefore_kg_m2_s);
+  visit(prefix, "spin_after_kg_m2_s", turn.spinAfter_kg_m2_s);
 }
 
 template <typename Visit, typename AnEvent>
@@ -171,6 +182,8 @@ void visitGameEvent(Visit& visit, AnEvent& event) {
   visit("", "turns", count);
   visitTurn(visit, "first_", turns[0]);
   visitTurn(visit, "second_", turns[1]);
+  visitTurnedSpin(visit, "first_", turns[0]);
+  visitTurnedSpin(visit, "second_", turns[1]);
   if constexpr (kReads) {
     if (withoutDelay > 1 || count > turns.size()) throw std::runtime_error("no such event can be");
     if (cushion > 0) event.cushion = static_cast<Cushion>(cushion - 1);

@@ -6,8 +6,11 @@
 #include <concepts>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "app/journal/frame_columns.h"
 #include "app/journal/version_3.h"
@@ -16,17 +19,37 @@
 namespace carom {
 namespace {
 
-/// Collects the column names, each after a comma.
+/// Collects the column names.
 struct Names {
-  std::string text;
-  int count = 0;
+  std::vector<std::string> all;
 
   template <typename Value>
   void operator()(Part prefix, Part name, const Value&) {
-    fmt::format_to(std::back_inserter(text), ", {}{}", prefix, name);
-    ++count;
+    all.push_back(fmt::format("{}{}", prefix, name));
+  }
+  /// Returns the names, each after a comma.
+  std::string text() const {
+    std::string text;
+    for (const std::string& name : all) text += ", " + name;
+    return text;
   }
 };
+
+std::set<std::string> columnsOf(SQLite::Database& database, const char* table) {
+  std::set<std::string> columns;
+  SQLite::Statement row(database, "SELECT name FROM pragma_table_info(?)");
+  row.bind(1, table);
+  while (row.executeStep()) columns.insert(row.getColumn(0).getString());
+  return columns;
+}
+
+/// Returns the names, each after a comma; 0 in the place of those that the table lacks.
+std::string selected(SQLite::Database& database, const char* table, const Names& names) {
+  const std::set<std::string> columns = columnsOf(database, table);
+  std::string text;
+  for (const std::string& name : names.all) text += ", " + (columns.contains(name) ? name : "0");
+  return text;
+}
 
 Names frameNames() {
   Names names;
@@ -116,23 +139,25 @@ class Reading {
   int column_ = 0;
 };
 
-std::string insertInto(const char* table, int columns) {
-  std::string text = fmt::format("INSERT OR REPLACE INTO {} VALUES(?", table);
-  for (int column = 1; column < columns; ++column) text += ",?";
+/// `columns`, separated by commas, in the order in which they are written: an older file has them in another.
+std::string insertInto(const char* table, const std::string& columns) {
+  std::string text = fmt::format("INSERT OR REPLACE INTO {}({}) VALUES(?", table, columns);
+  for (const char letter : columns) text += letter == ',' ? ",?" : "";
   return text + ")";
 }
 
-std::string framesOf(int version, const char* which) {
+std::string framesOf(SQLite::Database& database, int version, const char* which) {
   return fmt::format("SELECT number{} FROM frame WHERE number >= ? {} ORDER BY number",
-                     version == kVersion3 ? ", record, events" : frameNames().text, which);
+                     version == kVersion3 ? ", record, events" : selected(database, "frame", frameNames()),
+                     which);
 }
 const char* changingOf(int version) {
   return version == kVersion3 ? ""
                               : "AND number IN (SELECT frame FROM knot UNION SELECT frame FROM frame_event)";
 }
-std::string knotsOf(int version) {
+std::string knotsOf(SQLite::Database& database, int version) {
   return fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid",
-                     version == kVersion3 ? ", knot" : knotNames().text);
+                     version == kVersion3 ? ", knot" : selected(database, "knot", knotNames()));
 }
 
 std::span<const std::byte> bytesOf(const SQLite::Column& column) {
@@ -148,13 +173,26 @@ std::string frameTables() {
       "CREATE TABLE knot(frame INTEGER, body INTEGER{});\n"
       "CREATE INDEX knot_of_frame ON knot(frame);\n"
       "CREATE TABLE frame_event(frame INTEGER{}, PRIMARY KEY(frame, number)) WITHOUT ROWID;\n",
-      frameNames().text, knotNames().text, eventNames().text);
+      frameNames().text(), knotNames().text(), eventNames().text());
+}
+
+void addColumns(SQLite::Database& database) {
+  const std::pair<const char*, Names> tables[]{
+      {"frame", frameNames()}, {"knot", knotNames()}, {"frame_event", eventNames()}};
+  for (const auto& [table, names] : tables) {
+    const std::set<std::string> columns = columnsOf(database, table);
+    for (const std::string& name : names.all) {
+      if (!columns.contains(name))
+        database.exec(fmt::format("ALTER TABLE {} ADD COLUMN {} DEFAULT 0", table, name));
+    }
+  }
 }
 
 FrameWriter::FrameWriter(SQLite::Database& database)
-    : frame_(database, insertInto("frame", 5 + frameNames().count)),
-      knot_(database, insertInto("knot", 2 + knotNames().count)),
-      event_(database, insertInto("frame_event", 1 + eventNames().count)) {}
+    : frame_(database, insertInto("frame", "number" + frameNames().text() +
+                                               ", known, celerity_x_m_s, celerity_y_m_s, celerity_z_m_s")),
+      knot_(database, insertInto("knot", "frame, body" + knotNames().text())),
+      event_(database, insertInto("frame_event", "frame" + eventNames().text())) {}
 
 void FrameWriter::write(const FrameRecord& record, const std::string& known, const Vec3& celerity_m_s) {
   Writing row(frame_);
@@ -184,12 +222,12 @@ void FrameWriter::write(std::uint64_t frame, const GameEvent& event) {
 FrameReader::FrameReader(SQLite::Database& database, int version, double lightSpeed_m_s)
     : version_(version),
       lightSpeed_m_s_(lightSpeed_m_s),
-      frame_(database, framesOf(version, "")),
-      change_(database, framesOf(version, changingOf(version))),
-      knot_(database, knotsOf(version)) {
+      frame_(database, framesOf(database, version, "")),
+      change_(database, framesOf(database, version, changingOf(version))),
+      knot_(database, knotsOf(database, version)) {
   if (version != kVersion3)
-    event_.emplace(database,
-                   "SELECT frame" + eventNames().text + " FROM frame_event WHERE frame = ? ORDER BY number");
+    event_.emplace(database, fmt::format("SELECT frame{} FROM frame_event WHERE frame = ? ORDER BY number",
+                                         selected(database, "frame_event", eventNames())));
   goTo(0);
 }
 

@@ -13,9 +13,14 @@ namespace carom {
 /// The newest version of the tables that stores frames, knots and events as raw bytes
 /// (app/journal/version_3.h).
 inline constexpr int kVersion3 = 3;
+/// The version before the columns that tell of spins; in its files these are read as 0.
+inline constexpr int kVersion4 = 4;
 
 /// Returns the SQL statements that create the tables frame, knot and frame_event.
 std::string frameTables();
+
+/// Adds the columns that a file of version 4 lacks, with 0 in every row.
+void addColumns(SQLite::Database& database);
 
 /// Writes the three tables.
 class FrameWriter {
@@ -35,7 +40,7 @@ class FrameWriter {
 /// Reads frames in the order of their numbers.
 class FrameReader {
  public:
-  /// Reads tables of `version`, which is kVersion3 or kJournalVersion. `lightSpeed_m_s` is that of the game.
+  /// Reads tables of a version from kVersion3 on. `lightSpeed_m_s` is that of the game.
   FrameReader(SQLite::Database& database, int version, double lightSpeed_m_s);
 
   /// Makes the next frame the first whose number is at least `number`. Initially it is the first frame. With

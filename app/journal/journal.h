@@ -13,8 +13,10 @@
 //       contraction 2, aberration 4, colour 8, searchlight 16; beside: the same for the right half if views
 //       includes split. views: the sum of the bits now on the board 1, my now 2, paths 4, events 8,
 //       clocks 16, split 32, frozen 64, ruler 128, angles 256.
-//   knot(frame, body, t_s, x_m, y_m, z_m, u_x, u_y, u_z, proper_time_s, signal_t_s …, deceleration_m_s2)
+//   knot(frame, body, t_s, x_m, y_m, z_m, u_x, u_y, u_z, proper_time_s, signal_t_s …, deceleration_m_s2,
+//        angle_rad, spin_rad_s, rim_u, spin_slowing_1_s)
 //       Legs that a frame added; u = γβ. signal_t_s …: the event whose light makes the body's points turn.
+//       angle_rad …: how the body turns (engine/spacetime/world_line.h).
 //       Bodies are numbered as in the scenario: 0 the board, then the pucks, then the scripted bodies.
 //   frame_event(frame, number, kind, cushion, which, t_s, x_m, y_m, z_m, without_delay, heat_j, turns, …)
 //       Events that a frame added to the list (engine/billiard/game_event.h), each with its turns, whose
@@ -27,11 +29,11 @@
 //       contact existed already and the kick did not wait for its signal (engine/billiard/game_event.h),
 //       else 0. The game is known a little further than it was seen.
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y,
-//   proper_time_s)
-//       The change of motion of each puck of an event, with the puck's name and its proper time.
-//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s)
+//   proper_time_s, spin_before_kg_m2_s, spin_after_kg_m2_s)
+//       The change of motion and spin of each puck of an event, with the puck's name and its proper time.
+//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m)
 //       Strokes by hand in a frame: the puck's name, the event of the hand, and the momentum that arrives at
-//       the puck. Together with the scenario's strokes they are all strokes of the game, in its order.
+//       the puck; offset_m: how far to the right of its centre it strikes. Together with the scenario's strokes they are all strokes of the game, in its order.
 //   input(frame, what, value)
 //       Actions of the operator and the hands, in words; they take effect with this frame.
 //   answer(frame, lesson, question, answer)
@@ -46,8 +48,9 @@
 //       interval between swaps exceeded the display's period. About 100 bytes per row, at most eight rows per
 //       node and second.
 // Numbers in frame, knot and frame_event are stored exactly: zero as an integer, NaN as NULL. `PRAGMA
-// user_version` is the version of this list. Files of version 3, which stored records as raw bytes, can be
-// read, and are converted to this version when the session is continued.
+// user_version` is the version of this list. Files of version 3, which stored records as raw bytes, and of
+// version 4, which did not know of spins, can be read, and are converted to this version when the session is
+// continued.
 
 #include <chrono>
 #include <filesystem>

@@ -18,10 +18,11 @@ CREATE TABLE sample(time_s REAL, sensor INTEGER, x_m REAL, y_m REAL, z_m REAL, q
 CREATE TABLE event(number INTEGER PRIMARY KEY, kind TEXT, pucks TEXT, cushion TEXT, t_s REAL, x_m REAL, y_m REAL,
   z_m REAL, heat_j REAL, without_delay INTEGER NOT NULL DEFAULT 0);
 CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, beta_before_x REAL,
-  beta_before_y REAL, beta_after_x REAL, beta_after_y REAL, proper_time_s REAL);
+  beta_before_y REAL, beta_after_x REAL, beta_after_y REAL, proper_time_s REAL,
+  spin_before_kg_m2_s REAL NOT NULL DEFAULT 0, spin_after_kg_m2_s REAL NOT NULL DEFAULT 0);
 CREATE INDEX turn_of_event ON turn(event);
 CREATE TABLE stroke(frame INTEGER, puck TEXT, at_s REAL, from_x_m REAL, from_y_m REAL, from_z_m REAL,
-  p_x_kg_m_s REAL, p_y_kg_m_s REAL);
+  p_x_kg_m_s REAL, p_y_kg_m_s REAL, offset_m REAL NOT NULL DEFAULT 0);
 CREATE TABLE input(frame INTEGER, what TEXT, value TEXT);
 CREATE TABLE answer(frame INTEGER, lesson TEXT, question TEXT, answer TEXT);
 CREATE TABLE run(first_frame INTEGER, started_utc TEXT, program TEXT);
@@ -102,8 +103,15 @@ void JournalTables::refuse(const std::string& what) const {
 
 // A second connection reads the old tables until the transaction ends.
 void JournalTables::convert() {
+  if (version() == kVersion4) {
+    SQLite::Transaction transaction(database_);
+    addColumns(database_);
+    addSpinsOfTurns();
+    transaction.commit();
+    return;
+  }
   if (version() != kVersion3)
-    refuse(fmt::format("version {} of the tables, expected version {} or {}", version(), kVersion3,
+    refuse(fmt::format("version {} of the tables, expected version {} to {}", version(), kVersion3,
                        kJournalVersion));
   SQLite::Database before(database_.getFilename(), SQLite::OPEN_READONLY, kBusy_ms);
   const double c_m_s =
@@ -135,8 +143,16 @@ void JournalTables::convert() {
   } catch (const std::exception& error) {
     refuse(fmt::format("frame {}: {}", *number, error.what()));
   }
-  database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion));
+  addSpinsOfTurns();
   transaction.commit();
+}
+
+/// Adds the columns of spins to the tables that the program does not read back in full, and the version.
+void JournalTables::addSpinsOfTurns() {
+  for (const char* column : {"turn ADD COLUMN spin_before_kg_m2_s", "turn ADD COLUMN spin_after_kg_m2_s",
+                             "stroke ADD COLUMN offset_m"})
+    database_.exec(fmt::format("ALTER TABLE {} REAL NOT NULL DEFAULT 0", column));
+  database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion));
 }
 
 void JournalTables::begin(const SessionFacts& facts) {
@@ -209,13 +225,13 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
   }
   if (brought.empty()) return;
   SQLite::Statement& row = statement(event_, "INSERT OR REPLACE INTO event VALUES(?,?,?,?,?,?,?,?,?,?)");
-  SQLite::Statement& turnRow = statement(turn_, "INSERT INTO turn VALUES(?,?,?,?,?,?,?,?,?,?,?)");
+  SQLite::Statement& turnRow = statement(turn_, "INSERT INTO turn VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)");
   for (const GameEvent& event : brought) {
     std::string pucks;
     for (const Turn& turn : event.turns) {
       pucks += (pucks.empty() ? "" : ", ") + nameOf(turn.puck);
       put(turnRow, event.number, nameOf(turn.puck), turn.event.t_s, turn.event.r_m, turn.betaBefore,
-          turn.betaAfter, turn.properTime_s);
+          turn.betaAfter, turn.properTime_s, turn.spinBefore_kg_m2_s, turn.spinAfter_kg_m2_s);
     }
     put(row, event.number, carom::nameOf(event.kind), pucks,
         event.cushion ? carom::nameOf(*event.cushion) : std::string_view(), event.at.t_s, event.at.r_m,
@@ -226,9 +242,10 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
 
 void JournalTables::writeInputs(const Batch& batch) {
   if (!batch.strokes.empty()) {
-    SQLite::Statement row(database_, "INSERT INTO stroke VALUES(?,?,?,?,?,?,?,?)");
+    SQLite::Statement row(database_, "INSERT INTO stroke VALUES(?,?,?,?,?,?,?,?,?)");
     for (const auto& [frame, stroke] : batch.strokes)
-      put(row, frame, nameOf(stroke.puck), stroke.at_s, stroke.from_m.value(), stroke.momentum_kg_m_s);
+      put(row, frame, nameOf(stroke.puck), stroke.at_s, stroke.from_m.value(), stroke.momentum_kg_m_s,
+          stroke.offset_m);
   }
   if (!batch.inputs.empty()) {
     SQLite::Statement row(database_, "INSERT INTO input VALUES(?,?,?)");

@@ -62,7 +62,7 @@ class JournalTables {
   /// Creates the tables of a new file.
   void make(const SessionFacts& facts);
   int version();
-  /// Converts a file of version 3 to this version. Throws std::runtime_error, and leaves the file as it was,
+  /// Converts a file of version 3 or 4 to this version. Throws std::runtime_error, and leaves the file as it was,
   /// if it is older still or damaged.
   void convert();
   /// Records that a run of the program begins to write, for the first time or again. Throws
@@ -76,6 +76,7 @@ class JournalTables {
   void close();
 
  private:
+  void addSpinsOfTurns();
   void writeFrames(const Batch& batch);
   void list(std::span<const GameEvent> brought, std::uint64_t kept);
   void writeInputs(const Batch& batch);

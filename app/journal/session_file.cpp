@@ -134,10 +134,13 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> SessionFile::frames() con
 
 std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try {
   std::vector<Stroke> strokes;
+  const bool hasOffsets = tables_->database.execAndGet("PRAGMA user_version").getInt() > kVersion4;
   SQLite::Statement row(
       tables_->database,
-      "SELECT frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s FROM stroke "
-      "ORDER BY frame, rowid");
+      fmt::format(
+          "SELECT frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, {} FROM stroke "
+          "ORDER BY frame, rowid",
+          hasOffsets ? "offset_m" : "0.0"));
   while (row.executeStep()) {
     const auto frame = static_cast<std::uint64_t>(row.getColumn(0).getInt64());
     const std::string name = row.getColumn(1).getString();
@@ -147,17 +150,22 @@ std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try 
     const Stroke stroke{static_cast<std::size_t>(found - pucks.begin()),
                         number(2),
                         Vec3(number(3), number(4), number(5)),
-                        {number(6), number(7)}};
+                        {number(6), number(7)},
+                        number(8)};
     if (found == pucks.end())
       refuseFrame(frame, "a stroke on '" + name + "', expected a puck of the scenario");
     bool possible = stroke.at_s >= 0.0;
-    for (int column = 2; column < 8; ++column)
+    for (int column = 2; column < 9; ++column)
       possible = possible && row.getColumn(column).isFloat() && std::isfinite(number(column));
     if (!possible) refuseFrame(frame, "a stroke on '" + name + "' that is none, expected finite numbers");
     const double most_kg_m_s = kStrongestU * found->mass_kg * facts_.lightSpeed_m_s;
     if (!(glm::length(stroke.momentum_kg_m_s) <= most_kg_m_s * (1.0 + 1e-9))) {
       refuseFrame(frame, fmt::format("a stroke of {} kg m/s on '{}', expected {} at most",
                                      glm::length(stroke.momentum_kg_m_s), name, most_kg_m_s));
+    }
+    if (!(std::abs(stroke.offset_m) <= found->radius_m)) {
+      refuseFrame(frame, fmt::format("a stroke {} m beside the centre of '{}', expected {} at most",
+                                     stroke.offset_m, name, found->radius_m));
     }
     strokes.push_back(stroke);
   }

@@ -9,9 +9,10 @@
 namespace carom {
 
 inline constexpr std::string_view kWelcome = "welcome", kShowMe = "show-me";
-inline constexpr std::array<std::string_view, 11> kLessons{
-    "comes-and-goes", "seen-at-once",    "seen-length",  "parallel-tracks", "two-cushions", "light-clock",
-    "twins",          "train-in-tunnel", "train-aboard", "angles",          "pairs-4"};
+inline constexpr std::array<std::string_view, 13> kLessons{
+    "comes-and-goes", "seen-at-once",  "seen-length",     "parallel-tracks", "two-cushions",
+    "light-clock",    "twins",         "train-in-tunnel", "train-aboard",    "angles",
+    "pairs-4",        "rolling-wheel", "spinning-disc"};
 
 /// Returns the scenario file of a shipped game.
 std::string fileOfGame(std::string_view name);

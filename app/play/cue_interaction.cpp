@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "cave/frame/bodies.h"
@@ -21,6 +22,17 @@ Event handEvent(const Vec3& handInRoom_m, const ObserverView& observer, const Lo
   return hand;
 }
 
+namespace {
+
+/// Returns ", 8 mm right of its centre"; empty for a stroke at the centre.
+std::string sideText(double offset_m) {
+  if (offset_m == 0.0) return "";
+  return fmt::format(", {:.0f} mm {} of its centre", 1e3 * std::abs(offset_m),
+                     offset_m > 0.0 ? "right" : "left");
+}
+
+}  // namespace
+
 CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, Game& game,
                                              FrameRecord& record) {
   PickResult pointed;
@@ -29,10 +41,21 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
     pointed = aim_.at({hand.from_m, hand.along}, game.pucks(), {record.observer, hand.eye, record.switches},
                       record.boardFromRoom);
   }
+  const bool held = cue_.target().has_value();
   const Cue::Outcome cue = cue_.step(hand, pointed, still);
+  if (!held && cue_.target()) {
+    aside_m_ = pointed.end_m -
+               aim_.seenInRoom_m(game.pucks()[*cue_.target()], {record.observer, hand.eye, record.switches});
+  }
   record.hand = viewOf(hand, pointed, game, record);
   if (cue.letGo) return strike(*cue.letGo, hand, game, record);
   return {{}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
+}
+
+double CueInteraction::offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const {
+  const PhysicsRules& rules = scenario_->billiard.rules;
+  if (rules.puckFriction == 0.0 && rules.cushionFriction == 0.0) return 0.0;
+  return sideOf(aside_m_, u, boardFromRoom, scenario_->billiard.pucks[target].radius_m);
 }
 
 /// Returns the hand's view. While the cue is held, its ray ends where the target is seen, wherever the hand
@@ -54,6 +77,7 @@ HandView CueInteraction::viewOf(const HandInput& hand, const PickResult& pointed
   view.to_m = view.target_m;
   view.towards = stroke.towards;
   view.u = glm::length(stroke.u);
+  view.offset_m = offset_m(stroke.u, *cue_.target(), record.boardFromRoom);
   return view;
 }
 
@@ -65,14 +89,17 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
   if (u == Vec2(0.0)) return {{}, "Let go: no stroke"};
   const Event from = handEvent(hand.from_m, record.observer, record.boardFromRoom);
   if (from.t_s < 0.0) return {{}, "No stroke: where your hand is, the game has not begun yet"};
-  const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u};
+  const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u,
+                      offset_m(u, puck, record.boardFromRoom)};
   try {
     const Event arrival = game.strike(stroke);
     const double pace = record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
     const double after_s = (record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
-    return {stroke,
-            fmt::format("{}: p = {:.2g} kg m/s, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s",
-                        target.name, glm::length(stroke.momentum_kg_m_s), costOf(glm::length(u)), after_s)};
+    return {
+        stroke,
+        fmt::format("{}: p = {:.2g} kg m/s{}, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s",
+                    target.name, glm::length(stroke.momentum_kg_m_s), sideText(stroke.offset_m),
+                    costOf(glm::length(u)), after_s)};
   } catch (const std::invalid_argument& error) {
     log::note(error.what());
     return {{}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};

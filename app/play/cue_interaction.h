@@ -35,6 +35,9 @@ class CueInteraction {
   Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record);
 
  private:
+  /// Returns how far to the right of the target's centre a stroke of `u` strikes; 0 where all rims are smooth, so
+  /// that a spin would show nowhere.
+  double offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const;
   HandView viewOf(const HandInput& hand, const PickResult& pointed, const Game& game,
                   const FrameRecord& record);
   Outcome strike(std::size_t puck, const HandInput& hand, Game& game, const FrameRecord& record) const;
@@ -42,6 +45,7 @@ class CueInteraction {
   const Scenario* scenario_;
   RayPicking aim_;
   Cue cue_;
+  Vec3 aside_m_{0.0};  ///< where the hand pointed when it took the target, from its centre; room
 };
 
 }  // namespace carom

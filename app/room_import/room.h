@@ -14,14 +14,6 @@
 
 namespace carom {
 
-/// An error or an unusual value in a file.
-struct Finding {
-  enum class Kind { warning, error };
-  Kind kind = Kind::warning;
-  FilePlace at;
-  std::string text;
-};
-
 struct RoomWall {
   Wall wall;
   WallPlaces at;

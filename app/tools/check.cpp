@@ -117,9 +117,17 @@ void tellRig(const std::filesystem::path& path) {
   tellHead(room);
 }
 
+std::string spinText(const Puck& puck, double c_m_s) {
+  if (puck.spin_kg_m2_s == 0.0) return "";
+  const double u = rimUOf(puck, puck.spin_kg_m2_s, c_m_s), rim = u / std::sqrt(1.0 + u * u);
+  return fmt::format(", spins at {:.6g} rad/s, its rim at {:.6g} c", rim * c_m_s / puck.radius_m,
+                     std::abs(rim));
+}
+
 void tellScenario(const std::filesystem::path& path, const std::function<void(const Scenario&)>& openMeshes) {
   const Scenario scenario = readScenario(path);
   if (openMeshes) openMeshes(scenario);
+  printFindings(path, scenario.odd);
   const BilliardSetup& setup = scenario.billiard;
   fmt::print("{}: a scenario with light at {} m/s\n", scenario.title, setup.lightSpeed_m_s);
   if (setup.board) {
@@ -133,9 +141,10 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
     const double beta = glm::length(puck.beta);
     fmt::print(
         "puck {}: radius {:.1f} mm, height {:.1f} mm, {} kg, starts at ({}, {}) mm with {:.4g} c (γ = "
-        "{:.4g})\n",
+        "{:.4g}){}\n",
         puck.name, puck.radius_m * 1e3, puck.height_m * 1e3, puck.mass_kg, puck.position_m.x * 1e3,
-        puck.position_m.y * 1e3, beta, gammaFromU(uFromBeta(Vec3(puck.beta, 0.0))));
+        puck.position_m.y * 1e3, beta, gammaFromU(uFromBeta(Vec3(puck.beta, 0.0))),
+        spinText(puck, setup.lightSpeed_m_s));
   }
   for (const ScriptedBody& body : scenario.bodies) {
     const std::size_t turns = body.worldLine.knots().size() - 1;

@@ -60,7 +60,8 @@ void checkNames(const std::vector<BodyPoint>& points, const std::vector<std::str
 /// Refuses a point that the body's spin would carry round as fast as light.
 void checkSpin(const BodyPoint& point, const WorldLine& line) {
   const double reach_m = std::hypot(point.offset_m.x, point.offset_m.y);
-  const double turn_rad_s = std::abs(line.knots().front().spin.omega_rad_s);
+  double turn_rad_s = 0.0;
+  for (const Knot& knot : line.knots()) turn_rad_s = std::max(turn_rad_s, std::abs(knot.spin.omega_rad_s));
   if (turn_rad_s * reach_m < line.lightSpeed_m_s()) return;
   throw UnknownPoint(
       fmt::format("--point: '{}' spins at {:.6g} rad/s, so this point would move at {:.6g} c, "

@@ -31,11 +31,19 @@ struct PuckState {
   Vec2 position_m{0.0};
   Vec2 beta{0.0};
   double properTime_s = 0.0;
+  double spin_kg_m2_s = 0.0, spin_rad_s = 0.0, angle_rad = 0.0;
 };
 
-PuckState stateAt(const WorldLine& line, double t_s) {
+PuckState stateAt(const Puck& puck, const WorldLine& line, double t_s) {
   const Motion motion = line.at(t_s);
-  return {Vec2(motion.event.r_m), Vec2(betaFromU(motion.u)), motion.properTime_s};
+  const Knot& knot = line.knots()[motion.leg];
+  const double own_s = motion.properTime_s - knot.properTime_s;
+  return {Vec2(motion.event.r_m),
+          Vec2(betaFromU(motion.u)),
+          motion.properTime_s,
+          spinOfRim_kg_m2_s(puck, rimUAfter(knot.spin, own_s), line.lightSpeed_m_s()),
+          omegaAfter(knot.spin, own_s),
+          angleAfter(knot.spin, own_s)};
 }
 
 /// Returns the collisions whose contact or first turn is at or before `until_s`, in the order of their
@@ -83,7 +91,9 @@ Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks
                      {"r_m", vectorJson(Vec2(turn.event.r_m))},
                      {"beta_before", vectorJson(turn.betaBefore)},
                      {"beta_after", vectorJson(turn.betaAfter)},
-                     {"proper_time_s", turn.properTime_s}});
+                     {"proper_time_s", turn.properTime_s},
+                     {"spin_before_kg_m2_s", turn.spinBefore_kg_m2_s},
+                     {"spin_after_kg_m2_s", turn.spinAfter_kg_m2_s}});
   }
   const GameEvent& first = collision.front();
   Json json{{"kind", nameOf(first.kind)}, {"pucks", names}};
@@ -112,25 +122,32 @@ std::vector<std::span<const GameEvent>> byCollision(std::span<const GameEvent> e
 }
 
 Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
-  const PuckState state = stateAt(line, t_s);
+  const PuckState state = stateAt(puck, line, t_s);
   return {{"name", puck.name},
           {"mass_kg", puck.mass_kg},
           {"t_s", t_s},
           {"r_m", vectorJson(state.position_m)},
           {"beta", vectorJson(state.beta)},
-          {"proper_time_s", state.properTime_s}};
+          {"proper_time_s", state.properTime_s},
+          {"spin_kg_m2_s", state.spin_kg_m2_s},
+          {"spin_rad_s", state.spin_rad_s},
+          {"angle_rad", state.angle_rad},
+          {"rest_mass_kg", restMass_kg(puck, state.spin_kg_m2_s, line.lightSpeed_m_s())}};
 }
 
-Json statesJson(const Billiard& billiard, const SimulateOptions& options) {
+Json statesJson(const std::vector<Puck>& pucks, const Billiard& billiard, const SimulateOptions& options) {
   Json states = Json::array();
   for (const double t_s : stateTimes_s(options.until_s, *options.every_s)) {
-    Json places = Json::array(), speeds = Json::array();
-    for (const WorldLine& line : billiard.worldLines()) {
-      const PuckState state = stateAt(line, t_s);
+    Json places = Json::array(), speeds = Json::array(), spins = Json::array(), angles = Json::array();
+    for (std::size_t i = 0; i < pucks.size(); ++i) {
+      const PuckState state = stateAt(pucks[i], billiard.worldLines()[i], t_s);
       places.push_back(vectorJson(state.position_m));
       speeds.push_back(vectorJson(state.beta));
+      spins.push_back(state.spin_kg_m2_s);
+      angles.push_back(state.angle_rad);
     }
-    states.push_back({{"t_s", t_s}, {"r_m", places}, {"beta", speeds}});
+    states.push_back(
+        {{"t_s", t_s}, {"r_m", places}, {"beta", speeds}, {"spin_kg_m2_s", spins}, {"angle_rad", angles}});
   }
   return states;
 }
@@ -147,14 +164,26 @@ std::string jsonOf(const Scenario& scenario, const Billiard& billiard, const Sim
   for (std::size_t i = 0; i < pucks.size(); ++i) {
     json["pucks"].push_back(toJson(pucks[i], billiard.worldLines()[i], options.until_s));
   }
-  if (options.every_s) json["states"] = statesJson(billiard, options);
+  if (options.every_s) json["states"] = statesJson(pucks, billiard, options);
   return jsonText(json);
 }
 
-std::string stateLine(double t_s, const std::string& name, const PuckState& state) {
-  return fmt::format("{:10.4f}  {:<12} {:8.4f} {:8.4f}   {:7.4f} {:7.4f}   {:10.4f}\n", t_s, name,
-                     state.position_m.x, state.position_m.y, state.beta.x + 0.0, state.beta.y + 0.0,
-                     state.properTime_s);  // at rest: 0, not -0
+std::string stateLine(double t_s, const std::string& name, const PuckState& state, bool spins) {
+  const std::string line = fmt::format("{:10.4f}  {:<12} {:8.4f} {:8.4f}   {:7.4f} {:7.4f}   {:10.4f}", t_s,
+                                       name, state.position_m.x, state.position_m.y, state.beta.x + 0.0,
+                                       state.beta.y + 0.0, state.properTime_s);  // at rest: 0, not -0
+  if (!spins) return line + '\n';
+  return line +
+         fmt::format("   {:12.6g} {:9.4f} {:8.4f}\n", state.spin_kg_m2_s, state.spin_rad_s, state.angle_rad);
+}
+
+/// Whether any puck turns at any time.
+bool anySpins(const Billiard& billiard) {
+  const auto lines = billiard.worldLines();
+  return std::any_of(lines.begin(), lines.end(), [](const WorldLine& line) {
+    return std::any_of(line.knots().begin(), line.knots().end(),
+                       [](const Knot& knot) { return spins(knot); });
+  });
 }
 
 std::string tableOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options) {
@@ -180,13 +209,16 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
           turn.event.t_s, turn.betaBefore.x, turn.betaBefore.y, turn.betaAfter.x, turn.betaAfter.y);
     }
   }
-  text += "\nPucks:\n       t s  puck              x m      y m     v/c x   v/c y   own clock s\n";
+  const bool spins = anySpins(billiard);
+  text +=
+      fmt::format("\nPucks:\n       t s  puck              x m      y m     v/c x   v/c y   own clock s{}\n",
+                  spins ? "   spin kg m²/s     rad/s  angle rad" : "");
   std::vector<double> times_s{options.until_s};
   if (options.every_s) times_s = stateTimes_s(options.until_s, *options.every_s);
   if (times_s.back() < options.until_s) times_s.push_back(options.until_s);
   for (const double t_s : times_s) {
     for (std::size_t i = 0; i < pucks.size(); ++i) {
-      text += stateLine(t_s, pucks[i].name, stateAt(billiard.worldLines()[i], t_s));
+      text += stateLine(t_s, pucks[i].name, stateAt(pucks[i], billiard.worldLines()[i], t_s), spins);
     }
   }
   return text;
@@ -201,10 +233,14 @@ Ledger ledgerAt(const Scenario& scenario, const Billiard& billiard, double until
     const WorldLine& line = billiard.worldLines()[i];
     const Knot& last = line.knots().back();
     if (last.turn.t_s >= until_s) continue;
-    const Vec3 u = line.at(until_s).u;
-    const double momentum = scenario.billiard.pucks[i].mass_kg * c_m_s;
-    const double energy_j = momentum * c_m_s * (gammaFromU(last.u) - gammaFromU(u));
-    const Vec2 momentum_kg_m_s = momentum * Vec2(last.u - u);
+    const Puck& puck = scenario.billiard.pucks[i];
+    const Motion now = line.at(until_s);
+    const double rimNow_u = rimUAfter(last.spin, now.properTime_s - last.properTime_s);
+    const double then_kg_m_s =
+        c_m_s * restMass_kg(puck, spinOfRim_kg_m2_s(puck, last.spin.rim_u, c_m_s), c_m_s);
+    const double now_kg_m_s = c_m_s * restMass_kg(puck, spinOfRim_kg_m2_s(puck, rimNow_u, c_m_s), c_m_s);
+    const double energy_j = c_m_s * (then_kg_m_s * gammaFromU(last.u) - now_kg_m_s * gammaFromU(now.u));
+    const Vec2 momentum_kg_m_s = then_kg_m_s * Vec2(last.u) - now_kg_m_s * Vec2(now.u);
     ledger.motion.energy_j -= energy_j, ledger.motion.momentum_kg_m_s -= momentum_kg_m_s;
     ledger.lostToFriction.energy_j += energy_j, ledger.lostToFriction.momentum_kg_m_s += momentum_kg_m_s;
   }

@@ -20,7 +20,9 @@ class Digest {
   Digest& operator<<(const Event& event) { return *this << event.t_s << event.r_m; }
   Digest& operator<<(const Knot& knot) {
     *this << knot.turn << knot.u << knot.properTime_s << knot.signal << knot.deceleration_m_s2;
-    return spins(knot) ? *this << knot.spin.angle_rad << knot.spin.omega_rad_s : *this;
+    if (spins(knot))
+      *this << knot.spin.angle_rad << knot.spin.omega_rad_s << knot.spin.rim_u << knot.spin.slowing_1_s;
+    return *this;
   }
 
   Digest& operator<<(const GameEvent& event) {
@@ -30,6 +32,8 @@ class Digest {
     for (const Turn& turn : event.turns) {
       *this << turn.puck << turn.event << turn.betaBefore.x << turn.betaBefore.y << turn.betaAfter.x
             << turn.betaAfter.y << turn.properTime_s;
+      if (turn.spinBefore_kg_m2_s != 0.0 || turn.spinAfter_kg_m2_s != 0.0)
+        *this << turn.spinBefore_kg_m2_s << turn.spinAfter_kg_m2_s;
     }
     return *this;
   }
@@ -66,8 +70,10 @@ std::uint64_t digestOf(const TimeViews& views) {
 }
 
 std::uint64_t digestOf(const HandView& hand) {
-  return Digest() << hand.shown << hand.pulling << hand.target << hand.from_m << hand.to_m << hand.target_m
-                  << hand.towards << hand.u;
+  Digest digest;
+  digest << hand.shown << hand.pulling << hand.target << hand.from_m << hand.to_m << hand.target_m
+         << hand.towards << hand.u;
+  return hand.offset_m == 0.0 ? digest : digest << hand.offset_m;
 }
 
 /// Digests the newest knots and their numbers: once a history has lost or gained a knot, its digest stays

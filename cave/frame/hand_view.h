@@ -19,6 +19,7 @@ struct HandView {
   Vec3 target_m{0.0};           ///< where the target is seen
   Vec3 towards{0.0};            ///< unit vector: direction of the stroke, along the cloth
   double u = 0.0;               ///< γβ that the stroke would give the target at rest: p/(m c)
+  double offset_m = 0.0;        ///< how far to the right of the target's centre it would strike
 };
 
 /// Returns the energy that a stroke of u = γβ costs, in rest energies of the target: γ − 1.

@@ -82,7 +82,7 @@ void expectPossible(const HandView& hand, const DriveView& drive) {
   expectFlag("hand.pulling", hand.pulling);
   for (const Vec3& place : {hand.from_m, hand.to_m, hand.target_m, hand.towards, drive.thrust})
     expectFinite("the hand", place);
-  expectFinite("the stroke", {hand.u});
+  expectFinite("the stroke", {hand.u, hand.offset_m});
   if (drive.mode > DriveMode::tour) refuse("drive.mode is none that there is");
   expectFlag("drive.atLimit", drive.atLimit);
 }
@@ -122,7 +122,8 @@ void expectPossible(const Knot& knot) {
   expectFinite("a knot's proper time", {knot.properTime_s});
   expectFinite("a knot's signal", knot.signal);
   expectFinite("a knot's deceleration", {knot.deceleration_m_s2});
-  expectFinite("a knot's spin", {knot.spin.angle_rad, knot.spin.omega_rad_s});
+  const Spin& spin = knot.spin;
+  expectFinite("a knot's spin", {spin.angle_rad, spin.omega_rad_s, spin.rim_u, spin.slowing_1_s});
 }
 
 void expectPossible(const GameEvent& event, std::uint64_t pucks) {

@@ -59,6 +59,11 @@ glm::vec4 colourOf(double cost) {
           1.0F};
 }
 
+/// How far to the right of the target's centre the stroke passes, in the room.
+glm::dvec3 asideOf(const HandView& hand, const RoomGeometry& room) {
+  return hand.offset_m * glm::cross(hand.towards, room.up);
+}
+
 }  // namespace
 
 FacingPlane facing(const glm::dvec3& place_m, const glm::dvec3& eyes_m, const RoomGeometry& room) {
@@ -139,10 +144,10 @@ void CueOverlay::addRay(const HandView& hand, const glm::dvec3& eyes_m, const Ro
 }
 
 /// Adds a stick behind the puck, thicker towards the hand, drawn back in proportion to the stroke's momentum.
-void CueOverlay::addCue(const HandView& hand) {
+void CueOverlay::addCue(const HandView& hand, const RoomGeometry& room) {
   constexpr int kPieces = 10;
   constexpr double kLength_m = 0.9, kThin_m = 0.006, kThick_m = 0.014;
-  const glm::dvec3 tip_m = hand.target_m - (kRim_m + kDrawn_m * hand.u) * hand.towards;
+  const glm::dvec3 tip_m = hand.target_m + asideOf(hand, room) - (kRim_m + kDrawn_m * hand.u) * hand.towards;
   for (int i = 0; i < kPieces; ++i) {
     const double from = static_cast<double>(i) / kPieces, to = static_cast<double>(i + 1) / kPieces;
     addLine(tip_m - kLength_m * from * hand.towards, tip_m - kLength_m * to * hand.towards,
@@ -150,9 +155,10 @@ void CueOverlay::addCue(const HandView& hand) {
   }
 }
 
-void CueOverlay::addArrow(const HandView& hand, const FacingPlane& plane) {
+void CueOverlay::addArrow(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room) {
   const double length_m = 0.1 + 0.4 * betaOf(hand.u), width_m = 0.003 * plane.distance_m;
-  const glm::dvec3 foot_m = hand.target_m + kRing_m * hand.towards, head_m = foot_m + length_m * hand.towards;
+  const glm::dvec3 foot_m = hand.target_m + asideOf(hand, room) + kRing_m * hand.towards;
+  const glm::dvec3 head_m = foot_m + length_m * hand.towards;
   const glm::vec4 colour = colourOf(costOf(hand.u));
   glm::dvec3 aside =
       glm::cross(hand.towards, glm::cross(plane.right, plane.up));  // across the arrow, as the person sees it
@@ -161,6 +167,27 @@ void CueOverlay::addArrow(const HandView& hand, const FacingPlane& plane) {
   addLine(foot_m, head_m, width_m, colour);
   for (const double side : {-1.0, 1.0})
     addLine(head_m - 0.07 * hand.towards + side * aside, head_m, width_m, colour);
+}
+
+/// Adds an arc around the target that points the way in which the stroke would turn it: anticlockwise, seen from
+/// above, where it strikes to the right.
+void CueOverlay::addTurning(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room) {
+  constexpr int kSides = 16;
+  constexpr double kArc_rad = 1.8, kHead_m = 0.02;
+  const double sense = hand.offset_m > 0.0 ? 1.0 : -1.0, width_m = 0.003 * plane.distance_m;
+  const glm::dvec3 left = glm::cross(room.up, hand.towards);
+  const auto at = [&](double angle_rad, double radius_m) {
+    return hand.target_m +
+           radius_m * (std::cos(angle_rad) * hand.towards + sense * std::sin(angle_rad) * left);
+  };
+  const glm::vec4 colour = colourOf(costOf(hand.u));
+  const double first_rad = 0.5 * std::numbers::pi - 0.5 * kArc_rad, last_rad = first_rad + kArc_rad;
+  for (int i = 0; i < kSides; ++i) {
+    const double from_rad = first_rad + kArc_rad * i / kSides;
+    addLine(at(from_rad, kRing_m), at(from_rad + kArc_rad / kSides, kRing_m), width_m, colour);
+  }
+  for (const double side_m : {-kHead_m, kHead_m})
+    addLine(at(last_rad - kHead_m / kRing_m, kRing_m + side_m), at(last_rad, kRing_m), width_m, colour);
 }
 
 /// Adds, from the bottom of the panel, the speed and the cost that the stroke would have, and the bar above
@@ -199,8 +226,9 @@ void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dve
   const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
   marks_.clear();
   const FacingPlane target = facing(hand.target_m, eyes_m, room);
-  if (hand.pulling && hand.towards != glm::dvec3(0.0)) addCue(hand);
-  if (hand.pulling && hand.u > 0.0) addArrow(hand, target);
+  if (hand.pulling && hand.towards != glm::dvec3(0.0)) addCue(hand, room);
+  if (hand.pulling && hand.u > 0.0) addArrow(hand, target, room);
+  if (hand.pulling && hand.offset_m != 0.0) addTurning(hand, target, room);
   addRay(hand, eyes_m, room);
   if (hand.pulling) addScale(hand, target);  // last, so that nothing covers the scale
   const GlStateGuard state(picture.framebuffer(), picture.size_px());

@@ -61,8 +61,9 @@ class CueOverlay {
   void addDot(const FacingPlane& plane, double radius_m, const glm::vec4& colour);
   void addText(const FacingPlane& plane, double across, double upwards, double height, std::string_view text);
   void addRay(const HandView& hand, const glm::dvec3& eyes_m, const RoomGeometry& room);
-  void addCue(const HandView& hand);
-  void addArrow(const HandView& hand, const FacingPlane& plane);
+  void addCue(const HandView& hand, const RoomGeometry& room);
+  void addArrow(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room);
+  void addTurning(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room);
   void addScale(const HandView& hand, const FacingPlane& plane);
 
   LineBatch ribbons_;

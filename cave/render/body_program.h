@@ -18,7 +18,7 @@ namespace carom {
 
 /// A leg as the shaders take it.
 using GpuLeg = kernel_float::LegView;
-inline constexpr int kLegTexels = 16;
+inline constexpr int kLegTexels = 17;
 static_assert(sizeof(GpuLeg) == kLegTexels * 4 * sizeof(float),
               "shaders/leg_at.glsl reads sixteen texels a leg");
 

@@ -27,6 +27,7 @@
 #include "shaders/paint_wood.h"
 #include "shaders/spin_kernel.h"
 #include "shaders/surface_frag.h"
+#include "shaders/turning_kernel.h"
 
 namespace carom {
 namespace {
@@ -94,6 +95,7 @@ std::string kernelText(Legs legs) {
   text += shaders::leg_kernel;
   text += shaders::spin_kernel;
   text += shaders::glide_kernel;
+  text += shaders::turning_kernel;
   text += shaders::emission_kernel;
   text += shaders::leg_at;
   text += shaders::doppler_kernel;

@@ -155,6 +155,39 @@ void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) 
   }
 }
 
+namespace {
+
+/// Adds clocks around the rim of a large disc that turns evenly and has met nothing: each runs slow by its γ, and was
+/// set to 0 with the centre's, in the centre's rest frame.
+void addRimClocks(const MarkContext& sight, std::size_t body, double centre_s, const Vec3& middle_m,
+                  const glm::vec4& colour, MarkBuffer& batch) {
+  constexpr int kClocks = 6;
+  constexpr double kLeast_m = 0.2, kInside = 0.95, kStem_m = 0.05;
+  const WorldLine& line = sight.histories[body];
+  const double c_m_s = line.lightSpeed_m_s(), radius_m = kInside * line.radius_m();
+  const Spin& spin = line.knots().front().spin;
+  const double rim = spin.omega_rad_s * radius_m / c_m_s;
+  const BodyView& view = sight.bodies[body];
+  if (line.knots().size() > 1 || rim == 0.0 || spin.slowing_1_s > 0.0 || line.radius_m() < kLeast_m) return;
+  const Resting resting(sight);
+  const OnBody draw(sight, view, ViewTime::seen);
+  for (int k = 0; k < kClocks; ++k) {
+    const double angle_rad = 2.0 * std::numbers::pi * k / kClocks;
+    const Vec3 foot_m(radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad), 0.0);
+    const auto found = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), foot_m,
+                                             view.retarded, view.contracted);
+    const double rim_s = (centre_s + found.event.x / c_m_s) * std::sqrt((1.0 - rim) * (1.0 + rim));
+    const std::array<glm::dvec3, 2> stem{draw(foot_m), draw(foot_m + Vec3(0.0, 0.0, kStem_m))};
+    batch.addLine(stem, colour, 0.0014);
+    const StandingPlate plate = standingPlate(sight, tenthsOf(rim_s), PlateShape::clock, middle_m);
+    addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) {
+      return stem[1] + resting(plate.foot_m + offset_m) - resting(plate.foot_m);
+    });
+  }
+}
+
+}  // namespace
+
 void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
                    std::span<const double> reach_m, LabelLayout& crowd, MarkBuffer& batch) {
   const Event& between = sight.observer.middle.observation;
@@ -171,6 +204,7 @@ void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
     const glm::vec4 colour(codeOf(glm::max(colours[body], glm::vec3(0.08F))), 1.0F);
     const std::array<glm::dvec3, 2> stem{draw(Vec3(0.0)), draw(foot_m)};
     batch.addLine(stem, colour, 0.0014);
+    addRimClocks(sight, body, centre.properTime_s, middle_m, colour, batch);
     // The plate is no object of the scene: it stands upright, as if at rest, so that it can be read at any
     // speed.
     addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) {

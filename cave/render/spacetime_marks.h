@@ -27,7 +27,8 @@ inline constexpr double kFlashSeen_s = 0.35;  ///< how long a flash glows
 inline constexpr double kSphere_m = 9.0;      ///< radius up to which the light is shown
 
 /// Adds a clock on a stem above each puck, moving with it, that shows the puck's own time at the event where
-/// the light left its centre. For every body of the scene, `colours` is linear and `reach_m` is how far it
+/// the light left its centre. A large puck that turns evenly and has met nothing has six more around its rim,
+/// with the rim's own times, set with the centre's. For every body of the scene, `colours` is linear and `reach_m` is how far it
 /// reaches from its centre.
 void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
                    std::span<const double> reach_m, LabelLayout& crowd, MarkBuffer& batch);

@@ -25,7 +25,8 @@ std::size_t betweenSnapshots(const BilliardSetup& setup) {
 
 bool sameKnot(const Knot& a, const Knot& b) {
   return a.turn.t_s == b.turn.t_s && a.turn.r_m == b.turn.r_m && a.u == b.u &&
-         a.properTime_s == b.properTime_s && a.signal.t_s == b.signal.t_s && a.signal.r_m == b.signal.r_m;
+         a.properTime_s == b.properTime_s && a.signal.t_s == b.signal.t_s && a.signal.r_m == b.signal.r_m &&
+         a.spin == b.spin;
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ class GameHistory;
 ///   speed is below a millionth of the bound: at first 1e-12 c, rounding, 5 nm in an hour at 1.42 m/s; at
 ///   most 1e-6 c, a millionth of R in the time after which a puck in peace is no more pressed. Elastic pucks
 ///   between elastic cushions are never pressed. `jams` tells where.
+/// * What is pressed keeps its spin: rims in a jam neither slip nor roll on each other.
 /// * Of a puck whose last 64 kicks, cushions' among them, fell within a millionth of that time, kicks are
 ///   perfectly plastic until it has been left in peace for as long: so between two cushions.
 ///
@@ -65,7 +66,8 @@ class Billiard {
  public:
   /// Throws std::invalid_argument, which names the puck and the values, for a setup that cannot be played: a
   /// light speed, radius, height, mass, board or restitution out of range, not a number, |β| >= 1, equal
-  /// names, friction × radius >= c²/2, pucks that overlap at t = 0 on the board, a puck in a cushion, a
+  /// names, a rim at light speed, an inertia or a coefficient of friction out of range, a stroke beside the
+  /// puck, friction × radius >= c²/2, pucks that overlap at t = 0 on the board, a puck in a cushion, a
   /// stroke on no puck or before t = 0.
   explicit Billiard(const BilliardSetup& setup);
   ~Billiard();

@@ -26,6 +26,9 @@ struct Puck {
   double mass_kg = 0.0;
   Vec2 position_m{0.0};  ///< of the centre at board time 0
   Vec2 beta{0.0};        ///< v/c at board time 0
+  double inertia = 0.5;  ///< share of the mass that is in the rim (engine/collision/spinning_body.h)
+  /// At board time 0, where its angle is 0: in the centre's rest frame, anticlockwise seen from above.
+  double spin_kg_m2_s = 0.0;
 };
 
 /// The event at which a collision changes the motion of a puck's centre.
@@ -39,6 +42,11 @@ struct PhysicsRules {
   double cushionRestitution = 1.0;
   double friction_m_s2 = 0.0;
   CollisionEvent collisionEvent = CollisionEvent::centre;
+  // Coulomb's coefficients between rims and at cushions, and what is left of the speed at which rims slip
+  // (engine/collision/rim_friction.h). Infinite: rims never slide.
+  double puckFriction = 0.0, cushionFriction = 0.0;
+  double tangentialRestitution = 0.0;
+  double spinDeceleration_m_s2 = 0.0;  ///< of the rim, by the cloth
 };
 
 /// A cue stroke, which kicks a puck's centre. It acts where the light of the stroke meets the centre's world
@@ -53,6 +61,10 @@ struct Stroke {
   double at_s = 0.0;           ///< board time at which the hand strikes, or at which the centre is kicked
   std::optional<Vec3> from_m;  ///< the hand's place; none: the centre itself
   Vec2 momentum_kg_m_s{0.0};
+  /// How far beside the centre it strikes, to the right of its momentum, in the puck's rest frame: it then
+  /// turns the puck, J' = J + offset · |p| for a puck at rest. It grips no farther out than 0.99 R/u of a puck
+  /// with the celerity u along the stroke: beyond, no spin is in balance with its energy.
+  double offset_m = 0.0;
 };
 
 /// Light that starts from a point at rest on the board. It has no effect on the pucks, but is one of the
@@ -71,6 +83,15 @@ struct BilliardSetup {
   std::vector<Flash> flashes;
 };
 
+/// Returns γβ of the rim of a puck with that angular momentum.
+double rimUOf(const Puck& puck, double spin_kg_m2_s, double c_m_s);
+/// Returns the angular momentum of a puck that turns at `omega_rad_s` by its own clock, slower than light.
+double spinAt_kg_m2_s(const Puck& puck, double omega_rad_s, double c_m_s);
+/// Returns the angular momentum of a puck whose rim has the celerity γβ.
+double spinOfRim_kg_m2_s(const Puck& puck, double rim_u, double c_m_s);
+/// Returns the rest mass that moves, with the energy of the spin.
+double restMass_kg(const Puck& puck, double spin_kg_m2_s, double c_m_s);
+
 /// The balance of energy and momentum. At any moment of the game, and whatever is still pending,
 ///   motion + radiated + takenByCushions + lostToFriction − givenByStrokes
 /// equals the motion at the start. `motion` is that of the legs already decided, at their beginnings.
@@ -82,7 +103,7 @@ struct Ledger {
   Account motion;
   Account radiated;         ///< heat: each puck's share leaves it in its own rest frame
   Account takenByCushions;  ///< momentum alone
-  Account lostToFriction;
+  Account lostToFriction;   ///< with what the cloth takes from spins
   Account givenByStrokes;
   double heat_j = 0.0;  ///< Σ (m' − m) c²
 };

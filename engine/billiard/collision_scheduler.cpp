@@ -35,6 +35,10 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
       cushionRestitution_(setup.rules.cushionRestitution),
       canPress_(std::min(puckRestitution_, cushionRestitution_) < 1.0),
       brake_(setup.rules.friction_m_s2 / (c_m_s_ * c_m_s_)),
+      puckRims_{1.0, setup.rules.puckFriction, setup.rules.tangentialRestitution},
+      cushionRims_{1.0, setup.rules.cushionFriction, setup.rules.tangentialRestitution},
+      slowing_(setup.rules.spinDeceleration_m_s2 / (c_m_s_ * c_m_s_)),
+      turns_(setup.rules.puckFriction > 0.0 || setup.rules.cushionFriction > 0.0),
       cushions_(cushionsOf(setup.board)),
       predictions_(setup.pucks.size()),
       queue_(static_cast<int>(setup.pucks.size())),
@@ -51,6 +55,9 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
     player.file = static_cast<unsigned>(file);
     discs_.push_back({start, u, puck.radius_m, kNever});
     pucks_.push_back(player);
+    spins_.push_back(
+        {{puck.mass_kg, puck.inertia * puck.mass_kg}, {puck.spin_kg_m2_s / (puck.radius_m * c_m_s_), 0.0}});
+    turns_ = turns_ || puck.spin_kg_m2_s != 0.0;
     largestRadius_ = std::max(largestRadius_, puck.radius_m);
     gammaBound_ = std::max(gammaBound_, 1.25 * u.t);
     rollbackWindow_ = std::max(rollbackWindow_, 4.0 * u.t * puck.radius_m);
@@ -84,6 +91,8 @@ int CollisionScheduler::storeStroke(const Stroke& stroke) {
     own.height = stroke.from_m->z - player->height;
   }
   own.px = stroke.momentum_kg_m_s.x / c_m_s_, own.py = stroke.momentum_kg_m_s.y / c_m_s_;
+  own.offset = stroke.offset_m;
+  turns_ = turns_ || stroke.offset_m != 0.0;
   player->strokes.push_back(static_cast<int>(strokes_.size()));
   strokes_.push_back(own);
   return static_cast<int>(player - pucks_.begin());
@@ -244,7 +253,8 @@ void CollisionScheduler::changeCell(int i, int axis) {
 Ledger CollisionScheduler::ledger() const {
   Vec21 motion;
   for (std::size_t i = 0; i < pucks_.size(); ++i) {
-    motion = motion + lastLeg(static_cast<int>(i)).u * pucks_[i].mass;
+    const int puck = static_cast<int>(i);
+    motion = motion + lastLeg(puck).u * massOf(puck, lastTurning(puck).j);
   }
   const auto account = [&](const Vec21& p) {
     return Ledger::Account{p.t * c_m_s_ * c_m_s_, {p.x * c_m_s_, p.y * c_m_s_}};
@@ -258,9 +268,10 @@ void CollisionScheduler::restore(GameHistory& history) const {
     const PuckState& player = pucks_[i];
     history.keepLegs(player.file, legsBegun(static_cast<int>(i)));
     for (const CommittedLeg& decided : player.decided) {
-      history.addLeg(player.file, decided.leg, decided.signal);
+      history.addLeg(player.file, decided.leg, decided.turning, decided.signal);
       history.changeTurn(decided.event, player.file,
-                         {decided.leg.start, decided.uBefore, decided.leg.properTime}, decided.leg.u);
+                         {decided.leg.start, decided.uBefore, decided.leg.properTime}, decided.leg.u,
+                         {decided.jBefore, decided.turning.j});
       noteBounce(decided, history);
     }
   }

@@ -17,6 +17,8 @@
 #include "engine/collision/kick.h"
 #include "engine/collision/puck_contact.h"
 #include "engine/collision/puck_leg.h"
+#include "engine/collision/rim_friction.h"
+#include "engine/collision/turning.h"
 
 namespace carom {
 
@@ -59,8 +61,10 @@ class CollisionScheduler {
   // A leg that is decided, but that the centre has not begun.
   struct CommittedLeg {
     Leg leg;
+    Turning turning;
     Vec21 signal;
     Vec21 uBefore;
+    double jBefore = 0.0;
     std::uint64_t event = 0;  // its number
     int cushion = -1;
     bool atOnce = false;
@@ -107,11 +111,17 @@ class CollisionScheduler {
     double height = 0.0;       // of the centre
     std::vector<int> strokes;  // those still to come
   };
+  // The spin of a puck on the leg that it follows, and what it depends on.
+  struct PuckSpin {
+    SpinningBody body;
+    Turning turning;
+  };
   struct PuckStroke {
     Vec21 hand;
     double height = 0.0;  // of the hand above the centre
     bool fromHand = false;
     double px = 0.0, py = 0.0;  // momentum over c
+    double offset = 0.0;        // to the right of it
   };
   struct Accounts {
     Vec21 radiated, taken, braked, given;
@@ -172,8 +182,31 @@ class CollisionScheduler {
   std::optional<Vec21> cornerBefore(int cushion, const CushionContact& contact) const;
   void bounceAt(int i, int cushion, CushionContact contact, std::size_t foundOn, GameHistory& history);
   void decide(int i, const CommittedLeg& decided, const LegState& turn, GameHistory& history);
-  void beginLeg(int i, const Leg& leg);
+  void beginLeg(int i, const Leg& leg, const Turning& turning);
   void beginCommitted(int i);
+  // Spin, all 0 in a game in which nothing can turn a puck.
+  Turning lastTurning(int i) const {
+    if (!turns_) return {};
+    return pucks_[i].decided.empty() ? spins_[i].turning : pucks_[i].decided.back().turning;
+  }
+  // Returns the spin on the last leg decided, at a moment of the puck's own clock.
+  Turning turningAt(int i, double properTime) const {
+    return turns_ ? spunTurning(i, properTime) : Turning{};
+  }
+  Turning spunTurning(int i, double properTime) const;
+  // Returns the rest mass that moves.
+  double massOf(int i, double j) const { return j == 0.0 ? pucks_[i].mass : restMass(spins_[i].body, j); }
+  std::optional<SpinningPairKick> pairKick(const std::array<int, 2>& who, const PairContact& contact,
+                                           const std::array<LegState, 2>& turn,
+                                           const std::array<double, 2>& j, double restitution) const;
+  std::optional<SpinningCushionKick> cushionKick(int i, int cushion, const Vec21& u, double j,
+                                                 double restitution) const;
+  bool receding(const std::array<int, 2>& who, const PairContact& contact, const PredictedEvent& a) const;
+  struct Struck {
+    Vec21 u;
+    double j = 0.0;
+  };
+  Struck struckBy(int i, const PuckStroke& stroke, const Vec21& u, double j) const;
   double restitution(int i, double usual, double turnTime);
   // Returns the number of the last leg decided, counted from the start of the game.
   std::size_t lastLegNumber(int i) const { return legsBegun(i) + pucks_[i].decided.size(); }
@@ -182,6 +215,7 @@ class CollisionScheduler {
   Leg legOf(int i) const { return {discs_[i].start, discs_[i].u, pucks_[i].properTime, brake_}; }
   Leg lastLeg(int i) const { return pucks_[i].decided.empty() ? legOf(i) : pucks_[i].decided.back().leg; }
   void placeAnew(int i, CommittedLeg kick, GameHistory& history);
+  void giveAnew(int i, const Vec21& u, const Turning& turning, CommittedLeg& kick) const;
   void noteBounce(const CommittedLeg& decided, GameHistory& history) const;
   void noteKick(int i, const Vec21& turn);
 
@@ -189,7 +223,9 @@ class CollisionScheduler {
   struct Member {
     int puck = 0;
     LegState turn;  // before
-    Vec21 u;        // after
+    Turning turning;
+    double mass = 0.0;
+    Vec21 u;  // after
     double heat = 0.0;
     Vec21 radiated, taken;
     unsigned cushions = 0;  // that it touches, one bit each
@@ -217,8 +253,11 @@ class CollisionScheduler {
   double c_m_s_;
   TurnConvention convention_;
   double puckRestitution_, cushionRestitution_;
-  bool canPress_;  // whether pucks or cushions are inelastic
-  double brake_;   // friction over c²
+  bool canPress_;                    // whether pucks or cushions are inelastic
+  double brake_;                     // friction over c²
+  RimRules puckRims_, cushionRims_;  // their coefficients of restitution aside
+  double slowing_;                   // of spins by the cloth: the rim's γβ in a metre of own time
+  bool turns_;                       // whether anything, strokes so far included, can turn a puck
   std::vector<CushionPlane> cushions_;
   double largestRadius_ = 0.0;
   double boxLowX_ = 0.0, boxLowY_ = 0.0, boxWidth_ = 0.0, boxHeight_ = 0.0;
@@ -229,6 +268,7 @@ class CollisionScheduler {
   // The state of the game, by puck.
   std::vector<Disc> discs_;  // the legs being followed; the search for partners reads them
   std::vector<PuckState> pucks_;
+  std::vector<PuckSpin> spins_;
   struct alignas(64) Prediction {
     PredictedEvent next;
     int firstDependent = -1;                       // of the pucks whose next predicted event is with this one

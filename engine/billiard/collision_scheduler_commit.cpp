@@ -18,7 +18,61 @@ constexpr int kKicksOfAJam = 64;
 constexpr double kJamPerRadius = 1e-6;  // of the time in which light crosses the radius
 constexpr double kStill = 1e-9;         // of light speed: slower than this, jammed pucks do not kick
 
+/// Whether a kick keeps every spin.
+bool isSmooth(const RimRules& rims) { return rims.friction == 0.0; }
+
+RimRules withRestitution(RimRules rims, double restitution) {
+  rims.restitution = restitution;
+  return rims;
+}
+
 }  // namespace
+
+// By the momenta that are decided.
+bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairContact& contact,
+                                  const PredictedEvent& a) const {
+  const bool braked = brake_ != 0.0;
+  std::array<Vec21, 2> u;
+  std::array<double, 2> mass;
+  for (int k = 0; k < 2; ++k) {
+    const int i = who[k];
+    const Leg leg = lastLeg(i);
+    u[k] = braked ? momentAt(leg, a.touchAt[k]).u : leg.u;
+    double j = lastTurning(i).j;
+    if (slowing_ > 0.0 && j != 0.0)
+      j = turningAt(i, momentAt(leg, std::max(k == 0 ? a.ownTime : a.otherTime, leg.start.t)).properTime).j;
+    mass[k] = massOf(i, j);
+  }
+  return !kickPair(contact.U, contact.n, u, mass, 1.0);
+}
+
+std::optional<SpinningPairKick> CollisionScheduler::pairKick(const std::array<int, 2>& who,
+                                                             const PairContact& contact,
+                                                             const std::array<LegState, 2>& turn,
+                                                             const std::array<double, 2>& j,
+                                                             double restitution) const {
+  if (!isSmooth(puckRims_)) {
+    return kickSpinningPair(contact.U, contact.n,
+                            {SpinningPuck{spins_[who[0]].body, j[0], turn[0].u},
+                             SpinningPuck{spins_[who[1]].body, j[1], turn[1].u}},
+                            withRestitution(puckRims_, restitution));
+  }
+  const auto kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u},
+                             {massOf(who[0], j[0]), massOf(who[1], j[1])}, restitution);
+  if (!kick) return std::nullopt;
+  return SpinningPairKick{*kick, j};
+}
+
+std::optional<SpinningCushionKick> CollisionScheduler::cushionKick(int i, int cushion, const Vec21& u,
+                                                                   double j, double restitution) const {
+  if (!isSmooth(cushionRims_)) {
+    return kickSpinningOffCushion(cushions_[cushion], {spins_[i].body, j, u},
+                                  withRestitution(cushionRims_, restitution));
+  }
+  const auto kick = kickOffCushion(cushions_[cushion], u, massOf(i, j), restitution);
+  if (!kick) return std::nullopt;
+  return SpinningCushionKick{*kick, j};
+}
 
 void CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
   const std::array<int, 2> who{first, second};
@@ -28,12 +82,7 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
   };
   const PairContact contact = contactOf(flight(0), flight(1), a.withoutDelay);
 
-  const std::array<double, 2> mass{pucks_[first].mass, pucks_[second].mass};
-  const auto decidedU = [&](int k) {
-    return braked ? momentAt(lastLeg(who[k]), a.touchAt[k]).u : lastLeg(who[k]).u;
-  };
-  if (!kickPair(contact.U, contact.n, {decidedU(0), decidedU(1)}, mass, 1.0)) return;  // they recede
-
+  if (receding(who, contact, a)) return;
   const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;
   std::array<LegState, 2> turn;
   for (int k = 0; k < 2; ++k) {
@@ -43,13 +92,16 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
     if (place.tooLate) return;
     turn[k] = place.turn;
   }
+  const std::array<Turning, 2> turning{turningAt(first, turn[0].properTime),
+                                       turningAt(second, turn[1].properTime)};
   const std::array<bool, 2> pressed{isPressed(first, turn[0].x.t), isPressed(second, turn[1].x.t)};
   if (pressed[0] && pressed[1]) return settle(who, contact, turn, history);
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
-  const std::optional<PairKick> kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u}, mass, e);
-  if (!kick || (e == 0.0 && kick->closing < kStill && (pucks_[first].jammed || pucks_[second].jammed)))
-    return;
+  const auto found = pairKick(who, contact, turn, {turning[0].j, turning[1].j}, e);
+  if (!found) return;
+  const PairKick* const kick = &found->centres;
+  if (e == 0.0 && kick->closing < kStill && (pucks_[first].jammed || pucks_[second].jammed)) return;
 
   const double heat = kick->heat[0] + kick->heat[1];
   const std::uint64_t collision =
@@ -57,9 +109,10 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
   accounts_.heat += heat;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
-    history.addTurn(collision, pucks_[i].file, turn[k], kick->u[k]);
+    history.addTurn(collision, pucks_[i].file, turn[k], kick->u[k], {turning[k].j, found->j[k]});
     CommittedLeg decided;
     decided.leg = {turn[k].x, kick->u[k], turn[k].properTime, brake_};
+    decided.turning = {found->j[k], turning[k].angle};
     decided.signal = a.withoutDelay ? turn[k].x : contact.event;
     decided.event = collision;
     decided.heat = kick->heat[k];
@@ -125,15 +178,18 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
                                   GameHistory& history) {
   PuckState& player = pucks_[i];
   const double e = restitution(i, cushionRestitution_, contact.turn.x.t);
-  const std::optional<CushionKick> kick = kickOffCushion(cushions_[cushion], contact.turn.u, player.mass, e);
-  if (!kick) return;
+  const Turning turning = turningAt(i, contact.turn.properTime);
+  const std::optional<SpinningCushionKick> found = cushionKick(i, cushion, contact.turn.u, turning.j, e);
+  if (!found) return;
+  const CushionKick* const kick = &found->centre;
   accounts_.heat += kick->heat;
   contact.event = cornerBefore(cushion, contact).value_or(contact.event);
   CommittedLeg decided;
   decided.event = history.addCollision(static_cast<Cushion>(cushion), contact.event, contact.withoutDelay,
                                        kick->heat * c_m_s_ * c_m_s_);
-  history.addTurn(decided.event, player.file, contact.turn, kick->u);
+  history.addTurn(decided.event, player.file, contact.turn, kick->u, {turning.j, found->j});
   decided.leg = {contact.turn.x, kick->u, contact.turn.properTime, brake_};
+  decided.turning = {found->j, turning.angle};
   decided.signal = contact.withoutDelay ? contact.turn.x : contact.event;
   decided.cushion = cushion;
   decided.contact = contact.event, decided.ownTime = contact.ownTime;
@@ -141,7 +197,7 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   decided.foundOn = foundOn;
   decided.heat = kick->heat;
   decided.radiated = kick->u * kick->heat;
-  decided.taken = contact.turn.u * player.mass - kick->u * (player.mass + kick->heat);
+  decided.taken = contact.turn.u * massOf(i, turning.j) - kick->u * (massOf(i, found->j) + kick->heat);
   decide(i, decided, contact.turn, history);
   noteKick(i, contact.turn.x);
   player.lastPartner = -1;
@@ -205,27 +261,31 @@ void CollisionScheduler::decide(int i, const CommittedLeg& given, const LegState
                                 GameHistory& history) {
   PuckState& player = pucks_[i];
   CommittedLeg decided = given;
+  const double jBegan = lastTurning(i).j, j = turningAt(i, turn.properTime).j;
   decided.uBefore = turn.u;
-  decided.braked = (lastLeg(i).u - turn.u) * player.mass;
+  decided.jBefore = j;
+  decided.braked = j == jBegan ? (lastLeg(i).u - turn.u) * massOf(i, j)
+                               : lastLeg(i).u * massOf(i, jBegan) - turn.u * massOf(i, j);
   accounts_.radiated = accounts_.radiated + decided.radiated;
   accounts_.taken = accounts_.taken + decided.taken;
   accounts_.braked = accounts_.braked + decided.braked;
-  history.addLeg(player.file, decided.leg, decided.signal);
+  history.addLeg(player.file, decided.leg, decided.turning, decided.signal);
   rollbackWindow_ = std::max(rollbackWindow_, 4.0 * decided.leg.u.t * discs_[i].radius);
   if (convention_ == TurnConvention::signalAtCentre && decided.leg.u.t > gammaBound_) cellsTooSmall_ = true;
 
   const bool atOnce = player.decided.empty() && (turn.x.t <= discs_[i].start.t || decided.atOnce ||
                                                  convention_ == TurnConvention::simultaneousWithContact);
   if (atOnce) {
-    beginLeg(i, decided.leg);
+    beginLeg(i, decided.leg, decided.turning);
   } else {
     player.decided.push_back(decided);
     discs_[i].turnsAt = player.decided.front().leg.start.t;
   }
 }
 
-void CollisionScheduler::beginLeg(int i, const Leg& leg) {
+void CollisionScheduler::beginLeg(int i, const Leg& leg, const Turning& turning) {
   PuckState& player = pucks_[i];
+  if (turns_) spins_[i].turning = turning;
   player.properTime = leg.properTime;
   player.decidedAt = -kNever;
   ++player.legNumber;
@@ -239,8 +299,9 @@ void CollisionScheduler::beginLeg(int i, const Leg& leg) {
 void CollisionScheduler::beginCommitted(int i) {
   PuckState& player = pucks_[i];
   const Leg leg = player.decided.front().leg;
+  const Turning turning = player.decided.front().turning;
   player.decided.erase(player.decided.begin());
-  beginLeg(i, leg);
+  beginLeg(i, leg, turning);
 }
 
 // The stroke changes the leg being followed. Kicks decided but still on their way keep their impulse (a
@@ -251,7 +312,8 @@ void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
   PuckState& player = pucks_[i];
   const PuckStroke& s = strokes_[stroke];
   const auto sum = [&] {
-    return accounts_.radiated + accounts_.taken + accounts_.braked + lastLeg(i).u * player.mass;
+    return accounts_.radiated + accounts_.taken + accounts_.braked +
+           lastLeg(i).u * massOf(i, lastTurning(i).j);
   };
   const Vec21 before = sum();
   std::erase(player.strokes, stroke);
@@ -268,16 +330,18 @@ void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
   LegState struck = s.fromHand ? signalArrives(followed, s.hand, s.height) : momentAt(followed, s.hand.t);
   // Light that arrives as a turn does may by rounding find the new leg before it begins.
   if (struck.x.t < followed.start.t) struck = {followed.start, followed.u, followed.properTime};
-  const Vec21 u = fourVelocity(struck.u.x + s.px / player.mass, struck.u.y + s.py / player.mass);
+  const Turning turning = turningAt(i, struck.properTime);
+  const auto [u, j] = struckBy(i, s, struck.u, turning.j);
   const std::size_t struckLeg = legsBegun(i);
   CommittedLeg decided;
   if (!onTheirWay.empty()) history.noteChange(struck.x);
   decided.leg = {struck.x, u, struck.properTime, brake_};
+  decided.turning = {j, turning.angle};
   decided.signal = struck.x;
   decided.atOnce = true;
   decided.event = history.addStroke(static_cast<std::uint32_t>(stroke), s.fromHand ? s.hand : struck.x,
                                     player.height + (s.fromHand ? s.height : 0.0));
-  history.addTurn(decided.event, player.file, struck, u);
+  history.addTurn(decided.event, player.file, struck, u, {turning.j, j});
   decide(i, decided, struck, history);
   player.lastPartner = -1;
 
@@ -292,7 +356,8 @@ void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
         (old.isPrevented(struckLeg, struck.x.t) || !(cushions_[old.cushion].towards(leg.u) > 0.0))) {
       accounts_.heat -= old.heat;
       history.changeBounce(old.event, old.contact, true, 0.0);
-      history.changeTurn(old.event, player.file, {leg.start, leg.u, leg.properTime}, leg.u);
+      const double kept = lastTurning(i).j;
+      history.changeTurn(old.event, player.file, {leg.start, leg.u, leg.properTime}, leg.u, {kept, kept});
     } else {
       placeAnew(i, old, history);
     }
@@ -317,21 +382,36 @@ void CollisionScheduler::placeAnew(int i, CommittedLeg kick, GameHistory& histor
   const double oldHeat = kick.heat;
   kick.leg.start = turn.x;
   kick.leg.properTime = turn.properTime;
+  const Turning turning = turningAt(i, turn.properTime);
   if (kick.cushion >= 0) {
     const double e = restitution(i, cushionRestitution_, turn.x.t);
-    const auto bounced = kickOffCushion(cushions_[kick.cushion], turn.u, player.mass, e);
-    kick.heat = bounced ? bounced->heat : 0.0;
-    kick.leg.u = bounced ? bounced->u : turn.u;
-    kick.taken = turn.u * player.mass - kick.leg.u * (player.mass + kick.heat);
+    const auto bounced = cushionKick(i, kick.cushion, turn.u, turning.j, e);
+    kick.heat = bounced ? bounced->centre.heat : 0.0;
+    kick.leg.u = bounced ? bounced->centre.u : turn.u;
+    kick.turning = {bounced ? bounced->j : turning.j, turning.angle};
+    kick.taken = turn.u * massOf(i, turning.j) - kick.leg.u * (massOf(i, kick.turning.j) + kick.heat);
   } else {
-    kick.leg.u =
-        fourVelocity(turn.u.x + kick.leg.u.x - kick.uBefore.x, turn.u.y + kick.leg.u.y - kick.uBefore.y);
+    giveAnew(i, turn.u, turning, kick);
   }
   kick.radiated = kick.leg.u * kick.heat;
   accounts_.heat += kick.heat - oldHeat;
   noteBounce(kick, history);
-  history.changeTurn(kick.event, player.file, turn, kick.leg.u);
+  history.changeTurn(kick.event, player.file, turn, kick.leg.u, {turning.j, kick.turning.j});
   decide(i, kick, turn, history);
+}
+
+// The kick of another puck on its way gives the impulse and the spin that it would have given.
+void CollisionScheduler::giveAnew(int i, const Vec21& u, const Turning& turning, CommittedLeg& kick) const {
+  const double before = massOf(i, kick.jBefore), after = massOf(i, kick.turning.j);
+  const Turning turned{turning.j + (kick.turning.j - kick.jBefore), turning.angle};
+  const double now = massOf(i, turning.j), then = massOf(i, turned.j);
+  if (before == after && now == then && before == now) {
+    kick.leg.u = fourVelocity(u.x + kick.leg.u.x - kick.uBefore.x, u.y + kick.leg.u.y - kick.uBefore.y);
+  } else {
+    const Vec21 impulse = kick.leg.u * after - kick.uBefore * before;
+    kick.leg.u = fourVelocity((u.x * now + impulse.x) / then, (u.y * now + impulse.y) / then);
+  }
+  kick.turning = turned;
 }
 
 void CollisionScheduler::noteBounce(const CommittedLeg& decided, GameHistory& history) const {

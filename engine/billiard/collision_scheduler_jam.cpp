@@ -67,7 +67,8 @@ bool CollisionScheduler::isPressed(int i, double t) const {
 // where none closes on another.
 void CollisionScheduler::settle(const std::array<int, 2>& who, const PairContact& contact,
                                 const std::array<LegState, 2>& turn, GameHistory& history) {
-  const std::array<double, 2> mass{pucks_[who[0]].mass, pucks_[who[1]].mass};
+  const std::array<double, 2> mass{massOf(who[0], turningAt(who[0], turn[0].properTime).j),
+                                   massOf(who[1], turningAt(who[1], turn[1].properTime).j)};
   const std::optional<PairKick> kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u}, mass, 0.0);
   if (!kick) return;
   double hardest = kick->closing;
@@ -99,6 +100,8 @@ void CollisionScheduler::addMember(int i, const LegState& turn) {
   Member member;
   member.puck = i;
   member.turn = turn;
+  member.turning = turningAt(i, turn.properTime);
+  member.mass = massOf(i, member.turning.j);
   member.u = turn.u;
   for (std::size_t cushion = 0; cushion < cushions_.size(); ++cushion) {
     if (cushions_[cushion].inside(turn.x) <= discs_[i].radius * (1.0 + kTouching))
@@ -169,7 +172,7 @@ void CollisionScheduler::gatherJam(const std::array<int, 2>& who, const PairCont
 void CollisionScheduler::leaveCushions(Member& member, double slow) {
   for (std::size_t cushion = 0; cushion < cushions_.size(); ++cushion) {
     if ((member.cushions >> cushion & 1u) == 0 || !(cushions_[cushion].towards(member.u) > slow)) continue;
-    const double mass = pucks_[member.puck].mass;
+    const double mass = member.mass;
     const auto kick = kickOffCushion(cushions_[cushion], member.u, mass, 0.0);
     member.heat += kick->heat;
     member.radiated = member.radiated + kick->u * kick->heat;
@@ -187,7 +190,7 @@ void CollisionScheduler::relax(double slow) {
       Member &one = members_[press.first], &two = members_[press.second];
       if (one.changed < sweep - 1 && two.changed < sweep - 1) continue;
       const Pose pose = poseOf(one.turn.x, one.u, two.turn.x, two.u);
-      const std::array<double, 2> mass{pucks_[one.puck].mass, pucks_[two.puck].mass};
+      const std::array<double, 2> mass{one.mass, two.mass};
       const std::optional<PairKick> kick = kickPair(pose.U, pose.n, {one.u, two.u}, mass, 0.0);
       if (!kick || kick->closing < slow) continue;
       settled = false;
@@ -226,7 +229,7 @@ void CollisionScheduler::moveOnTogether(double slow) {
     for (const Member& member : members_) {
       if (member.body != static_cast<int>(first)) continue;
       differ = differ || member.u.x != members_[first].u.x || member.u.y != members_[first].u.y;
-      sum = sum + member.u * pucks_[member.puck].mass;
+      sum = sum + member.u * member.mass;
       cushions |= member.cushions;
     }
     if (!differ && cushions == 0) continue;
@@ -234,7 +237,7 @@ void CollisionScheduler::moveOnTogether(double slow) {
     const Vec21 u = differ ? fourVelocity(sum.x * perMass, sum.y * perMass) : members_[first].u;
     for (Member& member : members_) {
       if (member.body != static_cast<int>(first)) continue;
-      const double heat = 0.5 * pucks_[member.puck].mass * relative2(member.u, u);
+      const double heat = 0.5 * member.mass * relative2(member.u, u);
       member.heat += heat;
       member.radiated = member.radiated + u * heat;
       member.u = u;
@@ -255,12 +258,13 @@ void CollisionScheduler::commitJam(const PairContact& contact, GameHistory& hist
     PuckState& player = pucks_[i];
     CommittedLeg decided;
     decided.leg = {member.turn.x, member.u, member.turn.properTime, brake_};
+    decided.turning = member.turning;
     decided.signal = member.turn.x;
     decided.event = history.addJam(contact.event, member.heat * c_m_s_ * c_m_s_);
     decided.heat = member.heat;
     decided.radiated = member.radiated;
     decided.taken = member.taken;
-    history.addTurn(decided.event, player.file, member.turn, member.u);
+    history.addTurn(decided.event, player.file, member.turn, member.u, {member.turning.j, member.turning.j});
     accounts_.heat += member.heat;
     heat += member.heat;
     const double delay =

@@ -39,6 +39,8 @@ struct Turn {
   Vec2 betaBefore{0.0};
   Vec2 betaAfter{0.0};
   double properTime_s = 0.0;  ///< the puck's own clock
+  double spinBefore_kg_m2_s = 0.0;
+  double spinAfter_kg_m2_s = 0.0;
 };
 
 /// The turns of one event: none, one or two, held in place.

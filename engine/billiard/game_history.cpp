@@ -15,19 +15,26 @@ Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }
 GameHistory::GameHistory(const BilliardSetup& setup)
     : c_m_s_(setup.lightSpeed_m_s),
       friction_m_s2_(setup.rules.friction_m_s2),
+      slowing_1_s_(setup.rules.spinDeceleration_m_s2 / setup.lightSpeed_m_s),
       forgottenLegs_(setup.pucks.size(), 0) {
   for (const Puck& puck : setup.pucks) {
     const double height_m = 0.5 * puck.height_m;
-    height_m_.push_back(height_m);
+    shapes_.push_back({height_m, puck.radius_m, {puck.mass_kg, puck.inertia * puck.mass_kg}});
     const Event start{0.0, {puck.position_m.x, puck.position_m.y, height_m}};
     const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta));
-    const Knot first{start, {gamma * puck.beta.x, gamma * puck.beta.y, 0.0}, 0.0, start, friction_m_s2_};
+    const Turning turning{puck.spin_kg_m2_s / (puck.radius_m * c_m_s_), 0.0};
+    const Knot first{start,
+                     {gamma * puck.beta.x, gamma * puck.beta.y, 0.0},
+                     0.0,
+                     start,
+                     friction_m_s2_,
+                     spinOf(shapes_.size() - 1, turning)};
     lines_.emplace_back(first, c_m_s_, std::hypot(puck.radius_m, height_m));
   }
 }
 
-void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Vec21& signal) {
-  newLegs_.push_back({puck, leg, signal});
+void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Turning& turning, const Vec21& signal) {
+  newLegs_.push_back({puck, leg, turning, signal});
   if (newLegs_.size() == kMostNewLegs) complete();
 }
 
@@ -41,12 +48,13 @@ void GameHistory::complete() {
       for (std::size_t byte = 0; byte < sizeof(WorldLine); byte += 64) __builtin_prefetch(line + byte);
     }
     if (k + kEnds < newLegs_.size()) lines_[newLegs_[k + kEnds].puck].fetchEnd();
-    const auto& [puck, leg, signal] = newLegs_[k];
+    const auto& [puck, leg, turning, signal] = newLegs_[k];
     lines_[puck].append({eventOf(puck, leg.start),
                          {leg.u.x, leg.u.y, 0.0},
                          leg.properTime / c_m_s_,
                          eventOf(puck, signal),
-                         friction_m_s2_});
+                         friction_m_s2_,
+                         spinOf(puck, turning)});
   }
   newLegs_.clear();
 }
@@ -93,10 +101,10 @@ std::uint64_t GameHistory::addFlash(std::uint32_t flash, const Event& at) {
   return event.number;
 }
 
-void GameHistory::addTurn(std::uint64_t event, std::size_t puck, const LegState& before,
-                          const Vec21& uAfter) {
+void GameHistory::addTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter,
+                          const TurnedSpin& spin) {
   GameEvent& noted = events_[event - forgottenEvents_];
-  noted.turns.push_back(turnOf(puck, before, uAfter));
+  noted.turns.push_back(turnOf(puck, before, uAfter, spin));
   if (noted.kind != EventKind::stroke) noted.at.r_m.z = noted.turns[0].event.r_m.z;
 }
 
@@ -106,10 +114,10 @@ GameEvent& GameHistory::change(std::uint64_t event) {
 }
 
 void GameHistory::changeTurn(std::uint64_t event, std::size_t puck, const LegState& before,
-                             const Vec21& uAfter) {
+                             const Vec21& uAfter, const TurnedSpin& spin) {
   if (event < forgottenEvents_) return;
   for (Turn& turn : change(event).turns) {
-    if (turn.puck == puck) turn = turnOf(puck, before, uAfter);
+    if (turn.puck == puck) turn = turnOf(puck, before, uAfter, spin);
   }
 }
 
@@ -139,11 +147,26 @@ void GameHistory::forgetBefore(double t_s) {
 }
 
 Event GameHistory::eventOf(std::size_t puck, const Vec21& x) const {
-  return {x.t / c_m_s_, {x.x, x.y, height_m_[puck]}};
+  return {x.t / c_m_s_, {x.x, x.y, shapes_[puck].height_m}};
 }
 
-Turn GameHistory::turnOf(std::size_t puck, const LegState& before, const Vec21& uAfter) const {
-  return {puck, eventOf(puck, before.x), betaOf(before.u), betaOf(uAfter), before.properTime / c_m_s_};
+Turn GameHistory::turnOf(std::size_t puck, const LegState& before, const Vec21& uAfter,
+                         const TurnedSpin& spin) const {
+  const double perJ = shapes_[puck].radius_m * c_m_s_;
+  return {puck,
+          eventOf(puck, before.x),
+          betaOf(before.u),
+          betaOf(uAfter),
+          before.properTime / c_m_s_,
+          spin.before * perJ,
+          spin.after * perJ};
+}
+
+Spin GameHistory::spinOf(std::size_t puck, const Turning& turning) const {
+  if (turning.j == 0.0) return {.angle_rad = turning.angle};
+  const Shape& shape = shapes_[puck];
+  return {turning.angle, rimBeta(shape.body, turning.j) * (c_m_s_ / shape.radius_m),
+          turning.j / shape.body.rim, slowing_1_s_};
 }
 
 }  // namespace carom

@@ -10,8 +10,14 @@
 
 #include "engine/billiard/billiard_setup.h"
 #include "engine/collision/puck_leg.h"
+#include "engine/collision/turning.h"
 
 namespace carom {
+
+/// The spin of a puck at a turn, as J/(R c).
+struct TurnedSpin {
+  double before = 0.0, after = 0.0;
+};
 
 class GameHistory {
  public:
@@ -19,7 +25,7 @@ class GameHistory {
 
   /// Adds a leg to a puck's world line; `complete` makes it visible. `signal` is the event from which the
   /// rest of the puck learns of it.
-  void addLeg(std::size_t puck, const Leg& leg, const Vec21& signal);
+  void addLeg(std::size_t puck, const Leg& leg, const Turning& turning, const Vec21& signal);
   /// Appends the added legs to the world lines.
   void complete();
   /// Removes all legs of a puck but the first `legs`, counted from the start of the game.
@@ -33,9 +39,11 @@ class GameHistory {
   /// Adds a stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
   std::uint64_t addStroke(std::uint32_t stroke, const Vec21& at, double height_m);
   std::uint64_t addFlash(std::uint32_t flash, const Event& at);
-  void addTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter);
+  void addTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter,
+               const TurnedSpin& spin);
   /// Replaces the turn of a puck in an event; does nothing if the event is already forgotten.
-  void changeTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter);
+  void changeTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter,
+                  const TurnedSpin& spin);
   /// Replaces the contact, `withoutDelay` and the heat of a collision with a cushion; does nothing if the
   /// event is already forgotten.
   void changeBounce(std::uint64_t event, const Vec21& contact, bool withoutDelay, double heat_j);
@@ -61,17 +69,26 @@ class GameHistory {
   struct NewLeg {
     std::size_t puck = 0;
     Leg leg;
+    Turning turning;
     Vec21 signal;
+  };
+  // What of a puck the events and the world lines need.
+  struct Shape {
+    double height_m = 0.0;  // of the centre
+    double radius_m = 0.0;
+    SpinningBody body;
   };
   GameEvent& add(EventKind kind, const Event& at);
   /// Returns an event for changing it, and notes that it changes.
   GameEvent& change(std::uint64_t event);
   Event eventOf(std::size_t puck, const Vec21& x) const;
-  Turn turnOf(std::size_t puck, const LegState& before, const Vec21& uAfter) const;
+  Turn turnOf(std::size_t puck, const LegState& before, const Vec21& uAfter, const TurnedSpin& spin) const;
+  Spin spinOf(std::size_t puck, const Turning& turning) const;
 
   double c_m_s_;
   double friction_m_s2_;
-  std::vector<double> height_m_;  // of each puck's centre
+  double slowing_1_s_;  // of the rims' γβ
+  std::vector<Shape> shapes_;
   std::vector<WorldLine> lines_;
   std::vector<NewLeg> newLegs_;  // legs that are not in the lines yet
   std::vector<GameEvent> events_;

@@ -40,6 +40,22 @@ void checkRules(const BilliardSetup& setup) {
   if (!(rules.friction_m_s2 >= 0.0 && std::isfinite(rules.friction_m_s2))) {
     refuse("friction ", rules.friction_m_s2, " m/s²: expected 0 or a positive number");
   }
+  for (const double mu : {rules.puckFriction, rules.cushionFriction}) {
+    if (!(mu >= 0.0)) refuse("coefficient of friction ", mu, ": expected 0, a positive number or infinity");
+  }
+  if (!(rules.tangentialRestitution >= 0.0 && rules.tangentialRestitution <= 1.0))
+    refuse("tangential restitution ", rules.tangentialRestitution, ": expected a number from 0 to 1");
+  if (!(rules.spinDeceleration_m_s2 >= 0.0 && std::isfinite(rules.spinDeceleration_m_s2)))
+    refuse("spin deceleration ", rules.spinDeceleration_m_s2, " m/s²: expected 0 or a positive number");
+}
+
+void checkSpin(const Puck& puck, double c_m_s) {
+  if (!(puck.inertia > 0.0 && puck.inertia <= 1.0))
+    refuse("puck \"", puck.name, "\": inertia ", puck.inertia, ": expected a number above 0, at most 1");
+  const double u = rimUOf(puck, puck.spin_kg_m2_s, c_m_s);
+  if (!(std::abs(u / std::sqrt(1.0 + u * u)) < 1.0))
+    refuse("puck \"", puck.name, "\": spin ", puck.spin_kg_m2_s,
+           " kg m²/s: expected one with which the rim is slower than light");
 }
 
 void checkPuck(const BilliardSetup& setup, const Puck& puck) {
@@ -60,6 +76,7 @@ void checkPuck(const BilliardSetup& setup, const Puck& puck) {
            " c: expected less than 1");
   }
   const double c = setup.lightSpeed_m_s;
+  checkSpin(puck, c);
   if (!(puck.radius_m * setup.rules.friction_m_s2 < 0.5 * c * c)) {
     refuse("puck \"", puck.name, "\": friction × radius is ", puck.radius_m * setup.rules.friction_m_s2,
            " m²/s²: expected less than c²/2 = ", 0.5 * c * c, ", or its rim would outrun light");
@@ -142,6 +159,11 @@ void checkStroke(const BilliardSetup& setup, const Stroke& stroke, std::size_t n
   }
   if (stroke.at_s < 0.0) {
     refuse("stroke ", number, " on puck \"", name, "\": at ", stroke.at_s, " s: expected 0 or later");
+  }
+  const double radius_m = setup.pucks[stroke.puck].radius_m;
+  if (!(std::abs(stroke.offset_m) <= radius_m)) {
+    refuse("stroke ", number, " on puck \"", name, "\": ", stroke.offset_m,
+           " m beside its centre: expected at most its radius, ", radius_m, " m");
   }
 }
 

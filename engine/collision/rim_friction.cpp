@@ -25,6 +25,7 @@ double rootBetween(const Function& f, double low, double high, double guess, dou
   double x = guess > low && guess < high ? guess : 0.5 * (low + high);
   for (int i = 0; i < kSteps; ++i) {
     const Sloped at = f(x);
+    if (at.value == 0.0) return x;
     (at.value > 0.0 ? high : low) = x;
     double next = x - at.value / at.slope;
     const bool steep = !(std::abs(at.value) < 1.0);  // towards the ends it grows without bound
@@ -45,15 +46,15 @@ struct Momentum {
   Momentum(double mass, double energy, double across_, double along) : across(across_) {
     const double product = mass * mass + across_ * across_;
     plus = along < 0.0 ? product / (energy - along) : energy + along;
-    minus = along < 0.0 ? energy - along : product / (energy + along);
+    minus = along > 0.0 ? product / (energy + along) : energy - along;
   }
   /// The same in a frame that moves along the tangent with the celerity u = γ_w w: E ± p_t by k∓¹, with the
-  /// Doppler factor k = γ_w (1 + w).
+  /// Doppler factor k = γ_w (1 + w). Mirrored, it gives the mirrored bits.
   Momentum from(double u) const {
-    const double larger = std::abs(u) + std::sqrt(1.0 + u * u), k = u < 0.0 ? 1.0 / larger : larger;
+    const double k = std::abs(u) + std::sqrt(1.0 + u * u);
     Momentum moved = *this;
-    moved.plus /= k;
-    moved.minus *= k;
+    moved.plus = u < 0.0 ? plus * k : plus / k;
+    moved.minus = u < 0.0 ? minus / k : minus * k;
     return moved;
   }
   double energy() const { return 0.5 * (plus + minus); }
@@ -123,7 +124,7 @@ class Pressed {
     const auto [s, c] = portableSinCos(0.5 * delta);
     const double middle = cos_ * c - sin_ * s;
     const double risen = 2.0 * s * middle;
-    return {sin_ + risen, cos_ * (c - s) * (c + s) - 2.0 * sin_ * s * c, energy_ * risen,
+    return {sin_ + risen, cos_ * ((c - s) * (c + s)) - 2.0 * sin_ * s * c, energy_ * risen,
             delta == 0.0 ? middle : risen / delta};
   }
 
@@ -195,9 +196,12 @@ double celerityOfWall(const std::array<InCentreOfMass, 2>& pucks, const RimRules
   };
   const double ends[]{pucks[0].rimCelerity(rules.restitution), -pucks[1].rimCelerity(rules.restitution)};
   double low = std::min(ends[0], ends[1]), high = std::max(ends[0], ends[1]);
-  double below = difference(low), above = difference(high);
-  if (!(below < 0.0)) return low;
-  if (!(above > 0.0)) return high;
+  double below = difference(low);
+  near = {};  // leaves no trace of which end was first
+  double above = difference(high);
+  near = {};
+  const bool atLow = !(below < 0.0), atHigh = !(above > 0.0);
+  if (atLow || atHigh) return atLow && atHigh ? 0.5 * (low + high) : atLow ? low : high;
   constexpr int kSteps = 100;
   double u = low;
   bool raised = false, lowered = false;  // by the last step

@@ -1,5 +1,5 @@
-// The emission solve, once: this text and the three before it (leg_kernel, spin_kernel and glide_kernel.glsl, in
-// this order) are compiled as GLSL in the vertex shader and as C++ (over GLM) in engine/light/emission_kernel.h.
+// The emission solve, once: this text and the four before it (leg_kernel, spin_kernel, glide_kernel and
+// turning_kernel.glsl, in this order) are compiled as GLSL in the vertex shader and as C++ (over GLM) in engine/light/emission_kernel.h.
 // Whoever includes them provides the types real, vec2, vec3, vec4, mat4, the type LEGS by which legs are reached,
 // KERNEL (what a function definition begins with), INOUT(type) (a parameter that is changed), UNROLLED (what a
 // loop begins with that is to be written out), the numbers MAX_PIECES and CATCH_UP_SPEED and, afterwards, the
@@ -28,14 +28,15 @@ struct VertexEmission {
 /// The vertex's emission if it kept to this leg always.
 KERNEL vec4 emissionOnLeg(LegView leg, vec3 d, bool retarded, bool contracted) {
   if (!retarded && !contracted) return vec4(real(0), carriedAlong(leg, vec4(real(0)), d));
+  if (leg.spin.w > real(0)) {
+    bool uniform_ = !(leg.glide.w > real(0)) && !isSlowed(leg);
+    if (contracted && retarded && uniform_) return spinEmission(leg, d, int(leg.spin.w));
+    if (contracted) return retarded ? turningEmission(leg, d) : turningMoment(leg, d);
+    d = spinStart(leg, d);  // uncontracted, all points have the angle that the centre shows
+  }
   if (leg.glide.w > real(0)) {
     real s = retarded ? glideEmission(leg, d, contracted) : glideMoment(leg, d, contracted);
     return glideEvent(leg, d, s, contracted);
-  }
-  if (leg.spin.w > real(0)) {
-    if (contracted && retarded) return spinEmission(leg, d, int(leg.spin.w));
-    if (contracted) return spinEvent(leg, d, spinMoment(leg, d));
-    d = spinStart(leg, d);  // uncontracted, all points have the angle that the centre shows
   }
   vec3 place = contracted ? d : stretched(leg, d);
   if (!retarded) return momentOn(Piece(vec4(real(0), place), vec3(real(0))), leg);
@@ -90,14 +91,14 @@ KERNEL void endCurvedPiece(INOUT(VertexPath) path, vec4 a, vec3 velocity) {
 /// then. Later pieces are dropped. The first piece has no beginning.
 KERNEL vec4 leaveLeg(INOUT(VertexPath) path, LegView leg, vec3 d, vec4 signal) {
   vec4 a = crossingOf(path.pieces[path.count - 1], signal);
-  if (leg.glide.w > real(0)) {
+  if (leg.spin.w > real(0)) {
+    real s = turningReached(leg, d, signal, real(1));
+    a = turningEvent(leg, d, s);
+    endCurvedPiece(path, a, velocityOf(turningFlow(leg, d, s)));
+  } else if (leg.glide.w > real(0)) {
     real s = glideCrossing(leg, d, signal);
     a = glideEvent(leg, d, s, true);
     endCurvedPiece(path, a, velocityOf(glideFlow(leg, d, s, true)));
-  }
-  if (leg.spin.w > real(0)) {
-    a = spinEvent(leg, d, spinReached(leg, d, signal, real(1)));
-    endCurvedPiece(path, a, spinVelocity(leg, vec3(a.y, a.z, a.w)));
   }
   while (path.count > 1 && a.x < path.pieces[path.count - 1].start.x) {
     path.count = path.count - 1;
@@ -127,12 +128,11 @@ KERNEL Joining joinLeg(LegView leg, vec3 d, vec4 a) {
   joining.rest.start = vec4(a.x + gapLength / catchUpSpeed(), d);
   joining.rest.velocity = vec3(real(0));
   bool curved = false;
-  if (leg.glide.w > real(0)) {
-    joining.rest.start = glideEvent(leg, d, glideJoining(leg, d, a), true);
-    curved = true;
-  }
   if (leg.spin.w > real(0)) {
-    joining.rest.start = spinEvent(leg, d, spinReached(leg, d, a, spinCatchUpSpeed(leg, d)));
+    joining.rest.start = turningEvent(leg, d, turningReached(leg, d, a, turningCatchUpSpeed(leg, d)));
+    curved = true;
+  } else if (leg.glide.w > real(0)) {
+    joining.rest.start = glideEvent(leg, d, glideJoining(leg, d, a), true);
     curved = true;
   }
   vec4 step = joining.rest.start - a;

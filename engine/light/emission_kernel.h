@@ -20,6 +20,7 @@
 
 namespace carom::kernel {
 using std::floor;
+using std::log;
 using std::sqrt;
 using real = double;
 using vec2 = glm::dvec2;
@@ -34,6 +35,7 @@ inline real max(real a, real b) { return a < b ? b : a; }
 #include "engine/light/leg_kernel.glsl"
 #include "engine/light/spin_kernel.glsl"
 #include "engine/light/glide_kernel.glsl"
+#include "engine/light/turning_kernel.glsl"
 #include "engine/light/emission_kernel.glsl"
 // clang-format on
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
@@ -45,6 +47,7 @@ inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
 
 namespace carom::kernel_float {
 using std::floor;
+using std::log;
 using std::sqrt;
 using real = float;
 using vec2 = glm::vec2;
@@ -59,6 +62,7 @@ inline real max(real a, real b) { return a < b ? b : a; }
 #include "engine/light/leg_kernel.glsl"
 #include "engine/light/spin_kernel.glsl"
 #include "engine/light/glide_kernel.glsl"
+#include "engine/light/turning_kernel.glsl"
 #include "engine/light/emission_kernel.glsl"
 // clang-format on
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }

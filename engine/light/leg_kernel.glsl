@@ -23,6 +23,8 @@ struct LegView {
   vec4 toMoment;       // m: row that gives the time of an event in the frame whose moment is shown, from the origin; γ_head γ
   vec4 spin;           // of a body that turns about its z: ω/c (1/m), cos and sin of its angle at the origin, the
                        // number of steps that find an emission; all 0 of a body that never turns
+  vec4 spinSlows;      // of a spin that the cloth slows: γβ of the rim at the origin, by how much it falls in a metre
+                       // of own time, own time from the origin to the turn, to rest; spin.x is then 1/R. 0: uniform
 };
 
 /// A straight piece of a vertex's world line, from `start` on.

@@ -122,12 +122,18 @@ bool restsForGood(std::span<const Knot> knots, std::size_t leg, const Motion& ce
          (leg + 1 == knots.size() || knots[leg + 1].signal.t_s >= rests_s);
 }
 
-/// What the kernel needs to know of a spin. Four steps of its search do for rims up to 0.99 c.
-glm::dvec4 spinOf(const Knot& knot, const Motion& centre, double radius_m, double c_m_s) {
-  if (!spins(knot)) return glm::dvec4(0.0);
-  const SinCos angle = portableSinCos(angleAfter(knot.spin, centre.properTime_s - knot.properTime_s));
-  const double turn_1_m = knot.spin.omega_rad_s / c_m_s;
-  return {turn_1_m, angle.cos, angle.sin, std::abs(turn_1_m) * radius_m <= 0.99 ? 4.0 : 6.0};
+/// Tells the kernel what it needs to know of a spin. Four steps of its search do for rims up to 0.99 c.
+void setSpin(const Knot& knot, const Motion& centre, double radius_m, double c_m_s, LegView& leg) {
+  if (!spins(knot)) return;
+  const Spin& spin = knot.spin;
+  const double own_s = centre.properTime_s - knot.properTime_s;
+  const SinCos angle = portableSinCos(angleAfter(spin, own_s));
+  const double turn_1_m = spin.omega_rad_s / c_m_s;
+  leg.spin = {turn_1_m, angle.cos, angle.sin, std::abs(turn_1_m) * radius_m <= 0.99 ? 4.0 : 6.0};
+  if (spin.slowing_1_s == 0.0 || spin.rim_u == 0.0) return;
+  leg.spin.x = turn_1_m * std::sqrt(1.0 + spin.rim_u * spin.rim_u) / spin.rim_u;  // 1/R
+  leg.spinSlows = {rimUAfter(spin, own_s), std::copysign(spin.slowing_1_s / c_m_s, spin.rim_u),
+                   -c_m_s * own_s, c_m_s * (std::abs(spin.rim_u) / spin.slowing_1_s - own_s)};
 }
 
 /// One leg as the eye sees it; `centre` is the centre's emission on it.
@@ -159,7 +165,7 @@ LegView viewLeg(const Knot& knot, const Motion& centre, const ViewQuery& ask, co
     leg.glide = {knot.u / uTurn, a};
     leg.glideTimes = {uTurn, glm::length(centre.u), turn_m, turn_m + uTurn / a};
   }
-  leg.spin = spinOf(knot, centre, radius_m, c_m_s);
+  setSpin(knot, centre, radius_m, c_m_s, leg);
   return leg;
 }
 
@@ -190,7 +196,8 @@ kernel_float::LegView toFloat(const LegView& leg) {
           glm::vec4(leg.glide),
           glm::vec4(leg.glideTimes),
           glm::vec4(leg.toMoment),
-          glm::vec4(leg.spin)};
+          glm::vec4(leg.spin),
+          glm::vec4(leg.spinSlows)};
 }
 
 ViewFrame::ViewFrame(const Lorentz& headFromBoard, const Switches& switches, ViewTime moment)

@@ -72,7 +72,7 @@ template <bool kDetails, int kSteps>
     if constexpr (kDetails) {
       // The light's way against the four-velocity γ_w (1, w) of the point.
       const vec3 place(event.y, event.z, event.w);
-      const vec3 w = kernel_float::spinVelocity(leg, place);
+      const vec3 w = leg.spin.x * vec3(-place.y, place.x, 0.0F);
       const float way = kernel_float::distanceInBody(leg, event) - glm::dot(w, leg.eye - place);
       doppler[i] = dopplerOf(seen, way) * std::sqrt(1.0F - glm::dot(w, w));
       boardTime[i] = kernel_float::boardTimeOf(leg, event);
@@ -172,11 +172,12 @@ void betweenTwoLegsBaseline(const FloatLeg& from, const FloatLeg& to, const Bloc
 
 bool glides(const LegView& leg) { return leg.glide.w > 0.0; }
 bool spins(const LegView& leg) { return leg.spin.w > 0.0; }
+bool spinsUniformly(const LegView& leg) { return spins(leg) && !glides(leg) && !kernel::isSlowed(leg); }
 
 /// (γ, γβ) in the frame of the leg of a vertex that keeps to it: at rest, but for friction and spin.
 glm::dvec4 fourVelocity(const LegView& leg, const Vec3& offset, const glm::dvec4& event) {
   if (spins(leg)) {
-    const Vec3 w = kernel::spinVelocity(leg, Vec3(event.y, event.z, event.w));
+    const Vec3 w = kernel::spinVelocity(leg, Vec3(event.y, event.z, event.w), event.x);
     return glm::dvec4(1.0, w) / std::sqrt(1.0 - glm::dot(w, w));
   }
   if (!glides(leg)) return {1.0, 0.0, 0.0, 0.0};
@@ -217,7 +218,7 @@ void solveBlock(const BodyView& view, const std::array<FloatLeg, 2>& legs, Instr
     (avx2 ? onOneLegAvx2<kDetails> : onOneLegBaseline<kDetails>)(legs[0], block);
   } else if (view.legs.size() == 2 && straight) {
     (avx2 ? betweenTwoLegsAvx2<kDetails> : betweenTwoLegsBaseline<kDetails>)(legs[0], legs[1], block);
-  } else if (view.legs.size() == 1 && spins(view.legs[0])) {
+  } else if (view.legs.size() == 1 && spinsUniformly(view.legs[0])) {
     const bool fast = view.legs[0].spin.w > 4.0;
     const auto solve =
         avx2 ? (fast ? onOneSpinningLegAvx2<kDetails, 6> : onOneSpinningLegAvx2<kDetails, 4>)

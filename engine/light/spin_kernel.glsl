@@ -27,18 +27,47 @@ KERNEL vec3 turnedBy(vec2 a, vec3 d) { return vec3(a.x * d.x - a.y * d.y, a.y * 
 /// d0: where the vertex is when the leg's time is 0.
 KERNEL vec3 spinStart(LegView leg, vec3 d) { return turnedBy(vec2(leg.spin.y, leg.spin.z), d); }
 
-/// The velocity, over c, of what is at x: ω/c ẑ × x.
-KERNEL vec3 spinVelocity(LegView leg, vec3 x) { return leg.spin.x * vec3(-x.y, x.x, real(0)); }
+KERNEL bool isSlowed(LegView leg) { return leg.spinSlows.y != real(0); }
 
-/// The vertex's event at the leg's time s.
-KERNEL vec4 spinEvent(LegView leg, vec3 d, real s) {
-  return vec4(s, turnedBy(cosSin(leg.spin.x * s), spinStart(leg, d)));
+/// The own time nearest to s within which the cloth slows the spin.
+KERNEL real withinSlowing(LegView leg, real s) { return min(max(s, leg.spinSlows.z), leg.spinSlows.w); }
+
+/// γβ of the rim at own time s: it falls evenly, is what it was at the turn before that, and ends at 0.
+KERNEL real slowedRim(LegView leg, real s) {
+  if (s >= leg.spinSlows.w) return real(0);
+  return leg.spinSlows.x - leg.spinSlows.y * (withinSlowing(leg, s) - withinSlowing(leg, real(0)));
 }
+
+/// ω/c at own time s.
+KERNEL real spinRate(LegView leg, real s) {
+  if (!isSlowed(leg)) return leg.spin.x;
+  real h = slowedRim(leg, s);
+  return leg.spin.x * h / sqrt(real(1) + h * h);
+}
+
+/// The angle by which it turns from the origin to own time s: with h the rim's γβ and Γ its γ, ∫ h/Γ ds =
+/// (s − o)(h_o + h)/(Γ_o + Γ) while it is slowed, which does not cancel.
+KERNEL real spinAngle(LegView leg, real s) {
+  if (!isSlowed(leg)) return leg.spin.x * s;
+  real r = withinSlowing(leg, s);
+  real o = withinSlowing(leg, real(0));
+  real hO = leg.spinSlows.x;
+  real h = slowedRim(leg, s);
+  real gammaO = sqrt(real(1) + hO * hO);
+  real gamma = sqrt(real(1) + h * h);
+  return leg.spin.x * ((r - o) * (hO + h) / (gammaO + gamma) + (s - r) * h / gamma + o * hO / gammaO);
+}
+
+/// The velocity, over c, of what is at x at own time s: ω/c ẑ × x.
+KERNEL vec3 spinVelocity(LegView leg, vec3 x, real s) { return spinRate(leg, s) * vec3(-x.y, x.x, real(0)); }
+
+/// The vertex's place at own time s.
+KERNEL vec3 spinPlace(LegView leg, vec3 d, real s) { return turnedBy(cosSin(spinAngle(leg, s)), spinStart(leg, d)); }
 
 /// A direction that the body carries along (a normal), as it points at an event of this leg.
 KERNEL vec3 carriedAlong(LegView leg, vec4 event, vec3 direction) {
   if (leg.spin.w == real(0)) return direction;
-  return turnedBy(cosSin(leg.spin.x * event.x), spinStart(leg, direction));
+  return spinPlace(leg, direction, event.x);
 }
 
 /// Where the vertex crosses the past cone of the eye. From where and when the eye sees the point of the
@@ -81,55 +110,4 @@ KERNEL vec4 spinEmission(LegView leg, vec3 d, int steps) {
     t = cosSinNear(omega * s);
   }
   return vec4(s - higher, turnedBy(t, p) + height);
-}
-
-/// The number of steps of the searches below: they are Newton's, and few vertices need them.
-KERNEL int spinSearchSteps() { return 12; }
-
-/// Where it crosses the plane of the moment that is shown: m·(s, x(s)) = 0, which rises: what is slower
-/// than light crosses it once, within |d| of the centre.
-KERNEL real spinMoment(LegView leg, vec3 d) {
-  vec3 d0 = spinStart(leg, d);
-  vec3 row = vec3(leg.toMoment.y, leg.toMoment.z, leg.toMoment.w);
-  real after = length(d) * real(1.00001);
-  real before = -after;
-  real s = -dot(row, d0) / leg.toMoment.x;
-  for (int i = 0; i < spinSearchSteps(); ++i) {
-    vec3 x = turnedBy(cosSin(leg.spin.x * s), d0);
-    real g = leg.toMoment.x * s + dot(row, x);
-    before = g > real(0) ? before : s;
-    after = g > real(0) ? s : after;
-    real next = s - g / (leg.toMoment.x + dot(row, spinVelocity(leg, x)));
-    bool inside = (next >= before) && (next <= after);
-    s = inside ? next : real(0.5) * (before + after);
-  }
-  return s;
-}
-
-/// When the vertex is as far from an earlier event as what left there at `speed` has come: speed (s − t) =
-/// |x(s) − x|. That rises where no point of the body is as fast.
-KERNEL real spinReached(LegView leg, vec3 d, vec4 from, real speed) {
-  vec3 d0 = spinStart(leg, d);
-  vec3 source = vec3(from.y, from.z, from.w);
-  real before = real(0);  // times are counted from the earlier event, which may lie far back
-  real after = (length(d) + length(source)) / speed * real(1.00001);
-  real s = length(turnedBy(cosSin(leg.spin.x * from.x), d0) - source) / speed;
-  for (int i = 0; i < spinSearchSteps(); ++i) {
-    vec3 x = turnedBy(cosSin(leg.spin.x * (from.x + s)), d0);
-    vec3 way = x - source;
-    real distance = length(way);
-    real g = speed * s - distance;
-    before = g > real(0) ? before : s;
-    after = g > real(0) ? s : after;
-    real next = s - g / (speed - dot(spinVelocity(leg, x), way) / max(distance, real(1e-9)));
-    bool inside = (next >= before) && (next <= after);
-    s = inside ? next : real(0.5) * (before + after);
-  }
-  return from.x + s;
-}
-
-/// The speed at which a vertex catches up with a leg on which it goes round: faster than it does, half way
-/// between its own speed and light's if that is more than catchUpSpeed.
-KERNEL real spinCatchUpSpeed(LegView leg, vec3 d) {
-  return max(catchUpSpeed(), real(0.5) + real(0.5) * length(spinVelocity(leg, d)));
 }

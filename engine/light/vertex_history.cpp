@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 
@@ -20,6 +21,7 @@ Vec3 contracted(const Vec3& d, const Vec3& u) {
 
 bool glides(const VertexPiece& piece) { return piece.onLeg && piece.onLeg->knot.deceleration_m_s2 > 0.0; }
 bool helical(const VertexPiece& piece) { return piece.onLeg && !glides(piece); }
+bool glidesAndSpins(const VertexPiece& piece) { return glides(piece) && spins(piece.onLeg->knot); }
 
 // A point of a spinning body in the rest frame of its leg, τ after the turn on the centre's clock.
 
@@ -30,8 +32,9 @@ Vec3 placeAboard(const VertexPiece::OnLeg& helix, double tau_s) {
 }
 
 /// w = ω ẑ × x, over c.
-Vec3 betaAboard(const VertexPiece::OnLeg& helix, const Vec3& place_m, double c_m_s) {
-  return helix.knot.spin.omega_rad_s / c_m_s * Vec3(-place_m.y, place_m.x, 0.0);
+Vec3 betaAboard(const VertexPiece::OnLeg& helix, double tau_s, double c_m_s) {
+  const Vec3 place_m = placeAboard(helix, tau_s);
+  return omegaAfter(helix.knot.spin, tau_s) / c_m_s * Vec3(-place_m.y, place_m.x, 0.0);
 }
 
 Event eventAboard(const VertexPiece::OnLeg& helix, double tau_s, double c_m_s) {
@@ -62,6 +65,53 @@ double tauMeeting(const VertexPiece::OnLeg& helix, const Displacement& from, dou
       },
       from.dt_s);
 }
+
+// A point of a body that glides and spins. At the centre's board time σ it is simultaneous with the centre, in the
+// centre's momentary rest frame, at board time t, turned as the centre's clock says and contracted as ever:
+//     t = σ + u(σ)·d'/c      x = centre(t) + L(v(t)) d'      d' = Rot(φ(τ(σ))) d
+// On a straight leg this is its helix, and without spin its glide. t rises with σ while (R a/c²)² + (β f)² < 1.
+struct SpinningGlide {
+  const VertexPiece::OnLeg& leg;
+  double c_m_s;
+
+  struct Moment {
+    Event event;
+    Displacement flow;  ///< a second of σ later
+  };
+
+  Motion centreAt(double sigma_s) const { return motionOnLeg(leg.knot, sigma_s, c_m_s); }
+  double timeAt(double sigma_s) const {
+    const Motion centre = centreAt(sigma_s);
+    return sigma_s + glm::dot(centre.u, placeAboard(leg, ownTime_s(centre))) / c_m_s;
+  }
+  double ownTime_s(const Motion& centre) const { return centre.properTime_s - leg.knot.properTime_s; }
+  double sigmaAt(double t_s) const {
+    return rootOfIncreasing([&](double sigma_s) { return timeAt(sigma_s) - t_s; }, t_s);
+  }
+  /// γβ's change in a second, and 0 before the turn and at rest.
+  Vec3 brakingAt(const Motion& centre) const {
+    const double size = glm::length(centre.u);
+    if (size == 0.0 || centre.event.t_s <= leg.knot.turn.t_s) return Vec3(0.0);
+    return centre.u * (-leg.knot.deceleration_m_s2 / (c_m_s * size));
+  }
+  Moment at(double sigma_s) const {
+    const Motion centre = centreAt(sigma_s);
+    const double own_s = ownTime_s(centre);
+    const Vec3 place_m = placeAboard(leg, own_s);
+    const Vec3 turned_m_s = betaAboard(leg, own_s, c_m_s) * (c_m_s / gammaFromU(centre.u));
+    const double t_s = sigma_s + glm::dot(centre.u, place_m) / c_m_s;
+    const double dt = 1.0 + (glm::dot(brakingAt(centre), place_m) + glm::dot(centre.u, turned_m_s)) / c_m_s;
+    const Motion then = centreAt(t_s);
+    const double gamma = gammaFromU(then.u), size = glm::length(then.u);
+    // The centre's motion with the change of the contraction, as in uAt, and the turning.
+    const Vec3 carried_m_s =
+        size == 0.0 ? Vec3(0.0)
+                    : then.u * (c_m_s / gamma) -
+                          brakingAt(then) * (glm::dot(place_m, then.u) / (gamma * gamma * gamma));
+    return {{t_s, then.event.r_m + contracted(place_m, then.u)},
+            {dt, carried_m_s * dt + contracted(turned_m_s, then.u)}};
+  }
+};
 
 /// An event in the leg's frame, from the turn.
 Displacement aboard(const Knot& knot, const Event& event, double c_m_s) {
@@ -125,8 +175,14 @@ VertexPiece pieceOnLeg(const Knot& knot, const Vec3& offset_m, const Event& star
 VertexPiece firstPiece(const Knot& knot, const Vec3& offset_m, double c_m_s) {
   const Event start{knot.turn.t_s, knot.turn.r_m + contracted(offset_m, knot.u)};
   VertexPiece piece = pieceOnLeg(knot, offset_m, start);
-  if (helical(piece)) piece.start.r_m = placeAt(piece, start.t_s, c_m_s);
+  if (piece.onLeg && spins(knot)) piece.start.r_m = placeAt(piece, start.t_s, c_m_s);
   return piece;
+}
+
+/// The speed, over c, at which a point catches up with the leg of the knot.
+double catchUpSpeedOf(const Knot& knot, const Vec3& offset_m, double c_m_s) {
+  if (!spins(knot)) return kCatchUpSpeed;
+  return std::max(kCatchUpSpeed, 0.5 + 0.5 * glm::length(betaAboard({knot, offset_m}, 0.0, c_m_s)));
 }
 
 /// Where a point that leaves `left` at catchUpSpeed, in the rest frame of the knot's turn, meets its place on
@@ -134,12 +190,13 @@ VertexPiece firstPiece(const Knot& knot, const Vec3& offset_m, double c_m_s) {
 Event joining(const Knot& knot, const Vec3& offset_m, const Event& left, double c_m_s) {
   const Lorentz boardFromBody = Lorentz::boost(knot.u, c_m_s);
   const Lorentz bodyFromBoard = boardFromBody.inverse();
+  const double speed = catchUpSpeedOf(knot, offset_m, c_m_s);
   if (knot.deceleration_m_s2 > 0.0) {
     const VertexPiece leg = pieceOnLeg(knot, offset_m, left);
     const double t_s = rootOfIncreasing(
         [&](double t) {
           const Displacement way = bodyFromBoard * (Event{t, placeAt(leg, t, c_m_s)} - left);
-          return kCatchUpSpeed * c_m_s * way.dt_s - glm::length(way.dr_m);
+          return speed * c_m_s * way.dt_s - glm::length(way.dr_m);
         },
         left.t_s);
     return {t_s, placeAt(leg, t_s, c_m_s)};
@@ -147,8 +204,6 @@ Event joining(const Knot& knot, const Vec3& offset_m, const Event& left, double 
   const Displacement leftInBody = bodyFromBoard * (left - knot.turn);
   if (spins(knot)) {
     const VertexPiece::OnLeg helix{knot, offset_m};
-    const double own = glm::length(betaAboard(helix, offset_m, c_m_s));
-    const double speed = std::max(kCatchUpSpeed, 0.5 + 0.5 * own);
     return eventAboard(helix, tauMeeting(helix, leftInBody, speed, 1.0, c_m_s), c_m_s);
   }
   const double gap_m = glm::length(offset_m - leftInBody.dr_m);
@@ -199,6 +254,10 @@ double integral(const Function& f, double a, double b) {
 
 Vec3 placeAt(const VertexPiece& piece, double t_s, double c_m_s) {
   if (helical(piece)) return eventAboard(*piece.onLeg, tauAt(*piece.onLeg, t_s, c_m_s), c_m_s).r_m;
+  if (glidesAndSpins(piece)) {
+    const SpinningGlide glide{*piece.onLeg, c_m_s};
+    return glide.at(glide.sigmaAt(t_s)).event.r_m;
+  }
   if (!glides(piece)) return piece.start.r_m + betaFromU(piece.u) * (c_m_s * (t_s - piece.start.t_s));
   const Motion centre = motionOnLeg(piece.onLeg->knot, t_s, c_m_s);
   return centre.event.r_m + contracted(piece.onLeg->offset_m, centre.u);
@@ -207,11 +266,15 @@ Vec3 placeAt(const VertexPiece& piece, double t_s, double c_m_s) {
 // On a glide with d∥ along the motion: β = (u/γ)(1 + a d∥/(c²γ²)), from d(1/γ)/dt = a u/(c γ³).
 Vec3 uAt(const VertexPiece& piece, double t_s, double c_m_s) {
   if (helical(piece)) {
-    const Vec3 place_m = placeAboard(*piece.onLeg, tauAt(*piece.onLeg, t_s, c_m_s));
-    const Vec3 w = uFromBeta(betaAboard(*piece.onLeg, place_m, c_m_s));
+    const Vec3 w = uFromBeta(betaAboard(*piece.onLeg, tauAt(*piece.onLeg, t_s, c_m_s), c_m_s));
     return (Lorentz::boost(piece.onLeg->knot.u, c_m_s) * Displacement{gammaFromU(w) / c_m_s, w}).dr_m;
   }
   if (!glides(piece)) return piece.u;
+  if (glidesAndSpins(piece)) {
+    const SpinningGlide glide{*piece.onLeg, c_m_s};
+    const Displacement flow = glide.at(glide.sigmaAt(t_s)).flow;
+    return uFromBeta(flow.dr_m / (c_m_s * flow.dt_s));
+  }
   const Knot& knot = piece.onLeg->knot;
   const Vec3 u = motionOnLeg(knot, t_s, c_m_s).u;
   const double size = glm::length(u);
@@ -221,27 +284,61 @@ Vec3 uAt(const VertexPiece& piece, double t_s, double c_m_s) {
   return uFromBeta(u / gamma * (1.0 + knot.deceleration_m_s2 * along_m / (c_m_s * c_m_s * gamma * gamma)));
 }
 
-double properTimeAt(const VertexPiece& piece, double t_s, double c_m_s) {
-  if (helical(piece)) {  // at the rate sqrt(1 − w²), w the same all the time
-    const double w = glm::length(betaAboard(*piece.onLeg, piece.onLeg->offset_m, c_m_s));
-    const double since_s = tauAt(*piece.onLeg, t_s, c_m_s) - tauAt(*piece.onLeg, piece.start.t_s, c_m_s);
-    return piece.properTime_s + since_s * std::sqrt((1.0 - w) * (1.0 + w));
-  }
-  if (!glides(piece)) return piece.properTime_s + (t_s - piece.start.t_s) / gammaFromU(piece.u);
-  const Knot& knot = piece.onLeg->knot;
-  const auto rate = [&](double t) { return 1.0 / gammaFromU(uAt(piece, t, c_m_s)); };
-  // The rate has kinks where the leg begins and where the body comes to rest.
-  const double rest_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
-  double sum_s = piece.properTime_s;
-  double from_s = piece.start.t_s;
-  for (const double kink_s : {std::min(knot.turn.t_s, t_s), std::min(rest_s, t_s), t_s}) {
-    if (kink_s <= from_s && kink_s != t_s) continue;
-    // Just inside the interval: at the turn itself the rate is the earlier leg's.
+namespace {
+
+/// ∫ of a rate that has kinks at those moments, in their order.
+template <typename Rate>
+double integralOver(const Rate& rate, double from_s, double to_s, std::initializer_list<double> kinks_s) {
+  double sum_s = 0.0;
+  const auto until = [&](double end_s) {
+    // Just inside the interval: at a kink itself the rate is the earlier one's.
     sum_s +=
-        integral([&](double t) { return rate(std::max(t, std::nextafter(from_s, kink_s))); }, from_s, kink_s);
-    from_s = kink_s;
+        integral([&](double t) { return rate(std::max(t, std::nextafter(from_s, end_s))); }, from_s, end_s);
+    from_s = end_s;
+  };
+  for (const double kink_s : kinks_s) {
+    if (kink_s > from_s && kink_s < to_s) until(kink_s);
   }
+  until(to_s);
   return sum_s;
+}
+
+/// How long the clock of a point that goes round counts between two board times. It goes at the rate
+/// sqrt(1 − w²).
+double countedOnHelix_s(const VertexPiece& piece, double t_s, double c_m_s) {
+  const VertexPiece::OnLeg& helix = *piece.onLeg;
+  const Spin& spin = helix.knot.spin;
+  const double from_s = tauAt(helix, piece.start.t_s, c_m_s), to_s = tauAt(helix, t_s, c_m_s);
+  const auto rate = [&](double tau_s) {
+    const double w = glm::length(betaAboard(helix, tau_s, c_m_s));
+    return std::sqrt((1.0 - w) * (1.0 + w));
+  };
+  if (spin.slowing_1_s == 0.0) return (to_s - from_s) * rate(0.0);
+  return integralOver(rate, from_s, to_s, {0.0, std::abs(spin.rim_u) / spin.slowing_1_s});
+}
+
+/// The same of a point of a body that glides, with the moments where the body turns and comes to rest.
+double countedOnGlide_s(const VertexPiece& piece, double t_s, double c_m_s) {
+  const Knot& knot = piece.onLeg->knot;
+  const double rest_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
+  if (!glidesAndSpins(piece)) {
+    const auto rate = [&](double t) { return 1.0 / gammaFromU(uAt(piece, t, c_m_s)); };
+    return integralOver(rate, piece.start.t_s, t_s, {knot.turn.t_s, rest_s});
+  }
+  const SpinningGlide glide{*piece.onLeg, c_m_s};
+  const auto rate = [&](double sigma_s) {
+    const Displacement flow = glide.at(sigma_s).flow;
+    return std::sqrt(std::max(interval_m2(flow, c_m_s), 0.0)) / c_m_s;
+  };
+  return integralOver(rate, glide.sigmaAt(piece.start.t_s), glide.sigmaAt(t_s), {knot.turn.t_s, rest_s});
+}
+
+}  // namespace
+
+double properTimeAt(const VertexPiece& piece, double t_s, double c_m_s) {
+  if (helical(piece)) return piece.properTime_s + countedOnHelix_s(piece, t_s, c_m_s);
+  if (glides(piece)) return piece.properTime_s + countedOnGlide_s(piece, t_s, c_m_s);
+  return piece.properTime_s + (t_s - piece.start.t_s) / gammaFromU(piece.u);
 }
 
 std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset_m) {
@@ -309,8 +406,9 @@ double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
 //     w u).
 // The last leg is joined (|x_N| + b + R)/w after A.
 double boundOfJoining_s(const WorldLine& line, std::size_t from) {
-  const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m(), w = kCatchUpSpeed;
-  const Knot& knot = line.knots().back();
+  const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m();
+  const std::span<const Knot> knots = line.knots();
+  const Knot& knot = knots.back();
   const std::vector<LegFrame> legs = framesFrom(line, from);
   const std::size_t count = legs.size();
   // Row j: b_j(q), and what it and the bodies' rims give for all later signal, U_q·(A − N_{j+1}).
@@ -332,6 +430,7 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
       const double gamma = gammaFromU(u), size = glm::length(u);
       double onLeg_m = furthestReach(x, u, radius_m);
       if (m > 0) {  // all had joined the first
+        const double w = spins(knots[from + m]) ? 1.0 : kCatchUpSpeed;
         onLeg_m = std::max(onLeg_m, (gamma + size) * (radius_m + glm::length(x)));
         onLeg_m = std::max(onLeg_m, bounds[m * count + q] + time_m(q, legs[m].signal - legs[m + 1].signal) +
                                         tau_m * (gamma + w * size));
@@ -342,7 +441,7 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   const Displacement signal = legs.back().fromBoard * (knot.signal - knot.turn);
   const double found_m = bounds.back();
   const double joined_s =
-      signal.dt_s + (found_m + (glm::length(signal.dr_m) + found_m + radius_m) / w) / c_m_s;
+      signal.dt_s + (found_m + (glm::length(signal.dr_m) + found_m + radius_m) / kCatchUpSpeed) / c_m_s;
   // Friction moves the goal by less than the way to it while R a < c²/2.
   return knot.deceleration_m_s2 > 0.0 ? 2.0 * joined_s : joined_s;
 }

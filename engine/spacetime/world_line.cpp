@@ -36,8 +36,26 @@ Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s) {
   return {{t_s, knot.turn.r_m + direction * distance_m}, direction * u1, knot.properTime_s + properTime_s, 0};
 }
 
+double rimUAfter(const Spin& spin, double own_s) {
+  if (spin.slowing_1_s == 0.0 || !(own_s > 0.0)) return spin.rim_u;
+  return std::copysign(std::max(std::abs(spin.rim_u) - spin.slowing_1_s * own_s, 0.0), spin.rim_u);
+}
+
+double omegaAfter(const Spin& spin, double own_s) {
+  const double u = rimUAfter(spin, own_s);
+  if (u == spin.rim_u) return spin.omega_rad_s;
+  return spin.omega_rad_s * (u / spin.rim_u) * std::sqrt((1.0 + spin.rim_u * spin.rim_u) / (1.0 + u * u));
+}
+
 double angleAfter(const Spin& spin, double own_s) {
-  return std::remainder(spin.angle_rad + spin.omega_rad_s * own_s, 2.0 * std::numbers::pi);
+  double effective_s = own_s;  // in which it would turn as far at its first rate
+  if (spin.slowing_1_s > 0.0 && own_s > 0.0 && spin.rim_u != 0.0) {
+    const double u0 = std::abs(spin.rim_u), u = std::abs(rimUAfter(spin, own_s));
+    const double gamma0 = std::sqrt(1.0 + u0 * u0), gamma = std::sqrt(1.0 + u * u);
+    const double slowed_s = std::min(own_s, u0 / spin.slowing_1_s);
+    effective_s = slowed_s * (gamma0 / u0) * (u0 + u) / (gamma0 + gamma);
+  }
+  return std::remainder(spin.angle_rad + spin.omega_rad_s * effective_s, 2.0 * std::numbers::pi);
 }
 
 WorldLine::WorldLine(const Knot& first, double c_m_s, double radius_m, double appears_s)

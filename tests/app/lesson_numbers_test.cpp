@@ -15,6 +15,7 @@
 #include "cave/frame/lesson_readings.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/light_cone.h"
+#include "engine/light/vertex_history.h"
 #include "engine/spacetime/lorentz.h"
 #include "engine/spacetime/observer.h"
 
@@ -467,6 +468,49 @@ TEST(LessonNumbers, SeenLength) {
   Numbers(claims(scenario)).has(beta, 1).has(coming, 0).has(going, 1).has(contracted, 1).has(1.0, 0);
   const Event now = Explained(scenario).observer.middle.observation;
   EXPECT_LT(centreSeen(line, now).u.x, 0.0) << "it comes at the moment";
+}
+
+// By the points' own world lines.
+TEST(LessonNumbers, RollingWheel) {
+  const Scenario scenario = shipped("rolling-wheel");
+  const Billiard game = played(scenario, 7.0);
+  const WorldLine& line = game.worldLines()[0];
+  const Puck& wheel = scenario.billiard.pucks[0];
+  const double c_m_s = scenario.billiard.lightSpeed_m_s, omega = line.knots()[0].spin.omega_rad_s;
+  EXPECT_EQ(game.events().size(), 0u) << "it touches the cushion and meets nothing";
+  const double hub = glm::length(betaFromU(line.at(1.0).u)), rim = omega * wheel.radius_m / c_m_s;
+  EXPECT_NEAR(rim, hub, 1e-12);
+  double slowest = 1.0, fastest = 0.0;
+  const auto history = vertexHistory(line, {wheel.radius_m, 0.0, 0.0});
+  for (double t_s = 1.0; t_s < 5.0; t_s += 1e-3) {
+    const double speed = glm::length(betaFromU(uAt(pieceAt(history, t_s), t_s, c_m_s)));
+    slowest = std::min(slowest, speed), fastest = std::max(fastest, speed);
+  }
+  EXPECT_LT(slowest, 5e-3) << "it rests: the second answer";
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  const double gamma = 1.0 / std::sqrt(1.0 - hub * hub);
+  Numbers(claims(scenario))
+      .has(hub, 1)
+      .has(2.0 * hub, 1)
+      .has(hub * hub, 2)
+      .has(fastest, 2)
+      .has(gamma, 2)
+      .has(0.0, 0)
+      .has(1.0, 0)
+      .has(2.0, 0);
+}
+
+TEST(LessonNumbers, SpinningDisc) {
+  const Scenario scenario = shipped("spinning-disc");
+  const Billiard game = played(scenario, 11.0);
+  const WorldLine& line = game.worldLines()[0];
+  const double c_m_s = scenario.billiard.lightSpeed_m_s, radius_m = scenario.billiard.pucks[0].radius_m;
+  const auto history = vertexHistory(line, {radius_m, 0.0, 0.0});
+  const double rim_s = properTimeAt(pieceAt(history, 10.0), 10.0, c_m_s);
+  const double rim = line.knots()[0].spin.omega_rad_s * radius_m / c_m_s, gamma = 10.0 / rim_s;
+  EXPECT_EQ(scenario.lesson->words.right, 1u) << "less";
+  const double gap_s = 2.0 * std::numbers::pi * radius_m * rim * gamma / c_m_s;
+  Numbers(claims(scenario)).has(rim, 1).has(gamma, 2).has(rim_s, 0).has(10.0, 0).has(gap_s, 2).has(2.0, 0);
 }
 
 TEST(LessonNumbers, SeenAtOnce) {

@@ -311,6 +311,23 @@ INSTANTIATE_TEST_SUITE_P(
               kHead + "[[body]]\nname = 'r'\nat = { t_s = 0, r_m = [0, 0, 0] }\n[[body.leg]]\nfrom_s = "
                       "2\nbeta = [0, 0, 0]\n",
               6, 10, "first leg"},
+        Fault{"friction below 0", kHead + "[physics]\npuck_friction = -1\n", 3, 17, "from 0"},
+        Fault{"friction of no number", kHead + "[physics]\ncushion_friction = nan\n", 3, 20, "is nan"},
+        Fault{"tangential restitution", kHead + "[physics]\ntangential_restitution = 2\n", 3, 26,
+              "from 0 to 1"},
+        Fault{"endless spin deceleration", kHead + "[physics]\nspin_deceleration_m_s2 = inf\n", 3, 26,
+              "is inf"},
+        Fault{"rim faster than light", kHead + kPuck + "spin_rad_s = -12\n", 8, 14,
+              "the rim would move at 1.2 c, expected less than 10 rad/s"},
+        Fault{"rim at light speed", kHead + kPuck + "spin_rad_s = 10\n", 8, 14, "at 1 c"},
+        Fault{"too much spin", kHead + kPuck + "spin_kg_m2_s = 1e8\n", 8, 16, "as fast as light"},
+        Fault{"spin said twice", kHead + kPuck + "spin_rad_s = 1\nspin_kg_m2_s = 0.1\n", 9, 16,
+              "one of them"},
+        Fault{"inertia of nothing", kHead + kPuck + "inertia = 0\n", 8, 11, "above 0"},
+        Fault{"inertia above a hoop's", kHead + kPuck + "inertia = 1.5\n", 8, 11, "to 1"},
+        Fault{"stroke beside the puck",
+              kHead + kPuck + "[[stroke]]\nat_s = 1\npuck = 'a'\nmomentum_kg_m_s = [1, 0]\noffset_m = 0.11\n",
+              12, 12, "beside puck 'a', expected at most its radius, 0.1 m"},
         Fault{"observer at light speed", kHead + "[observer]\nbeta = [1, 0, 0]\n", 3, 8, "below light"}),
     [](const auto& tested) {
       std::string name = tested.param.what;

@@ -148,6 +148,28 @@ struct Game {
   }
 };
 
+/// Twenty pucks that glide side by side at 0.5 c; their rims turn at `rim` c.
+struct Twenty {
+  Scene scene;
+  std::vector<WorldLine> histories{restingWorldLine(kC_m_s)};
+
+  explicit Twenty(double rim) {
+    BilliardSetup setup;
+    setup.lightSpeed_m_s = kC_m_s;
+    std::vector<BodyLooks> looks;
+    for (int i = 0; i < 20; ++i) {
+      Puck puck{std::to_string(i), 0.05, 0.02, 0.2, {-2.0 + 0.15 * (i / 4), -0.5 + 0.25 * (i % 4)},
+                {0.5, 0.0}};
+      puck.spin_kg_m2_s = spinAt_kg_m2_s(puck, rim * kC_m_s / puck.radius_m, kC_m_s);
+      looks.push_back({puck.name, "", puck.radius_m, puck.height_m});
+      setup.pucks.push_back(puck);
+    }
+    scene = buildScene(setup, looks);
+    const Billiard billiard(setup);
+    for (const WorldLine& line : billiard.worldLines()) histories.push_back(line);
+  }
+};
+
 /// A single body of a million vertices, 4 m across, passing the eye at 0.5 c.
 struct Million {
   Scene scene;
@@ -266,6 +288,32 @@ void views(benchmark::State& state) {
   state.counters["solve_share"] = 1.0 - medianOf(unsolved_s) / medianOf(eight_s);
 }
 
+// Twenty pucks that spin beside twenty that do not, in turn.
+void twentySpinning(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Twenty still(0.0), spinning(0.9);
+  Room stillRoom(graphics(), still.scene, still.histories);
+  Room spinningRoom(graphics(), spinning.scene, spinning.histories);
+  const auto stillRenderer = stillRoom.makeRenderer(), spinningRenderer = spinningRoom.makeRenderer();
+  stillRoom.draw(*stillRenderer, {}, 3.0);
+  spinningRoom.draw(*spinningRenderer, {}, 3.0);
+  std::vector<double> still_s, spinning_s;
+  const auto processorTimeOf = [](const auto& function) {
+    const std::clock_t before = std::clock();
+    function();
+    return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  };
+  double t_s = 3.0;
+  for (auto _ : state) {
+    t_s = t_s < 6.0 ? t_s + 1.0 / 60.0 : 3.0;
+    still_s.push_back(processorTimeOf([&] { stillRoom.draw(*stillRenderer, {}, t_s); }));
+    spinning_s.push_back(processorTimeOf([&] { spinningRoom.draw(*spinningRenderer, {}, t_s); }));
+  }
+  state.counters["still_cpu_ms"] = 1e3 * medianOf(still_s);
+  state.counters["spinning_cpu_ms"] = 1e3 * medianOf(spinning_s);
+  state.counters["ratio"] = medianOf(spinning_s) / medianOf(still_s);
+}
+
 // The same as `frame` with a million vertices.
 void million(benchmark::State& state) {
   graphics().makeCurrent();
@@ -316,6 +364,7 @@ BENCHMARK(frame)->Unit(benchmark::kMillisecond);
 BENCHMARK(frameWithoutPixels)->Unit(benchmark::kMillisecond);
 BENCHMARK(nothingInSight)->Unit(benchmark::kMillisecond);
 BENCHMARK(views)->Unit(benchmark::kMillisecond);
+BENCHMARK(twentySpinning)->Unit(benchmark::kMillisecond);
 BENCHMARK(million)->Unit(benchmark::kMillisecond);
 BENCHMARK(millionSolvedAndUploaded)->Unit(benchmark::kMillisecond);
 

@@ -119,17 +119,18 @@ struct Cases {
 };
 
 /// Bodies of the sizes of a puck and of a hall, at rest and up to `maxBeta`, seen by eyes that move up to
-/// 0.99 c. Rims move at up to `maxRim` c.
+/// 0.99 c. Rims move at up to `maxRim` c; the cloth slows the bodies and their spins.
 Cases makeCases(std::uint64_t seed, int count, double maxBeta, int maxBounces, const Switches& switches = {},
-                double maxRim = 0.0) {
+                double maxRim = 0.0, double friction_m_s2 = 0.0, double slowing_1_s = 0.0) {
   Cases cases{switches, {}, {}, {}, 0};
   test::Random random(seed);
   for (int i = 0; i < count; ++i) {
     const bool hall = maxBounces == 0 && i % 4 == 0;
     const double radius_m = hall ? 10.0 : random.in(0.02, 0.3);
     const int bounces = static_cast<int>(random.in(0.0, maxBounces + 1.0));
-    WorldLine line = randomWorldLine(random, kC_m_s, radius_m, bounces, 0.5, hall ? 0.0 : maxBeta);
-    if (maxRim > 0.0 && !hall) line = test::spun(random, line, maxRim);
+    WorldLine line =
+        randomWorldLine(random, kC_m_s, radius_m, bounces, 0.5, hall ? 0.0 : maxBeta, friction_m_s2);
+    if (maxRim > 0.0 && !hall) line = test::spun(random, line, maxRim, slowing_1_s);
     const Event eye{random.in(-1.0, line.knots().back().turn.t_s + 3.0), random.inBox(2.0)};
     BodyView view;
     viewBody(line, eye, Lorentz::boost(random.u(0.99), kC_m_s), view, switches);
@@ -206,6 +207,15 @@ TEST(EmissionShader, AgreesWithDoubleOnSpinningBodies) {
     SCOPED_TRACE(testing::Message() << "retardation " << +switches.retardation << ", contraction "
                                     << +switches.contraction);
     worstError(makeCases(16, 2000, 0.8, 1, switches, 0.9));
+  }
+}
+
+TEST(EmissionShader, AgreesWithDoubleWhereTheClothSlowsBodiesAndSpins) {
+  Graphics graphics;
+  for (const auto& [friction_m_s2, slowing_1_s] : {std::pair(0.0, 1.5), {0.3, 0.0}, {0.3, 1.5}}) {
+    SCOPED_TRACE(testing::Message() << "friction " << friction_m_s2 << ", slowing " << slowing_1_s);
+    worstError(makeCases(17, 3000, 0.8, 2, {}, 0.9, friction_m_s2, slowing_1_s));
+    worstError(makeCases(18, 1000, 0.8, 1, {0, 1, 1}, 0.9, friction_m_s2, slowing_1_s));
   }
 }
 

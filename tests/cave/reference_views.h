@@ -30,7 +30,11 @@ inline std::vector<reference::Leg> referenceLegs(const WorldLine& line) {
     legs.push_back({{c * knot.turn.t_s, knot.turn.r_m},
                     knot.u / std::sqrt(1.0 + glm::dot(knot.u, knot.u)),
                     {c * knot.signal.t_s, knot.signal.r_m},
-                    knot.deceleration_m_s2 / (c * c)});
+                    knot.deceleration_m_s2 / (c * c),
+                    knot.spin.angle_rad,
+                    knot.spin.omega_rad_s / c,
+                    knot.spin.rim_u,
+                    knot.spin.slowing_1_s / c});
   }
   return legs;
 }

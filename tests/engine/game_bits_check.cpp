@@ -15,6 +15,8 @@ struct Mirror {
   Vec2 operator()(const Vec2& v) const { return {x * v.x, y * v.y}; }
   Vec3 operator()(const Vec3& v) const { return {x * v.x, y * v.y, v.z}; }
   Event operator()(const Event& e) const { return {e.t_s, (*this)(e.r_m)}; }
+  /// A spin, an angle, a distance to the right.
+  double turned(double aside) const { return x * y * aside; }
   Cushion operator()(Cushion cushion) const {
     switch (cushion) {
       case Cushion::plusX:
@@ -31,9 +33,13 @@ struct Mirror {
 };
 
 BilliardSetup mirrored(BilliardSetup setup, const Mirror& mirror) {
-  for (Puck& puck : setup.pucks) puck.position_m = mirror(puck.position_m), puck.beta = mirror(puck.beta);
+  for (Puck& puck : setup.pucks) {
+    puck.position_m = mirror(puck.position_m), puck.beta = mirror(puck.beta);
+    puck.spin_kg_m2_s = mirror.turned(puck.spin_kg_m2_s);
+  }
   for (Stroke& stroke : setup.strokes) {
     stroke.momentum_kg_m_s = mirror(stroke.momentum_kg_m_s);
+    stroke.offset_m = mirror.turned(stroke.offset_m);
     if (stroke.from_m) stroke.from_m = mirror(*stroke.from_m);
   }
   return setup;
@@ -77,7 +83,10 @@ class SameBits {
     const Event turn = mirror(a.turn), signal = mirror(a.signal);
     return turn.t_s == b.turn.t_s && turn.r_m == b.turn.r_m && mirror(a.u) == b.u &&
            a.properTime_s == b.properTime_s && signal.t_s == b.signal.t_s && signal.r_m == b.signal.r_m &&
-           a.deceleration_m_s2 == b.deceleration_m_s2;
+           a.deceleration_m_s2 == b.deceleration_m_s2 &&
+           mirror.turned(a.spin.angle_rad) == b.spin.angle_rad &&
+           mirror.turned(a.spin.omega_rad_s) == b.spin.omega_rad_s &&
+           mirror.turned(a.spin.rim_u) == b.spin.rim_u && a.spin.slowing_1_s == b.spin.slowing_1_s;
   }
 
   // Up to the time that both have played to.
@@ -125,7 +134,8 @@ class SameBits {
       const bool who = (placeOf ? (*placeOf)[s.puck] : s.puck) == t.puck;
       if (!who || s.event.t_s != t.event.t_s || mirror(s.event.r_m) != t.event.r_m ||
           s.properTime_s != t.properTime_s || mirror(s.betaBefore) != t.betaBefore ||
-          mirror(s.betaAfter) != t.betaAfter)
+          mirror(s.betaAfter) != t.betaAfter || mirror.turned(s.spinBefore_kg_m2_s) != t.spinBefore_kg_m2_s ||
+          mirror.turned(s.spinAfter_kg_m2_s) != t.spinAfter_kg_m2_s)
         return false;
     }
     return true;

@@ -50,7 +50,7 @@ TEST(GameHistory, WorldLinesAreTheLegsInSIUnits) {
     for (std::size_t puck = 0; puck < 2; ++puck) {
       legs.push_back(randomLegs(random, setup, puck, 300));  // more than wait to be added at once
       for (std::size_t k = 1; k < legs[puck].size(); ++k)
-        history.addLeg(puck, legs[puck][k], legs[puck][k].start);
+        history.addLeg(puck, legs[puck][k], {}, legs[puck][k].start);
     }
     history.complete();
     for (std::size_t puck = 0; puck < 2; ++puck) {
@@ -76,7 +76,7 @@ TEST(GameHistory, ForgetsFromEitherEndAndKeepsCount) {
   const BilliardSetup setup = twoPucks(0.0);
   GameHistory history(setup);
   const std::vector<Leg> legs = randomLegs(random, setup, 0, 9);
-  for (std::size_t k = 1; k < legs.size(); ++k) history.addLeg(0, legs[k], legs[k].start);
+  for (std::size_t k = 1; k < legs.size(); ++k) history.addLeg(0, legs[k], {}, legs[k].start);
   history.complete();
   EXPECT_EQ(history.legs(0), 10u);
   history.forgetBefore((legs[4].start.t + 1e-6) / kC_m_s);  // legs 0 to 3 have ended
@@ -86,7 +86,7 @@ TEST(GameHistory, ForgetsFromEitherEndAndKeepsCount) {
   history.keepLegs(0, 7);
   EXPECT_EQ(history.legs(0), 7u);
   EXPECT_NEAR(history.worldLines()[0].knots().back().turn.t_s * kC_m_s, legs[6].start.t, 1e-12);
-  history.addLeg(0, legs[7], legs[7].start);
+  history.addLeg(0, legs[7], {}, legs[7].start);
   history.complete();
   EXPECT_EQ(history.legs(0), 8u);
 }
@@ -96,7 +96,7 @@ TEST(GameHistory, EventsAreNumberedChangedAndForgotten) {
   GameHistory history(setup);
   const LegState before{{2.84, 0.1, 0.2}, fourVelocity(0.75, 0.0), 1.0};
   EXPECT_EQ(history.addCollision({}, {1.42, 0.3, 0.4}, false, 0.5), 0u);
-  history.addTurn(0, 1, before, fourVelocity(0.0, -0.75));
+  history.addTurn(0, 1, before, fourVelocity(0.0, -0.75), {});
   EXPECT_EQ(history.addCollision(Cushion::minusY, {2.84, 0.0, 0.0}, true, 0.0), 1u);
   EXPECT_EQ(history.addStroke(3, {4.26, 0.0, 0.0}, 0.3), 2u);
   EXPECT_EQ(history.addFlash(4, {5.0, {1.0, 2.0, 3.0}}), 3u);
@@ -118,7 +118,7 @@ TEST(GameHistory, EventsAreNumberedChangedAndForgotten) {
 
   EXPECT_EQ(history.takeUnchangedEvents(), 0u);
   EXPECT_EQ(history.takeUnchangedEvents(), 5u);
-  history.changeTurn(0, 1, before, fourVelocity(0.75, 0.0));
+  history.changeTurn(0, 1, before, fourVelocity(0.75, 0.0), {});
   EXPECT_NEAR(history.events()[0].turns[0].betaAfter.x, 0.6, 1e-15);
   EXPECT_EQ(history.takeUnchangedEvents(), 0u) << "the first was changed";
   history.keepEvents(3);

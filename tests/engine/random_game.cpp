@@ -264,6 +264,7 @@ std::string scenarioText(const BilliardSetup& setup) {
     std::ostringstream digits;
     digits.precision(17);
     digits << x;
+    if (std::isinf(x)) return digits.str();
     return digits.str().find_first_of(".e") == std::string::npos ? digits.str() + ".0" : digits.str();
   };
   const auto pair = [&](const Vec2& v) { return "[" + number(v.x) + ", " + number(v.y) + "]"; };
@@ -273,12 +274,19 @@ std::string scenarioText(const BilliardSetup& setup) {
          << "\nwidth_m = " << number(setup.board->width_m) << "\n";
   text << "[physics]\npuck_restitution = " << number(setup.rules.puckRestitution)
        << "\ncushion_restitution = " << number(setup.rules.cushionRestitution)
-       << "\nfriction_m_s2 = " << number(setup.rules.friction_m_s2) << "\ncollision_event = \""
+       << "\nfriction_m_s2 = " << number(setup.rules.friction_m_s2)
+       << "\npuck_friction = " << number(setup.rules.puckFriction)
+       << "\ncushion_friction = " << number(setup.rules.cushionFriction)
+       << "\ntangential_restitution = " << number(setup.rules.tangentialRestitution)
+       << "\nspin_deceleration_m_s2 = " << number(setup.rules.spinDeceleration_m_s2)
+       << "\ncollision_event = \""
        << (setup.rules.collisionEvent == CollisionEvent::centre ? "centre" : "contact") << "\"\n";
   for (const Puck& puck : setup.pucks) {
     text << "[[puck]]\nname = \"" << puck.name << "\"\nradius_m = " << number(puck.radius_m)
          << "\nheight_m = " << number(puck.height_m) << "\nmass_kg = " << number(puck.mass_kg)
-         << "\nposition_m = " << pair(puck.position_m) << "\nbeta = " << pair(puck.beta) << "\n";
+         << "\nposition_m = " << pair(puck.position_m) << "\nbeta = " << pair(puck.beta)
+         << "\ninertia = " << number(puck.inertia) << "\nspin_kg_m2_s = " << number(puck.spin_kg_m2_s)
+         << "\n";
   }
   for (const Stroke& stroke : setup.strokes) {
     text << "[[stroke]]\nat_s = " << number(stroke.at_s) << "\npuck = \"" << setup.pucks[stroke.puck].name
@@ -286,7 +294,8 @@ std::string scenarioText(const BilliardSetup& setup) {
     if (stroke.from_m)
       text << "from_m = [" << number(stroke.from_m->x) << ", " << number(stroke.from_m->y) << ", "
            << number(stroke.from_m->z) << "]\n";
-    text << "momentum_kg_m_s = " << pair(stroke.momentum_kg_m_s) << "\n";
+    text << "momentum_kg_m_s = " << pair(stroke.momentum_kg_m_s) << "\noffset_m = " << number(stroke.offset_m)
+         << "\n";
   }
   return text.str();
 }

@@ -92,12 +92,15 @@ inline WorldLine randomWorldLine(Random& random, double c_m_s, double radius_m, 
 }
 
 /// The same motion of a body that spins: its rim moves at up to `maxRim` c on each leg, and its angle goes
-/// on at each turn, as it does for a puck.
-inline WorldLine spun(Random& random, const WorldLine& line, double maxRim) {
+/// on at each turn, as it does for a puck. The cloth takes its spin.
+inline WorldLine spun(Random& random, const WorldLine& line, double maxRim, double slowing_1_s = 0.0) {
   std::vector<Knot> knots(line.knots().begin(), line.knots().end());
   for (std::size_t i = 0; i < knots.size(); ++i) {
     knots[i].spin.omega_rad_s = random.in(-maxRim, maxRim) * line.lightSpeed_m_s() / line.radius_m();
     knots[i].spin.angle_rad = random.in(-3.0, 3.0);
+    const double rim = knots[i].spin.omega_rad_s * line.radius_m() / line.lightSpeed_m_s();
+    knots[i].spin.rim_u = rim / std::sqrt(1.0 - rim * rim);
+    knots[i].spin.slowing_1_s = slowing_1_s;
     if (i == 0) continue;
     const double since_s = knots[i].properTime_s - knots[i - 1].properTime_s;
     knots[i].spin.angle_rad = angleAfter(knots[i - 1].spin, since_s);

@@ -278,6 +278,46 @@ TEST(SpinEmission, TheKernelFollowsPointsThroughBounces) {
   RecordProperty("worst_of_distance_float", testing::PrintToString(worst));
 }
 
+// Where the cloth slows a body, or its spin, or both: continuous and slower than light, and the kernel in double is
+// where bisection is, seen by light and at moments.
+TEST(SpinEmission, TheKernelFollowsPointsThatTheClothSlows) {
+  test::Random random(6);
+  for (int i = 0; i < 1500; ++i) {
+    CASE(random, i);
+    const double radius_m = random.in(0.02, 0.2);
+    const double friction_m_s2 = i % 3 == 0 ? 0.0 : random.in(0.01, 0.5);
+    const double slowing_1_s = i % 3 == 1 ? 0.0 : random.in(0.1, 3.0);
+    const WorldLine line = test::spun(
+        random, randomWorldLine(random, kC_m_s, radius_m, i % 2, random.in(0.1, 0.6), 0.8, friction_m_s2),
+        0.9, slowing_1_s);
+    const Event eye{random.in(-0.5, line.knots().back().turn.t_s + 2.0), random.inBox(2.0)};
+    const Lorentz head = randomHead(random);
+    const Vec3 d_m = random.inBall(radius_m);
+    const auto exact = emission(line, d_m, eye, head);
+    ASSERT_TRUE(exact);
+    EXPECT_LT(glm::length(betaFromU(exact->u)), 1.0);
+    BodyView view;
+    viewBody(line, eye, head, view);
+    const int legs = static_cast<int>(view.legs.size());
+    const auto found = kernel::solveEmission(view.legs.data(), legs, d_m);
+    const LegView& leg = view.legs[static_cast<std::size_t>(found.leg)];
+    const double error =
+        glm::length(kernel::seenFromEye(leg, found.event) - exact->seen.dr_m) / distanceOf(leg, found);
+    EXPECT_TRUE(error <= 1e-7) << error << ", legs " << legs << ", friction " << friction_m_s2 << ", slowing "
+                               << slowing_1_s;
+    const auto history = vertexHistory(line, d_m);
+    viewBody(line, eye, head, view, {}, ViewTime::boardNow);
+    const auto now =
+        kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), d_m, false, true);
+    const Vec3 place_m = placeAt(pieceAt(history, eye.t_s), eye.t_s, kC_m_s);
+    const Vec3 expected =
+        (ViewFrame(head, {}, ViewTime::boardNow).seenFromBoard * (Event{eye.t_s, place_m} - eye)).dr_m;
+    EXPECT_NEAR(
+        glm::length(kernel::seenFromEye(view.legs[static_cast<std::size_t>(now.leg)], now.event) - expected),
+        0.0, 1e-6);
+  }
+}
+
 // At a moment of the board's or the head's, a point is where its world line crosses that plane.
 TEST(SpinEmission, AtAMomentPointsAreWhereTheirWorldLinesAre) {
   test::Random random(5);

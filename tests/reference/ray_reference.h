@@ -62,6 +62,22 @@ struct Leg {
   Vec v{0.0};  ///< at the turn
   Event signal;
   double brake = 0.0;  ///< constant proper deceleration until rest, 1/m
+  // Of an unbraked leg: the angle at the turn, the body's rate then (rad/m of own time, anticlockwise), its rim's γβ
+  // then, and by how much that falls in a metre of own time.
+  double angle = 0.0, rate = 0.0, rim = 0.0, slowing = 0.0;
+
+  bool spins() const { return angle != 0.0 || rate != 0.0; }
+  /// Its angle: dφ/ds = (rate Γ₀/h₀) h/Γ, Γ² = 1 + h², with h = h₀ − slowing s until it is 0.
+  double angleAt(double s) const {
+    if (slowing == 0.0 || s <= 0.0) return angle + rate * s;
+    const double h = std::max(std::abs(rim) - slowing * s, 0.0), gamma0 = std::hypot(1.0, rim);
+    return angle + rate * gamma0 / std::abs(rim) * (gamma0 - std::hypot(1.0, h)) / slowing;
+  }
+  /// The body's point d, own time s after the turn, in the leg's rest frame.
+  Vec turned(const Vec& d, double s) const {
+    const double a = angleAt(s);
+    return {std::cos(a) * d.x - std::sin(a) * d.y, std::sin(a) * d.x + std::cos(a) * d.y, d.z};
+  }
 
   struct State {
     Vec r{0.0}, v{0.0};
@@ -75,8 +91,13 @@ struct Leg {
     const double gammaNow = std::sqrt(1.0 + celerity * celerity);
     return {turn.r + v / speed * ((gamma - gammaNow) / brake), v / speed * (celerity / gammaNow)};
   }
-  /// The body's point d: contracted by 1/γ along the motion, and nothing else.
+  /// The body's point d: contracted by 1/γ along the motion; where it turns, on its helix.
   Vec place(const Vec& d, double t) const {
+    if (spins()) {
+      const auto onBoard = [&](double s) { return boosted(Event{s, turned(d, s)}, -v); };
+      const double s = rootOf([&](double at) { return onBoard(at).t - (t - turn.t); }, t - turn.t);
+      return turn.r + onBoard(s).r;
+    }
     const State now = centre(t);
     const double v2 = glm::dot(now.v, now.v);
     if (v2 == 0.0) return now.r + d;
@@ -84,8 +105,10 @@ struct Leg {
   }
 };
 
-/// In the outgoing body's rest frame, on the way from one leg to the next.
-inline constexpr double kCatchUpSpeed = 0.9;
+/// In the outgoing body's rest frame, on the way from one leg to the next; faster than the point goes round there.
+inline double catchUpSpeed(const Leg& leg, const Vec& d) {
+  return std::max(0.9, 0.5 * (1.0 + std::abs(leg.rate) * std::hypot(d.x, d.y)));
+}
 
 /// The world line of one body-fixed point, as the rules lay it: it leaves where the signal reaches it, wherever
 /// it then is, and goes straight to its place on the next leg.
@@ -101,7 +124,7 @@ class PointLine {
       const double joined = rootOf(
           [&](double t) {
             const Event way = boosted(Event{t, legs[next].place(d, t)} - a, legs[next].v);
-            return kCatchUpSpeed * way.t - glm::length(way.r);
+            return catchUpSpeed(legs[next], d) * way.t - glm::length(way.r);
           },
           left);
       while (pieces_.back().from > left) pieces_.pop_back();

@@ -60,21 +60,32 @@ const float kLampPower = 1.88;  // in units of its own white at rest: then kLamp
 
 vec3 normalInLeg;  // normalMC as the body has turned it by the emission
 
-/// Where the vertex is drawn, from the eye, and where and how fast it was. Sets boardTime_m and normalInLeg.
+/// Where the vertex is drawn, from the eye, and how fast its leg and, in the rest frame of that, it itself was: γ, γβ.
 struct Sight {
   vec3 drawn;
   float gamma;
   vec3 u;
+  vec4 turning;
 };
+
+const vec4 kRests = vec4(1.0, 0.0, 0.0, 0.0);
 
 #ifdef EUCLID
 Sight sightOf(vec3 d) {
   boardTime_m = 0.0;
   LegView leg = legAt(firstLeg, 0);
   normalInLeg = carriedAlong(leg, vec4(0.0), normalMC);
-  return Sight((drawnFromBody * vec4(carriedAlong(leg, vec4(0.0), d), 1.0)).xyz, 1.0, vec3(0.0));
+  return Sight((drawnFromBody * vec4(carriedAlong(leg, vec4(0.0), d), 1.0)).xyz, 1.0, vec3(0.0), kRests);
 }
 #else
+/// γ, γβ of the point of a spinning body at this own time of the leg, in the leg's frame.
+vec4 turningOf(LegView leg, vec3 d, float own) {
+  if (leg.spin.w == 0.0) return kRests;
+  vec3 w = spinVelocity(leg, spinPlace(leg, d, own), own);
+  return vec4(1.0, w) * inversesqrt(max(1.0 - dot(w, w), 1e-6));
+}
+
+/// Where the vertex is drawn. Sets boardTime_m and normalInLeg.
 Sight sightOf(vec3 d) {
   VertexEmission emission = solveEmission(firstLeg, LEG_COUNT, d, RETARDED, CONTRACTED);
   LegView leg = legAt(firstLeg, emission.leg);
@@ -83,15 +94,43 @@ Sight sightOf(vec3 d) {
   boardTime_m = BOARD_NOW ? 0.0 : boardTimeOf(leg, emission.event);
   normalInLeg = carriedAlong(leg, emission.event, normalMC);
   // A vertex that is catching up is lit as on its incoming leg: its colour must not flash.
-  if (emission.catchingUp) leg = legAt(firstLeg, emission.leg - 1);
+  float own = emission.event.x;
+  if (emission.catchingUp) {
+    LegView incoming = legAt(firstLeg, emission.leg - 1);
+    if (incoming.spin.w > 0.0) own = (inverse(leg.fromPrevious) * (emission.event - leg.originInThis)).x;
+    leg = incoming;
+  }
   // The first row of toBoardTime takes (c t, x) to γ (c t + β·x).
-  return Sight(drawn, leg.toBoardTime.x, leg.toBoardTime.yzw);
+  return Sight(drawn, leg.toBoardTime.x, leg.toBoardTime.yzw, turningOf(leg, d, own));
 }
 #endif
 
 /// The direction, in the body's rest frame, of light that travels along `ray` on the board.
 vec3 inBodyFrame(Sight sight, vec3 ray) {
   return ABERRATED ? aberratedInto(sight.gamma, sight.u, ray) : ray;
+}
+
+/// The same in the rest frame of the vertex, which turns with its body.
+vec3 inVertexFrame(Sight sight, vec3 ray) {
+  vec3 inBody = inBodyFrame(sight, ray);
+  return sight.turning.x > 1.0 && ABERRATED ? aberratedInto(sight.turning.x, sight.turning.yzw, inBody) : inBody;
+}
+
+/// Its frequency there over that on the board.
+float dopplerIntoVertex(Sight sight, vec3 ray) {
+  float doppler = dopplerInto(sight.gamma, sight.u, ray);
+  if (sight.turning.x <= 1.0) return doppler;
+  return doppler * dopplerInto(sight.turning.x, sight.turning.yzw, aberratedInto(sight.gamma, sight.u, ray));
+}
+
+/// The normal of the surface in the rest frame of the vertex: steeper along the way, of which what is at rest there
+/// is longer.
+vec3 normalInVertexFrame(Sight sight) {
+  vec3 normal = normalInLeg;
+  if (sight.turning.x > 1.0)
+    normal += sight.turning.yzw * (dot(sight.turning.yzw, normal) / (sight.turning.x + 1.0));
+  // A spike of a mesh may have none.
+  return normal * inversesqrt(max(dot(normal, normal), 1e-12));
 }
 
 #ifndef GHOST
@@ -102,15 +141,15 @@ void lightUp(Sight sight) {
   vec3 onBoard_m = eyeOnBoard_m + fromEye_m;
   vec3 towardsEye = normalize(-fromEye_m);
   float toHead = dopplerInto(headOnBoard.x, headOnBoard.yzw, towardsEye) /
-                 dopplerInto(sight.gamma, sight.u, towardsEye);
+                 dopplerIntoVertex(sight, towardsEye);
   float headPower = radiancePower(toHead, COLOURED, SEARCHLIGHT);
-  vec3 toEye = inBodyFrame(sight, towardsEye);
-  // A spike of a mesh may have none.
-  vec3 normal = normalInLeg * inversesqrt(max(dot(normalInLeg, normalInLeg), 1e-12));
+  vec3 toEye = inVertexFrame(sight, towardsEye);
+  vec3 normal = normalInVertexFrame(sight);
 
   // The hall's light as if all of it came from where light on a matt surface does on average, 2/3 being the mean
   // cosine: from direction n of the body's sky D = 1/(γ − u·n).
-  float hallToBody = 1.0 / dopplerInto(sight.gamma, sight.u, normal * (2.0 / 3.0));
+  float hallToBody = 1.0 / (dopplerInto(sight.gamma, sight.u, normal * (2.0 / 3.0)) *
+                            dopplerInto(sight.turning.x, sight.turning.yzw, normal * (2.0 / 3.0)));
   float hall = hallLight(normal) * headPower * radiancePower(hallToBody, COLOURED, SEARCHLIGHT);
 #ifdef COLOUR
   Bands received = added(Bands(vec4(0.0), vec2(0.0)), hall, hallSpectrum(hallToBody * toHead));
@@ -123,8 +162,8 @@ void lightUp(Sight sight) {
   for (int i = 0; i < 3; ++i) {
     vec3 ray = onBoard_m - lamps_m[i];
     vec3 lampRay = normalize(ray);
-    vec3 toLamp = -inBodyFrame(sight, lampRay);
-    float lampToBody = dopplerInto(sight.gamma, sight.u, lampRay);
+    vec3 toLamp = -inVertexFrame(sight, lampRay);
+    float lampToBody = dopplerIntoVertex(sight, lampRay);
     float strength = lampStrength(ray) * headPower * lampPower(lampToBody, COLOURED, SEARCHLIGHT);
     float facing = max(dot(normal, toLamp), 0.0);
 #ifndef MATT

@@ -2,17 +2,19 @@
 // also has a known velocity. The compiler then leaves out what friction, spin and motion need.
 
 #ifdef ONE_LEG
-uniform vec4 onlyLeg[16];
+uniform vec4 onlyLeg[17];
 #define LEG_TEXEL(i) onlyLeg[i]
 #define LEG_COUNT 1
 #define GLIDE vec4(0.0)
 #define SPIN vec4(0.0)
+#define SPIN_SLOWS vec4(0.0)
 #else
 uniform samplerBuffer legTexels;
 #define LEG_TEXEL(i) texelFetch(legTexels, at + i)
 #define LEG_COUNT legCount
 #define GLIDE LEG_TEXEL(12)
 #define SPIN LEG_TEXEL(15)
+#define SPIN_SLOWS LEG_TEXEL(16)
 #endif
 #ifdef RESTS
 #define BOARD_TIME_ROW vec4(1.0, 0.0, 0.0, 0.0)
@@ -23,7 +25,7 @@ uniform samplerBuffer legTexels;
 #endif
 
 LegView legAt(int first, int i) {
-  int at = 16 * (first + i);
+  int at = 17 * (first + i);
   vec4 a = LEG_TEXEL(0);
   vec4 b = LEG_TEXEL(1);
   LegView leg;
@@ -42,5 +44,6 @@ LegView legAt(int first, int i) {
   leg.glideTimes = LEG_TEXEL(13);
   leg.toMoment = MOMENT_ROW;
   leg.spin = SPIN;
+  leg.spinSlows = SPIN_SLOWS;
   return leg;
 }

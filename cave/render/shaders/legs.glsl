@@ -1,4 +1,4 @@
-// The GLSL definitions that the kernels need. A texture buffer holds the legs, sixteen texels each, in the order of the
+// The GLSL definitions that the kernels need. A texture buffer holds the legs, seventeen texels each, in the order of the
 // members of LegView; another holds the table of shifted colours.
 #define real float
 #define KERNEL
