@@ -11,6 +11,7 @@
 #include "app/stage/scenario_scene.h"
 #include "cave/frame/pacer.h"
 #include "cave/overlay/hud_panel.h"
+#include "cave/scene/baked_light.h"
 #include "cave/scene/table_model.h"
 #include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
@@ -31,6 +32,13 @@ bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
     log::note(fmt::format("{} empty frames were swapped on every node to warm up.", returned_s.size()));
   }
   return swapsWaitFor(setup.rig.display_hz, returned_s);
+}
+
+/// Returns the scenario's scene, lit.
+Scene litScene(const SessionSetup& setup) {
+  Scene scene = sceneOf(setup.scenario, setup.tessellation);
+  bakeLight(scene);
+  return scene;
 }
 
 /// Gives the lesson to the walls; it is empty if there is none. On rank 0, warns of texts that are too long
@@ -72,7 +80,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   onAllRanks(cluster, [&] {
     setup.graphics = std::make_unique<Graphics>(displayOf(setup.rig, cluster.rank()));
     setup.tessellation = tessellationFor(setup.rig, setup.graphics->inSoftware());
-    setup.scene = sceneOf(setup.scenario, setup.tessellation);
+    setup.scene = litScene(setup);
     setup.walls = std::make_unique<DisplayWalls>(
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
@@ -116,7 +124,7 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
   }
   setup.scenario = std::move(next);
   onAllRanks(cluster, [&] {
-    setup.scene = sceneOf(setup.scenario, setup.tessellation);
+    setup.scene = litScene(setup);
     setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);
     setLesson(setup.scenario, setup.rig, cluster, *setup.walls);
     if (setup.outside) setup.outside->setScene(setup.scene, plainTable(setup.scenario));
