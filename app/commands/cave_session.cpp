@@ -108,6 +108,7 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
                                const Before& before) {
   OperatorSettings settings = settingsOf(setup, options);
   settings.playing = file;
+  if (numberOfLesson(file) < kLessons.size()) settings.lastLesson = file;
   if (!before.last) return settings;
   // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
@@ -212,12 +213,14 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& 
   const std::string& file = next.file;
   if (next.isForNextVisitor) {
     settings.playing = file;
+    if (numberOfLesson(file) < kLessons.size()) settings.lastLesson = file;
     return settings;
   }
   settings.eyeSeparation_m = before.eyeSeparation_m;
   settings.walls = before.walls;
   settings.keysShown = before.keysShown;
   settings.playing = file;
+  settings.lastLesson = numberOfLesson(file) < kLessons.size() ? file : before.lastLesson;
   if (!isSameFile(file, before.playing)) return settings;
   settings.switches = before.switches;
   settings.views = before.views;

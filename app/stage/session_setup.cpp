@@ -41,11 +41,12 @@ Scene litScene(const SessionSetup& setup) {
   return scene;
 }
 
-/// Gives the lesson to the walls; it is empty if there is none. On rank 0, warns of texts that are too long
+/// Gives the lesson and the choices to the walls; the lesson is empty if there is none. On rank 0, warns of texts that are too long
 /// for the front wall.
-void setLesson(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
+void setTexts(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
   const Lesson lesson = scenario.lesson.value_or(Lesson{});
   walls.setLesson(lesson.words, lesson.plan);
+  walls.setChoices(scenario.choices);
   const std::optional<Wall> front = frontWall(roomGeometryOf(rig));
   if (!scenario.lesson || cluster.rank() > 0 || !front) return;
   if (bandHolds(lesson.words, lesson.plan, *front)) return;
@@ -85,7 +86,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
     setup.walls->setRoom(roomGeometryOf(setup.rig));
-    setLesson(setup.scenario, setup.rig, cluster, *setup.walls);
+    setTexts(setup.scenario, setup.rig, cluster, *setup.walls);
     if (options.outside && cluster.rank() == 0) {
       setup.outside = std::make_unique<SpectatorView>(*setup.graphics, roomGeometryOf(setup.rig), setup.scene,
                                                       plainTable(setup.scenario), !options.noWindow);
@@ -126,7 +127,7 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
   onAllRanks(cluster, [&] {
     setup.scene = litScene(setup);
     setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);
-    setLesson(setup.scenario, setup.rig, cluster, *setup.walls);
+    setTexts(setup.scenario, setup.rig, cluster, *setup.walls);
     if (setup.outside) setup.outside->setScene(setup.scene, plainTable(setup.scenario));
   });
   setup.world = {historiesAtStart(setup), {}};
