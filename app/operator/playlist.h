@@ -12,9 +12,10 @@
 namespace carom {
 
 inline constexpr std::string_view kWelcome = "welcome", kShowMe = "show-me";
-inline constexpr std::array<std::string_view, 11> kLessons{
-    "comes-and-goes", "seen-at-once",    "seen-length",  "parallel-tracks", "two-cushions", "light-clock",
-    "twins",          "train-in-tunnel", "train-aboard", "angles",          "pairs-4"};
+inline constexpr std::array<std::string_view, 14> kLessons{
+    "comes-and-goes", "seen-at-once", "seen-length", "parallel-tracks", "same-laws",
+    "two-cushions",   "cause",        "light-clock", "twins",           "train-in-tunnel",
+    "train-aboard",   "pairs-4",      "angles",      "mass-energy"};
 
 /// Returns the scenario file of a shipped game.
 std::string fileOfGame(std::string_view name);
