@@ -326,6 +326,11 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
 
 }  // namespace
 
+  onAllRanks(cluster, [&] {
+    if (cluster.rank() > 0 || !options.lesson || readScenario(options.scenario).lesson) return;
+    throw std::runtime_error(fmt::format(
+        "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
+  });
 int runCave(const CaveOptions& options) {
   return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); },
                       [&](const Cluster& cluster) { sayHowItIsSeenAgain(cluster, options.session); });
@@ -406,14 +411,14 @@ void addCave(CLI::App& app, int& status) {
           "frozen. May be given several times. Keys turn them later")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  const std::map<std::string, LessonPhase> phases{
-      {"asks", LessonPhase::asks}, {"shows", LessonPhase::shows}, {"explains", LessonPhase::explains}};
   command
       ->add_option("--lesson", options->lesson,
                    "The phase in which a lesson begins: asks, shows or explains. Default: asks, or shows "
                    "with --frames")
       ->type_name("PHASE")
-      ->transform(CLI::CheckedTransformer(phases).description(""));
+      ->transform(numberOf({{"asks", static_cast<int>(LessonPhase::asks)},
+                            {"shows", static_cast<int>(LessonPhase::shows)},
+                            {"explains", static_cast<int>(LessonPhase::explains)}}));
   auto* session =
       command
           ->add_option("--session", options->session,
