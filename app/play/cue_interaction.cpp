@@ -32,7 +32,7 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
   const Cue::Outcome cue = cue_.step(hand, pointed, still);
   record.hand = viewOf(hand, pointed, game, record);
   if (cue.letGo) return strike(*cue.letGo, hand, game, record);
-  return {{}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
+  return {{}, {}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
 }
 
 /// Returns the hand's view. While the cue is held, its ray ends where the target is seen, wherever the hand
@@ -62,20 +62,20 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
   const Puck& target = scenario_->billiard.pucks[puck];
   const double c_m_s = scenario_->billiard.lightSpeed_m_s;
   const Vec2 u = strokeOf(cue_.pull_m(), record.boardFromRoom).u;
-  if (u == Vec2(0.0)) return {{}, "Let go: no stroke"};
+  if (u == Vec2(0.0)) return {{}, {}, "Let go: no stroke"};
   const Event from = handEvent(hand.from_m, record.observer, record.boardFromRoom);
-  if (from.t_s < 0.0) return {{}, "No stroke: where your hand is, the game has not begun yet"};
+  if (from.t_s < 0.0) return {{}, {}, "No stroke: where your hand is, the game has not begun yet"};
   const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u};
   try {
     const Event arrival = game.strike(stroke);
     const double pace = record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
     const double after_s = (record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
-    return {stroke,
+    return {stroke, arrival.t_s,
             fmt::format("{}: p = {:.2g} kg m/s, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s",
                         target.name, glm::length(stroke.momentum_kg_m_s), costOf(glm::length(u)), after_s)};
   } catch (const std::invalid_argument& error) {
     log::note(error.what());
-    return {{}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};
+    return {{}, {}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};
   }
 }
 

@@ -134,6 +134,15 @@ void LiveSource::say(std::string_view words, Decision& decision) {
   decision.notes.push_back({"notice", std::string(words)});
 }
 
+/// Counts a carom when it is seen, and says so.
+void LiveSource::count(Decision& decision) {
+  const Event& eye = decision.frame.record.observer.middle.observation;
+  if (!play_.score.look(world_.events, eye, scenario_.billiard.lightSpeed_m_s)) return;
+  say(fmt::format("Carom! Your puck touched two others. Caroms: {}, strokes: {}", play_.score.caroms(),
+                  play_.score.strokes()),
+      decision);
+}
+
 /// Returns the choice on the front wall that the hand points to, unless it holds the cue.
 std::optional<PointedChoice> LiveSource::pointedChoice(const HandInput& hand,
                                                        const FrameRecord& record) const {
@@ -164,7 +173,10 @@ void LiveSource::strike(bool still, const FrameTimes& times, const OperatorSetti
     record.hand.to_m = pointed->onWall_m;
     record.hand.target = 0;
   }
-  if (outcome.stroke) decision.strokes.push_back(*outcome.stroke);
+  if (outcome.stroke) {
+    decision.strokes.push_back(*outcome.stroke);
+    play_.score.struck(outcome.stroke->puck, outcome.arrives_s);
+  }
   rumble_.set(rumbleStrength(hand, record.hand));
   if (outcome.stroke && hand.device == "gamepad") rumble_.pulse();
   say(outcome.said, decision);
@@ -189,6 +201,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   see(settings, times, still, decision);
   strike(still || scenario_.lesson, times, settings,
          decision);  // a lesson plays the same game again and again
+  count(decision);
   say(play_.drive.news().words(), decision);
   say(roomBoundary_.look(viewer_.head().pose.position_m), decision);
   say(std::exchange(pendingMessage_, {}), decision);

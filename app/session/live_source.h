@@ -10,6 +10,7 @@
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/play/carom_score.h"
 #include "app/play/cue_interaction.h"
 #include "app/play/game.h"
 #include "app/play/input_devices.h"
@@ -43,6 +44,7 @@ struct Play {
   PlatformMotion drive;
   Game game;
   CueInteraction hands;
+  CaromScore score;
   StatusMessage message;
   LessonState lesson;                  ///< in the previous frame
   std::size_t lessonObserver = 0;      ///< the lesson's velocity in the previous frame
@@ -77,6 +79,7 @@ class LiveSource : public FrameSource {
   void see(const OperatorSettings& settings, const FrameTimes& times, bool still, Decision& decision);
   std::optional<PointedChoice> pointedChoice(const HandInput& hand, const FrameRecord& record) const;
   void strike(bool still, const FrameTimes& times, const OperatorSettings& settings, Decision& decision);
+  void count(Decision& decision);
   void say(std::string_view words, Decision& decision);
   std::size_t captionsBegunAt(double own_s) const;
   void showCaption(Decision& decision);
