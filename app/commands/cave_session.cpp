@@ -7,7 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <map>
+#include <ctime>
 #include <memory>
 #include <utility>
 
@@ -109,6 +109,7 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
                                const Before& before) {
   OperatorSettings settings = settingsOf(setup, options);
   settings.playing = file;
+  if (numberOfLesson(file) < kLessons.size()) settings.lastLesson = file;
   if (!before.last) return settings;
   // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
@@ -196,12 +197,14 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& 
   const std::string& file = next.file;
   if (next.isForNextVisitor) {
     settings.playing = file;
+    if (numberOfLesson(file) < kLessons.size()) settings.lastLesson = file;
     return settings;
   }
   settings.eyeSeparation_m = before.eyeSeparation_m;
   settings.walls = before.walls;
   settings.keysShown = before.keysShown;
   settings.playing = file;
+  settings.lastLesson = numberOfLesson(file) < kLessons.size() ? file : before.lastLesson;
   if (!isSameFile(file, before.playing)) return settings;
   settings.switches = before.switches;
   settings.views = before.views;
@@ -257,18 +260,40 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions&
 }
 
 /// Runs one game's frames. Returns whether someone asked to quit.
-bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play) {
+bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play,
+              KeyLock& lock) {
   FramePacer follows;
-  if (!play) return runFrames(SessionFrames(cluster, setup, follows, nullptr, KeysOf::session).context());
+  if (!play) {
+    SessionFrames frames(cluster, setup, follows, nullptr, KeysOf::session);
+    frames.context().keyLock = &lock;
+    return runFrames(frames.context());
+  }
   const LeaderParts lead{play->source,       play->leader,   windows,
                          play->sounds.get(), &play->journal, play->status.get()};
   SessionFrames frames(cluster, setup, play->pacer, &lead, KeysOf::session);
+  frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());
   if (setup.realTime) frames.statistics().sayHowItWent();
   return isAskedToEnd;
 }
 
-void runSession(Cluster& cluster, const CaveOptions& options) {
+/// Returns the session file that a name with a date asks for ("monday-%F.db", as strftime has it), today and free;
+/// other names as they are.
+std::filesystem::path datedFile(const std::filesystem::path& name) {
+  if (name.string().find('%') == std::string::npos) return name;
+  const std::time_t now = std::time(nullptr);
+  std::tm today{};
+  localtime_r(&now, &today);
+  std::array<char, 256> text{};
+  if (std::strftime(text.data(), text.size(), name.string().c_str(), &today) == 0) {
+    throw std::runtime_error(fmt::format(
+        "session file {}: the name is too long, expected one such as monday-%F.db", name.string()));
+  }
+  const std::filesystem::path file = text.data();
+  return std::filesystem::exists(file) ? fileAfter(file) : file;
+}
+
+void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesystem::path>& opened) {
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
                       options.noWindow,  options.frames.has_value(), options.outside};
   Before before;
@@ -276,6 +301,7 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
   onAllRanks(cluster, [&] {
     if (cluster.rank() == 0 && options.status) status = std::make_unique<StatusFile>(*options.status);
     if (cluster.rank() > 0 || !options.session) return;
+    if (!options.resume) options.session = datedFile(*options.session);
     if (!options.resume && std::filesystem::exists(*options.session)) {
       throw std::runtime_error(fmt::format(
           "session file {}: it is there already, expected a new name, or --resume to go on with it",
@@ -285,6 +311,12 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
     before = whatWas(*options.session);
     inputs.rig = {before.facts.rig, before.facts.rigText};
     inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
+  });
+  opened = options.session;
+  onAllRanks(cluster, [&] {
+    if (cluster.rank() > 0 || !options.lesson || readScenario(options.scenario).lesson) return;
+    throw std::runtime_error(fmt::format(
+        "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
   });
   SessionSetup setup = setUpSession(cluster, inputs);
   const bool visible = !options.noWindow;
@@ -299,7 +331,8 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
     if (play->status) play->status->play(setup.rig.title, setup.scenario.title, options.session.value_or(""));
   });
   if (play) announce(setup, cluster, options);
-  while (!playGame(cluster, setup, windows, play.get()) &&
+  KeyLock lock(options.pin);
+  while (!playGame(cluster, setup, windows, play.get(), lock) &&
          goOnWithAnother(cluster, options, inputs, setup, windows, play.get())) {
   }
   const bool leads = play != nullptr;
@@ -314,8 +347,9 @@ void runSession(Cluster& cluster, const CaveOptions& options) {
 }  // namespace
 
 int runCave(const CaveOptions& options) {
-  return runOnCluster([&](Cluster& cluster) { runSession(cluster, options); },
-                      [&](const Cluster& cluster) { sayHowItIsSeenAgain(cluster, options.session); });
+  std::optional<std::filesystem::path> session;  // as it was opened
+  return runOnCluster([&](Cluster& cluster) { runSession(cluster, options, session); },
+                      [&](const Cluster& cluster) { sayHowItIsSeenAgain(cluster, session); });
 }
 
 namespace {
@@ -385,21 +419,24 @@ void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options
           "frozen. May be given several times. Keys turn them later")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  const std::map<std::string, LessonPhase> phases{
-      {"asks", LessonPhase::asks}, {"shows", LessonPhase::shows}, {"explains", LessonPhase::explains}};
   command
       .add_option("--lesson", options->lesson,
                   "The phase in which a lesson begins: asks, shows or explains. Default: asks, or shows "
                   "with --frames")
       ->type_name("PHASE")
-      ->transform(CLI::CheckedTransformer(phases).description(""));
+      ->transform(numberOf({{"asks", static_cast<int>(LessonPhase::asks)},
+                            {"shows", static_cast<int>(LessonPhase::shows)},
+                            {"explains", static_cast<int>(LessonPhase::explains)}}));
 }
 
 void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
-  auto* session = command
-                      .add_option("--session", options->session,
-                                  "Write the session to this new file (SQLite): every frame, sample and turn")
-                      ->type_name("DB");
+  auto* session =
+      command
+          .add_option(
+              "--session", options->session,
+              "Write the session to this new file (SQLite): every frame, sample and turn. A name with a "
+              "date, such as monday-%F.db, is the day's, with a number if it is there already")
+          ->type_name("DB");
   command
       .add_flag("--resume", options->resume,
                 "Go on from the end of the session file, with its rig and scenario")
@@ -438,6 +475,19 @@ void addCave(CLI::App& app, int& status) {
                    "first game starts anew, all settings as at the beginning")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  command
+      ->add_option(
+          "--pin", options->pin,
+          "Lock the keys that end or spoil a demonstration: Escape, Q, T, X, K, B, L, + and -. F12, this "
+          "number and Enter open the lock; F12 closes it")
+      ->type_name("DIGITS")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            const bool isPin = text.size() >= 3 && text.size() <= 12 &&
+                               text.find_first_not_of("0123456789") == std::string::npos;
+            return isPin ? std::string() : fmt::format("'{}' is wrong, expected 3 to 12 digits", text);
+          },
+          ""));
   addSilent(*command, options->silent);
   addOutside(*command, options->outside, options->diagram, options->console);
   command->footer(

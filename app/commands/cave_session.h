@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/stage/recording.h"
 #include "cave/frame/lesson_words.h"
@@ -26,7 +27,8 @@ struct CaveOptions {
   bool resume = false;  ///< continue from the end of `session`, with its rig and scenario
   std::optional<std::filesystem::path> status;  ///< rank 0 says here once a second how the session goes
   bool noWindow = false;
-  bool silent = false;                 ///< no sounds
+  bool silent = false;  ///< no sounds
+  std::string pin;      ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none
   std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one
   Switches switches;                   ///< at the start
   TimeViews views;                     ///< at the start

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "app/files/config_folder.h"
 #include "app/operator/lesson.h"
+#include "app/operator/playlist.h"
 
 namespace carom::console {
 namespace {
@@ -54,8 +56,11 @@ GamesPanel::GamesPanel() {
   for (const auto& entry : std::filesystem::directory_iterator(configFolder() / "scenarios", failed)) {
     if (entry.path().extension() == ".toml") games_.push_back(gameIn(entry.path().string()));
   }
-  std::sort(games_.begin(), games_.end(),
-            [](const Game& a, const Game& b) { return a.lesson != b.lesson ? a.lesson : a.title < b.title; });
+  // The lessons come first, in the order in which they build on one another.
+  std::sort(games_.begin(), games_.end(), [](const Game& a, const Game& b) {
+    return std::tuple(!a.lesson, numberOfLesson(a.file), a.title) <
+           std::tuple(!b.lesson, numberOfLesson(b.file), b.title);
+  });
 }
 
 void GamesPanel::play(const Scenario& scenario, const std::string& file) {

@@ -1,5 +1,6 @@
 #include "app/files/config_folder.h"
 
+#include <algorithm>
 #include <system_error>
 
 namespace carom {
@@ -24,6 +25,15 @@ std::filesystem::path shippedFile(const std::filesystem::path& given, std::strin
     if (entry.path().stem() == given) return entry.path();
   }
   return given;
+}
+
+std::vector<std::string> shippedNames(std::string_view kind) {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(configFolder() / kind, failed))
+    names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {

@@ -2,7 +2,9 @@
 // The folder of the shipped rigs, scenarios and traces, and their short names.
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace carom {
 
@@ -14,6 +16,9 @@ const std::filesystem::path& configFolder();
 /// …/scenarios/three-pucks.toml. A name with a folder or an extension, of an existing file, or without a
 /// shipped file is returned unchanged.
 std::filesystem::path shippedFile(const std::filesystem::path& given, std::string_view kind);
+
+/// Returns the bare names of the shipped files of a kind, in alphabetical order.
+std::vector<std::string> shippedNames(std::string_view kind);
 
 /// Returns whether both paths name the same file.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);

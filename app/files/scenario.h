@@ -78,6 +78,7 @@ struct Scenario {
   std::vector<Caption> captions;  ///< in the order of time, without overlap
   std::optional<Lesson> lesson;
   std::vector<Finding> odd;  ///< values that can be played but are unusual
+  bool choices = false;      ///< the front wall offers the visitor's choices (cave/frame/choice.h)
 };
 
 /// Reads and checks the whole file. Throws InputErrors (app/files/toml_file.h) with the position of every

@@ -20,7 +20,7 @@ std::vector<Caption> readCaptions(const TomlTable& root) {
                   fmt::format("from_s is {}, expected a time after the caption before it, {} or above",
                               caption.from_s, free_s));
     }
-    free_s = caption.from_s + caption.for_s;
+    free_s = caption.from_s + (table.has("for_s") ? caption.for_s : 0.0);
     captions.push_back(caption);
   }
   return captions;

@@ -177,6 +177,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     for (const BodyText& body : bodies) game.bodies.push_back(body.name);
     scenario.lesson = readLesson(*lesson, scenario.title, game);
   }
+  scenario.choices = root.flag("choices", scenario.lesson.has_value());
   file.throwFaults();
 
   checkNames(pucks, bodyTables, flashes, pulses);

@@ -35,7 +35,7 @@ std::vector<ThrustLeg> readTour(const TomlTable& tour, double c_m_s) {
                       "behind would never catch up with the person",
                       thrust_m_s2, most_m_s2, c_m_s * c_m_s / most_m_s2));
     }
-    free_s = std::max(free_s, leg.from_s + leg.for_s);
+    free_s = std::max(free_s, leg.from_s + (table.has("for_s") ? leg.for_s : 0.0));
     legs.push_back(leg);
   }
   if (legs.empty()) tour.fault("leg", "there is no leg here, expected one [[tour.leg]] at least");

@@ -22,6 +22,7 @@ struct HandInput {
   /// Message to the player when another device was refused the cue in this frame, with static lifetime; empty
   /// if none.
   std::string_view refused = {};
+  bool pressed = false;  ///< the button went down in this frame, even if it may not take the cue
 };
 
 }  // namespace carom

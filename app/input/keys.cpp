@@ -84,6 +84,11 @@ Command chooseInLesson(const OperatorSettings& now, const Pressed&) {
   return ChooseInLesson{now.lesson.phase == LessonPhase::asks ? kNone : choice};
 }
 
+template <Choice choice>
+Command choose(const OperatorSettings& now, const Pressed&) {
+  return commandOf(choice, now);
+}
+
 struct Key {
   int key;       // GLFW key code
   int otherKey;  // second key with the same effect; 0 if none
@@ -144,16 +149,9 @@ constexpr std::array kKeys{
     Key{GLFW_KEY_F4, 0, "F4", kInSession, nullptr, chooseInLesson<3>},
     Key{GLFW_KEY_Y, 0, "Y", kInSession, "restart this game",
         [](const OperatorSettings& now, const Pressed&) -> Command { return PlayScenario{now.playing}; }},
-    Key{GLFW_KEY_F5, 0, "F5", kInSession, "Show me: relativity in a minute",
-        [](const OperatorSettings&, const Pressed&) -> Command { return PlayScenario{fileOfGame(kShowMe)}; }},
-    Key{GLFW_KEY_F6, 0, "F6", kInSession, "Lessons: the next one",
-        [](const OperatorSettings& now, const Pressed&) -> Command {
-          return PlayScenario{lessonAfter(now.playing)};
-        }},
-    Key{GLFW_KEY_F7, 0, "F7", kInSession, "Play: the game of the beginning",
-        [](const OperatorSettings&, const Pressed&) -> Command {
-          return PlayScenario{fileOfGame(kWelcome)};
-        }},
+    Key{GLFW_KEY_F5, 0, "F5", kInSession, "Show me: relativity in a minute", choose<Choice::showMe>},
+    Key{GLFW_KEY_F6, 0, "F6", kInSession, "Lessons: the next one", choose<Choice::lessons>},
+    Key{GLFW_KEY_F7, 0, "F7", kInSession, "Play: the game of the beginning", choose<Choice::play>},
     Key{GLFW_KEY_F8, 0, "F8", kInSession, "the next visitor: everything as at the beginning",
         [](const OperatorSettings&, const Pressed&) -> Command { return WelcomeNextVisitor{}; }},
     Key{GLFW_KEY_G, 0, "G", kInSession, "start the scripted flight",

@@ -38,6 +38,7 @@ struct OperatorSettings {
   std::size_t lessonExplainedFor = 0;  ///< the velocity with which it explains
   bool keysShown = false;              ///< the list of keys is drawn over the walls of rank 0
   std::string playing;                 ///< scenario file being played
+  std::string lastLesson;              ///< file of the lesson that this visitor saw last; empty: none so far
 
   bool operator==(const OperatorSettings&) const = default;
 };

@@ -6,19 +6,28 @@
 #include <string>
 #include <string_view>
 
+#include "app/operator/command.h"
+#include "cave/frame/choice.h"
+
 namespace carom {
 
 inline constexpr std::string_view kWelcome = "welcome", kShowMe = "show-me";
-inline constexpr std::array<std::string_view, 13> kLessons{
-    "comes-and-goes", "seen-at-once",  "seen-length",     "parallel-tracks", "two-cushions",
-    "light-clock",    "twins",         "train-in-tunnel", "train-aboard",    "angles",
-    "pairs-4",        "rolling-wheel", "spinning-disc"};
+inline constexpr std::array<std::string_view, 16> kLessons{
+    "comes-and-goes", "seen-at-once", "seen-length",   "parallel-tracks", "same-laws",    "two-cushions",
+    "cause",          "light-clock",  "twins",         "train-in-tunnel", "train-aboard", "pairs-4",
+    "angles",         "mass-energy",  "rolling-wheel", "spinning-disc"};
 
 /// Returns the scenario file of a shipped game.
 std::string fileOfGame(std::string_view name);
 
-/// Returns the file of the lesson after the one in the file `playing`: the first one after the last, or if no
-/// lesson is played.
-std::string lessonAfter(const std::string& playing);
+/// Returns the number of the shipped lesson in this file, from 0, or how many there are if it is none.
+std::size_t numberOfLesson(const std::string& file);
+
+/// Returns the file of the lesson after the one in this file: the first one after the last, or if the file is no
+/// lesson.
+std::string lessonAfter(const std::string& file);
+
+/// Returns the command that carries out a visitor's choice. The lessons go on after the one seen last.
+Command commandOf(Choice choice, const OperatorSettings& settings);
 
 }  // namespace carom

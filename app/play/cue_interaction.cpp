@@ -49,7 +49,7 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
   }
   record.hand = viewOf(hand, pointed, game, record);
   if (cue.letGo) return strike(*cue.letGo, hand, game, record);
-  return {{}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
+  return {{}, {}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
 }
 
 double CueInteraction::offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const {
@@ -86,9 +86,9 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
   const Puck& target = scenario_->billiard.pucks[puck];
   const double c_m_s = scenario_->billiard.lightSpeed_m_s;
   const Vec2 u = strokeOf(cue_.pull_m(), record.boardFromRoom).u;
-  if (u == Vec2(0.0)) return {{}, "Let go: no stroke"};
+  if (u == Vec2(0.0)) return {{}, {}, "Let go: no stroke"};
   const Event from = handEvent(hand.from_m, record.observer, record.boardFromRoom);
-  if (from.t_s < 0.0) return {{}, "No stroke: where your hand is, the game has not begun yet"};
+  if (from.t_s < 0.0) return {{}, {}, "No stroke: where your hand is, the game has not begun yet"};
   const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u,
                       offset_m(u, puck, record.boardFromRoom)};
   try {
@@ -96,13 +96,13 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
     const double pace = record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
     const double after_s = (record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
     return {
-        stroke,
+        stroke, arrival.t_s,
         fmt::format("{}: p = {:.2g} kg m/s{}, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s",
                     target.name, glm::length(stroke.momentum_kg_m_s), sideText(stroke.offset_m),
                     costOf(glm::length(u)), after_s)};
   } catch (const std::invalid_argument& error) {
     log::note(error.what());
-    return {{}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};
+    return {{}, {}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};
   }
 }
 

@@ -72,6 +72,7 @@ InputDevices::Hand InputDevices::wandHand(const HandDevices& devices, double now
   Hand hand;
   hand.there = devices.wandKnown;
   hand.held = wandButtons_.isHeld(kTrigger);
+  hand.down = (devices.wand.down & 1U << kTrigger) != 0;
   hand.from_m = hand.at_m = devices.roomFromHand.position_m;
   hand.along = devices.roomFromHand.orientation * axes_.forward;
   hand.used_s = now_s - kPatience_s;
@@ -86,7 +87,7 @@ InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double 
   if (desk_.mouse) mouseWas_ = desk_.mouse;
   Hand hand;
   hand.there = desk_.mouse || (mouseWas_ && holder_ == mouse);
-  hand.held = desk_.mouseHeld;
+  hand.held = hand.down = desk_.mouseHeld;
   hand.used_s = mouseUsed_s_;
   if (!hand.there) return hand;
   hand.eye = mouseWas_->eye;
@@ -112,7 +113,7 @@ InputDevices::Hand InputDevices::padHand(const ObserverView& observer, const Pos
   if (desk_.padHeld || desk_.padPull != Vec3(0.0)) padUsed_s_ = now_s;
   Hand hand;
   hand.there = desk_.hasPad;
-  hand.held = desk_.padHeld;
+  hand.held = hand.down = desk_.padHeld;
   hand.from_m = observer.middle.positionInRoom_m;
   hand.along = roomFromHead.orientation * axes_.forward;
   const Vec3 forward = level(hand.along);
@@ -159,6 +160,9 @@ HandInput InputDevices::cue(const HandDevices& devices, const ObserverView& obse
                                          padHand(observer, roomFromHead, now_s)};
   turn(hands[mouse]);
   HandInput input;
+  std::array<bool, kDevices> pressed{};
+  for (const Device device : {wand, mouse, pad})
+    pressed[device] = !std::exchange(wasDown_[device], hands[device].down) && hands[device].down;
   take(hands, input);
   const std::optional<Device> device = aiming(hands, now_s);
   if (!device) return input;
@@ -167,6 +171,7 @@ HandInput InputDevices::cue(const HandDevices& devices, const ObserverView& obse
   input.from_m = hand.from_m;
   input.along = hand.along;
   input.eye = hand.eye;
+  input.pressed = pressed[*device];
   if (!holder_) return input;
   input.held = hand.held;
   input.pull_m = hand.at_m - pressed_m_;

@@ -63,6 +63,7 @@ class InputDevices {
   struct Hand {
     bool there = false;  ///< it has a position to point from
     bool held = false;
+    bool down = false;  ///< its button is down, even if that means something else
     Vec3 from_m{0.0}, along{0.0};
     Eye eye = Eye::middle;
     Vec3 at_m{0.0};  ///< the pull is the displacement of this point since the button was pressed
@@ -87,7 +88,7 @@ class InputDevices {
   std::optional<Vec3> grabbed_;  ///< horizontal direction of the mouse while it turns the room
   double turn_rad_ = 0.0;        ///< of the room about the vertical, in the next frame
   std::optional<Device> holder_;
-  std::array<bool, kDevices> wasHeld_{};
+  std::array<bool, kDevices> wasHeld_{}, wasDown_{};
   Vec3 pressed_m_{0.0};  ///< position of the holder at the time of pressing
   std::optional<PointedWall> mouseWas_;
   Vec3 mouseAt_m_{0.0};  ///< last position it pointed to in the plane of the cloth

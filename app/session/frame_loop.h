@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "app/input/key_lock.h"
 #include "app/session/director.h"
 #include "app/session/frame_listener.h"
 #include "app/session/frame_statistics.h"
@@ -24,6 +25,7 @@ struct FrameContext {
   FrameStatistics& statistics;
   std::vector<View*> views;               ///< in the order of drawing and swapping
   std::vector<FrameListener*> listeners;  ///< in the order of their calls
+  KeyLock* keyLock = nullptr;             ///< null: all keys work
 };
 
 /// Runs frames until the last one or until someone asks to quit. Returns true if someone asked to quit.

@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "app/operator/lesson.h"
+#include "app/operator/playlist.h"
+#include "cave/overlay/choice_tiles.h"
+#include "cave/overlay/hud_panel.h"
 #include "engine/base/limits.h"
 
 namespace carom {
@@ -41,7 +44,8 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       viewer_(rig, scenario, start.sessionStart, start.before),
       play_(scenario, rig.axes, !start.before, start.struck),
       hands_(rig.axes),
-      roomBoundary_(rig.walls) {
+      roomBoundary_(rig.walls),
+      front_(frontWall(roomGeometryOf(rig))) {
   if (scenario.lesson && !start.before) beginPass(0);
   if (start.before) play_.captions = captionsBegunAt(start.before->observer.properTime_s);
   if (start.frames) lastFrame_ = start.firstFrame() + *start.frames - 1;
@@ -130,16 +134,49 @@ void LiveSource::say(std::string_view words, Decision& decision) {
   decision.notes.push_back({"notice", std::string(words)});
 }
 
-/// Processes the hand's interaction with the game in this frame.
-void LiveSource::strike(bool still, const FrameTimes& times, Decision& decision) {
+/// Counts a carom when it is seen, and says so.
+void LiveSource::count(Decision& decision) {
+  const Event& eye = decision.frame.record.observer.middle.observation;
+  if (!play_.score.look(world_.events, eye, scenario_.billiard.lightSpeed_m_s)) return;
+  say(fmt::format("Carom! Your puck touched two others. Caroms: {}, strokes: {}", play_.score.caroms(),
+                  play_.score.strokes()),
+      decision);
+}
+
+/// Returns the choice on the front wall that the hand points to, unless it holds the cue.
+std::optional<PointedChoice> LiveSource::pointedChoice(const HandInput& hand,
+                                                       const FrameRecord& record) const {
+  const bool isFree = !hand.device.empty() && (!hand.held || hand.pressed);
+  if (!isFree || !front_ || !scenario_.choices || !offersChoicesNow(record)) return std::nullopt;
+  return choiceAt(*front_, record.lesson.phase == LessonPhase::explains, hand.from_m, hand.along);
+}
+
+/// Processes the hand's interaction with the game in this frame. A press on one of the choices is neither a stroke
+/// nor an answer.
+void LiveSource::strike(bool still, const FrameTimes& times, const OperatorSettings& settings,
+                        Decision& decision) {
   FrameRecord& record = decision.frame.record;
-  const HandInput hand = hands_.cue(viewer_.hand(), record.observer, viewer_.head().pose, times.display_s);
-  if (const auto command = hands_.lessonCommand()) {
+  HandInput hand = hands_.cue(viewer_.hand(), record.observer, viewer_.head().pose, times.display_s);
+  const std::optional<PointedChoice> pointed = pointedChoice(hand, record);
+  std::optional<Command> command = hands_.lessonCommand();
+  if (pointed && hand.pressed) {
+    command = commandOf(pointed->choice, settings);
+    hands_.letGo();
+    hand.held = false;
+  }
+  if (command) {
     decision.commands.push_back(*command);
     decision.isHandled = true;
   }
   const CueInteraction::Outcome outcome = play_.hands.step(hand, still, play_.game, record);
-  if (outcome.stroke) decision.strokes.push_back(*outcome.stroke);
+  if (pointed && !record.hand.pulling) {
+    record.hand.to_m = pointed->onWall_m;
+    record.hand.target = 0;
+  }
+  if (outcome.stroke) {
+    decision.strokes.push_back(*outcome.stroke);
+    play_.score.struck(outcome.stroke->puck, outcome.arrives_s);
+  }
   rumble_.set(rumbleStrength(hand, record.hand));
   if (outcome.stroke && hand.device == "gamepad") rumble_.pulse();
   say(outcome.said, decision);
@@ -162,7 +199,9 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   // Until the question is answered time is frozen, so that nothing of the answer can be seen.
   const bool still = settings.views.frozen || play_.lesson.phase == LessonPhase::asks;
   see(settings, times, still, decision);
-  strike(still || scenario_.lesson, times, decision);  // a lesson plays the same game again and again
+  strike(still || scenario_.lesson, times, settings,
+         decision);  // a lesson plays the same game again and again
+  count(decision);
   say(play_.drive.news().words(), decision);
   say(roomBoundary_.look(viewer_.head().pose.position_m), decision);
   say(std::exchange(pendingMessage_, {}), decision);

@@ -10,6 +10,7 @@
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/play/carom_score.h"
 #include "app/play/cue_interaction.h"
 #include "app/play/game.h"
 #include "app/play/input_devices.h"
@@ -17,6 +18,7 @@
 #include "app/session/status_message.h"
 #include "app/viewer/platform_motion.h"
 #include "app/viewer/viewer.h"
+#include "cave/overlay/choice_tiles.h"
 #include "cave/room/room_boundary.h"
 #include "devices/usb/rumble.h"
 
@@ -42,6 +44,7 @@ struct Play {
   PlatformMotion drive;
   Game game;
   CueInteraction hands;
+  CaromScore score;
   StatusMessage message;
   LessonState lesson;                  ///< in the previous frame
   std::size_t lessonObserver = 0;      ///< the lesson's velocity in the previous frame
@@ -74,7 +77,9 @@ class LiveSource : public FrameSource {
   void beginPass(std::size_t observer);
   ObserverView lessonView(const OperatorSettings& settings, const FrameTimes& times);
   void see(const OperatorSettings& settings, const FrameTimes& times, bool still, Decision& decision);
-  void strike(bool still, const FrameTimes& times, Decision& decision);
+  std::optional<PointedChoice> pointedChoice(const HandInput& hand, const FrameRecord& record) const;
+  void strike(bool still, const FrameTimes& times, const OperatorSettings& settings, Decision& decision);
+  void count(Decision& decision);
   void say(std::string_view words, Decision& decision);
   std::size_t captionsBegunAt(double own_s) const;
   void showCaption(Decision& decision);
@@ -88,6 +93,7 @@ class LiveSource : public FrameSource {
   InputDevices hands_;
   Rumble rumble_;
   RoomBoundary roomBoundary_;
+  std::optional<Wall> front_;                                         ///< the wall with the choices
   std::optional<std::uint64_t> lastFrame_;                            ///< number of the last frame
   std::string pendingMessage_;                                        ///< message still to be shown
   double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< newest head sample, session clock

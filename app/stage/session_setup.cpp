@@ -11,6 +11,7 @@
 #include "app/stage/scenario_scene.h"
 #include "cave/frame/pacer.h"
 #include "cave/overlay/hud_panel.h"
+#include "cave/scene/baked_light.h"
 #include "cave/scene/table_model.h"
 #include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
@@ -33,11 +34,19 @@ bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
   return swapsWaitFor(setup.rig.display_hz, returned_s);
 }
 
-/// Gives the lesson to the walls; it is empty if there is none. On rank 0, warns of texts that are too long
+/// Returns the scenario's scene, lit.
+Scene litScene(const SessionSetup& setup) {
+  Scene scene = sceneOf(setup.scenario, setup.tessellation);
+  bakeLight(scene);
+  return scene;
+}
+
+/// Gives the lesson and the choices to the walls; the lesson is empty if there is none. On rank 0, warns of texts that are too long
 /// for the front wall.
-void setLesson(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
+void setTexts(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
   const Lesson lesson = scenario.lesson.value_or(Lesson{});
   walls.setLesson(lesson.words, lesson.plan);
+  walls.setChoices(scenario.choices);
   const std::optional<Wall> front = frontWall(roomGeometryOf(rig));
   if (!scenario.lesson || cluster.rank() > 0 || !front) return;
   if (bandHolds(lesson.words, lesson.plan, *front)) return;
@@ -72,12 +81,12 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   });
   onAllRanks(cluster, [&] {
     setup.tessellation = tessellationFor(setup.rig, setup.graphics->inSoftware());
-    setup.scene = sceneOf(setup.scenario, setup.tessellation);
+    setup.scene = litScene(setup);
     setup.walls = std::make_unique<DisplayWalls>(
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
     setup.walls->setRoom(roomGeometryOf(setup.rig));
-    setLesson(setup.scenario, setup.rig, cluster, *setup.walls);
+    setTexts(setup.scenario, setup.rig, cluster, *setup.walls);
     if (options.outside && cluster.rank() == 0) {
       setup.outside = std::make_unique<SpectatorView>(*setup.graphics, roomGeometryOf(setup.rig), setup.scene,
                                                       plainTable(setup.scenario), !options.noWindow);
@@ -110,9 +119,9 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
     return false;  // the error has been logged
   }
   onAllRanks(cluster, [&] {
-    setup.scene = sceneOf(setup.scenario, setup.tessellation);
+    setup.scene = litScene(setup);
     setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);
-    setLesson(setup.scenario, setup.rig, cluster, *setup.walls);
+    setTexts(setup.scenario, setup.rig, cluster, *setup.walls);
     if (setup.outside) setup.outside->setScene(setup.scene, plainTable(setup.scenario));
   });
   setup.world = {historiesAtStart(setup), {}};

@@ -1,6 +1,7 @@
 #include "app/tools/option_values.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -27,8 +28,34 @@ CLI::Validator numberIn(const Range& range, const std::string& expected) {
 CLI::Validator shipped(const std::string& kind) {
   return CLI::Validator(
       [kind](std::string& text) {
-        text = shippedFile(text, kind).string();
+        const std::filesystem::path file = shippedFile(text, kind);
+        std::error_code failed;
+        const bool isName = file == text && !file.has_parent_path() && !file.has_extension();
+        if (isName && !std::filesystem::exists(file, failed)) {
+          const auto names = shippedNames(kind);
+          const auto nearest = nearestWord(text, names);
+          return fmt::format("there is no file '{}', expected {}", text,
+                             nearest ? fmt::format("'{}'?", *nearest)
+                                     : fmt::format("a file, or one of {}", fmt::join(names, ", ")));
+        }
+        text = file.string();
         return std::string();
+      },
+      "");
+}
+
+CLI::Validator numberOf(const std::vector<std::pair<std::string, int>>& names) {
+  return CLI::Validator(
+      [names](std::string& text) {
+        std::string known;
+        for (const auto& [name, number] : names) {
+          if (text == name) {
+            text = std::to_string(number);
+            return std::string();
+          }
+          known += (known.empty() ? "" : ", ") + name;
+        }
+        return fmt::format("'{}' is wrong, expected one of {}", text, known);
       },
       "");
 }

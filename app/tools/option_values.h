@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/files/input_file.h"
@@ -16,9 +17,12 @@ namespace carom {
 /// Returns a validator that accepts one number within the range.
 CLI::Validator numberIn(const Range& range, const std::string& expected);
 
-/// Returns a transformation that replaces a bare name by the path of the shipped file. `kind` is the folder
-/// of such files.
+/// Returns a transformation that replaces a bare name by the path of the shipped file, and refuses one that is
+/// neither shipped nor a file here. `kind` is the folder of such files.
 CLI::Validator shipped(const std::string& kind);
+
+/// Returns a transformation that replaces one of these names by its number, and refuses others.
+CLI::Validator numberOf(const std::vector<std::pair<std::string, int>>& names);
 
 inline Vec3 toVec3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 

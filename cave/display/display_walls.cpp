@@ -137,6 +137,7 @@ void DisplayWalls::drawAids(const FrameRecord& record, const ObserverView& obser
     const bool isFront = front_ && standSame(*front_, wall);
     motion_.draw(room_, wall, eye_m, record, picture);
     if (isFront) words_.draw(wall, picture);
+    if (isFront && offersChoices_) choices_.draw(wall, record, picture);
     aids_.draw(room_, wall, isFront, eye_m, record, picture);
     hands_.draw(room_, wall, eye_m, record, picture);
   }

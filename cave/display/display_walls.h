@@ -18,6 +18,7 @@
 #include "cave/display/parallel_calls.h"
 #include "cave/display/window.h"
 #include "cave/frame/frame_state.h"
+#include "cave/overlay/choice_tiles.h"
 #include "cave/overlay/cue_overlay.h"
 #include "cave/overlay/hud_panel.h"
 #include "cave/overlay/motion_overlay.h"
@@ -47,6 +48,8 @@ class DisplayWalls {
   void setRoom(const RoomGeometry& room);
   /// Sets the game's lesson for the HUD panel; empty texts mean no lesson.
   void setLesson(const LessonWords& words, const LessonPlan& plan) { words_.setLesson(words, plan); }
+  /// Sets whether the game offers the three choices (cave/overlay/choice_tiles.h).
+  void setChoices(bool offered) { offersChoices_ = offered; }
 
   /// Draws every wall as both eyes see the bodies, or what the operator has chosen instead: a pattern, or
   /// black. `world.histories[i]` is body i of the scene.
@@ -113,6 +116,8 @@ class DisplayWalls {
   RoomOverlay aids_;
   CueOverlay hands_;
   HudPanel words_;
+  ChoiceTiles choices_;
+  bool offersChoices_ = false;
   std::optional<bool> calibrationPatterns_;  // the pictures are these; true: with the eyes swapped
   bool blank_ = false;
   WallControls drawn_;                                  ///< as the pictures were last drawn

@@ -28,6 +28,15 @@ glm::vec3 tupleOf(vtkDataArray* array, vtkIdType i) {
   return {tuple[0], tuple[1], tuple[2]};
 }
 
+/// Returns the light that reaches a point: all of it, unless the mesh says otherwise.
+std::array<std::uint8_t, 4> litAt(vtkDataArray* array, vtkIdType i) {
+  std::array<std::uint8_t, 4> lit{255, 255, 255, 255};
+  if (!array || array->GetNumberOfComponents() != 4) return lit;
+  for (int k = 0; k < 4; ++k)
+    lit[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(array->GetComponent(i, k));
+  return lit;
+}
+
 /// Returns the triangles of the mesh; polygons with more corners are cut into fans.
 std::vector<Triangle> trianglesOf(vtkPolyData& mesh) {
   std::vector<Triangle> triangles;
@@ -102,6 +111,7 @@ void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to) {
   vtkDataArray* const places = mesh.GetPoints() ? mesh.GetPoints()->GetData() : nullptr;
   vtkDataArray* const normals = mesh.GetPointData()->GetNormals();
   vtkDataArray* const surfaces = mesh.GetPointData()->GetArray("surface");
+  vtkDataArray* const lit = mesh.GetPointData()->GetArray("lit");
   std::vector<std::uint32_t> numbers(static_cast<std::size_t>(mesh.GetNumberOfPoints()), kUnused);
   to.vertices.reserve(to.vertices.size() + numbers.size());
   to.indices.reserve(to.indices.size() + 3 * triangles.size());
@@ -114,8 +124,8 @@ void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to) {
       for (const std::uint32_t corner : triangle.corners) {
         if (numbers[corner] == kUnused) {
           numbers[corner] = static_cast<std::uint32_t>(to.vertices.size());
-          to.vertices.push_back(
-              {tupleOf(places, corner), tupleOf(normals, corner), tupleOf(surfaces, corner)});
+          to.vertices.push_back({tupleOf(places, corner), tupleOf(normals, corner), tupleOf(surfaces, corner),
+                                 litAt(lit, corner)});
         }
         to.indices.push_back(numbers[corner]);
       }

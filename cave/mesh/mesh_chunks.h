@@ -2,6 +2,7 @@
 // Meshes as they are drawn: vertices and triangles in two arrays, in chunks of triangles that lie together,
 // so that what a wall cannot show need not be drawn.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,6 +17,8 @@ struct MeshVertex {
   glm::vec3 place_m{0.0F};
   glm::vec3 normal{0.0F};
   glm::vec3 surface{0.0F};  ///< for painting
+  /// The share of each lamp's light and of the hall's that reaches it, of 255.
+  std::array<std::uint8_t, 4> lit{255, 255, 255, 255};
 };
 
 /// A run of triangles, and a sphere around them in the body's rest frame.
@@ -37,7 +40,8 @@ struct ChunkedMeshes {
 /// more of what is not seen, and cost more to look at.
 inline constexpr std::size_t kChunkTriangles = 256;
 
-/// Appends a mesh with its normals and its point array "surface"; where it lacks them, they are 0. Points
+/// Appends a mesh with its normals and its point arrays "surface" and "lit"; where it lacks them, they are 0 and all
+/// light. Points
 /// that no triangle uses are left out. The order depends on the mesh alone.
 void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to);
 

@@ -7,29 +7,24 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <vtk_glew.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "cave/frame/clock_time.h"
 #include "cave/frame/lesson_readings.h"
-#include "cave/gl/gl_program.h"
-#include "cave/gl/gl_state_guard.h"
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
 #include "engine/spacetime/lorentz.h"
-#include "shaders/stereo_vert.h"
-#include "shaders/words_frag.h"
 
 namespace carom {
 namespace {
 
-constexpr double kCapitalOfLetters = 0.72;      // a capital's height, as a fraction of the nominal height
-constexpr double kLine = 1.5, kBandLine = 1.3;  // distance from line to line, in that height
-constexpr double kLetterWidth = 0.54;           // of running text, in that height
-constexpr double kSmallest_px = 9.0;            // smaller letters are illegible
-constexpr std::array<std::uint8_t, 4> kGround{12, 14, 18, 175};  // dark; half of the picture shows through
+constexpr double kCapitalOfLetters = 0.72;       // a capital's height, as a fraction of the nominal height
+constexpr double kLine = 1.5, kBandLine = 1.25;  // distance from line to line, in that height
+constexpr double kLetterWidth = 0.54;            // of running text, in that height
+constexpr double kSmallest_px = 9.0;             // smaller letters are illegible
+constexpr PanelPicture::Rgba kGround{12, 14, 18, 175};  // dark; half of the picture shows through
 constexpr glm::vec3 kWhite(235.0F), kUrgent(255.0F, 200.0F, 70.0F);  // letters
 constexpr glm::vec3 kSeenMark(0.92F);
 
@@ -227,8 +222,20 @@ std::size_t bandLetters(const Wall& wall) {
   return std::max<std::size_t>(kLineLetters, static_cast<std::size_t>(width_px / letter_px));
 }
 
+/// Returns the height of a wall's lower edge above the floor, in a room whose floor is at height 0.
+static double footOf_m(const Wall& wall) {
+  return glm::dot(wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m) / sizeOf_m(wall).y;
+}
+
+/// Returns the fraction of the wall's height that the band may take.
+static double mostOfBand(const Wall& wall) {
+  const double height_m = sizeOf_m(wall).y;
+  return std::max(HudPanel::kMostOfHeight, 1.0 - (HudPanel::kLowest_m - footOf_m(wall)) / height_m);
+}
+
 bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wall) {
   constexpr double kLetter = HudPanel::kBandCapital / kCapitalOfLetters;
+  const double most = mostOfBand(wall);
   std::vector<HudLine> lines;
   for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
     for (std::uint8_t answer = 0; answer <= words.answers.size(); ++answer) {
@@ -236,7 +243,7 @@ bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wal
       record.lesson = {phase, answer};
       describe(record, words, plan, bandLetters(wall), lines);
       const double high = (kBandLine * static_cast<double>(lines.size()) + 1.0) * kLetter;
-      if (high > HudPanel::kMostOfHeight) return false;
+      if (high > most) return false;
     }
   }
   return true;
@@ -253,8 +260,6 @@ void describe(const FrameRecord& record, const LessonWords& lesson, const Lesson
   }
   if (record.controls.trackerCross) lines.add({}, "of the two bars the right one is nearer");
 }
-
-HudPanel::HudPanel() : program_(makeProgram("words", shaders::stereo_vert, shaders::words_frag)) {}
 
 void HudPanel::set(const std::vector<HudLine>& lines) {
   if (lines.size() != lines_.size()) written_ = false;
@@ -298,8 +303,9 @@ int HudPanel::endOf_px(const Written& written, int height_px) {
 /// Returns the distance from line to line, in the nominal height of letters.
 double HudPanel::line() const { return band_ ? kBandLine : kLine; }
 
-void HudPanel::write(const glm::ivec2& picture_px, const glm::dvec2& size_m) {
-  const double capital_px = band_ ? kBandCapital * picture_px.y : kCapital_m * picture_px.y / size_m.y;
+void HudPanel::write(const glm::ivec2& picture_px, const Wall& wall) {
+  const double capital_px =
+      band_ ? kBandCapital * picture_px.y : kCapital_m * picture_px.y / sizeOf_m(wall).y;
   int height_px = static_cast<int>(std::ceil(std::max(kSmallest_px, capital_px / kCapitalOfLetters)));
   const auto widest_px = [&] {
     int widest = 0;
@@ -314,89 +320,69 @@ void HudPanel::write(const glm::ivec2& picture_px, const glm::dvec2& size_m) {
   // A small wall gets small letters.
   const double wide = widest_px() + 4.0 * height_px;
   const double high = (line() * static_cast<double>(lines_.size()) + 1.0) * height_px;
-  const double mostOfWidth = band_ ? 1.0 : kMostOfWidth;
-  const double share = std::min(mostOfWidth * picture_px.x / wide, kMostOfHeight * picture_px.y / high);
+  const double mostOfWidth = band_ ? 1.0 : kMostOfWidth,
+               mostOfHeight = band_ ? mostOfBand(wall) : kMostOfHeight;
+  const double share = std::min(mostOfWidth * picture_px.x / wide, mostOfHeight * picture_px.y / high);
   if (share < 1.0) {
     height_px = std::max(1, static_cast<int>(share * height_px));
     widest_px();
   }
 }
 
-/// Uploads the background, the marks and the letters as one picture.
-void HudPanel::upload(const glm::ivec2& size_px, int height_px) {
-  size_px_ = size_px;
-  rgba_.resize(4 * static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y));
-  for (std::size_t i = 0; i < rgba_.size(); ++i) rgba_[i] = kGround[i % 4];
-  const auto cover = [&](const glm::ivec2& at, const glm::vec3& colour, int alpha) {
-    if (at.x < 0 || at.y < 0 || at.x >= size_px.x || at.y >= size_px.y || alpha == 0) return;
-    std::uint8_t* pixel =
-        &rgba_[4 * (static_cast<std::size_t>(at.y) * size_px.x + static_cast<std::size_t>(at.x))];
-    for (int i = 0; i < 3; ++i) {
-      pixel[i] =
-          static_cast<std::uint8_t>((pixel[i] * (255 - alpha) + static_cast<int>(colour[i]) * alpha) / 255);
-    }
-    pixel[3] = std::max(pixel[3], static_cast<std::uint8_t>(alpha));
-  };
-  const int line_px = static_cast<int>(line() * height_px);
+/// Paints the background, the marks and the letters.
+void HudPanel::paint(const glm::ivec2& size_px, int height_px) {
+  panel_.begin(size_px, kGround);
+  const int line_px = static_cast<int>(line() * height_px), mark_px = 3 * height_px / 4;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const auto& [line, ink] = lines_[i];
     const int text_px = 2 * height_px + beginOf_px(line, height_px);
     const int foot_px = size_px.y - height_px / 2 - static_cast<int>(i + 1) * line_px;
-    for (int y = 0; y < ink.size_px.y; ++y) {
-      for (int x = 0; x < ink.size_px.x; ++x) {
-        cover({text_px + x, foot_px + ink.below_px + y}, line.urgent ? kUrgent : kWhite,
-              ink.alpha[static_cast<std::size_t>(y * ink.size_px.x + x)]);
-      }
-    }
-    const int mark_px = 3 * height_px / 4;
-    for (int y = 0; line.mark && y < mark_px; ++y) {
-      for (int x = 0; x < mark_px; ++x)
-        cover({2 * height_px / 3 + x, foot_px + height_px / 4 + y}, 255.0F * *line.mark, 255);
-    }
+    panel_.write({text_px, foot_px}, ink, line.urgent ? kUrgent : kWhite);
+    if (!line.mark) continue;
+    const glm::vec3 mark = 255.0F * *line.mark;
+    panel_.fill({2 * height_px / 3, foot_px + height_px / 4}, glm::ivec2(mark_px),
+                {static_cast<std::uint8_t>(mark.x), static_cast<std::uint8_t>(mark.y),
+                 static_cast<std::uint8_t>(mark.z), 255});
   }
-  glBindTexture(GL_TEXTURE_2D, texture_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  panel_.upload();
 }
 
-/// Returns the panel's lower left corner, on a wall whose room has its floor at height 0.
+double HudPanel::top_m(const Wall& wall, double margin_m) {
+  const double height_m = sizeOf_m(wall).y;
+  return std::min(height_m - margin_m, std::max(kHighest_m - footOf_m(wall), 0.5 * height_m));
+}
+
+/// Returns the panel's lower left corner. The band's lower edge is at the height of the eyes, or lower if it would
+/// reach beyond the wall.
 glm::ivec2 HudPanel::lowerLeft_px(const Wall& wall, const glm::dvec2& pxPerM) const {
-  const double height_m = sizeOf_m(wall).y, margin_m = band_ ? 0.0 : kMargin * height_m;
-  const double foot_m = glm::dot(wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m) / height_m;
-  const double top_m = std::min(height_m - margin_m, std::max(kHighest_m - foot_m, 0.5 * height_m));
+  const int high_px = panel_.size_px().y;
+  if (band_) {
+    const auto wall_px = static_cast<int>(sizeOf_m(wall).y * pxPerM.y);
+    const auto eyes_px = static_cast<int>((kEyes_m - footOf_m(wall)) * pxPerM.y);
+    return {0, std::clamp(eyes_px, 0, std::max(0, wall_px - high_px))};
+  }
+  const double margin_m = kMargin * sizeOf_m(wall).y;
   return {static_cast<int>(margin_m * pxPerM.x),
-          std::max(0, static_cast<int>(top_m * pxPerM.y) - size_px_.y)};
+          std::max(0, static_cast<int>(top_m(wall, margin_m) * pxPerM.y) - high_px)};
 }
 
 void HudPanel::draw(const Wall& wall, const RenderTarget& picture) {
   if (lines_.empty()) return;
-  const GlStateGuard state(picture.framebuffer(), picture.size_px());
   const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);
   if (!written_ || picture_px_ != picture.size_px()) {
     if (picture_px_ != picture.size_px()) height_px_ = 0;
     picture_px_ = picture.size_px();
-    write(picture_px_, sizeOf_m(wall));
+    write(picture_px_, wall);
     int widest_px = 0;
     for (const Written& written : lines_) widest_px = std::max(widest_px, endOf_px(written, height_px_));
     widest_px += height_px_ - widest_px % height_px_;  // so that the width does not change with every digit
-    upload({band_ ? picture_px_.x : widest_px + 3 * height_px_,
-            static_cast<int>(line() * height_px_) * static_cast<int>(lines_.size()) + height_px_},
-           height_px_);
+    paint({band_ ? picture_px_.x : widest_px + 3 * height_px_,
+           static_cast<int>(line() * height_px_) * static_cast<int>(lines_.size()) + height_px_},
+          height_px_);
     written_ = true;
   }
   // Draws pixel on pixel, unless pixels are not square.
-  const glm::ivec2 from_px = lowerLeft_px(wall, pxPerM);
-  blendOver();
-  glUseProgram(program_);
-  glBindVertexArray(vertexArray_);
-  glBindTexture(GL_TEXTURE_2D, texture_);
-  glUniform1i(glGetUniformLocation(program_, "words"), 0);
-  glViewport(from_px.x, from_px.y, static_cast<int>(std::lround(size_px_.x * pxPerM.x / pxPerM.y)),
-             size_px_.y);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  panel_.draw(picture, lowerLeft_px(wall, pxPerM), pxPerM.x / pxPerM.y);
 }
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 // lies in the wall's plane, it is the same for both eyes and needs no effort to fuse.
 //
 // While a lesson speaks, the panel is a band across the whole wall with larger letters, for a group to read,
-// and has the lesson's texts alone.
+// and has the lesson's texts alone. It stands above the eyes, as far as the wall reaches up there.
 
 #include <cstdint>
 #include <optional>
@@ -16,9 +16,9 @@
 
 #include "cave/frame/frame_state.h"
 #include "cave/frame/lesson_plan.h"
-#include "cave/gl/gl_objects.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/picture.h"
+#include "cave/overlay/panel_picture.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 
@@ -62,11 +62,18 @@ class HudPanel {
   /// The largest fractions of the wall's width and height that the panel may take, to leave room for the game
   /// beside it. If the text needs more, its letters get smaller.
   static constexpr double kMostOfWidth = 0.4, kMostOfHeight = 0.4;
+  /// The band stands above the height of the eyes over the floor, as far as the wall reaches; a long text may go down
+  /// to the second height, above a table in the room.
+  static constexpr double kEyes_m = 1.7, kLowest_m = 1.35;
   /// The height of a capital of the band, as a fraction of the picture's height.
   static constexpr double kBandCapital = 1.0 / 40.0;
 
   /// Create and destroy it with the drawing context current.
-  HudPanel();
+  HudPanel() = default;
+
+  /// Returns the height of the panel's upper edge above the wall's lower edge, on a wall whose room has its floor
+  /// at height 0.
+  static double top_m(const Wall& wall, double margin_m);
 
   /// Sets the panel's lines; without lines there is no panel. Only lines that have changed are rendered anew,
   /// when they are next drawn.
@@ -91,9 +98,9 @@ class HudPanel {
     GlyphBitmap ink;
   };
   static int endOf_px(const Written& written, int height_px);
-  void write(const glm::ivec2& picture_px, const glm::dvec2& size_m);
+  void write(const glm::ivec2& picture_px, const Wall& wall);
   double line() const;
-  void upload(const glm::ivec2& size_px, int height_px);
+  void paint(const glm::ivec2& size_px, int height_px);
   glm::ivec2 lowerLeft_px(const Wall& wall, const glm::dvec2& pxPerM) const;
 
   std::vector<Written> lines_;
@@ -107,14 +114,10 @@ class HudPanel {
   std::size_t bandLetters_ = kLineLetters;
   bool band_ = false;           ///< a lesson speaks
   std::int64_t tenths_s_ = -1;  ///< time of the last description, in tenths
-  std::vector<std::uint8_t> rgba_;
   bool written_ = false;
   int height_px_ = 0;         ///< of the rendered letters
   glm::ivec2 picture_px_{0};  ///< size of the picture for which they were rendered
-  glm::ivec2 size_px_{0};     ///< size of the panel
-  GlProgram program_;
-  GlVertexArray vertexArray_;
-  GlTexture texture_;
+  PanelPicture panel_;
 };
 
 }  // namespace carom

@@ -66,6 +66,9 @@ void BodyDrawer::makeVertices() {
     glVertexAttribPointer(static_cast<GLuint>(i), 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
                           reinterpret_cast<const void*>(kOffsets[i]));
   }
+  glEnableVertexAttribArray(3);
+  glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(MeshVertex),
+                        reinterpret_cast<const void*>(offsetof(MeshVertex, lit)));
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }

@@ -61,7 +61,7 @@ struct PartUniforms {
 };
 
 /// The inputs of a vertex, in the order of MeshVertex.
-inline constexpr std::array<const char*, 3> kVertexInputs{"vertexMC", "normalMC", "surfaceMC"};
+inline constexpr std::array<const char*, 4> kVertexInputs{"vertexMC", "normalMC", "surfaceMC", "litMC"};
 
 /// What a program is compiled for.
 struct BodyVariant {

@@ -16,18 +16,11 @@ namespace {
 constexpr double kCell_m = 1.0 / 6.0;  // the same for all parts that meet: different cells would leave cracks
 constexpr double kColumnCell_m = 0.3;
 
-/// Returns the fraction of the hall's light that a table leaves on the floor at this place.
-double lightUnderTable(const glm::dvec2& place, const glm::dvec2& tableSize_m) {
-  if (tableSize_m.x <= 0.0) return 1.0;
-  const glm::dvec2 outside = glm::max(glm::abs(place) - 0.5 * tableSize_m + 0.25, glm::dvec2(0.0));
-  return 0.35 + 0.65 * glm::smoothstep(0.0, 0.7, glm::length(outside));
-}
-
-ScenePart floorPart(const Hall& hall, const glm::dvec2& tableSize_m, double cell_m) {
+ScenePart floorPart(const Hall& hall, double cell_m) {
   MeshBuilder floor;
   floor.addPatch(cellsFor(hall.size_m.x, cell_m), cellsFor(hall.size_m.y, cell_m), [&](double u, double v) {
     const glm::dvec2 place((u - 0.5) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
-    return PatchPoint{{place, hall.floor_m}, {lightUnderTable(place, tableSize_m), 0.0, 0.0}};
+    return PatchPoint{{place, hall.floor_m}};
   });
   return {kRestingBody, floor.build(), Paint::floor, glm::vec3(0.50F, 0.43F, 0.34F), 0.05F};
 }
@@ -120,7 +113,7 @@ ScenePart ceilingLampsPart(const Hall& hall, double cell_m) {
 
 }  // namespace
 
-std::vector<ScenePart> hallParts(const Hall& hall, const glm::dvec2& tableSize_m, double cell_m) {
+std::vector<ScenePart> hallParts(const Hall& hall, double cell_m) {
   cell_m = std::min(cell_m, kCell_m);
   std::vector<ScenePart> parts = wallClocks(hall, cell_m);
   parts.push_back(columnsPart(hall, cell_m));
@@ -128,7 +121,7 @@ std::vector<ScenePart> hallParts(const Hall& hall, const glm::dvec2& tableSize_m
   parts.push_back(wallPart(hall, {0, -1}, {0.62F, 0.56F, 0.36F}, cell_m));
   parts.push_back(wallPart(hall, {1, 0}, {0.64F, 0.38F, 0.31F}, cell_m));
   parts.push_back(wallPart(hall, {-1, 0}, {0.40F, 0.57F, 0.42F}, cell_m));
-  parts.push_back(floorPart(hall, tableSize_m, cell_m));
+  parts.push_back(floorPart(hall, cell_m));
   parts.push_back(ceilingLampsPart(hall, cell_m));
   parts.push_back(ceilingPart(hall, cell_m));
   return parts;

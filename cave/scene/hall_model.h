@@ -12,8 +12,7 @@
 namespace carom {
 
 /// Returns the floor, walls, ceiling, columns and wall clocks, in cells no larger than `cell_m`.
-/// `tableSize_m`: size of the table's footprint (0: no table).
-std::vector<ScenePart> hallParts(const Hall& hall, const glm::dvec2& tableSize_m, double cell_m);
+std::vector<ScenePart> hallParts(const Hall& hall, double cell_m);
 
 /// Returns three hanging lamps along x at these places.
 std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m, double cell_m);

@@ -42,6 +42,8 @@ struct Scene {
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
+  std::vector<ScenePart>
+      casters;  ///< table and hall, undivided: what throws shadows (cave/scene/baked_light.h)
   std::vector<LightPath> pulses;
   Ruler ruler;
   LessonPlan lesson;

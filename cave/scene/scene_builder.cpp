@@ -77,13 +77,13 @@ struct Resting {
   std::size_t vertices() const { return verticesOf(table) + verticesOf(hall); }
 };
 
-Resting restingParts(const BilliardSetup& setup, const Hall& hall, const glm::dvec2& table_m,
-                     const std::array<glm::dvec3, 3>& lamps_m, double tableCell_m, double hallCell_m) {
+Resting restingParts(const BilliardSetup& setup, const Hall& hall, const std::array<glm::dvec3, 3>& lamps_m,
+                     double tableCell_m, double hallCell_m) {
   Resting resting;
   resting.table = setup.board ? tableParts(*setup.board, hall.floor_m, tableCell_m)
                               : openPlaneParts(kOpenPlane_m, tableCell_m);
   resting.hall = lampParts(lamps_m, hall.floor_m + hall.size_m.z, hallCell_m);
-  append(resting.hall, hallParts(hall, table_m, hallCell_m));
+  append(resting.hall, hallParts(hall, hallCell_m));
   return resting;
 }
 
@@ -226,7 +226,7 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
   for (int i = 0; i < 3; ++i) scene.lamps_m[i] = {(i - 1) * table_m.x / 3.0, 0.0, lampHeight_m};
 
   const auto resting = [&](double tableCell_m, double hallCell_m) {
-    return restingParts(setup, around, table_m, scene.lamps_m, tableCell_m, hallCell_m);
+    return restingParts(setup, around, scene.lamps_m, tableCell_m, hallCell_m);
   };
   const Resting plain = resting(kAnyCell_m, kAnyCell_m);
   Resting divided = finestWithin(tessellation.mostVertices, cellOf(tessellation),
@@ -239,6 +239,8 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
   addBodies(scene, pucks, told, tessellation);
   // The background comes last, so that most of it is hidden before it is painted.
   append(scene.parts, std::move(divided.hall));
+  append(scene.casters, plain.table);
+  append(scene.casters, plain.hall);
   return scene;
 }
 

@@ -67,8 +67,8 @@ void addProfile(MeshBuilder& mesh, const Board& board, const std::vector<glm::dv
 void addLeg(MeshBuilder& mesh, const glm::dvec2& at, double top_m, double floor_m, double cell_m) {
   const std::array<glm::dvec2, 4> corners{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
   for (std::size_t i = 0; i < 4; ++i) {
-    const glm::dvec2 a = corners[(i + 1) % 4];
-    const glm::dvec2 b = corners[i];
+    const glm::dvec2 a = corners[i];
+    const glm::dvec2 b = corners[(i + 1) % 4];
     mesh.addPatch(cellsFor(0.15, std::min(0.075, cell_m)), cellsFor(top_m - floor_m, std::min(0.075, cell_m)),
                   [&](double u, double v) {
                     const double half_m = 0.075 - 0.03 * v;

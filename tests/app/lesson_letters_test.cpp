@@ -1,10 +1,11 @@
-// Every letter of the shipped lessons can be written on a wall.
+// Every letter of the shipped lessons can be written on a wall, and large enough.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <set>
 #include <string>
 
+#include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/overlay/hud_panel.h"
@@ -24,13 +25,18 @@ std::set<std::string> lettersOf(const std::string& text) {
   return letters;
 }
 
-TEST(LessonLetters, FitIntoTheBandOfAScreen) {
-  Wall wall;
-  wall.pixels = {1280, 720};
+TEST(LessonLetters, FitIntoTheBandOfEveryShippedRig) {
+  std::vector<Wall> fronts;
+  for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/rigs"))
+    fronts.push_back(frontWall(roomGeometryOf(readRig(entry.path()))).value());
+  ASSERT_GE(fronts.size(), 4U);
   for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
     const Scenario scenario = readScenario(entry.path());
     if (!scenario.lesson) continue;
-    EXPECT_TRUE(bandHolds(scenario.lesson->words, scenario.lesson->plan, wall)) << entry.path();
+    for (const Wall& front : fronts) {
+      EXPECT_TRUE(bandHolds(scenario.lesson->words, scenario.lesson->plan, front))
+          << entry.path() << " on a wall of " << front.pixels.x << " x " << front.pixels.y << " pixels";
+    }
   }
 }
 

@@ -579,5 +579,98 @@ TEST(LessonNumbers, Twins) {
       .has(firstLeg_s, 2);
 }
 
+/// The velocity of a puck for an observer who moves along x at 0.6 c.
+double betaFor(const WorldLine& line, double at_s) {
+  const double beta = betaFromU(line.at(at_s).u).x;
+  return (beta - 0.6) / (1.0 - 0.6 * beta);
+}
+
+TEST(LessonNumbers, SameLaws) {
+  const Scenario scenario = shipped("same-laws");
+  const double until_s = scenario.lesson->plan.interval.until_s;
+  const Billiard game = played(scenario, until_s);
+  const double hit_s = game.events().front().at.t_s;
+  for (const GameEvent& event : game.events().subspan(1))
+    EXPECT_GT(event.at.t_s, until_s) << "one collision, and no cushion while the lesson shows";
+  EXPECT_GT(hit_s, scenario.lesson->plan.interval.from_s);
+  const WorldLine& white = game.worldLines()[puckNamed(scenario, "white")];
+  const WorldLine& red = game.worldLines()[puckNamed(scenario, "red")];
+  const auto beta = [](const WorldLine& line, double at_s) { return betaFromU(line.at(at_s).u).x; };
+  EXPECT_NEAR(beta(white, 0.0), 0.6, 1e-12);
+  EXPECT_EQ(beta(red, 0.0), 0.0);
+  EXPECT_NEAR(beta(white, until_s), 0.0, 1e-12);
+  EXPECT_NEAR(beta(red, until_s), 0.6, 1e-12);
+  // In the frame that moves with white at first the roles are exchanged: the first answer.
+  EXPECT_NEAR(betaFor(white, 0.0), 0.0, 1e-12);
+  EXPECT_NEAR(betaFor(red, 0.0), -0.6, 1e-12);
+  EXPECT_NEAR(betaFor(white, until_s), -0.6, 1e-12);
+  EXPECT_NEAR(betaFor(red, until_s), 0.0, 1e-12);
+  EXPECT_EQ(scenario.lesson->words.right, 0u);
+  EXPECT_EQ(scenario.lesson->plan.observers.at(1).beta, Vec3(0.6, 0.0, 0.0));
+  Numbers(claims(scenario)).has(0.6, 1).has(0.6 / std::sqrt(1.0 - 0.36), 2);
+}
+
+TEST(LessonNumbers, Cause) {
+  const Scenario scenario = shipped("cause");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const Event a = flashNamed(scenario, "A").at, b = flashNamed(scenario, "B").at,
+              c = flashNamed(scenario, "C").at;
+  const double toB_s = glm::distance(a.r_m, b.r_m) / c_m_s, toC_s = glm::distance(a.r_m, c.r_m) / c_m_s;
+  EXPECT_LT(toB_s, b.t_s - a.t_s) << "a signal from A reaches B in time";
+  EXPECT_GT(toC_s, c.t_s - a.t_s) << "none reaches C: the second answer";
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  // In every frame B is after A; in some C is before it.
+  for (double beta = -0.99; beta < 1.0; beta += 0.01)
+    EXPECT_GT(elapsedFor_s(uFromBeta({beta, 0.0, 0.0}), a, b, c_m_s), 0.0) << beta;
+  const Vec3 moving = uFromBeta(scenario.lesson->plan.observers.at(1).beta);
+  const double aToB_s = elapsedFor_s(moving, a, b, c_m_s), cToA_s = elapsedFor_s(moving, c, a, c_m_s);
+  EXPECT_GT(cToA_s, 0.0);
+  const Explained explained(scenario);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "From A to B, your frame")), aToB_s, 1e-9);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "From C to A")), cToA_s, 1e-9);
+  const Event& now = explained.observer.middle.observation;
+  for (const Event& flash : {a, b, c}) {
+    EXPECT_LT(flash.t_s + glm::distance(flash.r_m, now.r_m) / c_m_s, now.t_s)
+        << "has been seen at the moment";
+  }
+  Numbers(claims(scenario))
+      .has(glm::distance(a.r_m, b.r_m), 1)
+      .has(b.t_s - a.t_s, 2)
+      .has(glm::distance(a.r_m, c.r_m), 1)
+      .has(c.t_s - a.t_s, 2)
+      .has(toB_s, 2)
+      .has(toC_s, 2)
+      .has(0.6, 1)
+      .has(cToA_s, 2)
+      .has(aToB_s, 2);
+}
+
+TEST(LessonNumbers, MassEnergy) {
+  const Scenario scenario = shipped("mass-energy");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const Billiard game = played(scenario, 4.0);
+  ASSERT_EQ(game.events().size(), 1U);
+  const GameEvent& meeting = game.events().front();
+  double masses = 0.0;  // in units of one puck's
+  const double mass_kg = scenario.billiard.pucks.front().mass_kg;
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(scenario.billiard.pucks[i].mass_kg, mass_kg);
+    EXPECT_EQ(game.worldLines()[i].at(3.0).u, Vec3(0.0)) << "both rest afterwards";
+    masses += std::sqrt(1.0 + glm::dot(game.worldLines()[i].at(0.0).u, game.worldLines()[i].at(0.0).u));
+  }
+  const double heat = meeting.heat_j / (mass_kg * c_m_s * c_m_s);
+  EXPECT_NEAR(heat, masses - 2.0, 1e-9) << "the game's own account";
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  Numbers(claims(scenario))
+      .has(0.6, 1)
+      .has(2.0, 0)
+      .has(masses, 1)
+      .has(masses / 2.0, 2)
+      .has(heat, 1)
+      .has(meeting.heat_j, 2)
+      .has(mass_kg, 1)
+      .has(c_m_s, 2);
+}
+
 }  // namespace
 }  // namespace carom

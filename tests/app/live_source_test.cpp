@@ -13,6 +13,7 @@
 
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
+#include "app/operator/playlist.h"
 #include "app/session/recorded_source.h"
 #include "app/session/session_listeners.h"
 #include "engine/light/light_cone.h"
@@ -270,6 +271,71 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
   frame(aimed(false));
   frame(aimed(true));
   EXPECT_EQ(state.record.hand.pulling, 1);
+  testing::internal::GetCapturedStderr();
+}
+
+/// The mouse presses a choice on the wall: that is a command, and no stroke. A stroke that is let go over a choice is
+/// a stroke, and no command.
+TEST_F(LiveSession, APressOnAChoiceIsACommandAndNoStroke) {
+  Scenario scenario = scenario_;
+  scenario.choices = true;
+  scenario.observer = {};
+  scenario.observer.position_m = {0.0, -1.6, -0.75};
+  SimulatedClock clock;
+  World world{startingHistories(scenario), {}};
+  LiveSource source(rig_, scenario, world, {});
+  Pacer pacer(clock, rig_.display_hz, rig_.displayLatency_s);
+  OperatorSettings settings;
+  Decision decision;
+  const auto frame = [&](const Vec3& onWall_m, bool held) {
+    DeskInput desk;
+    desk.mouse = PointedWall{onWall_m, Eye::middle};
+    desk.mouseHeld = held;
+    decision.beginFrame();
+    source.next(pacer.next(), {{}, desk}, settings, decision);
+    applyFrame(decision.frame, world);
+    pacer.awaitTick(0.0);
+    pacer.swapped();
+  };
+  const Wall& front = rig_.walls.front();
+  const auto tiles = tilesOn(front, false);
+  const auto middleOf = [&](Choice choice) {
+    const Tile& tile = tiles[static_cast<std::size_t>(choice)];
+    const glm::dvec2 at_m = tile.from_m + 0.5 * tile.size_m;
+    return front.lowerLeft_m + Vec3(at_m, 0.0);
+  };
+  const auto command = [&]() -> std::string {
+    if (decision.commands.empty()) return "";
+    const auto* play = std::get_if<PlayScenario>(&decision.commands.front());
+    return play && decision.commands.size() == 1 ? play->file : "another";
+  };
+  testing::internal::CaptureStderr();
+  for (const auto& [choice, file] : {std::pair{Choice::play, fileOfGame(kWelcome)},
+                                     {Choice::lessons, fileOfGame(kLessons.front())},
+                                     {Choice::showMe, fileOfGame(kShowMe)}}) {
+    frame(front.lowerLeft_m, false);
+    frame(middleOf(choice), false);  // it moves, so the mouse aims
+    EXPECT_EQ(command(), "");
+    EXPECT_LT(glm::distance(decision.frame.record.hand.to_m, middleOf(choice)), 1e-9);
+    frame(middleOf(choice), true);
+    EXPECT_EQ(command(), file);
+    frame(middleOf(choice), true);
+    EXPECT_EQ(command(), "") << "a press is one command";
+    EXPECT_EQ(decision.frame.record.hand.pulling, 0);
+    frame(middleOf(choice), false);
+    EXPECT_TRUE(decision.strokes.empty());
+  }
+  RayPicking aim;
+  const FrameRecord& record = decision.frame.record;
+  const Vec3 puck_m = aim.seenInRoom_m(world.histories[1], {record.observer, Eye::middle, {}});
+  for (const bool held : {false, true, true}) frame(puck_m, held);
+  frame(puck_m + Vec3(0.0, -0.2, 0.0), true);
+  ASSERT_EQ(record.hand.pulling, 1);
+  frame(middleOf(Choice::play), true);
+  EXPECT_EQ(record.hand.pulling, 1) << "the cue stays in the hand";
+  frame(middleOf(Choice::play), false);
+  EXPECT_EQ(decision.strokes.size(), 1U);
+  EXPECT_EQ(command(), "");
   testing::internal::GetCapturedStderr();
 }
 

@@ -25,6 +25,24 @@ TEST(Options, HelpTeaches) {
   EXPECT_EQ(runCarom(folder, {"--version"}).out.rfind("carom ", 0), 0u);
 }
 
+TEST(Options, MistypedNamesAreToldWhatThereIs) {
+  const TemporaryFolder folder;
+  const auto said = [&](const std::vector<std::string>& arguments) {
+    const auto result = runCarom(folder, arguments);
+    EXPECT_EQ(result.status, 2) << result.err;
+    return result.err.substr(0, result.err.find('\n'));
+  };
+  EXPECT_EQ(said({"cave", "--lesson", "banana"}),
+            "error: --lesson: 'banana' is wrong, expected one of asks, shows, explains");
+  EXPECT_EQ(said({"cave", "--scenario", "tabel"}),
+            "error: --scenario: there is no file 'tabel', expected 'table'?");
+  EXPECT_EQ(said({"cave", "--rig", "desc"}), "error: --rig: there is no file 'desc', expected 'desk'?");
+  EXPECT_NE(said({"cave", "--rig", "xyzzy"}).find("expected a file, or one of desk, five-walls-cluster, "),
+            std::string::npos);
+  EXPECT_EQ(said({"cave", "--pin", "12"}), "error: --pin: '12' is wrong, expected 3 to 12 digits");
+  EXPECT_EQ(said({"cave", "--pin", "12e4"}), "error: --pin: '12e4' is wrong, expected 3 to 12 digits");
+}
+
 TEST(Options, WrongArgumentsEndWithTwo) {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> wrong{

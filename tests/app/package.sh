@@ -12,7 +12,7 @@ DESTDIR=$work cmake --install "$build" --component program --prefix /usr >"$work
 carom=$work/usr/bin/carom
 share=$work/usr/share/carom
 for file in bin/carom share/carom/rig.schema.json share/carom/rigs/desk.toml share/carom/traces/walk.csv \
-  lib/udev/rules.d/70-carom.rules share/man/man1/carom.1.gz share/doc/carom/copyright share/doc/carom/README.md \
+  lib/udev/rules.d/70-carom.rules lib/systemd/user/carom.service share/applications/carom.desktop share/man/man1/carom.1.gz share/doc/carom/copyright share/doc/carom/README.md \
   share/carom/models/train.obj; do
   [ -s "$work/usr/$file" ] || fail "$file is not installed"
 done
@@ -20,7 +20,7 @@ for page in "$(dirname "$0")"/../../app/doc/*.md "$(dirname "$0")"/../../app/pic
   page=share/doc/carom/app/$(basename "$(dirname "$page")")/$(basename "$page")
   [ -s "$work/usr/$page" ] || fail "$page is not installed"
 done
-stray=$(cd "$share" && find . -name '*.cmake' -o -name build -o -name install-packages -o -name packages.txt -o -name udev)
+stray=$(cd "$share" && find . -name '*.cmake' -o -name build -o -name install-packages -o -name packages.txt -o -name udev -o -name desktop -o -name systemd)
 [ -z "$stray" ] || fail "of no use once installed: $stray"
 
 # Installed files that the sources do not have: only from the prefix can the program know them.

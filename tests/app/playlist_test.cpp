@@ -26,6 +26,26 @@ TEST(Playlist, LeadsThroughEveryShippedLessonAndBack) {
   EXPECT_EQ(lessonAfter(file), fileOfGame(kLessons.front()));
 }
 
+TEST(Playlist, LessonsGoOnAfterTheOneSeenLast) {
+  OperatorSettings settings;
+  settings.playing = fileOfGame(kWelcome);
+  EXPECT_EQ(commandOf(Choice::lessons, settings), Command(PlayScenario{fileOfGame(kLessons[0])}));
+  settings.lastLesson = fileOfGame(kLessons[2]);
+  EXPECT_EQ(commandOf(Choice::lessons, settings), Command(PlayScenario{fileOfGame(kLessons[3])}));
+  settings.lastLesson = fileOfGame(kLessons.back());
+  EXPECT_EQ(commandOf(Choice::lessons, settings), Command(PlayScenario{fileOfGame(kLessons[0])}));
+  EXPECT_EQ(commandOf(Choice::play, settings), Command(PlayScenario{fileOfGame(kWelcome)}));
+  EXPECT_EQ(commandOf(Choice::showMe, settings), Command(PlayScenario{fileOfGame(kShowMe)}));
+}
+
+TEST(Playlist, TheFirstMinuteOffersTheChoices) {
+  EXPECT_TRUE(readScenario(fileOfGame(kWelcome)).choices);
+  EXPECT_TRUE(readScenario(fileOfGame(kShowMe)).choices);
+  for (const std::string_view lesson : kLessons)
+    EXPECT_TRUE(readScenario(fileOfGame(lesson)).choices) << lesson;
+  EXPECT_FALSE(readScenario(fileOfGame("three-pucks")).choices);
+}
+
 TEST(Playlist, TheWelcomeGoesOnByItselfAndSaysHowToStrike) {
   const Scenario welcome = readScenario(fileOfGame(kWelcome));
   EXPECT_FALSE(welcome.lesson);

@@ -1,6 +1,8 @@
 // The tour of a scenario file: what is read, what is refused and in which words.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
 #include "app/temporary_folder.h"
@@ -60,6 +62,20 @@ TEST(TourFile, SaysWhatItRefuses) {
   EXPECT_EQ(faultOf("[observer]\nfacing_deg = 0\nbeta = [-0.8, 0, 0]\n" + tooFast), "");
   EXPECT_NE(faultOf("[tour]\n[[tour.leg]]\nfor_s = 1e9\nthrust_m_s2 = [0, 1, 0]\n").find("expected slower"),
             std::string::npos);
+}
+
+// What is missing is told once: the times after it are not judged by a time that nobody gave.
+TEST(TourFile, AMissingTimeIsOneFault) {
+  const auto linesOf = [](const std::string& said) { return 1 + std::count(said.begin(), said.end(), '\n'); };
+  const std::string legs = faultOf(
+      "[tour]\n[[tour.leg]]\nthrust_m_s2 = [0, 0.5, 0]\n[[tour.leg]]\nfrom_s = 4\nfor_s = 1\n"
+      "thrust_m_s2 = [0, 0, 0]\n");
+  EXPECT_NE(legs.find("for_s is missing"), std::string::npos);
+  EXPECT_EQ(linesOf(legs), 1) << legs;
+  const std::string captions =
+      faultOf("[[caption]]\ntext = 'Look'\n[[caption]]\nfrom_s = 4\nfor_s = 1\ntext = 'Listen'\n");
+  EXPECT_NE(captions.find("for_s is missing"), std::string::npos);
+  EXPECT_EQ(linesOf(captions), 1) << captions;
 }
 
 }  // namespace

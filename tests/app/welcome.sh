@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # welcome.sh CAROM CONFIG [PICTURES]: a visitor's first minute: `carom cave` opens on a game that already runs; the right
-# mouse button turns the room; F5, F6 and F7 lead to "Show me", the first lesson and back; F8 puts everything back for
-# the next visitor. With PICTURES, screenshots of each step are left there to be looked at.
+# mouse button turns the room; a click on "Show me", then F6, F7 and F6 lead to the show, the first lesson, back, and
+# to the second lesson; F8 puts everything back for the next visitor. With PICTURES, screenshots of each step are left there to be looked at.
 set -uo pipefail
 . "$(dirname "$0")/session_in_window.sh"
 pictures=${3:-}
@@ -35,8 +35,15 @@ picture 2-turned
 press 4 screen
 await_frames visit $((before + 12))
 
-game=1
-for key in F5 F6 F7 F8; do
+xdotool mousemove $((X + 1143)) $((Y + 66)) # Show me
+await_frames visit $((before + 16))
+picture 3-pointed
+xdotool mousedown 1
+await_frames visit-2 5
+xdotool mouseup 1
+picture 3-show-me
+game=2
+for key in F6 F7 F6 F8; do
   press $key screen
   game=$((game + 1))
   await_frames visit-$game 5
@@ -47,12 +54,12 @@ wait "$job" || fail "the session did not end well"
 job=
 turned=$(sqlite3 "$out/visit.db" "SELECT max(board_from_room_xx) - min(board_from_room_xx) > 0.01 FROM frame")
 [ "$turned" = 1 ] || fail "the right mouse button did not turn the room"
-for expected in "2 show-me" "3 comes-and-goes" "4 welcome" "5 welcome"; do
+for expected in "2 show-me" "3 comes-and-goes" "4 welcome" "5 seen-at-once" "6 welcome"; do
   read -r number name <<<"$expected"
   played=$(sqlite3 "$out/visit-$number.db" "SELECT value FROM session WHERE key = 'scenario'")
   [ "$played" = "$(cat "$config/scenarios/$name.toml")" ] || fail "game $number is not $name"
 done
 switches() { sqlite3 "$out/$1.db" "SELECT switches FROM frame ORDER BY number $2 LIMIT 1"; }
 [ "$(switches visit DESC)" != "$(switches visit ASC)" ] || fail "key 4 changed no switch"
-[ "$(switches visit-5 DESC)" = "$(switches visit ASC)" ] || fail "the next visitor has other switches"
-echo "a running game, a turn, and four keys"
+[ "$(switches visit-6 DESC)" = "$(switches visit ASC)" ] || fail "the next visitor has other switches"
+echo "a running game, a turn, a choice on the wall, and four keys"

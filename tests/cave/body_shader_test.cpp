@@ -34,12 +34,15 @@ struct Case {
   Vec3 normal;
   Event eye;
   Lorentz headFromBoard;
+  glm::vec4 share{1.0F};  ///< of each lamp's light and of the hall's, that reaches the vertex
 };
 
 Case randomCase(test::Random& random, int bounces, double maxBeta) {
   const WorldLine line = randomWorldLine(random, kC_m_s, 0.2, bounces, 0.5, maxBeta);
   const Event eye{random.in(-1.0, line.knots().back().turn.t_s + 2.0), random.inBox(2.0)};
-  return {line, random.inBall(0.2), random.direction(), eye, Lorentz::boost(random.u(maxBeta), kC_m_s)};
+  Case c{line, random.inBall(0.2), random.direction(), eye, Lorentz::boost(random.u(maxBeta), kC_m_s)};
+  for (int i = 0; i < 4; ++i) c.share[i] = static_cast<float>(random.in(0.0, 1.0));
+  return c;
 }
 
 /// What the shader hands on for the vertex. Without colour, `light` and `glow` are diagonal, `shine` grey.
@@ -127,6 +130,7 @@ class BodyProgram {
     };
     attribute("vertexMC", 0);
     attribute("normalMC", sizeof(glm::vec3));
+    glVertexAttrib4fv(static_cast<GLuint>(glGetAttribLocation(program_, "litMC")), glm::value_ptr(c.share));
     std::array<float, 21> out{};
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers_[1]);
     glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, sizeof out, nullptr, GL_STREAM_READ);
@@ -183,17 +187,18 @@ Lit litByTheBook(const Case& c, const Switches& s) {
   const double toHead = emission.doppler;
   const Ray eyeRay = intoBody(c.eye.r_m - emission.event.r_m, emission.u);
   const Vec3 toEye = s.aberration ? eyeRay.direction : glm::normalize(c.eye.r_m - emission.event.r_m);
-  const double hall = 0.32 + 0.34 * (0.5 + 0.5 * c.normal.z);
+  const double hall = c.share.w * (0.32 + 0.34 * (0.5 + 0.5 * c.normal.z));
   // From direction n of the body's sky light has D = 1/(γ(1 − β·n)); the mean cosine to the normal is 2/3.
   const double hallToBody = 1.0 / (gammaFromU(emission.u) - glm::dot(emission.u, c.normal) * 2.0 / 3.0);
   Lit lit;
   lit.glow = follow(1.0, 1.0, toHead, 1.0, s);
   lit.light = hall * follow(1.0, hallToBody, toHead, 1.0, s);
-  for (const Vec3& lamp_m : kLamps_m) {
+  for (int i = 0; i < 3; ++i) {
+    const Vec3& lamp_m = kLamps_m[static_cast<std::size_t>(i)];
     const Vec3 way = emission.event.r_m - lamp_m;
     const Ray ray = intoBody(way, emission.u);
     const Vec3 toLamp = -(s.aberration ? ray.direction : glm::normalize(way));
-    const double strength = 1.1 / (glm::dot(way, way) + 0.3);
+    const double strength = c.share[i] * 1.1 / (glm::dot(way, way) + 0.3);
     const double solidAngle = s.searchlight ? 1.0 / (ray.doppler * ray.doppler) : 1.0;
     const glm::dmat3 sent = kLampPower * strength * follow(kLampHeat, ray.doppler, toHead, solidAngle, s);
     const double facing = std::max(glm::dot(c.normal, toLamp), 0.0);

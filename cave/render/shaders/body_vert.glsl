@@ -10,6 +10,7 @@
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
 in vec3 surfaceMC;  // for painting
+in vec4 litMC;      // share of each lamp's light and of the hall's that reaches it past what rests
 
 uniform int firstLeg;          // of this body, in legTexels
 uniform int legCount;          // reached as LEG_COUNT: 1 for what rests
@@ -150,7 +151,7 @@ void lightUp(Sight sight) {
   // cosine: from direction n of the body's sky D = 1/(γ − u·n).
   float hallToBody = 1.0 / (dopplerInto(sight.gamma, sight.u, normal * (2.0 / 3.0)) *
                             dopplerInto(sight.turning.x, sight.turning.yzw, normal * (2.0 / 3.0)));
-  float hall = hallLight(normal) * headPower * radiancePower(hallToBody, COLOURED, SEARCHLIGHT);
+  float hall = litMC.w * hallLight(normal) * headPower * radiancePower(hallToBody, COLOURED, SEARCHLIGHT);
 #ifdef COLOUR
   Bands received = added(Bands(vec4(0.0), vec2(0.0)), hall, hallSpectrum(hallToBody * toHead));
 #else
@@ -164,7 +165,7 @@ void lightUp(Sight sight) {
     vec3 lampRay = normalize(ray);
     vec3 toLamp = -inVertexFrame(sight, lampRay);
     float lampToBody = dopplerIntoVertex(sight, lampRay);
-    float strength = lampStrength(ray) * headPower * lampPower(lampToBody, COLOURED, SEARCHLIGHT);
+    float strength = litMC[i] * lampStrength(ray) * headPower * lampPower(lampToBody, COLOURED, SEARCHLIGHT);
     float facing = max(dot(normal, toLamp), 0.0);
 #ifndef MATT
     float mirrored = max(dot(normal, normalize(toLamp + toEye)), 0.0);

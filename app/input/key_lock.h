@@ -1,0 +1,30 @@
+#pragma once
+// Locks the keys that end or spoil a demonstration, so that visitors can be left alone with a keyboard.
+//
+// F12, the digits of the PIN and Enter open the lock; F12 closes it again. While it is closed, the windows' close
+// buttons and these keys do nothing: Escape, Q, T, X, K, B, L, + and -.
+
+#include <string>
+
+#include "cave/gl/graphics.h"
+
+namespace carom {
+
+class KeyLock {
+ public:
+  /// Without a PIN nothing is ever locked.
+  explicit KeyLock(std::string pin = {}) : pin_(std::move(pin)) {}
+
+  /// Returns the input without what is locked, and without what is typed to open the lock. The result is valid until
+  /// the next call.
+  const WindowInput& pass(const WindowInput& input);
+
+ private:
+  bool takes(const KeyInput& key);
+
+  std::string pin_, typed_;
+  bool isOpen_ = false, isTyping_ = false;
+  WindowInput passed_;
+};
+
+}  // namespace carom

@@ -1,0 +1,36 @@
+#pragma once
+// Carom as a game: the puck that a person has struck is to touch two others. The point is counted when the second
+// touch is seen, not when it happens.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/billiard/game_event.h"
+
+namespace carom {
+
+class CaromScore {
+ public:
+  /// Begins a shot: this puck was struck by hand, and the stroke arrives at this board time.
+  void struck(std::size_t puck, double arrives_s);
+
+  /// Looks at the collisions whose light has reached `eye`. Returns whether the shot has just been seen to be a carom;
+  /// each shot is one at most once.
+  bool look(std::span<const GameEvent> events, const Event& eye, double c_m_s);
+
+  int caroms() const { return caroms_; }
+  int strokes() const { return strokes_; }
+
+ private:
+  struct Shot {
+    std::size_t puck = 0;
+    double arrives_s = 0.0;
+    std::optional<std::size_t> touched;  ///< the first other puck that was seen to be touched
+  };
+  std::optional<Shot> shot_;
+  int caroms_ = 0, strokes_ = 0;
+};
+
+}  // namespace carom
