@@ -307,30 +307,37 @@ std::filesystem::path datedFile(const std::filesystem::path& name) {
   return std::filesystem::exists(file) ? fileAfter(file) : file;
 }
 
+/// Settles on rank 0 which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
+Before prepare(CaveOptions& options, SetupOptions& inputs) {
+  if (options.lesson && !readScenario(options.scenario).lesson) {
+    throw std::runtime_error(fmt::format(
+        "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
+  }
+  if (!options.session) return {};
+  if (options.resume) {
+    Before before = whatWas(*options.session);
+    inputs.rig = {before.facts.rig, before.facts.rigText};
+    inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
+    return before;
+  }
+  options.session = datedFile(*options.session);
+  if (std::filesystem::exists(*options.session)) {
+    throw std::runtime_error(
+        fmt::format("session file {}: it is there already, expected a new name, or --resume to go on with it",
+                    options.session->string()));
+  }
+  return {};
+}
+
 void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesystem::path>& opened) {
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
                       options.noWindow,  options.frames.has_value(), options.outside};
   Before before;
   onAllRanks(cluster, [&] {
-    if (cluster.rank() > 0 || !options.session) return;
-    if (!options.resume) options.session = datedFile(*options.session);
-    if (!options.resume && std::filesystem::exists(*options.session)) {
-      throw std::runtime_error(fmt::format(
-          "session file {}: it is there already, expected a new name, or --resume to go on with it",
-          options.session->string()));
-    }
-    if (!options.resume) return;
-    before = whatWas(*options.session);
-    inputs.rig = {before.facts.rig, before.facts.rigText};
-    inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
+    if (cluster.rank() == 0) before = prepare(options, inputs);
   });
   opened = options.session;
   if (options.resume) shareInputs(cluster, inputs.rig, inputs.scenario);
-  onAllRanks(cluster, [&] {
-    if (cluster.rank() > 0 || !options.lesson || readScenario(options.scenario).lesson) return;
-    throw std::runtime_error(fmt::format(
-        "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
-  });
   SessionSetup setup = setUpSession(cluster, inputs);
   const bool visible = !options.noWindow;
   OperatorWindows windows =
@@ -392,33 +399,25 @@ void showView(const std::string& name, TimeViews& views) {
   throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
 }
 
-}  // namespace
+/// Adds the rig and the game. What is left out depends on whether somebody watches, which is known when the
+/// command runs.
+void addRigAndScenario(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  command
+      .add_option("--rig", options->rig,
+                  "Rig file: walls and trackers. With --frames or --no-window, the default is rigs/desk.toml")
+      ->default_str((configFolder() / "rigs/play.toml").string())
+      ->transform(shipped({"rigs"}));
+  command
+      .add_option("--scenario", options->scenario,
+                  "Scenario file. With --frames or --no-window, the default is scenarios/three-pucks.toml")
+      ->default_str(fileOfGame(kWelcome))
+      ->transform(shipped({"scenarios"}));
+}
 
-void addCave(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
-  auto options = std::make_shared<CaveOptions>();
-  auto* rig = command
-                  ->add_option("--rig", options->rig,
-                               "Rig file: walls and trackers. With --frames or --no-window, the default is "
-                               "rigs/desk.toml")
-                  ->default_str((configFolder() / "rigs/play.toml").string())
-                  ->transform(shipped("rigs"));
-  auto* scenario = command
-                       ->add_option("--scenario", options->scenario,
-                                    "Scenario file. With --frames or --no-window, the default is "
-                                    "scenarios/three-pucks.toml")
-                       ->default_str(fileOfGame(kWelcome))
-                       ->transform(shipped("scenarios"));
-  command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
-      ->type_name("N")
-      ->check(CLI::Range(1L, 1000000000L));
+/// Adds what is on when the session begins: effects, views of time, the phase of a lesson.
+void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   command
-      ->add_option("--capture", options->recording.capture,
-                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
-      ->type_name("DIR");
-  addMovie(*command, options->recording.movie);
-  command
-      ->add_option_function<std::vector<std::string>>(
+      .add_option_function<std::vector<std::string>>(
           "--switch",
           [options](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) turnSwitch(text, options->switches);
@@ -428,7 +427,7 @@ void addCave(CLI::App& app, int& status) {
       ->type_name("NAME=on|off")
       ->allow_extra_args(false);
   command
-      ->add_option_function<std::vector<std::string>>(
+      .add_option_function<std::vector<std::string>>(
           "--view",
           [options](const std::vector<std::string>& names) {
             for (const std::string& name : names) showView(name, options->views);
@@ -438,38 +437,44 @@ void addCave(CLI::App& app, int& status) {
       ->type_name("NAME")
       ->allow_extra_args(false);
   command
-      ->add_option("--lesson", options->lesson,
-                   "The phase in which a lesson begins: asks, shows or explains. Default: asks, or shows "
-                   "with --frames")
+      .add_option("--lesson", options->lesson,
+                  "The phase in which a lesson begins: asks, shows or explains. Default: asks, or shows "
+                  "with --frames")
       ->type_name("PHASE")
       ->transform(numberOf({{"asks", static_cast<int>(LessonPhase::asks)},
                             {"shows", static_cast<int>(LessonPhase::shows)},
                             {"explains", static_cast<int>(LessonPhase::explains)}}));
+}
+
+void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   auto* session =
       command
-          ->add_option(
+          .add_option(
               "--session", options->session,
               "Write the session to this new file (SQLite): every frame, sample and turn. A name with a "
               "date, such as monday-%F.db, is the day's, with a number if it is there already")
           ->type_name("DB");
   command
-      ->add_flag("--resume", options->resume,
-                 "Go on from the end of the session file, with its rig and scenario")
+      .add_flag("--resume", options->resume,
+                "Go on from the end of the session file, with its rig and scenario")
       ->needs(session)
-      ->excludes(command->get_option("--rig"))
-      ->excludes(command->get_option("--scenario"))
-      ->excludes(command->get_option("--switch"))
-      ->excludes(command->get_option("--view"))
-      ->excludes(command->get_option("--lesson"));
-  command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+      ->excludes(command.get_option("--rig"))
+      ->excludes(command.get_option("--scenario"))
+      ->excludes(command.get_option("--switch"))
+      ->excludes(command.get_option("--view"))
+      ->excludes(command.get_option("--lesson"));
+}
+
+/// Adds what lets a session run without an operator.
+void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   command
-      ->add_option("--unattended", options->unattended_s,
-                   "Welcome the next visitor after so many seconds without input or motion of the head: the "
-                   "first game starts anew, all settings as at the beginning")
+      .add_option("--unattended", options->unattended_s,
+                  "Welcome the next visitor after so many seconds without input or motion of the head: the "
+                  "first game starts anew, all settings as at the beginning")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
   command
-      ->add_option(
+      .add_option(
           "--pin", options->pin,
           "Lock the keys that end or spoil a demonstration: Escape, Q, T, X, K, B, L, + and -. F12, this "
           "number and Enter open the lock; F12 closes it")
@@ -481,6 +486,26 @@ void addCave(CLI::App& app, int& status) {
             return isPin ? std::string() : fmt::format("'{}' is wrong, expected 3 to 12 digits", text);
           },
           ""));
+}
+
+}  // namespace
+
+void addCave(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
+  auto options = std::make_shared<CaveOptions>();
+  addRigAndScenario(*command, options);
+  command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L));
+  command
+      ->add_option("--capture", options->recording.capture,
+                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
+      ->type_name("DIR");
+  addMovie(*command, options->recording.movie);
+  addBeginning(*command, options);
+  addSession(*command, options);
+  command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  addUnattended(*command, options);
   addSilent(*command, options->silent);
   addOutside(*command, options->outside, options->diagram, options->console);
   command->footer(
@@ -488,10 +513,12 @@ void addCave(CLI::App& app, int& status) {
       "pictures --no-window\n"
       "  carom cave --switch colour=on --switch searchlight=on\n"
       "  mpirun -n 4 carom cave --rig four-walls-cluster");
-  command->callback([=, &status] {
+  command->callback([command, options, &status] {
     const bool isWatched = !options->frames && !options->noWindow;
-    if (rig->empty()) options->rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
-    if (scenario->empty()) options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
+    if (command->get_option("--rig")->empty())
+      options->rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
+    if (command->get_option("--scenario")->empty())
+      options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
     status = runCave(*options);
   });
 }

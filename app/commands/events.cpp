@@ -227,19 +227,41 @@ int runEvents(const EventsOptions& options) {
   return 0;
 }
 
+namespace {
+
+/// What the command line says, before it is known to be possible.
+struct EventsLine {
+  EventsOptions options;
+  std::vector<double> velocity{0.0, 0.0, 0.0};
+  std::vector<std::tuple<double, double, double>> places;
+  std::vector<std::uint64_t> pair;
+};
+
+/// Returns the options. Throws CLI::ValidationError at a velocity that is not below that of light or a place that
+/// is too far away.
+EventsOptions optionsOf(const EventsLine& line) {
+  EventsOptions options = line.options;
+  options.movingBeta = toVec3(line.velocity);
+  if (!(glm::dot(options.movingBeta, options.movingBeta) < 1.0))
+    throw CLI::ValidationError("--velocity", "is not below the speed of light, expected a magnitude under 1");
+  for (const auto& [x, y, z] : line.places) {
+    options.places_m.emplace_back(x, y, z);
+    if (!(glm::length(options.places_m.back()) <= kFurthest))
+      throw CLI::ValidationError("--place", "is no place, expected numbers between -1e9 and 1e9");
+  }
+  if (!line.pair.empty()) options.pair = {line.pair[0], line.pair[1]};
+  return options;
+}
+
+}  // namespace
+
 void addEvents(CLI::App& app, int& status) {
-  struct Line {
-    EventsOptions options;
-    std::vector<double> velocity{0.0, 0.0, 0.0};
-    std::vector<std::tuple<double, double, double>> places;
-    std::vector<std::uint64_t> pair;
-  };
   CLI::App* command =
       app.add_subcommand("events", "List what happened, in any frame, and what light told of it");
-  auto line = std::make_shared<Line>();
+  auto line = std::make_shared<EventsLine>();
   command->add_option("SOURCE", line->options.source, "Session file or scenario")
       ->required()
-      ->transform(shipped("scenarios"));
+      ->transform(shipped({"scenarios"}));
   command
       ->add_option("--velocity", line->velocity,
                    "Velocity v/c on the board of another frame, in which the events are listed as well")
@@ -272,22 +294,7 @@ void addEvents(CLI::App& app, int& status) {
       "person's head.\n"
       "Examples:\n  carom events game.db --velocity 0.5 0 0\n"
       "  carom events two-cushions --until 2 --velocity 0.5 0 0 --place 0 -1 0.3 --csv events.csv");
-  command->callback([line, &status] {
-    EventsOptions& options = line->options;
-    options.movingBeta = toVec3(line->velocity);
-    if (!(glm::dot(options.movingBeta, options.movingBeta) < 1.0)) {
-      throw CLI::ValidationError("--velocity",
-                                 "is not below the speed of light, expected a magnitude under 1");
-    }
-    for (const auto& [x, y, z] : line->places) {
-      options.places_m.emplace_back(x, y, z);
-      if (!(glm::length(options.places_m.back()) <= kFurthest)) {
-        throw CLI::ValidationError("--place", "is no place, expected numbers between -1e9 and 1e9");
-      }
-    }
-    if (!line->pair.empty()) options.pair = {line->pair[0], line->pair[1]};
-    status = runEvents(options);
-  });
+  command->callback([line, &status] { status = runEvents(optionsOf(*line)); });
 }
 
 }  // namespace carom

@@ -116,30 +116,21 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   cluster.leave();
 }
 
-}  // namespace
-
-int runReplay(const ReplayOptions& options) {
-  return runOnCluster([&](Cluster& cluster) { replay(cluster, options); });
-}
-
-void addReplay(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("replay", "Show a recorded session again, as it was or as another person sees it");
-  auto options = std::make_shared<ReplayOptions>();
-  command->add_option("SESSION", options->session, "Session file")->required();
+/// Adds who sees the recorded game instead of the person who played it: where, how fast and which way they go.
+void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options) {
   command
-      ->add_option(
+      .add_option(
           "--observer", options->observer,
           "Trace of another person's head, in the room: the same game, seen by them, until they would see "
           "what was not recorded")
       ->type_name("TRACE")
-      ->transform(shipped("traces"));
+      ->transform(shipped({"traces"}));
   command
-      ->add_flag("--walk", options->walk,
-                 "Walk about in the recorded game yourself, with the head tracked by the rig's tracker")
-      ->excludes(command->get_option("--observer"));
+      .add_flag("--walk", options->walk,
+                "Walk about in the recorded game yourself, with the head tracked by the rig's tracker")
+      ->excludes(command.get_option("--observer"));
   command
-      ->add_option_function<std::vector<double>>(
+      .add_option_function<std::vector<double>>(
           "--beta",
           [options](const std::vector<double>& beta) {
             options->beta = toVec3(beta);
@@ -152,7 +143,7 @@ void addReplay(CLI::App& app, int& status) {
       ->type_name("BX BY BZ")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
   command
-      ->add_option_function<std::vector<double>>(
+      .add_option_function<std::vector<double>>(
           "--from", [options](const std::vector<double>& place_m) { options->from_m = toVec3(place_m); },
           "Where the other person's room stands: its floor's origin on the board, in metres (the floor is "
           "0.75 m "
@@ -161,11 +152,25 @@ void addReplay(CLI::App& app, int& status) {
       ->type_name("X Y Z")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
   command
-      ->add_option_function<double>(
+      .add_option_function<double>(
           "--facing", [options](double deg) { options->facing_rad = glm::radians(deg); },
           "Which way that room's front looks, anticlockwise from the table's length")
       ->type_name("DEG")
       ->check(numberIn({-360.0, 360.0}, "an angle from -360 to 360 degrees"));
+}
+
+}  // namespace
+
+int runReplay(const ReplayOptions& options) {
+  return runOnCluster([&](Cluster& cluster) { replay(cluster, options); });
+}
+
+void addReplay(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("replay", "Show a recorded session again, as it was or as another person sees it");
+  auto options = std::make_shared<ReplayOptions>();
+  command->add_option("SESSION", options->session, "Session file")->required();
+  addVisitor(*command, options);
   command
       ->add_option("--at", options->at_s,
                    "Begin at this second of the session instead of at its start; not with another person")

@@ -168,6 +168,44 @@ void mend(vtkXMLDataElement& element, bool inPlot = false) {
   for (int i = 0; i < element.GetNumberOfNestedElements(); ++i) mend(*element.GetNestedElement(i), inPlot);
 }
 
+/// Sets up axes, lines and legend.
+void fill(vtkChartXY& drawn, const Chart& chart) {
+  drawn.SetTitle(chart.title);
+  useFont(*drawn.GetTitleProperties(), 18);
+  drawn.SetAutoSize(false);
+  drawn.SetSize({kChartLeft_px, kChartBottom_px,
+                 static_cast<float>(chart.size_px.x - kChartLeft_px - kChartRight_px),
+                 static_cast<float>(chart.size_px.y - kChartBottom_px - kChartTop_px)});
+  drawn.SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+  setAxis(drawn, vtkAxis::BOTTOM, chart.xTitle, chart.xRange, plotSize(chart).x);
+  setAxis(drawn, vtkAxis::LEFT, chart.yTitle, chart.yRange, plotSize(chart).y);
+  for (const ChartLine& line : chart.lines) addLine(drawn, chart, line);
+  drawn.SetShowLegend(true);
+  useFont(*drawn.GetLegend()->GetLabelProperties(), 14);
+  drawn.GetLegend()->SetHorizontalAlignment(vtkChartLegend::CUSTOM);
+  drawn.GetLegend()->SetVerticalAlignment(vtkChartLegend::CUSTOM);
+  const auto named = std::count_if(chart.lines.begin(), chart.lines.end(),
+                                   [](const ChartLine& line) { return !line.name.empty(); });
+  drawn.GetLegend()->SetPoint(static_cast<float>(chart.size_px.x - kChartRight_px + 15),
+                              static_cast<float>(chart.size_px.y - kChartTop_px - 10 - 20 * named));
+  drawn.GetLegend()->GetBrush()->SetColor(255, 255, 255, 220);
+}
+
+/// Makes `root` an SVG page of white paper.
+void makePage(vtkXMLDataElement& root, const glm::ivec2& size_px) {
+  root.SetName("svg");
+  root.SetAttribute("xmlns", "http://www.w3.org/2000/svg");
+  root.SetAttribute("xmlns:xlink", "http://www.w3.org/1999/xlink");
+  root.SetIntAttribute("width", size_px.x);
+  root.SetIntAttribute("height", size_px.y);
+  vtkNew<vtkXMLDataElement> paper;
+  paper->SetName("rect");
+  paper->SetAttribute("width", "100%");
+  paper->SetAttribute("height", "100%");
+  paper->SetAttribute("fill", "#ffffff");
+  root.AddNestedElement(paper);
+}
+
 std::string svgOf(const Chart& chart) {
   // VTK's charts need a renderer for its size; it renders nothing.
   vtkNew<vtkRenderer> renderer;
@@ -180,37 +218,10 @@ std::string svgOf(const Chart& chart) {
 
   vtkNew<vtkChartXY> drawn;
   scene->AddItem(drawn);
-  drawn->SetTitle(chart.title);
-  useFont(*drawn->GetTitleProperties(), 18);
-  drawn->SetAutoSize(false);
-  drawn->SetSize({kChartLeft_px, kChartBottom_px,
-                  static_cast<float>(chart.size_px.x - kChartLeft_px - kChartRight_px),
-                  static_cast<float>(chart.size_px.y - kChartBottom_px - kChartTop_px)});
-  drawn->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  setAxis(*drawn, vtkAxis::BOTTOM, chart.xTitle, chart.xRange, plotSize(chart).x);
-  setAxis(*drawn, vtkAxis::LEFT, chart.yTitle, chart.yRange, plotSize(chart).y);
-  for (const ChartLine& line : chart.lines) addLine(*drawn, chart, line);
-  drawn->SetShowLegend(true);
-  useFont(*drawn->GetLegend()->GetLabelProperties(), 14);
-  drawn->GetLegend()->SetHorizontalAlignment(vtkChartLegend::CUSTOM);
-  drawn->GetLegend()->SetVerticalAlignment(vtkChartLegend::CUSTOM);
-  const auto named = std::count_if(chart.lines.begin(), chart.lines.end(),
-                                   [](const ChartLine& line) { return !line.name.empty(); });
-  drawn->GetLegend()->SetPoint(static_cast<float>(chart.size_px.x - kChartRight_px + 15),
-                               static_cast<float>(chart.size_px.y - kChartTop_px - 10 - 20 * named));
-  drawn->GetLegend()->GetBrush()->SetColor(255, 255, 255, 220);
+  fill(*drawn, chart);
 
   vtkNew<vtkXMLDataElement> root, page, definitions;
-  root->SetName("svg");
-  root->SetAttribute("xmlns", "http://www.w3.org/2000/svg");
-  root->SetAttribute("xmlns:xlink", "http://www.w3.org/1999/xlink");
-  root->SetIntAttribute("width", chart.size_px.x);
-  root->SetIntAttribute("height", chart.size_px.y);
-  vtkNew<vtkXMLDataElement> paper;
-  paper->SetName("rect");
-  paper->SetAttribute("width", "100%");
-  paper->SetAttribute("height", "100%");
-  paper->SetAttribute("fill", "#ffffff");
+  makePage(*root, chart.size_px);
   page->SetName("g");
   page->SetAttribute("fill", "none");
   definitions->SetName("defs");
@@ -225,7 +236,6 @@ std::string svgOf(const Chart& chart) {
   device->GenerateDefinitions();
   device->End();
   mend(*page);
-  root->AddNestedElement(paper);
   root->AddNestedElement(page);
   std::ostringstream text;
   root->PrintXML(text, vtkIndent());

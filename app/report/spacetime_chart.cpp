@@ -61,6 +61,87 @@ ChartLine through(const glm::dvec2& event, const glm::dvec2& direction, const st
   return {name, {event - kFar_m * direction, event + kFar_m * direction}, colour, width_px, style};
 }
 
+/// The board times that a diagram shows.
+struct Span {
+  double from_s;
+  double until_s;
+};
+
+/// Returns half the board's extent along the diagram's axis (m); of an open plane 1 m.
+double halfExtent_m(const DiagramSubject& subject, char along) {
+  return subject.board ? (along == 'x' ? subject.board->length_m : subject.board->width_m) / 2 : 1.0;
+}
+
+/// Sets size and ranges: light goes at 45°, and the board and my present event are in sight.
+void setRanges(Chart& chart, double c_m_s, const Span& span, double half_m, const glm::dvec2& here) {
+  chart.yRange = c_m_s * glm::dvec2(span.from_s, span.until_s);
+  chart.xRange = {std::min(-half_m, here.x) - kMargin_m, std::max(half_m, here.x) + kMargin_m};
+  // The width follows from light at 45°, but is limited; if the limit is reached, more future is shown.
+  const double least_m =
+      (chart.xRange.y - chart.xRange.x) * (kHeight_px - kChartBottom_px - kChartTop_px) / kMostWidth_px;
+  chart.yRange.y = std::max(chart.yRange.y, chart.yRange.x + least_m);
+  const double px_m = (kHeight_px - kChartBottom_px - kChartTop_px) / (chart.yRange.y - chart.yRange.x);
+  const int width_px =
+      static_cast<int>(px_m * (chart.xRange.y - chart.xRange.x)) + kChartLeft_px + kChartRight_px;
+  chart.size_px = {std::max(width_px, kLeastWidth_px), kHeight_px};
+  const double more_m = (chart.size_px.x - width_px) / px_m;
+  chart.xRange += glm::dvec2(-more_m / 2, more_m / 2);
+}
+
+void addCushions(Chart& chart, double half_m) {
+  for (const double side : {-half_m, half_m}) {
+    chart.lines.push_back({side < 0 ? "cushions" : "",
+                           {{side, chart.yRange.x}, {side, chart.yRange.y}},
+                           glm::vec3(0.6F),
+                           5.0F,
+                           ChartLine::Style::solid});
+  }
+}
+
+void addBodies(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
+  for (std::size_t i = 0; i < subject.lines.size(); ++i) {
+    const double known_s = std::max(subject.knownUntil_s, subject.lines[i].knots().back().turn.t_s);
+    const double end_s = std::min(known_s, std::max(span.until_s, chart.yRange.y / subject.c_m_s));
+    if (end_s <= span.from_s) continue;
+    ChartLine line = lineOf(subject.lines[i], plane, span.from_s, end_s);
+    line.name = subject.names[i];
+    line.colour = inkOf(subject.names[i], i);
+    line.width_px = 2.5F;
+    chart.lines.push_back(line);
+  }
+}
+
+/// Adds my light cone, time axis and line of simultaneity through my present event.
+void addMyAxes(Chart& chart, const glm::dvec2& here, double beta) {
+  using Style = ChartLine::Style;
+  const glm::vec3 light(0.9F, 0.55F, 0.0F), mine(0.1F, 0.2F, 0.7F);
+  chart.lines.push_back(through(here, {1.0, 1.0}, "my light cone", light, Style::dashed, 1.5F));
+  chart.lines.push_back(through(here, {-1.0, 1.0}, "", light, Style::dashed, 1.5F));
+  chart.lines.push_back(
+      through(here, {beta, 1.0}, fmt::format("my time axis ({:.2f} c)", beta), mine, Style::dotted, 2.0F));
+  chart.lines.push_back(through(here, {1.0, beta}, "my line of simultaneity", mine, Style::dashed, 2.0F));
+}
+
+void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
+  ChartLine happened{"events", {}, glm::vec3(0.35F), 6.0F, ChartLine::Style::marks};
+  for (const GameEvent& event : subject.events) {
+    if (event.at.t_s >= span.from_s && event.at.t_s <= span.until_s)
+      happened.points.push_back(plane(event.at));
+  }
+  if (!happened.points.empty()) chart.lines.push_back(happened);
+}
+
+/// Adds my world line, from the last event below the lower edge on.
+void addMe(Chart& chart, const DiagramSubject& subject, const Plane& plane, double from_s) {
+  ChartLine me{"me", {}, glm::vec3(0.0F), 3.5F, ChartLine::Style::solid};
+  for (std::size_t i = 0; i < subject.mine.size(); ++i) {
+    if (i + 1 == subject.mine.size() || subject.mine[i + 1].t_s >= from_s)
+      me.points.push_back(plane(subject.mine[i]));
+  }
+  chart.lines.push_back(me);
+  chart.lines.push_back({"", {plane(subject.mine.back())}, glm::vec3(0.0F), 10.0F, ChartLine::Style::marks});
+}
+
 }  // namespace
 
 DiagramSubject subjectOf(const Scenario& scenario) {
@@ -74,7 +155,6 @@ DiagramSubject subjectOf(const Scenario& scenario) {
 }
 
 Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
-  using Style = ChartLine::Style;
   const Plane plane(frame.along, subject.c_m_s);
   const Event present = subject.mine.back();
   const double from_s = frame.from_s.value_or(std::max(0.0, present.t_s - kShown_s));
@@ -90,60 +170,14 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   chart.title = fmt::format("{}: light at {} m/s goes at 45°", subject.title, subject.c_m_s);
   chart.xTitle = fmt::format("{} (m)", frame.along);
   chart.yTitle = "ct (m)";
-  chart.yRange = subject.c_m_s * glm::dvec2(from_s, until_s);
-  const double half_m =
-      subject.board ? (frame.along == 'x' ? subject.board->length_m : subject.board->width_m) / 2 : 1.0;
-  const glm::dvec2 here = plane(present);
-  chart.xRange = {std::min(-half_m, here.x) - kMargin_m, std::max(half_m, here.x) + kMargin_m};
-  // The width follows from light at 45°, but is limited; if the limit is reached, more future is shown.
-  const double least_m =
-      (chart.xRange.y - chart.xRange.x) * (kHeight_px - kChartBottom_px - kChartTop_px) / kMostWidth_px;
-  chart.yRange.y = std::max(chart.yRange.y, chart.yRange.x + least_m);
-  const double px_m = (kHeight_px - kChartBottom_px - kChartTop_px) / (chart.yRange.y - chart.yRange.x);
-  const int width_px =
-      static_cast<int>(px_m * (chart.xRange.y - chart.xRange.x)) + kChartLeft_px + kChartRight_px;
-  chart.size_px = {std::max(width_px, kLeastWidth_px), kHeight_px};
-  const double more_m = (chart.size_px.x - width_px) / px_m;
-  chart.xRange += glm::dvec2(-more_m / 2, more_m / 2);
-
-  if (subject.board) {
-    for (const double side : {-half_m, half_m}) {
-      chart.lines.push_back({side < 0 ? "cushions" : "",
-                             {{side, chart.yRange.x}, {side, chart.yRange.y}},
-                             glm::vec3(0.6F),
-                             5.0F,
-                             Style::solid});
-    }
-  }
-  for (std::size_t i = 0; i < subject.lines.size(); ++i) {
-    const double known_s = std::max(subject.knownUntil_s, subject.lines[i].knots().back().turn.t_s);
-    const double end_s = std::min(known_s, std::max(until_s, chart.yRange.y / subject.c_m_s));
-    if (end_s <= from_s) continue;
-    ChartLine line = lineOf(subject.lines[i], plane, from_s, end_s);
-    line.name = subject.names[i];
-    line.colour = inkOf(subject.names[i], i);
-    line.width_px = 2.5F;
-    chart.lines.push_back(line);
-  }
-  const glm::vec3 light(0.9F, 0.55F, 0.0F), mine(0.1F, 0.2F, 0.7F);
-  chart.lines.push_back(through(here, {1.0, 1.0}, "my light cone", light, Style::dashed, 1.5F));
-  chart.lines.push_back(through(here, {-1.0, 1.0}, "", light, Style::dashed, 1.5F));
-  const double beta = plane.along(subject.beta);
-  chart.lines.push_back(
-      through(here, {beta, 1.0}, fmt::format("my time axis ({:.2f} c)", beta), mine, Style::dotted, 2.0F));
-  chart.lines.push_back(through(here, {1.0, beta}, "my line of simultaneity", mine, Style::dashed, 2.0F));
-  ChartLine happened{"events", {}, glm::vec3(0.35F), 6.0F, Style::marks};
-  for (const GameEvent& event : subject.events) {
-    if (event.at.t_s >= from_s && event.at.t_s <= until_s) happened.points.push_back(plane(event.at));
-  }
-  if (!happened.points.empty()) chart.lines.push_back(happened);
-  ChartLine me{"me", {}, glm::vec3(0.0F), 3.5F, Style::solid};
-  for (std::size_t i = 0; i < subject.mine.size(); ++i) {  // from the last event below the lower edge on
-    if (i + 1 == subject.mine.size() || subject.mine[i + 1].t_s >= from_s)
-      me.points.push_back(plane(subject.mine[i]));
-  }
-  chart.lines.push_back(me);
-  chart.lines.push_back({"", {here}, glm::vec3(0.0F), 10.0F, Style::marks});
+  const double half_m = halfExtent_m(subject, frame.along);
+  const Span span{from_s, until_s};
+  setRanges(chart, subject.c_m_s, span, half_m, plane(present));
+  if (subject.board) addCushions(chart, half_m);
+  addBodies(chart, subject, plane, span);
+  addMyAxes(chart, plane(present), plane.along(subject.beta));
+  addEvents(chart, subject, plane, span);
+  addMe(chart, subject, plane, from_s);
   return chart;
 }
 

@@ -8,7 +8,9 @@
 #include "shaders/digits.h"
 #include "shaders/doppler_kernel.h"
 #include "shaders/emission_kernel.h"
+#include "shaders/glide_kernel.h"
 #include "shaders/leg_at.h"
+#include "shaders/leg_kernel.h"
 #include "shaders/legs.h"
 #include "shaders/light_types.h"
 #include "shaders/noise.h"
@@ -23,6 +25,7 @@
 #include "shaders/paint_puck.h"
 #include "shaders/paint_shadow.h"
 #include "shaders/paint_wood.h"
+#include "shaders/spin_kernel.h"
 #include "shaders/surface_frag.h"
 
 namespace carom {
@@ -88,6 +91,9 @@ std::string kernelText(Legs legs) {
   text += fmt::format("#define CATCH_UP_SPEED {}\n", kCatchUpSpeed);
   if (legs != Legs::many) text += "#define ONE_LEG\n";
   if (legs == Legs::rest) text += "#define RESTS\n";
+  text += shaders::leg_kernel;
+  text += shaders::spin_kernel;
+  text += shaders::glide_kernel;
   text += shaders::emission_kernel;
   text += shaders::leg_at;
   text += shaders::doppler_kernel;

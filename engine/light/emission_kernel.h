@@ -1,5 +1,5 @@
 #pragma once
-// The kernel engine/light/emission_kernel.glsl compiled as C++: in double, for chains of bounces,
+// The kernel (engine/light/emission_kernel.glsl and the texts it needs) compiled as C++: in double, for chains of bounces,
 // and in float, as the GPU computes it. Single answers (`carom observe`) come from vertex_history.h.
 
 #include <cmath>
@@ -14,6 +14,7 @@
 
 #define LEGS const LegView*
 #define KERNEL [[gnu::always_inline]] inline  // or no loop over vertices becomes vector instructions
+#define INOUT(type) type&
 #define UNROLLED _Pragma("GCC unroll 8")
 #define CATCH_UP_SPEED carom::kCatchUpSpeed
 
@@ -28,7 +29,13 @@ using mat4 = glm::dmat4;
 constexpr int MAX_PIECES = 64;
 inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
+// Each text needs those before it.
+// clang-format off
+#include "engine/light/leg_kernel.glsl"
+#include "engine/light/spin_kernel.glsl"
+#include "engine/light/glide_kernel.glsl"
 #include "engine/light/emission_kernel.glsl"
+// clang-format on
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
 /// Solves with retardation and contraction.
 inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
@@ -47,7 +54,13 @@ using mat4 = glm::mat4;
 constexpr int MAX_PIECES = 8;
 inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
+// Each text needs those before it.
+// clang-format off
+#include "engine/light/leg_kernel.glsl"
+#include "engine/light/spin_kernel.glsl"
+#include "engine/light/glide_kernel.glsl"
 #include "engine/light/emission_kernel.glsl"
+// clang-format on
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
 /// Solves with retardation and contraction.
 inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
@@ -58,4 +71,5 @@ inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
 #undef LEGS
 #undef CATCH_UP_SPEED
 #undef UNROLLED
+#undef INOUT
 #undef KERNEL

@@ -2,6 +2,7 @@
 // members of LegView; another holds the table of shifted colours.
 #define real float
 #define KERNEL
+#define INOUT(type) inout type
 #define UNROLLED
 #define LEGS int
 #define COLOUR_TABLE int

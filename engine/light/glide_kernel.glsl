@@ -1,0 +1,116 @@
+// A body under friction has a leg that is no straight line. The frame is then the momentary rest frame at the
+// origin, and a vertex is found by its board time s from the origin (c = 1). On the board, along the motion,
+//   u = u_o − a s   (before the turn u_turn, after the stop 0)     centre: ∫ u/γ ds     vertex: d∥/γ from it
+// (uncontracted: d∥)
+// with ∫ u/γ ds from r to o = (γ_o − γ_r)/a = (r − o)(u_o + u_r)/(γ_o + γ_r), which does not cancel.
+
+KERNEL real gammaOf(real u) { return sqrt(real(1) + u * u); }
+
+/// The board time nearest to s within the glide.
+KERNEL real withinGlide(LegView leg, real s) { return min(max(s, leg.glideTimes.z), leg.glideTimes.w); }
+
+/// u at board time s: from the origin on, where times are short, and 0 from the stop on.
+KERNEL real glideU(LegView leg, real s) {
+  if (s >= leg.glideTimes.w) return real(0);
+  real since = withinGlide(leg, s) - withinGlide(leg, real(0));
+  return max(leg.glideTimes.y - leg.glide.w * since, real(0));
+}
+
+/// The vertex's event at board time s.
+KERNEL vec4 glideEvent(LegView leg, vec3 d, real s, bool contracted) {
+  vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
+  real uO = leg.glideTimes.y;
+  real gammaO = gammaOf(uO);
+  real r = withinGlide(leg, s);
+  real o = withinGlide(leg, real(0));
+  real u = glideU(leg, s);
+  real gamma = gammaOf(u);
+  real along_d = dot(d, n);
+  real place = (r - o) * (uO + u) / (gammaO + gamma) + (s - r) * u / gamma + o * uO / gammaO +
+               along_d / (contracted ? gamma : real(1));
+  return vec4(gammaO * s - uO * place, d + n * (gammaO * place - uO * s - along_d));
+}
+
+/// How the event moves with s.
+KERNEL vec4 glideFlow(LegView leg, vec3 d, real s, bool contracted) {
+  vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
+  real uO = leg.glideTimes.y;
+  real u = glideU(leg, s);
+  real gamma = gammaOf(u);
+  bool gliding = contracted && s > leg.glideTimes.z && s < leg.glideTimes.w;
+  real v = u / gamma * (real(1) + (gliding ? leg.glide.w * dot(d, n) / (gamma * gamma) : real(0)));
+  return vec4(gammaOf(uO) - uO * v, n * (gammaOf(uO) * v - uO));
+}
+
+/// Newton's steps to a root: the functions are nearly straight (R a < 1/2), so few are needed.
+KERNEL int glideSteps() { return 8; }
+
+/// Where the vertex crosses the past cone of the eye: l0 − t = |e − x|.
+KERNEL real glideEmission(LegView leg, vec3 d, bool contracted) {
+  real s = dot(leg.toBoardTime, vec4(-extraDistance(leg, d), d));
+  for (int i = 0; i < glideSteps(); ++i) {
+    vec4 a = glideEvent(leg, d, s, contracted);
+    vec4 flow = glideFlow(leg, d, s, contracted);
+    vec3 toEye = leg.eye - vec3(a.y, a.z, a.w);
+    real distance = max(length(toEye), real(1e-6));
+    s = s + (leg.distance - a.x - distance) / (flow.x - dot(vec3(flow.y, flow.z, flow.w), toEye) / distance);
+  }
+  return s;
+}
+
+/// Where it crosses the plane of the moment that is shown: m·a(s) = 0. From where it would if it went straight.
+KERNEL real glideMoment(LegView leg, vec3 d, bool contracted) {
+  Piece straight;
+  straight.start = vec4(real(0), d);
+  straight.velocity = vec3(real(0));
+  real s = dot(leg.toBoardTime, momentOn(straight, leg));
+  for (int i = 0; i < glideSteps(); ++i) {
+    s = s - dot(leg.toMoment, glideEvent(leg, d, s, contracted)) / dot(leg.toMoment, glideFlow(leg, d, s, contracted));
+  }
+  return s;
+}
+
+/// Where it crosses the future cone of the signal: t − t_n = |x − x_n|.
+KERNEL real glideCrossing(LegView leg, vec3 d, vec4 signal) {
+  real s = dot(leg.toBoardTime, vec4(signal.x + length(d - vec3(signal.y, signal.z, signal.w)), d));
+  for (int i = 0; i < glideSteps(); ++i) {
+    vec4 a = glideEvent(leg, d, s, true);
+    vec4 flow = glideFlow(leg, d, s, true);
+    vec3 fromSignal = vec3(a.y - signal.y, a.z - signal.z, a.w - signal.w);
+    real distance = max(length(fromSignal), real(1e-6));
+    s = s - (a.x - signal.x - distance) / (flow.x - dot(vec3(flow.y, flow.z, flow.w), fromSignal) / distance);
+  }
+  return s;
+}
+
+/// Where one that set out at `start` at catchUpSpeed in the frame of the turn meets it. What is ahead of it there
+/// grows with s, but hardly where friction has slowed the leg much: a step that would leave what is known to be
+/// before and after the meeting goes half of the way instead.
+KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
+  vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
+  // u of the turn's rest frame in this one
+  real u = leg.glideTimes.x * gammaOf(leg.glideTimes.y) - leg.glideTimes.y * gammaOf(leg.glideTimes.x);
+  real gamma = gammaOf(u);
+  real gap = length(d - vec3(start.y, start.z, start.w));
+  real s = dot(leg.toBoardTime, vec4(start.x + gap / catchUpSpeed(), d));
+  real before = dot(leg.toBoardTime, start);
+  real after = before + real(1e6);  // no way is that long
+  for (int i = 0; i < glideSteps() + 4; ++i) {
+    vec4 way = glideEvent(leg, d, s, true) - start;
+    vec4 flow = glideFlow(leg, d, s, true);
+    vec3 x = vec3(way.y, way.z, way.w);
+    vec3 f = vec3(flow.y, flow.z, flow.w);
+    vec3 xTurn = x + n * ((gamma - real(1)) * dot(x, n) - u * way.x);
+    vec3 fTurn = f + n * ((gamma - real(1)) * dot(f, n) - u * flow.x);
+    real length_ = length(xTurn);
+    real value = catchUpSpeed() * (gamma * way.x - u * dot(x, n)) - length_;
+    real slope = catchUpSpeed() * (gamma * flow.x - u * dot(f, n)) - dot(fTurn, xTurn) / max(length_, real(1e-9));
+    if (value < real(0)) before = s;
+    else after = s;
+    real nearer = s - value / slope;
+    if (!(nearer > before)) nearer = real(0.5) * (before + s);
+    if (!(nearer < after)) nearer = real(0.5) * (after + s);
+    s = nearer;
+  }
+  return s;
+}

@@ -1,0 +1,135 @@
+// A body that spins turns its points about its z, in the leg's frame, by the centre's own time:
+//   x(s) = Rot(ω s/c) d0,  d0 = Rot(its angle at the origin) d
+// The angle at the origin was folded in double: what is left for a vertex is small.
+
+/// cos a and sin a, |a| ≤ 1.2, within 1e-8.
+KERNEL vec2 cosSinNear(real a) {
+  real z = a * a;
+  real c = real(1.0 / 720.0) - z * (real(1.0 / 40320.0) - z * real(1.0 / 3628800.0));
+  real s = real(1.0 / 5040.0) - z * (real(1.0 / 362880.0) - z * real(1.0 / 39916800.0));
+  c = real(1) - z * (real(0.5) - z * (real(1.0 / 24.0) - z * c));
+  s = real(1) - z * (real(1.0 / 6.0) - z * (real(1.0 / 120.0) - z * s));
+  return vec2(c, a * s);
+}
+
+/// cos a and sin a of any angle: of a quarter of what whole turns leave, doubled twice.
+KERNEL vec2 cosSin(real a) {
+  real turns = a * real(0.15915494309189535);
+  vec2 q = cosSinNear((turns - floor(turns + real(0.5))) * real(1.5707963267948966));
+  real sin2 = real(2) * q.x * q.y;
+  real cos2 = real(1) - real(2) * q.y * q.y;
+  return vec2(real(1) - real(2) * sin2 * sin2, real(2) * cos2 * sin2);
+}
+
+/// Rot(a) d, of (cos a, sin a).
+KERNEL vec3 turnedBy(vec2 a, vec3 d) { return vec3(a.x * d.x - a.y * d.y, a.y * d.x + a.x * d.y, d.z); }
+
+/// d0: where the vertex is when the leg's time is 0.
+KERNEL vec3 spinStart(LegView leg, vec3 d) { return turnedBy(vec2(leg.spin.y, leg.spin.z), d); }
+
+/// The velocity, over c, of what is at x: ω/c ẑ × x.
+KERNEL vec3 spinVelocity(LegView leg, vec3 x) { return leg.spin.x * vec3(-x.y, x.x, real(0)); }
+
+/// The vertex's event at the leg's time s.
+KERNEL vec4 spinEvent(LegView leg, vec3 d, real s) {
+  return vec4(s, turnedBy(cosSin(leg.spin.x * s), spinStart(leg, d)));
+}
+
+/// A direction that the body carries along (a normal), as it points at an event of this leg.
+KERNEL vec3 carriedAlong(LegView leg, vec4 event, vec3 direction) {
+  if (leg.spin.w == real(0)) return direction;
+  return turnedBy(cosSin(leg.spin.x * event.x), spinStart(leg, direction));
+}
+
+/// Where the vertex crosses the past cone of the eye. From where and when the eye sees the point of the
+/// axis that is as high, at the distance l and with the turned offset p of the vertex, e = (e_x, e_y)
+/// across the axis:
+///   g(s) = s + q/(D + l) = 0,  D = sqrt(l² + q) the distance of the vertex,
+///   q = p² − 2 (A cos a − B sin a),  a = ω s/c,  A = e·p,  B = e_x p_y − e_y p_x
+/// It rises: its slope 1 + ω/c (B cos a + A sin a)/D is 1 − n·w with n towards the eye. So there is one
+/// root, and |s| ≤ |p|. Halley's steps; one that would leave what is known to be before and after the root
+/// goes half of the way instead. What is known has to hold its ends, or a last step from there would be
+/// thrown away.
+KERNEL vec4 spinEmission(LegView leg, vec3 d, int steps) {
+  vec3 height = vec3(real(0), real(0), d.z);
+  real higher = extraDistance(leg, height);
+  real l = leg.distance + higher;
+  real omega = leg.spin.x;
+  vec3 p = turnedBy(cosSin(-omega * higher), spinStart(leg, vec3(d.x, d.y, real(0))));
+  real A = leg.eye.x * p.x + leg.eye.y * p.y;
+  real B = leg.eye.x * p.y - leg.eye.y * p.x;
+  real pp = dot(p, p);
+  real after = sqrt(pp) * real(1.00001);
+  real before = -after;
+  real q = pp - real(2) * A;
+  real s = -q / (sqrt(max(l * l + q, real(0))) + l);  // as if it did not spin
+  vec2 t = cosSinNear(omega * s);
+  UNROLLED
+  for (int i = 0; i < steps; ++i) {
+    real towards = A * t.x - B * t.y;
+    q = pp - real(2) * towards;
+    real D = max(sqrt(max(l * l + q, real(0))), real(1e-9));
+    real g = s + q / (D + l);
+    real w = omega * (B * t.x + A * t.y);
+    real slope = real(1) + w / D;
+    real bend = (omega * omega * towards - w * w / D) / D;
+    before = g > real(0) ? before : s;
+    after = g > real(0) ? s : after;
+    real next = s - g * slope / (slope * slope - real(0.5) * g * bend);
+    bool inside = (next >= before) && (next <= after);
+    s = inside ? next : real(0.5) * (before + after);
+    t = cosSinNear(omega * s);
+  }
+  return vec4(s - higher, turnedBy(t, p) + height);
+}
+
+/// The number of steps of the searches below: they are Newton's, and few vertices need them.
+KERNEL int spinSearchSteps() { return 12; }
+
+/// Where it crosses the plane of the moment that is shown: m·(s, x(s)) = 0, which rises: what is slower
+/// than light crosses it once, within |d| of the centre.
+KERNEL real spinMoment(LegView leg, vec3 d) {
+  vec3 d0 = spinStart(leg, d);
+  vec3 row = vec3(leg.toMoment.y, leg.toMoment.z, leg.toMoment.w);
+  real after = length(d) * real(1.00001);
+  real before = -after;
+  real s = -dot(row, d0) / leg.toMoment.x;
+  for (int i = 0; i < spinSearchSteps(); ++i) {
+    vec3 x = turnedBy(cosSin(leg.spin.x * s), d0);
+    real g = leg.toMoment.x * s + dot(row, x);
+    before = g > real(0) ? before : s;
+    after = g > real(0) ? s : after;
+    real next = s - g / (leg.toMoment.x + dot(row, spinVelocity(leg, x)));
+    bool inside = (next >= before) && (next <= after);
+    s = inside ? next : real(0.5) * (before + after);
+  }
+  return s;
+}
+
+/// When the vertex is as far from an earlier event as what left there at `speed` has come: speed (s − t) =
+/// |x(s) − x|. That rises where no point of the body is as fast.
+KERNEL real spinReached(LegView leg, vec3 d, vec4 from, real speed) {
+  vec3 d0 = spinStart(leg, d);
+  vec3 source = vec3(from.y, from.z, from.w);
+  real before = real(0);  // times are counted from the earlier event, which may lie far back
+  real after = (length(d) + length(source)) / speed * real(1.00001);
+  real s = length(turnedBy(cosSin(leg.spin.x * from.x), d0) - source) / speed;
+  for (int i = 0; i < spinSearchSteps(); ++i) {
+    vec3 x = turnedBy(cosSin(leg.spin.x * (from.x + s)), d0);
+    vec3 way = x - source;
+    real distance = length(way);
+    real g = speed * s - distance;
+    before = g > real(0) ? before : s;
+    after = g > real(0) ? s : after;
+    real next = s - g / (speed - dot(spinVelocity(leg, x), way) / max(distance, real(1e-9)));
+    bool inside = (next >= before) && (next <= after);
+    s = inside ? next : real(0.5) * (before + after);
+  }
+  return from.x + s;
+}
+
+/// The speed at which a vertex catches up with a leg on which it goes round: faster than it does, half way
+/// between its own speed and light's if that is more than catchUpSpeed.
+KERNEL real spinCatchUpSpeed(LegView leg, vec3 d) {
+  return max(catchUpSpeed(), real(0.5) + real(0.5) * length(spinVelocity(leg, d)));
+}
