@@ -293,31 +293,39 @@ std::filesystem::path datedFile(const std::filesystem::path& name) {
   return std::filesystem::exists(file) ? fileAfter(file) : file;
 }
 
+/// Settles on rank 0 which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
+Before prepare(CaveOptions& options, SetupOptions& inputs) {
+  if (options.lesson && !readScenario(options.scenario).lesson) {
+    throw std::runtime_error(fmt::format(
+        "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
+  }
+  if (!options.session) return {};
+  if (options.resume) {
+    Before before = whatWas(*options.session);
+    inputs.rig = {before.facts.rig, before.facts.rigText};
+    inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
+    return before;
+  }
+  options.session = datedFile(*options.session);
+  if (std::filesystem::exists(*options.session)) {
+    throw std::runtime_error(
+        fmt::format("session file {}: it is there already, expected a new name, or --resume to go on with it",
+                    options.session->string()));
+  }
+  return {};
+}
+
 void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesystem::path>& opened) {
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
                       options.noWindow,  options.frames.has_value(), options.outside};
   Before before;
   std::unique_ptr<StatusFile> status;
   onAllRanks(cluster, [&] {
-    if (cluster.rank() == 0 && options.status) status = std::make_unique<StatusFile>(*options.status);
-    if (cluster.rank() > 0 || !options.session) return;
-    if (!options.resume) options.session = datedFile(*options.session);
-    if (!options.resume && std::filesystem::exists(*options.session)) {
-      throw std::runtime_error(fmt::format(
-          "session file {}: it is there already, expected a new name, or --resume to go on with it",
-          options.session->string()));
-    }
-    if (!options.resume) return;
-    before = whatWas(*options.session);
-    inputs.rig = {before.facts.rig, before.facts.rigText};
-    inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
+    if (cluster.rank() > 0) return;
+    if (options.status) status = std::make_unique<StatusFile>(*options.status);
+    before = prepare(options, inputs);
   });
   opened = options.session;
-  onAllRanks(cluster, [&] {
-    if (cluster.rank() > 0 || !options.lesson || readScenario(options.scenario).lesson) return;
-    throw std::runtime_error(fmt::format(
-        "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
-  });
   SessionSetup setup = setUpSession(cluster, inputs);
   const bool visible = !options.noWindow;
   OperatorWindows windows =
@@ -389,12 +397,12 @@ void addRigAndScenario(CLI::App& command, const std::shared_ptr<CaveOptions>& op
       .add_option("--rig", options->rig,
                   "Rig file: walls and trackers. With --frames or --no-window, the default is rigs/desk.toml")
       ->default_str((configFolder() / "rigs/play.toml").string())
-      ->transform(shipped("rigs"));
+      ->transform(shipped({"rigs"}));
   command
       .add_option("--scenario", options->scenario,
                   "Scenario file. With --frames or --no-window, the default is scenarios/three-pucks.toml")
       ->default_str(fileOfGame(kWelcome))
-      ->transform(shipped("scenarios"));
+      ->transform(shipped({"scenarios"}));
 }
 
 /// Adds what is on when the session begins: effects, views of time, the phase of a lesson.
@@ -452,6 +460,29 @@ void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) 
       ->type_name("FILE.json");
 }
 
+/// Adds what lets a session run without an operator.
+void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  command
+      .add_option("--unattended", options->unattended_s,
+                  "Welcome the next visitor after so many seconds without input or motion of the head: the "
+                  "first game starts anew, all settings as at the beginning")
+      ->type_name("S")
+      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  command
+      .add_option(
+          "--pin", options->pin,
+          "Lock the keys that end or spoil a demonstration: Escape, Q, T, X, K, B, L, + and -. F12, this "
+          "number and Enter open the lock; F12 closes it")
+      ->type_name("DIGITS")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            const bool isPin = text.size() >= 3 && text.size() <= 12 &&
+                               text.find_first_not_of("0123456789") == std::string::npos;
+            return isPin ? std::string() : fmt::format("'{}' is wrong, expected 3 to 12 digits", text);
+          },
+          ""));
+}
+
 }  // namespace
 
 void addCave(CLI::App& app, int& status) {
@@ -469,25 +500,7 @@ void addCave(CLI::App& app, int& status) {
   addBeginning(*command, options);
   addSession(*command, options);
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
-  command
-      ->add_option("--unattended", options->unattended_s,
-                   "Welcome the next visitor after so many seconds without input or motion of the head: the "
-                   "first game starts anew, all settings as at the beginning")
-      ->type_name("S")
-      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
-  command
-      ->add_option(
-          "--pin", options->pin,
-          "Lock the keys that end or spoil a demonstration: Escape, Q, T, X, K, B, L, + and -. F12, this "
-          "number and Enter open the lock; F12 closes it")
-      ->type_name("DIGITS")
-      ->check(CLI::Validator(
-          [](std::string& text) {
-            const bool isPin = text.size() >= 3 && text.size() <= 12 &&
-                               text.find_first_not_of("0123456789") == std::string::npos;
-            return isPin ? std::string() : fmt::format("'{}' is wrong, expected 3 to 12 digits", text);
-          },
-          ""));
+  addUnattended(*command, options);
   addSilent(*command, options->silent);
   addOutside(*command, options->outside, options->diagram, options->console);
   command->footer(

@@ -82,7 +82,7 @@ void addDiagram(CLI::App& app, int& status) {
   auto options = std::make_shared<DiagramOptions>();
   command->add_option("SOURCE", options->source, "Scenario or session file")
       ->required()
-      ->transform(shipped("scenarios"));
+      ->transform(shipped({"scenarios"}));
   command->add_option("-o,--output", options->figure, "The figure: FIG.svg or FIG.png")
       ->required()
       ->type_name("FIG");

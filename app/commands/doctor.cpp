@@ -279,7 +279,7 @@ void addDoctor(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "doctor", "Says what this machine, or each node of a room, has and lacks for a session");
   auto rig = std::make_shared<std::optional<std::filesystem::path>>();
-  command->add_option("RIG", *rig, "Rig file that the machine is to show")->transform(shipped("rigs"));
+  command->add_option("RIG", *rig, "Rig file that the machine is to show")->transform(shipped({"rigs"}));
   command->footer(
       "Examples:\n  carom doctor\n  carom room --doctor my-cave.toml\n"
       "The exit status is 1 if something keeps a session from running.");

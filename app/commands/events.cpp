@@ -263,7 +263,7 @@ void addEvents(CLI::App& app, int& status) {
   auto line = std::make_shared<EventsLine>();
   command->add_option("SOURCE", line->options.source, "Session file or scenario")
       ->required()
-      ->transform(shipped("scenarios"));
+      ->transform(shipped({"scenarios"}));
   command
       ->add_option("--velocity", line->velocity,
                    "Velocity v/c on the board of another frame, in which the events are listed as well")

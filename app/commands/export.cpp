@@ -240,7 +240,7 @@ void addExport(CLI::App& app, int& status) {
       ->add_option("--observer", options->observer,
                    "Trace of another person's head, in the room: what they see of the same game")
       ->type_name("TRACE")
-      ->transform(shipped("traces"));
+      ->transform(shipped({"traces"}));
   command->add_option("--every", options->every, "Only frames whose numbers are multiples of this")
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));

@@ -123,7 +123,7 @@ void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options
           "Trace of another person's head, in the room: the same game, seen by them, until they would see "
           "what was not recorded")
       ->type_name("TRACE")
-      ->transform(shipped("traces"));
+      ->transform(shipped({"traces"}));
   command
       .add_flag("--walk", options->walk,
                 "Walk about in the recorded game yourself, with the head tracked by the rig's tracker")

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
@@ -18,6 +20,7 @@
 #include "app/room_import/room_check.h"
 #include "app/tools/import.h"
 #include "app/tools/option_values.h"
+#include "engine/base/log.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -124,10 +127,38 @@ std::string spinText(const Puck& puck, double c_m_s) {
                      std::abs(rim));
 }
 
+/// Returns what a person could not see well in this game.
+std::vector<std::string> oddities(const Scenario& scenario) {
+  constexpr double kLargest_m = 50.0, kLongest_s = 60.0, kShortest_s = 0.02, kFinest = 0.001;
+  std::vector<std::string> odd;
+  const BilliardSetup& setup = scenario.billiard;
+  double size_m = 3.0;  // of an open plane, what one overlooks
+  if (setup.board) {
+    size_m = std::max(setup.board->length_m, setup.board->width_m);
+    if (size_m > kLargest_m) {
+      odd.push_back(fmt::format("the board is {:.3g} m long: it is drawn coarsely, expected at most {} m",
+                                size_m, kLargest_m));
+    }
+  }
+  const double light_s = size_m / setup.lightSpeed_m_s;
+  if (light_s > kLongest_s)
+    odd.push_back(fmt::format("light takes {:.3g} s along the board: what is seen is that old", light_s));
+  if (light_s < kShortest_s)
+    odd.push_back(fmt::format("light takes {:.2g} s along the board: nothing looks relativistic", light_s));
+  for (const Puck& puck : setup.pucks) {
+    if (puck.radius_m >= kFinest * size_m) continue;
+    odd.push_back(fmt::format("puck {} has a radius of {:.2g} m on a board of {:.3g} m: it is hardly seen",
+                              puck.name, puck.radius_m, size_m));
+    break;  // one tells enough
+  }
+  return odd;
+}
+
 void tellScenario(const std::filesystem::path& path, const std::function<void(const Scenario&)>& openMeshes) {
   const Scenario scenario = readScenario(path);
   if (openMeshes) openMeshes(scenario);
   printFindings(path, scenario.odd);
+  for (const std::string& odd : oddities(scenario)) log::warn(fmt::format("{}: {}", path.string(), odd));
   const BilliardSetup& setup = scenario.billiard;
   fmt::print("{}: a scenario with light at {} m/s\n", scenario.title, setup.lightSpeed_m_s);
   if (setup.board) {
@@ -192,8 +223,7 @@ void addCheck(CLI::App& app, int& status, const std::function<void(const Scenari
   auto file = std::make_shared<std::filesystem::path>();
   command->add_option("FILE", *file, "Scenario, rig, .pvx of ParaView or .json of SGCT")
       ->required()
-      ->transform(shipped("rigs"))
-      ->transform(shipped("scenarios"));
+      ->transform(shipped({"rigs", "scenarios"}));
   auto pattern = std::make_shared<bool>(false);
   auto capture = std::make_shared<std::optional<std::filesystem::path>>();
   if (showPattern) {

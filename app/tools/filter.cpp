@@ -170,7 +170,7 @@ void addFilter(CLI::App& app, int& status) {
       ->add_option("TRACE", options->trace,
                    "Recorded trace with the columns time_s,x_m,y_m,z_m and optionally qx,qy,qz,qw")
       ->required()
-      ->transform(shipped("traces"));
+      ->transform(shipped({"traces"}));
   command
       ->add_option("--light-speed", options->lightSpeed_m_s,
                    "Speed of light in m/s, for the error of the directions that the eye sees")

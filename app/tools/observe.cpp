@@ -168,7 +168,7 @@ void addObserve(CLI::App& app, int& status, const SeenSceneText& seenScene) {
   auto line = std::make_shared<Line>();
   command->add_option("SCENARIO", line->scenario, "Scenario file, or the name of a shipped one")
       ->required()
-      ->transform(shipped("scenarios"));
+      ->transform(shipped({"scenarios"}));
   command->add_option("--event", line->event, "Board time (s) and place (m) at which the eye receives light")
       ->required()
       ->expected(4)

@@ -25,21 +25,23 @@ CLI::Validator numberIn(const Range& range, const std::string& expected) {
       "");
 }
 
-CLI::Validator shipped(const std::string& kind) {
+CLI::Validator shipped(const std::vector<std::string>& kinds) {
   return CLI::Validator(
-      [kind](std::string& text) {
-        const std::filesystem::path file = shippedFile(text, kind);
+      [kinds](std::string& text) {
+        std::filesystem::path file = text;
+        std::vector<std::string> names;
+        for (const std::string& kind : kinds) {
+          if (file == text) file = shippedFile(text, kind);
+          for (const std::string& name : shippedNames(kind)) names.push_back(name);
+        }
         std::error_code failed;
         const bool isName = file == text && !file.has_parent_path() && !file.has_extension();
-        if (isName && !std::filesystem::exists(file, failed)) {
-          const auto names = shippedNames(kind);
-          const auto nearest = nearestWord(text, names);
-          return fmt::format("there is no file '{}', expected {}", text,
-                             nearest ? fmt::format("'{}'?", *nearest)
-                                     : fmt::format("a file, or one of {}", fmt::join(names, ", ")));
-        }
         text = file.string();
-        return std::string();
+        if (!isName || std::filesystem::exists(file, failed)) return std::string();
+        const auto nearest = nearestWord(text, names);
+        return fmt::format("there is no file '{}', expected {}", text,
+                           nearest ? fmt::format("'{}'?", *nearest)
+                                   : fmt::format("a file, or one of {}", fmt::join(names, ", ")));
       },
       "");
 }

@@ -18,8 +18,8 @@ namespace carom {
 CLI::Validator numberIn(const Range& range, const std::string& expected);
 
 /// Returns a transformation that replaces a bare name by the path of the shipped file, and refuses one that is
-/// neither shipped nor a file here. `kind` is the folder of such files.
-CLI::Validator shipped(const std::string& kind);
+/// neither shipped nor a file here. `kinds` are the folders of such files.
+CLI::Validator shipped(const std::vector<std::string>& kinds);
 
 /// Returns a transformation that replaces one of these names by its number, and refuses others.
 CLI::Validator numberOf(const std::vector<std::pair<std::string, int>>& names);

@@ -344,7 +344,7 @@ void addSimulate(CLI::App& app, int& status) {
   auto options = std::make_shared<SimulateOptions>();
   command->add_option("SCENARIO", options->scenario, "Scenario file, or the name of a shipped one")
       ->required()
-      ->transform(shipped("scenarios"));
+      ->transform(shipped({"scenarios"}));
   command->add_option("--until", options->until_s, "Board time to play to, in seconds")
       ->required()
       ->type_name("S")

@@ -282,7 +282,7 @@ void addTrack(CLI::App& app, int& status) {
   options->rig = configFolder() / "rigs/desk.toml";
   command->add_option("--rig", options->rig, "Rig file whose trackers to watch")
       ->capture_default_str()
-      ->transform(shipped("rigs"));
+      ->transform(shipped({"rigs"}));
   command
       ->add_option(
           "--record", options->record,

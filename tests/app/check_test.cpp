@@ -51,6 +51,32 @@ TEST(Check, SaysWhatASkewedScreenCosts) {
   EXPECT_NE(result.out.find(" % of the pixels fall beside the screen"), std::string::npos) << result.out;
 }
 
+TEST(Check, WarnsOfGamesThatCannotBeShownWell) {
+  const TemporaryFolder folder;
+  const auto warned = [&](const std::string& text) {
+    const auto result = runCarom(folder, {"check", folder.file("odd.toml", text)});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err;
+  };
+  const std::string puck =
+      "[[puck]]\nname = 'white'\nradius_m = 0.03\nmass_kg = 0.2\nposition_m = [0, 0]\nbeta = [0, 0]\n";
+  EXPECT_EQ(warned("light_speed_m_s = 1.42\n[board]\nlength_m = 2.84\nwidth_m = 1.42\n" + puck), "");
+  const std::string large =
+      warned("light_speed_m_s = 1.42\n[board]\nlength_m = 1000\nwidth_m = 1000\n" + puck);
+  for (const char* words : {"1e+03 m long", "704 s along the board", "puck white has a radius of 0.03 m"})
+    EXPECT_NE(large.find(words), std::string::npos) << large;
+  EXPECT_NE(warned("light_speed_m_s = 3e8\n[board]\nlength_m = 2.84\nwidth_m = 1.42\n" + puck)
+                .find("nothing looks relativistic"),
+            std::string::npos);
+}
+
+TEST(Check, FindsShippedFilesOfBothKindsByTheirNames) {
+  const TemporaryFolder folder;
+  for (const char* name : {"desk", "three-pucks"})
+    EXPECT_EQ(runCarom(folder, {"check", name}).status, 0) << name;
+  EXPECT_NE(runCarom(folder, {"check", "three-puck"}).err.find("expected 'three-pucks'?"), std::string::npos);
+}
+
 TEST(Check, CountsInWords) {
   const TemporaryFolder folder;
   const auto result = runCarom(folder, {"check", CAROM_CONFIG_DIR "/rigs/single-screen.toml"});
