@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include <vtk_glew.h>
 
@@ -181,9 +182,37 @@ void BodyDrawer::drawPart(ViewTime moment, std::size_t number, const WallUniform
                       static_cast<GLsizei>(ranges.counts.size()));
 }
 
-void BodyDrawer::drawLayer(ViewTime moment, const WallUniforms& wall) {
+bool BodyDrawer::isStill(std::size_t number) const {
+  const ScenePart& part = scene_.parts[number];
+  return part.body == kRestingBody && part.paint != Paint::clock;
+}
+
+StillView BodyDrawer::stillView(const glm::dmat4& clipFromDrawn, const glm::ivec2& size_px) const {
+  const Layer& layer = layers_[static_cast<std::size_t>(ViewTime::seen)];
+  GpuLeg leg = legs_[static_cast<std::size_t>(layer.ranges[kRestingBody].first)];
+  leg.boardTime = 0.0F;  // which only clocks show
+  StillView view{{}, switches_, size_px};
+  float* end = view.numbers.data();
+  const auto append = [&](const auto& value) {
+    std::memcpy(end, &value, sizeof(value));
+    end += sizeof(value) / sizeof(float);
+  };
+  append(leg);
+  append(layer.drawnFromSeen);
+  append(eye_.boardFromDrawn);
+  append(eye_.headOnBoard);
+  append(eye_.eyeOnBoard_m);
+  append(eye_.exposure);
+  append(glm::mat4(clipFromDrawn));
+  static_assert(sizeof(leg) + 3 * sizeof(glm::mat4) + sizeof(glm::vec4) + 2 * sizeof(glm::vec3) <=
+                sizeof(view.numbers));
+  return view;
+}
+
+void BodyDrawer::drawLayer(ViewTime moment, What what, const WallUniforms& wall) {
   for (std::size_t number = 0; number < scene_.parts.size(); ++number) {
     const ScenePart& part = scene_.parts[number];
+    if ((what == What::still) != (moment == ViewTime::seen && isStill(number))) continue;
     const bool hasGhost = part.body != kRestingBody && part.paint != Paint::shadow;
     if (moment == ViewTime::seen || hasGhost) drawPart(moment, number, wall);
   }
@@ -198,7 +227,7 @@ bool BodyDrawer::choose(const glm::dmat4& clipFromDrawn, bool everything) {
   return anything;
 }
 
-void BodyDrawer::draw(const glm::dmat4& clipFromDrawn) {
+void BodyDrawer::draw(const glm::dmat4& clipFromDrawn, What what) {
   const WallUniforms wall{++walls_, glm::mat4(clipFromDrawn)};
   glBindVertexArray(array_);
   bind(kColourUnit, colourTexture_);
@@ -208,7 +237,7 @@ void BodyDrawer::draw(const glm::dmat4& clipFromDrawn) {
     glBlendFuncSeparate(
         GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, ghost ? GL_ONE : GL_ZERO,
         ghost ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);  // a shadow has no edge: shaders/edge_frag.glsl
-    drawLayer(moment, wall);
+    drawLayer(moment, what, wall);
   }
   setState(false, true, false);
   bind(kColourUnit, 0);

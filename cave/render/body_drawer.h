@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 #include "cave/gl/gl_objects.h"
 #include "cave/render/body_program.h"
@@ -18,6 +19,15 @@
 #include "engine/spacetime/observer.h"
 
 namespace carom {
+
+/// All that the picture of the still bodies of one eye on one wall depends on.
+struct StillView {
+  std::array<float, 128> numbers{};
+  Switches switches;
+  glm::ivec2 size_px{0};
+
+  bool operator==(const StillView&) const = default;
+};
 
 /// Create, use and destroy it with the drawing context current. It allocates in a frame only what a program
 /// that is needed for the first time takes.
@@ -31,8 +41,13 @@ class BodyDrawer {
 
   /// Chooses what a wall may show; with `everything`, also what it cannot. Returns whether that is anything.
   bool choose(const glm::dmat4& clipFromDrawn, bool everything);
+  /// What rests on the board and always looks the same from one place, its clocks are not part of it; and all else.
+  /// All is drawn by `still` and then `changing`.
+  enum class What { still, changing };
   /// Draws what was chosen.
-  void draw(const glm::dmat4& clipFromDrawn);
+  void draw(const glm::dmat4& clipFromDrawn, What what);
+  /// Returns what the picture of the still bodies depends on: while it is the same, so is every pixel of it.
+  StillView stillView(const glm::dmat4& clipFromDrawn, const glm::ivec2& size_px) const;
 
  private:
   /// The range of one body's legs in the buffer.
@@ -57,7 +72,8 @@ class BodyDrawer {
   void makeColours();
   void takeLayer(ViewTime moment, std::span<const BodyView> bodies, const Lorentz& headFromBoard);
   void uploadLegs();
-  void drawLayer(ViewTime moment, const WallUniforms& wall);
+  void drawLayer(ViewTime moment, What what, const WallUniforms& wall);
+  bool isStill(std::size_t number) const;
   void drawPart(ViewTime moment, std::size_t number, const WallUniforms& wall);
   PartUniforms uniformsOf(ViewTime moment, std::size_t number) const;
   BodyProgram& programFor(const BodyVariant& variant, BodyProgram*& last);

@@ -9,10 +9,8 @@
 #include "shaders/doppler_kernel.h"
 #include "shaders/emission_kernel.h"
 #include "shaders/glide_kernel.h"
-#include "shaders/leg_kernel.h"
-#include "shaders/spin_kernel.h"
-#include "shaders/turning_kernel.h"
 #include "shaders/leg_at.h"
+#include "shaders/leg_kernel.h"
 #include "shaders/legs.h"
 #include "shaders/light_types.h"
 #include "shaders/noise.h"
@@ -27,7 +25,9 @@
 #include "shaders/paint_puck.h"
 #include "shaders/paint_shadow.h"
 #include "shaders/paint_wood.h"
+#include "shaders/spin_kernel.h"
 #include "shaders/surface_frag.h"
+#include "shaders/turning_kernel.h"
 
 namespace carom {
 namespace {

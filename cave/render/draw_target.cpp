@@ -32,22 +32,34 @@ void DrawTarget::grow(const glm::ivec2& size_px) {
   glBindRenderbuffer(GL_RENDERBUFFER, 0);
 }
 
-void DrawTarget::begin(const glm::ivec2& size_px) {
+void DrawTarget::bind(const glm::ivec2& size_px) {
   if (size_px.x > buffer_px_.x || size_px.y > buffer_px_.y) grow(size_px);
   size_px_ = size_px;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glViewport(0, 0, size_px.x, size_px.y);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+}
+
+void DrawTarget::begin(const glm::ivec2& size_px) {
+  bind(size_px);
   const bool whole = size_px == buffer_px_;
   if (!whole) {
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, size_px.x, size_px.y);
   }
   glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-  glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (!whole) glDisable(GL_SCISSOR_TEST);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
+}
+
+void DrawTarget::beginWith(const DrawTarget& other) {
+  bind(other.size_px_);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, other.framebuffer_);
+  glBlitFramebuffer(0, 0, size_px_.x, size_px_.y, 0, 0, size_px_.x, size_px_.y,
+                    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
 }
 
 void DrawTarget::copyTo(const RenderTarget& picture, int left_px) const {

@@ -18,6 +18,8 @@ class DrawTarget {
   /// the largest picture and keep that size: making them anew for every size would cost more than the
   /// drawing.
   void begin(const glm::ivec2& size_px);
+  /// Does the same, but begins with the colours and depths of another picture. Both have one sample a pixel.
+  void beginWith(const DrawTarget& other);
   /// Copies the picture into columns of another, from `left_px` on.
   void copyTo(const RenderTarget& picture, int left_px) const;
 
@@ -27,6 +29,7 @@ class DrawTarget {
   unsigned texture() const { return texture_; }
 
  private:
+  void bind(const glm::ivec2& size_px);
   void grow(const glm::ivec2& size_px);
 
   int samples_;

@@ -11,26 +11,42 @@
 #include "cave/render/draw_target.h"
 #include "cave/render/edge_smoother.h"
 #include "cave/render/spacetime_marks.h"
+#include "cave/render/still_layers.h"
 #include "cave/room/off_axis.h"
 
 namespace carom {
 
 struct WallRenderer::Drawing {
-  Drawing(const Scene& scene, double lightSpeed_m_s, int samples, bool smooths)
-      : bodyCount(scene.bodyCount), bodies(scene, lightSpeed_m_s), target(smooths ? 1 : samples) {
-    if (smooths) smoother.emplace();
+  Drawing(const Scene& scene, double lightSpeed_m_s, int samples, bool inSoftware)
+      : bodyCount(scene.bodyCount),
+        bodies(scene, lightSpeed_m_s),
+        target(inSoftware ? 1 : samples),
+        keepsStill(inSoftware) {
+    if (inSoftware && samples > 1) smoother.emplace();
+  }
+
+  void drawBodies(const glm::dmat4& clipFromDrawn, const glm::ivec2& size_px, const glm::ivec2& place) {
+    if (keepsStill) {
+      still.draw(bodies, clipFromDrawn, size_px, target, place);
+    } else {
+      target.begin(size_px);
+      bodies.draw(clipFromDrawn, BodyDrawer::What::still);
+      bodies.draw(clipFromDrawn, BodyDrawer::What::changing);
+    }
   }
 
   std::size_t bodyCount;
   BodyDrawer bodies;
   DrawTarget target;
+  bool keepsStill;
+  StillLayers still;
   std::optional<EdgeSmoother> smoother;  // instead of several samples a pixel
 };
 
 WallRenderer::WallRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, int samples)
     : graphics_(graphics) {
   graphics.makeCurrent();
-  drawing_ = std::make_unique<Drawing>(scene, lightSpeed_m_s, samples, samples > 1 && graphics.inSoftware());
+  drawing_ = std::make_unique<Drawing>(scene, lightSpeed_m_s, samples, graphics.inSoftware());
 }
 
 WallRenderer::~WallRenderer() { graphics_.makeCurrent(); }
@@ -62,8 +78,7 @@ bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, RenderT
     picture.clear(drawing.left_px, wall.pixels.x);
     return true;
   }
-  drawing_->target.begin(wall.pixels);
-  drawing_->bodies.draw(clipFromDrawn);
+  drawing_->drawBodies(clipFromDrawn, wall.pixels, {picture.framebuffer(), drawing.left_px});
   if (drawing.marks) {
     drawing.marks->draw(glm::mat4(clipFromDrawn), drawing_->target.framebuffer(), wall.pixels, drawing.cutAt);
   }

@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kSlew_m_s = 1.0;  // how fast the pose comes over to where samples came back
 constexpr double kFadeIn_s = 0.5;  // in which celerity grows where fadeInFrom asks for it
+constexpr double kRounding_m_s =
+    1e-12;  // what remains of the celerity of a head at rest; it would move, and with it
+            // every pixel be drawn anew
 constexpr double kSlew_rad_s = 3.0;
 constexpr double kTurnMemory_s = 0.03;  // of the orientation filter
 constexpr double kUnknown_m_s = 1.0;    // standard deviation of a celerity nothing is known of
@@ -164,6 +167,7 @@ HeadEstimate HeadFilter::at(double time_s) const {
     head.lag_s = celerity_.lag_s() + ahead_s;
   }
   head.celerity_m_s *= std::clamp((time_s - fadesInFrom_s_) / kFadeIn_s, 0.0, 1.0);
+  if (glm::length(head.celerity_m_s) < kRounding_m_s) head.celerity_m_s = glm::dvec3(0.0);
   return head;
 }
 

@@ -30,11 +30,14 @@ using mat4 = glm::dmat4;
 constexpr int MAX_PIECES = 64;
 inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
+// Each text needs those before it.
+// clang-format off
 #include "engine/light/leg_kernel.glsl"
 #include "engine/light/spin_kernel.glsl"
 #include "engine/light/glide_kernel.glsl"
 #include "engine/light/turning_kernel.glsl"
 #include "engine/light/emission_kernel.glsl"
+// clang-format on
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
 /// Solves with retardation and contraction.
 inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
@@ -54,11 +57,14 @@ using mat4 = glm::mat4;
 constexpr int MAX_PIECES = 8;
 inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
+// Each text needs those before it.
+// clang-format off
 #include "engine/light/leg_kernel.glsl"
 #include "engine/light/spin_kernel.glsl"
 #include "engine/light/glide_kernel.glsl"
 #include "engine/light/turning_kernel.glsl"
 #include "engine/light/emission_kernel.glsl"
+// clang-format on
 inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
 /// Solves with retardation and contraction.
 inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
