@@ -103,6 +103,18 @@ TEST(Cue, APullOfFifteenCentimetresIsTheRestMomentum) {
   for (const double u : {0.001, 0.2, 1.0, 3.0}) EXPECT_NEAR(costOf(u), std::hypot(1.0, u) - 1.0, 1e-15);
 }
 
+// Where the hand points beside the centre, across the stroke, seen from above; the room's axes here are the board's.
+TEST(Cue, StrikesWhereTheHandPointsBesideTheCentre) {
+  const Lorentz still(1.42);
+  const double radius_m = 0.03;
+  EXPECT_EQ(sideOf({0.0, -0.01, 0.0}, {2.0, 0.0}, still, radius_m), 0.01) << "right of a stroke along x";
+  EXPECT_EQ(sideOf({0.0, 0.01, 0.0}, {2.0, 0.0}, still, radius_m), -0.01);
+  EXPECT_EQ(sideOf({0.5, 0.0, 0.2}, {2.0, 0.0}, still, radius_m), 0.0) << "nearer or higher is not beside";
+  EXPECT_EQ(sideOf({0.0, 0.003, 0.0}, {2.0, 0.0}, still, radius_m), 0.0) << "a hand trembles";
+  EXPECT_EQ(sideOf({0.02, 0.0, 0.0}, {0.0, 1.0}, still, radius_m), 0.015) << "half of the radius at most";
+  EXPECT_EQ(sideOf({0.02, 0.0, 0.0}, {0.0, 0.0}, still, radius_m), 0.0) << "no stroke";
+}
+
 // A person on a platform points along the table: the stroke goes there, whatever the platform's motion; and
 // the way that is shown in the room is the opposite of the pull where that is level.
 TEST(Cue, TheWayOfAStrokeIsTurnedWithTheRoomNotBoosted) {

@@ -25,7 +25,7 @@ inline GameEvent eventOf(std::uint64_t number, double x) {
   event.withoutDelay = number % 3 == 0;
   event.heat_j = 1e-3 * x;
   for (std::size_t puck = 0; puck < 1 + number % 2; ++puck)
-    event.turns.push_back({puck, {x, {x, 0.2, 0.01}}, {0.1, x}, {-0.1, x}, x / 3.0});
+    event.turns.push_back({puck, {x, {x, 0.2, 0.01}}, {0.1, x}, {-0.1, x}, x / 3.0, 0.01 * x, -x});
   return event;
 }
 
@@ -42,12 +42,13 @@ inline FrameState frameOf(std::uint64_t number) {
   ObserverView& observer = state.record.observer;
   observer.left = observer.right = observer.middle = {{x, {x / 3.0, -0.0, 1.7}}, {0.032, 1.7, x}};
   state.record.switches.colour = number % 2;
+  state.record.hand.offset_m = 0.01 * x;
   state.record.pucks = 2;
   state.record.eventsKept = (number + 3) / 4;
   if (number % 4 == 0) state.events.push_back(eventOf(number / 4, x));
   if (number % 3 == 0) {
     state.knots.push_back({1, {{x, {x, 0.0, 0.01}}, {-0.0, 0.3, 0.0}, x, {x, {x, 0.0, 0.01}}, 0.0}});
-    state.knots.push_back({2, {{x, {0.0, x, 0.01}}, {0.3, 0.0, 0.0}, x, {}, 0.1}});
+    state.knots.push_back({2, {{x, {0.0, x, 0.01}}, {0.3, 0.0, 0.0}, x, {}, 0.1, {0.5, x, 0.2, 0.1}}});
   }
   return state;
 }

@@ -473,7 +473,7 @@ TEST(LessonNumbers, SeenLength) {
 // By the points' own world lines.
 TEST(LessonNumbers, RollingWheel) {
   const Scenario scenario = shipped("rolling-wheel");
-  const Billiard game = played(scenario, 7.0);
+  const Billiard game = played(scenario, 6.0);
   const WorldLine& line = game.worldLines()[0];
   const Puck& wheel = scenario.billiard.pucks[0];
   const double c_m_s = scenario.billiard.lightSpeed_m_s, omega = line.knots()[0].spin.omega_rad_s;

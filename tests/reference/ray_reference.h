@@ -377,7 +377,7 @@ inline std::optional<double> trace(std::span<const Leg> legs, const Shape& shape
       const Event signal = boosted(leg.signal - before.turn, before.v);
       const Event left{signal.t + glm::length(hit.r - signal.r), hit.r};  // in the frame of the leg before
       const Event leftHere = boosted(boosted(left, -before.v) + before.turn - leg.turn, leg.v);
-      if (hit.t < leftHere.t + glm::length(leftHere.r - hit.r) / kCatchUpSpeed) continue;
+      if (hit.t < leftHere.t + glm::length(leftHere.r - hit.r) / catchUpSpeed(leg, hit.r)) continue;
     }
     nearest = s;
   }
