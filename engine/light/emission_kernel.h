@@ -29,7 +29,8 @@ using mat4 = glm::dmat4;
 constexpr int MAX_PIECES = 64;
 inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
-// clang-format off: each text needs those before it
+// Each text needs those before it.
+// clang-format off
 #include "engine/light/leg_kernel.glsl"
 #include "engine/light/spin_kernel.glsl"
 #include "engine/light/glide_kernel.glsl"
@@ -53,7 +54,8 @@ using mat4 = glm::mat4;
 constexpr int MAX_PIECES = 8;
 inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
-// clang-format off: each text needs those before it
+// Each text needs those before it.
+// clang-format off
 #include "engine/light/leg_kernel.glsl"
 #include "engine/light/spin_kernel.glsl"
 #include "engine/light/glide_kernel.glsl"
