@@ -37,7 +37,14 @@ std::vector<std::string> hostsOf(const Rig& rig) {
   for (int rank = 0; rank < nodesOf(rig); ++rank) {
     const NodeSetup* node = nodeOf(rig, rank);
     const bool hasHost = node && !node->host.empty();
-    hosts.push_back(hasHost ? node->host : "localhost");
+    const std::string host = hasHost ? node->host : "localhost";
+    if (!hosts.empty() && hosts.back() != host &&
+        std::find(hosts.begin(), hosts.end(), host) != hosts.end()) {
+      throw std::runtime_error(fmt::format(
+          "node {} of the rig is on host {} again, expected the nodes of one host to follow each other", rank,
+          host));
+    }
+    hosts.push_back(host);
     named = named || hasHost;
     if (!hasHost) missing += fmt::format("{}{}", missing.empty() ? "" : ", ", rank);
   }
@@ -53,22 +60,21 @@ std::vector<std::string> hostsOf(const Rig& rig) {
 std::vector<std::string> mpirunLine(const Rig& rig, const std::string& program,
                                     const std::vector<std::string>& arguments) {
   const std::vector<std::string> hosts = hostsOf(rig);
-  // The program itself uses every core (cave/cluster/cluster.h).
-  std::vector<std::string> words{"mpirun", "--bind-to", "none"};
+  std::string slots;  // "cave-front:1,cave-sides:2"
+  for (std::size_t first = 0, end = 0; first < hosts.size(); first = end) {
+    while (end < hosts.size() && hosts[end] == hosts[first]) ++end;
+    slots += fmt::format("{}{}:{}", first == 0 ? "" : ",", hosts[first], end - first);
+  }
+  // By slot: rank i is node i. The program itself uses every core (cave/cluster/cluster.h).
+  std::vector<std::string> words{
+      "mpirun", "-n", std::to_string(hosts.size()), "--host", slots, "--map-by", "slot", "--bind-to", "none"};
   if (!rig.start.network.empty()) {
     for (const char* channel : {"btl_tcp_if_include", "oob_tcp_if_include"})
       words.insert(words.end(), {"--mca", channel, rig.start.network});
   }
-  for (std::size_t first = 0, end = 0; first < hosts.size(); first = end) {
-    while (end < hosts.size() && hosts[end] == hosts[first]) ++end;
-    const std::size_t count = end - first;
-    if (first > 0) words.emplace_back(":");
-    words.insert(words.end(),
-                 {"-n", std::to_string(count), "--host", fmt::format("{}:{}", hosts[first], count)});
-    for (const std::string& variable : rig.start.environment) words.insert(words.end(), {"-x", variable});
-    words.push_back(program);
-    words.insert(words.end(), arguments.begin(), arguments.end());
-  }
+  for (const std::string& variable : rig.start.environment) words.insert(words.end(), {"-x", variable});
+  words.push_back(program);
+  words.insert(words.end(), arguments.begin(), arguments.end());
   return words;
 }
 

@@ -12,11 +12,11 @@ namespace carom {
 int nodesOf(const Rig& rig);
 
 /// Returns the host of each node; this machine ("localhost") for all if the rig names none. Throws
-/// std::runtime_error if it names hosts for some nodes only.
+/// std::runtime_error if it names hosts for some nodes only, or if other nodes stand between those of one host.
 std::vector<std::string> hostsOf(const Rig& rig);
 
-/// Returns the words of the line that runs `program` with `arguments` on every node. Consecutive nodes of one
-/// host share a part of it, so that rank i is node i of the rig in every version of Open MPI.
+/// Returns the words of the line that runs `program` with `arguments` on every node, in one form for all
+/// versions of Open MPI: the mpirun of 5.0.7 crashes where a line has several parts with ":" between them.
 std::vector<std::string> mpirunLine(const Rig& rig, const std::string& program,
                                     const std::vector<std::string>& arguments);
 

@@ -12,6 +12,8 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -82,12 +84,26 @@ Place ownPlace() {
   return place;
 }
 
+/// Returns whether the process that started this one was told how to bind, on its command line.
+bool starterWasTold() {
+  std::ifstream line("/proc/" + std::to_string(getppid()) + "/cmdline", std::ios::binary);
+  const std::string words{std::istreambuf_iterator<char>(line), {}};
+  return words.find("--bind-to") != std::string::npos;
+}
+
+/// Returns whether mpirun may have pinned this process to one core without having been told to. Open MPI 4 says
+/// so, and how it was told; of Open MPI 5 only the command line and a variable of its own tell.
+bool isPinnedUnasked() {
+  if (std::getenv("OMPI_MCA_orte_bound_at_launch")) return !std::getenv("OMPI_MCA_hwloc_base_binding_policy");
+  return std::getenv("PRTE_LAUNCHED") && !std::getenv("PRTE_MCA_hwloc_default_binding_policy") &&
+         !starterWasTold();
+}
+
 /// Open MPI pins each of one or two processes of a machine to one core, unless it is told otherwise; drawing
 /// and dividing bodies need them all. The system grants those of the requested cores that it allows. Call it
 /// before there are threads.
 void useEveryCore() {
-  if (!std::getenv("OMPI_MCA_orte_bound_at_launch") || std::getenv("OMPI_MCA_hwloc_base_binding_policy"))
-    return;
+  if (!isPinnedUnasked()) return;
   cpu_set_t all;
   std::fill_n(reinterpret_cast<unsigned char*>(&all), sizeof all, static_cast<unsigned char>(0xff));
   sched_setaffinity(0, sizeof all, &all);

@@ -50,7 +50,8 @@ dpkg-deb -c "$package" | awk '{print $6}' | grep -v '/$' | sort >"$work/held"
 (cd "$work/usr" && find . -type f | sed 's|^\.|./usr|; s|/moveUnseen.csv$|/walk.csv|') | sort >"$work/expected"
 differences=$(diff "$work/expected" "$work/held") || fail "the package (>) holds other files than an installation (<): $differences"
 depends=$(dpkg-deb -f "$package" Depends)
-for library in libvtk9.1 libopenmpi3 libglfw3 libusb-1.0-0 openmpi-bin fonts-dejavu-core; do
-  grep -qw "$library" <<<"$depends" || fail "the package does not ask for $library: $depends"
+# Debian 12 has libvtk9.1 and libopenmpi3, Debian 13 libvtk9.3 and libopenmpi40.
+for library in 'libvtk9\.[0-9]' 'libopenmpi[0-9]' libglfw3 libusb-1.0-0 openmpi-bin fonts-dejavu-core; do
+  grep -q "$library" <<<"$depends" || fail "the package does not ask for $library: $depends"
 done
 exit $status

@@ -50,12 +50,11 @@ host = "cave-sides"
 slots = 2
 [[node]]
 rank = 3
-host = "cave-front"
+host = "cave-floor"
 RIG
-network="--mca btl_tcp_if_include 10.0.0.0/24 --mca oob_tcp_if_include 10.0.0.0/24"
-cave="-x SYNC=1 -x XAUTHORITY $carom cave --rig hosts.toml --switch 'colour=on' --session 'my game.db'"
-cave=${cave/\'colour=on\'/colour=on}
-expected="mpirun --bind-to none $network -n 1 --host cave-front:1 $cave : -n 2 --host cave-sides:2 $cave : -n 1 --host cave-front:1 $cave"
+expected="mpirun -n 4 --host cave-front:1,cave-sides:2,cave-floor:1 --map-by slot --bind-to none"
+expected+=" --mca btl_tcp_if_include 10.0.0.0/24 --mca oob_tcp_if_include 10.0.0.0/24 -x SYNC=1 -x XAUTHORITY"
+expected+=" $carom cave --rig hosts.toml --switch colour=on --session 'my game.db'"
 [ "$("$carom" room --line hosts.toml --switch colour=on --session "my game.db")" = "$expected" ] ||
   fail "the line is $("$carom" room --line hosts.toml --switch colour=on --session "my game.db"), expected $expected"
 
@@ -68,6 +67,8 @@ refused() { # NAME PATTERN COMMAND …: exit status 1 and one such line
 }
 nodes fewer.toml <<<$'[[node]]\nrank = 0\nhost = "a"\n[[node]]\nrank = 1\nhost = "b"'
 refused "fewer hosts than nodes" '^error: node 2, 3 of the rig has no host' "$carom" room fewer.toml
+sed 's/cave-floor/cave-front/' hosts.toml >apart.toml
+refused "nodes of one host apart" '^error: node 3 of the rig is on host cave-front again' "$carom" room apart.toml
 nodes twice.toml <<<$'[[node]]\nrank = 0\nslots = 3\nhost = "a"\n[[node]]\nrank = 2\nhost = "b"'
 refused "a rank of two hosts" "^error: .*twice.toml:[0-9]+:8: the rank '2' is taken in line [0-9]+" "$carom" room twice.toml
 nodes wrong.toml <<<$'[[node]]\nrank = 0\nhost = "a; rm x"'
