@@ -443,9 +443,7 @@ Comparison compareRandom(Graphics& graphics, std::uint64_t seed, int pictures, D
     if (!accept(bodies[0], eye)) continue;
     const Wall wall = wallTowards(look, bodies[0], kC_m_s);
     if (!tellingSize(bodies[0], eye, test::screenOf(wall, look.inRoom_m))) continue;
-    WallRenderer renderer(graphics,
-                          drawn == Drawn::mark ? markScene(bodies[0]) : puckScene(radius_m, height_m, drawn),
-                          kC_m_s, 1);
+    WallRenderer renderer(graphics, puckScene(radius_m, height_m, drawn), kC_m_s, 1);
     SCOPED_TRACE(testing::Message() << "try " << tries << " of seed " << seed << ": radius " << radius_m
                                     << " m, speed " << glm::length(bodies[0].legs.back().v)
                                     << " c, observer at " << beta << " c");
