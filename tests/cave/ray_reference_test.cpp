@@ -402,40 +402,14 @@ TEST_F(RayReference, SilhouettesOfEveryShippedScenario) {
 
 // ---- random flights -------------------------------------------------------------------------------------
 
-/// The mesh that is drawn: the built-in puck's, or the reference's own, four times finer, or a sector of that.
-enum class Drawn { builtIn, fine, mark };
+/// The mesh that is drawn: the built-in puck's, or the reference's own, four times finer.
+enum class Drawn { builtIn, fine };
 
 Scene puckScene(double radius_m, double height_m, Drawn drawn) {
   Scene plain;
   plain.parts = puckParts(radius_m, height_m, 1, glm::vec3(1.0F));
   if (drawn == Drawn::fine)
     plain.parts.back().mesh = test::polyData(reference::puckMesh(radius_m, height_m, 4));
-  Scene scene;
-  scene.bodyCount = 2;
-  test::addNumbered(scene, plain, 1, 1);
-  return scene;
-}
-
-/// Of a puck that spins, one sector: the mark by which one sees how it has turned.
-ReferenceBody markBody(int number, const WorldLine& line, double radius_m, double height_m) {
-  constexpr double kHalf_rad = 0.3;
-  ReferenceBody body{number, test::referenceLegs(line), {}, {}, {}};
-  const reference::Mesh puck = reference::puckMesh(radius_m, height_m, 4);
-  body.fine.points = puck.points;
-  for (const auto& triangle : puck.triangles) {
-    const Vec3 middle =
-        (puck.points[triangle[0]] + puck.points[triangle[1]] + puck.points[triangle[2]]) / 3.0;
-    if (std::abs(std::atan2(middle.y, middle.x)) < kHalf_rad) body.fine.triangles.push_back(triangle);
-  }
-  for (std::size_t i = 0; i < body.fine.triangles.size(); i += 3)
-    body.rim.push_back(puck.points[body.fine.triangles[i][0]]);
-  return body;
-}
-
-Scene markScene(const ReferenceBody& body) {
-  Scene plain;
-  plain.parts = puckParts(0.1, 0.1, 1, glm::vec3(1.0F));
-  plain.parts.back().mesh = test::polyData(body.fine);
   Scene scene;
   scene.bodyCount = 2;
   test::addNumbered(scene, plain, 1, 1);
@@ -460,8 +434,7 @@ Comparison compareRandom(Graphics& graphics, std::uint64_t seed, int pictures, D
   for (int tries = 0, made = 0; made < pictures && tries < 100 * pictures; ++tries) {
     const double radius_m = random.in(0.03, 0.08), height_m = random.in(0.3, 1.0) * radius_m;
     const WorldLine line = makeLine(random, radius_m);
-    const std::vector<ReferenceBody> bodies{drawn == Drawn::mark ? markBody(1, line, radius_m, height_m)
-                                                                 : puckBody(1, line, radius_m, height_m)};
+    const std::vector<ReferenceBody> bodies{puckBody(1, line, radius_m, height_m)};
     const double beta = observers[static_cast<std::size_t>(made % 3)];
     const double t = kC_m_s * (line.knots().back().turn.t_s + random.in(-0.2, 0.4));
     test::Look look =
@@ -470,9 +443,7 @@ Comparison compareRandom(Graphics& graphics, std::uint64_t seed, int pictures, D
     if (!accept(bodies[0], eye)) continue;
     const Wall wall = wallTowards(look, bodies[0], kC_m_s);
     if (!tellingSize(bodies[0], eye, test::screenOf(wall, look.inRoom_m))) continue;
-    WallRenderer renderer(graphics,
-                          drawn == Drawn::mark ? markScene(bodies[0]) : puckScene(radius_m, height_m, drawn),
-                          kC_m_s, 1);
+    WallRenderer renderer(graphics, puckScene(radius_m, height_m, drawn), kC_m_s, 1);
     SCOPED_TRACE(testing::Message() << "try " << tries << " of seed " << seed << ": radius " << radius_m
                                     << " m, speed " << glm::length(bodies[0].legs.back().v)
                                     << " c, observer at " << beta << " c");
@@ -511,22 +482,6 @@ TEST_F(RayReference, BodiesInTheMiddleOfABounceUpToNineTenthsOfLight) {
   const Comparison all = compareRandom(graphics_, 62, 18, Drawn::fine, line, turning);
   all.print("in the middle of a bounce");
   EXPECT_EQ(all.turningBodies, 18);
-}
-
-// Silhouettes and marks before, in and after bounces, rims up to 0.99 c.
-TEST_F(RayReference, SpinningPucksAndTheirMarks) {
-  const auto line = [](test::Random& random, double radius_m) {
-    const int bounces = static_cast<int>(random.in(0.0, 3.0));
-    const WorldLine straight = randomWorldLine(random, kC_m_s, radius_m, bounces, 0.3, 0.9);
-    return test::spun(random, straight, 0.99, random.in(0.0, 1.0) < 0.3 ? random.in(0.1, 2.0) : 0.0);
-  };
-  const auto any = [](const ReferenceBody&, const reference::Eye&) { return true; };
-  for (const Drawn drawn : {Drawn::fine, Drawn::mark}) {
-    const Comparison all = compareRandom(graphics_, 65, 12, drawn, line, any);
-    all.print(drawn == Drawn::mark ? "marks of spinning pucks" : "spinning pucks");
-    EXPECT_EQ(all.bodies, 12);
-    EXPECT_GE(all.turningBodies, 2);
-  }
 }
 
 // The two ways of the reference share no step: rays in the body's rest frame, halving on the board.
