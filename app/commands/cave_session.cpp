@@ -277,22 +277,6 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
   return isAskedToEnd;
 }
 
-/// Returns the session file that a name with a date asks for ("monday-%F.db", as strftime has it), today and free;
-/// other names as they are.
-std::filesystem::path datedFile(const std::filesystem::path& name) {
-  if (name.string().find('%') == std::string::npos) return name;
-  const std::time_t now = std::time(nullptr);
-  std::tm today{};
-  localtime_r(&now, &today);
-  std::array<char, 256> text{};
-  if (std::strftime(text.data(), text.size(), name.string().c_str(), &today) == 0) {
-    throw std::runtime_error(fmt::format(
-        "session file {}: the name is too long, expected one such as monday-%F.db", name.string()));
-  }
-  const std::filesystem::path file = text.data();
-  return std::filesystem::exists(file) ? fileAfter(file) : file;
-}
-
 /// Settles on rank 0 which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
   if (options.lesson && !readScenario(options.scenario).lesson) {

@@ -147,6 +147,17 @@ std::string sessionNameOf(const std::filesystem::path& rig) {
   return fmt::format("{}-{}.db", rig.stem().string(), text.data());
 }
 
+/// Gives a session whose name has a date the name of today, with which it can go on later.
+void settleDate(std::vector<std::string>& arguments) {
+  for (std::string& argument : arguments) {
+    constexpr std::string_view kWithName = "--session=";
+    if (&argument != arguments.data() && *(&argument - 1) == "--session")
+      argument = datedFile(argument).string();
+    else if (argument.starts_with(kWithName))
+      argument = std::string(kWithName) + datedFile(argument.substr(kWithName.size())).string();
+  }
+}
+
 void noticeSignals() {
   struct sigaction action {};
   action.sa_handler = passOn;
@@ -178,10 +189,11 @@ int runRoom(const RoomOptions& options) {
   const bool isSession = !options.doctor && !options.pattern;
   if (isSession && valueOf(arguments, "--session").empty())
     arguments.insert(arguments.end(), {"--session", sessionNameOf(options.rig)});
+  const bool resumes = std::find(arguments.begin(), arguments.end(), "--resume") != arguments.end();
+  if (isSession && !resumes) settleDate(arguments);
   const std::filesystem::path session = valueOf(arguments, "--session");
   std::vector<std::string> first = startArguments(rigFile, arguments);
-  if (std::find(arguments.begin(), arguments.end(), "--resume") != arguments.end())
-    first = resumedArguments(arguments, session.string());
+  if (resumes) first = resumedArguments(arguments, session.string());
   if (options.doctor) first = {"doctor", rigFile};
   if (options.pattern) first = {"check", rigFile, "--pattern"};
   const std::vector<std::string> line = mpirunLine(rig, program, first);
@@ -206,7 +218,7 @@ void addRoom(CLI::App& app, int& status) {
       ->excludes(doctor);
   command->add_option("RIG", options->rig, "Rig file with a [[node]] for each rank")
       ->required()
-      ->transform(shipped("rigs"));
+      ->transform(shipped({"rigs"}));
   command->prefix_command();
   command->footer(
       "Examples:\n  carom room my-cave.toml --scenario twins --session monday.db\n"

@@ -1,5 +1,9 @@
 #include "app/journal/session_series.h"
 
+#include <array>
+#include <ctime>
+#include <stdexcept>
+
 #include <fmt/format.h>
 
 namespace carom {
@@ -23,6 +27,20 @@ std::filesystem::path fileAfter(const std::filesystem::path& first) { return fil
 std::filesystem::path newestOf(const std::filesystem::path& first) {
   const int next = nextGame(first);
   return next == 2 ? first : fileOf(first, next - 1);
+}
+
+std::filesystem::path datedFile(const std::filesystem::path& name) {
+  if (name.string().find('%') == std::string::npos) return name;
+  const std::time_t now = std::time(nullptr);
+  std::tm today{};
+  localtime_r(&now, &today);
+  std::array<char, 256> text{};
+  if (std::strftime(text.data(), text.size(), name.string().c_str(), &today) == 0) {
+    throw std::runtime_error(fmt::format(
+        "session file {}: the name is too long, expected one such as monday-%F.db", name.string()));
+  }
+  const std::filesystem::path file = text.data();
+  return std::filesystem::exists(file) ? fileAfter(file) : file;
 }
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
 // The names of the session files of games that are played one after the other: visit.db, visit-2.db,
-// visit-3.db.
+// visit-3.db; and of those that have the date in their name.
 
 #include <filesystem>
 
@@ -8,6 +8,10 @@ namespace carom {
 
 /// Returns the file of the next game, after those that exist.
 std::filesystem::path fileAfter(const std::filesystem::path& first);
+
+/// Returns the session file that a name with a date asks for ("monday-%F.db", as strftime has it), today and free;
+/// other names as they are. Throws std::runtime_error if the name is too long.
+std::filesystem::path datedFile(const std::filesystem::path& name);
 
 /// Returns the file of the newest game.
 std::filesystem::path newestOf(const std::filesystem::path& first);

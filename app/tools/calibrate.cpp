@@ -211,7 +211,7 @@ void addCalibrate(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "calibrate", "Find where a tracker is in the room, from corners that are touched with its sensor");
   auto options = std::make_shared<CalibrateOptions>();
-  command->add_option("RIG", options->rig, "Rig file")->required()->transform(shipped("rigs"));
+  command->add_option("RIG", options->rig, "Rig file")->required()->transform(shipped({"rigs"}));
   command
       ->add_option("--tool", options->tool, "Whose sensor touches: by default the hand's, if the rig has one")
       ->check(CLI::IsMember({"hand", "head"}));
