@@ -61,18 +61,23 @@ std::pair<std::string, int> outputOf(const std::vector<std::string>& words) {
   return {printable(text), WIFEXITED(status) ? WEXITSTATUS(status) : -1};
 }
 
+std::string_view lastLineOf(std::string_view text) {
+  const std::size_t end = text.rfind('\n');
+  return end == std::string_view::npos ? text : text.substr(end + 1);
+}
+
 /// Returns what is wrong with a host: it does not answer, or its program is missing or another version. Empty
 /// if nothing is.
 std::string faultOf(const std::string& host, const std::string& program) {
   const auto [said, status] =
-      outputOf({"ssh", "-o", "BatchMode=yes", "-o", fmt::format("ConnectTimeout={}", kAnswers_s), host,
-                program, "--version"});
+      outputOf({"ssh", "-o", "BatchMode=yes", "-o", "LogLevel=ERROR", "-o",
+                fmt::format("ConnectTimeout={}", kAnswers_s), host, program, "--version"});
   if (status == 255)  // of ssh itself
     return fmt::format("host {} does not answer: {}, expected to reach it by ssh without a password", host,
                        said);
   if (status != 0)
     return fmt::format("host {} does not run {}: {}, expected {} there", host, program, said, CAROM_VERSION);
-  if (said == CAROM_VERSION) return {};
+  if (lastLineOf(said) == CAROM_VERSION) return {};  // shells may greet or warn before it
   return fmt::format("host {} has another version, {}, expected {} as here", host, said, CAROM_VERSION);
 }
 
@@ -100,7 +105,19 @@ int run(const std::vector<std::string>& words) {
   std::vector<std::string> copy = words;
   for (std::string& word : copy) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  sigset_t ours, before;  // no signal may come to the child between fork and exec, where it would be lost
+  sigemptyset(&ours);
+  sigaddset(&ours, SIGINT);
+  sigaddset(&ours, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &ours, &before);
   const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+  } else {
+    running = child;
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
   if (child < 0) throw std::runtime_error(fmt::format("mpirun cannot be started: {}", std::strerror(errno)));
   if (child == 0) {
     setpgid(0, 0);
@@ -111,7 +128,6 @@ int run(const std::vector<std::string>& words) {
                  std::strerror(errno));
     _exit(127);
   }
-  running = child;
   if (asked) kill(child, SIGTERM);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -128,15 +144,15 @@ struct Progress {
   bool operator==(const Progress&) const = default;
 };
 
-/// Returns how far a session has come, or none if it has no frame.
+/// Returns how far a session has come, or none if it cannot be read.
 std::optional<Progress> progressOf(const std::filesystem::path& session) try {
   if (!std::filesystem::exists(session)) return {};
   constexpr bool kQuiet = true;
   const std::filesystem::path newest = newestOf(session);
   const auto frames = SessionFile(newest, kQuiet).frames();
-  return frames ? std::optional(Progress{newest, frames->second}) : std::nullopt;
+  return Progress{newest, frames ? frames->second : 0};  // a game may have begun and shown nothing yet
 } catch (const std::exception&) {
-  return {};  // a file without a readable frame
+  return {};
 }
 
 /// Returns a name for the session file: that of the rig, and the time.
@@ -168,13 +184,14 @@ void noticeSignals() {
 
 /// Runs the session of this line, and again from where it was cut off as long as it gets further.
 int runSession(const Rig& rig, const std::string& program, const std::vector<std::string>& arguments,
-               const std::filesystem::path& session, std::vector<std::string> line) {
+               std::filesystem::path session, std::vector<std::string> line) {
   for (auto before = progressOf(session);;) {
     const int status = run(line);
     if (status == 0 || asked) return status;
     const auto reached = progressOf(session);
     if (!reached || reached == before) return 1;  // it would fail again: it has shown nothing new
     before = reached;
+    session = reached->file;  // the games that follow are named after it
     log::warn(fmt::format("the session was cut off after frame {}: it goes on by itself.", reached->frame));
     line = mpirunLine(rig, program, resumedArguments(arguments, reached->file.string()));
   }
@@ -193,7 +210,7 @@ int runRoom(const RoomOptions& options) {
   if (isSession && !resumes) settleDate(arguments);
   const std::filesystem::path session = valueOf(arguments, "--session");
   std::vector<std::string> first = startArguments(rigFile, arguments);
-  if (resumes) first = resumedArguments(arguments, session.string());
+  if (resumes) first = resumedArguments(arguments, newestOf(session).string());
   if (options.doctor) first = {"doctor", rigFile};
   if (options.pattern) first = {"check", rigFile, "--pattern"};
   const std::vector<std::string> line = mpirunLine(rig, program, first);
@@ -202,6 +219,13 @@ int runRoom(const RoomOptions& options) {
     return 0;
   }
   if (!allAnswer(hostsOf(rig), program)) return 1;
+  if (const std::string leader = hostsOf(rig).front();
+      isSession && leader != "localhost" && leader != ownHost()) {
+    log::warn(
+        fmt::format("node 0 is {}, not this computer: the session file lies there, so a session that loses a "
+                    "node does not go on by itself",
+                    leader));
+  }
   noticeSignals();
   return isSession ? runSession(rig, program, arguments, session, line) : run(line);
 }

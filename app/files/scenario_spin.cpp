@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 /// Whether the rim of a puck with that celerity, γβ, is slower than light, rounding included.
-bool slowerThanLight(double u) { return std::abs(u / std::sqrt(1.0 + u * u)) < 1.0; }
+bool slowerThanLight(double u) { return std::abs(u / std::hypot(1.0, u)) < 1.0; }
 
 double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
   const double omega_rad_s = table.number("spin_rad_s", {}), rim = omega_rad_s * puck.radius_m / c_m_s;

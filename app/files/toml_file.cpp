@@ -369,10 +369,18 @@ std::filesystem::path TomlFile::existingFile(const TomlTable& table, std::string
   const std::filesystem::path beside = document_->file.parent_path() / given;
   const std::filesystem::path shipped = configFolder() / given;
   std::error_code failed;
-  for (const auto& candidate : {beside, shipped}) {
-    const auto below = document_->searchRoot / candidate.lexically_normal().relative_path();
-    if (!document_->searchRoot.empty() && std::filesystem::is_regular_file(below, failed)) return below;
-    if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
+  const auto isFile = [&](const std::filesystem::path& file) {
+    return std::filesystem::is_regular_file(file, failed);
+  };
+  if (document_->searchRoot.empty()) {
+    for (const auto& candidate : {beside, shipped})
+      if (isFile(candidate)) return candidate;
+  } else {  // files of another computer: one of this computer's that has the same path is not meant
+    for (const auto& candidate : {beside, shipped}) {
+      const auto below = document_->searchRoot / candidate.lexically_normal().relative_path();
+      if (isFile(below)) return below;
+    }
+    if (isFile(shipped)) return shipped;
   }
   if (table.has(key) && !given.empty()) {
     table.fault(key, fmt::format("{} '{}' is no file, expected one beside this file or in {}", key,

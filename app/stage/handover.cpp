@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -120,17 +121,19 @@ Scenario Handover::scenario(const InputFile& input) {
 /// folder, so that files find each other as they do there.
 InputFile Handover::take(const InputFile& input, const std::vector<fs::path>& named) {
   if (cluster_.size() == 1) return input;
+  const std::set<fs::path> once(named.begin(), named.end());  // many pucks may share a mesh
+  const std::vector<fs::path> distinct(once.begin(), once.end());
   const bool gives = cluster_.rank() == 0;
   std::string file = gives ? fs::absolute(input.file).string() : "", text = gives ? textOf(input) : "";
-  std::string count = std::to_string(named.size());
+  std::string count = std::to_string(distinct.size());
   cluster_.share(file);
   cluster_.share(text);
   cluster_.share(count);
   std::vector<std::pair<std::string, std::string>> files(std::stoul(count));
   for (std::size_t i = 0; i < files.size(); ++i) {
     auto& [name, content] = files[i];
-    if (gives) name = fs::absolute(named[i]).lexically_normal().string();
-    if (gives) content = bytesOf(named[i]);
+    if (gives) name = fs::absolute(distinct[i]).lexically_normal().string();
+    if (gives) content = bytesOf(distinct[i]);
     cluster_.share(name);
     cluster_.share(content);
   }

@@ -31,10 +31,13 @@ std::string propertyOf(Display* display, ::Window window, const char* property) 
   int format = 0;
   unsigned long items = 0, more = 0;
   unsigned char* bytes = nullptr;
-  XGetWindowProperty(display, window, atom, 0, 64, False, AnyPropertyType, &type, &format, &items, &more,
-                     &bytes);
+  // The window may be gone, of which Xlib would otherwise end the program.
+  const auto before = XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+  const int status = XGetWindowProperty(display, window, atom, 0, 64, False, AnyPropertyType, &type, &format,
+                                        &items, &more, &bytes);
+  XSetErrorHandler(before);
   const std::unique_ptr<unsigned char, int (*)(void*)> owned(bytes, XFree);
-  if (!bytes || format == 0) return {};
+  if (status != Success || !bytes || format == 0) return {};
   const std::size_t size = format == 32 ? sizeof(long) : static_cast<std::size_t>(format) / 8;
   return {reinterpret_cast<const char*>(bytes), items * size};
 }

@@ -20,7 +20,7 @@ namespace carom {
 using GpuLeg = kernel_float::LegView;
 inline constexpr int kLegTexels = 17;
 static_assert(sizeof(GpuLeg) == kLegTexels * 4 * sizeof(float),
-              "shaders/leg_at.glsl reads sixteen texels a leg");
+              "shaders/leg_at.glsl reads seventeen texels a leg");
 
 /// The texture units of the legs and of the table of colours.
 inline constexpr int kLegUnit = 0, kColourUnit = 1;

@@ -162,9 +162,9 @@ namespace {
 void addRimClocks(const MarkContext& sight, std::size_t body, double centre_s, const Vec3& middle_m,
                   const glm::vec4& colour, MarkBuffer& batch) {
   constexpr int kClocks = 6;
-  constexpr double kLeast_m = 0.2, kInside = 0.95, kStem_m = 0.05;
+  constexpr double kLeast_m = 0.2, kStem_m = 0.05;
   const WorldLine& line = sight.histories[body];
-  const double c_m_s = line.lightSpeed_m_s(), radius_m = kInside * line.radius_m();
+  const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m();
   const Spin& spin = line.knots().front().spin;
   const double rim = spin.omega_rad_s * radius_m / c_m_s;
   const BodyView& view = sight.bodies[body];

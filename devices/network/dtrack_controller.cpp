@@ -65,11 +65,10 @@ void DtrackController::start(const std::stop_token& stop) {
     throw std::runtime_error("what answers at " + toString(endpoint_) +
                              " is no DTRACK2 or DTRACK3: it says '" + status.text + "'");
   }
+  begun_ = true;  // also if the answer comes too late: it is stopped in any case
   const DtrackAnswer started = ask("dtrack2 tracking start", {}, stop);
-  if (started.kind == Kind::ok) {
-    begun_ = true;
-    return;
-  }
+  if (started.kind == Kind::ok) return;
+  begun_ = false;
   throw std::runtime_error("the controller at " + toString(endpoint_) +
                            " does not start measuring: it says '" + started.text +
                            "'. Another program may hold its full access, or the room is not calibrated");

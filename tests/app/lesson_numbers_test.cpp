@@ -627,7 +627,7 @@ TEST(LessonNumbers, Cause) {
   EXPECT_GT(cToA_s, 0.0);
   const Explained explained(scenario);
   EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "From A to B, your frame")), aToB_s, 1e-9);
-  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "From C to A")), cToA_s, 1e-9);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "From A to C, your frame")), -cToA_s, 1e-9);
   const Event& now = explained.observer.middle.observation;
   for (const Event& flash : {a, b, c}) {
     EXPECT_LT(flash.t_s + glm::distance(flash.r_m, now.r_m) / c_m_s, now.t_s)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/operator/playlist.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
@@ -21,7 +22,7 @@ TEST(List, NamesTheShippedFilesWithTheirTitles) {
   const ListedFiles listed = listFiles(empty / ".");
   EXPECT_TRUE(has(listed.games, "table", "A table to play on"));
   EXPECT_TRUE(has(listed.rigs, "play", "One window to play in"));
-  ASSERT_EQ(listed.lessons.size(), 14U);
+  ASSERT_EQ(listed.lessons.size(), kLessons.size());
   EXPECT_EQ(listed.lessons.front().name, "comes-and-goes");
   EXPECT_FALSE(listed.traces.empty());
   for (const auto* files : {&listed.games, &listed.lessons, &listed.rigs}) {

@@ -350,6 +350,18 @@ std::vector<double> interestingTimes(const ReferenceBody& target, const Vec3& fr
   return {before, during, after};
 }
 
+bool spins(const ReferenceBody& body) {
+  return std::any_of(body.legs.begin(), body.legs.end(),
+                     [](const reference::Leg& leg) { return leg.spins(); });
+}
+
+/// How much further than half a metre to stand from a body: round ones are divided for eyes outside them.
+double distanceFor(const ReferenceBody& target) {
+  double reach_m = 0.0;
+  for (const Vec3& d : target.rim) reach_m = std::max(reach_m, glm::length(d));
+  return target.shape ? std::max(1.0, reach_m / 0.15) : 1.0;
+}
+
 class RayReference : public testing::Test {
  protected:
   Graphics graphics_;
@@ -361,18 +373,23 @@ TEST_F(RayReference, SilhouettesOfEveryShippedScenario) {
     if (entry.path().extension() == ".toml") files.insert(entry.path());
   }
   EXPECT_GE(files.size(), 2U);
-  const Vec3 fromTarget_m(0.12, -0.45, 0.3);
   Comparison all, allFine;
   for (const std::filesystem::path& file : files) {
     const Game game = play(file);
     if (game.bodies.empty()) continue;
     const double c_m_s = game.scenario.billiard.lightSpeed_m_s;
+    const Vec3 fromTarget_m = distanceFor(game.bodies.front()) * Vec3(0.12, -0.45, 0.3);
     WallRenderer renderer(graphics_, game.scene, c_m_s, 1);
     WallRenderer fineRenderer(graphics_, game.fineScene, c_m_s, 1);
     Comparison of;
-    for (const double t : interestingTimes(game.bodies.front(), fromTarget_m, c_m_s)) {
+    // The reference follows every point of a spinning body by nested roots: one picture of those that turn.
+    const bool isSlow = std::any_of(game.bodies.begin(), game.bodies.end(), spins);
+    const std::vector<double> times = interestingTimes(game.bodies.front(), fromTarget_m, c_m_s);
+    for (const double t : times) {
+      if (isSlow && t != times[times.size() / 2]) continue;
       for (const Vec3& beta : {Vec3(0.0), 0.7 * glm::normalize(Vec3(0.8, 0.6, 0.1)),
                                0.95 * glm::normalize(fromTarget_m + Vec3(0.1, 0.0, 0.0))}) {
+        if (isSlow && (beta == Vec3(0.0) || glm::length(beta) > 0.9)) continue;
         SCOPED_TRACE(testing::Message() << file.filename() << ", target as at " << t / c_m_s
                                         << " s, observer at " << glm::length(beta) << " c");
         const test::Look look = lookAt(game.bodies.front(), t, fromTarget_m, beta, c_m_s);
