@@ -55,8 +55,10 @@ struct Window::Hears {
   }
 
   static void button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
-    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-    of(window).gui_->hear({GuiEvent::Kind::button, {}, static_cast<unsigned>(button), action == GLFW_PRESS});
+    Window& here = of(window);
+    if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS) here.pressedAtPoll_ = here.graphics_.polls_;
+    if (!here.listens_ || button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    here.gui_->hear({GuiEvent::Kind::button, {}, static_cast<unsigned>(button), action == GLFW_PRESS});
   }
 
   static void letter(GLFWwindow* window, unsigned code) {
@@ -93,6 +95,7 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, Hears::key);
   glfwSetScrollCallback(window_, Hears::scroll);
+  glfwSetMouseButtonCallback(window_, Hears::button);
   glfwSetWindowCloseCallback(window_, Hears::close);
   glfwShowWindow(window_);
   glfwMakeContextCurrent(window_);
@@ -148,7 +151,6 @@ void Window::listen(float text_px, float heading_px) {
   glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
   glfwSetCursorPosCallback(window_, Hears::pointer);
   glfwSetCursorEnterCallback(window_, Hears::left);
-  glfwSetMouseButtonCallback(window_, Hears::button);
   glfwSetCharCallback(window_, Hears::letter);
 }
 
@@ -174,7 +176,10 @@ glm::ivec2 Window::size_px() const {
 
 bool Window::isDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 
-bool Window::isHeld() const { return glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS; }
+bool Window::isHeld() const {
+  return glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
+         pressedAtPoll_ == graphics_.polls_;
+}
 bool Window::isTurning() const { return glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS; }
 
 std::optional<glm::dvec2> Window::pointer_px() const {

@@ -5,6 +5,7 @@
 // Use from the main thread only; makeCurrent, swap and makeNoneCurrent also from another, if no other thread uses
 // this window meanwhile.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -70,7 +71,8 @@ class Window {
   /// Returns where the pointer is, in pixels of the framebuffer to the right and down, or none if it is not
   /// over a visible part of the window. While a button is held that was pressed here, it may be anywhere.
   std::optional<glm::dvec2> pointer_px() const;
-  bool isHeld() const;     ///< the left button was pressed here and is down
+  /// Returns whether the left button was pressed here and is down, or was pressed and released since the last frame.
+  bool isHeld() const;
   bool isTurning() const;  ///< the right button was pressed here and is down
   /// Returns the pointer's input since the last call; call it once per poll.
   PointerInput takePointer();
@@ -83,9 +85,10 @@ class Window {
   GLFWwindow* window_ = nullptr;
   ScreenPlace place_;
   bool border_ = false;
-  bool listens_ = false;        // its Gui takes input
-  glm::dvec2 pointer_px_{0.0};  // at the last takePointer
-  bool dragging_ = false;       // at the last takePointer
+  bool listens_ = false;                 // its Gui takes input
+  std::uint64_t pressedAtPoll_ = ~0ULL;  // the poll that brought the last press of the left button
+  glm::dvec2 pointer_px_{0.0};           // at the last takePointer
+  bool dragging_ = false;                // at the last takePointer
   SwapGroupCalls::Drawable drawable_ = 0;
   std::unique_ptr<StereoPacker> packer_;
   std::unique_ptr<Gui> gui_;  // from its first use on

@@ -90,6 +90,7 @@ void Graphics::awaitDrawing() const { awaitFence(drawn_); }
 const WindowInput& Graphics::poll() {
   input_.keys.clear();
   input_.wheel = 0.0;
+  ++polls_;
   glfwPollEvents();
   return input_;
 }

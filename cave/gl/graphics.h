@@ -4,6 +4,7 @@
 //
 // Use from the main thread only.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,7 @@ class Graphics {
   bool inSoftware_ = false;
   GlFence drawn_;  // fence behind the last frame's drawing
   WindowInput input_;
+  std::uint64_t polls_ = 0;  // so far
 };
 
 }  // namespace carom
