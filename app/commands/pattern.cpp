@@ -100,6 +100,7 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
   WallsView walls(*patterns.walls, statistics, director, KeysOf::patterns);
   DrawingEnd drawingEnd(*patterns.walls, statistics, realTime);
   RecordingListener recording(*patterns.recording, *patterns.walls, nullptr);
+  KeyLock noLock;
   FrameContext context{cluster,
                        *patterns.graphics,
                        nothing,
@@ -107,7 +108,8 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
                        director,
                        statistics,
                        {&walls, &drawingEnd},
-                       {&statistics, &recording}};
+                       {&statistics, &recording},
+                       &noLock};
   runFrames(context);
   patterns.recording->finish();
   if (leads && options.capture) log::note(fmt::format("The pictures are in {}.", options.capture->string()));

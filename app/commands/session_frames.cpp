@@ -40,8 +40,8 @@ SessionFrames::SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& 
       walls_(*setup.walls, statistics_, lead ? lead->leader : follower_, keys),
       drawingEnd_(*setup.walls, statistics_, setup.realTime),
       recording_(*setup.recording, *setup.walls, setup.outside.get()),
-      context_{cluster,     *setup.graphics, setup.world,   pacer, lead ? lead->leader : follower_,
-               statistics_, {&walls_},       {&statistics_}} {
+      context_{cluster,     *setup.graphics, setup.world,    pacer,   lead ? lead->leader : follower_,
+               statistics_, {&walls_},       {&statistics_}, &noLock_} {
   if (setup.outside) context_.views.push_back(&outside_.emplace(*setup.outside, *setup.walls));
   if (lead && lead->windows.diagram) context_.views.push_back(lead->windows.diagram.get());
   context_.views.push_back(&drawingEnd_);

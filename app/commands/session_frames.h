@@ -65,6 +65,7 @@ class SessionFrames {
   std::optional<SoundsListener> sounds_;
   std::optional<ConsoleListener> console_;
   std::optional<ProgressListener> progress_;
+  KeyLock noLock_;
   FrameContext context_;
 };
 

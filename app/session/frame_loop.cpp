@@ -8,9 +8,8 @@ bool runFrames(FrameContext& context) {
   bool isAskedToEnd = false;
   while (!isAskedToEnd && !frame.record.last) {
     context.statistics.begin();
-    const FrameTimes times = context.pacer.next();        // when the photons leave the walls
-    const WindowInput& polled = context.graphics.poll();  // since the previous frame
-    const WindowInput& input = context.keyLock ? context.keyLock->pass(polled) : polled;
+    const FrameTimes times = context.pacer.next();  // when the photons leave the walls
+    const WindowInput& input = context.keyLock->pass(context.graphics.poll());  // since the previous frame
     context.director.decide(times, input, decision);  // rank 0: tracker, head, observer, game
     context.statistics.decided(decision.timing);
     context.cluster.share(decision.frame);  // every rank holds the same bytes

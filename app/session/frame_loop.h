@@ -25,7 +25,7 @@ struct FrameContext {
   FrameStatistics& statistics;
   std::vector<View*> views;               ///< in the order of drawing and swapping
   std::vector<FrameListener*> listeners;  ///< in the order of their calls
-  KeyLock* keyLock = nullptr;             ///< null: all keys work
+  KeyLock* keyLock;                       ///< not null; without a PIN all keys work
 };
 
 /// Runs frames until the last one or until someone asks to quit. Returns true if someone asked to quit.
