@@ -260,6 +260,14 @@ void nothingInSight(benchmark::State& state) {
   measureInTurn(state, room);
 }
 
+/// Returns how long the processors work on this, in seconds.
+template <typename Function>
+double processorTimeOf(const Function& function) {
+  const std::clock_t before = std::clock();
+  function();
+  return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+}
+
 // Eight views (four walls, two eyes) in one process beside one view in one process: what a view costs must
 // not grow with their number. In turn, with and without the emission solve.
 void views(benchmark::State& state) {
@@ -270,11 +278,6 @@ void views(benchmark::State& state) {
   room.draw(*solved, {}, 3.0);
   room.draw(*unsolved, kUnsolved, 3.0);
   std::vector<double> eight_s, one_s, unsolved_s;
-  const auto processorTimeOf = [](const auto& function) {
-    const std::clock_t before = std::clock();
-    function();
-    return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-  };
   double t_s = 3.0;
   for (auto _ : state) {
     t_s = t_s < 8.0 ? t_s + 1.0 / 60.0 : 3.0;
@@ -298,11 +301,6 @@ void twentySpinning(benchmark::State& state) {
   stillRoom.draw(*stillRenderer, {}, 3.0);
   spinningRoom.draw(*spinningRenderer, {}, 3.0);
   std::vector<double> still_s, spinning_s;
-  const auto processorTimeOf = [](const auto& function) {
-    const std::clock_t before = std::clock();
-    function();
-    return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-  };
   double t_s = 3.0;
   for (auto _ : state) {
     t_s = t_s < 6.0 ? t_s + 1.0 / 60.0 : 3.0;

@@ -10,16 +10,13 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
+#include "devices/normal_vector.h"
+
 namespace carom {
 namespace {
 
-using Random = std::mt19937_64;
-
-glm::dvec3 normal3(Random& random, double sigma) {
-  std::normal_distribution<double> one(0.0, sigma);
-  const double x = one(random), y = one(random), z = one(random);
-  return {x, y, z};
-}
+using test::normal3;
+using test::Random;
 
 Pose anyPose(Random& random) {
   const glm::dvec3 v = normal3(random, 1.0);

@@ -11,17 +11,13 @@
 
 #include "devices/calibration/eye_fit.h"
 #include "devices/calibration/pivot_fit.h"
+#include "devices/normal_vector.h"
 
 namespace carom {
 namespace {
 
-using Random = std::mt19937_64;
-
-glm::dvec3 normal3(Random& random, double sigma) {
-  std::normal_distribution<double> one(0.0, sigma);
-  const double x = one(random), y = one(random), z = one(random);
-  return {x, y, z};
-}
+using test::normal3;
+using test::Random;
 
 glm::dquat turned(const glm::dvec3& turn_rad) {
   const double angle = glm::length(turn_rad);
