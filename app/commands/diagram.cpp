@@ -45,7 +45,7 @@ DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<
     const Event& here = state.record.observer.middle.observation;
     if (until_s && here.t_s > *until_s) break;
     session.apply(state, world);
-    subject.mine.push_back(here);
+    continueMine(subject, here);
     subject.beta = betaFromU(state.record.observer.headFromBoard.inverse().u());
   }
   if (subject.mine.empty())

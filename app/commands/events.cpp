@@ -155,14 +155,14 @@ std::string pairText(const EventRow& row, const EventRow& next, double c_m_s, bo
     case Separation::lightlike:
       return text + "lightlike: light can go from one to the other\n";
     case Separation::spacelike:
-      text += fmt::format("spacelike: at once, {:.4f} m apart, for who moves at v/c = {}", relation.length_m,
-                          vectorText(*relation.beta));
+      text += fmt::format("spacelike: simultaneous, {:.4f} m apart, for an observer moving at v/c = {}",
+                          relation.length_m, vectorText(*relation.beta));
       break;
   }
   if (moves && relation.separation == Separation::spacelike) {
     const EventRow& first = row.movingOrder > next.movingOrder ? next : row;
     text += row.movingOrder == next.movingOrder
-                ? std::string("; at once in the moving frame")
+                ? std::string("; simultaneous in the moving frame")
                 : fmt::format("; in the moving frame {} comes first", first.event.number);
   }
   return text + '\n';

@@ -53,7 +53,7 @@ void EffectsPanel::drawSwitches(const ConsoleFrame& frame) const {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    words(texts::console::kEffectNames[i]);
+    words(texts::keys::kEffects[i]);
     tip(texts::console::kEffectTips[i]);
     ImGui::TableNextColumn();
     const bool on = settings.switches.*effect.value, beside = settings.views.beside.*effect.value;

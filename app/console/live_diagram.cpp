@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
 
-constexpr double kEvery_s = 0.1;      // update interval of the chart
-constexpr double kShown_s = 5.0;      // shown below the present event
-constexpr double kKept_s = 6.0;       // kept of the viewer's world line, board time
-constexpr double kLeastWay_s = 0.25;  // needed before the chart is drawn
+constexpr double kEvery_s = 0.1;        // update interval of the chart
+constexpr double kShown_s = 5.0;        // shown below the present event
+constexpr double kKept_s = 6.0;         // kept of the viewer's world line, board time
+constexpr float kLeastTick_px = 40.0F;  // from one number of an axis to the next
 constexpr float kLeft_px = 60, kRight_px = 270, kTop_px = 40, kBottom_px = 40;
 
 ImU32 inkOf(const glm::vec3& colour) {
@@ -21,16 +22,17 @@ ImU32 inkOf(const glm::vec3& colour) {
 /// A chart in a rectangle of a window: maps its axes' units to pixels.
 class Paper {
  public:
-  /// One metre in x and one metre of c t have the same length, so that light is at 45°.
+  /// One metre in x and one metre of c t have the same length, so that light is at 45°; both ranges of the chart
+  /// are in sight.
   Paper(const Chart& chart, ImDrawList& list, const ImVec2& origin, const ImVec2& size)
-      : chart_(chart),
-        list_(list),
-        origin_(origin),
-        size_(size),
-        px_m_((size.y - kTop_px - kBottom_px) / (chart.yRange.y - chart.yRange.x)) {
+      : chart_(chart), list_(list), origin_(origin), size_(size) {
+    const double wide_px = size.x - kLeft_px - kRight_px, high_px = size.y - kTop_px - kBottom_px;
+    px_m_ =
+        std::min(wide_px / (chart.xRange.y - chart.xRange.x), high_px / (chart.yRange.y - chart.yRange.x));
     const double middle_m = (chart.xRange.x + chart.xRange.y) / 2;
-    const double half_m = (size.x - kLeft_px - kRight_px) / (2 * px_m_);
-    xRange_ = {middle_m - half_m, middle_m + half_m};
+    xRange_ = {middle_m - wide_px / (2 * px_m_), middle_m + wide_px / (2 * px_m_)};
+    top_m_ = chart.yRange.x + high_px / px_m_;
+    while (tick_m_ * px_m_ < kLeastTick_px) tick_m_ *= 2.0;
   }
 
   void draw() const {
@@ -57,15 +59,24 @@ class Paper {
     list_.AddText(where, IM_COL32(30, 30, 30, 255), words.c_str());
   }
 
-  /// Draws a grid line at every metre.
+  /// Returns the multiples of the ticks' distance in a range.
+  std::pair<int, int> ticksIn(double from_m, double until_m) const {
+    return {static_cast<int>(std::ceil(from_m / tick_m_)), static_cast<int>(std::floor(until_m / tick_m_))};
+  }
+
+  /// Draws grid lines with their numbers.
   void drawAxes() const {
     const ImU32 grey = IM_COL32(225, 225, 225, 255);
-    for (double x = std::ceil(xRange_.x); x <= xRange_.y; x += 1.0) {
-      list_.AddLine(at({x, chart_.yRange.x}), at({x, chart_.yRange.y}), grey);
+    const auto [left, right] = ticksIn(xRange_.x, xRange_.y);
+    for (int tick = left; tick <= right; ++tick) {
+      const double x = tick * tick_m_;
+      list_.AddLine(at({x, chart_.yRange.x}), at({x, top_m_}), grey);
       const ImVec2 foot = at({x, chart_.yRange.x});
       text({foot.x - 6, foot.y + 4}, std::to_string(static_cast<int>(x)));
     }
-    for (double y = std::ceil(chart_.yRange.x); y <= chart_.yRange.y; y += 1.0) {
+    const auto [low, high] = ticksIn(chart_.yRange.x, top_m_);
+    for (int tick = low; tick <= high; ++tick) {
+      const double y = tick * tick_m_;
       list_.AddLine(at({xRange_.x, y}), at({xRange_.y, y}), grey);
       const ImVec2 foot = at({xRange_.x, y});
       text({foot.x - 32, foot.y - 9}, std::to_string(static_cast<int>(y)));
@@ -131,7 +142,9 @@ class Paper {
   const Chart& chart_;
   ImDrawList& list_;
   ImVec2 origin_, size_;
-  double px_m_;
+  double px_m_ = 1.0;
+  double tick_m_ = 1.0;     // from one number of an axis to the next
+  double top_m_ = 0.0;      // of c t
   glm::dvec2 xRange_{0.0};  // shown by the rectangle
 };
 
@@ -145,15 +158,13 @@ void LiveDiagram::play(const Scenario& scenario) {
 void LiveDiagram::follow(const FrameRecord& record) {
   const Event& here = record.observer.middle.observation;
   std::vector<Event>& mine = subject_.mine;
-  if (!mine.empty() && here.t_s < mine.back().t_s) mine.clear();  // the recording was set back
-  if (!mine.empty() && here.t_s == mine.back().t_s) return;
-  mine.push_back(here);
+  continueMine(subject_, here);
   std::erase_if(mine, [&](const Event& event) { return event.t_s < here.t_s - kKept_s; });
 }
 
 void LiveDiagram::make(const FrameRecord& record, const World& world) {
   const Event& here = record.observer.middle.observation;
-  if (subject_.mine.empty() || here.t_s - subject_.mine.front().t_s < kLeastWay_s) return;
+  if (subject_.mine.empty()) return;
   subject_.beta = betaFromU(record.observer.headFromBoard.inverse().u());
   subject_.lines.assign(world.histories.begin() + 1, world.histories.end());
   subject_.events = world.events;

@@ -131,7 +131,8 @@ class PlanReader {
       if (!name.empty()) refuseName(table, key, "flash", name, flashNames());
       return {};
     }
-    if (found->at.t_s > interval_.until_s)
+    const bool known = interval_.until_s > interval_.from_s;  // otherwise it has been reported
+    if (known && found->at.t_s > interval_.until_s)
       table.fault(
           key, fmt::format("the flash '{}' is at {} s, expected one that the lesson shows, up to {} s", name,
                            found->at.t_s, interval_.until_s));

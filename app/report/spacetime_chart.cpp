@@ -12,10 +12,11 @@
 namespace carom {
 namespace {
 
-constexpr double kShown_s = 5.0;   // board time shown below the present event
-constexpr double kLeast_s = 0.2;   // shortest board time for a diagram
-constexpr double kFuture = 0.5;    // fraction of the time below the present that is shown above it
-constexpr double kMargin_m = 0.3;  // beside the board
+constexpr double kShown_s = 5.0;         // board time shown below the present event
+constexpr double kLeast_s = 0.2;         // shortest board time for a diagram
+constexpr double kFuture = 0.5;          // fraction of the time below the present that is shown above it
+constexpr double kMargin_m = 0.3;        // beside the board
+constexpr std::size_t kMostFlashes = 6;  // that the legend names
 constexpr int kHeight_px = 1100, kLeastWidth_px = 760, kMostWidth_px = 2400;
 
 /// Maps a board event to a point of the chart.
@@ -123,11 +124,30 @@ void addMyAxes(Chart& chart, const glm::dvec2& here, double beta) {
   chart.lines.push_back(through(here, {1.0, beta}, texts::diagram::kSimultaneity, mine, Style::dashed, 2.0F));
 }
 
+/// Adds a flash with its name and its light.
+void addFlash(Chart& chart, const std::string& name, const glm::dvec2& at) {
+  constexpr double kFar_m = 1e3;
+  const glm::vec3 amber(0.80F, 0.55F, 0.0F);
+  chart.lines.push_back({"",
+                         {at + kFar_m * glm::dvec2(-1.0, 1.0), at, at + kFar_m * glm::dvec2(1.0, 1.0)},
+                         amber,
+                         1.0F,
+                         ChartLine::Style::solid});
+  chart.lines.push_back(
+      {fmt::format(texts::diagram::kFlash, name), {at}, amber, 9.0F, ChartLine::Style::marks});
+}
+
 void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
   ChartLine happened{texts::diagram::kEvents, {}, glm::vec3(0.35F), 6.0F, ChartLine::Style::marks};
+  std::size_t flashes = 0;
   for (const GameEvent& event : subject.events) {
-    if (event.at.t_s >= span.from_s && event.at.t_s <= span.until_s)
+    if (event.at.t_s < span.from_s || event.at.t_s > span.until_s) continue;
+    const bool isNamed = event.kind == EventKind::flash && event.which < subject.flashes.size();
+    if (isNamed && flashes++ < kMostFlashes) {
+      addFlash(chart, subject.flashes[event.which], plane(event.at));
+    } else {
       happened.points.push_back(plane(event.at));
+    }
   }
   if (!happened.points.empty()) chart.lines.push_back(happened);
 }
@@ -151,8 +171,19 @@ DiagramSubject subjectOf(const Scenario& scenario) {
   subject.c_m_s = scenario.billiard.lightSpeed_m_s;
   for (const Puck& puck : scenario.billiard.pucks) subject.names.push_back(puck.name);
   for (const ScriptedBody& body : scenario.bodies) subject.names.push_back(body.name);
+  for (const Flash& flash : scenario.billiard.flashes) subject.flashes.push_back(flash.name);
   subject.board = scenario.billiard.board;
   return subject;
+}
+
+void continueMine(DiagramSubject& subject, const Event& here) {
+  std::vector<Event>& mine = subject.mine;
+  if (!mine.empty()) {
+    const Displacement step = here - mine.back();
+    if (step.dt_s == 0.0) return;
+    if (step.dt_s < 0.0 || glm::length(step.dr_m) > subject.c_m_s * step.dt_s) mine.clear();
+  }
+  mine.push_back(here);
 }
 
 Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {

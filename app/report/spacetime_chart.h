@@ -22,15 +22,20 @@ struct DiagramSubject {
   std::vector<std::string> names;
   std::vector<WorldLine> lines;  ///< one for each name
   std::optional<Board> board;
-  std::vector<Event> mine;        ///< the observer's world line up to the present event; never empty
-  Vec3 beta{0.0};                 ///< the observer's, at the present event
-  std::vector<GameEvent> events;  ///< the events to mark
+  std::vector<Event> mine;           ///< the observer's world line up to the present event; never empty
+  Vec3 beta{0.0};                    ///< the observer's, at the present event
+  std::vector<GameEvent> events;     ///< the events to mark
+  std::vector<std::string> flashes;  ///< the names of the flashes
   /// Board time up to which all world lines are known; each ends there, or at its last knot if that is later.
   double knownUntil_s = std::numeric_limits<double>::infinity();
 };
 
 /// Returns the diagram content of a scenario before the game.
 DiagramSubject subjectOf(const Scenario& scenario);
+
+/// Continues the observer's world line. It begins anew where an observer is put elsewhere, as a lesson does when it
+/// plays its game again: nobody goes back in time or overtakes light.
+void continueMine(DiagramSubject& subject, const Event& here);
 
 struct DiagramFrame {
   char along = 'x';  ///< the board axis shown beside time: x or y

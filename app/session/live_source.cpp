@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "app/operator/lesson.h"
@@ -12,6 +14,7 @@
 #include "cave/overlay/hud_panel.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
+#include "engine/spacetime/lorentz.h"
 
 namespace carom {
 namespace {
@@ -19,13 +22,42 @@ namespace {
 constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
 constexpr std::array<const char*, 4> kDriveModes{"as steered", "braking", "home", "tour"};
 
+/// Returns the direction, anticlockwise from +x, in which an observer with this velocity sees what one at rest sees
+/// in the direction `facing_rad`. n' = (n/γ + (1 + β·n γ/(γ + 1)) β)/(1 + β·n), the aberration of light (Rindler
+/// 2006, §4.3).
+double seenFacing_rad(double facing_rad, const Vec3& beta) {
+  const Vec2 n(std::cos(facing_rad), std::sin(facing_rad)), b(beta);
+  const double gamma = gammaFromU(uFromBeta(beta)), along = glm::dot(b, n);
+  const Vec2 seen = (n / gamma + (1.0 + along * gamma / (gamma + 1.0)) * b) / (1.0 + along);
+  return std::atan2(seen.y, seen.x);
+}
+
+/// Returns the message about effects and views that commands have just turned on or off, or nothing.
+std::string changesBy(std::span<const Command> commands) {
+  std::string all;
+  const auto say = [&all](texts::Text name, bool on) {
+    all += all.empty() ? "" : "    ";
+    all += on ? fmt::format(texts::message::kTurnedOn, name) : fmt::format(texts::message::kTurnedOff, name);
+  };
+  for (const Command& command : commands) {
+    const auto* turned = std::get_if<SetSwitch>(&command);
+    if (!turned) continue;
+    for (std::size_t i = 0; i < kNamedSwitches.size(); ++i) {
+      if (kNamedSwitches[i].value == turned->effect)
+        say(turned->beside ? texts::keys::kRightEffects[i] : texts::keys::kEffects[i], turned->on);
+    }
+  }
+  return all;
+}
+
 /// Returns where the platform is at board time 0 and how it moves, with this velocity of the lesson: at the
-/// lesson's moment it passes the scenario's position.
+/// lesson's moment it passes the scenario's position, and what lies ahead for an observer at rest lies ahead.
 ObserverStart startOf(const Scenario& scenario, std::size_t observer) {
   ObserverStart start = scenario.observer;
   const LessonPlan& plan = scenario.lesson->plan;
   if (observer >= plan.observers.size()) return start;
   start.beta = plan.observers[observer].beta;
+  start.facing_rad = seenFacing_rad(start.facing_rad, start.beta);
   start.position_m -= start.beta * (scenario.billiard.lightSpeed_m_s * plan.interval.moment_s);
   return start;
 }
@@ -135,6 +167,19 @@ void LiveSource::say(std::string_view words, Decision& decision) {
   decision.notes.push_back({"notice", std::string(words)});
 }
 
+/// Says which effects have just been turned on or off. They change with the next frame: before a picture with other
+/// effects is drawn for the first time, shaders are compiled, which may take seconds, and the message explains them.
+void LiveSource::tellChanges(std::span<const Command> commands, Decision& decision) {
+  FrameRecord& record = decision.frame.record;
+  const std::string changes = changesBy(commands);
+  if (!changes.empty() && play_.effects) {
+    std::tie(record.switches, record.views.beside) = *play_.effects;
+    pendingMessage_ = changes;
+  } else {
+    play_.effects = {record.switches, record.views.beside};
+  }
+}
+
 /// Counts a carom when it is seen, and says so.
 void LiveSource::count(Decision& decision) {
   const Event& eye = decision.frame.record.observer.middle.observation;
@@ -191,6 +236,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   record.display_s = times.display_s;
   record.lightSpeed_m_s = settings.lightSpeed_m_s;
   putInto(record, settings);
+  tellChanges(input.commands, decision);
   hands_.begin(input.desk, offersChoices(settings));
   decision.isHandled = asksForAnything(hands_.drive());
   advanceLesson(record.lesson = settings.lesson, decision);

@@ -53,6 +53,7 @@ struct Play {
   DriveMode driven = DriveMode::free;  ///< in the previous frame
   std::optional<ObserverView> frozen;  ///< the last view before time was frozen
   std::size_t captions = 0;            ///< that have begun
+  std::optional<std::tuple<Switches, Switches>> effects;  ///< shown in the previous frame: left, right
   bool isNew;  ///< its first frame is still to come: no time passes for the viewer while a game is loaded
 };
 
@@ -81,6 +82,7 @@ class LiveSource : public FrameSource {
   void strike(bool still, const FrameTimes& times, const OperatorSettings& settings, Decision& decision);
   void count(Decision& decision);
   void say(std::string_view words, Decision& decision);
+  void tellChanges(std::span<const Command> commands, Decision& decision);
   std::size_t captionsBegunAt(double own_s) const;
   void showCaption(Decision& decision);
   double sampleAge_s(double begin_s);

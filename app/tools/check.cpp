@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/config_folder.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
@@ -20,6 +21,7 @@
 #include "app/room_import/room_check.h"
 #include "app/tools/import.h"
 #include "app/tools/option_values.h"
+#include "cave/overlay/hud_panel.h"
 #include "engine/base/log.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -154,6 +156,18 @@ std::vector<std::string> oddities(const Scenario& scenario) {
   return odd;
 }
 
+/// Warns of walls of the shipped rigs whose band cannot show a lesson's texts in letters of their full height.
+void checkBand(const std::filesystem::path& path, const Lesson& lesson) {
+  for (const auto& entry : std::filesystem::directory_iterator(configFolder() / "rigs")) {
+    const std::optional<Wall> front = frontWall(roomGeometryOf(readRig(entry.path())));
+    if (!front || bandHolds(lesson.words, lesson.plan, *front)) continue;
+    log::warn(fmt::format(
+        "{}: the lesson's longest text is longer than the band on the wall '{}' of {}: its letters "
+        "will be lower than 1/40 of the wall",
+        path.string(), front->name, entry.path().filename().string()));
+  }
+}
+
 void tellScenario(const std::filesystem::path& path, const std::function<void(const Scenario&)>& openMeshes) {
   const Scenario scenario = readScenario(path);
   if (openMeshes) openMeshes(scenario);
@@ -180,12 +194,12 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
   for (const ScriptedBody& body : scenario.bodies) {
     const std::size_t turns = body.worldLine.knots().size() - 1;
     const double spin_rad_s = body.worldLine.knots().front().spin.omega_rad_s;
-    fmt::print("body {}: moves as told, turns {}{}\n", body.name, counted(turns, "time"),
+    fmt::print("body {}: moves as scripted, turns {}{}\n", body.name, counted(turns, "time"),
                spin_rad_s == 0.0 ? std::string() : fmt::format(", spins at {:.6g} rad/s", spin_rad_s));
   }
   fmt::print("{}\n", counted(setup.strokes.size(), "scripted stroke"));
   if (!setup.flashes.empty()) fmt::print("flashes of light: {}\n", setup.flashes.size());
-  if (!scenario.pulses.empty()) fmt::print("told pulses of light: {}\n", scenario.pulses.size());
+  if (!scenario.pulses.empty()) fmt::print("scripted light pulses: {}\n", scenario.pulses.size());
   if (!scenario.tour.empty()) {
     const ThrustLeg& last = scenario.tour.back();
     fmt::print("tour of the platform: {}, {:.6g} s, {}\n", counted(scenario.tour.size(), "leg"),
@@ -194,6 +208,7 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
   if (scenario.lesson) {
     fmt::print("lesson: it asks \"{}\" and offers {}\n", scenario.lesson->words.question,
                counted(scenario.lesson->words.answers.size(), "answer"));
+    checkBand(path, *scenario.lesson);
   }
   const Vec3& p = scenario.observer.position_m;
   fmt::print("observer: the room's floor origin starts at ({}, {}, {}) mm with {:.4g} c\n", p.x * 1e3,
@@ -218,8 +233,8 @@ int runCheck(const std::filesystem::path& file, const std::function<void(const S
 
 void addCheck(CLI::App& app, int& status, const std::function<void(const Scenario&)>& openMeshes,
               const ShowPattern& showPattern) {
-  CLI::App* command =
-      app.add_subcommand("check", "Examine a scenario or a room and say what is in it and what is odd");
+  CLI::App* command = app.add_subcommand(
+      "check", "Examine a scenario or a room and say what is in it and what is suspicious");
   auto file = std::make_shared<std::filesystem::path>();
   command->add_option("FILE", *file, "Scenario, rig, .pvx of ParaView or .json of SGCT")
       ->required()

@@ -13,10 +13,13 @@
 namespace carom {
 namespace {
 
-constexpr double kTileWidth = 0.165, kGap = 0.012;  // fractions of the wall's width
-constexpr double kTileHeight = 0.36;                // fraction of the tile's width
+constexpr double kTileWidth = 0.165, kGap = 0.012;        // fractions of the wall's width
+constexpr double kTileHeight = 0.36, kFlatHeight = 0.18;  // fractions of the tile's width
 constexpr PanelPicture::Rgba kNothing{0, 0, 0, 0}, kTile{20, 44, 78, 225}, kPointed{245, 190, 60, 245};
 constexpr glm::vec3 kOnTile(240.0F), kOnPointed(15.0F);
+
+/// Returns whether a tile is one of those at the wall's foot.
+bool isFlat(const glm::ivec2& tile_px) { return tile_px.y < 0.5 * (kTileHeight + kFlatHeight) * tile_px.x; }
 
 /// Returns the width of all tiles and the gaps between them.
 double rowOf_m(double width_m) { return (kChoices * kTileWidth + (kChoices - 1) * kGap) * width_m; }
@@ -25,11 +28,11 @@ double rowOf_m(double width_m) { return (kChoices * kTileWidth + (kChoices - 1) 
 
 std::array<Tile, kChoices> tilesOn(const Wall& wall, bool atFoot) {
   const glm::dvec2 wall_m = sizeOf_m(wall);
-  const glm::dvec2 tile_m = kTileWidth * wall_m.x * glm::dvec2(1.0, kTileHeight);
+  const glm::dvec2 tile_m = kTileWidth * wall_m.x * glm::dvec2(1.0, atFoot ? kFlatHeight : kTileHeight);
   const double margin_m = HudPanel::kMargin * wall_m.y;
   const double left_m =
       atFoot ? 0.5 * (wall_m.x - rowOf_m(wall_m.x)) : wall_m.x - margin_m - rowOf_m(wall_m.x);
-  const double foot_m = atFoot ? margin_m : HudPanel::top_m(wall, margin_m) - tile_m.y;
+  const double foot_m = atFoot ? kGap * wall_m.x : HudPanel::top_m(wall, margin_m) - tile_m.y;
   std::array<Tile, kChoices> tiles;
   for (std::size_t i = 0; i < kChoices; ++i)
     tiles[i] = {{left_m + static_cast<double>(i) * (kTileWidth + kGap) * wall_m.x, foot_m}, tile_m};
@@ -56,7 +59,9 @@ std::optional<PointedChoice> choiceAt(const Wall& front, bool atFoot, const glm:
 
 /// Renders the names and keys as large as the tiles allow.
 void ChoiceTiles::write(const glm::ivec2& tile_px) {
-  const int name_px = std::max(1, tile_px.y / 2), key_px = std::max(1, tile_px.y / 4);
+  const bool flat = isFlat(tile_px);
+  const int name_px = std::max(1, (flat ? 65 : 50) * tile_px.y / 100);
+  const int key_px = std::max(1, (flat ? 40 : 25) * tile_px.y / 100);
   for (std::size_t i = 0; i < kChoices; ++i) {
     names_[i] = ink(texts::kChoices[i], name_px);
     keys_[i] = ink(texts::kChoiceKeys[i], key_px);
@@ -71,10 +76,17 @@ void ChoiceTiles::paint(const glm::ivec2& tile_px, int gap_px, std::optional<Cho
     const int left_px = static_cast<int>(i) * step_px;
     const bool isPointed = pointed == static_cast<Choice>(i);
     panel_.fill({left_px, 0}, tile_px, isPointed ? kPointed : kTile);
-    const auto centred = [&](const GlyphBitmap& text) { return left_px + (tile_px.x - text.size_px.x) / 2; };
+    const auto centred = [&](int width_px) { return left_px + (tile_px.x - width_px) / 2; };
     const glm::vec3 colour = isPointed ? kOnPointed : kOnTile;
-    panel_.write({centred(names_[i]), tile_px.y * 42 / 100}, names_[i], colour);
-    panel_.write({centred(keys_[i]), tile_px.y * 12 / 100}, keys_[i], colour);
+    if (isFlat(tile_px)) {  // the key stands behind the name
+      const int name_px = names_[i].size_px.x + tile_px.y / 3;
+      const int begin_px = centred(name_px + keys_[i].size_px.x), foot_px = tile_px.y * 27 / 100;
+      panel_.write({begin_px, foot_px}, names_[i], colour);
+      panel_.write({begin_px + name_px, foot_px}, keys_[i], colour);
+    } else {
+      panel_.write({centred(names_[i].size_px.x), tile_px.y * 42 / 100}, names_[i], colour);
+      panel_.write({centred(keys_[i].size_px.x), tile_px.y * 12 / 100}, keys_[i], colour);
+    }
   }
   panel_.upload();
   pointed_ = pointed;

@@ -23,7 +23,8 @@ struct Tile {
   glm::dvec2 from_m{0.0}, size_m{0.0};
 };
 
-/// Returns the tiles on a wall, in the order of the choices. `atFoot`: at its foot.
+/// Returns the tiles on a wall, in the order of the choices. `atFoot`: flat, at its foot, where they cover
+/// little of a game that is explained.
 std::array<Tile, kChoices> tilesOn(const Wall& wall, bool atFoot);
 
 /// A choice that a ray points to, and where the ray meets the wall.

@@ -24,6 +24,7 @@ namespace {
 constexpr double kCapitalOfLetters = 0.72;       // a capital's height, as a fraction of the nominal height
 constexpr double kLine = 1.5, kBandLine = 1.25;  // distance from line to line, in that height
 constexpr double kLetterWidth = 0.54;            // of running text, in that height
+constexpr std::size_t kIndentLetters = 3;        // as wide as the indent of a line
 constexpr double kSmallest_px = 9.0;             // smaller letters are illegible
 constexpr PanelPicture::Rgba kGround{12, 14, 18, 175};  // dark; half of the picture shows through
 constexpr glm::vec3 kWhite(235.0F), kUrgent(255.0F, 200.0F, 70.0F);  // letters
@@ -50,7 +51,8 @@ class Lines {
   /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented.
   void wrap(std::string_view words, std::string_view first = {}, bool urgent = false) {
     for (bool begins = true; !words.empty(); begins = false) {
-      const std::size_t bytes = fitting(words, letters_);
+      const std::size_t taken = first.empty() ? 0 : begins ? first.size() : kIndentLetters;
+      const std::size_t bytes = fitting(words, letters_ - std::min(taken, letters_ - 1));
       add({}, "{}{}", begins ? first : std::string_view(), words.substr(0, bytes));
       lines_[count_ - 1].urgent = urgent;
       lines_[count_ - 1].setIn = !begins && !first.empty();
@@ -182,6 +184,20 @@ void addDrive(const FrameRecord& record, Lines& lines) {
             texts::legend::kDriveModes[static_cast<std::size_t>(drive.mode)]);
 }
 
+/// Adds the effects that are off, and those that are on without being so at the beginning.
+void addEffects(const Switches& switches, Lines& lines) {
+  constexpr Switches kUsual;
+  std::string off, on;
+  for (std::size_t i = 0; i < kNamedSwitches.size(); ++i) {
+    const auto value = kNamedSwitches[i].value;
+    if (switches.*value == kUsual.*value) continue;
+    std::string& all = switches.*value ? on : off;
+    all += (all.empty() ? "" : ", ") + std::string(texts::keys::kEffects[i]);
+  }
+  if (!off.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOff, off));
+  if (!on.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOn, on));
+}
+
 void addViews(const FrameRecord& record, Lines& lines) {
   const TimeViews& views = record.views;
   if (views.boardNow || views.myNow || views.split) lines.add(kSeenMark, texts::legend::kSeen);
@@ -257,6 +273,7 @@ void describe(const FrameRecord& record, const LessonWords& lesson, const Lesson
   lines.wrap(record.notice.words(), {}, true);
   addLesson(record, lesson, plan, lines);
   if (record.lesson.phase == LessonPhase::none) {
+    addEffects(record.switches, lines);
     addViews(record, lines);
     addDrive(record, lines);
   }

@@ -62,6 +62,7 @@ inline constexpr Text kLightRing = "the speed of light";
 inline constexpr Text kContracted = "a circle on the table, contracted to {:.2f}";
 inline constexpr Text kThrust = "thrust: {:.0f} % of maximum{}";
 inline constexpr std::array<Text, 4> kDriveModes{"", " (braking)", " (returning home)", " (scripted flight)"};
+inline constexpr Text kEffectsOff = "off: {}", kEffectsOn = "on: {}";
 inline constexpr Text kNearerBar = "of the two bars the right one is nearer";
 }  // namespace legend
 
@@ -81,6 +82,7 @@ inline constexpr Text kHallWall =
     "The drive stops in front of the hall's walls. Home brings you back to the table.";
 inline constexpr Text kLeftRoom = "You have left the room: you are behind its wall '{}'. Step back in.";
 inline constexpr Text kReadOnly = "A recording cannot be changed: strokes and drive need a live game";
+inline constexpr Text kTurnedOn = "{}: on", kTurnedOff = "{}: off";
 inline constexpr Text kCarom = "Carom! Your puck touched two others. Caroms: {}, strokes: {}";
 inline constexpr Text kTimeStands = "Nothing can be struck while time stands still or a lesson replays";
 inline constexpr Text kPuckBehind = "The puck is behind your hand: point the other way";
@@ -152,6 +154,10 @@ inline constexpr Text kRightContraction = "right half: contraction";
 inline constexpr Text kRightAberration = "right half: aberration";
 inline constexpr Text kRightColour = "right half: Doppler colour";
 inline constexpr Text kRightSearchlight = "right half: beaming";
+/// In the order of kNamedSwitches.
+inline constexpr std::array<Text, 5> kEffects{kRetardation, kContraction, kAberration, kColour, kSearchlight};
+inline constexpr std::array<Text, 5> kRightEffects{kRightRetardation, kRightContraction, kRightAberration,
+                                                   kRightColour, kRightSearchlight};
 inline constexpr Text kFreeze = "freeze the view and walk around it";
 inline constexpr Text kLight = "slower and faster light";
 inline constexpr Text kPause = "pause";
@@ -195,7 +201,7 @@ inline constexpr Text kCushions = "cushions";
 inline constexpr Text kLightCone = "my light cone";
 inline constexpr Text kTimeAxis = "my time axis ({:.2f} c)";
 inline constexpr Text kSimultaneity = "my line of simultaneity";
-inline constexpr Text kEvents = "events";
+inline constexpr Text kEvents = "events", kFlash = "flash: {}";
 inline constexpr Text kMe = "me";
 }  // namespace diagram
 
@@ -239,8 +245,6 @@ inline constexpr Text kPlaceTip = "Drag to where you want to be in the session."
 
 // Effects, light, views, walls. Tips in the order of kNamedSwitches and kNamedViews.
 inline constexpr Text kEffects = "Effects of relativity";
-inline constexpr std::array<Text, 5> kEffectNames{"retardation", "contraction", "aberration", "colour",
-                                                  "searchlight"};
 inline constexpr std::array<Text, 5> kEffectTips{
     "Light delay: things are seen where they were when their light left them. Off: they are drawn where they "
     "are now, "

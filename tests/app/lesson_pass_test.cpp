@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 #include <sstream>
 
 #include "app/files/starting_histories.h"
+#include "app/operator/command.h"
 #include "app/operator/lesson.h"
 #include "app/session/live_source.h"
 #include "temporary_folder.h"
@@ -39,10 +41,10 @@ class LessonPass : public testing::Test {
     settings_.lightSpeed_m_s = scenario_.billiard.lightSpeed_m_s;
   }
 
-  const FrameRecord& next() {
+  const FrameRecord& next(std::span<const Command> commands = {}) {
     decision_.beginFrame();
     const double display_s = static_cast<double>(number_) / kHz;
-    source_.next({number_++, display_s, display_s, 1.0 / kHz}, {}, settings_, decision_);
+    source_.next({number_++, display_s, display_s, 1.0 / kHz}, {commands, {}}, settings_, decision_);
     applyFrame(decision_.frame, world_);
     return decision_.frame.record;
   }
@@ -111,6 +113,37 @@ TEST_F(LessonPass, ObserversOfAllVelocitiesMeetAtTheMoment) {
     const Vec3 beta = betaFromU(record.boardFromRoom.u());
     EXPECT_NEAR(glm::distance(beta, scenario_.lesson->plan.observers[observer].beta), 0.0, kExact);
   }
+}
+
+// Aberration moves what lies ahead; the room of a moving observer is turned as far. Light from straight ahead on the
+// table, transformed as a displacement, comes from straight ahead in the room.
+TEST_F(LessonPass, WhatLiesAheadAtRestLiesAheadInMotion) {
+  settings_.lesson.phase = LessonPhase::explains;
+  const double facing_rad = scenario_.observer.facing_rad;
+  const Vec3 ahead(std::cos(facing_rad), std::sin(facing_rad), 0.0);
+  for (const std::size_t observer : {0U, 1U, 2U}) {
+    settings_.lessonObserver = observer;
+    const FrameRecord& record = next();
+    const double c_m_s = record.boardFromRoom.lightSpeed_m_s();
+    const Displacement light = record.boardFromRoom.inverse() * Displacement{1.0, -c_m_s * ahead};
+    const Vec3 from = -glm::normalize(light.dr_m);
+    EXPECT_NEAR(glm::dot(from, rig_.axes.right), 0.0, kExact) << observer;
+    EXPECT_GT(glm::dot(from, rig_.axes.forward), 0.0) << observer;
+  }
+}
+
+// The message comes first, and with the next frame the effect, whose first picture may take long.
+TEST_F(LessonPass, AnEffectIsAnnouncedOneFrameBeforeItChanges) {
+  settings_.lesson.phase = LessonPhase::shows;
+  next();
+  const Command off = SetSwitch{&Switches::retardation, false, false};
+  apply(off, settings_);
+  const FrameRecord announced = next(std::span(&off, 1));
+  EXPECT_EQ(announced.switches.retardation, 1);
+  EXPECT_EQ(announced.notice.words(), "light delay (retardation): off");
+  const FrameRecord changed = next();
+  EXPECT_EQ(changed.switches.retardation, 0);
+  EXPECT_EQ(changed.notice.words(), announced.notice.words());
 }
 
 // The pucks' histories do not depend on how often the game was begun again.

@@ -1,0 +1,70 @@
+// What a spacetime diagram holds: flashes with their names and light, and an observer who never goes back in time.
+#include "app/report/spacetime_chart.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/billiard/billiard.h"
+
+namespace carom {
+namespace {
+
+DiagramSubject subjectOfLesson(const char* name) {
+  const Scenario scenario = readScenario(std::string(CAROM_CONFIG_DIR "/scenarios/") + name + ".toml");
+  Billiard billiard(scenario.billiard);
+  billiard.advanceTo(5.0);
+  DiagramSubject subject = subjectOf(scenario);
+  subject.lines.assign(billiard.worldLines().begin(), billiard.worldLines().end());
+  subject.events.assign(billiard.events().begin(), billiard.events().end());
+  for (const double t_s : {0.0, 5.0}) subject.mine.push_back({t_s, Vec3(0.0, -1.7, 1.0)});
+  return subject;
+}
+
+glm::dvec2 markOf(const Chart& chart, const std::string& name) {
+  const auto found = std::find_if(chart.lines.begin(), chart.lines.end(),
+                                  [&](const ChartLine& line) { return line.name == name; });
+  if (found == chart.lines.end() || found->points.size() != 1) {
+    ADD_FAILURE() << "no mark " << name;
+    return {};
+  }
+  return found->points.front();
+}
+
+// In "Which one can be the cause?" the light of A reaches B's place before B flashes, and C's place after C.
+TEST(SpacetimeChart, NamesTheFlashesOfALesson) {
+  const DiagramSubject subject = subjectOfLesson("cause");
+  const Chart chart = spacetimeChart(subject, {});
+  const glm::dvec2 a = markOf(chart, "flash: A"), b = markOf(chart, "flash: B") - a,
+                   c = markOf(chart, "flash: C") - a;
+  EXPECT_NEAR(a.x, -1.2, 1e-12);
+  EXPECT_NEAR(a.y, 0.9 * subject.c_m_s, 1e-12);
+  EXPECT_GT(b.y, std::abs(b.x)) << "B is in A's light cone";
+  EXPECT_GT(c.y, 0.0);
+  EXPECT_LT(c.y, std::abs(c.x)) << "C is elsewhere";
+  const auto light = std::count_if(chart.lines.begin(), chart.lines.end(), [&](const ChartLine& line) {
+    return line.points.size() == 3 && line.points[1] == a;
+  });
+  EXPECT_EQ(light, 1);
+}
+
+TEST(SpacetimeChart, AnObserverWhoIsPutElsewhereBeginsAnew) {
+  DiagramSubject subject;
+  subject.c_m_s = 1.42;
+  const auto at = [](double t_s, double x_m) { return Event{t_s, Vec3(x_m, 0.0, 0.0)}; };
+  continueMine(subject, at(1.0, 0.0));
+  continueMine(subject, at(1.5, 0.7));
+  continueMine(subject, at(1.5, 0.9));  // time stands still while a person walks round what they see
+  EXPECT_EQ(subject.mine.size(), 2U);
+  continueMine(subject, at(0.3, 0.0));  // the lesson begins again
+  ASSERT_EQ(subject.mine.size(), 1U);
+  EXPECT_EQ(subject.mine.front().t_s, 0.3);
+  continueMine(subject, at(0.4, 0.1));
+  continueMine(subject, at(1.0, -0.9));  // with another velocity, from another place
+  ASSERT_EQ(subject.mine.size(), 1U);
+  EXPECT_EQ(subject.mine.front().t_s, 1.0);
+}
+
+}  // namespace
+}  // namespace carom
