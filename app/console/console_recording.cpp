@@ -1,15 +1,24 @@
 #include "app/console/console_recording.h"
 
 #include <cmath>
+#include <ctime>
 #include <string>
 #include <system_error>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 namespace carom::console {
 namespace {
 
 constexpr double kMeasuredEvery_s = 1.0;
+
+/// Returns a name with today's date and the time, beside the session file or in the present folder.
+std::filesystem::path timed(const std::optional<std::filesystem::path>& session, const char* what,
+                            const char* ending) {
+  const std::string name = fmt::format("{}-{:%F-%H%M%S}{}", what, fmt::localtime(std::time(nullptr)), ending);
+  return session ? session->parent_path() / name : std::filesystem::path(name);
+}
 
 void made(const char* what, const std::filesystem::path& where, std::uint64_t frames, std::uint64_t leftOut,
           const char* option) {
@@ -58,6 +67,34 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
   made("Pictures of every wall and eye", report.capture, report.captured, report.notCaptured,
        "--capture DIR");
   made("Movie", report.movie, report.filmed, report.notFilmed, "--movie FILE");
+  if (frame.keys == KeysOf::session) drawButtons(frame, report);
+}
+
+/// Draws what starts and ends recordings while the session runs.
+void RecordingPanel::drawButtons(const ConsoleFrame& frame, const RecordingReport& report) const {
+  ImGui::Spacing();
+  if (report.movie.empty()) {
+    if (ImGui::Button("Start a movie")) frame.recording.startMovie(timed(file_, "carom", ".mp4"));
+    tip("Of the walls that this node draws, the left eye's, beside the session file or in the present "
+        "folder.");
+  } else {
+    if (ImGui::Button("End the movie")) frame.recording.endMovie();
+    tip("The session stands still until the movie is whole.");
+  }
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!report.capture.empty());
+  if (ImGui::Button("Take pictures")) frame.recording.takePictures(timed(file_, "carom-pictures", ""));
+  ImGui::EndDisabled();
+  tip("Of every wall and eye of this node, now.");
+  ImGui::SameLine();
+  ImGui::BeginDisabled(file_.has_value() || frame.settings.playing.empty());
+  if (ImGui::Button("Restart and record")) {
+    frame.commands.emplace_back(
+        PlayScenario{frame.settings.playing, false, timed({}, "carom", ".db").string()});
+  }
+  ImGui::EndDisabled();
+  tip("A session file holds games from their beginning: this one starts again, and from then on all are "
+      "kept.");
 }
 
 }  // namespace carom::console

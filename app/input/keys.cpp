@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/operator/playlist.h"
+#include "app/operator/visitor_choices.h"
 #include "engine/base/limits.h"
 #include "engine/base/log.h"
 
@@ -80,8 +80,10 @@ Command setRate(double rate) {
 /// Chooses a velocity of the observer. While the lesson asks, its numbers are answers, so none is chosen.
 template <int choice>
 Command chooseInLesson(const OperatorSettings& now, const Pressed&) {
-  constexpr int kNone = 0;
-  return ChooseInLesson{now.lesson.phase == LessonPhase::asks ? kNone : choice};
+  if (now.lesson.phase == LessonPhase::asks)
+    return TellPerson{"Answer the question first, or skip it (Enter)."};
+  if (now.lessonObservers == 0) return TellPerson{"F2 to F4 choose a velocity in lessons that offer some."};
+  return ChooseInLesson{choice};
 }
 
 template <Choice choice>
@@ -142,7 +144,7 @@ constexpr std::array kKeys{
         [](const OperatorSettings& now, const Pressed&) -> Command { return SetRate{-now.playback.rate}; }},
     Key{GLFW_KEY_HOME, 0, "Home", kInReplay, "from the beginning",
         [](const OperatorSettings&, const Pressed&) -> Command { return Seek{0.0}; }},
-    Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, "Enter", kInSession, "continue the lesson",
+    Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, "Enter", kInSession, "continue the lesson; the best shot again",
         [](const OperatorSettings&, const Pressed&) -> Command { return AdvanceLesson{}; }},
     Key{GLFW_KEY_F2, 0, "F2 to F4", kInSession, "the velocities that a lesson offers", chooseInLesson<1>},
     Key{GLFW_KEY_F3, 0, "F3", kInSession, nullptr, chooseInLesson<2>},
@@ -163,6 +165,8 @@ constexpr std::array kKeys{
         setEyesApart<1>},
     Key{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT, "-", kInSession, nullptr, setEyesApart<-1>},
     Key{GLFW_KEY_K, 0, "K", kInSession, "show the tracked sensors", turnWalls<&WallControls::trackerCross>},
+    Key{GLFW_KEY_J, 0, "J", kInSession, "comfort: darker edges and a resting frame while you move",
+        turnWalls<&WallControls::comfort>},
     Key{GLFW_KEY_L, 0, "L", kEverywhere, "latency overlay", turnWalls<&WallControls::latency>},
     Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
         [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
@@ -192,12 +196,24 @@ std::optional<Command> answerOf(int key, KeysOf place, const OperatorSettings& n
   return ChooseInLesson{*digit};
 }
 
+/// Returns whether somebody who presses this key in a session expects something of it: letters, function keys and
+/// arrows; not those that steer, end, open the lock, or belong to the desktop.
+bool isExpectedToDo(int key) {
+  constexpr std::array kOthers{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q};
+  const bool isLetter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z &&
+                        std::find(kOthers.begin(), kOthers.end(), key) == kOthers.end();
+  return isLetter || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F11) ||
+         (key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP);
+}
+
 std::optional<Command> commandOf(int pressed, const OperatorSettings& now, const Pressed& where) {
   if (const auto answer = answerOf(pressed, where.place, now)) return answer;
   for (const Key& key : kKeys) {
     if (means(key, where.place) && (pressed == key.key || pressed == key.otherKey))
       return key.command(now, where);
   }
+  if (where.place == KeysOf::session && isExpectedToDo(pressed))
+    return TellPerson{"This key does nothing here. H lists the keys."};
   return {};
 }
 

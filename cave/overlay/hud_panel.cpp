@@ -89,6 +89,11 @@ void addLight(const FrameRecord& record, Lines& lines) {
   lines.add({}, "light  {:.2f} m/s", record.lightSpeed_m_s);
 }
 
+void addScore(const FrameRecord& record, Lines& lines) {
+  if (record.score.strokes == 0) return;
+  lines.add({}, "caroms  {}   strokes  {}", record.score.caroms, record.score.strokes);
+}
+
 void addClocks(const FrameRecord& record, Lines& lines) {
   const Vec3 u = record.observer.headFromBoard.inverse().u();
   lines.add({}, "my proper time  {:.1f} s", shownTime_s(record.observer.properTime_s));
@@ -255,6 +260,7 @@ void describe(const FrameRecord& record, const LessonWords& lesson, const Lesson
   lines.wrap(record.notice.words(), {}, true);
   addLesson(record, lesson, plan, lines);
   if (record.lesson.phase == LessonPhase::none) {
+    addScore(record, lines);
     addViews(record, lines);
     addDrive(record, lines);
   }
