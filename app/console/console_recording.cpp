@@ -8,6 +8,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom::console {
 namespace {
 
@@ -20,15 +22,14 @@ std::filesystem::path timed(const std::optional<std::filesystem::path>& session,
   return session ? session->parent_path() / name : std::filesystem::path(name);
 }
 
-void made(const char* what, const std::filesystem::path& where, std::uint64_t frames, std::uint64_t leftOut,
-          const char* option) {
+void made(texts::Text what, const std::filesystem::path& where, std::uint64_t frames, std::uint64_t leftOut,
+          texts::Text option) {
   heading(what);
-  if (where.empty()) return dim(fmt::format("Not made: start with {}.", option));
+  if (where.empty()) return dim(fmt::format(texts::console::kNotMade, option));
   words(where.string());
-  dim(fmt::format("{} frames since the session began", frames));
+  dim(fmt::format(texts::console::kFrames, frames));
   if (leftOut == 0) return;
-  ImGui::TextColored(kFair, "%s",
-                     fmt::format("{} left out: they came faster than they are written", leftOut).c_str());
+  ImGui::TextColored(kFair, "%s", fmt::format(texts::console::kLeftOut, leftOut).c_str());
 }
 
 }  // namespace
@@ -37,19 +38,19 @@ void RecordingPanel::drawLight(const ConsoleFrame& frame) const {
   const bool replay = frame.keys == KeysOf::replay;
   light(file_ ? kBad : kDim);
   ImGui::SameLine(0.0F, 4.0F);
-  words(file_    ? fmt::format("recording {}", file_->filename().string())
-        : replay ? "a recorded session"
-                 : "not recorded");
+  words(file_    ? fmt::format(texts::console::kRecording, file_->filename().string())
+        : replay ? texts::console::kRecorded
+                 : texts::console::kNotRecorded);
   tip(file_    ? file_->string()
-      : replay ? "What you do here is not written."
-               : "Start with --session FILE to keep the session.");
+      : replay ? texts::console::kRecordedSessionTip
+               : texts::console::kNotRecordedTip);
 }
 
 void RecordingPanel::draw(const ConsoleFrame& frame) {
-  heading("Session file");
+  heading(texts::console::kSessionFile);
   if (!file_) {
-    dim(frame.keys == KeysOf::replay ? "This is a recorded session: nothing is written."
-                                     : "The session is not recorded: start with --session FILE.");
+    dim(frame.keys == KeysOf::replay ? texts::console::kRecordedSession
+                                     : texts::console::kNotRecordedSession);
   } else {
     if (std::abs(frame.record.display_s - measured_s_) >= kMeasuredEvery_s) {
       measured_s_ = frame.record.display_s;
@@ -61,12 +62,12 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
       }
     }
     words(file_->string());
-    dim(fmt::format("{:.1f} MB, up to frame {}", 1e-6 * static_cast<double>(bytes_), frame.record.number));
+    dim(fmt::format(texts::console::kFileSize, 1e-6 * static_cast<double>(bytes_), frame.record.number));
   }
   const RecordingReport report = frame.recording.report();
-  made("Pictures of every wall and eye", report.capture, report.captured, report.notCaptured,
-       "--capture DIR");
-  made("Movie", report.movie, report.filmed, report.notFilmed, "--movie FILE");
+  made(texts::console::kCapture, report.capture, report.captured, report.notCaptured,
+       texts::console::kCaptureOption);
+  made(texts::console::kMovie, report.movie, report.filmed, report.notFilmed, texts::console::kMovieOption);
   if (frame.keys == KeysOf::session) drawButtons(frame, report);
 }
 
@@ -74,27 +75,26 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
 void RecordingPanel::drawButtons(const ConsoleFrame& frame, const RecordingReport& report) const {
   ImGui::Spacing();
   if (report.movie.empty()) {
-    if (ImGui::Button("Start a movie")) frame.recording.startMovie(timed(file_, "carom", ".mp4"));
-    tip("Of the walls that this node draws, the left eye's, beside the session file or in the present "
-        "folder.");
+    if (ImGui::Button(texts::console::kStartMovie)) frame.recording.startMovie(timed(file_, "carom", ".mp4"));
+    tip(texts::console::kStartMovieTip);
   } else {
-    if (ImGui::Button("End the movie")) frame.recording.endMovie();
-    tip("The session stands still until the movie is whole.");
+    if (ImGui::Button(texts::console::kEndMovie)) frame.recording.endMovie();
+    tip(texts::console::kEndMovieTip);
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(!report.capture.empty());
-  if (ImGui::Button("Take pictures")) frame.recording.takePictures(timed(file_, "carom-pictures", ""));
+  if (ImGui::Button(texts::console::kTakePictures))
+    frame.recording.takePictures(timed(file_, "carom-pictures", ""));
   ImGui::EndDisabled();
-  tip("Of every wall and eye of this node, now.");
+  tip(texts::console::kTakePicturesTip);
   ImGui::SameLine();
   ImGui::BeginDisabled(file_.has_value() || frame.settings.playing.empty());
-  if (ImGui::Button("Restart and record")) {
+  if (ImGui::Button(texts::console::kRecordAnew)) {
     frame.commands.emplace_back(
         PlayScenario{frame.settings.playing, false, timed({}, "carom", ".db").string()});
   }
   ImGui::EndDisabled();
-  tip("A session file holds games from their beginning: this one starts again, and from then on all are "
-      "kept.");
+  tip(texts::console::kRecordAnewTip);
 }
 
 }  // namespace carom::console

@@ -2,9 +2,11 @@
 
 #include <imgui.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom {
 DiagramWindow::DiagramWindow(Graphics& graphics, const WindowPlacement& place, const Scenario& scenario)
-    : window_(graphics, "Carom: spacetime diagram", place), diagram_(scenario) {}
+    : window_(graphics, texts::title::kDiagram, place), diagram_(scenario) {}
 
 void DiagramWindow::draw(const FrameRecord& record, const World& world) {
   diagram_.follow(record);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/files/config_folder.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 
@@ -48,14 +49,14 @@ Command commandOf(Choice choice, const OperatorSettings& settings) {
       if (!playlist) return afresh(lessonAfter(settings.lastLesson));
       const auto lesson = lessonIn(*playlist, settings.lastLesson);
       if (lesson) return afresh(*lesson);
-      return TellPerson{"There is no lesson in today's programme."};
+      return TellPerson{texts::message::kNoLesson};
     }
     case Choice::showMe:
       break;
   }
   const std::string show = fileOfGame(kShowMe);
   if (playlist && numberOf(*playlist, show) == playlist->games.size())
-    return TellPerson{"This show is not in today's programme."};
+    return TellPerson{texts::message::kNoShow};
   return afresh(show);
 }
 

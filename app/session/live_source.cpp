@@ -10,6 +10,7 @@
 #include "app/operator/visitor_choices.h"
 #include "cave/overlay/choice_tiles.h"
 #include "cave/overlay/hud_panel.h"
+#include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 
 namespace carom {
@@ -30,15 +31,10 @@ ObserverStart startOf(const Scenario& scenario, std::size_t observer) {
   return start;
 }
 
-std::string offCushions(std::size_t cushions) {
-  if (cushions == 0) return {};
-  return fmt::format(" off {} cushion{}", cushions, cushions == 1 ? "" : "s");
-}
-
 /// Returns the rumble strength in [0, 1]: stroke energy relative to the strongest stroke. 0 unless a gamepad
 /// draws the cue.
 double rumbleStrength(const HandInput& hand, const HandView& view) {
-  return view.pulling && hand.device == "gamepad" ? costOf(view.u) / costOf(kStrongestU) : 0.0;
+  return view.pulling && hand.device == texts::kGamepad ? costOf(view.u) / costOf(kStrongestU) : 0.0;
 }
 
 }  // namespace
@@ -155,9 +151,7 @@ void LiveSource::count(Decision& decision) {
   play_.shots.see({record.observer, record.boardFromRoom, record.display_s});
   if (!cushions) return;
   play_.shots.carom(*cushions, record.display_s);
-  say(fmt::format("Carom{}! Your puck touched two others. Enter: your best shot again",
-                  offCushions(*cushions)),
-      decision);
+  say(fmt::format(texts::message::kCarom, *cushions), decision);
 }
 
 /// Begins to show the best shot again, or ends it; anything that the person does ends it as well.
@@ -168,11 +162,9 @@ void LiveSource::showAgain(const FrameInput& input, double now_s, Decision& deci
     if (isAsked || isOver || asksForAnything(wish_)) play_.shownFrom_s.reset();
   } else if (isAsked && play_.shots.hasBest()) {
     play_.shownFrom_s = now_s;
-    say(fmt::format("Your best shot{}, as you saw it. Enter: back to the game",
-                    offCushions(play_.shots.bestCushions())),
-        decision);
+    say(fmt::format(texts::message::kBestShot, play_.shots.bestCushions()), decision);
   } else if (isAsked) {
-    say("No carom so far: strike a puck so that it touches two others.", decision);
+    say(texts::message::kNoCarom, decision);
   }
 }
 
@@ -194,9 +186,7 @@ void LiveSource::sayWhyStill(const OperatorSettings& settings, Decision& decisio
   if (!asksForAnything(hands_.drive())) {
     play_.saidStill = false;
   } else if (!std::exchange(play_.saidStill, true)) {
-    say(settings.views.frozen ? "The view is frozen: F lets time go on."
-                              : "Time stands still until you answer, or skip the question (Enter).",
-        decision);
+    say(settings.views.frozen ? texts::message::kFrozen : texts::message::kAsks, decision);
   }
 }
 
@@ -236,7 +226,7 @@ void LiveSource::strike(bool still, const FrameTimes& times, const OperatorSetti
     play_.shots.struck();
   }
   rumble_.set(rumbleStrength(hand, record.hand));
-  if (outcome.stroke && hand.device == "gamepad") rumble_.pulse();
+  if (outcome.stroke && hand.device == texts::kGamepad) rumble_.pulse();
   say(outcome.said, decision);
 }
 
@@ -269,7 +259,8 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
     if (const auto* tells = std::get_if<TellPerson>(&command)) say(tells->words, decision);
   }
   say(play_.drive.news().words(), decision);
-  say(roomBoundary_.look(viewer_.head().pose.position_m), decision);
+  if (const Wall* left = roomBoundary_.look(viewer_.head().pose.position_m))
+    say(fmt::format(texts::message::kLeftRoom, left->name), decision);
   say(std::exchange(pendingMessage_, {}), decision);
   record.notice = play_.message.at(times.display_s);
   showCaption(decision);

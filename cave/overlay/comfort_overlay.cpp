@@ -64,20 +64,19 @@ void ComfortOverlay::shade(const Wall& wall, const glm::dvec3& eyeInRoom_m, cons
   blendOver();
   glUseProgram(program_);
   glBindVertexArray(vertexArray_);
-  const auto vector = [&](const char* name, const glm::dvec3& value) {
-    glUniform3fv(glGetUniformLocation(program_, name), 1, glm::value_ptr(glm::vec3(value)));
+  const auto place = [this](const char* name) { return glGetUniformLocation(program_, name); };
+  const auto set = [](GLint at, const glm::dvec3& value) {
+    glUniform3fv(at, 1, glm::value_ptr(glm::vec3(value)));
   };
-  const auto number = [&](const char* name, double value) {
-    glUniform1f(glGetUniformLocation(program_, name), static_cast<float>(value));
-  };
-  vector("corner_m", wall.lowerLeft_m - eyeInRoom_m);
-  vector("across_m", wall.lowerRight_m - wall.lowerLeft_m);
-  vector("upwards_m", wall.upperLeft_m - wall.lowerLeft_m);
-  vector("sight", sight);
-  number("clear_rad", glm::mix(kClearAtRest_rad, kClearFast_rad, shade));
-  number("soft_rad", kSoft_rad);
-  number("darkest", shade > 0.0 ? kDarkest * std::min(1.0, 4.0 * shade) : 0.0);
-  number("black", black);
+  set(place("corner_m"), wall.lowerLeft_m - eyeInRoom_m);
+  set(place("across_m"), wall.lowerRight_m - wall.lowerLeft_m);
+  set(place("upwards_m"), wall.upperLeft_m - wall.lowerLeft_m);
+  set(place("sight"), sight);
+  glUniform1f(place("clear_rad"), static_cast<float>(glm::mix(kClearAtRest_rad, kClearFast_rad, shade)));
+  glUniform1f(place("soft_rad"), static_cast<float>(kSoft_rad));
+  glUniform1f(place("darkest"),
+              static_cast<float>(shade > 0.0 ? kDarkest * std::min(1.0, 4.0 * shade) : 0.0));
+  glUniform1f(place("black"), static_cast<float>(black));
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -18,6 +18,7 @@
 #include "cave/spectator/room_surfaces.h"
 #include "cave/spectator/solid_drawer.h"
 #include "cave/spectator/viewer_model.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -202,7 +203,7 @@ SpectatorView::SpectatorView(Graphics& graphics, const RoomGeometry& room, const
   drawing_ = std::make_unique<Drawing>(graphics, room, makeViewerModel());
   drawing_->makeGame(scene, table);
   if (window) {
-    drawing_->window = std::make_unique<Window>(graphics, "Carom: the room from outside", *window);
+    drawing_->window = std::make_unique<Window>(graphics, texts::title::kOutside, *window);
     graphics.makeCurrent();
   }
 }
