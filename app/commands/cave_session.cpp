@@ -17,7 +17,8 @@
 #include "app/journal/session_file.h"
 #include "app/journal/session_series.h"
 #include "app/operator/lesson.h"
-#include "app/operator/playlist.h"
+#include "app/operator/visitor_choices.h"
+#include "app/session/game_settings.h"
 #include "app/session/live_source.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
@@ -54,7 +55,7 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
   }
   const bool drawsHere = std::any_of(walls.begin(), walls.end(),
                                      [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
-  const bool hasWindow = !options.noWindow && (drawsHere || options.outside || options.console);
+  const bool hasWindow = !options.noWindow && (drawsHere || options.extra.outside || options.extra.console);
   if (hasWindow) sayKeys(KeysOf::session);
   if (!hasWindow && !options.frames) {
     log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
@@ -93,23 +94,15 @@ Before whatWas(const std::filesystem::path& file) {
   return before;
 }
 
-/// Returns the initial settings of a game.
-OperatorSettings settingsOf(const SessionSetup& setup, const CaveOptions& options) {
-  OperatorSettings settings = settingsAtStart(setup);
-  settings.switches = options.switches;
-  settings.views = options.views;
-  beginLesson(setup.scenario, !options.frames, settings);
-  if (options.lesson && setup.scenario.lesson) settings.lesson.phase = *options.lesson;
-  explainInMotion(settings);
-  return settings;
+/// Returns what is on when the session begins.
+Beginning beginningOf(const CaveOptions& options) {
+  return {options.switches, options.views, options.lesson, !options.frames, options.games};
 }
 
 /// Returns the initial settings of the session: from the options, or from the session that is continued.
 OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& options, const std::string& file,
                                const Before& before) {
-  OperatorSettings settings = settingsOf(setup, options);
-  settings.playing = file;
-  if (numberOfLesson(file) < kLessons.size()) settings.lastLesson = file;
+  OperatorSettings settings = settingsOf(setup.rig, setup.scenario, file, beginningOf(options));
   if (!before.last) return settings;
   // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
@@ -134,7 +127,8 @@ struct LivePlay {
               setup.swapsWait, start.firstFrame()),
         source(setup.rig, setup.scenario, setup.world, start),
         leader(source, KeysOf::session, firstSettings(setup, options, inputs.scenario.file.string(), before),
-               setup.realTime ? setup.walls.get() : nullptr, options.unattended_s),
+               devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::session), options.unattended_s,
+               options.resumeOrNew ? options.scenario.string() : std::string()),
         sounds(soundsFor(setup, options.silent || options.noWindow)) {
     journal.keep(openJournal(options.session, options.resume, inputs, setup));
   }
@@ -172,9 +166,9 @@ void tellConsole(Console& console, const std::string& file) try {
   for (const InputError& error : errors.faults()) console.say(error.what());
 }
 
-/// Prints the files of the session's games.
-void sayWhere(const std::filesystem::path& first) {
-  const std::filesystem::path newest = newestOf(first);
+/// Prints the files of the session's games: its first one, and the newest of the series.
+void sayWhere(const std::filesystem::path& first, const std::filesystem::path& series) {
+  const std::filesystem::path newest = newestOf(series);
   const std::string upTo = newest == first ? "" : " and, game by game, up to " + newest.string();
   log::note(fmt::format("The session is in {}{}.", first.string(), upTo));
 }
@@ -185,36 +179,6 @@ void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesy
   // Rounded up, so as not to start a frame early.
   const double at_s = std::ceil(cluster.newest_s() * 1e3) / 1e3;
   log::note(fmt::format("carom replay {} --at {:.3f}", newestOf(*session).string(), at_s));
-}
-
-/// Returns the settings of the next game. A different game starts with the program's initial settings, except
-/// those of the room. The same game keeps all settings; a lesson in its phase `shows` stays there, and one
-/// that was explained starts again with its question. For the next visitor, everything is as the session
-/// began.
-OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& next,
-                                const SessionSetup& setup, const CaveOptions& options) {
-  OperatorSettings settings = settingsOf(setup, options);
-  const std::string& file = next.file;
-  if (next.isForNextVisitor) {
-    settings.playing = file;
-    if (numberOfLesson(file) < kLessons.size()) settings.lastLesson = file;
-    return settings;
-  }
-  settings.eyeSeparation_m = before.eyeSeparation_m;
-  settings.walls = before.walls;
-  settings.keysShown = before.keysShown;
-  settings.playing = file;
-  settings.lastLesson = numberOfLesson(file) < kLessons.size() ? file : before.lastLesson;
-  if (!isSameFile(file, before.playing)) return settings;
-  settings.switches = before.switches;
-  settings.views = before.views;
-  settings.views.frozen = 0;
-  settings.lightSpeed_m_s = before.lightSpeed_m_s;
-  if (before.lesson.phase == LessonPhase::shows) {
-    settings.lesson = before.lesson;
-    settings.lessonObserver = before.lessonObserver;
-  }
-  return settings;
 }
 
 /// Opens the journal of the next game. If it cannot be written, logs this, and the game is played without a
@@ -230,7 +194,7 @@ std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& s
 
 /// Continues on every node with the game that rank 0 has chosen, which may be the same from its beginning.
 /// Returns false if none was chosen, which ends the session. `play` is null on ranks other than 0.
-bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions& inputs, SessionSetup& setup,
+bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& inputs, SessionSetup& setup,
                      OperatorWindows& windows, LivePlay* play) {
   const NextGame next = play ? play->leader.takeNextGame() : NextGame{};
   std::string file = next.file;
@@ -246,12 +210,17 @@ bool goOnWithAnother(Cluster& cluster, const CaveOptions& options, SetupOptions&
     if (!play) return;
     windows.play(setup);
     std::optional<std::filesystem::path> session;
-    if (options.session) session = fileAfter(*options.session);
+    if (!next.recordTo.empty()) {
+      session = options.session = options.series = next.recordTo;
+    } else if (options.session && !next.attracts) {
+      session = fileAfter(options.series);
+    }
     play->source.playAnew();
     play->journal.keep(openNextJournal(session, inputs, setup));
     if (windows.console) windows.console->writeTo(session);
     if (play->status) play->status->play(setup.rig.title, setup.scenario.title, session.value_or(""));
-    play->leader.begin(settingsOfNext(play->leader.settings(), next, setup, options));
+    play->leader.begin(
+        settingsOfNext(play->leader.settings(), next, setup.rig, setup.scenario, beginningOf(options)));
     log::note(
         fmt::format("{}{}", setup.scenario.title, session ? " is written to " + session->string() : ""));
   });
@@ -277,13 +246,31 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
   return isAskedToEnd;
 }
 
+/// Reads the playlist, of the options or of the rig, and begins with its first game if no other was asked for.
+void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
+  if (options.playlist.empty()) options.playlist = readRig(options.rig).playlist;
+  if (options.playlist.empty()) return;
+  const auto playlist = std::make_shared<const Playlist>(readPlaylist(options.playlist));
+  options.games = playlist;
+  if (options.isUsualGame) options.scenario = inputs.scenario.file = playlist->games.front().scenario;
+  if (numberOf(*playlist, options.scenario) < playlist->games.size()) return;
+  throw std::runtime_error(fmt::format("--scenario: {} is not in the playlist {}, expected one of its games",
+                                       options.scenario.string(), options.playlist.string()));
+}
+
 /// Settles on rank 0 which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
+  takePlaylist(options, inputs);
   if (options.lesson && !readScenario(options.scenario).lesson) {
     throw std::runtime_error(fmt::format(
         "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
   }
   if (!options.session) return {};
+  options.series = namedToday(*options.session);
+  if (options.resumeOrNew) {
+    options.session = newestOf(options.series);
+    options.resume = std::filesystem::exists(*options.session);
+  }
   if (options.resume) {
     Before before = whatWas(*options.session);
     inputs.rig = {before.facts.rig, before.facts.rigText};
@@ -300,8 +287,8 @@ Before prepare(CaveOptions& options, SetupOptions& inputs) {
 }
 
 void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesystem::path>& opened) {
-  SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,           options.recording,
-                      options.noWindow,  options.frames.has_value(), options.outside};
+  SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,         options.recording,
+                      options.noWindow,  options.frames.has_value(), options.extra};
   Before before;
   std::unique_ptr<StatusFile> status;
   onAllRanks(cluster, [&] {
@@ -309,11 +296,9 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
     if (options.status) status = std::make_unique<StatusFile>(*options.status);
     before = prepare(options, inputs);
   });
-  opened = options.session;
+  if (options.session) opened = cluster.rank() == 0 ? options.series : *options.session;
   SessionSetup setup = setUpSession(cluster, inputs);
-  const bool visible = !options.noWindow;
-  OperatorWindows windows =
-      openWindows(cluster, setup, options.diagram && visible, options.console && visible, KeysOf::session);
+  OperatorWindows windows = openWindows(cluster, setup, KeysOf::session);
   if (windows.console) windows.console->writeTo(options.session);
   std::unique_ptr<LivePlay> play;
   onAllRanks(cluster, [&] {
@@ -328,8 +313,9 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
          goOnWithAnother(cluster, options, inputs, setup, windows, play.get())) {
   }
   const bool leads = play != nullptr;
+  if (leads) rememberWindows(setup, windows);
   play.reset();  // completes the session file
-  if (leads && options.session) sayWhere(*options.session);
+  if (leads && options.session) sayWhere(*options.session, options.series);
   setup.recording->finish();
   if (leads && options.recording.capture)
     log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));
@@ -430,9 +416,15 @@ void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) 
               "date, such as monday-%F.db, is the day's, with a number if it is there already")
           ->type_name("DB");
   command
+      .add_flag(
+          "--resume-or-new", options->resumeOrNew,
+          "Go on from the end of the session file, or of its newest game, if it is there; otherwise begin it")
+      ->needs(session);
+  command
       .add_flag("--resume", options->resume,
                 "Go on from the end of the session file, with its rig and scenario")
       ->needs(session)
+      ->excludes(command.get_option("--resume-or-new"))
       ->excludes(command.get_option("--rig"))
       ->excludes(command.get_option("--scenario"))
       ->excludes(command.get_option("--switch"))
@@ -473,6 +465,13 @@ void addCave(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
   auto options = std::make_shared<CaveOptions>();
   addRigAndScenario(*command, options);
+  command
+      ->add_option(
+          "--playlist", options->playlist,
+          "Playlist file: the games that may be played, in their order, and for how long. Default: the "
+          "rig's, if it names one")
+      ->type_name("FILE.toml")
+      ->transform(shipped({"playlists"}));
   command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));
@@ -486,7 +485,7 @@ void addCave(CLI::App& app, int& status) {
   command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
   addUnattended(*command, options);
   addSilent(*command, options->silent);
-  addOutside(*command, options->outside, options->diagram, options->console);
+  addExtraWindows(*command, options->extra);
   command->footer(
       "Examples:\n  carom cave\n  carom cave --scenario twins --console\n  carom cave --frames 90 --capture "
       "pictures --no-window\n"
@@ -496,8 +495,8 @@ void addCave(CLI::App& app, int& status) {
     const bool isWatched = !options->frames && !options->noWindow;
     if (command->get_option("--rig")->empty())
       options->rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
-    if (command->get_option("--scenario")->empty())
-      options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
+    options->isUsualGame = command->get_option("--scenario")->empty();
+    if (options->isUsualGame) options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
     status = runCave(*options);
   });
 }

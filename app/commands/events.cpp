@@ -181,8 +181,8 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
     text += fmt::format("place {}: at rest at {} m\n", i + 1, vectorText(options.places_m[i]));
   if (rows.empty()) return text;
 
-  text += fmt::format("\n{:>4}  {:<12}  {:<20} {:>6}   {:>5} {:>9} {:>8} {:>8} {:>8}", "n", "what", "who", "",
-                      "order", "t s", "x m", "y m", "z m");
+  text += fmt::format("\n{:>4}  {:<12}  {:<20} {:>7}   {:>5} {:>9} {:>8} {:>8} {:>8}", "n", "what", "who",
+                      "cushion", "order", "t s", "x m", "y m", "z m");
   if (moves) {
     text += fmt::format("   {:>6} {:>9} {:>8} {:>8} {:>8}", "order'", "t' s", "x' m", "y' m", "z' m");
   }
@@ -193,7 +193,7 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   for (const EventRow& row : rows) {
     const Event &at = row.event.at, &moving = row.moving;
     text += fmt::format(
-        "{:>4}  {:<13} {:<20} {:>6}   {:>5} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}", row.event.number,
+        "{:>4}  {:<13} {:<20} {:>7}   {:>5} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}", row.event.number,
         fmt::format("{}{}", nameOf(row.event.kind), row.event.withoutDelay ? "*" : ""), row.who,
         row.event.cushion ? nameOf(*row.event.cushion) : "", row.order, at.t_s, at.r_m.x, at.r_m.y, at.r_m.z);
     if (moves) {

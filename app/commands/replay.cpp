@@ -10,6 +10,7 @@
 
 #include "app/commands/session_frames.h"
 #include "app/commands/session_options.h"
+#include "app/session/game_settings.h"
 #include "app/session/recorded_source.h"
 #include "app/session/replay_visitor_source.h"
 #include "app/stage/all_ranks.h"
@@ -73,9 +74,10 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
 /// Shows the frames of the source, on rank 0.
 void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, const ReplayOptions& options,
                 const std::string& scenario, Frames& frames) {
-  OperatorSettings settings = settingsAtStart(setup);
+  OperatorSettings settings = settingsAtStart(setup.rig, setup.scenario);
   settings.playing = scenario;
-  FrameLeader leader(*frames.source, KeysOf::replay, settings, setup.realTime ? setup.walls.get() : nullptr);
+  FrameLeader leader(*frames.source, KeysOf::replay, settings,
+                     devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::replay));
   const auto sounds = soundsFor(setup, options.silent || options.noWindow);
   const LeaderParts lead{*frames.source, leader, windows, sounds.get(), nullptr, nullptr};
   runFrames(SessionFrames(cluster, setup, *frames.pacer, &lead, KeysOf::replay).context());
@@ -87,14 +89,13 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   inputs.recording = options.recording;
   inputs.noWindow = inputs.simulated = options.noWindow;
   inputs.live = isVisit(options) && !options.observer;
-  inputs.outside = options.outside;
+  inputs.extra = options.extra;
   onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
   SessionSetup setup = setUpSession(cluster, inputs);
   const bool visible = !options.noWindow;
-  OperatorWindows windows =
-      openWindows(cluster, setup, options.diagram && visible, options.console && visible, KeysOf::replay);
+  OperatorWindows windows = openWindows(cluster, setup, KeysOf::replay);
   Frames frames;
   onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
@@ -109,6 +110,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   }
   const bool leads = frames.source != nullptr;
   frames.source.reset();  // stops the trackers
+  if (leads) rememberWindows(setup, windows);
   setup.recording->finish();
   if (leads && options.recording.capture)
     log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));
@@ -183,7 +185,7 @@ void addReplay(CLI::App& app, int& status) {
   command->add_flag("--no-window", options->noWindow,
                     "Draw without showing, as fast as it goes; an X display is still needed");
   addSilent(*command, options->silent);
-  addOutside(*command, options->outside, options->diagram, options->console);
+  addExtraWindows(*command, options->extra);
   command->footer(
       "Examples:\n  carom replay game.db\n  carom replay game.db --observer walk --capture "
       "pictures --no-window\n  carom replay game.db --walk --beta 0.6 0 0\n"

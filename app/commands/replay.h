@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/stage/desk_windows.h"
 #include "app/stage/recording.h"
 #include "engine/spacetime/event.h"
 
@@ -24,9 +25,7 @@ struct ReplayOptions {
   RecordingOptions recording;        ///< images and movie
   bool noWindow = false;             ///< without windows, frames go as fast as possible
   bool silent = false;               ///< no sounds
-  bool outside = false;              ///< rank 0 also shows the spectator view
-  bool diagram = false;              ///< rank 0 also shows the spacetime diagram
-  bool console = false;              ///< rank 0 also shows the operator's console
+  ExtraWindows extra;                ///< what rank 0 also shows
 };
 
 /// Returns the exit status: 0, or 1 after a message on standard error.

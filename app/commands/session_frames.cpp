@@ -9,29 +9,38 @@ void OperatorWindows::play(const SessionSetup& setup) {
   if (console) console->play(setup.scenario, setup.scene);
 }
 
-OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, bool diagram, bool console, KeysOf keys) {
+OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, KeysOf keys) {
   OperatorWindows windows;
   onAllRanks(cluster, [&] {
-    if (cluster.rank() > 0) return;
-    if (diagram) windows.diagram = std::make_unique<DiagramWindow>(*setup.graphics, setup.scenario);
-    if (!console) return;
-    windows.console =
-        std::make_unique<Console>(*setup.graphics, setup.rig, cluster, keys, setup.scenario, setup.scene);
+    if (setup.desk.diagram)
+      windows.diagram = std::make_unique<DiagramWindow>(*setup.graphics, *setup.desk.diagram, setup.scenario);
+    if (!setup.desk.console) return;
+    windows.console = std::make_unique<Console>(*setup.graphics, *setup.desk.console, setup.rig, cluster,
+                                                keys, setup.scenario, setup.scene);
   });
   return windows;
+}
+
+void rememberWindows(const SessionSetup& setup, const OperatorWindows& windows) {
+  if (setup.wallMemory.empty()) return;
+  const std::vector<Monitor> present = monitors();
+  std::vector<RememberedWindow> lie;
+  const auto add = [&](const std::string& name, const std::optional<ScreenPlace>& place) {
+    const auto window = place ? remember(name, *place, present) : std::nullopt;
+    if (window) lie.push_back(*window);
+  };
+  for (std::size_t i = 0; i < setup.wallMemory.size(); ++i)
+    add(setup.wallMemory[i], setup.walls->placeOf(setup.rig.walls[i].name));
+  if (windows.console && !setup.rig.console) add("console", windows.console->place());
+  if (setup.outside) add("outside", setup.outside->place());
+  if (windows.diagram) add("diagram", windows.diagram->place());
+  writeWindowMemory(windowMemory(), lie);
 }
 
 std::unique_ptr<Sounds> soundsFor(const SessionSetup& setup, bool silent) {
   const RoomAxes& axes = setup.rig.axes;
   if (silent || !setup.realTime) return nullptr;
   return std::make_unique<Sounds>(SoundAxes{axes.right, axes.up, axes.forward});
-}
-
-OperatorSettings settingsAtStart(const SessionSetup& setup) {
-  OperatorSettings settings;
-  settings.eyeSeparation_m = setup.rig.head.eyeSeparation_m;
-  settings.lightSpeed_m_s = setup.scenario.billiard.lightSpeed_m_s;
-  return settings;
 }
 
 SessionFrames::SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& pacer,

@@ -24,7 +24,11 @@ struct OperatorWindows {
   /// Switches to another game, which is in `setup`.
   void play(const SessionSetup& setup);
 };
-OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, bool diagram, bool console, KeysOf keys);
+/// Opens those for which the setup has a place.
+OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, KeysOf keys);
+
+/// Remembers where the windows of rank 0 lie now, in a session that somebody watches.
+void rememberWindows(const SessionSetup& setup, const OperatorWindows& windows);
 
 /// The parts that exist only on rank 0.
 struct LeaderParts {
@@ -38,9 +42,6 @@ struct LeaderParts {
 
 /// Opens the audio output of the system. Returns null in simulated time or if `silent`.
 std::unique_ptr<Sounds> soundsFor(const SessionSetup& setup, bool silent);
-
-/// Returns the initial settings, from rig and scenario.
-OperatorSettings settingsAtStart(const SessionSetup& setup);
 
 class SessionFrames {
  public:

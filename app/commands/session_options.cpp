@@ -13,15 +13,15 @@ void addSilent(CLI::App& command, bool& silent) {
                    "Play no sounds. Without it, each collision and stroke clicks when it is seen");
 }
 
-void addOutside(CLI::App& command, bool& outside, bool& diagram, bool& console) {
+void addExtraWindows(CLI::App& command, ExtraWindows& extra) {
   command.add_flag(
-      "--console", console,
+      "--console", extra.console,
       "Open the operator's console on the first node: walls in small, trackers, switches, games, events");
   command.add_flag(
-      "--diagram", diagram,
+      "--diagram", extra.diagram,
       "Show the spacetime diagram in a window of its own; the observer's axes tilt as they move");
   command.add_flag(
-      "--outside", outside,
+      "--outside", extra.outside,
       "Show the room from outside, too: its walls, the person, the table where it is. With --capture "
       "also as outside-mono-FRAME.png");
 }

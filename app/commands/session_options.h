@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/stage/desk_windows.h"
+
 namespace carom {
 
 /// Adds the option --silent.
 void addSilent(CLI::App& command, bool& silent);
 /// Adds the options --console, --diagram and --outside.
-void addOutside(CLI::App& command, bool& outside, bool& diagram, bool& console);
+void addExtraWindows(CLI::App& command, ExtraWindows& extra);
 /// Adds the option --movie.
 void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie);
 

@@ -25,11 +25,6 @@ constexpr std::size_t kMostSaid = 200;
 constexpr float kTop_px = 84.0F, kLeft_px = 366.0F, kSaid_px = 104.0F, kWalls_px = 250.0F, kGap_px = 8.0F;
 constexpr float kButton_px = 150.0F;
 
-WindowPlacement placeIn(const Rig& rig) {
-  return rig.console.value_or(
-      WindowPlacement{.position_px = {40, 40}, .size_px = {1280, 860}, .border = true});
-}
-
 void useHeadingFont() {
   const ImVector<ImFont*>& fonts = ImGui::GetIO().Fonts->Fonts;
   ImGui::PushFont(fonts.Size > 1 ? fonts[1] : fonts[0]);
@@ -43,9 +38,9 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
 
 }  // namespace
 
-Console::Console(Graphics& graphics, const Rig& rig, const Cluster& cluster, KeysOf keys,
-                 const Scenario& scenario, const Scene& scene)
-    : window_(graphics, texts::title::kConsole, placeIn(rig)),
+Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
+                 KeysOf keys, const Scenario& scenario, const Scene& scene)
+    : window_(graphics, texts::title::kConsole, place),
       keys_(keys),
       keyMap_(keyMap(keys)),
       scenario_(&scenario),
@@ -135,7 +130,9 @@ void Console::drawAll(const ConsoleFrame& frame) {
 }
 
 void Console::drawTop(const ConsoleFrame& frame) {
-  const float buttons = ImGui::GetContentRegionMax().x - 2 * kButton_px - kGap_px;
+  const bool mayWelcome = keys_ == KeysOf::session;
+  const float buttons =
+      ImGui::GetContentRegionMax().x - (mayWelcome ? 3 : 2) * (kButton_px + kGap_px) + kGap_px;
   useHeadingFont();
   words(title_);
   ImGui::PopFont();
@@ -150,6 +147,12 @@ void Console::drawTop(const ConsoleFrame& frame) {
   ImGui::SetCursorPosY(46.0F);
   drawClocks(frame);
   ImGui::SetCursorPos({buttons, 12.0F});
+  if (mayWelcome) {
+    if (ImGui::Button(texts::console::kNextVisitor, {kButton_px, 60.0F}))
+      frame.commands.emplace_back(WelcomeNextVisitor{});
+    tip(texts::console::kNextVisitorTip);
+    ImGui::SameLine(0.0F, kGap_px);
+  }
   if (ImGui::Button(texts::console::kKeysButton, {kButton_px, 60.0F})) opensKeys_ = true;
   ImGui::SameLine(0.0F, kGap_px);
   const bool blank = frame.settings.walls.blank != 0;

@@ -28,15 +28,17 @@ namespace carom {
 
 class Console {
  public:
-  /// Opens the window where the rig places it. `rig` and `cluster` must outlive this object, `scenario` and
+  /// Opens the window at `place`. `rig` and `cluster` must outlive this object, `scenario` and
   /// `scene` until `play` is called.
-  Console(Graphics& graphics, const Rig& rig, const Cluster& cluster, KeysOf keys, const Scenario& scenario,
-          const Scene& scene);
+  Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
+          KeysOf keys, const Scenario& scenario, const Scene& scene);
 
   /// Switches to another game. `scenario` and `scene` must stay valid until the next call.
   void play(const Scenario& scenario, const Scene& scene);
   /// Sets the session file that is written from now on; none if the session is not recorded.
   void writeTo(const std::optional<std::filesystem::path>& file) { recording_.writeTo(file); }
+
+  ScreenPlace place() const { return window_.place(); }
 
   /// Adds a line to the log of messages.
   void say(const std::string& line);

@@ -123,7 +123,7 @@ void EffectsPanel::drawWalls(const ConsoleFrame& frame) const {
   using Box = std::pair<std::uint8_t WallControls::*, const char*>;
   for (const auto& [value, what] :
        {Box{&WallControls::eyesSwapped, "eyes"}, Box{&WallControls::trackerCross, "tracker cross"},
-        Box{&WallControls::latency, "latency"}}) {
+        Box{&WallControls::latency, "latency"}, Box{&WallControls::comfort, "comfort"}}) {
     const KeyLine key = keyFor(keys_, what);
     if (key.does.empty()) continue;  // not available in this kind of session
     const bool on = walls.*value;

@@ -9,7 +9,7 @@
 
 #include "app/files/config_folder.h"
 #include "app/operator/lesson.h"
-#include "app/operator/playlist.h"
+#include "app/operator/visitor_choices.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -77,6 +77,24 @@ void GamesPanel::play(const Scenario& scenario, const std::string& file) {
                       scenario.lesson ? scenario.lesson->words : LessonWords(),
                       {}});
   }
+}
+
+/// Lists the games of a playlist alone, in its order.
+void GamesPanel::restrictTo(const Playlist& playlist) {
+  playlist_ = &playlist;
+  games_.clear();
+  for (const PlaylistGame& game : playlist.games) games_.push_back(gameIn(game.scenario.string()));
+  if (scenario_) play(*scenario_, file_);
+}
+
+/// Draws what the playlist says of the present game, and which one follows by itself.
+void GamesPanel::drawProgramme(const ConsoleFrame& frame) const {
+  if (!playlist_) return;
+  const std::size_t number = numberOf(*playlist_, file_);
+  if (number < playlist_->games.size()) paragraph(texts::console::kNote, playlist_->games[number].note);
+  if (!frame.following) return;
+  words(fmt::format(texts::console::kNextGame, frame.following->game->title,
+                    std::max(0.0, frame.following->in_s)));
 }
 
 void GamesPanel::drawList(const ConsoleFrame& frame) {
@@ -181,6 +199,12 @@ void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
                     scenario_->billiard.lightSpeed_m_s));
   dim(std::filesystem::path(file_).filename().string());
   tip(file_);
+  drawProgramme(frame);
+  if (live && !scenario_->lesson) {
+    if (ImGui::Button(texts::console::kBestShot)) frame.commands.emplace_back(ShowBestShot{});
+    tip(texts::console::kBestShotTip);
+    keyAtRight(texts::keys::kEnterKey);
+  }
   if (scenario_->tour.empty() || !live) return;
   if (ImGui::Button(texts::console::kStartFlight)) frame.commands.emplace_back(StartTour{});
   tip(texts::console::kStartFlightTip);
@@ -188,6 +212,8 @@ void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
 }
 
 void GamesPanel::draw(const ConsoleFrame& frame) {
+  const Playlist* const playlist = frame.settings.playlist.get();
+  if (playlist && playlist != playlist_) restrictTo(*playlist);
   const float width = kListWidth * ImGui::GetContentRegionAvail().x;
   ImGui::BeginChild("##list", {width, 0.0F});
   drawList(frame);

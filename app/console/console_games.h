@@ -26,12 +26,15 @@ class GamesPanel {
     std::string fault;  ///< why it could not be played when last read; empty if it could
   };
   static Game gameIn(const std::string& file);
+  void restrictTo(const Playlist& playlist);
+  void drawProgramme(const ConsoleFrame& frame) const;
   void drawList(const ConsoleFrame& frame);
   void drawChosen() const;
   void drawPlayed(const ConsoleFrame& frame) const;
   static void drawObservers(const ConsoleFrame& frame, const LessonPlan& plan);
   void drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const;
 
+  const Playlist* playlist_ = nullptr;  ///< to which the list is restricted
   std::vector<Game> games_;
   std::size_t chosen_ = 0, played_ = 0;  ///< indices into `games_`
   const Scenario* scenario_ = nullptr;

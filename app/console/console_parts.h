@@ -9,6 +9,7 @@
 #include "app/input/keys.h"
 #include "app/operator/command.h"
 #include "app/session/frame_source.h"
+#include "app/session/programme.h"
 #include "app/stage/recording.h"
 #include "cave/display/display_walls.h"
 #include "cave/frame/frame_state.h"
@@ -23,9 +24,10 @@ struct ConsoleFrame {
   const DisplayWalls& walls;
   const LatencyView& latency;
   const SourceStatus& status;  ///< up to a quarter of a second old
-  const Recording& recording;
+  Recording& recording;
   KeysOf keys;
   const OperatorSettings& settings;
+  std::optional<Programme::Following> following;  ///< the playlist's next game
   Commands& commands;  ///< the operator's commands, which take effect with the next frame
 };
 

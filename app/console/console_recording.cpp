@@ -1,9 +1,11 @@
 #include "app/console/console_recording.h"
 
 #include <cmath>
+#include <ctime>
 #include <string>
 #include <system_error>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "cave/texts/texts.h"
@@ -12,6 +14,13 @@ namespace carom::console {
 namespace {
 
 constexpr double kMeasuredEvery_s = 1.0;
+
+/// Returns a name with today's date and the time, beside the session file or in the present folder.
+std::filesystem::path timed(const std::optional<std::filesystem::path>& session, const char* what,
+                            const char* ending) {
+  const std::string name = fmt::format("{}-{:%F-%H%M%S}{}", what, fmt::localtime(std::time(nullptr)), ending);
+  return session ? session->parent_path() / name : std::filesystem::path(name);
+}
 
 void made(texts::Text what, const std::filesystem::path& where, std::uint64_t frames, std::uint64_t leftOut,
           texts::Text option) {
@@ -59,6 +68,33 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
   made(texts::console::kCapture, report.capture, report.captured, report.notCaptured,
        texts::console::kCaptureOption);
   made(texts::console::kMovie, report.movie, report.filmed, report.notFilmed, texts::console::kMovieOption);
+  if (frame.keys == KeysOf::session) drawButtons(frame, report);
+}
+
+/// Draws what starts and ends recordings while the session runs.
+void RecordingPanel::drawButtons(const ConsoleFrame& frame, const RecordingReport& report) const {
+  ImGui::Spacing();
+  if (report.movie.empty()) {
+    if (ImGui::Button(texts::console::kStartMovie)) frame.recording.startMovie(timed(file_, "carom", ".mp4"));
+    tip(texts::console::kStartMovieTip);
+  } else {
+    if (ImGui::Button(texts::console::kEndMovie)) frame.recording.endMovie();
+    tip(texts::console::kEndMovieTip);
+  }
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!report.capture.empty());
+  if (ImGui::Button(texts::console::kTakePictures))
+    frame.recording.takePictures(timed(file_, "carom-pictures", ""));
+  ImGui::EndDisabled();
+  tip(texts::console::kTakePicturesTip);
+  ImGui::SameLine();
+  ImGui::BeginDisabled(file_.has_value() || frame.settings.playing.empty());
+  if (ImGui::Button(texts::console::kRecordAnew)) {
+    frame.commands.emplace_back(
+        PlayScenario{frame.settings.playing, false, timed({}, "carom", ".db").string()});
+  }
+  ImGui::EndDisabled();
+  tip(texts::console::kRecordAnewTip);
 }
 
 }  // namespace carom::console

@@ -19,6 +19,8 @@ class RecordingPanel {
   void draw(const ConsoleFrame& frame);
 
  private:
+  void drawButtons(const ConsoleFrame& frame, const RecordingReport& report) const;
+
   std::optional<std::filesystem::path> file_;
   std::uintmax_t bytes_ = 0;
   double measured_s_ = -1.0;  ///< session clock

@@ -5,14 +5,8 @@
 #include "cave/texts/texts.h"
 
 namespace carom {
-namespace {
-
-const WindowPlacement kPlace{.size_px = {1000, 820}, .border = true};
-
-}  // namespace
-
-DiagramWindow::DiagramWindow(Graphics& graphics, const Scenario& scenario)
-    : window_(graphics, texts::title::kDiagram, kPlace), diagram_(scenario) {}
+DiagramWindow::DiagramWindow(Graphics& graphics, const WindowPlacement& place, const Scenario& scenario)
+    : window_(graphics, texts::title::kDiagram, place), diagram_(scenario) {}
 
 void DiagramWindow::draw(const FrameRecord& record, const World& world) {
   diagram_.follow(record);

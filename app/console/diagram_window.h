@@ -10,13 +10,14 @@ namespace carom {
 
 class DiagramWindow : public View {
  public:
-  DiagramWindow(Graphics& graphics, const Scenario& scenario);
+  DiagramWindow(Graphics& graphics, const WindowPlacement& place, const Scenario& scenario);
 
   /// Switches to another game.
   void play(const Scenario& scenario) { diagram_.play(scenario); }
 
   void draw(const FrameRecord& record, const World& world) override;
   void swap() override { window_.swap(); }
+  ScreenPlace place() const { return window_.place(); }
 
  private:
   Window window_;

@@ -15,6 +15,7 @@
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 #include "devices/setup/tracker_setup.h"
+#include "engine/base/limits.h"
 #include "engine/base/pose.h"
 
 namespace carom {
@@ -59,6 +60,12 @@ struct StartSetup {
   std::vector<std::string> environment;  ///< variables of the nodes, as "NAME=VALUE" or "NAME"
 };
 
+/// What the room spares its visitors.
+struct ComfortSetup {
+  double most_u = kMostPlatformU;  ///< γβ beyond which the drive makes the platform no faster
+  bool aids = false;               ///< darker edges and a resting frame while the room moves
+};
+
 struct Rig {
   std::string title;
   RoomAxes axes;
@@ -73,6 +80,8 @@ struct Rig {
   std::vector<Wall> walls;  ///< at least one; rectangles to 2 mm
   /// If given, the only window of each node; a wall's `window` is then a position inside it.
   std::optional<WindowPlacement> oneWindow;
+  ComfortSetup comfort;
+  std::filesystem::path playlist;          ///< of the room's visitors (app/files/playlist.h); empty: none
   std::optional<WindowPlacement> console;  ///< the operator's console, if it is requested
 };
 

@@ -3,11 +3,13 @@
 #include <array>
 #include <string_view>
 
+#include "app/files/config_folder.h"
 #include "app/files/rig_checks.h"
 #include "app/files/rig_nodes.h"
 #include "app/files/rig_trackers.h"
 #include "app/files/rig_walls.h"
 #include "app/files/toml_file.h"
+#include "app/files/toml_values.h"
 
 namespace carom {
 
@@ -27,16 +29,25 @@ RoomAxes readAxes(const TomlTable& root) {
   return axes[root.choice("axes", kNames)];
 }
 
-PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
+/// Returns the playlist that a rig names: beside the rig's file, or a shipped one by its bare name. Whether it is
+/// there matters only to a session that plays it.
+std::filesystem::path playlistOf(const std::filesystem::path& rig, const std::string& name) {
+  if (name.empty()) return {};
+  const std::filesystem::path known = shippedFile(name, "playlists");
+  return known == name ? rig.parent_path() / name : known;
+}
+
+PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path) {
   const TomlTable& root = file.root();
   PlacedRig placed;
   const double unit_m = placed.unit_m = readUnit_m(root);
   Rig& rig = placed.rig;
-  rig.title = root.text("title", name);
+  rig.title = root.text("title", path.stem().string());
   rig.axes = readAxes(root);
   constexpr Range kDisplay_hz{.least = 1.0, .most = 1000.0};
   rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
   rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock", kFrameLocks, 0));
+  rig.playlist = playlistOf(path, root.text("playlist", ""));
   for (const TomlTable& table : root.tables("tracker"))
     rig.trackers.push_back(readTracker(file, table, unit_m, rig.axes));
   if (const auto head = root.requiredTable("head")) {
@@ -48,6 +59,10 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
   for (const TomlTable& table : root.tables("node")) {
     rig.nodes.push_back(readNode(table));
     placed.nodes.push_back(table.place());
+  }
+  if (const auto comfort = root.table("comfort")) {
+    rig.comfort.most_u = readMost_u(*comfort);
+    rig.comfort.aids = comfort->flag("aids", false);
   }
   if (const auto start = root.table("start")) rig.start = readStart(*start);
   if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window, false);
@@ -80,11 +95,9 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::string& name) {
 Rig readRig(const std::filesystem::path& path) { return readPlacedRig(path).rig; }
 
 Rig readRig(const std::filesystem::path& path, const std::string& kept, const std::filesystem::path& root) {
-  return readPlacedRig(TomlFile(path, kept, root), path.stem().string()).rig;
+  return readPlacedRig(TomlFile(path, kept, root), path).rig;
 }
 
-PlacedRig readPlacedRig(const std::filesystem::path& path) {
-  return readPlacedRig(TomlFile(path), path.stem().string());
-}
+PlacedRig readPlacedRig(const std::filesystem::path& path) { return readPlacedRig(TomlFile(path), path); }
 
 }  // namespace carom

@@ -95,13 +95,6 @@ Flash readFlash(const TomlTable& table, std::size_t index) {
           {table.number("at_s", kNotNegative), toVec3(table.numbers<3>("r_m", {}))}};
 }
 
-/// Returns γβ of the fastest that the drive makes the room.
-double readMost_u(const TomlTable& observer) {
-  const double most = kMostPlatformU / std::hypot(1.0, kMostPlatformU);
-  const double beta = observer.number("fastest_beta", {.least = 0.0, .most = most, .above = true}, most);
-  return beta < most ? beta / std::sqrt(1.0 - beta * beta) : kMostPlatformU;
-}
-
 Pulse readPulse(const TomlTable& table) {
   Pulse pulse{.name = table.text("name"), .at_s = table.number("at_s", {}), .path_m = {}};
   for (const auto& place : table.points("path_m")) pulse.path_m.push_back(toVec3(place));

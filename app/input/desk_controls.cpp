@@ -109,4 +109,11 @@ const DeskInput& DeskControls::gather(const DisplayWalls& walls, const WindowInp
   return gather(walls.pointedAt(), walls.isHeld(), input, hasPad ? &pad : nullptr, asks, walls.isTurning());
 }
 
+DeskDevices devicesOf(const DisplayWalls* walls, KeysOf place) {
+  if (!walls) return {};
+  return [walls, controls = DeskControls(place)](const WindowInput& input, bool asks) mutable {
+    return controls.gather(*walls, input, asks);
+  };
+}
+
 }  // namespace carom

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "app/input/desk_input.h"
@@ -62,5 +63,11 @@ class DeskControls {
   std::array<bool, 5> held_{};  ///< keys, in the order of kHeldKeys of desk_controls.cpp
   Buttons buttons_;
 };
+
+/// The devices of a desk: returns their input in a frame. `asks`: a lesson waits for an answer.
+using DeskDevices = std::function<DeskInput(const WindowInput& input, bool asks)>;
+
+/// Returns the devices over the windows of these walls, which must outlive them; none if `walls` is null.
+DeskDevices devicesOf(const DisplayWalls* walls, KeysOf place);
 
 }  // namespace carom

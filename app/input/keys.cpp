@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/operator/playlist.h"
+#include "app/operator/visitor_choices.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 #include "engine/base/log.h"
@@ -81,8 +81,9 @@ Command setRate(double rate) {
 /// Chooses a velocity of the observer. While the lesson asks, its numbers are answers, so none is chosen.
 template <int choice>
 Command chooseInLesson(const OperatorSettings& now, const Pressed&) {
-  constexpr int kNone = 0;
-  return ChooseInLesson{now.lesson.phase == LessonPhase::asks ? kNone : choice};
+  if (now.lesson.phase == LessonPhase::asks) return TellPerson{texts::message::kAnswerFirst};
+  if (now.lessonObservers == 0) return TellPerson{texts::message::kNoVelocities};
+  return ChooseInLesson{choice};
 }
 
 template <Choice choice>
@@ -164,6 +165,7 @@ constexpr std::array kKeys{
         setEyesApart<1>},
     Key{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT, "-", kInSession, nullptr, setEyesApart<-1>},
     Key{GLFW_KEY_K, 0, "K", kInSession, texts::keys::kSensors, turnWalls<&WallControls::trackerCross>},
+    Key{GLFW_KEY_J, 0, "J", kInSession, texts::keys::kComfort, turnWalls<&WallControls::comfort>},
     Key{GLFW_KEY_L, 0, "L", kEverywhere, texts::keys::kLatency, turnWalls<&WallControls::latency>},
     Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
         [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
@@ -193,12 +195,24 @@ std::optional<Command> answerOf(int key, KeysOf place, const OperatorSettings& n
   return ChooseInLesson{*digit};
 }
 
+/// Returns whether somebody who presses this key in a session expects something of it: letters, function keys and
+/// arrows; not those that steer, end, open the lock, or belong to the desktop.
+bool isExpectedToDo(int key) {
+  constexpr std::array kOthers{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q};
+  const bool isLetter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z &&
+                        std::find(kOthers.begin(), kOthers.end(), key) == kOthers.end();
+  return isLetter || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F11) ||
+         (key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP);
+}
+
 std::optional<Command> commandOf(int pressed, const OperatorSettings& now, const Pressed& where) {
   if (const auto answer = answerOf(pressed, where.place, now)) return answer;
   for (const Key& key : kKeys) {
     if (means(key, where.place) && (pressed == key.key || pressed == key.otherKey))
       return key.command(now, where);
   }
+  if (where.place == KeysOf::session && isExpectedToDo(pressed))
+    return TellPerson{texts::message::kNoSuchKey};
   return {};
 }
 

@@ -132,6 +132,10 @@ void visitRecord(Visit& visit, Record& record) {
   visit("", "lesson_answer", record.lesson.answer);
   visit("", "notice", record.notice);
   visit("", "cue_offset_m", record.hand.offset_m);
+  visit("", "comfort", record.controls.comfort);
+  visit("", "caroms", record.score.caroms);
+  visit("", "strokes", record.score.strokes);
+  visit("", "fade", record.fade);
 }
 
 template <typename Visit, typename AKnot>

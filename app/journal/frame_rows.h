@@ -19,7 +19,10 @@ inline constexpr int kVersion4 = 4;
 /// Returns the SQL statements that create the tables frame, knot and frame_event.
 std::string frameTables();
 
-/// Adds the columns that a file of version 4 lacks, with 0 in every row.
+/// The version before the columns of the score and of comfort; in its files, too, these are read as 0.
+inline constexpr int kVersion5 = 5;
+
+/// Adds the columns that a file of version 4 or 5 lacks, with 0 in every row.
 void addColumns(SQLite::Database& database);
 
 /// Writes the three tables.

@@ -83,7 +83,7 @@ void JournalTables::make(const SessionFacts& facts) {
   database_.exec(kTables);
   database_.exec(frameTables());
   database_.exec(fmt::format("PRAGMA application_id = {}", kJournalId));
-  database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion));
+  setVersion();
   SQLite::Statement row(database_, "INSERT INTO session VALUES(?, ?)");
   put(row, "program", facts.program);
   put(row, "started_utc", utcNow());
@@ -103,10 +103,11 @@ void JournalTables::refuse(const std::string& what) const {
 
 // A second connection reads the old tables until the transaction ends.
 void JournalTables::convert() {
-  if (version() == kVersion4) {
+  if (version() == kVersion4 || version() == kVersion5) {
     SQLite::Transaction transaction(database_);
     addColumns(database_);
-    addSpinsOfTurns();
+    if (version() == kVersion4) addSpinsOfTurns();
+    setVersion();
     transaction.commit();
     return;
   }
@@ -144,15 +145,17 @@ void JournalTables::convert() {
     refuse(fmt::format("frame {}: {}", *number, error.what()));
   }
   addSpinsOfTurns();
+  setVersion();
   transaction.commit();
 }
 
-/// Adds the columns of spins to the tables that the program does not read back in full, and the version.
+void JournalTables::setVersion() { database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion)); }
+
+/// Adds the columns of spins to the tables that the program does not read back in full.
 void JournalTables::addSpinsOfTurns() {
   for (const char* column : {"turn ADD COLUMN spin_before_kg_m2_s", "turn ADD COLUMN spin_after_kg_m2_s",
                              "stroke ADD COLUMN offset_m"})
     database_.exec(fmt::format("ALTER TABLE {} REAL NOT NULL DEFAULT 0", column));
-  database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion));
 }
 
 void JournalTables::begin(const SessionFacts& facts) {

@@ -62,7 +62,7 @@ class JournalTables {
   /// Creates the tables of a new file.
   void make(const SessionFacts& facts);
   int version();
-  /// Converts a file of version 3 or 4 to this version. Throws std::runtime_error, and leaves the file as it was,
+  /// Converts a file of version 3 to 5 to this version. Throws std::runtime_error, and leaves the file as it was,
   /// if it is older still or damaged.
   void convert();
   /// Records that a run of the program begins to write, for the first time or again. Throws
@@ -77,6 +77,7 @@ class JournalTables {
 
  private:
   void addSpinsOfTurns();
+  void setVersion();
   void writeFrames(const Batch& batch);
   void list(std::span<const GameEvent> brought, std::uint64_t kept);
   void writeInputs(const Batch& batch);

@@ -10,7 +10,7 @@ namespace carom {
 /// The SQLite application id of a journal ("Caro") and the version of its tables. Files of newer versions, or
 /// of versions before 3, are not read.
 inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 5;
+inline constexpr int kJournalVersion = 6;
 
 /// The initial data of a journal.
 struct SessionFacts {

@@ -29,7 +29,7 @@ std::filesystem::path newestOf(const std::filesystem::path& first) {
   return next == 2 ? first : fileOf(first, next - 1);
 }
 
-std::filesystem::path datedFile(const std::filesystem::path& name) {
+std::filesystem::path namedToday(const std::filesystem::path& name) {
   if (name.string().find('%') == std::string::npos) return name;
   const std::time_t now = std::time(nullptr);
   std::tm today{};
@@ -39,8 +39,12 @@ std::filesystem::path datedFile(const std::filesystem::path& name) {
     throw std::runtime_error(fmt::format(
         "session file {}: the name is too long, expected one such as monday-%F.db", name.string()));
   }
-  const std::filesystem::path file = text.data();
-  return std::filesystem::exists(file) ? fileAfter(file) : file;
+  return text.data();
+}
+
+std::filesystem::path datedFile(const std::filesystem::path& name) {
+  const std::filesystem::path file = namedToday(name);
+  return file != name && std::filesystem::exists(file) ? fileAfter(file) : file;
 }
 
 }  // namespace carom

@@ -16,11 +16,12 @@ struct WallOption {
   std::uint8_t WallControls::*option;
   const char *name, *on, *off;
 };
-constexpr std::array<WallOption, 4> kWallOptions{
+constexpr std::array<WallOption, 5> kWallOptions{
     {{&WallControls::blank, "walls", "black", "lit"},
      {&WallControls::eyesSwapped, "eyes", "swapped", "as in the rig"},
      {&WallControls::trackerCross, "tracker cross", "on", "off"},
-     {&WallControls::latency, "latency", "on", "off"}}};
+     {&WallControls::latency, "latency", "on", "off"},
+     {&WallControls::comfort, "comfort", "on", "off"}}};
 
 const WallOption& wallOption(std::uint8_t WallControls::*option) {
   return *std::find_if(kWallOptions.begin(), kWallOptions.end(),
@@ -71,6 +72,8 @@ struct Apply {
   bool operator()(const StartTour&) { return true; }
   bool operator()(const PlayScenario& c) { return !c.file.empty(); }
   bool operator()(const WelcomeNextVisitor&) { return true; }
+  bool operator()(const ShowBestShot&) { return true; }
+  bool operator()(const TellPerson&) { return true; }
   bool operator()(const Pause& c) { return set(settings.playback.paused, c.on); }
   bool operator()(const SetRate& c) { return set(settings.playback.rate, c.rate); }
   bool operator()(const Seek&) { return true; }
@@ -91,6 +94,8 @@ struct NameOf {
   std::string operator()(const StartTour&) { return "tour"; }
   std::string operator()(const PlayScenario&) { return "scenario"; }
   std::string operator()(const WelcomeNextVisitor&) { return "visitor"; }
+  std::string operator()(const ShowBestShot&) { return "best shot"; }
+  std::string operator()(const TellPerson&) { return "refused"; }
   std::string operator()(const Pause&) { return "playback"; }
   std::string operator()(const SetRate&) { return "playback rate"; }
   std::string operator()(const Seek&) { return "playback"; }
@@ -114,6 +119,8 @@ struct ValueOf {
   std::string operator()(const StartTour&) { return "asked for"; }
   std::string operator()(const PlayScenario& c) { return c.file; }
   std::string operator()(const WelcomeNextVisitor&) { return "the next one"; }
+  std::string operator()(const ShowBestShot&) { return "asked for"; }
+  std::string operator()(const TellPerson& c) { return c.words; }
   std::string operator()(const Pause& c) { return c.on ? "paused" : "goes on"; }
   std::string operator()(const SetRate& c) { return fmt::format("{:g}", c.rate); }
   std::string operator()(const Seek& c) { return fmt::format("from {:.2f} s", c.session_s); }

@@ -62,11 +62,24 @@ struct StartTour {
 };
 struct PlayScenario {
   std::string file;  ///< scenario file, played from its beginning
+  bool afresh =
+      false;  ///< a choice of the visitor: the same game, too, begins with all settings as at its start
+  std::string
+      recordTo{};  ///< session file that this game and those after it are written to; empty: as before
   bool operator==(const PlayScenario&) const = default;
 };
 /// Starts the session's first game anew, with every setting as the session began: for the next visitor.
 struct WelcomeNextVisitor {
   bool operator==(const WelcomeNextVisitor&) const = default;
+};
+/// Shows the visitor's best shot again, as they saw it.
+struct ShowBestShot {
+  bool operator==(const ShowBestShot&) const = default;
+};
+/// Tells the person in the room why what they asked for is not done.
+struct TellPerson {
+  std::string words;
+  bool operator==(const TellPerson&) const = default;
 };
 struct Pause {
   bool on;
@@ -83,7 +96,7 @@ struct Seek {
 
 using Command = std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, SetEyeSeparation,
                              SetLightSpeed, ChooseInLesson, AdvanceLesson, StartTour, PlayScenario,
-                             WelcomeNextVisitor, Pause, SetRate, Seek>;
+                             WelcomeNextVisitor, ShowBestShot, TellPerson, Pause, SetRate, Seek>;
 using Commands = std::vector<Command>;
 
 /// Applies the command to the settings. Returns false if nothing changes: the setting has that value already,

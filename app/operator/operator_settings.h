@@ -3,8 +3,10 @@
 // commands (app/operator/command.h) change them; a replay also takes over what was recorded.
 
 #include <cstddef>
+#include <memory>
 #include <string>
 
+#include "app/files/playlist.h"
 #include "cave/frame/frame_state.h"
 #include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"
@@ -32,13 +34,14 @@ struct OperatorSettings {
   double lightSpeed_m_s = 1.42;
   Playback playback;
   LessonState lesson;
-  std::size_t lessonAnswers = 0;       ///< number of answers to its question
-  std::size_t lessonObservers = 0;     ///< number of velocities that it offers
-  std::size_t lessonObserver = 0;      ///< the velocity that was chosen
-  std::size_t lessonExplainedFor = 0;  ///< the velocity with which it explains
-  bool keysShown = false;              ///< the list of keys is drawn over the walls of rank 0
-  std::string playing;                 ///< scenario file being played
-  std::string lastLesson;              ///< file of the lesson that this visitor saw last; empty: none so far
+  std::size_t lessonAnswers = 0;             ///< number of answers to its question
+  std::size_t lessonObservers = 0;           ///< number of velocities that it offers
+  std::size_t lessonObserver = 0;            ///< the velocity that was chosen
+  std::size_t lessonExplainedFor = 0;        ///< the velocity with which it explains
+  bool keysShown = false;                    ///< the list of keys is drawn over the walls of rank 0
+  std::string playing;                       ///< scenario file being played
+  std::shared_ptr<const Playlist> playlist;  ///< the games that may be played; null: all
+  std::string lastLesson;  ///< file of the lesson that this visitor saw last; empty: none so far
 
   bool operator==(const OperatorSettings&) const = default;
 };

@@ -17,22 +17,26 @@ std::optional<std::size_t> partnerOf(std::size_t puck, const GameEvent& event) {
 
 void CaromScore::struck(std::size_t puck, double arrives_s) {
   shot_ = {puck, arrives_s, {}};
-  ++strokes_;
+  ++score_.strokes;
 }
 
-bool CaromScore::look(std::span<const GameEvent> events, const Event& eye, double c_m_s) {
-  if (!shot_) return false;
+std::optional<std::size_t> CaromScore::look(std::span<const GameEvent> events, const Event& eye,
+                                            double c_m_s) {
+  if (!shot_) return {};
+  std::size_t cushions = 0;
   for (const GameEvent& event : events) {
-    const auto partner = partnerOf(shot_->puck, event);
-    if (!partner || event.at.t_s < shot_->arrives_s) continue;
+    if (event.at.t_s < shot_->arrives_s) continue;
     if (event.at.t_s + glm::distance(event.at.r_m, eye.r_m) / c_m_s > eye.t_s) continue;  // not seen yet
+    if (event.kind == EventKind::puckCushion && event.turns.front().puck == shot_->puck) ++cushions;
+    const auto partner = partnerOf(shot_->puck, event);
+    if (!partner) continue;
     if (!shot_->touched) shot_->touched = partner;
     if (partner == shot_->touched) continue;
     shot_.reset();
-    ++caroms_;
-    return true;
+    ++score_.caroms;
+    return cushions;
   }
-  return false;
+  return {};
 }
 
 }  // namespace carom

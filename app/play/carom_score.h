@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cave/frame/frame_state.h"
 #include "engine/billiard/game_event.h"
 
 namespace carom {
@@ -16,12 +17,11 @@ class CaromScore {
   /// Begins a shot: this puck was struck by hand, and the stroke arrives at this board time.
   void struck(std::size_t puck, double arrives_s);
 
-  /// Looks at the collisions whose light has reached `eye`. Returns whether the shot has just been seen to be a carom;
-  /// each shot is one at most once.
-  bool look(std::span<const GameEvent> events, const Event& eye, double c_m_s);
+  /// Looks at the collisions whose light has reached `eye`. If the shot has just been seen to be a carom, returns off
+  /// how many cushions the struck puck was seen to bounce before its second touch; each shot is one at most once.
+  std::optional<std::size_t> look(std::span<const GameEvent> events, const Event& eye, double c_m_s);
 
-  int caroms() const { return caroms_; }
-  int strokes() const { return strokes_; }
+  const Score& score() const { return score_; }
 
  private:
   struct Shot {
@@ -30,7 +30,7 @@ class CaromScore {
     std::optional<std::size_t> touched;  ///< the first other puck that was seen to be touched
   };
   std::optional<Shot> shot_;
-  int caroms_ = 0, strokes_ = 0;
+  Score score_;
 };
 
 }  // namespace carom

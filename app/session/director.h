@@ -4,11 +4,9 @@
 #include "app/input/desk_controls.h"
 #include "app/input/keys.h"
 #include "app/session/frame_source.h"
-#include "app/session/idle_watch.h"
+#include "app/session/programme.h"
 
 namespace carom {
-
-class DisplayWalls;
 
 /// The director of all ranks but rank 0. It decides nothing: these ranks receive rank 0's decision.
 class Director {
@@ -24,22 +22,16 @@ class Director {
   OperatorSettings settings_;
 };
 
-/// The game to play after this one.
-struct NextGame {
-  std::string file;               ///< scenario; empty: none was requested
-  bool isForNextVisitor = false;  ///< all settings are as the session began
-};
-
 /// Rank 0's director: applies the commands of keys, console and hand devices to the operator's settings, then
 /// asks the source for the frame.
 class FrameLeader : public Director {
  public:
-  /// Leads the frames of `source`, beginning with `settings`; the next visitor begins with the game that they
-  /// name. `patience_s`: the next visitor is welcomed after so long without a sign of life; empty: never.
-  /// `windows` are the walls whose windows take mouse input; if null, all desktop devices are ignored, so
-  /// that a run in simulated time does not depend on them. `source` and `windows` must outlive this object.
-  FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings, const DisplayWalls* windows,
-              std::optional<double> patience_s = {});
+  /// Leads the frames of `source`, beginning with `settings`; the next visitor begins with `firstGame` or, if
+  /// that is empty, with the game that they name. `patience_s`: the next visitor is welcomed after so long without a sign of life; empty: never.
+  /// `desk`: the devices of the desk; a run in simulated time has none, so that it does not depend on them. `source`
+  /// must outlive this object.
+  FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings, DeskDevices desk,
+              std::optional<double> patience_s = {}, const std::string& firstGame = {});
 
   void decide(const FrameTimes& times, const WindowInput& input, Decision& decision) override;
 
@@ -51,6 +43,12 @@ class FrameLeader : public Director {
     settings_ = settings;
     inbox_.clear();  // of the game before
     fromSource_ = 0;
+    programme_.begin();
+  }
+
+  /// Returns which game follows by itself, and when.
+  std::optional<Programme::Following> following(double now_s) const {
+    return programme_.following(now_s, settings_.playing);
   }
 
   /// Returns the game to play after this one and clears it.
@@ -58,17 +56,16 @@ class FrameLeader : public Director {
 
  private:
   void obey(const Command& command, Decision& decision);
-  bool isAbandoned(bool acted, const DeskInput& desk, const Decision& decision);
+  void followProgramme(bool acted, const DeskInput& desk, Decision& decision);
 
   FrameSource& source_;
   KeysOf keys_;
-  const DisplayWalls* windows_;
-  DeskControls desk_;  ///< kept between games, so that held buttons and keys stay held
+  DeskDevices desk_;  ///< kept between games, so that held buttons and keys stay held
   Commands inbox_, obeyed_;
   std::size_t fromSource_ = 0;  ///< number of commands in the inbox that the source has given
   std::string firstGame_;
   NextGame nextGame_;
-  IdleWatch idle_;
+  Programme programme_;
   std::optional<PointedWall> mouseWas_;
 };
 

@@ -35,6 +35,8 @@ class IdleWatch {
     if (latest_s_) latest_s_ = now_s;
   }
 
+  bool isSomebodyThere() const { return latest_s_.has_value(); }
+
   /// Forgets the signs of life so far: the next visitor is welcomed already.
   void forget() { latest_s_.reset(); }
 

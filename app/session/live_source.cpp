@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/operator/lesson.h"
-#include "app/operator/playlist.h"
+#include "app/operator/visitor_choices.h"
 #include "cave/overlay/choice_tiles.h"
 #include "cave/overlay/hud_panel.h"
 #include "cave/texts/texts.h"
@@ -20,6 +20,7 @@ namespace carom {
 namespace {
 
 constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
+constexpr double kOnset_s = 0.5, kFade_s = 0.5;
 constexpr std::array<const char*, 4> kDriveModes{"as steered", "braking", "home", "tour"};
 
 /// Returns the direction, anticlockwise from +x, in which an observer with this velocity sees what one at rest sees
@@ -85,6 +86,7 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
 }
 
 void LiveSource::playAnew() {
+  fade_s_ = kFade_s;
   viewer_.startIn(rig_, scenario_);
   play_ = Play(scenario_, rig_.axes, true);
   hands_.letGo();
@@ -119,10 +121,9 @@ ObserverView LiveSource::lessonView(const OperatorSettings& settings, const Fram
     play_.passEnded_s = times.display_s;
   if (explains || play_.passEnded_s) return viewer_.freeView(times, settings.eyeSeparation_m, 0.0);
   const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-  if (interval.slowness == 1.0)
-    return viewer_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
-  return viewer_.slowView(times, settings.eyeSeparation_m, pace, times.step_s / interval.slowness,
-                          hands_.drive(), play_.drive);
+  if (interval.slowness == 1.0) return viewer_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive);
+  return viewer_.slowView(times, settings.eyeSeparation_m, pace, times.step_s / interval.slowness, wish_,
+                          play_.drive);
 }
 
 /// Takes over the lesson's state for this frame and notes an answer just given.
@@ -140,6 +141,12 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
                      Decision& decision) {
   FrameRecord& record = decision.frame.record;
   record.drive.mode = play_.driven;
+  const ShotView* const shot = shotShown(times.display_s);
+  if (shot) {
+    record.observer = viewer_.frozenView(shot->observer, times, settings.eyeSeparation_m);
+    record.boardFromRoom = shot->boardFromRoom;
+    return;
+  }
   if (still && play_.frozen) {
     record.observer = viewer_.frozenView(*play_.frozen, times, settings.eyeSeparation_m);
   } else {
@@ -147,7 +154,7 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
       record.observer = lessonView(settings, times);
     } else {
       const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-      record.observer = viewer_.at(times, settings.eyeSeparation_m, pace, hands_.drive(), play_.drive);
+      record.observer = viewer_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive);
     }
     record.drive = play_.drive.view();
     if (scenario_.lesson && (play_.explained || play_.passEnded_s)) record.drive.thrust = Vec3(0.0);
@@ -182,9 +189,50 @@ void LiveSource::tellChanges(std::span<const Command> commands, Decision& decisi
 
 /// Counts a carom when it is seen, and says so.
 void LiveSource::count(Decision& decision) {
-  const Event& eye = decision.frame.record.observer.middle.observation;
-  if (!play_.score.look(world_.events, eye, scenario_.billiard.lightSpeed_m_s)) return;
-  say(fmt::format(texts::message::kCarom, play_.score.caroms(), play_.score.strokes()), decision);
+  FrameRecord& record = decision.frame.record;
+  const Event& eye = record.observer.middle.observation;
+  const auto cushions = play_.score.look(world_.events, eye, scenario_.billiard.lightSpeed_m_s);
+  record.score = play_.score.score();
+  play_.shots.see({record.observer, record.boardFromRoom, record.display_s});
+  if (!cushions) return;
+  play_.shots.carom(*cushions, record.display_s);
+  say(fmt::format(texts::message::kCarom, *cushions), decision);
+}
+
+/// Begins to show the best shot again, or ends it; anything that the person does ends it as well.
+void LiveSource::showAgain(const FrameInput& input, double now_s, Decision& decision) {
+  const bool isAsked = lastOf<ShowBestShot>(input.commands) != nullptr;
+  if (play_.shownFrom_s) {
+    const bool isOver = !play_.shots.at(now_s - *play_.shownFrom_s);
+    if (isAsked || isOver || asksForAnything(wish_)) play_.shownFrom_s.reset();
+  } else if (isAsked && play_.shots.hasBest()) {
+    play_.shownFrom_s = now_s;
+    say(fmt::format(texts::message::kBestShot, play_.shots.bestCushions()), decision);
+  } else if (isAsked) {
+    say(texts::message::kNoCarom, decision);
+  }
+}
+
+/// Returns the view of the best shot that is shown, or null.
+const ShotView* LiveSource::shotShown(double now_s) const {
+  return play_.shownFrom_s ? play_.shots.at(now_s - *play_.shownFrom_s) : nullptr;
+}
+
+/// Returns what the devices ask of the drive. The thrust sets in over kOnset_s; it ends at once.
+DriveWish LiveSource::eased(double step_s) {
+  DriveWish wish = hands_.drive();
+  onset_ = wish.steer == Vec3(0.0) ? 0.0 : std::min(1.0, onset_ + step_s / kOnset_s);
+  wish.steer *= onset_;
+  return wish;
+}
+
+/// Says once why steering does nothing.
+void LiveSource::sayWhyStill(const OperatorSettings& settings, Decision& decision) {
+  if (!asksForAnything(hands_.drive())) {
+    play_.saidStill = false;
+  } else if (!std::exchange(play_.saidStill, true)) {
+    say(settings.views.frozen ? texts::message::kFrozen : texts::message::kAsks, decision);
+  }
 }
 
 /// Returns the choice on the front wall that the hand points to, unless it holds the cue.
@@ -220,6 +268,7 @@ void LiveSource::strike(bool still, const FrameTimes& times, const OperatorSetti
   if (outcome.stroke) {
     decision.strokes.push_back(*outcome.stroke);
     play_.score.struck(outcome.stroke->puck, outcome.arrives_s);
+    play_.shots.struck();
   }
   rumble_.set(rumbleStrength(hand, record.hand));
   if (outcome.stroke && hand.device == texts::kGamepad) rumble_.pulse();
@@ -238,15 +287,23 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   putInto(record, settings);
   tellChanges(input.commands, decision);
   hands_.begin(input.desk, offersChoices(settings));
-  decision.isHandled = asksForAnything(hands_.drive());
+  wish_ = eased(times.step_s);
+  decision.isHandled = asksForAnything(wish_);
   advanceLesson(record.lesson = settings.lesson, decision);
   if (lastOf<StartTour>(input.commands)) play_.drive.setOut();
   // Until the question is answered time is frozen, so that nothing of the answer can be seen.
   const bool still = settings.views.frozen || play_.lesson.phase == LessonPhase::asks;
+  showAgain(input, times.display_s, decision);
   see(settings, times, still, decision);
-  strike(still || scenario_.lesson, times, settings,
+  const bool isShot = shotShown(times.display_s) != nullptr;
+  strike(still || isShot || scenario_.lesson, times, settings,
          decision);  // a lesson plays the same game again and again
-  count(decision);
+  record.score = play_.score.score();
+  if (!still && !isShot) count(decision);
+  if (still) sayWhyStill(settings, decision);
+  for (const Command& command : input.commands) {
+    if (const auto* tells = std::get_if<TellPerson>(&command)) say(tells->words, decision);
+  }
   say(play_.drive.news().words(), decision);
   if (const Wall* left = roomBoundary_.look(viewer_.head().pose.position_m))
     say(fmt::format(texts::message::kLeftRoom, left->name), decision);
@@ -256,7 +313,9 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   if (settings.views.myNow) play_.game.playToNowOf(record.observer);
   play_.game.advance(latestObservation_s(record.observer), frame);
   if (times.number % kFramesBetweenForgetting == 0 && !scenario_.lesson)
-    play_.game.forget(world_.histories, record.observer, frame);
+    play_.game.forget(world_.histories, play_.shots.earliest(record.observer, times.display_s), frame);
+  record.fade = fade_s_ / kFade_s;
+  fade_s_ = std::max(0.0, fade_s_ - given.step_s);
   record.last = lastFrame_ && times.number >= *lastFrame_;
   record.tracked = viewer_.tracked();
   decision.head = viewer_.head();

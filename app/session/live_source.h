@@ -14,6 +14,7 @@
 #include "app/play/cue_interaction.h"
 #include "app/play/game.h"
 #include "app/play/input_devices.h"
+#include "app/play/shot_memory.h"
 #include "app/session/frame_source.h"
 #include "app/session/status_message.h"
 #include "app/viewer/platform_motion.h"
@@ -45,6 +46,9 @@ struct Play {
   Game game;
   CueInteraction hands;
   CaromScore score;
+  ShotMemory shots;
+  std::optional<double> shownFrom_s;  ///< the best shot is shown again since this display time
+  bool saidStill = false;             ///< why steering does nothing was said
   StatusMessage message;
   LessonState lesson;                  ///< in the previous frame
   std::size_t lessonObserver = 0;      ///< the lesson's velocity in the previous frame
@@ -64,6 +68,7 @@ class LiveSource : public FrameSource {
   LiveSource(const Rig& rig, const Scenario& scenario, const World& world, const LiveStart& start);
 
   /// Starts a new game after scenario and world, which are held by reference, have been replaced.
+  /// The walls come out of black.
   void playAnew();
 
   /// Shows a message in the room with the next frame.
@@ -81,6 +86,10 @@ class LiveSource : public FrameSource {
   std::optional<PointedChoice> pointedChoice(const HandInput& hand, const FrameRecord& record) const;
   void strike(bool still, const FrameTimes& times, const OperatorSettings& settings, Decision& decision);
   void count(Decision& decision);
+  void showAgain(const FrameInput& input, double now_s, Decision& decision);
+  const ShotView* shotShown(double now_s) const;
+  DriveWish eased(double step_s);
+  void sayWhyStill(const OperatorSettings& settings, Decision& decision);
   void say(std::string_view words, Decision& decision);
   void tellChanges(std::span<const Command> commands, Decision& decision);
   std::size_t captionsBegunAt(double own_s) const;
@@ -93,6 +102,9 @@ class LiveSource : public FrameSource {
   Viewer viewer_;
   Play play_;
   InputDevices hands_;
+  DriveWish wish_;       ///< of this frame
+  double onset_ = 0.0;   ///< share of the steered thrust: it sets in softly
+  double fade_s_ = 0.0;  ///< how long the walls still come out of black
   Rumble rumble_;
   RoomBoundary roomBoundary_;
   std::optional<Wall> front_;                                         ///< the wall with the choices

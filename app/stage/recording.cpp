@@ -5,6 +5,7 @@
 #include <exception>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "app/files/rig.h"
 #include "app/stage/all_ranks.h"
@@ -31,9 +32,13 @@ void makeFolder(const std::filesystem::path& folder) {
 
 Recording::Recording(Graphics& graphics, const RecordingOptions& options, const Cluster& cluster,
                      const Rig& rig, bool realTime)
-    : graphics_(graphics), cluster_(cluster), realTime_(realTime) {
+    : graphics_(graphics),
+      cluster_(cluster),
+      walls_(cluster.wallsOf(rig.walls)),
+      isOneWindow_(rig.oneWindow.has_value()),
+      display_hz_(rig.display_hz),
+      realTime_(realTime) {
   const WhenFull whenFull = realTime ? WhenFull::drop : WhenFull::wait;
-  const std::vector<Wall> walls = cluster.wallsOf(rig.walls);
   if (cluster.size() > 1) node_ = " of " + cluster.nameOf(cluster.rank());
   graphics_.makeCurrent();
   if (options.capture) {
@@ -41,10 +46,37 @@ Recording::Recording(Graphics& graphics, const RecordingOptions& options, const 
     capture_ = std::make_unique<Capture>(*options.capture, whenFull);
     folder_ = *options.capture;
   }
-  if (options.movie && !walls.empty()) {
+  if (options.movie && !walls_.empty()) {
     movie_ = std::make_unique<Movie>(movieOfNode(*options.movie, cluster.rank(), cluster.size()),
-                                     movieLayout(walls, rig.oneWindow.has_value()), rig.display_hz, whenFull);
+                                     movieLayout(walls_, isOneWindow_), display_hz_, whenFull);
   }
+}
+
+void Recording::startMovie(const std::filesystem::path& file) try {
+  if (movie_ || walls_.empty()) return;
+  graphics_.makeCurrent();
+  movie_ = std::make_unique<Movie>(file, movieLayout(walls_, isOneWindow_), display_hz_, WhenFull::drop);
+  filmed_ = 0;
+} catch (const std::exception& error) {
+  log::error(fmt::format("no movie: {}", error.what()));
+}
+
+void Recording::endMovie() {
+  graphics_.makeCurrent();
+  attempt(movie_, "the session goes on, without the movie", [this] { finishMovie(); });
+  movie_.reset();
+}
+
+void Recording::takePictures(const std::filesystem::path& folder) try {
+  if (capture_) return;
+  graphics_.makeCurrent();
+  makeFolder(folder);
+  capture_ = std::make_unique<Capture>(folder, WhenFull::wait);
+  folder_ = folder;
+  captured_.reset();
+  takesOne_ = true;
+} catch (const std::exception& error) {
+  log::error(fmt::format("no pictures: {}", error.what()));
 }
 
 Recording::~Recording() {
@@ -82,6 +114,11 @@ void Recording::take(const DisplayWalls& walls, const SpectatorView* outside, co
   if (realTime_) {
     attempt(capture_, "the session goes on, without more pictures", capture);
     attempt(movie_, "the session goes on, without the movie", film);
+    if (capture_ && std::exchange(takesOne_, false)) {
+      attempt(capture_, "the session goes on, without the pictures", [this] { finishCapture(); });
+      capture_.reset();
+      log::note(fmt::format("The pictures are in {}.", folder_.string()));
+    }
     return;
   }
   if (capture_) capture();

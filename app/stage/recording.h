@@ -6,6 +6,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "cave/room/wall.h"
 
 namespace carom {
 
@@ -47,6 +50,12 @@ class Recording {
   /// captured once. In simulated time, throws std::runtime_error if something cannot be written.
   void take(const DisplayWalls& walls, const SpectatorView* outside, const FrameRecord& record);
 
+  /// Starts a movie of this node's walls while the session runs, or pictures of all its walls and eyes in one frame, and
+  /// ends the movie; that takes a moment. What is made already goes on. Logs a fault: the session goes on.
+  void startMovie(const std::filesystem::path& file);
+  void endMovie();
+  void takePictures(const std::filesystem::path& folder);
+
   RecordingReport report() const;
 
   /// Waits on every node until everything is written, and prints to standard error where the movie is and how
@@ -62,7 +71,11 @@ class Recording {
 
   Graphics& graphics_;
   const Cluster& cluster_;
+  std::vector<Wall> walls_;  ///< of this node
+  bool isOneWindow_;
+  double display_hz_;
   bool realTime_;
+  bool takesOne_ = false;  ///< pictures of one frame
   bool failed_ = false;
   std::optional<std::uint64_t> captured_;  // number of the last frame captured
   std::filesystem::path folder_;

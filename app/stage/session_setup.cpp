@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 
@@ -34,6 +35,11 @@ bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
   return swapsWaitFor(setup.rig.display_hz, returned_s);
 }
 
+/// Makes the drive no faster than the game and the room allow.
+void limitDrive(SessionSetup& setup) {
+  setup.scenario.most_u = std::min(setup.scenario.most_u, setup.rig.comfort.most_u);
+}
+
 /// Returns the scenario's scene, lit.
 Scene litScene(const SessionSetup& setup) {
   Scene scene = sceneOf(setup.scenario, setup.tessellation);
@@ -47,6 +53,7 @@ void setTexts(const Scenario& scenario, const Rig& rig, const Cluster& cluster, 
   const Lesson lesson = scenario.lesson.value_or(Lesson{});
   walls.setLesson(lesson.words, lesson.plan);
   walls.setChoices(scenario.choices);
+  walls.setTable(scenario.billiard.board.has_value());
   const std::optional<Wall> front = frontWall(roomGeometryOf(rig));
   if (!scenario.lesson || cluster.rank() > 0 || !front) return;
   if (bandHolds(lesson.words, lesson.plan, *front)) return;
@@ -63,6 +70,18 @@ std::vector<ScenePart> plainTable(const Scenario& scenario) {
   return tableParts(*scenario.billiard.board, scenario.observer.position_m.z, kCell_m);
 }
 
+/// Settles where the windows of rank 0 open: where they lay last, in a session that somebody watches.
+void placeAll(const Cluster& cluster, const SetupOptions& options, SessionSetup& setup) {
+  std::vector<RememberedWindow> remembered;
+  if (!options.simulated) {
+    for (const Wall& wall : setup.rig.walls) setup.wallMemory.push_back(memoryName(wall));
+    remembered = readWindowMemory(windowMemory());
+  }
+  const std::vector<Monitor> present = monitors();
+  setup.desk = placeWindows(setup.rig, cluster.wallsOf(setup.rig.walls), options.extra, remembered, present,
+                            workAreas(present));
+}
+
 }  // namespace
 
 SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
@@ -71,13 +90,16 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   Handover files(cluster);
   setup.rig = files.rig(options.rig);
   setup.scenario = files.scenario(options.scenario);
+  limitDrive(setup);
   onAllRanks(cluster, [&] {
     if (options.live && cluster.rank() == 0) openTraces(setup.rig);
   });
   cluster.nameNodes(setup.rig.walls);
   onAllRanks(cluster, [&] {
     setup.graphics = std::make_unique<Graphics>(displayOf(setup.rig, cluster.rank()));
-    if (!options.noWindow) checkMonitors(cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow);
+    if (options.noWindow) return;
+    checkMonitors(cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow);
+    if (cluster.rank() == 0) placeAll(cluster, options, setup);
   });
   onAllRanks(cluster, [&] {
     setup.tessellation = tessellationFor(setup.rig, setup.graphics->inSoftware());
@@ -87,9 +109,9 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
     setup.walls->setRoom(roomGeometryOf(setup.rig));
     setTexts(setup.scenario, setup.rig, cluster, *setup.walls);
-    if (options.outside && cluster.rank() == 0) {
+    if (options.extra.outside && cluster.rank() == 0) {
       setup.outside = std::make_unique<SpectatorView>(*setup.graphics, roomGeometryOf(setup.rig), setup.scene,
-                                                      plainTable(setup.scenario), !options.noWindow);
+                                                      plainTable(setup.scenario), setup.desk.outside);
     }
   });
   setup.realTime = !options.simulated ||
@@ -115,6 +137,7 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
   Handover files(cluster);
   try {
     setup.scenario = files.scenario({file, {}});
+    limitDrive(setup);
   } catch (const RankFailed&) {
     return false;  // the error has been logged
   }

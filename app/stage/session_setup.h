@@ -7,6 +7,7 @@
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/stage/desk_windows.h"
 #include "app/stage/handover.h"
 #include "app/stage/recording.h"
 #include "cave/cluster/cluster.h"
@@ -23,13 +24,17 @@ struct SetupOptions {
   RecordingOptions recording;
   bool noWindow = false;
   bool simulated = false;  ///< simulated time, unless a device tracks the head
-  bool outside = false;    ///< rank 0 also shows the spectator view
+  /// What rank 0 shows besides the walls; without windows, the view from outside is drawn all the same.
+  ExtraWindows extra;
 };
 
 struct SessionSetup {
   Rig rig;
   Scenario scenario;
   std::unique_ptr<Graphics> graphics;
+  DeskWindows desk;  ///< rank 0 only: where the windows besides the walls' open
+  /// The names under which the places of the walls' windows are remembered; empty in simulated time.
+  std::vector<std::string> wallMemory;
   Tessellation tessellation;
   Scene scene;
   std::unique_ptr<DisplayWalls> walls;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/files/config_folder.h"
+#include "app/files/playlist.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
@@ -29,7 +30,7 @@ namespace carom {
 
 namespace {
 
-enum class FileKind { scenario, rig, foreignRoom };
+enum class FileKind { scenario, rig, playlist, foreignRoom };
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* what) {
   throw InputErrors({InputError(path.string(), 1, 1, what)});
@@ -61,8 +62,11 @@ FileKind kindOf(const std::filesystem::path& path) {
   for (const char* key : {"wall", "unit", "axes", "head", "tracker", "one_window", "display_hz"}) {
     if (file.root().has(key)) return FileKind::rig;
   }
+  if (file.root().has("game")) return FileKind::playlist;
   refuse(path,
-         "this is neither a scenario nor a rig, expected light_speed_m_s of a scenario or [[wall]] of a rig");
+         "this is neither a scenario, a rig nor a playlist, expected light_speed_m_s of a scenario, [[wall]] "
+         "of a "
+         "rig or [[game]] of a playlist");
 }
 
 std::string counted(std::size_t count, std::string_view what) {
@@ -102,10 +106,16 @@ void tellRig(const std::filesystem::path& path) {
   const PlacedRig placed = readPlacedRig(path);
   const Rig& rig = placed.rig;
   openTraces(rig);
+  if (!rig.playlist.empty()) readPlaylist(rig.playlist);
   const Room room = roomOf(placed, path);
   printFindings(path, findingsOf(room));
   fmt::print("{}: a rig of {} at {} Hz\n", rig.title, counted(rig.walls.size(), "wall"), rig.display_hz);
   tellWalls(room);
+  if (rig.comfort.most_u < kMostPlatformU || rig.comfort.aids) {
+    fmt::print("comfort: the drive up to {:.4g} c{}\n",
+               rig.comfort.most_u / std::hypot(1.0, rig.comfort.most_u),
+               rig.comfort.aids ? ", darker edges and a resting frame" : "");
+  }
   for (const TrackerSetup& tracker : rig.trackers) {
     const std::string from = tracker.source.empty() ? "" : ", from " + tracker.source.string();
     fmt::print("tracker {}: {}{}\n", tracker.name, toString(tracker.kind), from);
@@ -215,6 +225,16 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
              p.y * 1e3, p.z * 1e3, glm::length(scenario.observer.beta));
 }
 
+void tellPlaylist(const std::filesystem::path& path) {
+  const Playlist playlist = readPlaylist(path);
+  fmt::print("{}: a playlist of {}\n", playlist.title, counted(playlist.games.size(), "game"));
+  for (const PlaylistGame& game : playlist.games) {
+    fmt::print("{}: {}{}{}{}\n", game.scenario.stem().string(), game.title, game.isLesson ? ", a lesson" : "",
+               game.for_s ? fmt::format(", for {:.6g} s", *game.for_s) : "",
+               game.attracts ? ", attracts" : "");
+  }
+}
+
 }  // namespace
 
 int runCheck(const std::filesystem::path& file, const std::function<void(const Scenario&)>& openMeshes) {
@@ -224,6 +244,9 @@ int runCheck(const std::filesystem::path& file, const std::function<void(const S
       break;
     case FileKind::rig:
       tellRig(file);
+      break;
+    case FileKind::playlist:
+      tellPlaylist(file);
       break;
     case FileKind::foreignRoom:
       return tellForeignRoom(file);

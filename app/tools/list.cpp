@@ -8,9 +8,10 @@
 #include <memory>
 
 #include "app/files/config_folder.h"
+#include "app/files/playlist.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
-#include "app/operator/playlist.h"
+#include "app/operator/visitor_choices.h"
 
 namespace carom {
 namespace {
@@ -44,6 +45,12 @@ void addRig(const std::filesystem::path& file, const std::string& name, ListedFi
   listed.rigs.push_back(faulty(name, error));
 }
 
+void addPlaylist(const std::filesystem::path& file, const std::string& name, ListedFiles& listed) try {
+  listed.playlists.push_back({name, readPlaylist(file).title});
+} catch (const std::exception& error) {
+  listed.playlists.push_back(faulty(name, error));
+}
+
 /// Returns the beginning of a file.
 std::string beginningOf(const std::filesystem::path& file) {
   constexpr std::size_t kMost = 1U << 20U;
@@ -54,8 +61,8 @@ std::string beginningOf(const std::filesystem::path& file) {
   return text;
 }
 
-/// Adds a file of a user's folder, if it is a scenario or a rig: only a scenario has a light speed, only a
-/// rig has walls. Of others, which another program may have written, nothing is said.
+/// Adds a file of a user's folder, if it is a scenario, a rig or a playlist: only a scenario has a light speed, only a
+/// rig has walls, only a playlist has games. Of others, which another program may have written, nothing is said.
 void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
   ListedFiles as;
   addScenario(file, file.string(), as);
@@ -68,6 +75,8 @@ void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
   const std::string text = beginningOf(file);
   if (!as.rigs[0].isFaulty || text.find("[[wall]]") != std::string::npos) {
     listed.rigs.push_back(as.rigs[0]);
+  } else if (text.find("[[game]]") != std::string::npos) {
+    addPlaylist(file, file.string(), listed);
   } else if (text.find("light_speed_m_s") != std::string::npos) {
     listed.games.push_back(as.games[0]);
   }
@@ -87,10 +96,12 @@ int runList() {
   print("games (carom cave --scenario NAME)", listed.games);
   print("lessons (carom cave --scenario NAME)", listed.lessons);
   print("rigs (carom cave --rig NAME)", listed.rigs);
+  print("playlists (carom cave --playlist NAME)", listed.playlists);
   print("traces (carom filter NAME)", listed.traces);
   const auto isFaulty = [](const ListedFile& file) { return file.isFaulty; };
   return std::any_of(listed.games.begin(), listed.games.end(), isFaulty) ||
-                 std::any_of(listed.rigs.begin(), listed.rigs.end(), isFaulty)
+                 std::any_of(listed.rigs.begin(), listed.rigs.end(), isFaulty) ||
+                 std::any_of(listed.playlists.begin(), listed.playlists.end(), isFaulty)
              ? 1
              : 0;
 }
@@ -106,6 +117,8 @@ ListedFiles listFiles(const std::filesystem::path& folder) {
   }
   for (const auto& file : filesIn(configFolder() / "rigs", ".toml"))
     addRig(file, file.stem().string(), listed);
+  for (const auto& file : filesIn(configFolder() / "playlists", ".toml"))
+    addPlaylist(file, file.stem().string(), listed);
   for (const auto& file : filesIn(configFolder() / "traces", ".csv"))
     listed.traces.push_back({file.stem().string(), ""});
   for (const auto& file : filesIn(folder, ".toml")) addLocal(file.lexically_normal(), listed);
@@ -114,8 +127,7 @@ ListedFiles listFiles(const std::filesystem::path& folder) {
 
 void addList(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "list",
-      "List the shipped games, lessons, rigs and traces, and the games, lessons and rigs in this folder");
+      "list", "List the shipped games, lessons, rigs, playlists and traces, and those in this folder");
   command->footer("Example:\n  carom list");
   command->callback([&status] { status = runList(); });
 }

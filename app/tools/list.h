@@ -1,5 +1,5 @@
 #pragma once
-// `carom list`: the shipped games, lessons, rigs and traces, and those of a folder, with their titles.
+// `carom list`: the shipped games, lessons, rigs, playlists and traces, and those of a folder, with their titles.
 
 #include <filesystem>
 #include <string>
@@ -20,11 +20,11 @@ struct ListedFile {
 
 struct ListedFiles {
   std::vector<ListedFile> lessons;  ///< in the order in which they build on one another, then by name
-  std::vector<ListedFile> games, rigs, traces;
+  std::vector<ListedFile> games, rigs, playlists, traces;
 };
 
-/// Returns the shipped files and the scenarios and rigs of `folder`. A file that can be read as neither is left
-/// out, unless it names a light speed or walls: then its first fault is listed.
+/// Returns the shipped files and the scenarios, rigs and playlists of `folder`. A file that can be read as none of these
+/// is left out, unless it names a light speed, walls or games: then its first fault is listed.
 ListedFiles listFiles(const std::filesystem::path& folder);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <numbers>
+#include <utility>
 
 #include "cave/frame/hall.h"
 #include "cave/texts/texts.h"
@@ -77,8 +78,7 @@ void PlatformMotion::begin(const Observer& observer) {
   } else {
     take(tour_);
     view_.mode = DriveMode::tour;
-    setOutBoard_s_ = observer.headEvent().t_s;
-    setOutOwn_s_ = observer.properTime_s();
+    thrusts_ = false;
   }
 }
 
@@ -137,6 +137,10 @@ void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, con
     const Vec3 headInRoom_m = headOnTheWay(before, head, lived).roomFromHead.position_m;
     const Left left{(1.0 - lived) * frame_s, (1.0 - lived) * dtau_s};
     const Manoeuvre stretch = next(wish, observer, headInRoom_m, left);
+    if (view_.mode == DriveMode::tour && stretch.thrust_m_s2 != Vec3(0.0) && !std::exchange(thrusts_, true)) {
+      setOutBoard_s_ = observer.headEvent().t_s;
+      setOutOwn_s_ = observer.properTime_s();
+    }
     const double until = stretch.for_s < left.platform_s ? lived + stretch.for_s / frame_s : 1.0;
     observer.step((until - lived) * dtau_s, headOnTheWay(before, head, until), pace, stretch.thrust_m_s2);
     if (stretch.turn_rad != 0.0) observer.turn(stretch.turn_rad, stretch.turnAxisInRoom);

@@ -101,7 +101,8 @@ class PlatformMotion {
   bool setsOut_ = false;
   /// Steered by hand at some time; otherwise the scenario intends any distance from the table.
   bool steered_ = false;
-  double setOutBoard_s_ = 0.0, setOutOwn_s_ = 0.0;  ///< start of the tour
+  bool thrusts_ = false;                            ///< the tour's first thrust has begun
+  double setOutBoard_s_ = 0.0, setOutOwn_s_ = 0.0;  ///< when it did
   std::vector<Thrust> tour_, way_;
   std::size_t push_ = 0;   ///< current thrust of `way_`
   double pushed_s_ = 0.0;  ///< elapsed time of that thrust

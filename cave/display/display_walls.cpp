@@ -137,11 +137,14 @@ void DisplayWalls::drawAids(const FrameRecord& record, const ObserverView& obser
     const RenderTarget& picture = wallEye.pictures.drawn();
     const glm::dvec3& eye_m = observer.of(wallEye.eye).positionInRoom_m;
     const bool isFront = front_ && standSame(*front_, wall);
+    comfort_.draw(room_, wall, eye_m, record, picture);
     motion_.draw(room_, wall, eye_m, record, picture);
     if (isFront) words_.draw(wall, picture);
     if (isFront && offersChoices_) choices_.draw(wall, record, picture);
     aids_.draw(room_, wall, isFront, eye_m, record, picture);
+    if (isFront && hasTable_) home_.draw(room_, wall, eye_m, record, picture);
     hands_.draw(room_, wall, eye_m, record, picture);
+    comfort_.fade(wall, record, picture);
   }
 }
 
@@ -223,6 +226,14 @@ std::vector<std::string> DisplayWalls::misplaced() const {
       found.push_back(fmt::format("the window of wall {} is {}", walls_[window.walls.front()].name, words));
   }
   return found;
+}
+
+std::optional<ScreenPlace> DisplayWalls::placeOf(const std::string& wall) const {
+  for (const WallWindow& window : windows_) {
+    const bool isIts = !window.shared && walls_[window.walls.front()].name == wall;
+    if (isIts && window.placement.border) return window.window->place();
+  }
+  return std::nullopt;
 }
 
 NodeLock DisplayWalls::lockSwaps(FrameLock asked) {

@@ -19,7 +19,9 @@
 #include "cave/display/window.h"
 #include "cave/frame/frame_state.h"
 #include "cave/overlay/choice_tiles.h"
+#include "cave/overlay/comfort_overlay.h"
 #include "cave/overlay/cue_overlay.h"
+#include "cave/overlay/home_arrow.h"
 #include "cave/overlay/hud_panel.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/overlay/room_overlay.h"
@@ -51,6 +53,9 @@ class DisplayWalls {
   /// Sets whether the game offers the three choices (cave/overlay/choice_tiles.h).
   void setChoices(bool offered) { offersChoices_ = offered; }
 
+  /// Sets whether the game has a table to come home to (cave/overlay/home_arrow.h).
+  void setTable(bool there) { hasTable_ = there; }
+
   /// Draws every wall as both eyes see the bodies, or what the operator has chosen instead: a pattern, or
   /// black. `world.histories[i]` is body i of the scene.
   void draw(const FrameRecord& record, const World& world);
@@ -79,6 +84,8 @@ class DisplayWalls {
 
   /// Returns which of the windows a window manager has moved, and where to.
   std::vector<std::string> misplaced() const;
+  /// Returns where the window of a wall lies that has one of its own, with a border.
+  std::optional<ScreenPlace> placeOf(const std::string& wall) const;
 
   /// Creates the lock of this node's swaps, as the rig asks for it.
   NodeLock lockSwaps(FrameLock asked);
@@ -112,11 +119,14 @@ class DisplayWalls {
   AlignmentPattern seams_;
   RoomGeometry room_;
   std::optional<Wall> front_;  // the wall with the HUD panel
+  ComfortOverlay comfort_;
+  HomeArrow home_;
   MotionOverlay motion_;
   RoomOverlay aids_;
   CueOverlay hands_;
   HudPanel words_;
   ChoiceTiles choices_;
+  bool hasTable_ = false;  ///< in the game
   bool offersChoices_ = false;
   std::optional<bool> calibrationPatterns_;  // the pictures are these; true: with the eyes swapped
   bool blank_ = false;

@@ -115,6 +115,25 @@ ScreenPlace placeOf(const WindowPlacement& placement, std::span<const Monitor> m
   return {low + placement.position_px, placement.size_px};
 }
 
+std::vector<ScreenPlace> workAreas(std::span<const Monitor> monitors) {
+  std::vector<ScreenPlace> areas;
+  int count = 0;
+  GLFWmonitor** const known = glfwGetMonitors(&count);
+  for (const Monitor& monitor : monitors) {
+    areas.push_back({monitor.position_px, monitor.size_px});
+    for (int i = 0; i < count; ++i) {
+      ScreenPlace work;
+      glm::ivec2 at{0};
+      glfwGetMonitorPos(known[i], &at.x, &at.y);
+      if (at != monitor.position_px) continue;
+      glfwGetMonitorWorkarea(known[i], &work.position_px.x, &work.position_px.y, &work.size_px.x,
+                             &work.size_px.y);
+      if (work.size_px.x > 0 && work.size_px.y > 0) areas.back() = work;
+    }
+  }
+  return areas;
+}
+
 void checkMonitors(std::span<const Wall> walls, const std::optional<WindowPlacement>& oneWindow) {
   const std::vector<Monitor> present = monitors();
   for (const Wall& wall : walls) {

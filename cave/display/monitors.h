@@ -42,6 +42,9 @@ std::vector<Monitor> monitorsOf(const WindowPlacement& placement, std::span<cons
 /// and if it is fullscreen, it covers that rectangle. Throws as monitorsOf does.
 ScreenPlace placeOf(const WindowPlacement& placement, std::span<const Monitor> monitors);
 
+/// Returns the part of each monitor that a desktop leaves to windows, without its panels.
+std::vector<ScreenPlace> workAreas(std::span<const Monitor> monitors);
+
 /// Throws as monitorsOf does, for the windows of all these walls.
 void checkMonitors(std::span<const Wall> walls, const std::optional<WindowPlacement>& oneWindow);
 

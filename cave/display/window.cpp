@@ -154,11 +154,16 @@ void Window::listen(float text_px, float heading_px) {
   glfwSetCharCallback(window_, Hears::letter);
 }
 
-std::string Window::misplaced() const {
-  if (border_) return {};
+ScreenPlace Window::place() const {
   ScreenPlace now;
   glfwGetWindowPos(window_, &now.position_px.x, &now.position_px.y);
   glfwGetWindowSize(window_, &now.size_px.x, &now.size_px.y);
+  return now;
+}
+
+std::string Window::misplaced() const {
+  if (border_) return {};
+  const ScreenPlace now = place();
   const auto words = [](const ScreenPlace& place) {
     return fmt::format("{} × {} pixels from ({}, {})", place.size_px.x, place.size_px.y, place.position_px.x,
                        place.position_px.y);

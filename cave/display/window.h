@@ -63,6 +63,8 @@ class Window {
   bool isPressed() const { return listens_ && gui_->isPressed(); }
   bool isIconified() const;
 
+  ScreenPlace place() const;  ///< where it lies, without its border
+
   /// Returns where a window without border lies, and where it should, if a window manager has moved it.
   std::string misplaced() const;
 

@@ -100,7 +100,7 @@ FrameDigest digestOf(const FrameState& state, const World& world) {
   for (const NamedSwitch& named : kNamedSwitches) switches << record.switches.*named.value;
   switches << static_cast<std::uint8_t>(record.controls.shown) << record.controls.blank
            << record.controls.eyesSwapped << record.controls.trackerCross << record.controls.latency
-           << record.lightSpeed_m_s << digestOf(record.views);
+           << record.controls.comfort << record.lightSpeed_m_s << digestOf(record.views);
   Digest tracked;
   for (const Pose& pose : {record.tracked.roomFromHeadSensor, record.tracked.roomFromHand}) {
     const glm::dquat& q = pose.orientation;

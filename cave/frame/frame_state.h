@@ -32,6 +32,13 @@ struct Tracked {
   std::uint8_t headKnown = 0, handKnown = 0;  ///< 1: a tracker has reported it recently
 };
 
+/// What the person has played in this game: strokes by hand, and caroms as they were seen.
+struct Score {
+  std::uint64_t caroms = 0, strokes = 0;
+
+  bool operator==(const Score&) const = default;
+};
+
 struct FrameRecord {
   std::uint64_t number = 0;
   double display_s = 0.0;  ///< session clock: when the light of this frame leaves the walls
@@ -58,6 +65,8 @@ struct FrameRecord {
   DriveView drive;
   LessonState lesson;
   Notice notice;
+  Score score;
+  double fade = 0.0;  ///< how black the walls are: 1 is wholly, as when a game begins
 };
 static_assert(std::is_trivially_copyable_v<FrameRecord> && std::is_trivially_copyable_v<BodyKnot> &&
               std::is_trivially_copyable_v<GameEvent>);

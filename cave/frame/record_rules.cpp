@@ -75,6 +75,7 @@ void expectPossible(const WallControls& walls) {
   expectFlag("controls.eyesSwapped", walls.eyesSwapped);
   expectFlag("controls.trackerCross", walls.trackerCross);
   expectFlag("controls.latency", walls.latency);
+  expectFlag("controls.comfort", walls.comfort);
 }
 
 void expectPossible(const HandView& hand, const DriveView& drive) {
@@ -113,6 +114,7 @@ void expectPossible(const FrameRecord& record, double gameLightSpeed_m_s) {
   expectPossible(record.hand, record.drive);
   if (record.lesson.phase > LessonPhase::explains || record.lesson.answer > kMostAnswers)
     refuse("lesson is in no phase that there is");
+  if (!(record.fade >= 0.0 && record.fade <= 1.0)) refuse("fade is {}, expected 0 to 1", record.fade);
   if (record.notice.text.back() != 0) refuse("notice has no end");
 }
 

@@ -14,6 +14,8 @@ struct WallControls {
   std::uint8_t trackerCross = 0;  ///< 1: a cross is drawn at each tracked sensor
   std::uint8_t latency = 0;       ///< 1: every node shows in its windows how it spends its time
 
+  std::uint8_t comfort = 0;  ///< 1: while the room moves, the edges of sight darken and a frame rests
+
   bool operator==(const WallControls&) const = default;
 };
 

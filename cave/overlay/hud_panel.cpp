@@ -92,6 +92,11 @@ void addLight(const FrameRecord& record, Lines& lines) {
   lines.add({}, texts::legend::kLight, record.lightSpeed_m_s);
 }
 
+void addScore(const FrameRecord& record, Lines& lines) {
+  if (record.score.strokes == 0) return;
+  lines.add({}, texts::legend::kScore, record.score.caroms, record.score.strokes);
+}
+
 void addClocks(const FrameRecord& record, Lines& lines) {
   const Vec3 u = record.observer.headFromBoard.inverse().u();
   lines.add({}, texts::legend::kMyTime, shownTime_s(record.observer.properTime_s));
@@ -273,6 +278,7 @@ void describe(const FrameRecord& record, const LessonWords& lesson, const Lesson
   lines.wrap(record.notice.words(), {}, true);
   addLesson(record, lesson, plan, lines);
   if (record.lesson.phase == LessonPhase::none) {
+    addScore(record, lines);
     addEffects(record.switches, lines);
     addViews(record, lines);
     addDrive(record, lines);

@@ -24,7 +24,6 @@ namespace carom {
 namespace {
 
 constexpr int kSamples = 4;
-constexpr glm::ivec2 kWindowPlace_px{80, 80};
 constexpr float kTableCovers = 0.4F;   // the table is drawn transparent, as it is not in the room
 constexpr float kBehindCovers = 0.5F;  // opacity of what is behind a wall
 constexpr glm::vec3 kClock(0.02F);
@@ -199,13 +198,12 @@ void SpectatorView::Drawing::resolve() const {
 }
 
 SpectatorView::SpectatorView(Graphics& graphics, const RoomGeometry& room, const Scene& scene,
-                             std::span<const ScenePart> table, bool visible) {
+                             std::span<const ScenePart> table, const std::optional<WindowPlacement>& window) {
   graphics.makeCurrent();
   drawing_ = std::make_unique<Drawing>(graphics, room, makeViewerModel());
   drawing_->makeGame(scene, table);
-  if (visible) {
-    const WindowPlacement place{.position_px = kWindowPlace_px, .size_px = kPicture_px, .border = true};
-    drawing_->window = std::make_unique<Window>(graphics, texts::title::kOutside, place);
+  if (window) {
+    drawing_->window = std::make_unique<Window>(graphics, texts::title::kOutside, *window);
     graphics.makeCurrent();
   }
 }
@@ -266,6 +264,10 @@ void SpectatorView::show() {
   d.graphics.finishDrawing();
   const Pane pane{d.picture.get(), nullptr, StereoMode::mono, {0, 0}, d.window->size_px(), nullptr};
   d.window->show({&pane, 1});
+}
+
+std::optional<ScreenPlace> SpectatorView::place() const {
+  return drawing_->window ? std::optional(drawing_->window->place()) : std::nullopt;
 }
 
 void SpectatorView::swap() {

@@ -5,6 +5,7 @@
 // window.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,9 +25,9 @@ class SpectatorView {
   static constexpr glm::ivec2 kPicture_px{1440, 900};  ///< where there is no window
 
   /// `table`: parts that are drawn instead of those of `scene` that rest on the board, which include a hall.
-  /// Without `visible` there is no window.
+  /// `window`: where its window opens; empty: there is none.
   SpectatorView(Graphics& graphics, const RoomGeometry& room, const Scene& scene,
-                std::span<const ScenePart> table, bool visible);
+                std::span<const ScenePart> table, const std::optional<WindowPlacement>& window);
   ~SpectatorView();
   SpectatorView(const SpectatorView&) = delete;
   SpectatorView& operator=(const SpectatorView&) = delete;
@@ -46,6 +47,7 @@ class SpectatorView {
   /// and the wheel moves the camera.
   void show();
   void swap();
+  std::optional<ScreenPlace> place() const;  ///< of its window
 
  private:
   struct Drawing;  // holds the OpenGL objects

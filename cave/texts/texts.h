@@ -54,6 +54,7 @@ inline constexpr Text kRuler = "ruler: 1 m, and light travelling along it";
 inline constexpr Text kAngles = "angles between the outgoing paths";
 inline constexpr Text kFrozen = "frozen view: walk around it";
 inline constexpr Text kClocks = "labels: each puck's proper time";
+inline constexpr Text kScore = "caroms  {}   strokes  {}";
 inline constexpr Text kMyTime = "my proper time  {:.1f} s";
 inline constexpr Text kMySpeed = "my speed  {:.2f} c   γ = {:.2f}";
 inline constexpr Text kLight = "light  {:.2f} m/s";
@@ -83,7 +84,18 @@ inline constexpr Text kHallWall =
 inline constexpr Text kLeftRoom = "You have left the room: you are behind its wall '{}'. Step back in.";
 inline constexpr Text kReadOnly = "A recording cannot be changed: strokes and drive need a live game";
 inline constexpr Text kTurnedOn = "{}: on", kTurnedOff = "{}: off";
-inline constexpr Text kCarom = "Carom! Your puck touched two others. Caroms: {}, strokes: {}";
+inline constexpr Text kCarom =
+    "Carom! Your puck touched two others (cushions: {}). Enter: your best shot again";
+inline constexpr Text kBestShot = "Your best shot, as you saw it (cushions: {}). Enter: back to the game";
+inline constexpr Text kNoCarom = "No carom so far: strike a puck so that it touches two others.";
+inline constexpr Text kFrozen = "The view is frozen: F lets time go on.";
+inline constexpr Text kAsks = "Time stands still until you answer, or skip the question (Enter).";
+inline constexpr Text kAnswerFirst = "Answer the question first, or skip it (Enter).";
+inline constexpr Text kNoVelocities = "F2 to F4 choose a velocity in lessons that offer some.";
+inline constexpr Text kNoSuchKey = "This key does nothing here. H lists the keys.";
+inline constexpr Text kNoLesson = "There is no lesson in today's programme.";
+inline constexpr Text kNoShow = "This show is not in today's programme.";
+inline constexpr Text kWayHome = "table, {} m away   Home: back";
 inline constexpr Text kTimeStands = "Nothing can be struck while time stands still or a lesson replays";
 inline constexpr Text kPuckBehind = "The puck is behind your hand: point the other way";
 inline constexpr Text kNoPuck = "There is no puck where you point";
@@ -165,7 +177,7 @@ inline constexpr Text kSecond = "one second back, one second on";
 inline constexpr Text kRate = "twice as fast, half as fast";
 inline constexpr Text kBackwards = "backwards and forwards";
 inline constexpr Text kBeginning = "from the beginning";
-inline constexpr Text kOnwards = "continue the lesson";
+inline constexpr Text kOnwards = "continue the lesson; in a game the best shot again";
 inline constexpr Text kVelocities = "the velocities that a lesson offers";
 inline constexpr Text kRestart = "restart this game";
 inline constexpr Text kShowMe = "Show me: relativity in a minute";
@@ -179,6 +191,7 @@ inline constexpr Text kSwapEyes = "swapped eyes";
 inline constexpr Text kEyesApart = "eye separation";
 inline constexpr Text kSensors = "show the tracked sensors";
 inline constexpr Text kLatency = "latency overlay";
+inline constexpr Text kComfort = "comfort: dark edges and a resting frame while you move";
 inline constexpr Text kSteer = "steer: forward, left, back, right";
 inline constexpr Text kBrake = "brake";
 inline constexpr Text kHome = "return to the table";
@@ -211,6 +224,8 @@ inline constexpr Text kTrackers = "trackers";
 inline constexpr Text kTrackersTip =
     "Green: all deliver. Yellow: one is late or looked for. Red: one needs help.";
 inline constexpr Text kKeysButton = "Keys   H";
+inline constexpr Text kNextVisitor = "Next visitor   F8";
+inline constexpr Text kNextVisitorTip = "The first game from its beginning, everything as the session began.";
 inline constexpr Text kLightWalls = "Light the walls   B", kBlackWalls = "Black walls   B";
 inline constexpr Text kBlackTip = "All walls black at once, and lit again. The game goes on.";
 inline constexpr Text kGamesTab = "Games", kTrackersTab = "Trackers", kLatencyTab = "Latency";
@@ -333,6 +348,21 @@ inline constexpr Text kNotRecordedTip = "Start with --session FILE to keep the s
 inline constexpr Text kRecordedSession = "This is a recorded session: nothing is written.";
 inline constexpr Text kNotRecordedSession = "The session is not recorded: start with --session FILE.";
 inline constexpr Text kFileSize = "{:.1f} MB, up to frame {}";
+
+inline constexpr Text kStartMovie = "Start a movie", kEndMovie = "End the movie";
+inline constexpr Text kStartMovieTip =
+    "Of the walls that this node draws, the left eye's, beside the session file or in the present folder.";
+inline constexpr Text kEndMovieTip = "The session stands still until the movie is whole.";
+inline constexpr Text kTakePictures = "Take pictures";
+inline constexpr Text kTakePicturesTip = "Of every wall and eye of this node, now.";
+inline constexpr Text kRecordAnew = "Restart and record";
+inline constexpr Text kRecordAnewTip =
+    "A session file holds games from their beginning: this one starts again, and from then on all are kept.";
+
+// The playlist and the best shot.
+inline constexpr Text kNote = "Note";
+inline constexpr Text kNextGame = "Next: {}, in {:.0f} s";
+inline constexpr Text kBestShot = "Best shot again", kBestShotTip = "On the walls, as the visitor saw it.";
 
 // Trackers.
 inline constexpr Text kConnecting = "being looked for", kDelivering = "delivers", kSilent = "silent";

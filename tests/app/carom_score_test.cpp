@@ -63,8 +63,8 @@ TEST(CaromScore, CountsAShotOnceWhenItsSecondTouchIsSeen) {
     }
     const bool isCarom = expected_s < kLong_s - kStep_s;
     (isCarom ? caroms : misses) += 1;
-    EXPECT_EQ(score.caroms(), isCarom ? 1 : 0);
-    EXPECT_EQ(score.strokes(), 1);
+    EXPECT_EQ(score.score().caroms, isCarom ? 1U : 0U);
+    EXPECT_EQ(score.score().strokes, 1U);
     if (!isCarom) continue;
     EXPECT_GE(counted_s, expected_s);
     EXPECT_LE(counted_s, expected_s + kStep_s);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/operator/playlist.h"
+#include "app/operator/visitor_choices.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
@@ -25,6 +25,7 @@ TEST(List, NamesTheShippedFilesWithTheirTitles) {
   ASSERT_EQ(listed.lessons.size(), kLessons.size());
   EXPECT_EQ(listed.lessons.front().name, "comes-and-goes");
   EXPECT_FALSE(listed.traces.empty());
+  EXPECT_TRUE(has(listed.playlists, "open-day", "Open day"));
   for (const auto* files : {&listed.games, &listed.lessons, &listed.rigs}) {
     for (const ListedFile& file : *files) EXPECT_FALSE(file.isFaulty) << file.name << ": " << file.title;
   }

@@ -13,7 +13,7 @@
 
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
-#include "app/operator/playlist.h"
+#include "app/operator/visitor_choices.h"
 #include "app/session/recorded_source.h"
 #include "app/session/session_listeners.h"
 #include "engine/light/light_cone.h"

@@ -1,4 +1,4 @@
-"""Every shipped scenario and rig fits the JSON Schema that its first line names."""
+"""Every shipped scenario, rig and playlist fits the JSON Schema that its first line names."""
 
 import pathlib
 import sys
@@ -14,6 +14,7 @@ import json
 
 config = pathlib.Path(sys.argv[1])
 files = sorted(config.glob("scenarios/*.toml")) + sorted(config.glob("rigs/*.toml"))
+files += sorted(config.glob("playlists/*.toml"))
 assert files, "no shipped files found"
 for file in files:
     text = file.read_text()

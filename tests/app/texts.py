@@ -29,7 +29,7 @@ NOT_SHOWN = {
 }
 OWN_WORDS = {
     "app/operator/command.cpp": "names and values of commands, as session files and their log hold them",
-    "app/operator/playlist.h": "names of shipped games",
+    "app/operator/visitor_choices.h": "names of shipped games",
     "app/report/chart_file.cpp": "SVG",
     "app/session/status_file.cpp": "keys and values of the status file",
     "cave/display/display_facts.cpp": "names of X11",
@@ -43,7 +43,7 @@ OWN_WORDS = {
     "app/viewer/head_tracking.cpp": "messages of the log about trackers",
 }
 LITERALS = {
-    "scenarios", ".toml", "-wal", "outside",  # parts of the names of files
+    "scenarios", ".toml", "-wal", "outside", "carom", "carom-pictures", ".mp4", ".db",  # parts of the names of files
     "the window of wall {} is {}",  # a message of the log
 }
 KEY = re.compile(r"[A-Z]|F\d+|W A S D")  # what is printed on a key

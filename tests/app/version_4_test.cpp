@@ -21,7 +21,9 @@ constexpr int kFrames = 9;
 /// The frame as a program that knew of no spins would have kept it.
 FrameState plainFrameOf(std::uint64_t number) {
   FrameState state = frameOf(number);
-  state.record.hand.offset_m = 0.0;
+  state.record.hand.offset_m = state.record.fade = 0.0;
+  state.record.controls.comfort = 0;
+  state.record.score = {};
   for (BodyKnot& knot : state.knots) knot.knot.spin = {};
   for (GameEvent& event : state.events) {
     for (Turn& turn : event.turns) turn.spinBefore_kg_m2_s = turn.spinAfter_kg_m2_s = 0.0;
@@ -36,8 +38,9 @@ void writeVersion4(const std::filesystem::path& file) {
   }
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
   for (const char* column :
-       {"frame DROP COLUMN cue_offset_m", "knot DROP COLUMN angle_rad", "knot DROP COLUMN spin_rad_s",
-        "knot DROP COLUMN rim_u", "knot DROP COLUMN spin_slowing_1_s",
+       {"frame DROP COLUMN comfort", "frame DROP COLUMN caroms", "frame DROP COLUMN strokes",
+        "frame DROP COLUMN fade", "frame DROP COLUMN cue_offset_m", "knot DROP COLUMN angle_rad",
+        "knot DROP COLUMN spin_rad_s", "knot DROP COLUMN rim_u", "knot DROP COLUMN spin_slowing_1_s",
         "frame_event DROP COLUMN first_spin_before_kg_m2_s",
         "frame_event DROP COLUMN first_spin_after_kg_m2_s",
         "frame_event DROP COLUMN second_spin_before_kg_m2_s",
@@ -71,10 +74,10 @@ TEST(Version4, AFileOfVersion4IsReadAndGoneOnWith) {
       journal.add(frameOf(number), head(), {});
   }
   EXPECT_EQ(lines.said(), (std::vector<std::string>{"The session file " + file.string() +
-                                                    " is of version 4 and becomes one of version 5."}));
+                                                    " is of version 4 and becomes one of version 6."}));
   expectFrames(file, kFrames, kFrames);
   SQLite::Database database(file.string());
-  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 5);
+  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 6);
   EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
 }
 

@@ -27,7 +27,9 @@ std::size_t numberOfLesson(const std::string& file);
 /// lesson.
 std::string lessonAfter(const std::string& file);
 
-/// Returns the command that carries out a visitor's choice. The lessons go on after the one seen last.
+/// Returns the command that carries out a visitor's choice. The lessons go on after the one seen last. With a
+/// playlist, only its games are played: its first one, and its lessons in their order; what it does not have is told
+/// to the person.
 Command commandOf(Choice choice, const OperatorSettings& settings);
 
 }  // namespace carom

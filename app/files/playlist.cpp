@@ -1,0 +1,90 @@
+#include "app/files/playlist.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "app/files/config_folder.h"
+#include "app/files/scenario.h"
+#include "app/files/toml_file.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostGames = 100, kNoteLetters = 400;
+constexpr Range kFor_s{.least = 5.0, .most = 86400.0};
+
+/// Returns the scenario that a playlist names: a shipped one by its bare name, or a file, beside the playlist if it
+/// is there.
+fs::path scenarioOf(const fs::path& playlist, const std::string& name) {
+  std::error_code failed;
+  const fs::path beside = playlist.parent_path() / name;
+  return fs::is_regular_file(beside, failed) ? beside : shippedFile(name, "scenarios");
+}
+
+std::string missing(const std::string& name) {
+  const std::vector<std::string> known = shippedNames("scenarios");
+  const auto near = nearestWord(name, known);
+  return fmt::format("there is no game '{}', expected a file or a name that carom list tells{}",
+                     printable(name), near ? fmt::format(", such as '{}'?", *near) : "");
+}
+
+PlaylistGame readGame(const fs::path& playlist, const TomlTable& table) {
+  PlaylistGame game;
+  const std::string name = table.text("scenario");
+  game.scenario = scenarioOf(playlist, name);
+  game.attracts = table.flag("attract", false);
+  if (table.has("for_s")) game.for_s = table.number("for_s", kFor_s);
+  game.note = table.text("note", "");
+  if (game.note.size() > kNoteLetters)
+    table.fault("note", fmt::format("{} bytes, expected at most {}", game.note.size(), kNoteLetters));
+  std::error_code failed;
+  if (!fs::is_regular_file(game.scenario, failed)) {
+    if (!name.empty()) table.fault("scenario", missing(name));
+    return game;
+  }
+  try {
+    const Scenario scenario = readScenario(game.scenario);
+    game.title = scenario.title;
+    game.isLesson = scenario.lesson.has_value();
+  } catch (const InputErrors& errors) {
+    table.fault("scenario",
+                fmt::format("this game cannot be played: {}", printable(errors.faults().front().what())));
+  }
+  return game;
+}
+
+}  // namespace
+
+Playlist readPlaylist(const fs::path& path) {
+  const TomlFile file(path);
+  const TomlTable& root = file.root();
+  Playlist playlist;
+  playlist.title = root.text("title", path.stem().string());
+  const std::vector<TomlTable> tables = root.tables("game");
+  if (tables.empty()) root.fault("game", "there is no game here, expected one [[game]] at least");
+  if (tables.size() > kMostGames) {
+    root.fault("game", fmt::format("{} games, expected at most {}", tables.size(), kMostGames));
+    file.throwFaults();
+  }
+  for (const TomlTable& table : tables) {
+    PlaylistGame game = readGame(path, table);
+    if (numberOf(playlist, game.scenario) < playlist.games.size())
+      table.fault("scenario", "this game stands here twice, expected it once");
+    playlist.games.push_back(std::move(game));
+  }
+  file.throwFaults();
+  return playlist;
+}
+
+std::size_t numberOf(const Playlist& playlist, const fs::path& scenario) {
+  const auto found =
+      std::find_if(playlist.games.begin(), playlist.games.end(),
+                   [&](const PlaylistGame& game) { return isSameFile(game.scenario, scenario); });
+  return static_cast<std::size_t>(found - playlist.games.begin());
+}
+
+}  // namespace carom

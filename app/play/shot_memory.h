@@ -1,0 +1,61 @@
+#pragma once
+// How the visitor saw their shots: the views of the shot under way, and those of the best carom so far, to be shown
+// again from where it was seen.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "engine/spacetime/lorentz.h"
+#include "engine/spacetime/observer.h"
+
+namespace carom {
+
+/// A frame of a shot.
+struct ShotView {
+  ObserverView observer;
+  Lorentz boardFromRoom{1.0};
+  double shown_s = 0.0;  ///< session clock
+};
+
+class ShotMemory {
+ public:
+  static constexpr std::size_t kMostViews = 1800;  ///< half a minute at 60 Hz; a longer shot is not kept
+  static constexpr double kAfter_s = 1.5;          ///< shown after the second touch was seen
+  static constexpr double kKept_s = 600.0;         ///< after which the game may forget what the shot showed
+
+  ShotMemory() {
+    current_.reserve(kMostViews);
+    best_.reserve(kMostViews);
+  }
+
+  /// Begins a shot.
+  void struck() {
+    current_.clear();
+    caromAt_s_.reset();
+    isOn_ = true;
+  }
+  /// Keeps a frame of the shot under way, if there is one.
+  void see(const ShotView& view);
+  /// Says that the shot was just seen to be a carom, off so many cushions. It is the best if none had more.
+  void carom(std::size_t cushions, double now_s) {
+    cushions_ = cushions;
+    caromAt_s_ = now_s;
+  }
+
+  bool hasBest() const { return !best_.empty(); }
+  std::size_t bestCushions() const { return bestCushions_; }
+  /// Returns the view of the best shot so long after its beginning, or null after its end.
+  const ShotView* at(double since_s) const;
+
+  /// Returns the earliest view that may be shown again, or `now`; the best shot is dropped when it is too old.
+  const ObserverView& earliest(const ObserverView& now, double now_s);
+
+ private:
+  std::vector<ShotView> current_, best_;
+  bool isOn_ = false;
+  std::optional<double> caromAt_s_;
+  std::size_t cushions_ = 0, bestCushions_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,56 @@
+#include "app/session/game_settings.h"
+
+#include "app/files/config_folder.h"
+#include "app/operator/lesson.h"
+#include "app/operator/visitor_choices.h"
+
+namespace carom {
+namespace {
+
+bool isLesson(const Scenario& scenario) { return scenario.lesson.has_value(); }
+
+}  // namespace
+
+OperatorSettings settingsAtStart(const Rig& rig, const Scenario& scenario) {
+  OperatorSettings settings;
+  settings.eyeSeparation_m = rig.head.eyeSeparation_m;
+  settings.lightSpeed_m_s = scenario.billiard.lightSpeed_m_s;
+  settings.walls.comfort = rig.comfort.aids ? 1 : 0;
+  return settings;
+}
+
+OperatorSettings settingsOf(const Rig& rig, const Scenario& scenario, const std::string& file,
+                            const Beginning& beginning) {
+  OperatorSettings settings = settingsAtStart(rig, scenario);
+  settings.switches = beginning.switches;
+  settings.views = beginning.views;
+  settings.playlist = beginning.playlist;
+  beginLesson(scenario, beginning.asks, settings);
+  if (beginning.lesson && scenario.lesson) settings.lesson.phase = *beginning.lesson;
+  explainInMotion(settings);
+  settings.playing = file;
+  if (isLesson(scenario)) settings.lastLesson = file;
+  return settings;
+}
+
+OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& next, const Rig& rig,
+                                const Scenario& scenario, const Beginning& beginning) {
+  OperatorSettings settings = settingsOf(rig, scenario, next.file, beginning);
+  if (next.isForNextVisitor || next.attracts) return settings;
+  settings.eyeSeparation_m = before.eyeSeparation_m;
+  settings.walls = before.walls;
+  settings.keysShown = before.keysShown;
+  if (!isLesson(scenario)) settings.lastLesson = before.lastLesson;
+  if (next.afresh || !isSameFile(next.file, before.playing)) return settings;
+  settings.switches = before.switches;
+  settings.views = before.views;
+  settings.views.frozen = 0;
+  settings.lightSpeed_m_s = before.lightSpeed_m_s;
+  if (before.lesson.phase == LessonPhase::shows) {
+    settings.lesson = before.lesson;
+    settings.lessonObserver = before.lessonObserver;
+  }
+  return settings;
+}
+
+}  // namespace carom

@@ -1,0 +1,221 @@
+#pragma once
+// Visitors who come, play and leave, in simulated time: keys, mouse and drive at random, from a seed. Everything is as
+// in `carom cave --unattended`, without its pictures: settings, programme, games, session files.
+
+#include <GLFW/glfw3.h>
+#include <dirent.h>
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/config_folder.h"
+#include "app/files/starting_histories.h"
+#include "app/hand/ray_picking.h"
+#include "app/journal/journal.h"
+#include "app/operator/visitor_choices.h"
+#include "app/session/director.h"
+#include "app/session/game_settings.h"
+#include "app/session/live_source.h"
+#include "app/session/session_listeners.h"
+#include "cave/frame/bodies.h"
+#include "engine/random_world.h"
+#include "log_lines.h"
+
+namespace carom::test {
+
+/// What the next visitor finds, and what the process holds then.
+struct Found {
+  double at_s = 0.0;
+  OperatorSettings settings;
+  FrameRecord record;  ///< of the first frame
+  std::size_t knots = 0, events = 0;
+  std::size_t bytes = 0;  ///< allocated
+  long handles = 0;       ///< open files
+};
+
+class SimulatedVisitors {
+ public:
+  static constexpr double kHz = 20.0, kPatience_s = 60.0;
+
+  SimulatedVisitors(std::uint64_t seed, std::filesystem::path folder)
+      : random_(seed),
+        folder_(std::move(folder)),
+        rig_(readRig(CAROM_CONFIG_DIR "/rigs/play.toml")),
+        scenario_(readScenario(fileOfGame(kWelcome))) {
+    rig_.display_hz = kHz;
+    world_ = {startingHistories(scenario_), {}};
+    source_ = std::make_unique<LiveSource>(rig_, scenario_, world_, LiveStart{});
+    leader_ = std::make_unique<FrameLeader>(
+        *source_, KeysOf::session, settingsOf(rig_, scenario_, fileOfGame(kWelcome), beginning_),
+        [this](const WindowInput& input, bool asks) { return desk(input, asks); }, kPatience_s);
+    write(false);
+  }
+
+  /// Plays until so many visitors have come and gone, or for at most so long. Returns what each found, and what
+  /// one more would find.
+  std::vector<Found> run(std::size_t visitors, double most_s) {
+    std::vector<Found> found;
+    comes_s_ = random_.in(1.0, 10.0);
+    isFirstFrame_ = isWelcome_ = true;
+    for (long frame = 0; now_s() < most_s && found.size() <= visitors; ++frame) {
+      step();
+      if (isFirstFrame_ && isWelcome_) found.push_back(find());
+      isFirstFrame_ = false;
+      if (decision_.frame.record.last) begin(leader_->takeNextGame());
+    }
+    return found;
+  }
+
+  std::size_t games() const { return games_; }
+  std::size_t strokes() const { return strokes_; }
+  std::size_t attractions() const { return attractions_; }
+  double now_s() const { return decision_.frame.record.display_s; }
+
+ private:
+  enum class Mood { away, aims, draws, drives, looks };
+
+  void step() {
+    const FrameTimes times = pacer_.next();
+    visit(times.display_s);
+    WindowInput input;
+    if (pressed_) input.keys = {{*pressed_, true}, {*pressed_, false}};
+    leader_->decide(times, input, decision_);
+    pressed_.reset();
+    strokes_ += decision_.strokes.size();
+    applyFrame(decision_.frame, world_);
+    journal_.shown(decision_);
+    pacer_.awaitTick(0.0);
+    pacer_.swapped();
+  }
+
+  /// Decides what the visitor does now: they come, stay for a while, and leave without a word.
+  void visit(double now_s) {
+    if (now_s < comes_s_) return;
+    if (mood_ == Mood::away && now_s > leaves_s_) leaves_s_ = now_s + random_.in(8.0, 50.0);
+    if (now_s > leaves_s_) {
+      mood_ = Mood::away;
+      comes_s_ = now_s + kPatience_s + random_.in(-40.0, 90.0);  // some come before all is put back
+      return;
+    }
+    if (now_s < changes_s_) return;
+    changes_s_ = now_s + random_.in(0.3, 2.0);
+    mood_ = mood_ == Mood::aims ? Mood::draws : random_.in(0.0, 1.0) < 0.6 ? Mood::aims : Mood::drives;
+    if (mood_ == Mood::aims) puck_ = static_cast<std::size_t>(random_.in(0.0, 0.999 * pucks()));
+    pull_m_ = random_.in(0.05, 0.5);
+    turn_rad_ = random_.in(-std::numbers::pi, std::numbers::pi);
+    if (random_.in(0.0, 1.0) > 0.4) return;
+    constexpr std::array kKeys{
+        GLFW_KEY_1, GLFW_KEY_2,  GLFW_KEY_3,  GLFW_KEY_4,  GLFW_KEY_5,     GLFW_KEY_N,
+        GLFW_KEY_M, GLFW_KEY_P,  GLFW_KEY_E,  GLFW_KEY_C,  GLFW_KEY_U,     GLFW_KEY_V,
+        GLFW_KEY_F, GLFW_KEY_H,  GLFW_KEY_B,  GLFW_KEY_X,  GLFW_KEY_EQUAL, GLFW_KEY_K,
+        GLFW_KEY_J, GLFW_KEY_T,  GLFW_KEY_Y,  GLFW_KEY_F5, GLFW_KEY_F6,    GLFW_KEY_F7,
+        GLFW_KEY_G, GLFW_KEY_F2, GLFW_KEY_F3, GLFW_KEY_Z,  GLFW_KEY_ENTER, GLFW_KEY_RIGHT_BRACKET};
+    pressed_ = kKeys[static_cast<std::size_t>(random_.in(0.0, 0.999 * kKeys.size()))];
+  }
+
+  double pucks() const { return static_cast<double>(scenario_.billiard.pucks.size()); }
+
+  /// Returns the desk's input: the mouse over a puck as it was just seen, or drawn back along the cloth; keys held.
+  DeskInput desk(const WindowInput&, bool) {
+    DeskInput desk;
+    if (mood_ == Mood::drives) desk.steer = {std::cos(turn_rad_), std::sin(turn_rad_), 0.0};
+    const FrameRecord& before = decision_.frame.record;
+    if (mood_ != Mood::aims && mood_ != Mood::draws) return desk;
+    if (puck_ >= scenario_.billiard.pucks.size() || isFirstFrame_) return desk;
+    const EyeView& eye = before.observer.middle;
+    Vec3 along = aim_.seenInRoom_m(world_.histories[kFirstPuck + puck_],
+                                   {before.observer, Eye::middle, before.switches}) -
+                 eye.positionInRoom_m;
+    if (mood_ == Mood::draws) along += pull_m_ * Vec3(std::cos(turn_rad_), 0.0, std::sin(turn_rad_));
+    desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(along), Eye::middle};
+    desk.mouseHeld = changes_s_ - before.display_s > 0.15;
+    return desk;
+  }
+
+  /// Begins the game that the leader has chosen, as a session does.
+  void begin(const NextGame& next) {
+    ASSERT_FALSE(next.file.empty());
+    ++games_;
+    attractions_ += next.attracts ? 1 : 0;
+    scenario_ = readScenario(next.file);
+    world_ = {startingHistories(scenario_), {}};
+    source_->playAnew();
+    write(next.attracts);
+    leader_->begin(settingsOfNext(leader_->settings(), next, rig_, scenario_, beginning_));
+    isFirstFrame_ = true;
+    isWelcome_ = next.isForNextVisitor;
+  }
+
+  /// Writes the game to a session file, which the one before it makes room for.
+  void write(bool attracts) {
+    journal_.keep(nullptr);
+    const std::filesystem::path file = folder_ / "visit.db";
+    std::filesystem::remove(file);
+    if (attracts) return;
+    SessionFacts facts{"carom", "play.toml", "game.toml", "", "", scenario_.billiard.lightSpeed_m_s};
+    for (const Puck& puck : scenario_.billiard.pucks) facts.pucks.push_back(puck.name);
+    journal_.keep(std::make_unique<Journal>(file, facts, false));
+  }
+
+  Found find() const {
+    Found found{now_s(), leader_->settings(), decision_.frame.record, 0, world_.events.size(), 0, 0};
+    for (const WorldLine& line : world_.histories) found.knots += line.knots().size();
+    found.bytes = mallinfo2().uordblks;
+    DIR* const folder = opendir("/proc/self/fd");
+    while (readdir(folder)) ++found.handles;
+    closedir(folder);
+    return found;
+  }
+
+  Random random_;
+  std::filesystem::path folder_;
+  Rig rig_;
+  Scenario scenario_;
+  Beginning beginning_;
+  World world_;
+  SimulatedClock clock_;
+  Pacer pacer_{clock_, kHz, 0.0, false, 0};
+  std::unique_ptr<LiveSource> source_;
+  std::unique_ptr<FrameLeader> leader_;
+  JournalListener journal_;
+  Decision decision_;
+  RayPicking aim_;
+  bool isFirstFrame_ = true, isWelcome_ = true;
+  std::size_t games_ = 0, strokes_ = 0, attractions_ = 0;
+  Mood mood_ = Mood::away;
+  double comes_s_ = 0.0, leaves_s_ = -1.0, changes_s_ = 0.0, pull_m_ = 0.0, turn_rad_ = 0.0;
+  std::size_t puck_ = 0;
+  std::optional<int> pressed_;
+};
+
+/// Expects that a visitor finds what the first one found: nothing of those who were there before. The room, its
+/// eyes and its tracker are where they are.
+inline void expectNothingOfOthers(const Found& found, const Found& first) {
+  EXPECT_EQ(found.settings, first.settings);
+  const FrameRecord &here = found.record, &there = first.record;
+  EXPECT_EQ(here.observer.middle.observation.t_s, there.observer.middle.observation.t_s);
+  EXPECT_EQ(here.observer.middle.observation.r_m, there.observer.middle.observation.r_m);
+  EXPECT_EQ(here.observer.properTime_s, there.observer.properTime_s);
+  EXPECT_EQ(here.boardFromRoom.matrix(), there.boardFromRoom.matrix());
+  EXPECT_EQ(here.switches, there.switches);
+  EXPECT_EQ(here.views, there.views);
+  EXPECT_EQ(here.controls, there.controls);
+  EXPECT_EQ(here.lightSpeed_m_s, there.lightSpeed_m_s);
+  EXPECT_EQ(here.lesson, there.lesson);
+  EXPECT_EQ(here.score, there.score);
+  EXPECT_EQ(here.notice.words(), there.notice.words());
+  EXPECT_EQ(here.drive.mode, there.drive.mode);
+  EXPECT_EQ(here.drive.thrust, there.drive.thrust);
+  EXPECT_EQ(here.hand.pulling, there.hand.pulling);
+  EXPECT_EQ(found.knots, first.knots);
+  EXPECT_EQ(found.events, first.events);
+}
+
+}  // namespace carom::test

@@ -1,0 +1,70 @@
+// The shipped games that keys lead to, and the captions of a game.
+#include "app/operator/visitor_choices.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "app/files/scenario.h"
+
+namespace carom {
+namespace {
+
+TEST(VisitorChoices, LeadsThroughEveryShippedLessonAndBack) {
+  std::set<std::string> lessons, visited;
+  for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
+    if (readScenario(entry.path()).lesson) lessons.insert(entry.path().stem().string());
+  }
+  std::string file = fileOfGame(kWelcome);
+  for (std::size_t i = 0; i < kLessons.size(); ++i) {
+    file = lessonAfter(file);
+    visited.insert(std::filesystem::path(file).stem().string());
+  }
+  EXPECT_EQ(visited, lessons);
+  EXPECT_EQ(lessonAfter(file), fileOfGame(kLessons.front()));
+}
+
+TEST(VisitorChoices, LessonsGoOnAfterTheOneSeenLast) {
+  OperatorSettings settings;
+  settings.playing = fileOfGame(kWelcome);
+  EXPECT_EQ(commandOf(Choice::lessons, settings), Command(PlayScenario{fileOfGame(kLessons[0]), true}));
+  settings.lastLesson = fileOfGame(kLessons[2]);
+  EXPECT_EQ(commandOf(Choice::lessons, settings), Command(PlayScenario{fileOfGame(kLessons[3]), true}));
+  settings.lastLesson = fileOfGame(kLessons.back());
+  EXPECT_EQ(commandOf(Choice::lessons, settings), Command(PlayScenario{fileOfGame(kLessons[0]), true}));
+  EXPECT_EQ(commandOf(Choice::play, settings), Command(PlayScenario{fileOfGame(kWelcome), true}));
+  EXPECT_EQ(commandOf(Choice::showMe, settings), Command(PlayScenario{fileOfGame(kShowMe), true}));
+}
+
+TEST(VisitorChoices, TheFirstMinuteOffersTheChoices) {
+  EXPECT_TRUE(readScenario(fileOfGame(kWelcome)).choices);
+  EXPECT_TRUE(readScenario(fileOfGame(kShowMe)).choices);
+  for (const std::string_view lesson : kLessons)
+    EXPECT_TRUE(readScenario(fileOfGame(lesson)).choices) << lesson;
+  EXPECT_FALSE(readScenario(fileOfGame("three-pucks")).choices);
+}
+
+TEST(VisitorChoices, TheWelcomeGoesOnByItselfAndSaysHowToStrike) {
+  const Scenario welcome = readScenario(fileOfGame(kWelcome));
+  EXPECT_FALSE(welcome.lesson);
+  ASSERT_FALSE(welcome.captions.empty());
+  EXPECT_EQ(welcome.captions.front().from_s, 0.0);
+  EXPECT_NE(welcome.captions.front().text.find("drag back"), std::string::npos);
+  std::size_t moving = 0;
+  for (const Puck& puck : welcome.billiard.pucks) moving += glm::length(puck.beta) > 0.1 ? 1U : 0U;
+  EXPECT_GT(moving, welcome.billiard.pucks.size() / 2);
+}
+
+TEST(VisitorChoices, ShowMeLastsAboutAMinute) {
+  const Scenario show = readScenario(fileOfGame(kShowMe));
+  ASSERT_GE(show.captions.size(), 5U);
+  const Caption& last = show.captions.back();
+  EXPECT_GE(last.from_s, 55.0);
+  EXPECT_LE(last.from_s, 70.0);
+  EXPECT_TRUE(show.tourAtOnce);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,26 @@
+// Three visitors, one after the other: each finds the room as the first one did.
+#include <gtest/gtest.h>
+
+#include "simulated_visitors.h"
+#include "temporary_folder.h"
+
+namespace carom {
+namespace {
+
+TEST(Visitors, ThreeComePlayAndLeaveAndNobodyFindsAnothersState) {
+  const test::LogLines log;
+  const test::TemporaryFolder folder;
+  test::SimulatedVisitors room(7, folder / "");
+  const std::vector<test::Found> found = room.run(3, 900.0);
+  ASSERT_EQ(found.size(), 4U) << "after " << room.now_s() << " s and " << room.games() << " games";
+  for (const test::Found& each : found) {
+    SCOPED_TRACE(each.at_s);
+    test::expectNothingOfOthers(each, found.front());
+  }
+  EXPECT_GT(room.games(), 3U);
+  EXPECT_GT(room.strokes(), 0U);
+  EXPECT_LE(found[3].handles, found[1].handles);
+}
+
+}  // namespace
+}  // namespace carom

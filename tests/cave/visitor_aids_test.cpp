@@ -1,0 +1,123 @@
+// Which way the table is, and how dark the edges of sight are.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "cave/overlay/comfort_overlay.h"
+#include "cave/overlay/home_arrow.h"
+#include "engine/random_world.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+
+Wall wall(const glm::dvec3& lowerLeft_m, const glm::dvec3& lowerRight_m, const glm::dvec3& upperLeft_m) {
+  Wall wall;
+  wall.name = "wall";
+  wall.lowerLeft_m = lowerLeft_m;
+  wall.lowerRight_m = lowerRight_m;
+  wall.upperLeft_m = upperLeft_m;
+  wall.pixels = {64, 64};
+  return wall;
+}
+
+/// One wall, 1 m before the person, who looks along -z.
+RoomGeometry oneWall() {
+  RoomGeometry room;
+  room.walls = {wall({-1.0, 0.7, -1.0}, {1.0, 0.7, -1.0}, {-1.0, 2.3, -1.0})};
+  return room;
+}
+
+/// Returns the record of a person whose eyes are 1.6 m above the floor of a room that moves with β and is at this place
+/// of the board; the room's axes are the board's x, z and −y.
+FrameRecord recordAt(const Vec3& eye_m, const Vec3& beta) {
+  const ObserverStart start{eye_m - Vec3(0.0, 0.0, 1.6), 0.5 * std::numbers::pi, beta};
+  FrameRecord record;
+  record.boardFromRoom =
+      startingRoom(start, {.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}}, kC_m_s);
+  record.observer.middle.observation = {3.0, eye_m};
+  record.observer.middle.positionInRoom_m = {0.0, 1.6, 0.0};
+  return record;
+}
+
+TEST(HomeArrow, AtRestTheTableIsSeenWhereItIs) {
+  const SeenTable seen = seenTable(recordAt({0.0, -2.0, 1.0}, Vec3(0.0)));
+  EXPECT_NEAR(seen.distance_m, std::sqrt(5.0), 1e-12);
+  const Vec3 expected = Vec3(0.0, -1.0, -2.0) / std::sqrt(5.0);  // ahead and below
+  EXPECT_NEAR(glm::distance(seen.towards, expected), 0.0, 1e-12);
+}
+
+// cos θ' = (cos θ + β)/(1 + β cos θ), where θ is between the motion and the direction in which the source is
+// (Rindler 2006, §4.3).
+TEST(HomeArrow, InAMovingRoomTheDirectionIsAberrated) {
+  test::Random random(5);
+  for (int number = 0; number < 100; ++number) {
+    SCOPED_TRACE(number);
+    const Vec3 eye_m(random.in(-9.0, 9.0), random.in(-9.0, 9.0), random.in(0.5, 2.0));
+    const double beta = random.in(-0.95, 0.95);
+    const SeenTable seen = seenTable(recordAt(eye_m, {beta, 0.0, 0.0}));
+    const double cosine = -eye_m.x / glm::length(eye_m);
+    EXPECT_NEAR(seen.towards.x, (cosine + beta) / (1.0 + beta * cosine), 1e-9);
+    EXPECT_NEAR(glm::length(seen.towards), 1.0, 1e-12);
+  }
+}
+
+TEST(HomeArrow, PointsToTheSideOnWhichTheTableIs) {
+  const RoomGeometry room = oneWall();
+  EXPECT_FALSE(wayHome(room, recordAt({0.0, -3.0, 1.0}, Vec3(0.0)))) << "it is in sight";
+  const auto left = wayHome(room, recordAt({9.0, -1.0, 1.0}, Vec3(0.0)));
+  const auto right = wayHome(room, recordAt({-9.0, -1.0, 1.0}, Vec3(0.0)));
+  const auto behind = wayHome(room, recordAt({1.0, 8.0, 1.0}, Vec3(0.0)));
+  ASSERT_TRUE(left && right && behind);
+  EXPECT_LT(left->x, -0.9);
+  EXPECT_GT(right->x, 0.9);
+  EXPECT_NEAR(std::abs(behind->x), 1.0, 1e-12);
+  const auto below = wayHome(room, recordAt({0.0, -0.1, 1.6}, Vec3(0.0)));
+  ASSERT_TRUE(below);
+  EXPECT_LT(below->y, -0.9);
+}
+
+TEST(HomeArrow, AWallAtTheSideThatShowsTheTableIsEnough) {
+  RoomGeometry room = oneWall();
+  const FrameRecord record = recordAt({9.0, -1.0, 1.0}, Vec3(0.0));
+  ASSERT_TRUE(wayHome(room, record));
+  room.walls.push_back(wall({-1.0, 0.0, 1.0}, {-1.0, 0.0, -1.0}, {-1.0, 2.3, 1.0}));
+  EXPECT_FALSE(wayHome(room, record));
+}
+
+TEST(HomeArrow, IsAwayOnAScriptedFlightAndWhileALessonAsks) {
+  FrameRecord record = recordAt({9.0, -1.0, 1.0}, Vec3(0.0));
+  record.drive.mode = DriveMode::tour;
+  EXPECT_FALSE(wayHome(oneWall(), record));
+  record.drive.mode = DriveMode::home;
+  EXPECT_TRUE(wayHome(oneWall(), record));
+  record.lesson.phase = LessonPhase::asks;
+  EXPECT_FALSE(wayHome(oneWall(), record));
+}
+
+TEST(ComfortOverlay, TheEdgesDarkenWithTheSpeedOnlyWhereItIsWanted) {
+  FrameRecord record = recordAt({0.0, -3.0, 1.0}, {0.3, 0.0, 0.0});
+  EXPECT_EQ(shadeOf(record), 0.0);
+  record.controls.comfort = 1;
+  EXPECT_NEAR(shadeOf(record), 0.3 / ComfortOverlay::kFullBeta, 1e-12);
+  record.boardFromRoom = recordAt({0.0, -3.0, 1.0}, {0.9, 0.0, 0.0}).boardFromRoom;
+  EXPECT_EQ(shadeOf(record), 1.0);
+  record.boardFromRoom = recordAt({0.0, -3.0, 1.0}, Vec3(0.0)).boardFromRoom;
+  EXPECT_EQ(shadeOf(record), 0.0);
+}
+
+TEST(ComfortOverlay, SightIsTheHeadsOrToTheOnlyWall) {
+  FrameRecord record = recordAt({0.0, -3.0, 1.0}, Vec3(0.0));
+  const glm::dvec3 toMiddle = glm::normalize(glm::dvec3(0.0, 1.5 - 1.6, -1.0));
+  EXPECT_NEAR(glm::distance(sightOf(oneWall(), record), toMiddle), 0.0, 1e-12);
+  RoomGeometry room = oneWall();
+  room.walls.push_back(wall({-1.0, 0.0, 1.0}, {-1.0, 0.0, -1.0}, {-1.0, 2.3, 1.0}));
+  record.tracked.headKnown = 1;
+  record.tracked.roomFromHeadSensor.orientation = glm::angleAxis(0.5 * std::numbers::pi, glm::dvec3(0, 1, 0));
+  EXPECT_NEAR(glm::distance(sightOf(room, record), glm::dvec3(-1.0, 0.0, 0.0)), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace carom
