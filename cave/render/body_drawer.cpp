@@ -12,6 +12,7 @@
 #include "cave/gl/view_colours.h"
 #include "engine/colour/doppler_colour.h"
 #include "engine/colour/exposure.h"
+#include "engine/light/spin_steps.h"
 
 namespace carom {
 namespace {
@@ -34,6 +35,17 @@ void bind(int unit, GLuint texture) {
 }
 
 void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
+
+/// Returns which shader draws a body with these legs. What is round is drawn as if it did not spin.
+Legs legsOf(std::span<const GpuLeg> legs, bool round) {
+  const bool spins =
+      !round && std::any_of(legs.begin(), legs.end(), [](const GpuLeg& leg) { return leg.spin.w > 0.0F; });
+  const GpuLeg& first = legs.front();
+  if (legs.size() > 1 || first.glide.w > 0.0F) return spins ? Legs::manySpinning : Legs::many;
+  if (!spins) return Legs::one;
+  const bool even = first.spinSlows.y == 0.0F && first.spin.w <= kFewSpinSteps;
+  return even ? Legs::oneSpinning : Legs::manySpinning;
+}
 
 }  // namespace
 
@@ -172,10 +184,10 @@ void BodyDrawer::drawPart(ViewTime moment, std::size_t number, const WallUniform
   if (ranges.counts.empty()) return;
   const ScenePart& part = scene_.parts[number];
   const PartUniforms uniforms = uniformsOf(moment, number);
-  const bool bends = uniforms.legCount > 1 || uniforms.legs->glide.w > 0.0F || uniforms.legs->spin.w > 0.0F;
-  const Legs legs = moment == ViewTime::seen && part.body == kRestingBody ? Legs::rest
-                    : bends                                               ? Legs::many
-                                                                          : Legs::one;
+  const bool rests = moment == ViewTime::seen && part.body == kRestingBody;
+  const Legs legs = rests ? Legs::rest
+                          : legsOf({uniforms.legs, static_cast<std::size_t>(uniforms.legCount)},
+                                   part.paint == Paint::shadow);
   const bool ghost = moment != ViewTime::seen;
   const bool decal = part.paint == Paint::shadow;
   const Paint paint = ghost ? Paint::plain : part.paint;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/light/spin_steps.h"
 #include "engine/spacetime/world_line.h"
 #include "shaders/body_vert.h"
 #include "shaders/colour_texel.h"
@@ -89,8 +90,10 @@ std::string variantText(Paint paint, const Switches& switches, ViewTime moment) 
 
 std::string kernelText(Legs legs) {
   std::string text = shaders::legs;
-  text += fmt::format("#define CATCH_UP_SPEED {}\n", kCatchUpSpeed);
-  if (legs != Legs::many) text += "#define ONE_LEG\n";
+  text +=
+      fmt::format("#define CATCH_UP_SPEED {}\n#define FEW_SPIN_STEPS {:.1f}\n", kCatchUpSpeed, kFewSpinSteps);
+  if (legs != Legs::many && legs != Legs::manySpinning) text += "#define ONE_LEG\n";
+  if (legs == Legs::oneSpinning || legs == Legs::manySpinning) text += "#define SPINS\n";
   if (legs == Legs::rest) text += "#define RESTS\n";
   text += shaders::leg_kernel;
   text += shaders::spin_kernel;

@@ -158,7 +158,7 @@ void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) 
 namespace {
 
 /// Adds clocks around the rim of a large disc that turns evenly and has met nothing: each runs slow by its γ, and was
-/// set to 0 with the centre's, in the centre's rest frame.
+/// set to 0 with the centre's, in the centre's rest frame. While a lesson asks, they would tell the answer.
 void addRimClocks(const MarkContext& sight, std::size_t body, double centre_s, const Vec3& middle_m,
                   const glm::vec4& colour, MarkBuffer& batch) {
   constexpr int kClocks = 6;
@@ -168,6 +168,7 @@ void addRimClocks(const MarkContext& sight, std::size_t body, double centre_s, c
   const Spin& spin = line.knots().front().spin;
   const double rim = spin.omega_rad_s * radius_m / c_m_s;
   const BodyView& view = sight.bodies[body];
+  if (sight.lesson.phase == LessonPhase::asks) return;
   if (line.knots().size() > 1 || rim == 0.0 || spin.slowing_1_s > 0.0 || line.radius_m() < kLeast_m) return;
   const Resting resting(sight);
   const OnBody draw(sight, view, ViewTime::seen);

@@ -6,6 +6,7 @@
 
 #include "engine/base/portable_math.h"
 #include "engine/base/root.h"
+#include "engine/light/spin_steps.h"
 #include "engine/light/vertex_history.h"
 
 namespace carom {
@@ -122,14 +123,15 @@ bool restsForGood(std::span<const Knot> knots, std::size_t leg, const Motion& ce
          (leg + 1 == knots.size() || knots[leg + 1].signal.t_s >= rests_s);
 }
 
-/// Tells the kernel what it needs to know of a spin. Four steps of its search do for rims up to 0.99 c.
+/// Tells the kernel what it needs to know of a spin.
 void setSpin(const Knot& knot, const Motion& centre, double radius_m, double c_m_s, LegView& leg) {
   if (!spins(knot)) return;
   const Spin& spin = knot.spin;
   const double own_s = centre.properTime_s - knot.properTime_s;
   const SinCos angle = portableSinCos(angleAfter(spin, own_s));
   const double turn_1_m = spin.omega_rad_s / c_m_s;
-  leg.spin = {turn_1_m, angle.cos, angle.sin, std::abs(turn_1_m) * radius_m <= 0.99 ? 4.0 : 6.0};
+  leg.spin = {turn_1_m, angle.cos, angle.sin,
+              std::abs(turn_1_m) * radius_m <= 0.99 ? kFewSpinSteps : kMostSpinSteps};
   if (spin.slowing_1_s == 0.0 || spin.rim_u == 0.0) return;
   leg.spin.x = turn_1_m * std::sqrt(1.0 + spin.rim_u * spin.rim_u) / spin.rim_u;  // 1/R
   leg.spinSlows = {rimUAfter(spin, own_s), std::copysign(spin.slowing_1_s / c_m_s, spin.rim_u),

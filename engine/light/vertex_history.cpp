@@ -111,11 +111,24 @@ struct SpinningGlide {
     return {{t_s, then.event.r_m + contracted(place_m, then.u)},
             {dt, carried_m_s * dt + contracted(turned_m_s, then.u)}};
   }
+  /// Where a function of events that rises along the point's world line changes its sign.
+  template <typename Function>
+  Event crossing(const Function& f, double guess_s) const {
+    return at(rootOfIncreasing([&](double sigma_s) { return f(at(sigma_s).event); }, guess_s)).event;
+  }
 };
 
 /// An event in the leg's frame, from the turn.
 Displacement aboard(const Knot& knot, const Event& event, double c_m_s) {
   return Lorentz::boost(-knot.u, c_m_s) * (event - knot.turn);
+}
+
+/// Where a function of events that rises along a glide changes its sign.
+template <typename Function>
+Event crossingOnGlide(const VertexPiece& piece, const Function& f, double guess_s, double c_m_s) {
+  if (glidesAndSpins(piece)) return SpinningGlide{*piece.onLeg, c_m_s}.crossing(f, guess_s);
+  const auto eventAt = [&](double t_s) { return Event{t_s, placeAt(piece, t_s, c_m_s)}; };
+  return eventAt(rootOfIncreasing([&](double t_s) { return f(eventAt(t_s)); }, guess_s));
 }
 
 /// Where a piece crosses the future light cone of `signal`, in board time.
@@ -125,12 +138,10 @@ Event crossing(const VertexPiece& piece, const Event& signal, double c_m_s) {
     return eventAboard(*piece.onLeg, tauMeeting(*piece.onLeg, from, 1.0, 1.0, c_m_s), c_m_s);
   }
   if (glides(piece)) {
-    const double t_s = rootOfIncreasing(
-        [&](double t) {
-          return c_m_s * (t - signal.t_s) - glm::length(placeAt(piece, t, c_m_s) - signal.r_m);
-        },
-        signal.t_s);
-    return {t_s, placeAt(piece, t_s, c_m_s)};
+    const auto since = [&](const Event& event) {
+      return c_m_s * (event.t_s - signal.t_s) - glm::length(event.r_m - signal.r_m);
+    };
+    return crossingOnGlide(piece, since, signal.t_s, c_m_s);
   }
   const Displacement from = piece.start - signal;
   const kernel::Piece line{{c_m_s * from.dt_s, from.dr_m}, betaFromU(piece.u)};
@@ -145,12 +156,10 @@ Event retardedEvent(const VertexPiece& piece, const Event& observation, double c
     return eventAboard(*piece.onLeg, tauMeeting(*piece.onLeg, eye, 1.0, -1.0, c_m_s), c_m_s);
   }
   if (glides(piece)) {
-    const double t_s = rootOfIncreasing(
-        [&](double t) {
-          return glm::length(observation.r_m - placeAt(piece, t, c_m_s)) - c_m_s * (observation.t_s - t);
-        },
-        observation.t_s);
-    return {t_s, placeAt(piece, t_s, c_m_s)};
+    const auto until = [&](const Event& event) {
+      return glm::length(observation.r_m - event.r_m) - c_m_s * (observation.t_s - event.t_s);
+    };
+    return crossingOnGlide(piece, until, observation.t_s, c_m_s);
   }
   const Displacement eye = observation - piece.start;
   const Vec3 beta = betaFromU(piece.u);
@@ -164,7 +173,7 @@ Event retardedEvent(const VertexPiece& piece, const Event& observation, double c
   return piece.start + Displacement{s / c_m_s, beta * s};
 }
 
-/// The piece on which the point follows the leg of `knot`; its clock is set by who appends it.
+/// The piece on which the point follows the leg of `knot`; its clock is not set.
 VertexPiece pieceOnLeg(const Knot& knot, const Vec3& offset_m, const Event& start) {
   VertexPiece piece{start, knot.u, 0.0, std::nullopt};
   if (knot.deceleration_m_s2 > 0.0 || spins(knot)) piece.onLeg = {knot, offset_m};
@@ -192,14 +201,11 @@ Event joining(const Knot& knot, const Vec3& offset_m, const Event& left, double 
   const Lorentz bodyFromBoard = boardFromBody.inverse();
   const double speed = catchUpSpeedOf(knot, offset_m, c_m_s);
   if (knot.deceleration_m_s2 > 0.0) {
-    const VertexPiece leg = pieceOnLeg(knot, offset_m, left);
-    const double t_s = rootOfIncreasing(
-        [&](double t) {
-          const Displacement way = bodyFromBoard * (Event{t, placeAt(leg, t, c_m_s)} - left);
-          return speed * c_m_s * way.dt_s - glm::length(way.dr_m);
-        },
-        left.t_s);
-    return {t_s, placeAt(leg, t_s, c_m_s)};
+    const auto ahead = [&](const Event& event) {
+      const Displacement way = bodyFromBoard * (event - left);
+      return speed * c_m_s * way.dt_s - glm::length(way.dr_m);
+    };
+    return crossingOnGlide(pieceOnLeg(knot, offset_m, left), ahead, left.t_s, c_m_s);
   }
   const Displacement leftInBody = bodyFromBoard * (left - knot.turn);
   if (spins(knot)) {
@@ -219,7 +225,8 @@ Vec3 uBetween(const Event& from, const Event& to, const Knot& knot, double c_m_s
   return properTime_m2 > 0.0 ? way.dr_m / std::sqrt(properTime_m2) : knot.u;
 }
 
-/// Cuts the history where the signal of `knot` arrives and leads it to the leg that begins there.
+/// Cuts the history where the signal of `knot` arrives and leads it to the leg that begins there. The clocks of its
+/// pieces are not set.
 void turn(std::vector<VertexPiece>& history, const Knot& knot, const Vec3& offset_m, double c_m_s) {
   Event left = crossing(history.back(), knot.signal, c_m_s);
   while (history.size() > 1 && left.t_s < history.back().start.t_s) {
@@ -227,12 +234,8 @@ void turn(std::vector<VertexPiece>& history, const Knot& knot, const Vec3& offse
     left = crossing(history.back(), knot.signal, c_m_s);
   }
   const Event joined = joining(knot, offset_m, left, c_m_s);
-  const VertexPiece catchingUp{left, uBetween(left, joined, knot, c_m_s),
-                               properTimeAt(history.back(), left.t_s, c_m_s), std::nullopt};
-  VertexPiece onLeg = pieceOnLeg(knot, offset_m, joined);
-  onLeg.properTime_s = properTimeAt(catchingUp, joined.t_s, c_m_s);
-  history.push_back(catchingUp);
-  history.push_back(onLeg);
+  history.push_back({left, uBetween(left, joined, knot, c_m_s), 0.0, std::nullopt});
+  history.push_back(pieceOnLeg(knot, offset_m, joined));
 }
 
 /// ∫ f from a to b by Simpson's rule, halved until it no longer changes.
@@ -346,6 +349,8 @@ std::vector<VertexPiece> vertexHistory(const WorldLine& line, const Vec3& offset
   const Knot& first = line.knots().front();
   std::vector<VertexPiece> history{firstPiece(first, offset_m, c_m_s)};
   for (const Knot& knot : line.knots().subspan(1)) turn(history, knot, offset_m, c_m_s);
+  for (std::size_t i = 1; i < history.size(); ++i)
+    history[i].properTime_s = properTimeAt(history[i - 1], history[i].start.t_s, c_m_s);
 
   const double zero_s = std::isfinite(line.appears_s()) ? line.appears_s() : 0.0;
   const double atZero_s = properTimeAt(pieceAt(history, zero_s), zero_s, c_m_s);

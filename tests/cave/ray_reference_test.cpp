@@ -34,6 +34,8 @@ struct ReferenceBody {
   std::optional<reference::Shape> shape;  // for ray tracing
   reference::Mesh fine;                   // for halving
   std::vector<Vec3> rim;                  // its outermost points
+  bool round = false;                     // the shape stays the same while it turns about z
+  std::optional<bool> marked{};           // these of its sectors alone
 };
 
 ReferenceBody puckBody(int number, const WorldLine& line, double radius_m, double height_m) {
@@ -41,7 +43,8 @@ ReferenceBody puckBody(int number, const WorldLine& line, double radius_m, doubl
                      test::referenceLegs(line),
                      reference::puckShape(radius_m, height_m),
                      reference::puckMesh(radius_m, height_m, 4),
-                     {}};
+                     {},
+                     true};
   const reference::Mesh coarse = reference::puckMesh(radius_m, height_m, 1);
   for (std::size_t i = 0; i < coarse.points.size(); i += 2) body.rim.push_back(coarse.points[i]);
   return body;
@@ -64,10 +67,15 @@ class ReferenceView {
  public:
   ReferenceView(const ReferenceBody& body, const reference::Eye& eye, const reference::Screen& screen)
       : body_(body), legs_(test::knownTo(eye, body.legs)), eye_(eye), screen_(screen) {
-    bool rests = true;  // in the rest frame of its leg
-    for (const reference::Leg& leg : legs_) rests = rests && leg.brake == 0.0 && !leg.spins();
-    settled_ = reference::commonLeg(legs_, body.rim, eye).has_value();
-    traced_ = body.shape && settled_ && rests;
+    bool straight = true, turns = false;
+    for (const reference::Leg& leg : legs_) {
+      straight = straight && leg.brake == 0.0;
+      turns = turns || leg.spins();
+    }
+    const auto common = reference::commonLeg(legs_, body.rim, eye);
+    settled_ = common.has_value();
+    traced_ = body.shape && settled_ && straight && (body.round || !turns);
+    if (settled_ && turns) traceable_ = {legs_[*common]};
     if (!traced_) mesh_.emplace(legs_, body.fine, eye, screen);
     for (const Vec3& d : body.rim) {
       const auto p = screen.pixelOf(eye.seen(reference::PointLine(legs_, d).emission(eye.event)));
@@ -102,13 +110,15 @@ class ReferenceView {
   }
   std::optional<double> tracedDepth(double x, double y) const {
     const Vec3 direction = screen_.direction(x, y);
-    const auto distance = reference::trace(legs_, *body_.shape, eye_, direction);
-    return distance ? std::optional(screen_.depthAlong(direction, *distance)) : std::nullopt;
+    const auto hit = reference::trace(traceable_.empty() ? legs_ : traceable_, *body_.shape, eye_, direction);
+    if (!hit || (body_.marked && reference::isMarked(hit->point) != *body_.marked)) return std::nullopt;
+    return screen_.depthAlong(direction, hit->distance);
   }
 
  private:
   const ReferenceBody& body_;
   std::vector<reference::Leg> legs_;
+  std::vector<reference::Leg> traceable_;  // the only leg on which a body that turns is to be traced
   reference::Eye eye_;
   reference::Screen screen_;
   bool traced_ = false, settled_ = false, behind_ = false;
@@ -350,11 +360,6 @@ std::vector<double> interestingTimes(const ReferenceBody& target, const Vec3& fr
   return {before, during, after};
 }
 
-bool spins(const ReferenceBody& body) {
-  return std::any_of(body.legs.begin(), body.legs.end(),
-                     [](const reference::Leg& leg) { return leg.spins(); });
-}
-
 /// How much further than half a metre to stand from a body: round ones are divided for eyes outside them.
 double distanceFor(const ReferenceBody& target) {
   double reach_m = 0.0;
@@ -382,14 +387,9 @@ TEST_F(RayReference, SilhouettesOfEveryShippedScenario) {
     WallRenderer renderer(graphics_, game.scene, c_m_s, 1);
     WallRenderer fineRenderer(graphics_, game.fineScene, c_m_s, 1);
     Comparison of;
-    // The reference follows every point of a spinning body by nested roots: one picture of those that turn.
-    const bool isSlow = std::any_of(game.bodies.begin(), game.bodies.end(), spins);
-    const std::vector<double> times = interestingTimes(game.bodies.front(), fromTarget_m, c_m_s);
-    for (const double t : times) {
-      if (isSlow && t != times[times.size() / 2]) continue;
+    for (const double t : interestingTimes(game.bodies.front(), fromTarget_m, c_m_s)) {
       for (const Vec3& beta : {Vec3(0.0), 0.7 * glm::normalize(Vec3(0.8, 0.6, 0.1)),
                                0.95 * glm::normalize(fromTarget_m + Vec3(0.1, 0.0, 0.0))}) {
-        if (isSlow && (beta == Vec3(0.0) || glm::length(beta) > 0.9)) continue;
         SCOPED_TRACE(testing::Message() << file.filename() << ", target as at " << t / c_m_s
                                         << " s, observer at " << glm::length(beta) << " c");
         const test::Look look = lookAt(game.bodies.front(), t, fromTarget_m, beta, c_m_s);
@@ -419,52 +419,60 @@ TEST_F(RayReference, SilhouettesOfEveryShippedScenario) {
 
 // ---- random flights -------------------------------------------------------------------------------------
 
+/// What is looked at, for the reference and as it is drawn.
+struct Flyer {
+  std::vector<ReferenceBody> bodies;
+  Scene scene;
+};
+
 /// The mesh that is drawn: the built-in puck's, or the reference's own, four times finer.
 enum class Drawn { builtIn, fine };
 
-Scene puckScene(double radius_m, double height_m, Drawn drawn) {
+Flyer plainPuck(const WorldLine& line, double radius_m, double height_m, Drawn drawn) {
   Scene plain;
   plain.parts = puckParts(radius_m, height_m, 1, glm::vec3(1.0F));
   if (drawn == Drawn::fine)
     plain.parts.back().mesh = test::polyData(reference::puckMesh(radius_m, height_m, 4));
-  Scene scene;
-  scene.bodyCount = 2;
-  test::addNumbered(scene, plain, 1, 1);
-  return scene;
+  Flyer flyer{{puckBody(1, line, radius_m, height_m)}, {}};
+  flyer.scene.bodyCount = 2;
+  test::addNumbered(flyer.scene, plain, 1, 1);
+  return flyer;
 }
 
 /// Are the outlines of a size that tells something?
-bool tellingSize(const ReferenceBody& body, const reference::Eye& eye, const reference::Screen& screen) {
+bool tellingSize(const ReferenceBody& body, const reference::Eye& eye, const reference::Screen& screen,
+                 int widest_px) {
   const ReferenceBody outline{body.number, body.legs, {}, {}, body.rim};
   const auto [left, right, bottom, top] = ReferenceView(outline, eye, screen).box();
   const int least = std::min(right - left, top - bottom), most = std::max(right - left, top - bottom);
-  return least > 40 && most < 900;
+  return least > 40 && most < widest_px;
 }
 
 /// Looks at random flights until `pictures` of them are large enough to tell something.
-template <typename MakeLine, typename Accept>
-Comparison compareRandom(Graphics& graphics, std::uint64_t seed, int pictures, Drawn drawn,
-                         const MakeLine& makeLine, const Accept& accept) {
+template <typename MakeLine, typename MakeFlyer, typename Accept>
+Comparison compareRandom(Graphics& graphics, std::uint64_t seed, int pictures, MakeLine makeLine,
+                         const MakeFlyer& makeFlyer, const Accept& accept, int widest_px = 900) {
   test::Random random(seed);
   Comparison all;
   const std::array<double, 3> observers{0.0, 0.7, 0.95};
   for (int tries = 0, made = 0; made < pictures && tries < 100 * pictures; ++tries) {
     const double radius_m = random.in(0.03, 0.08), height_m = random.in(0.3, 1.0) * radius_m;
     const WorldLine line = makeLine(random, radius_m);
-    const std::vector<ReferenceBody> bodies{puckBody(1, line, radius_m, height_m)};
+    const ReferenceBody outline = puckBody(1, line, radius_m, height_m);
     const double beta = observers[static_cast<std::size_t>(made % 3)];
     const double t = kC_m_s * (line.knots().back().turn.t_s + random.in(-0.2, 0.4));
     test::Look look =
-        lookAt(bodies[0], t, random.direction() * random.in(0.3, 1.0), random.direction() * beta, kC_m_s);
+        lookAt(outline, t, random.direction() * random.in(0.3, 1.0), random.direction() * beta, kC_m_s);
     const reference::Eye eye = look.eye(kC_m_s);
-    if (!accept(bodies[0], eye)) continue;
-    const Wall wall = wallTowards(look, bodies[0], kC_m_s);
-    if (!tellingSize(bodies[0], eye, test::screenOf(wall, look.inRoom_m))) continue;
-    WallRenderer renderer(graphics, puckScene(radius_m, height_m, drawn), kC_m_s, 1);
+    if (!accept(outline, eye)) continue;
+    const Wall wall = wallTowards(look, outline, kC_m_s);
+    if (!tellingSize(outline, eye, test::screenOf(wall, look.inRoom_m), widest_px)) continue;
+    const Flyer flyer = makeFlyer(line, radius_m, height_m);
+    WallRenderer renderer(graphics, flyer.scene, kC_m_s, 1);
     SCOPED_TRACE(testing::Message() << "try " << tries << " of seed " << seed << ": radius " << radius_m
-                                    << " m, speed " << glm::length(bodies[0].legs.back().v)
+                                    << " m, speed " << glm::length(outline.legs.back().v)
                                     << " c, observer at " << beta << " c");
-    const auto views = viewsOn(wall, bodies, look, kC_m_s);
+    const auto views = viewsOn(wall, flyer.bodies, look, kC_m_s);
     if (views.empty()) continue;
     const Comparison picture = compare(test::drawn(graphics, renderer, {&line, 1}, look, wall), views);
     EXPECT_GT(picture.lit, 0);
@@ -475,6 +483,11 @@ Comparison compareRandom(Graphics& graphics, std::uint64_t seed, int pictures, D
   return all;
 }
 
+bool inABounce(const ReferenceBody& body, const reference::Eye& eye) {
+  const auto legs = test::knownTo(eye, body.legs);
+  return legs.size() > 1 && !reference::commonLeg(legs, body.rim, eye);
+}
+
 TEST_F(RayReference, StraightFlightsUpTo99HundredthsOfLight) {
   const auto line = [](test::Random& random, double radius_m) {
     const std::array<double, 3> speeds{0.6, 0.9, 0.99};
@@ -482,7 +495,10 @@ TEST_F(RayReference, StraightFlightsUpTo99HundredthsOfLight) {
     const Knot knot{{0.0, random.inBox(0.5)}, uFromBeta(random.direction() * speed), 0.0, {}, 0.0};
     return WorldLine(knot, kC_m_s, radius_m);
   };
-  const Comparison all = compareRandom(graphics_, 61, 30, Drawn::builtIn, line,
+  const auto flyer = [](const WorldLine& straight, double radius_m, double height_m) {
+    return plainPuck(straight, radius_m, height_m, Drawn::builtIn);
+  };
+  const Comparison all = compareRandom(graphics_, 61, 30, line, flyer,
                                        [](const ReferenceBody&, const reference::Eye&) { return true; });
   all.print("straight flights");
   EXPECT_EQ(all.tracedBodies, 30);
@@ -492,12 +508,91 @@ TEST_F(RayReference, BodiesInTheMiddleOfABounceUpToNineTenthsOfLight) {
   const auto line = [](test::Random& random, double radius_m) {
     return randomWorldLine(random, kC_m_s, radius_m, 1 + static_cast<int>(random.in(0.0, 3.0)), 0.3, 0.9);
   };
-  const auto turning = [](const ReferenceBody& body, const reference::Eye& eye) {
-    const auto legs = test::knownTo(eye, body.legs);
-    return legs.size() > 1 && !reference::commonLeg(legs, body.rim, eye);
+  const auto flyer = [](const WorldLine& bouncing, double radius_m, double height_m) {
+    return plainPuck(bouncing, radius_m, height_m, Drawn::fine);
   };
-  const Comparison all = compareRandom(graphics_, 62, 18, Drawn::fine, line, turning);
+  const Comparison all = compareRandom(graphics_, 62, 18, line, flyer, inABounce);
   all.print("in the middle of a bounce");
+  EXPECT_EQ(all.turningBodies, 18);
+}
+
+// ---- random spins ---------------------------------------------------------------------------------------
+
+constexpr int kWidestSpinning_px = 300;
+
+/// The fastest that a rim goes on any leg, over c.
+double fastestRim(const WorldLine& line) {
+  double rim = 0.0;
+  for (const Knot& knot : line.knots())
+    rim = std::max(rim, std::abs(knot.spin.omega_rad_s) * line.radius_m() / line.lightSpeed_m_s());
+  return rim;
+}
+
+/// The number of chords, twelve times a power of two, that show a circle that turns at f to 0.3 pixels. From the side,
+/// what is seen at E has turned by M = E − f sin E (Kepler): where the rim approaches, a chord of 2M there goes over 2E,
+/// and leaves the circle by 1 − cos E of the radius.
+std::size_t chordsFor(double f) {
+  const double E = std::sqrt(2.0 * 0.3 / (0.5 * kWidestSpinning_px));
+  std::size_t chords = 12;
+  while (static_cast<double>(chords) < std::numbers::pi / (E - f * std::sin(E))) chords *= 2;
+  return chords;
+}
+
+/// The built-in puck in as many chords around as a rim at f needs at each radius, and in rings that follow bent spokes.
+reference::Mesh spinningPuckMesh(double radius_m, double height_m, double f) {
+  const auto profile = reference::puckProfile(radius_m, height_m, {32, 1, 4, 1, 32});
+  std::vector<std::size_t> around;
+  for (const auto& place : profile) around.push_back(chordsFor(f * place[0] / radius_m));
+  return reference::turnedMesh(profile, around);
+}
+
+/// A puck with marked sectors: 1, the others are 2.
+Flyer markedPuck(const WorldLine& line, double radius_m, double height_m) {
+  const reference::Mesh mesh = spinningPuckMesh(radius_m, height_m, fastestRim(line));
+  Flyer flyer;
+  flyer.scene.bodyCount = 2;
+  for (const bool marked : {true, false}) {
+    const int number = marked ? 1 : 2;
+    ReferenceBody body = puckBody(number, line, radius_m, height_m);
+    body.fine = reference::marksOf(mesh, marked);
+    body.marked = marked;
+    Scene part;
+    part.parts.push_back({1, test::polyData(body.fine), Paint::lamp, glm::vec3(1.0F), 0.0F});
+    test::addNumbered(flyer.scene, part, 1, number);
+    flyer.bodies.push_back(std::move(body));
+  }
+  return flyer;
+}
+
+/// Rims at 0.6, 0.9 and 0.99 c in turn, either way round, on every leg; centres at up to 0.9 c.
+struct SpinningFlights {
+  int bounces = 0;
+  double slowing_1_s = 0.0;
+  int made = 0;
+  WorldLine operator()(test::Random& random, double radius_m) {
+    const std::array<double, 3> rims{0.6, 0.9, 0.99};
+    const double rim = rims[static_cast<std::size_t>(made++ % 3)];
+    return test::spun(random, randomWorldLine(random, kC_m_s, radius_m, bounces, 0.3, 0.9), rim, slowing_1_s,
+                      rim);
+  }
+};
+
+TEST_F(RayReference, SpinningPucksBeforeAndAfterBounces) {
+  const auto settled = [](const ReferenceBody& body, const reference::Eye& eye) {
+    return !inABounce(body, eye);
+  };
+  for (const double slowing_1_s : {0.0, 1.5}) {
+    const Comparison all = compareRandom(graphics_, 65, 9, SpinningFlights{1, slowing_1_s}, markedPuck,
+                                         settled, kWidestSpinning_px);
+    all.print("spinning, before and after bounces");
+    EXPECT_EQ(all.tracedBodies, 18);
+  }
+}
+
+TEST_F(RayReference, SpinningPucksInTheMiddleOfABounce) {
+  const Comparison all =
+      compareRandom(graphics_, 66, 9, SpinningFlights{2}, markedPuck, inABounce, kWidestSpinning_px);
+  all.print("spinning, in the middle of a bounce");
   EXPECT_EQ(all.turningBodies, 18);
 }
 
@@ -506,10 +601,12 @@ TEST(RayReferenceItself, RaysAndHalvingAgree) {
   test::Random random(63);
   double worst_px = 0.0;
   int covered = 0;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 18; ++i) {
     const double radius_m = random.in(0.05, 0.15);
-    const WorldLine line = randomWorldLine(random, kC_m_s, radius_m, i % 3, 1.5, 0.9);
-    const ReferenceBody body = puckBody(1, line, radius_m, radius_m);
+    WorldLine line = randomWorldLine(random, kC_m_s, radius_m, i % 3, 1.5, 0.9);
+    if (i >= 12) line = test::spun(random, line, 0.9, i % 2 == 0 ? 0.0 : 0.5);
+    ReferenceBody body = puckBody(1, line, radius_m, radius_m);
+    if (i >= 12) body.marked = true;
     const test::Look look =
         lookAt(body, kC_m_s * (line.knots().back().turn.t_s + 1.0), random.direction() * random.in(0.5, 1.0),
                random.direction() * 0.7, kC_m_s);
@@ -517,14 +614,21 @@ TEST(RayReferenceItself, RaysAndHalvingAgree) {
     const ReferenceView view(body, look.eye(kC_m_s), screen);
     if (!view.traced() || view.behind()) continue;
     const auto legs = test::knownTo(look.eye(kC_m_s), body.legs);
-    const reference::SeenMesh mesh(legs, body.fine, look.eye(kC_m_s), screen);
+    const reference::SeenMesh mesh(legs, body.marked ? reference::marksOf(body.fine, true) : body.fine,
+                                   look.eye(kC_m_s), screen);
+    std::optional<reference::SeenMesh> others;
+    if (body.marked) others.emplace(legs, reference::marksOf(body.fine, false), look.eye(kC_m_s), screen);
+    const auto halvedAt = [&](double x, double y) {
+      const auto here = mesh.depthAt(x, y), other = others ? others->depthAt(x, y) : std::nullopt;
+      return other && here && *other < *here ? std::nullopt : here;
+    };
     const auto [left, right, bottom, top] = view.box();
     for (int k = 0; k < 2000; ++k) {
       const double x = random.in(left, right), y = random.in(bottom, top);
-      const auto ray = view.tracedDepth(x, y), halved = mesh.depthAt(x, y);
+      const auto ray = view.tracedDepth(x, y), halved = halvedAt(x, y);
       if (ray.has_value() != halved.has_value()) {
         const auto agrees = [&](double px, double py) {
-          return mesh.depthAt(px, py).has_value() == ray.has_value();
+          return halvedAt(px, py).has_value() == ray.has_value();
         };
         worst_px = std::max(worst_px, distanceTo_px(agrees, x, y));
       } else if (ray) {
@@ -543,11 +647,12 @@ TEST(RayReferenceItself, RaysAndHalvingAgree) {
 TEST(RayReferenceItself, VerticesInTheMiddleOfABounce) {
   test::Random random(64);
   double worst_px = 0.0;
-  long vertices = 0, catchingUp = 0;
-  for (int i = 0; i < 60; ++i) {
+  long vertices = 0, catchingUp = 0, outOfTurn = 0;
+  for (int i = 0; i < 120; ++i) {
     const double radius_m = random.in(0.03, 0.15);
-    const WorldLine line =
+    WorldLine line =
         randomWorldLine(random, kC_m_s, radius_m, 1 + static_cast<int>(random.in(0.0, 4.0)), 0.2, 0.9);
+    if (i >= 60) line = test::spun(random, line, 0.99, i % 2 == 0 ? 0.0 : 1.5);
     const reference::Mesh mesh =
         test::referenceMesh(*puckParts(radius_m, radius_m, 1, glm::vec3(1.0F)).back().mesh);
     std::vector<float> x, y, z;
@@ -566,6 +671,11 @@ TEST(RayReferenceItself, VerticesInTheMiddleOfABounce) {
     seePoints(view, {x, y, z}, {seenX, seenY, seenZ, {}, {}});
     for (std::size_t k = 0; k < x.size(); k += 7) {
       const reference::PointLine point(body.legs, mesh.points[k]);
+      if (line.knots()[0].spin.omega_rad_s != 0.0 &&
+          point.newsOutOfTurn()) {  // the kernel takes chords there
+        ++outOfTurn;
+        continue;
+      }
       const reference::Event emission = point.emission(eye.event);
       const Vec3 exact = eye.seen(emission);
       const Vec3 solved(seenX[k], seenY[k], seenZ[k]);
@@ -579,9 +689,11 @@ TEST(RayReferenceItself, VerticesInTheMiddleOfABounce) {
       catchingUp += point.catchingUpAt(emission.t) ? 1 : 0;
     }
   }
-  std::printf("vertices: %ld, %ld of them catching up, the worst %.4f px off\n", vertices, catchingUp,
-              worst_px);
+  std::printf(
+      "vertices: %ld, %ld of them catching up, the worst %.4f px off; %ld had their news out of turn\n",
+      vertices, catchingUp, worst_px, outOfTurn);
   EXPECT_LT(worst_px, 0.05);
+  EXPECT_LT(static_cast<double>(outOfTurn), 0.03 * static_cast<double>(vertices));
   EXPECT_GT(catchingUp, 1000);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Seeded random world lines, offsets and eyes for tests. print.h prints them, CASE says how to make them again.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -92,11 +93,14 @@ inline WorldLine randomWorldLine(Random& random, double c_m_s, double radius_m, 
 }
 
 /// The same motion of a body that spins: its rim moves at up to `maxRim` c on each leg, and its angle goes
-/// on at each turn, as it does for a puck. The cloth takes its spin.
-inline WorldLine spun(Random& random, const WorldLine& line, double maxRim, double slowing_1_s = 0.0) {
+/// on at each turn, as it does for a puck. The cloth takes its spin. No rim is slower than `minRim`.
+inline WorldLine spun(Random& random, const WorldLine& line, double maxRim, double slowing_1_s = 0.0,
+                      double minRim = 0.0) {
   std::vector<Knot> knots(line.knots().begin(), line.knots().end());
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    knots[i].spin.omega_rad_s = random.in(-maxRim, maxRim) * line.lightSpeed_m_s() / line.radius_m();
+    const double drawn = random.in(-maxRim, maxRim);
+    knots[i].spin.omega_rad_s =
+        std::copysign(std::max(std::abs(drawn), minRim), drawn) * line.lightSpeed_m_s() / line.radius_m();
     knots[i].spin.angle_rad = random.in(-3.0, 3.0);
     const double rim = knots[i].spin.omega_rad_s * line.radius_m() / line.lightSpeed_m_s();
     knots[i].spin.rim_u = rim / std::sqrt(1.0 - rim * rim);

@@ -7,7 +7,7 @@
 //   The hit counts if its event lies on that leg.
 // * Bisection. Each point of a fine mesh has a world line, laid by its rules step by step on the board; where
 //   it crosses the eye's past cone is found by halving, and the seen places are filled in as triangles.
-//   It alone knows what a body looks like while it is turning.
+//   It alone knows what a body looks like in the middle of a bounce.
 //
 // c = 1: times are metres of light. Board frame unless a name says otherwise.
 
@@ -55,6 +55,12 @@ double rootOf(const Function& f, double guess) {
   }
 }
 
+/// d turned about z.
+inline Vec turnedBy(double angle, const Vec& d) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * d.x - s * d.y, s * d.x + c * d.y, d.z};
+}
+
 /// Motion of a body's centre from its turn on (the first leg: always), and the event whose signal makes the
 /// body's points leave the leg before.
 struct Leg {
@@ -62,11 +68,12 @@ struct Leg {
   Vec v{0.0};  ///< at the turn
   Event signal;
   double brake = 0.0;  ///< constant proper deceleration until rest, 1/m
-  // Of an unbraked leg: the angle at the turn, the body's rate then (rad/m of own time, anticlockwise), its rim's γβ
-  // then, and by how much that falls in a metre of own time.
+  // The angle at the turn, the body's rate then (rad/m of own time, anticlockwise), its rim's γβ then, and by how
+  // much that falls in a metre of own time.
   double angle = 0.0, rate = 0.0, rim = 0.0, slowing = 0.0;
 
   bool spins() const { return angle != 0.0 || rate != 0.0; }
+  bool glides() const { return brake > 0.0 && v != Vec(0.0); }
   /// Its angle: dφ/ds = (rate Γ₀/h₀) h/Γ, Γ² = 1 + h², with h = h₀ − slowing s until it is 0.
   double angleAt(double s) const {
     if (slowing == 0.0 || s <= 0.0) return angle + rate * s;
@@ -74,35 +81,37 @@ struct Leg {
     return angle + rate * gamma0 / std::abs(rim) * (gamma0 - std::hypot(1.0, h)) / slowing;
   }
   /// The body's point d, own time s after the turn, in the leg's rest frame.
-  Vec turned(const Vec& d, double s) const {
-    const double a = angleAt(s);
-    return {std::cos(a) * d.x - std::sin(a) * d.y, std::sin(a) * d.x + std::cos(a) * d.y, d.z};
-  }
+  Vec turned(const Vec& d, double s) const { return spins() ? turnedBy(angleAt(s), d) : d; }
 
+  /// The centre of a body that brakes: its celerity w = γβ falls as w₀ − brake t, the way is (γ₀ − γ)/brake, its own
+  /// time (asinh w₀ − asinh w)/brake.
   struct State {
-    Vec r{0.0}, v{0.0};
+    Vec r{0.0};
+    double celerity = 0.0, own = 0.0;
   };
-  /// The centre. Braked, the celerity w = γv falls as w − brake t, the way is (γ − γ')/brake.
-  State centre(double t) const {
-    const double dt = t - turn.t, speed = glm::length(v);
-    if (brake == 0.0 || speed == 0.0 || dt <= 0.0) return {turn.r + v * dt, v};
-    const double gamma = 1.0 / std::sqrt(1.0 - speed * speed);
-    const double celerity = std::max(gamma * speed - brake * dt, 0.0);
-    const double gammaNow = std::sqrt(1.0 + celerity * celerity);
-    return {turn.r + v / speed * ((gamma - gammaNow) / brake), v / speed * (celerity / gammaNow)};
+  State braked(double since) const {
+    const double speed = glm::length(v), gamma0 = 1.0 / std::sqrt(1.0 - speed * speed), w0 = gamma0 * speed;
+    if (since <= 0.0) return {turn.r + v * since, w0, since / gamma0};
+    const double gliding = std::min(since, w0 / brake), w = std::max(w0 - brake * since, 0.0);
+    return {turn.r + v / speed * ((gamma0 - std::sqrt(1.0 + w * w)) / brake), w,
+            (std::asinh(w0) - std::asinh(w)) / brake + (since - gliding)};
   }
-  /// The body's point d: contracted by 1/γ along the motion; where it turns, on its helix.
-  Vec place(const Vec& d, double t) const {
-    if (spins()) {
-      const auto onBoard = [&](double s) { return boosted(Event{s, turned(d, s)}, -v); };
-      const double s = rootOf([&](double at) { return onBoard(at).t - (t - turn.t); }, t - turn.t);
-      return turn.r + onBoard(s).r;
-    }
-    const State now = centre(t);
-    const double v2 = glm::dot(now.v, now.v);
-    if (v2 == 0.0) return now.r + d;
-    return now.r + d + now.v * ((std::sqrt(1.0 - v2) - 1.0) * glm::dot(d, now.v) / v2);
+  /// The body's point d when its leg's time is s. That is the centre's own time since the turn; the point is
+  /// simultaneous with the centre in the centre's rest frame. Of a body that brakes it is the centre's board time
+  /// since the turn: the point has turned as the centre has; simultaneous with it in its momentary rest frame, it is
+  /// later on the board by the centre's celerity times its place ahead, and contracted as the centre is by then.
+  Event event(const Vec& d, double s) const {
+    if (!glides()) return turn + boosted(Event{s, turned(d, s)}, -v);
+    const Vec n = glm::normalize(v);
+    const State centre = braked(s);
+    const Vec place = turned(d, centre.own);
+    const double ahead = glm::dot(place, n), since = s + centre.celerity * ahead;
+    const State then = braked(since);
+    const double contracted = ahead / std::sqrt(1.0 + then.celerity * then.celerity);
+    return {turn.t + since, then.r + place + n * (contracted - ahead)};
   }
+  /// The leg's time of an event near the body.
+  double timeNear(const Event& a) const { return glides() ? a.t - turn.t : boosted(a - turn, v).t; }
 };
 
 /// In the outgoing body's rest frame, on the way from one leg to the next; faster than the point goes round there.
@@ -115,57 +124,77 @@ inline double catchUpSpeed(const Leg& leg, const Vec& d) {
 class PointLine {
  public:
   PointLine(std::span<const Leg> legs, const Vec& d) : legs_(legs), d_(d) {
-    pieces_.push_back({-std::numeric_limits<double>::infinity(), 0, false, {}, {}});
+    pieces_.push_back({0, false, {-std::numeric_limits<double>::infinity(), {}}, {}, 0.0});
     for (std::size_t next = 1; next < legs.size(); ++next) {
       const Event signal = legs[next].signal;
-      const double left =
-          rootOf([&](double t) { return t - signal.t - glm::length(at(t) - signal.r); }, signal.t);
-      const Event a{left, at(left)};
+      const Crossing left =
+          crossing([&](const Event& a) { return a.t - signal.t - glm::length(a.r - signal.r); });
+      const Event a = left.event;
       const double joined = rootOf(
-          [&](double t) {
-            const Event way = boosted(Event{t, legs[next].place(d, t)} - a, legs[next].v);
+          [&](double s) {
+            const Event way = boosted(legs[next].event(d, s) - a, legs[next].v);
             return catchUpSpeed(legs[next], d) * way.t - glm::length(way.r);
           },
-          left);
-      while (pieces_.back().from > left) pieces_.pop_back();
-      const Event b{joined, legs[next].place(d, joined)};
-      pieces_.push_back({left, next, true, a, b});
-      pieces_.push_back({joined, next, false, {}, {}});
+          legs[next].timeNear(a));
+      outOfTurn_ = outOfTurn_ || (left.piece + 1 < pieces_.size() && !pieces_[left.piece].catchingUp);
+      pieces_.resize(left.piece + 1);
+      const Event b = legs[next].event(d, joined);
+      pieces_.push_back({next, true, a, b, 0.0});
+      pieces_.push_back({next, false, b, {}, joined});
     }
   }
 
   Vec at(double t) const {
-    const Piece& piece = pieceAt(t);
-    if (!piece.catchingUp) return legs_[piece.leg].place(d_, t);
-    const double way = piece.b.t - piece.a.t;
-    return way > 0.0 ? piece.a.r + (piece.b.r - piece.a.r) * ((t - piece.a.t) / way) : piece.b.r;
+    return crossing([&](const Event& a) { return a.t - t; }).event.r;
   }
 
   /// The event on the past cone of the eye: c (t_o − t) = |r_o − r(t)|.
   Event emission(const Event& eye) const {
-    const double t = rootOf([&](double s) { return glm::length(eye.r - at(s)) - (eye.t - s); }, eye.t);
-    return {t, at(t)};
+    return crossing([&](const Event& a) { return glm::length(eye.r - a.r) - (eye.t - a.t); }).event;
   }
+
+  /// Did the signal that ends a leg overtake the one before, and reach the point while it still followed the leg before?
+  bool newsOutOfTurn() const { return outOfTurn_; }
 
   std::size_t legAt(double t) const { return pieceAt(t).leg; }
   bool catchingUpAt(double t) const { return pieceAt(t).catchingUp; }
 
  private:
   struct Piece {
-    double from;
     std::size_t leg;
     bool catchingUp;
-    Event a, b;
+    Event from, to;  ///< `to` of a straight way between two legs
+    double begins;   ///< the leg's time at `from`
   };
+  struct Crossing {
+    Event event;
+    std::size_t piece;
+  };
+  /// Where a function of events that rises along the line changes its sign.
+  template <typename Function>
+  Crossing crossing(const Function& f) const {
+    std::size_t i = pieces_.size() - 1;
+    while (i > 0 && f(pieces_[i].from) > 0.0) --i;
+    const Piece& piece = pieces_[i];
+    const auto along = [&](double s) {
+      if (!piece.catchingUp) return legs_[piece.leg].event(d_, s);
+      return Event{piece.from.t + s * (piece.to.t - piece.from.t),
+                   piece.from.r + s * (piece.to.r - piece.from.r)};
+    };
+    // Of a way without length: its end.
+    if (piece.catchingUp && piece.to.t == piece.from.t) return {piece.to, i};
+    return {along(rootOf([&](double s) { return f(along(s)); }, piece.begins)), i};
+  }
   const Piece& pieceAt(double t) const {
     std::size_t i = pieces_.size() - 1;
-    while (i > 0 && t < pieces_[i].from) --i;
+    while (i > 0 && t < pieces_[i].from.t) --i;
     return pieces_[i];
   }
 
   std::span<const Leg> legs_;
   Vec d_;
   std::vector<Piece> pieces_;
+  bool outOfTurn_ = false;
 };
 
 /// An eye at an event, moving with v; its head frame's axes are the board's by a rotation-free boost.
@@ -256,8 +285,10 @@ inline Shape meshShape(Mesh mesh) {
   };
 }
 
-/// The built-in puck as triangles, edges at least `times` finer than it is drawn at its coarsest.
-inline Mesh puckMesh(double radius, double height, int times) {
+/// Places (ρ, z) of the built-in puck's surface, from the middle of its bottom to that of its top: each face, bevel and
+/// the side in so many cells.
+inline std::vector<std::array<double, 2>> puckProfile(double radius, double height,
+                                                      const std::array<int, 5>& cells) {
   const double h = 0.5 * height, bevel = puckBevel(radius, height);
   const std::array<std::array<double, 2>, 6> corners{{{0.0, -h},
                                                       {radius - bevel, -h},
@@ -265,32 +296,78 @@ inline Mesh puckMesh(double radius, double height, int times) {
                                                       {radius, h - bevel},
                                                       {radius - bevel, h},
                                                       {0.0, h}}};
-  const std::array<int, 5> cells{4, 1, 2, 1, 4};
-  const int sectors = 72 * times;
-  Mesh mesh;
   std::vector<std::array<double, 2>> profile{corners[0]};
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (int k = 1; k <= cells[i] * times; ++k) {
-      const double f = static_cast<double>(k) / (cells[i] * times);
+    for (int k = 1; k <= cells[i]; ++k) {
+      const double f = static_cast<double>(k) / cells[i];
       profile.push_back({corners[i][0] + f * (corners[i + 1][0] - corners[i][0]),
                          corners[i][1] + f * (corners[i + 1][1] - corners[i][1])});
     }
   }
-  const auto n = static_cast<std::size_t>(sectors);
-  for (const auto& [rho, z] : profile) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / sectors;
-      mesh.points.push_back({rho * std::cos(angle), rho * std::sin(angle), z});
+  return profile;
+}
+
+/// A surface of revolution. Each place of the profile has so many points around; of two neighbours one number is a
+/// multiple of the other.
+inline Mesh turnedMesh(const std::vector<std::array<double, 2>>& profile,
+                       const std::vector<std::size_t>& around) {
+  Mesh mesh;
+  std::vector<std::size_t> first;
+  for (std::size_t row = 0; row < profile.size(); ++row) {
+    first.push_back(mesh.points.size());
+    for (std::size_t i = 0; i < around[row]; ++i) {
+      const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(around[row]);
+      mesh.points.push_back(
+          {profile[row][0] * std::cos(angle), profile[row][0] * std::sin(angle), profile[row][1]});
     }
   }
   for (std::size_t row = 0; row + 1 < profile.size(); ++row) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t a = row * n + i, b = row * n + (i + 1) % n;
-      mesh.triangles.push_back({a, b, b + n});
-      mesh.triangles.push_back({a, b + n, a + n});
+    const auto [few, many] = std::minmax(around[row], around[row + 1]);
+    const std::size_t coarse = around[row] == few ? row : row + 1, fine = coarse == row ? row + 1 : row;
+    const std::size_t times = many / few;
+    for (std::size_t i = 0; i < few; ++i) {
+      const std::size_t a = first[coarse] + i, b = first[coarse] + (i + 1) % few;
+      const auto onFine = [&](std::size_t k) { return first[fine] + (i * times + k) % many; };
+      for (std::size_t k = 0; k < times; ++k)
+        mesh.triangles.push_back({2 * k < times ? a : b, onFine(k), onFine(k + 1)});
+      mesh.triangles.push_back({a, b, onFine((times + 1) / 2)});
     }
   }
   return mesh;
+}
+
+/// The built-in puck as triangles, edges at least `times` finer than it is drawn at its coarsest.
+inline Mesh puckMesh(double radius, double height, int times) {
+  const auto profile = puckProfile(radius, height, {4 * times, times, 2 * times, times, 4 * times});
+  return turnedMesh(profile, std::vector(profile.size(), static_cast<std::size_t>(72 * times)));
+}
+
+/// Every other one of twelve equal sectors of a body is marked.
+inline bool isMarked(const Vec& d) {
+  return static_cast<int>(std::floor(6.0 / std::numbers::pi * (std::atan2(d.y, d.x) + std::numbers::pi))) %
+             2 ==
+         1;
+}
+
+/// The marked triangles, or the others.
+inline Mesh marksOf(const Mesh& mesh, bool marked) {
+  constexpr std::size_t kUnused = static_cast<std::size_t>(-1);
+  Mesh marks;
+  std::vector<std::size_t> numbers(mesh.points.size(), kUnused);
+  for (auto triangle : mesh.triangles) {
+    Vec sum(0.0);
+    for (const std::size_t i : triangle) sum += mesh.points[i];
+    if (isMarked(sum) != marked) continue;
+    for (std::size_t& i : triangle) {
+      if (numbers[i] == kUnused) {
+        numbers[i] = marks.points.size();
+        marks.points.push_back(mesh.points[i]);
+      }
+      i = numbers[i];
+    }
+    marks.triangles.push_back(triangle);
+  }
+  return marks;
 }
 
 /// Every triangle as sixteen: edges four times finer.
@@ -356,17 +433,23 @@ inline std::optional<std::size_t> commonLeg(std::span<const Leg> legs, std::span
   return common;
 }
 
-/// How far away in the head frame a straight ray that comes along `direction` was sent by the body, if it
-/// was. For bodies whose light left on one leg (commonLeg), and legs without brake.
-inline std::optional<double> trace(std::span<const Leg> legs, const Shape& shape, const Eye& eye,
-                                   const Vec& direction) {
+/// What a ray comes from: how far away in the head frame, and which point of the body.
+struct Hit {
+  double distance = 0.0;
+  Vec point{0.0};
+};
+
+/// What a straight ray that comes along `direction` was sent by, if by the body. For bodies whose light left on one
+/// leg (commonLeg), and legs without brake. Of a body that turns, a round shape, that leg alone is given.
+inline std::optional<Hit> trace(std::span<const Leg> legs, const Shape& shape, const Eye& eye,
+                                const Vec& direction) {
   const Event back = boosted({-1.0, direction}, -eye.v);  // on the board
-  std::optional<double> nearest;
+  std::optional<Hit> nearest;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Leg& leg = legs[i];
     const Event eyeInBody = boosted(eye.event - leg.turn, leg.v), backInBody = boosted(back, leg.v);
     const std::optional<double> s = shape(eyeInBody.r, backInBody.r);
-    if (!s || (nearest && *nearest < *s)) continue;
+    if (!s || (nearest && nearest->distance < *s)) continue;
     const Event hit{eyeInBody.t + *s * backInBody.t, eyeInBody.r + *s * backInBody.r};
     if (i + 1 < legs.size()) {  // had the signal that ends the leg arrived?
       const Event signal = boosted(legs[i + 1].signal - leg.turn, leg.v);
@@ -379,7 +462,7 @@ inline std::optional<double> trace(std::span<const Leg> legs, const Shape& shape
       const Event leftHere = boosted(boosted(left, -before.v) + before.turn - leg.turn, leg.v);
       if (hit.t < leftHere.t + glm::length(leftHere.r - hit.r) / catchUpSpeed(leg, hit.r)) continue;
     }
-    nearest = s;
+    nearest = Hit{*s, turnedBy(-leg.angleAt(hit.t), hit.r)};
   }
   return nearest;
 }

@@ -79,10 +79,10 @@ Sight sightOf(vec3 d) {
   return Sight((drawnFromBody * vec4(carriedAlong(leg, vec4(0.0), d), 1.0)).xyz, 1.0, vec3(0.0), kRests);
 }
 #else
-/// γ, γβ of the point of a spinning body at this own time of the leg, in the leg's frame.
-vec4 turningOf(LegView leg, vec3 d, float own) {
+/// γ, γβ of what is at x of a spinning body at this own time of the leg, in the leg's frame.
+vec4 turningOf(LegView leg, vec3 x, float own) {
   if (leg.spin.w == 0.0) return kRests;
-  vec3 w = spinVelocity(leg, spinPlace(leg, d, own), own);
+  vec3 w = spinVelocity(leg, x, own);
   return vec4(1.0, w) * inversesqrt(max(1.0 - dot(w, w), 1e-6));
 }
 
@@ -96,13 +96,17 @@ Sight sightOf(vec3 d) {
   normalInLeg = carriedAlong(leg, emission.event, normalMC);
   // A vertex that is catching up is lit as on its incoming leg: its colour must not flash.
   float own = emission.event.x;
+  vec3 x = emission.event.yzw;
   if (emission.catchingUp) {
     LegView incoming = legAt(firstLeg, emission.leg - 1);
-    if (incoming.spin.w > 0.0) own = (inverse(leg.fromPrevious) * (emission.event - leg.originInThis)).x;
+    if (incoming.spin.w > 0.0) {
+      own = (inverse(leg.fromPrevious) * (emission.event - leg.originInThis)).x;
+      x = spinPlace(incoming, d, own);
+    }
     leg = incoming;
   }
   // The first row of toBoardTime takes (c t, x) to γ (c t + β·x).
-  return Sight(drawn, leg.toBoardTime.x, leg.toBoardTime.yzw, turningOf(leg, d, own));
+  return Sight(drawn, leg.toBoardTime.x, leg.toBoardTime.yzw, turningOf(leg, x, own));
 }
 #endif
 

@@ -1,20 +1,30 @@
-// Returns the legs of a body. A single leg comes from uniforms and is straight; the leg of a body at rest on the board
-// also has a known velocity. The compiler then leaves out what friction, spin and motion need.
+// Returns the legs of a body. A single leg comes from uniforms and is straight, and a spin on it even and solved in few
+// steps; the leg of a body at rest on the board also has a known velocity. The compiler then leaves out what friction,
+// spin and motion need.
 
 #ifdef ONE_LEG
 uniform vec4 onlyLeg[17];
 #define LEG_TEXEL(i) onlyLeg[i]
 #define LEG_COUNT 1
 #define GLIDE vec4(0.0)
-#define SPIN vec4(0.0)
 #define SPIN_SLOWS vec4(0.0)
 #else
 uniform samplerBuffer legTexels;
 #define LEG_TEXEL(i) texelFetch(legTexels, at + i)
 #define LEG_COUNT legCount
 #define GLIDE LEG_TEXEL(12)
-#define SPIN LEG_TEXEL(15)
+#ifdef SPINS
 #define SPIN_SLOWS LEG_TEXEL(16)
+#else
+#define SPIN_SLOWS vec4(0.0)
+#endif
+#endif
+#ifndef SPINS
+#define SPIN vec4(0.0)
+#elif defined(ONE_LEG)
+#define SPIN vec4(LEG_TEXEL(15).xyz, FEW_SPIN_STEPS)
+#else
+#define SPIN LEG_TEXEL(15)
 #endif
 #ifdef RESTS
 #define BOARD_TIME_ROW vec4(1.0, 0.0, 0.0, 0.0)
