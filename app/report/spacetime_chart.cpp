@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,11 +13,17 @@
 namespace carom {
 namespace {
 
-constexpr double kShown_s = 5.0;         // board time shown below the present event
-constexpr double kLeast_s = 0.2;         // shortest board time for a diagram
-constexpr double kFuture = 0.5;          // fraction of the time below the present that is shown above it
-constexpr double kMargin_m = 0.3;        // beside the board
-constexpr std::size_t kMostFlashes = 6;  // that the legend names
+constexpr double kShown_s = 5.0;   // board time shown below the present event
+constexpr double kLeast_s = 0.2;   // shortest board time for a diagram
+constexpr double kFuture = 0.5;    // fraction of the time below the present that is shown above it
+constexpr double kMargin_m = 0.3;  // beside the board
+/// Colours of the flashes that the legend names, told apart by the colour-blind (Okabe and Ito 2008).
+const std::array<glm::vec3, 6> kFlashColours{{{0.84F, 0.37F, 0.0F},
+                                              {0.0F, 0.45F, 0.70F},
+                                              {0.0F, 0.62F, 0.45F},
+                                              {0.80F, 0.47F, 0.65F},
+                                              {0.90F, 0.62F, 0.0F},
+                                              {0.34F, 0.71F, 0.91F}}};
 constexpr int kHeight_px = 1100, kLeastWidth_px = 760, kMostWidth_px = 2400;
 
 /// Maps a board event to a point of the chart.
@@ -125,16 +132,15 @@ void addMyAxes(Chart& chart, const glm::dvec2& here, double beta) {
 }
 
 /// Adds a flash with its name and its light.
-void addFlash(Chart& chart, const std::string& name, const glm::dvec2& at) {
+void addFlash(Chart& chart, const std::string& name, const glm::dvec2& at, const glm::vec3& colour) {
   constexpr double kFar_m = 1e3;
-  const glm::vec3 amber(0.80F, 0.55F, 0.0F);
   chart.lines.push_back({"",
                          {at + kFar_m * glm::dvec2(-1.0, 1.0), at, at + kFar_m * glm::dvec2(1.0, 1.0)},
-                         amber,
+                         colour,
                          1.0F,
                          ChartLine::Style::solid});
   chart.lines.push_back(
-      {fmt::format(texts::diagram::kFlash, name), {at}, amber, 9.0F, ChartLine::Style::marks});
+      {fmt::format(texts::diagram::kFlash, name), {at}, colour, 9.0F, ChartLine::Style::marks});
 }
 
 void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
@@ -143,8 +149,8 @@ void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, 
   for (const GameEvent& event : subject.events) {
     if (event.at.t_s < span.from_s || event.at.t_s > span.until_s) continue;
     const bool isNamed = event.kind == EventKind::flash && event.which < subject.flashes.size();
-    if (isNamed && flashes++ < kMostFlashes) {
-      addFlash(chart, subject.flashes[event.which], plane(event.at));
+    if (isNamed && flashes < kFlashColours.size()) {
+      addFlash(chart, subject.flashes[event.which], plane(event.at), kFlashColours[flashes++]);
     } else {
       happened.points.push_back(plane(event.at));
     }

@@ -52,13 +52,14 @@ std::string changesBy(std::span<const Command> commands) {
 }
 
 /// Returns where the platform is at board time 0 and how it moves, with this velocity of the lesson: at the
-/// lesson's moment it passes the scenario's position, and what lies ahead for an observer at rest lies ahead.
+/// lesson's moment it passes the scenario's position, and what an observer at rest sees ahead is seen ahead, unless
+/// the lesson is about what is now ahead, which no motion turns.
 ObserverStart startOf(const Scenario& scenario, std::size_t observer) {
   ObserverStart start = scenario.observer;
   const LessonPlan& plan = scenario.lesson->plan;
   if (observer >= plan.observers.size()) return start;
   start.beta = plan.observers[observer].beta;
-  start.facing_rad = seenFacing_rad(start.facing_rad, start.beta);
+  if (scenario.lesson->views.myNow == 0) start.facing_rad = seenFacing_rad(start.facing_rad, start.beta);
   start.position_m -= start.beta * (scenario.billiard.lightSpeed_m_s * plan.interval.moment_s);
   return start;
 }

@@ -174,9 +174,11 @@ void addLesson(const FrameRecord& record, const LessonWords& lesson, const Lesso
   }
 }
 
-/// Adds the numbers behind the motion overlay on the floor (cave/overlay/motion_overlay.h).
+/// Adds the numbers behind the motion overlay on the floor (cave/overlay/motion_overlay.h), but not while a caption
+/// says what to look for during a scripted flight.
 void addDrive(const FrameRecord& record, Lines& lines) {
-  if (!isDriven(record)) return;
+  const bool isTold = record.drive.mode == DriveMode::tour && !record.notice.words().empty();
+  if (!isDriven(record) || isTold) return;
   const Vec3 u = record.boardFromRoom.u();
   const double gamma = gammaFromU(u);
   lines.add(kMotionColour, texts::legend::kPlatform, glm::length(betaFromU(u)), gamma);

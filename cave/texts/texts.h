@@ -208,7 +208,7 @@ inline constexpr Text kMouse = "Mouse", kRightButton = "Right button";
 
 // The spacetime diagram.
 namespace diagram {
-inline constexpr Text kTitle = "{}: light at {} m/s goes at 45°";
+inline constexpr Text kTitle = "{} (light, {} m/s, goes at 45°)";
 inline constexpr Text kAcross = "{} (m)", kUpwards = "ct (m)";
 inline constexpr Text kCushions = "cushions";
 inline constexpr Text kLightCone = "my light cone";

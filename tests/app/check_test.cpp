@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/program.h"
 
 namespace carom {
@@ -68,6 +70,44 @@ TEST(Check, WarnsOfGamesThatCannotBeShownWell) {
   EXPECT_NE(warned("light_speed_m_s = 3e8\n[board]\nlength_m = 2.84\nwidth_m = 1.42\n" + puck)
                 .find("nothing looks relativistic"),
             std::string::npos);
+}
+
+TEST(Check, TellsOfALessonWhatVisitorsWouldFindOut) {
+  const TemporaryFolder folder;
+  const std::string shipped = test::contentOf(CAROM_CONFIG_DIR "/scenarios/cause.toml");
+  const auto checked = [&](const std::string& key, const std::string& line) {
+    std::string text = shipped;
+    const std::size_t begin = text.find("\n" + key + " = ") + 1;
+    text.replace(begin, text.find('\n', begin) - begin, line);
+    return runCarom(folder, {"check", folder.file("lesson.toml", text)});
+  };
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  EXPECT_EQ(checked("moment_s", "moment_s = 3.0").err, "");
+  const auto outside = checked("moment_s", "moment_s = 9.0");
+  EXPECT_NE(outside.err.find(":23:12: moment_s is 9, which lies outside what the lesson shows"),
+            std::string::npos)
+      << outside.err;
+  const auto missing = checked("until_s", "");
+  EXPECT_NE(missing.err.find("until_s is missing here"), std::string::npos) << missing.err;
+  EXPECT_EQ(lines(missing.err), 1) << "nothing else is known to be wrong: " << missing.err;
+  std::string number = "number = \"";
+  while (number.size() < 260) number += "long ";
+  const auto tooLong = checked("number", number + "\"");
+  EXPECT_NE(tooLong.err.find("number has "), std::string::npos) << tooLong.err;
+}
+
+// Each text is allowed, and yet all of them together are more than a band of the shipped walls holds.
+TEST(Check, WarnsOfALessonThatIsLongerThanItsBand) {
+  const TemporaryFolder folder;
+  std::string text = test::contentOf(CAROM_CONFIG_DIR "/scenarios/cause.toml");
+  const std::string answer(69, 'w');
+  for (const char* old : {"Both: both come later than A", "B only", "C only: it comes sooner", "Neither"})
+    text.replace(text.find(old), std::string(old).size(), answer);
+  const auto result = runCarom(folder, {"check", folder.file("long.toml", text)});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("the lesson's longest text is longer than the band on the wall"),
+            std::string::npos)
+      << result.err;
 }
 
 TEST(Check, FindsShippedFilesOfBothKindsByTheirNames) {

@@ -587,24 +587,32 @@ double betaFor(const WorldLine& line, double at_s) {
 
 TEST(LessonNumbers, SameLaws) {
   const Scenario scenario = shipped("same-laws");
-  const double until_s = scenario.lesson->plan.interval.until_s;
-  const Billiard game = played(scenario, until_s);
-  const double hit_s = game.events().front().at.t_s;
-  for (const GameEvent& event : game.events().subspan(1))
-    EXPECT_GT(event.at.t_s, until_s) << "one collision, and no cushion while the lesson shows";
-  EXPECT_GT(hit_s, scenario.lesson->plan.interval.from_s);
+  const LessonInterval& interval = scenario.lesson->plan.interval;
+  const Billiard game = played(scenario, interval.until_s);
+  const Vec3 eye_m = scenario.observer.position_m + Vec3(0.0, 0.0, 1.7);
+  const auto seen_s = [&](const GameEvent& event) {
+    return event.at.t_s + glm::distance(event.at.r_m, eye_m) / scenario.billiard.lightSpeed_m_s;
+  };
+  const double hit_s = game.events().front().at.t_s, after_s = hit_s + 0.5;
+  for (const GameEvent& event : game.events().subspan(1)) {
+    EXPECT_GT(event.at.t_s, after_s);
+    EXPECT_GT(seen_s(event), interval.until_s)
+        << "one collision, and no cushion is seen while the lesson shows";
+  }
+  EXPECT_GT(seen_s(game.events().front()), interval.from_s + 0.5) << "one sees before it";
+  EXPECT_LT(seen_s(game.events().front()), interval.moment_s - 0.2) << "and after it";
   const WorldLine& white = game.worldLines()[puckNamed(scenario, "white")];
   const WorldLine& red = game.worldLines()[puckNamed(scenario, "red")];
   const auto beta = [](const WorldLine& line, double at_s) { return betaFromU(line.at(at_s).u).x; };
   EXPECT_NEAR(beta(white, 0.0), 0.6, 1e-12);
   EXPECT_EQ(beta(red, 0.0), 0.0);
-  EXPECT_NEAR(beta(white, until_s), 0.0, 1e-12);
-  EXPECT_NEAR(beta(red, until_s), 0.6, 1e-12);
+  EXPECT_NEAR(beta(white, after_s), 0.0, 1e-12);
+  EXPECT_NEAR(beta(red, after_s), 0.6, 1e-12);
   // In the frame that moves with white at first the roles are exchanged: the first answer.
   EXPECT_NEAR(betaFor(white, 0.0), 0.0, 1e-12);
   EXPECT_NEAR(betaFor(red, 0.0), -0.6, 1e-12);
-  EXPECT_NEAR(betaFor(white, until_s), -0.6, 1e-12);
-  EXPECT_NEAR(betaFor(red, until_s), 0.0, 1e-12);
+  EXPECT_NEAR(betaFor(white, after_s), -0.6, 1e-12);
+  EXPECT_NEAR(betaFor(red, after_s), 0.0, 1e-12);
   EXPECT_EQ(scenario.lesson->words.right, 0u);
   EXPECT_EQ(scenario.lesson->plan.observers.at(1).beta, Vec3(0.6, 0.0, 0.0));
   Numbers(claims(scenario)).has(0.6, 1).has(0.6 / std::sqrt(1.0 - 0.36), 2);

@@ -115,20 +115,32 @@ TEST_F(LessonPass, ObserversOfAllVelocitiesMeetAtTheMoment) {
   }
 }
 
-// Aberration moves what lies ahead; the room of a moving observer is turned as far. Light from straight ahead on the
-// table, transformed as a displacement, comes from straight ahead in the room.
-TEST_F(LessonPass, WhatLiesAheadAtRestLiesAheadInMotion) {
+// Aberration moves what is seen ahead; the room of a moving observer is turned as far, unless the lesson is about what
+// is now. Light from straight ahead on the table, transformed as a displacement, comes from straight ahead in the room.
+TEST_F(LessonPass, WhatIsSeenAheadAtRestIsSeenAheadInMotion) {
+  Scenario seen = scenario_;
+  seen.lesson->views = {};
   settings_.lesson.phase = LessonPhase::explains;
-  const double facing_rad = scenario_.observer.facing_rad;
-  const Vec3 ahead(std::cos(facing_rad), std::sin(facing_rad), 0.0);
+  const Vec3 ahead(std::cos(seen.observer.facing_rad), std::sin(seen.observer.facing_rad), 0.0);
+  const double c_m_s = seen.billiard.lightSpeed_m_s;
+  LiveSource turned(rig_, seen, world_, {});
   for (const std::size_t observer : {0U, 1U, 2U}) {
     settings_.lessonObserver = observer;
-    const FrameRecord& record = next();
-    const double c_m_s = record.boardFromRoom.lightSpeed_m_s();
-    const Displacement light = record.boardFromRoom.inverse() * Displacement{1.0, -c_m_s * ahead};
-    const Vec3 from = -glm::normalize(light.dr_m);
+    decision_.beginFrame();
+    turned.next({observer, 0.1, 0.1, 1.0 / kHz}, {}, settings_, decision_);
+    const Lorentz roomFromBoard = decision_.frame.record.boardFromRoom.inverse();
+    const Vec3 from = -glm::normalize((roomFromBoard * Displacement{1.0, -c_m_s * ahead}).dr_m);
     EXPECT_NEAR(glm::dot(from, rig_.axes.right), 0.0, kExact) << observer;
     EXPECT_GT(glm::dot(from, rig_.axes.forward), 0.0) << observer;
+  }
+}
+
+TEST_F(LessonPass, WhatIsNowAheadStaysAhead) {
+  settings_.lesson.phase = LessonPhase::explains;
+  for (const std::size_t observer : {1U, 2U}) {
+    settings_.lessonObserver = observer;
+    const Vec3 u = next().boardFromRoom.inverse().u();  // of the table, in the room
+    EXPECT_NEAR(glm::dot(u, rig_.axes.forward), 0.0, kExact) << "it passes sideways";
   }
 }
 
