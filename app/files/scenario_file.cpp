@@ -70,6 +70,10 @@ Puck readPuck(const TomlTable& table, double c_m_s) {
             .position_m = toVec2(table.numbers<2>("position_m", {})),
             .beta = readBeta2(table)};
   puck.inertia = table.number("inertia", kShare, puck.inertia);
+  if (puck.inertia < kLeastInertia) {
+    table.fault("inertia", fmt::format("inertia is {}, expected at least {}", puck.inertia, kLeastInertia));
+    puck.inertia = kLeastInertia;
+  }
   puck.spin_kg_m2_s = readSpin(table, puck, c_m_s);
   return puck;
 }
@@ -197,12 +201,16 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
 }  // namespace
 
 Scenario readScenario(const std::filesystem::path& path) {
-  return readScenario(TomlFile(path), path.stem().string());
+  Scenario scenario = readScenario(TomlFile(path), path.stem().string());
+  scenario.file = path;
+  return scenario;
 }
 
 Scenario readScenario(const std::filesystem::path& path, const std::string& kept,
                       const std::filesystem::path& root) {
-  return readScenario(TomlFile(path, kept, root), path.stem().string());
+  Scenario scenario = readScenario(TomlFile(path, kept, root), path.stem().string());
+  scenario.file = path;
+  return scenario;
 }
 
 }  // namespace carom
