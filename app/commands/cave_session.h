@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/stage/recording.h"
 #include "cave/frame/lesson_words.h"
@@ -19,7 +20,8 @@ namespace carom {
 
 struct CaveOptions {
   std::filesystem::path rig;
-  std::filesystem::path scenario;
+  std::filesystem::path
+      scenario;  ///< the first game; with `resume` that of later visitors, or empty: the one at hand
   /// Number of frames to play in simulated time; if empty, real time without limit.
   std::optional<std::uint64_t> frames;
   RecordingOptions recording;                    ///< images and movie
@@ -37,6 +39,9 @@ struct CaveOptions {
   bool console = false;                ///< rank 0 also shows the operator's console
   std::optional<double> unattended_s;  ///< the next visitor is welcomed after so long without a sign of life
 };
+
+/// Returns the options that these arguments of `carom cave` name. Throws CLI::ParseError.
+CaveOptions caveOptionsOf(std::vector<std::string> arguments);
 
 /// Runs a session to its end; under mpirun, this rank's part of it. Returns the exit status: 0, or 1 after a
 /// message on standard error.

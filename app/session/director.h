@@ -53,6 +53,9 @@ class FrameLeader : public Director {
     fromSource_ = 0;
   }
 
+  /// Lets the next visitor begin with this scenario instead of that of the first settings.
+  void beginVisitsWith(std::string game) { firstGame_ = std::move(game); }
+
   /// Returns the game to play after this one and clears it.
   NextGame takeNextGame() { return std::exchange(nextGame_, {}); }
 
