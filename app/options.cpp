@@ -1,9 +1,11 @@
 #include "options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "app/commands/pattern.h"
 #include "app/commands/replay.h"
 #include "app/commands/room.h"
+#include "app/files/input_file.h"
 #include "app/stage/scenario_scene.h"
 #include "app/tools/calibrate.h"
 #include "app/tools/check.h"
@@ -39,13 +42,14 @@ std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> given = app->get_subcommands();
   std::string what = error.what();
   if (given.empty() && error.get_name() == "RequiredError") {
-    std::string names;
-    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; })) {
-      names += (names.empty() ? "" : ", ") + command->get_name();
-    }
+    std::vector<std::string> names;
+    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(command->get_name());
     const std::vector<std::string> rest = app->remaining();
-    what = fmt::format("{}, expected one of {}",
-                       rest.empty() ? "no command is given" : "'" + rest[0] + "' is no command", names);
+    const auto meant = rest.empty() ? std::nullopt : nearestWord(rest[0], names);
+    what = rest.empty() ? "no command is given" : fmt::format("'{}' is no command", rest[0]);
+    what += meant ? fmt::format(", expected '{}'?", *meant)
+                  : fmt::format(", expected one of {}", fmt::join(names, ", "));
   }
   return fmt::format("error: {}\nRun {}{} --help for what is expected.\n", what, app->get_display_name(),
                      given.empty() ? "" : " " + given[0]->get_name());

@@ -7,6 +7,7 @@
 
 #include <thread>
 
+#include "cave/process/termination.h"
 #include "devices/setup/tracker_factory.h"
 
 namespace carom {
@@ -21,7 +22,7 @@ class LivePoints::Terminal {
  public:
   Terminal() {
     if (::tcgetattr(STDIN_FILENO, &before_) != 0) return;
-    isTerminal_ = true;
+    onLeaving_.emplace([this] { ::tcsetattr(STDIN_FILENO, TCSANOW, &before_); });
     termios raw = before_;
     raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ISIG);
     ::tcsetattr(STDIN_FILENO, TCSANOW, &raw);
@@ -29,7 +30,7 @@ class LivePoints::Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
   ~Terminal() {
-    if (isTerminal_) ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
+    if (onLeaving_) ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
   }
 
   /// Returns the wish of the next key, if one has been pressed.
@@ -58,12 +59,13 @@ class LivePoints::Terminal {
   }
 
  private:
-  bool isTerminal_ = false;
   termios before_{};
+  std::optional<ClosedOnLeaving> onLeaving_;  // none: it is no terminal
 };
 
 LivePoints::LivePoints(const Rig& rig) : rig_(rig), newest_(rig.trackers.size()) {
   for (const TrackerSetup& setup : rig.trackers) trackers_.push_back(createTracker(setup, rig.axes, start_));
+  noticeTermination();
   terminal_ = std::make_unique<Terminal>();
 }
 
@@ -100,6 +102,7 @@ std::optional<Wish> LivePoints::poll() {
 Wish LivePoints::wait() {
   for (;;) {
     std::this_thread::sleep_for(kPoll);
+    if (terminationAsked()) return Wish::end;
     const std::optional<Wish> button = poll();
     if (button) return *button;
     if (const std::optional<Wish> key = terminal_->key()) return *key;
@@ -109,7 +112,7 @@ Wish LivePoints::wait() {
 std::vector<TrackerSample> LivePoints::record(const SensorChoice& sensor, double seconds) {
   std::vector<TrackerSample> taken;
   poll();  // what came before does not count
-  for (const double end_s = now_s() + seconds; now_s() < end_s;) {
+  for (const double end_s = now_s() + seconds; now_s() < end_s && !terminationAsked();) {
     std::this_thread::sleep_for(kPoll);
     poll();
     for (const TrackerSample& sample : newest_[sensor.tracker]) {

@@ -14,7 +14,7 @@ constexpr double kPivot_s = 15.0;
 constexpr double kTouch_s = 1.0;
 constexpr const char* kBell = "\a";
 
-/// Writes recordings beside each other, each whole or not at all.
+/// Writes recordings beside each other as they grow, each always whole.
 class Recordings {
  public:
   explicit Recordings(const std::optional<std::filesystem::path>& folder) : folder_(folder) {
@@ -75,9 +75,10 @@ std::optional<Rest> takeRest(LivePoints& live, const SensorChoice& sensor, const
   return {};
 }
 
-/// Asks for each point in turn.
+/// Asks for each point in turn. `keep` gets what has been taken, after each point.
 Taken takePoints(LivePoints& live, const SensorChoice& sensor, const glm::dvec3& point_m,
-                 const RestLimits& limits, const std::vector<Asked>& asked) {
+                 const RestLimits& limits, const std::vector<Asked>& asked,
+                 const std::function<void(const std::vector<std::vector<TrackerSample>>&)>& keep) {
   Taken taken;
   std::vector<std::size_t> of;  // the asked point of each that was taken
   for (std::size_t next = 0; next < asked.size();) {
@@ -90,6 +91,7 @@ Taken takePoints(LivePoints& live, const SensorChoice& sensor, const glm::dvec3&
         taken.held.push_back({asked[next].corner, *rest});
         taken.samples.push_back(std::move(samples));
         of.push_back(next++);
+        keep(taken.samples);
         break;
       }
       case Wish::skip:
@@ -102,6 +104,7 @@ Taken takePoints(LivePoints& live, const SensorChoice& sensor, const glm::dvec3&
         of.pop_back();
         taken.held.pop_back();
         taken.samples.pop_back();
+        keep(taken.samples);
         say("  Back to the last one that was taken.");
         break;
       case Wish::end:
@@ -144,8 +147,8 @@ void takeCorners(LivePoints& live, const CalibrationPlan& plan, const Recordings
   say("Touch each point, hold still and press Enter or the wand's first button. s skips a point, b or the "
       "second "
       "button goes back, q ends.");
-  Taken taken = takePoints(live, plan.tool, tipOf(data), RestLimits{}, asked);
-  recordings.write(kCornersFile, taken.samples);
+  Taken taken = takePoints(live, plan.tool, tipOf(data), RestLimits{}, asked,
+                           [&](const auto& samples) { recordings.write(kCornersFile, samples); });
   std::vector<TrackerSample> all;
   for (const auto& samples : taken.samples) all.insert(all.end(), samples.begin(), samples.end());
   data.noise_m = noiseOf_m(all);
@@ -169,8 +172,8 @@ void takeSights(LivePoints& live, const Rig& rig, const CalibrationPlan& plan, c
                                    kClosed[eye], elsewhere.name, wordsFor(plan.targets[i]), kOpen[eye]),
                        plan.targets[i]});
     }
-    Taken taken = takePoints(live, rig.head.sensor, glm::dvec3(0.0), headLimits(), asked);
-    recordings.write(kSightFiles[eye], taken.samples);
+    Taken taken = takePoints(live, rig.head.sensor, glm::dvec3(0.0), headLimits(), asked,
+                             [&](const auto& samples) { recordings.write(kSightFiles[eye], samples); });
     data.sighted[eye] = std::move(taken.held);
     if (taken.ended) return;
   }

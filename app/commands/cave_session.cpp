@@ -128,7 +128,7 @@ struct LivePlay {
         source(setup.rig, setup.scenario, setup.world, start),
         leader(source, KeysOf::session, firstSettings(setup, options, inputs.scenario.file.string(), before),
                devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::session), options.unattended_s,
-               options.resumeOrNew ? options.scenario.string() : std::string()),
+               options.scenario.string()),
         sounds(soundsFor(setup, options.silent || options.noWindow)) {
     journal.keep(openJournal(options.session, options.resume, inputs, setup));
   }
@@ -261,7 +261,7 @@ void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
 /// Settles on rank 0 which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
   takePlaylist(options, inputs);
-  if (options.lesson && !readScenario(options.scenario).lesson) {
+  if (options.lesson && !options.scenario.empty() && !readScenario(options.scenario).lesson) {
     throw std::runtime_error(fmt::format(
         "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
   }
@@ -421,15 +421,13 @@ void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) 
           "Go on from the end of the session file, or of its newest game, if it is there; otherwise begin it")
       ->needs(session);
   command
-      .add_flag("--resume", options->resume,
-                "Go on from the end of the session file, with its rig and scenario")
+      .add_flag(
+          "--resume", options->resume,
+          "Go on from the end of the session file, with its rig and scenario. --scenario, --switch, --view "
+          "and --lesson are then for the games of later visitors")
       ->needs(session)
       ->excludes(command.get_option("--resume-or-new"))
-      ->excludes(command.get_option("--rig"))
-      ->excludes(command.get_option("--scenario"))
-      ->excludes(command.get_option("--switch"))
-      ->excludes(command.get_option("--view"))
-      ->excludes(command.get_option("--lesson"));
+      ->excludes(command.get_option("--rig"));
   command
       .add_option("--status", options->status,
                   "Say once a second in this JSON file how the session goes. It is always whole")
@@ -459,44 +457,64 @@ void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& option
           ""));
 }
 
-}  // namespace
-
-void addCave(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
+/// Adds all options of the command.
+std::shared_ptr<CaveOptions> addOptions(CLI::App& command) {
   auto options = std::make_shared<CaveOptions>();
-  addRigAndScenario(*command, options);
+  addRigAndScenario(command, options);
   command
-      ->add_option(
+      .add_option(
           "--playlist", options->playlist,
           "Playlist file: the games that may be played, in their order, and for how long. Default: the "
           "rig's, if it names one")
       ->type_name("FILE.toml")
       ->transform(shipped({"playlists"}));
-  command->add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
+  command.add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));
   command
-      ->add_option("--capture", options->recording.capture,
-                   "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
+      .add_option("--capture", options->recording.capture,
+                  "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
       ->type_name("DIR");
-  addMovie(*command, options->recording.movie);
-  addBeginning(*command, options);
-  addSession(*command, options);
-  command->add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
-  addUnattended(*command, options);
-  addSilent(*command, options->silent);
-  addExtraWindows(*command, options->extra);
+  addMovie(command, options->recording.movie);
+  addBeginning(command, options);
+  addSession(command, options);
+  command.add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  addUnattended(command, options);
+  addSilent(command, options->silent);
+  addExtraWindows(command, options->extra);
+  return options;
+}
+
+/// Chooses the rig and the game where none is named: those for somebody who watches, or for pictures and numbers.
+void chooseRest(CaveOptions& options) {
+  const bool isWatched = !options.frames && !options.noWindow;
+  if (options.rig.empty()) options.rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
+  options.isUsualGame = options.scenario.empty();
+  if (options.isUsualGame && !options.resume)
+    options.scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
+}
+
+}  // namespace
+
+CaveOptions caveOptionsOf(std::vector<std::string> arguments) {
+  CLI::App command("", "cave");
+  const auto options = addOptions(command);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  command.parse(std::move(arguments));
+  chooseRest(*options);
+  return *options;
+}
+
+void addCave(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
+  const auto options = addOptions(*command);
   command->footer(
       "Examples:\n  carom cave\n  carom cave --scenario twins --console\n  carom cave --frames 90 --capture "
       "pictures --no-window\n"
       "  carom cave --switch colour=on --switch searchlight=on\n"
       "  mpirun -n 4 carom cave --rig four-walls-cluster");
-  command->callback([command, options, &status] {
-    const bool isWatched = !options->frames && !options->noWindow;
-    if (command->get_option("--rig")->empty())
-      options->rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
-    options->isUsualGame = command->get_option("--scenario")->empty();
-    if (options->isUsualGame) options->scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
+  command->callback([options, &status] {
+    chooseRest(*options);
     status = runCave(*options);
   });
 }

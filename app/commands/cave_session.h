@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/files/playlist.h"
 #include "app/stage/desk_windows.h"
@@ -22,6 +23,7 @@ namespace carom {
 
 struct CaveOptions {
   std::filesystem::path rig;
+  /// The first game; with `resume` that of later visitors, or empty: the one at hand.
   std::filesystem::path scenario;
   bool isUsualGame = false;                 ///< no scenario was asked for
   std::filesystem::path playlist;           ///< empty: the rig's, if it has one
@@ -43,6 +45,9 @@ struct CaveOptions {
   ExtraWindows extra;                  ///< what rank 0 also shows
   std::optional<double> unattended_s;  ///< the next visitor is welcomed after so long without a sign of life
 };
+
+/// Returns the options that these arguments of `carom cave` name. Throws CLI::ParseError.
+CaveOptions caveOptionsOf(std::vector<std::string> arguments);
 
 /// Runs a session to its end; under mpirun, this rank's part of it. Returns the exit status: 0, or 1 after a
 /// message on standard error.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string_view>
 
@@ -108,22 +107,28 @@ std::vector<std::string> startArguments(const std::string& rig, const std::vecto
   return all;
 }
 
+std::vector<std::string> withValue(std::vector<std::string> arguments, const std::string& option,
+                                   const std::string& value) {
+  const auto found = std::find_if(arguments.begin(), arguments.end(),
+                                  [&](const std::string& argument) { return isOption(argument, option); });
+  if (found == arguments.end()) {
+    arguments.insert(arguments.end(), {option, value});
+  } else if (*found != option) {
+    *found = fmt::format("{}={}", option, value);
+  } else if (found + 1 != arguments.end()) {
+    *(found + 1) = value;
+  }
+  return arguments;
+}
+
 std::vector<std::string> resumedArguments(const std::vector<std::string>& arguments,
                                           const std::string& session) {
-  constexpr std::array<std::string_view, 6> kOfTheBeginning{"--rig",  "--scenario", "--switch",
-                                                            "--view", "--lesson",   "--session"};
-  std::vector<std::string> left{"cave"};
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const auto option = std::find_if(kOfTheBeginning.begin(), kOfTheBeginning.end(),
-                                     [&](std::string_view name) { return isOption(arguments[i], name); });
-    if (option == kOfTheBeginning.end()) {
-      if (arguments[i] != "--resume") left.push_back(arguments[i]);
-    } else if (arguments[i] == *option) {
-      ++i;  // its value
-    }
+  std::vector<std::string> all{"cave"};
+  for (const std::string& argument : withValue(arguments, "--session", session)) {
+    if (argument != "--resume") all.push_back(argument);
   }
-  left.insert(left.end(), {"--session", session, "--resume"});
-  return left;
+  all.push_back("--resume");
+  return all;
 }
 
 }  // namespace carom

@@ -26,10 +26,13 @@ std::string shellLine(const std::vector<std::string>& words);
 /// Returns the arguments of carom with which a session of `rig` begins.
 std::vector<std::string> startArguments(const std::string& rig, const std::vector<std::string>& arguments);
 
-/// Returns the arguments of carom with which a session goes on that was cut off: without those that its file
-/// holds.
+/// Returns the arguments of carom with which a session goes on that was cut off, in this file.
 std::vector<std::string> resumedArguments(const std::vector<std::string>& arguments,
                                           const std::string& session);
+
+/// Returns the arguments with another value of an option, which is added if it is not there.
+std::vector<std::string> withValue(std::vector<std::string> arguments, const std::string& option,
+                                   const std::string& value);
 
 /// Returns the value of an option, given as "--name VALUE" or "--name=VALUE", or an empty text.
 std::string valueOf(const std::vector<std::string>& arguments, const std::string& option);

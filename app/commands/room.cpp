@@ -19,8 +19,10 @@
 #include <memory>
 #include <optional>
 
+#include "app/commands/cave_session.h"
 #include "app/commands/mpirun_line.h"
 #include "app/files/rig.h"
+#include "app/files/scenario.h"
 #include "app/journal/session_file.h"
 #include "app/journal/session_series.h"
 #include "app/tools/option_values.h"
@@ -46,6 +48,8 @@ std::string ownHost() {
   gethostname(name.data(), name.size() - 1);
   return name.data();
 }
+
+bool isHere(const std::string& host) { return host == "localhost" || host == ownHost(); }
 
 /// Returns what a command prints, of both of its outputs, and its exit status.
 std::pair<std::string, int> outputOf(const std::vector<std::string>& words) {
@@ -85,7 +89,7 @@ std::string faultOf(const std::string& host, const std::string& program) {
 bool allAnswer(const std::vector<std::string>& hosts, const std::string& program) {
   std::map<std::string, std::future<std::string>> answers;
   for (const std::string& host : hosts) {
-    if (host == "localhost" || host == ownHost() || answers.contains(host)) continue;
+    if (isHere(host) || answers.contains(host)) continue;
     answers[host] = std::async(std::launch::async, faultOf, host, program);
   }
   bool all = true;
@@ -182,52 +186,88 @@ void noticeSignals() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-/// Runs the session of this line, and again from where it was cut off as long as it gets further.
-int runSession(const Rig& rig, const std::string& program, const std::vector<std::string>& arguments,
-               std::filesystem::path session, std::vector<std::string> line) {
-  for (auto before = progressOf(session);;) {
+/// A session of `carom room`.
+struct RoomSession {
+  CaveOptions options;                 ///< as the arguments name them
+  std::vector<std::string> arguments;  ///< with a name for the session
+  std::filesystem::path file;
+};
+
+/// Returns the session that the arguments ask for. Throws CLI::ParseError, or what is wrong with its game.
+RoomSession sessionOf(const RoomOptions& options, const Rig& rig) {
+  RoomSession session{caveOptionsOf(options.arguments), options.arguments, {}};
+  if (!valueOf(session.arguments, "--rig").empty())
+    throw CLI::ValidationError("--rig", "the rig is named already, expected it once, before what follows it");
+  if (!session.options.session)
+    session.arguments = withValue(session.arguments, "--session", sessionNameOf(options.rig));
+  if (!session.options.resume) settleDate(session.arguments);
+  session.file = valueOf(session.arguments, "--session");
+  if (isHere(hostsOf(rig).front()) && !session.options.scenario.empty())
+    readScenario(session.options.scenario);
+  return session;
+}
+
+/// Returns the arguments of carom with which the session goes on after a frame: its end and its first game are those
+/// with which it began.
+std::vector<std::string> argumentsAfter(const RoomSession& session, const Progress& reached,
+                                        std::uint64_t firstFrame) {
+  std::vector<std::string> arguments = session.arguments;
+  if (const auto frames = session.options.frames)
+    arguments = withValue(arguments, "--frames", std::to_string(firstFrame + *frames - 1 - reached.frame));
+  if (!session.options.scenario.empty())
+    arguments = withValue(arguments, "--scenario", session.options.scenario.string());
+  return resumedArguments(arguments, reached.file.string());
+}
+
+/// Runs the session, and again from where it was cut off as long as it gets further.
+int runSession(const Rig& rig, const std::string& program, const RoomSession& session,
+               std::vector<std::string> line) {
+  auto before = progressOf(session.file);
+  const std::uint64_t firstFrame = before ? before->frame + 1 : 0;
+  for (;;) {
     const int status = run(line);
     if (status == 0 || asked) return status;
-    const auto reached = progressOf(session);
+    const auto reached = progressOf(before ? before->file : session.file);
     if (!reached || reached == before) return 1;  // it would fail again: it has shown nothing new
+    if (session.options.frames && reached->frame + 1 >= firstFrame + *session.options.frames) return status;
     before = reached;
-    session = reached->file;  // the games that follow are named after it
     log::warn(fmt::format("the session was cut off after frame {}: it goes on by itself.", reached->frame));
-    line = mpirunLine(rig, program, resumedArguments(arguments, reached->file.string()));
+    line = mpirunLine(rig, program, argumentsAfter(session, *reached, firstFrame));
   }
+}
+
+/// Returns the line of mpirun that begins the session, or goes on with it.
+std::vector<std::string> firstLine(const Rig& rig, const std::string& program, const RoomOptions& options,
+                                   const RoomSession& session) {
+  if (session.options.resume)
+    return mpirunLine(rig, program, resumedArguments(session.arguments, newestOf(session.file).string()));
+  return mpirunLine(rig, program, startArguments(options.rig.string(), session.arguments));
 }
 
 }  // namespace
 
 int runRoom(const RoomOptions& options) {
   const Rig rig = readRig(options.rig);
-  const std::string program = ownProgram(), rigFile = options.rig.string();
-  std::vector<std::string> arguments = options.arguments;
+  const std::string program = ownProgram(), leader = hostsOf(rig).front();
   const bool isSession = !options.doctor && !options.pattern;
-  if (isSession && valueOf(arguments, "--session").empty())
-    arguments.insert(arguments.end(), {"--session", sessionNameOf(options.rig)});
-  const bool resumes = std::find(arguments.begin(), arguments.end(), "--resume") != arguments.end();
-  if (isSession && !resumes) settleDate(arguments);
-  const std::filesystem::path session = valueOf(arguments, "--session");
-  std::vector<std::string> first = startArguments(rigFile, arguments);
-  if (resumes) first = resumedArguments(arguments, newestOf(session).string());
-  if (options.doctor) first = {"doctor", rigFile};
-  if (options.pattern) first = {"check", rigFile, "--pattern"};
-  const std::vector<std::string> line = mpirunLine(rig, program, first);
+  const RoomSession session = isSession ? sessionOf(options, rig) : RoomSession{};
+  std::vector<std::string> line;
+  if (isSession) line = firstLine(rig, program, options, session);
+  if (options.doctor) line = mpirunLine(rig, program, {"doctor", options.rig.string()});
+  if (options.pattern) line = mpirunLine(rig, program, {"check", options.rig.string(), "--pattern"});
   if (options.lineOnly) {
     fmt::print("{}\n", shellLine(line));
     return 0;
   }
   if (!allAnswer(hostsOf(rig), program)) return 1;
-  if (const std::string leader = hostsOf(rig).front();
-      isSession && leader != "localhost" && leader != ownHost()) {
+  if (isSession && !isHere(leader)) {
     log::warn(
         fmt::format("node 0 is {}, not this computer: the session file lies there, so a session that loses a "
                     "node does not go on by itself",
                     leader));
   }
   noticeSignals();
-  return isSession ? runSession(rig, program, arguments, session, line) : run(line);
+  return isSession ? runSession(rig, program, session, line) : run(line);
 }
 
 void addRoom(CLI::App& app, int& status) {

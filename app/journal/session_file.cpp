@@ -45,12 +45,25 @@ bool hasBeside(const std::filesystem::path& file) {
   return !absent && bytes > 0;
 }
 
+constexpr int kBusy_ms = 1000;
+
+/// Takes back what a process was writing when it was killed, which it has noted in FILE-journal: a reader that may not
+/// write cannot, and would find the file damaged.
+void takeBackUnfinished(const std::filesystem::path& file) {
+  std::filesystem::path notes = file;
+  if (!std::filesystem::exists(notes += "-journal")) return;
+  try {
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE, kBusy_ms)
+        .execAndGet("SELECT count(*) FROM sqlite_schema");
+  } catch (const SQLite::Exception&) {  // who reads it then says why not
+  }
+}
+
 }  // namespace
 
 struct SessionFile::Tables {
-  explicit Tables(const std::filesystem::path& file) : database(file.string(), SQLite::OPEN_READONLY) {
-    database.setBusyTimeout(1000);
-  }
+  explicit Tables(const std::filesystem::path& file)
+      : database((takeBackUnfinished(file), file.string()), SQLite::OPEN_READONLY, kBusy_ms) {}
   void prepare(int version, double lightSpeed_m_s) {
     frames.emplace(database, version, lightSpeed_m_s);
     // Two key lookups; both in one SELECT would read every row.

@@ -22,7 +22,7 @@ nlohmann::ordered_json statusOf(const char* state) {
           {"state", state}};
 }
 
-std::string textOf(const nlohmann::ordered_json& status) {
+std::string linesOf(const nlohmann::ordered_json& status) {
   return status.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -44,9 +44,9 @@ const char* wordsFor(TrackerLamp lamp) {
   return lamp == TrackerLamp::doubtful ? "doubtful" : "bad";
 }
 
-nlohmann::ordered_json nodesOf(const LatencyView& numbers) {
+nlohmann::ordered_json nodesOf(const std::vector<LatencyView::Node>& all) {
   auto nodes = nlohmann::ordered_json::array();
-  for (const LatencyView::Node& node : numbers.nodes) {
+  for (const LatencyView::Node& node : all) {
     nodes.push_back({{"name", node.name},
                      {"late_ms", {{"median", 1e3 * node.late.median_s}, {"p99", 1e3 * node.late.p99_s}}},
                      {"frame_lock", kLockStates[static_cast<std::size_t>(node.lock)]}});
@@ -54,9 +54,9 @@ nlohmann::ordered_json nodesOf(const LatencyView& numbers) {
   return nodes;
 }
 
-nlohmann::ordered_json trackersOf(const SourceStatus& status) {
+nlohmann::ordered_json trackersOf(const std::vector<TrackerReport>& reports) {
   auto trackers = nlohmann::ordered_json::array();
-  for (const TrackerReport& report : status.trackers) {
+  for (const TrackerReport& report : reports) {
     trackers.push_back({{"name", report.name},
                         {"use", report.use},
                         {"state", wordsFor(lampOf(report))},
@@ -71,9 +71,9 @@ nlohmann::ordered_json trackersOf(const SourceStatus& status) {
 
 StatusFile::StatusFile(std::filesystem::path file)
     : file_(std::move(file)),
-      writer_(kWaiting, 1, [this](const std::string& text) { write(text); }),
+      writer_(kWaiting, 1, [this](const Moment& moment) { write(textOf(moment)); }),
       onLeaving_([this] { end(); }) {
-  WholeFile(file_).commit(textOf(statusOf("starting")));
+  WholeFile(file_).commit(linesOf(statusOf("starting")));
 }
 
 StatusFile::~StatusFile() {
@@ -101,16 +101,29 @@ void StatusFile::shown(const Decision& decision) {
   if (now < next_ || writer_.room() == 0) return;
   next_ = now + kEvery;
   const FrameRecord& record = decision.frame.record;
+  Moment moment = writer_.spare();  // whose memory is used again
+  moment.rig = rig_;
+  moment.game = game_;
+  moment.session = session_;
+  moment.frame = record.number;
+  moment.session_s = record.display_s;
+  moment.walls = record.controls;
+  if (statistics_) moment.nodes = statistics_->numbers(record).nodes;
+  if (source_) moment.trackers = source_->status().trackers;
+  writer_.add(std::move(moment));
+}
+
+std::string StatusFile::textOf(const Moment& moment) {
   nlohmann::ordered_json status = statusOf("playing");
-  status["rig"] = rig_;
-  status["game"] = game_;
-  status["session"] = session_;
-  status["frame"] = record.number;
-  status["session_s"] = record.display_s;
-  status["walls"] = wordsFor(record.controls);
-  if (statistics_) status["nodes"] = nodesOf(statistics_->numbers(record));
-  if (source_) status["trackers"] = trackersOf(source_->status());
-  writer_.add(textOf(status));
+  status["rig"] = moment.rig;
+  status["game"] = moment.game;
+  status["session"] = moment.session;
+  status["frame"] = moment.frame;
+  status["session_s"] = moment.session_s;
+  status["walls"] = wordsFor(moment.walls);
+  status["nodes"] = nodesOf(moment.nodes);
+  status["trackers"] = trackersOf(moment.trackers);
+  return linesOf(status);
 }
 
 void StatusFile::write(const std::string& text) try {
@@ -124,7 +137,7 @@ void StatusFile::write(const std::string& text) try {
 void StatusFile::end() {
   const std::scoped_lock hold(mutex_);
   if (std::exchange(hasEnded_, true)) return;
-  WholeFile(file_).commit(textOf(statusOf("ended")));
+  WholeFile(file_).commit(linesOf(statusOf("ended")));
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "app/session/frame_listener.h"
 #include "app/session/frame_source.h"
@@ -34,6 +35,16 @@ class StatusFile : public FrameListener {
   void shown(const Decision& decision) override;
 
  private:
+  /// What the file says of a moment, as the frame loop notes it; the writing thread puts it into words.
+  struct Moment {
+    std::string rig, game, session;
+    std::uint64_t frame = 0;
+    double session_s = 0.0;
+    WallControls walls;
+    std::vector<LatencyView::Node> nodes;
+    std::vector<TrackerReport> trackers;
+  };
+  static std::string textOf(const Moment& moment);
   void write(const std::string& text);
   void end();
 
@@ -44,7 +55,7 @@ class StatusFile : public FrameListener {
   std::chrono::steady_clock::time_point next_{};
   std::mutex mutex_;  // of the file and of:
   bool hasFailed_ = false, hasEnded_ = false;
-  WorkQueue<std::string> writer_;
+  WorkQueue<Moment> writer_;
   ClosedOnLeaving onLeaving_;
 };
 

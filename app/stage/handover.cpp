@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <signal.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +17,7 @@
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/mesh/mesh_buffers.h"
+#include "cave/process/termination.h"
 #include "cave/projection/projector.h"
 
 namespace carom {
@@ -82,10 +86,47 @@ void openBlends(const InputFile& input, const Rig& rig) {
 
 void agreeOnVersion(const Cluster& cluster) { cluster.agree("version of the program", CAROM_VERSION); }
 
-Handover::~Handover() {
-  std::error_code failed;
-  if (!folder_.empty()) fs::remove_all(folder_, failed);
-}
+/// A folder that goes with this object, or when the process is ended from outside.
+class Handover::Folder {
+ public:
+  Folder() {
+    removeOfTheDead();
+    std::string name = (fs::temp_directory_path() / fmt::format("{}{}-XXXXXX", kName, getpid())).string();
+    if (!mkdtemp(name.data()))
+      throw std::runtime_error(
+          fmt::format("no folder for files of node 0: {}: {}", name, std::strerror(errno)));
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { remove(); }
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  static constexpr std::string_view kName = "carom-files-";
+
+  /// Removes the folders of processes that were killed: nobody else could.
+  static void removeOfTheDead() {
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path(), failed)) {
+      const std::string name = entry.path().filename().string();
+      if (!name.starts_with(kName)) continue;
+      const pid_t process = std::atoi(name.c_str() + kName.size());
+      if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), failed);
+    }
+  }
+  void remove() const {
+    std::error_code failed;
+    fs::remove_all(path_, failed);
+  }
+
+  fs::path path_;
+  ClosedOnLeaving onLeaving_{[this] { remove(); }};
+};
+
+Handover::Handover(const Cluster& cluster) : cluster_(cluster) {}
+Handover::~Handover() = default;
 
 Rig Handover::rig(const InputFile& input) {
   Rig rig;
@@ -141,19 +182,13 @@ InputFile Handover::take(const InputFile& input, const std::vector<fs::path>& na
     if (gives) return;
     for (const auto& [name, content] : files) keep(name, content);
   });
-  return gives ? input : InputFile{file, text, folder_};
+  return gives ? input : InputFile{file, text, folder_ ? folder_->path() : fs::path()};
 }
 
 /// Writes a file of rank 0's into the folder.
 void Handover::keep(const fs::path& file, const std::string& content) {
-  if (folder_.empty()) {
-    std::string name = (fs::temp_directory_path() / "carom-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw std::runtime_error(
-          fmt::format("no folder for files of node 0: {}: {}", name, std::strerror(errno)));
-    folder_ = name;
-  }
-  const fs::path place = folder_ / file.relative_path();
+  if (!folder_) folder_ = std::make_unique<Folder>();
+  const fs::path place = folder_->path() / file.relative_path();
   fs::create_directories(place.parent_path());
   std::ofstream out(place, std::ios::binary);
   out << content << std::flush;

@@ -3,6 +3,7 @@
 // own.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,7 +39,7 @@ void agreeOnVersion(const Cluster& cluster);
 /// Rank 0's files on this rank: in a folder of its own, which goes with this object.
 class Handover {
  public:
-  explicit Handover(const Cluster& cluster) : cluster_(cluster) {}
+  explicit Handover(const Cluster& cluster);
   ~Handover();
   Handover(const Handover&) = delete;
   Handover& operator=(const Handover&) = delete;
@@ -50,11 +51,12 @@ class Handover {
   Scenario scenario(const InputFile& input);
 
  private:
+  class Folder;
   InputFile take(const InputFile& input, const std::vector<std::filesystem::path>& named);
   void keep(const std::filesystem::path& file, const std::string& content);
 
   const Cluster& cluster_;
-  std::filesystem::path folder_;  // empty if nothing was handed over
+  std::unique_ptr<Folder> folder_;  // null if nothing was handed over
 };
 
 }  // namespace carom

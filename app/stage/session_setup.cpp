@@ -12,7 +12,7 @@
 #include "app/stage/scenario_scene.h"
 #include "cave/frame/pacer.h"
 #include "cave/overlay/hud_panel.h"
-#include "cave/scene/baked_light.h"
+#include "cave/scene/kept_light.h"
 #include "cave/scene/table_model.h"
 #include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
@@ -40,11 +40,19 @@ void limitDrive(SessionSetup& setup) {
   setup.scenario.most_u = std::min(setup.scenario.most_u, setup.rig.comfort.most_u);
 }
 
-/// Returns the scenario's scene, lit.
-Scene litScene(const SessionSetup& setup) {
-  Scene scene = sceneOf(setup.scenario, setup.tessellation);
-  bakeLight(scene);
-  return scene;
+/// Builds the scenario's scene on every rank. Rank 0 bakes its light and hands it to those with the same scene.
+void buildLitScene(const Cluster& cluster, SessionSetup& setup) {
+  std::string light;
+  onAllRanks(cluster, [&] {
+    setup.scene = sceneOf(setup.scenario, setup.tessellation);
+    if (cluster.rank() > 0) return;
+    lightScene(setup.scene, folderOfLight());
+    light = lightOf(setup.scene);
+  });
+  cluster.share(light);
+  onAllRanks(cluster, [&] {
+    if (cluster.rank() > 0 && !setLight(setup.scene, light)) lightScene(setup.scene, folderOfLight());
+  });
 }
 
 /// Gives the lesson and the choices to the walls; the lesson is empty if there is none. On rank 0, warns of texts that are too long
@@ -101,9 +109,9 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
     checkMonitors(cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow);
     if (cluster.rank() == 0) placeAll(cluster, options, setup);
   });
+  setup.tessellation = tessellationFor(setup.rig, setup.graphics->inSoftware());
+  buildLitScene(cluster, setup);
   onAllRanks(cluster, [&] {
-    setup.tessellation = tessellationFor(setup.rig, setup.graphics->inSoftware());
-    setup.scene = litScene(setup);
     setup.walls = std::make_unique<DisplayWalls>(
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
@@ -141,8 +149,8 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
   } catch (const RankFailed&) {
     return false;  // the error has been logged
   }
+  buildLitScene(cluster, setup);
   onAllRanks(cluster, [&] {
-    setup.scene = litScene(setup);
     setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);
     setTexts(setup.scenario, setup.rig, cluster, *setup.walls);
     if (setup.outside) setup.outside->setScene(setup.scene, plainTable(setup.scenario));

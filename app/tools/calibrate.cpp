@@ -179,16 +179,23 @@ void tellLines(const PlacedRig& placed, const CalibrationPlan& plan, const Found
              poseLine("hand_from_sensor", {-(turn * *found.tip_m), turn}, placed.unit_m));
 }
 
-void tellHowToRedo(const CalibrateOptions& options, const CalibrationData& data) {
-  if (!options.record) return;
+std::string namesOf(const std::vector<HeldAt>& all) {
   std::vector<std::string> names;
-  for (const HeldAt& held : data.touched) names.push_back(held.corner.name);
+  for (const HeldAt& held : all) names.push_back(held.corner.name);
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+/// Says with which command the same comes from what was recorded: of points that were taken, not of those that were
+/// skipped. Eyes that were sighted at different corners cannot be named in one command.
+void tellHowToRedo(const CalibrateOptions& options, const CalibrationData& data) {
+  if (!options.record || data.touched.empty()) return;
   std::string line = fmt::format("carom calibrate {} --from {} --corners {}", options.rig.string(),
-                                 options.record->string(), fmt::join(names, ","));
+                                 options.record->string(), namesOf(data.touched));
   if (options.tool) line += " --tool " + *options.tool;
-  if (options.targets) line += " --targets " + *options.targets;
   if (options.pivot) line += " --pivot";
-  if (options.sight) line += " --sight";
+  const std::string targets = namesOf(data.sighted[0]);
+  if (data.mark && !targets.empty() && targets == namesOf(data.sighted[1]))
+    line += " --sight --targets " + targets;
   log::note("The same again, from what was recorded: " + line);
 }
 

@@ -32,6 +32,7 @@ constexpr std::uint64_t kWarmUp = 3;      // frames in which drivers still compi
 constexpr double kLate_s = 0.5;           // a node that keeps the others waiting for so long is late
 constexpr double kLost_s = 10.0;          // and after this it is lost
 constexpr double kLostAtStart_s = 60.0;   // the same for the frames of the warm-up
+constexpr double kGone_s = 0.1;           // after this it is looked whether its process lives
 constexpr double kLastWords_s = 0.25;     // how long a frame may still take once the end is requested
 constexpr double kRankZerosTurn_s = 0.2;  // each rank gives up this much later than the one before it
 constexpr double kSpin_s = 0.002;         // shorter waits do not sleep
@@ -84,11 +85,12 @@ Place ownPlace() {
   return place;
 }
 
-/// Returns whether the process that started this one was told how to bind, on its command line.
+/// Returns whether the process that started this one was told how to bind, on its command line: "--bind-to none",
+/// "--bind-to=none", or with one dash, as Open MPI 4 takes it, too.
 bool starterWasTold() {
   std::ifstream line("/proc/" + std::to_string(getppid()) + "/cmdline", std::ios::binary);
   const std::string words{std::istreambuf_iterator<char>(line), {}};
-  return words.find("--bind-to") != std::string::npos;
+  return words.find("-bind-to") != std::string::npos;
 }
 
 /// Returns whether mpirun may have pinned this process to one core without having been told to. Open MPI 4 says
@@ -330,8 +332,11 @@ void Cluster::await(std::size_t requests, bool fromAll) const {
     const int pending = fromAll ? firstPending(requests) : 0;
     if (pending == static_cast<int>(requests)) continue;  // the last one has just arrived
     const int awaited = fromAll ? pending + 1 : kRankOfDevices;
-    if (waited_s - asked_s > kLastWords_s + rank_ * kRankZerosTurn_s && !livesHere(awaited)) {
-      const char* what = isHere(awaited) ? "is gone" : "does not answer";
+    const double turn_s = rank_ * kRankZerosTurn_s;
+    const bool isGone = waited_s > kGone_s + turn_s && isHere(awaited) && !livesHere(awaited);
+    const bool isSilent = waited_s - asked_s > kLastWords_s + turn_s && !isHere(awaited);
+    if (isGone || isSilent || isReported()) {
+      const char* what = isSilent ? "does not answer" : "is gone";
       giveUp(fmt::format("{} {}: the session ends.", nameOf(awaited), what), false);
     }
     if (waited_s > patience_s) {
@@ -372,19 +377,24 @@ int Cluster::firstPending(std::size_t requests) const {
   return at;
 }
 
+/// Returns whether another rank has reported why the session ends.
+bool Cluster::isReported() const {
+  int said = 0;
+  MPI_Iprobe(MPI_ANY_SOURCE, kLastWords, MPI_COMM_WORLD, &said, MPI_STATUS_IGNORE);
+  return said != 0;
+}
+
 /// Reports why and ends, unless another rank has reported it. `others`: ends the other ranks, too; when a
 /// node has died, mpirun does so.
 void Cluster::giveUp(const std::string& why, bool others) const {
-  int said = 0;
-  MPI_Iprobe(MPI_ANY_SOURCE, kLastWords, MPI_COMM_WORLD, &said, MPI_STATUS_IGNORE);
-  if (!said) {
+  closeAll();  // first: as soon as other ranks end, mpirun kills those that are left
+  if (!isReported()) {
     log::error(why);
     for (int rank = 0; rank < size_; ++rank) {
       MPI_Request sent;
       if (rank != rank_) MPI_Isend(nullptr, 0, MPI_BYTE, rank, kLastWords, MPI_COMM_WORLD, &sent);
     }
   }
-  closeAll();
   if (others) abort();
   std::_Exit(1);
 }

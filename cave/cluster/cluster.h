@@ -109,6 +109,7 @@ class Cluster {
   int firstPending(std::size_t requests) const;
   bool isHere(int rank) const;  // the rank runs on this rank's machine
   bool livesHere(int rank) const;
+  bool isReported() const;
   [[noreturn]] void giveUp(const std::string& why, bool others) const;
   std::string whereHistoriesPart(std::span<const WorldLine> histories, int other) const;
 

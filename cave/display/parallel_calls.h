@@ -11,7 +11,7 @@ namespace carom {
 
 class ParallelCalls {
  public:
-  /// The calls must not throw.
+  /// The calls must not throw. Throws std::system_error if the system gives no more threads.
   explicit ParallelCalls(std::vector<std::function<void()>> calls);
   ~ParallelCalls();
   ParallelCalls(const ParallelCalls&) = delete;

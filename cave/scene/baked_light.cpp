@@ -135,18 +135,11 @@ double seenOfHall(const Obstacles& obstacles, const glm::dvec3& place_m, const g
   return kBounced + (1.0 - kBounced) * seen / rays;
 }
 
-/// Returns whether the part rests and is lit.
-bool isLit(const ScenePart& part) { return part.body == kRestingBody && part.paint != Paint::lamp; }
-
 void bakePart(const Obstacles& obstacles, const std::array<glm::dvec3, 3>& lamps_m, int rays,
               vtkPolyData& mesh) {
   vtkDataArray* const normals = mesh.GetPointData()->GetNormals();
   const vtkIdType points = mesh.GetNumberOfPoints();
-  auto lit = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  lit->SetName("lit");
-  lit->SetNumberOfComponents(4);
-  lit->SetNumberOfTuples(points);
-  std::uint8_t* const bytes = lit->GetPointer(0);
+  const std::span<std::uint8_t> bytes = addLit(mesh);
   vtkDataArray* const places = mesh.GetPoints()->GetData();
   tbb::parallel_for(vtkIdType{0}, points, [&](vtkIdType i) {
     const auto tupleOf = [i](vtkDataArray* array) {
@@ -154,16 +147,26 @@ void bakePart(const Obstacles& obstacles, const std::array<glm::dvec3, 3>& lamps
     };
     const glm::dvec3 normal = tupleOf(normals), place_m = tupleOf(places) + kOffSurface_m * normal;
     const auto set = [&](int k, double share) {
-      bytes[4 * i + k] = static_cast<std::uint8_t>(std::lround(255.0 * share));
+      bytes[static_cast<std::size_t>(4 * i + k)] = static_cast<std::uint8_t>(std::lround(255.0 * share));
     };
     for (int k = 0; k < 3; ++k)
       set(k, seenOfLamp(obstacles, place_m, normal, lamps_m[static_cast<std::size_t>(k)]));
     set(3, seenOfHall(obstacles, place_m, normal, rays));
   });
-  mesh.GetPointData()->AddArray(lit);
 }
 
 }  // namespace
+
+bool isLit(const ScenePart& part) { return part.body == kRestingBody && part.paint != Paint::lamp; }
+
+std::span<std::uint8_t> addLit(vtkPolyData& mesh) {
+  auto lit = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  lit->SetName("lit");
+  lit->SetNumberOfComponents(4);
+  lit->SetNumberOfTuples(mesh.GetNumberOfPoints());
+  mesh.GetPointData()->AddArray(lit);
+  return {lit->GetPointer(0), static_cast<std::size_t>(lit->GetNumberOfValues())};
+}
 
 void bakeLight(Scene& scene) {
   const Obstacles obstacles(scene.casters);

@@ -1,8 +1,10 @@
 #include "devices/network/dtrack_tracker.h"
 
 #include <array>
+#include <atomic>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "devices/protocol/dtrack_decoder.h"
 #include "devices/protocol/frame_gaps.h"
 #include "devices/tracker/retry.h"
+#include "devices/tracker/stoppable_wait.h"
 
 namespace carom {
 namespace {
@@ -21,31 +24,36 @@ constexpr std::chrono::milliseconds kPause{1000};
 constexpr std::chrono::seconds kStartEvery{5};
 constexpr std::uint16_t kCommandPort = 50105;
 
-/// Starts the measurement, again and again while it fails and nothing comes.
+/// Starts the measurement, again and again while it fails and nothing comes, and stops it when this object goes. In a
+/// thread of its own: a controller that wakes its cameras up, or does not answer, takes its time.
 class Starter {
  public:
-  Starter(const DtrackSource& source, DeviceSink& sink) : sink_(sink) {
-    if (source.start && source.controller) controller_.emplace(*source.controller);
+  Starter(const DtrackSource& source, DeviceSink& sink) {
+    if (!source.start || !source.controller) return;
+    thread_ = std::jthread([this, controller = *source.controller, &sink](const std::stop_token& stop) {
+      run(controller, sink, stop);
+    });
   }
 
-  void tryAgain(bool delivers, const std::stop_token& stop) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!controller_ || started_ || (tried_ && (delivers || now - *tried_ < kStartEvery))) return;
-    try {
-      controller_->start(stop);
-      started_ = true;
-      sink_.remark({});
-    } catch (const std::exception& error) {
-      if (!stop.stop_requested()) sink_.remark(error.what());
-    }
-    tried_ = std::chrono::steady_clock::now();
-  }
+  void delivers() { delivers_ = true; }
 
  private:
-  DeviceSink& sink_;
-  std::optional<DtrackController> controller_;
-  bool started_ = false;
-  std::optional<std::chrono::steady_clock::time_point> tried_;
+  void run(const Endpoint& endpoint, DeviceSink& sink, const std::stop_token& stop) {
+    DtrackController controller(endpoint);
+    for (bool started = false; !stop.stop_requested(); waitUnlessStopped(stop, kStartEvery)) {
+      if (started || delivers_.exchange(false)) continue;
+      try {
+        controller.start(stop);
+        started = true;
+        sink.remark({});
+      } catch (const std::exception& error) {
+        if (!stop.stop_requested()) sink.remark(error.what());
+      }
+    }
+  }
+
+  std::atomic<bool> delivers_ = false;
+  std::jthread thread_;  // last: it uses the rest
 };
 
 void listen(const DtrackSource& source, DeviceSink& sink, const std::stop_token& stop) {
@@ -56,15 +64,13 @@ void listen(const DtrackSource& source, DeviceSink& sink, const std::stop_token&
   FrameGaps gaps;
   std::vector<std::uint8_t> bytes(kMostDatagram);
   std::vector<Reading> readings;
-  bool delivers = false;
   while (!stop.stop_requested()) {
-    starter.tryAgain(std::exchange(delivers, false), stop);
     if (!waitReadable({&socket}, kLookAtStop)) continue;
     Ipv4 sender;
     const auto count = socket.receive(bytes, &sender);
     const auto arrival = std::chrono::steady_clock::now();
     if (!count || (source.from != 0 && sender.address != source.from)) continue;
-    delivers = true;
+    starter.delivers();
     readings.clear();
     const std::uint64_t refused = decoder.refused();
     const bool understood = decoder.decode({bytes.data(), *count}, readings);

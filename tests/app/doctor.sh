@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# doctor.sh CAROM CONFIG: what `carom doctor` says of this machine, of a rig that it cannot show, and of four nodes.
+# doctor.sh CAROM CONFIG: what `carom doctor` says of this machine, of a rig that it cannot show, of four nodes, of a
+# compositor, and of Xwayland under a Wayland compositor. The last two are skipped, with words, where none is installed.
 set -euo pipefail
 carom=$1
 config=$2
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+helper=
+trap '[ -z "$helper" ] || kill "$helper"; wait; rm -rf "$work"' EXIT
 status=0
 fail() { echo "FAILED: $*"; status=1; }
 
@@ -33,4 +35,50 @@ grep -q "^MPI .*, 4 nodes$" "$work/said" || fail "it does not say that there are
 ! env -u DISPLAY "$carom" doctor >"$work/said" 2>"$work/errors" || fail "without a display it found all well"
 grep -q "^error: no X display: " "$work/errors" || fail "without a display it said: $(cat "$work/errors")"
 grep -q "^disk " "$work/said" || fail "without a display it says nothing of the rest"
+
+nodes() { # WORDS …: the doctor of four nodes, which all say the same of the display
+  mpirun --allow-run-as-root --oversubscribe -n 4 "$carom" doctor "$@" >"$work/said" 2>"$work/errors"
+}
+within10s() { # COMMAND …
+  for _ in $(seq 100); do
+    "$@" && return
+    sleep 0.1
+  done
+  return 1
+}
+isComposited() { "$carom" doctor 2>/dev/null | grep -q "^display .* with a compositor"; }
+
+for compositor in xcompmgr picom; do
+  command -v $compositor >/dev/null || { echo "skipped: under $compositor, which is not installed"; continue; }
+  options=()
+  [ $compositor != picom ] || options=(--config /dev/null --backend xrender)
+  $compositor "${options[@]}" >"$work/compositor" 2>&1 &
+  helper=$!
+  within10s isComposited || fail "it does not see $compositor: $(cat "$work/compositor")"
+  nodes "$config/rigs/four-walls-cluster.toml" || fail "four nodes under $compositor: $(cat "$work/errors")"
+  grep -q "^display .* with a compositor ($compositor)" "$work/said" || fail "under $compositor: $(cat "$work/said")"
+  grep -q "^warning: .*a compositor redraws the windows" "$work/errors" || fail "under $compositor: $(cat "$work/errors")"
+  echo "four nodes under $compositor: $(grep '^display' "$work/said")"
+  kill $helper
+  wait $helper || true
+  helper=
+done
+
+if command -v weston >/dev/null && command -v Xwayland >/dev/null; then
+  mkdir -m 700 "$work/wayland"
+  export XDG_RUNTIME_DIR="$work/wayland"
+  weston --backend=headless-backend.so --xwayland --socket=carom --idle-time=0 >"$work/weston" 2>&1 &
+  helper=$!
+  within10s grep -q 'xserver listening on display' "$work/weston" || fail "weston does not begin: $(cat "$work/weston")"
+  display=$(grep -oE 'listening on display :[0-9]+' "$work/weston" | grep -oE ':[0-9]+')
+  export DISPLAY=$display WAYLAND_DISPLAY=carom
+  nodes || fail "four nodes under Xwayland: $(cat "$work/errors")"
+  grep -q "^display .*Xwayland under a Wayland compositor" "$work/said" || fail "under Xwayland: $(cat "$work/said")"
+  grep -q "^warning: .*a Wayland compositor draws the windows" "$work/errors" || fail "under Xwayland: $(cat "$work/errors")"
+  ! nodes "$work/stereo.toml" || fail "quad-buffer stereo under Xwayland was found well"
+  grep -q '^error: .*quad-buffer stereo, expected a display without a compositor' "$work/errors" || fail "of quad-buffer stereo under Xwayland: $(cat "$work/errors")"
+  echo "four nodes under weston: $(grep '^display' "$work/said")"
+else
+  echo "skipped: under Xwayland, which is not installed, or weston is not"
+fi
 exit $status

@@ -32,6 +32,8 @@ touch "$out/stderr"
 cd "$out"
 sed 's/^pixels = .*/pixels = [64, 64]/' "$config/rigs/four-walls-cluster.toml" >room.toml
 
+echo 'light = 1' >bad.toml
+
 # The line of mpirun.
 nodes() { # FILE NODES: the rig with these
   { cat room.toml; cat; } >"$1"
@@ -66,6 +68,16 @@ refused() { # NAME PATTERN COMMAND …: exit status 1 and one such line
   echo "$name: $(grep '^error' stderr)"
 }
 nodes fewer.toml <<<$'[[node]]\nrank = 0\nhost = "a"\n[[node]]\nrank = 1\nhost = "b"'
+refused "a wrong line of a game" '^error: .*bad.toml:1:[0-9]+:' "$carom" room --line room.toml --scenario bad.toml
+wrong() { # NAME PATTERN COMMAND …: exit status 2 and one such line
+  local name=$1 pattern=$2
+  shift 2
+  "$@" >stdout 2>stderr
+  [ $? = 2 ] && says "$pattern" || fail "$name: expected status 2 and one line like '$pattern'"
+}
+wrong "a game that is not there" "^error: --scenario: there is no file 'tipo'" "$carom" room --line room.toml --scenario tipo
+wrong "an option that is none" '^error: .*--scenari' "$carom" room --line room.toml --scenari three-pucks
+wrong "another rig" '^error: --rig: the rig is named already' "$carom" room --line room.toml --rig desk
 refused "fewer hosts than nodes" '^error: node 2, 3 of the rig has no host' "$carom" room fewer.toml
 sed 's/cave-floor/cave-front/' hosts.toml >apart.toml
 refused "nodes of one host apart" '^error: node 3 of the rig is on host cave-front again' "$carom" room apart.toml
@@ -100,7 +112,7 @@ ls ./*.db >/dev/null 2>&1 && fail "a session that did not begin has left a file"
 began=$(now_ms)
 "$carom" room room.toml --scenario three-pucks --frames 1 --no-window --session one.db 2>stderr || fail "nothing is wrong"
 usual=$(($(now_ms) - began))
-"$carom" room room.toml --scenario three-pucks --frames 1000000 --no-window --session game.db --status status.json 2>stderr &
+"$carom" room room.toml --scenario three-pucks --switch colour=on --frames 1000000 --no-window --session game.db --status status.json 2>stderr &
 job=$!
 drawn() { says "^frame [0-9]+ of"; }
 until_ok drawn || fail "no frame within two minutes"
@@ -119,6 +131,14 @@ last=$(grep -oE 'after frame [0-9]+' stderr | grep -oE '[0-9]+')
 goesOn() { [ "$(sqlite3 "file:game.db?mode=ro" 'SELECT max(number) FROM frame' 2>/dev/null)" -gt "$last" ]; } 2>/dev/null
 until_ok isAt $((last + 1)) || fail "the status file does not follow: $(cat status.json)"
 took=$(($(now_ms) - killed))
+line=$(tr '\0' ' ' <"/proc/$(pgrep -P "$job" -x mpirun)/cmdline")
+for part in "--frames $((999999 - last)) " "--scenario [^ ]*three-pucks.toml " "--switch colour=on "; do
+  grep -qE -- "$part" <<<"$line" || fail "the session goes on with '$line', expected '$part' in it"
+done
+ls "${TMPDIR:-/tmp}"/carom-files-* >/dev/null 2>&1 && for folder in "${TMPDIR:-/tmp}"/carom-files-*; do
+  process=${folder#*carom-files-}
+  kill -0 "${process%%-*}" 2>/dev/null || fail "$folder is left of a process that is gone"
+done
 [ "$took" -lt $((usual + 5000)) ] || fail "it was back after $took ms, $usual when nothing is wrong"
 echo "node 2 killed after frame $last: back after $took ms; a session that starts and draws one frame takes $usual"
 until_ok goesOn || fail "the session file does not go on"

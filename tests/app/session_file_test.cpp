@@ -2,6 +2,8 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <limits>
@@ -84,6 +86,30 @@ TEST(SessionFile, SaysWhatIsWrongWithAFile) {
   SQLite::Database holder(locked.string(), SQLite::OPEN_READWRITE);
   holder.exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; CREATE TABLE mine(x)");
   EXPECT_NE(refusalOf(locked).find("locked"), std::string::npos) << refusalOf(locked);
+}
+
+// Closing takes the file out of WAL mode; a process that is killed then leaves its notes in FILE-journal.
+TEST(SessionFile, IsReadWhereTheWriterWasKilledInTheMiddle) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  {
+    Journal journal(file, kFacts, false);
+    for (std::uint64_t number = 0; number < 300; ++number) journal.add(frameOf(number), head(), {});
+  }
+  const pid_t writer = fork();
+  if (writer == 0) {
+    SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+    database.exec("PRAGMA cache_size = 1");  // so that changed pages go to the file before the end
+    database.exec("BEGIN IMMEDIATE; DELETE FROM frame WHERE number > 100; DELETE FROM session");
+    _exit(0);
+  }
+  int status = -1;
+  waitpid(writer, &status, 0);
+  ASSERT_EQ(status, 0);
+  ASSERT_TRUE(std::filesystem::exists(folder / "game.db-journal")) << "nothing was left in the middle";
+  const SessionFile session(file);
+  EXPECT_EQ(session.frames(), std::pair(std::uint64_t{0}, std::uint64_t{299}));
+  EXPECT_EQ(session.facts().program, kFacts.program);
 }
 
 TEST(SessionFile, FindsTheFrameOfATime) {

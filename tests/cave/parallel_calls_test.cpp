@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <array>
 #include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
 
 namespace carom {
 namespace {
@@ -33,6 +38,26 @@ TEST(ParallelCalls, EndWithoutARun) {
     const ParallelCalls parallel({[&] { ++made; }, [&] { ++made; }});
   }
   EXPECT_EQ(made, 0);
+}
+
+/// Ends with status 0 if ParallelCalls throws where memory for the stacks of a few threads is left, not of all.
+[[noreturn]] void makeTooMany() {
+  std::ifstream sizes("/proc/self/statm");
+  rlim_t pages = 0;
+  sizes >> pages;
+  const rlim_t most = pages * 4096 + (64U << 20U);
+  const rlimit limit{most, most};
+  setrlimit(RLIMIT_AS, &limit);
+  try {
+    const ParallelCalls parallel(std::vector<std::function<void()>>(200, [] {}));
+  } catch (const std::system_error&) {
+    std::_Exit(0);
+  }
+  std::_Exit(1);
+}
+
+TEST(ParallelCalls, ThrowWhereThereAreNoMoreThreads) {
+  EXPECT_EXIT(makeTooMany(), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
