@@ -74,6 +74,15 @@ class CellGrid {
                      : findIn(column - 1, column + 1, row + step, row + step, found);
   }
   static constexpr int kSpare = 3;
+  // Prefetch from memory: in which cell an item is, and `cell` with those around it.
+  void fetchCellOf(int item) const { __builtin_prefetch(&cellOf_[item]); }
+  void fetchNear(int cell) const {
+    const int column = indexOf(cell, 0), row = indexOf(cell, 1);
+    for (int beside = std::max(0, row - 1); beside <= std::min(rows_ - 1, row + 1); ++beside) {
+      __builtin_prefetch(&blocks_[cellIn(std::max(0, column - 1), beside)]);
+      __builtin_prefetch(&blocks_[cellIn(std::min(columns_ - 1, column + 1), beside)]);
+    }
+  }
 
  private:
   static constexpr int kNone = -1;

@@ -40,7 +40,7 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
       slowing_(setup.rules.spinDeceleration_m_s2 / (c_m_s_ * c_m_s_)),
       turns_(setup.rules.puckFriction > 0.0 || setup.rules.cushionFriction > 0.0),
       cushions_(cushionsOf(setup.board)),
-      predictions_(setup.pucks.size()),
+      outlooks_(setup.pucks.size()),
       queue_(static_cast<int>(setup.pucks.size())),
       inJam_(setup.pucks.size(), 0) {
   double lowX = kNever, lowY = kNever, highX = -kNever, highY = -kNever;
@@ -99,16 +99,11 @@ int CollisionScheduler::storeStroke(const Stroke& stroke) {
 }
 
 bool CollisionScheduler::playUntil(double limit, std::size_t events, GameHistory& history) {
-  bool played = false;
-  for (; !pucks_.empty() && (queue_.firstDue() <= limit || hasDeferredBefore(limit)); played = true) {
-    if (history.eventCount() >= events) {
-      history.complete();
-      return false;
-    }
+  while (!pucks_.empty() && (queue_.firstDue() <= limit || hasDeferredBefore(limit))) {
+    if (history.eventCount() >= events) return false;
     flashUntil(queue_.firstDue(), history);
     step(history);
   }
-  if (played) history.complete();
   flashUntil(limit, history);
   return true;
 }
@@ -124,11 +119,16 @@ void CollisionScheduler::flashUntil(double limit, GameHistory& history) {
 
 // A puck put off behind a later one may still have something to do before `limit`.
 bool CollisionScheduler::hasDeferredBefore(double limit) {
-  if (deferred_.empty()) return false;
-  std::erase_if(deferred_, [&](int i) { return queue_.due(i) <= predictions_[i].next.due(); });
-  return std::any_of(deferred_.begin(), deferred_.end(), [&](int i) {
-    return predictions_[i].next.ownTime <= limit || predictions_[i].next.otherTime <= limit;
-  });
+  for (std::size_t k = deferred_.size(); k-- > 0;) {
+    const PredictedEvent& next = outlooks_[deferred_[k]].next;
+    if (queue_.due(deferred_[k]) <= next.due()) {
+      deferred_[k] = deferred_.back();
+      deferred_.pop_back();
+    } else if (next.ownTime <= limit || next.otherTime <= limit) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void CollisionScheduler::fetchDiscs(int found) const {
@@ -136,28 +136,31 @@ void CollisionScheduler::fetchDiscs(int found) const {
 }
 
 // Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
-// they are needed: first a puck's own, then, when its turn is near, those of the pucks around it.
+// they are needed, one kind after the other, as each is found by the one before: a puck's own, its cells, the pucks
+// in them.
 void CollisionScheduler::prefetchUpcoming() {
+  constexpr int kOwn = DueQueue::kSoon - 1, kCells = 9, kDiscs = 4;  // events ahead
   const auto fetch = [&](int i) {
-    __builtin_prefetch(&predictions_[i]);
+    __builtin_prefetch(&outlooks_[i]);
     __builtin_prefetch(&discs_[i]);
-    __builtin_prefetch(&pucks_[i]), __builtin_prefetch(&pucks_[i].decided);
+    cells_.fetchCellOf(i);
   };
-  for (int k = 1; k < static_cast<int>(fetched_.size()); ++k) {
-    const int i = queue_.soon(k);
-    if (i < 0 || i == fetched_[k]) continue;
-    fetched_[k] = i;
-    if (k > 4) {
-      fetch(i);
-      continue;
+  if (const int i = queue_.soon(kOwn); i >= 0) fetch(i);
+  if (const int i = queue_.soon(kCells); i >= 0) {
+    const Outlook& own = outlooks_[i];
+    cells_.fetchNear(cells_.cellOf(i));
+    if (!(own.leavesCell < own.next.ownTime)) {
+      __builtin_prefetch(&pucks_[i]);
+      if (own.next.kind == Kind::pair) fetch(own.next.with), __builtin_prefetch(&pucks_[own.next.with]);
     }
-    const PredictedEvent& next = predictions_[i].next;
+  }
+  if (const int i = queue_.soon(kDiscs); i >= 0) {
+    const Outlook& own = outlooks_[i];
     const int axis = leavesFirst(i), cell = cells_.cellOf(i);
-    if (pucks_[i].leavesCell[axis] < next.ownTime) {
+    if (own.leavesCell < own.next.ownTime) {
       const int way = wayAlong(i, axis);
       fetchDiscs(cells_.findAhead(cells_.beside(cell, axis, way), axis, way, near_.data()));
     } else {
-      if (next.kind == Kind::pair) fetch(next.with);
       fetchDiscs(cells_.findNear(cell, 1, near_.data()));
     }
   }
@@ -167,9 +170,8 @@ void CollisionScheduler::step(GameHistory& history) {
   const int i = queue_.first();
   clock_ = std::max(clock_, queue_.firstDue());
   if (pucks_.size() > kPucksInCache) prefetchUpcoming();
-  const PredictedEvent predicted = predictions_[i].next;
-  const int axis = leavesFirst(i);
-  if (pucks_[i].leavesCell[axis] < predicted.ownTime) return changeCell(i, axis);
+  const PredictedEvent predicted = outlooks_[i].next;
+  if (outlooks_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
   switch (predicted.kind) {
     case Kind::none:
       return;
@@ -192,9 +194,9 @@ void CollisionScheduler::step(GameHistory& history) {
 
 // A contact happens when it is the next thing in both pucks' own time.
 void CollisionScheduler::meet(int i, GameHistory& history) {
-  const PredictedEvent a = predictions_[i].next;
+  const PredictedEvent a = outlooks_[i].next;
   const int j = a.with;
-  const PredictedEvent& theirs = predictions_[j].next;
+  const PredictedEvent& theirs = outlooks_[j].next;
   const bool mutual = theirs.kind == Kind::pair && theirs.with == i;
   if (!mutual && theirs.ownTime < a.otherTime && !waitsForItself(i)) {
     queue_.setDue(i, std::nextafter(std::max(queue_.due(i), queue_.due(j)), kNever));
@@ -205,11 +207,11 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
   const bool inOrder = i < j;
   PredictedEvent ordered = a;
   if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
-  const unsigned legs[2] = {pucks_[i].legNumber, pucks_[j].legNumber};
+  const unsigned legs[2] = {outlooks_[i].legNumber, outlooks_[j].legNumber};
   members_.clear();
   collide(inOrder ? i : j, inOrder ? j : i, ordered, history);
-  if (pucks_[i].legNumber == legs[0]) pucks_[i].met.push_back({j, legs[1]});
-  if (pucks_[j].legNumber == legs[1]) pucks_[j].met.push_back({i, legs[0]});
+  if (outlooks_[i].legNumber == legs[0]) noteMet(i, j, legs[1]);
+  if (outlooks_[j].legNumber == legs[1]) noteMet(j, i, legs[0]);
   if (cellsTooSmall_) return predictAll();
   predict(i);
   predict(j);
@@ -225,12 +227,12 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
 // Do the pucks that this one waits for wait, in the end, for it? Then no order is right, and the first due
 // goes.
 bool CollisionScheduler::waitsForItself(int i) const {
-  int at = predictions_[i].next.with;
+  int at = outlooks_[i].next.with;
   for (std::size_t steps = 0; steps <= pucks_.size(); ++steps) {
-    const PredictedEvent& a = predictions_[at].next;
+    const PredictedEvent& a = outlooks_[at].next;
     if (a.kind != Kind::pair) return false;
     if (a.with == i) return true;
-    const PredictedEvent& theirs = predictions_[a.with].next;
+    const PredictedEvent& theirs = outlooks_[a.with].next;
     if (theirs.kind == Kind::pair && theirs.with == at) return false;
     at = a.with;
   }
@@ -241,8 +243,8 @@ void CollisionScheduler::changeCell(int i, int axis) {
   const int way = wayAlong(i, axis);
   const int into = cells_.beside(cells_.cellOf(i), axis, way);
   cells_.move(i, into);
-  pucks_[i].leavesCell[axis] = leavesCell(i, axis);
-  const PredictedEvent& before = predictions_[i].next;
+  findCellExit(i);
+  const PredictedEvent& before = outlooks_[i].next;
   PredictedEvent best = before;
   considerPairs(i, cells_.findAhead(into, axis, way, near_.data()), best);
   considerCushions(i, best);

@@ -48,14 +48,12 @@ class CollisionScheduler {
   enum class Kind : unsigned char { none, turn, stroke, cushion, pair };  // in the order of equal times
   // The next event of a puck.
   struct PredictedEvent {
-    Kind kind = Kind::none;
-    bool withoutDelay = false;
-    int with = -1;               // the other puck, the cushion or the stroke
-    unsigned otherLeg = 0;       // the number of the leg on which the other puck was found
     double ownTime = kNever;     // board time of this puck's centre
     double otherTime = -kNever;  // and of the other's
-    // With friction: board times at which the straight flights touch the world lines, in the order of the names.
-    std::array<double, 2> touchAt{};
+    int with = -1;               // the other puck, the cushion or the stroke
+    unsigned otherLeg = 0;       // the number of the leg on which the other puck was found
+    Kind kind = Kind::none;
+    bool withoutDelay = false;
     double due() const { return ownTime > otherTime ? ownTime : otherTime; }
   };
   // A leg that is decided, but that the centre has not begun.
@@ -85,18 +83,22 @@ class CollisionScheduler {
     int puck;
     unsigned leg;
   };
-  // The state of a puck without its disc, in three cache lines: what every prediction reads, what every
-  // collision reads besides, and what is seldom needed.
-  struct alignas(64) PuckState {
-    double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
+  // What, besides its disc, the predictions of a puck and of its neighbours read and write: one cache line.
+  struct alignas(64) Outlook {
+    PredictedEvent next;
+    double leavesCell = kNever;  // when its centre leaves its cell
     unsigned legNumber = 0;      // legs begun before the one that it follows
     int lastPartner = -1;        // the puck it collided with last, if nothing else happened to it since
-    std::vector<HandledContact>
-        met;  // pucks whose contact with this leg is dealt with, and the number of their leg
-    std::array<double, 2> leavesCell{kNever, kNever};  // when its centre leaves its cell, along each axis
-    unsigned metCushions = 0;                          // the same for cushions, one bit each
-
-    alignas(64) std::vector<CommittedLeg> decided;
+    int firstDependent = -1;     // of the pucks whose next predicted event is with this one
+    int nextDependent = -1, dependentBefore = -1;  // neighbours in the list of the puck that it will meet
+    unsigned char metCushions = 0;                 // dealt with on this leg, one bit each
+    bool leavesAlongY = false;                     // its cell
+    bool hasMet = false;                           // something is in `PuckState::met`
+    bool hasDecided = false;                       // `PuckState::decidedAt` is not -kNever
+  };
+  // The rest of a puck's state: a cache line that every collision needs, and what is seldom needed.
+  struct alignas(64) PuckState {
+    std::vector<CommittedLeg> decided;
     double properTime = 0.0;  // when the leg began
     double mass = 0.0;
     double runBegan = -kNever, lastKick = -kNever;
@@ -110,6 +112,10 @@ class CollisionScheduler {
     int blows = 0, jams = 0;   // since other pucks last left it alone; `jams` counts its turns in jams
     double height = 0.0;       // of the centre
     std::vector<int> strokes;  // those still to come
+
+    alignas(64) double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
+    std::vector<HandledContact>
+        met;  // pucks whose contact with this leg is dealt with, and the number of their leg
   };
   // The spin of a puck on the leg that it follows, and what it depends on.
   struct PuckSpin {
@@ -150,19 +156,23 @@ class CollisionScheduler {
   void considerPairs(int i, int found, PredictedEvent& best);
   void considerPair(int i, int other, PredictedEvent& best);
   static bool isEarlier(double ownTime, int with, const PredictedEvent& than);
-  std::optional<Meeting> meetingOf(int first, int second, std::array<double, 2>& touchAt) const;
+  std::optional<Meeting> meetingOf(int first, int second) const;
+  bool hasDealtWith(int i, int other) const;
+  double decidedAt(int i) const { return outlooks_[i].hasDecided ? pucks_[i].decidedAt : -kNever; }
+  void noteDecided(int i, double at) { pucks_[i].decidedAt = at, outlooks_[i].hasDecided = true; }
+  void noteMet(int i, int other, unsigned otherLeg);
+  void findCellExit(int i);
   double leavesCell(int i, int axis) const;
   int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
   // Returns the axis along which the puck's centre leaves its cell first.
-  int leavesFirst(int i) const { return pucks_[i].leavesCell[1] < pucks_[i].leavesCell[0] ? 1 : 0; }
+  int leavesFirst(int i) const { return outlooks_[i].leavesAlongY ? 1 : 0; }
   void schedule(int i);
   void predictDependents(int of);
   void setPredictedEvent(int i, const PredictedEvent& a);
   // Whether the other puck has decided something since that makes it void.
   bool isVoid(const PredictedEvent& a) const {
-    return a.kind == Kind::pair &&
-           (pucks_[a.with].legNumber != a.otherLeg || a.otherTime >= discs_[a.with].turnsAt ||
-            a.otherTime < pucks_[a.with].decidedAt);
+    return a.kind == Kind::pair && (outlooks_[a.with].legNumber != a.otherLeg ||
+                                    a.otherTime >= discs_[a.with].turnsAt || a.otherTime < decidedAt(a.with));
   }
 
   // collision_scheduler_commit.cpp: what happened
@@ -201,7 +211,8 @@ class CollisionScheduler {
                                            const std::array<double, 2>& j, double restitution) const;
   std::optional<SpinningCushionKick> cushionKick(int i, int cushion, const Vec21& u, double j,
                                                  double restitution) const;
-  bool receding(const std::array<int, 2>& who, const PairContact& contact, const PredictedEvent& a) const;
+  bool receding(const std::array<int, 2>& who, const PairContact& contact, const PredictedEvent& a,
+                const std::array<double, 2>& touchAt) const;
   struct Struck {
     Vec21 u;
     double j = 0.0;
@@ -210,7 +221,9 @@ class CollisionScheduler {
   double restitution(int i, double usual, double turnTime);
   // Returns the number of the last leg decided, counted from the start of the game.
   std::size_t lastLegNumber(int i) const { return legsBegun(i) + pucks_[i].decided.size(); }
-  std::size_t legsBegun(int i) const { return pucks_[i].legNumber + std::size_t{1}; }
+  std::size_t legsBegun(int i) const { return outlooks_[i].legNumber + std::size_t{1}; }
+  // Returns the leg that the puck follows, for what does not ask for the puck's own clock.
+  Leg flightOf(int i) const { return {discs_[i].start, discs_[i].u, 0.0, brake_}; }
   // Returns the leg that the puck follows.
   Leg legOf(int i) const { return {discs_[i].start, discs_[i].u, pucks_[i].properTime, brake_}; }
   Leg lastLeg(int i) const { return pucks_[i].decided.empty() ? legOf(i) : pucks_[i].decided.back().leg; }
@@ -267,25 +280,19 @@ class CollisionScheduler {
 
   // The state of the game, by puck.
   std::vector<Disc> discs_;  // the legs being followed; the search for partners reads them
+  std::vector<Outlook> outlooks_;
   std::vector<PuckState> pucks_;
   std::vector<PuckSpin> spins_;
-  struct alignas(64) Prediction {
-    PredictedEvent next;
-    int firstDependent = -1;                       // of the pucks whose next predicted event is with this one
-    int nextDependent = -1, dependentBefore = -1;  // neighbours in the list of the puck that it will meet
-  };
-  std::vector<Prediction> predictions_;
   DueQueue queue_;
   CellGrid cells_;
   std::vector<int> near_, void_;  // scratch
   std::vector<Member> members_;   // scratch: the jam that is being settled
   std::vector<Press> presses_;
-  std::vector<char> inJam_;        // by puck
-  std::array<int, 21> fetched_{};  // by place in the queue: the puck whose data were prefetched last
-  std::size_t flashed_ = 0;        // number of flashes listed so far
-  std::vector<int> deferred_;      // pucks whose event waits until others have had theirs
-  double gammaBound_ = 1.0;        // the greatest γ for which the cells are large enough
-  double pairReach_ = 0.0;         // the distance within which two pucks must be compared
+  std::vector<char> inJam_;    // by puck
+  std::size_t flashed_ = 0;    // number of flashes listed so far
+  std::vector<int> deferred_;  // pucks whose event waits until others have had theirs
+  double gammaBound_ = 1.0;    // the greatest γ for which the cells are large enough
+  double pairReach_ = 0.0;     // the distance within which two pucks must be compared
   bool cellsTooSmall_ = false;
   double rollbackWindow_ = 0.0;
   double clock_ = 0.0;

@@ -30,14 +30,14 @@ RimRules withRestitution(RimRules rims, double restitution) {
 
 // By the momenta that are decided.
 bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairContact& contact,
-                                  const PredictedEvent& a) const {
+                                  const PredictedEvent& a, const std::array<double, 2>& touchAt) const {
   const bool braked = brake_ != 0.0;
   std::array<Vec21, 2> u;
   std::array<double, 2> mass;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
     const Leg leg = lastLeg(i);
-    u[k] = braked ? momentAt(leg, a.touchAt[k]).u : leg.u;
+    u[k] = braked ? momentAt(leg, touchAt[k]).u : leg.u;
     double j = lastTurning(i).j;
     if (slowing_ > 0.0 && j != 0.0)
       j = turningAt(i, momentAt(leg, std::max(k == 0 ? a.ownTime : a.otherTime, leg.start.t)).properTime).j;
@@ -77,12 +77,15 @@ std::optional<SpinningCushionKick> CollisionScheduler::cushionKick(int i, int cu
 void CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
   const std::array<int, 2> who{first, second};
   const bool braked = brake_ != 0.0;
-  const auto flight = [&](int k) {
-    return braked ? flightAt({legOf(who[k]), discs_[who[k]].radius}, a.touchAt[k]) : discs_[who[k]];
-  };
+  for (const int i : who) history.fetch(pucks_[i].file);
+  const auto disc = [&](int k) { return BrakedDisc{legOf(who[k]), discs_[who[k]].radius}; };
+  // Board times at which the straight flights touch the world lines.
+  std::array<double, 2> touchAt{};
+  if (braked) touchAt = findBrakedMeeting(disc(0), disc(1), convention_).value().touchAt;
+  const auto flight = [&](int k) { return braked ? flightAt(disc(k), touchAt[k]) : discs_[who[k]]; };
   const PairContact contact = contactOf(flight(0), flight(1), a.withoutDelay);
 
-  if (receding(who, contact, a)) return;
+  if (receding(who, contact, a, touchAt)) return;
   const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;
   std::array<LegState, 2> turn;
   for (int k = 0; k < 2; ++k) {
@@ -117,17 +120,17 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
     decided.event = collision;
     decided.heat = kick->heat[k];
     decided.radiated = kick->u[k] * kick->heat[k];
-    pucks_[i].decidedAt = k == 0 ? a.ownTime : a.otherTime;
+    noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
     decide(i, decided, turn[k], history);
     noteKick(i, turn[k].x);
     noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k]);
-    pucks_[i].lastPartner = who[1 - k];
+    outlooks_[i].lastPartner = who[1 - k];
   }
 }
 
 void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& history) {
   PuckState& player = pucks_[i];
-  player.metCushions |= 1u << a.with;
+  outlooks_[i].metCushions |= static_cast<unsigned char>(1u << a.with);
   std::optional<CushionContact> contact =
       findContact(legOf(i), discs_[i].radius, cushions_[a.with], convention_);
   if (!contact) return;
@@ -145,7 +148,7 @@ void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& his
       return;  // the leg that the neighbour's signal begins has its own contact with this cushion
     }
   }
-  player.decidedAt = a.ownTime;
+  noteDecided(i, a.ownTime);
   bounceAt(i, a.with, *contact, foundOn, history);
 }
 
@@ -200,7 +203,7 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   decided.taken = contact.turn.u * massOf(i, turning.j) - kick->u * (massOf(i, found->j) + kick->heat);
   decide(i, decided, contact.turn, history);
   noteKick(i, contact.turn.x);
-  player.lastPartner = -1;
+  outlooks_[i].lastPartner = -1;
 }
 
 LegState CollisionScheduler::turnOnFollowedLeg(int i, int which, const PairContact& contact,
@@ -287,10 +290,11 @@ void CollisionScheduler::beginLeg(int i, const Leg& leg, const Turning& turning)
   PuckState& player = pucks_[i];
   if (turns_) spins_[i].turning = turning;
   player.properTime = leg.properTime;
-  player.decidedAt = -kNever;
-  ++player.legNumber;
-  player.met.clear();
-  player.metCushions = 0;
+  Outlook& own = outlooks_[i];
+  ++own.legNumber;
+  own.metCushions = 0;
+  own.hasDecided = false;
+  if (own.hasMet) player.met.clear(), own.hasMet = false;
   discs_[i].start = leg.start;
   discs_[i].u = leg.u;
   discs_[i].turnsAt = player.decided.empty() ? kNever : player.decided.front().leg.start.t;
@@ -343,7 +347,7 @@ void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
                                     player.height + (s.fromHand ? s.height : 0.0));
   history.addTurn(decided.event, player.file, struck, u, {turning.j, j});
   decide(i, decided, struck, history);
-  player.lastPartner = -1;
+  outlooks_[i].lastPartner = -1;
 
   while (!onTheirWay.empty()) {
     const Leg leg = lastLeg(i);

@@ -118,7 +118,7 @@ std::optional<LegState> CollisionScheduler::joinsAt(int i, const Vec21& touched,
   LegState turn = simultaneousWith(leg, touched, U);
   if (turn.x.t < earliest) turn = momentAt(leg, earliest);
   if (turn.x.t < leg.start.t) turn = {leg.start, leg.u, leg.properTime};
-  const PredictedEvent& next = predictions_[i].next;
+  const PredictedEvent& next = outlooks_[i].next;
   if (next.kind == Kind::cushion && next.ownTime < turn.x.t) return std::nullopt;
   for (const int stroke : pucks_[i].strokes) {
     const PuckStroke& s = strokes_[stroke];
@@ -269,12 +269,12 @@ void CollisionScheduler::commitJam(const PairContact& contact, GameHistory& hist
     heat += member.heat;
     const double delay =
         convention_ == TurnConvention::signalAtCentre ? member.turn.u.t * discs_[i].radius : 0.0;
-    player.decidedAt = std::max(player.decidedAt, member.turn.x.t - delay);
+    noteDecided(i, std::max(decidedAt(i), member.turn.x.t - delay));
     decide(i, decided, member.turn, history);
     player.lastBlow = std::max(player.lastBlow, member.turn.x.t);
     player.hardestBlow = std::max(player.hardestBlow, hardest);
     ++player.jams;
-    player.lastPartner = -1;
+    outlooks_[i].lastPartner = -1;
   }
   const PuckState& first = pucks_[members_.front().puck];
   jams_.push_back({first.file,

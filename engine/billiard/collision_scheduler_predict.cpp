@@ -49,7 +49,7 @@ void CollisionScheduler::predictAll() {
 
 void CollisionScheduler::predict(int i) {
   PredictedEvent best;
-  if (!pucks_[i].decided.empty()) {
+  if (discs_[i].turnsAt < kNever) {
     best.kind = Kind::turn;
     best.ownTime = discs_[i].turnsAt;
   }
@@ -61,7 +61,7 @@ void CollisionScheduler::predict(int i) {
     }
   } else {
     // A puck that was waited for is behind the others: those it can meet may be farther off by now.
-    const double behind = std::max(0.0, clock_ - std::max(predictions_[i].next.ownTime, discs_[i].start.t));
+    const double behind = std::max(0.0, clock_ - std::max(outlooks_[i].next.ownTime, discs_[i].start.t));
     const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
     const int reach = reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0));
     considerPairs(i, cells_.findNear(enterCell(i), reach, near_.data()), best);
@@ -72,27 +72,34 @@ void CollisionScheduler::predict(int i) {
 
 // Puts the puck into the cell where its leg has it now.
 int CollisionScheduler::enterCell(int i) {
-  const Leg leg = legOf(i);
-  const Vec21 x = momentAt(leg, std::max(clock_, leg.start.t)).x;
+  const Leg leg = flightOf(i);
+  const Vec21 x = placeAt(leg, std::max(clock_, leg.start.t)).x;
   const int cell = cells_.cellAt(x.x, x.y);
   if (cell != cells_.cellOf(i)) cells_.move(i, cell);
-  pucks_[i].leavesCell = {leavesCell(i, 0), leavesCell(i, 1)};
+  findCellExit(i);
   return cell;
 }
 
+void CollisionScheduler::findCellExit(int i) {
+  const double alongX = leavesCell(i, 0), alongY = leavesCell(i, 1);
+  Outlook& own = outlooks_[i];
+  own.leavesAlongY = alongY < alongX;
+  own.leavesCell = own.leavesAlongY ? alongY : alongX;
+}
+
 void CollisionScheduler::setPredictedEvent(int i, const PredictedEvent& a) {
-  Prediction& own = predictions_[i];
+  Outlook& own = outlooks_[i];
   if (own.next.kind == Kind::pair) {  // leave the list of the other
-    (own.dependentBefore < 0 ? predictions_[own.next.with].firstDependent
-                             : predictions_[own.dependentBefore].nextDependent) = own.nextDependent;
-    if (own.nextDependent >= 0) predictions_[own.nextDependent].dependentBefore = own.dependentBefore;
+    (own.dependentBefore < 0 ? outlooks_[own.next.with].firstDependent
+                             : outlooks_[own.dependentBefore].nextDependent) = own.nextDependent;
+    if (own.nextDependent >= 0) outlooks_[own.nextDependent].dependentBefore = own.dependentBefore;
   }
   own.next = a;
   if (a.kind == Kind::pair) {
-    int& first = predictions_[a.with].firstDependent;
+    int& first = outlooks_[a.with].firstDependent;
     own.dependentBefore = -1;
     own.nextDependent = first;
-    if (first >= 0) predictions_[first].dependentBefore = i;
+    if (first >= 0) outlooks_[first].dependentBefore = i;
     first = i;
   }
   schedule(i);
@@ -101,12 +108,12 @@ void CollisionScheduler::setPredictedEvent(int i, const PredictedEvent& a) {
 // Those that counted on meeting this puck look for something else if that has become void.
 void CollisionScheduler::predictDependents(int of) {
   void_.clear();
-  for (int i = predictions_[of].firstDependent; i >= 0; i = predictions_[i].nextDependent) {
-    if (isVoid(predictions_[i].next)) void_.push_back(i);
+  for (int i = outlooks_[of].firstDependent; i >= 0; i = outlooks_[i].nextDependent) {
+    if (isVoid(outlooks_[i].next)) void_.push_back(i);
   }
   std::sort(void_.begin(), void_.end());
   for (const int i : void_) {
-    if (isVoid(predictions_[i].next)) predict(i);
+    if (isVoid(outlooks_[i].next)) predict(i);
   }
 }
 
@@ -129,31 +136,25 @@ void CollisionScheduler::considerPairs(int i, int found, PredictedEvent& best) {
     near[kept] = other;
     kept += static_cast<int>((other != i) & (braked || mayMeet(disc, discs_[other], convention)));
   }
-  for (int k = 0; k < kept; ++k)
-    __builtin_prefetch(&predictions_[near[k]]), __builtin_prefetch(&pucks_[near[k]]);
+  for (int k = 0; k < kept; ++k) __builtin_prefetch(&outlooks_[near[k]]);
   for (int k = 0; k < kept; ++k) considerPair(i, near[k], best);
 }
 
 void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   const int first = std::min(i, other), second = std::max(i, other);
-  const PuckState& player = pucks_[i];
-  std::array<double, 2> touchAt{};
-  const std::optional<Meeting> meeting = meetingOf(first, second, touchAt);
+  const std::optional<Meeting> meeting = meetingOf(first, second);
   if (!meeting) return;
   const double own = meeting->ownTime[i == first ? 0 : 1], theirs = meeting->ownTime[i == first ? 1 : 0];
-  const PuckState& partner = pucks_[other];
+  const Outlook &player = outlooks_[i], &partner = outlooks_[other];
   if (own >= discs_[i].turnsAt || theirs >= discs_[other].turnsAt) return;  // found again on the leg after
-  if (own < player.decidedAt || theirs < partner.decidedAt) return;  // what came after it is decided already
-  const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, predictions_[other].next);
+  if (own < decidedAt(i) || theirs < decidedAt(other)) return;  // what came after it is decided already
+  const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, partner.next);
   if (!mine && !also) return;
   if (player.lastPartner == other && partner.lastPartner == i) return;
-  for (const HandledContact& met : player.met) {
-    if (met.puck == other && met.leg == partner.legNumber) return;
-  }
+  if (player.hasMet && hasDealtWith(i, other)) return;
   PredictedEvent a;
   a.kind = Kind::pair;
   a.withoutDelay = meeting->withoutDelay;
-  a.touchAt = touchAt;
   if (also) {
     a.with = i, a.otherLeg = player.legNumber, a.ownTime = theirs, a.otherTime = own;
     setPredictedEvent(other, a);
@@ -164,13 +165,23 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   }
 }
 
-std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second,
-                                                     std::array<double, 2>& touchAt) const {
+bool CollisionScheduler::hasDealtWith(int i, int other) const {
+  const std::vector<HandledContact>& met = pucks_[i].met;
+  return std::any_of(met.begin(), met.end(), [&](const HandledContact& contact) {
+    return contact.puck == other && contact.leg == outlooks_[other].legNumber;
+  });
+}
+
+void CollisionScheduler::noteMet(int i, int other, unsigned otherLeg) {
+  pucks_[i].met.push_back({other, otherLeg});
+  outlooks_[i].hasMet = true;
+}
+
+std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second) const {
   if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
-  const auto found = findBrakedMeeting({legOf(first), discs_[first].radius},
-                                       {legOf(second), discs_[second].radius}, convention_);
+  const auto found = findBrakedMeeting({flightOf(first), discs_[first].radius},
+                                       {flightOf(second), discs_[second].radius}, convention_);
   if (!found) return std::nullopt;
-  touchAt = found->touchAt;
   return found->meeting;
 }
 
@@ -182,13 +193,13 @@ void CollisionScheduler::considerCushions(int i, PredictedEvent& best) const {
   for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
     const CushionPlane& plane = cushions_[cushion];
     if (cells_.canLeave(cell, plane.axis, plane.sign > 0.0 ? 1 : -1)) continue;
-    if (!(plane.towards(discs_[i].u) > 0.0) || (pucks_[i].metCushions >> cushion & 1u) != 0) continue;
+    if (!(plane.towards(discs_[i].u) > 0.0) || (outlooks_[i].metCushions >> cushion & 1u) != 0) continue;
     considerCushion(i, cushion, best);
   }
 }
 
 void CollisionScheduler::considerCushion(int i, int cushion, PredictedEvent& best) const {
-  const Leg leg = legOf(i);
+  const Leg leg = flightOf(i);
   // No earlier than straight flight to R (1 + u_n) from the plane, as R sqrt(1 + u_n²) is less; a glide is
   // slower.
   const double un = cushions_[cushion].towards(leg.u);
@@ -208,7 +219,7 @@ void CollisionScheduler::considerCushion(int i, int cushion, PredictedEvent& bes
 }
 
 void CollisionScheduler::considerStrokes(int i, PredictedEvent& best) const {
-  const Leg leg = legOf(i);
+  const Leg leg = flightOf(i);
   for (const int stroke : pucks_[i].strokes) {
     const PuckStroke& s = strokes_[stroke];
     const double arrival = s.fromHand ? signalArrives(leg, s.hand, s.height).x.t : s.hand.t;
@@ -222,7 +233,7 @@ void CollisionScheduler::considerStrokes(int i, PredictedEvent& best) const {
 }
 
 double CollisionScheduler::leavesCell(int i, int axis) const {
-  const Leg leg = legOf(i);
+  const Leg leg = flightOf(i);
   const double u = axis == 0 ? leg.u.x : leg.u.y;
   const int cell = cells_.cellOf(i), step = wayAlong(i, axis);
   if (u == 0.0 || !cells_.canLeave(cell, axis, step)) return kNever;
@@ -230,8 +241,8 @@ double CollisionScheduler::leavesCell(int i, int axis) const {
 }
 
 void CollisionScheduler::schedule(int i) {
-  const PredictedEvent& a = predictions_[i].next;
-  const double leaves = std::min(pucks_[i].leavesCell[0], pucks_[i].leavesCell[1]);
+  const PredictedEvent& a = outlooks_[i].next;
+  const double leaves = outlooks_[i].leavesCell;
   queue_.setDue(i, leaves < a.ownTime ? leaves : a.due());
 }
 

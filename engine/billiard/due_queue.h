@@ -2,10 +2,10 @@
 // A priority queue of numbered items. Each item has a time at which it is due; that time can be changed.
 // Items with equal times come out in the order of their numbers.
 //
-// Items that are due before a horizon are in a four-way heap. Four siblings fill one cache line, and the
-// least of them is found without a branch. Where there are many items, most lie beyond the horizon and are
-// only noted, so that the heap stays in the cache. When the heap is empty, the horizon moves on and all items
-// are looked through once.
+// The soonest are a short sorted list, so that one can look ahead. Further items that are due before a horizon
+// are in a four-way heap. Four siblings fill one cache line, and the least of them is found without a branch.
+// Where there are many items, most lie beyond the horizon and are only noted, so that the heap stays in the
+// cache. When the heap is empty, the horizon moves on and all items are looked through once.
 
 #include <algorithm>
 #include <array>
@@ -19,31 +19,37 @@ class DueQueue {
   DueQueue() = default;
   /// Makes a queue of `items` items, none of which is ever due at first.
   explicit DueQueue(int items)
-      : horizon_(items <= kHeap ? kLatest : -kNever), due_(items, kNever), place_(items, kNone) {}
+      : heap_(std::max(kHeap, items / 8)), horizon_(items <= heap_ ? kLatest : -kNever), items_(items) {}
 
   /// Returns the time at which the next item is due; infinity if none ever is.
   double firstDue() {
-    if (size_ == 0) moveHorizon();
-    return size_ == 0 ? kNever : top().due;
+    fillSoon();
+    return begin_ == end_ ? kNever : soon_[begin_].due;
   }
   /// Returns the next item. At least one item must be due.
   int first() {
-    if (size_ == 0) moveHorizon();
-    return top().item;
+    fillSoon();
+    return soon_[begin_].item;
   }
-  double due(int item) const { return due_[item]; }
-  /// Returns item number `k` (from 1) of those due soon after the first, roughly in their order; -1 if there
-  /// is none.
-  int soon(int k) const { return k < size_ ? at(k).item : kNone; }
+  double due(int item) const { return items_[item].due; }
+  /// Returns the item that is due `k` (from 1) places after the first; -1 if it is not known yet.
+  int soon(int k) const { return k < end_ - begin_ ? soon_[begin_ + k].item : kNone; }
+  static constexpr int kSoon = 16;  // after `first`, fewer are known only where the heap is empty
 
   void setDue(int item, double time) {
-    if (time == due_[item]) return;
-    due_[item] = time;
-    const int slot = place_[item];
-    if (time > horizon_) {
+    Item& own = items_[item];
+    if (time == own.due) return;
+    const Entry before{own.due, item}, now{time, item};
+    own.due = time;
+    if (isSoon(before)) takeSoonOut(before);
+    const int slot = own.slot;
+    if (isSoon(now)) {
+      if (slot != kNone) takeOut(slot);
+      insertSoon(now);
+    } else if (time > horizon_) {
       if (slot != kNone) takeOut(slot);
     } else {
-      place(slot != kNone ? slot : newSlot(), {time, item});
+      place(slot != kNone ? slot : newSlot(), now);
     }
   }
 
@@ -51,8 +57,12 @@ class DueQueue {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr double kLatest = std::numeric_limits<double>::max();
   static constexpr int kNone = -1;
-  static constexpr int kHeap = 4096;  // about so many items in the heap at once: 64 KiB
+  static constexpr int kHeap = 4096;  // 64 KiB
 
+  struct Item {
+    double due = kNever;
+    int slot = kNone;  // in the heap
+  };
   struct Entry {
     double due = kNever;
     int item = std::numeric_limits<int>::max();
@@ -68,19 +78,48 @@ class DueQueue {
   Entry& at(unsigned slot) { return families_[(slot + 3) / 4].entries[(slot + 3) % 4]; }
   const Entry& at(unsigned slot) const { return families_[(slot + 3) / 4].entries[(slot + 3) % 4]; }
 
-  const Entry& top() const { return families_[0].entries[3]; }
+  // Whether an entry belongs among the soonest: before the last of them.
+  bool isSoon(const Entry& entry) const { return begin_ < end_ && !(soon_[end_ - 1] < entry); }
+  void fillSoon() {
+    if (begin_ == end_ && size_ == 0) moveHorizon();
+    for (; end_ - begin_ < kSoon && size_ > 0; takeOut(0)) {
+      makeRoom();
+      soon_[end_++] = at(0);
+    }
+  }
+  void makeRoom() {
+    if (end_ < static_cast<int>(soon_.size())) return;
+    std::copy(soon_.begin() + begin_, soon_.end(), soon_.begin());
+    end_ -= begin_, begin_ = 0;
+  }
+  void insertSoon(const Entry& entry) {
+    if (end_ - begin_ == 2 * kSoon) place(newSlot(), soon_[--end_]);
+    makeRoom();
+    int k = end_++;
+    for (; k > begin_ && entry < soon_[k - 1]; --k) soon_[k] = soon_[k - 1];
+    soon_[k] = entry;
+  }
+  void takeSoonOut(const Entry& entry) {
+    int k = begin_;
+    while (soon_[k].item != entry.item) ++k;
+    if (k == begin_) {
+      ++begin_;
+    } else {
+      std::copy(soon_.begin() + k + 1, soon_.begin() + end_--, soon_.begin() + k);
+    }
+  }
 
-  // Moves the horizon to where about kHeap items lie before it, as a sample of the items tells.
+  // Moves the horizon to where about heap_ items lie before it, as a sample of the items tells.
   void moveHorizon() {
     constexpr std::size_t kSample = 512;
-    if (due_.size() <= kHeap) return;
+    if (items_.size() <= static_cast<std::size_t>(heap_)) return;
     std::array<double, kSample> sample;
-    for (std::size_t k = 0; k < kSample; ++k) sample[k] = due_[k * due_.size() / kSample];
-    const auto quantile = sample.begin() + kSample * kHeap / due_.size();
+    for (std::size_t k = 0; k < kSample; ++k) sample[k] = items_[k * items_.size() / kSample].due;
+    const auto quantile = sample.begin() + kSample * heap_ / items_.size();
     std::nth_element(sample.begin(), quantile, sample.end());
     horizon_ = std::min(*quantile, kLatest);
-    for (int item = 0; item < static_cast<int>(due_.size()); ++item) {
-      if (due_[item] <= horizon_) place(newSlot(), {due_[item], item});
+    for (int item = 0; item < static_cast<int>(items_.size()); ++item) {
+      if (items_[item].due <= horizon_) place(newSlot(), {items_[item].due, item});
     }
   }
   int newSlot() {
@@ -89,7 +128,7 @@ class DueQueue {
     return size_++;
   }
   void takeOut(int slot) {
-    place_[at(slot).item] = kNone;
+    items_[at(slot).item].slot = kNone;
     const Entry last = at(--size_);
     at(size_) = {};
     if (slot != size_) place(slot, last);
@@ -124,14 +163,16 @@ class DueQueue {
   }
   void put(int slot, const Entry& entry) {
     at(slot) = entry;
-    place_[entry.item] = slot;
+    items_[entry.item].slot = slot;
   }
 
+  int heap_ = kHeap;  // about so many items in the heap at once
   double horizon_ = 0.0;
+  std::array<Entry, 8 * kSoon> soon_;  // the places from begin_ to end_: all that are due before the heap's
+  int begin_ = 0, end_ = 0;
   int size_ = 0;  // of the heap
   std::vector<Family> families_;
-  std::vector<double> due_;  // by item
-  std::vector<int> place_;   // its slot
+  std::vector<Item> items_;
 };
 
 }  // namespace carom

@@ -1,12 +1,13 @@
 #include "engine/billiard/game_history.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace carom {
 
 namespace {
 
-constexpr std::size_t kMostNewLegs = 256;
+constexpr std::size_t kNewLegs = 256, kNewLegsPerPuck = 4;  // at most so many legs wait
 
 Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }
 
@@ -34,29 +35,40 @@ GameHistory::GameHistory(const BilliardSetup& setup)
 }
 
 void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Turning& turning, const Vec21& signal) {
-  newLegs_.push_back({puck, leg, turning, signal});
-  if (newLegs_.size() == kMostNewLegs) complete();
+  newLegs_.push_back(
+      {leg.start, signal, {leg.u.x, leg.u.y}, leg.properTime, turning, static_cast<std::uint32_t>(puck)});
+  if (newLegs_.size() >= std::max(kNewLegs, kNewLegsPerPuck * lines_.size())) complete();
 }
 
-// The ends of the world lines are scattered over the memory: those of the legs to come are asked for while
-// one is added.
+// The world lines are scattered over the memory. Many legs are therefore appended at once, line after line, and the
+// data of those to come are asked for while one is added.
 void GameHistory::complete() {
-  constexpr std::size_t kLines = 16, kEnds = 8;  // legs ahead
-  for (std::size_t k = 0; k < newLegs_.size(); ++k) {
-    if (k + kLines < newLegs_.size()) {
-      const char* line = reinterpret_cast<const char*>(&lines_[newLegs_[k + kLines].puck]);
-      for (std::size_t byte = 0; byte < sizeof(WorldLine); byte += 64) __builtin_prefetch(line + byte);
-    }
-    if (k + kEnds < newLegs_.size()) lines_[newLegs_[k + kEnds].puck].fetchEnd();
-    const auto& [puck, leg, turning, signal] = newLegs_[k];
-    lines_[puck].append({eventOf(puck, leg.start),
-                         {leg.u.x, leg.u.y, 0.0},
-                         leg.properTime / c_m_s_,
-                         eventOf(puck, signal),
-                         friction_m_s2_,
-                         spinOf(puck, turning)});
+  if (newLegs_.empty()) return;
+  ends_.assign(lines_.size() + 1, 0);
+  for (const NewLeg& leg : newLegs_) ++ends_[leg.puck + 1];
+  std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+  byPuck_.resize(newLegs_.size());
+  for (std::size_t k = 0; k < newLegs_.size(); ++k)
+    byPuck_[ends_[newLegs_[k].puck]++] = static_cast<std::uint32_t>(k);
+  constexpr std::size_t kLegs = 24, kLines = 16, kEnds = 8;  // ahead
+  const auto ahead = [&](std::size_t k) { return &newLegs_[byPuck_[std::min(k, byPuck_.size() - 1)]]; };
+  for (std::size_t k = 0; k < byPuck_.size(); ++k) {
+    __builtin_prefetch(ahead(k + kLegs)), __builtin_prefetch(&ahead(k + kLegs)->turning);
+    const char* line = reinterpret_cast<const char*>(&lines_[ahead(k + kLines)->puck]);
+    for (std::size_t byte = 0; byte < sizeof(WorldLine); byte += 64) __builtin_prefetch(line + byte);
+    lines_[ahead(k + kEnds)->puck].fetchEnd();
+    append(newLegs_[byPuck_[k]]);
   }
   newLegs_.clear();
+}
+
+void GameHistory::append(const NewLeg& leg) {
+  lines_[leg.puck].append({eventOf(leg.puck, leg.start),
+                           {leg.u.x, leg.u.y, 0.0},
+                           leg.properTime / c_m_s_,
+                           eventOf(leg.puck, leg.signal),
+                           friction_m_s2_,
+                           spinOf(leg.puck, leg.turning)});
 }
 
 void GameHistory::keepLegs(std::size_t puck, std::size_t legs) {

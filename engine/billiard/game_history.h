@@ -23,14 +23,17 @@ class GameHistory {
  public:
   explicit GameHistory(const BilliardSetup& setup);
 
-  /// Adds a leg to a puck's world line; `complete` makes it visible. `signal` is the event from which the
-  /// rest of the puck learns of it.
+  /// Adds a leg to a puck's world line. `signal` is the event from which the rest of the puck learns of it.
   void addLeg(std::size_t puck, const Leg& leg, const Turning& turning, const Vec21& signal);
-  /// Appends the added legs to the world lines.
-  void complete();
   /// Removes all legs of a puck but the first `legs`, counted from the start of the game.
   void keepLegs(std::size_t puck, std::size_t legs);
-  std::size_t legs(std::size_t puck) const { return forgottenLegs_[puck] + lines_[puck].knots().size(); }
+  std::size_t legs(std::size_t puck) {
+    complete();
+    return forgottenLegs_[puck] + lines_[puck].knots().size();
+  }
+
+  /// Prefetches what `addTurn` needs of a puck from memory.
+  void fetch(std::uint32_t puck) const { __builtin_prefetch(&shapes_[puck]); }
 
   // Adding an event returns its number, counted from the start of the game. Its turns are added afterwards.
   std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, bool withoutDelay,
@@ -62,15 +65,19 @@ class GameHistory {
   /// Removes the legs that ended and the events that were over before board time `t_s`.
   void forgetBefore(double t_s);
 
-  std::span<const WorldLine> worldLines() const { return lines_; }
+  std::span<const WorldLine> worldLines() {
+    complete();
+    return lines_;
+  }
   std::span<const GameEvent> events() const { return events_; }
 
  private:
   struct NewLeg {
-    std::size_t puck = 0;
-    Leg leg;
+    Vec21 start, signal;
+    Vec2 u;
+    double properTime;
     Turning turning;
-    Vec21 signal;
+    std::uint32_t puck;
   };
   // What of a puck the events and the world lines need.
   struct Shape {
@@ -78,6 +85,9 @@ class GameHistory {
     double radius_m = 0.0;
     SpinningBody body;
   };
+  /// Appends the added legs to the world lines.
+  void complete();
+  void append(const NewLeg& leg);
   GameEvent& add(EventKind kind, const Event& at);
   /// Returns an event for changing it, and notes that it changes.
   GameEvent& change(std::uint64_t event);
@@ -90,7 +100,9 @@ class GameHistory {
   double slowing_1_s_;  // of the rims' γβ
   std::vector<Shape> shapes_;
   std::vector<WorldLine> lines_;
-  std::vector<NewLeg> newLegs_;  // legs that are not in the lines yet
+  std::vector<NewLeg> newLegs_;  // legs that are not in the lines yet, in the order in which they were added
+  std::vector<std::uint32_t> byPuck_;  // scratch: their places, by puck
+  std::vector<std::uint32_t> ends_;    // scratch: how far a puck's places reach
   std::vector<GameEvent> events_;
   double changedFrom_s_ = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> forgottenLegs_;

@@ -41,7 +41,6 @@ TEST(CollisionScheduler, PlaysTheGameThatSmallStepsPlay) {
   CollisionScheduler game(setup);
   GameHistory history(setup);
   EXPECT_TRUE(game.playUntil(kUntil_s * kC_m_s, kMany, history));
-  history.complete();
   constexpr double kStep_s = 1e-5;
   Stepped stepped;
   for (int step = 0; step * kStep_s < kUntil_s; ++step) {

@@ -52,7 +52,6 @@ TEST(GameHistory, WorldLinesAreTheLegsInSIUnits) {
       for (std::size_t k = 1; k < legs[puck].size(); ++k)
         history.addLeg(puck, legs[puck][k], {}, legs[puck][k].start);
     }
-    history.complete();
     for (std::size_t puck = 0; puck < 2; ++puck) {
       ASSERT_EQ(history.legs(puck), legs[puck].size());
       for (int n = 0; n < 50; ++n) {
@@ -77,7 +76,6 @@ TEST(GameHistory, ForgetsFromEitherEndAndKeepsCount) {
   GameHistory history(setup);
   const std::vector<Leg> legs = randomLegs(random, setup, 0, 9);
   for (std::size_t k = 1; k < legs.size(); ++k) history.addLeg(0, legs[k], {}, legs[k].start);
-  history.complete();
   EXPECT_EQ(history.legs(0), 10u);
   history.forgetBefore((legs[4].start.t + 1e-6) / kC_m_s);  // legs 0 to 3 have ended
   EXPECT_EQ(history.legs(0), 10u) << "counted from the start of the game";
@@ -87,7 +85,6 @@ TEST(GameHistory, ForgetsFromEitherEndAndKeepsCount) {
   EXPECT_EQ(history.legs(0), 7u);
   EXPECT_NEAR(history.worldLines()[0].knots().back().turn.t_s * kC_m_s, legs[6].start.t, 1e-12);
   history.addLeg(0, legs[7], {}, legs[7].start);
-  history.complete();
   EXPECT_EQ(history.legs(0), 8u);
 }
 
