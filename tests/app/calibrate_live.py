@@ -3,12 +3,15 @@
 import math
 import os
 import pathlib
+import pty
 import random
 import re
 import select
+import signal
 import socket
 import subprocess
 import sys
+import termios
 import threading
 import time
 
@@ -103,8 +106,8 @@ sender = Sender()
 class Person:
     """Runs the program; reads it line by line."""
 
-    def __init__(self, *arguments):
-        self.program = subprocess.Popen([carom, "calibrate", rig, *arguments], stdin=subprocess.PIPE,
+    def __init__(self, *arguments, keyboard=subprocess.PIPE):
+        self.program = subprocess.Popen([carom, "calibrate", rig, *arguments], stdin=keyboard,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.text = ""
 
@@ -204,4 +207,24 @@ check(status == 1, f"an early end has status {status}")
 check("0 touched corners are too few" in err, f"an early end says {err!r}")
 check(line_of(text) is None, "an early end prints a line")
 check(list((out / "nothing").iterdir()) == [], "an early end leaves files")
+
+# What was taken is written at once, and a terminal is as before when the program is ended from outside.
+sender.seen = True
+keys, keyboard = pty.openpty()
+usual = termios.tcgetattr(keyboard)
+person = Person("--record", out / "ended", keyboard=keyboard)
+person.read_until("1 of 6")
+check(not termios.tcgetattr(keyboard)[3] & termios.ECHO, "the terminal shows the keys")
+sender.place = CORNERS["front.lower_left"]
+sender.wait_frames(3)
+while True:
+    os.write(keys, b"\n")
+    if person.read_until(r"  (Taken|It moved|Nothing came)").group(1) == "Taken":
+        break
+person.read_until("2 of 6")
+check((out / "ended" / "corners.csv").exists(), "the first point is not written before the second is asked for")
+person.program.send_signal(signal.SIGTERM)
+status, text, err = person.end()
+check("1 touched corners are too few" in err, f"ended by SIGTERM, it says {err!r} with status {status}")
+check(termios.tcgetattr(keyboard) == usual, "the terminal is not as it was")
 sys.exit(1 if failures else 0)
