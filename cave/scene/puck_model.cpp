@@ -175,8 +175,8 @@ ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
 
 namespace {
 
-/// Returns a search for equal points whose buckets hold few of the `points` of a surface. VTK's own has the same
-/// number of buckets for any mesh, and takes seconds for a million points.
+/// Returns a search for equal points whose buckets hold few of the `points` of a surface. VTK's own has the
+/// same number of buckets for any mesh, and takes seconds for a million points.
 vtkSmartPointer<vtkMergePoints> locatorFor(vtkIdType points) {
   constexpr double kFewest = 50.0, kMost = 256.0;  // along each side of the box
   const double along = std::clamp(1.5 * std::cbrt(static_cast<double>(points)), kFewest, kMost);

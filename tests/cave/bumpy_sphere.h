@@ -11,8 +11,8 @@
 
 namespace carom::test {
 
-/// Returns a binary PLY of a sphere with bumps and a diameter of about 1: `rings` by 2 `rings` cells of two triangles
-/// each. Rows of points run around z; all points of the first and of the last are the poles.
+/// Returns a binary PLY of a sphere with bumps and a diameter of about 1: `rings` by 2 `rings` cells of two
+/// triangles each. Rows of points run around z; all points of the first and of the last are the poles.
 inline std::string bumpySphere(int rings) {
   const std::int64_t around = 2 * rings;
   std::string ply = fmt::format(

@@ -228,8 +228,8 @@ TEST(MeshFile, DamagedFilesAreReadOrRefused) {
   EXPECT_GT(refused, 60);
 }
 
-// A binary PLY in which every number has to be where it belongs: the volume of a sphere of radius 0.5 with bumps of
-// 0.01 is that of the sphere within 2 %, and every corner is one of the points.
+// A binary PLY in which every number has to be where it belongs: the volume of a sphere of radius 0.5 with
+// bumps of 0.01 is that of the sphere within 2 %, and every corner is one of the points.
 TEST(MeshFile, AMeshOfManyTrianglesIsWhole) {
   constexpr int kRings = 60;
   const MeshFile file(".ply", test::bumpySphere(kRings));
