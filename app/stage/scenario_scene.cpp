@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <stdexcept>
 
 #include "app/files/toml_file.h"
 #include "cave/frame/bodies.h"
@@ -89,8 +91,12 @@ void openMeshes(const Scenario& scenario) {
   std::vector<InputError> faults;
   for (const std::string& path : paths) {
     if (path.empty()) continue;
+    constexpr std::uintmax_t kSmall = 8U << 20U;
+    std::error_code unknown;
+    if (const auto bytes = std::filesystem::file_size(path, unknown); !unknown && bytes > kSmall)
+      log::note(fmt::format("Opening {}, {} MiB.", path, bytes >> 20U));
     try {
-      readMeshFile(path);
+      openMeshFile(path);
     } catch (const InputError& fault) {
       faults.push_back(fault);
     }

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <utility>
@@ -21,7 +20,9 @@
 #include <vtkCompositeDataGeometryFilter.h>
 #include <vtkDataSetReader.h>
 #include <vtkDataSetSurfaceFilter.h>
+#include <vtkFloatArray.h>
 #include <vtkGLTFReader.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkOutputWindow.h>
@@ -117,8 +118,9 @@ std::string contentOf(const std::string& path) {
                      fmt::format("is {} MiB large, expected at most {} MiB", size >> 20U, kMostBytes >> 20U));
   }
   std::ifstream file(path, std::ios::binary);
-  std::string content(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw InputError(path, 1, 1, "cannot be read, expected a mesh that can");
+  std::string content(static_cast<std::size_t>(size), '\0');
+  if (!file.read(content.data(), static_cast<std::streamsize>(size)))
+    throw InputError(path, 1, 1, "cannot be read, expected a mesh that can");
   return content;
 }
 
@@ -213,19 +215,23 @@ vtkSmartPointer<vtkPolyData> surfaceFrom(const std::string& bytes) {
   const char* corners = places + 3 * count * sizeof(double);
   const std::size_t triangles =
       static_cast<std::size_t>(bytes.data() + bytes.size() - corners) / (3 * sizeof(vtkIdType));
+  vtkNew<vtkFloatArray> coordinates_m;
+  coordinates_m->SetNumberOfComponents(3);
+  float* coordinate_m = coordinates_m->WritePointer(0, static_cast<vtkIdType>(3 * count));
+  for (std::size_t i = 0; i < 3 * count; ++i) {
+    double read_m = 0.0;
+    std::memcpy(&read_m, places + i * sizeof read_m, sizeof read_m);
+    coordinate_m[i] = static_cast<float>(read_m);
+  }
   vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    std::array<double, 3> place{};
-    std::memcpy(place.data(), places + i * sizeof place, sizeof place);
-    points->SetPoint(static_cast<vtkIdType>(i), place.data());
-  }
+  points->SetData(coordinates_m);
+  vtkNew<vtkIdTypeArray> ends, ids;
+  vtkIdType* end = ends->WritePointer(0, static_cast<vtkIdType>(triangles + 1));
+  for (std::size_t i = 0; i <= triangles; ++i) end[i] = static_cast<vtkIdType>(3 * i);
+  std::memcpy(ids->WritePointer(0, static_cast<vtkIdType>(3 * triangles)), corners,
+              3 * triangles * sizeof(vtkIdType));
   vtkNew<vtkCellArray> cells;
-  for (std::size_t i = 0; i < triangles; ++i) {
-    std::array<vtkIdType, 3> ids{};
-    std::memcpy(ids.data(), corners + i * sizeof ids, sizeof ids);
-    cells->InsertNextCell(3, ids.data());
-  }
+  cells->SetData(ends, ids);
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(points);
   surface->SetPolys(cells);
@@ -245,9 +251,7 @@ std::pair<int, int> placeIn(const std::string& message) {
   return {1, 1};
 }
 
-}  // namespace
-
-vtkSmartPointer<vtkPolyData> readMeshFile(const std::string& path) {
+vtkSmartPointer<vtkPolyData> readNow(const std::string& path) {
   static const std::map<std::string, Reader> kReaders{
       {".obj", readSurface<vtkOBJReader>},
       {".stl", readSurface<vtkSTLReader>},
@@ -279,6 +283,39 @@ vtkSmartPointer<vtkPolyData> readMeshFile(const std::string& path) {
     throw InputError(path, 1, 1, "all points are one, expected a mesh that has extent");
   }
   return surface;
+}
+
+/// A mesh that was opened and not read yet, and the file's last change and size then.
+struct OpenedMesh {
+  std::filesystem::file_time_type changed;
+  std::uintmax_t bytes = 0;
+  vtkSmartPointer<vtkPolyData> surface;
+};
+
+std::map<std::string, OpenedMesh>& openedMeshes() {
+  static std::map<std::string, OpenedMesh> opened;
+  return opened;
+}
+
+OpenedMesh stateOf(const std::string& path) {
+  std::error_code failed;
+  return {std::filesystem::last_write_time(path, failed), std::filesystem::file_size(path, failed), {}};
+}
+
+}  // namespace
+
+void openMeshFile(const std::string& path) {
+  OpenedMesh opened = stateOf(path);
+  opened.surface = readNow(path);
+  openedMeshes()[path] = opened;
+}
+
+vtkSmartPointer<vtkPolyData> readMeshFile(const std::string& path) {
+  const auto opened = openedMeshes().extract(path);
+  if (opened.empty()) return readNow(path);
+  const OpenedMesh now = stateOf(path);
+  const bool isSame = opened.mapped().changed == now.changed && opened.mapped().bytes == now.bytes;
+  return isSame ? opened.mapped().surface : readNow(path);
 }
 
 }  // namespace carom

@@ -16,4 +16,8 @@ inline constexpr const char* kMeshEndings = ".obj, .stl, .ply, .vtk, .vtp, .vtu,
 /// all points the same. Throws InputError; nothing is printed.
 vtkSmartPointer<vtkPolyData> readMeshFile(const std::string& path);
 
+/// Reads a file as `readMeshFile` does and keeps the surface for the next call of `readMeshFile`, which has
+/// it at once if the file is still the same. Both are for one thread.
+void openMeshFile(const std::string& path);
+
 }  // namespace carom

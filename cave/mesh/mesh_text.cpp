@@ -236,8 +236,15 @@ class PlyCheck {
   }
 
  private:
+  struct Type {
+    std::string_view names;
+    std::size_t bytes;
+    bool isFloating, isUnsigned;
+  };
   struct Property {
-    std::string_view type, countType, name;  // countType: empty for a single value
+    const Type* type = nullptr;
+    const Type* countType = nullptr;  // none for a single value
+    std::string_view name;
   };
   struct Element {
     std::string_view name;
@@ -245,23 +252,23 @@ class PlyCheck {
     std::vector<Property> properties;
   };
 
-  static std::size_t sizeOf(std::string_view type) {
-    for (const auto& [names, size] : {std::pair{" char uchar int8 uint8 ", 1},
-                                      {" short ushort int16 uint16 ", 2},
-                                      {" int uint int32 uint32 float float32 ", 4},
-                                      {" double float64 ", 8}}) {
-      if (!type.empty() && std::string_view(names).find(fmt::format(" {} ", type)) != std::string_view::npos)
-        return static_cast<std::size_t>(size);
-    }
-    return 0;
-  }
-  static bool isFloating(std::string_view type) { return type.starts_with("float") || type == "double"; }
-
-  std::string_view type(const Word& word) const {
-    if (sizeOf(word.text) == 0)
+  const Type* type(const Word& word) const {
+    static constexpr std::array<Type, 8> kTypes{{{" char int8 ", 1, false, false},
+                                                 {" uchar uint8 ", 1, false, true},
+                                                 {" short int16 ", 2, false, false},
+                                                 {" ushort uint16 ", 2, false, true},
+                                                 {" int int32 ", 4, false, false},
+                                                 {" uint uint32 ", 4, false, true},
+                                                 {" float float32 ", 4, true, false},
+                                                 {" double float64 ", 8, true, false}}};
+    const std::string name = fmt::format(" {} ", word.text);
+    const auto found = std::find_if(kTypes.begin(), kTypes.end(), [&](const Type& type) {
+      return !word.text.empty() && type.names.find(name) != std::string_view::npos;
+    });
+    if (found == kTypes.end())
       words_.fault(word,
                    fmt::format("'{}' is no type, expected one such as float or uchar", shown(word.text)));
-    return word.text;
+    return found;
   }
 
   void header() {
@@ -309,19 +316,19 @@ class PlyCheck {
   }
 
   void value(const Element& element, const Property& property) {
-    if (property.countType.empty()) {
-      scalar(property.type);
+    if (!property.countType) {
+      scalar(*property.type);
       return;
     }
     const bool corners = element.name == "face" && property.name.starts_with("vertex_ind");
     constexpr double kMostCorners = 255.0;
     const Word at = here();
-    const double count = scalar(property.countType);
+    const double count = scalar(*property.countType);
     if (!(count >= (corners ? 3.0 : 0.0) && count <= kMostCorners))
       words_.fault(at, fmt::format("a list of {}, expected {} to {}", count, corners ? 3 : 0, kMostCorners));
     for (int i = 0; i < static_cast<int>(count); ++i) {
       const Word where = here();
-      const double index = scalar(property.type);
+      const double index = scalar(*property.type);
       if (corners && !(index >= 0.0 && index < static_cast<double>(points_)))
         words_.fault(where, fmt::format("corner {} is none of the {} points, expected an index from 0", index,
                                         points_));
@@ -335,20 +342,19 @@ class PlyCheck {
     return ahead.next();
   }
 
-  double scalar(std::string_view type) {
+  double scalar(const Type& type) {
     if (isText_) return words_.number(words_.next());
-    const std::size_t size = sizeOf(type), at = at_;
-    if (content_.size() - at_ < size)
+    const std::size_t at = at_;
+    if (content_.size() - at_ < type.bytes)
       words_.fault({}, "this PLY ends before its last row, expected it whole");
-    at_ += size;
+    at_ += type.bytes;
     const auto as = [&]<typename Number>(Number) {
       return static_cast<double>(numberAt<Number>(content_, at, bigEndian_));
     };
-    if (isFloating(type)) return size == 4 ? as(float()) : as(double());
-    const bool isUnsigned = type.starts_with('u');
-    if (size == 1) return isUnsigned ? as(std::uint8_t()) : as(std::int8_t());
-    if (size == 2) return isUnsigned ? as(std::uint16_t()) : as(std::int16_t());
-    return isUnsigned ? as(std::uint32_t()) : as(std::int32_t());
+    if (type.isFloating) return type.bytes == 4 ? as(float()) : as(double());
+    if (type.bytes == 1) return type.isUnsigned ? as(std::uint8_t()) : as(std::int8_t());
+    if (type.bytes == 2) return type.isUnsigned ? as(std::uint16_t()) : as(std::int16_t());
+    return type.isUnsigned ? as(std::uint32_t()) : as(std::int32_t());
   }
 
   Words words_;

@@ -8,6 +8,7 @@
 #include <vtkAdaptiveSubdivisionFilter.h>
 #include <vtkCleanPolyData.h>
 #include <vtkFloatArray.h>
+#include <vtkMergePoints.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
@@ -172,6 +173,20 @@ ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
   return {body, mesh.build(), Paint::bands, colour, 0.3F};
 }
 
+namespace {
+
+/// Returns a search for equal points whose buckets hold few of the `points` of a surface. VTK's own has the
+/// same number of buckets for any mesh, and takes seconds for a million points.
+vtkSmartPointer<vtkMergePoints> locatorFor(vtkIdType points) {
+  constexpr double kFewest = 50.0, kMost = 256.0;  // along each side of the box
+  const double along = std::clamp(1.5 * std::cbrt(static_cast<double>(points)), kFewest, kMost);
+  auto locator = vtkSmartPointer<vtkMergePoints>::New();
+  locator->SetDivisions(static_cast<int>(along), static_cast<int>(along), static_cast<int>(along));
+  return locator;
+}
+
+}  // namespace
+
 ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
                    const glm::vec3& colour, const Tessellation& tessellation) {
   vtkNew<vtkTransformPolyDataFilter> fitted;
@@ -179,6 +194,7 @@ ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, st
   fitted->SetTransform(fitTo(*read, radius_m));
   vtkNew<vtkCleanPolyData> cleaned;
   cleaned->SetInputConnection(fitted->GetOutputPort());
+  cleaned->SetLocator(locatorFor(read->GetNumberOfPoints()));
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(cleaned->GetOutputPort());
   triangles->PassLinesOff();

@@ -88,6 +88,7 @@ class Billiard {
   double strike(const Stroke& stroke);
 
   /// Returns one world line for each puck, in the order of the setup, complete up to the time advanced to.
+  /// They are completed where they are asked for: not by two threads at once.
   std::span<const WorldLine> worldLines() const;
   /// Returns the events in the order in which they were committed. A stroke can still change the turns of
   /// earlier events whose signal was on its way, and the contacts of those with a cushion.

@@ -136,8 +136,8 @@ void CollisionScheduler::fetchDiscs(int found) const {
 }
 
 // Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
-// they are needed, one kind after the other, as each is found by the one before: a puck's own, its cells, the pucks
-// in them.
+// they are needed, one kind after the other, as each is found by the one before: a puck's own, its cells, the
+// pucks in them.
 void CollisionScheduler::prefetchUpcoming() {
   constexpr int kOwn = DueQueue::kSoon - 1, kCells = 9, kDiscs = 4;  // events ahead
   const auto fetch = [&](int i) {

@@ -2,8 +2,8 @@
 // A priority queue of numbered items. Each item has a time at which it is due; that time can be changed.
 // Items with equal times come out in the order of their numbers.
 //
-// The soonest are a short sorted list, so that one can look ahead. Further items that are due before a horizon
-// are in a four-way heap. Four siblings fill one cache line, and the least of them is found without a branch.
+// The soonest are a short sorted list, so that one can look ahead. Further items due before a horizon are
+// in a four-way heap. Four siblings fill one cache line, and the least of them is found without a branch.
 // Where there are many items, most lie beyond the horizon and are only noted, so that the heap stays in the
 // cache. When the heap is empty, the horizon moves on and all items are looked through once.
 

@@ -40,8 +40,8 @@ void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Turning& turnin
   if (newLegs_.size() >= std::max(kNewLegs, kNewLegsPerPuck * lines_.size())) complete();
 }
 
-// The world lines are scattered over the memory. Many legs are therefore appended at once, line after line, and the
-// data of those to come are asked for while one is added.
+// The world lines are scattered over the memory. Many legs are therefore appended at once, line after line,
+// and the data of those to come are asked for while one is added.
 void GameHistory::complete() {
   if (newLegs_.empty()) return;
   ends_.assign(lines_.size() + 1, 0);
