@@ -4,8 +4,9 @@
 // names that are missing, and values that a text has no place for ("{}", in the notation of the library fmt).
 //
 // Not here: the texts of games and lessons, which stand in their files (config/scenarios), one file a game; the
-// messages of the command line and of the log, which name facts of the code that writes them and stand beside it;
-// names that files contain (keys of a scenario, words of a session file), which no translation may change.
+// messages of the command line, of the log and of trackers, which name facts of the code that writes them and stand
+// beside it; names that files contain (keys of a scenario, words of a session file), which no translation may
+// change.
 // tests/app/texts.py finds texts that are elsewhere.
 
 #include <array>
@@ -239,7 +240,7 @@ inline constexpr Text kClose = "Close   Escape";
 inline constexpr Text kClock = "{:7.1f} s", kSeconds = "{:9.2f} s";
 inline constexpr Text kSession = "session";
 inline constexpr Text kSessionTip = "Since the session began, by the clock on the wall.";
-inline constexpr Text kProperTime = "observer's proper time";
+inline constexpr Text kProperTime = "proper time";
 inline constexpr Text kProperTimeTip = "What the observer's own clock shows.";
 inline constexpr Text kTableTime = "table time";
 inline constexpr Text kTableTimeTip =

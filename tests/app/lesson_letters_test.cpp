@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
@@ -36,6 +37,31 @@ TEST(LessonLetters, FitIntoTheBandOfEveryShippedRig) {
     for (const Wall& front : fronts) {
       EXPECT_TRUE(bandHolds(scenario.lesson->words, scenario.lesson->plan, front))
           << entry.path() << " on a wall of " << front.pixels.x << " x " << front.pixels.y << " pixels";
+    }
+  }
+}
+
+// As wide as they are written, lines fit beside the band's margins, so that their letters need not shrink.
+TEST(LessonLetters, LinesAreNoWiderThanTheBand) {
+  constexpr int kHeight_px = 30;
+  constexpr double kCapital = 0.72;  // of the nominal height
+  for (const char* name : {"/rigs/play.toml", "/rigs/desk.toml"}) {
+    const Wall front = frontWall(roomGeometryOf(readRig(std::string(CAROM_CONFIG_DIR) + name))).value();
+    const double wide_px = kCapital * kHeight_px / HudPanel::kBandCapital * front.pixels.x / front.pixels.y;
+    for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
+      const Scenario scenario = readScenario(entry.path());
+      if (!scenario.lesson) continue;
+      for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
+        FrameRecord record;
+        record.lesson = {phase, 1};
+        std::vector<HudLine> lines;
+        describe(record, scenario.lesson->words, scenario.lesson->plan, bandLetters(front), lines);
+        for (const HudLine& line : lines) {
+          const double indent_px = line.setIn ? 1.6 * kHeight_px : 0.0;
+          EXPECT_LE(ink(line.text, kHeight_px).size_px.x + indent_px + 4.0 * kHeight_px, wide_px)
+              << entry.path() << name << ": " << line.text;
+        }
+      }
     }
   }
 }

@@ -85,8 +85,8 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   record.lesson.phase = LessonPhase::asks;
   EXPECT_EQ(said(record, kLesson),
             (std::vector<std::string>{
-                "Question:  Two twins part and meet again. Who of", "them is then the older one, and why?",
-                "1   Neither", "2   The one who stayed at home, as seen from", "where they meet",
+                "Question:  Two twins part and meet", "again. Who of them is then the older", "one, and why?",
+                "1   Neither", "2   The one who stayed at home, as seen", "from where they meet",
                 "3   The traveller", "press 1 to 3, or a wand button    Enter: skip the question"}));
 }
 
@@ -98,11 +98,11 @@ TEST(HudPanel, ANumberKeepsItsUnitAndALongWordIsWhole) {
   lesson.notice = std::string(60, 'w') + " ends";
   EXPECT_EQ(
       said(record, lesson),
-      (std::vector<std::string>{
-          "Try this:  It goes along there at a speed of 0.75 c", "until it is at the far end, 2.84 m away.",
-          "Look for:  " + std::string(60, 'w'), "ends", "Y: replay    Enter: explanation"}));
-  lesson.todo = "It goes away and then along there at 0.75 c";
-  EXPECT_EQ(said(record, lesson)[0], "Try this:  It goes away and then along there at");
+      (std::vector<std::string>{"Try this:  It goes along there at a", "speed of 0.75 c until it is at the",
+                                "far end, 2.84 m away.", "Look for:  " + std::string(60, 'w'), "ends",
+                                "Y: replay    Enter: explanation"}));
+  lesson.todo = "It goes away and then at 0.75 c";
+  EXPECT_EQ(said(record, lesson)[0], "Try this:  It goes away and then at");
   EXPECT_EQ(said(record, lesson)[1], "0.75 c");
 }
 
@@ -150,11 +150,11 @@ TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
                                       "Y: replay    Enter: explanation"}));
   record.lesson.phase = LessonPhase::explains;
   EXPECT_EQ(said(record, kLesson),
-            (std::vector<std::string>{
-                "10.3 s and 8 s.", "Your answer:  Neither. Correct: The one who stayed at",
-                "home, as seen from where they meet.", "Enter: back to the scene    Y: ask again"}));
+            (std::vector<std::string>{"10.3 s and 8 s.", "Your answer:  Neither. Correct: The one",
+                                      "who stayed at home, as seen from", "where they meet.",
+                                      "Enter: back to the scene    Y: ask again"}));
   record.lesson.answer = 2;
-  EXPECT_EQ(said(record, kLesson)[2], "where they meet. Correct.");
+  EXPECT_EQ(said(record, kLesson)[2], "from where they meet. Correct.");
   record.lesson.answer = 0;
   EXPECT_EQ(said(record, kLesson).size(), 2u) << "skipped: the number alone";
 }
@@ -171,6 +171,25 @@ TEST(HudPanel, BeginWithWhatJustHappenedAndLetItStandOut) {
   EXPECT_TRUE(lines[0].urgent && lines[1].urgent);
   EXPECT_FALSE(lines[2].urgent);
   EXPECT_EQ(lines[0].text + " " + lines[1].text, words) << "nothing is cut within a letter";
+}
+
+TEST(HudPanel, SayWhichEffectsAreNotAsAtTheBeginning) {
+  FrameRecord record = recordAt(1.0);
+  EXPECT_TRUE(said(record).empty());
+  record.switches.retardation = 0;
+  record.switches.colour = 1;
+  EXPECT_EQ(said(record), (std::vector<std::string>{"off: light delay (retardation)", "on: Doppler colour"}));
+}
+
+TEST(HudPanel, ACaptionDuringAScriptedFlightSpeaksAlone) {
+  FrameRecord record = recordAt(1.0);
+  record.boardFromRoom = Lorentz::boost({0.75, 0.0, 0.0}, record.boardFromRoom.lightSpeed_m_s());
+  record.drive.mode = DriveMode::tour;
+  EXPECT_GT(said(record).size(), 2U) << "speed and contraction";
+  record.notice = Notice("Watch the hall.");
+  EXPECT_EQ(said(record), std::vector<std::string>{"Watch the hall."});
+  record.drive.mode = DriveMode::free;
+  EXPECT_GT(said(record).size(), 2U);
 }
 
 TEST(HudPanel, AreOnTheFirstWallAhead) {
