@@ -93,11 +93,15 @@ std::optional<ScreenPlace> ownPlace(const FreeWindow& window, std::span<const Bo
   return window.at;
 }
 
+/// Returns a window that wants this part of its size; a picture's own place and least size shrink with it.
 FreeWindow scaled(FreeWindow window, double scale) {
-  if (!window.keepsShape) return window;
-  const auto shrink = [&](glm::ivec2& size_px) { size_px = glm::ivec2(scale * glm::dvec2(size_px)); };
-  shrink(window.wanted_px);
-  if (window.at) shrink(window.at->size_px);
+  const auto shrunk = [scale](const glm::ivec2& size_px) { return glm::ivec2(scale * glm::dvec2(size_px)); };
+  window.wanted_px = shrunk(window.wanted_px);
+  if (!window.keepsShape) {
+    window.wanted_px = glm::max(window.wanted_px, window.least_px);
+    return window;
+  }
+  if (window.at) window.at->size_px = shrunk(window.at->size_px);
   window.least_px = glm::min(window.least_px, window.wanted_px);
   return window;
 }
@@ -113,7 +117,7 @@ std::size_t placed(const Places& places) {
       std::count_if(places.begin(), places.end(), [](const auto& place) { return place.has_value(); }));
 }
 
-/// Returns the places of windows whose pictures have this scale.
+/// Returns the places of windows of which each wants this part of its size.
 Places placesAt(double scale, std::span<const FreeWindow> windows, std::vector<Box> obstacles,
                 std::span<const Box> monitors) {
   Places places;
