@@ -23,7 +23,9 @@ constexpr int kRest = 4;  // idle time as a multiple of the drawing time
 constexpr std::size_t kMostSaid = 200;
 // Layout of the console's parts.
 constexpr float kTop_px = 84.0F, kLeft_px = 366.0F, kSaid_px = 104.0F, kWalls_px = 250.0F, kGap_px = 8.0F;
-constexpr float kButton_px = 150.0F;
+constexpr float kButton_px = 150.0F, kButtonHigh_px = 60.0F;
+// A narrow console has its buttons in a row of their own.
+constexpr float kNarrow_px = 1100.0F, kRow_px = 44.0F;
 
 void useHeadingFont() {
   const ImVector<ImFont*>& fonts = ImGui::GetIO().Fonts->Fonts;
@@ -100,10 +102,11 @@ void Console::drawAll(const ConsoleFrame& frame) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   const float left = kGap_px, right = kLeft_px + 2 * kGap_px, width = size.x - right - kGap_px;
-  const float top = kTop_px + kGap_px;
+  const bool isNarrow = size.x < kNarrow_px;
+  const float top_px = kTop_px + (isNarrow ? kRow_px : 0.0F), top = top_px + kGap_px;
   const float bottom = size.y - kSaid_px - 2 * kGap_px;
-  part("##top", {0.0F, 0.0F}, {size.x, kTop_px});
-  drawTop(frame);
+  part("##top", {0.0F, 0.0F}, {size.x, top_px});
+  drawTop(frame, isNarrow);
   ImGui::EndChild();
   part("##effects", {left, top}, {kLeft_px, size.y - kGap_px - top});
   effects_.draw(frame, scenario_->billiard.lightSpeed_m_s);
@@ -129,10 +132,12 @@ void Console::drawAll(const ConsoleFrame& frame) {
   ImGui::End();
 }
 
-void Console::drawTop(const ConsoleFrame& frame) {
-  const bool mayWelcome = keys_ == KeysOf::session;
-  const float buttons =
-      ImGui::GetContentRegionMax().x - (mayWelcome ? 3 : 2) * (kButton_px + kGap_px) + kGap_px;
+void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
+  const float width = ImGui::GetContentRegionMax().x;
+  const float buttons = width - (keys_ == KeysOf::session ? 3 : 2) * (kButton_px + kGap_px) + kGap_px;
+  const ImVec2 at = ImGui::GetWindowPos();
+  const float words_px = isNarrow ? width : buttons - kGap_px;
+  ImGui::PushClipRect(at, {at.x + words_px, at.y + ImGui::GetWindowHeight()}, true);
   useHeadingFont();
   words(title_);
   ImGui::PopFont();
@@ -144,24 +149,27 @@ void Console::drawTop(const ConsoleFrame& frame) {
   ImGui::SameLine(0.0F, 4.0F);
   words(texts::console::kTrackers);
   tip(texts::console::kTrackersTip);
-  ImGui::SetCursorPosY(46.0F);
-  drawClocks(frame);
-  ImGui::SetCursorPos({buttons, 12.0F});
-  if (mayWelcome) {
-    if (ImGui::Button(texts::console::kNextVisitor, {kButton_px, 60.0F}))
-      frame.commands.emplace_back(WelcomeNextVisitor{});
+  ImGui::SetCursorPosY(38.0F);
+  drawClocks(frame, words_px - kGap_px);
+  ImGui::PopClipRect();
+  ImGui::SetCursorPos({isNarrow ? kGap_px : buttons, isNarrow ? kTop_px : 12.0F});
+  drawButtons(frame, {kButton_px, isNarrow ? kRow_px - kGap_px : kButtonHigh_px});
+}
+
+void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
+  if (keys_ == KeysOf::session) {
+    if (ImGui::Button(texts::console::kNextVisitor, size)) frame.commands.emplace_back(WelcomeNextVisitor{});
     tip(texts::console::kNextVisitorTip);
     ImGui::SameLine(0.0F, kGap_px);
   }
-  if (ImGui::Button(texts::console::kKeysButton, {kButton_px, 60.0F})) opensKeys_ = true;
+  if (ImGui::Button(texts::console::kKeysButton, size)) opensKeys_ = true;
   ImGui::SameLine(0.0F, kGap_px);
   const bool blank = frame.settings.walls.blank != 0;
   ImGui::PushStyleColor(ImGuiCol_Button, blank ? kFair : ImVec4{0.42F, 0.20F, 0.19F, 1.0F});
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blank ? kFair : ImVec4{0.55F, 0.25F, 0.23F, 1.0F});
   ImGui::PushStyleColor(ImGuiCol_Text, blank ? ImVec4{0.1F, 0.1F, 0.1F, 1.0F} : kBright);
-  if (ImGui::Button(blank ? texts::console::kLightWalls : texts::console::kBlackWalls, {kButton_px, 60.0F})) {
+  if (ImGui::Button(blank ? texts::console::kLightWalls : texts::console::kBlackWalls, size))
     frame.commands.emplace_back(SetWalls{&WallControls::blank, !blank});
-  }
   ImGui::PopStyleColor(3);
   tip(texts::console::kBlackTip);
 }

@@ -54,7 +54,8 @@ class Console {
     std::string words;
   };
   void drawAll(const ConsoleFrame& frame);
-  void drawTop(const ConsoleFrame& frame);
+  void drawTop(const ConsoleFrame& frame, bool isNarrow);
+  void drawButtons(const ConsoleFrame& frame, const ImVec2& size);
   void drawTabs(const ConsoleFrame& frame);
   void drawDiagram(const ConsoleFrame& frame);
   void drawSaid() const;

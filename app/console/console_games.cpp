@@ -23,6 +23,13 @@ void paragraph(const char* what, const std::string& text) {
   ImGui::TextWrapped("%s", text.c_str());
 }
 
+/// Draws a mark at the right edge of a title's line if there is room beside the title.
+void markAtRight(const std::string& title, const char* mark) {
+  const float gap_px = ImGui::GetFontSize();
+  const float taken_px = ImGui::CalcTextSize(title.c_str()).x + gap_px + ImGui::CalcTextSize(mark).x;
+  if (taken_px <= ImGui::GetContentRegionAvail().x) keyAtRight(mark);
+}
+
 const char* phaseWords(LessonPhase phase) {
   switch (phase) {
     case LessonPhase::none:
@@ -114,9 +121,9 @@ void GamesPanel::drawList(const ConsoleFrame& frame) {
     ImGui::PopStyleColor();
     tip(game.fault.empty() ? game.file : game.fault);
     if (i == played_) {
-      keyAtRight(game.lesson ? texts::console::kIsPlayedLesson : texts::console::kIsPlayed);
+      markAtRight(game.title, game.lesson ? texts::console::kIsPlayedLesson : texts::console::kIsPlayed);
     } else if (game.lesson) {
-      keyAtRight(texts::console::kIsLesson);
+      markAtRight(game.title, texts::console::kIsLesson);
     }
     ImGui::PopID();
   }

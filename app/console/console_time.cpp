@@ -18,15 +18,33 @@ namespace {
 constexpr double kStep_s = 1.0;
 constexpr std::array<double, 5> kRates{0.25, 0.5, 1.0, 2.0, 4.0};
 
-void clock(const char* name, const std::string& value, const char* meaning) {
-  ImGui::BeginGroup();
-  dim(name);
-  ImGui::SameLine(0.0F, 6.0F);
-  words(value);
-  ImGui::EndGroup();
-  tip(meaning);
-  ImGui::SameLine(0.0F, 24.0F);
-}
+constexpr float kBeside_px = 6.0F, kApart_px = 24.0F;
+
+/// Draws clocks beside one another, and below where there is no room.
+class Clocks {
+ public:
+  explicit Clocks(float width_px) : width_px_(width_px) {}
+
+  void draw(const char* name, const std::string& value, const char* meaning) {
+    const float clock_px = ImGui::CalcTextSize(name).x + kBeside_px + ImGui::CalcTextSize(value.c_str()).x;
+    if (drawn_px_ > 0.0F && drawn_px_ + kApart_px + clock_px <= width_px_) {
+      ImGui::SameLine(0.0F, kApart_px);
+      drawn_px_ += kApart_px;
+    } else {
+      drawn_px_ = 0.0F;
+    }
+    drawn_px_ += clock_px;
+    ImGui::BeginGroup();
+    dim(name);
+    ImGui::SameLine(0.0F, kBeside_px);
+    words(value);
+    ImGui::EndGroup();
+    tip(meaning);
+  }
+
+ private:
+  float width_px_, drawn_px_ = 0.0F;
+};
 
 /// Formats a time as the clocks in the room do.
 std::string shown(double time_s) { return fmt::format(texts::console::kClock, shownTime_s(time_s)); }
@@ -37,22 +55,23 @@ void goTo(const ConsoleFrame& frame, double session_s) {
 
 }  // namespace
 
-void drawClocks(const ConsoleFrame& frame) {
+void drawClocks(const ConsoleFrame& frame, float width_px) {
+  Clocks clocks(width_px);
   const FrameRecord& record = frame.record;
   const double platform = glm::length(betaFromU(record.boardFromRoom.u()));
   const double person = glm::length(betaFromU(record.observer.headFromBoard.inverse().u()));
-  clock(texts::console::kSession, shown(record.display_s), texts::console::kSessionTip);
-  clock(texts::console::kProperTime, shown(record.observer.properTime_s), texts::console::kProperTimeTip);
-  clock(texts::console::kTableTime, shown(record.observer.middle.observation.t_s),
-        texts::console::kTableTimeTip);
-  clock(texts::console::kRoomSpeed,
-        platform < 1e-9 ? texts::console::kAtRest : fmt::format(texts::console::kSpeed3, platform),
-        texts::console::kRoomSpeedTip);
-  clock(texts::console::kObserverSpeed, fmt::format(texts::console::kSpeed2, person),
-        texts::console::kObserverSpeedTip);
-  clock(texts::console::kLight, fmt::format(texts::console::kLightSpeed, record.lightSpeed_m_s),
-        texts::console::kLightTip);
-  ImGui::NewLine();
+  clocks.draw(texts::console::kSession, shown(record.display_s), texts::console::kSessionTip);
+  clocks.draw(texts::console::kProperTime, shown(record.observer.properTime_s),
+              texts::console::kProperTimeTip);
+  clocks.draw(texts::console::kTableTime, shown(record.observer.middle.observation.t_s),
+              texts::console::kTableTimeTip);
+  clocks.draw(texts::console::kRoomSpeed,
+              platform < 1e-9 ? texts::console::kAtRest : fmt::format(texts::console::kSpeed3, platform),
+              texts::console::kRoomSpeedTip);
+  clocks.draw(texts::console::kObserverSpeed, fmt::format(texts::console::kSpeed2, person),
+              texts::console::kObserverSpeedTip);
+  clocks.draw(texts::console::kLight, fmt::format(texts::console::kLightSpeed, record.lightSpeed_m_s),
+              texts::console::kLightTip);
 }
 
 void Playing::draw(const ConsoleFrame& frame) {

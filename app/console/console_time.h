@@ -5,8 +5,8 @@
 
 namespace carom::console {
 
-/// Draws one line with the clocks and the platform's motion.
-void drawClocks(const ConsoleFrame& frame);
+/// Draws the clocks and the platform's motion, in lines of this width.
+void drawClocks(const ConsoleFrame& frame, float width_px);
 
 /// The playback controls of a recorded session: direction, rate, and a slider over its duration if both ends
 /// are known.

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-constexpr glm::ivec2 kConsole_px{1280, 860}, kLeastConsole_px{800, 620};
+constexpr glm::ivec2 kConsole_px{1280, 1000}, kLeastConsole_px{800, 620};
 constexpr glm::ivec2 kOutside_px{1440, 900}, kDiagram_px{1000, 820}, kLeastView_px{320, 220};
 constexpr glm::ivec2 kLeastWall_px{200, 120};
 

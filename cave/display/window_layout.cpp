@@ -93,40 +93,63 @@ std::optional<ScreenPlace> ownPlace(const FreeWindow& window, std::span<const Bo
   return window.at;
 }
 
+/// Returns a window that wants this part of its size; a picture's own place and least size shrink with it.
 FreeWindow scaled(FreeWindow window, double scale) {
-  if (!window.keepsShape) return window;
-  const auto shrink = [&](glm::ivec2& size_px) { size_px = glm::ivec2(scale * glm::dvec2(size_px)); };
-  shrink(window.wanted_px);
-  if (window.at) shrink(window.at->size_px);
+  const auto shrunk = [scale](const glm::ivec2& size_px) { return glm::ivec2(scale * glm::dvec2(size_px)); };
+  window.wanted_px = shrunk(window.wanted_px);
+  if (!window.keepsShape) {
+    window.wanted_px = glm::max(window.wanted_px, window.least_px);
+    return window;
+  }
+  if (window.at) window.at->size_px = shrunk(window.at->size_px);
   window.least_px = glm::min(window.least_px, window.wanted_px);
   return window;
 }
 
 }  // namespace
 
-std::vector<std::optional<ScreenPlace>> arranged(std::span<const FreeWindow> windows,
+namespace {
+
+using Places = std::vector<std::optional<ScreenPlace>>;
+
+std::size_t placed(const Places& places) {
+  return static_cast<std::size_t>(
+      std::count_if(places.begin(), places.end(), [](const auto& place) { return place.has_value(); }));
+}
+
+/// Returns the places of windows of which each wants this part of its size.
+Places placesAt(double scale, std::span<const FreeWindow> windows, std::vector<Box> obstacles,
+                std::span<const Box> monitors) {
+  Places places;
+  for (const FreeWindow& given : windows) {
+    const FreeWindow window = scaled(given, scale);
+    std::optional<ScreenPlace> place = ownPlace(window, monitors, obstacles);
+    if (!place) place = largest(window, monitors, obstacles);
+    places.push_back(place);
+    if (place) obstacles.push_back(framed(*place));
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<std::optional<ScreenPlace>> arranged(std::span<const FreeWindow> given,
                                                  std::span<const ScreenPlace> taken,
                                                  std::span<const ScreenPlace> areas) {
-  std::vector<Box> monitors;
+  std::vector<Box> monitors, obstacles;
   for (const ScreenPlace& area : areas) monitors.push_back(boxOf(area));
-  std::vector<std::optional<ScreenPlace>> places, best;
-  std::ptrdiff_t most = -1;
-  for (double scale = 1.0; scale > kSmallest - 0.5 * kStep; scale -= kStep) {
-    std::vector<Box> obstacles;
-    for (const ScreenPlace& place : taken) obstacles.push_back(boxOf(place));
-    places.clear();
-    for (const FreeWindow& given : windows) {
-      const FreeWindow window = scaled(given, scale);
-      std::optional<ScreenPlace> place = ownPlace(window, monitors, obstacles);
-      if (!place) place = largest(window, monitors, obstacles);
-      places.push_back(place);
-      if (place) obstacles.push_back(framed(*place));
+  for (const ScreenPlace& place : taken) obstacles.push_back(boxOf(place));
+  std::vector<FreeWindow> windows(given.begin(), given.end());
+  Places best(windows.size());
+  for (const bool keepsPlaces : {true, false}) {
+    for (FreeWindow& window : windows) {
+      if (!keepsPlaces && !window.keepsShape) window.at.reset();  // it has taken the others' room
     }
-    const auto placed =
-        std::count_if(places.begin(), places.end(), [](const auto& p) { return p.has_value(); });
-    if (placed > most) best = places;
-    most = std::max(most, static_cast<std::ptrdiff_t>(placed));
-    if (most == static_cast<std::ptrdiff_t>(windows.size())) break;
+    for (double scale = 1.0; scale > kSmallest - 0.5 * kStep; scale -= kStep) {
+      const Places places = placesAt(scale, windows, obstacles, monitors);
+      if (placed(places) > placed(best)) best = places;
+      if (placed(best) == windows.size()) return best;
+    }
   }
   return best;
 }

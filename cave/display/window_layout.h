@@ -22,9 +22,9 @@ struct FreeWindow {
 inline constexpr int kTitle_px = 34, kEdge_px = 6;
 
 /// Returns the place of each window, without its title and edges, so that no two windows meet and each lies
-/// within one of the monitors' areas. `taken` lie where they are. Earlier windows have the first choice; pictures
-/// become smaller, down to 2/5, until all the others have their least size. Empty for a window for which there is
-/// no room even then.
+/// within one of the monitors' areas. `taken` lie where they are. Earlier windows have the first choice; all
+/// want less, down to 2/5 of their size, until each has its least size; if that is not enough, the others do not
+/// get their own places. Empty for a window for which there is no room even then.
 std::vector<std::optional<ScreenPlace>> arranged(std::span<const FreeWindow> windows,
                                                  std::span<const ScreenPlace> taken,
                                                  std::span<const ScreenPlace> areas);

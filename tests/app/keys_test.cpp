@@ -1,5 +1,6 @@
 // What a session's keys change.
 #include "app/input/keys.h"
+#include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 
 #include <GLFW/glfw3.h>
@@ -148,8 +149,19 @@ TEST(Keys, ArrowsGoThroughARecordingAndMeanNothingInASession) {
   for (int i = 0; i < 20; ++i) press(GLFW_KEY_DOWN, settings, KeysOf::replay);
   EXPECT_EQ(settings.playback.rate, -1.0 / 16.0);
 
-  for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_LEFT, GLFW_KEY_UP, GLFW_KEY_R, GLFW_KEY_SPACE})
-    EXPECT_EQ(commandsOf(key, {}), Commands{});
+  for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_LEFT, GLFW_KEY_UP, GLFW_KEY_R})
+    EXPECT_EQ(commandsOf(key, {}), Commands{TellPerson{texts::message::kNoSuchKey}});
+  EXPECT_EQ(commandsOf(GLFW_KEY_SPACE, {}), Commands{}) << "it brakes";
+}
+
+TEST(Keys, AKeyThatDoesNothingSaysSoUnlessItSteersOrIsTheDesktops) {
+  for (const int key : {GLFW_KEY_I, GLFW_KEY_Z, GLFW_KEY_F9, GLFW_KEY_DOWN})
+    EXPECT_EQ(commandsOf(key, {}), Commands{TellPerson{texts::message::kNoSuchKey}}) << key;
+  for (const int key :
+       {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q, GLFW_KEY_ESCAPE, GLFW_KEY_F12,
+        GLFW_KEY_LEFT_SHIFT, GLFW_KEY_TAB, GLFW_KEY_LEFT_SUPER, GLFW_KEY_PRINT_SCREEN})
+    EXPECT_EQ(commandsOf(key, {}), Commands{}) << key;
+  EXPECT_EQ(commandsOf(GLFW_KEY_F2, {}), Commands{TellPerson{texts::message::kNoVelocities}});
 }
 
 TEST(Keys, WhileALessonAsksDigitsAnswerAndDoNothingElse) {

@@ -101,7 +101,8 @@ class SimulatedVisitors {
     if (mood_ == Mood::away && now_s > leaves_s_) leaves_s_ = now_s + random_.in(8.0, 50.0);
     if (now_s > leaves_s_) {
       mood_ = Mood::away;
-      comes_s_ = now_s + kPatience_s + random_.in(-40.0, 90.0);  // some come before all is put back
+      const bool isQuiet = random_.in(0.0, 1.0) < 0.15;  // otherwise some come before all is put back
+      comes_s_ = now_s + kPatience_s + (isQuiet ? random_.in(60.0, 110.0) : random_.in(-20.0, 40.0));
       return;
     }
     if (now_s < changes_s_) return;
@@ -201,7 +202,10 @@ inline void expectNothingOfOthers(const Found& found, const Found& first) {
   EXPECT_EQ(found.settings, first.settings);
   const FrameRecord &here = found.record, &there = first.record;
   EXPECT_EQ(here.observer.middle.observation.t_s, there.observer.middle.observation.t_s);
-  EXPECT_EQ(here.observer.middle.observation.r_m, there.observer.middle.observation.r_m);
+  // The tracker goes on, and with it the rounding of where the head is.
+  constexpr double kRounding_m = 1e-9;
+  EXPECT_LT(glm::distance(here.observer.middle.observation.r_m, there.observer.middle.observation.r_m),
+            kRounding_m);
   EXPECT_EQ(here.observer.properTime_s, there.observer.properTime_s);
   EXPECT_EQ(here.boardFromRoom.matrix(), there.boardFromRoom.matrix());
   EXPECT_EQ(here.switches, there.switches);
