@@ -71,11 +71,10 @@ void setTexts(const Scenario& scenario, const Rig& rig, const Cluster& cluster, 
                   scenario.title, front->name));
 }
 
-/// Returns the table for the spectator view, coarse because nothing is distorted there.
+/// Returns the table for the spectator view.
 std::vector<ScenePart> plainTable(const Scenario& scenario) {
-  constexpr double kCell_m = 0.05;
   if (!scenario.billiard.board) return {};
-  return tableParts(*scenario.billiard.board, scenario.observer.position_m.z, kCell_m);
+  return tableParts(*scenario.billiard.board, scenario.observer.position_m.z);
 }
 
 /// Settles where the windows of rank 0 open: where they lay last, in a session that somebody watches.

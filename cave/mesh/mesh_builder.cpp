@@ -6,11 +6,15 @@
 #include <numbers>
 
 #include <vtkCellArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <glm/geometric.hpp>
+
+#include "cave/mesh/surface_tiles.h"
 
 namespace carom {
 namespace {
@@ -47,6 +51,7 @@ int cellsFor(double length_m, double cell_m) {
 
 void MeshBuilder::addPatch(int cellsU, int cellsV, const std::function<PatchPoint(double, double)>& at) {
   const std::size_t first = points_.size();
+  patches_.push_back({static_cast<int>(first), cellsU, cellsV});
   for (int j = 0; j <= cellsV; ++j) {
     for (int i = 0; i <= cellsU; ++i) {
       const double u = static_cast<double>(i) / cellsU;
@@ -72,7 +77,8 @@ void MeshBuilder::addPatch(int cellsU, int cellsV, const std::function<PatchPoin
 
 void MeshBuilder::addFlat(const glm::dvec3& corner, const glm::dvec3& alongU, const glm::dvec3& alongV,
                           double cell_m) {
-  addPatch(cellsFor(glm::length(alongU), cell_m), cellsFor(glm::length(alongV), cell_m),
+  addPatch(tiledCells(cellsFor(glm::length(alongU), cell_m)),
+           tiledCells(cellsFor(glm::length(alongV), cell_m)),
            [&](double u, double v) { return PatchPoint{corner + u * alongU + v * alongV}; });
 }
 
@@ -80,9 +86,10 @@ void MeshBuilder::addTurned(const glm::dvec3& foot, const std::vector<glm::dvec2
                             double cell_m) {
   double widest_m = 0.0;
   for (const glm::dvec2& p : profile) widest_m = std::max(widest_m, p.x);
-  const int around = std::max(sectors, cellsFor(2.0 * std::numbers::pi * widest_m, cell_m));
+  const int around = tiledCells(std::max(sectors, cellsFor(2.0 * std::numbers::pi * widest_m, cell_m)));
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-    addPatch(around, cellsFor(glm::distance(profile[i], profile[i + 1]), cell_m), [&](double u, double v) {
+    const int along = tiledCells(cellsFor(glm::distance(profile[i], profile[i + 1]), cell_m));
+    addPatch(around, along, [&](double u, double v) {
       const double angle_rad = 2.0 * std::numbers::pi * u;
       const glm::dvec2 p = profile[i] + v * (profile[i + 1] - profile[i]);
       return PatchPoint{foot + glm::dvec3(p.x * std::cos(angle_rad), p.x * std::sin(angle_rad), p.y)};
@@ -111,6 +118,11 @@ vtkSmartPointer<vtkPolyData> MeshBuilder::build() const {
   mesh->SetPolys(cells);
   mesh->GetPointData()->SetNormals(normals);
   mesh->GetPointData()->AddArray(surfaces);
+  vtkNew<vtkIntArray> patches;
+  patches->SetName("patches");
+  patches->SetNumberOfComponents(3);
+  for (const auto& patch : patches_) patches->InsertNextTypedTuple(patch.data());
+  mesh->GetFieldData()->AddArray(patches);
   return mesh;
 }
 

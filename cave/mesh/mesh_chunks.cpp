@@ -94,7 +94,7 @@ MeshChunk chunkAround(const ChunkedMeshes& meshes, std::size_t firstIndex) {
     low = glm::min(low, glm::dvec3(meshes.vertices[i].place_m));
     high = glm::max(high, glm::dvec3(meshes.vertices[i].place_m));
   }
-  MeshChunk chunk{static_cast<std::uint32_t>(firstIndex), static_cast<std::uint32_t>(indices.size()),
+  MeshChunk chunk{static_cast<std::uint32_t>(firstIndex), static_cast<std::uint32_t>(indices.size()), 0,
                   0.5 * (low + high), 0.0};
   for (const std::uint32_t i : indices) {
     const glm::dvec3 place_m(meshes.vertices[i].place_m);
@@ -105,13 +105,15 @@ MeshChunk chunkAround(const ChunkedMeshes& meshes, std::size_t firstIndex) {
 
 }  // namespace
 
+MeshVertex vertexOf(vtkPolyData& mesh, vtkIdType i) {
+  vtkPointData& data = *mesh.GetPointData();
+  return {tupleOf(mesh.GetPoints()->GetData(), i), tupleOf(data.GetNormals(), i),
+          tupleOf(data.GetArray("surface"), i), litAt(data.GetArray("lit"), i)};
+}
+
 void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to) {
   constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
   std::vector<Triangle> triangles = trianglesOf(mesh);
-  vtkDataArray* const places = mesh.GetPoints() ? mesh.GetPoints()->GetData() : nullptr;
-  vtkDataArray* const normals = mesh.GetPointData()->GetNormals();
-  vtkDataArray* const surfaces = mesh.GetPointData()->GetArray("surface");
-  vtkDataArray* const lit = mesh.GetPointData()->GetArray("lit");
   std::vector<std::uint32_t> numbers(static_cast<std::size_t>(mesh.GetNumberOfPoints()), kUnused);
   to.vertices.reserve(to.vertices.size() + numbers.size());
   to.indices.reserve(to.indices.size() + 3 * triangles.size());
@@ -124,8 +126,7 @@ void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to) {
       for (const std::uint32_t corner : triangle.corners) {
         if (numbers[corner] == kUnused) {
           numbers[corner] = static_cast<std::uint32_t>(to.vertices.size());
-          to.vertices.push_back({tupleOf(places, corner), tupleOf(normals, corner), tupleOf(surfaces, corner),
-                                 litAt(lit, corner)});
+          to.vertices.push_back(vertexOf(mesh, corner));
         }
         to.indices.push_back(numbers[corner]);
       }

@@ -10,6 +10,8 @@
 #include <vtkPolyData.h>
 #include <glm/vec3.hpp>
 
+#include "cave/mesh/surface_tiles.h"
+
 namespace carom {
 
 /// A vertex as the shaders take it. Body's rest frame, from its centre.
@@ -21,10 +23,11 @@ struct MeshVertex {
   std::array<std::uint8_t, 4> lit{255, 255, 255, 255};
 };
 
-/// A run of triangles, and a sphere around them in the body's rest frame.
+/// A run of triangles or a tile, and a sphere around them in the body's rest frame.
 struct MeshChunk {
   std::uint32_t firstIndex = 0;
-  std::uint32_t indexCount = 0;
+  std::uint32_t indexCount = 0;  ///< 0 of a tile
+  std::uint32_t tile = 0;        ///< the number of the tile, if it is one
   glm::dvec3 middle_m{0.0};
   double radius_m = 0.0;
 };
@@ -34,15 +37,19 @@ struct ChunkedMeshes {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<MeshChunk> chunks;
+  std::vector<SurfaceTile> tiles;
+  std::vector<TileDetail> edges;  ///< of the tiles
 };
+
+/// Returns a point of a mesh with its normal and its tuples of the arrays "surface" and "lit"; where the mesh lacks
+/// them, they are 0 and all light.
+MeshVertex vertexOf(vtkPolyData& mesh, vtkIdType i);
 
 /// The most triangles of a chunk; chunks of larger meshes have at least half as many. Smaller ones leave out
 /// more of what is not seen, and cost more to look at.
 inline constexpr std::size_t kChunkTriangles = 256;
 
-/// Appends a mesh with its normals and its point arrays "surface" and "lit"; where it lacks them, they are 0 and all
-/// light. Points
-/// that no triangle uses are left out. The order depends on the mesh alone.
+/// Appends a mesh. Points that no triangle uses are left out. The order depends on the mesh alone.
 void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to);
 
 }  // namespace carom

@@ -52,9 +52,12 @@ double finestPixel_rad(std::span<const Wall> walls, const glm::dvec3& eyeInRoom_
 /// How finely the meshes of a scene are divided.
 struct Tessellation {
   double pixel_rad = 0.001;  ///< of the walls they are drawn on
-  /// The most vertices of everything that rests on the board, and of all other bodies together, shared out
-  /// evenly. Edges that would need more vertices stay longer than they should be.
+  /// The most vertices of all bodies that do not rest on the board together, shared out evenly. Edges that would need
+  /// more vertices stay longer than they should be.
   std::size_t mostVertices = 50000;
+  /// What rests has levels (cave/mesh/surface_tiles.h), of which only as much is drawn as an eye needs: the finest
+  /// may have so many times as many vertices.
+  static constexpr std::size_t kMostOfLevels = 40;
 
   /// Returns the longest edge that is off by at most half a pixel.
   double edge_m() const { return longestEdge_m(0.5 * pixel_rad); }

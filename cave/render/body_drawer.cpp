@@ -49,7 +49,8 @@ Legs legsOf(std::span<const GpuLeg> legs, bool round) {
 
 }  // namespace
 
-BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s) : scene_(scene), chunks_(scene) {
+BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s)
+    : scene_(scene), chunks_(scene), surfaces_(chunks_) {
   eye_.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
   for (std::size_t i = 0; i < 3; ++i) eye_.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
   layers_.reserve(kMoments.size());
@@ -63,14 +64,23 @@ BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s) : scene_(scene
 
 void BodyDrawer::makeVertices() {
   const ChunkedMeshes& meshes = chunks_.meshes;
-  glBindVertexArray(array_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(meshes.vertices.size() * sizeof(MeshVertex)),
                meshes.vertices.data(), GL_STATIC_DRAW);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+  chunks_.meshes.vertices = {};
+  describeVertices(array_, indices_);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(meshes.indices.size() * sizeof(std::uint32_t)), meshes.indices.data(),
                GL_STATIC_DRAW);
+  describeVertices(tileArray_, tileIndices_);
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+/// Makes the array's vertices those in the buffer that is bound, by these indices, and leaves it bound.
+void BodyDrawer::describeVertices(const GlVertexArray& array, const GlBuffer& indices) const {
+  glBindVertexArray(array);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
   constexpr std::array<std::size_t, 3> kOffsets{offsetof(MeshVertex, place_m), offsetof(MeshVertex, normal),
                                                 offsetof(MeshVertex, surface)};
   for (std::size_t i = 0; i < kOffsets.size(); ++i) {
@@ -81,8 +91,6 @@ void BodyDrawer::makeVertices() {
   glEnableVertexAttribArray(3);
   glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(MeshVertex),
                         reinterpret_cast<const void*>(offsetof(MeshVertex, lit)));
-  glBindVertexArray(0);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 void BodyDrawer::makeColours() {
@@ -134,6 +142,7 @@ void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::spa
   const double whole_s = std::clamp(std::floor(eye.observation.t_s), -kMostShown_s, kMostShown_s);
   eye_.observedWhole_s = static_cast<int>(whole_s);
   eye_.observedPart_s = static_cast<float>(eye.observation.t_s - whole_s);
+  surfaces_.look(eye.observation.r_m, u);
 }
 
 BodyProgram& BodyDrawer::programFor(const BodyVariant& variant, BodyProgram*& last) {
@@ -182,6 +191,7 @@ void BodyDrawer::drawPart(ViewTime moment, std::size_t number, const WallUniform
   Layer& layer = layers_[static_cast<std::size_t>(moment)];
   const IndexRanges ranges = layer.visible.of(number);
   if (ranges.counts.empty()) return;
+  const bool tiled = chunks_.parts[number].tiled;
   const ScenePart& part = scene_.parts[number];
   const PartUniforms uniforms = uniformsOf(moment, number);
   const bool rests = moment == ViewTime::seen && part.body == kRestingBody;
@@ -193,8 +203,16 @@ void BodyDrawer::drawPart(ViewTime moment, std::size_t number, const WallUniform
   const Paint paint = ghost ? Paint::plain : part.paint;
   programFor({legs, paint, switches_, moment}, layer.programs[number]).use(eye_, wall, uniforms);
   setState(decal || ghost, !decal, uniforms.appears_m > kAlways_m);  // shadows overlap each other
-  glMultiDrawElements(GL_TRIANGLES, ranges.counts.data(), GL_UNSIGNED_INT, ranges.offsets.data(),
-                      static_cast<GLsizei>(ranges.counts.size()));
+  if (!tiled) {
+    glBindVertexArray(array_);
+    glMultiDrawElements(GL_TRIANGLES, ranges.counts.data(), GL_UNSIGNED_INT, ranges.offsets.data(),
+                        static_cast<GLsizei>(ranges.counts.size()));
+    return;
+  }
+  const std::size_t first = surfaces_.firstIndexOf(number), end = surfaces_.endIndexOf(number);
+  glBindVertexArray(tileArray_);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - first), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
 bool BodyDrawer::isStill(std::size_t number) const {
@@ -206,7 +224,7 @@ StillView BodyDrawer::stillView(const glm::dmat4& clipFromDrawn, const glm::ivec
   const Layer& layer = layers_[static_cast<std::size_t>(ViewTime::seen)];
   GpuLeg leg = legs_[static_cast<std::size_t>(layer.ranges[kRestingBody].first)];
   leg.boardTime = 0.0F;  // which only clocks show
-  StillView view{{}, switches_, size_px};
+  StillView view{{}, switches_, size_px, surfaces_.digest()};
   float* end = view.numbers.data();
   const auto append = [&](const auto& value) {
     std::memcpy(end, &value, sizeof(value));
@@ -233,18 +251,23 @@ void BodyDrawer::drawLayer(ViewTime moment, What what, const WallUniforms& wall)
   }
 }
 
-bool BodyDrawer::choose(const glm::dmat4& clipFromDrawn, bool everything) {
+bool BodyDrawer::choose(const glm::dmat4& clipFromDrawn, double pixel_rad, bool everything) {
   bool anything = false;
   for (Layer& layer : layers_) {
     layer.visible.choose(clipFromDrawn, everything);
     anything = anything || !layer.visible.chosen().empty();
   }
+  surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);
+  const std::span<const std::uint32_t> indices = surfaces_.indices();
+  glBindVertexArray(tileArray_);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
+               GL_STREAM_DRAW);
+  glBindVertexArray(0);
   return anything;
 }
 
 void BodyDrawer::draw(const glm::dmat4& clipFromDrawn, What what) {
   const WallUniforms wall{++walls_, glm::mat4(clipFromDrawn)};
-  glBindVertexArray(array_);
   bind(kColourUnit, colourTexture_);
   bind(kLegUnit, legTexture_);
   for (const ViewTime moment : kMoments) {  // ghosts last: they are transparent

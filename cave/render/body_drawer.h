@@ -12,6 +12,7 @@
 #include "cave/gl/gl_objects.h"
 #include "cave/render/body_program.h"
 #include "cave/render/ghosts.h"
+#include "cave/render/tiled_surfaces.h"
 #include "cave/render/visible_chunks.h"
 #include "cave/scene/scene.h"
 #include "engine/light/light_cone.h"
@@ -25,6 +26,7 @@ struct StillView {
   std::array<float, 128> numbers{};
   Switches switches;
   glm::ivec2 size_px{0};
+  std::size_t levels = 0;  // of the tiles
 
   bool operator==(const StillView&) const = default;
 };
@@ -39,8 +41,9 @@ class BodyDrawer {
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
             const Switches& switches, const Ghosts& ghosts);
 
-  /// Chooses what a wall may show; with `everything`, also what it cannot. Returns whether that is anything.
-  bool choose(const glm::dmat4& clipFromDrawn, bool everything);
+  /// Chooses what a wall may show; with `everything`, also what it cannot. Surfaces are divided so finely that
+  /// nothing is off by more than half of `pixel_rad`. Returns whether there is anything to draw.
+  bool choose(const glm::dmat4& clipFromDrawn, double pixel_rad, bool everything);
   /// What rests on the board and always looks the same from one place, its clocks are not part of it; and all else.
   /// All is drawn by `still` and then `changing`.
   enum class What { still, changing };
@@ -69,6 +72,7 @@ class BodyDrawer {
   };
 
   void makeVertices();
+  void describeVertices(const GlVertexArray& array, const GlBuffer& indices) const;
   void makeColours();
   void takeLayer(ViewTime moment, std::span<const BodyView> bodies, const Lorentz& headFromBoard);
   void uploadLegs();
@@ -81,14 +85,15 @@ class BodyDrawer {
 
   Scene scene_;
   SceneChunks chunks_;
+  TiledSurfaces surfaces_;
   Switches switches_;
   EyeUniforms eye_;
   std::uint64_t walls_ = 0;
   std::vector<GpuLeg> legs_;
   std::vector<Layer> layers_;  // as ViewTime numbers them
   std::vector<std::unique_ptr<BodyProgram>> programs_;
-  GlVertexArray array_;
-  GlBuffer vertices_, indices_, legBuffer_, colourBuffer_;
+  GlVertexArray array_, tileArray_;
+  GlBuffer vertices_, indices_, tileIndices_, legBuffer_, colourBuffer_;
   GlTexture legTexture_, colourTexture_;
   bool blend_ = false, depthMask_ = true, clip_ = false;
 };

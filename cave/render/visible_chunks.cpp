@@ -1,8 +1,15 @@
 #include "cave/render/visible_chunks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "cave/frame/bodies.h"
+#include "cave/mesh/mesh_builder.h"
+#include "cave/mesh/mesh_tiles.h"
 #include "cave/room/wall_pyramid.h"
 #include "engine/light/seen_cap.h"
 
@@ -26,16 +33,39 @@ double shadowReachOf(const ChunkedMeshes& meshes, const PartChunks& part) {
   return reach_m + kLongestShadow * height_m;
 }
 
+/// Highlights, which are computed at vertices, need cells of this size.
+constexpr float kGlossy = 0.2F;
+constexpr double kGlossyCell_m = 0.15;
+
+/// Returns the light that falls on a vertex of what rests for an eye at rest, as shaders/body_vert.glsl computes it.
+double lightAtRest(const Scene& scene, const MeshVertex& vertex) {
+  const auto lit = [&](std::size_t i) { return vertex.lit[i] / 255.0; };
+  double light = lit(3) * glm::mix(0.32, 0.66, 0.5 + 0.5 * static_cast<double>(vertex.normal.z));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 way_m = scene.lamps_m[i] - glm::dvec3(vertex.place_m);
+    const double distance2_m2 = glm::dot(way_m, way_m);
+    const double facing = std::max(0.0, glm::dot(glm::dvec3(vertex.normal), way_m) / std::sqrt(distance2_m2));
+    light += lit(i) * facing * 1.1 / (distance2_m2 + 0.3);
+  }
+  return light;
+}
+
 }  // namespace
 
 SceneChunks::SceneChunks(const Scene& scene) {
+  MeshTiles tiles(meshes, scene.finer, [&](const MeshVertex& vertex) { return lightAtRest(scene, vertex); });
   std::map<const vtkPolyData*, PartChunks> made;
   for (const ScenePart& part : scene.parts) {
     const auto [found, isNew] = made.try_emplace(part.mesh);
     PartChunks& chunks = found->second;
     if (isNew) {
       chunks.first = static_cast<std::uint32_t>(meshes.chunks.size());
-      appendChunks(*part.mesh, meshes);
+      chunks.tiled = part.body == kRestingBody && hasPatches(*part.mesh);
+      if (chunks.tiled) {
+        tiles.append(*part.mesh, part.gloss > kGlossy ? kGlossyCell_m : kAnyCell_m);
+      } else {
+        appendChunks(*part.mesh, meshes);
+      }
       chunks.count = static_cast<std::uint32_t>(meshes.chunks.size()) - chunks.first;
       if (part.paint == Paint::shadow) chunks.shadowReach_m = shadowReachOf(meshes, chunks);
     }
@@ -97,6 +127,10 @@ void VisibleChunks::choose(const glm::dmat4& clipFromDrawn, bool everything) {
       offsets_.push_back(reinterpret_cast<const void*>(chunk.firstIndex * sizeof(std::uint32_t)));
     }
   }
+}
+
+std::span<const std::uint32_t> VisibleChunks::chosenOf(std::size_t part) const {
+  return std::span(chosen_).subspan(firstOfPart_[part], firstOfPart_[part + 1] - firstOfPart_[part]);
 }
 
 IndexRanges VisibleChunks::of(std::size_t part) const {

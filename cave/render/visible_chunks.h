@@ -29,6 +29,7 @@ struct PartChunks {
   std::uint32_t firstPlace = 0;
   /// Of a shadow, how far it can reach from the place of its puck's centre; of all else, 0.
   double shadowReach_m = 0.0;
+  bool tiled = false;  ///< each chunk is a tile
 };
 
 /// The meshes of a scene in chunks; `parts[i]` is part i of the scene.
@@ -62,6 +63,8 @@ class VisibleChunks {
 
   /// Returns the chosen chunks of a part, the nearest first.
   IndexRanges of(std::size_t part) const;
+  /// Returns their places.
+  std::span<const std::uint32_t> chosenOf(std::size_t part) const;
   /// Returns the places of all chosen chunks (PartChunks::firstPlace), part by part.
   std::span<const std::uint32_t> chosen() const { return chosen_; }
 

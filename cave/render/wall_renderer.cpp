@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "cave/frame/bodies.h"
+#include "cave/mesh/tessellation.h"
 #include "cave/render/body_drawer.h"
 #include "cave/render/draw_target.h"
 #include "cave/render/edge_smoother.h"
@@ -74,7 +75,8 @@ bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, RenderT
     return false;
   }
   const glm::dmat4 clipFromDrawn = glm::translate(*projection, drawing.seenFromEye_m);
-  if (!drawing_->bodies.choose(clipFromDrawn, drawing.everything) && !drawing.marks) {
+  const double pixel_rad = finestPixel_rad({&wall, 1}, eyeInRoom_m);
+  if (!drawing_->bodies.choose(clipFromDrawn, pixel_rad, drawing.everything) && !drawing.marks) {
     picture.clear(drawing.left_px, wall.pixels.x);
     return true;
   }

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/mesh/mesh_builder.h"
+#include "cave/mesh/surface_tiles.h"
 #include "cave/scene/table_model.h"
 
 namespace carom {
@@ -16,9 +17,12 @@ namespace {
 constexpr double kCell_m = 1.0 / 6.0;  // the same for all parts that meet: different cells would leave cracks
 constexpr double kColumnCell_m = 0.3;
 
+/// Returns how many cells of at most `cell_m` that part into tiles a length needs.
+int tiled(double length_m, double cell_m) { return tiledCells(cellsFor(length_m, cell_m)); }
+
 ScenePart floorPart(const Hall& hall, double cell_m) {
   MeshBuilder floor;
-  floor.addPatch(cellsFor(hall.size_m.x, cell_m), cellsFor(hall.size_m.y, cell_m), [&](double u, double v) {
+  floor.addPatch(tiled(hall.size_m.x, cell_m), tiled(hall.size_m.y, cell_m), [&](double u, double v) {
     const glm::dvec2 place((u - 0.5) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
     return PatchPoint{{place, hall.floor_m}};
   });
@@ -48,7 +52,7 @@ double lightBesideLamps(const Hall& hall, const glm::dvec2& place) {
 ScenePart ceilingPart(const Hall& hall, double cell_m) {
   MeshBuilder ceiling;
   const double z = hall.floor_m + hall.size_m.z;
-  ceiling.addPatch(cellsFor(hall.size_m.x, cell_m), cellsFor(hall.size_m.y, cell_m), [&](double u, double v) {
+  ceiling.addPatch(tiled(hall.size_m.x, cell_m), tiled(hall.size_m.y, cell_m), [&](double u, double v) {
     const glm::dvec2 place((0.5 - u) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
     return PatchPoint{{place, z}, {place, -lightBesideLamps(hall, place)}};
   });
@@ -61,7 +65,7 @@ ScenePart wallPart(const Hall& hall, const glm::dvec2& outwards, const glm::vec3
   const double half_m = 0.5 * (outwards.x == 0.0 ? hall.size_m.y : hall.size_m.x);
   const double width_m = outwards.x == 0.0 ? hall.size_m.x : hall.size_m.y;
   MeshBuilder wall;
-  wall.addPatch(cellsFor(width_m, cell_m), cellsFor(hall.size_m.z, cell_m), [&](double u, double v) {
+  wall.addPatch(tiled(width_m, cell_m), tiled(hall.size_m.z, cell_m), [&](double u, double v) {
     const double along_m = (u - 0.5) * width_m;
     const double up_m = v * hall.size_m.z;
     return PatchPoint{{half_m * outwards + along_m * along, hall.floor_m + up_m}, {along_m, up_m, 1.1}};
@@ -70,7 +74,7 @@ ScenePart wallPart(const Hall& hall, const glm::dvec2& outwards, const glm::vec3
 }
 
 /// Returns round columns in two rows along the walls towards ±y, with base and capital.
-ScenePart columnsPart(const Hall& hall, double cell_m) {
+ScenePart columnsPart(const Hall& hall) {
   MeshBuilder columns;
   const double top_m = hall.size_m.z;
   const std::vector<glm::dvec2> profile{{0.30, 0.0},          {0.30, 0.25},         {0.20, 0.32},
@@ -78,8 +82,7 @@ ScenePart columnsPart(const Hall& hall, double cell_m) {
   for (const double sy : {-1.0, 1.0}) {
     for (int i = 0; i < 4; ++i) {
       const double x = (i - 1.5) * 0.26 * hall.size_m.x;
-      columns.addTurned({x, sy * (0.5 * hall.size_m.y - 0.9), hall.floor_m}, profile, 20,
-                        std::min(kColumnCell_m, cell_m));
+      columns.addTurned({x, sy * (0.5 * hall.size_m.y - 0.9), hall.floor_m}, profile, 20, kColumnCell_m);
     }
   }
   return {kRestingBody, columns.build(), Paint::plain, glm::vec3(0.60F, 0.56F, 0.48F), 0.1F};
@@ -106,17 +109,17 @@ ScenePart ceilingLampsPart(const Hall& hall, double cell_m) {
   const double z = hall.floor_m + hall.size_m.z - 0.03;
   for (const glm::dvec2& middle : ceilingLamps(hall)) {
     const glm::dvec3 corner(middle.x + 0.6, middle.y - 0.2, z);
-    lamps.addFlat(corner, {-1.2, 0.0, 0.0}, {0.0, 0.4, 0.0}, std::min(0.2, cell_m));
+    lamps.addFlat(corner, {-1.2, 0.0, 0.0}, {0.0, 0.4, 0.0}, cell_m);
   }
   return {kRestingBody, lamps.build(), Paint::lamp, glm::vec3(1.0F, 0.97F, 0.92F), 0.0F};
 }
 
 }  // namespace
 
-std::vector<ScenePart> hallParts(const Hall& hall, double cell_m) {
-  cell_m = std::min(cell_m, kCell_m);
+std::vector<ScenePart> hallParts(const Hall& hall) {
+  constexpr double cell_m = kCell_m;
   std::vector<ScenePart> parts = wallClocks(hall, cell_m);
-  parts.push_back(columnsPart(hall, cell_m));
+  parts.push_back(columnsPart(hall));
   parts.push_back(wallPart(hall, {0, 1}, {0.36F, 0.47F, 0.62F}, cell_m));
   parts.push_back(wallPart(hall, {0, -1}, {0.62F, 0.56F, 0.36F}, cell_m));
   parts.push_back(wallPart(hall, {1, 0}, {0.64F, 0.38F, 0.31F}, cell_m));
@@ -127,8 +130,8 @@ std::vector<ScenePart> hallParts(const Hall& hall, double cell_m) {
   return parts;
 }
 
-std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m, double cell_m) {
-  cell_m = std::min(cell_m, 0.25);
+std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m) {
+  constexpr double cell_m = 0.25;
   MeshBuilder shades;
   MeshBuilder bulbs;
   for (const glm::dvec3& lamp : lamps_m) {

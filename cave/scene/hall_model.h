@@ -11,10 +11,10 @@
 
 namespace carom {
 
-/// Returns the floor, walls, ceiling, columns and wall clocks, in cells no larger than `cell_m`.
-std::vector<ScenePart> hallParts(const Hall& hall, double cell_m);
+/// Returns the floor, walls, ceiling, columns and wall clocks.
+std::vector<ScenePart> hallParts(const Hall& hall);
 
 /// Returns three hanging lamps along x at these places.
-std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m, double cell_m);
+std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m);
 
 }  // namespace carom

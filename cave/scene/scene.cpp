@@ -49,8 +49,11 @@ std::string tessellationReport(const Scene& scene, const Tessellation& tessellat
     text += fmt::format("{}: {} vertices{}, {} added", joined({note, unlike}), note->vertices,
                         count > 1 ? " each" : "", note->divided - std::min(note->divided, note->vertices));
     if (note->longestEdge_m > kRounding * tessellation.edge_m()) {
-      text += fmt::format("; exact to half a pixel only up to {:.2f} c, since {} are the limit",
-                          fastestHead_beta(note->longestEdge_m, tolerance_rad), note->most);
+      // Only the ratio of length and distance counts.
+      text += fmt::format(
+          "; nearer than {:.1f} m exact to half a pixel only up to {:.2f} c at {} m, since {} are the limit",
+          kNearestEye_m * note->longestEdge_m / tessellation.edge_m(),
+          fastestHead_beta(note->longestEdge_m, tolerance_rad), kNearestEye_m, note->most);
     }
     text += ".\n";
     note = unlike;

@@ -22,7 +22,7 @@ struct MeshNote {
   std::string kind;            ///< "Puck", "Body" or, at rest, "The"
   std::string name;            ///< "red"
   std::size_t vertices = 0;    ///< without the division that slow light needs
-  std::size_t divided = 0;     ///< as they are drawn
+  std::size_t divided = 0;     ///< as they are drawn; of what rests, of the finest level
   std::size_t most = 0;        ///< the most that are allowed
   double longestEdge_m = 0.0;  ///< after the division
 };
@@ -41,6 +41,7 @@ struct Scene {
   /// For each body, how far its points reach from its centre (the radius of its world line).
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
+  int finer = 1;                        ///< how many times finer than its meshes what rests may be drawn
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
   std::vector<ScenePart>
       casters;  ///< table and hall, undivided: what throws shadows (cave/scene/baked_light.h)

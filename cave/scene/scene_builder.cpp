@@ -26,8 +26,6 @@ namespace {
 constexpr double kLampHeight_m = 1.45;  // above the cloth
 constexpr double kOpenPlane_m = 6.0;
 
-constexpr double kHallCoarser = 4.0;  // its cells relative to the table's, which is nearer to the person
-
 void append(std::vector<ScenePart>& to, std::vector<ScenePart> parts) {
   std::move(parts.begin(), parts.end(), std::back_inserter(to));
 }
@@ -77,34 +75,33 @@ struct Resting {
   std::size_t vertices() const { return verticesOf(table) + verticesOf(hall); }
 };
 
-Resting restingParts(const BilliardSetup& setup, const Hall& hall, const std::array<glm::dvec3, 3>& lamps_m,
-                     double tableCell_m, double hallCell_m) {
+Resting restingParts(const BilliardSetup& setup, const Hall& hall, const std::array<glm::dvec3, 3>& lamps_m) {
   Resting resting;
-  resting.table = setup.board ? tableParts(*setup.board, hall.floor_m, tableCell_m)
-                              : openPlaneParts(kOpenPlane_m, tableCell_m);
-  resting.hall = lampParts(lamps_m, hall.floor_m + hall.size_m.z, hallCell_m);
-  append(resting.hall, hallParts(hall, hallCell_m));
+  resting.table = setup.board ? tableParts(*setup.board, hall.floor_m) : openPlaneParts(kOpenPlane_m);
+  resting.hall = lampParts(lamps_m, hall.floor_m + hall.size_m.z);
+  append(resting.hall, hallParts(hall));
   return resting;
 }
 
-/// Returns the finest cells of the table, at least `finest_m`, with which `build` makes at most `most`
-/// vertices. It goes from coarse to fine and assumes that counts grow as 1/cell²; they grow a little slower,
-/// so each step stays short of the goal.
-template <typename Build>
-Resting finestWithin(std::size_t most, double finest_m, const Build& build) {
-  constexpr double kCoarsest_m = 0.05;
-  constexpr int kSteps = 4;
-  double cell_m = kCoarsest_m;
-  Resting found = build(cell_m);
-  for (int i = 0; i < kSteps && cell_m > finest_m; ++i) {
-    const double share = static_cast<double>(found.vertices()) / static_cast<double>(most);
-    if (share > 0.97) break;
-    cell_m = std::max(finest_m, cell_m * std::sqrt(share));
-    Resting finer = build(cell_m);
-    if (finer.vertices() > most) break;
-    found = std::move(finer);
-  }
-  return found;
+/// Returns how many times finer than their meshes, a power of two, the parts are to be drawn where it is needed.
+int finerThan(const Resting& resting, const Tessellation& tessellation) {
+  constexpr int kMost = 8;
+  const double longest_m = std::max(longestEdgeOf(resting.table), longestEdgeOf(resting.hall));
+  const std::size_t most = Tessellation::kMostOfLevels * tessellation.mostVertices;
+  int finer = 1;
+  while (finer < kMost && longest_m / finer > tessellation.edge_m() &&
+         4 * static_cast<std::size_t>(finer * finer) * resting.vertices() <= most)
+    finer *= 2;
+  return finer;
+}
+
+/// Notes parts that rest and have finer levels.
+void addNote(Scene& scene, const std::string& name, std::span<const ScenePart> parts,
+             const Tessellation& tessellation) {
+  const auto finest = static_cast<std::size_t>(scene.finer * scene.finer) * verticesOf(parts);
+  scene.notes.push_back({"The", name, verticesOf(parts), finest,
+                         Tessellation::kMostOfLevels * tessellation.mostVertices,
+                         longestEdgeOf(parts) / scene.finer});
 }
 
 /// Returns the size of cells whose diagonals are the longest edges.
@@ -147,12 +144,6 @@ BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& c
   }
   return {finestPartsWithin(tessellation.mostVertices, cellOf(tessellation), model),
           verticesOf(model(kAnyCell_m)), 0.0, 0.0};
-}
-
-void addNote(Scene& scene, const std::string& kind, const std::string& name, std::size_t vertices,
-             std::span<const ScenePart> parts, const Tessellation& tessellation) {
-  scene.notes.push_back(
-      {kind, name, vertices, verticesOf(parts), tessellation.mostVertices, longestEdgeOf(parts)});
 }
 
 /// Bodies that look alike but for their colour share their meshes: each is built once.
@@ -225,22 +216,18 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
   const double lampHeight_m = std::min(kLampHeight_m, around.floor_m + around.size_m.z - 0.5);
   for (int i = 0; i < 3; ++i) scene.lamps_m[i] = {(i - 1) * table_m.x / 3.0, 0.0, lampHeight_m};
 
-  const auto resting = [&](double tableCell_m, double hallCell_m) {
-    return restingParts(setup, around, scene.lamps_m, tableCell_m, hallCell_m);
-  };
-  const Resting plain = resting(kAnyCell_m, kAnyCell_m);
-  Resting divided = finestWithin(tessellation.mostVertices, cellOf(tessellation),
-                                 [&](double cell_m) { return resting(cell_m, kHallCoarser * cell_m); });
-  addNote(scene, "The", "table", verticesOf(plain.table), divided.table, tessellation);
-  addNote(scene, "The", "hall", verticesOf(plain.hall), divided.hall, tessellation);
-  scene.reach_m.push_back(std::max(reachOf(divided.table), reachOf(divided.hall)));
+  Resting resting = restingParts(setup, around, scene.lamps_m);
+  scene.finer = finerThan(resting, tessellation);
+  addNote(scene, "table", resting.table, tessellation);
+  addNote(scene, "hall", resting.hall, tessellation);
+  scene.reach_m.push_back(std::max(reachOf(resting.table), reachOf(resting.hall)));
+  append(scene.casters, resting.table);
+  append(scene.casters, resting.hall);
 
-  append(scene.parts, std::move(divided.table));
+  append(scene.parts, std::move(resting.table));
   addBodies(scene, pucks, told, tessellation);
   // The background comes last, so that most of it is hidden before it is painted.
-  append(scene.parts, std::move(divided.hall));
-  append(scene.casters, plain.table);
-  append(scene.casters, plain.hall);
+  append(scene.parts, std::move(resting.hall));
   return scene;
 }
 

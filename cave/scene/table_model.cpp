@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "cave/mesh/surface_tiles.h"
+
 namespace carom {
 namespace {
 
@@ -36,9 +38,12 @@ std::array<Side, 4> sidesOf(const Board& board) {
           Side{{-1, 0}, {0, -1}, x, y, onLong}, Side{{0, -1}, {1, 0}, y, x, onShort}};
 }
 
+/// Returns how many cells of at most `cell_m` that part into tiles a length needs.
+int tiled(double length_m, double cell_m) { return tiledCells(cellsFor(length_m, cell_m)); }
+
 /// Returns the number of cells along a side of the cloth: as many as the frame's outer edge needs, and the
 /// same in all parts that meet there.
-int cellsAlong(double side_m, double cell_m) { return cellsFor(side_m + 2.0 * kRailEnd_m, cell_m); }
+int cellsAlong(double side_m, double cell_m) { return tiled(side_m + 2.0 * kRailEnd_m, cell_m); }
 
 /// Adds a strip of the frame around the cloth, mitred at the corners, with the profile from `from` to `to` in
 /// (outwards, z).
@@ -46,7 +51,7 @@ void addStrip(MeshBuilder& mesh, const Board& board, const glm::dvec2& from, con
               double cell_m) {
   const bool diamonds = from.y == kRailTop_m && to.y == kRailTop_m;
   for (const Side& side : sidesOf(board)) {
-    mesh.addPatch(cellsAlong(2.0 * side.halfLength_m, cell_m), cellsFor(glm::distance(from, to), cell_m),
+    mesh.addPatch(cellsAlong(2.0 * side.halfLength_m, cell_m), tiled(glm::distance(from, to), cell_m),
                   [&](double u, double v) {
                     const glm::dvec2 p = from + v * (to - from);
                     const double along_m = (2.0 * u - 1.0) * (side.halfLength_m + p.x);
@@ -69,7 +74,7 @@ void addLeg(MeshBuilder& mesh, const glm::dvec2& at, double top_m, double floor_
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec2 a = corners[i];
     const glm::dvec2 b = corners[(i + 1) % 4];
-    mesh.addPatch(cellsFor(0.15, std::min(0.075, cell_m)), cellsFor(top_m - floor_m, std::min(0.075, cell_m)),
+    mesh.addPatch(tiled(0.15, std::min(0.075, cell_m)), tiled(top_m - floor_m, std::min(0.075, cell_m)),
                   [&](double u, double v) {
                     const double half_m = 0.075 - 0.03 * v;
                     const glm::dvec2 place = at + half_m * (b + u * (a - b));
@@ -98,8 +103,8 @@ ScenePart clothPart(const glm::dvec2& size_m, double cell_m) {
 
 }  // namespace
 
-std::vector<ScenePart> tableParts(const Board& board, double floor_m, double cell_m) {
-  cell_m = std::min(cell_m, kCell_m);
+std::vector<ScenePart> tableParts(const Board& board, double floor_m) {
+  constexpr double cell_m = kCell_m;
   MeshBuilder cushions;
   addProfile(cushions, board, {{0.0, 0.0}, {0.0, 0.034}, {0.012, 0.040}, {0.05, kRailTop_m}}, cell_m);
   MeshBuilder wood;
@@ -134,12 +139,10 @@ std::vector<ScenePart> tableParts(const Board& board, double floor_m, double cel
   return parts;
 }
 
-std::vector<ScenePart> openPlaneParts(double size_m, double cell_m) {
-  return {clothPart({size_m, size_m}, std::min(cell_m, kCell_m))};
-}
+std::vector<ScenePart> openPlaneParts(double size_m) { return {clothPart({size_m, size_m}, kCell_m)}; }
 
 void ClockMaker::add(const glm::dvec3& foot_m, const glm::dvec3& facing, double width_m, double cell_m) {
-  cell_m = std::min(cell_m, width_m / 20.0);
+  cell_m = std::max(cell_m, width_m / 8.0);
   const glm::dvec3 up(0.0, 0.0, 1.0);
   const double height_m = 0.46 * width_m;
   const double depth_m = 0.10 * width_m;
@@ -151,7 +154,7 @@ void ClockMaker::add(const glm::dvec3& foot_m, const glm::dvec3& facing, double 
     // digits' field is 0.9 times as wide as the side and, as body_vert.glsl relies on, 0.4 times as high as
     // it is wide.
     const double field_m = 0.9 * width_m;
-    faces_.addPatch(cellsFor(width_m, cell_m), cellsFor(height_m, cell_m), [&](double u, double v) {
+    faces_.addPatch(tiled(width_m, cell_m), tiled(height_m, cell_m), [&](double u, double v) {
       return PatchPoint{
           corner + u * width_m * right + v * height_m * up,
           {2.0 + 4.0 * (u - 0.5) * width_m / field_m, 0.5 + (v - 0.5) * height_m / (0.4 * field_m), field_m}};

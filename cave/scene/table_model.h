@@ -10,11 +10,11 @@
 namespace carom {
 
 /// Returns the cloth, cushions, rails with diamonds, body and legs of a table whose legs stand on the floor
-/// at z = `floor_m`, and clocks on its rails, in cells no larger than `cell_m`.
-std::vector<ScenePart> tableParts(const Board& board, double floor_m, double cell_m);
+/// at z = `floor_m`, and clocks on its rails.
+std::vector<ScenePart> tableParts(const Board& board, double floor_m);
 
 /// Returns the cloth of an open plane: a square without cushions.
-std::vector<ScenePart> openPlaneParts(double size_m, double cell_m);
+std::vector<ScenePart> openPlaneParts(double size_m);
 
 /// Builds digital clocks with a face on both sides.
 class ClockMaker {

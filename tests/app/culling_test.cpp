@@ -29,7 +29,7 @@ namespace carom {
 namespace {
 
 constexpr double kPlayed_s = 10.0;
-constexpr Tessellation kCoarse{0.001, 10000};  // about two hundred chunks
+constexpr Tessellation kCoarse{0.001, 1000};  // without finer levels
 
 std::size_t countFrom(const char* variable, std::size_t otherwise) {
   const char* text = std::getenv(variable);
@@ -87,14 +87,27 @@ std::vector<Wall> wallsOf(const std::filesystem::path& file, int pixels) {
   return walls;
 }
 
+/// Returns the places of a chunk's vertices; of a tile's, of those of all levels.
+std::vector<Vec3> placesOf(const ChunkedMeshes& meshes, const MeshChunk& chunk, bool tiled) {
+  std::vector<Vec3> places;
+  if (tiled) {
+    const SurfaceTile& tile = meshes.tiles[chunk.tile];
+    const auto count = static_cast<std::size_t>((tile.cells[0] + 1) * (tile.cells[1] + 1));
+    for (std::size_t k = 0; k < count; ++k)
+      places.emplace_back(meshes.vertices[tile.firstVertex + k].place_m);
+  }
+  for (std::size_t k = 0; k < chunk.indexCount; ++k)
+    places.emplace_back(meshes.vertices[meshes.indices[chunk.firstIndex + k]].place_m);
+  return places;
+}
+
 /// Where a chunk's vertices are drawn, by the kernel in double.
-std::vector<Vec3> drawnOf(const SceneChunks& chunks, const MeshChunk& chunk, const BodyView& body,
+std::vector<Vec3> drawnOf(std::span<const Vec3> places_m, const BodyView& body,
                           const glm::dmat4& drawnFromSeen) {
   std::vector<Vec3> drawn;
-  for (std::size_t k = 0; k < chunk.indexCount; ++k) {
-    const MeshVertex& vertex = chunks.meshes.vertices[chunks.meshes.indices[chunk.firstIndex + k]];
-    const auto emission = kernel::solveEmission(body.legs.data(), static_cast<int>(body.legs.size()),
-                                                Vec3(vertex.place_m), body.retarded, body.contracted);
+  for (const Vec3& place_m : places_m) {
+    const auto emission = kernel::solveEmission(body.legs.data(), static_cast<int>(body.legs.size()), place_m,
+                                                body.retarded, body.contracted);
     const LegView& leg = body.legs[static_cast<std::size_t>(emission.leg)];
     drawn.push_back(kernel::rayThrough(drawnFromSeen, kernel::seenFromEye(leg, emission.event)));
   }
@@ -133,8 +146,9 @@ void expectNothingLeftOut(const RandomEye& random, const Vec3& seenFromEye_m, co
         if (chosen[i]) continue;
         const auto [at, fresh] = drawn.try_emplace(i);
         if (fresh) {
-          at->second = drawnOf(chunks, chunks.meshes.chunks[range.first + i - range.firstPlace],
-                               random.bodies[range.body], frame.drawnFromSeen.matrix());
+          const MeshChunk& chunk = chunks.meshes.chunks[range.first + i - range.firstPlace];
+          at->second = drawnOf(placesOf(chunks.meshes, chunk, range.tiled), random.bodies[range.body],
+                               frame.drawnFromSeen.matrix());
         }
         for (const Vec3& place : at->second) ASSERT_FALSE(liesOn(clipFromDrawn, place)) << "chunk " << i;
       }

@@ -20,8 +20,8 @@ TEST(MeshBuilder, AFlatHasItsAreaAndFacesItsOuterSide) {
   MeshBuilder builder;
   builder.addFlat({1, 2, 3}, {2, 0, 0}, {0, 1.5, 0}, 0.1);
   const auto mesh = builder.build();
-  EXPECT_EQ(mesh->GetNumberOfPoints(), 21 * 16);
-  EXPECT_EQ(mesh->GetNumberOfPolys(), 2 * 20 * 15);
+  EXPECT_EQ(mesh->GetNumberOfPoints(), 21 * 17) << "16 are tiles of 4, 15 are not";
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 2 * 20 * 16);
   vtkNew<vtkMassProperties> mass;
   mass->SetInputData(mesh);
   EXPECT_NEAR(mass->GetSurfaceArea(), 3.0, 1e-5);
@@ -52,7 +52,7 @@ TEST(MeshBuilder, ATurnedCylinderHasItsAreaAndOutwardNormals) {
 TEST(MeshBuilder, ATurnedSurfaceIsDividedAroundAndAlong) {
   MeshBuilder builder;
   builder.addTurned({0, 0, 0}, {{0.5, 0}, {0.5, 1}}, 8, 0.1);
-  EXPECT_EQ(builder.pointCount(), (32U + 1U) * (10U + 1U)) << "π m around, 1 m up";
+  EXPECT_EQ(builder.pointCount(), (32U + 1U) * (12U + 1U)) << "π m around, 1 m up";
 }
 
 // Sheared cells are cut by their shorter diagonal, or that would be the longest edge.
