@@ -9,6 +9,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom {
 
 using namespace console;
@@ -43,7 +45,7 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
 
 Console::Console(Graphics& graphics, const Rig& rig, const Cluster& cluster, KeysOf keys,
                  const Scenario& scenario, const Scene& scene)
-    : window_(graphics, "Carom: console", placeIn(rig)),
+    : window_(graphics, texts::title::kConsole, placeIn(rig)),
       keys_(keys),
       keyMap_(keyMap(keys)),
       scenario_(&scenario),
@@ -98,34 +100,34 @@ void Console::drawAll(const ConsoleFrame& frame) {
   ImGui::SetNextWindowPos({0.0F, 0.0F});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0.0F, 0.0F});
-  ImGui::Begin("console", nullptr,
+  ImGui::Begin("##console", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   const float left = kGap_px, right = kLeft_px + 2 * kGap_px, width = size.x - right - kGap_px;
   const float top = kTop_px + kGap_px;
   const float bottom = size.y - kSaid_px - 2 * kGap_px;
-  part("top", {0.0F, 0.0F}, {size.x, kTop_px});
+  part("##top", {0.0F, 0.0F}, {size.x, kTop_px});
   drawTop(frame);
   ImGui::EndChild();
-  part("effects", {left, top}, {kLeft_px, size.y - kGap_px - top});
+  part("##effects", {left, top}, {kLeft_px, size.y - kGap_px - top});
   effects_.draw(frame, scenario_->billiard.lightSpeed_m_s);
   ImGui::EndChild();
-  part("walls", {right, top}, {width, kWalls_px});
+  part("##walls", {right, top}, {width, kWalls_px});
   walls_.draw(frame);
   ImGui::EndChild();
   float below = top + kWalls_px + kGap_px;
   if (keys_ == KeysOf::replay) {
     const float height = 2 * ImGui::GetFrameHeightWithSpacing() + 16.0F;
-    part("playing", {right, below}, {width, height});
+    part("##playing", {right, below}, {width, height});
     playing_.draw(frame);
     ImGui::EndChild();
     below += height + kGap_px;
   }
-  part("tabs", {right, below}, {width, bottom - below});
+  part("##tabs", {right, below}, {width, bottom - below});
   drawTabs(frame);
   ImGui::EndChild();
-  part("said", {right, bottom + kGap_px}, {width, kSaid_px});
+  part("##said", {right, bottom + kGap_px}, {width, kSaid_px});
   drawSaid();
   ImGui::EndChild();
   drawKeys();
@@ -143,39 +145,39 @@ void Console::drawTop(const ConsoleFrame& frame) {
   ImGui::SameLine(0.0F, 24.0F);
   light(lightOfTrackers(frame));
   ImGui::SameLine(0.0F, 4.0F);
-  words("trackers");
-  tip("Green: all deliver. Yellow: one is late or looked for. Red: one needs help.");
+  words(texts::console::kTrackers);
+  tip(texts::console::kTrackersTip);
   ImGui::SetCursorPosY(46.0F);
   drawClocks(frame);
   ImGui::SetCursorPos({buttons, 12.0F});
-  if (ImGui::Button("Keys   H", {kButton_px, 60.0F})) opensKeys_ = true;
+  if (ImGui::Button(texts::console::kKeysButton, {kButton_px, 60.0F})) opensKeys_ = true;
   ImGui::SameLine(0.0F, kGap_px);
   const bool blank = frame.settings.walls.blank != 0;
   ImGui::PushStyleColor(ImGuiCol_Button, blank ? kFair : ImVec4{0.42F, 0.20F, 0.19F, 1.0F});
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blank ? kFair : ImVec4{0.55F, 0.25F, 0.23F, 1.0F});
   ImGui::PushStyleColor(ImGuiCol_Text, blank ? ImVec4{0.1F, 0.1F, 0.1F, 1.0F} : kBright);
-  if (ImGui::Button(blank ? "Light the walls   B" : "Black walls   B", {kButton_px, 60.0F})) {
+  if (ImGui::Button(blank ? texts::console::kLightWalls : texts::console::kBlackWalls, {kButton_px, 60.0F})) {
     frame.commands.emplace_back(SetWalls{&WallControls::blank, !blank});
   }
   ImGui::PopStyleColor(3);
-  tip("All walls black at once, and lit again. The game goes on.");
+  tip(texts::console::kBlackTip);
 }
 
 void Console::drawTabs(const ConsoleFrame& frame) {
-  if (!ImGui::BeginTabBar("parts")) return;
+  if (!ImGui::BeginTabBar("##parts")) return;
   const auto tab = [](const char* name, const auto& draw) {
     if (!ImGui::BeginTabItem(name)) return;
-    ImGui::BeginChild("tab");
+    ImGui::BeginChild("##tab");
     draw();
     ImGui::EndChild();
     ImGui::EndTabItem();
   };
-  tab("Games", [&] { games_.draw(frame); });
-  tab("Trackers", [&] { drawTrackers(frame); });
-  tab("Latency", [&] { drawLatencyNumbers(frame.latency); });
-  tab("Events", [&] { events_.draw(frame.record); });
-  tab("Diagram", [&] { drawDiagram(frame); });
-  tab("Recording", [&] { recording_.draw(frame); });
+  tab(texts::console::kGamesTab, [&] { games_.draw(frame); });
+  tab(texts::console::kTrackersTab, [&] { drawTrackers(frame); });
+  tab(texts::console::kLatencyTab, [&] { drawLatencyNumbers(frame.latency); });
+  tab(texts::console::kEventsTab, [&] { events_.draw(frame.record); });
+  tab(texts::console::kDiagramTab, [&] { drawDiagram(frame); });
+  tab(texts::console::kRecordingTab, [&] { recording_.draw(frame); });
   ImGui::EndTabBar();
 }
 
@@ -187,14 +189,14 @@ void Console::drawDiagram(const ConsoleFrame& frame) {
 /// Draws the log, newest line first.
 void Console::drawSaid() const {
   for (const Line& line : said_) {
-    dim(fmt::format("{:7.1f} s", line.said_s));
+    dim(fmt::format(texts::console::kSaidAt, line.said_s));
     ImGui::SameLine();
     words(line.words);
   }
 }
 
 void Console::drawKeys() {
-  constexpr const char* kName = "keys";
+  constexpr const char* kName = "##keys";
   if (opensKeys_) {
     ImGui::OpenPopup(kName);
     opensKeys_ = false;
@@ -203,12 +205,12 @@ void Console::drawKeys() {
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   if (!ImGui::BeginPopup(kName)) return;
   useHeadingFont();
-  words("Keys");
+  words(texts::console::kKeys);
   ImGui::PopFont();
-  dim("In this window and in any of this computer's walls.");
+  dim(texts::console::kKeysWhere);
   ImGui::Spacing();
   drawKeyTable(keyMap_);
-  if (ImGui::Button("Close   Escape") || isKeyPressed(GLFW_KEY_ESCAPE) || isKeyPressed(GLFW_KEY_H) ||
+  if (ImGui::Button(texts::console::kClose) || isKeyPressed(GLFW_KEY_ESCAPE) || isKeyPressed(GLFW_KEY_H) ||
       isKeyPressed(GLFW_KEY_F1)) {
     ImGui::CloseCurrentPopup();
   }

@@ -1,10 +1,12 @@
 #include "app/console/console_events.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
 #include "app/tables/event_table.h"
+#include "cave/texts/texts.h"
 
 namespace carom::console {
 namespace {
@@ -12,15 +14,15 @@ namespace {
 const char* whatOf(const GameEvent& event) {
   switch (event.kind) {
     case EventKind::puckPuck:
-      return "meet";
+      return texts::console::kMeet;
     case EventKind::puckCushion:
-      return "meets cushion";
+      return texts::console::kMeetsCushion;
     case EventKind::stroke:
-      return "is struck";
+      return texts::console::kIsStruck;
     case EventKind::flash:
-      return "flashes";
+      return texts::console::kFlashes;
     case EventKind::jam:
-      return "moves on in a jam";
+      return texts::console::kJam;
   }
   return "";
 }
@@ -79,35 +81,32 @@ void EventsPanel::drawRow(const Row& row) const {
     ImGui::PopStyleColor();
   }
   ImGui::TableNextColumn();
-  ImGui::TextColored(row.seen ? kGood : kDim, "%s", row.seen ? "seen" : "not yet");
+  ImGui::TextColored(row.seen ? kGood : kDim, "%s",
+                     row.seen ? texts::console::kSeen : texts::console::kNotYet);
 }
 
 void EventsPanel::draw(const FrameRecord& record) {
   find(record);
   ImGui::AlignTextToFramePadding();
-  words("What has happened until now,");
+  words(texts::console::kHappened);
   ImGui::SameLine();
-  if (ImGui::RadioButton("by the board's clocks", !mine_)) mine_ = false;
+  if (ImGui::RadioButton(texts::console::kTableFrame, !mine_)) mine_ = false;
   ImGui::SameLine();
-  if (ImGui::RadioButton("in the person's frame", mine_)) mine_ = true;
-  tip("For who moves other things happen at once: some of these may be in another order, or not have "
-      "happened yet. "
-      "The person's times are such that now is what their clock shows.");
+  if (ImGui::RadioButton(texts::console::kObserverFrame, mine_)) mine_ = true;
+  tip(texts::console::kObserverFrameTip);
   constexpr ImGuiTableFlags kFlags =
       ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
-  if (!ImGui::BeginTable("events", 6, kFlags)) return;
+  if (!ImGui::BeginTable("##events", 6, kFlags)) return;
   const float em = ImGui::GetFontSize();
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("n", 0, 2.5F * em);
-  ImGui::TableSetupColumn("who", 0, 9 * em);
-  ImGui::TableSetupColumn("what", 0, 9 * em);
-  ImGui::TableSetupColumn("  board time", 0, 7 * em);
-  ImGui::TableSetupColumn("  person's time", 0, 8 * em);
-  ImGui::TableSetupColumn("its light");
+  constexpr std::array<float, texts::console::kEventColumns.size()> kWidths_em{2.5F, 9.0F, 9.0F,
+                                                                               7.0F, 9.0F, 0.0F};
+  for (std::size_t i = 0; i < kWidths_em.size(); ++i)
+    ImGui::TableSetupColumn(texts::console::kEventColumns[i], 0, kWidths_em[i] * em);
   ImGui::TableHeadersRow();
   for (const Row& row : rows_) drawRow(row);
   ImGui::EndTable();
-  if (rows_.empty()) dim("Nothing yet.");
+  if (rows_.empty()) dim(texts::console::kNothingYet);
 }
 
 }  // namespace carom::console

@@ -10,6 +10,7 @@
 #include "app/files/config_folder.h"
 #include "app/operator/lesson.h"
 #include "app/operator/playlist.h"
+#include "cave/texts/texts.h"
 
 namespace carom::console {
 namespace {
@@ -27,11 +28,11 @@ const char* phaseWords(LessonPhase phase) {
     case LessonPhase::none:
       return "";
     case LessonPhase::asks:
-      return "Phase: question. Time stands still until it is answered.";
+      return texts::console::kAsks;
     case LessonPhase::shows:
-      return "Phase: observe";
+      return texts::console::kShows;
     case LessonPhase::explains:
-      return "Phase: explain";
+      return texts::console::kExplains;
   }
   return "";
 }
@@ -81,7 +82,7 @@ void GamesPanel::play(const Scenario& scenario, const std::string& file) {
 void GamesPanel::drawList(const ConsoleFrame& frame) {
   const bool mayPlay = frame.keys == KeysOf::session;
   const float foot_px = mayPlay ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
-  ImGui::BeginChild("games", {0.0F, -foot_px});
+  ImGui::BeginChild("##games", {0.0F, -foot_px});
   bool twice = false;
   for (std::size_t i = 0; i < games_.size(); ++i) {
     Game& game = games_[i];
@@ -94,28 +95,31 @@ void GamesPanel::drawList(const ConsoleFrame& frame) {
     }
     ImGui::PopStyleColor();
     tip(game.fault.empty() ? game.file : game.fault);
-    std::string mark = game.lesson ? "lesson" : "";
-    if (i == played_) mark += mark.empty() ? "now" : ", now";
-    if (!mark.empty()) keyAtRight(mark);
+    if (i == played_) {
+      keyAtRight(game.lesson ? texts::console::kIsPlayedLesson : texts::console::kIsPlayed);
+    } else if (game.lesson) {
+      keyAtRight(texts::console::kIsLesson);
+    }
     ImGui::PopID();
   }
   ImGui::EndChild();
   if (!mayPlay) return;
   const bool canPlay = chosen_ < games_.size() && games_[chosen_].fault.empty();
   ImGui::BeginDisabled(!canPlay);
-  if ((ImGui::Button("Play") || twice) && canPlay)
+  if ((ImGui::Button(texts::console::kPlay) || twice) && canPlay)
     frame.commands.emplace_back(PlayScenario{games_[chosen_].file});
-  tip("Play the chosen game from its beginning.");
+  tip(texts::console::kPlayTip);
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (ImGui::Button("Restart")) frame.commands.emplace_back(PlayScenario{frame.settings.playing});
-  tip("Play the present game from its beginning.");
+  if (ImGui::Button(texts::console::kRestart))
+    frame.commands.emplace_back(PlayScenario{frame.settings.playing});
+  tip(texts::console::kRestartTip);
 }
 
 /// Draws a button for each velocity that the lesson offers.
 void GamesPanel::drawObservers(const ConsoleFrame& frame, const LessonPlan& plan) {
   if (plan.observers.empty() || frame.record.lesson.phase == LessonPhase::asks) return;
-  dim("Observer's velocity");
+  dim(texts::console::kVelocity);
   for (std::size_t i = 0; i < plan.observers.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     ImGui::BeginDisabled(i == frame.settings.lessonObserver);
@@ -128,26 +132,26 @@ void GamesPanel::drawObservers(const ConsoleFrame& frame, const LessonPlan& plan
 void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const {
   const LessonState& state = frame.record.lesson;
   const LessonWords& said = lesson.words;
-  heading(fmt::format("Lesson: {}", said.title).c_str());
-  if (state.phase == LessonPhase::none) return dim("Phase: skipped");
+  heading(fmt::format(texts::console::kLesson, said.title).c_str());
+  if (state.phase == LessonPhase::none) return dim(texts::console::kSkippedPhase);
   dim(phaseWords(state.phase));
   if (state.phase == LessonPhase::asks) {
     ImGui::TextWrapped("%s", said.question.c_str());
     for (std::size_t i = 0; i < said.answers.size(); ++i) {
-      const std::string label = fmt::format("{}  {}", i + 1, said.answers[i]);
+      const std::string label = fmt::format(texts::console::kNumbered, i + 1, said.answers[i]);
       if (ImGui::Button(label.c_str(), {-1.0F, 0.0F}))
         frame.commands.emplace_back(ChooseInLesson{static_cast<int>(i) + 1});
     }
   } else if (state.phase == LessonPhase::shows) {
-    paragraph("Try this", said.todo);
-    paragraph("Look for", said.notice);
+    paragraph(texts::console::kTryThis, said.todo);
+    paragraph(texts::console::kLookFor, said.notice);
   } else {
     ImGui::TextWrapped("%s", said.number.c_str());
-    paragraph("Answer", answerText(said, state));
-    paragraph("Correct", said.answers[said.right]);
+    paragraph(texts::console::kAnswer, answerText(said, state));
+    paragraph(texts::console::kCorrect, said.answers[said.right]);
   }
   drawObservers(frame, lesson.plan);
-  if (ImGui::Button(state.phase == LessonPhase::asks ? "Skip the question" : "Next"))
+  if (ImGui::Button(state.phase == LessonPhase::asks ? texts::console::kSkip : texts::console::kNext))
     frame.commands.emplace_back(AdvanceLesson{});
 }
 
@@ -156,12 +160,12 @@ void GamesPanel::drawChosen() const {
   const Game& game = games_[chosen_];
   heading(game.title.c_str());
   if (!game.fault.empty()) return ImGui::TextWrapped("%s", game.fault.c_str());
-  if (!game.lesson) return words("Play begins it.");
-  dim("A lesson. Play begins it, with its question:");
+  if (!game.lesson) return words(texts::console::kPlayBegins);
+  dim(texts::console::kPlayBeginsLesson);
   ImGui::TextWrapped("%s", game.words.question.c_str());
-  for (const std::string& answer : game.words.answers) words("    " + answer);
-  paragraph("Try this", game.words.todo);
-  paragraph("Look for", game.words.notice);
+  for (const std::string& answer : game.words.answers) words(fmt::format(texts::console::kListed, answer));
+  paragraph(texts::console::kTryThis, game.words.todo);
+  paragraph(texts::console::kLookFor, game.words.notice);
 }
 
 void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
@@ -173,23 +177,23 @@ void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
   } else {
     heading(scenario_->title.c_str());
   }
-  words(fmt::format("{} pucks, light at {:.4g} m/s", scenario_->billiard.pucks.size(),
+  words(fmt::format(texts::console::kPucksAndLight, scenario_->billiard.pucks.size(),
                     scenario_->billiard.lightSpeed_m_s));
   dim(std::filesystem::path(file_).filename().string());
   tip(file_);
   if (scenario_->tour.empty() || !live) return;
-  if (ImGui::Button("Start the scripted flight")) frame.commands.emplace_back(StartTour{});
-  tip("The room moves as the scenario prescribes.");
+  if (ImGui::Button(texts::console::kStartFlight)) frame.commands.emplace_back(StartTour{});
+  tip(texts::console::kStartFlightTip);
   keyAtRight(keyFor(frame.keys, "tour").keys);
 }
 
 void GamesPanel::draw(const ConsoleFrame& frame) {
   const float width = kListWidth * ImGui::GetContentRegionAvail().x;
-  ImGui::BeginChild("list", {width, 0.0F});
+  ImGui::BeginChild("##list", {width, 0.0F});
   drawList(frame);
   ImGui::EndChild();
   ImGui::SameLine();
-  ImGui::BeginChild("played");
+  ImGui::BeginChild("##played");
   if (chosen_ != played_ && chosen_ < games_.size()) {
     drawChosen();
   } else {

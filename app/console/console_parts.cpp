@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom::console {
 namespace {
 
@@ -85,7 +87,7 @@ void keyAtRight(std::string_view key) {
   dim(key);
 }
 
-void seconds(double value_s) { words(fmt::format("{:9.2f} s", value_s)); }
+void seconds(double value_s) { words(fmt::format(texts::console::kSeconds, value_s)); }
 
 bool tick(const char* label, bool on) { return ImGui::Checkbox(label, &on); }
 

@@ -6,20 +6,21 @@
 
 #include <fmt/format.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom::console {
 namespace {
 
 constexpr double kMeasuredEvery_s = 1.0;
 
-void made(const char* what, const std::filesystem::path& where, std::uint64_t frames, std::uint64_t leftOut,
-          const char* option) {
+void made(texts::Text what, const std::filesystem::path& where, std::uint64_t frames, std::uint64_t leftOut,
+          texts::Text option) {
   heading(what);
-  if (where.empty()) return dim(fmt::format("Not made: start with {}.", option));
+  if (where.empty()) return dim(fmt::format(texts::console::kNotMade, option));
   words(where.string());
-  dim(fmt::format("{} frames since the session began", frames));
+  dim(fmt::format(texts::console::kFrames, frames));
   if (leftOut == 0) return;
-  ImGui::TextColored(kFair, "%s",
-                     fmt::format("{} left out: they came faster than they are written", leftOut).c_str());
+  ImGui::TextColored(kFair, "%s", fmt::format(texts::console::kLeftOut, leftOut).c_str());
 }
 
 }  // namespace
@@ -28,19 +29,19 @@ void RecordingPanel::drawLight(const ConsoleFrame& frame) const {
   const bool replay = frame.keys == KeysOf::replay;
   light(file_ ? kBad : kDim);
   ImGui::SameLine(0.0F, 4.0F);
-  words(file_    ? fmt::format("recording {}", file_->filename().string())
-        : replay ? "a recorded session"
-                 : "not recorded");
+  words(file_    ? fmt::format(texts::console::kRecording, file_->filename().string())
+        : replay ? texts::console::kRecorded
+                 : texts::console::kNotRecorded);
   tip(file_    ? file_->string()
-      : replay ? "What you do here is not written."
-               : "Start with --session FILE to keep the session.");
+      : replay ? texts::console::kRecordedSessionTip
+               : texts::console::kNotRecordedTip);
 }
 
 void RecordingPanel::draw(const ConsoleFrame& frame) {
-  heading("Session file");
+  heading(texts::console::kSessionFile);
   if (!file_) {
-    dim(frame.keys == KeysOf::replay ? "This is a recorded session: nothing is written."
-                                     : "The session is not recorded: start with --session FILE.");
+    dim(frame.keys == KeysOf::replay ? texts::console::kRecordedSession
+                                     : texts::console::kNotRecordedSession);
   } else {
     if (std::abs(frame.record.display_s - measured_s_) >= kMeasuredEvery_s) {
       measured_s_ = frame.record.display_s;
@@ -52,12 +53,12 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
       }
     }
     words(file_->string());
-    dim(fmt::format("{:.1f} MB, up to frame {}", 1e-6 * static_cast<double>(bytes_), frame.record.number));
+    dim(fmt::format(texts::console::kFileSize, 1e-6 * static_cast<double>(bytes_), frame.record.number));
   }
   const RecordingReport report = frame.recording.report();
-  made("Pictures of every wall and eye", report.capture, report.captured, report.notCaptured,
-       "--capture DIR");
-  made("Movie", report.movie, report.filmed, report.notFilmed, "--movie FILE");
+  made(texts::console::kCapture, report.capture, report.captured, report.notCaptured,
+       texts::console::kCaptureOption);
+  made(texts::console::kMovie, report.movie, report.filmed, report.notFilmed, texts::console::kMovieOption);
 }
 
 }  // namespace carom::console

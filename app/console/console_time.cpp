@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/frame/clock_time.h"
+#include "cave/texts/texts.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom::console {
@@ -28,7 +29,7 @@ void clock(const char* name, const std::string& value, const char* meaning) {
 }
 
 /// Formats a time as the clocks in the room do.
-std::string shown(double time_s) { return fmt::format("{:7.1f} s", shownTime_s(time_s)); }
+std::string shown(double time_s) { return fmt::format(texts::console::kClock, shownTime_s(time_s)); }
 
 void goTo(const ConsoleFrame& frame, double session_s) {
   frame.commands.emplace_back(Seek{std::max(session_s, 0.0)});
@@ -40,40 +41,41 @@ void drawClocks(const ConsoleFrame& frame) {
   const FrameRecord& record = frame.record;
   const double platform = glm::length(betaFromU(record.boardFromRoom.u()));
   const double person = glm::length(betaFromU(record.observer.headFromBoard.inverse().u()));
-  clock("session", shown(record.display_s), "Since the session began, by the clock on the wall.");
-  clock("observer's proper time", shown(record.observer.properTime_s),
-        "What the observer's own clock shows.");
-  clock("table time", shown(record.observer.middle.observation.t_s),
-        "What the table's clocks show where the observer is. It runs ahead of the observer's proper time "
-        "while they move.");
-  clock("room speed", platform < 1e-9 ? "at rest" : fmt::format("{:.3f} c", platform),
-        "Speed of the room relative to the table.");
-  clock("observer's speed", fmt::format("{:.2f} c", person),
-        "Speed of the observer relative to the table, the room's motion included.");
-  clock("light", fmt::format("{:.2f} m/s", record.lightSpeed_m_s), "The speed of light.");
+  clock(texts::console::kSession, shown(record.display_s), texts::console::kSessionTip);
+  clock(texts::console::kProperTime, shown(record.observer.properTime_s), texts::console::kProperTimeTip);
+  clock(texts::console::kTableTime, shown(record.observer.middle.observation.t_s),
+        texts::console::kTableTimeTip);
+  clock(texts::console::kRoomSpeed,
+        platform < 1e-9 ? texts::console::kAtRest : fmt::format(texts::console::kSpeed3, platform),
+        texts::console::kRoomSpeedTip);
+  clock(texts::console::kObserverSpeed, fmt::format(texts::console::kSpeed2, person),
+        texts::console::kObserverSpeedTip);
+  clock(texts::console::kLight, fmt::format(texts::console::kLightSpeed, record.lightSpeed_m_s),
+        texts::console::kLightTip);
   ImGui::NewLine();
 }
 
 void Playing::draw(const ConsoleFrame& frame) {
   const Playback& playback = frame.settings.playback;
   const double now_s = frame.record.display_s;
-  if (ImGui::Button("Beginning")) goTo(frame, 0.0);
-  tip("From the beginning (Home).");
+  if (ImGui::Button(texts::console::kBeginning)) goTo(frame, 0.0);
+  tip(texts::console::kBeginningTip);
   ImGui::SameLine();
-  if (ImGui::Button("- 1 s")) goTo(frame, now_s - kStep_s);
+  if (ImGui::Button(texts::console::kSecondBack)) goTo(frame, now_s - kStep_s);
   ImGui::SameLine();
-  if (ImGui::Button(playback.paused ? "Continue" : "Pause", {5.0F * ImGui::GetFontSize(), 0.0F}))
+  if (ImGui::Button(playback.paused ? texts::console::kContinue : texts::console::kPause,
+                    {5.0F * ImGui::GetFontSize(), 0.0F}))
     frame.commands.emplace_back(Pause{!playback.paused});
-  tip("Space does the same.");
+  tip(texts::console::kPauseTip);
   ImGui::SameLine();
-  if (ImGui::Button("+ 1 s")) goTo(frame, now_s + kStep_s);
+  if (ImGui::Button(texts::console::kSecondOn)) goTo(frame, now_s + kStep_s);
   const auto& span_s = frame.status.span_s;
   if (span_s) {
     ImGui::SameLine();
-    if (ImGui::Button("End")) goTo(frame, span_s->second);
+    if (ImGui::Button(texts::console::kEnd)) goTo(frame, span_s->second);
   }
   ImGui::SameLine(0.0F, 20.0F);
-  dim("speed");
+  dim(texts::console::kRate);
   for (const double rate : kRates) {
     ImGui::SameLine();
     const bool chosen = std::abs(playback.rate) == rate;
@@ -82,12 +84,14 @@ void Playing::draw(const ConsoleFrame& frame) {
   }
   ImGui::SameLine(0.0F, 20.0F);
   bool backwards = playback.rate < 0.0;
-  if (ImGui::Checkbox("backwards", &backwards)) frame.commands.emplace_back(SetRate{-playback.rate});
+  if (ImGui::Checkbox(texts::console::kBackwards, &backwards))
+    frame.commands.emplace_back(SetRate{-playback.rate});
   if (!span_s) return;
   double place_s = now_s;
   ImGui::SetNextItemWidth(-1.0F);
-  if (slider_.draw("##place", place_s, span_s->first, span_s->second, "%.2f s")) goTo(frame, place_s);
-  tip("Drag to where you want to be in the session.");
+  if (slider_.draw("##place", place_s, span_s->first, span_s->second, texts::console::kPlaceSlider))
+    goTo(frame, place_s);
+  tip(texts::console::kPlaceTip);
 }
 
 }  // namespace carom::console

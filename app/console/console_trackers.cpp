@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom::console {
 namespace {
 
@@ -23,38 +25,21 @@ const ImVec4& colourOf(const TrackerReport& report) {
 const char* wordOf(TrackerHealth::State state) {
   switch (state) {
     case TrackerHealth::State::connecting:
-      return "being looked for";
+      return texts::console::kConnecting;
     case TrackerHealth::State::delivering:
-      return "delivers";
+      return texts::console::kDelivering;
     case TrackerHealth::State::silent:
-      return "silent";
+      return texts::console::kSilent;
     case TrackerHealth::State::failed:
-      return "needs help";
+      return texts::console::kFailed;
   }
   return "";
 }
 
-void number(double value, const char* unit, int digits = 0) {
+void number(fmt::format_string<double&> format, double value) {
   ImGui::TableNextColumn();
-  if (std::isfinite(value)) words(fmt::format("{:.{}f}{}", value, digits, unit));
+  if (std::isfinite(value)) words(fmt::format(format, value));
 }
-
-struct Column {
-  const char* name;
-  float width_em;
-  const char* tip;
-};
-constexpr std::array<Column, 10> kColumns{
-    {{"", 1.2F, ""},
-     {"tracker", 8.0F, "Its name in the rig's file."},
-     {"follows", 5.0F, "What of the person it tells of."},
-     {"state", 7.5F, "Whether its samples come."},
-     {"rate", 5.0F, "Samples a second, of the last second."},
-     {"age", 5.0F, "Of the newest sample, when the frame began."},
-     {"samples", 6.0F, "That have come so far."},
-     {"gaps", 4.0F, "Samples that the device numbered and that never came."},
-     {"late", 4.0F, "Came after a later one, or much too late."},
-     {"refused", 5.0F, "Packets that were not understood."}}};
 
 void drawReport(const TrackerReport& report) {
   const TrackerHealth& health = report.health;
@@ -65,8 +50,8 @@ void drawReport(const TrackerReport& report) {
     ImGui::TableNextColumn();
     words(text);
   }
-  number(report.rate_hz, " Hz");
-  number(1e3 * report.age_s, " ms");
+  number(texts::console::kHertz, report.rate_hz);
+  number(texts::console::kMilliseconds, 1e3 * report.age_s);
   for (const std::uint64_t count : {health.samples, health.gaps, health.late, health.refused}) {
     ImGui::TableNextColumn();
     words(std::to_string(count));
@@ -75,13 +60,9 @@ void drawReport(const TrackerReport& report) {
 
 void drawHead(const TrackerReport& report) {
   if (!report.known) return;
-  heading("The head, as the filter knows it");
+  heading(texts::console::kHeadFilter);
   words(headWords(report));
-  tip("measured: at a sample; predicted: a little after it; held: kept where the prediction ended, because "
-      "samples are "
-      "overdue or the picture is shown long after the newest one; lost: none for long. The speed turns what "
-      "is seen: "
-      "its uncertainty should stay below a few hundredths of light's speed.");
+  tip(texts::console::kHeadFilterTip);
 }
 
 }  // namespace
@@ -97,18 +78,17 @@ const ImVec4& lightOfTrackers(const ConsoleFrame& frame) {
 
 void drawTrackers(const ConsoleFrame& frame) {
   if (frame.status.trackers.empty()) {
-    dim(frame.keys == KeysOf::session ? "No tracker has been heard of."
-                                      : "The head is a recorded one: no tracker is asked.");
+    dim(frame.keys == KeysOf::session ? texts::console::kNoTracker : texts::console::kRecordedHead);
     return;
   }
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg;
-  if (ImGui::BeginTable("trackers", kColumns.size(), kFlags)) {
-    for (const Column& column : kColumns) {
+  if (ImGui::BeginTable("##trackers", texts::console::kTrackerColumns.size(), kFlags)) {
+    for (const texts::console::Column& column : texts::console::kTrackerColumns) {
       ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthFixed,
                               column.width_em * ImGui::GetFontSize());
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (const Column& column : kColumns) {
+    for (const texts::console::Column& column : texts::console::kTrackerColumns) {
       ImGui::TableNextColumn();
       dim(column.name);
       tip(column.tip);
@@ -119,7 +99,8 @@ void drawTrackers(const ConsoleFrame& frame) {
   for (const TrackerReport& report : frame.status.trackers) {
     if (report.health.message.empty()) continue;
     ImGui::PushStyleColor(ImGuiCol_Text, colourOf(report));
-    ImGui::TextWrapped("%s: %s", report.name.c_str(), report.health.message.c_str());
+    ImGui::TextWrapped(
+        "%s", fmt::format(texts::console::kTrackerMessage, report.name, report.health.message).c_str());
     ImGui::PopStyleColor();
   }
   for (const TrackerReport& report : frame.status.trackers) drawHead(report);

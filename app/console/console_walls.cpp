@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <vtk_glew.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom::console {
 namespace {
 
@@ -77,14 +79,14 @@ void WallsPanel::drawAbsent(const ConsoleFrame& frame, const Wall& wall, const I
   const ImU32 ink = ImGui::GetColorU32(kDim);
   list.AddRect(from, to, ink);
   const float line_px = ImGui::GetTextLineHeightWithSpacing();
-  list.AddText({from.x + 8.0F, from.y + 8.0F}, ink, "drawn by");
+  list.AddText({from.x + 8.0F, from.y + 8.0F}, ink, texts::console::kDrawnBy);
   list.AddText({from.x + 8.0F, from.y + 8.0F + line_px}, ink, cluster_.nameOf(rank).c_str());
   const auto& nodes = frame.latency.nodes;
   const auto node = static_cast<std::size_t>(rank);
   if (node >= nodes.size() || nodes[node].late.frames == 0) return;
   const double late_ms = std::max(0.0, 1e3 * static_cast<double>(nodes[node].late.p99_s));
   list.AddText({from.x + 8.0F, from.y + 8.0F + 2 * line_px}, ink,
-               fmt::format("99 % at most {:.1f} ms late", late_ms).c_str());
+               fmt::format(texts::console::kLate, late_ms).c_str());
 }
 
 void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImVec2& size_px) {
@@ -99,8 +101,9 @@ void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImV
   list.AddText({from.x, corner.y}, ImGui::GetColorU32(kBright), wall.name.c_str());
   if (cluster_.size() > 1) {
     const float width = ImGui::CalcTextSize(wall.name.c_str()).x;
-    const std::string node =
-        fmt::format("node {}{}", wall.node % cluster_.size(), absent && picture ? ", drawn here" : "");
+    const std::string node = absent && picture
+                                 ? fmt::format(texts::console::kNodeDrawnHere, wall.node % cluster_.size())
+                                 : fmt::format(texts::console::kNodeOf, wall.node % cluster_.size());
     list.AddText({from.x + width + 8.0F, corner.y}, ImGui::GetColorU32(kDim), node.c_str());
   }
   if (picture) {
@@ -110,14 +113,14 @@ void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImV
     list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
     list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Separator));
     if (frame.record.controls.blank)
-      list.AddText({from.x + 8.0F, from.y + 8.0F}, ImGui::GetColorU32(kDim), "black");
+      list.AddText({from.x + 8.0F, from.y + 8.0F}, ImGui::GetColorU32(kDim), texts::console::kBlack);
   } else {
     drawAbsent(frame, wall, from, to);
   }
   ImGui::Dummy(size_px);
-  tip(fmt::format("Wall \"{}\", {} × {} pixels, {}, drawn by {}. Here: {}.", wall.name, wall.pixels.x,
-                  wall.pixels.y, toString(wall.stereo), cluster_.nameOf(wall.node % cluster_.size()),
-                  absent ? "for the point between the eyes" : "its left eye's picture, if it has two"));
+  tip(fmt::format(texts::console::kWallTip, wall.name, wall.pixels.x, wall.pixels.y, toString(wall.stereo),
+                  cluster_.nameOf(wall.node % cluster_.size()),
+                  absent ? texts::console::kForMiddle : texts::console::kForLeftEye));
 }
 
 /// Returns the number of columns for which a grid of all walls has the largest tiles.
@@ -144,10 +147,8 @@ std::size_t WallsPanel::columnsFor(const ImVec2& room_px, float label_px) const 
 
 void WallsPanel::draw(const ConsoleFrame& frame) {
   if (!absent_.empty()) {
-    ImGui::Checkbox("draw other nodes' walls here, too, once a second", &drawsAbsent_);
-    tip("For looking only: small, for one eye. It costs this node a little; the first time, the session "
-        "stops for a "
-        "moment.");
+    ImGui::Checkbox(texts::console::kDrawAbsent, &drawsAbsent_);
+    tip(texts::console::kDrawAbsentTip);
   }
   const ImVec2 room_px = ImGui::GetContentRegionAvail();
   const float label_px = ImGui::GetTextLineHeightWithSpacing();

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom {
 namespace {
 
@@ -10,7 +12,7 @@ const WindowPlacement kPlace{.size_px = {1000, 820}, .border = true};
 }  // namespace
 
 DiagramWindow::DiagramWindow(Graphics& graphics, const Scenario& scenario)
-    : window_(graphics, "Carom: spacetime diagram", kPlace), diagram_(scenario) {}
+    : window_(graphics, texts::title::kDiagram, kPlace), diagram_(scenario) {}
 
 void DiagramWindow::draw(const FrameRecord& record, const World& world) {
   diagram_.follow(record);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 
 namespace carom {
@@ -40,9 +41,9 @@ double sideOf(const Vec3& asideInRoom_m, const Vec2& u, const Lorentz& boardFrom
 }
 
 Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool frozen) {
-  if (frozen) return {{}, "Nothing can be struck while time stands still or a lesson replays"};
-  if (pointed.behind) return {{}, "The puck is behind your hand: point the other way"};
-  if (!pointed.puck) return {{}, "There is no puck where you point"};
+  if (frozen) return {{}, texts::message::kTimeStands};
+  if (pointed.behind) return {{}, texts::message::kPuckBehind};
+  if (!pointed.puck) return {{}, texts::message::kNoPuck};
   target_ = pointed.puck;
   device_ = hand.device;
   pull_m_ = hand.pull_m;
@@ -54,11 +55,11 @@ Cue::Outcome Cue::step(const HandInput& hand, const PickResult& pointed, bool fr
   if (!target_) return pressed && !wasPressed ? press(hand, pointed, frozen) : Outcome{};
   if (hand.device != device_) {
     target_.reset();
-    return {{}, fmt::format("The {} is lost: no stroke", device_)};
+    return {{}, fmt::format(texts::message::kDeviceLost, device_)};
   }
   if (frozen) {
     target_.reset();
-    return {{}, "Time stands still: no stroke"};
+    return {{}, texts::message::kStoppedStroke};
   }
   if (pressed) {
     pull_m_ = hand.pull_m;

@@ -6,7 +6,7 @@ namespace carom {
 
 void drawKeyTable(std::span<const KeyLine> map) {
   const std::size_t half = (map.size() + 1) / 2;
-  if (!ImGui::BeginTable("map", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  if (!ImGui::BeginTable("##map", 4, ImGuiTableFlags_SizingFixedFit)) return;
   for (std::size_t row = 0; row < half; ++row) {
     ImGui::TableNextRow();
     for (const std::size_t line : {row, row + half}) {
@@ -21,7 +21,7 @@ void drawKeyTable(std::span<const KeyLine> map) {
 }
 
 void drawKeysOver(std::span<const KeyLine> map) {
-  overCorner("keys", [map] { drawKeyTable(map); });
+  overCorner("##keys", [map] { drawKeyTable(map); });
 }
 
 }  // namespace carom

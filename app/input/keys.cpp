@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/operator/playlist.h"
+#include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 #include "engine/base/log.h"
 
@@ -99,30 +100,30 @@ struct Key {
 };
 
 constexpr std::array kKeys{
-    Key{GLFW_KEY_1, 0, "1", kWithGame, "light delay (retardation)", turnSwitch<&Switches::retardation>},
-    Key{GLFW_KEY_2, 0, "2", kWithGame, "contraction", turnSwitch<&Switches::contraction>},
-    Key{GLFW_KEY_3, 0, "3", kWithGame, "aberration of directions", turnSwitch<&Switches::aberration>},
-    Key{GLFW_KEY_4, 0, "4", kWithGame, "Doppler colour", turnSwitch<&Switches::colour>},
-    Key{GLFW_KEY_5, 0, "5", kWithGame, "beaming (searchlight)", turnSwitch<&Switches::searchlight>},
-    Key{GLFW_KEY_N, 0, "N", kWithGame, "ghosts: now, in the table's frame", turnView<&TimeViews::boardNow>},
-    Key{GLFW_KEY_M, 0, "M", kWithGame, "ghosts: now, in my frame", turnView<&TimeViews::myNow>},
-    Key{GLFW_KEY_P, 0, "P", kWithGame, "paths", turnView<&TimeViews::paths>},
-    Key{GLFW_KEY_E, 0, "E", kWithGame, "events", turnView<&TimeViews::events>},
-    Key{GLFW_KEY_C, 0, "C", kWithGame, "clocks", turnView<&TimeViews::clocks>},
-    Key{GLFW_KEY_U, 0, "U", kWithGame, "ruler", turnView<&TimeViews::ruler>},
-    Key{GLFW_KEY_O, 0, "O", kWithGame, "angles", turnView<&TimeViews::angles>},
-    Key{GLFW_KEY_V, 0, "V", kWithGame, "Newton beside Einstein", turnView<&TimeViews::split>},
-    Key{GLFW_KEY_6, 0, "6", kWithGame, "right half: light delay", turnBeside<&Switches::retardation>},
-    Key{GLFW_KEY_7, 0, "7", kWithGame, "right half: contraction", turnBeside<&Switches::contraction>},
-    Key{GLFW_KEY_8, 0, "8", kWithGame, "right half: aberration", turnBeside<&Switches::aberration>},
-    Key{GLFW_KEY_9, 0, "9", kWithGame, "right half: Doppler colour", turnBeside<&Switches::colour>},
-    Key{GLFW_KEY_0, 0, "0", kWithGame, "right half: beaming", turnBeside<&Switches::searchlight>},
-    Key{GLFW_KEY_F, 0, "F", kWithGame, "freeze the view and walk around it", turnView<&TimeViews::frozen>},
-    Key{GLFW_KEY_LEFT_BRACKET, 0, "[ ]", kInSession, "slower and faster light", setLightSpeed<-1>},
+    Key{GLFW_KEY_1, 0, "1", kWithGame, texts::keys::kRetardation, turnSwitch<&Switches::retardation>},
+    Key{GLFW_KEY_2, 0, "2", kWithGame, texts::keys::kContraction, turnSwitch<&Switches::contraction>},
+    Key{GLFW_KEY_3, 0, "3", kWithGame, texts::keys::kAberration, turnSwitch<&Switches::aberration>},
+    Key{GLFW_KEY_4, 0, "4", kWithGame, texts::keys::kColour, turnSwitch<&Switches::colour>},
+    Key{GLFW_KEY_5, 0, "5", kWithGame, texts::keys::kSearchlight, turnSwitch<&Switches::searchlight>},
+    Key{GLFW_KEY_N, 0, "N", kWithGame, texts::keys::kBoardNow, turnView<&TimeViews::boardNow>},
+    Key{GLFW_KEY_M, 0, "M", kWithGame, texts::keys::kMyNow, turnView<&TimeViews::myNow>},
+    Key{GLFW_KEY_P, 0, "P", kWithGame, texts::keys::kPaths, turnView<&TimeViews::paths>},
+    Key{GLFW_KEY_E, 0, "E", kWithGame, texts::keys::kEvents, turnView<&TimeViews::events>},
+    Key{GLFW_KEY_C, 0, "C", kWithGame, texts::keys::kClocks, turnView<&TimeViews::clocks>},
+    Key{GLFW_KEY_U, 0, "U", kWithGame, texts::keys::kRuler, turnView<&TimeViews::ruler>},
+    Key{GLFW_KEY_O, 0, "O", kWithGame, texts::keys::kAngles, turnView<&TimeViews::angles>},
+    Key{GLFW_KEY_V, 0, "V", kWithGame, texts::keys::kSplit, turnView<&TimeViews::split>},
+    Key{GLFW_KEY_6, 0, "6", kWithGame, texts::keys::kRightRetardation, turnBeside<&Switches::retardation>},
+    Key{GLFW_KEY_7, 0, "7", kWithGame, texts::keys::kRightContraction, turnBeside<&Switches::contraction>},
+    Key{GLFW_KEY_8, 0, "8", kWithGame, texts::keys::kRightAberration, turnBeside<&Switches::aberration>},
+    Key{GLFW_KEY_9, 0, "9", kWithGame, texts::keys::kRightColour, turnBeside<&Switches::colour>},
+    Key{GLFW_KEY_0, 0, "0", kWithGame, texts::keys::kRightSearchlight, turnBeside<&Switches::searchlight>},
+    Key{GLFW_KEY_F, 0, "F", kWithGame, texts::keys::kFreeze, turnView<&TimeViews::frozen>},
+    Key{GLFW_KEY_LEFT_BRACKET, 0, "[ ]", kInSession, texts::keys::kLight, setLightSpeed<-1>},
     Key{GLFW_KEY_RIGHT_BRACKET, 0, "]", kInSession, nullptr, setLightSpeed<1>},
-    Key{GLFW_KEY_SPACE, 0, "Space", kInReplay, "pause",
+    Key{GLFW_KEY_SPACE, 0, texts::keys::kSpaceKey, kInReplay, texts::keys::kPause,
         [](const OperatorSettings& now, const Pressed&) -> Command { return Pause{!now.playback.paused}; }},
-    Key{GLFW_KEY_LEFT, 0, "← →", kInReplay, "one second back, one second on",
+    Key{GLFW_KEY_LEFT, 0, "← →", kInReplay, texts::keys::kSecond,
         [](const OperatorSettings&, const Pressed& pressed) -> Command {
           return goTo(pressed.now_s - kScrub_s);
         }},
@@ -130,7 +131,7 @@ constexpr std::array kKeys{
         [](const OperatorSettings&, const Pressed& pressed) -> Command {
           return goTo(pressed.now_s + kScrub_s);
         }},
-    Key{GLFW_KEY_UP, 0, "↑ ↓", kInReplay, "twice as fast, half as fast",
+    Key{GLFW_KEY_UP, 0, "↑ ↓", kInReplay, texts::keys::kRate,
         [](const OperatorSettings& now, const Pressed&) -> Command {
           return setRate(2.0 * now.playback.rate);
         }},
@@ -138,32 +139,32 @@ constexpr std::array kKeys{
         [](const OperatorSettings& now, const Pressed&) -> Command {
           return setRate(0.5 * now.playback.rate);
         }},
-    Key{GLFW_KEY_R, 0, "R", kInReplay, "backwards and forwards",
+    Key{GLFW_KEY_R, 0, "R", kInReplay, texts::keys::kBackwards,
         [](const OperatorSettings& now, const Pressed&) -> Command { return SetRate{-now.playback.rate}; }},
-    Key{GLFW_KEY_HOME, 0, "Home", kInReplay, "from the beginning",
+    Key{GLFW_KEY_HOME, 0, texts::keys::kHomeKey, kInReplay, texts::keys::kBeginning,
         [](const OperatorSettings&, const Pressed&) -> Command { return Seek{0.0}; }},
-    Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, "Enter", kInSession, "continue the lesson",
+    Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, texts::keys::kEnterKey, kInSession, texts::keys::kOnwards,
         [](const OperatorSettings&, const Pressed&) -> Command { return AdvanceLesson{}; }},
-    Key{GLFW_KEY_F2, 0, "F2 to F4", kInSession, "the velocities that a lesson offers", chooseInLesson<1>},
+    Key{GLFW_KEY_F2, 0, texts::keys::kVelocityKeys, kInSession, texts::keys::kVelocities, chooseInLesson<1>},
     Key{GLFW_KEY_F3, 0, "F3", kInSession, nullptr, chooseInLesson<2>},
     Key{GLFW_KEY_F4, 0, "F4", kInSession, nullptr, chooseInLesson<3>},
-    Key{GLFW_KEY_Y, 0, "Y", kInSession, "restart this game",
+    Key{GLFW_KEY_Y, 0, "Y", kInSession, texts::keys::kRestart,
         [](const OperatorSettings& now, const Pressed&) -> Command { return PlayScenario{now.playing}; }},
-    Key{GLFW_KEY_F5, 0, "F5", kInSession, "Show me: relativity in a minute", choose<Choice::showMe>},
-    Key{GLFW_KEY_F6, 0, "F6", kInSession, "Lessons: the next one", choose<Choice::lessons>},
-    Key{GLFW_KEY_F7, 0, "F7", kInSession, "Play: the game of the beginning", choose<Choice::play>},
-    Key{GLFW_KEY_F8, 0, "F8", kInSession, "the next visitor: everything as at the beginning",
+    Key{GLFW_KEY_F5, 0, "F5", kInSession, texts::keys::kShowMe, choose<Choice::showMe>},
+    Key{GLFW_KEY_F6, 0, "F6", kInSession, texts::keys::kLessons, choose<Choice::lessons>},
+    Key{GLFW_KEY_F7, 0, "F7", kInSession, texts::keys::kPlay, choose<Choice::play>},
+    Key{GLFW_KEY_F8, 0, "F8", kInSession, texts::keys::kNextVisitor,
         [](const OperatorSettings&, const Pressed&) -> Command { return WelcomeNextVisitor{}; }},
-    Key{GLFW_KEY_G, 0, "G", kInSession, "start the scripted flight",
+    Key{GLFW_KEY_G, 0, "G", kInSession, texts::keys::kFlight,
         [](const OperatorSettings&, const Pressed&) -> Command { return StartTour{}; }},
-    Key{GLFW_KEY_T, 0, "T", kEverywhere, "patterns", showNext},
-    Key{GLFW_KEY_B, 0, "B", kEverywhere, "black walls", turnWalls<&WallControls::blank>},
-    Key{GLFW_KEY_X, 0, "X", kEverywhere, "swapped eyes", turnWalls<&WallControls::eyesSwapped>},
-    Key{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD, "+ -", kInSession, "eye separation",  // + without Shift is =
+    Key{GLFW_KEY_T, 0, "T", kEverywhere, texts::keys::kPatterns, showNext},
+    Key{GLFW_KEY_B, 0, "B", kEverywhere, texts::keys::kBlack, turnWalls<&WallControls::blank>},
+    Key{GLFW_KEY_X, 0, "X", kEverywhere, texts::keys::kSwapEyes, turnWalls<&WallControls::eyesSwapped>},
+    Key{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD, "+ -", kInSession, texts::keys::kEyesApart,  // + without Shift is =
         setEyesApart<1>},
     Key{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT, "-", kInSession, nullptr, setEyesApart<-1>},
-    Key{GLFW_KEY_K, 0, "K", kInSession, "show the tracked sensors", turnWalls<&WallControls::trackerCross>},
-    Key{GLFW_KEY_L, 0, "L", kEverywhere, "latency overlay", turnWalls<&WallControls::latency>},
+    Key{GLFW_KEY_K, 0, "K", kInSession, texts::keys::kSensors, turnWalls<&WallControls::trackerCross>},
+    Key{GLFW_KEY_L, 0, "L", kEverywhere, texts::keys::kLatency, turnWalls<&WallControls::latency>},
     Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
         [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
 };
@@ -227,15 +228,15 @@ std::vector<KeyLine> keyMap(KeysOf place) {
     if (means(key, place) && key.does) lines.push_back({key.label, key.does});
   }
   if (place == KeysOf::session) {
-    lines.push_back({"W A S D", "steer: forward, left, back, right"});
-    lines.push_back({"Space", "brake"});
-    lines.push_back({"Home", "return to the table"});
-    lines.push_back({"Mouse", "point at a puck, press, draw back, let go: a stroke"});
-    lines.push_back({"Right button", "turn the view"});
-    lines.push_back({"1 to 4", "answer a lesson's question"});
+    lines.push_back({"W A S D", texts::keys::kSteer});
+    lines.push_back({texts::keys::kSpaceKey, texts::keys::kBrake});
+    lines.push_back({texts::keys::kHomeKey, texts::keys::kHome});
+    lines.push_back({texts::keys::kMouse, texts::keys::kStrike});
+    lines.push_back({texts::keys::kRightButton, texts::keys::kTurn});
+    lines.push_back({texts::keys::kAnswerKeys, texts::keys::kAnswer});
   }
-  lines.push_back({"H", "this list"});
-  lines.push_back({"Escape Q", "quit"});
+  lines.push_back({"H", texts::keys::kList});
+  lines.push_back({texts::keys::kQuitKeys, texts::keys::kQuit});
   return lines;
 }
 

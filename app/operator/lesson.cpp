@@ -1,5 +1,7 @@
 #include "app/operator/lesson.h"
 
+#include "cave/texts/texts.h"
+
 namespace carom {
 
 LessonState advance(const LessonState& state, std::size_t answers, int answer, bool onwards) {
@@ -69,7 +71,7 @@ bool choose(OperatorSettings& settings, int choice) {
 }
 
 std::string answerText(const LessonWords& words, const LessonState& state) {
-  return state.answer == 0 || state.answer > words.answers.size() ? "(skipped)"
+  return state.answer == 0 || state.answer > words.answers.size() ? texts::lesson::kSkipped
                                                                   : words.answers[state.answer - 1U];
 }
 

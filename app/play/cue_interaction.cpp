@@ -8,6 +8,7 @@
 
 #include "cave/frame/bodies.h"
 #include "cave/scene/scene.h"
+#include "cave/texts/texts.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -27,8 +28,9 @@ namespace {
 /// Returns ", 8 mm right of its centre"; empty for a stroke at the centre.
 std::string sideText(double offset_m) {
   if (offset_m == 0.0) return "";
-  return fmt::format(", {:.0f} mm {} of its centre", 1e3 * std::abs(offset_m),
-                     offset_m > 0.0 ? "right" : "left");
+  const double aside_mm = 1e3 * std::abs(offset_m);
+  return offset_m > 0.0 ? fmt::format(texts::message::kRightOfCentre, aside_mm)
+                        : fmt::format(texts::message::kLeftOfCentre, aside_mm);
 }
 
 }  // namespace
@@ -86,23 +88,21 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
   const Puck& target = scenario_->billiard.pucks[puck];
   const double c_m_s = scenario_->billiard.lightSpeed_m_s;
   const Vec2 u = strokeOf(cue_.pull_m(), record.boardFromRoom).u;
-  if (u == Vec2(0.0)) return {{}, {}, "Let go: no stroke"};
+  if (u == Vec2(0.0)) return {{}, {}, texts::message::kLetGo};
   const Event from = handEvent(hand.from_m, record.observer, record.boardFromRoom);
-  if (from.t_s < 0.0) return {{}, {}, "No stroke: where your hand is, the game has not begun yet"};
+  if (from.t_s < 0.0) return {{}, {}, texts::message::kBeforeGame};
   const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u,
                       offset_m(u, puck, record.boardFromRoom)};
   try {
     const Event arrival = game.strike(stroke);
     const double pace = record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
     const double after_s = (record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
-    return {
-        stroke, arrival.t_s,
-        fmt::format("{}: p = {:.2g} kg m/s{}, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s",
-                    target.name, glm::length(stroke.momentum_kg_m_s), sideText(stroke.offset_m),
-                    costOf(glm::length(u)), after_s)};
+    return {stroke, arrival.t_s,
+            fmt::format(texts::message::kStroke, target.name, glm::length(stroke.momentum_kg_m_s),
+                        sideText(stroke.offset_m), costOf(glm::length(u)), after_s)};
   } catch (const std::invalid_argument& error) {
     log::note(error.what());
-    return {{}, {}, fmt::format("No stroke: {} can no longer be reached from here", target.name)};
+    return {{}, {}, fmt::format(texts::message::kOutOfReach, target.name)};
   }
 }
 

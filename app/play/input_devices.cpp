@@ -7,12 +7,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "cave/texts/texts.h"
+
 namespace carom {
 namespace {
 
-constexpr std::array<std::string_view, 3> kNames{"wand", "mouse", "gamepad"};
-constexpr std::array<std::string_view, 3> kRefusals{
-    "The cue is in the wand's hand", "The cue is in the mouse's hand", "The cue is in the gamepad's hand"};
 constexpr double kFarthestOnCloth_m = 10.0;  // limit for a mouse that points near the horizon
 
 enum WandButton { kTrigger, kBrake, kHome, kOnwards };
@@ -143,7 +142,7 @@ void InputDevices::take(const std::array<Hand, kDevices>& hands, HandInput& inpu
     const bool wasHeld = std::exchange(wasHeld_[device], hand.held);
     if (!hand.held || wasHeld || !hand.there || asks_) continue;
     if (holder_) {
-      input.refused = kRefusals[*holder_];
+      input.refused = texts::message::kCueTaken[*holder_];
       continue;
     }
     holder_ = device;
@@ -167,7 +166,7 @@ HandInput InputDevices::cue(const HandDevices& devices, const ObserverView& obse
   const std::optional<Device> device = aiming(hands, now_s);
   if (!device) return input;
   const Hand& hand = hands[*device];
-  input.device = kNames[*device];
+  input.device = texts::kDevices[*device];
   input.from_m = hand.from_m;
   input.along = hand.along;
   input.eye = hand.eye;

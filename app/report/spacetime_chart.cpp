@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "cave/frame/body_colour.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -90,7 +91,7 @@ void setRanges(Chart& chart, double c_m_s, const Span& span, double half_m, cons
 
 void addCushions(Chart& chart, double half_m) {
   for (const double side : {-half_m, half_m}) {
-    chart.lines.push_back({side < 0 ? "cushions" : "",
+    chart.lines.push_back({side < 0 ? texts::diagram::kCushions : "",
                            {{side, chart.yRange.x}, {side, chart.yRange.y}},
                            glm::vec3(0.6F),
                            5.0F,
@@ -115,15 +116,15 @@ void addBodies(Chart& chart, const DiagramSubject& subject, const Plane& plane, 
 void addMyAxes(Chart& chart, const glm::dvec2& here, double beta) {
   using Style = ChartLine::Style;
   const glm::vec3 light(0.9F, 0.55F, 0.0F), mine(0.1F, 0.2F, 0.7F);
-  chart.lines.push_back(through(here, {1.0, 1.0}, "my light cone", light, Style::dashed, 1.5F));
+  chart.lines.push_back(through(here, {1.0, 1.0}, texts::diagram::kLightCone, light, Style::dashed, 1.5F));
   chart.lines.push_back(through(here, {-1.0, 1.0}, "", light, Style::dashed, 1.5F));
   chart.lines.push_back(
-      through(here, {beta, 1.0}, fmt::format("my time axis ({:.2f} c)", beta), mine, Style::dotted, 2.0F));
-  chart.lines.push_back(through(here, {1.0, beta}, "my line of simultaneity", mine, Style::dashed, 2.0F));
+      through(here, {beta, 1.0}, fmt::format(texts::diagram::kTimeAxis, beta), mine, Style::dotted, 2.0F));
+  chart.lines.push_back(through(here, {1.0, beta}, texts::diagram::kSimultaneity, mine, Style::dashed, 2.0F));
 }
 
 void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
-  ChartLine happened{"events", {}, glm::vec3(0.35F), 6.0F, ChartLine::Style::marks};
+  ChartLine happened{texts::diagram::kEvents, {}, glm::vec3(0.35F), 6.0F, ChartLine::Style::marks};
   for (const GameEvent& event : subject.events) {
     if (event.at.t_s >= span.from_s && event.at.t_s <= span.until_s)
       happened.points.push_back(plane(event.at));
@@ -133,7 +134,7 @@ void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, 
 
 /// Adds my world line, from the last event below the lower edge on.
 void addMe(Chart& chart, const DiagramSubject& subject, const Plane& plane, double from_s) {
-  ChartLine me{"me", {}, glm::vec3(0.0F), 3.5F, ChartLine::Style::solid};
+  ChartLine me{texts::diagram::kMe, {}, glm::vec3(0.0F), 3.5F, ChartLine::Style::solid};
   for (std::size_t i = 0; i < subject.mine.size(); ++i) {
     if (i + 1 == subject.mine.size() || subject.mine[i + 1].t_s >= from_s)
       me.points.push_back(plane(subject.mine[i]));
@@ -167,9 +168,9 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   const double until_s = present.t_s + kFuture * (present.t_s - from_s);
 
   Chart chart;
-  chart.title = fmt::format("{}: light at {} m/s goes at 45°", subject.title, subject.c_m_s);
-  chart.xTitle = fmt::format("{} (m)", frame.along);
-  chart.yTitle = "ct (m)";
+  chart.title = fmt::format(texts::diagram::kTitle, subject.title, subject.c_m_s);
+  chart.xTitle = fmt::format(texts::diagram::kAcross, frame.along);
+  chart.yTitle = texts::diagram::kUpwards;
   const double half_m = halfExtent_m(subject, frame.along);
   const Span span{from_s, until_s};
   setRanges(chart, subject.c_m_s, span, half_m, plane(present));

@@ -10,6 +10,7 @@
 #include "app/operator/playlist.h"
 #include "cave/overlay/choice_tiles.h"
 #include "cave/overlay/hud_panel.h"
+#include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 
 namespace carom {
@@ -32,7 +33,7 @@ ObserverStart startOf(const Scenario& scenario, std::size_t observer) {
 /// Returns the rumble strength in [0, 1]: stroke energy relative to the strongest stroke. 0 unless a gamepad
 /// draws the cue.
 double rumbleStrength(const HandInput& hand, const HandView& view) {
-  return view.pulling && hand.device == "gamepad" ? costOf(view.u) / costOf(kStrongestU) : 0.0;
+  return view.pulling && hand.device == texts::kGamepad ? costOf(view.u) / costOf(kStrongestU) : 0.0;
 }
 
 }  // namespace
@@ -138,9 +139,7 @@ void LiveSource::say(std::string_view words, Decision& decision) {
 void LiveSource::count(Decision& decision) {
   const Event& eye = decision.frame.record.observer.middle.observation;
   if (!play_.score.look(world_.events, eye, scenario_.billiard.lightSpeed_m_s)) return;
-  say(fmt::format("Carom! Your puck touched two others. Caroms: {}, strokes: {}", play_.score.caroms(),
-                  play_.score.strokes()),
-      decision);
+  say(fmt::format(texts::message::kCarom, play_.score.caroms(), play_.score.strokes()), decision);
 }
 
 /// Returns the choice on the front wall that the hand points to, unless it holds the cue.
@@ -178,7 +177,7 @@ void LiveSource::strike(bool still, const FrameTimes& times, const OperatorSetti
     play_.score.struck(outcome.stroke->puck, outcome.arrives_s);
   }
   rumble_.set(rumbleStrength(hand, record.hand));
-  if (outcome.stroke && hand.device == "gamepad") rumble_.pulse();
+  if (outcome.stroke && hand.device == texts::kGamepad) rumble_.pulse();
   say(outcome.said, decision);
 }
 
@@ -203,7 +202,8 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
          decision);  // a lesson plays the same game again and again
   count(decision);
   say(play_.drive.news().words(), decision);
-  say(roomBoundary_.look(viewer_.head().pose.position_m), decision);
+  if (const Wall* left = roomBoundary_.look(viewer_.head().pose.position_m))
+    say(fmt::format(texts::message::kLeftRoom, left->name), decision);
   say(std::exchange(pendingMessage_, {}), decision);
   record.notice = play_.message.at(times.display_s);
   showCaption(decision);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "cave/frame/hall.h"
+#include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -68,12 +69,11 @@ void PlatformMotion::begin(const Observer& observer) {
   setsOut_ = false;
   const Vec3 u = observer.boardFromRoom().u();
   if (tour_.empty()) {
-    notice_ = Notice("This game has no scripted flight.");
+    notice_ = Notice(texts::message::kNoFlight);
   } else if (view_.mode == DriveMode::tour) {
-    notice_ = Notice("The scripted flight is under way already.");
+    notice_ = Notice(texts::message::kFlightUnderWay);
   } else if (glm::length(u) > kTourFrom_u && glm::length(u - atStart_u_) > kTourFrom_u) {
-    notice_ =
-        Notice("The scripted flight begins at rest: brake (Space) or return to the table (Home) first.");
+    notice_ = Notice(texts::message::kFlightBeginsAtRest);
   } else {
     take(tour_);
     view_.mode = DriveMode::tour;
@@ -86,8 +86,7 @@ void PlatformMotion::endTour(const Observer& observer) {
   leaveWay(DriveMode::free);
   const double board_s = observer.headEvent().t_s - setOutBoard_s_,
                own_s = observer.properTime_s() - setOutOwn_s_;
-  notice_ = Notice(
-      fmt::format("Flight finished: {:.1f} s on the table's clocks, {:.1f} s on yours.", board_s, own_s));
+  notice_ = Notice(fmt::format(texts::message::kFlightFinished, board_s, own_s));
 }
 
 void PlatformMotion::take(std::span<const Thrust> way) {
@@ -111,7 +110,7 @@ void PlatformMotion::obey(const DriveWish& wish) {
   const bool steers = glm::length(wish.steer) > kMeant;
   steered_ = steered_ || steers;
   if (view_.mode == DriveMode::tour && (wish.home || wish.brake || steers))
-    notice_ = Notice("Flight interrupted: you drive yourself.");
+    notice_ = Notice(texts::message::kFlightInterrupted);
   if (wish.home) {
     if (view_.mode != DriveMode::home) leaveWay(DriveMode::home);
   } else if (wish.brake) {
@@ -147,8 +146,7 @@ void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, con
   if (lived < 1.0) observer.step((1.0 - lived) * dtau_s, head, pace);
   if (view_.mode == DriveMode::tour && push_ == way_.size()) endTour(observer);
   const bool far = steered_ && glm::length(glm::dvec2(observer.headEvent().r_m)) > kFar_m;
-  if (far && view_.mode == DriveMode::free)
-    sayOnce(saidFar_, "You have left the table far behind. Home brings you back.");
+  if (far && view_.mode == DriveMode::free) sayOnce(saidFar_, texts::message::kFarFromTable);
   if (!far) saidFar_ = false;
   view_.thrust = frame_s > 0.0 ? gained_m_s / (frame_s * strongest_m_s2_) : Vec3(0.0);
 }
@@ -177,10 +175,7 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
     thrust_m_s2 /= asked;
     view_.atLimit = 1;
     const double behind_m = c_m_s_ * c_m_s_ / strongest_m_s2_;
-    sayOnce(saidStrongest_,
-            fmt::format("The strongest thrust. With more, light from {:.2g} m behind you would never "
-                        "catch up with you.",
-                        behind_m));
+    sayOnce(saidStrongest_, fmt::format(texts::message::kStrongestThrust, behind_m));
   }
   const Lorentz& room = observer.boardFromRoom();
   const Lorentz after = room * Lorentz::fromRapidity(thrust_m_s2 * (left_s / c_m_s_), c_m_s_);
@@ -192,9 +187,8 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   const double after_u = glm::length(after.u());
   if (after_u <= std::max(most_u_, glm::length(room.u()))) return {left_s, thrust_m_s2};
   view_.atLimit = 1;
-  sayOnce(saidFastest_,
-          fmt::format("No faster here: at {:.3g} c, {:.3g} s pass on the table in one of yours.",
-                      most_u_ / std::hypot(1.0, most_u_), std::hypot(1.0, most_u_)));
+  sayOnce(saidFastest_, fmt::format(texts::message::kFastest, most_u_ / std::hypot(1.0, most_u_),
+                                    std::hypot(1.0, most_u_)));
   return {left_s};
 }
 
@@ -206,7 +200,7 @@ PlatformMotion::Manoeuvre PlatformMotion::coast(const Observer& observer, double
 }
 
 PlatformMotion::Manoeuvre PlatformMotion::stopAtWall(const Observer& observer, double left_s) {
-  sayOnce(saidWall_, "The drive stops in front of the hall's walls. Home brings you back to the table.");
+  sayOnce(saidWall_, texts::message::kHallWall);
   return brake(observer, left_s);
 }
 

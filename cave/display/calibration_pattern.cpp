@@ -14,6 +14,7 @@
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/projection/stereo.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -147,7 +148,7 @@ void write(Canvas& canvas, const std::string& text, double height_px, const glm:
 }
 
 std::string words(const glm::dvec3& corner_m) {
-  return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", corner_m.x, corner_m.y, corner_m.z);
+  return fmt::format(texts::pattern::kCorner, corner_m.x, corner_m.y, corner_m.z);
 }
 
 void writeCorners(Canvas& canvas, const Wall& wall, double unit_px) {
@@ -171,11 +172,11 @@ Image calibrationPattern(const Wall& wall, Eye eye) {
   const double unit_px = std::min(wall.pixels.x, wall.pixels.y);
   write(canvas, wall.name, 0.1 * unit_px, {0.5, 0.74}, 0.5);
   write(canvas, nameOf(eye), 0.2 * unit_px, {0.5, 0.56}, 0.5);
-  write(canvas, fmt::format("node {}, {} × {} pixels", wall.node, wall.pixels.x, wall.pixels.y),
-        0.04 * unit_px, {0.5, 0.4}, 0.5);
+  write(canvas, fmt::format(texts::pattern::kWall, wall.node, wall.pixels.x, wall.pixels.y), 0.04 * unit_px,
+        {0.5, 0.4}, 0.5);
   write(canvas,
-        fmt::format("{:.3f} × {:.3f} m, {}", size_m.x, size_m.y,
-                    showsFineLines(pxPerM) ? "lines every 1 and 10 cm" : "lines every 10 cm"),
+        showsFineLines(pxPerM) ? fmt::format(texts::pattern::kFineLines, size_m.x, size_m.y)
+                               : fmt::format(texts::pattern::kCoarseLines, size_m.x, size_m.y),
         0.04 * unit_px, {0.5, 0.32}, 0.5);
   writeCorners(canvas, wall, unit_px);
   drawCircle(canvas, size_m, pxPerM);

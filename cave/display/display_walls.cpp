@@ -8,6 +8,7 @@
 #include "cave/display/calibration_pattern.h"
 #include "cave/display/wall_window.h"
 #include "cave/projection/stereo.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -61,10 +62,11 @@ void DisplayWalls::openWindows(const std::optional<WindowPlacement>& oneWindow) 
     std::string title;
     bool quadBuffer = false;
     for (const std::size_t wall : window.walls) {
-      title += (title.empty() ? "Carom: " : ", ") + walls_[wall].name;
+      title += (title.empty() ? "" : ", ") + walls_[wall].name;
       quadBuffer = quadBuffer || walls_[wall].stereo == StereoMode::quadBuffer;
     }
-    window.window = std::make_unique<Window>(graphics_, title, window.placement, quadBuffer);
+    window.window = std::make_unique<Window>(graphics_, fmt::format(texts::title::kWalls, title),
+                                             window.placement, quadBuffer);
   }
   for (const WallWindow& window : windows_) window.window->setVsync(true);
   if (windows_.size() > 1) swapTogether();

@@ -1,10 +1,8 @@
 #pragma once
 // What a visitor can choose on the front wall.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "cave/frame/frame_state.h"
 
@@ -12,13 +10,6 @@ namespace carom {
 
 enum class Choice : std::uint8_t { play, lessons, showMe };
 inline constexpr std::size_t kChoices = 3;
-
-/// The names of the choices and their keys (app/input/keys.cpp), as the wall shows them.
-struct NamedChoice {
-  std::string_view name, key;
-};
-inline constexpr std::array<NamedChoice, kChoices> kNamedChoices{
-    {{"Play", "F7"}, {"Lessons", "F6"}, {"Show me", "F5"}}};
 
 /// Returns whether a game that offers the choices offers them in this frame: not in a lesson before it explains,
 /// and not while a stroke is drawn back or the platform is driven by hand.

@@ -8,6 +8,7 @@
 
 #include "cave/overlay/hud_panel.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -57,8 +58,8 @@ std::optional<PointedChoice> choiceAt(const Wall& front, bool atFoot, const glm:
 void ChoiceTiles::write(const glm::ivec2& tile_px) {
   const int name_px = std::max(1, tile_px.y / 2), key_px = std::max(1, tile_px.y / 4);
   for (std::size_t i = 0; i < kChoices; ++i) {
-    names_[i] = ink(std::string(kNamedChoices[i].name), name_px);
-    keys_[i] = ink(std::string(kNamedChoices[i].key), key_px);
+    names_[i] = ink(texts::kChoices[i], name_px);
+    keys_[i] = ink(texts::kChoiceKeys[i], key_px);
   }
   tile_px_ = tile_px;
 }

@@ -12,6 +12,7 @@
 
 #include "cave/gl/gl_state_guard.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -23,8 +24,7 @@ constexpr glm::vec4 kGround(0.05F, 0.055F, 0.07F, 0.70F), kInk(0.93F, 0.93F, 0.9
 constexpr double kOwnRay_m = 0.15;  // a ray that begins nearer to the eyes is seen end-on
 constexpr double kRay_m = 0.002, kDot_m = 0.008;
 constexpr std::array<double, 4> kTicks{0.5, 0.8, 0.9, 0.95};  // of c
-constexpr std::array<std::string_view, 4> kTickWords{"0.5 c", "0.8 c", "0.9 c", "0.95 c"};
-constexpr double kDigits = 0.025, kTickDigits = 0.016;  // heights, as fractions of the distance
+constexpr double kDigits = 0.025, kTickDigits = 0.016;        // heights, as fractions of the distance
 constexpr double kBar = 0.010, kPanel = 0.076,
                  kPanelMiddle = 0.055;  // half widths, and the place of the panel's middle
 constexpr double kReadout = 0.092;      // height of the numbers below the bar
@@ -206,15 +206,15 @@ void CueOverlay::addScale(const HandView& hand, const FacingPlane& target) {
   for (std::size_t i = 0; i < kTicks.size(); ++i) {
     const double tick = up(1.0 / std::sqrt(1.0 - kTicks[i] * kTicks[i]) - 1.0);
     addLine(on(-kBar, tick), on(kBar + 0.008, tick), 0.0012 * unit_m, kInk);
-    addText(target, aside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, kTickWords[i]);
+    addText(target, aside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, texts::cue::kMarks[i]);
   }
   std::array<char, 24> words{};
-  const auto say = [&](double upwards, auto format, double value) {
+  const auto say = [&](double upwards, fmt::format_string<double&> format, double value) {
     const auto said = fmt::format_to_n(words.data(), words.size(), format, value);
     addText(target, aside - kBar, kScaleFoot + upwards, kDigits, {words.data(), said.size});
   };
-  say(-0.042, FMT_STRING("{:.2f} c"), betaOf(hand.u));
-  say(-0.080, FMT_STRING("{:.2f} mc^"), cost);
+  say(-0.042, texts::cue::kSpeed, betaOf(hand.u));
+  say(-0.080, texts::cue::kEnergy, cost);
 }
 
 void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,

@@ -15,6 +15,7 @@
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/texts.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -86,31 +87,31 @@ class Lines {
 };
 
 void addLight(const FrameRecord& record, Lines& lines) {
-  lines.add({}, "light  {:.2f} m/s", record.lightSpeed_m_s);
+  lines.add({}, texts::legend::kLight, record.lightSpeed_m_s);
 }
 
 void addClocks(const FrameRecord& record, Lines& lines) {
   const Vec3 u = record.observer.headFromBoard.inverse().u();
-  lines.add({}, "my proper time  {:.1f} s", shownTime_s(record.observer.properTime_s));
-  lines.add({}, "my speed  {:.2f} c   γ = {:.2f}", glm::length(betaFromU(u)), gammaFromU(u));
+  lines.add({}, texts::legend::kMyTime, shownTime_s(record.observer.properTime_s));
+  lines.add({}, texts::legend::kMySpeed, glm::length(betaFromU(u)), gammaFromU(u));
   addLight(record, lines);
 }
 
 void addQuestion(const LessonWords& lesson, Lines& lines) {
-  lines.wrap(lesson.question, "Question:  ");
-  constexpr std::array<std::string_view, kMostAnswers> kNumbers{"1   ", "2   ", "3   ", "4   "};
+  lines.wrap(lesson.question, texts::lesson::kQuestion);
+  constexpr auto& kNumbers = texts::lesson::kAnswerNumbers;
   for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i)
     lines.wrap(lesson.answers[i], kNumbers[i]);
-  const bool two = lesson.answers.size() == 2;
-  lines.add({}, "press {}{}, or a wand button    Enter: skip the question", two ? "1 or " : "1 to ",
-            lesson.answers.size());
+  if (lesson.answers.size() == 2) return lines.add({}, texts::lesson::kPressOneOfTwo);
+  lines.add({}, texts::lesson::kPressOneOf, lesson.answers.size());
 }
 
 /// Adds the readings of the stopwatches in one line.
 void addReadings(const FrameRecord& record, const LessonPlan& plan, Lines& lines) {
   std::string readings;
   for (const Stopwatch& watch : plan.stopwatches) {
-    readings += fmt::format("{}{}: {:.2f} s", readings.empty() ? "" : "    ", watch.name,
+    if (!readings.empty()) readings += "    ";
+    readings += fmt::format(texts::lesson::kReading, watch.name,
                             reading_s(watch, {record.observer, record.boardFromRoom, record.lesson.phase}));
   }
   lines.wrap(readings, {}, true);
@@ -120,10 +121,11 @@ void addReadings(const FrameRecord& record, const LessonPlan& plan, Lines& lines
 void addObservers(const FrameRecord& record, const LessonPlan& plan, Lines& lines) {
   if (plan.observers.empty()) return;
   const auto present = observerOf(plan, record.boardFromRoom);
-  std::string offered = "You move:";
+  std::string offered = texts::lesson::kYouMove;
   for (std::size_t i = 0; i < plan.observers.size(); ++i) {
-    const bool here = present == i;
-    offered += fmt::format("  {}F{} {}{}", here ? "[" : "", i + 2, plan.observers[i].name, here ? "]" : "");
+    const std::string& name = plan.observers[i].name;
+    offered += present == i ? fmt::format(texts::lesson::kPresentObserver, i + 2, name)
+                            : fmt::format(texts::lesson::kOtherObserver, i + 2, name);
   }
   lines.wrap(offered);
 }
@@ -131,14 +133,16 @@ void addObservers(const FrameRecord& record, const LessonPlan& plan, Lines& line
 void addAnswer(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
   if (answer == 0 || answer > lesson.answers.size()) return;
   const std::string& given = lesson.answers[answer - 1U];
-  if (answer - 1U == lesson.right) return lines.wrap(fmt::format("{}. Correct.", given), "Your answer:  ");
-  lines.wrap(fmt::format("{}. Correct: {}.", given, lesson.answers[lesson.right]), "Your answer:  ");
+  const std::string words = answer - 1U == lesson.right
+                                ? fmt::format(texts::lesson::kRight, given)
+                                : fmt::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
+  lines.wrap(words, texts::lesson::kYourAnswer);
 }
 
 /// Returns how the lesson's pace is told, or nothing.
 std::string paceWords(const LessonPlan& plan) {
   const double slowness = plan.interval.slowness;
-  return slowness > 1.0 ? fmt::format("    (slow motion: 1/{:g})", slowness) : "";
+  return slowness > 1.0 ? fmt::format(texts::lesson::kSlowMotion, slowness) : "";
 }
 
 /// Adds the lesson's text for its phase, and how to continue.
@@ -149,17 +153,17 @@ void addLesson(const FrameRecord& record, const LessonWords& lesson, const Lesso
     case LessonPhase::asks:
       return addQuestion(lesson, lines);
     case LessonPhase::shows:
-      lines.wrap(lesson.todo, "Try this:  ");
-      lines.wrap(lesson.notice, "Look for:  ");
+      lines.wrap(lesson.todo, texts::lesson::kTryThis);
+      lines.wrap(lesson.notice, texts::lesson::kLookFor);
       addReadings(record, plan, lines);
       addObservers(record, plan, lines);
-      return lines.add({}, "Y: replay    Enter: explanation{}", paceWords(plan));
+      return lines.add({}, "{}{}", texts::lesson::kOnwards, paceWords(plan));
     case LessonPhase::explains:
       lines.wrap(lesson.number);
       addAnswer(lesson, record.lesson.answer, lines);
       addReadings(record, plan, lines);
       addObservers(record, plan, lines);
-      return lines.add({}, "Enter: back to the scene    Y: ask again");
+      return lines.add({}, texts::lesson::kBack);
   }
 }
 
@@ -168,38 +172,36 @@ void addDrive(const FrameRecord& record, Lines& lines) {
   if (!isDriven(record)) return;
   const Vec3 u = record.boardFromRoom.u();
   const double gamma = gammaFromU(u);
-  lines.add(kMotionColour, "my speed on the table: {:.3f} c, γ = {:.2f}", glm::length(betaFromU(u)), gamma);
-  lines.add(kSeenMark, "the speed of light");
-  lines.add(kContractedColour, "a circle on the table, contracted to {:.2f}", 1.0 / gamma);
+  lines.add(kMotionColour, texts::legend::kPlatform, glm::length(betaFromU(u)), gamma);
+  lines.add(kSeenMark, texts::legend::kLightRing);
+  lines.add(kContractedColour, texts::legend::kContracted, 1.0 / gamma);
   const DriveView& drive = record.drive;
   if (drive.thrust == Vec3(0.0) && drive.mode == DriveMode::free && !drive.atLimit) return;
-  constexpr std::array<std::string_view, 4> kModes{"", " (braking)", " (returning home)",
-                                                   " (scripted flight)"};
-  lines.add(drive.atLimit ? kLimitColour : kThrustColour, "thrust: {:.0f} % of maximum{}",
-            100.0 * glm::length(drive.thrust), kModes[static_cast<std::size_t>(drive.mode)]);
+  lines.add(drive.atLimit ? kLimitColour : kThrustColour, texts::legend::kThrust,
+            100.0 * glm::length(drive.thrust),
+            texts::legend::kDriveModes[static_cast<std::size_t>(drive.mode)]);
 }
 
 void addViews(const FrameRecord& record, Lines& lines) {
   const TimeViews& views = record.views;
-  if (views.boardNow || views.myNow || views.split)
-    lines.add(kSeenMark, "as seen: light that reaches me now");
-  if (views.boardNow) lines.add(kBoardNowColour, "now, in the table's frame");
-  if (views.myNow) lines.add(kMyNowColour, "now, in my frame: simultaneous with me");
+  if (views.boardNow || views.myNow || views.split) lines.add(kSeenMark, texts::legend::kSeen);
+  if (views.boardNow) lines.add(kBoardNowColour, texts::legend::kBoardNow);
+  if (views.myNow) lines.add(kMyNowColour, texts::legend::kMyNow);
   if (views.split && views.beside == kNoSwitches) {
-    lines.add({}, "left: Einstein, right: Newton");
+    lines.add({}, texts::legend::kEinsteinNewton);
   } else if (views.split) {
-    lines.add({}, "left: as chosen, right: otherwise");
+    lines.add({}, texts::legend::kChosenOtherwise);
   }
-  if (views.paths) lines.add({}, "paths: solid = seen, dashed = still to come");
+  if (views.paths) lines.add({}, texts::legend::kPaths);
   if (views.events) {
-    lines.add(kEventColour, "numbered flags: events");
-    lines.add(kFlashColour, "light of a flash, on its way");
+    lines.add(kEventColour, texts::legend::kEvents);
+    lines.add(kFlashColour, texts::legend::kFlash);
   }
-  if (views.ruler) lines.add({}, "ruler: 1 m, and light travelling along it");
-  if (views.angles) lines.add({}, "angles between the outgoing paths");
-  if (views.frozen) lines.add({}, "frozen view: walk around it");
+  if (views.ruler) lines.add({}, texts::legend::kRuler);
+  if (views.angles) lines.add({}, texts::legend::kAngles);
+  if (views.frozen) lines.add({}, texts::legend::kFrozen);
   if (views.clocks) {
-    lines.add({}, "labels: each puck's proper time");
+    lines.add({}, texts::legend::kClocks);
     addClocks(record, lines);
   }
 }
@@ -258,7 +260,7 @@ void describe(const FrameRecord& record, const LessonWords& lesson, const Lesson
     addViews(record, lines);
     addDrive(record, lines);
   }
-  if (record.controls.trackerCross) lines.add({}, "of the two bars the right one is nearer");
+  if (record.controls.trackerCross) lines.add({}, texts::legend::kNearerBar);
 }
 
 void HudPanel::set(const std::vector<HudLine>& lines) {

@@ -1,7 +1,9 @@
 #include "cave/overlay/latency_overlay.h"
 
 #include "cave/gl/gui.h"
+#include "cave/texts/texts.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -42,8 +44,8 @@ void bar(const PartStatistics& part, float period_s, bool waits) {
 
 void drawParts(const LatencyView& view) {
   const float period_s = static_cast<float>(1.0 / view.display_hz);
-  if (!ImGui::BeginTable("parts", 5, ImGuiTableFlags_SizingFixedFit)) return;
-  for (const char* name : {"ms", "  median", "    99 %", "  jitter", "the line: one period"}) {
+  if (!ImGui::BeginTable("##parts", 5, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const char* name : texts::latency::kPartColumns) {
     ImGui::TableSetupColumn(name);
   }
   ImGui::TableHeadersRow();
@@ -52,7 +54,7 @@ void drawParts(const LatencyView& view) {
     if (part.frames == 0) continue;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(kFrameParts[i]);
+    ImGui::TextUnformatted(texts::latency::kParts[i]);
     number_ms(part.median_s);
     number_ms(part.p99_s);
     number_ms(part.jitter_s);
@@ -69,8 +71,8 @@ ImVec4 colourOf(LockState lock) {
 }
 
 void drawNodes(const LatencyView& view) {
-  if (view.nodes.size() < 2 || !ImGui::BeginTable("nodes", 5, ImGuiTableFlags_SizingFixedFit)) return;
-  for (const char* name : {"late, ms", "  median", "    99 %", "  jitter", "frame lock"}) {
+  if (view.nodes.size() < 2 || !ImGui::BeginTable("##nodes", 5, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const char* name : texts::latency::kNodeColumns) {
     ImGui::TableSetupColumn(name);
   }
   ImGui::TableHeadersRow();
@@ -82,7 +84,8 @@ void drawNodes(const LatencyView& view) {
     number_ms(node.late.p99_s);
     number_ms(node.late.jitter_s);
     ImGui::TableNextColumn();
-    ImGui::TextColored(colourOf(node.lock), "%s", kLockStates[static_cast<std::size_t>(node.lock)]);
+    ImGui::TextColored(colourOf(node.lock), "%s",
+                       texts::latency::kLockStates[static_cast<std::size_t>(node.lock)]);
   }
   ImGui::EndTable();
 }
@@ -90,11 +93,11 @@ void drawNodes(const LatencyView& view) {
 }  // namespace
 
 void drawLatencyNumbers(const LatencyView& view) {
-  ImGui::Text("%s   frame %llu   %.5g Hz", view.node.c_str(), static_cast<unsigned long long>(view.frame),
-              view.display_hz);
-  ImGui::TextUnformatted("frame lock:");
+  ImGui::TextUnformatted(fmt::format(texts::latency::kNode, view.node, view.frame, view.display_hz).c_str());
+  ImGui::TextUnformatted(texts::latency::kFrameLock);
   ImGui::SameLine();
-  ImGui::TextColored(colourOf(view.lock), "%s", kLockStates[static_cast<std::size_t>(view.lock)]);
+  ImGui::TextColored(colourOf(view.lock), "%s",
+                     texts::latency::kLockStates[static_cast<std::size_t>(view.lock)]);
   if (!view.lockWhyNot.empty()) {
     ImGui::SameLine();
     ImGui::TextColored(kBad, "(%s)", view.lockWhyNot.c_str());
@@ -104,7 +107,7 @@ void drawLatencyNumbers(const LatencyView& view) {
 }
 
 void drawLatency(const LatencyView& view) {
-  overCorner("latency", [&view] { drawLatencyNumbers(view); });
+  overCorner("##latency", [&view] { drawLatencyNumbers(view); });
 }
 
 }  // namespace carom

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "cave/room/wall.h"
 
@@ -21,14 +18,13 @@ class RoomBoundary {
   /// Keeps a reference to the walls.
   explicit RoomBoundary(std::span<const Wall> walls) : walls_(walls) {}
 
-  /// Returns the message for a head at this place: once each time that it leaves the room, otherwise empty.
-  std::string look(const glm::dvec3& headInRoom_m) {
+  /// Returns the wall that a head at this place is behind: once each time that it leaves the room, otherwise null.
+  const Wall* look(const glm::dvec3& headInRoom_m) {
     const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) {
       return glm::dot(normalOf(w), headInRoom_m - w.lowerLeft_m) < -kBehind_m;
     });
     const bool was = std::exchange(left_, wall != walls_.end());
-    if (was || !left_) return {};
-    return fmt::format("You have left the room: you are behind its wall '{}'. Step back in.", wall->name);
+    return was || !left_ ? nullptr : &*wall;
   }
 
  private:

@@ -18,6 +18,7 @@
 #include "cave/spectator/room_surfaces.h"
 #include "cave/spectator/solid_drawer.h"
 #include "cave/spectator/viewer_model.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -204,7 +205,7 @@ SpectatorView::SpectatorView(Graphics& graphics, const RoomGeometry& room, const
   drawing_->makeGame(scene, table);
   if (visible) {
     const WindowPlacement place{.position_px = kWindowPlace_px, .size_px = kPicture_px, .border = true};
-    drawing_->window = std::make_unique<Window>(graphics, "Carom: the room from outside", place);
+    drawing_->window = std::make_unique<Window>(graphics, texts::title::kOutside, place);
     graphics.makeCurrent();
   }
 }

@@ -1,0 +1,378 @@
+#pragma once
+// The catalogue of texts: every text of the program that a visitor, student, teacher or operator reads on walls, in
+// the console and in the other windows. A translation is another file with the same names; the compiler finds
+// names that are missing, and values that a text has no place for ("{}", in the notation of the library fmt).
+//
+// Not here: the texts of games and lessons, which stand in their files (config/scenarios), one file a game; the
+// messages of the command line and of the log, which name facts of the code that writes them and stand beside it;
+// names that files contain (keys of a scenario, words of a session file), which no translation may change.
+// tests/app/texts.py finds texts that are elsewhere.
+
+#include <array>
+
+namespace carom::texts {
+
+using Text = const char*;
+
+// The choices on the front wall, in the order of Choice, and their keys.
+inline constexpr std::array<Text, 3> kChoices{"Play", "Lessons", "Show me"};
+inline constexpr std::array<Text, 3> kChoiceKeys{"F7", "F6", "F5"};
+
+// The devices that hold the cue, in the order of InputDevices.
+inline constexpr std::array<Text, 3> kDevices{"wand", "mouse", "gamepad"};
+inline constexpr Text kGamepad = kDevices[2];
+
+namespace lesson {
+inline constexpr Text kQuestion = "Question:  ";
+inline constexpr std::array<Text, 4> kAnswerNumbers{"1   ", "2   ", "3   ", "4   "};
+inline constexpr Text kPressOneOfTwo = "press 1 or 2, or a wand button    Enter: skip the question";
+inline constexpr Text kPressOneOf = "press 1 to {}, or a wand button    Enter: skip the question";
+inline constexpr Text kReading = "{}: {:.2f} s";
+inline constexpr Text kYouMove = "You move:";
+inline constexpr Text kOtherObserver = "  F{} {}", kPresentObserver = "  [F{} {}]";
+inline constexpr Text kYourAnswer = "Your answer:  ";
+inline constexpr Text kRight = "{}. Correct.";
+inline constexpr Text kWrong = "{}. Correct: {}.";
+inline constexpr Text kTryThis = "Try this:  ", kLookFor = "Look for:  ";
+inline constexpr Text kOnwards = "Y: replay    Enter: explanation";
+inline constexpr Text kSlowMotion = "    (slow motion: 1/{:g})";
+inline constexpr Text kBack = "Enter: back to the scene    Y: ask again";
+inline constexpr Text kSkipped = "(skipped)";
+}  // namespace lesson
+
+// The legend of the views of time and of the drive, on the front wall.
+namespace legend {
+inline constexpr Text kSeen = "as seen: light that reaches me now";
+inline constexpr Text kBoardNow = "now, in the table's frame";
+inline constexpr Text kMyNow = "now, in my frame: simultaneous with me";
+inline constexpr Text kEinsteinNewton = "left: Einstein, right: Newton";
+inline constexpr Text kChosenOtherwise = "left: as chosen, right: otherwise";
+inline constexpr Text kPaths = "paths: solid = seen, dashed = still to come";
+inline constexpr Text kEvents = "numbered flags: events";
+inline constexpr Text kFlash = "light of a flash, on its way";
+inline constexpr Text kRuler = "ruler: 1 m, and light travelling along it";
+inline constexpr Text kAngles = "angles between the outgoing paths";
+inline constexpr Text kFrozen = "frozen view: walk around it";
+inline constexpr Text kClocks = "labels: each puck's proper time";
+inline constexpr Text kMyTime = "my proper time  {:.1f} s";
+inline constexpr Text kMySpeed = "my speed  {:.2f} c   γ = {:.2f}";
+inline constexpr Text kLight = "light  {:.2f} m/s";
+inline constexpr Text kPlatform = "my speed on the table: {:.3f} c, γ = {:.2f}";
+inline constexpr Text kLightRing = "the speed of light";
+inline constexpr Text kContracted = "a circle on the table, contracted to {:.2f}";
+inline constexpr Text kThrust = "thrust: {:.0f} % of maximum{}";
+inline constexpr std::array<Text, 4> kDriveModes{"", " (braking)", " (returning home)", " (scripted flight)"};
+inline constexpr Text kNearerBar = "of the two bars the right one is nearer";
+}  // namespace legend
+
+// Messages on the front wall, a few seconds each.
+namespace message {
+inline constexpr Text kNoFlight = "This game has no scripted flight.";
+inline constexpr Text kFlightUnderWay = "The scripted flight is under way already.";
+inline constexpr Text kFlightBeginsAtRest =
+    "The scripted flight begins at rest: brake (Space) or return to the table (Home) first.";
+inline constexpr Text kFlightFinished = "Flight finished: {:.1f} s on the table's clocks, {:.1f} s on yours.";
+inline constexpr Text kFlightInterrupted = "Flight interrupted: you drive yourself.";
+inline constexpr Text kFarFromTable = "You have left the table far behind. Home brings you back.";
+inline constexpr Text kStrongestThrust =
+    "The strongest thrust. With more, light from {:.2g} m behind you would never catch up with you.";
+inline constexpr Text kFastest = "No faster here: at {:.3g} c, {:.3g} s pass on the table in one of yours.";
+inline constexpr Text kHallWall =
+    "The drive stops in front of the hall's walls. Home brings you back to the table.";
+inline constexpr Text kLeftRoom = "You have left the room: you are behind its wall '{}'. Step back in.";
+inline constexpr Text kReadOnly = "A recording cannot be changed: strokes and drive need a live game";
+inline constexpr Text kCarom = "Carom! Your puck touched two others. Caroms: {}, strokes: {}";
+inline constexpr Text kTimeStands = "Nothing can be struck while time stands still or a lesson replays";
+inline constexpr Text kPuckBehind = "The puck is behind your hand: point the other way";
+inline constexpr Text kNoPuck = "There is no puck where you point";
+inline constexpr Text kDeviceLost = "The {} is lost: no stroke";
+inline constexpr Text kStoppedStroke = "Time stands still: no stroke";
+inline constexpr Text kLetGo = "Let go: no stroke";
+inline constexpr Text kBeforeGame = "No stroke: where your hand is, the game has not begun yet";
+inline constexpr Text kStroke =
+    "{}: p = {:.2g} kg m/s{}, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s";
+inline constexpr Text kRightOfCentre = ", {:.0f} mm right of its centre";
+inline constexpr Text kLeftOfCentre = ", {:.0f} mm left of its centre";
+inline constexpr Text kOutOfReach = "No stroke: {} can no longer be reached from here";
+inline constexpr std::array<Text, 3> kCueTaken{
+    "The cue is in the wand's hand", "The cue is in the mouse's hand", "The cue is in the gamepad's hand"};
+}  // namespace message
+
+// The scale beside a drawn cue: marks of speed, and the stroke's speed and energy. The wall draws digits, '.',
+// ' ', 'c', 'm' and '^', which is a raised 2.
+namespace cue {
+inline constexpr std::array<Text, 4> kMarks{"0.5 c", "0.8 c", "0.9 c", "0.95 c"};
+inline constexpr Text kSpeed = "{:.2f} c", kEnergy = "{:.2f} mc^";
+}  // namespace cue
+
+// The latency overlay. Parts in the order of FramePart, states in that of LockState.
+namespace latency {
+inline constexpr std::array<Text, 8> kParts{"sample", "decide", "share", "submit",
+                                            "draw",   "wait",   "swap",  "late"};
+inline constexpr std::array<Text, 5> kPartColumns{"ms", "  median", "    99 %", "  jitter",
+                                                  "the line: one period"};
+inline constexpr std::array<Text, 5> kNodeColumns{"late, ms", "  median", "    99 %", "  jitter",
+                                                  "frame lock"};
+inline constexpr std::array<Text, 4> kLockStates{"software", "swap group pending", "swap group joined",
+                                                 "swap group LOST"};
+inline constexpr Text kNode = "{}   frame {}   {:.5g} Hz";
+inline constexpr Text kFrameLock = "frame lock:";
+}  // namespace latency
+
+// Test patterns on the walls.
+namespace pattern {
+inline constexpr Text kWall = "node {}, {} × {} pixels";
+inline constexpr Text kFineLines = "{:.3f} × {:.3f} m, lines every 1 and 10 cm";
+inline constexpr Text kCoarseLines = "{:.3f} × {:.3f} m, lines every 10 cm";
+inline constexpr Text kCorner = "({:.3f}, {:.3f}, {:.3f}) m";
+}  // namespace pattern
+
+// Titles of windows.
+namespace title {
+inline constexpr Text kWalls = "Carom: {}";
+inline constexpr Text kConsole = "Carom: console";
+inline constexpr Text kOutside = "Carom: the room from outside";
+inline constexpr Text kDiagram = "Carom: spacetime diagram";
+}  // namespace title
+
+// What each key does, and the names of keys that are words.
+namespace keys {
+inline constexpr Text kRetardation = "light delay (retardation)";
+inline constexpr Text kContraction = "contraction";
+inline constexpr Text kAberration = "aberration of directions";
+inline constexpr Text kColour = "Doppler colour";
+inline constexpr Text kSearchlight = "beaming (searchlight)";
+inline constexpr Text kBoardNow = "ghosts: now, in the table's frame";
+inline constexpr Text kMyNow = "ghosts: now, in my frame";
+inline constexpr Text kPaths = "paths", kEvents = "events", kClocks = "clocks";
+inline constexpr Text kRuler = "ruler", kAngles = "angles";
+inline constexpr Text kSplit = "Newton beside Einstein";
+inline constexpr Text kRightRetardation = "right half: light delay";
+inline constexpr Text kRightContraction = "right half: contraction";
+inline constexpr Text kRightAberration = "right half: aberration";
+inline constexpr Text kRightColour = "right half: Doppler colour";
+inline constexpr Text kRightSearchlight = "right half: beaming";
+inline constexpr Text kFreeze = "freeze the view and walk around it";
+inline constexpr Text kLight = "slower and faster light";
+inline constexpr Text kPause = "pause";
+inline constexpr Text kSecond = "one second back, one second on";
+inline constexpr Text kRate = "twice as fast, half as fast";
+inline constexpr Text kBackwards = "backwards and forwards";
+inline constexpr Text kBeginning = "from the beginning";
+inline constexpr Text kOnwards = "continue the lesson";
+inline constexpr Text kVelocities = "the velocities that a lesson offers";
+inline constexpr Text kRestart = "restart this game";
+inline constexpr Text kShowMe = "Show me: relativity in a minute";
+inline constexpr Text kLessons = "Lessons: the next one";
+inline constexpr Text kPlay = "Play: the game of the beginning";
+inline constexpr Text kNextVisitor = "the next visitor: everything as at the beginning";
+inline constexpr Text kFlight = "start the scripted flight";
+inline constexpr Text kPatterns = "patterns";
+inline constexpr Text kBlack = "black walls";
+inline constexpr Text kSwapEyes = "swapped eyes";
+inline constexpr Text kEyesApart = "eye separation";
+inline constexpr Text kSensors = "show the tracked sensors";
+inline constexpr Text kLatency = "latency overlay";
+inline constexpr Text kSteer = "steer: forward, left, back, right";
+inline constexpr Text kBrake = "brake";
+inline constexpr Text kHome = "return to the table";
+inline constexpr Text kStrike = "point at a puck, press, draw back, let go: a stroke";
+inline constexpr Text kTurn = "turn the view";
+inline constexpr Text kAnswer = "answer a lesson's question";
+inline constexpr Text kList = "this list";
+inline constexpr Text kQuit = "quit";
+
+inline constexpr Text kSpaceKey = "Space", kHomeKey = "Home", kEnterKey = "Enter";
+inline constexpr Text kVelocityKeys = "F2 to F4", kAnswerKeys = "1 to 4", kQuitKeys = "Escape Q";
+inline constexpr Text kMouse = "Mouse", kRightButton = "Right button";
+}  // namespace keys
+
+// The spacetime diagram.
+namespace diagram {
+inline constexpr Text kTitle = "{}: light at {} m/s goes at 45°";
+inline constexpr Text kAcross = "{} (m)", kUpwards = "ct (m)";
+inline constexpr Text kCushions = "cushions";
+inline constexpr Text kLightCone = "my light cone";
+inline constexpr Text kTimeAxis = "my time axis ({:.2f} c)";
+inline constexpr Text kSimultaneity = "my line of simultaneity";
+inline constexpr Text kEvents = "events";
+inline constexpr Text kMe = "me";
+}  // namespace diagram
+
+// The operator's console, part by part.
+namespace console {
+inline constexpr Text kTrackers = "trackers";
+inline constexpr Text kTrackersTip =
+    "Green: all deliver. Yellow: one is late or looked for. Red: one needs help.";
+inline constexpr Text kKeysButton = "Keys   H";
+inline constexpr Text kLightWalls = "Light the walls   B", kBlackWalls = "Black walls   B";
+inline constexpr Text kBlackTip = "All walls black at once, and lit again. The game goes on.";
+inline constexpr Text kGamesTab = "Games", kTrackersTab = "Trackers", kLatencyTab = "Latency";
+inline constexpr Text kEventsTab = "Events", kDiagramTab = "Diagram", kRecordingTab = "Recording";
+inline constexpr Text kSaidAt = "{:7.1f} s";
+inline constexpr Text kKeys = "Keys";
+inline constexpr Text kKeysWhere = "In this window and in any of this computer's walls.";
+inline constexpr Text kClose = "Close   Escape";
+
+// Clocks and playback.
+inline constexpr Text kClock = "{:7.1f} s", kSeconds = "{:9.2f} s";
+inline constexpr Text kSession = "session";
+inline constexpr Text kSessionTip = "Since the session began, by the clock on the wall.";
+inline constexpr Text kProperTime = "observer's proper time";
+inline constexpr Text kProperTimeTip = "What the observer's own clock shows.";
+inline constexpr Text kTableTime = "table time";
+inline constexpr Text kTableTimeTip =
+    "What the table's clocks show where the observer is. It runs ahead of the observer's proper time while "
+    "they move.";
+inline constexpr Text kRoomSpeed = "room speed", kAtRest = "at rest", kSpeed3 = "{:.3f} c",
+                      kSpeed2 = "{:.2f} c";
+inline constexpr Text kRoomSpeedTip = "Speed of the room relative to the table.";
+inline constexpr Text kObserverSpeed = "observer's speed";
+inline constexpr Text kObserverSpeedTip =
+    "Speed of the observer relative to the table, the room's motion included.";
+inline constexpr Text kLight = "light", kLightSpeed = "{:.2f} m/s", kLightTip = "The speed of light.";
+inline constexpr Text kBeginning = "Beginning", kBeginningTip = "From the beginning (Home).";
+inline constexpr Text kSecondBack = "- 1 s", kSecondOn = "+ 1 s";
+inline constexpr Text kContinue = "Continue", kPause = "Pause", kPauseTip = "Space does the same.";
+inline constexpr Text kEnd = "End", kRate = "speed", kBackwards = "backwards";
+inline constexpr Text kPlaceTip = "Drag to where you want to be in the session.";
+
+// Effects, light, views, walls. Tips in the order of kNamedSwitches and kNamedViews.
+inline constexpr Text kEffects = "Effects of relativity";
+inline constexpr std::array<Text, 5> kEffectNames{"retardation", "contraction", "aberration", "colour",
+                                                  "searchlight"};
+inline constexpr std::array<Text, 5> kEffectTips{
+    "Light delay: things are seen where they were when their light left them. Off: they are drawn where they "
+    "are now, "
+    "and all clocks agree.",
+    "What moves is shorter along its motion. Off: it keeps the shape that it has at rest.",
+    "For a moving observer, directions swing towards where the observer goes. Off: your own motion does not "
+    "show.",
+    "Doppler effect: light from what approaches is bluer, from what recedes redder, ultraviolet and infrared "
+    "included. "
+    "Off: surfaces keep their colours.",
+    "Beaming: light from ahead is brighter for a moving observer. Off: brightness keeps."};
+inline constexpr std::array<Text, 9> kViewTips{
+    "Striped ghosts where things are now, in the table's frame: their light is still on its way.",
+    "Crossed ghosts where things are now, in your frame. It is another now as soon as you move.",
+    "The paths of the pucks over the cloth: solid = already seen, dashed = still to come.",
+    "A numbered flag at each event, from the moment you see it; and the light of a flash on its way.",
+    "Each puck's proper time as you see it; your proper time, your speed, the speed of light.",
+    "The right half of every wall without relativity, or with what is ticked under \"right\".",
+    "Time stands still: walk around what you see at this moment.",
+    "A metre on the cloth, with light travelling along it.",
+    "The angles between the outgoing paths of two pucks that met."};
+inline constexpr Text kOn = "on", kLeft = "left", kRight = "right", kKeyColumn = "keys";
+inline constexpr Text kRightTip =
+    "For the right half of every wall, when it is drawn otherwise (\"Newton beside Einstein\").";
+inline constexpr Text kLightAndEyes = "Light and eyes";
+inline constexpr Text kLightSlider = "%.2f m/s", kEyesSlider = "%.1f mm", kPlaceSlider = "%.2f s";
+inline constexpr Text kLightSliderTip =
+    "In metres of the room per second of yours (keys [ and ]). Nothing jumps: what changes is how many "
+    "seconds of the "
+    "game pass in one of yours. The game's own is {:.4g} m/s.";
+inline constexpr Text kUsual = "reset", kUsualTip = "As fast as the game's own.";
+inline constexpr Text kBetweenEyes = "between eyes";
+inline constexpr Text kBetweenEyesTip =
+    "How far the observer's eyes are apart (keys + and -). 0: without depth.";
+inline constexpr Text kRecordedTip = "As they were when this was recorded.";
+inline constexpr Text kViews = "Views of time";
+inline constexpr Text kWalls = "Walls";
+inline constexpr std::array<Text, 3> kShown{"the game", "test patterns", "seams"};
+inline constexpr std::array<Text, 3> kShownTips{
+    "What the observer sees.",
+    "A picture for each wall and eye: is it on the right wall, upright, in the right eye's colour, sharp?",
+    "A grid that stands in the room and goes through the edges of the walls: do they meet?"};
+
+// Events.
+inline constexpr Text kMeet = "meet", kMeetsCushion = "meets cushion", kIsStruck = "is struck";
+inline constexpr Text kFlashes = "flashes", kJam = "moves on in a jam";
+inline constexpr Text kSeen = "seen", kNotYet = "not yet";
+inline constexpr Text kHappened = "What has happened until now,";
+inline constexpr Text kTableFrame = "in the table's frame", kObserverFrame = "in the observer's frame";
+inline constexpr Text kObserverFrameTip =
+    "For a moving observer other events are simultaneous: some of these may be in another order, or not have "
+    "happened "
+    "yet. The observer's times are such that now is what their own clock shows.";
+inline constexpr std::array<Text, 6> kEventColumns{
+    "n", "who", "what", "  table time", "  observer's time", "its light"};
+inline constexpr Text kNothingYet = "Nothing yet.";
+
+// Games and lessons.
+inline constexpr Text kAsks = "Phase: question. Time stands still until it is answered.";
+inline constexpr Text kShows = "Phase: observe", kExplains = "Phase: explain",
+                      kSkippedPhase = "Phase: skipped";
+inline constexpr Text kIsLesson = "lesson", kIsPlayed = "now", kIsPlayedLesson = "lesson, now";
+inline constexpr Text kPlay = "Play", kPlayTip = "Play the chosen game from its beginning.";
+inline constexpr Text kRestart = "Restart", kRestartTip = "Play the present game from its beginning.";
+inline constexpr Text kVelocity = "Observer's velocity";
+inline constexpr Text kLesson = "Lesson: {}", kNumbered = "{}  {}", kListed = "    {}";
+inline constexpr Text kTryThis = "Try this", kLookFor = "Look for", kAnswer = "Answer", kCorrect = "Correct";
+inline constexpr Text kSkip = "Skip the question", kNext = "Next";
+inline constexpr Text kPlayBegins = "Play begins it.";
+inline constexpr Text kPlayBeginsLesson = "A lesson. Play begins it, with its question:";
+inline constexpr Text kPucksAndLight = "{} pucks, light at {:.4g} m/s";
+inline constexpr Text kStartFlight = "Start the scripted flight";
+inline constexpr Text kStartFlightTip = "The room moves as the scenario prescribes.";
+
+// Recording.
+inline constexpr Text kSessionFile = "Session file", kCapture = "Pictures of every wall and eye",
+                      kMovie = "Movie";
+inline constexpr Text kCaptureOption = "--capture DIR", kMovieOption = "--movie FILE";
+inline constexpr Text kNotMade = "Not recording. Start Carom with {}.";
+inline constexpr Text kFrames = "{} frames since the session began";
+inline constexpr Text kLeftOut = "{} dropped: they came faster than they are written";
+inline constexpr Text kRecording = "recording {}", kRecorded = "a recorded session",
+                      kNotRecorded = "not recorded";
+inline constexpr Text kRecordedSessionTip = "What you do here is not written.";
+inline constexpr Text kNotRecordedTip = "Start with --session FILE to keep the session.";
+inline constexpr Text kRecordedSession = "This is a recorded session: nothing is written.";
+inline constexpr Text kNotRecordedSession = "The session is not recorded: start with --session FILE.";
+inline constexpr Text kFileSize = "{:.1f} MB, up to frame {}";
+
+// Trackers.
+inline constexpr Text kConnecting = "being looked for", kDelivering = "delivers", kSilent = "silent";
+inline constexpr Text kFailed = "needs help";
+struct Column {
+  Text name;
+  float width_em;
+  Text tip;
+};
+inline constexpr std::array<Column, 10> kTrackerColumns{
+    {{"", 1.2F, ""},
+     {"tracker", 8.0F, "Its name in the rig's file."},
+     {"drives", 5.0F, "What of the observer it tells of."},
+     {"state", 7.5F, "Whether its samples come."},
+     {"rate", 5.0F, "Samples per second, over the last second."},
+     {"age", 5.0F, "Of the newest sample, when the frame began."},
+     {"samples", 6.0F, "That have come so far."},
+     {"gaps", 4.0F, "Samples that the device numbered and that never came."},
+     {"late", 4.0F, "Came after a later one, or much too late."},
+     {"rejected", 5.0F, "Packets that were not understood."}}};
+inline constexpr Text kHertz = "{:.0f} Hz", kMilliseconds = "{:.0f} ms";
+inline constexpr Text kTrackerMessage = "{}: {}";
+inline constexpr Text kHeadFilter = "Head filter";
+inline constexpr Text kHeadFilterTip =
+    "measured: at a sample; predicted: a little after it; held: kept where the prediction ended, because "
+    "samples are "
+    "overdue or the picture is shown long after the newest one; lost: none for long. The speed turns what is "
+    "seen: its "
+    "uncertainty should stay below a few hundredths of light's speed.";
+inline constexpr Text kNoTracker = "No tracker has been heard of.";
+inline constexpr Text kRecordedHead = "The head is a recorded one: no tracker is asked.";
+
+// Walls in small.
+inline constexpr Text kDrawnBy = "drawn by";
+inline constexpr Text kLate = "99th percentile: {:.1f} ms late";
+inline constexpr Text kNodeOf = "node {}", kNodeDrawnHere = "node {}, drawn here";
+inline constexpr Text kBlack = "black";
+inline constexpr Text kWallTip = "Wall \"{}\", {} × {} pixels, {}, drawn by {}. Here: {}.";
+inline constexpr Text kForMiddle = "for the point between the eyes";
+inline constexpr Text kForLeftEye = "its left eye's picture, if it has two";
+inline constexpr Text kDrawAbsent = "draw other nodes' walls here, too, once a second";
+inline constexpr Text kDrawAbsentTip =
+    "For looking only: small, for one eye. It costs this node a little; the first time, the session stops "
+    "for a moment.";
+}  // namespace console
+
+}  // namespace carom::texts

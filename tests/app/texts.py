@@ -1,0 +1,127 @@
+"""texts.py ROOT: no text that people read on walls or in windows stands outside the catalogue cave/texts/texts.h.
+
+Scans every string literal of the C++ sources in the rooms of SCANNED. A literal that has a letter, apart from the
+places for values in it, is a text for people unless it is one of these:
+ - the identity of a part of a window, which Dear ImGui does not show: it begins with "##";
+ - an argument of a call of NOT_SHOWN, which names something to the graphics card, a file or the log;
+ - in a file of OWN_WORDS, for the reason given there; the name of a file or of a key.
+Prints each text that it finds. Checks also that no room outside SCANNED can show texts (it includes none of SHOWING), that
+the catalogue has no text twice in one group nor one that nobody uses, and that each part of this list is needed."""
+
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1])
+CATALOGUE = "cave/texts/texts.h"
+SCANNED = ["app/console", "app/hand", "app/input", "app/operator", "app/play", "app/report", "app/session", "app/viewer",
+           "cave/display", "cave/overlay", "cave/render", "cave/spectator"]
+# With these headers a room shows texts: on walls, in windows, as messages.
+SHOWING = ["imgui.h", "cave/gl/gui.h", "cave/gl/glyph_bitmap.h", "cave/overlay/panel_picture.h", "app/session/status_message.h"]
+MAKES_LETTERS = ["cave/gl"]
+NOT_SHOWN = {
+    # messages of the command line and of the log stand beside the code whose facts they name
+    "note", "warn", "runtime_error", "invalid_argument",
+    # names of programs, uniforms and attributes of shaders
+    "makeProgram", "place", "at", "setUniform", "glGetUniformLocation", "stream_",
+    # names of commands and notes of a session file
+    "keyFor", "Box", "kDriveModes", "decision.notes.push_back",
+}
+OWN_WORDS = {
+    "app/operator/command.cpp": "names and values of commands, as session files and their log hold them",
+    "app/operator/playlist.h": "names of shipped games",
+    "app/report/chart_file.cpp": "SVG",
+    "app/session/status_file.cpp": "keys and values of the status file",
+    "cave/display/display_facts.cpp": "names of X11",
+    "cave/display/monitors.cpp": "messages of the command line about monitors",
+    "cave/display/wall_window.cpp": "names of X11",
+    "cave/display/window.cpp": "messages of the command line about windows",
+    "cave/render/body_program.h": "names in a shader",
+    "cave/render/body_shaders.cpp": "source of a shader",
+    "cave/spectator/solid_drawer.cpp": "names in a shader",
+    "app/viewer/hand_tracking.cpp": "messages of the log about trackers",
+    "app/viewer/head_tracking.cpp": "messages of the log about trackers",
+}
+LITERALS = {
+    "scenarios", ".toml", "-wal", "outside",  # parts of the names of files
+    "the window of wall {} is {}",  # a message of the log
+}
+KEY = re.compile(r"[A-Z]|F\d+|W A S D")  # what is printed on a key
+failed = False
+
+
+def fail(words):
+    global failed
+    failed = True
+    print(words)
+
+
+TOKEN = re.compile(r"""//[^\n]*|/\*.*?\*/|R"\((?P<raw>.*?)\)"|"(?P<text>(?:[^"\\\n]|\\.)*)"|'(?:[^'\\]|\\.)+'"""
+                   r"""|(?P<word>[A-Za-z_]\w*)|(?P<number>\d[\w.']*)|(?P<sign>[^\s])""", re.DOTALL)
+
+
+def literals(source):
+    """Yields each string literal with its place and the names of the calls around it, innermost last."""
+    calls, before = [], ""
+    lines = re.sub(r"(?m)^#include[^\n]*$", "", source)
+    for token in TOKEN.finditer(lines):
+        kind = token.lastgroup
+        if kind in ("text", "raw"):
+            yield token.group(kind), source.count("\n", 0, token.start()) + 1, list(calls)
+        elif kind == "sign" and token.group() in "([{":
+            calls.append(before)
+        elif kind == "sign" and token.group() in ")]}" and calls:
+            calls.pop()
+        if kind == "word":
+            before = before + token.group() if before.endswith(".") else token.group()
+        else:
+            before = before + "." if token.group() == "." and before else ""
+
+
+def isText(literal):
+    """Whether a literal says something: letters outside of its places for values and its escapes."""
+    bare = re.sub(r"\{[^}]*\}|%[-\d.*]*(?:ll)?[a-zA-Z]|\\.", " ", literal)
+    return not literal.startswith("##") and re.search(r"[^\W\d_]", bare)
+
+
+needed = set()
+for room in SCANNED:
+    for file in sorted((root / room).glob("*")):
+        if file.suffix not in (".cpp", ".h"):
+            continue
+        name = str(file.relative_to(root))
+        for literal, line, calls in literals(file.read_text()):
+            if not isText(literal) or KEY.fullmatch(literal):
+                continue
+            if name in OWN_WORDS:
+                needed.add(name)
+            elif literal in LITERALS:
+                needed.add(literal)
+            elif NOT_SHOWN.intersection(calls):
+                needed.update(NOT_SHOWN.intersection(calls))
+            else:
+                fail(f'{name}:{line}: "{literal}" is no text of {CATALOGUE} (in {calls[-1:]})')
+
+for file in sorted(root.glob("*/*/*.*")):
+    room = str(file.parent.relative_to(root))
+    if file.suffix not in (".cpp", ".h") or room.split("/")[0] not in ("app", "cave", "devices", "engine"):
+        continue
+    if room in SCANNED + MAKES_LETTERS:
+        continue
+    for header in SHOWING:
+        if re.search(rf'(?m)^#include ["<]{re.escape(header)}[">]', file.read_text()):
+            fail(f"{file.relative_to(root)} includes {header}, so it can show texts, but {room} is not scanned for them")
+
+for unused in sorted((NOT_SHOWN | LITERALS | set(OWN_WORDS)) - needed):
+    fail(f"{unused} is excepted, but there is nothing to except")
+
+catalogue = (root / CATALOGUE).read_text()
+sources = "\n".join(file.read_text() for room in SCANNED for file in (root / room).glob("*.*"))
+group = ""
+for found in re.finditer(r"(?m)^namespace (\w+) \{|\b(k[A-Z]\w*) = |\b(k[A-Z]\w*)\{", catalogue):
+    group = found.group(1) or group
+    name = found.group(2) or found.group(3)
+    if name and f"{name}" not in re.findall(r"texts::(?:\w+::)?(k\w+)", sources):
+        fail(f"{CATALOGUE}: nobody uses {group}::{name}")
+
+sys.exit(1 if failed else 0)
