@@ -15,6 +15,7 @@
 #include "app/files/scenario_spin.h"
 #include "app/files/scenario_tour.h"
 #include "app/files/toml_values.h"
+#include "engine/billiard/setup_check.h"
 
 namespace carom {
 
@@ -154,7 +155,8 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   }
   const std::vector<TomlTable> bodyTables = root.tables("body");
   std::vector<BodyText> bodies;
-  for (const TomlTable& body : bodyTables) bodies.push_back(readBody(file, body));
+  for (const TomlTable& body : bodyTables)
+    bodies.push_back(readBody(file, body, scenario.billiard.lightSpeed_m_s));
   std::vector<StrokeText> strokes;
   for (const TomlTable& stroke : root.tables("stroke")) strokes.push_back(readStroke(stroke));
   const std::vector<TomlTable> flashes = root.tables("flash");

@@ -35,23 +35,18 @@ double rimOf(vtkPolyData& mesh) {
 }
 
 /// Adds a fault if the body's spin would carry a part of its mesh round as fast as light.
-void checkSpin(const Scenario& scenario, const ScriptedBody& body, std::vector<InputError>& faults) {
+void checkSpin(const ScriptedBody& body, double c_m_s, std::vector<InputError>& faults) {
   const double turn_rad_s = std::abs(body.worldLine.knots().front().spin.omega_rad_s);
-  const double c_m_s = scenario.billiard.lightSpeed_m_s;
-  if (turn_rad_s == 0.0) return;
-  const glm::vec3 any(1.0F);
+  if (turn_rad_s == 0.0 || !body.mesh) return;
   const Tessellation undivided{.pixel_rad = 1.0};
-  const ScenePart part = body.mesh
-                             ? meshPart(readMeshFile(body.mesh->string()), 0.0, kRestingBody, any, undivided)
-                             : rodPart(kRestingBody, any);
-  const double rim_m = rimOf(*part.mesh);
+  const double rim_m =
+      rimOf(*meshPart(readMeshFile(body.mesh->string()), 0.0, kRestingBody, glm::vec3(1.0F), undivided).mesh);
   if (turn_rad_s * rim_m < c_m_s) return;
   faults.emplace_back(
-      scenario.file.string(), body.spinAt.line, body.spinAt.column,
-      fmt::format(
-          "spin_rad_s is {:.6g}, so the farthest point of body '{}', {:.6g} m from its axis, would move at "
-          "{:.6g} c, expected less than {:.6g} rad/s",
-          turn_rad_s, body.name, rim_m, turn_rad_s * rim_m / c_m_s, c_m_s / rim_m));
+      body.mesh->string(), 1, 1,
+      fmt::format("the farthest point of body '{}' is {:.6g} m from its axis and would move at {:.6g} c, "
+                  "expected spin_rad_s below {:.6g}",
+                  body.name, rim_m, turn_rad_s * rim_m / c_m_s, c_m_s / rim_m));
 }
 
 }  // namespace
@@ -102,7 +97,8 @@ void openMeshes(const Scenario& scenario) {
     }
   }
   if (faults.empty()) {
-    for (const ScriptedBody& body : scenario.bodies) checkSpin(scenario, body, faults);
+    for (const ScriptedBody& body : scenario.bodies)
+      checkSpin(body, scenario.billiard.lightSpeed_m_s, faults);
   }
   if (!faults.empty()) throw InputErrors(std::move(faults));
 }

@@ -217,7 +217,7 @@ TEST(SimulateSpin, CheckSaysWhatIsOdd) {
   EXPECT_NE(result.out.find("spins at 47.1 rad/s, its rim at 0.995"), std::string::npos) << result.out;
 }
 
-// The middle of a rod of 1 m goes round; no number is one fault.
+// A body without a mesh is a rod of 1 m. What is no number is one fault.
 TEST(SimulateSpin, CheckRefusesTooFastSpinsOfToldBodies) {
   const TemporaryFolder folder;
   const auto check = [&](const std::string& spin) {
@@ -230,8 +230,7 @@ TEST(SimulateSpin, CheckRefusesTooFastSpinsOfToldBodies) {
   EXPECT_EQ(check("2.8").status, 0);
   const auto tooFast = check("-3"), noNumber = check("nan");
   EXPECT_EQ(tooFast.status, 1);
-  EXPECT_NE(tooFast.err.find(":5:14: spin_rad_s is 3, so the farthest point of body 'rod'"),
-            std::string::npos)
+  EXPECT_NE(tooFast.err.find(":5:14: spin_rad_s is -3, so the farthest point of the rod"), std::string::npos)
       << tooFast.err;
   EXPECT_EQ(noNumber.status, 1);
   EXPECT_EQ(noNumber.err.find("error:"), noNumber.err.rfind("error:")) << noNumber.err;
