@@ -4,8 +4,8 @@
 //
 // Within the frames every wait is bounded, and a node that keeps the others waiting is named in the log after
 // 0.5 s, and again when it is back. After 10 s (60 s while nodes warm up, in their first frames) the session
-// ends. When a node dies, mpirun asks the others to end; they say which one is gone and end within half a
-// second.
+// ends. When a node dies, those of its machine see it after 0.1 s, and mpirun asks the others to end; one of them
+// says which is gone, after it has closed its files, and all end.
 
 #include <cstdint>
 #include <limits>

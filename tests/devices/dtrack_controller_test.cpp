@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 
@@ -206,6 +207,25 @@ TEST(DtrackController, ATrackerListensToOneThatRefuses) {
     sender.sendTo(bytesOf("fr 1\r\n6d 1 [0 1.000][0 1700 0][1 0 0 0 1 0 0 0 1]\r\n"), data);
     return head.health().state == TrackerHealth::State::delivering;
   }));
+}
+
+// A controller wakes its cameras up, or does not answer at all; poses may come all the same.
+TEST(DtrackController, ATrackerListensWhileItWaitsForTheAnswer) {
+  const std::uint16_t data = PeerSocket(SOCK_DGRAM).port();
+  std::atomic<bool> poseCame = false;
+  CommandPort port([&](const std::string& command) {
+    while (!poseCame) std::this_thread::sleep_for(test::milliseconds(5));
+    return fullController(command);
+  });
+  Watched head(transportWith(data, port.port()));
+  const PeerSocket sender(SOCK_DGRAM);
+  EXPECT_TRUE(head.comesTrue([&] {
+    sender.sendTo(bytesOf("fr 1\r\n6d 1 [0 1.000][0 1700 0][1 0 0 0 1 0 0 0 1]\r\n"), data);
+    return !head.samples.empty();
+  }));
+  poseCame = true;
+  EXPECT_TRUE(head.comesTrue([&] { return port.asked().size() == 2; }))
+      << "the pose came after the answer was given up";
 }
 
 TEST(DtrackController, TheSourceNamesIt) {
