@@ -229,6 +229,9 @@ void addViews(const FrameRecord& record, Lines& lines) {
   }
 }
 
+/// Returns where text begins, in the height of letters: behind the marks of the legend, of which a band has none.
+constexpr double beginOfText(bool band) { return band ? 1.25 : 2.0; }
+
 /// Returns the indent of a line, which is that of an answer behind its number.
 int beginOf_px(const HudLine& line, int height_px) { return line.setIn ? 8 * height_px / 5 : 0; }
 
@@ -345,7 +348,7 @@ void HudPanel::write(const glm::ivec2& picture_px, const Wall& wall) {
     return widest;
   };
   // A small wall gets small letters.
-  const double wide = widest_px() + 4.0 * height_px;
+  const double wide = widest_px() + 2.0 * beginOfText(band_) * height_px;
   const double high = (line() * static_cast<double>(lines_.size()) + 1.0) * height_px;
   const double mostOfWidth = band_ ? 1.0 : kMostOfWidth,
                mostOfHeight = band_ ? mostOfBand(wall) : kMostOfHeight;
@@ -362,7 +365,7 @@ void HudPanel::paint(const glm::ivec2& size_px, int height_px) {
   const int line_px = static_cast<int>(line() * height_px), mark_px = 3 * height_px / 4;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const auto& [line, ink] = lines_[i];
-    const int text_px = 2 * height_px + beginOf_px(line, height_px);
+    const int text_px = static_cast<int>(beginOfText(band_) * height_px) + beginOf_px(line, height_px);
     const int foot_px = size_px.y - height_px / 2 - static_cast<int>(i + 1) * line_px;
     panel_.write({text_px, foot_px}, ink, line.urgent ? kUrgent : kWhite);
     if (!line.mark) continue;

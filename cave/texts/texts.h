@@ -26,8 +26,8 @@ inline constexpr Text kGamepad = kDevices[2];
 namespace lesson {
 inline constexpr Text kQuestion = "Question:  ";
 inline constexpr std::array<Text, 4> kAnswerNumbers{"1   ", "2   ", "3   ", "4   "};
-inline constexpr Text kPressOneOfTwo = "press 1 or 2, or a wand button    Enter: skip the question";
-inline constexpr Text kPressOneOf = "press 1 to {}, or a wand button    Enter: skip the question";
+inline constexpr Text kPressOneOfTwo = "press 1 or 2, or a wand button    Enter: skip";
+inline constexpr Text kPressOneOf = "press 1 to {}, or a wand button    Enter: skip";
 inline constexpr Text kReading = "{}: {:.2f} s";
 inline constexpr Text kYouMove = "You move:";
 inline constexpr Text kOtherObserver = "  F{} {}", kPresentObserver = "  [F{} {}]";

@@ -84,10 +84,10 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   FrameRecord record = recordAt(1.0);
   record.lesson.phase = LessonPhase::asks;
   EXPECT_EQ(said(record, kLesson),
-            (std::vector<std::string>{
-                "Question:  Two twins part and meet", "again. Who of them is then the older", "one, and why?",
-                "1   Neither", "2   The one who stayed at home, as seen", "from where they meet",
-                "3   The traveller", "press 1 to 3, or a wand button    Enter: skip the question"}));
+            (std::vector<std::string>{"Question:  Two twins part and meet",
+                                      "again. Who of them is then the older", "one, and why?", "1   Neither",
+                                      "2   The one who stayed at home, as seen", "from where they meet",
+                                      "3   The traveller", "press 1 to 3, or a wand button    Enter: skip"}));
 }
 
 TEST(HudPanel, ANumberKeepsItsUnitAndALongWordIsWhole) {
@@ -154,7 +154,7 @@ TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
                                       "who stayed at home, as seen from", "where they meet.",
                                       "Enter: back to the scene    Y: ask again"}));
   record.lesson.answer = 2;
-  EXPECT_EQ(said(record, kLesson)[2], "from where they meet. Correct.");
+  EXPECT_EQ(said(record, kLesson)[2], "home, as seen from where they meet.");
   record.lesson.answer = 0;
   EXPECT_EQ(said(record, kLesson).size(), 2u) << "skipped: the number alone";
 }
