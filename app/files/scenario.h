@@ -25,7 +25,6 @@ struct ScriptedBody {
   /// 0 at `appears_s` if the file gives it, otherwise at board time 0.
   WorldLine worldLine;
   std::optional<std::filesystem::path> mesh;  ///< existing file; in metres, in the body's rest frame
-  FilePlace spinAt;                           ///< where the file says how fast it spins
 };
 
 /// One leg of the tour. Times are on the platform's clock (app/viewer/platform_motion.h), from the start of
@@ -67,7 +66,6 @@ struct Caption {
 };
 
 struct Scenario {
-  std::filesystem::path file;
   std::string title;
   BilliardSetup billiard;                                        ///< checked to be playable
   std::vector<std::optional<std::filesystem::path>> puckMeshes;  ///< one for each puck, scaled to its radius

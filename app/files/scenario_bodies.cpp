@@ -113,7 +113,7 @@ BodyText readBody(const TomlFile& file, const TomlTable& table, double c_m_s) {
 }
 
 ScriptedBody scriptedBody(const BodyText& body, double c_m_s) {
-  return {body.name, scriptedWorldLine(body, c_m_s), body.mesh, body.table.place("spin_rad_s")};
+  return {body.name, scriptedWorldLine(body, c_m_s), body.mesh};
 }
 
 }  // namespace carom

@@ -203,16 +203,12 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
 }  // namespace
 
 Scenario readScenario(const std::filesystem::path& path) {
-  Scenario scenario = readScenario(TomlFile(path), path.stem().string());
-  scenario.file = path;
-  return scenario;
+  return readScenario(TomlFile(path), path.stem().string());
 }
 
 Scenario readScenario(const std::filesystem::path& path, const std::string& kept,
                       const std::filesystem::path& root) {
-  Scenario scenario = readScenario(TomlFile(path, kept, root), path.stem().string());
-  scenario.file = path;
-  return scenario;
+  return readScenario(TomlFile(path, kept, root), path.stem().string());
 }
 
 }  // namespace carom
