@@ -94,7 +94,7 @@ BodyText readBody(const TomlFile& file, const TomlTable& table) {
     body.at = {at->number("t_s", {}), toVec3(at->numbers<3>("r_m", {}))};
   }
   if (table.has("appears_s")) body.appears_s = table.number("appears_s", {});
-  if (table.has("spin_rad_s")) body.spin_rad_s = table.number("spin_rad_s", {});
+  if (table.has("spin_rad_s")) body.spin_rad_s = table.number("spin_rad_s", {}, 0.0);
   body.legs = readLegs(table);
   return body;
 }

@@ -15,6 +15,7 @@
 #include "app/files/scenario_spin.h"
 #include "app/files/scenario_tour.h"
 #include "app/files/toml_values.h"
+#include "engine/billiard/setup_check.h"
 
 namespace carom {
 
@@ -70,6 +71,10 @@ Puck readPuck(const TomlTable& table, double c_m_s) {
             .position_m = toVec2(table.numbers<2>("position_m", {})),
             .beta = readBeta2(table)};
   puck.inertia = table.number("inertia", kShare, puck.inertia);
+  if (puck.inertia < kLeastInertia) {
+    table.fault("inertia", fmt::format("inertia is {}, expected at least {}", puck.inertia, kLeastInertia));
+    puck.inertia = kLeastInertia;
+  }
   puck.spin_kg_m2_s = readSpin(table, puck, c_m_s);
   return puck;
 }

@@ -12,7 +12,7 @@ namespace {
 bool slowerThanLight(double u) { return std::abs(u / std::hypot(1.0, u)) < 1.0; }
 
 double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
-  const double omega_rad_s = table.number("spin_rad_s", {}), rim = omega_rad_s * puck.radius_m / c_m_s;
+  const double omega_rad_s = table.number("spin_rad_s", {}, 0.0), rim = omega_rad_s * puck.radius_m / c_m_s;
   const double most_rad_s = c_m_s / puck.radius_m;
   if (std::abs(rim) < 1.0) {
     const double spin_kg_m2_s = spinAt_kg_m2_s(puck, omega_rad_s, c_m_s);
@@ -25,7 +25,7 @@ double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
 }
 
 double angularMomentum(const TomlTable& table, const Puck& puck, double c_m_s) {
-  const double spin_kg_m2_s = table.number("spin_kg_m2_s", {});
+  const double spin_kg_m2_s = table.number("spin_kg_m2_s", {}, 0.0);
   if (slowerThanLight(rimUOf(puck, spin_kg_m2_s, c_m_s))) return spin_kg_m2_s;
   constexpr double kMost_u = 1e7;  // a rim with that celerity differs from light by 5e-15
   table.fault("spin_kg_m2_s",

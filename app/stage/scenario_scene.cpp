@@ -10,6 +10,7 @@
 #include "app/files/toml_file.h"
 #include "cave/frame/bodies.h"
 #include "cave/mesh/mesh_file.h"
+#include "cave/scene/puck_model.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/base/log.h"
 
@@ -21,35 +22,32 @@ std::string pathOf(const std::optional<std::filesystem::path>& mesh) {
   return mesh ? mesh->string() : std::string();
 }
 
-/// Returns the distance of a body's farthest vertex from its axis.
-double rimOf(const Scene& scene, std::size_t body) {
+/// Returns the distance of a mesh's farthest vertex from the z axis.
+double rimOf(vtkPolyData& mesh) {
   double rim_m = 0.0;
-  for (const ScenePart& part : scene.parts) {
-    if (part.body != body) continue;
-    for (vtkIdType i = 0; i < part.mesh->GetNumberOfPoints(); ++i) {
-      std::array<double, 3> place{};
-      part.mesh->GetPoint(i, place.data());
-      rim_m = std::max(rim_m, std::hypot(place[0], place[1]));
-    }
+  for (vtkIdType i = 0; i < mesh.GetNumberOfPoints(); ++i) {
+    std::array<double, 3> place{};
+    mesh.GetPoint(i, place.data());
+    rim_m = std::max(rim_m, std::hypot(place[0], place[1]));
   }
   return rim_m;
 }
 
-/// Refuses a body whose spin would carry a part of its mesh round as fast as light.
-void checkSpins(const Scenario& scenario, const Scene& scene) {
-  for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
-    const ScriptedBody& body = scenario.bodies[i];
-    const double turn_rad_s = std::abs(body.worldLine.knots().front().spin.omega_rad_s);
-    if (turn_rad_s == 0.0) continue;
-    const double rim_m = rimOf(scene, kRestingBody + 1 + scenario.billiard.pucks.size() + i);
-    const double c_m_s = scenario.billiard.lightSpeed_m_s;
-    if (turn_rad_s * rim_m < c_m_s) continue;
-    throw std::runtime_error(
-        fmt::format("body '{}' spins at {:.6g} rad/s, so its farthest point, {:.6g} m from its axis, would "
-                    "move at {:.6g} c, "
-                    "expected spin_rad_s below {:.6g}",
-                    body.name, turn_rad_s, rim_m, turn_rad_s * rim_m / c_m_s, c_m_s / rim_m));
-  }
+/// Throws std::runtime_error if the body's spin would carry a part of what is drawn of it round as fast as light.
+void checkSpin(const ScriptedBody& body, double c_m_s) {
+  const double turn_rad_s = std::abs(body.worldLine.knots().front().spin.omega_rad_s);
+  if (turn_rad_s == 0.0) return;
+  const glm::vec3 any(1.0F);
+  const Tessellation undivided{.pixel_rad = 1.0};
+  const ScenePart part = body.mesh
+                             ? meshPart(readMeshFile(body.mesh->string()), 0.0, kRestingBody, any, undivided)
+                             : rodPart(kRestingBody, any);
+  const double rim_m = rimOf(*part.mesh);
+  if (turn_rad_s * rim_m < c_m_s) return;
+  throw std::runtime_error(fmt::format(
+      "body '{}': spin_rad_s is {:.6g}, so its farthest point, {:.6g} m from its axis, would move at {:.6g} "
+      "c, expected less than {:.6g} rad/s",
+      body.name, turn_rad_s, rim_m, turn_rad_s * rim_m / c_m_s, c_m_s / rim_m));
 }
 
 }  // namespace
@@ -74,7 +72,6 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
-  checkSpins(scenario, scene);
   for (const Pulse& pulse : scenario.pulses) scene.pulses.push_back({pulse.at_s, pulse.path_m});
   if (scenario.lesson) scene.lesson = scenario.lesson->plan;
   scene.ruler = rulerBeside(scenario.billiard, scenario.observer.position_m);
@@ -97,6 +94,7 @@ void openMeshes(const Scenario& scenario) {
     }
   }
   if (!faults.empty()) throw InputErrors(std::move(faults));
+  for (const ScriptedBody& body : scenario.bodies) checkSpin(body, scenario.billiard.lightSpeed_m_s);
 }
 
 std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks) {

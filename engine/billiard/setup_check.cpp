@@ -50,8 +50,9 @@ void checkRules(const BilliardSetup& setup) {
 }
 
 void checkSpin(const Puck& puck, double c_m_s) {
-  if (!(puck.inertia > 0.0 && puck.inertia <= 1.0))
-    refuse("puck \"", puck.name, "\": inertia ", puck.inertia, ": expected a number above 0, at most 1");
+  if (!(puck.inertia >= kLeastInertia && puck.inertia <= 1.0))
+    refuse("puck \"", puck.name, "\": inertia ", puck.inertia, ": expected a number from ", kLeastInertia,
+           " to 1");
   const double u = rimUOf(puck, puck.spin_kg_m2_s, c_m_s);
   if (!(std::abs(u / std::hypot(1.0, u)) < 1.0))
     refuse("puck \"", puck.name, "\": spin ", puck.spin_kg_m2_s,

@@ -9,6 +9,7 @@
 // M is the mass that moves, p = M u. The rim's rapidity is asinh(j/(k m)), so every J has a rim slower than
 // light. For slow rims the moment of inertia is k m R².
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom {
@@ -27,8 +28,11 @@ inline double restMass(const SpinningBody& body, double j) {
   return body.mass + j * j / (rimEnergy(body, j) + body.rim);
 }
 
-/// Returns the speed f of the rim, over c, with the sign of the spin.
-inline double rimBeta(const SpinningBody& body, double j) { return j / rimEnergy(body, j); }
+/// Returns the speed f of the rim, over c, with the sign of the spin: below 1 also where its digits would say 1.
+inline double rimBeta(const SpinningBody& body, double j) {
+  constexpr double kFastest = 1.0 - 0x1p-50;
+  return std::clamp(j / rimEnergy(body, j), -kFastest, kFastest);
+}
 
 /// Returns the spin j with which the rim has the speed f, |f| < 1.
 inline double spinOfRim(const SpinningBody& body, double f) {

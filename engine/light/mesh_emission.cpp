@@ -74,7 +74,7 @@ template <bool kDetails, int kSteps>
       const vec3 place(event.y, event.z, event.w);
       const vec3 w = leg.spin.x * vec3(-place.y, place.x, 0.0F);
       const float way = kernel_float::distanceInBody(leg, event) - glm::dot(w, leg.eye - place);
-      doppler[i] = dopplerOf(seen, way) * std::sqrt(1.0F - glm::dot(w, w));
+      doppler[i] = dopplerOf(seen, way) * std::sqrt(std::max(1.0F - glm::dot(w, w), 0.0F));
       boardTime[i] = kernel_float::boardTimeOf(leg, event);
     }
   }
@@ -174,11 +174,14 @@ bool glides(const LegView& leg) { return leg.glide.w > 0.0; }
 bool spins(const LegView& leg) { return leg.spin.w > 0.0; }
 bool spinsUniformly(const LegView& leg) { return spins(leg) && !glides(leg) && !kernel::isSlowed(leg); }
 
+/// The least 1/γ² of a point: floats may put one of a rim at all but the speed of light a little beyond the rim.
+constexpr double kLeastByGamma = 1e-14;
+
 /// (γ, γβ) in the frame of the leg of a vertex that keeps to it: at rest, but for friction and spin.
 glm::dvec4 fourVelocity(const LegView& leg, const Vec3& offset, const glm::dvec4& event) {
   if (spins(leg)) {
     const Vec3 w = kernel::spinVelocity(leg, Vec3(event.y, event.z, event.w), event.x);
-    return glm::dvec4(1.0, w) / std::sqrt(1.0 - glm::dot(w, w));
+    return glm::dvec4(1.0, w) / std::sqrt(std::max(1.0 - glm::dot(w, w), kLeastByGamma));
   }
   if (!glides(leg)) return {1.0, 0.0, 0.0, 0.0};
   const glm::dvec4 flow = kernel::glideFlow(leg, offset, glm::dot(leg.toBoardTime, event), true);

@@ -324,6 +324,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"spin said twice", kHead + kPuck + "spin_rad_s = 1\nspin_kg_m2_s = 0.1\n", 9, 16,
               "one of them"},
         Fault{"inertia of nothing", kHead + kPuck + "inertia = 0\n", 8, 11, "above 0"},
+        Fault{"inertia too small for numbers", kHead + kPuck + "inertia = 1e-12\n", 8, 11, "at least 1e-06"},
         Fault{"inertia above a hoop's", kHead + kPuck + "inertia = 1.5\n", 8, 11, "to 1"},
         Fault{"stroke beside the puck",
               kHead + kPuck + "[[stroke]]\nat_s = 1\npuck = 'a'\nmomentum_kg_m_s = [1, 0]\noffset_m = 0.11\n",

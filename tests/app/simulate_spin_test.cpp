@@ -217,5 +217,15 @@ TEST(SimulateSpin, CheckSaysWhatIsOdd) {
   EXPECT_NE(result.out.find("spins at 47.1 rad/s, its rim at 0.995"), std::string::npos) << result.out;
 }
 
+// A value that is no number is one fault.
+TEST(SimulateSpin, CheckNamesASpinThatIsNoNumberOnce) {
+  const TemporaryFolder folder;
+  const auto result = runCarom(
+      folder, {"check",
+               folder.file("odd.toml", "light_speed_m_s = 1.42\n[[puck]]\n" + kDisc + "spin_rad_s = nan\n")});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err.find("error:"), result.err.rfind("error:")) << result.err;
+}
+
 }  // namespace
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,6 +14,7 @@
 #include "engine/collision/spinning_body.h"
 #include "engine/game_checks.h"
 #include "engine/gas.h"
+#include "engine/light/mesh_emission.h"
 #include "engine/random_game.h"
 #include "engine/random_world.h"
 #include "sanitized.h"
@@ -77,6 +79,40 @@ TEST(BilliardSpin, RoughGamesBalanceOverManyCollisions) {
     EXPECT_GT(collisions, test::casesOf(1000U));
     test::expectBalanced(billiard, start, kBalance);
   }
+}
+
+// With next to no mass in their rims a kick turns pucks at all but the speed of light: rims stay below it in all digits,
+// and nothing that is seen of them is no number.
+TEST(BilliardSpin, RimsOfNextToNoMassStaySlowerThanLight) {
+  test::Random random(1804);
+  double fastest_u = 0.0;
+  for (int game = 0; game < 20; ++game) {
+    CASE(random, game);
+    BilliardSetup setup = test::gasSetup(12, 0.1, 1.5, 200 + game);
+    roughen(random, setup);
+    setup.rules.spinDeceleration_m_s2 = game % 2 == 0 ? 0.0 : 0.3;
+    for (Puck& puck : setup.pucks) {
+      puck.inertia = std::pow(10.0, random.in(-6.0, -4.0));
+      puck.spin_kg_m2_s = 0.0;
+    }
+    Billiard billiard(setup);
+    const Ledger start = billiard.ledger();
+    billiard.advanceTo(3.0);
+    test::expectBalanced(billiard, start, kBalance);
+    expectSlowerThanLight(billiard, setup);
+    for (const WorldLine& line : billiard.worldLines()) {
+      for (const Knot& knot : line.knots()) fastest_u = std::max(fastest_u, std::abs(knot.spin.rim_u));
+      const Event eye{3.5, line.at(3.0).event.r_m + Vec3(0.3, -0.2, 0.4)};
+      BodyView view;
+      viewBody(line, eye, Lorentz(setup.lightSpeed_m_s), view);
+      const std::array<float, 2> x{static_cast<float>(line.radius_m()), 0.0F}, zero{};
+      std::array<float, 2> seenX{}, seenY{}, seenZ{}, doppler{}, time{};
+      seePoints(view, {x, zero, zero}, {seenX, seenY, seenZ, doppler, time});
+      for (const float value : {seenX[0], seenY[0], seenZ[0], doppler[0], doppler[1], time[0]})
+        ASSERT_TRUE(std::isfinite(value));
+    }
+  }
+  EXPECT_GT(fastest_u, 1e4);
 }
 
 // Any order in the file, mirror images, half turns, steps, strokes told late.
@@ -289,6 +325,7 @@ TEST(BilliardSpin, RefusesSpinsThatCannotBe) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   refuses([](BilliardSetup& s) { s.pucks[0].inertia = 0.0; });
+  refuses([](BilliardSetup& s) { s.pucks[0].inertia = 1e-12; });
   refuses([](BilliardSetup& s) { s.pucks[0].inertia = 1.01; });
   refuses([&](BilliardSetup& s) { s.pucks[0].spin_kg_m2_s = nan; });
   refuses([&](BilliardSetup& s) { s.pucks[0].spin_kg_m2_s = inf; });
