@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -12,9 +11,6 @@
 
 namespace carom {
 namespace {
-
-/// From the middle of a body without a mesh, a rod of 1 m (cave/scene/puck_model.h), to its farthest point.
-constexpr double kRodReach_m = 0.500625;
 
 std::vector<Leg> readLegs(const TomlTable& body) {
   std::vector<Leg> legs;
@@ -92,22 +88,13 @@ std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTa
   return file.existingFile(table, "mesh");
 }
 
-BodyText readBody(const TomlFile& file, const TomlTable& table, double c_m_s) {
+BodyText readBody(const TomlFile& file, const TomlTable& table) {
   BodyText body{table, table.text("name"), readMesh(file, table), {}, {}, 0.0, {}};
   if (const auto at = table.requiredTable("at")) {
     body.at = {at->number("t_s", {}), toVec3(at->numbers<3>("r_m", {}))};
   }
   if (table.has("appears_s")) body.appears_s = table.number("appears_s", {});
   if (table.has("spin_rad_s")) body.spin_rad_s = table.number("spin_rad_s", {}, 0.0);
-  if (!body.mesh && !(std::abs(body.spin_rad_s) * kRodReach_m < c_m_s)) {
-    table.fault(
-        "spin_rad_s",
-        fmt::format(
-            "spin_rad_s is {}, so the farthest point of the rod, {:.6g} m from its middle, would move at "
-            "{:.6g} c, expected less than {:.6g} rad/s",
-            body.spin_rad_s, kRodReach_m, std::abs(body.spin_rad_s) * kRodReach_m / c_m_s,
-            c_m_s / kRodReach_m));
-  }
   body.legs = readLegs(table);
   return body;
 }

@@ -31,7 +31,7 @@ struct BodyText {
 /// Returns the mesh file that a puck or body names, if any.
 std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTable& table);
 
-BodyText readBody(const TomlFile& file, const TomlTable& table, double c_m_s);
+BodyText readBody(const TomlFile& file, const TomlTable& table);
 
 /// Computes the world line of a body that has no faults.
 ScriptedBody scriptedBody(const BodyText& body, double c_m_s);

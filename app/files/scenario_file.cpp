@@ -155,8 +155,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   }
   const std::vector<TomlTable> bodyTables = root.tables("body");
   std::vector<BodyText> bodies;
-  for (const TomlTable& body : bodyTables)
-    bodies.push_back(readBody(file, body, scenario.billiard.lightSpeed_m_s));
+  for (const TomlTable& body : bodyTables) bodies.push_back(readBody(file, body));
   std::vector<StrokeText> strokes;
   for (const TomlTable& stroke : root.tables("stroke")) strokes.push_back(readStroke(stroke));
   const std::vector<TomlTable> flashes = root.tables("flash");

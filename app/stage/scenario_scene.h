@@ -23,8 +23,8 @@ Tessellation tessellationFor(const Rig& rig, bool inSoftware);
 /// Returns the scene of table, hall, pucks and scripted bodies. The meshes must have been opened.
 Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation);
 
-/// Opens every mesh of the scenario. Throws InputErrors with the fault of each that cannot be read, or of each body whose
-/// spin would carry a part of its mesh round as fast as light.
+/// Opens every mesh of the scenario. Throws InputErrors with the fault of each that cannot be read, and
+/// std::runtime_error for a told body whose spin would carry a part of it round as fast as light.
 void openMeshes(const Scenario& scenario);
 
 /// Returns the bodies of the scenario's scene. `pucks` are their world lines.
