@@ -164,6 +164,8 @@ void tellConsole(Console& console, const std::string& file) try {
   openMeshes(readScenario(file));
 } catch (const InputErrors& errors) {
   for (const InputError& error : errors.faults()) console.say(error.what());
+} catch (const std::exception& error) {
+  console.say(error.what());
 }
 
 /// Prints the files of the session's games: its first one, and the newest of the series.
@@ -246,44 +248,58 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
   return isAskedToEnd;
 }
 
-/// Reads the playlist, of the options or of the rig, and begins with its first game if no other was asked for.
+/// Reads the playlist, of the options or of the rig, and begins with its first game if no other was asked for. A
+/// session that goes on begins with its own game.
 void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
-  if (options.playlist.empty()) options.playlist = readRig(options.rig).playlist;
+  const auto& [rig, kept] = inputs.rig;
+  if (options.playlist.empty()) options.playlist = (kept ? readRig(rig, *kept) : readRig(rig)).playlist;
   if (options.playlist.empty()) return;
   const auto playlist = std::make_shared<const Playlist>(readPlaylist(options.playlist));
+  for (const PlaylistGame& game : playlist->games) openMeshes(readScenario(game.scenario));
   options.games = playlist;
-  if (options.isUsualGame) options.scenario = inputs.scenario.file = playlist->games.front().scenario;
+  if (options.isUsualGame) options.scenario = playlist->games.front().scenario;
+  if (options.isUsualGame && !options.resume) inputs.scenario.file = options.scenario;
   if (numberOf(*playlist, options.scenario) < playlist->games.size()) return;
   throw std::runtime_error(fmt::format("--scenario: {} is not in the playlist {}, expected one of its games",
                                        options.scenario.string(), options.playlist.string()));
 }
 
-/// Settles on rank 0 which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
-Before prepare(CaveOptions& options, SetupOptions& inputs) {
-  takePlaylist(options, inputs);
-  if (options.lesson && !options.scenario.empty() && !readScenario(options.scenario).lesson) {
-    throw std::runtime_error(fmt::format(
-        "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
-  }
+/// Settles which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
+Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   if (!options.session) return {};
   options.series = namedToday(*options.session);
   if (options.resumeOrNew) {
     options.session = newestOf(options.series);
     options.resume = std::filesystem::exists(*options.session);
   }
-  if (options.resume) {
-    Before before = whatWas(*options.session);
-    inputs.rig = {before.facts.rig, before.facts.rigText};
-    inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
-    return before;
-  }
-  options.session = datedFile(*options.session);
+  if (options.resume) try {
+      Before before = whatWas(*options.session);
+      inputs.rig = {before.facts.rig, before.facts.rigText};
+      inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
+      return before;
+    } catch (const std::exception& error) {
+      if (!options.resumeOrNew) throw;
+      log::warn(fmt::format("{}. The session begins anew in another file.", error.what()));
+      options.resume = false;
+    }
+  options.session = options.resumeOrNew ? fileAfter(options.series) : datedFile(*options.session);
   if (std::filesystem::exists(*options.session)) {
     throw std::runtime_error(
         fmt::format("session file {}: it is there already, expected a new name, or --resume to go on with it",
                     options.session->string()));
   }
   return {};
+}
+
+/// Settles on rank 0 where the session is written, whether it goes on, and with which games.
+Before prepare(CaveOptions& options, SetupOptions& inputs) {
+  Before before = settleSession(options, inputs);
+  takePlaylist(options, inputs);
+  if (options.lesson && !options.scenario.empty() && !readScenario(options.scenario).lesson) {
+    throw std::runtime_error(fmt::format(
+        "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
+  }
+  return before;
 }
 
 void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesystem::path>& opened) {

@@ -125,7 +125,7 @@ std::vector<std::string> resumedArguments(const std::vector<std::string>& argume
                                           const std::string& session) {
   std::vector<std::string> all{"cave"};
   for (const std::string& argument : withValue(arguments, "--session", session)) {
-    if (argument != "--resume") all.push_back(argument);
+    if (argument != "--resume" && argument != "--resume-or-new") all.push_back(argument);
   }
   all.push_back("--resume");
   return all;

@@ -168,13 +168,16 @@ std::string sessionNameOf(const std::filesystem::path& rig) {
 }
 
 /// Gives a session whose name has a date the name of today, with which it can go on later.
-void settleDate(std::vector<std::string>& arguments) {
+void settleDate(std::vector<std::string>& arguments, bool isToGoOn) {
+  const auto dated = [&](const std::string& file) {
+    return (isToGoOn ? namedToday(file) : datedFile(file)).string();
+  };
   for (std::string& argument : arguments) {
     constexpr std::string_view kWithName = "--session=";
     if (&argument != arguments.data() && *(&argument - 1) == "--session")
-      argument = datedFile(argument).string();
+      argument = dated(argument);
     else if (argument.starts_with(kWithName))
-      argument = std::string(kWithName) + datedFile(argument.substr(kWithName.size())).string();
+      argument = std::string(kWithName) + dated(argument.substr(kWithName.size()));
   }
 }
 
@@ -200,7 +203,7 @@ RoomSession sessionOf(const RoomOptions& options, const Rig& rig) {
     throw CLI::ValidationError("--rig", "the rig is named already, expected it once, before what follows it");
   if (!session.options.session)
     session.arguments = withValue(session.arguments, "--session", sessionNameOf(options.rig));
-  if (!session.options.resume) settleDate(session.arguments);
+  if (!session.options.resume) settleDate(session.arguments, session.options.resumeOrNew);
   session.file = valueOf(session.arguments, "--session");
   if (isHere(hostsOf(rig).front()) && !session.options.scenario.empty())
     readScenario(session.options.scenario);
@@ -214,7 +217,7 @@ std::vector<std::string> argumentsAfter(const RoomSession& session, const Progre
   std::vector<std::string> arguments = session.arguments;
   if (const auto frames = session.options.frames)
     arguments = withValue(arguments, "--frames", std::to_string(firstFrame + *frames - 1 - reached.frame));
-  if (!session.options.scenario.empty())
+  if (!session.options.isUsualGame)
     arguments = withValue(arguments, "--scenario", session.options.scenario.string());
   return resumedArguments(arguments, reached.file.string());
 }

@@ -178,7 +178,8 @@ void LiveDiagram::draw(const FrameRecord& record, const World& world, ImDrawList
     make(record, world);
     made_s_ = record.display_s;
   }
-  if (chart_.lines.empty()) return;
+  constexpr float kLeastWidth_px = 400.0F, kLeastHeight_px = 140.0F;  // a smaller one has no room for axes
+  if (chart_.lines.empty() || !(size_px.x >= kLeastWidth_px && size_px.y >= kLeastHeight_px)) return;
   Paper(chart_, list, {origin_px.x, origin_px.y}, {size_px.x, size_px.y}).draw();
 }
 

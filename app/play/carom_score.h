@@ -14,6 +14,9 @@ namespace carom {
 
 class CaromScore {
  public:
+  /// `before`: what was played in this game before it was continued.
+  explicit CaromScore(const Score& before = {}) : score_(before) {}
+
   /// Begins a shot: this puck was struck by hand, and the stroke arrives at this board time.
   void struck(std::size_t puck, double arrives_s);
 

@@ -44,8 +44,9 @@ void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& d
   const NextGame next = programme_.look(
       {record.display_s, acted, record.drive.mode == DriveMode::tour, decision.head.pose.position_m},
       settings_.playing);
+  if (!nextGame_.file.empty()) return;
   if (next.isForNextVisitor) return obey(WelcomeNextVisitor{}, decision);
-  if (nextGame_.file.empty()) nextGame_ = next;
+  nextGame_ = next;
 }
 
 void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Decision& decision) {

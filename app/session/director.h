@@ -47,7 +47,7 @@ class FrameLeader : public Director {
   }
 
   /// Returns which game follows by itself, and when.
-  std::optional<Programme::Following> following(double now_s) const {
+  std::optional<Programme::Following> following(double now_s) {
     return programme_.following(now_s, settings_.playing);
   }
 

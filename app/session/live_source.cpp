@@ -82,7 +82,10 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       roomBoundary_(rig.walls),
       front_(frontWall(roomGeometryOf(rig))) {
   if (scenario.lesson && !start.before) beginPass(0);
-  if (start.before) play_.captions = captionsBegunAt(start.before->observer.properTime_s);
+  if (start.before) {
+    play_.captions = captionsBegunAt(start.before->observer.properTime_s);
+    play_.score = CaromScore(start.before->score);
+  }
   if (start.frames) lastFrame_ = start.firstFrame() + *start.frames - 1;
 }
 

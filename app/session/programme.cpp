@@ -39,9 +39,13 @@ NextGame Programme::attract(double now_s) {
   return {attracting_[*shown_].scenario.string(), false, true, true};
 }
 
-std::optional<Programme::Following> Programme::following(double now_s, const std::string& playing) const {
+std::optional<Programme::Following> Programme::following(double now_s, const std::string& playing) {
   if (!playlist_ || !began_s_ || shown_) return {};
-  const std::size_t number = numberOf(*playlist_, playing), games = playlist_->games.size();
+  if (playing != numbered_) {
+    numbered_ = playing;
+    number_ = numberOf(*playlist_, playing);
+  }
+  const std::size_t number = number_, games = playlist_->games.size();
   if (number == games || !playlist_->games[number].for_s) return {};
   const PlaylistGame& next = playlist_->games[(number + 1) % games];
   return Following{&next, *began_s_ + *playlist_->games[number].for_s - now_s};
@@ -61,7 +65,10 @@ NextGame Programme::look(const SignsOfLife& signs, const std::string& playing) {
     return {firstGame_, true};
   }
   const std::optional<Following> next = following(signs.now_s, playing);
-  if (next && next->in_s <= 0.0) return {next->game->scenario.string(), false, false, true};
+  if (next && next->in_s <= 0.0) {
+    began_s_ = signs.now_s;  // a game that cannot be played leaves this one for as long again
+    return {next->game->scenario.string(), false, false, true};
+  }
   if (!patience_s_ || !isEmpty_) return {};
   if (!shown_) return signs.now_s - *emptyFrom_s_ >= *patience_s_ ? attract(signs.now_s) : NextGame{};
   const double for_s = attracting_[*shown_].for_s.value_or(kAttract_s);

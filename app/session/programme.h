@@ -51,7 +51,7 @@ class Programme {
     const PlaylistGame* game;
     double in_s;
   };
-  std::optional<Following> following(double now_s, const std::string& playing) const;
+  std::optional<Following> following(double now_s, const std::string& playing);
 
  private:
   NextGame attract(double now_s);
@@ -63,6 +63,8 @@ class Programme {
   IdleWatch idle_;
   bool isEmpty_ = true;  ///< nobody has given a sign of life since the last visitor
   std::optional<double> emptyFrom_s_;
+  std::string numbered_;  ///< the scenario whose number in the playlist is `number_`
+  std::size_t number_ = 0;
   std::optional<double> began_s_;     ///< of this game; empty: its first frame is to come
   std::optional<std::size_t> shown_;  ///< which of `attracting_` is played
   double shownFrom_s_ = 0.0;

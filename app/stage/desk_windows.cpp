@@ -13,7 +13,8 @@ namespace carom {
 namespace {
 
 constexpr glm::ivec2 kConsole_px{1280, 1000}, kLeastConsole_px{800, 620};
-constexpr glm::ivec2 kOutside_px{1440, 900}, kDiagram_px{1000, 820}, kLeastView_px{320, 220};
+constexpr glm::ivec2 kOutside_px{1440, 900}, kDiagram_px{1000, 820}, kLeastView_px{320, 220},
+    kLeastDiagram_px{480, 320};
 constexpr glm::ivec2 kLeastWall_px{200, 120};
 
 /// Returns whether the wall has a window of its own that the user may move.
@@ -26,6 +27,14 @@ bool sharesDisplay(const Rig& rig, int rank) {
   const bool hasHosts = std::any_of(rig.nodes.begin(), rig.nodes.end(),
                                     [](const NodeSetup& node) { return !node.host.empty(); });
   return !hasHosts && displayOf(rig, rank) == displayOf(rig, 0);
+}
+
+/// Returns where a window stands, or nothing if its monitor is not there.
+std::optional<ScreenPlace> placeIfThere(const WindowPlacement& window,
+                                        std::span<const Monitor> monitors) try {
+  return placeOf(window, monitors);
+} catch (const std::exception&) {
+  return {};
 }
 
 /// Returns a placement with a border at this place, on the first of the monitors.
@@ -111,8 +120,12 @@ DeskWindows placeWindows(Rig& rig, std::span<const Wall> walls, const ExtraWindo
     const bool isDrawn =
         std::any_of(walls.begin(), walls.end(), [&](const Wall& drawn) { return drawn.name == wall.name; });
     if (rig.oneWindow || (!isDrawn && !sharesDisplay(rig, wall.node))) continue;
+    if (!isDrawn) {  // by another rank, perhaps of another computer
+      if (const auto there = placeIfThere(wall.window, monitors)) taken.push_back(*there);
+      continue;
+    }
     const ScreenPlace place = placeOf(wall.window, monitors);
-    if (!isDrawn || !isMovable(wall)) {
+    if (!isMovable(wall)) {
       taken.push_back(place);
       continue;
     }
@@ -122,10 +135,10 @@ DeskWindows placeWindows(Rig& rig, std::span<const Wall> walls, const ExtraWindo
   const auto add = [&](bool wanted, const char* name, const FreeWindow& window) {
     if (wanted) placing.add(name, window);
   };
-  if (rig.console) taken.push_back(placeOf(*rig.console, monitors));
+  if (extra.console && rig.console) taken.push_back(placeOf(*rig.console, monitors));
   add(extra.console && !rig.console, "console", {kConsole_px, kLeastConsole_px});
   add(extra.outside, "outside", {kOutside_px, kLeastView_px});
-  add(extra.diagram, "diagram", {kDiagram_px, kLeastView_px});
+  add(extra.diagram, "diagram", {kDiagram_px, kLeastDiagram_px});
   const std::vector<WindowPlacement> places = placing.places(taken, areas);
   auto next = places.begin();
   for (Wall* wall : moved) wall->window = *next++;

@@ -38,24 +38,24 @@ Recording::Recording(Graphics& graphics, const RecordingOptions& options, const 
       isOneWindow_(rig.oneWindow.has_value()),
       display_hz_(rig.display_hz),
       realTime_(realTime) {
-  const WhenFull whenFull = realTime ? WhenFull::drop : WhenFull::wait;
   if (cluster.size() > 1) node_ = " of " + cluster.nameOf(cluster.rank());
   graphics_.makeCurrent();
   if (options.capture) {
     makeFolder(*options.capture);
-    capture_ = std::make_unique<Capture>(*options.capture, whenFull);
+    capture_ = std::make_unique<Capture>(*options.capture, whenFull());
     folder_ = *options.capture;
   }
   if (options.movie && !walls_.empty()) {
     movie_ = std::make_unique<Movie>(movieOfNode(*options.movie, cluster.rank(), cluster.size()),
-                                     movieLayout(walls_, isOneWindow_), display_hz_, whenFull);
+                                     movieLayout(walls_, isOneWindow_), display_hz_, whenFull());
   }
 }
 
 void Recording::startMovie(const std::filesystem::path& file) try {
   if (movie_ || walls_.empty()) return;
   graphics_.makeCurrent();
-  movie_ = std::make_unique<Movie>(file, movieLayout(walls_, isOneWindow_), display_hz_, WhenFull::drop);
+  movie_ = std::make_unique<Movie>(file, movieLayout(walls_, isOneWindow_), display_hz_, whenFull());
+  filmsForOperator_ = true;
   filmed_ = 0;
 } catch (const std::exception& error) {
   log::error(fmt::format("no movie: {}", error.what()));
@@ -63,8 +63,9 @@ void Recording::startMovie(const std::filesystem::path& file) try {
 
 void Recording::endMovie() {
   graphics_.makeCurrent();
-  attempt(movie_, "the session goes on, without the movie", [this] { finishMovie(); });
+  attempt(movie_, filmsForOperator_, "the session goes on, without the movie", [this] { finishMovie(); });
   movie_.reset();
+  filmsForOperator_ = false;
 }
 
 void Recording::takePictures(const std::filesystem::path& folder) try {
@@ -74,7 +75,7 @@ void Recording::takePictures(const std::filesystem::path& folder) try {
   capture_ = std::make_unique<Capture>(folder, WhenFull::wait);
   folder_ = folder;
   captured_.reset();
-  takesOne_ = true;
+  takesForOperator_ = true;
 } catch (const std::exception& error) {
   log::error(fmt::format("no pictures: {}", error.what()));
 }
@@ -85,15 +86,17 @@ Recording::~Recording() {
   capture_.reset();
 }
 
-/// Runs `work`. If it fails, logs the error and discards that output.
+/// Runs `work`. If it fails, logs the error and discards that output; the session has then failed, unless it was the
+/// operator who asked for the output during it.
 template <typename Part, typename Work>
-void Recording::attempt(std::unique_ptr<Part>& part, const char* outcome, const Work& work) {
+void Recording::attempt(std::unique_ptr<Part>& part, bool isForOperator, const char* outcome,
+                        const Work& work) {
   if (!part) return;
   try {
     work();
   } catch (const std::exception& error) {
     log::error(fmt::format("{}{}: {}", outcome, node_, error.what()));
-    failed_ = true;
+    failed_ = failed_ || !isForOperator;
     graphics_.makeCurrent();
     part.reset();
   }
@@ -111,18 +114,20 @@ void Recording::take(const DisplayWalls& walls, const SpectatorView* outside, co
     walls.film(*movie_, record.display_s);
     ++filmed_;
   };
-  if (realTime_) {
-    attempt(capture_, "the session goes on, without more pictures", capture);
-    attempt(movie_, "the session goes on, without the movie", film);
-    if (capture_ && std::exchange(takesOne_, false)) {
-      attempt(capture_, "the session goes on, without the pictures", [this] { finishCapture(); });
-      capture_.reset();
-      log::note(fmt::format("The pictures are in {}.", folder_.string()));
-    }
-    return;
+  if (realTime_ || takesForOperator_) {
+    attempt(capture_, takesForOperator_, "the session goes on, without more pictures", capture);
+  } else if (capture_) {
+    capture();
   }
-  if (capture_) capture();
-  if (movie_) film();
+  if (realTime_ || filmsForOperator_) {
+    attempt(movie_, filmsForOperator_, "the session goes on, without the movie", film);
+  } else if (movie_) {
+    film();
+  }
+  if (!std::exchange(takesForOperator_, false) || !capture_) return;
+  attempt(capture_, true, "the session goes on, without the pictures", [this] { finishCapture(); });
+  if (capture_) log::note(fmt::format("The pictures are in {}.", folder_.string()));
+  capture_.reset();
 }
 
 RecordingReport Recording::report() const {
@@ -142,8 +147,8 @@ RecordingReport Recording::report() const {
 
 void Recording::finish() {
   graphics_.makeCurrent();
-  attempt(capture_, "the session ends, without all pictures", [this] { finishCapture(); });
-  attempt(movie_, "the session ends, without the movie", [this] { finishMovie(); });
+  attempt(capture_, false, "the session ends, without all pictures", [this] { finishCapture(); });
+  attempt(movie_, filmsForOperator_, "the session ends, without the movie", [this] { finishMovie(); });
   if (cluster_.firstFailed(failed_) >= 0) throw RankFailed{};
 }
 

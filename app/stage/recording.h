@@ -65,7 +65,8 @@ class Recording {
 
  private:
   template <typename Part, typename Work>
-  void attempt(std::unique_ptr<Part>& part, const char* outcome, const Work& work);
+  void attempt(std::unique_ptr<Part>& part, bool isForOperator, const char* outcome, const Work& work);
+  WhenFull whenFull() const { return realTime_ ? WhenFull::drop : WhenFull::wait; }
   void finishCapture();
   void finishMovie();
 
@@ -75,7 +76,8 @@ class Recording {
   bool isOneWindow_;
   double display_hz_;
   bool realTime_;
-  bool takesOne_ = false;  ///< pictures of one frame
+  bool takesForOperator_ = false;  ///< pictures of one frame, asked for in the session
+  bool filmsForOperator_ = false;  ///< a movie that was asked for in the session
   bool failed_ = false;
   std::optional<std::uint64_t> captured_;  // number of the last frame captured
   std::filesystem::path folder_;

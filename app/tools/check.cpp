@@ -225,8 +225,9 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
              p.y * 1e3, p.z * 1e3, glm::length(scenario.observer.beta));
 }
 
-void tellPlaylist(const std::filesystem::path& path) {
+void tellPlaylist(const std::filesystem::path& path, const std::function<void(const Scenario&)>& openMeshes) {
   const Playlist playlist = readPlaylist(path);
+  for (const PlaylistGame& game : playlist.games) openMeshes(readScenario(game.scenario));
   fmt::print("{}: a playlist of {}\n", playlist.title, counted(playlist.games.size(), "game"));
   for (const PlaylistGame& game : playlist.games) {
     fmt::print("{}: {}{}{}{}\n", game.scenario.stem().string(), game.title, game.isLesson ? ", a lesson" : "",
@@ -246,7 +247,7 @@ int runCheck(const std::filesystem::path& file, const std::function<void(const S
       tellRig(file);
       break;
     case FileKind::playlist:
-      tellPlaylist(file);
+      tellPlaylist(file, openMeshes);
       break;
     case FileKind::foreignRoom:
       return tellForeignRoom(file);

@@ -40,8 +40,9 @@ class Starter {
  private:
   void run(const Endpoint& endpoint, DeviceSink& sink, const std::stop_token& stop) {
     DtrackController controller(endpoint);
-    for (bool started = false; !stop.stop_requested(); waitUnlessStopped(stop, kStartEvery)) {
-      if (started || delivers_.exchange(false)) continue;
+    bool started = false;
+    for (bool first = true; !stop.stop_requested(); first = false, waitUnlessStopped(stop, kStartEvery)) {
+      if (started || (delivers_.exchange(false) && !first)) continue;
       try {
         controller.start(stop);
         started = true;
