@@ -64,7 +64,7 @@ class Outside : public testing::Test {
   RoomGeometry room_ = threeWalls();
   Scene scene_ = test::glowingPuck(0.2);
   DisplayWalls walls_{graphics_, scene_, kC_m_s, {room_.walls[0]}, std::nullopt, false};
-  SpectatorView view_{graphics_, room_, scene_, {}, false};
+  SpectatorView view_{graphics_, room_, scene_, {}, std::nullopt};
   FrameRecord record_;
   World world_{{WorldLine(Knot{}, kC_m_s), WorldLine({{0.0, {0.0, 50.0, 0.0}}, {}, 0.0, {}, 0.0}, kC_m_s)},
                {}};
