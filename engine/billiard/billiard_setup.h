@@ -19,10 +19,6 @@ struct Board {
   double width_m = 0.0;   ///< along y
 };
 
-/// The least share of a puck's mass in its rim: with less, the rim's celerity would be a number whose square floats
-/// cannot hold.
-inline constexpr double kLeastInertia = 1e-9;
-
 struct Puck {
   std::string name;
   double radius_m = 0.0;
