@@ -251,8 +251,9 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
 /// Reads the playlist, of the options or of the rig, and begins with its first game if no other was asked for. A
 /// session that goes on begins with its own game.
 void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
-  const auto& [rig, kept] = inputs.rig;
-  if (options.playlist.empty()) options.playlist = (kept ? readRig(rig, *kept) : readRig(rig)).playlist;
+  const InputFile& rig = inputs.rig;
+  if (options.playlist.empty())
+    options.playlist = (rig.kept ? readRig(rig.file, *rig.kept) : readRig(rig.file)).playlist;
   if (options.playlist.empty()) return;
   const auto playlist = std::make_shared<const Playlist>(readPlaylist(options.playlist));
   for (const PlaylistGame& game : playlist->games) openMeshes(readScenario(game.scenario));

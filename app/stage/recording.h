@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "cave/capture/capture.h"
 #include "cave/room/wall.h"
 
 namespace carom {
 
-class Capture;
 class Cluster;
 class Graphics;
 class Movie;
