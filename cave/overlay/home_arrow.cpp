@@ -45,7 +45,8 @@ SeenTable seenTable(const FrameRecord& record) {
 
 std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const FrameRecord& record) {
   const std::optional<Wall> front = frontWall(room);
-  const bool isFree = record.drive.mode != DriveMode::tour && record.lesson.phase != LessonPhase::asks;
+  // A lesson and a scripted flight take their observers where they want them.
+  const bool isFree = record.drive.mode != DriveMode::tour && record.lesson.phase == LessonPhase::none;
   if (!front || !isFree) return {};
   const glm::dvec3 eye_m = record.observer.middle.positionInRoom_m;
   const glm::dvec3 towards = seenTable(record).towards;

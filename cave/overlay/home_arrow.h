@@ -27,8 +27,8 @@ struct SeenTable {
 SeenTable seenTable(const FrameRecord& record);
 
 /// Returns which way to turn to have the table in sight, in the front wall's plane: a unit vector to the right and
-/// up. None while one of the walls shows the table's middle,
-/// while the room flies as a scenario says or a lesson asks, or if the room has no front wall.
+/// up. None while one of the walls shows the table's middle, while a scripted flight or a lesson places the room, or
+/// if the room has no front wall.
 std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const FrameRecord& record);
 
 class HomeArrow {

@@ -87,14 +87,16 @@ TEST(HomeArrow, AWallAtTheSideThatShowsTheTableIsEnough) {
   EXPECT_FALSE(wayHome(room, record));
 }
 
-TEST(HomeArrow, IsAwayOnAScriptedFlightAndWhileALessonAsks) {
+TEST(HomeArrow, IsAwayOnAScriptedFlightAndInALesson) {
   FrameRecord record = recordAt({9.0, -1.0, 1.0}, Vec3(0.0));
   record.drive.mode = DriveMode::tour;
   EXPECT_FALSE(wayHome(oneWall(), record));
   record.drive.mode = DriveMode::home;
   EXPECT_TRUE(wayHome(oneWall(), record));
-  record.lesson.phase = LessonPhase::asks;
-  EXPECT_FALSE(wayHome(oneWall(), record));
+  for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
+    record.lesson.phase = phase;
+    EXPECT_FALSE(wayHome(oneWall(), record));
+  }
 }
 
 TEST(ComfortOverlay, TheEdgesDarkenWithTheSpeedOnlyWhereItIsWanted) {
