@@ -86,11 +86,23 @@ struct Before {
 Before whatWas(const std::filesystem::path& file) {
   SessionFile session(file);
   Before before{session.facts(), {}};
-  if (const auto frames = session.frames()) {
-    session.goTo(frames->second);
-    FrameState state;
-    if (session.next(state)) before.last = state.record;
+  const auto frames = session.frames();
+  if (!frames) return before;
+  // A session may have been cut off while the best shot was shown again, from where it was seen. The observer goes on
+  // from the latest event before that.
+  constexpr std::uint64_t kLongestShot = 2 * ShotMemory::kMostViews;
+  session.goTo(std::max(frames->first, frames->second - std::min(frames->second, kLongestShot)));
+  FrameState state;
+  std::optional<FrameRecord> latest;
+  while (session.next(state)) {
+    before.last = state.record;
+    const bool isLesson = state.record.lesson.phase != LessonPhase::none;
+    const auto seenAt_s = [](const FrameRecord& record) { return record.observer.middle.observation.t_s; };
+    if (!latest || isLesson || seenAt_s(state.record) >= seenAt_s(*latest)) latest = state.record;
   }
+  if (!latest) return before;
+  before.last->observer = latest->observer;
+  before.last->boardFromRoom = latest->boardFromRoom;
   return before;
 }
 

@@ -100,7 +100,11 @@ FrameDigest digestOf(const FrameState& state, const World& world) {
   for (const NamedSwitch& named : kNamedSwitches) switches << record.switches.*named.value;
   switches << static_cast<std::uint8_t>(record.controls.shown) << record.controls.blank
            << record.controls.eyesSwapped << record.controls.trackerCross << record.controls.latency
-           << record.controls.comfort << record.lightSpeed_m_s << digestOf(record.views);
+           << record.lightSpeed_m_s << digestOf(record.views);
+  // What older programs did not know is digested only where it is there, so that their digests stay.
+  if (record.controls.comfort) switches << record.controls.comfort;
+  if (record.fade != 0.0) switches << record.fade;
+  if (record.score != Score{}) switches << record.score.caroms << record.score.strokes;
   Digest tracked;
   for (const Pose& pose : {record.tracked.roomFromHeadSensor, record.tracked.roomFromHand}) {
     const glm::dquat& q = pose.orientation;

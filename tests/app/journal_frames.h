@@ -43,6 +43,9 @@ inline FrameState frameOf(std::uint64_t number) {
   observer.left = observer.right = observer.middle = {{x, {x / 3.0, -0.0, 1.7}}, {0.032, 1.7, x}};
   state.record.switches.colour = number % 2;
   state.record.hand.offset_m = 0.01 * x;
+  state.record.controls.comfort = number % 2;
+  state.record.fade = 0.25 * static_cast<double>(number % 4);
+  state.record.score = {number / 5, number / 3};
   state.record.pucks = 2;
   state.record.eventsKept = (number + 3) / 4;
   if (number % 4 == 0) state.events.push_back(eventOf(number / 4, x));

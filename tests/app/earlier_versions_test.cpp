@@ -1,0 +1,100 @@
+// Session files of versions 4 and 5, which do not know of spins, and of scores and comfort.
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+
+#include "app/journal/frame_rows.h"
+#include "app/journal/journal.h"
+#include "app/journal/session_file.h"
+#include "journal_frames.h"
+#include "log_lines.h"
+#include "temporary_folder.h"
+
+namespace carom {
+namespace {
+
+using namespace test;
+
+constexpr int kFrames = 9;
+
+/// The frame as a program of that version would have kept it: none knew of scores and comfort, and 4 of no spins.
+FrameState plainFrameOf(std::uint64_t number, int version) {
+  FrameState state = frameOf(number);
+  state.record.fade = 0.0;
+  state.record.controls.comfort = 0;
+  state.record.score = {};
+  if (version > kVersion4) return state;
+  state.record.hand.offset_m = 0.0;
+  for (BodyKnot& knot : state.knots) knot.knot.spin = {};
+  for (GameEvent& event : state.events) {
+    for (Turn& turn : event.turns) turn.spinBefore_kg_m2_s = turn.spinAfter_kg_m2_s = 0.0;
+  }
+  return state;
+}
+
+void write(const std::filesystem::path& file, int version) {
+  {
+    Journal journal(file, kFacts, false);
+    for (std::uint64_t number = 0; number < kFrames; ++number)
+      journal.add(plainFrameOf(number, version), head(), {});
+  }
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+  const auto drop = [&](std::initializer_list<const char*> columns) {
+    for (const char* column : columns) database.exec(std::string("ALTER TABLE ") + column);
+  };
+  drop({"frame DROP COLUMN comfort", "frame DROP COLUMN caroms", "frame DROP COLUMN strokes",
+        "frame DROP COLUMN fade"});
+  if (version == kVersion4) {
+    drop({"frame DROP COLUMN cue_offset_m", "knot DROP COLUMN angle_rad", "knot DROP COLUMN spin_rad_s",
+          "knot DROP COLUMN rim_u", "knot DROP COLUMN spin_slowing_1_s",
+          "frame_event DROP COLUMN first_spin_before_kg_m2_s",
+          "frame_event DROP COLUMN first_spin_after_kg_m2_s",
+          "frame_event DROP COLUMN second_spin_before_kg_m2_s",
+          "frame_event DROP COLUMN second_spin_after_kg_m2_s", "turn DROP COLUMN spin_before_kg_m2_s",
+          "turn DROP COLUMN spin_after_kg_m2_s", "stroke DROP COLUMN offset_m"});
+  }
+  database.exec("PRAGMA user_version = " + std::to_string(version));
+}
+
+void expectFrames(const std::filesystem::path& file, int version, int plain, int later) {
+  SessionFile session(file);
+  FrameState state;
+  for (int number = 0; number < plain + later; ++number) {
+    ASSERT_TRUE(session.next(state));
+    const auto of = static_cast<std::uint64_t>(number);
+    EXPECT_TRUE(sameBits(state, number < plain ? plainFrameOf(of, version) : frameOf(of))) << number;
+  }
+  EXPECT_FALSE(session.next(state));
+}
+
+TEST(EarlierVersions, FilesOfVersions4And5AreReadAndGoneOnWith) {
+  TemporaryFolder folder;
+  for (const int version : {kVersion4, kVersion5}) {
+    SCOPED_TRACE(version);
+    const auto file = folder / ("game" + std::to_string(version) + ".db");
+    write(file, version);
+    expectFrames(file, version, kFrames, 0);
+    EXPECT_TRUE(SessionFile(file).strokes({}).empty());
+    const test::LogLines lines;
+    {
+      Journal journal(file, SessionFile(file).facts(), true);
+      for (std::uint64_t number = kFrames; number < 2 * kFrames; ++number)
+        journal.add(frameOf(number), head(), {});
+    }
+    EXPECT_EQ(lines.said(), (std::vector<std::string>{fmt::format(
+                                "The session file {} is of version {} and becomes one of version {}.",
+                                file.string(), version, kJournalVersion)}));
+    expectFrames(file, version, kFrames, kFrames);
+    SQLite::Database database(file.string());
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), kJournalVersion);
+    EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
+  }
+}
+
+}  // namespace
+}  // namespace carom
