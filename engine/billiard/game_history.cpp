@@ -7,7 +7,8 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kNewLegs = 256, kNewLegsPerPuck = 4;  // at most so many legs wait
+constexpr std::size_t kFewPucks = 256;                      // whose world lines' ends lie in the caches
+constexpr std::size_t kNewLegs = 256, kNewLegsPerPuck = 4;  // of more pucks, at most so many legs wait
 
 Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }
 
@@ -35,12 +36,14 @@ GameHistory::GameHistory(const BilliardSetup& setup)
 }
 
 void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Turning& turning, const Vec21& signal) {
-  newLegs_.push_back(
-      {leg.start, signal, {leg.u.x, leg.u.y}, leg.properTime, turning, static_cast<std::uint32_t>(puck)});
+  const NewLeg added{leg.start,      signal,  {leg.u.x, leg.u.y},
+                     leg.properTime, turning, static_cast<std::uint32_t>(puck)};
+  if (lines_.size() <= kFewPucks) return append(added);
+  newLegs_.push_back(added);
   if (newLegs_.size() >= std::max(kNewLegs, kNewLegsPerPuck * lines_.size())) complete();
 }
 
-// The world lines are scattered over the memory. Many legs are therefore appended at once, line after line,
+// The world lines of many pucks are scattered over the memory. Many legs are therefore appended at once, line after line,
 // and the data of those to come are asked for while one is added.
 void GameHistory::complete() {
   if (newLegs_.empty()) return;
