@@ -1,53 +1,13 @@
 #pragma once
 // `carom cave`: the immersive session.
 
-#include <cstdint>
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "app/files/playlist.h"
-#include "app/stage/desk_windows.h"
-#include "app/stage/recording.h"
-#include "cave/frame/lesson_words.h"
-#include "cave/frame/time_views.h"
-#include "engine/light/switches.h"
+#include "app/commands/cave_options.h"
 
 namespace CLI {
 class App;
 }
 
 namespace carom {
-
-struct CaveOptions {
-  std::filesystem::path rig;
-  /// The first game; with `resume` that of later visitors, or empty: the one at hand.
-  std::filesystem::path scenario;
-  bool isUsualGame = false;                 ///< no scenario was asked for
-  std::filesystem::path playlist;           ///< empty: the rig's, if it has one
-  std::shared_ptr<const Playlist> games{};  ///< the playlist that was read
-  /// Number of frames to play in simulated time; if empty, real time without limit.
-  std::optional<std::uint64_t> frames;
-  RecordingOptions recording;                    ///< images and movie
-  std::optional<std::filesystem::path> session;  ///< the session file to write
-  bool resume = false;           ///< continue from the end of `session`, with its rig and scenario
-  std::filesystem::path series;  ///< the first file of its games, from which the others have their names
-  bool resumeOrNew = false;      ///< continue the newest game of `session` if there is one
-  std::optional<std::filesystem::path> status;  ///< rank 0 says here once a second how the session goes
-  bool noWindow = false;
-  bool silent = false;  ///< no sounds
-  std::string pin;      ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none
-  std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one
-  Switches switches;                   ///< at the start
-  TimeViews views;                     ///< at the start
-  ExtraWindows extra;                  ///< what rank 0 also shows
-  std::optional<double> unattended_s;  ///< the next visitor is welcomed after so long without a sign of life
-};
-
-/// Returns the options that these arguments of `carom cave` name. Throws CLI::ParseError.
-CaveOptions caveOptionsOf(std::vector<std::string> arguments);
 
 /// Runs a session to its end; under mpirun, this rank's part of it. Returns the exit status: 0, or 1 after a
 /// message on standard error.

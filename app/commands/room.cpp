@@ -19,7 +19,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/commands/cave_session.h"
+#include "app/commands/cave_options.h"
 #include "app/commands/mpirun_line.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"

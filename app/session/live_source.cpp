@@ -24,12 +24,11 @@ constexpr double kOnset_s = 0.5, kFade_s = 0.5;
 constexpr std::array<const char*, 4> kDriveModes{"as steered", "braking", "home", "tour"};
 
 /// Returns the direction, anticlockwise from +x, in which an observer with this velocity sees what one at rest sees
-/// in the direction `facing_rad`. n' = (n/γ + (1 + β·n γ/(γ + 1)) β)/(1 + β·n), the aberration of light (Rindler
-/// 2006, §4.3).
+/// in the direction `facing_rad`: that of the light's displacement back from the eye, in the observer's frame.
 double seenFacing_rad(double facing_rad, const Vec3& beta) {
-  const Vec2 n(std::cos(facing_rad), std::sin(facing_rad)), b(beta);
-  const double gamma = gammaFromU(uFromBeta(beta)), along = glm::dot(b, n);
-  const Vec2 seen = (n / gamma + (1.0 + along * gamma / (gamma + 1.0)) * b) / (1.0 + along);
+  constexpr double kLight = 1.0;
+  const Displacement back{-1.0, {std::cos(facing_rad), std::sin(facing_rad), 0.0}};
+  const Vec3 seen = (Lorentz::boost(uFromBeta(beta), kLight).inverse() * back).dr_m;
   return std::atan2(seen.y, seen.x);
 }
 

@@ -1,0 +1,188 @@
+#include "app/commands/cave_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <utility>
+
+#include "app/commands/session_options.h"
+#include "app/files/config_folder.h"
+#include "app/operator/visitor_choices.h"
+#include "app/tools/option_values.h"
+
+namespace carom {
+namespace {
+
+/// Sets a switch as "NAME=on" or "NAME=off" says.
+void turnSwitch(const std::string& text, Switches& switches) {
+  for (const NamedSwitch& s : kNamedSwitches) {
+    for (const bool on : {false, true}) {
+      if (text != fmt::format("{}={}", s.name, on ? "on" : "off")) continue;
+      switches.*s.value = on;
+      return;
+    }
+  }
+  throw CLI::ValidationError(
+      "--switch", fmt::format("'{}' is wrong, expected retardation, contraction, aberration, colour or "
+                              "searchlight, then =on or =off",
+                              text));
+}
+
+/// Turns a time view on.
+void showView(const std::string& name, TimeViews& views) {
+  std::string names;
+  for (const NamedView& view : kNamedViews) {
+    if (name == view.name) {
+      views.*view.value = 1;
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(view.name);
+  }
+  throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
+}
+
+/// Adds the rig and the game. What is left out depends on whether somebody watches, which is known when the
+/// command runs.
+void addRigAndScenario(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  command
+      .add_option("--rig", options->rig,
+                  "Rig file: walls and trackers. With --frames or --no-window, the default is rigs/desk.toml")
+      ->default_str((configFolder() / "rigs/play.toml").string())
+      ->transform(shipped({"rigs"}));
+  command
+      .add_option("--scenario", options->scenario,
+                  "Scenario file. With --frames or --no-window, the default is scenarios/three-pucks.toml")
+      ->default_str(fileOfGame(kWelcome))
+      ->transform(shipped({"scenarios"}));
+}
+
+/// Adds what is on when the session begins: effects, views of time, the phase of a lesson.
+void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--switch",
+          [options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) turnSwitch(text, options->switches);
+          },
+          "Begin with this effect on or off: retardation, contraction, aberration (on), colour, searchlight "
+          "(off). May be given several times. Keys 1 to 5 turn them later")
+      ->type_name("NAME=on|off")
+      ->allow_extra_args(false);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--view",
+          [options](const std::vector<std::string>& names) {
+            for (const std::string& name : names) showView(name, options->views);
+          },
+          "A view of time to begin with: board-now, my-now, paths, events, clocks, ruler, angles, split, "
+          "frozen. May be given several times. Keys turn them later")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command
+      .add_option("--lesson", options->lesson,
+                  "The phase in which a lesson begins: asks, shows or explains. Default: asks, or shows "
+                  "with --frames")
+      ->type_name("PHASE")
+      ->transform(numberOf({{"asks", static_cast<int>(LessonPhase::asks)},
+                            {"shows", static_cast<int>(LessonPhase::shows)},
+                            {"explains", static_cast<int>(LessonPhase::explains)}}));
+}
+
+void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  auto* session =
+      command
+          .add_option(
+              "--session", options->session,
+              "Write the session to this new file (SQLite): every frame, sample and turn. A name with a "
+              "date, such as monday-%F.db, is the day's, with a number if it is there already")
+          ->type_name("DB");
+  command
+      .add_flag(
+          "--resume-or-new", options->resumeOrNew,
+          "Go on from the end of the session file, or of its newest game, if it is there; otherwise begin it")
+      ->needs(session);
+  command
+      .add_flag(
+          "--resume", options->resume,
+          "Go on from the end of the session file, with its rig and scenario. --scenario, --switch, --view "
+          "and --lesson are then for the games of later visitors")
+      ->needs(session)
+      ->excludes(command.get_option("--resume-or-new"))
+      ->excludes(command.get_option("--rig"));
+  command
+      .add_option("--status", options->status,
+                  "Say once a second in this JSON file how the session goes. It is always whole")
+      ->type_name("FILE.json");
+}
+
+/// Adds what lets a session run without an operator.
+void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  command
+      .add_option("--unattended", options->unattended_s,
+                  "Welcome the next visitor after so many seconds without input or motion of the head: the "
+                  "first game starts anew, all settings as at the beginning")
+      ->type_name("S")
+      ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  command
+      .add_option(
+          "--pin", options->pin,
+          "Lock the keys that end or spoil a demonstration: Escape, Q, T, X, K, B, L, + and -. F12, this "
+          "number and Enter open the lock; F12 closes it")
+      ->type_name("DIGITS")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            const bool isPin = text.size() >= 3 && text.size() <= 12 &&
+                               text.find_first_not_of("0123456789") == std::string::npos;
+            return isPin ? std::string() : fmt::format("'{}' is wrong, expected 3 to 12 digits", text);
+          },
+          ""));
+}
+
+}  // namespace
+
+std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
+  auto options = std::make_shared<CaveOptions>();
+  addRigAndScenario(command, options);
+  command
+      .add_option(
+          "--playlist", options->playlist,
+          "Playlist file: the games that may be played, in their order, and for how long. Default: the "
+          "rig's, if it names one")
+      ->type_name("FILE.toml")
+      ->transform(shipped({"playlists"}));
+  command.add_option("--frames", options->frames, "Play so many frames in simulated time, then end")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L));
+  command
+      .add_option("--capture", options->recording.capture,
+                  "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
+      ->type_name("DIR");
+  addMovie(command, options->recording.movie);
+  addBeginning(command, options);
+  addSession(command, options);
+  command.add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  addUnattended(command, options);
+  addSilent(command, options->silent);
+  addExtraWindows(command, options->extra);
+  return options;
+}
+
+void chooseRest(CaveOptions& options) {
+  const bool isWatched = !options.frames && !options.noWindow;
+  if (options.rig.empty()) options.rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
+  options.isUsualGame = options.scenario.empty();
+  if (options.isUsualGame && !options.resume)
+    options.scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
+}
+
+CaveOptions caveOptionsOf(std::vector<std::string> arguments) {
+  CLI::App command("", "cave");
+  const auto options = addCaveOptions(command);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  command.parse(std::move(arguments));
+  chooseRest(*options);
+  return *options;
+}
+
+}  // namespace carom
