@@ -64,6 +64,7 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
     lowX = std::min(lowX, puck.position_m.x), highX = std::max(highX, puck.position_m.x);
     lowY = std::min(lowY, puck.position_m.y), highY = std::max(highY, puck.position_m.y);
   }
+  takeOutlines(setup);
   if (setup.board) {
     boxLowX_ = -0.5 * setup.board->length_m, boxWidth_ = setup.board->length_m;
     boxLowY_ = -0.5 * setup.board->width_m, boxHeight_ = setup.board->width_m;

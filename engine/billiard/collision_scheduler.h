@@ -6,6 +6,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "engine/billiard/cell_grid.h"
 #include "engine/billiard/due_queue.h"
 #include "engine/billiard/game_history.h"
+#include "engine/collision/corner_contact.h"
+#include "engine/collision/corner_kick.h"
 #include "engine/collision/cushion_contact.h"
 #include "engine/collision/kick.h"
 #include "engine/collision/puck_contact.h"
@@ -209,8 +212,8 @@ class CollisionScheduler {
   std::optional<SpinningPairKick> pairKick(const std::array<int, 2>& who, const PairContact& contact,
                                            const std::array<LegState, 2>& turn,
                                            const std::array<double, 2>& j, double restitution) const;
-  std::optional<SpinningCushionKick> cushionKick(int i, int cushion, const Vec21& u, double j,
-                                                 double restitution) const;
+  std::optional<SpinningCushionKick> cushionKick(int i, int cushion, const Vec21& touch, const LegState& turn,
+                                                 double j, double restitution) const;
   bool receding(const std::array<int, 2>& who, const PairContact& contact, const PredictedEvent& a,
                 const std::array<double, 2>& touchAt) const;
   struct Struck {
@@ -231,6 +234,30 @@ class CollisionScheduler {
   void giveAnew(int i, const Vec21& u, const Turning& turning, CommittedLeg& kick) const;
   void noteBounce(const CommittedLeg& decided, GameHistory& history) const;
   void noteKick(int i, const Vec21& turn);
+
+  // collision_scheduler_corners.cpp: bodies with corners
+  const Outline* outlineOf(int i) const {
+    return outlines_ == nullptr || !(*outlines_)[i] ? nullptr : &*(*outlines_)[i];
+  }
+  bool hasCorners(int first, int second) const {
+    return outlines_ != nullptr && (outlineOf(first) != nullptr || outlineOf(second) != nullptr);
+  }
+  void takeOutlines(const BilliardSetup& setup);
+  ShapedFlight shapedFlight(int i, const Leg& leg, const Turning& turning) const;
+  std::optional<CornerContact> cornersMeet(int first, int second) const;
+  std::optional<CushionContact> touchOf(int i, const Leg& leg, const Turning& turning, int cushion) const;
+  std::optional<CushionContact> followedTouchOf(int i, int cushion) const;
+  bool isKickedBy(int i, int cushion, const CushionContact& contact) const;
+  bool liesOnCushion(int i, int cushion, const CushionContact& contact) const;
+  LeveredBody levered(int i, const Vec21& touch, const LegState& at, double j) const;
+  std::optional<SpinningPairKick> cornerKick(const std::array<int, 2>& who, const PairContact& contact,
+                                             const std::array<Vec21, 2>& u, const std::array<double, 2>& j,
+                                             double restitution) const;
+
+  PairKick restOnEachOther(const std::array<int, 2>& who, const std::array<Vec21, 2>& u,
+                           const std::array<double, 2>& j, double closing) const;
+  // Whether a puck can be pressed: elastic discs among elastic cushions cannot.
+  bool canPress(int i) const { return canPress_ || outlineOf(i) != nullptr; }
 
   // collision_scheduler_jam.cpp: what happens to pucks that press on one another
   struct Member {
@@ -272,6 +299,8 @@ class CollisionScheduler {
   double slowing_;                   // of spins by the cloth: the rim's γβ in a metre of own time
   bool turns_;                       // whether anything, strokes so far included, can turn a puck
   std::vector<CushionPlane> cushions_;
+  /// By puck; null in a game of discs.
+  std::shared_ptr<const std::vector<std::optional<Outline>>> outlines_;
   double largestRadius_ = 0.0;
   double boxLowX_ = 0.0, boxLowY_ = 0.0, boxWidth_ = 0.0, boxHeight_ = 0.0;
   std::vector<PuckStroke> strokes_;

@@ -46,7 +46,7 @@ double relative2(const Vec21& u1, const Vec21& u2) {
 }  // namespace
 
 void CollisionScheduler::noteBlow(int i, double turnTime, double closing, bool byPressed) {
-  if (!canPress_) return;
+  if (!canPress(i)) return;
   PuckState& player = pucks_[i];
   const double radius = discs_[i].radius;
   const bool peace = turnTime - player.lastBlow > radius;
@@ -60,7 +60,7 @@ void CollisionScheduler::noteBlow(int i, double turnTime, double closing, bool b
 
 bool CollisionScheduler::isPressed(int i, double t) const {
   const PuckState& player = pucks_[i];
-  return canPress_ && player.blows >= kBlowsOfAJam && !(t - player.lastBlow > discs_[i].radius);
+  return canPress(i) && player.blows >= kBlowsOfAJam && !(t - player.lastBlow > discs_[i].radius);
 }
 
 // The kick of two pressed pucks: together with all pressed pucks that touch them, in a chain, they come to
@@ -147,8 +147,7 @@ void CollisionScheduler::gatherJam(const std::array<int, 2>& who, const PairCont
     std::sort(near_.begin(), near_.begin() + found);
     for (int k = 0; k < found; ++k) {
       const int other = near_[k];
-      if (!isPressed(other, earliest)) continue;
-      if (inJam_[other]) continue;
+      if (!isPressed(other, earliest) || inJam_[other] || outlineOf(other) != nullptr) continue;
       const std::optional<LegState> at = joinsAt(other, members_[m].turn.x, contact.U, earliest);
       if (at && touch(members_[m], other, *at)) addMember(other, *at);
     }

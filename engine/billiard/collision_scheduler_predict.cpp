@@ -56,7 +56,9 @@ void CollisionScheduler::predict(int i) {
   if (!strokes_.empty()) considerStrokes(i, best);
   if (pucks_.size() <= kPucksWithoutCells) {
     for (int other = 0; other < static_cast<int>(pucks_.size()); ++other) {
-      if (other == i || (brake_ == 0.0 && !mayMeet(discs_[i], discs_[other], convention_))) continue;
+      if (other == i ||
+          (brake_ == 0.0 && outlines_ == nullptr && !mayMeet(discs_[i], discs_[other], convention_)))
+        continue;
       considerPair(i, other, best);
     }
   } else {
@@ -130,11 +132,11 @@ void CollisionScheduler::considerPairs(int i, int found, PredictedEvent& best) {
   int kept = 0;
   const Disc disc = discs_[i];
   const TurnConvention convention = convention_;
-  const bool braked = brake_ != 0.0;
+  const bool all = brake_ != 0.0 || outlines_ != nullptr;
   for (int k = 0; k < found; ++k) {
     const int other = near[k];
     near[kept] = other;
-    kept += static_cast<int>((other != i) & (braked || mayMeet(disc, discs_[other], convention)));
+    kept += static_cast<int>((other != i) & (all || mayMeet(disc, discs_[other], convention)));
   }
   for (int k = 0; k < kept; ++k) __builtin_prefetch(&outlooks_[near[k]]);
   for (int k = 0; k < kept; ++k) considerPair(i, near[k], best);
@@ -150,7 +152,8 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   if (own < decidedAt(i) || theirs < decidedAt(other)) return;  // what came after it is decided already
   const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, partner.next);
   if (!mine && !also) return;
-  if (player.lastPartner == other && partner.lastPartner == i) return;
+  // Discs that have just collided part; bodies that turn may meet with other corners.
+  if (player.lastPartner == other && partner.lastPartner == i && !hasCorners(i, other)) return;
   if (player.hasMet && hasDealtWith(i, other)) return;
   PredictedEvent a;
   a.kind = Kind::pair;
@@ -178,6 +181,13 @@ void CollisionScheduler::noteMet(int i, int other, unsigned otherLeg) {
 }
 
 std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second) const {
+  if (hasCorners(first, second)) {
+    const std::optional<CornerContact> found = cornersMeet(first, second);
+    if (!found) return std::nullopt;
+    return carom::meetingOf(shapedFlight(first, flightOf(first), spins_[first].turning),
+                            shapedFlight(second, flightOf(second), spins_[second].turning), *found,
+                            convention_);
+  }
   if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
   const auto found = findBrakedMeeting({flightOf(first), discs_[first].radius},
                                        {flightOf(second), discs_[second].radius}, convention_);
@@ -193,7 +203,8 @@ void CollisionScheduler::considerCushions(int i, PredictedEvent& best) const {
   for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
     const CushionPlane& plane = cushions_[cushion];
     if (cells_.canLeave(cell, plane.axis, plane.sign > 0.0 ? 1 : -1)) continue;
-    if (!(plane.towards(discs_[i].u) > 0.0) || (outlooks_[i].metCushions >> cushion & 1u) != 0) continue;
+    if ((outlooks_[i].metCushions >> cushion & 1u) != 0) continue;
+    if (!(plane.towards(discs_[i].u) > 0.0) && outlineOf(i) == nullptr) continue;
     considerCushion(i, cushion, best);
   }
 }
@@ -203,10 +214,9 @@ void CollisionScheduler::considerCushion(int i, int cushion, PredictedEvent& bes
   // No earlier than straight flight to R (1 + u_n) from the plane, as R sqrt(1 + u_n²) is less; a glide is
   // slower.
   const double un = cushions_[cushion].towards(leg.u);
-  const double atLeast = cushions_[cushion].inside(leg.start) - discs_[i].radius * (1.0 + un);
-  if (atLeast * leg.u.t > (best.ownTime - leg.start.t) * un) return;
-  const std::optional<CushionContact> contact =
-      findContact(leg, discs_[i].radius, cushions_[cushion], convention_);
+  const double atLeast = cushions_[cushion].inside(leg.start) - discs_[i].radius * (1.0 + std::abs(un));
+  if (un > 0.0 ? atLeast * leg.u.t > (best.ownTime - leg.start.t) * un : atLeast > 0.0) return;
+  const std::optional<CushionContact> contact = touchOf(i, leg, spins_[i].turning, cushion);
   if (!contact) return;
   const double own = contact->ownTime;
   if (own >= discs_[i].turnsAt || own > best.ownTime) return;

@@ -56,9 +56,48 @@ class Approach {
     const double s = clearance(corner, 0.0) / towards_;
     return s >= from ? std::optional(s) : std::nullopt;
   }
-  double radius() const { return flight_.radius; }
+  /// How far the outline reaches straight towards the cushion, from the centre.
+  double ahead(double s) const {
+    const SinCos by = portableSinCos(flight_.angle + flight_.turning * s);
+    const Vec2 way = turnedBack(k_ / glm::length(k_), by);
+    double farthest = 0.0;
+    for (const Outline::Side& side : flight_.outline->sides()) {
+      const double slope = glm::dot(side.normal, way);
+      if (slope == 0.0) continue;
+      const double far = side.offset / slope, along = glm::dot(way * far - side.from, side.along);
+      if (along >= 0.0 && along <= side.length) farthest = std::max(farthest, far);
+    }
+    return farthest;
+  }
+  /// The point of the outline straight ahead of the centre, as it comes to the cushion before the centre does. None
+  /// if the centre does not move towards it.
+  struct Foot {
+    double s;
+    Vec21 event;
+  };
+  std::optional<Foot> foot() const {
+    if (!(towards_ > 0.0)) return std::nullopt;
+    const double tall = glm::length(k_);
+    const auto depth = [&](double s) { return towards_ * s + ahead(s) * tall - away_; };
+    double s = std::max(0.0, (away_ - reach_) / towards_);
+    const double step = (away_ / towards_ - s) / kSteps;
+    if (!(step > 0.0) || depth(s) > 0.0) return Foot{s, at(s)};
+    while (!(depth(s + step) > 0.0) && s < away_ / towards_) s += step;
+    if (flight_.turning != 0.0) {
+      s = rootOfIncreasing(depth, s + 0.5 * step, 0.5 * step);
+      return Foot{s, at(s)};
+    }
+    s = (away_ - ahead(0.0) * tall) / towards_;
+    return Foot{s, at(s)};
+  }
 
  private:
+  static constexpr int kSteps = 1000;
+
+  Vec21 at(double s) const {
+    return flight_.start + axes_(k_ * (ahead(s) / glm::length(k_))) + flight_.u * s;
+  }
+
   std::optional<double> reachedTurning(const Vec2& corner, double s, double before) const {
     const double fastest = towards_ + std::abs(flight_.turning) * reach_;
     if (!(fastest > 0.0)) return std::nullopt;
@@ -96,6 +135,16 @@ struct Touch {
   Vec2 corner{0.0};
 };
 
+// A contact as the leg begins, and the turn with it.
+CornerCushionContact atOnce(const ShapedFlight& flight, double properTime, const Vec21& event, bool delayed) {
+  CornerCushionContact touch;
+  touch.contact.withoutDelay = true;
+  touch.contact.turn = {flight.start, flight.u, properTime};
+  touch.contact.event = event;
+  touch.contact.ownTime = flight.start.t - (delayed ? flight.u.t * flight.radius : 0.0);
+  return touch;
+}
+
 // The deepest corner that is beyond the cushion and goes on.
 std::optional<CornerCushionContact> touchesAtOnce(const ShapedFlight& flight, double properTime,
                                                   const Approach& approach, bool delayed) {
@@ -107,26 +156,32 @@ std::optional<CornerCushionContact> touchesAtOnce(const ShapedFlight& flight, do
     deepest = clearance, found = &corner;
   }
   if (found == nullptr) return std::nullopt;
+  return atOnce(flight, properTime, approach.event(*found, 0.0), delayed);
+}
+
+// The contact of an event at the cushion, heard of at the centre or, without delay, simultaneous with it.
+CornerCushionContact contactAt(const ShapedFlight& flight, double properTime, const CushionPlane& cushion,
+                               Vec21 event, bool delayed) {
+  (cushion.axis == 0 ? event.x : event.y) = cushion.sign * cushion.distance;
+  const Vec21 way = event - flight.start;
+  const double own = dot(flight.u, way);
+  const Vec21 lever = way - flight.u * own;
+  const double turn =
+      delayed ? own + std::sqrt(std::max(0.0, -dot(lever, lever))) : std::max(0.0, way.t / flight.u.t);
   CornerCushionContact touch;
-  touch.contact.withoutDelay = true;
-  touch.contact.turn = {flight.start, flight.u, properTime};
-  touch.contact.event = approach.event(*found, 0.0);
-  touch.contact.ownTime = flight.start.t - (delayed ? flight.u.t * flight.radius : 0.0);
+  touch.contact.event = event;
+  touch.contact.turn = {flight.start + flight.u * turn, flight.u, properTime + turn};
+  touch.contact.ownTime = flight.start.t + flight.u.t * (delayed ? turn - flight.radius : turn);
   return touch;
 }
 
-}  // namespace
-
-std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight, double properTime,
-                                                      const CushionPlane& cushion,
-                                                      TurnConvention convention) {
-  const Approach approach(flight, cushion);
-  const bool delayed = convention == TurnConvention::signalAtCentre, first = flight.start.t == 0.0;
-  if (!first) {
-    if (const auto now = touchesAtOnce(flight, properTime, approach, delayed)) return now;
-  }
+// The earliest corner; of several, the middle.
+std::optional<CornerCushionContact> firstCorner(const ShapedFlight& flight, double properTime,
+                                                const CushionPlane& cushion, const Approach& approach,
+                                                bool delayed) {
   // A body at its first place has been there before board time 0, and nothing touched it.
-  const double from = first ? -flight.radius : 0.0;
+  const bool first = flight.start.t == 0.0;
+  const double from = first ? -flight.radius : 0.0, tolerance = kTie * flight.radius;
   Touch best;
   for (const Vec2& corner : flight.outline->corners()) {
     const auto s = approach.reached(corner, from, delayed ? best.order : kNever);
@@ -137,28 +192,38 @@ std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight
     if (order < best.order) best = {order, *s, corner};
   }
   if (!(best.order < kNever)) return std::nullopt;
-
-  CornerCushionContact touch;
   Vec21 event = approach.event(best.corner, best.s);
-  // Another corner that touches at the same time is the other end of a side.
+  bool sideOnSide = false;
   for (const Vec2& corner : flight.outline->corners()) {
-    if (corner == best.corner) continue;
-    const double tolerance = kTie * flight.radius;
-    if (!(std::abs(approach.clearance(corner, best.s)) <= tolerance)) continue;
+    if (corner == best.corner || !(std::abs(approach.clearance(corner, best.s)) <= tolerance)) continue;
     const Vec21 other = approach.event(corner, best.s);
     if (!delayed && !(std::abs(other.t - event.t) <= tolerance)) continue;
     event = (approach.event(best.corner, best.s) + other) * 0.5;
-    touch.sideOnSide = true;
+    sideOnSide = true;
   }
-  (cushion.axis == 0 ? event.x : event.y) = cushion.sign * cushion.distance;
-  const Vec21 way = event - flight.start;
-  const double own = dot(flight.u, way);
-  const Vec21 lever = way - flight.u * own;
-  const double turn = delayed ? own + std::sqrt(std::max(0.0, -dot(lever, lever))) : way.t / flight.u.t;
-  touch.contact.event = event;
-  touch.contact.turn = {flight.start + flight.u * turn, flight.u, properTime + turn};
-  touch.contact.ownTime = flight.start.t + flight.u.t * (delayed ? turn - flight.radius : turn);
+  CornerCushionContact touch = contactAt(flight, properTime, cushion, event, delayed);
+  touch.sideOnSide = sideOnSide;
   return touch;
+}
+
+}  // namespace
+
+std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight, double properTime,
+                                                      const CushionPlane& cushion,
+                                                      TurnConvention convention) {
+  const Approach approach(flight, cushion);
+  const bool delayed = convention == TurnConvention::signalAtCentre;
+  if (flight.start.t != 0.0) {
+    if (const auto now = touchesAtOnce(flight, properTime, approach, delayed)) return now;
+  }
+  const auto corner = firstCorner(flight, properTime, cushion, approach, delayed);
+  if (corner && cushion.inside(corner->contact.turn.x) >= 0.0) return corner;
+  const auto foot = approach.foot();
+  if (!foot) return corner;
+  if (foot->s > 0.0) return contactAt(flight, properTime, cushion, foot->event, delayed);
+  CornerCushionContact now = atOnce(flight, properTime, foot->event, delayed);
+  (cushion.axis == 0 ? now.contact.event.x : now.contact.event.y) = cushion.sign * cushion.distance;
+  return now;
 }
 
 }  // namespace carom

@@ -8,6 +8,10 @@
 // The centre turns |d| later on its own clock. Where turns do not wait for the signal, the earliest corner by
 // board time counts, and the centre turns at that board time. Corners that touch at one time, those of a side,
 // touch in their middle.
+//
+// The signal from the end of a long side can come after the centre has crossed the cushion. Then the contact is
+// that of the point of the outline straight ahead of the centre, along K, which comes there later, but of which the
+// centre hears before it is there itself: so no centre leaves the table.
 
 #include <optional>
 

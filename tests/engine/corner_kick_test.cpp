@@ -66,11 +66,6 @@ TEST(CornerKick, ConservesFourMomentumWithHeat) {
     EXPECT_WITHIN(difference.t, 0.0, 1e-13);
     EXPECT_WITHIN(difference.x, 0.0, 1e-13);
     EXPECT_WITHIN(difference.y, 0.0, 1e-13);
-    // What has been kicked apart does not approach.
-    std::array<LeveredBody, 2> after = made.bodies;
-    for (int i = 0; i < 2; ++i) after[i].puck.u = kick->centres.u[i], after[i].puck.j = kick->j[i];
-    const bool smooth = made.rules.restitution == 1.0 && made.rules.friction == 0.0;
-    EXPECT_TRUE(!smooth || !kickCorners(made.U, made.n, after, made.rules));
   }
   EXPECT_GT(kicks, 500);
 }
