@@ -38,6 +38,16 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
   ImGui::BeginChild(name, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
 }
 
+/// Returns the space beside the names of the tabs with which all are legible in this width.
+float tabPadding_px(float width_px) {
+  using namespace texts::console;
+  constexpr std::array kTabs{kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab};
+  constexpr float kLeast_px = 2.0F, kEdge_px = 1.0F;
+  for (const char* tab : kTabs)
+    width_px -= ImGui::CalcTextSize(tab).x + ImGui::GetStyle().ItemInnerSpacing.x + kEdge_px;
+  return std::clamp(width_px / (2.0F * kTabs.size()), kLeast_px, ImGui::GetStyle().FramePadding.x);
+}
+
 }  // namespace
 
 Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
@@ -175,9 +185,13 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
 }
 
 void Console::drawTabs(const ConsoleFrame& frame) {
+  const ImVec2 padding(tabPadding_px(ImGui::GetContentRegionAvail().x), ImGui::GetStyle().FramePadding.y);
   if (!ImGui::BeginTabBar("##parts")) return;
-  const auto tab = [](const char* name, const auto& draw) {
-    if (!ImGui::BeginTabItem(name)) return;
+  const auto tab = [padding](const char* name, const auto& draw) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    const bool isOpen = ImGui::BeginTabItem(name);
+    ImGui::PopStyleVar();
+    if (!isOpen) return;
     ImGui::BeginChild("##tab");
     draw();
     ImGui::EndChild();

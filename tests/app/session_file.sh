@@ -64,10 +64,18 @@ diff -r "$out/one" "$out/four" || fail "a replay on four processes differs from 
 "$carom" diagram "$out/game.db" -o "$out/game.svg" 2>"$out/stderr" || fail "its diagram: $(cat "$out/stderr")"
 # A scenario whose mesh is gone is named, with its line.
 cp "$out/game.db" "$out/bare.db"
-sqlite3 "$out/bare.db" "UPDATE session SET value = replace(value, 'mass_kg = 0.2', 'mass_kg = 0.2' || char(10) ||
-  'mesh = \"gone.obj\"') WHERE key = 'scenario'"
+sqlite3 "$out/bare.db" "UPDATE game SET scenario = replace(scenario, 'mass_kg = 0.2', 'mass_kg = 0.2' || char(10) ||
+  'mesh = \"gone.obj\"')"
 for command in "replay $out/bare.db --no-window" "events $out/bare.db"; do
   "$carom" $command 2>"$out/stderr" && fail "$command: without its mesh"
   grep -q "^error: .*three-pucks.toml:[0-9]*:[0-9]*: mesh 'gone.obj'" "$out/stderr" || fail "$command: $(cat "$out/stderr")"
 done
+# --resume-or-new begins the file of that name, goes on with it, and leaves a damaged one as it is.
+day=("$carom" cave --rig "$out/room.toml" --frames 3 --no-window --session "$out/day.db" --resume-or-new)
+for _ in 1 2; do "${day[@]}" 2>"$out/stderr" || fail "--resume-or-new: $(cat "$out/stderr")"; done
+[ "$(sqlite3 "$out/day.db" "SELECT count(*) FROM frame")" = 6 ] || fail "--resume-or-new: not two runs in one file"
+echo spoilt >"$out/day.db"
+"${day[@]}" 2>"$out/stderr" || fail "--resume-or-new after a damaged file: $(cat "$out/stderr")"
+[ "$(cat "$out/day.db")" = spoilt ] && [ "$(sqlite3 "$out/day-2.db" "SELECT count(*) FROM frame")" = 3 ] ||
+  fail "--resume-or-new after a damaged file: $(ls "$out")"
 echo "killed after frame $last, gone on with to $((last + 6)), $(find "$out/seen" -name '*.png' | wc -l) pictures the same again"

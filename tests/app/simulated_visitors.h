@@ -76,6 +76,7 @@ class SimulatedVisitors {
   std::size_t games() const { return games_; }
   std::size_t strokes() const { return strokes_; }
   std::size_t attractions() const { return attractions_; }
+  std::filesystem::path file() const { return folder_ / "visit.db"; }
   double now_s() const { return decision_.frame.record.display_s; }
 
  private:
@@ -154,15 +155,15 @@ class SimulatedVisitors {
     isWelcome_ = next.isForNextVisitor;
   }
 
-  /// Writes the game to a session file, which the one before it makes room for.
+  /// Writes the game to the session file of the day, unless it is there to attract people.
   void write(bool attracts) {
     journal_.keep(nullptr);
-    const std::filesystem::path file = folder_ / "visit.db";
-    std::filesystem::remove(file);
     if (attracts) return;
+    const bool isThere = std::filesystem::exists(file());
     SessionFacts facts{"carom", "play.toml", "game.toml", "", "", scenario_.billiard.lightSpeed_m_s};
     for (const Puck& puck : scenario_.billiard.pucks) facts.pucks.push_back(puck.name);
-    journal_.keep(std::make_unique<Journal>(file, facts, false));
+    facts.isAnotherGame = isThere;
+    journal_.keep(std::make_unique<Journal>(file(), facts, isThere));
   }
 
   Found find() const {
