@@ -38,14 +38,13 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
   ImGui::BeginChild(name, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
 }
 
-/// Returns the space beside the names of the tabs with which all are legible in this width.
-float tabPadding_px(float width_px) {
+/// Returns whether the names of all tabs fit in this width.
+bool tabsFitIn(float width_px) {
   using namespace texts::console;
-  constexpr std::array kTabs{kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab};
-  constexpr float kLeast_px = 2.0F, kEdge_px = 1.0F;
-  for (const char* tab : kTabs)
-    width_px -= ImGui::CalcTextSize(tab).x + ImGui::GetStyle().ItemInnerSpacing.x + kEdge_px;
-  return std::clamp(width_px / (2.0F * kTabs.size()), kLeast_px, ImGui::GetStyle().FramePadding.x);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  for (const char* tab : {kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab})
+    width_px -= ImGui::CalcTextSize(tab).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x + 1.0F;
+  return width_px >= 0.0F;
 }
 
 }  // namespace
@@ -185,13 +184,12 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
 }
 
 void Console::drawTabs(const ConsoleFrame& frame) {
-  const ImVec2 padding(tabPadding_px(ImGui::GetContentRegionAvail().x), ImGui::GetStyle().FramePadding.y);
-  if (!ImGui::BeginTabBar("##parts")) return;
-  const auto tab = [padding](const char* name, const auto& draw) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
-    const bool isOpen = ImGui::BeginTabItem(name);
-    ImGui::PopStyleVar();
-    if (!isOpen) return;
+  constexpr ImGuiTabBarFlags kListed =
+      ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
+  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x);
+  if (!ImGui::BeginTabBar("##parts", fits ? ImGuiTabBarFlags_None : kListed)) return;
+  const auto tab = [](const char* name, const auto& draw) {
+    if (!ImGui::BeginTabItem(name)) return;
     ImGui::BeginChild("##tab");
     draw();
     ImGui::EndChild();

@@ -9,7 +9,9 @@ cp "$config/scenarios/three-pucks.toml" "$out/game.toml"
 mpirun --allow-run-as-root --oversubscribe -n 2 "$carom" cave --rig "$out/room.toml" --scenario "$out/game.toml" \
   --session "$out/visit.db" 2>"$out/stderr" &
 job=$!
-sql() { sqlite3 "$out/visit.db" "$1" 2>/dev/null || echo 0; } # 0 of a file that may not be there yet
+sql() { # 0 of a file that is not there yet
+  if [ -s "$out/visit.db" ]; then sqlite3 "$out/visit.db" "$1" 2>/dev/null || echo 0; else echo 0; fi
+}
 frames() { # since the newest game began
   sql "SELECT count(*) FROM frame WHERE number >= (SELECT max(first_frame) FROM game)"
 }

@@ -7,7 +7,9 @@ set -uo pipefail
 pictures=${3:-}
 "$carom" cave --session "$out/visit.db" 2>"$out/stderr" &
 job=$!
-sql() { sqlite3 "$out/visit.db" "$1" 2>/dev/null || echo 0; } # 0 of a file that may not be there yet
+sql() { # 0 of a file that is not there yet
+  if [ -s "$out/visit.db" ]; then sqlite3 "$out/visit.db" "$1" 2>/dev/null || echo 0; else echo 0; fi
+}
 frames() { # since the game of this number began
   sql "SELECT count(*) FROM frame WHERE number >= (SELECT first_frame FROM game ORDER BY first_frame LIMIT 1 OFFSET $1 - 1)"
 }
