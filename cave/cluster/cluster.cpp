@@ -5,8 +5,6 @@
 #include <sched.h>
 #include <signal.h>
 #include <unistd.h>
-#define XXH_INLINE_ALL  // used as a header
-#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +19,7 @@
 
 #include "cave/process/termination.h"
 #include "engine/base/log.h"
+#include "engine/base/xxh3.h"
 
 namespace carom {
 namespace {
