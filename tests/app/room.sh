@@ -29,6 +29,7 @@ until_ok() { # for two minutes at most
 }
 now_ms() { echo $((${EPOCHREALTIME/./} / 1000)); }
 touch "$out/stderr"
+export TMPDIR=$out
 cd "$out"
 sed 's/^pixels = .*/pixels = [64, 64]/' "$config/rigs/four-walls-cluster.toml" >room.toml
 
@@ -135,8 +136,10 @@ line=$(tr '\0' ' ' <"/proc/$(pgrep -P "$job" -x mpirun)/cmdline")
 for part in "--frames $((999999 - last)) " "--scenario [^ ]*three-pucks.toml " "--switch colour=on "; do
   grep -qE -- "$part" <<<"$line" || fail "the session goes on with '$line', expected '$part' in it"
 done
-for rank in "${ranks[@]}"; do
-  ! ls -d "${TMPDIR:-/tmp}/carom-files-$rank-"* 2>/dev/null || fail "that is left of a process that is gone"
+folders=("$TMPDIR"/carom-files-*)
+[ -d "${folders[0]}" ] || fail "no folder holds what node 0 has handed over"
+for folder in "${folders[@]}"; do
+  ! flock -n "$folder" true || fail "$folder is left of a process that is gone"
 done
 echo "node 2 killed after frame $last: back after $took ms; a session that starts and draws one frame takes $usual"
 until_ok goesOn || fail "the session file does not go on"
