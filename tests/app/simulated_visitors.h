@@ -99,11 +99,11 @@ class SimulatedVisitors {
   /// Decides what the visitor does now: they come, stay for a while, and leave without a word.
   void visit(double now_s) {
     if (now_s < comes_s_) return;
-    if (mood_ == Mood::away && now_s > leaves_s_) leaves_s_ = now_s + random_.in(8.0, 50.0);
+    if (mood_ == Mood::away && now_s > leaves_s_) leaves_s_ = now_s + random_.in(8.0, 36.0);
     if (now_s > leaves_s_) {
       mood_ = Mood::away;
       const bool isQuiet = random_.in(0.0, 1.0) < 0.15;  // otherwise some come before all is put back
-      comes_s_ = now_s + kPatience_s + (isQuiet ? random_.in(60.0, 110.0) : random_.in(-20.0, 40.0));
+      comes_s_ = now_s + kPatience_s + (isQuiet ? random_.in(60.0, 110.0) : random_.in(-20.0, 20.0));
       return;
     }
     if (now_s < changes_s_) return;
