@@ -51,8 +51,9 @@ void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& d
   const NextGame next = programme_.look(
       {record.display_s, acted, record.drive.mode == DriveMode::tour, decision.head.pose.position_m},
       settings_.playing);
+  const bool isChosen = !nextGame_.file.empty() && !nextGame_.attracts && !awaitsShot_;
+  if (next.isForNextVisitor && !isChosen) return obey(WelcomeNextVisitor{}, decision);
   if (!nextGame_.file.empty() || next.file.empty()) return;
-  if (next.isForNextVisitor) return obey(WelcomeNextVisitor{}, decision);
   nextGame_ = next;
   awaitsShot_ = !next.attracts;
   if (awaitsShot_) decision.commands.emplace_back(ShowBestShot{true});

@@ -189,6 +189,24 @@ TEST_F(DirectorTest, TheBestShotEndsAGameOfThePlaylist) {
   }
 }
 
+// After 60 s without anybody a game is to attract people. Somebody comes while the walls go dark for it.
+TEST_F(DirectorTest, WhoComesWhileTheWallsGoDarkIsWelcomed) {
+  OperatorSettings settings;
+  settings.playing = "first.toml";
+  for (const bool comes : {false, true}) {
+    SCOPED_TRACE(comes);
+    FramePacer pacer;
+    FrameLeader leader(source_, KeysOf::session, settings, nullptr, 60.0);
+    int frame = 0;
+    for (decision_ = {}; !decision_.frame.record.last && frame < 100; ++frame)
+      leader.decide(pacer.next(), comes && frame == 61 ? pressing(GLFW_KEY_4) : WindowInput{}, decision_);
+    EXPECT_EQ(frame, 62);
+    const NextGame next = leader.takeNextGame();
+    EXPECT_EQ(next.attracts, !comes);
+    EXPECT_EQ(next.isForNextVisitor, comes);
+  }
+}
+
 TEST_F(DirectorTest, TheListOfKeysIsShownAndSaid) {
   frame(pressing(GLFW_KEY_H));
   EXPECT_TRUE(leader_.settings().keysShown);
