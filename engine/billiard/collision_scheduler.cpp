@@ -131,15 +131,10 @@ bool CollisionScheduler::hasDeferredBefore(double limit) {
   return false;
 }
 
-void CollisionScheduler::fetchDiscs(int found) const {
-  for (int n = 0; n < found; ++n) __builtin_prefetch(&discs_[near_[n]]);
-}
-
 // Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
-// they are needed, one kind after the other, as each is found by the one before: a puck's own, its cells, the
-// pucks in them.
+// they are needed, one kind after the other, as each is found by the one before: a puck's own, then its cells.
 void CollisionScheduler::prefetchUpcoming() {
-  constexpr int kOwn = DueQueue::kSoon - 1, kCells = 9, kDiscs = 4;  // events ahead
+  constexpr int kOwn = DueQueue::kSoon - 1, kCells = 7;  // events ahead
   const auto fetch = [&](int i) {
     __builtin_prefetch(&outlooks_[i]);
     __builtin_prefetch(&discs_[i]);
@@ -154,21 +149,12 @@ void CollisionScheduler::prefetchUpcoming() {
       if (own.next.kind == Kind::pair) fetch(own.next.with), __builtin_prefetch(&pucks_[own.next.with]);
     }
   }
-  if (const int i = queue_.soon(kDiscs); i >= 0) {
-    const Outlook& own = outlooks_[i];
-    const int axis = leavesFirst(i), cell = cells_.cellOf(i);
-    if (own.leavesCell < own.next.ownTime) {
-      const int way = wayAlong(i, axis);
-      fetchDiscs(cells_.findAhead(cells_.beside(cell, axis, way), axis, way, near_.data()));
-    } else {
-      fetchDiscs(cells_.findNear(cell, 1, near_.data()));
-    }
-  }
 }
 
 void CollisionScheduler::step(GameHistory& history) {
   const int i = queue_.first();
   clock_ = std::max(clock_, queue_.firstDue());
+  moveEpoch();
   if (pucks_.size() > kPucksInCache) prefetchUpcoming();
   const PredictedEvent predicted = outlooks_[i].next;
   if (outlooks_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
@@ -203,7 +189,7 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
     deferred_.push_back(i);
     return;
   }
-  if (pucks_.size() > kPucksInCache) fetchDiscs(cells_.findNear(cells_.cellOf(j), 1, near_.data()));
+  if (pucks_.size() > kPucksInCache) cells_.fetchNear(cells_.cellOf(j));
   const bool inOrder = i < j;
   PredictedEvent ordered = a;
   if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
@@ -242,11 +228,12 @@ bool CollisionScheduler::waitsForItself(int i) const {
 void CollisionScheduler::changeCell(int i, int axis) {
   const int way = wayAlong(i, axis);
   const int into = cells_.beside(cells_.cellOf(i), axis, way);
-  cells_.move(i, into);
+  cells_.move(i, into, coarseFlightOf(i));
   findCellExit(i);
   const PredictedEvent& before = outlooks_[i].next;
   PredictedEvent best = before;
-  considerPairs(i, cells_.findAhead(into, axis, way, near_.data()), best);
+  cells_.findAhead(into, axis, way, found_);
+  considerPairs(i, best);
   considerCushions(i, best);
   if (best.ownTime == before.ownTime && best.with == before.with) return schedule(i);
   setPredictedEvent(i, best);

@@ -44,6 +44,7 @@ class CollisionScheduler {
 
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t kPucksWithoutCells = 32;
 
   enum class Kind : unsigned char { none, turn, stroke, cushion, pair };  // in the order of equal times
   // The next event of a puck.
@@ -140,7 +141,6 @@ class CollisionScheduler {
   void step(GameHistory& history);
   bool hasDeferredBefore(double limit);
   void prefetchUpcoming();
-  void fetchDiscs(int found) const;
   void meet(int i, GameHistory& history);
   bool waitsForItself(int i) const;
   void changeCell(int i, int axis);
@@ -149,11 +149,15 @@ class CollisionScheduler {
   void predict(int i);
   void predictAll();
   int enterCell(int i);
+  void moveEpoch();
+  CoarseFlight coarseFlightOf(int i) const { return coarseFlight(discs_[i], epoch_); }
+  // Games of few pucks compare all with all.
+  bool usesCells() const { return pucks_.size() > kPucksWithoutCells; }
   void layOutCells();
   void considerCushions(int i, PredictedEvent& best) const;
   void considerCushion(int i, int cushion, PredictedEvent& best) const;
   void considerStrokes(int i, PredictedEvent& best) const;
-  void considerPairs(int i, int found, PredictedEvent& best);
+  void considerPairs(int i, PredictedEvent& best);
   void considerPair(int i, int other, PredictedEvent& best);
   static bool isEarlier(double ownTime, int with, const PredictedEvent& than);
   std::optional<Meeting> meetingOf(int first, int second) const;
@@ -285,6 +289,8 @@ class CollisionScheduler {
   std::vector<PuckSpin> spins_;
   DueQueue queue_;
   CellGrid cells_;
+  double epoch_ = 0.0;            // the board time of the flights in the cells
+  FoundFlights found_;            // scratch: neighbours
   std::vector<int> near_, void_;  // scratch
   std::vector<Member> members_;   // scratch: the jam that is being settled
   std::vector<Press> presses_;
