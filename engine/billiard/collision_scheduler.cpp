@@ -132,30 +132,44 @@ bool CollisionScheduler::hasDeferredBefore(double limit) {
 }
 
 // Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
-// they are needed, one kind after the other, as each is found by the one before: a puck's own, then its cells.
-void CollisionScheduler::prefetchUpcoming() {
-  constexpr int kOwn = DueQueue::kSoon - 1, kCells = 7;  // events ahead
+// they are needed, one kind after the other, as each is found by the one before: a puck's own, those of the one
+// that it meets, and their cells.
+void CollisionScheduler::prefetchUpcoming(const GameHistory& history) {
+  constexpr int kOwn = DueQueue::kSoon, kOthers = 11, kCells = 6;  // events ahead
   const auto fetch = [&](int i) {
     __builtin_prefetch(&outlooks_[i]);
     __builtin_prefetch(&discs_[i]);
     cells_.fetchCellOf(i);
+    queue_.fetch(i);
   };
-  if (const int i = queue_.soon(kOwn); i >= 0) fetch(i);
-  if (const int i = queue_.soon(kCells); i >= 0) {
+  const auto fetchState = [&](int i) {
+    const char* const state = reinterpret_cast<const char*>(&pucks_[i]);
+    for (std::size_t byte = 0; byte < sizeof(PuckState); byte += 64) __builtin_prefetch(state + byte);
+  };
+  queue_.lookAhead(0, kOwn, fetch);
+  queue_.lookAhead(1, kOthers, [&](int i) {
     const Outlook& own = outlooks_[i];
     cells_.fetchNear(cells_.cellOf(i));
-    if (!(own.leavesCell < own.next.ownTime)) {
-      __builtin_prefetch(&pucks_[i]);
-      if (own.next.kind == Kind::pair) fetch(own.next.with), __builtin_prefetch(&pucks_[own.next.with]);
-    }
-  }
+    if (own.leavesCell < own.next.ownTime) return;
+    fetchState(i);
+    if (own.next.kind == Kind::pair) fetch(own.next.with), fetchState(own.next.with);
+  });
+  queue_.lookAhead(2, kCells, [&](int i) {
+    const Outlook& own = outlooks_[i];
+    if (own.leavesCell < own.next.ownTime) return;
+    history.fetch(pucks_[i].file);
+    if (own.firstDependent >= 0) __builtin_prefetch(&outlooks_[own.firstDependent]);
+    if (own.next.kind != Kind::pair) return;
+    cells_.fetchNear(cells_.cellOf(own.next.with));
+    history.fetch(pucks_[own.next.with].file);
+  });
 }
 
 void CollisionScheduler::step(GameHistory& history) {
   const int i = queue_.first();
   clock_ = std::max(clock_, queue_.firstDue());
   moveEpoch();
-  if (pucks_.size() > kPucksInCache) prefetchUpcoming();
+  if (pucks_.size() > kPucksInCache) prefetchUpcoming(history);
   const PredictedEvent predicted = outlooks_[i].next;
   if (outlooks_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
   switch (predicted.kind) {
@@ -189,7 +203,6 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
     deferred_.push_back(i);
     return;
   }
-  if (pucks_.size() > kPucksInCache) cells_.fetchNear(cells_.cellOf(j));
   const bool inOrder = i < j;
   PredictedEvent ordered = a;
   if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);

@@ -140,7 +140,7 @@ class CollisionScheduler {
   void flashUntil(double limit, GameHistory& history);
   void step(GameHistory& history);
   bool hasDeferredBefore(double limit);
-  void prefetchUpcoming();
+  void prefetchUpcoming(const GameHistory& history);
   void meet(int i, GameHistory& history);
   bool waitsForItself(int i) const;
   void changeCell(int i, int axis);
