@@ -10,6 +10,8 @@
 #include <cstring>
 #include <vector>
 
+#include "engine/base/large_pages.h"
+#include "engine/base/prefetch.h"
 #include "engine/collision/coarse_flight.h"
 
 namespace carom {
@@ -104,13 +106,21 @@ class CellGrid {
     }
   }
   static constexpr int kSpare = 3;
-  // Prefetch from memory: in which cell an item is, and `cell` with those around it.
-  void fetchCellOf(int item) const { __builtin_prefetch(&cellOf_[item]); }
+  // Prefetch from memory: in which cell an item is; `cell` with those around it; `cell` and what `findAhead`
+  // reads.
+  void fetchCellOf(int item) const { prefetch(&cellOf_[item]); }
+  void fetch(int cell) const { prefetch(&blocks_[cell]); }
   void fetchNear(int cell) const {
     const int column = indexOf(cell, 0), row = indexOf(cell, 1);
-    for (int beside = std::max(0, row - 1); beside <= std::min(rows_ - 1, row + 1); ++beside) {
-      for (int k = std::max(0, column - 1); k <= std::min(columns_ - 1, column + 1); ++k)
-        __builtin_prefetch(&blocks_[cellIn(k, beside)]);
+    fetchBlocks(column - 1, column + 1, row - 1, row + 1);
+  }
+  void fetchAhead(int cell, int axis, int step) const {
+    const int column = indexOf(cell, 0), row = indexOf(cell, 1);
+    prefetch(&blocks_[cell]);
+    if (axis == 0) {
+      fetchBlocks(column + step, column + step, row - 1, row + 1);
+    } else {
+      fetchBlocks(column - 1, column + 1, row + step, row + step);
     }
   }
 
@@ -155,6 +165,13 @@ class CellGrid {
         for (int block = cellIn(column, row); block != kNone; block = blocks_[block].more)
           visit(blocks_[block]);
       }
+    }
+  }
+  void fetchBlocks(int columnLow, int columnHigh, int rowLow, int rowHigh) const {
+    columnLow = std::max(0, columnLow), columnHigh = std::min(columns_ - 1, columnHigh);
+    rowLow = std::max(0, rowLow), rowHigh = std::min(rows_ - 1, rowHigh);
+    for (int row = rowLow; row <= rowHigh; ++row) {
+      for (int column = columnLow; column <= columnHigh; ++column) prefetch(&blocks_[cellIn(column, row)]);
     }
   }
   int findIn(int columnLow, int columnHigh, int rowLow, int rowHigh, int* found) const {
@@ -221,8 +238,8 @@ class CellGrid {
   double lowX_ = 0.0, lowY_ = 0.0, cell_ = 1.0, perCell_ = 1.0;
   int columns_ = 1, rows_ = 1;
   int rowShift_ = 0;           // a row of cells has room for 2^rowShift_
-  std::vector<Block> blocks_;  // by cell, then those for more items
-  std::vector<int> cellOf_;    // by item
+  LargeArray<Block> blocks_;  // by cell, then those for more items
+  LargeArray<int> cellOf_;    // by item
   int free_ = kNone;           // the first of the blocks for more items that hold none
 };
 

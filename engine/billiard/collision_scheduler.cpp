@@ -137,28 +137,27 @@ bool CollisionScheduler::hasDeferredBefore(double limit) {
 void CollisionScheduler::prefetchUpcoming(const GameHistory& history) {
   constexpr int kOwn = DueQueue::kSoon, kOthers = 11, kCells = 6;  // events ahead
   const auto fetch = [&](int i) {
-    __builtin_prefetch(&outlooks_[i]);
-    __builtin_prefetch(&discs_[i]);
+    prefetch(&outlooks_[i]);
+    prefetch(&discs_[i]);
     cells_.fetchCellOf(i);
     queue_.fetch(i);
-  };
-  const auto fetchState = [&](int i) {
-    const char* const state = reinterpret_cast<const char*>(&pucks_[i]);
-    for (std::size_t byte = 0; byte < sizeof(PuckState); byte += 64) __builtin_prefetch(state + byte);
   };
   queue_.lookAhead(0, kOwn, fetch);
   queue_.lookAhead(1, kOthers, [&](int i) {
     const Outlook& own = outlooks_[i];
-    cells_.fetchNear(cells_.cellOf(i));
-    if (own.leavesCell < own.next.ownTime) return;
-    fetchState(i);
-    if (own.next.kind == Kind::pair) fetch(own.next.with), fetchState(own.next.with);
+    const int cell = cells_.cellOf(i), axis = leavesFirst(i);
+    cells_.fetch(cell);
+    if (own.leavesCell < own.next.ownTime)
+      return cells_.fetchAhead(cells_.beside(cell, axis, wayAlong(i, axis)), axis, wayAlong(i, axis));
+    cells_.fetchNear(cell);
+    prefetch(&pucks_[i], sizeof(PuckState));
+    if (own.next.kind == Kind::pair) fetch(own.next.with), prefetch(&pucks_[own.next.with], sizeof(PuckState));
   });
   queue_.lookAhead(2, kCells, [&](int i) {
     const Outlook& own = outlooks_[i];
     if (own.leavesCell < own.next.ownTime) return;
     history.fetch(pucks_[i].file);
-    if (own.firstDependent >= 0) __builtin_prefetch(&outlooks_[own.firstDependent]);
+    if (own.firstDependent >= 0) prefetch(&outlooks_[own.firstDependent]);
     if (own.next.kind != Kind::pair) return;
     cells_.fetchNear(cells_.cellOf(own.next.with));
     history.fetch(pucks_[own.next.with].file);

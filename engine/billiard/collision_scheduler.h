@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/large_pages.h"
 #include "engine/billiard/billiard_setup.h"
 #include "engine/billiard/cell_grid.h"
 #include "engine/billiard/due_queue.h"
@@ -283,9 +284,9 @@ class CollisionScheduler {
       flashes_;  // in the order of time, beside their place in the setup
 
   // The state of the game, by puck.
-  std::vector<Disc> discs_;  // the legs being followed; the search for partners reads them
-  std::vector<Outlook> outlooks_;
-  std::vector<PuckState> pucks_;
+  LargeArray<Disc> discs_;  // the legs being followed; the search for partners reads them
+  LargeArray<Outlook> outlooks_;
+  LargeArray<PuckState> pucks_;
   std::vector<PuckSpin> spins_;
   DueQueue queue_;
   CellGrid cells_;

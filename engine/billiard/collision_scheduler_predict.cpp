@@ -152,8 +152,8 @@ void CollisionScheduler::considerPairs(int i, PredictedEvent& best) {
     }
   }
   for (int k = 0; k < kept; ++k) {
-    __builtin_prefetch(&discs_[near[k]]);
-    __builtin_prefetch(&outlooks_[near[k]]);
+    prefetch(&discs_[near[k]]);
+    prefetch(&outlooks_[near[k]]);
   }
   for (int k = 0; k < kept; ++k) {
     if (braked || mayMeet(discs_[i], discs_[near[k]], convention_)) considerPair(i, near[k], best);

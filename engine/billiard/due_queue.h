@@ -11,6 +11,8 @@
 #include <array>
 #include <limits>
 #include <vector>
+#include "engine/base/large_pages.h"
+#include "engine/base/prefetch.h"
 
 namespace carom {
 
@@ -43,7 +45,7 @@ class DueQueue {
   static constexpr int kStages = 3;
   static constexpr int kSoon = 16;  // after `first`, fewer are known only where the heap is empty
   /// Prefetches an item's time from memory.
-  void fetch(int item) const { __builtin_prefetch(&items_[item]); }
+  void fetch(int item) const { prefetch(&items_[item]); }
 
   void setDue(int item, double time) {
     Item& own = items_[item];
@@ -189,7 +191,7 @@ class DueQueue {
   std::array<int, kStages> seen_{};  // places of the first that the stages of `lookAhead` have not visited
   int size_ = 0;  // of the heap
   std::vector<Family> families_;
-  std::vector<Item> items_;
+  LargeArray<Item> items_;
 };
 
 }  // namespace carom
