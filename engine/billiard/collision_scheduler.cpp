@@ -157,10 +157,11 @@ void CollisionScheduler::prefetchUpcoming(const GameHistory& history) {
     const Outlook& own = outlooks_[i];
     if (own.leavesCell < own.next.ownTime) return;
     history.fetch(pucks_[i].file);
-    if (own.firstDependent >= 0) prefetch(&outlooks_[own.firstDependent]);
+    if (own.firstDependent >= 0) fetch(own.firstDependent);
     if (own.next.kind != Kind::pair) return;
     cells_.fetchNear(cells_.cellOf(own.next.with));
     history.fetch(pucks_[own.next.with].file);
+    if (const int dependent = outlooks_[own.next.with].firstDependent; dependent >= 0) fetch(dependent);
   });
 }
 
@@ -201,6 +202,11 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
     queue_.setDue(i, std::nextafter(std::max(queue_.due(i), queue_.due(j)), kNever));
     deferred_.push_back(i);
     return;
+  }
+  if (pucks_.size() > kPucksInCache) {
+    for (const int dependent : {outlooks_[i].firstDependent, outlooks_[j].firstDependent}) {
+      if (dependent >= 0) cells_.fetchNear(cells_.cellOf(dependent));
+    }
   }
   const bool inOrder = i < j;
   PredictedEvent ordered = a;

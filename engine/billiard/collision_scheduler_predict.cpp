@@ -154,6 +154,7 @@ void CollisionScheduler::considerPairs(int i, PredictedEvent& best) {
   for (int k = 0; k < kept; ++k) {
     prefetch(&discs_[near[k]]);
     prefetch(&outlooks_[near[k]]);
+    queue_.fetch(near[k]);
   }
   for (int k = 0; k < kept; ++k) {
     if (braked || mayMeet(discs_[i], discs_[near[k]], convention_)) considerPair(i, near[k], best);

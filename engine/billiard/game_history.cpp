@@ -40,6 +40,7 @@ void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Turning& turnin
                      leg.properTime, turning, static_cast<std::uint32_t>(puck)};
   if (lines_.size() <= kFewPucks) return append(added);
   newLegs_.push_back(added);
+  prefetch(&newLegs_.back() + 4, sizeof(NewLeg));
   if (newLegs_.size() >= std::max(kNewLegs, kNewLegsPerPuck * lines_.size())) complete();
 }
 
