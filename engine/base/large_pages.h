@@ -2,8 +2,8 @@
 // Memory in large pages, for arrays that are read here and there: the processor then finds with few entries
 // of its tables where they are.
 
-#include <algorithm>
 #include <sys/mman.h>
+#include <algorithm>
 
 #include <cstddef>
 #include <cstdlib>

@@ -237,10 +237,10 @@ class CellGrid {
 
   double lowX_ = 0.0, lowY_ = 0.0, cell_ = 1.0, perCell_ = 1.0;
   int columns_ = 1, rows_ = 1;
-  int rowShift_ = 0;           // a row of cells has room for 2^rowShift_
+  int rowShift_ = 0;          // a row of cells has room for 2^rowShift_
   LargeArray<Block> blocks_;  // by cell, then those for more items
   LargeArray<int> cellOf_;    // by item
-  int free_ = kNone;           // the first of the blocks for more items that hold none
+  int free_ = kNone;          // the first of the blocks for more items that hold none
 };
 
 }  // namespace carom

@@ -151,7 +151,8 @@ void CollisionScheduler::prefetchUpcoming(const GameHistory& history) {
       return cells_.fetchAhead(cells_.beside(cell, axis, wayAlong(i, axis)), axis, wayAlong(i, axis));
     cells_.fetchNear(cell);
     prefetch(&pucks_[i], sizeof(PuckState));
-    if (own.next.kind == Kind::pair) fetch(own.next.with), prefetch(&pucks_[own.next.with], sizeof(PuckState));
+    if (own.next.kind == Kind::pair)
+      fetch(own.next.with), prefetch(&pucks_[own.next.with], sizeof(PuckState));
   });
   queue_.lookAhead(2, kCells, [&](int i) {
     const Outlook& own = outlooks_[i];

@@ -189,7 +189,7 @@ class DueQueue {
   std::array<Entry, 8 * kSoon> soon_;  // the places from begin_ to end_: all that are due before the heap's
   int begin_ = 0, end_ = 0;
   std::array<int, kStages> seen_{};  // places of the first that the stages of `lookAhead` have not visited
-  int size_ = 0;  // of the heap
+  int size_ = 0;                     // of the heap
   std::vector<Family> families_;
   LargeArray<Item> items_;
 };
