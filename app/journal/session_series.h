@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// Returns the file of the next game, after those that exist.
+/// Returns the file of the next game, after those that exist; the first if there is none.
 std::filesystem::path fileAfter(const std::filesystem::path& first);
 
 /// Returns the name with today's date in the place of its date ("monday-%F.db", as strftime has it). Throws
