@@ -42,6 +42,7 @@ struct Scene {
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   int finer = 1;                        ///< how many times finer than its meshes what rests may be drawn
+  static constexpr int kMostFiner = 8;  ///< the most of these
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
   std::vector<ScenePart>
       casters;  ///< table and hall, undivided: what throws shadows (cave/scene/baked_light.h)
