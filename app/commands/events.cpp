@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "app/commands/session_options.h"
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
@@ -55,9 +56,10 @@ Subject played(const Scenario& scenario, double until_s) {
 }
 
 /// Returns the final state of the recorded game.
-Subject recorded(const std::filesystem::path& file, const std::optional<double>& until_s) {
-  SessionFile session(file);
+Subject recorded(const EventsOptions& options) {
+  SessionFile session(options.source, options.game);
   const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
+  sayGame(session, scenario.title);
   Subject subject = subjectOf(scenario);
   subject.isSession = true;
   World world{startingHistories(scenario), {}};
@@ -67,13 +69,14 @@ Subject recorded(const std::filesystem::path& file, const std::optional<double>&
     subject.head.push_back({state.record.number, observer.middle.observation, observer.properTime_s});
   }
   if (subject.head.empty())
-    throw std::runtime_error(fmt::format("session file {}: it ended before its first frame", file.string()));
+    throw std::runtime_error(
+        fmt::format("session file {}: it ended before its first frame", options.source.string()));
   subject.events = std::move(world.events);
   // A lesson repeats a part of its game, so that its last frame need not be the latest on the board.
   const auto latest =
       std::max_element(subject.head.begin(), subject.head.end(),
                        [](const auto& a, const auto& b) { return a.event.t_s < b.event.t_s; });
-  keepUntil(subject.events, until_s.value_or(latest->event.t_s));
+  keepUntil(subject.events, options.until_s.value_or(latest->event.t_s));
   return subject;
 }
 
@@ -149,11 +152,12 @@ std::string pairText(const EventRow& row, const EventRow& next, double c_m_s, bo
   std::string text = fmt::format("  {:>3} to {:>3}   ", row.event.number, next.event.number);
   switch (relation.separation) {
     case Separation::timelike:
-      text += fmt::format("timelike: a clock that goes from one to the other, at v/c = {}, counts {:.4f} s",
-                          vectorText(*relation.beta), relation.length_m / c_m_s);
+      text += fmt::format(
+          "timelike: proper time {:.4f} s for a clock that moves from one to the other at v/c = {}",
+          relation.length_m / c_m_s, vectorText(*relation.beta));
       break;
     case Separation::lightlike:
-      return text + "lightlike: light can go from one to the other\n";
+      return text + "lightlike: light that leaves one arrives at the other\n";
     case Separation::spacelike:
       text += fmt::format("spacelike: simultaneous, {:.4f} m apart, for an observer moving at v/c = {}",
                           relation.length_m, vectorText(*relation.beta));
@@ -186,7 +190,7 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   if (moves) {
     text += fmt::format("   {:>6} {:>9} {:>8} {:>8} {:>8}", "order'", "t' s", "x' m", "y' m", "z' m");
   }
-  if (subject.isSession) text += fmt::format("   {:>6} {:>9} {:>9}", "seen:", "t s", "own s");
+  if (subject.isSession) text += fmt::format("   {:>6} {:>9} {:>9}", "seen:", "t s", "proper s");
   for (std::size_t i = 1; i <= options.places_m.size(); ++i)
     text += fmt::format("   {:>9}", fmt::format("place {} s", i));
   text += '\n';
@@ -204,9 +208,10 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   }
   if (std::any_of(rows.begin(), rows.end(), [](const EventRow& row) { return row.event.withoutDelay; })) {
     text +=
-        "* without delay: they were in contact already, and the kick did not wait for news from this event\n";
+        "* without delay: they were in contact already, and the kick did not wait for a signal from this "
+        "event\n";
   }
-  if (rows.size() > 1) text += "\neach and the next:\n";
+  if (rows.size() > 1) text += "\neach event and the next:\n";
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)
     text += pairText(rows[i], rows[i + 1], subject.c_m_s, moves);
   return text;
@@ -217,7 +222,7 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
 int runEvents(const EventsOptions& options) {
   const bool isScenario = options.source.extension() == ".toml";
   Subject subject = isScenario ? played(readScenario(options.source), options.until_s.value_or(kPlayed_s))
-                               : recorded(options.source, options.until_s);
+                               : recorded(options);
   if (isScenario && !options.until_s)
     log::note(
         fmt::format("The scenario was played for {:g} s of board time; --until S plays on.", kPlayed_s));
@@ -264,6 +269,7 @@ void addEvents(CLI::App& app, int& status) {
   command->add_option("SOURCE", line->options.source, "Session file or scenario")
       ->required()
       ->transform(shipped({"scenarios"}));
+  addGame(*command, line->options.game);
   command
       ->add_option("--velocity", line->velocity,
                    "Velocity v/c on the board of another frame, in which the events are listed as well")
@@ -278,7 +284,7 @@ void addEvents(CLI::App& app, int& status) {
   command
       ->add_option(
           "--place", line->places,
-          "Place on the board (m) of a person at rest: when the light of each event reaches them. May "
+          "Place on the board (m) of an observer at rest: when the light of each event reaches them. May "
           "be given several times")
       ->type_name("X Y Z")
       ->allow_extra_args(false);
@@ -293,7 +299,7 @@ void addEvents(CLI::App& app, int& status) {
       ->type_name("FILE");
   command->footer(
       "For a session, the list also tells in which drawn frame and when the light of each event reached the\n"
-      "person's head.\n"
+      "observer's head.\n"
       "Examples:\n  carom events game.db --velocity 0.5 0 0\n"
       "  carom events two-cushions --until 2 --velocity 0.5 0 0 --place 0 -1 0.3 --csv events.csv");
   command->callback([line, &status] { status = runEvents(optionsOf(*line)); });

@@ -10,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/commands/session_options.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
@@ -73,11 +74,12 @@ class WholeFolder {
 
 /// The session that is exported.
 struct Recorded {
-  explicit Recorded(const std::filesystem::path& file)
-      : session(file),
+  Recorded(const std::filesystem::path& file, std::optional<std::size_t> number)
+      : session(file, number),
         rig(readRig(session.facts().rig, session.facts().rigText)),
         scenario(readScenario(session.facts().scenario, session.facts().scenarioText)),
         game(wholeGame(session, startingHistories(scenario))) {
+    sayGame(session, scenario.title);
     if (!session.frames())
       throw std::runtime_error(
           fmt::format("session file {}: it ended before its first frame", file.string()));
@@ -200,7 +202,7 @@ class Progress {
 }  // namespace
 
 int runExport(const ExportOptions& options) {
-  Recorded recorded(options.session);
+  Recorded recorded(options.session, options.game);
   std::optional<WholeFile> csv;
   std::optional<Series> series;
   if (options.csv) csv.emplace(*options.csv).add(kColumns);
@@ -236,6 +238,7 @@ void addExport(CLI::App& app, int& status) {
       "export", "Write what was seen in a recorded session as numbers, or as meshes for ParaView");
   auto options = std::make_shared<ExportOptions>();
   command->add_option("SESSION", options->session, "Session file")->required();
+  addGame(*command, options->game);
   command
       ->add_option("--observer", options->observer,
                    "Trace of another person's head, in the room: what they see of the same game")

@@ -14,6 +14,7 @@ namespace carom {
 
 struct ExportOptions {
   std::filesystem::path session;
+  std::optional<std::size_t> game;                ///< of the session, from 1; by default the newest
   std::optional<std::filesystem::path> observer;  ///< trace of another viewer's head (room axes)
   std::uint64_t every = 1;                        ///< exports the frames whose numbers are multiples of this
   std::optional<std::filesystem::path> csv;       ///< "-": standard output

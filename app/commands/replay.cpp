@@ -27,7 +27,7 @@ bool isVisit(const ReplayOptions& options) {
 
 /// Opens the session file and takes rig and scenario from it.
 std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOptions& inputs) {
-  auto session = std::make_unique<SessionFile>(options.session);
+  auto session = std::make_unique<SessionFile>(options.session, options.game);
   if (!session->frames()) {
     throw std::runtime_error(
         fmt::format("session file {}: it ended before its first frame", options.session.string()));
@@ -94,6 +94,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
   SessionSetup setup = setUpSession(cluster, inputs);
+  if (session) sayGame(*session, setup.scenario.title);
   const bool visible = !options.noWindow;
   OperatorWindows windows = openWindows(cluster, setup, KeysOf::replay);
   Frames frames;
@@ -171,6 +172,7 @@ void addReplay(CLI::App& app, int& status) {
       app.add_subcommand("replay", "Show a recorded session again, as it was or as another person sees it");
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("SESSION", options->session, "Session file")->required();
+  addGame(*command, options->game);
   addVisitor(*command, options);
   command
       ->add_option("--at", options->at_s,

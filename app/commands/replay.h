@@ -16,6 +16,7 @@ namespace carom {
 
 struct ReplayOptions {
   std::filesystem::path session;
+  std::optional<std::size_t> game;                ///< of the session, from 1; by default the newest
   std::optional<std::filesystem::path> observer;  ///< trace of another viewer's head (room axes)
   bool walk = false;                              ///< another viewer, whose head the rig's tracker follows
   std::optional<Vec3> beta;                       ///< v/c of the other viewer's room on the board

@@ -153,7 +153,7 @@ std::optional<Progress> progressOf(const std::filesystem::path& session) try {
   if (!std::filesystem::exists(session)) return {};
   constexpr bool kQuiet = true;
   const std::filesystem::path newest = newestOf(session);
-  const auto frames = SessionFile(newest, kQuiet).frames();
+  const auto frames = SessionFile(newest, {}, kQuiet).frames();
   return Progress{newest, frames ? frames->second : 0};  // a game may have begun and shown nothing yet
 } catch (const std::exception&) {
   return {};

@@ -38,6 +38,15 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
   ImGui::BeginChild(name, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
 }
 
+/// Returns whether the names of all tabs fit in this width.
+bool tabsFitIn(float width_px) {
+  using namespace texts::console;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  for (const char* tab : {kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab})
+    width_px -= ImGui::CalcTextSize(tab).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x + 1.0F;
+  return width_px >= 0.0F;
+}
+
 }  // namespace
 
 Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
@@ -175,7 +184,10 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
 }
 
 void Console::drawTabs(const ConsoleFrame& frame) {
-  if (!ImGui::BeginTabBar("##parts")) return;
+  constexpr ImGuiTabBarFlags kListed =
+      ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
+  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x);
+  if (!ImGui::BeginTabBar("##parts", fits ? ImGuiTabBarFlags_None : kListed)) return;
   const auto tab = [](const char* name, const auto& draw) {
     if (!ImGui::BeginTabItem(name)) return;
     ImGui::BeginChild("##tab");

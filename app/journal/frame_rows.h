@@ -22,6 +22,9 @@ std::string frameTables();
 /// The version before the columns of the score and of comfort; in its files, too, these are read as 0.
 inline constexpr int kVersion5 = 5;
 
+/// The version before the table of the games.
+inline constexpr int kVersion6 = 6;
+
 /// Adds the columns that a file of version 4 or 5 lacks, with 0 in every row.
 void addColumns(SQLite::Database& database);
 

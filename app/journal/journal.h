@@ -5,6 +5,9 @@
 //   session(key, value)
 //       The session's setup: program, rig and scenario with their texts, light speed, start (UTC); also the
 //       end, once the session was closed properly.
+//   game(first_frame, first_event, started_utc, scenario_file, scenario, light_speed_m_s)
+//       The games of the session, one after the other: its frames and events are those from first_frame and
+//       first_event up to the next game's. The first game is also that of the table session.
 //   frame(number, display_s, proper_time_s, t_s, x_m, y_m, z_m, switches, views, beside, truncate_from_s, …,
 //         known, celerity_x_m_s …)
 //       One row per frame: each field of its record (cave/frame/frame_state.h) in its own column
@@ -19,12 +22,12 @@
 //       angle_rad …: how the body turns (engine/spacetime/world_line.h).
 //       Bodies are numbered as in the scenario: 0 the board, then the pucks, then the scripted bodies.
 //   frame_event(frame, number, kind, cushion, which, t_s, x_m, y_m, z_m, without_delay, heat_j, turns, …)
-//       Events that a frame added to the list (engine/billiard/game_event.h), each with its turns, whose
+//       Events that a frame added to the game's list (engine/billiard/game_event.h), each with its turns, whose
 //       number is `turns`. kind is the value of EventKind, cushion that of Cushion plus 1; 0 is none. Events
 //       that a later stroke invalidated stay here, because they were shown.
 //   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j, without_delay)
 //       The final events: rows that a stroke invalidated are deleted. Numbers are in the order in which the
-//       simulation found the events. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names,
+//       simulation found the events; a game's first one has the number first_event. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names,
 //       separated by commas. t_s … z_m: the contact, the hand's stroke, the flash. without_delay: 1 if the
 //       contact existed already and the kick did not wait for its signal (engine/billiard/game_event.h),
 //       else 0. The game is known a little further than it was seen.
@@ -39,7 +42,8 @@
 //   answer(frame, lesson, question, answer)
 //       Answers of visitors.
 //   run(first_frame, started_utc, program)
-//       Each run of the program that wrote to this file: the first, and one per continuation of the session.
+//       Each time that writing began: the first, and one for each continuation of the session and each further
+//       game.
 //   sample(time_s, sensor, x_m, y_m, z_m, qw, qx, qy, qz)
 //       Samples of the head's tracker.
 //   latency(display_s, frame, node, part, frames, median_s, p99_s, most_s, jitter_s)
@@ -49,7 +53,7 @@
 //       node and second.
 // Numbers in frame, knot and frame_event are stored exactly: zero as an integer, NaN as NULL. `PRAGMA
 // user_version` is the version of this list. Files of version 3, which stored records as raw bytes, and of
-// version 4, which did not know of spins, can be read, and are converted to this version when the session is
+// versions 4 to 6, which did not know of spins, of the score or of several games, can be read, and are converted to this version when the session is
 // continued.
 
 #include <chrono>

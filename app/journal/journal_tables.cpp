@@ -3,8 +3,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
+
+#include "app/journal/session_games.h"
 
 namespace carom {
 namespace {
@@ -92,6 +95,7 @@ void JournalTables::make(const SessionFacts& facts) {
   put(row, "rig", facts.rigText);
   put(row, "scenario_file", std::filesystem::absolute(facts.scenario).string());
   put(row, "scenario", facts.scenarioText);
+  addGames(database_);
   transaction.commit();
 }
 
@@ -103,10 +107,11 @@ void JournalTables::refuse(const std::string& what) const {
 
 // A second connection reads the old tables until the transaction ends.
 void JournalTables::convert() {
-  if (version() == kVersion4 || version() == kVersion5) {
+  if (version() >= kVersion4) {
     SQLite::Transaction transaction(database_);
     addColumns(database_);
     if (version() == kVersion4) addSpinsOfTurns();
+    addGames(database_);
     setVersion();
     transaction.commit();
     return;
@@ -145,6 +150,7 @@ void JournalTables::convert() {
     refuse(fmt::format("frame {}: {}", *number, error.what()));
   }
   addSpinsOfTurns();
+  addGames(database_);
   setVersion();
   transaction.commit();
 }
@@ -163,8 +169,12 @@ void JournalTables::begin(const SessionFacts& facts) {
   if (version() != kJournalVersion)
     refuse(fmt::format("version {} of the tables, expected version {}", version(), kJournalVersion));
   frames_.emplace(database_);
-  listed_ = static_cast<std::uint64_t>(
+  removeEmptyGames(database_);
+  if (facts.isAnotherGame) addGame(database_, facts);
+  firstEvent_ = firstEventOfNewest(database_);
+  const auto events = static_cast<std::uint64_t>(
       database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM event").getInt64());
+  listed_ = events - std::min(firstEvent_, events);
   const std::int64_t first =
       database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM frame").getInt64();
   SQLite::Statement row(database_, "INSERT INTO run VALUES(?, ?, ?)");
@@ -222,7 +232,7 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
   if (kept < listed_) {
     for (const char* sql : {"DELETE FROM event WHERE number >= ?", "DELETE FROM turn WHERE event >= ?"}) {
       SQLite::Statement old(database_, sql);
-      put(old, kept);
+      put(old, firstEvent_ + kept);
     }
     listed_ = kept;
   }
@@ -233,10 +243,11 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
     std::string pucks;
     for (const Turn& turn : event.turns) {
       pucks += (pucks.empty() ? "" : ", ") + nameOf(turn.puck);
-      put(turnRow, event.number, nameOf(turn.puck), turn.event.t_s, turn.event.r_m, turn.betaBefore,
-          turn.betaAfter, turn.properTime_s, turn.spinBefore_kg_m2_s, turn.spinAfter_kg_m2_s);
+      put(turnRow, firstEvent_ + event.number, nameOf(turn.puck), turn.event.t_s, turn.event.r_m,
+          turn.betaBefore, turn.betaAfter, turn.properTime_s, turn.spinBefore_kg_m2_s,
+          turn.spinAfter_kg_m2_s);
     }
-    put(row, event.number, carom::nameOf(event.kind), pucks,
+    put(row, firstEvent_ + event.number, carom::nameOf(event.kind), pucks,
         event.cushion ? carom::nameOf(*event.cushion) : std::string_view(), event.at.t_s, event.at.r_m,
         event.heat_j, event.withoutDelay ? 1 : 0);
     listed_ = event.number + 1;

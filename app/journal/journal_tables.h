@@ -62,10 +62,10 @@ class JournalTables {
   /// Creates the tables of a new file.
   void make(const SessionFacts& facts);
   int version();
-  /// Converts a file of version 3 to 5 to this version. Throws std::runtime_error, and leaves the file as it was,
+  /// Converts a file of version 3 to 6 to this version. Throws std::runtime_error, and leaves the file as it was,
   /// if it is older still or damaged.
   void convert();
-  /// Records that a run of the program begins to write, for the first time or again. Throws
+  /// Records that a run of the program begins to write, for the first time or again, or another game. Throws
   /// std::runtime_error if the file has another version.
   void begin(const SessionFacts& facts);
   /// Writes all rows, or none if it throws.
@@ -88,7 +88,8 @@ class JournalTables {
 
   SQLite::Database database_;
   std::vector<std::string> pucks_;  // their names
-  std::uint64_t listed_ = 0;        // number of events in table event
+  std::uint64_t firstEvent_ = 0;    // number in table event of the game's first event
+  std::uint64_t listed_ = 0;        // number of the game's events in table event
   std::optional<FrameWriter> frames_;
   std::optional<SQLite::Statement> event_, turn_, sample_, latency_;
 };

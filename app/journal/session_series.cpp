@@ -22,7 +22,10 @@ int nextGame(const std::filesystem::path& first) {
 
 }  // namespace
 
-std::filesystem::path fileAfter(const std::filesystem::path& first) { return fileOf(first, nextGame(first)); }
+std::filesystem::path fileAfter(const std::filesystem::path& first) {
+  const int next = nextGame(first);
+  return next == 2 && !std::filesystem::exists(first) ? first : fileOf(first, next);
+}
 
 std::filesystem::path newestOf(const std::filesystem::path& first) {
   const int next = nextGame(first);

@@ -54,6 +54,17 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
   return {{}, {}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
 }
 
+void CueInteraction::offer(std::size_t puck, const Game& game, FrameRecord& record) {
+  HandView& hand = record.hand;
+  if (hand.target != 0) return;
+  hand.target = kRestingBody + 1 + puck;
+  hand.target_m = aim_.seenInRoom_m(game.pucks()[puck], {record.observer, Eye::middle, record.switches});
+  if (hand.shown) return;
+  hand.shown = 1;
+  hand.from_m = record.observer.middle.positionInRoom_m;
+  hand.to_m = hand.target_m;
+}
+
 double CueInteraction::offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const {
   const PhysicsRules& rules = scenario_->billiard.rules;
   if (rules.puckFriction == 0.0 && rules.cushionFriction == 0.0) return 0.0;

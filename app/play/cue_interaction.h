@@ -35,6 +35,9 @@ class CueInteraction {
   /// is released. `still` means that the viewer's time is frozen.
   Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record);
 
+  /// Rings a puck that the viewer may strike, in the record, unless the hand points to one.
+  void offer(std::size_t puck, const Game& game, FrameRecord& record);
+
  private:
   /// Returns how far to the right of the target's centre a stroke of `u` strikes; 0 where all rims are smooth, so
   /// that a spin would show nowhere.

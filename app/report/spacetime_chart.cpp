@@ -126,8 +126,9 @@ void addMyAxes(Chart& chart, const glm::dvec2& here, double beta) {
   const glm::vec3 light(0.9F, 0.55F, 0.0F), mine(0.1F, 0.2F, 0.7F);
   chart.lines.push_back(through(here, {1.0, 1.0}, texts::diagram::kLightCone, light, Style::dashed, 1.5F));
   chart.lines.push_back(through(here, {-1.0, 1.0}, "", light, Style::dashed, 1.5F));
+  const double shown = std::abs(beta) < 0.005 ? 0.0 : beta;  // not "-0.00 c"
   chart.lines.push_back(
-      through(here, {beta, 1.0}, fmt::format(texts::diagram::kTimeAxis, beta), mine, Style::dotted, 2.0F));
+      through(here, {beta, 1.0}, fmt::format(texts::diagram::kTimeAxis, shown), mine, Style::dotted, 2.0F));
   chart.lines.push_back(through(here, {1.0, beta}, texts::diagram::kSimultaneity, mine, Style::dashed, 2.0F));
 }
 

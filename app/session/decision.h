@@ -43,6 +43,7 @@ struct Decision {
   std::vector<std::string> alarms;  ///< tracker failures and recoveries, for the terminal
   Commands commands;                ///< from hand devices and captions; they take effect with the next frame
   bool isHandled = false;  ///< the person uses a device of the hand: it steers, brakes, turns or presses
+  bool showsShot = false;  ///< the best shot is shown again
   double stay_s = 0.0;     ///< recorded sessions: time between the previous frame and this one
   DecisionTiming timing;
 
@@ -54,7 +55,7 @@ struct Decision {
     strokes.clear();
     alarms.clear();
     commands.clear();
-    isHandled = false;
+    isHandled = showsShot = false;
     samples = {};
     stay_s = 0.0;
     timing = {};

@@ -1,5 +1,6 @@
 #include "app/session/director.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -18,6 +19,12 @@ FrameLeader::FrameLeader(FrameSource& source, KeysOf keys, const OperatorSetting
   settings_ = settings;
 }
 
+/// Takes the next game, which somebody has chosen.
+void FrameLeader::choose(NextGame next) {
+  nextGame_ = std::move(next);
+  awaitsShot_ = false;
+}
+
 /// Applies a command and notes it. In a live game nothing else changes the settings.
 void FrameLeader::obey(const Command& command, Decision& decision) {
   if (std::holds_alternative<AdvanceLesson>(command) && settings_.lesson.phase == LessonPhase::none)
@@ -28,8 +35,8 @@ void FrameLeader::obey(const Command& command, Decision& decision) {
   log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
   if (const auto* play = std::get_if<PlayScenario>(&command))
-    nextGame_ = {play->file, false, false, play->afresh, play->recordTo};
-  if (std::holds_alternative<WelcomeNextVisitor>(command)) nextGame_ = {firstGame_, true};
+    choose({play->file, false, false, play->afresh, play->recordTo});
+  if (std::holds_alternative<WelcomeNextVisitor>(command)) choose({firstGame_, true});
 }
 
 /// Lets another game follow by itself, unless somebody has just chosen one. `acted`: somebody gave a command or
@@ -44,9 +51,23 @@ void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& d
   const NextGame next = programme_.look(
       {record.display_s, acted, record.drive.mode == DriveMode::tour, decision.head.pose.position_m},
       settings_.playing);
-  if (!nextGame_.file.empty()) return;
-  if (next.isForNextVisitor) return obey(WelcomeNextVisitor{}, decision);
+  const bool isChosen = !nextGame_.file.empty() && !nextGame_.attracts && !awaitsShot_;
+  if (next.isForNextVisitor && !isChosen) return obey(WelcomeNextVisitor{}, decision);
+  if (!nextGame_.file.empty() || next.file.empty()) return;
   nextGame_ = next;
+  awaitsShot_ = !next.attracts;
+  if (awaitsShot_) decision.commands.emplace_back(ShowBestShot{true});
+}
+
+/// Ends this game if another was chosen: the walls go dark, after the best shot if the other follows by itself.
+void FrameLeader::endGame(Decision& decision) {
+  const bool isShown = lastOf<ShowBestShot>(decision.commands) || decision.showsShot;
+  if (nextGame_.file.empty() || (awaitsShot_ && isShown)) return;
+  FrameRecord& record = decision.frame.record;
+  if (!darkens_s_) darkens_s_ = record.display_s;
+  const double darkness = std::min(1.0, (record.display_s - *darkens_s_) / kFade_s);
+  record.fade = std::max(record.fade, darkness);
+  if (darkness == 1.0) record.last = 1;
 }
 
 void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Decision& decision) {
@@ -63,10 +84,10 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const DeskInput desk = desk_ ? desk_(input, choosing) : DeskInput{};
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
   source_.next(times, {obeyed_, desk}, settings_, decision);
+  if (keys_ == KeysOf::session) followProgramme(acted, desk, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   fromSource_ = decision.commands.size();
-  if (keys_ == KeysOf::session) followProgramme(acted, desk, decision);
-  if (!nextGame_.file.empty()) decision.frame.record.last = 1;  // ends this game
+  endGame(decision);
   for (const std::string& alarm : decision.alarms) log::note(alarm);
   decision.timing.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }

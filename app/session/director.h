@@ -52,11 +52,16 @@ class FrameLeader : public Director {
   }
 
   /// Returns the game to play after this one and clears it.
-  NextGame takeNextGame() { return std::exchange(nextGame_, {}); }
+  NextGame takeNextGame() {
+    darkens_s_.reset();
+    return std::exchange(nextGame_, {});
+  }
 
  private:
   void obey(const Command& command, Decision& decision);
   void followProgramme(bool acted, const DeskInput& desk, Decision& decision);
+  void choose(NextGame next);
+  void endGame(Decision& decision);
 
   FrameSource& source_;
   KeysOf keys_;
@@ -65,6 +70,8 @@ class FrameLeader : public Director {
   std::size_t fromSource_ = 0;  ///< number of commands in the inbox that the source has given
   std::string firstGame_;
   NextGame nextGame_;
+  bool awaitsShot_ = false;          ///< the next game follows by itself, after the best shot
+  std::optional<double> darkens_s_;  ///< since when the walls go dark before the next game, session clock
   Programme programme_;
   std::optional<PointedWall> mouseWas_;
 };

@@ -20,7 +20,7 @@ namespace carom {
 namespace {
 
 constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
-constexpr double kOnset_s = 0.5, kFade_s = 0.5;
+constexpr double kOnset_s = 0.5;
 constexpr std::array<const char*, 4> kDriveModes{"as steered", "braking", "home", "tour"};
 
 /// Returns the direction, anticlockwise from +x, in which an observer with this velocity sees what one at rest sees
@@ -204,13 +204,17 @@ void LiveSource::count(Decision& decision) {
 
 /// Begins to show the best shot again, or ends it; anything that the person does ends it as well.
 void LiveSource::showAgain(const FrameInput& input, double now_s, Decision& decision) {
-  const bool isAsked = lastOf<ShowBestShot>(input.commands) != nullptr;
+  const ShowBestShot* const asked = lastOf<ShowBestShot>(input.commands);
+  const bool isAsked = asked && (!asked->isEnd || play_.shots.hasBest());
   if (play_.shownFrom_s) {
     const bool isOver = !play_.shots.at(now_s - *play_.shownFrom_s);
-    if (isAsked || isOver || asksForAnything(wish_)) play_.shownFrom_s.reset();
+    if ((isAsked && !asked->isEnd) || isOver || asksForAnything(wish_)) play_.shownFrom_s.reset();
   } else if (isAsked && play_.shots.hasBest()) {
     play_.shownFrom_s = now_s;
-    say(fmt::format(texts::message::kBestShot, play_.shots.bestCushions()), decision);
+    const std::size_t cushions = play_.shots.bestCushions();
+    say(asked->isEnd ? fmt::format(texts::message::kLastShot, cushions)
+                     : fmt::format(texts::message::kBestShot, cushions),
+        decision);
   } else if (isAsked) {
     say(texts::message::kNoCarom, decision);
   }
@@ -264,6 +268,8 @@ void LiveSource::strike(bool still, const FrameTimes& times, const OperatorSetti
     decision.isHandled = true;
   }
   const CueInteraction::Outcome outcome = play_.hands.step(hand, still, play_.game, record);
+  const bool isNew = scenario_.choices && scenario_.tour.empty() && play_.score.score().strokes == 0;
+  if (isNew && !still) play_.hands.offer(0, play_.game, record);
   if (pointed && !record.hand.pulling) {
     record.hand.to_m = pointed->onWall_m;
     record.hand.target = 0;
@@ -298,7 +304,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   const bool still = settings.views.frozen || play_.lesson.phase == LessonPhase::asks;
   showAgain(input, times.display_s, decision);
   see(settings, times, still, decision);
-  const bool isShot = shotShown(times.display_s) != nullptr;
+  const bool isShot = decision.showsShot = shotShown(times.display_s) != nullptr;
   strike(still || isShot || scenario_.lesson, times, settings,
          decision);  // a lesson plays the same game again and again
   record.score = play_.score.score();

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <signal.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -86,34 +87,46 @@ void openBlends(const InputFile& input, const Rig& rig) {
 
 void agreeOnVersion(const Cluster& cluster) { cluster.agree("version of the program", CAROM_VERSION); }
 
-/// A folder that goes with this object, or when the process is ended from outside.
+/// A folder that goes with this object, or when the process is ended from outside. Its process holds a lock on it;
+/// the folder of a process that was killed has none, and the next one removes it.
 class Handover::Folder {
  public:
   Folder() {
     removeOfTheDead();
-    std::string name = (fs::temp_directory_path() / fmt::format("{}{}-XXXXXX", kName, getpid())).string();
-    if (!mkdtemp(name.data()))
-      throw std::runtime_error(
-          fmt::format("no folder for files of node 0: {}: {}", name, std::strerror(errno)));
-    path_ = name;
+    for (;;) {
+      path_ = newFolder();
+      lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      flock(lock_, LOCK_EX);  // where /tmp knows no locks, nobody else removes the folder either
+      if (fs::exists(path_)) break;
+      if (lock_ >= 0) close(lock_);  // another process removed it before it was locked
+    }
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
-  ~Folder() { remove(); }
+  ~Folder() {
+    remove();
+    close(lock_);
+  }
 
   const fs::path& path() const { return path_; }
 
  private:
   static constexpr std::string_view kName = "carom-files-";
 
-  /// Removes the folders of processes that were killed: nobody else could.
+  static fs::path newFolder() {
+    std::string name = fs::temp_directory_path() / fmt::format("{}XXXXXX", kName);
+    if (mkdtemp(name.data())) return name;
+    throw std::runtime_error(
+        fmt::format("no folder for files of node 0: {}: {}", name, std::strerror(errno)));
+  }
   static void removeOfTheDead() {
     std::error_code failed;
     for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path(), failed)) {
-      const std::string name = entry.path().filename().string();
-      if (!name.starts_with(kName)) continue;
-      const pid_t process = std::atoi(name.c_str() + kName.size());
-      if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), failed);
+      if (!entry.path().filename().string().starts_with(kName)) continue;
+      const int lock = open(entry.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (lock < 0) continue;
+      if (flock(lock, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry.path(), failed);
+      close(lock);
     }
   }
   void remove() const {
@@ -122,6 +135,7 @@ class Handover::Folder {
   }
 
   fs::path path_;
+  int lock_ = -1;
   ClosedOnLeaving onLeaving_{[this] { remove(); }};
 };
 

@@ -5,8 +5,6 @@
 #include <sched.h>
 #include <signal.h>
 #include <unistd.h>
-#define XXH_INLINE_ALL  // used as a header
-#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +19,7 @@
 
 #include "cave/process/termination.h"
 #include "engine/base/log.h"
+#include "engine/base/xxh3.h"
 
 namespace carom {
 namespace {
@@ -111,6 +110,14 @@ void useEveryCore() {
   sched_setaffinity(0, sizeof all, &all);
 }
 
+/// Leaves TCP out where all ranks run on this machine, unless the user says otherwise: they talk through memory, and
+/// Open MPI 5 would complain on a machine without a network.
+void talkThroughMemory() {
+  const char* here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  const char* all = std::getenv("OMPI_COMM_WORLD_SIZE");
+  if (here && all && std::string_view(here) == all) setenv("OMPI_MCA_btl", "^tcp", 0);
+}
+
 }  // namespace
 
 struct Cluster::Room {
@@ -121,6 +128,7 @@ struct Cluster::Room {
 
 Cluster::Cluster() {
   useEveryCore();
+  talkThroughMemory();
   // A waiting rank yields its core to those that draw; a setting by the user stays in force.
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
   MPI_Init(nullptr, nullptr);

@@ -1,9 +1,8 @@
 #include "cave/frame/frame_digest.h"
 
-#define XXH_INLINE_ALL  // used as a header
-#include <xxhash.h>
-
 #include <type_traits>
+
+#include "engine/base/xxh3.h"
 
 namespace carom {
 namespace {

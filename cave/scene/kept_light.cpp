@@ -4,8 +4,6 @@
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
-#define XXH_INLINE_ALL  // used as a header
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,6 +18,7 @@
 
 #include "cave/scene/baked_light.h"
 #include "engine/base/whole_file.h"
+#include "engine/base/xxh3.h"
 
 namespace carom {
 namespace {

@@ -46,6 +46,7 @@ struct Scene {
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   int finer = 1;                        ///< how many times finer than its meshes what rests may be drawn
+  static constexpr int kMostFiner = 8;  ///< the most of these
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
   /// How far the far end of a puck's shadow can be from the puck at most, in heights of the puck.
   double longestShadow = kLongestShadow;

@@ -87,11 +87,10 @@ Resting restingParts(const BilliardSetup& setup, const Hall& hall, const std::ar
 
 /// Returns how many times finer than their meshes, a power of two, the parts are to be drawn where it is needed.
 int finerThan(const Resting& resting, const Tessellation& tessellation) {
-  constexpr int kMost = 8;
   const double longest_m = std::max(longestEdgeOf(resting.table), longestEdgeOf(resting.hall));
   const std::size_t most = Tessellation::kMostOfLevels * tessellation.mostVertices;
   int finer = 1;
-  while (finer < kMost && longest_m / finer > tessellation.edge_m() &&
+  while (finer < Scene::kMostFiner && longest_m / finer > tessellation.edge_m() &&
          4 * static_cast<std::size_t>(finer * finer) * resting.vertices() <= most)
     finer *= 2;
   return finer;

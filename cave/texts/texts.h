@@ -88,6 +88,7 @@ inline constexpr Text kTurnedOn = "{}: on", kTurnedOff = "{}: off";
 inline constexpr Text kCarom =
     "Carom! Your puck touched two others (cushions: {}). Enter: your best shot again";
 inline constexpr Text kBestShot = "Your best shot, as you saw it (cushions: {}). Enter: back to the game";
+inline constexpr Text kLastShot = "The game is over. Your best shot, as you saw it (cushions: {})";
 inline constexpr Text kNoCarom = "No carom so far: strike a puck so that it touches two others.";
 inline constexpr Text kFrozen = "The view is frozen: F lets time go on.";
 inline constexpr Text kAsks = "Time stands still until you answer, or skip the question (Enter).";

@@ -163,9 +163,9 @@ TEST(LessonNumbers, ParallelTracks) {
     EXPECT_NEAR(glm::distance(flash.r_m, crossing.r_m), 0.0, 1e-6) << pucks[i].name;
   }
   const Explained explained(scenario);
-  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Light's way from the near lane")), seen_s.front() - 1.0,
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Light's travel time: near lane")), seen_s.front() - 1.0,
               1e-6);
-  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "from the far lane")), seen_s.back() - 1.0, 1e-6);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "far lane")), seen_s.back() - 1.0, 1e-6);
   EXPECT_NEAR(scenario.lesson->plan.interval.moment_s, seen_s.front(), 0.005) << "the slowest is on the line";
   const Motion fastest = centreSeen(game.worldLines().back(), {seen_s.front(), eye_m});
   Numbers(claims(scenario))
@@ -523,7 +523,7 @@ TEST(LessonNumbers, SeenAtOnce) {
   const double left_m = glm::distance(eye_m, left.r_m), right_m = glm::distance(eye_m, right.r_m);
   const Explained explained(scenario);
   EXPECT_GT(explained.observer.middle.observation.t_s, right.t_s + right_m / c_m_s) << "both have been seen";
-  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Light's way: left")), left_m / c_m_s, 1e-9);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Travel time: left")), left_m / c_m_s, 1e-9);
   EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "right")), right_m / c_m_s, 1e-9);
   const double earlier_s = elapsedFor_s(uFromBeta({0.5, 0.0, 0.0}), right, left, c_m_s);
   EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Right to left flash, your frame")), earlier_s, 1e-9);

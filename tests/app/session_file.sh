@@ -62,10 +62,25 @@ diff -r "$out/one" "$out/four" || fail "a replay on four processes differs from 
   "$(($(wc -l <"$out/events.csv") - 1))" ] || fail "its events: $(cat "$out/events.csv")"
 [ "$(sqlite3 "$out/game.db" "SELECT group_concat(first_frame) FROM run")" = "0,$((last + 1))" ] || fail "its runs"
 "$carom" diagram "$out/game.db" -o "$out/game.svg" 2>"$out/stderr" || fail "its diagram: $(cat "$out/stderr")"
+# A visit begins, goes on where its file ended, and begins anew beside a file that is damaged, which stays as it is.
+visit() { # goes on or begins
+  "$carom" cave --rig "$out/room.toml" --session "$out/visit.db" --resume-or-new --frames 5 --no-window \
+    2>"$out/stderr" || fail "--resume-or-new: $(cat "$out/stderr")"
+}
+visit
+visit
+[ "$(sqlite3 "$out/visit.db" "SELECT count(*), max(number) FROM frame")" = "10|9" ] || fail "a visit did not go on"
+[ "$(sqlite3 "$out/visit.db" "SELECT group_concat(first_frame) FROM run")" = "0,5" ] || fail "the runs of a visit"
+head -c 3000 /dev/urandom >"$out/visit.db"
+cp "$out/visit.db" "$out/damaged"
+visit
+grep -q "visit.db.*The session begins anew in another file" "$out/stderr" || fail "a damaged visit: $(cat "$out/stderr")"
+cmp "$out/visit.db" "$out/damaged" || fail "a damaged visit was written to"
+[ "$(sqlite3 "$out/visit-2.db" "SELECT count(*) FROM frame")" = 5 ] || fail "no visit began beside the damaged one"
 # A scenario whose mesh is gone is named, with its line.
 cp "$out/game.db" "$out/bare.db"
-sqlite3 "$out/bare.db" "UPDATE session SET value = replace(value, 'mass_kg = 0.2', 'mass_kg = 0.2' || char(10) ||
-  'mesh = \"gone.obj\"') WHERE key = 'scenario'"
+sqlite3 "$out/bare.db" "UPDATE game SET scenario = replace(scenario, 'mass_kg = 0.2', 'mass_kg = 0.2' || char(10) ||
+  'mesh = \"gone.obj\"')"
 for command in "replay $out/bare.db --no-window" "events $out/bare.db"; do
   "$carom" $command 2>"$out/stderr" && fail "$command: without its mesh"
   grep -q "^error: .*three-pucks.toml:[0-9]*:[0-9]*: mesh 'gone.obj'" "$out/stderr" || fail "$command: $(cat "$out/stderr")"
