@@ -45,8 +45,7 @@ DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<
     const Event& here = state.record.observer.middle.observation;
     if (until_s && here.t_s > *until_s) break;
     session.apply(state, world);
-    continueMine(subject, here);
-    subject.beta = betaFromU(state.record.observer.headFromBoard.inverse().u());
+    follow(subject, state.record, session.facts().viewers);
   }
   if (subject.mine.empty())
     throw std::runtime_error(fmt::format("session file {}: no frame of it is that early", file.string()));

@@ -27,6 +27,12 @@ class SessionFile {
   SessionFile& operator=(const SessionFile&) = delete;
 
   const SessionFacts& facts() const { return facts_; }
+  /// Returns the name of a viewer of the records.
+  std::string nameOf(std::size_t viewer) const {
+    return viewer < facts_.viewers.size() ? facts_.viewers[viewer] : "viewer " + std::to_string(viewer + 1);
+  }
+  /// Returns the viewer of that name. Throws std::runtime_error that names those whom the session has.
+  std::size_t viewerNamed(const std::string& name) const;
   /// Returns the numbers of the first and last frame, or nothing if the session has no frame.
   std::optional<std::pair<std::uint64_t, std::uint64_t>> frames() const;
 
