@@ -39,7 +39,7 @@ FrameRecord recordAt(double display_s) {
 
 std::vector<std::string> said(const FrameRecord& record) {
   std::vector<HudLine> lines;
-  describe(record, {}, {}, kLineLetters, lines);
+  describe(record, {}, {}, {}, kLineLetters, lines);
   std::vector<std::string> texts;
   for (const HudLine& line : lines) texts.push_back(line.text);
   return texts;
@@ -74,7 +74,7 @@ const LessonWords kLesson{
 
 std::vector<std::string> said(const FrameRecord& record, const LessonWords& lesson) {
   std::vector<HudLine> lines;
-  describe(record, lesson, {}, kLineLetters, lines);
+  describe(record, lesson, {}, {}, kLineLetters, lines);
   std::vector<std::string> texts;
   for (const HudLine& line : lines) texts.push_back(line.text);
   return texts;
@@ -132,13 +132,13 @@ TEST(HudPanel, TellWhatIsMeasuredAndWhichVelocitiesThereAre) {
   record.boardFromRoom = Lorentz::boost(uFromBeta({0.5, 0.0, 0.0}), kC_m_s);
   record.lesson.phase = LessonPhase::explains;
   std::vector<HudLine> lines;
-  describe(record, kLesson, plan, 90, lines);
+  describe(record, kLesson, plan, {}, 90, lines);
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[1].text, "Your clock: 12.36 s    From hit to hit: 1.15 s");
   EXPECT_TRUE(lines[1].urgent);
   EXPECT_EQ(lines[2].text, "You move:  F2 at rest  [F3 0.5 c to the right]");
   record.lesson.phase = LessonPhase::shows;
-  describe(record, kLesson, plan, 90, lines);
+  describe(record, kLesson, plan, {}, 90, lines);
   EXPECT_EQ(lines.back().text, "Y: replay    Enter: explanation    (slow motion: 1/4)");
 }
 
@@ -166,7 +166,7 @@ TEST(HudPanel, BeginWithWhatJustHappenedAndLetItStandOut) {
   record.notice = Notice(words);
   record.views.paths = 1;
   std::vector<HudLine> lines;
-  describe(record, {}, {}, kLineLetters, lines);
+  describe(record, {}, {}, {}, kLineLetters, lines);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[0].urgent && lines[1].urgent);
   EXPECT_FALSE(lines[2].urgent);
@@ -276,7 +276,7 @@ TEST_F(DrawnWords, TheBandOfALessonHasLettersOfAFortiethOfTheHeight) {
       graphics_.makeCurrent();
       RenderTarget picture(size_px);
       HudPanel band;
-      band.setWall(wall);
+      band.setWall(wall, {});
       band.setLesson(words, plan);
       FrameRecord record = recordAt(1.0);
       record.lesson = {phase, 1};
