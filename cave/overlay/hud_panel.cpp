@@ -135,11 +135,9 @@ void addClocks(const FrameRecord& record, Viewers viewers, Lines& lines) {
   addLight(record, lines);
 }
 
-/// Adds everybody's clock to a lesson that shows the clocks, where there are several in the room.
+/// Adds the others' clocks to a lesson that shows the clocks.
 void addTwins(const FrameRecord& record, Viewers viewers, Lines& lines) {
-  if (record.viewers < 2 || !record.views.clocks) return;
-  lines.add({}, texts::legend::kMyTime, shownTime_s(record.observer.properTime_s));
-  addOtherClocks(record, viewers, lines);
+  if (record.views.clocks) addOtherClocks(record, viewers, lines);
 }
 
 void addQuestion(const LessonWords& lesson, Lines& lines) {

@@ -45,6 +45,31 @@ std::vector<std::string> said(const FrameRecord& record) {
   return texts;
 }
 
+TEST(HudPanel, EachReadsTheOthersClocksScoresAndTurns) {
+  const std::vector<RoomViewer> viewers{{"anna", {}}, {"ben", {}}};
+  FrameRecord record;
+  record.viewers = 2;
+  record.views.clocks = 1;
+  record.observer.headFromBoard = record.viewer(1).observer.headFromBoard = Lorentz(1.42);
+  record.observer.properTime_s = 10.0;
+  record.viewer(1).observer.properTime_s = 11.3;
+  record.score = {1, 3};
+  record.viewer(1).score = {0, 2};
+  record.viewer(1).hasTurn = 1;
+  const auto reads = [&](std::size_t viewer, const std::string& words) {
+    std::vector<RoomViewer> seen = viewers;
+    std::swap(seen.front(), seen[viewer]);
+    std::vector<HudLine> lines;
+    describe(seenBy(record, viewer), {}, {}, seen, kLineLetters, lines);
+    return std::any_of(lines.begin(), lines.end(), [&](const HudLine& line) { return line.text == words; });
+  };
+  EXPECT_TRUE(reads(0, "ben: 11.3 s, older than you by 1.3 s"));
+  EXPECT_TRUE(reads(1, "anna: 10.0 s, younger than you by 1.3 s"));
+  EXPECT_TRUE(reads(0, "you:  caroms  1   strokes  3"));
+  EXPECT_TRUE(reads(0, "ben's turn"));
+  EXPECT_TRUE(reads(1, "your turn"));
+}
+
 TEST(HudPanel, SayWhichViewsAreOn) {
   FrameRecord record = recordAt(12.36);
   EXPECT_TRUE(said(record).empty());
