@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/commands/session_frames.h"
+#include "app/files/rig_viewers.h"
 #include "app/journal/session_file.h"
 #include "app/journal/session_series.h"
 #include "app/operator/lesson.h"
@@ -73,6 +74,8 @@ std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>&
   SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
                      textOf(inputs.rig), textOf(inputs.scenario), setup.scenario.billiard.lightSpeed_m_s};
   for (const Puck& puck : setup.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
+  facts.viewers = namesOf(setup.rig.viewers);
+  for (const TrackerSetup& tracker : setup.rig.trackers) facts.trackers.push_back(tracker.name);
   facts.isAnotherGame = game == WrittenGame::another;
   return std::make_unique<Journal>(*file, facts, game != WrittenGame::first);
 }

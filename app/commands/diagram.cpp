@@ -47,8 +47,7 @@ DiagramSubject subjectOf(const DiagramOptions& options) {
     const Event& here = state.record.observer.middle.observation;
     if (options.until_s && here.t_s > *options.until_s) break;
     session.apply(state, world);
-    continueMine(subject, here);
-    subject.beta = betaFromU(state.record.observer.headFromBoard.inverse().u());
+    follow(subject, state.record, session.facts().viewers);
   }
   if (subject.mine.empty())
     throw std::runtime_error(

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <tuple>
@@ -29,8 +30,8 @@ struct Subject {
   double c_m_s = 1.0;
   std::vector<std::string> pucks, flashes;  // names
   std::vector<GameEvent> events;
-  std::vector<HeadAt> head;  // sessions only
-  bool isSession = false;
+  std::vector<std::string> viewers;                     // sessions only
+  std::array<std::vector<HeadAt>, kMostViewers> heads;  // of each of them
 };
 
 Subject subjectOf(const Scenario& scenario) {
@@ -61,21 +62,25 @@ Subject recorded(const EventsOptions& options) {
   const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
   sayGame(session, scenario.title);
   Subject subject = subjectOf(scenario);
-  subject.isSession = true;
+  subject.viewers = session.facts().viewers;
   World world{startingHistories(scenario), {}};
   for (FrameState state; session.next(state);) {
     session.apply(state, world);
-    const ObserverView& observer = state.record.observer;
-    subject.head.push_back({state.record.number, observer.middle.observation, observer.properTime_s});
+    for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
+      if (viewer >= state.record.viewers) break;
+      const ObserverView& observer = state.record.viewer(viewer).observer;
+      subject.heads[viewer].push_back(
+          {state.record.number, observer.middle.observation, observer.properTime_s});
+    }
   }
-  if (subject.head.empty())
+  const std::vector<HeadAt>& head = subject.heads.front();
+  if (head.empty())
     throw std::runtime_error(
         fmt::format("session file {}: it ended before its first frame", options.source.string()));
   subject.events = std::move(world.events);
   // A lesson repeats a part of its game, so that its last frame need not be the latest on the board.
-  const auto latest =
-      std::max_element(subject.head.begin(), subject.head.end(),
-                       [](const auto& a, const auto& b) { return a.event.t_s < b.event.t_s; });
+  const auto latest = std::max_element(
+      head.begin(), head.end(), [](const auto& a, const auto& b) { return a.event.t_s < b.event.t_s; });
   keepUntil(subject.events, options.until_s.value_or(latest->event.t_s));
   return subject;
 }
@@ -110,7 +115,11 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
   std::string text =
       "number,kind,who,cushion,heat_j,without_delay,t_s,x_m,y_m,z_m,order,moving_t_s,moving_x_m,moving_y_m,"
       "moving_z_m,moving_order,next,interval,proper_time_s,distance_m,beta_x,beta_y,beta_z";
-  if (subject.isSession) text += ",seen_frame,seen_t_s,seen_proper_time_s";
+  for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
+    const std::string seen = viewer == 0 ? "seen" : fmt::format("seen_by_{}", subject.viewers[viewer]);
+    text += "," + csvField(seen + "_frame") + "," + csvField(seen + "_t_s") + "," +
+            csvField(seen + "_proper_time_s");
+  }
   for (std::size_t i = 1; i <= options.places_m.size(); ++i) text += fmt::format(",place_{}_t_s", i);
   text += ",first_spin_kg_m2_s,second_spin_kg_m2_s\n";
   for (const EventRow& row : rows) {
@@ -122,8 +131,8 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
     text += csvNumbers({moving.t_s, moving.r_m.x, moving.r_m.y, moving.r_m.z}) +
             fmt::format("{},", row.movingOrder);
     text += relationCsv(row, &row + 1, subject.c_m_s);
-    if (subject.isSession) {
-      const auto seen = receptionBy(subject.head, at, subject.c_m_s);
+    for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
+      const auto seen = receptionBy(subject.heads[viewer], at, subject.c_m_s);
       text += seen ? fmt::format("{},{}", *seen->frame, csvNumbers({seen->t_s, *seen->properTime_s})) : ",,,";
     }
     for (const Vec3& place_m : options.places_m)
@@ -137,8 +146,8 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
 
 std::string receptionsText(const Subject& subject, const EventRow& row, const EventsOptions& options) {
   std::string text;
-  if (subject.isSession) {
-    const auto seen = receptionBy(subject.head, row.event.at, subject.c_m_s);
+  for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
+    const auto seen = receptionBy(subject.heads[viewer], row.event.at, subject.c_m_s);
     text += seen ? fmt::format("   {:>6} {:>9.4f} {:>9.4f}", *seen->frame, seen->t_s, *seen->properTime_s)
                  : fmt::format("   {:>6} {:>9} {:>9}", "-", "-", "-");
   }
@@ -190,7 +199,11 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   if (moves) {
     text += fmt::format("   {:>6} {:>9} {:>8} {:>8} {:>8}", "order'", "t' s", "x' m", "y' m", "z' m");
   }
-  if (subject.isSession) text += fmt::format("   {:>6} {:>9} {:>9}", "seen:", "t s", "proper s");
+  for (const std::string& viewer : subject.viewers) {
+    // Of one person it is known who saw it.
+    const std::string who = subject.viewers.size() > 1 ? viewer + ":" : "seen:";
+    text += fmt::format("   {:>6} {:>9} {:>9}", who, "t s", "proper s");
+  }
   for (std::size_t i = 1; i <= options.places_m.size(); ++i)
     text += fmt::format("   {:>9}", fmt::format("place {} s", i));
   text += '\n';
@@ -299,7 +312,7 @@ void addEvents(CLI::App& app, int& status) {
       ->type_name("FILE");
   command->footer(
       "For a session, the list also tells in which drawn frame and when the light of each event reached the\n"
-      "observer's head.\n"
+      "observer's head; where several shared the room, that of each.\n"
       "Examples:\n  carom events game.db --velocity 0.5 0 0\n"
       "  carom events two-cushions --until 2 --velocity 0.5 0 0 --place 0 -1 0.3 --csv events.csv");
   command->callback([line, &status] { status = runEvents(optionsOf(*line)); });

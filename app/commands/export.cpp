@@ -99,9 +99,10 @@ struct Recorded {
 
 using TakeFrame = std::function<void(const FrameRecord&)>;
 
-void eachFrameSeen(Recorded& recorded, const TakeFrame& take) {
+void eachFrameSeen(Recorded& recorded, const std::string& as, const TakeFrame& take) {
+  const std::size_t viewer = as.empty() ? 0 : recorded.session.viewerNamed(as);
   recorded.session.goTo(0);
-  for (FrameState frame; recorded.session.next(frame);) take(frame.record);
+  for (FrameState frame; recorded.session.next(frame);) take(seenBy(frame.record, viewer));
 }
 
 void eachFrameOf(const std::filesystem::path& observer, const Recorded& recorded, const TakeFrame& take) {
@@ -223,7 +224,7 @@ int runExport(const ExportOptions& options) {
   if (options.observer) {
     eachFrameOf(*options.observer, recorded, take);
   } else {
-    eachFrameSeen(recorded, take);
+    eachFrameSeen(recorded, options.as, take);
   }
   if (series) series->commit();
   if (csv) csv->commit();
@@ -244,6 +245,11 @@ void addExport(CLI::App& app, int& status) {
                    "Trace of another person's head, in the room: what they see of the same game")
       ->type_name("TRACE")
       ->transform(shipped({"traces"}));
+  command
+      ->add_option("--as", options->as,
+                   "Of several who shared the room, the one whose view is written; by default the first")
+      ->type_name("NAME")
+      ->excludes(command->get_option("--observer"));
   command->add_option("--every", options->every, "Only frames whose numbers are multiples of this")
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));

@@ -33,6 +33,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
         fmt::format("session file {}: it ended before its first frame", options.session.string()));
   }
   if (options.observer) readTrace(*options.observer);
+  if (!options.as.empty()) session->viewerNamed(options.as);
   inputs.rig = {session->facts().rig, session->facts().rigText};
   inputs.scenario = {session->facts().scenario, session->facts().scenarioText};
   return session;
@@ -64,8 +65,9 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
     frames.pacer =
         std::make_unique<Pacer>(*frames.clock, rig.display_hz, rig.displayLatency_s, setup.swapsWait);
   } else {
-    frames.source =
-        std::make_unique<RecordedSource>(session, historiesAtStart(setup), rig.display_hz, options.at_s);
+    const std::size_t viewer = options.as.empty() ? 0 : session.viewerNamed(options.as);
+    frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(setup), rig.display_hz,
+                                                     options.at_s, viewer);
     frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   return frames;
@@ -90,6 +92,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   inputs.noWindow = inputs.simulated = options.noWindow;
   inputs.live = isVisit(options) && !options.observer;
   inputs.extra = options.extra;
+  if (!options.as.empty() || isVisit(options)) inputs.onlyFor = options.as;
   onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
@@ -173,6 +176,12 @@ void addReplay(CLI::App& app, int& status) {
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("SESSION", options->session, "Session file")->required();
   addGame(*command, options->game);
+  command
+      ->add_option(
+          "--as", options->as,
+          "Of several who shared the room, show this one's walls alone; another person who sees the game "
+          "is then in this one's place")
+      ->type_name("NAME");
   addVisitor(*command, options);
   command
       ->add_option("--at", options->at_s,

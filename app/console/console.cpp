@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "app/files/rig_viewers.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -57,7 +58,8 @@ Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& ri
       scenario_(&scenario),
       walls_(graphics, rig, cluster),
       effects_(keys),
-      diagram_(scenario) {
+      clocks_(namesOf(rig.viewers)),
+      diagram_(scenario, namesOf(rig.viewers)) {
   window_.listen(kText_px, kHeading_px);
   setStyle();
   play(scenario, scene);
@@ -87,6 +89,7 @@ void Console::show(const ConsoleFrame& frame) {
   }
   if (std::exchange(keysShown_, frame.settings.keysShown) != frame.settings.keysShown) opensKeys_ = true;
   events_.follow(frame.world);
+  clocks_.follow(frame.record);
   diagram_.follow(frame.record);
   const Clock::time_point begun = Clock::now();
   if (begun < (window_.isPressed() ? earliest_ : due_) || window_.isIconified()) return;
@@ -159,7 +162,7 @@ void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
   words(texts::console::kTrackers);
   tip(texts::console::kTrackersTip);
   ImGui::SetCursorPosY(38.0F);
-  drawClocks(frame, words_px - kGap_px);
+  clocks_.draw(frame, words_px - kGap_px);
   ImGui::PopClipRect();
   ImGui::SetCursorPos({isNarrow ? kGap_px : buttons, isNarrow ? kTop_px : 12.0F});
   drawButtons(frame, {kButton_px, isNarrow ? kRow_px - kGap_px : kButtonHigh_px});

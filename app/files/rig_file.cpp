@@ -1,5 +1,6 @@
 #include "app/files/rig.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -7,6 +8,7 @@
 #include "app/files/rig_checks.h"
 #include "app/files/rig_nodes.h"
 #include "app/files/rig_trackers.h"
+#include "app/files/rig_viewers.h"
 #include "app/files/rig_walls.h"
 #include "app/files/toml_file.h"
 #include "app/files/toml_values.h"
@@ -27,6 +29,11 @@ RoomAxes readAxes(const TomlTable& root) {
   const std::array<RoomAxes, 2> axes{RoomAxes{.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}},
                                      RoomAxes{.right = {1, 0, 0}, .up = {0, 0, 1}, .forward = {0, 1, 0}}};
   return axes[root.choice("axes", kNames)];
+}
+
+bool isOfAHead(std::size_t tracker, const Rig& rig) {
+  return std::any_of(rig.viewers.begin(), rig.viewers.end(),
+                     [&](const ViewerSetup& viewer) { return viewer.head.sensor.tracker == tracker; });
 }
 
 /// Returns the playlist that a rig names: beside the rig's file, or a shipped one by its bare name. Whether it is
@@ -50,12 +57,12 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   rig.playlist = playlistOf(path, root.text("playlist", ""));
   for (const TomlTable& table : root.tables("tracker"))
     rig.trackers.push_back(readTracker(file, table, unit_m, rig.axes));
-  if (const auto head = root.requiredTable("head")) {
-    rig.head = readHead(*head, rig.trackers, unit_m);
+  rig.viewers = readViewers(root, rig.trackers, unit_m);
+  const std::vector<TomlTable> viewers = root.tables("viewer");
+  if (const auto head = viewers.empty() ? root.table("head") : viewers.front()) {
     placed.head = head->place();
     placed.eyeSeparation = head->place("eye_separation");
   }
-  if (const auto hand = root.table("hand")) rig.hand = readHand(*hand, rig.trackers, unit_m);
   for (const TomlTable& table : root.tables("node")) {
     rig.nodes.push_back(readNode(table));
     placed.nodes.push_back(table.place());
@@ -73,6 +80,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   std::vector<WallText> walls;
   for (const TomlTable& table : root.tables("wall")) {
     walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));
+    readEyes(table, rig.viewers, walls.back().wall);
     placed.walls.push_back(placesOf(table));
   }
   if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
@@ -82,9 +90,12 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     rig.walls.push_back(text.wall);
   }
   file.throwFaults();
-  if (rig.hand && rig.hand->buttons && *rig.hand->buttons != rig.head.sensor.tracker)
-    rig.trackers[*rig.hand->buttons].buttonsAlone = true;
+  for (const ViewerSetup& viewer : rig.viewers) {
+    if (viewer.hand && viewer.hand->buttons && !isOfAHead(*viewer.hand->buttons, rig))
+      rig.trackers[*viewer.hand->buttons].buttonsAlone = true;
+  }
   checkTogether(root, rig, walls);
+  checkViewers(root, rig, walls);
   holdBackTheFast(rig, root.tables("wall"));
   file.throwFaults();
   return placed;

@@ -23,6 +23,7 @@ LessonInterval readInterval(const TomlTable& lesson) {
   interval.from_s = lesson.number("from_s", kNotNegative);
   interval.until_s = lesson.number("until_s", kPositive);
   interval.moment_s = lesson.number("moment_s", kNotNegative);
+  interval.keepsClocks = lesson.flag("keeps_clocks", false);
   interval.slowness = lesson.number("slowness", {.least = 1.0, .most = kSlowest}, 1.0);
   if (!lesson.has("from_s") || !lesson.has("until_s") || !lesson.has("moment_s")) return interval;
   if (!(interval.until_s > interval.from_s && interval.until_s <= interval.from_s + kLongest_s)) {

@@ -34,18 +34,29 @@
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y,
 //   proper_time_s, spin_before_kg_m2_s, spin_after_kg_m2_s)
 //       The change of motion and spin of each puck of an event, with the puck's name and its proper time.
-//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m)
+//   viewer(frame, name, t_s, x_m, y_m, z_m, proper_time_s, room_x_m, room_y_m, room_z_m, lapse, celerity_x_m_s,
+//          celerity_y_m_s, celerity_z_m_s, known)
+//       One row per frame and viewer: the event between the eyes, the viewer's own time, the place in the room as
+//       the clock took it, the lapse there (engine/spacetime/observers.h), and how the head was known. With the
+//       steps dx of the places and dT of the room's time from one frame to the next, the own time advances by
+//       sqrt((lapse dT)² − dx²/c²).
+//   platform(frame, room_s, u_x, u_y, u_z, qw, qx, qy, qz, thrust_x_m_s2, thrust_y_m_s2, thrust_z_m_s2)
+//       The room's own time, its u = γβ on the board after a rotation from its axes to the board's, and its mean
+//       thrust in the frame, felt by the one who steers, in the room's axes.
+//   other_viewer(frame, viewer, proper_time_s, …)
+//       The record's part of the viewers after the first (app/journal/frame_columns.h).
+//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m, viewer)
 //       Strokes by hand in a frame: the puck's name, the event of the hand, and the momentum that arrives at
 //       the puck; offset_m: how far to the right of its centre it strikes. Together with the scenario's strokes they are all strokes of the game, in its order.
-//   input(frame, what, value)
+//   input(frame, what, value, viewer)
 //       Actions of the operator and the hands, in words; they take effect with this frame.
-//   answer(frame, lesson, question, answer)
+//   answer(frame, lesson, question, answer, viewer)
 //       Answers of visitors.
 //   run(first_frame, started_utc, program)
 //       Each time that writing began: the first, and one for each continuation of the session and each further
 //       game.
-//   sample(time_s, sensor, x_m, y_m, z_m, qw, qx, qy, qz)
-//       Samples of the head's tracker.
+//   sample(time_s, sensor, x_m, y_m, z_m, qw, qx, qy, qz, tracker)
+//       Samples of the heads' trackers.
 //   latency(display_s, frame, node, part, frames, median_s, p99_s, most_s, jitter_s)
 //       Real-time sessions, once per second for each node and part of a frame (cave/frame/frame_timing.h):
 //       statistics over the last second's frames, of which `frame` is the newest. `late` is by how much an
@@ -53,8 +64,8 @@
 //       node and second.
 // Numbers in frame, knot and frame_event are stored exactly: zero as an integer, NaN as NULL. `PRAGMA
 // user_version` is the version of this list. Files of version 3, which stored records as raw bytes, and of
-// versions 4 to 6, which did not know of spins, of the score or of several games, can be read, and are converted to this version when the session is
-// continued.
+// versions 4 to 6, which did not know of spins, of the score, of several games and of several viewers, can be
+// read, and are converted to this version when the session is continued.
 
 #include <chrono>
 #include <filesystem>
@@ -63,6 +74,7 @@
 #include <string>
 #include <vector>
 
+#include "app/journal/journal_news.h"
 #include "app/journal/session_facts.h"
 #include "cave/frame/frame_state.h"
 #include "cave/frame/frame_timing.h"
@@ -97,15 +109,16 @@ class Journal {
   /// are not written. May be called from any thread, also while another adds or closes.
   void close();
 
-  /// Adds a frame: what was drawn, how the head was known, the tracker's samples for it, and the strokes by
-  /// hand. Never blocks.
-  void add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples,
-           std::span<const Stroke> strokes = {});
+  /// Adds a frame: what was drawn, how each viewer's head was known, the trackers' samples for it, and the
+  /// strokes by hand. Never blocks.
+  void add(const FrameState& state, std::span<const HeadEstimate> heads,
+           std::span<const TrackerSamples> samples, std::span<const HandStroke> strokes = {});
 
-  /// Adds what the operator or a hand did; it takes effect with frame `frame`.
-  void addInput(std::uint64_t frame, const std::string& what, const std::string& value);
+  /// Adds what the operator or a viewer's hand did; it takes effect with frame `frame`.
+  void addInput(std::uint64_t frame, const std::string& what, const std::string& value,
+                std::size_t viewer = 0);
   void addAnswer(std::uint64_t frame, const std::string& lesson, const std::string& question,
-                 const std::string& answer);
+                 const std::string& answer, std::size_t viewer = 0);
 
   /// Adds the nodes' frame timing; written with the next frame.
   void add(std::span<const LatencyRow> rows);

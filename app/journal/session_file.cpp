@@ -123,6 +123,12 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
     facts_ = {tables_->fact("program"), tables_->fact("rig_file"), chosen.scenario,
               tables_->fact("rig"),     chosen.scenarioText,       chosen.lightSpeed_m_s};
     showOnly(database, chosen);
+    for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer) {
+      const std::string name = tables_->fact(keyOfViewer(viewer).c_str());
+      if (name.empty()) break;
+      if (viewer == 0) facts_.viewers.clear();
+      facts_.viewers.push_back(name);
+    }
     if (!quiet && open && alone && tables_->fact("ended_utc").empty()) {
       log::warn(fmt::format(
           "session file {0}: the session was not closed, and {1}, which belongs beside it, is not "
@@ -137,6 +143,14 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
 }
 
 SessionFile::~SessionFile() = default;
+
+std::size_t SessionFile::viewerNamed(const std::string& name) const {
+  const auto found = std::find(facts_.viewers.begin(), facts_.viewers.end(), name);
+  if (found == facts_.viewers.end())
+    refuse(file_,
+           fmt::format("there is no viewer '{}', expected {}", name, fmt::join(facts_.viewers, " or ")));
+  return static_cast<std::size_t>(found - facts_.viewers.begin());
+}
 
 std::optional<std::pair<std::uint64_t, std::uint64_t>> SessionFile::frames() const {
   SQLite::Statement& row = *tables_->ends;

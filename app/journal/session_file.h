@@ -30,6 +30,12 @@ class SessionFile {
 
   /// Returns the rig of the session and the scenario of the game.
   const SessionFacts& facts() const { return facts_; }
+  /// Returns the name of a viewer of the records.
+  std::string nameOf(std::size_t viewer) const {
+    return viewer < facts_.viewers.size() ? facts_.viewers[viewer] : "viewer " + std::to_string(viewer + 1);
+  }
+  /// Returns the viewer of that name. Throws std::runtime_error that names those whom the session has.
+  std::size_t viewerNamed(const std::string& name) const;
   /// Returns all games of the session, and the number of this one among them, from 1.
   const std::vector<SessionGame>& games() const { return games_; }
   std::size_t game() const { return game_; }

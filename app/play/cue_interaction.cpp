@@ -13,12 +13,15 @@
 
 namespace carom {
 
-Event handEvent(const Vec3& handInRoom_m, const ObserverView& observer, const Lorentz& boardFromRoom) {
-  const EyeView& head = observer.middle;
+Event handEvent(const Vec3& handInRoom_m, const FrameRecord& record) {
+  const Lorentz& boardFromRoom = record.boardFromRoom;
+  const EyeView& head = record.observer.middle;
   Event hand = head.observation + boardFromRoom * Displacement{0.0, handInRoom_m - head.seenFromInRoom_m};
-  for (const EyeView& eye : observer.all()) {
-    const double light_s = glm::distance(hand.r_m, eye.observation.r_m) / boardFromRoom.lightSpeed_m_s();
-    hand.t_s = std::max(hand.t_s, eye.observation.t_s - light_s);
+  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer) {
+    for (const EyeView& eye : record.viewer(viewer).observer.all()) {
+      const double light_s = glm::distance(hand.r_m, eye.observation.r_m) / boardFromRoom.lightSpeed_m_s();
+      hand.t_s = std::max(hand.t_s, eye.observation.t_s - light_s);
+    }
   }
   return hand;
 }
@@ -100,7 +103,7 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
   const double c_m_s = scenario_->billiard.lightSpeed_m_s;
   const Vec2 u = strokeOf(cue_.pull_m(), record.boardFromRoom).u;
   if (u == Vec2(0.0)) return {{}, {}, texts::message::kLetGo};
-  const Event from = handEvent(hand.from_m, record.observer, record.boardFromRoom);
+  const Event from = handEvent(hand.from_m, record);
   if (from.t_s < 0.0) return {{}, {}, texts::message::kBeforeGame};
   const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u,
                       offset_m(u, puck, record.boardFromRoom)};

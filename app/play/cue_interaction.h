@@ -14,10 +14,10 @@
 namespace carom {
 
 /// Returns the board event at which a hand acts: the hand's position in the room at the head's time there, or
-/// later if an eye has already received light from there (the eyes are simultaneous for the head, which may
-/// move in the room): then the last event there whose light an eye has received. So no event that any eye has
-/// seen lies in its future.
-Event handEvent(const Vec3& handInRoom_m, const ObserverView& observer, const Lorentz& boardFromRoom);
+/// later if an eye of any viewer has already received light from there (the eyes are simultaneous for their head, which
+/// may move in the room): then the last event there whose light an eye has received. So no event that any eye has
+/// seen lies in its future. The hand is that of the record's first viewer.
+Event handEvent(const Vec3& handInRoom_m, const FrameRecord& record);
 
 class CueInteraction {
  public:

@@ -10,12 +10,12 @@ namespace {
 
 Viewer viewerOf(const PlacedRig& placed) {
   const Rig& rig = placed.rig;
-  const TrackerSetup& tracker = rig.trackers[rig.head.sensor.tracker];
-  const Pose eyesInSensor = inverse(rig.head.eyesFromSensor);
+  const TrackerSetup& tracker = rig.trackers[rig.viewers.front().head.sensor.tracker];
+  const Pose eyesInSensor = inverse(rig.viewers.front().head.eyesFromSensor);
   if (tracker.kind == TrackerKind::recorded) {
     const std::vector<TrackerSample> samples = readTrace(tracker.source);
     const auto first = std::find_if(samples.begin(), samples.end(), [&](const TrackerSample& sample) {
-      return sample.sensor == rig.head.sensor.sensor;
+      return sample.sensor == rig.viewers.front().head.sensor.sensor;
     });
     if (first != samples.end()) {
       return {(tracker.roomFromTracker * first->pose * eyesInSensor).position_m, placed.head,
@@ -44,7 +44,7 @@ Room roomOf(const PlacedRig& placed, const std::filesystem::path& file) {
   room.nodes = rig.nodes;
   room.nodesAt = placed.nodes;
   room.oneWindow = rig.oneWindow;
-  room.eyeSeparation_m = rig.head.eyeSeparation_m;
+  room.eyeSeparation_m = rig.viewers.front().head.eyeSeparation_m;
   room.eyeSeparationAt = placed.eyeSeparation;
   room.unit_m = placed.unit_m;
   room.viewer = viewerOf(placed);

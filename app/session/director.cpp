@@ -39,6 +39,18 @@ void FrameLeader::obey(const Command& command, Decision& decision) {
   if (std::holds_alternative<WelcomeNextVisitor>(command)) choose({firstGame_, true});
 }
 
+namespace {
+
+/// Returns the middle between the viewers' heads: it moves when one of them does.
+Vec3 meanPlaceOf(const Decision& decision) {
+  Vec3 sum_m(0.0);
+  for (std::size_t viewer = 0; viewer < decision.frame.record.viewers; ++viewer)
+    sum_m += decision.heads[viewer].pose.position_m;
+  return sum_m / static_cast<double>(decision.frame.record.viewers);
+}
+
+}  // namespace
+
 /// Lets another game follow by itself, unless somebody has just chosen one. `acted`: somebody gave a command or
 /// pressed a key.
 void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& decision) {
@@ -48,9 +60,9 @@ void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& d
   acted = acted || mouseMoved || desk.mouseHeld || desk.mouseTurns || desk.padHeld || decision.isHandled ||
           record.hand.pulling;
   if (nextGame_.isForNextVisitor) return programme_.welcome();
-  const NextGame next = programme_.look(
-      {record.display_s, acted, record.drive.mode == DriveMode::tour, decision.head.pose.position_m},
-      settings_.playing);
+  const NextGame next =
+      programme_.look({record.display_s, acted, record.drive.mode == DriveMode::tour, meanPlaceOf(decision)},
+                      settings_.playing);
   const bool isChosen = !nextGame_.file.empty() && !nextGame_.attracts && !awaitsShot_;
   if (next.isForNextVisitor && !isChosen) return obey(WelcomeNextVisitor{}, decision);
   if (!nextGame_.file.empty() || next.file.empty()) return;

@@ -17,6 +17,8 @@ struct LessonInterval {
   double from_s = 0.0;
   double until_s = 0.0;
   double moment_s = 0.0;  ///< held while the lesson explains
+  bool keepsClocks =
+      false;  ///< instead, the moment at which everybody is, so that their clocks stay as they are
   double slowness = 1.0;  ///< how many times slower than in the game the observer's time passes
 };
 

@@ -121,8 +121,8 @@ TEST_F(DirectorTest, AnAbandonedSessionWelcomesTheNextVisitorOnce) {
   for (int frame = 0; frame < 600; ++frame) {
     const bool presses = frame == 100;
     if (frame >= 130 && frame < 140)
-      decision_.head.pose.position_m.x = 0.01 * (frame - 129);                         // a step of 10 cm
-    if (frame >= 300) decision_.head.pose.position_m.y = frame % 2 == 0 ? 0.01 : 0.0;  // noise
+      decision_.heads[0].pose.position_m.x = 0.01 * (frame - 129);                         // a step of 10 cm
+    if (frame >= 300) decision_.heads[0].pose.position_m.y = frame % 2 == 0 ? 0.01 : 0.0;  // noise
     const WindowInput input = presses ? pressing(GLFW_KEY_4) : WindowInput{};
     if (next(leader, input).isForNextVisitor) welcomed.push_back(frame);
   }

@@ -1,4 +1,5 @@
-// Session files of versions 4 to 6, which do not know of spins, of scores and comfort, and of several games.
+// Session files of versions 4 to 6, which do not know of spins, of scores and comfort, of several games and of several
+// viewers.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -48,7 +49,11 @@ void write(const std::filesystem::path& file, int version) {
   const auto drop = [&](std::initializer_list<const char*> columns) {
     for (const char* column : columns) database.exec(std::string("ALTER TABLE ") + column);
   };
-  database.exec("DROP TABLE game");
+  database.exec(
+      "DROP TABLE game; DROP TABLE viewer; DROP TABLE platform; DROP TABLE other_viewer; DELETE FROM session "
+      "WHERE key = 'viewer'");
+  drop({"sample DROP COLUMN tracker", "stroke DROP COLUMN viewer", "input DROP COLUMN viewer",
+        "answer DROP COLUMN viewer"});
   if (version < kVersion6)
     drop({"frame DROP COLUMN comfort", "frame DROP COLUMN caroms", "frame DROP COLUMN strokes",
           "frame DROP COLUMN fade"});
@@ -96,6 +101,7 @@ TEST(EarlierVersions, FilesOfVersions4To6AreReadAndGoneOnWith) {
     SQLite::Database database(file.string());
     EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), kJournalVersion);
     EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
+    EXPECT_EQ(database.execAndGet("SELECT count(*) FROM viewer WHERE name = 'viewer'").getInt(), 2 * kFrames);
   }
 }
 

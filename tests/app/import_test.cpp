@@ -36,7 +36,7 @@ TEST(Import, MakesARigThatChecksClean) {
   EXPECT_EQ(placed.rig.walls[1].name, "the-floor");
   EXPECT_EQ(placed.rig.walls[1].node, 1);
   EXPECT_EQ(placed.rig.walls[0].stereo, StereoMode::quadBuffer);
-  EXPECT_EQ(placed.rig.head.eyeSeparation_m, 0.063);
+  EXPECT_EQ(placed.rig.viewers.front().head.eyeSeparation_m, 0.063);
   // The floor has come up to zero, the walls with it, and the viewer's eyes are where they were before them.
   EXPECT_NEAR(glm::distance(placed.rig.walls[0].lowerLeft_m, {-1.5, 0.0, -1.5}), 0.0, kWritten_m);
   EXPECT_NEAR(glm::distance(placed.rig.walls[0].upperLeft_m, {-1.5, 3.0, -1.5}), 0.0, kWritten_m);

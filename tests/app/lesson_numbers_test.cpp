@@ -17,7 +17,7 @@
 #include "engine/light/light_cone.h"
 #include "engine/light/vertex_history.h"
 #include "engine/spacetime/lorentz.h"
-#include "engine/spacetime/observer.h"
+#include "engine/spacetime/observers.h"
 
 namespace carom {
 namespace {
@@ -541,7 +541,7 @@ TEST(LessonNumbers, Twins) {
   const Scenario scenario = shipped("twins");
   const double c_m_s = scenario.billiard.lightSpeed_m_s;
   const Head head{{{0.0, 0.0, kEyes_m}, {1.0, 0.0, 0.0, 0.0}}, Vec3(0.0)};
-  Observer traveller(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, head);
+  Observers traveller(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, head);
   const Vec3 home_m = traveller.headEvent().r_m;
   constexpr double kStep_s = 1e-3;
   Numbers numbers(claims(scenario));

@@ -40,7 +40,7 @@ void play(const std::filesystem::path& file, int game, std::uint64_t first, std:
   Journal journal(file, factsOf(game), game > 1);
   for (std::uint64_t number = first; number <= last; ++number) {
     const Stroke stroke{0, static_cast<double>(number), Vec3(0.0), {0.1, 0.1}};
-    journal.add(frameOfGame(first, number), head(), {}, {&stroke, 1});
+    journal.add(frameOfGame(first, number), head(), {}, std::vector<HandStroke>{{stroke}});
   }
 }
 
