@@ -17,6 +17,7 @@
 #include "cave/frame/body_colour.h"
 #include "cave/mesh/mesh_file.h"
 #include "cave/scene/hall_model.h"
+#include "cave/scene/outline_model.h"
 #include "cave/scene/puck_model.h"
 #include "cave/scene/table_model.h"
 
@@ -142,6 +143,13 @@ BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& c
             0.0,
             0.0};
   }
+  if (!looks.outline_m.empty()) {
+    const auto prism = prismOver(looks.outline_m, looks.height_m);
+    return {{surfacePart(prism, body, colour, tessellation)},
+            static_cast<std::size_t>(prism->GetNumberOfPoints()),
+            0.0,
+            0.0};
+  }
   return {finestPartsWithin(tessellation.mostVertices, cellOf(tessellation), model),
           verticesOf(model(kAnyCell_m)), 0.0, 0.0};
 }
@@ -153,7 +161,7 @@ class BuiltBodies {
   template <typename Build>
   const BuiltBody& of(const BodyLooks& looks, std::size_t body, const glm::vec3& colour, const Build& build) {
     const auto [found, isNew] =
-        built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m));
+        built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m, outlineOf(looks)));
     BuiltBody& like = found->second;
     if (isNew) {
       like = build();
@@ -168,7 +176,13 @@ class BuiltBodies {
   }
 
  private:
-  std::map<std::tuple<std::string, double, double>, BuiltBody> built_;
+  static std::vector<std::pair<double, double>> outlineOf(const BodyLooks& looks) {
+    std::vector<std::pair<double, double>> corners;
+    for (const glm::dvec2& corner_m : looks.outline_m) corners.emplace_back(corner_m.x, corner_m.y);
+    return corners;
+  }
+
+  std::map<std::tuple<std::string, double, double, std::vector<std::pair<double, double>>>, BuiltBody> built_;
 };
 
 void addBodies(Scene& scene, std::span<const BodyLooks> pucks, std::span<const BodyLooks> told,
