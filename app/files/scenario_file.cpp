@@ -12,6 +12,7 @@
 #include "app/files/scenario_captions.h"
 #include "app/files/scenario_checks.h"
 #include "app/files/scenario_lesson.h"
+#include "app/files/scenario_outline.h"
 #include "app/files/scenario_spin.h"
 #include "app/files/scenario_tour.h"
 #include "app/files/toml_values.h"
@@ -64,12 +65,13 @@ ObserverStart readObserver(const TomlTable& table) {
 
 Puck readPuck(const TomlTable& table, double c_m_s) {
   constexpr Range kShare{.least = 0.0, .most = 1.0, .above = true};
-  Puck puck{.name = table.text("name"),
-            .radius_m = table.number("radius_m", kPositive),
-            .height_m = table.number("height_m", kPositive, kDefaultPuckHeight_m),
-            .mass_kg = table.number("mass_kg", kPositive),
-            .position_m = toVec2(table.numbers<2>("position_m", {})),
-            .beta = readBeta2(table)};
+  Puck puck;
+  puck.name = table.text("name");
+  readShape(table, puck);
+  puck.height_m = table.number("height_m", kPositive, kDefaultPuckHeight_m);
+  puck.mass_kg = table.number("mass_kg", kPositive);
+  puck.position_m = toVec2(table.numbers<2>("position_m", {}));
+  puck.beta = readBeta2(table);
   puck.inertia = table.number("inertia", kShare, puck.inertia);
   if (puck.inertia < kLeastInertia) {
     table.fault("inertia", fmt::format("inertia is {}, expected at least {}", puck.inertia, kLeastInertia));
@@ -191,6 +193,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     std::ranges::move(oddSpin(pucks[i], scenario.billiard.pucks[i], scenario.puckMeshes[i].has_value(),
                               scenario.billiard.lightSpeed_m_s),
                       std::back_inserter(scenario.odd));
+    std::ranges::move(oddOutline(pucks[i], scenario.billiard.pucks[i]), std::back_inserter(scenario.odd));
   }
 
   for (const BodyText& body : bodies) {

@@ -192,9 +192,15 @@ ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, st
   vtkNew<vtkTransformPolyDataFilter> fitted;
   fitted->SetInputData(read);
   fitted->SetTransform(fitTo(*read, radius_m));
+  fitted->Update();
+  return surfacePart(fitted->GetOutput(), body, colour, tessellation);
+}
+
+ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& whole, std::size_t body, const glm::vec3& colour,
+                      const Tessellation& tessellation) {
   vtkNew<vtkCleanPolyData> cleaned;
-  cleaned->SetInputConnection(fitted->GetOutputPort());
-  cleaned->SetLocator(locatorFor(read->GetNumberOfPoints()));
+  cleaned->SetInputData(whole);
+  cleaned->SetLocator(locatorFor(whole->GetNumberOfPoints()));
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(cleaned->GetOutputPort());
   triangles->PassLinesOff();

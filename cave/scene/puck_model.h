@@ -30,4 +30,8 @@ ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m = kAn
 ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
                    const glm::vec3& colour, const Tessellation& tessellation);
 
+/// Returns a mesh as it stands, in metres from the body's centre.
+ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& mesh, std::size_t body, const glm::vec3& colour,
+                      const Tessellation& tessellation);
+
 }  // namespace carom

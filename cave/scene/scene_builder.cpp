@@ -19,6 +19,7 @@
 #include "cave/frame/body_colour.h"
 #include "cave/mesh/mesh_file.h"
 #include "cave/scene/hall_model.h"
+#include "cave/scene/outline_model.h"
 #include "cave/scene/puck_model.h"
 #include "cave/scene/table_model.h"
 
@@ -143,6 +144,13 @@ BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& c
             0.0,
             0.0};
   }
+  if (!looks.outline_m.empty()) {
+    const auto prism = prismOver(looks.outline_m, looks.height_m);
+    return {{surfacePart(prism, body, colour, tessellation)},
+            static_cast<std::size_t>(prism->GetNumberOfPoints()),
+            0.0,
+            0.0};
+  }
   return {finestPartsWithin(tessellation.mostVertices, cellOf(tessellation), model),
           verticesOf(model(kAnyCell_m)), 0.0, 0.0};
 }
@@ -154,7 +162,7 @@ class BuiltBodies {
   template <typename Build>
   const BuiltBody& of(const BodyLooks& looks, std::size_t body, const glm::vec3& colour, const Build& build) {
     const auto [found, isNew] =
-        built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m));
+        built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m, outlineOf(looks)));
     BuiltBody& like = found->second;
     if (isNew) {
       like = build();
@@ -169,7 +177,13 @@ class BuiltBodies {
   }
 
  private:
-  std::map<std::tuple<std::string, double, double>, BuiltBody> built_;
+  static std::vector<std::pair<double, double>> outlineOf(const BodyLooks& looks) {
+    std::vector<std::pair<double, double>> corners;
+    for (const glm::dvec2& corner_m : looks.outline_m) corners.emplace_back(corner_m.x, corner_m.y);
+    return corners;
+  }
+
+  std::map<std::tuple<std::string, double, double, std::vector<std::pair<double, double>>>, BuiltBody> built_;
 };
 
 /// Returns how long the shadows of pucks on a table can be, in heights of the puck. Light from a lamp that is H above

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -45,8 +46,9 @@ struct BodyLooks {
   std::string
       meshPath;  ///< as readMeshFile takes it; empty: the built-in puck, or for scripted bodies a rod of
                  ///< 1 m along x
-  double radius_m = 0.0;  ///< a puck's mesh is scaled to it; 0: as it is
-  double height_m = 0.0;  ///< of the built-in puck
+  double radius_m = 0.0;                ///< a puck's mesh is scaled to it; 0: as it is
+  double height_m = 0.0;                ///< of the built-in puck
+  std::vector<glm::dvec2> outline_m{};  ///< corners of the built-in puck; none: a disc
 };
 
 }  // namespace carom
