@@ -66,10 +66,12 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   std::vector<BodyLooks> pucks;
   for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) {
     const Puck& puck = scenario.billiard.pucks[i];
-    pucks.push_back({puck.name, pathOf(scenario.puckMeshes[i]), puck.radius_m, puck.height_m, puck.outline_m});
+    pucks.push_back(
+        {puck.name, pathOf(scenario.puckMeshes[i]), puck.radius_m, puck.height_m, puck.outline_m});
   }
   std::vector<BodyLooks> told;
-  for (const ScriptedBody& body : scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}});
+  for (const ScriptedBody& body : scenario.bodies)
+    told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
