@@ -258,7 +258,9 @@ class CollisionScheduler {
   std::optional<SpinningPairKick> cornerKick(const std::array<int, 2>& who, const PairContact& contact,
                                              const std::array<Vec21, 2>& u, const std::array<double, 2>& j,
                                              double restitution) const;
-
+  std::optional<SpinningPairKick> lastingKick(const std::array<int, 2>& who, const PairContact& contact,
+                                              const std::array<LegState, 2>& turn,
+                                              const std::array<double, 2>& j, double restitution) const;
   PairKick restOnEachOther(const std::array<int, 2>& who, const std::array<Vec21, 2>& u,
                            const std::array<double, 2>& j, double closing) const;
   // Whether a puck can be pressed: elastic discs among elastic cushions cannot.

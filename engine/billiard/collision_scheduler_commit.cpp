@@ -111,7 +111,8 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
   if (pressed[0] && pressed[1] && !corners) return settle(who, contact, turn, history);
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
-  auto found = pairKick(who, contact, turn, {turning[0].j, turning[1].j}, e);
+  auto found = corners && a.withoutDelay ? lastingKick(who, contact, turn, {turning[0].j, turning[1].j}, e)
+                                         : pairKick(who, contact, turn, {turning[0].j, turning[1].j}, e);
   if (found && pressed[0] && pressed[1])
     found->centres =
         restOnEachOther(who, {turn[0].u, turn[1].u}, {turning[0].j, turning[1].j}, found->centres.closing),

@@ -85,6 +85,22 @@ std::optional<SpinningPairKick> CollisionScheduler::cornerKick(const std::array<
   return kickCorners(contact.U, contact.n, bodies, rules);
 }
 
+// The kick of bodies with corners that were in contact already. Where they lie on each other with two corners, each
+// kick at one of them sends the other into the next, at a share of the speed. What closes slowly beside the hardest
+// of the recent blows is therefore kicked without rebound, and what closes hardly at all is left as it is.
+std::optional<SpinningPairKick> CollisionScheduler::lastingKick(const std::array<int, 2>& who,
+                                                                const PairContact& contact,
+                                                                const std::array<LegState, 2>& turn,
+                                                                const std::array<double, 2>& j,
+                                                                double restitution) const {
+  constexpr double kSlowly = 1e-2, kHardly = 1e-6;  // of the hardest blow
+  const double hardest = std::max(pucks_[who[0]].hardestBlow, pucks_[who[1]].hardestBlow);
+  const auto kick = pairKick(who, contact, turn, j, restitution);
+  if (!kick || !(kick->centres.closing < kSlowly * hardest)) return kick;
+  if (kick->centres.closing < kHardly * hardest) return std::nullopt;
+  return restitution < 1.0 ? pairKick(who, contact, turn, j, 0.0) : kick;
+}
+
 // Two pressed bodies with corners come to rest on each other: what is left of their motion and their spins in the
 // frame of their total momentum becomes heat.
 PairKick CollisionScheduler::restOnEachOther(const std::array<int, 2>& who, const std::array<Vec21, 2>& u,

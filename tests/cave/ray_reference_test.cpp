@@ -301,10 +301,10 @@ Game play(const std::filesystem::path& file) {
   std::vector<BodyLooks> pucks, told;
   for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
     pucks.push_back({setup.pucks[i].name, pathOf(game.scenario.puckMeshes[i]), setup.pucks[i].radius_m,
-                     setup.pucks[i].height_m});
+                     setup.pucks[i].height_m, setup.pucks[i].outline_m});
   }
   for (const ScriptedBody& body : game.scenario.bodies)
-    told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
+    told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}});
   const Scene whole = buildScene(setup, pucks, told);
   game.scene.bodyCount = whole.bodyCount;
   game.fineScene.bodyCount = whole.bodyCount;
@@ -322,8 +322,9 @@ Game play(const std::filesystem::path& file) {
   for (const std::size_t i : chosen) {
     const int number = static_cast<int>(game.bodies.size()) + 1;
     const bool builtIn = i < pucks.size() && pucks[i].meshPath.empty();
-    game.bodies.push_back(builtIn ? puckBody(number, game.lines[i], pucks[i].radius_m, pucks[i].height_m)
-                                  : meshBody(number, game.lines[i], *partOf(i + 1)));
+    const bool isDisc = builtIn && pucks[i].outline_m.empty();
+    game.bodies.push_back(isDisc ? puckBody(number, game.lines[i], pucks[i].radius_m, pucks[i].height_m)
+                                 : meshBody(number, game.lines[i], *partOf(i + 1)));
     test::addNumbered(game.scene, whole, i + 1, number);
     test::addNumbered(game.fineScene, whole, i + 1, number);
     if (builtIn) game.fineScene.parts.back().mesh = test::polyData(game.bodies.back().fine);
