@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <fstream>
@@ -610,6 +611,34 @@ TEST(LessonNumbers, Twins) {
       .has(leg_s, 0)
       .has(size_m_s2, 1)
       .has(firstLeg_s, 2);
+}
+
+// Walked here to and fro in steps of a frame, by the clocks of two observers in one room.
+TEST(LessonNumbers, TwinsInOneRoom) {
+  const Scenario scenario = shipped("twins-in-one-room");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  constexpr double kWalk_m_s = 0.6, kWalked_s = 20.0, kStep_s = 1.0 / 60.0;
+  std::array<Head, 2> heads;
+  heads[1].roomFromHead.position_m = {0.7, 0.0, 0.3};
+  Observers pair(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, heads);
+  const int frames = static_cast<int>(std::lround(kWalked_s / kStep_s));
+  for (int frame = 0; frame < frames; ++frame) {
+    const double way = frame % 120 < 60 ? 1.0 : -1.0;
+    heads[0].roomFromHead.position_m.x += way * kWalk_m_s * kStep_s;
+    pair.beginFrame();
+    pair.step(kStep_s, heads);
+  }
+  const double walked_s = pair.properTime_s(0), stood_s = pair.properTime_s(1);
+  EXPECT_NEAR(walked_s, kWalked_s, 1e-9) << "who moves fastest keeps the display's time";
+  EXPECT_EQ(scenario.lesson->words.right, 2u) << "theirs who stood";
+  Numbers(claims(scenario))
+      .has(kWalked_s, 0)
+      .has(kWalk_m_s, 2)
+      .has(c_m_s, 2)
+      .has(walked_s, 1)
+      .has(stood_s, 1)
+      .has(stood_s / walked_s, 3)
+      .has(1.0, 0);  // under the root
 }
 
 /// The velocity of a puck for an observer who moves along x at 0.6 c.
