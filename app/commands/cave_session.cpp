@@ -91,8 +91,8 @@ Before whatWas(const std::filesystem::path& file) {
   Before before{session.facts(), {}};
   const auto frames = session.frames();
   if (!frames) return before;
-  // A session may have been cut off while the best shot was shown again, from where it was seen. The observer goes on
-  // from the latest event before that.
+  // A session may have been cut off while the best shot was shown again, from where it was seen. The observers go on
+  // from the latest events before that.
   constexpr std::uint64_t kLongestShot = 2 * ShotMemory::kMostViews;
   session.goTo(std::max(frames->first, frames->second - std::min(frames->second, kLongestShot)));
   FrameState state;
@@ -104,7 +104,8 @@ Before whatWas(const std::filesystem::path& file) {
     if (!latest || isLesson || seenAt_s(state.record) >= seenAt_s(*latest)) latest = state.record;
   }
   if (!latest) return before;
-  before.last->observer = latest->observer;
+  for (std::size_t viewer = 0; viewer < latest->viewers; ++viewer)
+    before.last->viewer(viewer).observer = latest->viewer(viewer).observer;
   before.last->boardFromRoom = latest->boardFromRoom;
   return before;
 }

@@ -79,9 +79,11 @@ Subject recorded(const EventsOptions& options) {
         fmt::format("session file {}: it ended before its first frame", options.source.string()));
   subject.events = std::move(world.events);
   // A lesson repeats a part of its game, so that its last frame need not be the latest on the board.
-  const auto latest = std::max_element(
-      head.begin(), head.end(), [](const auto& a, const auto& b) { return a.event.t_s < b.event.t_s; });
-  keepUntil(subject.events, options.until_s.value_or(latest->event.t_s));
+  double latest_s = head.front().event.t_s;
+  for (const std::vector<HeadAt>& ofOne : subject.heads) {
+    for (const HeadAt& at : ofOne) latest_s = std::max(latest_s, at.event.t_s);
+  }
+  keepUntil(subject.events, options.until_s.value_or(latest_s));
   return subject;
 }
 

@@ -242,7 +242,7 @@ void addExport(CLI::App& app, int& status) {
   addGame(*command, options->game);
   command
       ->add_option("--observer", options->observer,
-                   "Trace of another person's head, in the room: what they see of the same game")
+                   "Trace of another observer's head, in the room: what they see of the same game")
       ->type_name("TRACE")
       ->transform(shipped({"traces"}));
   command

@@ -126,7 +126,7 @@ void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options
   command
       .add_option(
           "--observer", options->observer,
-          "Trace of another person's head, in the room: the same game, seen by them, until they would see "
+          "Trace of another observer's head, in the room: the same game, seen by them, until they would see "
           "what was not recorded")
       ->type_name("TRACE")
       ->transform(shipped({"traces"}));
@@ -143,14 +143,14 @@ void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options
             throw CLI::ValidationError("--beta",
                                        "is not below the speed of light, expected a magnitude under 1");
           },
-          "The velocity of the other person's room over c, on the board")
+          "The velocity of the other observer's room over c, on the board")
       ->expected(3)
       ->type_name("BX BY BZ")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
   command
       .add_option_function<std::vector<double>>(
           "--from", [options](const std::vector<double>& place_m) { options->from_m = toVec3(place_m); },
-          "Where the other person's room stands: its floor's origin on the board, in metres (the floor is "
+          "Where the other observer's room stands: its floor's origin on the board, in metres (the floor is "
           "0.75 m "
           "below the cloth)")
       ->expected(3)
@@ -172,20 +172,20 @@ int runReplay(const ReplayOptions& options) {
 
 void addReplay(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("replay", "Show a recorded session again, as it was or as another person sees it");
+      app.add_subcommand("replay", "Show a recorded session again, as it was or as another observer sees it");
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("SESSION", options->session, "Session file")->required();
   addGame(*command, options->game);
   command
       ->add_option(
           "--as", options->as,
-          "Of several who shared the room, show this one's walls alone; another person who sees the game "
+          "Of several who shared the room, show this one's walls alone; another observer of the game "
           "is then in this one's place")
       ->type_name("NAME");
   addVisitor(*command, options);
   command
       ->add_option("--at", options->at_s,
-                   "Begin at this second of the session instead of at its start; not with another person")
+                   "Begin at this second of the session instead of at its start; not with another observer")
       ->type_name("S")
       ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
   command
@@ -205,7 +205,8 @@ void addReplay(CLI::App& app, int& status) {
       "others.");
   command->callback([options, &status] {
     if (options->at_s && isVisit(*options))
-      throw CLI::ValidationError("--at", "is for the session as it was, expected it without another person");
+      throw CLI::ValidationError("--at",
+                                 "is for the session as it was, expected it without another observer");
     status = runReplay(*options);
   });
 }

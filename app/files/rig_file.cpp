@@ -55,8 +55,11 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
   rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock", kFrameLocks, 0));
   rig.playlist = playlistOf(path, root.text("playlist", ""));
-  for (const TomlTable& table : root.tables("tracker"))
-    rig.trackers.push_back(readTracker(file, table, unit_m, rig.axes));
+  std::uint64_t simulated = 0;  // the first simulated person has the seed of one who is alone
+  for (const TomlTable& table : root.tables("tracker")) {
+    TrackerSetup& tracker = rig.trackers.emplace_back(readTracker(file, table, unit_m, rig.axes));
+    if (tracker.kind == TrackerKind::simulated) tracker.seed = ++simulated;
+  }
   rig.viewers = readViewers(root, rig.trackers, unit_m);
   const std::vector<TomlTable> viewers = root.tables("viewer");
   if (const auto head = viewers.empty() ? root.table("head") : viewers.front()) {

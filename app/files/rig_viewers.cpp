@@ -80,9 +80,11 @@ std::vector<Screen> screensOf(const Rig& rig) {
 /// Checks what one viewer sees of a screen. Returns whether the viewer sees it at all.
 bool checkScreen(const Rig& rig, const Screen& screen, std::size_t viewer,
                  const std::vector<WallText>& walls) {
-  std::array<int, 3> times{};  // of each eye
+  std::array<int, 3> times{};               // of each eye
+  std::size_t ofViewer = screen.firstWall;  // a wall of the screen that shows one
   for (const Screen::Shown& shown : screen.shown) {
     if (shown.eye.viewer != viewer) continue;
+    ofViewer = shown.wall;
     if (++times[static_cast<std::size_t>(shown.eye.eye)] == 2) {
       walls[shown.wall].table.fault(
           "eyes", fmt::format("wall '{}' shows {} on the screen of wall '{}', which shows this eye already, "
@@ -95,10 +97,11 @@ bool checkScreen(const Rig& rig, const Screen& screen, std::size_t viewer,
              right = times[static_cast<std::size_t>(Eye::right)] > 0,
              both = times[static_cast<std::size_t>(Eye::middle)] > 0;
   if (left != right && !both) {
-    walls[screen.firstWall].table.fault(
-        "eyes",
+    const WallText& wall = walls[ofViewer];
+    wall.table.fault(
+        wall.table.has("eyes") ? "eyes" : "stereo",
         fmt::format("viewer '{}' sees the screen of wall '{}' with the {} eye only, expected both",
-                    rig.viewers[viewer].name, rig.walls[screen.firstWall].name, left ? "left" : "right"));
+                    rig.viewers[viewer].name, rig.walls[ofViewer].name, left ? "left" : "right"));
   }
   return left || right || both;
 }
@@ -159,7 +162,8 @@ void readEyes(const TomlTable& table, const std::vector<ViewerSetup>& viewers, W
   }
   if (!table.has("eyes")) return;
   const std::size_t channels = eyesOf(wall.stereo).size();
-  for (const PlacedText& text : table.texts("eyes")) {
+  const std::vector<PlacedText> names = table.texts("eyes");
+  for (const PlacedText& text : names) {
     if (const auto eye = eyeNamed(text.text, viewers, wall.viewer)) {
       wall.eyes.push_back(*eye);
     } else {
@@ -175,9 +179,10 @@ void readEyes(const TomlTable& table, const std::vector<ViewerSetup>& viewers, W
     wall.pictureNames.push_back(fmt::format("{}-{}", wall.name, viewers[wall.eyes[i].viewer].name));
   if (wall.stereo == StereoMode::mono) {
     table.fault("eyes", "a wall with one picture for both eyes has no channels, expected no eyes");
-  } else if (wall.eyes.size() != channels) {
-    table.fault("eyes", fmt::format("eyes has {} names, expected one for each of the {} channels of '{}'",
-                                    wall.eyes.size(), channels, toString(wall.stereo)));
+  } else if (names.size() != channels) {
+    table.fault("eyes",
+                fmt::format("eyes has {} name{}, expected one for each of the {} channels of '{}'",
+                            names.size(), names.size() == 1 ? "" : "s", channels, toString(wall.stereo)));
   }
 }
 

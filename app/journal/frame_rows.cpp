@@ -137,6 +137,10 @@ void FrameReader::read(FrameState& state) {
   knot_.reset();
   knot_.bind(1, number);
   version_ == kVersion3 ? readVersion3(state) : readFields(state);
+  // As it was while there was one viewer.
+  state.record.placeInRoom_m = state.record.observer.middle.positionInRoom_m;
+  state.record.room_s = state.record.observer.properTime_s;
+  if (viewers_) viewers_->read(state.record);
   if (state.record.number != static_cast<std::uint64_t>(number))
     throw std::runtime_error(fmt::format("its record is of frame {}", state.record.number));
   expectPossible(state.record, lightSpeed_m_s_);
@@ -150,9 +154,6 @@ void FrameReader::readFields(FrameState& state) {
   Reading row(frames());
   row("", "number", state.record.number);
   visitRecord(row, state.record);
-  state.record.placeInRoom_m = state.record.observer.middle.positionInRoom_m;
-  state.record.room_s = state.record.observer.properTime_s;
-  if (viewers_) viewers_->read(state.record);
   while (knot_.executeStep()) {
     BodyKnot& knot = state.knots.emplace_back();
     Reading knotRow(knot_);

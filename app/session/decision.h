@@ -28,6 +28,12 @@ struct Note {
   std::size_t viewer = 0;
 };
 
+/// A command that a viewer's hand device has given.
+struct HandCommand {
+  Command command;
+  std::size_t viewer = 0;
+};
+
 /// The answer that a visitor gave to a lesson's question.
 struct LessonAnswer {
   std::string lesson, question, answer;
@@ -44,7 +50,8 @@ struct Decision {
   /// The head trackers' samples for this frame, valid until the next decision; live sessions only.
   std::vector<TrackerSamples> samples;
   std::vector<std::string> alarms;  ///< tracker failures and recoveries, for the terminal
-  Commands commands;                ///< from hand devices and captions; they take effect with the next frame
+  Commands commands;                ///< from captions and programmes; they take effect with the next frame,
+  std::vector<HandCommand> handCommands;  ///< and so do these, from hand devices
   bool isHandled = false;  ///< the person uses a device of the hand: it steers, brakes, turns or presses
   bool showsShot = false;  ///< the best shot is shown again
   double stay_s = 0.0;     ///< recorded sessions: time between the previous frame and this one
@@ -58,6 +65,7 @@ struct Decision {
     strokes.clear();
     alarms.clear();
     commands.clear();
+    handCommands.clear();
     isHandled = showsShot = false;
     samples.clear();
     stay_s = 0.0;

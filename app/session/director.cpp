@@ -26,12 +26,12 @@ void FrameLeader::choose(NextGame next) {
 }
 
 /// Applies a command and notes it. In a live game nothing else changes the settings.
-void FrameLeader::obey(const Command& command, Decision& decision) {
+void FrameLeader::obey(const Command& command, Decision& decision, std::size_t viewer) {
   if (std::holds_alternative<AdvanceLesson>(command) && settings_.lesson.phase == LessonPhase::none)
-    return obey(ShowBestShot{}, decision);
+    return obey(ShowBestShot{}, decision, viewer);
   if (!apply(command, settings_)) return;
   obeyed_.push_back(command);
-  decision.inputs.push_back({nameOf(command), valueOf(command, settings_)});
+  decision.inputs.push_back({nameOf(command), valueOf(command, settings_), viewer});
   log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
   if (const auto* play = std::get_if<PlayScenario>(&command))
@@ -49,6 +49,14 @@ Vec3 meanPlaceOf(const Decision& decision) {
   return sum_m / static_cast<double>(decision.frame.record.viewers);
 }
 
+/// Returns whether one of the viewers draws the cue.
+bool anyPulls(const FrameRecord& record) {
+  bool any = false;
+  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
+    any |= record.viewer(viewer).hand.pulling != 0;
+  return any;
+}
+
 }  // namespace
 
 /// Lets another game follow by itself, unless somebody has just chosen one. `acted`: somebody gave a command or
@@ -58,7 +66,7 @@ void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& d
   mouseWas_ = desk.mouse;
   const FrameRecord& record = decision.frame.record;
   acted = acted || mouseMoved || desk.mouseHeld || desk.mouseTurns || desk.padHeld || decision.isHandled ||
-          record.hand.pulling;
+          anyPulls(record);
   if (nextGame_.isForNextVisitor) return programme_.welcome();
   const NextGame next =
       programme_.look({record.display_s, acted, record.drive.mode == DriveMode::tour, meanPlaceOf(decision)},
@@ -91,6 +99,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const bool acted = inbox_.size() > fromSource_ || !input.keys.empty();
   for (const Command& command : inbox_) obey(command, decision);
   inbox_.clear();
+  for (const HandCommand& given : handed_) obey(given.command, decision, given.viewer);
   for (const Command& command : commandsOf(input, keys_, before.display_s, settings_))
     obey(command, decision);
   const DeskInput desk = desk_ ? desk_(input, choosing) : DeskInput{};
@@ -99,6 +108,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   if (keys_ == KeysOf::session) followProgramme(acted, desk, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   fromSource_ = decision.commands.size();
+  handed_ = decision.handCommands;
   endGame(decision);
   for (const std::string& alarm : decision.alarms) log::note(alarm);
   decision.timing.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

@@ -42,6 +42,7 @@ class FrameLeader : public Director {
   void begin(const OperatorSettings& settings) {
     settings_ = settings;
     inbox_.clear();  // of the game before
+    handed_.clear();
     fromSource_ = 0;
     programme_.begin();
   }
@@ -58,7 +59,7 @@ class FrameLeader : public Director {
   }
 
  private:
-  void obey(const Command& command, Decision& decision);
+  void obey(const Command& command, Decision& decision, std::size_t viewer = 0);
   void followProgramme(bool acted, const DeskInput& desk, Decision& decision);
   void choose(NextGame next);
   void endGame(Decision& decision);
@@ -67,7 +68,8 @@ class FrameLeader : public Director {
   KeysOf keys_;
   DeskDevices desk_;  ///< kept between games, so that held buttons and keys stay held
   Commands inbox_, obeyed_;
-  std::size_t fromSource_ = 0;  ///< number of commands in the inbox that the source has given
+  std::vector<HandCommand> handed_;  ///< by the hands in the frame before
+  std::size_t fromSource_ = 0;       ///< number of commands in the inbox that the source has given
   std::string firstGame_;
   NextGame nextGame_;
   bool awaitsShot_ = false;          ///< the next game follows by itself, after the best shot

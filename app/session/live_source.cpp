@@ -125,9 +125,10 @@ ObserverViews LiveSource::lessonView(const OperatorSettings& settings, const Fra
     play_.passEnded_s = times.display_s;
   if (explains || play_.passEnded_s) return viewers_.freeView(times, settings.eyeSeparation_m, 0.0);
   const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-  if (interval.slowness == 1.0) return viewers_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive);
+  if (interval.slowness == 1.0)
+    return viewers_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive, steering_);
   return viewers_.slowView(times, settings.eyeSeparation_m, pace, times.step_s / interval.slowness, wish_,
-                           play_.drive);
+                           play_.drive, steering_);
 }
 
 /// Takes over the lesson's state for this frame and notes an answer just given.
@@ -136,7 +137,7 @@ void LiveSource::advanceLesson(const LessonState& lesson, Decision& decision) {
   play_.lesson = lesson;
   if (!answered || !scenario_.lesson) return;
   const LessonWords& words = scenario_.lesson->words;
-  decision.answers.push_back({words.title, words.question, answerText(words, lesson)});
+  decision.answers.push_back({words.title, words.question, answerText(words, lesson), play_.answeredBy});
 }
 
 /// Fills in the viewers' views: their world lines continue, driven by hand, on the tour or on the way home, or
@@ -161,7 +162,7 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
       views = lessonView(settings, times);
     } else {
       const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-      views = viewers_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive);
+      views = viewers_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive, steering_);
     }
     record.drive = play_.drive.view();
     if (scenario_.lesson && (play_.explained || play_.passEnded_s)) record.drive.thrust = Vec3(0.0);
@@ -248,6 +249,19 @@ void LiveSource::tellWhoSawFirst(std::span<const HitSeen::Seen> seen, Decision& 
   }
 }
 
+/// Says whose best shot is shown again; everybody sees it as whoever struck saw it.
+void LiveSource::tellWhoseShot(bool isEnd, Decision& decision) {
+  const std::size_t cushions = play_.shots.bestCushions();
+  const std::string& striker = rig_.viewers[play_.striker].name;
+  for (std::size_t reader = 0; reader < viewers_.size(); ++reader) {
+    const bool isOwn = reader == play_.striker;
+    const std::string words = isOwn ? fmt::format(texts::message::kBestShot, cushions)
+                                    : fmt::format(texts::message::kBestShotOf, striker, cushions);
+    sayTo(reader, isEnd ? fmt::format(texts::message::kLastShot, words) : words + texts::message::kBackToGame,
+          decision);
+  }
+}
+
 /// Begins to show the best shot again, or ends it; anything that the person does ends it as well.
 void LiveSource::showAgain(const FrameInput& input, double now_s, Decision& decision) {
   const ShowBestShot* const asked = lastOf<ShowBestShot>(input.commands);
@@ -257,10 +271,7 @@ void LiveSource::showAgain(const FrameInput& input, double now_s, Decision& deci
     if ((isAsked && !asked->isEnd) || isOver || asksForAnything(wish_)) play_.shownFrom_s.reset();
   } else if (isAsked && play_.shots.hasBest()) {
     play_.shownFrom_s = now_s;
-    const std::size_t cushions = play_.shots.bestCushions();
-    say(asked->isEnd ? fmt::format(texts::message::kLastShot, cushions)
-                     : fmt::format(texts::message::kBestShot, cushions),
-        decision);
+    tellWhoseShot(asked->isEnd, decision);
   } else if (isAsked) {
     say(texts::message::kNoCarom, decision);
   }
@@ -322,7 +333,8 @@ void LiveSource::strike(std::size_t viewer, bool still, const FrameTimes& times,
     hand.held = false;
   }
   if (command) {
-    decision.commands.push_back(*command);
+    decision.handCommands.push_back({*command, viewer});
+    play_.answeredBy = viewer;
     decision.isHandled = true;
   }
   const CueInteraction::Outcome outcome = play_.cues[viewer].step(hand, still, play_.game, record);
@@ -390,7 +402,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   for (const Command& command : input.commands) {
     if (const auto* tells = std::get_if<TellPerson>(&command)) say(tells->words, decision);
   }
-  say(play_.drive.news().words(), decision);
+  sayTo(steering_, play_.drive.news().words(), decision);
   for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
     if (const Wall* left = roomBoundaries_[viewer].look(viewers_.head(viewer).pose.position_m))
       sayTo(viewer, fmt::format(texts::message::kLeftRoom, left->name), decision);
@@ -419,7 +431,7 @@ std::size_t LiveSource::captionsBegunAt(double own_s) const {
   return static_cast<std::size_t>(begun - scenario_.captions.begin());
 }
 
-/// Shows the scenario's caption for the observer's proper time, unless a message is shown. When a caption
+/// Shows everybody the scenario's caption for the first observer's proper time, unless a message is shown. When a caption
 /// begins, commands turn on its time views and turn off those of the caption before it.
 void LiveSource::showCaption(Decision& decision) {
   FrameRecord& record = decision.frame.record;
@@ -434,9 +446,12 @@ void LiveSource::showCaption(Decision& decision) {
     }
     decision.notes.push_back({"notice", caption.text});
   }
-  if (play_.captions == 0 || !record.notice.words().empty()) return;
+  if (play_.captions == 0) return;
   const Caption& latest = captions[play_.captions - 1];
-  if (own_s < latest.from_s + latest.for_s) record.notice = Notice(latest.text);
+  if (own_s >= latest.from_s + latest.for_s) return;
+  for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
+    if (record.viewer(viewer).notice.words().empty()) record.viewer(viewer).notice = Notice(latest.text);
+  }
 }
 
 double LiveSource::sampleAge_s(double begin_s) {

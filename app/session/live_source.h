@@ -1,5 +1,5 @@
 #pragma once
-// Decides the frames of a live game, for the viewer whose head is tracked.
+// Decides the frames of a live game, for the viewers whose heads are tracked.
 
 #include <chrono>
 #include <limits>
@@ -57,6 +57,7 @@ struct Play {
   bool saidStill = false;                            ///< why steering does nothing was said
   std::array<StatusMessage, kMostViewers> messages;  ///< of each viewer
   LessonState lesson;                                ///< in the previous frame
+  std::size_t answeredBy = 0;                        ///< the viewer whose hand gave the last command
   std::size_t lessonObserver = 0;                    ///< the lesson's velocity in the previous frame
   bool explained = false;                            ///< the lesson's moment was held in the previous frame
   std::optional<double> passEnded_s;                 ///< display time at which a pass of the lesson ended
@@ -97,6 +98,7 @@ class LiveSource : public FrameSource {
   void count(Decision& decision);
   void tellWhoSawFirst(std::span<const HitSeen::Seen> seen, Decision& decision);
   void forget(Decision& decision);
+  void tellWhoseShot(bool isEnd, Decision& decision);
   void showAgain(const FrameInput& input, double now_s, Decision& decision);
   const ShotView* shotShown(double now_s) const;
   DriveWish eased(double step_s);

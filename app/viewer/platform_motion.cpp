@@ -122,8 +122,8 @@ void PlatformMotion::begin(const Observers& observers) {
 
 void PlatformMotion::endTour(const Observers& observers) {
   leaveWay(DriveMode::free);
-  const double board_s = observers.headEvent(steering_).t_s - setOutBoard_s_,
-               own_s = observers.properTime_s(steering_) - setOutOwn_s_;
+  const double board_s = observers.headEvent(setOutBy_).t_s - setOutBoard_s_,
+               own_s = observers.properTime_s(setOutBy_) - setOutOwn_s_;
   notice_ = Notice(fmt::format(texts::message::kFlightFinished, board_s, own_s));
 }
 
@@ -177,6 +177,7 @@ void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, std
     const Left left{frame, observers, 1.0 - lived};
     const Manoeuvre stretch = next(wish, observers, here[steering].roomFromHead.position_m, left);
     if (view_.mode == DriveMode::tour && stretch.thrust_m_s2 != Vec3(0.0) && !std::exchange(thrusts_, true)) {
+      setOutBy_ = steering;
       setOutBoard_s_ = observers.headEvent(steering).t_s;
       setOutOwn_s_ = observers.properTime_s(steering);
     }

@@ -130,6 +130,7 @@ class PlatformMotion {
   /// Steered by hand at some time; otherwise the scenario intends any distance from the table.
   bool steered_ = false;
   bool thrusts_ = false;                            ///< the tour's first thrust has begun
+  std::size_t setOutBy_ = 0;                        ///< by whose clock the tour is timed
   double setOutBoard_s_ = 0.0, setOutOwn_s_ = 0.0;  ///< when it did
   std::vector<Thrust> tour_, way_;
   std::size_t push_ = 0;   ///< current thrust of `way_`

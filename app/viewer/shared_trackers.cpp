@@ -46,14 +46,17 @@ class SharedTrackers::Follower : public Tracker {
 };
 
 std::unique_ptr<Tracker> SharedTrackers::follow(std::size_t tracker) {
-  std::shared_ptr<Opened>& opened = opened_.at(tracker);
-  if (!opened) {
-    opened = std::make_shared<Opened>();
-    opened->tracker = createTracker(setups_[tracker], axes_, sessionStart_);
-    opened->samples.reserve(kMostSamples);
-    opened->inputs.reserve(kMostSamples);
-  }
+  const std::shared_ptr<Opened>& opened = opened_.at(tracker);
+  if (!opened) take(tracker, createTracker(setups_[tracker], axes_, sessionStart_));
   return std::make_unique<Follower>(opened);
+}
+
+void SharedTrackers::take(std::size_t tracker, std::unique_ptr<Tracker> opened) {
+  std::shared_ptr<Opened>& shared = opened_.at(tracker);
+  shared = std::make_shared<Opened>();
+  shared->tracker = std::move(opened);
+  shared->samples.reserve(kMostSamples);
+  shared->inputs.reserve(kMostSamples);
 }
 
 }  // namespace carom

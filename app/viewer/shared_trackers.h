@@ -21,6 +21,9 @@ class SharedTrackers {
   /// recorded trace is invalid.
   std::unique_ptr<Tracker> follow(std::size_t tracker);
 
+  /// Takes this tracker in the place of one of the rig's, which nobody follows yet.
+  void take(std::size_t tracker, std::unique_ptr<Tracker> opened);
+
  private:
   struct Opened;
   class Follower;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -21,9 +22,9 @@ std::vector<std::unique_ptr<HeadTracking>> trackingsOf(const Rig& rig, SharedTra
 
 }  // namespace
 
-Viewers::Viewers(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
+Viewers::Viewers(const Rig& rig, const Scenario& scenario, SharedTrackers trackers,
                  const std::optional<FrameRecord>& before)
-    : shared_(rig, sessionStart),
+    : shared_(std::move(trackers)),
       trackings_(trackingsOf(rig, shared_)),
       observers_((track(firstTimes(rig, before)), startOf(rig, scenario, before))) {
   for (std::size_t i = 0; i < rig.viewers.size(); ++i) {

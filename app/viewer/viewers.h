@@ -29,6 +29,10 @@ class Viewers {
   /// session's last frame. `sessionStart` is where the session clock reads zero. Throws InputError if a
   /// recorded trace is invalid.
   Viewers(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
+          const std::optional<FrameRecord>& before = {})
+      : Viewers(rig, scenario, SharedTrackers(rig, sessionStart), before) {}
+  /// Does the same with trackers that nobody follows yet.
+  Viewers(const Rig& rig, const Scenario& scenario, SharedTrackers trackers,
           const std::optional<FrameRecord>& before = {});
 
   /// Restarts in the initial state of another scenario, with proper time zero. The trackers continue.

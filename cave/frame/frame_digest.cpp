@@ -119,6 +119,8 @@ FrameDigest digestOf(const FrameState& state, const World& world) {
   switches << static_cast<std::uint8_t>(record.lesson.phase) << record.lesson.answer;
   for (const char letter : record.notice.text) switches << letter;
   Digest observers = digestOf(record.observer, record.boardFromRoom);
+  if (record.viewers > 1) observers << record.room_s << record.placeInRoom_m << record.lapse;
+  if (record.viewers > 1) switches << record.hasTurn;
   for (std::size_t viewer = 1; viewer < record.viewers; ++viewer) {
     const ViewerState& other = record.viewer(viewer);
     observers << std::uint64_t{digestOf(other.observer, record.boardFromRoom)} << other.placeInRoom_m

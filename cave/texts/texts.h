@@ -95,8 +95,9 @@ inline constexpr Text kCarom =
 inline constexpr Text kCaromOf = "Carom by {}! (cushions: {})";
 inline constexpr Text kSawHitFirst = "{} saw the hit first", kYouSawHitFirst = "You saw the hit first";
 inline constexpr Text kSawHitLater = "; {} {:.2f} s later: its light had {:.2f} m further to go";
-inline constexpr Text kBestShot = "Your best shot, as you saw it (cushions: {}). Enter: back to the game";
-inline constexpr Text kLastShot = "The game is over. Your best shot, as you saw it (cushions: {})";
+inline constexpr Text kBestShot = "Your best shot, as you saw it (cushions: {})";
+inline constexpr Text kBestShotOf = "The best shot of {}, seen with the same eyes (cushions: {})";
+inline constexpr Text kBackToGame = ". Enter: back to the game", kLastShot = "The game is over. {}";
 inline constexpr Text kNoCarom = "No carom so far: strike a puck so that it touches two others.";
 inline constexpr Text kFrozen = "The view is frozen: F lets time go on.";
 inline constexpr Text kAsks = "Time stands still until you answer, or skip the question (Enter).";

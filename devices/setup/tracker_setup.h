@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -38,6 +39,7 @@ struct TrackerSetup {
   TrackerKind kind = TrackerKind::simulated;
   double latency_s = 0.0;  ///< known age of its samples, if they do not carry it themselves
   SimulatedMotion person = SimulatedMotion::moves;  ///< of a simulated tracker
+  std::uint64_t seed = 1;        ///< of a simulated tracker: people with different seeds walk differently
   std::filesystem::path source;  ///< recorded tracker: the trace, which exists. Device: its address
   bool start = false;            ///< for DTRACK: the session starts and stops the measurement
   Pose roomFromTracker;

@@ -19,11 +19,12 @@ class Shows : public FrameSource {
     record.lesson = settings.lesson;
     putInto(record, settings);
     decision.showsShot = shotUntil > times.number;
-    if (byHand) decision.commands.push_back(*std::exchange(byHand, std::nullopt));
+    if (byCaption) decision.commands.push_back(*std::exchange(byCaption, std::nullopt));
+    if (byHand) decision.handCommands.push_back({*std::exchange(byHand, std::nullopt), 1});
   }
 
   Commands given;
-  std::optional<Command> byHand;
+  std::optional<Command> byCaption, byHand;  ///< the hand is the second viewer's
   std::uint64_t shotUntil = 0;
 };
 
@@ -94,6 +95,7 @@ TEST_F(DirectorTest, AHandsButtonHoldsFromTheNextFrameOn) {
   EXPECT_EQ(frame().lesson.phase, LessonPhase::asks);
   EXPECT_EQ(frame().lesson, (LessonState{LessonPhase::shows, 2}));
   EXPECT_EQ(inputs(), Words{"lesson: shows, answered 2"});
+  EXPECT_EQ(decision_.inputs.front().viewer, 1U);
   EXPECT_EQ(frame().lesson, (LessonState{LessonPhase::shows, 2}));
   EXPECT_EQ(inputs(), Words{});
 }
@@ -137,7 +139,7 @@ TEST_F(DirectorTest, ACaptionIsNoSignOfLife) {
   FrameLeader leader(source_, KeysOf::session, settings, nullptr, 60.0);
   std::vector<int> welcomed;
   for (int frame = 0; frame < 400; ++frame) {
-    if (frame % 40 == 20) source_.byHand = SetView{&TimeViews::boardNow, frame % 80 == 20};
+    if (frame % 40 == 20) source_.byCaption = SetView{&TimeViews::boardNow, frame % 80 == 20};
     const WindowInput input = frame == 100 ? pressing(GLFW_KEY_F8) : WindowInput{};
     if (next(leader, input).isForNextVisitor) welcomed.push_back(frame);
   }

@@ -560,9 +560,9 @@ TEST(Rig, RefusesViewersWhoDoNotFitTheirWalls) {
             "no wall shows the eyes of viewer 'cleo', expected one [[wall]] at least with viewer "
             "= 'cleo'"},
            {changedForTwo("stereo = 'side-by-side'\nviewer = 'ben'", "stereo = 'left'\nviewer = 'ben'"),
-            "viewer 'ben' sees the screen of wall 'front' with the left eye only, expected both"},
+            "viewer 'ben' sees the screen of wall 'front-ben' with the left eye only, expected both"},
            {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left']"),
-            "eyes has 1 names, expected one for each of the 2 channels of 'side-by-side'"},
+            "eyes has 1 name, expected one for each of the 2 channels of 'side-by-side'"},
            {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left', 'up']"),
             "eyes has 'up', expected 'left', 'right' or a viewer's, such as 'anna.left'"},
            {changedForTwo("viewer = 'anna'", "eyes = ['anna.left', 'bob.left']"),

@@ -175,5 +175,62 @@ TEST(TwoHands, WhoIsNearerSeesAHitFirst) {
   EXPECT_FALSE(hit.look({&event, 1}, record)) << "told once";
 }
 
+/// Two people at rest at the desk for two, in this game.
+class TwoAtRest {
+ public:
+  explicit TwoAtRest(const char* scenario)
+      : rig_(readRig(CAROM_CONFIG_DIR "/rigs/desk-two.toml")), scenario_(readScenario(scenario)) {
+    for (TrackerSetup& tracker : rig_.trackers) tracker.person = SimulatedMotion::still;
+    world_ = {startingHistories(scenario_), {}};
+    source_ = std::make_unique<LiveSource>(rig_, scenario_, world_, LiveStart{});
+    settings_ = settingsAtStart(rig_, scenario_);
+  }
+
+  const FrameRecord& frame(const DeskInput& desk = {}) {
+    decision_.beginFrame();
+    source_->next(pacer_.next(), {{}, desk}, settings_, decision_);
+    applyFrame(decision_.frame, world_);
+    pacer_.awaitTick(0.0);
+    pacer_.swapped();
+    return decision_.frame.record;
+  }
+
+ private:
+  Rig rig_;
+  Scenario scenario_;
+  World world_;
+  SimulatedClock clock_;
+  Pacer pacer_{clock_, kHz, 0.0, false, 0};
+  std::unique_ptr<LiveSource> source_;
+  OperatorSettings settings_;
+  Decision decision_;
+};
+
+// The thrust to the right is felt by whoever steers; the other's clock goes at the rate 1 + g·r/c² (r: to the right).
+TEST(TwoHands, TheThrustIsThatOfWhoeverSteers) {
+  for (const std::size_t steers : {0U, 1U}) {
+    TwoAtRest two(CAROM_CONFIG_DIR "/scenarios/table.toml");
+    FrameRecord record = two.frame();
+    DeskInput desk;
+    desk.mouse = PointedWall{record.viewer(steers).observer.middle.positionInRoom_m + Vec3(0, 0, -1),
+                             Eye::middle, steers};
+    desk.steer = Vec3(1, 0, 0);
+    for (int i = 0; i < 20; ++i) record = two.frame(desk);
+    EXPECT_EQ(record.viewer(steers).lapse, 1.0) << steers;
+    EXPECT_GT((record.viewer(1 - steers).lapse - 1.0) * (steers == 0 ? 1.0 : -1.0), 1e-3) << steers;
+  }
+}
+
+TEST(TwoHands, EverybodyReadsTheCaptions) {
+  TwoAtRest two(CAROM_CONFIG_DIR "/scenarios/welcome.toml");
+  std::size_t captions = 0;
+  for (int i = 0; i < 400; ++i) {
+    const FrameRecord& record = two.frame();
+    EXPECT_EQ(record.viewer(1).notice.words(), record.viewer(0).notice.words()) << i;
+    captions += record.viewer(0).notice.words().empty() ? 0 : 1;
+  }
+  EXPECT_GT(captions, 0U);
+}
+
 }  // namespace
 }  // namespace carom

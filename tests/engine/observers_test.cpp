@@ -47,6 +47,22 @@ TEST(Observers, AGlitchOfTheTrackerIsNotTravel) {
   EXPECT_FALSE(std::isnan(observer.headEvent().t_s));
 }
 
+// Two share the room's clock: what one head seems to move above 3 m/s drives neither clock, what it moves below does.
+TEST(Observers, AStepAbove3mPerSecondDrivesNobodysClock) {
+  constexpr double kStep_s = 1.0 / 60.0;
+  for (const double speed_m_s : {2.9, 3.1, 60.0}) {
+    std::array<Head, 2> heads{headAt(Vec3(0.0)), headAt(Vec3(1.0, 0.0, 0.0))};
+    Observers pair(Lorentz(kC_m_s), kOrigin, heads);
+    heads[0] = headAt({speed_m_s * kStep_s, 0.0, 0.0});
+    pair.beginFrame();
+    pair.step(kStep_s, heads);
+    const double gamma = speed_m_s < 3.0 ? std::hypot(1.0, speed_m_s / kC_m_s) : 1.0;
+    EXPECT_NEAR(pair.properTime_s(0), kStep_s, 1e-15) << speed_m_s << " m/s";
+    EXPECT_NEAR(pair.properTime_s(1), gamma * kStep_s, 1e-15) << speed_m_s << " m/s";
+    EXPECT_NEAR(pair.room_s(), gamma * kStep_s, 1e-15) << speed_m_s << " m/s";
+  }
+}
+
 // Eyes simultaneous in the head frame differ on the board by γβ d/c: 93 ms at β = 0.9, 64 mm, c = 1.42 m/s.
 TEST(Observers, EyesAreSimultaneousForTheHead) {
   const Lorentz boardFromRoom = Lorentz::boost(uFromBeta({0.9, 0.0, 0.0}), kC_m_s);
