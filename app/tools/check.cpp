@@ -84,9 +84,10 @@ void tellWalls(const Room& room) {
 
 /// Prints the first lines about a room of any format.
 void tellHead(const Room& room) {
-  const glm::dvec3& eyes_m = room.viewer.eyes_m;
-  fmt::print("distances are seen from {}, eyes at ({}, {}, {}) mm\n", room.viewer.words,
-             std::lround(eyes_m.x * 1e3), std::lround(eyes_m.y * 1e3), std::lround(eyes_m.z * 1e3));
+  for (const auto& [eyes_m, at, words] : room.viewers) {
+    fmt::print("distances are seen from {}, eyes at ({}, {}, {}) mm\n", words, std::lround(eyes_m.x * 1e3),
+               std::lround(eyes_m.y * 1e3), std::lround(eyes_m.z * 1e3));
+  }
   for (const NodeSetup& node : room.nodes)
     fmt::print("rank {} draws on display {}\n", node.rank, node.display);
 }

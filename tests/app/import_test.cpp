@@ -40,7 +40,7 @@ TEST(Import, MakesARigThatChecksClean) {
   // The floor has come up to zero, the walls with it, and the viewer's eyes are where they were before them.
   EXPECT_NEAR(glm::distance(placed.rig.walls[0].lowerLeft_m, {-1.5, 0.0, -1.5}), 0.0, kWritten_m);
   EXPECT_NEAR(glm::distance(placed.rig.walls[0].upperLeft_m, {-1.5, 3.0, -1.5}), 0.0, kWritten_m);
-  EXPECT_NEAR(glm::distance(roomOf(placed, rig).viewer.eyes_m, {0.0, 1.6, 0.0}), 0.0, kWritten_m);
+  EXPECT_NEAR(glm::distance(roomOf(placed, rig).viewers.front().eyes_m, {0.0, 1.6, 0.0}), 0.0, kWritten_m);
   EXPECT_TRUE(placed.rig.nodes.empty()) << "one display for all is no difference";
   const auto checked = runCarom(folder, {"check", rig});
   EXPECT_EQ(checked.status, 0) << checked.err;
