@@ -13,6 +13,7 @@
 #include "cave/frame/hall.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
+#include "engine/spacetime/attitude.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -28,15 +29,6 @@ constexpr double kToWall_m = 0.5;       // least distance that the drive keeps f
 constexpr double kMeant = 0.1;          // least steering that ends a tour; less is a device's noise
 constexpr int kMostStretches = 32;      // per frame; the rest then passes without thrust
 constexpr std::size_t kTripPushes = 3;  // accelerate, coast, decelerate
-
-/// Returns the room's orientation: boardFromRoom is a boost after it.
-glm::dquat attitudeOf(const Lorentz& boardFromRoom) {
-  const glm::dmat4 rest =
-      (Lorentz::boost(boardFromRoom.u(), boardFromRoom.lightSpeed_m_s()).inverse() * boardFromRoom).matrix();
-  return glm::normalize(
-      glm::quat_cast(glm::dmat3(Vec3(rest[1].y, rest[1].z, rest[1].w), Vec3(rest[2].y, rest[2].z, rest[2].w),
-                                Vec3(rest[3].y, rest[3].z, rest[3].w))));
-}
 
 using Heads = std::array<Head, kMostViewers>;
 

@@ -96,7 +96,7 @@ Observers::Steps Observers::stepsTo(double dt_s, std::span<const Head> heads, co
 }
 
 /// Returns the own time that somebody who is ahead must at least live in a step of so much of the fastest's.
-static double least_s(double lived_s, double ahead_s) { return std::max(0.0, lived_s - ahead_s); }
+static double leastOwnTime_s(double lived_s, double ahead_s) { return std::max(0.0, lived_s - ahead_s); }
 
 // dT = max over the observers of hypot(dt, |dx|/c)/N. Where the thrust changes within a frame, whoever has lived more
 // than dt so far has so much less to live in the rest of it: over a whole frame the fastest lives dt.
@@ -104,9 +104,9 @@ double Observers::roomTimeOf_s(const Steps& steps, double lived_s) const {
   double most_s = 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
     const double way_m = glm::length(steps[i].inRoom_m + steps[i].carried_m);
-    most_s = std::max(
-        most_s, std::hypot(least_s(lived_s, steps[i].ahead_s), way_m / boardFromRoom_.lightSpeed_m_s()) /
-                    steps[i].lapse);
+    most_s = std::max(most_s, std::hypot(leastOwnTime_s(lived_s, steps[i].ahead_s),
+                                         way_m / boardFromRoom_.lightSpeed_m_s()) /
+                                  steps[i].lapse);
   }
   return most_s;
 }
@@ -123,7 +123,7 @@ void Observers::live(const Steps& steps, double roomTime_s, double lived_s) {
   for (std::size_t i = 0; i < size_; ++i) {
     const Step& step = steps[i];
     const double way_s = glm::length(step.inRoom_m + step.carried_m) / boardFromRoom_.lightSpeed_m_s();
-    const double least_s = carom::least_s(lived_s, step.ahead_s);
+    const double least_s = leastOwnTime_s(lived_s, step.ahead_s);
     double own_s = least_s;
     if (const double here_s = step.lapse * roomTime_s; std::hypot(least_s, way_s) / step.lapse < roomTime_s)
       own_s = std::max(least_s, std::sqrt((here_s - way_s) * (here_s + way_s)));

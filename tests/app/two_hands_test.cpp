@@ -24,39 +24,63 @@ namespace {
 
 constexpr double kHz = 20.0;
 
-/// Two hands with a mouse each, in turn: aim at a puck as it is seen, hold it, draw back, let go.
-class TwoHands {
+/// A game at the desk for two, in simulated time.
+class GameForTwo {
  public:
-  explicit TwoHands(std::uint64_t seed)
-      : random_(seed),
-        rig_(readRig(CAROM_CONFIG_DIR "/rigs/desk-two.toml")),
-        scenario_(readScenario(CAROM_CONFIG_DIR "/scenarios/table.toml")) {
+  /// `change`: what is otherwise in the rig.
+  explicit GameForTwo(const char* scenario, void (*change)(Rig&) = nullptr)
+      : rig_(readRig(CAROM_CONFIG_DIR "/rigs/desk-two.toml")), scenario_(readScenario(scenario)) {
     rig_.display_hz = kHz;
+    if (change) change(rig_);
     world_ = {startingHistories(scenario_), {}};
     source_ = std::make_unique<LiveSource>(rig_, scenario_, world_, LiveStart{});
     settings_ = settingsAtStart(rig_, scenario_);
   }
 
-  /// Plays one frame; `check` is called with the game before and after each frame that changes it backwards.
-  template <typename Check>
-  void step(Check check) {
-    const FrameTimes times = pacer_.next();
-    const FrameRecord before = decision_.frame.record;
-    const DeskInput desk = number_ == 0 ? DeskInput{} : hand(before);
+  const FrameRecord& record() const { return decision_.frame.record; }
+
+ protected:
+  /// Decides the next frame, and makes it part of the world.
+  void decide(const DeskInput& desk) {
     decision_.beginFrame();
-    source_->next(times, {{}, desk}, settings_, decision_);
-    for (const HandStroke& stroke : decision_.strokes) ++strokes_.at(stroke.viewer);
-    const bool changes = number_ > 0 && std::isfinite(decision_.frame.record.truncateFrom_s);
-    const World known = changes ? world_ : World{};
+    source_->next(pacer_.next(), {{}, desk}, settings_, decision_);
+  }
+  void apply() {
     applyFrame(decision_.frame, world_);
-    if (changes) check(before, known, world_);
-    ++number_;
     pacer_.awaitTick(0.0);
     pacer_.swapped();
   }
 
+  Rig rig_;
+  Scenario scenario_;
+  World world_;
+  SimulatedClock clock_;
+  Pacer pacer_{clock_, kHz, 0.0, false, 0};
+  std::unique_ptr<LiveSource> source_;
+  OperatorSettings settings_;
+  Decision decision_;
+};
+
+/// Two hands with a mouse each, in turn: aim at a puck as it is seen, hold it, draw back, let go.
+class TwoHands : public GameForTwo {
+ public:
+  explicit TwoHands(std::uint64_t seed)
+      : GameForTwo(CAROM_CONFIG_DIR "/scenarios/table.toml"), random_(seed) {}
+
+  /// Plays one frame; `check` is called with the game before and after each frame that changes it backwards.
+  template <typename Check>
+  void step(Check check) {
+    const FrameRecord before = record();
+    decide(number_ == 0 ? DeskInput{} : hand(before));
+    for (const HandStroke& stroke : decision_.strokes) ++strokes_.at(stroke.viewer);
+    const bool changes = number_ > 0 && std::isfinite(decision_.frame.record.truncateFrom_s);
+    const World known = changes ? world_ : World{};
+    apply();
+    if (changes) check(before, known, world_);
+    ++number_;
+  }
+
   const std::array<std::size_t, 2>& strokes() const { return strokes_; }
-  const FrameRecord& record() const { return decision_.frame.record; }
   std::size_t pucks() const { return scenario_.billiard.pucks.size(); }
   double radius_m() const { return scenario_.billiard.pucks.front().radius_m; }
 
@@ -86,14 +110,6 @@ class TwoHands {
   }
 
   test::Random random_;
-  Rig rig_;
-  Scenario scenario_;
-  World world_;
-  SimulatedClock clock_;
-  Pacer pacer_{clock_, kHz, 0.0, false, 0};
-  std::unique_ptr<LiveSource> source_;
-  OperatorSettings settings_;
-  Decision decision_;
   RayPicking aim_;
   long number_ = 0;
   std::size_t viewer_ = 1, puck_ = 0;
@@ -176,34 +192,20 @@ TEST(TwoHands, WhoIsNearerSeesAHitFirst) {
 }
 
 /// Two people at rest at the desk for two, in this game.
-class TwoAtRest {
+class TwoAtRest : public GameForTwo {
  public:
-  explicit TwoAtRest(const char* scenario)
-      : rig_(readRig(CAROM_CONFIG_DIR "/rigs/desk-two.toml")), scenario_(readScenario(scenario)) {
-    for (TrackerSetup& tracker : rig_.trackers) tracker.person = SimulatedMotion::still;
-    world_ = {startingHistories(scenario_), {}};
-    source_ = std::make_unique<LiveSource>(rig_, scenario_, world_, LiveStart{});
-    settings_ = settingsAtStart(rig_, scenario_);
-  }
+  explicit TwoAtRest(const char* scenario) : GameForTwo(scenario, personsAtRest) {}
 
   const FrameRecord& frame(const DeskInput& desk = {}) {
-    decision_.beginFrame();
-    source_->next(pacer_.next(), {{}, desk}, settings_, decision_);
-    applyFrame(decision_.frame, world_);
-    pacer_.awaitTick(0.0);
-    pacer_.swapped();
-    return decision_.frame.record;
+    decide(desk);
+    apply();
+    return record();
   }
 
  private:
-  Rig rig_;
-  Scenario scenario_;
-  World world_;
-  SimulatedClock clock_;
-  Pacer pacer_{clock_, kHz, 0.0, false, 0};
-  std::unique_ptr<LiveSource> source_;
-  OperatorSettings settings_;
-  Decision decision_;
+  static void personsAtRest(Rig& rig) {
+    for (TrackerSetup& tracker : rig.trackers) tracker.person = SimulatedMotion::still;
+  }
 };
 
 // The thrust to the right is felt by whoever steers; the other's clock goes at the rate 1 + g·r/c² (r: to the right).
