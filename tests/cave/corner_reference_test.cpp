@@ -121,9 +121,9 @@ TEST_F(CornerReference, StraightFlightsUpTo99HundredthsOfLight) {
         {0.0, random.inBox(0.5)}, uFromBeta(random.direction() * speeds[made++ % 3]), 0.0, {}, 0.0};
     return WorldLine(knot, kC_m_s, radius_m);
   };
-  const Comparison all = Prisms(graphics_, Drawn::builtIn).compare(71, 12, line, settled);
+  const Comparison all = Prisms(graphics_, Drawn::builtIn).compare(71, 9, line, settled);
   all.print("corners, straight flights");
-  EXPECT_EQ(all.tracedBodies, 12);
+  EXPECT_EQ(all.tracedBodies, 9);
 }
 
 WorldLine bouncing(Random& random, double radius_m, const Corners&) {
@@ -131,15 +131,15 @@ WorldLine bouncing(Random& random, double radius_m, const Corners&) {
 }
 
 TEST_F(CornerReference, BeforeAndAfterBounces) {
-  const Comparison all = Prisms(graphics_, Drawn::builtIn).compare(72, 9, bouncing, settled);
+  const Comparison all = Prisms(graphics_, Drawn::builtIn).compare(72, 6, bouncing, settled);
   all.print("corners, before and after bounces");
-  EXPECT_EQ(all.tracedBodies, 9);
+  EXPECT_EQ(all.tracedBodies, 6);
 }
 
 TEST_F(CornerReference, InTheMiddleOfABounceUpToNineTenthsOfLight) {
-  const Comparison all = Prisms(graphics_, Drawn::fine).compare(73, 9, bouncing, inABounce);
+  const Comparison all = Prisms(graphics_, Drawn::fine).compare(73, 6, bouncing, inABounce);
   all.print("corners, in the middle of a bounce");
-  EXPECT_EQ(all.turningBodies, 9);
+  EXPECT_EQ(all.turningBodies, 6);
 }
 
 TEST_F(CornerReference, SpinsWhoseCornersGoAtUpTo99HundredthsOfLight) {
@@ -149,11 +149,11 @@ TEST_F(CornerReference, SpinsWhoseCornersGoAtUpTo99HundredthsOfLight) {
     const double rim = rims[static_cast<std::size_t>(made++ % 3)];
     return spun(random, randomWorldLine(random, kC_m_s, radius_m, 1, 0.3, 0.9), rim, 0.0, rim);
   };
-  const Comparison all = Prisms(graphics_, Drawn::fine).compare(74, 6, spinning, settled);
+  const Comparison all = Prisms(graphics_, Drawn::fine).compare(74, 3, spinning, settled);
   all.print("corners that turn, before and after bounces");
-  const Comparison turning = Prisms(graphics_, Drawn::fine).compare(75, 6, spinning, inABounce);
+  const Comparison turning = Prisms(graphics_, Drawn::fine).compare(75, 3, spinning, inABounce);
   turning.print("corners that turn, in the middle of a bounce");
-  EXPECT_EQ(turning.turningBodies, 6);
+  EXPECT_EQ(turning.turningBodies, 3);
 }
 
 /// The world line of the first of two pucks with corners that meet, as the game plays it.
@@ -184,11 +184,11 @@ WorldLine kicked(Random& random, double radius_m, const Corners& outline_m) {
 }
 
 TEST_F(CornerReference, BlowsThatTheGamePlays) {
-  const Comparison before = Prisms(graphics_, Drawn::fine).compare(76, 6, kicked, settled);
+  const Comparison before = Prisms(graphics_, Drawn::fine).compare(76, 3, kicked, settled);
   before.print("corners, before and after blows");
-  const Comparison during = Prisms(graphics_, Drawn::fine).compare(77, 9, kicked, inABounce);
+  const Comparison during = Prisms(graphics_, Drawn::fine).compare(77, 6, kicked, inABounce);
   during.print("corners, in the middle of blows");
-  EXPECT_EQ(during.turningBodies, 9);
+  EXPECT_EQ(during.turningBodies, 6);
 }
 
 }  // namespace
