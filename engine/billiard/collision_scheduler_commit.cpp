@@ -44,7 +44,10 @@ bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairConta
     mass[k] = massOf(i, j);
     spin[k] = j;
   }
-  if (hasCorners(who[0], who[1])) return !cornerKick(who, contact, u, spin, 1.0);
+  if (hasCorners(who[0], who[1])) {
+    const auto kick = cornerKick(who, contact, u, spin, 1.0);
+    return !kick || (a.withoutDelay && kick->centres.closing < kResting);
+  }
   return !kickPair(contact.U, contact.n, u, mass, 1.0);
 }
 
@@ -82,7 +85,9 @@ std::optional<SpinningCushionKick> CollisionScheduler::cushionKick(int i, int cu
   return SpinningCushionKick{*kick, j};
 }
 
-void CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
+// Returns until when this pair's contacts on the legs that they follow have been dealt with: for good, but where
+// nothing comes of a contact of bodies that turn, up to this one.
+double CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
   const std::array<int, 2> who{first, second};
   const bool braked = brake_ != 0.0;
   for (const int i : who) history.fetch(pucks_[i].file);
@@ -93,33 +98,33 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
   const auto flight = [&](int k) { return braked ? flightAt(disc(k), touchAt[k]) : discs_[who[k]]; };
   const std::optional<CornerContact> corners =
       hasCorners(first, second) ? cornersMeet(first, second) : std::nullopt;
-  const PairContact contact = corners ? corners->contact : contactOf(flight(0), flight(1), a.withoutDelay);
+  PairContact contact = corners ? corners->contact : contactOf(flight(0), flight(1), a.withoutDelay);
 
-  if (receding(who, contact, a, touchAt)) return;
+  const bool waits = !pucks_[first].decided.empty() || !pucks_[second].decided.empty();
+  const double until = corners && !waits ? corners->time : kNever;
+  if (receding(who, contact, a, touchAt) && !(corners && approachElsewhere(who, a, contact))) return until;
   const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;
   std::array<LegState, 2> turn;
   for (int k = 0; k < 2; ++k) {
     const LegState onFollowedLeg = turnOnFollowedLeg(who[k], k, contact, simultaneous);
     const Place place =
         placeTurn(who[k], simultaneous ? onFollowedLeg.x : contact.event, -1, onFollowedLeg, history);
-    if (place.tooLate) return;
+    if (place.tooLate) return kNever;
     turn[k] = place.turn;
   }
   const std::array<Turning, 2> turning{turningAt(first, turn[0].properTime),
                                        turningAt(second, turn[1].properTime)};
   const std::array<bool, 2> pressed{isPressed(first, turn[0].x.t), isPressed(second, turn[1].x.t)};
-  if (pressed[0] && pressed[1] && !corners) return settle(who, contact, turn, history);
+  if (pressed[0] && pressed[1]) {
+    if (!corners) return settle(who, contact, turn, history), kNever;
+    if (a.withoutDelay && settleCorners(who, turn, contact.event, contact.U, history)) return kNever;
+  }
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
-  auto found = corners && a.withoutDelay ? lastingKick(who, contact, turn, {turning[0].j, turning[1].j}, e)
-                                         : pairKick(who, contact, turn, {turning[0].j, turning[1].j}, e);
-  if (found && pressed[0] && pressed[1])
-    found->centres =
-        restOnEachOther(who, {turn[0].u, turn[1].u}, {turning[0].j, turning[1].j}, found->centres.closing),
-    found->j = {};
-  if (!found) return;
+  const auto found = pairKick(who, contact, turn, {turning[0].j, turning[1].j}, e);
+  if (!found) return until;
   const PairKick* const kick = &found->centres;
-  if (e == 0.0 && kick->closing < kStill && (pucks_[first].jammed || pucks_[second].jammed)) return;
+  if (e == 0.0 && kick->closing < kStill && (pucks_[first].jammed || pucks_[second].jammed)) return kNever;
 
   const double heat = kick->heat[0] + kick->heat[1];
   const std::uint64_t collision =
@@ -139,9 +144,10 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
     noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
     decide(i, decided, turn[k], history);
     noteKick(i, turn[k].x);
-    noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k]);
+    noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k] || (corners && a.withoutDelay));
     outlooks_[i].lastPartner = who[1 - k];
   }
+  return kNever;
 }
 
 void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& history) {
@@ -164,6 +170,10 @@ void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& his
     }
   }
   noteDecided(i, a.ownTime);
+  const bool lies = contact->withoutDelay && outlineOf(i) != nullptr;
+  if (lies && isPressed(i, contact->turn.x.t) &&
+      settleCorners({&i, 1}, {&contact->turn, 1}, contact->event, contact->turn.u, history))
+    return;
   bounceAt(i, a.with, *contact, foundOn, history);
 }
 
@@ -220,6 +230,7 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   decided.taken = contact.turn.u * massOf(i, turning.j) - kick->u * (massOf(i, found->j) + kick->heat);
   decide(i, decided, contact.turn, history);
   noteKick(i, contact.turn.x);
+  if (outlineOf(i) != nullptr) noteBlow(i, contact.turn.x.t, kick->closing, contact.withoutDelay);
   outlooks_[i].lastPartner = -1;
 }
 

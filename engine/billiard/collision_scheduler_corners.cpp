@@ -8,6 +8,14 @@
 
 namespace carom {
 
+namespace {
+
+constexpr double kTouching = 1e-6;  // of the radii: nearer than this is touching
+constexpr double kRebound = 0.25;   // of inelastic bodies in a jam: so it ends after few kicks
+constexpr int kJamsToRest = 64;     // without peace, after which a body moves on with what it touches
+
+}  // namespace
+
 void CollisionScheduler::takeOutlines(const BilliardSetup& setup) {
   std::vector<std::optional<Outline>> outlines(pucks_.size());
   bool any = false;
@@ -28,8 +36,24 @@ ShapedFlight CollisionScheduler::shapedFlight(int i, const Leg& leg, const Turni
 }
 
 std::optional<CornerContact> CollisionScheduler::cornersMeet(int first, int second) const {
+  const HandledContact* const last = dealtWith(first, second);
   return findCornerContact(shapedFlight(first, flightOf(first), spins_[first].turning),
-                           shapedFlight(second, flightOf(second), spins_[second].turning));
+                           shapedFlight(second, flightOf(second), spins_[second].turning),
+                           last == nullptr ? -kNever : last->until);
+}
+
+// Bodies that lie on each other at several places and recede at that of the contact: takes the first at which they
+// approach. Returns whether there is one.
+bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a,
+                                           PairContact& contact) const {
+  if (!a.withoutDelay) return false;
+  const auto flight = [&](int k) { return shapedFlight(who[k], flightOf(who[k]), spins_[who[k]].turning); };
+  const double radii = discs_[who[0]].radius + discs_[who[1]].radius;
+  for (const TouchedPlace& place : touchedPlaces(flight(0), flight(1), kTouching * radii)) {
+    contact.event = place.event, contact.n = place.n;
+    if (!receding(who, contact, a, {})) return true;
+  }
+  return false;
 }
 
 // The contact of a leg with a cushion.
@@ -85,37 +109,70 @@ std::optional<SpinningPairKick> CollisionScheduler::cornerKick(const std::array<
   return kickCorners(contact.U, contact.n, bodies, rules);
 }
 
-// The kick of bodies with corners that were in contact already. Where they lie on each other with two corners, each
-// kick at one of them sends the other into the next, at a share of the speed. What closes slowly beside the hardest
-// of the recent blows is therefore kicked without rebound, and what closes hardly at all is left as it is.
-std::optional<SpinningPairKick> CollisionScheduler::lastingKick(const std::array<int, 2>& who,
-                                                                const PairContact& contact,
-                                                                const std::array<LegState, 2>& turn,
-                                                                const std::array<double, 2>& j,
-                                                                double restitution) const {
-  constexpr double kSlowly = 1e-2, kHardly = 1e-6;  // of the hardest blow
-  const double hardest = std::max(pucks_[who[0]].hardestBlow, pucks_[who[1]].hardestBlow);
-  const auto kick = pairKick(who, contact, turn, j, restitution);
-  if (!kick || !(kick->centres.closing < kSlowly * hardest)) return kick;
-  if (kick->centres.closing < kHardly * hardest) return std::nullopt;
-  return restitution < 1.0 ? pairKick(who, contact, turn, j, 0.0) : kick;
+ShapedFlight CollisionScheduler::shapedFlight(const Member& member) const {
+  return shapedFlight(member.puck, {member.turn.x, member.u, 0.0, 0.0}, {member.j, member.turning.angle});
 }
 
-// Two pressed bodies with corners come to rest on each other: what is left of their motion and their spins in the
-// frame of their total momentum becomes heat.
-PairKick CollisionScheduler::restOnEachOther(const std::array<int, 2>& who, const std::array<Vec21, 2>& u,
-                                             const std::array<double, 2>& j, double closing) const {
-  std::array<Vec21, 2> p;
-  for (int k = 0; k < 2; ++k) p[k] = u[k] * massOf(who[k], j[k]);
-  const Vec21 P = p[0] + p[1];
-  const Vec21 together = P * (1.0 / std::sqrt(dot(P, P)));
-  PairKick kick;
-  kick.closing = closing;
-  for (int k = 0; k < 2; ++k) {
-    kick.u[k] = fourVelocity(together.x, together.y);
-    kick.heat[k] = std::max(0.0, dot(p[k], together) - pucks_[who[k]].mass);
+std::vector<TouchedPlace> CollisionScheduler::placesOf(const Member& one, const Member& other) const {
+  const ShapedFlight first = shapedFlight(one), second = shapedFlight(other);
+  return touchedPlaces(first, second, kTouching * (first.radius + second.radius));
+}
+
+// Kicks without friction at all places where two members touch. Returns whether they closed at any of them.
+bool CollisionScheduler::partCorners(Member& one, Member& two, std::span<const TouchedPlace> places) const {
+  const RimRules rules{puckRestitution_ < 1.0 ? kRebound : 1.0};
+  bool closed = false;
+  for (const TouchedPlace& place : places) {
+    const std::array<LeveredBody, 2> bodies{levered(one.puck, place.event, {one.turn.x, one.u, 0.0}, one.j),
+                                            levered(two.puck, place.event, {two.turn.x, two.u, 0.0}, two.j)};
+    const auto kick = kickCorners(equalSpeedFrame(one.u, two.u), place.n, bodies, rules);
+    if (!kick || kick->centres.closing < kResting) continue;
+    closed = true;
+    turned(one, kick->j[0]), turned(two, kick->j[1]);
+    kicked(one, kick->centres.u[0], kick->centres.heat[0]);
+    kicked(two, kick->centres.u[1], kick->centres.heat[1]);
   }
-  return kick;
+  return closed;
+}
+
+bool CollisionScheduler::isTouched(const Member& member, const CushionPlane& cushion) const {
+  return !touchedPlaces(shapedFlight(member), cushion, kTouching * discs_[member.puck].radius).empty();
+}
+
+// Likewise at all places where a member touches a cushion.
+void CollisionScheduler::partFromCushions(Member& member) const {
+  const RimRules rules{cushionRestitution_ < 1.0 ? kRebound : 1.0};
+  for (std::size_t k = 0; k < cushions_.size(); ++k) {
+    if ((member.cushions >> k & 1u) == 0) continue;
+    const ShapedFlight flight = shapedFlight(member);
+    for (const Vec21& place : touchedPlaces(flight, cushions_[k], kTouching * flight.radius)) {
+      const Vec21 u = member.u, momentum = u * member.mass;
+      const auto kick = kickCornerOffCushion(
+          cushions_[k], levered(member.puck, place, {member.turn.x, u, 0.0}, member.j), rules);
+      if (!kick || kick->centre.closing < kResting) continue;
+      turned(member, kick->j);
+      kicked(member, kick->centre.u, kick->centre.heat);
+      member.taken = member.taken + (momentum - member.u * (member.mass + kick->centre.heat));
+    }
+  }
+}
+
+// Bodies with corners that lie on each other or on a cushion would be kicked at one place after the other, each
+// kick sending others together. All such kicks are taken at once. Returns whether there are any.
+bool CollisionScheduler::settleCorners(std::span<const int> who, std::span<const LegState> turn,
+                                       const Vec21& touch, const Vec21& U, GameHistory& history) {
+  members_.clear();
+  double earliest = kNever, hardest = 0.0;
+  for (std::size_t k = 0; k < who.size(); ++k) {
+    members_.push_back(memberOf(who[k], turn[k]));
+    earliest = std::min(earliest, turn[k].x.t);
+    hardest = std::max(hardest, pucks_[who[k]].hardestBlow);
+  }
+  gatherJam(U, earliest);
+  const double slow = slowIn(who, hardest);
+  const bool again = pucks_[who[0]].jams >= kJamsToRest;
+  moveOnTogether(relax(0.125 * slow) && !again ? slow : kNever);
+  return commitJam(touch, history);
 }
 
 }  // namespace carom

@@ -174,8 +174,10 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, partner.next);
   if (!mine && !also) return;
   // Discs that have just collided part; bodies that turn may meet with other corners.
-  if (player.lastPartner == other && partner.lastPartner == i && !hasCorners(i, other)) return;
-  if (player.hasMet && hasDealtWith(i, other)) return;
+  if (!hasCorners(i, other)) {
+    if (player.lastPartner == other && partner.lastPartner == i) return;
+    if (dealtWith(i, other) != nullptr) return;
+  }
   PredictedEvent a;
   a.kind = Kind::pair;
   a.withoutDelay = meeting->withoutDelay;
@@ -189,20 +191,25 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   }
 }
 
-bool CollisionScheduler::hasDealtWith(int i, int other) const {
+// The last contact of the legs that both follow, if it has been dealt with.
+const CollisionScheduler::HandledContact* CollisionScheduler::dealtWith(int i, int other) const {
+  if (!outlooks_[i].hasMet) return nullptr;
   const std::vector<HandledContact>& met = pucks_[i].met;
-  return std::any_of(met.begin(), met.end(), [&](const HandledContact& contact) {
+  const auto found = std::find_if(met.rbegin(), met.rend(), [&](const HandledContact& contact) {
     return contact.puck == other && contact.leg == outlooks_[other].legNumber;
   });
+  return found == met.rend() ? nullptr : &*found;
 }
 
-void CollisionScheduler::noteMet(int i, int other, unsigned otherLeg) {
-  pucks_[i].met.push_back({other, otherLeg});
+void CollisionScheduler::noteMet(int i, const HandledContact& contact) {
+  pucks_[i].met.push_back(contact);
   outlooks_[i].hasMet = true;
 }
 
 std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second) const {
   if (hasCorners(first, second)) {
+    const HandledContact* const last = dealtWith(first, second);
+    if (last != nullptr && last->until == kNever) return std::nullopt;
     const std::optional<CornerContact> found = cornersMeet(first, second);
     if (!found) return std::nullopt;
     return carom::meetingOf(shapedFlight(first, flightOf(first), spins_[first].turning),

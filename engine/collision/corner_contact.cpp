@@ -7,18 +7,22 @@
 
 namespace carom {
 
-std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second) {
-  return findCornerContact(first, second, equalSpeedFrame(first.u, second.u));
-}
+namespace {
 
-std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               const Vec21& order) {
+constexpr double kResumed = 1e-9;  // of the radii: what comes so soon after a contact is that contact
+
+ContactWindow windowOf(const ShapedFlight& first, const ShapedFlight& second, const Vec21& order) {
   const bool bothFirst = first.start.t == 0.0 && second.start.t == 0.0;
   ContactWindow window;
   window.strictly = bothFirst;
   window.frame = bothFirst ? Vec21{1.0, 0.0, 0.0} : order;
   window.origin = first.start;
   window.from = bothFirst ? 0.0 : std::max(0.0, dot(order, second.start - first.start));
+  return window;
+}
+
+std::optional<CornerContact> findContact(const ShapedFlight& first, const ShapedFlight& second,
+                                         const Vec21& order, const ContactWindow& window) {
   const std::optional<FoundContact> found = first.outline != nullptr && second.outline != nullptr
                                                 ? findPiercing(first, second, order, window)
                                                 : findRimContact(first, second, order, window);
@@ -27,6 +31,7 @@ std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const 
   CornerContact contact;
   contact.withoutDelay = found->withoutDelay;
   contact.sideOnSide = found->sideOnSide;
+  contact.time = found->time;
   contact.contact.event = found->event;
   contact.contact.U = order;
   contact.contact.n = found->normal;
@@ -40,6 +45,42 @@ std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const 
     contact.contact.signal[i] = own + std::sqrt(std::max(0.0, -dot(lever, lever)));
   }
   return contact;
+}
+
+}  // namespace
+
+std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
+                                               double after) {
+  const Vec21 U = equalSpeedFrame(first.u, second.u);
+  if (after == -std::numeric_limits<double>::infinity()) return findCornerContact(first, second, U);
+  ContactWindow window;
+  window.frame = U;
+  window.origin = first.start;
+  window.from = after + kResumed * (first.radius + second.radius);
+  window.resumed = true;
+  return findContact(first, second, U, window);
+}
+
+std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
+                                               const Vec21& order) {
+  return findContact(first, second, order, windowOf(first, second, order));
+}
+
+std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second,
+                                        double within) {
+  const Vec21 U = equalSpeedFrame(first.u, second.u);
+  ContactWindow window;
+  window.frame = U;
+  window.origin = first.start;
+  window.from = std::max(0.0, dot(U, second.start - first.start));
+  std::vector<FoundContact> found;
+  if (first.outline != nullptr && second.outline != nullptr)
+    addPiercedPlaces(first, second, U, window, within, found);
+  else
+    addRimPlaces(first, second, U, window, within, found);
+  std::vector<TouchedPlace> places;
+  for (const FoundContact& one : found) places.push_back({one.event, one.normal});
+  return places;
 }
 
 Meeting meetingOf(const ShapedFlight& first, const ShapedFlight& second, const CornerContact& found,

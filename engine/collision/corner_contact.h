@@ -19,7 +19,9 @@
 // of U, or, of two that begin at board time 0, after board time 0. Bodies that overlap by then and approach
 // are in contact at that moment, without delay.
 
+#include <limits>
 #include <optional>
+#include <vector>
 
 #include "engine/collision/puck_contact.h"
 #include "engine/collision/shaped_flight.h"
@@ -32,13 +34,24 @@ struct CornerContact {
   bool withoutDelay = false;  ///< in contact and approaching when the later flight began
   /// A side lies on a side: several piercings happen at one time. The contact is in their middle.
   bool sideOnSide = false;
+  double time = 0.0;  ///< in the frame of U, from the first one's start on
 };
 
-/// Returns the first contact of two flights, of which at least one has an outline; none if they do not meet.
-std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second);
+/// Returns the first contact of two flights, of which at least one has an outline; none if they do not meet. With
+/// `after`, the time of a contact of these flights, the next one: of a corner that comes in, or goes deeper, later.
+std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
+                                               double after = -std::numeric_limits<double>::infinity());
 /// Returns the contact that is the first in the frame of the four-velocity `order`.
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
                                                const Vec21& order);
+
+/// A place at which two bodies touch: PairContact's C and n.
+struct TouchedPlace {
+  Vec21 event, n;
+};
+/// Returns all places at which two bodies touch or overlap as the later flight begins, in the frame of equal speeds.
+/// What is nearer than `within` touches.
+std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within);
 
 /// Returns the moments of the contact by which the game orders its events: so long before each centre's turn
 /// as light needs to cross the body's radius, or the turn where this does not wait for the signal.

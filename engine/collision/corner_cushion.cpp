@@ -75,11 +75,11 @@ class Approach {
     double s;
     Vec21 event;
   };
-  std::optional<Foot> foot() const {
+  std::optional<Foot> foot(double from) const {
     if (!(towards_ > 0.0)) return std::nullopt;
     const double tall = glm::length(k_);
     const auto depth = [&](double s) { return towards_ * s + ahead(s) * tall - away_; };
-    double s = std::max(0.0, (away_ - reach_) / towards_);
+    double s = std::max(from, (away_ - reach_) / towards_);
     const double step = (away_ / towards_ - s) / kSteps;
     if (!(step > 0.0) || depth(s) > 0.0) return Foot{s, at(s)};
     while (!(depth(s + step) > 0.0) && s < away_ / towards_) s += step;
@@ -175,13 +175,15 @@ CornerCushionContact contactAt(const ShapedFlight& flight, double properTime, co
   return touch;
 }
 
+// A body at its first place has been there before board time 0, and nothing touched it.
+double earliest(const ShapedFlight& flight) { return flight.start.t == 0.0 ? -flight.radius : 0.0; }
+
 // The earliest corner; of several, the middle.
 std::optional<CornerCushionContact> firstCorner(const ShapedFlight& flight, double properTime,
                                                 const CushionPlane& cushion, const Approach& approach,
                                                 bool delayed) {
-  // A body at its first place has been there before board time 0, and nothing touched it.
   const bool first = flight.start.t == 0.0;
-  const double from = first ? -flight.radius : 0.0, tolerance = kTie * flight.radius;
+  const double from = earliest(flight), tolerance = kTie * flight.radius;
   Touch best;
   for (const Vec2& corner : flight.outline->corners()) {
     const auto s = approach.reached(corner, from, delayed ? best.order : kNever);
@@ -218,12 +220,21 @@ std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight
   }
   const auto corner = firstCorner(flight, properTime, cushion, approach, delayed);
   if (corner && cushion.inside(corner->contact.turn.x) >= 0.0) return corner;
-  const auto foot = approach.foot();
+  const double from = earliest(flight);
+  const auto foot = approach.foot(from);
   if (!foot) return corner;
-  if (foot->s > 0.0) return contactAt(flight, properTime, cushion, foot->event, delayed);
+  if (foot->s > from) return contactAt(flight, properTime, cushion, foot->event, delayed);
   CornerCushionContact now = atOnce(flight, properTime, foot->event, delayed);
   (cushion.axis == 0 ? now.contact.event.x : now.contact.event.y) = cushion.sign * cushion.distance;
   return now;
+}
+
+std::vector<Vec21> touchedPlaces(const ShapedFlight& flight, const CushionPlane& cushion, double within) {
+  const Approach approach(flight, cushion);
+  std::vector<Vec21> places;
+  for (const Vec2& corner : flight.outline->corners())
+    if (approach.clearance(corner, 0.0) <= within) places.push_back(approach.event(corner, 0.0));
+  return places;
 }
 
 }  // namespace carom

@@ -14,6 +14,7 @@
 // centre hears before it is there itself: so no centre leaves the table.
 
 #include <optional>
+#include <vector>
 
 #include "engine/collision/corner_contact.h"
 #include "engine/collision/cushion_contact.h"
@@ -31,5 +32,8 @@ struct CornerCushionContact {
 /// delay.
 std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight, double properTime,
                                                       const CushionPlane& cushion, TurnConvention convention);
+
+/// Returns the corners that touch a cushion, nearer than `within`, or are beyond it as the leg begins.
+std::vector<Vec21> touchedPlaces(const ShapedFlight& flight, const CushionPlane& cushion, double within);
 
 }  // namespace carom

@@ -170,11 +170,12 @@ std::optional<SpinningCushionKick> kickCornerOffCushion(const CushionPlane& cush
   const Vec21 p = body.puck.u * restMass(body.puck.body, body.puck.j);
   Collision collision;
   collision.add({body.puck.body, body.puck.j, leverOf(body, n), leverOf(body, t), -dot(p, n), -dot(p, t)});
-  if (!(collision.closing() > 0.0)) return std::nullopt;
+  const double closing = collision.closing();
+  if (!(closing > 0.0)) return std::nullopt;
   const Impulse q = collision.impulse(rules);
   const After now = after(collision.body(0), q, heatPerEnergy(collision, q, rules));
   const Vec21 momentum = p + n * q.alpha + t * q.beta;
-  return SpinningCushionKick{{fourVelocity(momentum.x / now.mass, momentum.y / now.mass), now.heat},
+  return SpinningCushionKick{{fourVelocity(momentum.x / now.mass, momentum.y / now.mass), now.heat, closing},
                              now.spin};
 }
 

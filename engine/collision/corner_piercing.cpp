@@ -53,6 +53,8 @@ class Corners {
   void overlapStraight(double& deepest, std::optional<FoundContact>& best) const;
   /// Keeps the earliest contact in `best`; in the body, of several at once the deepest.
   void pierceTurning(double& deepest, std::optional<FoundContact>& best) const;
+  /// Adds the corners that are inside b or nearer to it than `within` as both flights have begun.
+  void addTouching(double within, std::vector<FoundContact>& places) const;
 
  private:
   Linear linear(const Vec21& of, const Vec21& from) const {
@@ -234,7 +236,7 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
     const double start = startOf(corner);
     if (start > end) continue;
     double s = std::max(begin, start);
-    if (s == start && !window_.strictly) {
+    if (s == start && !window_.strictly && !window_.resumed) {
       const Outline::Clearance there = clearanceAt(corner, s);
       const double soon = kLeastStep * size_;
       if (there.outside <= kCornerTouches * size_) {
@@ -253,6 +255,14 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
     const std::optional<double> found = advance(corner, s, end, best ? best->time : kNever);
     if (!found) continue;
     keepEarlier(best, contactAt(corner, *found, clearanceAt(corner, *found).side));
+  }
+}
+
+void Corners::addTouching(double within, std::vector<FoundContact>& places) const {
+  for (const Vec2& corner : a_.outline->corners()) {
+    const double s = startOf(corner);
+    const Outline::Clearance there = clearanceAt(corner, s);
+    if (there.outside <= within) places.push_back(contactAt(corner, s, there.side));
   }
 }
 
@@ -311,7 +321,7 @@ std::optional<FoundContact> findPiercing(const ShapedFlight& first, const Shaped
     ofSecond.pierceTurning(deepest, best);
     return best;
   }
-  if (!window.strictly && mayOverlap(first, second, U, window.from)) {
+  if (!window.strictly && !window.resumed && mayOverlap(first, second, U, window.from)) {
     ofFirst.overlapStraight(deepest, best);
     ofSecond.overlapStraight(deepest, best);
   }
@@ -321,6 +331,12 @@ std::optional<FoundContact> findPiercing(const ShapedFlight& first, const Shaped
   }
   if (best) settleTie(first, second, U, *best);
   return best;
+}
+
+void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                      const ContactWindow& window, double within, std::vector<FoundContact>& places) {
+  Corners(first, second, first.start, U, window, true).addTouching(within, places);
+  Corners(second, first, first.start, U, window, false).addTouching(within, places);
 }
 
 }  // namespace carom

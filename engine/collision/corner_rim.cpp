@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -116,27 +117,62 @@ class StretchedFrame {
   std::array<Vec2, kMostCorners> places_;
 };
 
-/// The nearest point of an outline to the circle's centre.
+/// A point of an outline that is nearer to the circle's centre than its neighbours.
 struct Nearest {
   double outside = kNever;  ///< of the centre; below 0 inside
   Vec2 towards{0.0};        ///< from the centre into the body
+  std::size_t side = 0;
+  double share = 0.0;  ///< of the side
 };
+
+double shareNearest(std::span<const Vec2> corners, std::size_t k) {
+  const Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
+  return -glm::dot(corners[k], side) / glm::dot(side, side);
+}
+
+Vec2 pointOn(std::span<const Vec2> corners, std::size_t side, double share) {
+  return corners[side] + (corners[(side + 1) % corners.size()] - corners[side]) * share;
+}
 
 Nearest nearestOf(std::span<const Vec2> corners) {
   double least2 = kNever;
-  Vec2 nearest{0.0}, outwards{0.0};
+  Nearest found;
+  Vec2 nearest{0.0};
   bool inside = false;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vec2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
-    const Vec2 side = b - a;
-    if ((a.y > 0.0) != (b.y > 0.0) && 0.0 < a.x - side.x * (a.y / side.y)) inside = !inside;
-    const Vec2 point = a + side * std::clamp(-glm::dot(a, side) / glm::dot(side, side), 0.0, 1.0);
+    if ((a.y > 0.0) != (b.y > 0.0) && 0.0 < a.x - (b.x - a.x) * (a.y / (b.y - a.y))) inside = !inside;
+    const double share = std::clamp(shareNearest(corners, k), 0.0, 1.0);
+    const Vec2 point = pointOn(corners, k, share);
     const double distance2 = glm::dot(point, point);
-    if (distance2 < least2) least2 = distance2, nearest = point, outwards = {side.y, -side.x};
+    if (distance2 < least2) least2 = distance2, nearest = point, found.side = k, found.share = share;
   }
   const double distance = std::sqrt(least2);
-  if (!(distance > 0.0)) return {0.0, outwards * (-1.0 / glm::length(outwards))};
-  return {inside ? -distance : distance, nearest * ((inside ? -1.0 : 1.0) / distance)};
+  found.outside = inside ? -distance : distance;
+  found.towards = nearest * ((inside ? -1.0 : 1.0) / distance);
+  if (!(distance > 0.0)) {
+    const Vec2 way = pointOn(corners, found.side, 1.0) - corners[found.side];
+    found.outside = 0.0, found.towards = Vec2{-way.y, way.x} / glm::length(way);
+  }
+  return found;
+}
+
+// Those no farther than `reach`. A centre inside the outline has one.
+std::vector<Nearest> nearPoints(std::span<const Vec2> corners, double reach) {
+  const Nearest nearest = nearestOf(corners);
+  if (!(nearest.outside <= reach)) return {};
+  if (nearest.outside <= 0.0) return {nearest};
+  std::vector<Nearest> points;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const double share = shareNearest(corners, k);
+    const bool atCorner =
+        share <= 0.0 && shareNearest(corners, (k + corners.size() - 1) % corners.size()) >= 1.0;
+    if (!(share > 0.0 && share < 1.0) && !atCorner) continue;
+    const Vec2 point = pointOn(corners, k, std::max(share, 0.0));
+    const double distance = glm::length(point);
+    if (distance <= reach) points.push_back({distance, point / distance, k, std::max(share, 0.0)});
+  }
+  return points;
 }
 
 // Without spin the stretched corners move uniformly: the first side of which the centre comes to be R outside
@@ -201,13 +237,20 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
   return std::nullopt;
 }
 
+// The deepest point of those that go on.
 std::optional<FoundContact> overlapNow(StretchedFrame& frame, double time, bool discIsFirst) {
   const double R = frame.radius(), soon = kLeastStep * frame.reach();
-  const Nearest now = nearestOf(frame.cornersAt(time));
-  if (!(now.outside - R <= kCornerTouches * frame.reach())) return std::nullopt;
-  const double closing = (now.outside - nearestOf(frame.cornersAt(time + soon)).outside) / soon;
-  if (!(closing > kLeastClosing)) return std::nullopt;
-  FoundContact found = frame.contact(time, now.towards, now.towards * R, discIsFirst);
+  const std::vector<Nearest> points = nearPoints(frame.cornersAt(time), R + kCornerTouches * frame.reach());
+  const std::span<const Vec2> then = frame.cornersAt(time + soon);
+  const Nearest* deepest = nullptr;
+  for (const Nearest& near : points) {
+    const double outside = glm::dot(pointOn(then, near.side, near.share), near.towards);
+    if (!((near.outside - outside) / soon > kLeastClosing)) continue;
+    if (deepest == nullptr || near.outside < deepest->outside) deepest = &near;
+  }
+  if (deepest == nullptr) return std::nullopt;
+  const Vec2& towards = deepest->towards;
+  FoundContact found = frame.contact(time, towards, towards * R, discIsFirst);
   found.withoutDelay = true;
   return found;
 }
@@ -229,11 +272,22 @@ std::optional<FoundContact> findRimContact(const ShapedFlight& first, const Shap
     return touchTurning(frame, window, discIsFirst, std::max(begin, earliest), end);
   }
   if (window.from > end) return std::nullopt;
-  if (window.from >= begin) {
+  if (window.from >= begin && !window.resumed) {
     if (const auto overlap = overlapNow(frame, window.from, discIsFirst)) return overlap;
   }
   if (body.turning == 0.0) return touchStraight(frame, window, discIsFirst);
   return touchTurning(frame, window, discIsFirst, std::max(begin, window.from), end);
+}
+
+void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                  const ContactWindow& window, double within, std::vector<FoundContact>& places) {
+  const bool discIsFirst = first.outline == nullptr;
+  const ShapedFlight &disc = discIsFirst ? first : second, &body = discIsFirst ? second : first;
+  StretchedFrame frame(disc, body, first.start, U);
+  for (const Nearest& near : nearPoints(frame.cornersAt(window.from), disc.radius + within)) {
+    const Vec2& towards = near.towards;
+    places.push_back(frame.contact(window.from, towards, towards * disc.radius, discIsFirst));
+  }
 }
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 // The two searches behind corner_contact.h.
 
 #include <optional>
+#include <vector>
 
 #include "engine/collision/shaped_flight.h"
 
@@ -12,6 +13,7 @@ struct ContactWindow {
   Vec21 frame, origin;
   double from = 0.0;
   bool strictly = false;  ///< both flights begin at board time 0, when nothing is in contact
+  bool resumed = false;   ///< what touches already at `from` has been dealt with
 
   double timeOf(const Vec21& event) const { return dot(frame, event - origin); }
   bool holds(double time) const { return strictly ? time > from : time >= from; }
@@ -37,5 +39,11 @@ std::optional<FoundContact> findPiercing(const ShapedFlight& first, const Shaped
 /// Of a disc and a body with corners, in either order.
 std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
                                            const Vec21& U, const ContactWindow& window);
+
+/// Adds all places at which two bodies touch, nearer than `within`, or overlap at the time `window.from`.
+void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                      const ContactWindow& window, double within, std::vector<FoundContact>& places);
+void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                  const ContactWindow& window, double within, std::vector<FoundContact>& places);
 
 }  // namespace carom
