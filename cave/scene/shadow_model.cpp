@@ -91,47 +91,87 @@ std::vector<ShadowSide> sidesOf(const Outline& outline, double in_m, double out_
   return result;
 }
 
-/// Adds the shadow of one light.
-void addShadow(MeshBuilder& mesh, const std::vector<ShadowSide>& sides, double light, double height_m,
-               double cell_m) {
-  const auto point = [&](const Vec2& at, double fade, const Vec2& normal) {
-    return PatchPoint{{at, kAboveCloth_m - 0.5 * height_m}, {fade, light, height_m}, {normal, 0.0}};
-  };
-  const auto between = [](const Vec2& from, const Vec2& to, double share) {
-    return from + share * (to - from);
-  };
-  std::vector<Vec2> dark;
-  std::vector<std::size_t> sideOf;
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    const ShadowSide &side = sides[k], &next = sides[(k + 1) % sides.size()];
-    const int cells = cellsFor(glm::length(side.dark[1] - side.dark[0]), cell_m);
-    mesh.addPatch(cells, 2, [&](double u, double v) {
-      return point(between(between(side.lit[0], side.lit[1], u), between(side.dark[0], side.dark[1], u), v),
-                   1.0 - v, side.normal);
+Vec2 between(const Vec2& from, const Vec2& to, double share) { return from + share * (to - from); }
+
+/// The shadow of one light on its way into a mesh.
+class ShadowOfOne {
+ public:
+  ShadowOfOne(MeshBuilder& mesh, const std::vector<ShadowSide>& sides, double light, double height_m,
+              double cell_m)
+      : mesh_(mesh), sides_(sides), light_(light), height_m_(height_m), cell_m_(cell_m) {}
+
+  void add() {
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      const ShadowSide &side = sides_[k], &next = sides_[(k + 1) % sides_.size()];
+      mesh_.addPatch(cellsOf(side), 2, [&](double u, double v) {
+        return point(between(between(side.lit[0], side.lit[1], u), darkAt(side, u), v), 1.0 - v, side.normal);
+      });
+      mesh_.addPatch(1, 2, [&](double u, double v) {  // the corner
+        return point(between(u < 0.5 ? side.lit[1] : next.lit[0], side.dark[1], v), 1.0 - v,
+                     u < 0.5 ? side.normal : next.normal);
+      });
+    }
+    const bool seesAll = std::all_of(sides_.begin(), sides_.end(), [](const ShadowSide& side) {
+      return cross2(side.dark[0], side.dark[1]) > 0.0;
     });
-    mesh.addPatch(1, 2, [&](double u, double v) {  // the corner
-      return point(between(u < 0.5 ? side.lit[1] : next.lit[0], side.dark[1], v), 1.0 - v,
-                   u < 0.5 ? side.normal : next.normal);
-    });
-    for (int cell = 0; cell < cells; ++cell) {
-      dark.push_back(between(side.dark[0], side.dark[1], static_cast<double>(cell) / cells));
-      sideOf.push_back(k);
+    seesAll ? addFromCentre() : addInTriangles();
+  }
+
+ private:
+  static Vec2 darkAt(const ShadowSide& side, double share) {
+    return between(side.dark[0], side.dark[1], share);
+  }
+  int cellsOf(const ShadowSide& side) const {
+    return cellsFor(glm::length(side.dark[1] - side.dark[0]), cell_m_);
+  }
+  PatchPoint point(const Vec2& at, double fade, const Vec2& normal) const {
+    return {{at, kAboveCloth_m - 0.5 * height_m_}, {fade, light_, height_m_}, {normal, 0.0}};
+  }
+
+  /// Adds what is dark, around a centre from which each side is seen: it bends as a puck in a bounce does.
+  void addFromCentre() {
+    constexpr int kRings = 4;
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      const ShadowSide &side = sides_[k], &next = sides_[(k + 1) % sides_.size()];
+      mesh_.addPatch(cellsOf(side), kRings, [&](double u, double v) {
+        return point((1.0 - v) * darkAt(side, u), 0.0, side.normal);
+      });
+      mesh_.addPatch(1, kRings, [&](double u, double v) {
+        return point((1.0 - v) * side.dark[1], 0.0, u < 0.5 ? side.normal : next.normal);
+      });
     }
   }
-  const auto addTriangle = [&](const PatchPoint& a, const PatchPoint& b, const PatchPoint& c) {
-    mesh.addPatch(1, 1, [&](double u, double v) { return v > 0.5 ? c : u > 0.5 ? b : a; });
-  };
-  const std::vector<std::size_t> triangles = trianglesOf(dark);
-  const auto corner = [&](std::size_t k) { return point(dark[k], 0.0, sides[sideOf[k]].normal); };
-  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
-    addTriangle(corner(triangles[i]), corner(triangles[i + 1]), corner(triangles[i + 2]));
-  // A corner of which one side is placed farther than the other: from the last point of the one along it to both.
-  for (std::size_t k = 0; k < dark.size(); ++k) {
-    const std::size_t next = (k + 1) % dark.size();
-    if (sideOf[k] != sideOf[next])
-      addTriangle(corner(k), point(dark[next], 0.0, sides[sideOf[k]].normal), corner(next));
+
+  /// Adds what is dark of any outline.
+  void addInTriangles() {
+    std::vector<Vec2> dark;
+    std::vector<std::size_t> sideOf;
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      const int cells = cellsOf(sides_[k]);
+      for (int cell = 0; cell < cells; ++cell) {
+        dark.push_back(darkAt(sides_[k], static_cast<double>(cell) / cells));
+        sideOf.push_back(k);
+      }
+    }
+    const auto addTriangle = [&](const PatchPoint& a, const PatchPoint& b, const PatchPoint& c) {
+      mesh_.addPatch(1, 1, [&](double u, double v) { return v > 0.5 ? c : u > 0.5 ? b : a; });
+    };
+    const auto corner = [&](std::size_t k) { return point(dark[k], 0.0, sides_[sideOf[k]].normal); };
+    const std::vector<std::size_t> triangles = trianglesOf(dark);
+    for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
+      addTriangle(corner(triangles[i]), corner(triangles[i + 1]), corner(triangles[i + 2]));
+    // A corner of which one side is placed farther than the other: from the last point of the one along it to both.
+    for (std::size_t k = 0; k < dark.size(); ++k) {
+      const std::size_t next = (k + 1) % dark.size();
+      if (sideOf[k] != sideOf[next])
+        addTriangle(corner(k), point(dark[next], 0.0, sides_[sideOf[k]].normal), corner(next));
+    }
   }
-}
+
+  MeshBuilder& mesh_;
+  const std::vector<ShadowSide>& sides_;
+  double light_, height_m_, cell_m_;
+};
 
 }  // namespace
 
@@ -162,11 +202,11 @@ ScenePart discShadow(double radius_m, double height_m, std::size_t body, double 
 ScenePart outlineShadow(std::span<const Vec2> corners_m, double height_m, std::size_t body, double cell_m) {
   const Outline outline(corners_m);
   MeshBuilder shadow;
-  addShadow(shadow, sidesOf(outline, 0.05 * outline.radius(), hallReachOf_m(height_m)), kHall, height_m,
-            cell_m);
+  const auto hall = sidesOf(outline, 0.05 * outline.radius(), hallReachOf_m(height_m));
+  ShadowOfOne(shadow, hall, kHall, height_m, cell_m).add();
   const double soft_m = softOf_m(height_m);
   const std::vector<ShadowSide> sides = sidesOf(outline, soft_m, soft_m);
-  for (const double lamp : {0.0, 1.0, 2.0}) addShadow(shadow, sides, lamp, height_m, cell_m);
+  for (const double lamp : {0.0, 1.0, 2.0}) ShadowOfOne(shadow, sides, lamp, height_m, cell_m).add();
   return {body, shadow.build(), Paint::shadow, glm::vec3(0.0F), 0.0F};
 }
 

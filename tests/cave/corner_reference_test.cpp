@@ -169,6 +169,7 @@ WorldLine kicked(Random& random, double radius_m, const Corners& outline_m) {
       puck.outline_m = side < 0.0 ? outline_m : randomOutline(random, radius_m);
       puck.radius_m = radiusOf_m(puck.outline_m);
       puck.inertia = momentsOf(puck.outline_m).inertia;
+      puck.height_m = 0.02;
       puck.mass_kg = random.in(0.1, 0.3);
       puck.position_m = {side * 0.3, random.in(-0.5, 0.5) * radius_m};
       puck.beta = {-side * random.in(0.1, 0.9), random.in(-0.1, 0.1)};
