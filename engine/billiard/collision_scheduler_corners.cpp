@@ -42,18 +42,25 @@ std::optional<CornerContact> CollisionScheduler::cornersMeet(int first, int seco
                            last == nullptr ? -kNever : last->until);
 }
 
-// Bodies that lie on each other at several places and recede at that of the contact: takes the first at which they
-// approach. Returns whether there is one.
+// Bodies that lie on each other at several places and recede at that of the contact: takes the one at which they
+// approach fastest. Returns whether there is one.
 bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a,
                                            PairContact& contact) const {
   if (!a.withoutDelay) return false;
   const auto flight = [&](int k) { return shapedFlight(who[k], flightOf(who[k]), spins_[who[k]].turning); };
+  const std::array<Vec21, 2> u{lastLeg(who[0]).u, lastLeg(who[1]).u};
+  const std::array<double, 2> j{lastTurning(who[0]).j, lastTurning(who[1]).j};
   const double radii = discs_[who[0]].radius + discs_[who[1]].radius;
+  double fastest = kResting;
   for (const TouchedPlace& place : touchedPlaces(flight(0), flight(1), kTouching * radii)) {
-    contact.event = place.event, contact.n = place.n;
-    if (!receding(who, contact, a, {})) return true;
+    PairContact here = contact;
+    here.event = place.event, here.n = place.n;
+    const auto kick = cornerKick(who, here, u, j, 1.0);
+    if (!kick || !(kick->centres.closing > fastest)) continue;
+    fastest = kick->centres.closing;
+    contact = here;
   }
-  return false;
+  return fastest > kResting;
 }
 
 // The contact of a leg with a cushion.
@@ -118,42 +125,46 @@ std::vector<TouchedPlace> CollisionScheduler::placesOf(const Member& one, const 
   return touchedPlaces(first, second, kTouching * (first.radius + second.radius));
 }
 
-// Kicks without friction at all places where two members touch. Returns whether they closed at any of them.
+// A kick without friction at that of the places where two members touch at which they close fastest. Returns whether
+// they close.
 bool CollisionScheduler::partCorners(Member& one, Member& two, std::span<const TouchedPlace> places) const {
   const RimRules rules{puckRestitution_ < 1.0 ? kRebound : 1.0};
-  bool closed = false;
+  const Vec21 U = equalSpeedFrame(one.u, two.u);
+  std::optional<SpinningPairKick> fastest;
   for (const TouchedPlace& place : places) {
     const std::array<LeveredBody, 2> bodies{levered(one.puck, place.event, {one.turn.x, one.u, 0.0}, one.j),
                                             levered(two.puck, place.event, {two.turn.x, two.u, 0.0}, two.j)};
-    const auto kick = kickCorners(equalSpeedFrame(one.u, two.u), place.n, bodies, rules);
-    if (!kick || kick->centres.closing < kResting) continue;
-    closed = true;
-    turned(one, kick->j[0]), turned(two, kick->j[1]);
-    kicked(one, kick->centres.u[0], kick->centres.heat[0]);
-    kicked(two, kick->centres.u[1], kick->centres.heat[1]);
+    const auto kick = kickCorners(U, place.n, bodies, rules);
+    if (kick && kick->centres.closing > (fastest ? fastest->centres.closing : kResting)) fastest = kick;
   }
-  return closed;
+  if (!fastest) return false;
+  turned(one, fastest->j[0]), turned(two, fastest->j[1]);
+  kicked(one, fastest->centres.u[0], fastest->centres.heat[0]);
+  kicked(two, fastest->centres.u[1], fastest->centres.heat[1]);
+  return true;
 }
 
 bool CollisionScheduler::isTouched(const Member& member, const CushionPlane& cushion) const {
   return !touchedPlaces(shapedFlight(member), cushion, kTouching * discs_[member.puck].radius).empty();
 }
 
-// Likewise at all places where a member touches a cushion.
+// Likewise from each cushion that a member touches.
 void CollisionScheduler::partFromCushions(Member& member) const {
   const RimRules rules{cushionRestitution_ < 1.0 ? kRebound : 1.0};
   for (std::size_t k = 0; k < cushions_.size(); ++k) {
     if ((member.cushions >> k & 1u) == 0) continue;
     const ShapedFlight flight = shapedFlight(member);
+    const Vec21 momentum = member.u * member.mass;
+    std::optional<SpinningCushionKick> fastest;
     for (const Vec21& place : touchedPlaces(flight, cushions_[k], kTouching * flight.radius)) {
-      const Vec21 u = member.u, momentum = u * member.mass;
-      const auto kick = kickCornerOffCushion(
-          cushions_[k], levered(member.puck, place, {member.turn.x, u, 0.0}, member.j), rules);
-      if (!kick || kick->centre.closing < kResting) continue;
-      turned(member, kick->j);
-      kicked(member, kick->centre.u, kick->centre.heat);
-      member.taken = member.taken + (momentum - member.u * (member.mass + kick->centre.heat));
+      const LeveredBody body = levered(member.puck, place, {member.turn.x, member.u, 0.0}, member.j);
+      const auto kick = kickCornerOffCushion(cushions_[k], body, rules);
+      if (kick && kick->centre.closing > (fastest ? fastest->centre.closing : kResting)) fastest = kick;
     }
+    if (!fastest) continue;
+    turned(member, fastest->j);
+    kicked(member, fastest->centre.u, fastest->centre.heat);
+    member.taken = member.taken + (momentum - member.u * (member.mass + fastest->centre.heat));
   }
 }
 

@@ -132,19 +132,24 @@ Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
     return found;
   }
   double least2 = std::numeric_limits<double>::infinity();
-  bool inside = false, front = false;
+  double mostFront = 0.0;
+  bool inside = false;
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const Side& side = sides_[k];
     const Vec2 a = side.from, b = corners_[(k + 1) % corners_.size()];
     if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y)))
       inside = !inside;
-    const double along = std::clamp(glm::dot(point - a, side.along), 0.0, side.length);
-    const Vec2 way = point - (a + side.along * along);
+    const double along = glm::dot(point - a, side.along);
+    const Vec2 way = point - (along <= 0.0 ? a : along >= side.length ? b : a + side.along * along);
     const double distance2 = glm::dot(way, way);
-    const bool before = glm::dot(way, side.normal) > 0.0;
-    // Two sides are equally near at their corner: that counts which the point lies on the outside of.
-    if (distance2 < least2 || (distance2 == least2 && before && !front))
-      least2 = distance2, front = before, found.side = k;
+    const double front = glm::dot(way, side.normal);
+    // Two sides are equally near at their corner: that counts which the point lies on the outside of, or else more in
+    // front of.
+    const bool tied = distance2 == least2;
+    const bool nearer = tied ? (front > 0.0) > (mostFront > 0.0) || ((front > 0.0) == (mostFront > 0.0) &&
+                                                                     std::abs(front) > std::abs(mostFront))
+                             : distance2 < least2;
+    if (nearer) least2 = distance2, mostFront = front, found.side = k;
   }
   found.outside = inside ? -std::sqrt(least2) : std::sqrt(least2);
   return found;
