@@ -65,8 +65,8 @@ vtkSmartPointer<vtkPolyData> prismIn(const Corners& outline_m, double height_m, 
   return surfacePart(prismOver(outline_m, height_m), 1, glm::vec3(1.0F), {.pixel_rad = pixel_rad}).mesh;
 }
 
-/// A prism whose outline the next world line brings. It is drawn as pucks with corners are, or with edges four times
-/// shorter, where what is bent in a bounce or by a spin is to be drawn as it is.
+/// A prism whose outline the next world line brings. It is drawn as pucks with corners are, or in the
+/// reference's own mesh where a bounce or a spin bends it within a facet.
 class Prisms {
  public:
   Prisms(Graphics& graphics, Drawn drawn) : graphics_(graphics), drawn_(drawn) {}
@@ -86,8 +86,10 @@ class Prisms {
 
  private:
   Flyer flyerOf(const WorldLine& line, double height_m) const {
-    constexpr double kPixel_rad = 0.0005;  // of the test's wall, and nearer than the nearest eye of a CAVE
-    const auto mesh = prismIn(outline_m_, height_m, kPixel_rad);
+    // The pixels of the test's wall, nearer than the nearest eye of a CAVE; edges grow with the root.
+    constexpr double kPixel_rad = 0.0005, kCoarser = 8.0;
+    const auto mesh =
+        prismIn(outline_m_, height_m, drawn_ == Drawn::fine ? kCoarser * kPixel_rad : kPixel_rad);
     const reference::Mesh fine = reference::fourTimesFiner(referenceMesh(*mesh));
     Flyer flyer{
         {{1, referenceLegs(line), reference::meshShape(referenceMesh(*prismIn(outline_m_, height_m, 1.0))),
