@@ -63,11 +63,11 @@ ObserverStart readObserver(const TomlTable& table) {
   return observer;
 }
 
-Puck readPuck(const TomlTable& table, double c_m_s) {
+Puck readPuck(const TomlTable& table, double c_m_s, std::optional<PuckMesh>& mesh) {
   constexpr Range kShare{.least = 0.0, .most = 1.0, .above = true};
   Puck puck;
   puck.name = table.text("name");
-  readShape(table, puck);
+  readShape(table, puck, mesh);
   puck.height_m = table.number("height_m", kPositive, kDefaultPuckHeight_m);
   puck.mass_kg = table.number("mass_kg", kPositive);
   puck.position_m = toVec2(table.numbers<2>("position_m", {}));
@@ -152,8 +152,9 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
 
   const std::vector<TomlTable> pucks = root.tables("puck");
   for (const TomlTable& puck : pucks) {
-    scenario.billiard.pucks.push_back(readPuck(puck, scenario.billiard.lightSpeed_m_s));
-    scenario.puckMeshes.push_back(readMesh(file, puck));
+    std::optional<PuckMesh>& mesh = scenario.puckMeshes.emplace_back();
+    if (const auto path = readMesh(file, puck)) mesh = {*path, {}};
+    scenario.billiard.pucks.push_back(readPuck(puck, scenario.billiard.lightSpeed_m_s, mesh));
   }
   const std::vector<TomlTable> bodyTables = root.tables("body");
   std::vector<BodyText> bodies;
@@ -193,7 +194,8 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     std::ranges::move(oddSpin(pucks[i], scenario.billiard.pucks[i], scenario.puckMeshes[i].has_value(),
                               scenario.billiard.lightSpeed_m_s),
                       std::back_inserter(scenario.odd));
-    std::ranges::move(oddOutline(pucks[i], scenario.billiard.pucks[i]), std::back_inserter(scenario.odd));
+    std::ranges::move(oddOutline(pucks[i], scenario.billiard.pucks[i], scenario.puckMeshes[i]),
+                      std::back_inserter(scenario.odd));
   }
 
   for (const BodyText& body : bodies) {

@@ -37,8 +37,9 @@ double extentOf(std::span<const Vec2> corners) {
   return extent;
 }
 
-/// Whether two sides, which have no end in common, cross or touch.
-bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+}  // namespace
+
+bool sidesMeet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const auto side = [](const Vec2& p, const Vec2& q, const Vec2& r) {
     const double z = cross2(q - p, r - p);
     return (z > 0.0) - (z < 0.0);
@@ -52,8 +53,6 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return (abc == 0 && within(a, b, c)) || (abd == 0 && within(a, b, d)) || (cda == 0 && within(c, d, a)) ||
          (cdb == 0 && within(c, d, b));
 }
-
-}  // namespace
 
 std::optional<OutlineFault> faultOf(std::span<const Vec2> corners) {
   const std::size_t count = corners.size();
@@ -77,7 +76,7 @@ std::optional<OutlineFault> faultOf(std::span<const Vec2> corners) {
                    " lie on each other: expected an angle");
     for (std::size_t other = k + 2; other < count; ++other) {
       if (other + 1 == count && k == 0) continue;
-      if (cross(a, b, corners[other], corners[(other + 1) % count]))
+      if (sidesMeet(a, b, corners[other], corners[(other + 1) % count]))
         return fault(other, "the side from corner ", other + 1, " crosses or touches the side from corner ",
                      k + 1, ": expected an outline that meets itself nowhere");
     }

@@ -25,6 +25,9 @@ struct OutlineFault {
 /// cross or touch, no area, clockwise. None if nothing is wrong.
 std::optional<OutlineFault> faultOf(std::span<const glm::dvec2> corners);
 
+/// Returns whether the line from a to b and the one from c to d, which have no end in common, cross or touch.
+bool sidesMeet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
+
 /// What a plate of even density with such an outline is. The corners are measured from the puck's centre.
 struct OutlineMoments {
   double area = 0.0;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
 
 #include "app/program.h"
@@ -164,7 +167,9 @@ TEST(SimulateCorners, CheckSaysWhereAnOutlineIsWrong) {
       {"outline_m = [[-1, -1],\n[1, -1, 3],\n[0, 1]]\n", ":5:", "expected a place [x, y]"},
       {"outline_m = 3\n", ":4:", "expected an array of places"},
       {"radius_m = 1\noutline_m = [[-1, -1], [1, -1], [0, 1]]\n", ":4:", "radius_m stands beside outline_m"},
-      {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\nspin_rad_s = 1.4\n", ":5:", "the rim would move"},
+      {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\nspin_rad_s = 1.4\n",
+       ":5:", "corner 1 at (-1, -0.5) m would move at 1.10"},
+      {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\nspin_kg_m2_s = 1e9\n", ":5:", "corner 1 at"},
       {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\n[physics]\nfriction_m_s2 = 0.1\n", ":9:", "has corners"},
       {"outline_m = [[-3, -0.5], [1, -0.5], [0, 1]]\n[board]\nlength_m = 3\nwidth_m = 3\n",
        ":5:", "reaches over"},
@@ -181,6 +186,84 @@ TEST(SimulateCorners, CheckSaysWhereAnOutlineIsWrong) {
     EXPECT_NE(result.err.find("wrong.toml" + wrong.place), std::string::npos) << result.err;
     EXPECT_NE(result.err.find(wrong.words), std::string::npos) << result.err;
   }
+}
+
+/// A prism of an outline as an .obj file.
+std::string prismText(const std::vector<std::array<double, 2>>& corners) {
+  std::string text, low = "f", high = "f";
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    for (const double z : {0.0, 1.0}) text += fmt::format("v {} {} {}\n", corners[k][0], corners[k][1], z);
+    low += fmt::format(" {}", 2 * (corners.size() - k) - 1);
+    high += fmt::format(" {}", 2 * k + 2);
+  }
+  return text + low + "\n" + high + "\n";
+}
+
+// A mesh that lies elsewhere and is of another size than the puck: its footprint against the same corners by hand, a bar
+// of 12 by 4 and an angle.
+TEST(SimulateCorners, MeshesCollideByTheirFootprints) {
+  const TemporaryFolder folder;
+  folder.file("bar.obj", prismText({{5, 1}, {17, 1}, {17, 5}, {5, 5}}));
+  folder.file("angle.obj", prismText({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}));
+  const auto pucks = [](const std::string& bar, const std::string& angle) {
+    return "light_speed_m_s = 1.42\n[[puck]]\nname = \"bar\"\nmass_kg = 0.2\nposition_m = [-0.3, 0.01]\n"
+           "beta = [0.5, 0]\nspin_rad_s = 3\n" +
+           bar + "[[puck]]\nname = \"angle\"\nmass_kg = 0.3\nposition_m = [0.3, 0]\nbeta = [-0.4, 0]\n" +
+           angle;
+  };
+  // The centre of the angle's area is at 5/6, its farthest corner at (2, 0).
+  const double scale = 0.05 / std::hypot(7.0 / 6.0, 5.0 / 6.0);
+  json corners;
+  for (const auto& [x, y] :
+       std::vector<std::pair<double, double>>{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}})
+    corners.push_back({scale * (x - 5.0 / 6.0), scale * (y - 5.0 / 6.0)});
+  const double side = 0.06 / std::hypot(6.0, 2.0);
+  const json bar{{-6 * side, -2 * side}, {6 * side, -2 * side}, {6 * side, 2 * side}, {-6 * side, 2 * side}};
+  const json meshes = run(folder, "simulate",
+                          pucks("mesh = \"bar.obj\"\noutline = \"mesh\"\nradius_m = 0.06\n",
+                                "mesh = \"angle.obj\"\noutline = \"mesh\"\nradius_m = 0.05\n"),
+                          {"--until", "0.9"});
+  const json byHand =
+      run(folder, "simulate", pucks(outlineText(bar), outlineText(corners)), {"--until", "0.9"});
+  ASSERT_GE(meshes["collisions"].size(), 1u);
+  for (const char* key : {"beta", "r_m"})
+    for (std::size_t puck = 0; puck < 2; ++puck)
+      for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_NEAR(meshes["pucks"][puck][key][k].get<double>(), byHand["pucks"][puck][key][k].get<double>(),
+                    1e-6)
+            << key << " of puck " << puck;
+}
+
+TEST(SimulateCorners, CheckSaysWhyAMeshGivesNoOutline) {
+  const TemporaryFolder folder;
+  folder.file("plate.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 1 2 3 4\n");
+  folder.file("two.obj", prismText({{0, 0}, {1, 0}, {0, 1}}) + "v 5 5 0\nv 6 5 0\nv 5 6 0\nf 7 8 9\n");
+  const std::string head =
+      "light_speed_m_s = 1.42\n[[puck]]\nname = \"bar\"\nmass_kg = 0.2\nposition_m = [0, 0]\nbeta = [0, 0]\n";
+  const auto check = [&](const std::string& keys) {
+    return runCarom(folder, {"check", folder.file("mesh.toml", head + keys)});
+  };
+  const Wrong wrongs[]{
+      {"radius_m = 1\nmesh = \"plate.obj\"\noutline = \"mesh\"\n",
+       ":8:8:", "is a line or a point, expected an area"},
+      {"radius_m = 1\noutline = \"mesh\"\n", ":8:11:", "has no mesh, expected mesh = a file"},
+      {"radius_m = 1\nmesh = \"plate.obj\"\noutline = \"hull\"\n", ":9:11:", "expected 'mesh'"},
+      {"outline_m = [[0, 0], [1, 0], [0, 1]]\nmesh = \"two.obj\"\noutline = \"mesh\"\n",
+       ":9:11:", "beside outline_m"},
+      {"mesh = \"two.obj\"\noutline = \"mesh\"\n", ":2:1:", "radius_m"},
+      {"radius_m = 1\nmesh = \"none.obj\"\noutline = \"mesh\"\n", ":8:8:", "none.obj"},
+  };
+  for (const Wrong& wrong : wrongs) {
+    SCOPED_TRACE(wrong.keys);
+    const auto result = check(wrong.keys);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("mesh.toml" + wrong.place), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(wrong.words), std::string::npos) << result.err;
+  }
+  const auto pieces = check("radius_m = 0.1\nmesh = \"two.obj\"\noutline = \"mesh\"\n");
+  EXPECT_EQ(pieces.status, 0) << pieces.err;
+  EXPECT_NE(pieces.err.find(":8:8: the mesh of puck 'bar' covers several pieces"), std::string::npos)
+      << pieces.err;
 }
 
 TEST(SimulateCorners, CheckWarnsOfCornersBesideTheCentreOfMass) {
