@@ -195,6 +195,9 @@ class CollisionScheduler {
     std::optional<CushionContact> touchedBefore;
   };
   double collide(int first, int second, const PredictedEvent& a, GameHistory& history);
+  void commitKick(const std::array<int, 2>& who, const PairContact& contact,
+                  const std::array<LegState, 2>& turn, const SpinningPairKick& found, const PredictedEvent& a,
+                  GameHistory& history);
   void bounce(int i, const PredictedEvent& a, GameHistory& history);
   void strike(int i, int stroke, GameHistory& history);
   LegState turnOnFollowedLeg(int i, int which, const PairContact& contact, bool simultaneous) const;

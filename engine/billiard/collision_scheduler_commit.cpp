@@ -112,42 +112,51 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
     if (place.tooLate) return kNever;
     turn[k] = place.turn;
   }
-  const std::array<Turning, 2> turning{turningAt(first, turn[0].properTime),
-                                       turningAt(second, turn[1].properTime)};
-  const std::array<bool, 2> pressed{isPressed(first, turn[0].x.t), isPressed(second, turn[1].x.t)};
-  if (pressed[0] && pressed[1]) {
+  if (isPressed(first, turn[0].x.t) && isPressed(second, turn[1].x.t)) {
     if (!corners) return settle(who, contact, turn, history), kNever;
     if (a.withoutDelay && settleCorners(who, turn, contact.event, contact.U, history)) return kNever;
   }
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
-  const auto found = pairKick(who, contact, turn, {turning[0].j, turning[1].j}, e);
+  const std::array<double, 2> j{turningAt(first, turn[0].properTime).j,
+                                turningAt(second, turn[1].properTime).j};
+  const auto found = pairKick(who, contact, turn, j, e);
   if (!found) return until;
-  const PairKick* const kick = &found->centres;
-  if (e == 0.0 && kick->closing < kStill && (pucks_[first].jammed || pucks_[second].jammed)) return kNever;
+  const bool jammed = pucks_[first].jammed || pucks_[second].jammed;
+  if (e == 0.0 && found->centres.closing < kStill && jammed) return kNever;
+  commitKick(who, contact, turn, *found, a, history);
+  if (corners && corners->sideOnSide) history.noteSideOnSide();
+  return kNever;
+}
 
-  const double heat = kick->heat[0] + kick->heat[1];
+void CollisionScheduler::commitKick(const std::array<int, 2>& who, const PairContact& contact,
+                                    const std::array<LegState, 2>& turn, const SpinningPairKick& found,
+                                    const PredictedEvent& a, GameHistory& history) {
+  const PairKick& kick = found.centres;
+  const double heat = kick.heat[0] + kick.heat[1];
   const std::uint64_t collision =
       history.addCollision(std::nullopt, contact.event, a.withoutDelay, heat * c_m_s_ * c_m_s_);
-  if (corners && corners->sideOnSide) history.noteSideOnSide();
   accounts_.heat += heat;
+  const bool lies = a.withoutDelay && hasCorners(who[0], who[1]);
+  const std::array<bool, 2> byMany{lies || isPressed(who[1], turn[1].x.t),
+                                   lies || isPressed(who[0], turn[0].x.t)};
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
-    history.addTurn(collision, pucks_[i].file, turn[k], kick->u[k], {turning[k].j, found->j[k]});
+    const Turning turning = turningAt(i, turn[k].properTime);
+    history.addTurn(collision, pucks_[i].file, turn[k], kick.u[k], {turning.j, found.j[k]});
     CommittedLeg decided;
-    decided.leg = {turn[k].x, kick->u[k], turn[k].properTime, brake_};
-    decided.turning = {found->j[k], turning[k].angle};
+    decided.leg = {turn[k].x, kick.u[k], turn[k].properTime, brake_};
+    decided.turning = {found.j[k], turning.angle};
     decided.signal = a.withoutDelay ? turn[k].x : contact.event;
     decided.event = collision;
-    decided.heat = kick->heat[k];
-    decided.radiated = kick->u[k] * kick->heat[k];
+    decided.heat = kick.heat[k];
+    decided.radiated = kick.u[k] * kick.heat[k];
     noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
     decide(i, decided, turn[k], history);
     noteKick(i, turn[k].x);
-    noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k] || (corners && a.withoutDelay));
+    noteBlow(i, turn[k].x.t, kick.closing, byMany[k]);
     outlooks_[i].lastPartner = who[1 - k];
   }
-  return kNever;
 }
 
 void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& history) {
