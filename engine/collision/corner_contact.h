@@ -12,8 +12,8 @@
 // Contacts of two curved sides between corners, which are rarer than their sagitta is large, do not count.
 //
 // A disc and a body with corners: in the frame of U the disc is an ellipse. A stretch along its velocity makes
-// it a circle; the sides join the corners' simultaneous events and stay straight. They touch where the circle's
-// centre is R from the stretched outline.
+// it a circle; the sides join the corners' simultaneous events and stay straight, but for those of a body that
+// turns. They touch where the circle's centre is R from the stretched outline.
 //
 // A flight holds from its start on: a contact counts from the moment on at which both have begun, in the frame
 // of U, or, of two that begin at board time 0, after board time 0. Bodies that overlap by then and approach

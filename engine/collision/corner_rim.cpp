@@ -56,13 +56,14 @@ class StretchedFrame {
   std::span<const Vec2> cornersAt(double time) {
     const std::span<const Vec2> corners = body_.outline->corners();
     const Vec21 centre = centreAt(time);
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const double s = ownTimeAt(corners[k], time);
-      const Vec2 offset = turned(corners[k], portableSinCos(body_.angle + body_.turning * s));
-      const Vec21 event = body_.start + axesOfBody_(offset) + body_.u * s;
-      places_[k] = stretched(axes_.place(event - centre));
-    }
+    for (std::size_t k = 0; k < corners.size(); ++k) places_[k] = placeAt(corners[k], time, centre);
     return {places_.data(), corners.size()};
+  }
+  /// A point of the body at a time of the frame, from the disc's centre then.
+  Vec2 placeAt(const Vec2& point, double time, const Vec21& centre) const {
+    const double s = ownTimeAt(point, time);
+    const Vec2 offset = turned(point, portableSinCos(body_.angle + body_.turning * s));
+    return stretched(axes_.place(body_.start + axesOfBody_(offset) + body_.u * s - centre));
   }
   FoundContact contact(double time, const Vec2& towards, const Vec2& touch, bool discIsFirst) const {
     const Vec2 normal = stretched(towards), place = shrunk(touch);
@@ -157,6 +158,65 @@ Nearest nearestOf(std::span<const Vec2> corners) {
   return found;
 }
 
+/// A place on a side that bends: its share of the side, from the disc's centre.
+struct OnSide {
+  double share = 0.0;
+  Vec2 place{0.0};
+};
+
+// Newton's steps along the side, halved where they lead away.
+template <typename PlaceAt>
+OnSide nearestOnSide(const PlaceAt& placeAt, double share) {
+  constexpr double kNear = 1e-3, kClose = 1e-7;  // of a side: for its slope, and where it is found
+  constexpr int kSteps = 16;
+  OnSide here{share, placeAt(share)};
+  for (int step = 0; step < kSteps; ++step) {
+    const Vec2 slope = (placeAt(here.share + kNear) - placeAt(here.share - kNear)) / (2.0 * kNear);
+    double by = -glm::dot(here.place, slope) / glm::dot(slope, slope);
+    const auto moved = [&] {
+      const double to = std::clamp(here.share + by, 0.0, 1.0);
+      return OnSide{to, placeAt(to)};
+    };
+    OnSide there = moved();
+    for (int half = 0; half < kSteps && glm::length(there.place) > glm::length(here.place); ++half)
+      by *= 0.5, there = moved();
+    if (!(glm::length(there.place) < glm::length(here.place))) break;
+    const double way = std::abs(there.share - here.share);
+    here = there;
+    if (way < kClose) break;
+  }
+  return here;
+}
+
+// At a time, of a body that turns: its sides are not straight then, as their points are seen at different angles.
+Nearest nearestOfTurning(StretchedFrame& frame, double time) {
+  constexpr double kBend = 0.3;  // of a side: farther beside its chord no point of it is
+  const std::span<const Vec2> corners = frame.cornersAt(time);
+  const Vec21 centre = frame.centreAt(time);
+  Nearest found = nearestOf(corners);
+  const double sign = found.outside < 0.0 ? -1.0 : 1.0, chord = std::abs(found.outside);
+  double least = kNever;
+  const auto consider = [&](const Vec2& nearest, std::size_t k, double share) {
+    const double distance = glm::length(nearest);
+    if (!(distance > 0.0) || !(distance < least)) return;
+    least = distance, found = {sign * distance, nearest * (sign / distance), k, share};
+  };
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    consider(corners[k], k, 0.0);
+    const Outline::Side& side = frame.body().outline->sides()[k];
+    const double share = std::clamp(shareNearest(corners, k), 0.0, 1.0);
+    const double length = glm::length(corners[(k + 1) % corners.size()] - corners[k]);
+    if (glm::length(pointOn(corners, k, share)) > chord + kBend * length) continue;
+    const OnSide nearest = nearestOnSide(
+        [&](double part) {
+          return frame.placeAt(side.from + side.along * (side.length * part), time, centre);
+        },
+        share);
+    consider(nearest.place, k, nearest.share);
+  }
+  return found;
+}
+
 // Those no farther than `reach`. A centre inside the outline has one.
 std::vector<Nearest> nearPoints(std::span<const Vec2> corners, double reach) {
   const Nearest nearest = nearestOf(corners);
@@ -212,11 +272,11 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
   const double R = frame.radius(), fastest = frame.fastest();
   if (!(fastest > 0.0)) return std::nullopt;
   const double least = kLeastStep * frame.reach() / fastest;
-  const auto gapAt = [&](double time) { return nearestOf(frame.cornersAt(time)).outside - R; };
+  const auto gapAt = [&](double time) { return nearestOfTurning(frame, time).outside - R; };
   double time = start, gap = gapAt(time);
   bool inside = gap <= 0.0;
   const auto found = [&](double at) {
-    const Vec2 towards = nearestOf(frame.cornersAt(at)).towards;
+    const Vec2 towards = nearestOfTurning(frame, at).towards;
     return frame.contact(at, towards, towards * R, discIsFirst);
   };
   for (int step = 0; step < kMostSteps && time < end; ++step) {

@@ -239,7 +239,7 @@ void expectRandomPairs(unsigned seed, int count, bool withDisc, double spinning)
 
 TEST(CornerContact, RandomPairsAsSampled) { expectRandomPairs(1, 6700, false, 0.0); }
 TEST(CornerContact, RandomSpinningPairsAsSampled) { expectRandomPairs(2, 3300, false, 1.0); }
-TEST(CornerContact, RandomPairsWithDiscsAsSampled) { expectRandomPairs(3, 700, true, 0.0); }
+TEST(CornerContact, RandomPairsWithDiscsAsSampled) { expectRandomPairs(3, 1000, true, 0.33); }
 
 // A side of a spinning body is straight in its own frame, and between its corners in the frame of equal speeds.
 TEST(CornerContact, ManyCornersTouchAsADiscDoes) {

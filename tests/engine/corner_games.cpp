@@ -20,6 +20,7 @@ namespace carom::test {
 namespace {
 
 constexpr double kC_m_s = 1.42;
+constexpr double kRounding_m = 1e-13;
 constexpr double kSoon = 0.01;  // of the radii: a pair that turns again so soon is not asked
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -267,8 +268,8 @@ void checkCornerGame(const BilliardSetup& setup, double until_s, const std::stri
     for (const Knot& knot : line.knots()) places.push_back(knot.turn);
     places.push_back(line.at(until_s).event);
     for (const Event& place : places) {
-      if (!(std::abs(place.r_m.x) <= 0.5 * setup.board->length_m) ||
-          !(std::abs(place.r_m.y) <= 0.5 * setup.board->width_m))
+      if (!(std::abs(place.r_m.x) <= 0.5 * setup.board->length_m + kRounding_m) ||
+          !(std::abs(place.r_m.y) <= 0.5 * setup.board->width_m + kRounding_m))
         tally.faults.push_back(name + ": puck " + setup.pucks[i].name + " is off the table at " +
                                std::to_string(place.t_s) + " s");
     }
