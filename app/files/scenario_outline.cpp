@@ -52,6 +52,7 @@ void takeFootprint(const TomlTable& table, Puck& puck, std::optional<PuckMesh>& 
       table.fault("outline", fmt::format("puck '{}' has no mesh, expected mesh = a file", puck.name));
     return;
   }
+  if (mesh->file.empty()) return;  // there is no such file, which has been said
   try {
     const Footprint footprint = footprintOf(trianglesFromAbove(mesh->file.string()));
     mesh->place = {footprint.centre, puck.radius_m / footprint.radius};

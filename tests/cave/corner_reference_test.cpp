@@ -158,7 +158,7 @@ TEST_F(CornerReference, SpinsWhoseCornersGoAtUpTo99HundredthsOfLight) {
   EXPECT_EQ(turning.turningBodies, 3);
 }
 
-/// The world line of the first of two pucks with corners that meet, as the game plays it.
+/// The world line of the first of two pucks with corners that meet, as the game plays it, until its second turn.
 WorldLine kicked(Random& random, double radius_m, const Corners& outline_m) {
   BilliardSetup setup;
   setup.lightSpeed_m_s = kC_m_s;
@@ -179,10 +179,14 @@ WorldLine kicked(Random& random, double radius_m, const Corners& outline_m) {
       puck.spin_kg_m2_s = spinAt_kg_m2_s(puck, rim * kC_m_s / puck.radius_m, kC_m_s);
       setup.pucks.push_back(puck);
     }
+    const double puckRadius_m = setup.pucks[0].radius_m;
     Billiard game(setup);
     game.advanceTo(3.0);
-    const WorldLine& line = game.worldLines()[0];
-    if (line.knots().size() > 1) return line;
+    const WorldLine& played = game.worldLines()[0];
+    if (played.knots().size() < 2) continue;
+    WorldLine line(played.knots()[0], kC_m_s, puckRadius_m);
+    line.append(played.knots()[1]);
+    return line;
   }
 }
 
