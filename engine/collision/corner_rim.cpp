@@ -167,8 +167,8 @@ struct OnSide {
 // Newton's steps along the side, halved where they lead away.
 template <typename PlaceAt>
 OnSide nearestOnSide(const PlaceAt& placeAt, double share) {
-  constexpr double kNear = 1e-3, kClose = 1e-7;  // of a side: for its slope, and where it is found
-  constexpr int kSteps = 16;
+  constexpr double kNear = 1e-3, kClose = 1e-4, kFound = 1e-14;  // of a side; steps below kClose lead on
+  constexpr int kSteps = 32;
   OnSide here{share, placeAt(share)};
   for (int step = 0; step < kSteps; ++step) {
     const Vec2 slope = (placeAt(here.share + kNear) - placeAt(here.share - kNear)) / (2.0 * kNear);
@@ -178,12 +178,13 @@ OnSide nearestOnSide(const PlaceAt& placeAt, double share) {
       return OnSide{to, placeAt(to)};
     };
     OnSide there = moved();
-    for (int half = 0; half < kSteps && glm::length(there.place) > glm::length(here.place); ++half)
-      by *= 0.5, there = moved();
-    if (!(glm::length(there.place) < glm::length(here.place))) break;
+    const auto leadsAway = [&] {
+      return std::abs(by) > kClose && glm::length(there.place) > glm::length(here.place);
+    };
+    while (leadsAway()) by *= 0.5, there = moved();
     const double way = std::abs(there.share - here.share);
     here = there;
-    if (way < kClose) break;
+    if (way < kFound) break;
   }
   return here;
 }
