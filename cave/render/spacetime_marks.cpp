@@ -308,7 +308,6 @@ void SpacetimeMarks::draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, 
                           float cutAt) const {
   const GlStateGuard state(framebuffer, size_px);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
   blendOver();
   if (pathsShown_) paths_.draw(clipFromDrawn, drawnFromBoard_, std::span(colours_).subspan(1, pucks_));

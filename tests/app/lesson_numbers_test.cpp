@@ -215,6 +215,35 @@ TEST(LessonNumbers, TwoCushions) {
       .has(right->r_m.x - left->r_m.x, 2);
 }
 
+TEST(LessonNumbers, BarMeetsBar) {
+  const Scenario scenario = shipped("bar-meets-bar");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const Billiard game = played(scenario, 1.0);
+  const auto isPair = [](const GameEvent& event) { return event.kind == EventKind::puckPuck; };
+  const auto met = std::find_if(game.events().begin(), game.events().end(), isPair);
+  ASSERT_NE(met, game.events().end());
+  EXPECT_TRUE(met->sideOnSide);
+  const Event right = flashNamed(scenario, "right ends").at, left = flashNamed(scenario, "left ends").at;
+  for (const Event& end : {right, left}) {
+    EXPECT_NEAR(end.t_s, met->at.t_s, 1e-12);
+    EXPECT_NEAR(end.r_m.y, met->at.r_m.y, 1e-12);
+  }
+  EXPECT_NEAR(met->at.r_m.x, 0.0, 1e-12);
+  const double length_m = right.r_m.x - left.r_m.x;
+  for (const Puck& bar : scenario.billiard.pucks)  // it moves across its length
+    EXPECT_NEAR(2.0 * bar.outline_m[2].x, length_m, 1e-12);
+  const Vec3 flying = uFromBeta({0.5, 0.0, 0.0});
+  const double earlier_s = elapsedFor_s(flying, right, left, c_m_s);
+  EXPECT_GT(earlier_s, 0.0) << "the right ones first: the second answer";
+  EXPECT_EQ(elapsedFor_s(Vec3(0.0), right, left, c_m_s), 0.0);
+  const Explained explained(scenario);
+  EXPECT_NEAR(explained.reads_s(scenario.lesson->plan.stopwatches.at(0)), earlier_s, 1e-9);
+  EXPECT_NEAR(elapsedFor_s(flying, explained.observer.middle.observation, right, c_m_s), 0.0, 1e-9)
+      << "the moment at which the right ends touch";
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  Numbers(claims(scenario)).has(0.5, 1).has(earlier_s, 3).has(gammaFromU(flying), 3).has(length_m, 2);
+}
+
 /// At which speed of light's a puck is seen to move along x, by an eye on its line.
 double apparentBeta(const WorldLine& line, const Vec3& eye_m, double at_s) {
   constexpr double kApart_s = 0.05;
