@@ -69,28 +69,29 @@ void addCommands(CLI::App& app, int& status) {
       "  carom check desk                                  what a file says\n"
       "  carom simulate three-pucks --until 10\n"
       "Each command explains itself: carom simulate --help");
-  addSimulate(app, status);
-  addObserve(app, status, kSeenScene);
-  addCheck(app, status, kOpenMeshes, kShowPattern);
-  addImport(app, status);
-  addList(app, status);
-  addFilter(app, status);
-  addTrack(app, status);
-  addCalibrate(app, status);
   addCave(app, status);
-  addRoom(app, status);
-  addDoctor(app, status);
+  addReplay(app, status);
   addEvents(app, status);
   addDiagram(app, status);
-  addReplay(app, status);
   addExport(app, status);
+  addList(app, status);
+  addCheck(app, status, kOpenMeshes, kShowPattern);
+  addSimulate(app, status);
+  addObserve(app, status, kSeenScene);
+  addRoom(app, status);
+  addDoctor(app, status);
+  addImport(app, status);
+  addCalibrate(app, status);
+  addTrack(app, status);
+  addFilter(app, status);
 }
 
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
-  CLI::App app("carom: billiards where light is slow, shown as special relativity says it would look.",
-               "carom");
+  CLI::App app(
+      "carom: a billiard table on which light is slow, shown as special relativity says it would look.",
+      "carom");
   int status = 0;
   addCommands(app, status);
   try {

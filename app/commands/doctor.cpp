@@ -300,7 +300,7 @@ int runDoctor(const std::optional<std::filesystem::path>& rigFile) {
 
 void addDoctor(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "doctor", "Says what this machine, or each node of a room, has and lacks for a session");
+      "doctor", "Say what this machine, or each node of a room, has and lacks for a session");
   auto rig = std::make_shared<std::optional<std::filesystem::path>>();
   command->add_option("RIG", *rig, "Rig file that the machine is to show")->transform(shipped({"rigs"}));
   command->footer(

@@ -70,6 +70,7 @@ struct Caption {
 
   double from_s = 0.0, for_s = 0.0;
   std::string text;
+  std::string handText;  ///< for viewers with a tracked hand, which has no keys
   TimeViews views;
 };
 

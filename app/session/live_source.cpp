@@ -444,7 +444,8 @@ void LiveSource::showCaption(Decision& decision) {
   const Caption& latest = captions[play_.captions - 1];
   if (own_s >= latest.from_s + latest.for_s) return;
   for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
-    if (record.viewer(viewer).notice.words().empty()) record.viewer(viewer).notice = Notice(latest.text);
+    const std::string& text = rig_.viewers[viewer].hand ? latest.handText : latest.text;
+    if (record.viewer(viewer).notice.words().empty()) record.viewer(viewer).notice = Notice(text);
   }
 }
 

@@ -270,11 +270,11 @@ int runCheck(const std::filesystem::path& file, const std::function<void(const S
 void addCheck(CLI::App& app, int& status, const std::function<void(const Scenario&)>& openMeshes,
               const ShowPattern& showPattern) {
   CLI::App* command = app.add_subcommand(
-      "check", "Examine a scenario or a room and say what is in it and what is suspicious");
+      "check", "Examine a scenario, a room or a playlist and say what is in it and what is suspicious");
   auto file = std::make_shared<std::filesystem::path>();
-  command->add_option("FILE", *file, "Scenario, rig, .pvx of ParaView or .json of SGCT")
+  command->add_option("FILE", *file, "Scenario, rig, playlist, .pvx of ParaView or .json of SGCT")
       ->required()
-      ->transform(shipped({"rigs", "scenarios"}));
+      ->transform(shipped({"rigs", "scenarios", "playlists"}));
   auto pattern = std::make_shared<bool>(false);
   auto capture = std::make_shared<std::optional<std::filesystem::path>>();
   if (showPattern) {

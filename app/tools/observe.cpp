@@ -164,7 +164,7 @@ void addObserve(CLI::App& app, int& status, const SeenSceneText& seenScene) {
     std::vector<Point> points;
     std::optional<std::filesystem::path> json, vtp;
   };
-  CLI::App* command = app.add_subcommand("observe", "What an eye at one event of the board sees");
+  CLI::App* command = app.add_subcommand("observe", "Compute what an eye at one event of the board sees");
   auto line = std::make_shared<Line>();
   command->add_option("SCENARIO", line->scenario, "Scenario file, or the name of a shipped one")
       ->required()

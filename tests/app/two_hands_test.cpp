@@ -194,7 +194,8 @@ TEST(TwoHands, WhoIsNearerSeesAHitFirst) {
 /// Two people at rest at the desk for two, in this game.
 class TwoAtRest : public GameForTwo {
  public:
-  explicit TwoAtRest(const char* scenario) : GameForTwo(scenario, personsAtRest) {}
+  explicit TwoAtRest(const char* scenario, bool secondHasWand = false)
+      : GameForTwo(scenario, secondHasWand ? oneWithWand : personsAtRest) {}
 
   const FrameRecord& frame(const DeskInput& desk = {}) {
     decide(desk);
@@ -205,6 +206,10 @@ class TwoAtRest : public GameForTwo {
  private:
   static void personsAtRest(Rig& rig) {
     for (TrackerSetup& tracker : rig.trackers) tracker.person = SimulatedMotion::still;
+  }
+  static void oneWithWand(Rig& rig) {
+    personsAtRest(rig);
+    rig.viewers[1].hand = HandSetup{};
   }
 };
 
@@ -232,6 +237,14 @@ TEST(TwoHands, EverybodyReadsTheCaptions) {
     captions += record.viewer(0).notice.words().empty() ? 0 : 1;
   }
   EXPECT_GT(captions, 0U);
+}
+
+TEST(TwoHands, WhoeverHasAWandReadsWhatAWandDoes) {
+  TwoAtRest two(CAROM_CONFIG_DIR "/scenarios/welcome.toml", true);
+  two.frame();
+  const FrameRecord& record = two.frame();
+  EXPECT_EQ(record.viewer(0).notice.words().find("trigger"), std::string::npos);
+  EXPECT_NE(record.viewer(1).notice.words().find("trigger"), std::string::npos);
 }
 
 }  // namespace

@@ -52,6 +52,11 @@ TEST(VisitorChoices, TheWelcomeGoesOnByItselfAndSaysHowToStrike) {
   ASSERT_FALSE(welcome.captions.empty());
   EXPECT_EQ(welcome.captions.front().from_s, 0.0);
   EXPECT_NE(welcome.captions.front().text.find("drag back"), std::string::npos);
+  for (const Caption& caption : welcome.captions) {
+    for (const char* key : {"H lists", "W A S D", "mouse", "Home:"})
+      EXPECT_EQ(caption.handText.find(key), std::string::npos) << "a wand has no keys: " << caption.handText;
+    EXPECT_FALSE(caption.handText.empty());
+  }
   std::size_t moving = 0;
   for (const Puck& puck : welcome.billiard.pucks) moving += glm::length(puck.beta) > 0.1 ? 1U : 0U;
   EXPECT_GT(moving, welcome.billiard.pucks.size() / 2);

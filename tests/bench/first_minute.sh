@@ -15,7 +15,7 @@ trap 'kill "$job" 2>/dev/null || true; rm -rf "$out"' EXIT
 export XDG_CONFIG_HOME=$out
 "$carom" cave --console --session "$out/visit.db" 2>"$pictures/stderr.txt" &
 job=$!
-until [ -n "$(xdotool search --name "Carom: screen" 2>/dev/null)" ]; do sleep 0.2; done
+until [ -n "$(xdotool search --name "Carom: screen" 2>/dev/null)" ]; do kill -0 "$job" && sleep 0.2; done
 frames() { if [ -e "$out/visit.db" ]; then sqlite3 "$out/visit.db" 'SELECT count(*) FROM frame' 2>/dev/null || echo 0; else echo 0; fi; }
 until [ "$(frames)" -ge 3 ]; do sleep 0.2; done
 begun=$SECONDS
