@@ -141,8 +141,9 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
     decided.event = collision;
     decided.heat = kick->heat[k];
     decided.radiated = kick->u[k] * kick->heat[k];
-    noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
+    const unsigned followed = outlooks_[i].legNumber;
     decide(i, decided, turn[k], history);
+    if (outlooks_[i].legNumber == followed) noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
     noteKick(i, turn[k].x);
     noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k] || (corners && a.withoutDelay));
     outlooks_[i].lastPartner = who[1 - k];
