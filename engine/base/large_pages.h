@@ -3,32 +3,38 @@
 // of its tables where they are.
 
 #include <sys/mman.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <memory_resource>
 #include <new>
 #include <vector>
 
 namespace carom {
 
-/// Allocates arrays, of 2 MiB and more in pages of that size where the system has some.
+/// Allocates `bytes` at an alignment that is a power of two, 2 MiB at most and a cache line at least; of 2 MiB and more
+/// in pages of that size where the system has some. To be given back by std::free.
+inline void* allocateInLargePages(std::size_t bytes, std::size_t alignment) {
+  constexpr std::size_t kLine = 64, kPage = std::size_t{1} << 21;
+  const std::size_t page = bytes < kPage ? std::max(alignment, kLine) : kPage;
+  void* const memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
+  if (memory == nullptr) throw std::bad_alloc();
+  if (page == kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // advice: nothing changes if it is not taken
+  return memory;
+}
+
+/// Allocates the arrays of containers so.
 template <class T>
 struct LargePageAllocator {
   using value_type = T;
-  static constexpr std::size_t kPage = std::size_t{1} << 21;
 
   LargePageAllocator() = default;
   template <class U>
   LargePageAllocator(const LargePageAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
-    const std::size_t bytes = count * sizeof(T);
-    const std::size_t page = bytes < kPage ? std::max(alignof(T), std::size_t{64}) : kPage;
-    void* const memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
-    if (memory == nullptr) throw std::bad_alloc();
-    if (page == kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // advice: nothing changes if it is not taken
-    return static_cast<T*>(memory);
+    return static_cast<T*>(allocateInLargePages(count * sizeof(T), alignof(T)));
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
 
@@ -36,6 +42,15 @@ struct LargePageAllocator {
   bool operator==(const LargePageAllocator<U>&) const {
     return true;
   }
+};
+
+/// The same for containers that are told where to allocate.
+class LargePageResource : public std::pmr::memory_resource {
+  void* do_allocate(std::size_t bytes, std::size_t alignment) override {
+    return allocateInLargePages(bytes, alignment);
+  }
+  void do_deallocate(void* memory, std::size_t, std::size_t) override { std::free(memory); }
+  bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 };
 
 /// An array in large pages.

@@ -2,16 +2,23 @@
 // Asking for data from memory before they are needed.
 
 #include <cstddef>
+#include <cstdint>
 
 namespace carom {
 
-/// Prefetches `size` bytes from `data` on. The empty statement keeps the compiler from leaving out calls of
-/// functions that do nothing but this.
-inline void prefetch(const void* data, std::size_t size = 1) {
-  for (std::size_t byte = 0; byte < size; byte += 64) {
-    __builtin_prefetch(static_cast<const char*>(data) + byte);
-    asm volatile("");
-  }
+/// Prefetches the cache line of `data` into the second cache, where what is asked for far ahead does not drive out what
+/// is in use. The empty statement keeps the compiler from leaving out calls of functions that do nothing but this.
+inline void prefetch(const void* data) {
+  __builtin_prefetch(data, 0, 2);
+  asm volatile("");
+}
+
+/// Does so with the cache lines of the `size` bytes from `data` on.
+inline void prefetch(const void* data, std::size_t size) {
+  constexpr std::uintptr_t kLine = 64;
+  const auto begin = reinterpret_cast<std::uintptr_t>(data);
+  for (std::uintptr_t line = begin & ~(kLine - 1); line < begin + size; line += kLine)
+    prefetch(reinterpret_cast<const void*>(line));
 }
 
 }  // namespace carom

@@ -151,9 +151,8 @@ void CollisionScheduler::prefetchUpcoming(const GameHistory& history) {
     if (own.leavesCell < own.next.ownTime)
       return cells_.fetchAhead(cells_.beside(cell, axis, wayAlong(i, axis)), axis, wayAlong(i, axis));
     cells_.fetchNear(cell);
-    prefetch(&pucks_[i], sizeof(PuckState));
-    if (own.next.kind == Kind::pair)
-      fetch(own.next.with), prefetch(&pucks_[own.next.with], sizeof(PuckState));
+    fetchState(i);
+    if (own.next.kind == Kind::pair) fetch(own.next.with), fetchState(own.next.with);
   });
   queue_.lookAhead(2, kCells, [&](int i) {
     const Outlook& own = outlooks_[i];
@@ -220,8 +219,7 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
   if (outlooks_[i].legNumber == legs[0]) noteMet(i, {j, legs[1], until});
   if (outlooks_[j].legNumber == legs[1]) noteMet(j, {i, legs[0], until});
   if (cellsTooSmall_) return predictAll();
-  predict(i);
-  predict(j);
+  predictBoth(i, j);
   predictDependents(i);
   predictDependents(j);
   predictMembers(i, j);
@@ -259,7 +257,7 @@ void CollisionScheduler::changeCell(int i, int axis) {
   const PredictedEvent& before = outlooks_[i].next;
   PredictedEvent best = before;
   cells_.findAhead(into, axis, way, found_);
-  considerPairs(i, best);
+  considerPairs(i, 0, sortOut(i, 0), best);
   considerCushions(i, best);
   if (best.ownTime == before.ownTime && best.with == before.with) return schedule(i);
   setPredictedEvent(i, best);

@@ -155,6 +155,8 @@ class CollisionScheduler {
 
   // collision_scheduler_predict.cpp: what will happen
   void predict(int i);
+  void predictBoth(int first, int second);
+  void predictAmong(int i, int begin, int end);
   void predictAll();
   int enterCell(int i);
   void moveEpoch();
@@ -165,7 +167,11 @@ class CollisionScheduler {
   void considerCushions(int i, PredictedEvent& best) const;
   void considerCushion(int i, int cushion, PredictedEvent& best) const;
   void considerStrokes(int i, PredictedEvent& best) const;
-  void considerPairs(int i, PredictedEvent& best);
+  // Whether straight flights of discs that pass tell that two pucks do not meet.
+  bool excludesDiscs() const { return brake_ == 0.0 && outlines_ == nullptr; }
+  int findCandidates(int i, int begin);
+  int sortOut(int i, int begin);
+  void considerPairs(int i, int begin, int end, PredictedEvent& best);
   void considerPair(int i, int other, PredictedEvent& best);
   static bool isEarlier(double ownTime, int with, const PredictedEvent& than);
   std::optional<Meeting> meetingOf(int first, int second) const;
@@ -175,6 +181,10 @@ class CollisionScheduler {
   void noteMet(int i, const HandledContact& contact);
   void findCellExit(int i);
   double leavesCell(int i, int axis) const;
+  void fetchState(int i) const {
+    prefetch(&pucks_[i]);
+    if (canPress(i)) prefetch(&pucks_[i].blowsBegan);
+  }
   int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
   // Returns the axis along which the puck's centre leaves its cell first.
   int leavesFirst(int i) const { return outlooks_[i].leavesAlongY ? 1 : 0; }

@@ -151,8 +151,9 @@ void CollisionScheduler::commitKick(const std::array<int, 2>& who, const PairCon
     decided.event = collision;
     decided.heat = kick.heat[k];
     decided.radiated = kick.u[k] * kick.heat[k];
-    noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
+    const unsigned followed = outlooks_[i].legNumber;
     decide(i, decided, turn[k], history);
+    if (outlooks_[i].legNumber == followed) noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
     noteKick(i, turn[k].x);
     noteBlow(i, turn[k].x.t, kick.closing, byMany[k]);
     outlooks_[i].lastPartner = who[1 - k];

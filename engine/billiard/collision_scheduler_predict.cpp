@@ -33,7 +33,7 @@ void CollisionScheduler::layOutCells() {
     return !usesCells() ? 1 : std::max(1, static_cast<int>(std::min(length / edge, 4096.0)));
   };
   cells_ = CellGrid(boxLowX_, boxLowY_, edge, fit(boxWidth_), fit(boxHeight_), static_cast<int>(count));
-  near_.resize(count + CellGrid::kSpare);
+  near_.resize(2 * count + CellGrid::kSpare);
   found_ = FoundFlights(count);
   epoch_ = clock_;
   cellsTooSmall_ = false;
@@ -49,7 +49,22 @@ void CollisionScheduler::predictAll() {
   for (int i = 0; i < count; ++i) predict(i);
 }
 
-void CollisionScheduler::predict(int i) {
+void CollisionScheduler::predict(int i) { predictAmong(i, 0, usesCells() ? findCandidates(i, 0) : 0); }
+
+// The second's candidates are found while the data of the first's are on their way from memory.
+void CollisionScheduler::predictBoth(int first, int second) {
+  if (!usesCells()) {
+    predict(first);
+    predict(second);
+    return;
+  }
+  const int middle = findCandidates(first, 0), end = findCandidates(second, middle);
+  predictAmong(first, 0, middle);
+  predictAmong(second, middle, end);
+}
+
+// Of many pucks, only those among near_ from `begin` to `end` can be met.
+void CollisionScheduler::predictAmong(int i, int begin, int end) {
   PredictedEvent best;
   if (discs_[i].turnsAt < kNever) {
     best.kind = Kind::turn;
@@ -58,21 +73,23 @@ void CollisionScheduler::predict(int i) {
   if (!strokes_.empty()) considerStrokes(i, best);
   if (!usesCells()) {
     for (int other = 0; other < static_cast<int>(pucks_.size()); ++other) {
-      if (other == i ||
-          (brake_ == 0.0 && outlines_ == nullptr && !mayMeet(discs_[i], discs_[other], convention_)))
-        continue;
+      if (other == i || (excludesDiscs() && !mayMeet(discs_[i], discs_[other], convention_))) continue;
       considerPair(i, other, best);
     }
-  } else {
-    // A puck that was waited for is behind the others: those it can meet may be farther off by now.
-    const double behind = std::max(0.0, clock_ - std::max(outlooks_[i].next.ownTime, discs_[i].start.t));
-    const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
-    const int reach = reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0));
-    cells_.findNear(enterCell(i), reach, found_);
-    considerPairs(i, best);
   }
+  considerPairs(i, begin, end, best);
   considerCushions(i, best);
   setPredictedEvent(i, best);
+}
+
+// Writes the pucks that this one may meet to near_ from `begin` on. Returns their end.
+int CollisionScheduler::findCandidates(int i, int begin) {
+  // A puck that was waited for is behind the others: those it can meet may be farther off by now.
+  const double behind = std::max(0.0, clock_ - std::max(outlooks_[i].next.ownTime, discs_[i].start.t));
+  const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
+  const int reach = reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0));
+  cells_.findNear(enterCell(i), reach, found_);
+  return sortOut(i, begin);
 }
 
 // Puts the puck into the cell where its leg has it now.
@@ -134,32 +151,38 @@ bool CollisionScheduler::isEarlier(double ownTime, int with, const PredictedEven
   return ownTime < than.ownTime || (ownTime == than.ownTime && than.kind == Kind::pair && with < than.with);
 }
 
-// Of those found, first those are sorted out that certainly do not meet, without a branch: by their coarse
-// flights, and those that are left by the exact ones.
-void CollisionScheduler::considerPairs(int i, PredictedEvent& best) {
+// Writes those of found_ to near_ from `begin` on that the coarse flights do not exclude, without a branch, and
+// asks for their data. Returns their end.
+int CollisionScheduler::sortOut(int i, int begin) {
   int* const near = near_.data();
   const int* const items = found_.items.data();
-  const bool all = brake_ != 0.0 || outlines_ != nullptr;
+  const bool all = !excludesDiscs();
   const CoarseMeeting coarse(discs_[i], largestRadius_, convention_, epoch_);
-  int kept = 0;
-  for (int begin = 0; begin < found_.count; begin += FoundFlights::kRoom) {
+  int kept = begin;
+  for (int first = 0; first < found_.count; first += FoundFlights::kRoom) {
     std::array<int, FoundFlights::kRoom> may;
-    const float *const x = &found_.x[begin], *const y = &found_.y[begin];
-    const float *const vx = &found_.vx[begin], *const vy = &found_.vy[begin];
+    const float *const x = &found_.x[first], *const y = &found_.y[first];
+    const float *const vx = &found_.vx[first], *const vy = &found_.vy[first];
     for (int k = 0; k < FoundFlights::kRoom; ++k) may[k] = coarse.mayMeet(x[k], y[k], vx[k], vy[k]) ? 1 : 0;
-    const int end = std::min(FoundFlights::kRoom, found_.count - begin);
+    const int end = std::min(FoundFlights::kRoom, found_.count - first);
     for (int k = 0; k < end; ++k) {
-      near[kept] = items[begin + k];
-      kept += static_cast<int>(items[begin + k] != i) & (may[k] | static_cast<int>(all));
+      near[kept] = items[first + k];
+      kept += static_cast<int>(items[first + k] != i) & (may[k] | static_cast<int>(all));
     }
   }
-  for (int k = 0; k < kept; ++k) {
+  for (int k = begin; k < kept; ++k) {
     prefetch(&discs_[near[k]]);
     prefetch(&outlooks_[near[k]]);
     queue_.fetch(near[k]);
   }
-  for (int k = 0; k < kept; ++k) {
-    if (all || mayMeet(discs_[i], discs_[near[k]], convention_)) considerPair(i, near[k], best);
+  return kept;
+}
+
+void CollisionScheduler::considerPairs(int i, int begin, int end, PredictedEvent& best) {
+  const bool all = !excludesDiscs();
+  for (int k = begin; k < end; ++k) {
+    const int other = near_[k];
+    if (all || mayMeet(discs_[i], discs_[other], convention_)) considerPair(i, other, best);
   }
 }
 

@@ -2,10 +2,11 @@
 // A priority queue of numbered items. Each item has a time at which it is due; that time can be changed.
 // Items with equal times come out in the order of their numbers.
 //
-// The soonest are a short sorted list, so that one can look ahead. Further items due before a horizon are
-// in a four-way heap. Four siblings fill one cache line, and the least of them is found without a branch.
-// Where there are many items, most lie beyond the horizon and are only noted, so that the heap stays in the
-// cache. When the heap is empty, the horizon moves on and all items are looked through once.
+// The soonest are a short sorted list, so that one can look ahead. Further items due today are in a four-way heap.
+// Four siblings fill one cache line, and the least of them is found without a branch. Where there are many items,
+// those due later are only listed under their day, so that the heap stays small: a calendar (R. Brown, 1988, Calendar
+// queues). An item that is given another time stays on the list of its old day, and is left out there when that day
+// comes. When the calendar ends, a new one begins, for which all items are looked through once.
 
 #include <algorithm>
 #include <array>
@@ -20,8 +21,9 @@ class DueQueue {
  public:
   DueQueue() = default;
   /// Makes a queue of `items` items, none of which is ever due at first.
-  explicit DueQueue(int items)
-      : heap_(std::max(kHeap, items / 8)), horizon_(items <= heap_ ? kLatest : -kNever), items_(items) {}
+  explicit DueQueue(int items) : days_(items <= kFew ? 0 : kDays), items_(items) {
+    if (items > kFew) today_ = kDays - 1, begins_ = -kLatest, perDay_ = 1.0;  // at the end of a calendar
+  }
 
   /// Returns the time at which the next item is due; infinity if none ever is.
   double firstDue() {
@@ -57,8 +59,9 @@ class DueQueue {
     if (isSoon(now)) {
       if (slot != kNone) takeOut(slot);
       insertSoon(now);
-    } else if (time > horizon_) {
+    } else if (const int day = dayOf(time); day > today_) {
       if (slot != kNone) takeOut(slot);
+      if (day < kDays) days_[day].push_back(item);
     } else {
       place(slot != kNone ? slot : newSlot(), now);
     }
@@ -68,7 +71,8 @@ class DueQueue {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr double kLatest = std::numeric_limits<double>::max();
   static constexpr int kNone = -1;
-  static constexpr int kHeap = 4096;  // 64 KiB
+  static constexpr int kFew = 256;               // so many are all in the heap
+  static constexpr int kDays = 256, kADay = 64;  // about so many items are due on each
 
   struct Item {
     double due = kNever;
@@ -92,7 +96,7 @@ class DueQueue {
   // Whether an entry belongs among the soonest: before the last of them.
   bool isSoon(const Entry& entry) const { return begin_ < end_ && !(soon_[end_ - 1] < entry); }
   void fillSoon() {
-    if (begin_ == end_ && size_ == 0) moveHorizon();
+    if (begin_ == end_ && size_ == 0) openDay();
     for (; end_ - begin_ < kSoon && size_ > 0; takeOut(0)) {
       makeRoom();
       soon_[end_++] = at(0);
@@ -127,18 +131,43 @@ class DueQueue {
     }
   }
 
-  // Moves the horizon to where about heap_ items lie before it, as a sample of the items tells.
-  void moveHorizon() {
-    constexpr std::size_t kSample = 512;
-    if (items_.size() <= static_cast<std::size_t>(heap_)) return;
+  // The heap holds what is due up to this day. What is due after the calendar's end has the day kDays, what is never
+  // due a day after that.
+  int dayOf(double time) const {
+    if (time == kNever) return kDays + 1;
+    return static_cast<int>(std::clamp((time - begins_) * perDay_, 0.0, static_cast<double>(kDays)));
+  }
+  // Fills the empty heap with the next items due, if any is.
+  void openDay() {
+    while (size_ == 0 && !days_.empty()) {
+      if (++today_ == kDays && !beginCalendar()) {
+        --today_;
+        return;
+      }
+      for (const int item : days_[today_]) {
+        const Item& own = items_[item];
+        if (own.slot == kNone && dayOf(own.due) == today_) place(newSlot(), {own.due, item});
+      }
+      days_[today_].clear();
+    }
+  }
+  // Begins a calendar with the first item due. A sample of the items tells how long a day is. Returns whether there
+  // is such an item.
+  bool beginCalendar() {
+    constexpr std::size_t kSample = 512, kShare = 4;
     std::array<double, kSample> sample;
     for (std::size_t k = 0; k < kSample; ++k) sample[k] = items_[k * items_.size() / kSample].due;
-    const auto quantile = sample.begin() + kSample * heap_ / items_.size();
-    std::nth_element(sample.begin(), quantile, sample.end());
-    horizon_ = std::min(*quantile, kLatest);
+    std::nth_element(sample.begin(), sample.begin() + kSample / kShare, sample.end());
+    begins_ = kNever;
+    for (const Item& item : items_) begins_ = std::min(begins_, item.due);
+    if (begins_ == kNever) return begins_ = -kLatest, perDay_ = 1.0, false;
+    const double days = static_cast<double>(items_.size()) / (kShare * kADay);
+    perDay_ = std::min(days / (sample[kSample / kShare] - begins_), kLatest);
+    today_ = 0;
     for (int item = 0; item < static_cast<int>(items_.size()); ++item) {
-      if (items_[item].due <= horizon_) place(newSlot(), {items_[item].due, item});
+      if (const int day = dayOf(items_[item].due); day < kDays) days_[day].push_back(item);
     }
+    return true;
   }
   int newSlot() {
     const auto families = static_cast<std::size_t>(size_ + 3) / 4 + 1;
@@ -184,8 +213,10 @@ class DueQueue {
     items_[entry.item].slot = slot;
   }
 
-  int heap_ = kHeap;  // about so many items in the heap at once
-  double horizon_ = 0.0;
+  int today_ = kDays;  // in a calendar of days of equal length
+  double begins_ = 0.0, perDay_ = 0.0;
+  std::vector<std::vector<int>>
+      days_;                           // the items that have been given a time on each; no days for few items
   std::array<Entry, 8 * kSoon> soon_;  // the places from begin_ to end_: all that are due before the heap's
   int begin_ = 0, end_ = 0;
   std::array<int, kStages> seen_{};  // places of the first that the stages of `lookAhead` have not visited

@@ -7,7 +7,11 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kFewPucks = 256;                      // whose world lines' ends lie in the caches
+constexpr std::size_t kFewPucks = 256;  // whose world lines' ends lie in the caches
+// Memory that is used for the first time costs as much as a third of a collision. Of many pucks there is room from the
+// start for about what a session keeps that forgets what is past.
+constexpr std::size_t kEventsPerPuck = 16, kLegsPerPuck = 48;
+constexpr std::size_t kMostEvents = std::size_t{1} << 19, kMostLegs = std::size_t{1} << 21;
 constexpr std::size_t kNewLegs = 256, kNewLegsPerPuck = 4;  // of more pucks, at most so many legs wait
 
 Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }
@@ -19,9 +23,11 @@ GameHistory::GameHistory(const BilliardSetup& setup)
       friction_m_s2_(setup.rules.friction_m_s2),
       slowing_1_s_(setup.rules.spinDeceleration_m_s2 / setup.lightSpeed_m_s),
       forgottenLegs_(setup.pucks.size(), 0) {
+  lines_.reserve(setup.pucks.size());
   for (const Puck& puck : setup.pucks) {
     const double height_m = 0.5 * puck.height_m;
-    shapes_.push_back({height_m, puck.radius_m, {puck.mass_kg, puck.inertia * puck.mass_kg}});
+    shapes_.push_back({height_m, puck.radius_m});
+    bodies_.push_back({puck.mass_kg, puck.inertia * puck.mass_kg});
     const Event start{0.0, {puck.position_m.x, puck.position_m.y, height_m}};
     const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta));
     const Turning turning{puck.spin_kg_m2_s / (puck.radius_m * c_m_s_), 0.0};
@@ -31,8 +37,17 @@ GameHistory::GameHistory(const BilliardSetup& setup)
                      start,
                      friction_m_s2_,
                      spinOf(shapes_.size() - 1, turning)};
-    lines_.emplace_back(first, c_m_s_, std::hypot(puck.radius_m, height_m));
+    lines_.emplace_back(first, c_m_s_, std::hypot(puck.radius_m, height_m),
+                        -std::numeric_limits<double>::infinity(), &knots_);
   }
+  makeRoom();
+}
+
+void GameHistory::makeRoom() {
+  if (lines_.size() <= kFewPucks) return;
+  for (WorldLine& line : lines_) line.reserve(std::min(kLegsPerPuck, kMostLegs / lines_.size()));
+  events_.resize(std::min(kMostEvents, kEventsPerPuck * lines_.size()));
+  events_.clear();
 }
 
 void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Turning& turning, const Vec21& signal) {
@@ -58,7 +73,7 @@ void GameHistory::complete() {
   const auto ahead = [&](std::size_t k) { return &newLegs_[byPuck_[std::min(k, byPuck_.size() - 1)]]; };
   for (std::size_t k = 0; k < byPuck_.size(); ++k) {
     prefetch(ahead(k + kLegs), sizeof(NewLeg));
-    prefetch(&lines_[ahead(k + kLines)->puck], sizeof(WorldLine));
+    lines_[ahead(k + kLines)->puck].fetch();
     lines_[ahead(k + kEnds)->puck].fetchEnd();
     append(newLegs_[byPuck_[k]]);
   }
@@ -81,6 +96,7 @@ void GameHistory::keepLegs(std::size_t puck, std::size_t legs) {
 
 GameEvent& GameHistory::add(EventKind kind, const Event& at) {
   GameEvent& event = events_.emplace_back();
+  prefetch(&event + 2, sizeof(GameEvent));
   event.number = eventCount() - 1;
   event.kind = kind;
   event.at = at;
@@ -179,9 +195,9 @@ Turn GameHistory::turnOf(std::size_t puck, const LegState& before, const Vec21& 
 
 Spin GameHistory::spinOf(std::size_t puck, const Turning& turning) const {
   if (turning.j == 0.0) return {.angle_rad = turning.angle};
-  const Shape& shape = shapes_[puck];
-  return {turning.angle, rimBeta(shape.body, turning.j) * (c_m_s_ / shape.radius_m),
-          turning.j / shape.body.rim, slowing_1_s_};
+  const SpinningBody& body = bodies_[puck];
+  return {turning.angle, rimBeta(body, turning.j) * (c_m_s_ / shapes_[puck].radius_m), turning.j / body.rim,
+          slowing_1_s_};
 }
 
 }  // namespace carom

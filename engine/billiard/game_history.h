@@ -76,6 +76,7 @@ class GameHistory {
   std::span<const GameEvent> events() const { return events_; }
 
  private:
+  static constexpr std::size_t kMostPooled = std::size_t{1} << 16;  // bytes of one line
   struct NewLeg {
     Vec21 start, signal;
     Vec2 u;
@@ -87,8 +88,8 @@ class GameHistory {
   struct Shape {
     double height_m = 0.0;  // of the centre
     double radius_m = 0.0;
-    SpinningBody body;
   };
+  void makeRoom();
   /// Appends the added legs to the world lines.
   void complete();
   void append(const NewLeg& leg);
@@ -103,11 +104,15 @@ class GameHistory {
   double friction_m_s2_;
   double slowing_1_s_;  // of the rims' γβ
   LargeArray<Shape> shapes_;
-  std::vector<WorldLine> lines_;
-  std::vector<NewLeg> newLegs_;  // legs that are not in the lines yet, in the order in which they were added
+  std::vector<SpinningBody> bodies_;  // by puck, for those that spin
+  LargePageResource largePages_;
+  std::pmr::unsynchronized_pool_resource knots_{{0, kMostPooled},
+                                                &largePages_};  // the memory of the world lines
+  LargeArray<WorldLine> lines_;
+  LargeArray<NewLeg> newLegs_;  // legs that are not in the lines yet, in the order in which they were added
   std::vector<std::uint32_t> byPuck_;  // scratch: their places, by puck
   std::vector<std::uint32_t> ends_;    // scratch: how far a puck's places reach
-  std::vector<GameEvent> events_;
+  LargeArray<GameEvent> events_;
   double changedFrom_s_ = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> forgottenLegs_;
   std::uint64_t forgottenEvents_ = 0;

@@ -58,13 +58,14 @@ double angleAfter(const Spin& spin, double own_s) {
   return std::remainder(spin.angle_rad + spin.omega_rad_s * effective_s, 2.0 * std::numbers::pi);
 }
 
-WorldLine::WorldLine(const Knot& first, double c_m_s, double radius_m, double appears_s)
-    : c_m_s_(c_m_s),
+WorldLine::WorldLine(const Knot& first, double c_m_s, double radius_m, double appears_s,
+                     std::pmr::memory_resource* memory)
+    : knots_({first}, memory),
+      settling_({{-std::numeric_limits<double>::infinity(), radius_m, true, radius_m}}, memory),
+      c_m_s_(c_m_s),
       radius_m_(radius_m),
       appears_s_(appears_s),
-      origin_(first),
-      knots_{first},
-      settling_{{-std::numeric_limits<double>::infinity(), radius_m, true, radius_m}} {}
+      origin_(first) {}
 
 namespace {
 
@@ -111,6 +112,11 @@ void WorldLine::noteNext(const Knot& next) {
   settling_.back().beforeNext = !(left_m > 0.0);
   settling_.back().reachAtNext_m =
       left_m > 0.0 ? std::min(settling_.back().reach_m, radius_m_ + left_m) : radius_m_;
+}
+
+void WorldLine::reserve(std::size_t knots) {
+  knots_.reserve(knots);
+  settling_.reserve(knots);
 }
 
 void WorldLine::append(const Knot& knot) {

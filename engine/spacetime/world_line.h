@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -63,20 +64,26 @@ struct Motion {
 Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s);
 
 /// The knots in the order of time. The first leg reaches back without end; before `appears_s` the body does
-/// not exist. `radius_m` bounds the distance of the body's points from its centre, in its rest frame.
+/// not exist. `radius_m` bounds the distance of the body's points from its centre, in its rest frame. The knots lie in
+/// `memory`, those of a copy in the default one.
 class WorldLine {
  public:
   WorldLine(const Knot& first, double c_m_s, double radius_m = 0.0,
-            double appears_s = -std::numeric_limits<double>::infinity());
+            double appears_s = -std::numeric_limits<double>::infinity(),
+            std::pmr::memory_resource* memory = std::pmr::get_default_resource());
+
+  /// Makes room for so many knots, so that none moves until there are more.
+  void reserve(std::size_t knots);
 
   /// Adds a leg. The turn must not lie before the last one and must lie on the leg it ends, within 1e-9
   /// of the coordinates' size; throws std::invalid_argument otherwise.
   void append(const Knot& knot);
 
-  /// Prefetches the last knots, which `append` needs, from memory.
+  /// Prefetches from memory what `fetchEnd` reads; `fetchEnd` what `append` reads and writes.
+  void fetch() const { prefetch(this, sizeof(knots_) + sizeof(settling_)); }
   void fetchEnd() const {
-    const char* end = reinterpret_cast<const char*>(knots_.data() + knots_.size());
-    prefetch(end - 128, 256);
+    prefetch(&knots_.back(), 2 * sizeof(Knot));
+    prefetch(&settling_.back(), 2 * sizeof(Settling));
   }
 
   /// Lowers the bound of when all points have joined the last leg, where a better one is known (joinedAfter_s
@@ -120,13 +127,13 @@ class WorldLine {
   Settling settlingOf(const Knot& next, const Motion& before) const;
   void noteNext(const Knot& next);
 
+  std::pmr::vector<Knot> knots_;
+  std::pmr::vector<Settling> settling_;
   double c_m_s_;
   double radius_m_;
   double appears_s_;
-  Knot origin_;
   bool forgotten_ = false;  // legs before knots_.front()
-  std::vector<Knot> knots_;
-  std::vector<Settling> settling_;
+  Knot origin_;
 };
 
 }  // namespace carom

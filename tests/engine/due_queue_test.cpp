@@ -76,5 +76,31 @@ TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, DueQueueOf, testing::Values(1, 5, 300, 9000));
 
+// Each item in its turn gets a later time, of which some lie beyond the calendar, until several calendars are over and
+// nothing is due any more.
+TEST(DueQueue, GoesOnForManyCalendars) {
+  constexpr int kItems = 1000, kTurns = 60000;
+  test::Random random(7);
+  DueQueue queue(kItems);
+  std::set<std::pair<double, int>> sorted;
+  const auto set = [&](int item, double time) {
+    if (time != kNever) sorted.insert({time, item});
+    queue.setDue(item, time);
+  };
+  for (int item = 0; item < kItems; ++item) set(item, random.in(0.0, 1.0));
+  for (int turn = 0; !sorted.empty(); ++turn) {
+    CASE(random, turn);
+    const auto [now, item] = *sorted.begin();
+    ASSERT_EQ(queue.firstDue(), now);
+    ASSERT_EQ(queue.first(), item);
+    sorted.erase(sorted.begin());
+    const double after = item % 10 < 3 ? 40.0 : 1.0;
+    set(item, turn < kTurns ? now + random.in(0.0, after) : kNever);
+  }
+  EXPECT_EQ(queue.firstDue(), kNever);
+  set(3, 1.0);
+  EXPECT_EQ(queue.first(), 3) << "which is sooner than all that were";
+}
+
 }  // namespace
 }  // namespace carom

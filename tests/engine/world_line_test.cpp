@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory_resource>
+
 #include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
 
@@ -29,6 +34,30 @@ TEST(WorldLine, RefusesJumpsAndTimeGoingBack) {
   EXPECT_THROW(line.append({{-1.0, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}), std::invalid_argument);
   EXPECT_THROW(line.append({{NAN, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}), std::invalid_argument);
   EXPECT_EQ(line.knots().size(), 1U);
+}
+
+// In a memory of a few kilobytes and no other: within the room that was made nothing is allocated, and a copy is on its
+// own.
+TEST(WorldLine, KnotsLieInTheMemoryThatWasGiven) {
+  test::Random random(8);
+  const WorldLine whole = randomWorldLine(random, kC_m_s, 0.1, 10, 1.0, 0.9);
+  std::array<std::byte, 4096> room;
+  std::pmr::monotonic_buffer_resource memory(room.data(), room.size(), std::pmr::null_memory_resource());
+  const auto isInRoom = [&](const WorldLine& line) {
+    const auto* const knot = reinterpret_cast<const std::byte*>(line.knots().data());
+    return !std::less<>()(knot, room.data()) && std::less<>()(knot, room.data() + room.size());
+  };
+  WorldLine line(whole.knots()[0], kC_m_s, 0.1, -1.0, &memory);
+  line.reserve(10);
+  const Knot* const first = line.knots().data();
+  for (std::size_t i = 1; i < 10; ++i) line.append(whole.knots()[i]);
+  EXPECT_EQ(line.knots().data(), first);
+  EXPECT_TRUE(isInRoom(line));
+  WorldLine copy = line;
+  EXPECT_FALSE(isInRoom(copy));
+  copy.append(whole.knots()[10]);
+  EXPECT_EQ(copy.knots()[9].turn.t_s, line.knots()[9].turn.t_s);
+  EXPECT_EQ(copy.settled_s(10), whole.settled_s(10));
 }
 
 TEST(WorldLine, TruncationForgetsTheFuture) {
