@@ -28,6 +28,7 @@ DisplayWalls::DisplayWalls(Graphics& graphics, const Scene& scene, double lightS
     : graphics_(graphics),
       session_(std::make_unique<EyeRenderer>(graphics, scene, lightSpeed_m_s)),
       walls_(std::move(walls)) {
+  hands_.setRims(rimsOf(scene));
   graphics_.makeCurrent();
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
     firstEyeOf_.push_back(wallEyes_.size());
@@ -129,6 +130,7 @@ void DisplayWalls::draw(const FrameRecord& record, const World& world) {
 
 void DisplayWalls::setScene(const Scene& scene, double lightSpeed_m_s) {
   session_ = std::make_unique<EyeRenderer>(graphics_, scene, lightSpeed_m_s);
+  hands_.setRims(rimsOf(scene));
 }
 
 void DisplayWalls::setRoom(const RoomGeometry& room) {
