@@ -1,5 +1,6 @@
 #include "cave/display/window.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #define GLFW_INCLUDE_NONE
@@ -120,8 +121,13 @@ void Window::show(std::span<const Pane> panes, const std::function<void()>& over
   if (graphics_.drawn_) glWaitSync(static_cast<GLsync>(graphics_.drawn_.get()), 0, GL_TIMEOUT_IGNORED);
   const glm::ivec2 size = size_px();
   glViewport(0, 0, size.x, size.y);
-  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
+  const auto covers = [&](const Pane& pane) {
+    return pane.position_px == glm::ivec2(0) && pane.size_px == size;
+  };
+  if (std::none_of(panes.begin(), panes.end(), covers)) {
+    glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
   for (const Pane& pane : panes) packer_->draw(pane, size);
   if (over) {
     if (!gui_) gui_ = std::make_unique<Gui>(kText_px);

@@ -19,10 +19,8 @@ class EdgeSmoother {
   explicit EdgeSmoother(Tones tones = Tones::inAlpha);
 
   /// Smooths the picture's columns from `left_px` on, `size_px` large. They are a copy of the first columns
-  /// and rows of the texture `drawn`.
-  /// The viewport is the
-  /// first `size_px` when this is called and stays that. Nothing from beyond these columns and rows gets into the picture; one of fewer than ten stays as it
-  /// is.
+  /// and rows of the texture `drawn`. The viewport is the first `size_px` when this is called and stays that.
+  /// Nothing from beyond these columns and rows gets into the picture; one of fewer than ten stays as it is.
   void smooth(unsigned drawn, const glm::ivec2& size_px, const RenderTarget& picture, int left_px);
 
  private:
