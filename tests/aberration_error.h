@@ -12,7 +12,7 @@
 
 #include "devices/filter/aberration_error.h"
 #include "devices/filter/head_filter.h"
-#include "engine/spacetime/observer.h"
+#include "engine/spacetime/observers.h"
 
 namespace carom::test {
 
@@ -48,7 +48,7 @@ inline Vec3 walkCelerity_m_s(double time_s) {
 }
 
 /// Which way a point at rest on the board is seen, in the head's frame.
-inline Vec3 seenDirection(const Observer& observer, const Vec3& landmark_m) {
+inline Vec3 seenDirection(const Observers& observer, const Vec3& landmark_m) {
   const ObserverView view = observer.view(0.064);
   const Vec3 away_m = landmark_m - view.middle.observation.r_m;
   const Displacement light{-glm::length(away_m) / kLightSpeed_m_s, away_m};
@@ -76,8 +76,8 @@ inline Head headAt(const Vec3& position_m, const Vec3& celerity_m_s) {
 inline std::vector<SwingSample> aberrationError(double end_s, std::uint64_t seed) {
   const Vec3 landmark_m(0.0, 0.0, -1000.0);
   const Head first = headAt(walkPosition_m(0.0), Vec3(0.0));
-  const Observer begin(Lorentz(kLightSpeed_m_s), {0.0, Vec3(0.0)}, first);
-  Observer truth = begin, filtered = begin, unfiltered = begin;
+  const Observers begin(Lorentz(kLightSpeed_m_s), {0.0, Vec3(0.0)}, first);
+  Observers truth = begin, filtered = begin, unfiltered = begin;
   HeadFilter filter;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0.0, kNoise_m);

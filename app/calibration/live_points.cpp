@@ -76,9 +76,9 @@ double LivePoints::now_s() const {
 }
 
 bool LivePoints::isHandButton(std::size_t tracker, const Reading& input) const {
-  if (!rig_.hand || input.kind != Reading::Kind::button) return false;
-  if (rig_.hand->buttons) return tracker == *rig_.hand->buttons;
-  return tracker == rig_.hand->tracker && input.sensor == rig_.hand->sensor;
+  if (!rig_.viewers.front().hand || input.kind != Reading::Kind::button) return false;
+  if (rig_.viewers.front().hand->buttons) return tracker == *rig_.viewers.front().hand->buttons;
+  return tracker == rig_.viewers.front().hand->tracker && input.sensor == rig_.viewers.front().hand->sensor;
 }
 
 std::optional<Wish> LivePoints::poll() {

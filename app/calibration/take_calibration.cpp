@@ -172,7 +172,7 @@ void takeSights(LivePoints& live, const Rig& rig, const CalibrationPlan& plan, c
                                    kClosed[eye], elsewhere.name, wordsFor(plan.targets[i]), kOpen[eye]),
                        plan.targets[i]});
     }
-    Taken taken = takePoints(live, rig.head.sensor, glm::dvec3(0.0), headLimits(), asked,
+    Taken taken = takePoints(live, rig.viewers.front().head.sensor, glm::dvec3(0.0), headLimits(), asked,
                              [&](const auto& samples) { recordings.write(kSightFiles[eye], samples); });
     data.sighted[eye] = std::move(taken.held);
     if (taken.ended) return;

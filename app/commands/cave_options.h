@@ -32,9 +32,8 @@ struct CaveOptions {
   std::optional<std::uint64_t> frames;
   RecordingOptions recording;                    ///< images and movie
   std::optional<std::filesystem::path> session;  ///< the session file to write
-  bool resume = false;           ///< continue from the end of `session`, with its rig and scenario
-  std::filesystem::path series;  ///< the first file of its games, from which the others have their names
-  bool resumeOrNew = false;      ///< continue the newest game of `session` if there is one
+  bool resume = false;       ///< continue from the end of `session`, with its rig and scenario
+  bool resumeOrNew = false;  ///< continue the newest game of `session` if there is one
   std::optional<std::filesystem::path> status;  ///< rank 0 says here once a second how the session goes
   bool noWindow = false;
   bool silent = false;  ///< no sounds

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/commands/session_frames.h"
+#include "app/files/rig_viewers.h"
 #include "app/journal/session_file.h"
 #include "app/journal/session_series.h"
 #include "app/operator/lesson.h"
@@ -63,14 +64,20 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
   log::note(tessellationReport(setup.scene, setup.tessellation));
 }
 
-/// Opens the session file: --session, new or continued. Returns null without that option.
-std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>& file, bool goOn,
+/// Which game is written to a session file.
+enum class WrittenGame { first, resumed, another };
+
+/// Opens the session file, if there is one.
+std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>& file, WrittenGame game,
                                      const SetupOptions& inputs, const SessionSetup& setup) {
   if (!file) return nullptr;
   SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
                      textOf(inputs.rig), textOf(inputs.scenario), setup.scenario.billiard.lightSpeed_m_s};
   for (const Puck& puck : setup.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
-  return std::make_unique<Journal>(*file, facts, goOn);
+  facts.viewers = namesOf(setup.rig.viewers);
+  for (const TrackerSetup& tracker : setup.rig.trackers) facts.trackers.push_back(tracker.name);
+  facts.isAnotherGame = game == WrittenGame::another;
+  return std::make_unique<Journal>(*file, facts, game != WrittenGame::first);
 }
 
 /// The state from which a session is continued.
@@ -84,8 +91,8 @@ Before whatWas(const std::filesystem::path& file) {
   Before before{session.facts(), {}};
   const auto frames = session.frames();
   if (!frames) return before;
-  // A session may have been cut off while the best shot was shown again, from where it was seen. The observer goes on
-  // from the latest event before that.
+  // A session may have been cut off while the best shot was shown again, from where it was seen. The observers go on
+  // from the latest events before that.
   constexpr std::uint64_t kLongestShot = 2 * ShotMemory::kMostViews;
   session.goTo(std::max(frames->first, frames->second - std::min(frames->second, kLongestShot)));
   FrameState state;
@@ -97,7 +104,8 @@ Before whatWas(const std::filesystem::path& file) {
     if (!latest || isLesson || seenAt_s(state.record) >= seenAt_s(*latest)) latest = state.record;
   }
   if (!latest) return before;
-  before.last->observer = latest->observer;
+  for (std::size_t viewer = 0; viewer < latest->viewers; ++viewer)
+    before.last->viewer(viewer).observer = latest->viewer(viewer).observer;
   before.last->boardFromRoom = latest->boardFromRoom;
   return before;
 }
@@ -138,7 +146,8 @@ struct LivePlay {
                devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::session), options.unattended_s,
                options.scenario.string()),
         sounds(soundsFor(setup, options.silent || options.noWindow)) {
-    journal.keep(openJournal(options.session, options.resume, inputs, setup));
+    const WrittenGame game = options.resume ? WrittenGame::resumed : WrittenGame::first;
+    journal.keep(openJournal(options.session, game, inputs, setup));
   }
 
   static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
@@ -161,7 +170,7 @@ std::unique_ptr<LivePlay> playOf(const SessionSetup& setup, const CaveOptions& o
                                                 std::chrono::duration<double>(LivePlay::livedOf_s(start)));
   if (options.resume) {
     constexpr bool kQuiet = true;  // whatWas has logged the warnings
-    start.struck = SessionFile(*options.session, kQuiet).strokes(setup.scenario.billiard.pucks);
+    start.struck = SessionFile(*options.session, {}, kQuiet).strokes(setup.scenario.billiard.pucks);
   }
   return std::make_unique<LivePlay>(setup, options, inputs, before, std::move(start));
 }
@@ -176,30 +185,28 @@ void tellConsole(Console& console, const std::string& file) try {
   console.say(error.what());
 }
 
-/// Prints the files of the session's games: its first one, and the newest of the series.
-void sayWhere(const std::filesystem::path& first, const std::filesystem::path& series) {
-  const std::filesystem::path newest = newestOf(series);
-  const std::string upTo = newest == first ? "" : " and, game by game, up to " + newest.string();
-  log::note(fmt::format("The session is in {}{}.", first.string(), upTo));
-}
-
 /// Prints the command that replays the end of a session that was ended by an error.
 void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesystem::path>& session) {
   if (!session || std::isnan(cluster.newest_s())) return;
   // Rounded up, so as not to start a frame early.
   const double at_s = std::ceil(cluster.newest_s() * 1e3) / 1e3;
-  log::note(fmt::format("carom replay {} --at {:.3f}", newestOf(*session).string(), at_s));
+  log::note(fmt::format("carom replay {} --at {:.3f}", session->string(), at_s));
 }
 
-/// Opens the journal of the next game. If it cannot be written, logs this, and the game is played without a
-/// journal.
-std::unique_ptr<Journal> openNextJournal(std::optional<std::filesystem::path>& session,
-                                         const SetupOptions& inputs, const SessionSetup& setup) try {
-  return openJournal(session, false, inputs, setup);
+/// Writes the next game to the session file, if there is one and if it is not a game that attracts people. If it
+/// cannot be written, logs this, and the game is played without. Returns whether it is written.
+bool writeNext(JournalListener& journal, CaveOptions& options, const NextGame& next,
+               const SetupOptions& inputs, const SessionSetup& setup) try {
+  journal.keep(nullptr);  // before the file is opened again
+  if (!next.recordTo.empty()) options.session = next.recordTo;
+  if (!options.session || next.attracts) return false;
+  const WrittenGame game =
+      std::filesystem::exists(*options.session) ? WrittenGame::another : WrittenGame::first;
+  journal.keep(openJournal(options.session, game, inputs, setup));
+  return true;
 } catch (const std::runtime_error& error) {
   log::error(fmt::format("{}. This game is not written.", error.what()));
-  session.reset();
-  return nullptr;
+  return false;
 }
 
 /// Continues on every node with the game that rank 0 has chosen, which may be the same from its beginning.
@@ -219,14 +226,9 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
   onAllRanks(cluster, [&] {
     if (!play) return;
     windows.play(setup);
-    std::optional<std::filesystem::path> session;
-    if (!next.recordTo.empty()) {
-      session = options.session = options.series = next.recordTo;
-    } else if (options.session && !next.attracts) {
-      session = fileAfter(options.series);
-    }
     play->source.playAnew();
-    play->journal.keep(openNextJournal(session, inputs, setup));
+    std::optional<std::filesystem::path> session;
+    if (writeNext(play->journal, options, next, inputs, setup)) session = options.session;
     if (windows.console) windows.console->writeTo(session);
     if (play->status) play->status->play(setup.rig.title, setup.scenario.title, session.value_or(""));
     play->leader.begin(
@@ -276,9 +278,9 @@ void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
 /// Settles which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
 Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   if (!options.session) return {};
-  options.series = namedToday(*options.session);
+  const std::filesystem::path name = namedToday(*options.session);
   if (options.resumeOrNew) {
-    options.session = newestOf(options.series);
+    options.session = newestOf(name);
     options.resume = std::filesystem::exists(*options.session);
   }
   if (options.resume) try {
@@ -290,8 +292,9 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
       if (!options.resumeOrNew) throw;
       log::warn(fmt::format("{}. The session begins anew in another file.", error.what()));
       options.resume = false;
+      options.session = fileAfter(name);
     }
-  options.session = options.resumeOrNew ? fileAfter(options.series) : datedFile(*options.session);
+  if (!options.resumeOrNew) options.session = datedFile(*options.session);
   if (std::filesystem::exists(*options.session)) {
     throw std::runtime_error(
         fmt::format("session file {}: it is there already, expected a new name, or --resume to go on with it",
@@ -321,7 +324,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
     if (options.status) status = std::make_unique<StatusFile>(*options.status);
     before = prepare(options, inputs);
   });
-  if (options.session) opened = cluster.rank() == 0 ? options.series : *options.session;
+  opened = options.session;
   SessionSetup setup = setUpSession(cluster, inputs);
   OperatorWindows windows = openWindows(cluster, setup, KeysOf::session);
   if (windows.console) windows.console->writeTo(options.session);
@@ -340,7 +343,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
   const bool leads = play != nullptr;
   if (leads) rememberWindows(setup, windows);
   play.reset();  // completes the session file
-  if (leads && options.session) sayWhere(*options.session, options.series);
+  if (leads && options.session) log::note(fmt::format("The session is in {}.", options.session->string()));
   setup.recording->finish();
   if (leads && options.recording.capture)
     log::note(fmt::format("The pictures are in {}.", options.recording.capture->string()));

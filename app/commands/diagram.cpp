@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/commands/session_options.h"
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
 #include "app/report/spacetime_chart.h"
@@ -36,20 +37,21 @@ DiagramSubject subjectOf(const Scenario& scenario, double until_s) {
 }
 
 /// Returns the diagram of a recorded session, to its end or to a board time.
-DiagramSubject subjectOf(const std::filesystem::path& file, const std::optional<double>& until_s) {
-  SessionFile session(file);
+DiagramSubject subjectOf(const DiagramOptions& options) {
+  SessionFile session(options.source, options.game);
   const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
+  sayGame(session, scenario.title);
   DiagramSubject subject = subjectOf(scenario);
   World world{startingHistories(scenario), {}};
   for (FrameState state; session.next(state);) {
     const Event& here = state.record.observer.middle.observation;
-    if (until_s && here.t_s > *until_s) break;
+    if (options.until_s && here.t_s > *options.until_s) break;
     session.apply(state, world);
-    continueMine(subject, here);
-    subject.beta = betaFromU(state.record.observer.headFromBoard.inverse().u());
+    follow(subject, state.record, session.facts().viewers);
   }
   if (subject.mine.empty())
-    throw std::runtime_error(fmt::format("session file {}: no frame of it is that early", file.string()));
+    throw std::runtime_error(
+        fmt::format("session file {}: no frame of it is that early", options.source.string()));
   subject.lines.assign(world.histories.begin() + 1,
                        world.histories.end());  // without the resting body
   subject.events = world.events;
@@ -64,7 +66,7 @@ bool isScenario(const std::filesystem::path& source) { return source.extension()
 int runDiagram(const DiagramOptions& options) {
   const DiagramSubject subject =
       isScenario(options.source) ? subjectOf(readScenario(options.source), options.until_s.value_or(kShown_s))
-                                 : subjectOf(options.source, options.until_s);
+                                 : subjectOf(options);
   const Chart chart = spacetimeChart(subject, {options.along, options.from_s});
   writeChart(chart, options.figure);
   const glm::dvec2 shown_s = chart.yRange / subject.c_m_s;
@@ -83,6 +85,7 @@ void addDiagram(CLI::App& app, int& status) {
   command->add_option("SOURCE", options->source, "Scenario or session file")
       ->required()
       ->transform(shipped({"scenarios"}));
+  addGame(*command, options->game);
   command->add_option("-o,--output", options->figure, "The figure: FIG.svg or FIG.png")
       ->required()
       ->type_name("FIG");

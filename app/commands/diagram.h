@@ -11,9 +11,10 @@ class App;
 namespace carom {
 
 struct DiagramOptions {
-  std::filesystem::path source;  ///< a scenario or a session file
-  std::filesystem::path figure;  ///< .svg or .png
-  char along = 'x';              ///< the board axis shown beside time: x or y
+  std::filesystem::path source;     ///< a scenario or a session file
+  std::optional<std::size_t> game;  ///< of a session, from 1; by default the newest
+  std::filesystem::path figure;     ///< .svg or .png
+  char along = 'x';                 ///< the board axis shown beside time: x or y
   /// Board time at the lower edge; by default 5 s before `until_s`, at least 0.
   std::optional<double> from_s;
   std::optional<double>

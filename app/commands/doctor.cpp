@@ -8,12 +8,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <glm/common.hpp>
 
 #include "app/files/rig.h"
 #include "app/stage/all_ranks.h"
@@ -39,11 +42,31 @@ struct NodeHealth {
   void add(const char* what, std::string said) { facts.emplace_back(what, std::move(said)); }
 };
 
+/// Returns which part of a window lies on none of the monitors, 0 to 1, if these do not overlap.
+double hiddenShare(const ScreenPlace& window, std::span<const Monitor> monitors) {
+  const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+  double shown = 0.0;
+  for (const Monitor& monitor : monitors) {
+    const glm::ivec2 from = glm::max(window.position_px, monitor.position_px);
+    const glm::ivec2 to =
+        glm::min(window.position_px + window.size_px, monitor.position_px + monitor.size_px);
+    shown += area(glm::max(to - from, glm::ivec2(0)));
+  }
+  return std::max(0.0, 1.0 - shown / std::max(1.0, area(window.size_px)));
+}
+
 /// Judges the monitors on which a wall's window is to be.
 void lookAtMonitors(const Rig& rig, const Wall& wall, std::span<const Monitor> present, NodeHealth& report) {
+  const WindowPlacement window = rig.oneWindow.value_or(wall.window);
   std::vector<Monitor> chosen;
   try {
-    chosen = monitorsOf(rig.oneWindow.value_or(wall.window), present);
+    chosen = monitorsOf(window, present);
+    const double hidden = hiddenShare(placeOf(window, present), present);
+    if (!window.border && hidden > 0.0) {
+      report.warnings.push_back(
+          fmt::format("wall {}: {:.0f} % of its window lies on no monitor, expected all of it", wall.name,
+                      std::ceil(100.0 * hidden)));
+    }
   } catch (const std::runtime_error& error) {
     report.errors.push_back(fmt::format("wall {}: {}", wall.name, error.what()));
   }

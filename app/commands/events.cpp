@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <tuple>
 
+#include "app/commands/session_options.h"
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
@@ -28,8 +30,8 @@ struct Subject {
   double c_m_s = 1.0;
   std::vector<std::string> pucks, flashes;  // names
   std::vector<GameEvent> events;
-  std::vector<HeadAt> head;  // sessions only
-  bool isSession = false;
+  std::vector<std::string> viewers;                     // sessions only
+  std::array<std::vector<HeadAt>, kMostViewers> heads;  // of each of them
 };
 
 Subject subjectOf(const Scenario& scenario) {
@@ -55,25 +57,33 @@ Subject played(const Scenario& scenario, double until_s) {
 }
 
 /// Returns the final state of the recorded game.
-Subject recorded(const std::filesystem::path& file, const std::optional<double>& until_s) {
-  SessionFile session(file);
+Subject recorded(const EventsOptions& options) {
+  SessionFile session(options.source, options.game);
   const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
+  sayGame(session, scenario.title);
   Subject subject = subjectOf(scenario);
-  subject.isSession = true;
+  subject.viewers = session.facts().viewers;
   World world{startingHistories(scenario), {}};
   for (FrameState state; session.next(state);) {
     session.apply(state, world);
-    const ObserverView& observer = state.record.observer;
-    subject.head.push_back({state.record.number, observer.middle.observation, observer.properTime_s});
+    for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
+      if (viewer >= state.record.viewers) break;
+      const ObserverView& observer = state.record.viewer(viewer).observer;
+      subject.heads[viewer].push_back(
+          {state.record.number, observer.middle.observation, observer.properTime_s});
+    }
   }
-  if (subject.head.empty())
-    throw std::runtime_error(fmt::format("session file {}: it ended before its first frame", file.string()));
+  const std::vector<HeadAt>& head = subject.heads.front();
+  if (head.empty())
+    throw std::runtime_error(
+        fmt::format("session file {}: it ended before its first frame", options.source.string()));
   subject.events = std::move(world.events);
   // A lesson repeats a part of its game, so that its last frame need not be the latest on the board.
-  const auto latest =
-      std::max_element(subject.head.begin(), subject.head.end(),
-                       [](const auto& a, const auto& b) { return a.event.t_s < b.event.t_s; });
-  keepUntil(subject.events, until_s.value_or(latest->event.t_s));
+  double latest_s = head.front().event.t_s;
+  for (const std::vector<HeadAt>& ofOne : subject.heads) {
+    for (const HeadAt& at : ofOne) latest_s = std::max(latest_s, at.event.t_s);
+  }
+  keepUntil(subject.events, options.until_s.value_or(latest_s));
   return subject;
 }
 
@@ -107,7 +117,11 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
   std::string text =
       "number,kind,who,cushion,heat_j,without_delay,t_s,x_m,y_m,z_m,order,moving_t_s,moving_x_m,moving_y_m,"
       "moving_z_m,moving_order,next,interval,proper_time_s,distance_m,beta_x,beta_y,beta_z";
-  if (subject.isSession) text += ",seen_frame,seen_t_s,seen_proper_time_s";
+  for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
+    const std::string seen = viewer == 0 ? "seen" : fmt::format("seen_by_{}", subject.viewers[viewer]);
+    text += "," + csvField(seen + "_frame") + "," + csvField(seen + "_t_s") + "," +
+            csvField(seen + "_proper_time_s");
+  }
   for (std::size_t i = 1; i <= options.places_m.size(); ++i) text += fmt::format(",place_{}_t_s", i);
   text += ",first_spin_kg_m2_s,second_spin_kg_m2_s\n";
   for (const EventRow& row : rows) {
@@ -119,8 +133,8 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
     text += csvNumbers({moving.t_s, moving.r_m.x, moving.r_m.y, moving.r_m.z}) +
             fmt::format("{},", row.movingOrder);
     text += relationCsv(row, &row + 1, subject.c_m_s);
-    if (subject.isSession) {
-      const auto seen = receptionBy(subject.head, at, subject.c_m_s);
+    for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
+      const auto seen = receptionBy(subject.heads[viewer], at, subject.c_m_s);
       text += seen ? fmt::format("{},{}", *seen->frame, csvNumbers({seen->t_s, *seen->properTime_s})) : ",,,";
     }
     for (const Vec3& place_m : options.places_m)
@@ -134,8 +148,8 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
 
 std::string receptionsText(const Subject& subject, const EventRow& row, const EventsOptions& options) {
   std::string text;
-  if (subject.isSession) {
-    const auto seen = receptionBy(subject.head, row.event.at, subject.c_m_s);
+  for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
+    const auto seen = receptionBy(subject.heads[viewer], row.event.at, subject.c_m_s);
     text += seen ? fmt::format("   {:>6} {:>9.4f} {:>9.4f}", *seen->frame, seen->t_s, *seen->properTime_s)
                  : fmt::format("   {:>6} {:>9} {:>9}", "-", "-", "-");
   }
@@ -149,11 +163,12 @@ std::string pairText(const EventRow& row, const EventRow& next, double c_m_s, bo
   std::string text = fmt::format("  {:>3} to {:>3}   ", row.event.number, next.event.number);
   switch (relation.separation) {
     case Separation::timelike:
-      text += fmt::format("timelike: a clock that goes from one to the other, at v/c = {}, counts {:.4f} s",
-                          vectorText(*relation.beta), relation.length_m / c_m_s);
+      text += fmt::format(
+          "timelike: proper time {:.4f} s for a clock that moves from one to the other at v/c = {}",
+          relation.length_m / c_m_s, vectorText(*relation.beta));
       break;
     case Separation::lightlike:
-      return text + "lightlike: light can go from one to the other\n";
+      return text + "lightlike: light that leaves one arrives at the other\n";
     case Separation::spacelike:
       text += fmt::format("spacelike: simultaneous, {:.4f} m apart, for an observer moving at v/c = {}",
                           relation.length_m, vectorText(*relation.beta));
@@ -186,7 +201,11 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   if (moves) {
     text += fmt::format("   {:>6} {:>9} {:>8} {:>8} {:>8}", "order'", "t' s", "x' m", "y' m", "z' m");
   }
-  if (subject.isSession) text += fmt::format("   {:>6} {:>9} {:>9}", "seen:", "t s", "own s");
+  for (const std::string& viewer : subject.viewers) {
+    // Of one person it is known who saw it.
+    const std::string who = subject.viewers.size() > 1 ? viewer + ":" : "seen:";
+    text += fmt::format("   {:>6} {:>9} {:>9}", who, "t s", "proper s");
+  }
   for (std::size_t i = 1; i <= options.places_m.size(); ++i)
     text += fmt::format("   {:>9}", fmt::format("place {} s", i));
   text += '\n';
@@ -204,9 +223,10 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   }
   if (std::any_of(rows.begin(), rows.end(), [](const EventRow& row) { return row.event.withoutDelay; })) {
     text +=
-        "* without delay: they were in contact already, and the kick did not wait for news from this event\n";
+        "* without delay: they were in contact already, and the kick did not wait for a signal from this "
+        "event\n";
   }
-  if (rows.size() > 1) text += "\neach and the next:\n";
+  if (rows.size() > 1) text += "\neach event and the next:\n";
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)
     text += pairText(rows[i], rows[i + 1], subject.c_m_s, moves);
   return text;
@@ -217,7 +237,7 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
 int runEvents(const EventsOptions& options) {
   const bool isScenario = options.source.extension() == ".toml";
   Subject subject = isScenario ? played(readScenario(options.source), options.until_s.value_or(kPlayed_s))
-                               : recorded(options.source, options.until_s);
+                               : recorded(options);
   if (isScenario && !options.until_s)
     log::note(
         fmt::format("The scenario was played for {:g} s of board time; --until S plays on.", kPlayed_s));
@@ -264,6 +284,7 @@ void addEvents(CLI::App& app, int& status) {
   command->add_option("SOURCE", line->options.source, "Session file or scenario")
       ->required()
       ->transform(shipped({"scenarios"}));
+  addGame(*command, line->options.game);
   command
       ->add_option("--velocity", line->velocity,
                    "Velocity v/c on the board of another frame, in which the events are listed as well")
@@ -278,7 +299,7 @@ void addEvents(CLI::App& app, int& status) {
   command
       ->add_option(
           "--place", line->places,
-          "Place on the board (m) of a person at rest: when the light of each event reaches them. May "
+          "Place on the board (m) of an observer at rest: when the light of each event reaches them. May "
           "be given several times")
       ->type_name("X Y Z")
       ->allow_extra_args(false);
@@ -293,7 +314,7 @@ void addEvents(CLI::App& app, int& status) {
       ->type_name("FILE");
   command->footer(
       "For a session, the list also tells in which drawn frame and when the light of each event reached the\n"
-      "person's head.\n"
+      "observer's head; where several shared the room, that of each.\n"
       "Examples:\n  carom events game.db --velocity 0.5 0 0\n"
       "  carom events two-cushions --until 2 --velocity 0.5 0 0 --place 0 -1 0.3 --csv events.csv");
   command->callback([line, &status] { status = runEvents(optionsOf(*line)); });

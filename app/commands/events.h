@@ -15,9 +15,10 @@ class App;
 namespace carom {
 
 struct EventsOptions {
-  std::filesystem::path source;   ///< a session file or a scenario
-  Vec3 movingBeta{0.0};           ///< v/c of the other frame on the board, below 1
-  std::optional<double> until_s;  ///< board time of the last event; by default the session's end, or 10 s
+  std::filesystem::path source;     ///< a session file or a scenario
+  std::optional<std::size_t> game;  ///< of a session, from 1; by default the newest
+  Vec3 movingBeta{0.0};             ///< v/c of the other frame on the board, below 1
+  std::optional<double> until_s;    ///< board time of the last event; by default the session's end, or 10 s
   std::vector<Vec3> places_m;  ///< places on the board where the reception of each event's light is computed
   /// Numbers of two events; only these are listed.
   std::optional<std::pair<std::uint64_t, std::uint64_t>> pair;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/commands/session_options.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
@@ -73,11 +74,12 @@ class WholeFolder {
 
 /// The session that is exported.
 struct Recorded {
-  explicit Recorded(const std::filesystem::path& file)
-      : session(file),
+  Recorded(const std::filesystem::path& file, std::optional<std::size_t> number)
+      : session(file, number),
         rig(readRig(session.facts().rig, session.facts().rigText)),
         scenario(readScenario(session.facts().scenario, session.facts().scenarioText)),
         game(wholeGame(session, startingHistories(scenario))) {
+    sayGame(session, scenario.title);
     if (!session.frames())
       throw std::runtime_error(
           fmt::format("session file {}: it ended before its first frame", file.string()));
@@ -97,9 +99,10 @@ struct Recorded {
 
 using TakeFrame = std::function<void(const FrameRecord&)>;
 
-void eachFrameSeen(Recorded& recorded, const TakeFrame& take) {
+void eachFrameSeen(Recorded& recorded, const std::string& as, const TakeFrame& take) {
+  const std::size_t viewer = as.empty() ? 0 : recorded.session.viewerNamed(as);
   recorded.session.goTo(0);
-  for (FrameState frame; recorded.session.next(frame);) take(frame.record);
+  for (FrameState frame; recorded.session.next(frame);) take(seenBy(frame.record, viewer));
 }
 
 void eachFrameOf(const std::filesystem::path& observer, const Recorded& recorded, const TakeFrame& take) {
@@ -200,7 +203,7 @@ class Progress {
 }  // namespace
 
 int runExport(const ExportOptions& options) {
-  Recorded recorded(options.session);
+  Recorded recorded(options.session, options.game);
   std::optional<WholeFile> csv;
   std::optional<Series> series;
   if (options.csv) csv.emplace(*options.csv).add(kColumns);
@@ -221,7 +224,7 @@ int runExport(const ExportOptions& options) {
   if (options.observer) {
     eachFrameOf(*options.observer, recorded, take);
   } else {
-    eachFrameSeen(recorded, take);
+    eachFrameSeen(recorded, options.as, take);
   }
   if (series) series->commit();
   if (csv) csv->commit();
@@ -236,11 +239,17 @@ void addExport(CLI::App& app, int& status) {
       "export", "Write what was seen in a recorded session as numbers, or as meshes for ParaView");
   auto options = std::make_shared<ExportOptions>();
   command->add_option("SESSION", options->session, "Session file")->required();
+  addGame(*command, options->game);
   command
       ->add_option("--observer", options->observer,
-                   "Trace of another person's head, in the room: what they see of the same game")
+                   "Trace of another observer's head, in the room: what they see of the same game")
       ->type_name("TRACE")
       ->transform(shipped({"traces"}));
+  command
+      ->add_option("--as", options->as,
+                   "Of several who shared the room, the one whose view is written; by default the first")
+      ->type_name("NAME")
+      ->excludes(command->get_option("--observer"));
   command->add_option("--every", options->every, "Only frames whose numbers are multiples of this")
       ->type_name("N")
       ->check(CLI::Range(1L, 1000000000L));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace CLI {
 class App;
@@ -14,8 +15,10 @@ namespace carom {
 
 struct ExportOptions {
   std::filesystem::path session;
+  std::optional<std::size_t> game;                ///< of the session, from 1; by default the newest
   std::optional<std::filesystem::path> observer;  ///< trace of another viewer's head (room axes)
-  std::uint64_t every = 1;                        ///< exports the frames whose numbers are multiples of this
+  std::string as;           ///< of several viewers, the one whose view is exported; empty: the first
+  std::uint64_t every = 1;  ///< exports the frames whose numbers are multiples of this
   std::optional<std::filesystem::path> csv;       ///< "-": standard output
   std::optional<std::filesystem::path> paraview;  ///< output folder; must not exist or be empty
 };

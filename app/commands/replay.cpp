@@ -27,12 +27,13 @@ bool isVisit(const ReplayOptions& options) {
 
 /// Opens the session file and takes rig and scenario from it.
 std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOptions& inputs) {
-  auto session = std::make_unique<SessionFile>(options.session);
+  auto session = std::make_unique<SessionFile>(options.session, options.game);
   if (!session->frames()) {
     throw std::runtime_error(
         fmt::format("session file {}: it ended before its first frame", options.session.string()));
   }
   if (options.observer) readTrace(*options.observer);
+  if (!options.as.empty()) session->viewerNamed(options.as);
   inputs.rig = {session->facts().rig, session->facts().rigText};
   inputs.scenario = {session->facts().scenario, session->facts().scenarioText};
   return session;
@@ -64,8 +65,9 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
     frames.pacer =
         std::make_unique<Pacer>(*frames.clock, rig.display_hz, rig.displayLatency_s, setup.swapsWait);
   } else {
-    frames.source =
-        std::make_unique<RecordedSource>(session, historiesAtStart(setup), rig.display_hz, options.at_s);
+    const std::size_t viewer = options.as.empty() ? 0 : session.viewerNamed(options.as);
+    frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(setup), rig.display_hz,
+                                                     options.at_s, viewer);
     frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   return frames;
@@ -90,10 +92,12 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   inputs.noWindow = inputs.simulated = options.noWindow;
   inputs.live = isVisit(options) && !options.observer;
   inputs.extra = options.extra;
+  if (!options.as.empty() || isVisit(options)) inputs.onlyFor = options.as;
   onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
   });
   SessionSetup setup = setUpSession(cluster, inputs);
+  if (session) sayGame(*session, setup.scenario.title);
   const bool visible = !options.noWindow;
   OperatorWindows windows = openWindows(cluster, setup, KeysOf::replay);
   Frames frames;
@@ -122,7 +126,7 @@ void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options
   command
       .add_option(
           "--observer", options->observer,
-          "Trace of another person's head, in the room: the same game, seen by them, until they would see "
+          "Trace of another observer's head, in the room: the same game, seen by them, until they would see "
           "what was not recorded")
       ->type_name("TRACE")
       ->transform(shipped({"traces"}));
@@ -139,14 +143,14 @@ void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options
             throw CLI::ValidationError("--beta",
                                        "is not below the speed of light, expected a magnitude under 1");
           },
-          "The velocity of the other person's room over c, on the board")
+          "The velocity of the other observer's room over c, on the board")
       ->expected(3)
       ->type_name("BX BY BZ")
       ->check(numberIn({}, "a number from -1e9 to 1e9"));
   command
       .add_option_function<std::vector<double>>(
           "--from", [options](const std::vector<double>& place_m) { options->from_m = toVec3(place_m); },
-          "Where the other person's room stands: its floor's origin on the board, in metres (the floor is "
+          "Where the other observer's room stands: its floor's origin on the board, in metres (the floor is "
           "0.75 m "
           "below the cloth)")
       ->expected(3)
@@ -168,13 +172,20 @@ int runReplay(const ReplayOptions& options) {
 
 void addReplay(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("replay", "Show a recorded session again, as it was or as another person sees it");
+      app.add_subcommand("replay", "Show a recorded session again, as it was or as another observer sees it");
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("SESSION", options->session, "Session file")->required();
+  addGame(*command, options->game);
+  command
+      ->add_option(
+          "--as", options->as,
+          "Of several who shared the room, show this one's walls alone; another observer of the game "
+          "is then in this one's place")
+      ->type_name("NAME");
   addVisitor(*command, options);
   command
       ->add_option("--at", options->at_s,
-                   "Begin at this second of the session instead of at its start; not with another person")
+                   "Begin at this second of the session instead of at its start; not with another observer")
       ->type_name("S")
       ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
   command
@@ -194,7 +205,8 @@ void addReplay(CLI::App& app, int& status) {
       "others.");
   command->callback([options, &status] {
     if (options->at_s && isVisit(*options))
-      throw CLI::ValidationError("--at", "is for the session as it was, expected it without another person");
+      throw CLI::ValidationError("--at",
+                                 "is for the session as it was, expected it without another observer");
     status = runReplay(*options);
   });
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/stage/desk_windows.h"
 #include "app/stage/recording.h"
@@ -16,9 +17,11 @@ namespace carom {
 
 struct ReplayOptions {
   std::filesystem::path session;
+  std::optional<std::size_t> game;                ///< of the session, from 1; by default the newest
   std::optional<std::filesystem::path> observer;  ///< trace of another viewer's head (room axes)
-  bool walk = false;                              ///< another viewer, whose head the rig's tracker follows
-  std::optional<Vec3> beta;                       ///< v/c of the other viewer's room on the board
+  std::string as;                    ///< of several viewers, the one whose walls alone are shown; empty: all
+  bool walk = false;                 ///< another viewer, whose head the rig's tracker follows
+  std::optional<Vec3> beta;          ///< v/c of the other viewer's room on the board
   std::optional<Vec3> from_m;        ///< initial position of that room's floor origin on the board
   std::optional<double> facing_rad;  ///< initial direction of its forward axis, anticlockwise from +x
   std::optional<double> at_s;        ///< session time at which to start; not with another viewer

@@ -61,7 +61,7 @@ std::pair<std::string, int> outputOf(const std::vector<std::string>& words) {
   while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe))
     text.append(block.data(), got);
   const int status = pclose(pipe);
-  while (!text.empty() && text.back() == '\n') text.pop_back();
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   return {printable(text), WIFEXITED(status) ? WEXITSTATUS(status) : -1};
 }
 
@@ -153,7 +153,7 @@ std::optional<Progress> progressOf(const std::filesystem::path& session) try {
   if (!std::filesystem::exists(session)) return {};
   constexpr bool kQuiet = true;
   const std::filesystem::path newest = newestOf(session);
-  const auto frames = SessionFile(newest, kQuiet).frames();
+  const auto frames = SessionFile(newest, {}, kQuiet).frames();
   return Progress{newest, frames ? frames->second : 0};  // a game may have begun and shown nothing yet
 } catch (const std::exception&) {
   return {};
@@ -229,7 +229,8 @@ int runSession(const Rig& rig, const std::string& program, const RoomSession& se
   const std::uint64_t firstFrame = before ? before->frame + 1 : 0;
   for (;;) {
     const int status = run(line);
-    if (status == 0 || asked) return status;
+    if (asked) return 0;  // mpirun calls the end that was asked for a failure
+    if (status == 0) return 0;
     const auto reached = progressOf(before ? before->file : session.file);
     if (!reached || reached == before) return 1;  // it would fail again: it has shown nothing new
     if (session.options.frames && reached->frame + 1 >= firstFrame + *session.options.frames) return status;
@@ -283,7 +284,9 @@ void addRoom(CLI::App& app, int& status) {
   command
       ->add_flag("--pattern", options->pattern, "Show the test patterns instead: carom check RIG --pattern")
       ->excludes(doctor);
-  command->add_option("RIG", options->rig, "Rig file with a [[node]] for each rank")
+  command
+      ->add_option("RIG", options->rig,
+                   "Rig file; a [[node]] with a host for each rank that is on another computer")
       ->required()
       ->transform(shipped({"rigs"}));
   command->prefix_command();

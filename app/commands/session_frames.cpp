@@ -1,5 +1,6 @@
 #include "app/commands/session_frames.h"
 
+#include "app/files/rig_viewers.h"
 #include "app/stage/all_ranks.h"
 
 namespace carom {
@@ -13,7 +14,8 @@ OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, KeysOf keys) 
   OperatorWindows windows;
   onAllRanks(cluster, [&] {
     if (setup.desk.diagram)
-      windows.diagram = std::make_unique<DiagramWindow>(*setup.graphics, *setup.desk.diagram, setup.scenario);
+      windows.diagram = std::make_unique<DiagramWindow>(*setup.graphics, *setup.desk.diagram, setup.scenario,
+                                                        namesOf(setup.rig.viewers));
     if (!setup.desk.console) return;
     windows.console = std::make_unique<Console>(*setup.graphics, *setup.desk.console, setup.rig, cluster,
                                                 keys, setup.scenario, setup.scene);

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cave/capture/movie.h"
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -39,6 +40,21 @@ void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie) {
             return fmt::format("'{}' is wrong, expected a name that ends in {}", text, kMovieEndings);
           },
           ""));
+}
+
+void addGame(CLI::App& command, std::optional<std::size_t>& game) {
+  command
+      .add_option("--game", game,
+                  "Which game of a session with several, from 1; by default the newest: carom list SESSION")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L));
+}
+
+void sayGame(const SessionFile& session, const std::string& title) {
+  const std::size_t games = session.games().size();
+  if (games == 1) return;
+  log::note(fmt::format("Game {} of {} of this session: {}. --game 1 to {} chooses another.", session.game(),
+                        games, title, games));
 }
 
 }  // namespace carom

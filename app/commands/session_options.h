@@ -2,9 +2,12 @@
 // The command line options that the session commands share.
 
 #include <CLI/App.hpp>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 
+#include "app/journal/session_file.h"
 #include "app/stage/desk_windows.h"
 
 namespace carom {
@@ -15,5 +18,10 @@ void addSilent(CLI::App& command, bool& silent);
 void addExtraWindows(CLI::App& command, ExtraWindows& extra);
 /// Adds the option --movie.
 void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie);
+
+/// Adds the option --game.
+void addGame(CLI::App& command, std::optional<std::size_t>& game);
+/// Prints which game of the session is read, and how to choose another, if it has several.
+void sayGame(const SessionFile& session, const std::string& title);
 
 }  // namespace carom

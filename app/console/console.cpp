@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "app/files/rig_viewers.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -38,6 +39,15 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
   ImGui::BeginChild(name, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
 }
 
+/// Returns whether the names of all tabs fit in this width.
+bool tabsFitIn(float width_px) {
+  using namespace texts::console;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  for (const char* tab : {kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab})
+    width_px -= ImGui::CalcTextSize(tab).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x + 1.0F;
+  return width_px >= 0.0F;
+}
+
 }  // namespace
 
 Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
@@ -48,7 +58,8 @@ Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& ri
       scenario_(&scenario),
       walls_(graphics, rig, cluster),
       effects_(keys),
-      diagram_(scenario) {
+      clocks_(namesOf(rig.viewers)),
+      diagram_(scenario, namesOf(rig.viewers)) {
   window_.listen(kText_px, kHeading_px);
   setStyle();
   play(scenario, scene);
@@ -78,6 +89,7 @@ void Console::show(const ConsoleFrame& frame) {
   }
   if (std::exchange(keysShown_, frame.settings.keysShown) != frame.settings.keysShown) opensKeys_ = true;
   events_.follow(frame.world);
+  clocks_.follow(frame.record);
   diagram_.follow(frame.record);
   const Clock::time_point begun = Clock::now();
   if (begun < (window_.isPressed() ? earliest_ : due_) || window_.isIconified()) return;
@@ -150,7 +162,7 @@ void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
   words(texts::console::kTrackers);
   tip(texts::console::kTrackersTip);
   ImGui::SetCursorPosY(38.0F);
-  drawClocks(frame, words_px - kGap_px);
+  clocks_.draw(frame, words_px - kGap_px);
   ImGui::PopClipRect();
   ImGui::SetCursorPos({isNarrow ? kGap_px : buttons, isNarrow ? kTop_px : 12.0F});
   drawButtons(frame, {kButton_px, isNarrow ? kRow_px - kGap_px : kButtonHigh_px});
@@ -175,7 +187,10 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
 }
 
 void Console::drawTabs(const ConsoleFrame& frame) {
-  if (!ImGui::BeginTabBar("##parts")) return;
+  constexpr ImGuiTabBarFlags kListed =
+      ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
+  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x);
+  if (!ImGui::BeginTabBar("##parts", fits ? ImGuiTabBarFlags_None : kListed)) return;
   const auto tab = [](const char* name, const auto& draw) {
     if (!ImGui::BeginTabItem(name)) return;
     ImGui::BeginChild("##tab");

@@ -73,6 +73,7 @@ class Console {
   console::EventsPanel events_;
   console::RecordingPanel recording_;
   console::Playing playing_;
+  console::SessionClocks clocks_;
   LiveDiagram diagram_;
   std::deque<Line> said_;
   std::string notice_;

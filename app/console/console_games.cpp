@@ -16,6 +16,7 @@ namespace carom::console {
 namespace {
 
 constexpr float kListWidth = 0.46F;  // fraction of the panel
+constexpr float kBeside_em = 34.0F;  // a panel narrower than this has the list above the game
 
 void paragraph(const char* what, const std::string& text) {
   if (text.empty()) return;
@@ -221,11 +222,12 @@ void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
 void GamesPanel::draw(const ConsoleFrame& frame) {
   const Playlist* const playlist = frame.settings.playlist.get();
   if (playlist && playlist != playlist_) restrictTo(*playlist);
-  const float width = kListWidth * ImGui::GetContentRegionAvail().x;
-  ImGui::BeginChild("##list", {width, 0.0F});
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const bool isNarrow = room.x < kBeside_em * ImGui::GetFontSize();
+  ImGui::BeginChild("##list", isNarrow ? ImVec2(0.0F, 0.5F * room.y) : ImVec2(kListWidth * room.x, 0.0F));
   drawList(frame);
   ImGui::EndChild();
-  ImGui::SameLine();
+  if (!isNarrow) ImGui::SameLine();
   ImGui::BeginChild("##played");
   if (chosen_ != played_ && chosen_ < games_.size()) {
     drawChosen();

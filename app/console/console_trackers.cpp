@@ -58,9 +58,11 @@ void drawReport(const TrackerReport& report) {
   }
 }
 
-void drawHead(const TrackerReport& report) {
+/// `several`: the heads of several people are tracked.
+void drawHead(const TrackerReport& report, bool several) {
   if (!report.known) return;
-  heading(texts::console::kHeadFilter);
+  heading(several ? fmt::format("{} ({})", texts::console::kHeadFilter, report.use).c_str()
+                  : texts::console::kHeadFilter);
   words(headWords(report));
   tip(texts::console::kHeadFilterTip);
 }
@@ -103,7 +105,7 @@ void drawTrackers(const ConsoleFrame& frame) {
         "%s", fmt::format(texts::console::kTrackerMessage, report.name, report.health.message).c_str());
     ImGui::PopStyleColor();
   }
-  for (const TrackerReport& report : frame.status.trackers) drawHead(report);
+  for (const TrackerReport& report : frame.status.trackers) drawHead(report, frame.record.viewers > 1);
 }
 
 }  // namespace carom::console

@@ -10,7 +10,8 @@ namespace carom {
 
 class DiagramWindow : public View {
  public:
-  DiagramWindow(Graphics& graphics, const WindowPlacement& place, const Scenario& scenario);
+  DiagramWindow(Graphics& graphics, const WindowPlacement& place, const Scenario& scenario,
+                std::vector<std::string> viewers);
 
   /// Switches to another game.
   void play(const Scenario& scenario) { diagram_.play(scenario); }

@@ -157,15 +157,15 @@ void LiveDiagram::play(const Scenario& scenario) {
 
 void LiveDiagram::follow(const FrameRecord& record) {
   const Event& here = record.observer.middle.observation;
-  std::vector<Event>& mine = subject_.mine;
-  continueMine(subject_, here);
-  std::erase_if(mine, [&](const Event& event) { return event.t_s < here.t_s - kKept_s; });
+  carom::follow(subject_, record, viewers_);
+  const auto isOld = [&](const Event& event) { return event.t_s < here.t_s - kKept_s; };
+  std::erase_if(subject_.mine, isOld);
+  for (OtherObserver& other : subject_.others) std::erase_if(other.line, isOld);
 }
 
 void LiveDiagram::make(const FrameRecord& record, const World& world) {
   const Event& here = record.observer.middle.observation;
   if (subject_.mine.empty()) return;
-  subject_.beta = betaFromU(record.observer.headFromBoard.inverse().u());
   subject_.lines.assign(world.histories.begin() + 1, world.histories.end());
   subject_.events = world.events;
   subject_.knownUntil_s = here.t_s;

@@ -1,6 +1,10 @@
 #pragma once
 // The spacetime diagram of the running session, drawn by Dear ImGui into a rectangle of a window.
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <glm/vec2.hpp>
 
 #include "app/report/spacetime_chart.h"
@@ -12,12 +16,14 @@ namespace carom {
 
 class LiveDiagram {
  public:
-  explicit LiveDiagram(const Scenario& scenario) : subject_(subjectOf(scenario)) {}
+  /// `viewers`: the names of the records' viewers.
+  LiveDiagram(const Scenario& scenario, std::vector<std::string> viewers)
+      : viewers_(std::move(viewers)), subject_(subjectOf(scenario)) {}
 
   /// Switches to another game.
   void play(const Scenario& scenario);
 
-  /// Records the viewer's world line; call with every frame, or many times per second.
+  /// Records the viewers' world lines; call with every frame, or many times per second.
   void follow(const FrameRecord& record);
 
   /// Draws the chart, which is updated about ten times per second. Draws nothing until the viewer's world
@@ -28,6 +34,7 @@ class LiveDiagram {
  private:
   void make(const FrameRecord& record, const World& world);
 
+  std::vector<std::string> viewers_;
   DiagramSubject subject_;
   Chart chart_;
   double made_s_ = -1.0;  ///< session clock

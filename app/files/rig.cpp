@@ -3,7 +3,10 @@
 namespace carom {
 
 RoomGeometry roomGeometryOf(const Rig& rig) {
-  return {rig.walls, rig.axes.up, rig.axes.forward, inverse(rig.head.eyesFromSensor)};
+  RoomGeometry room{rig.walls, rig.axes.up, rig.axes.forward, {}};
+  for (const ViewerSetup& viewer : rig.viewers)
+    room.viewers.push_back({viewer.name, inverse(viewer.head.eyesFromSensor)});
+  return room;
 }
 
 std::string displayOf(const Rig& rig, int rank) {

@@ -27,6 +27,8 @@ std::string_view toString(Flip flip);
 struct SensorChoice {
   std::size_t tracker = 0;  ///< index into Rig::trackers
   int sensor = 0;
+
+  bool operator==(const SensorChoice&) const = default;
 };
 
 struct HandSetup : SensorChoice {
@@ -44,6 +46,13 @@ struct HeadSetup {
   /// Transforms the sensor's coordinates to those of the eyes (origin midway between them; the viewer's
   /// right, up and forward along the rig's axes).
   Pose eyesFromSensor;
+};
+
+/// A person in the room whose head is tracked.
+struct ViewerSetup {
+  std::string name = "viewer";  ///< as in the names of pictures and in the session file
+  HeadSetup head;
+  std::optional<HandSetup> hand{};
 };
 
 /// Where one rank of a cluster runs, or several consecutive ones.
@@ -72,8 +81,7 @@ struct Rig {
   double display_hz = 60.0;
   double displayLatency_s = 0.0;  ///< from buffer swap to light output, of the slowest wall
   FrameLock frameLock = FrameLock::software;
-  HeadSetup head;
-  std::optional<HandSetup> hand;
+  std::vector<ViewerSetup> viewers{1};  ///< one to kMostViewers
   std::vector<TrackerSetup> trackers;
   std::vector<NodeSetup> nodes;  ///< if empty, every rank uses its default display
   StartSetup start;

@@ -1,5 +1,6 @@
 #include "app/files/rig.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -7,6 +8,7 @@
 #include "app/files/rig_checks.h"
 #include "app/files/rig_nodes.h"
 #include "app/files/rig_trackers.h"
+#include "app/files/rig_viewers.h"
 #include "app/files/rig_walls.h"
 #include "app/files/toml_file.h"
 #include "app/files/toml_values.h"
@@ -29,6 +31,11 @@ RoomAxes readAxes(const TomlTable& root) {
   return axes[root.choice("axes", kNames)];
 }
 
+bool isOfAHead(std::size_t tracker, const Rig& rig) {
+  return std::any_of(rig.viewers.begin(), rig.viewers.end(),
+                     [&](const ViewerSetup& viewer) { return viewer.head.sensor.tracker == tracker; });
+}
+
 /// Returns the playlist that a rig names: beside the rig's file, or a shipped one by its bare name. Whether it is
 /// there matters only to a session that plays it.
 std::filesystem::path playlistOf(const std::filesystem::path& rig, const std::string& name) {
@@ -48,14 +55,17 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
   rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock", kFrameLocks, 0));
   rig.playlist = playlistOf(path, root.text("playlist", ""));
-  for (const TomlTable& table : root.tables("tracker"))
-    rig.trackers.push_back(readTracker(file, table, unit_m, rig.axes));
-  if (const auto head = root.requiredTable("head")) {
-    rig.head = readHead(*head, rig.trackers, unit_m);
+  std::uint64_t simulated = 0;  // the first simulated person has the seed of one who is alone
+  for (const TomlTable& table : root.tables("tracker")) {
+    TrackerSetup& tracker = rig.trackers.emplace_back(readTracker(file, table, unit_m, rig.axes));
+    if (tracker.kind == TrackerKind::simulated) tracker.seed = ++simulated;
+  }
+  rig.viewers = readViewers(root, rig.trackers, unit_m);
+  const std::vector<TomlTable> viewers = root.tables("viewer");
+  if (const auto head = viewers.empty() ? root.table("head") : viewers.front()) {
     placed.head = head->place();
     placed.eyeSeparation = head->place("eye_separation");
   }
-  if (const auto hand = root.table("hand")) rig.hand = readHand(*hand, rig.trackers, unit_m);
   for (const TomlTable& table : root.tables("node")) {
     rig.nodes.push_back(readNode(table));
     placed.nodes.push_back(table.place());
@@ -73,6 +83,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   std::vector<WallText> walls;
   for (const TomlTable& table : root.tables("wall")) {
     walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));
+    readEyes(table, rig.viewers, walls.back().wall);
     placed.walls.push_back(placesOf(table));
   }
   if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
@@ -82,9 +93,12 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     rig.walls.push_back(text.wall);
   }
   file.throwFaults();
-  if (rig.hand && rig.hand->buttons && *rig.hand->buttons != rig.head.sensor.tracker)
-    rig.trackers[*rig.hand->buttons].buttonsAlone = true;
+  for (const ViewerSetup& viewer : rig.viewers) {
+    if (viewer.hand && viewer.hand->buttons && !isOfAHead(*viewer.hand->buttons, rig))
+      rig.trackers[*viewer.hand->buttons].buttonsAlone = true;
+  }
   checkTogether(root, rig, walls);
+  checkViewers(root, rig, walls);
   holdBackTheFast(rig, root.tables("wall"));
   file.throwFaults();
   return placed;

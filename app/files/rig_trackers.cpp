@@ -94,9 +94,9 @@ TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double un
   tracker.name = table.text("name");
   tracker.kind = static_cast<TrackerKind>(table.choice("kind", kTrackerKinds));
   tracker.source = readSource(file, table, tracker.kind, axes);
-  constexpr std::array<std::string_view, 2> kPersons{"moves", "still"};
+  constexpr std::array<std::string_view, 3> kPersons{"moves", "still", "walks"};
   if (tracker.kind == TrackerKind::simulated) {
-    tracker.still = table.choice("person", kPersons, 0) == 1;
+    tracker.person = static_cast<SimulatedMotion>(table.choice("person", kPersons, 0));
   } else {
     table.refuse("person", "has a meaning for a simulated tracker alone, expected none");
   }

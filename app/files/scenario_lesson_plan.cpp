@@ -23,8 +23,11 @@ LessonInterval readInterval(const TomlTable& lesson) {
   interval.from_s = lesson.number("from_s", kNotNegative);
   interval.until_s = lesson.number("until_s", kPositive);
   interval.moment_s = lesson.number("moment_s", kNotNegative);
+  interval.keepsClocks = lesson.flag("keeps_clocks", false);
   interval.slowness = lesson.number("slowness", {.least = 1.0, .most = kSlowest}, 1.0);
-  if (!lesson.has("from_s") || !lesson.has("until_s") || !lesson.has("moment_s")) return interval;
+  // A time that is absent or wrong in itself has been reported, and stands as the largest that there is.
+  const auto isTime = [](double time_s) { return time_s < kNotNegative.most; };
+  if (!isTime(interval.from_s) || !isTime(interval.until_s) || !isTime(interval.moment_s)) return interval;
   if (!(interval.until_s > interval.from_s && interval.until_s <= interval.from_s + kLongest_s)) {
     lesson.fault("until_s", fmt::format("until_s is {}, expected a time after from_s, above {} and up to {}",
                                         interval.until_s, interval.from_s, interval.from_s + kLongest_s));
@@ -82,15 +85,19 @@ class PlanReader {
 
   TickCounter counter(const TomlTable& table) const {
     TickCounter counter;
-    const std::string body = table.text("body"), prefix = table.text("flashes");
-    const auto found = std::find(game_.bodies.begin(), game_.bodies.end(), body);
-    if (found == game_.bodies.end() && !body.empty()) refuseName(table, "body", "body", body, game_.bodies);
-    counter.body = kFirstPuck + static_cast<std::size_t>(found - game_.bodies.begin());
+    counter.body = body(table);
+    const std::string prefix = table.text("flashes");
     for (const Flash& flash : game_.billiard.flashes) {
       if (flash.name.starts_with(prefix)) counter.ticks.push_back(flash.at);
     }
     if (counter.ticks.empty() && !prefix.empty()) refuseName(table, "flashes", "flash", prefix, flashNames());
     return counter;
+  }
+
+  Gauge gauge(const TomlTable& table) const {
+    constexpr std::array<std::string_view, 3> kQuantities{"speed", "apparent speed",
+                                                          "gamma"};  // as in GaugeQuantity
+    return {body(table), static_cast<GaugeQuantity>(table.choice("shows", kQuantities, 0))};
   }
 
   ClothLine line(const TomlTable& table) const {
@@ -113,6 +120,14 @@ class PlanReader {
     const Vec3 beta = toVec3(table.numbers<3>("beta", {}));
     checkSpeed(table, beta);
     return beta;
+  }
+
+  /// Reads the name of a body and returns its number in the scene.
+  std::size_t body(const TomlTable& table) const {
+    const std::string name = table.text("body");
+    const auto found = std::find(game_.bodies.begin(), game_.bodies.end(), name);
+    if (found == game_.bodies.end() && !name.empty()) refuseName(table, "body", "body", name, game_.bodies);
+    return kFirstPuck + static_cast<std::size_t>(found - game_.bodies.begin());
   }
 
   std::vector<std::string> flashNames() const {
@@ -157,6 +172,8 @@ LessonPlan readLessonPlan(const TomlTable& lesson, const LessonGame& game) {
                              [&](const TomlTable& table) { return read.stopwatch(table); });
   plan.counters = readAll(lesson, "counter", kMostLessonDrawings,
                           [&](const TomlTable& table) { return read.counter(table); });
+  plan.gauges = readAll(lesson, "gauge", kMostLessonDrawings,
+                        [&](const TomlTable& table) { return read.gauge(table); });
   plan.lines =
       readAll(lesson, "line", kMostLessonDrawings, [&](const TomlTable& table) { return read.line(table); });
   plan.simultaneous = readAll(lesson, "simultaneous", kMostLessonDrawings,

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "cave/frame/frame_state.h"
 
@@ -76,8 +77,8 @@ void visitBits(Visit& visit, Part name, const Named& named, Flags& flags) {
   }
 }
 
-template <typename Visit, typename Hand, typename PlatformMotion>
-void visitHand(Visit& visit, Hand& hand, PlatformMotion& drive) {
+template <typename Visit, typename Hand>
+void visitCue(Visit& visit, Hand& hand) {
   visit("", "cue_shown", hand.shown);
   visit("", "cue_pulling", hand.pulling);
   visit("", "cue_target", hand.target);
@@ -86,6 +87,11 @@ void visitHand(Visit& visit, Hand& hand, PlatformMotion& drive) {
   visitPlace(visit, "cue_target_", hand.target_m);
   visitVector(visit, "cue_towards_", hand.towards);
   visit("", "cue_u", hand.u);
+}
+
+template <typename Visit, typename Hand, typename PlatformMotion>
+void visitHand(Visit& visit, Hand& hand, PlatformMotion& drive) {
+  visitCue(visit, hand);
   visitVector(visit, "thrust_", drive.thrust);
   visit("", "drive_mode", drive.mode);
   visit("", "drive_at_limit", drive.atLimit);
@@ -136,6 +142,33 @@ void visitRecord(Visit& visit, Record& record) {
   visit("", "caroms", record.score.caroms);
   visit("", "strokes", record.score.strokes);
   visit("", "fade", record.fade);
+}
+
+/// Visits what is stored of a viewer after the first.
+template <typename Visit, typename Viewer>
+void visitViewer(Visit& visit, Viewer& viewer) {
+  auto& observer = viewer.observer;
+  visit("", "proper_time_s", observer.properTime_s);
+  for (const auto& [eye, prefix] :
+       {std::pair(&observer.left, "left_"), {&observer.right, "right_"}, {&observer.middle, "middle_"}}) {
+    const std::string name(prefix);
+    visitEvent(visit, name, eye->observation);
+    visitPlace(visit, name + "in_room_", eye->positionInRoom_m);
+    visitPlace(visit, name + "seen_from_", eye->seenFromInRoom_m);
+  }
+  visitTransform(visit, "head_from_board_", observer.headFromBoard);
+  visitPlace(visit, "room_", viewer.placeInRoom_m);
+  visit("", "lapse", viewer.lapse);
+  visit("", "head_known", viewer.tracked.headKnown);
+  visitPose(visit, "head_sensor_", viewer.tracked.roomFromHeadSensor);
+  visit("", "hand_known", viewer.tracked.handKnown);
+  visitPose(visit, "hand_", viewer.tracked.roomFromHand);
+  visitCue(visit, viewer.hand);
+  visit("", "cue_offset_m", viewer.hand.offset_m);
+  visit("", "notice", viewer.notice);
+  visit("", "caroms", viewer.score.caroms);
+  visit("", "strokes", viewer.score.strokes);
+  visit("", "has_turn", viewer.hasTurn);
 }
 
 template <typename Visit, typename AKnot>

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/journal/viewer_rows.h"
 #include "cave/frame/frame_state.h"
 
 namespace carom {
@@ -21,6 +22,8 @@ std::string frameTables();
 
 /// The version before the columns of the score and of comfort; in its files, too, these are read as 0.
 inline constexpr int kVersion5 = 5;
+/// The version before the tables of several games and several viewers.
+inline constexpr int kVersion6 = 6;
 
 /// Adds the columns that a file of version 4 or 5 lacks, with 0 in every row.
 void addColumns(SQLite::Database& database);
@@ -66,6 +69,7 @@ class FrameReader {
   double lightSpeed_m_s_;
   bool changesOnly_ = false;
   SQLite::Statement frame_, change_, knot_;
+  std::optional<ViewerReader> viewers_;     ///< not before version 7
   std::optional<SQLite::Statement> event_;  ///< not in version 3, which stores events with the frame
 };
 

@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -146,8 +147,8 @@ Journal::~Journal() { close(); }
 
 void Journal::close() { writer_->close(); }
 
-void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples,
-                  std::span<const Stroke> strokes) {
+void Journal::add(const FrameState& state, std::span<const HeadEstimate> heads,
+                  std::span<const TrackerSamples> samples, std::span<const HandStroke> strokes) {
   const std::scoped_lock hold(writer_->mutex);
   Batch& waiting = writer_->waiting;
   if (writer_->ended) return;
@@ -158,25 +159,30 @@ void Journal::add(const FrameState& state, const HeadEstimate& head, std::span<c
     return;
   }
   for (const BodyKnot& knot : state.knots) waiting.knots.push_back({state.record.number, knot});
-  waiting.frames.push_back({state.record, head.known, head.celerity_m_s, state.events.size()});
+  Batch::Frame& frame = waiting.frames.emplace_back(Batch::Frame{state.record, {}, state.events.size()});
+  for (std::size_t i = 0; i < std::min<std::size_t>(heads.size(), state.record.viewers); ++i)
+    frame.heads[i] = {heads[i].known, heads[i].celerity_m_s};
   waiting.events.insert(waiting.events.end(), state.events.begin(), state.events.end());
-  for (const Stroke& stroke : strokes) waiting.strokes.push_back({state.record.number, stroke});
-  waiting.samples.insert(waiting.samples.end(), samples.begin(), samples.end());
+  for (const HandStroke& stroke : strokes) waiting.strokes.push_back({state.record.number, stroke});
+  for (const TrackerSamples& ofOne : samples) {
+    for (const TrackerSample& sample : ofOne.samples) waiting.samples.push_back({ofOne.tracker, sample});
+  }
   writer_->changed.notify_one();
 }
 
-void Journal::addInput(std::uint64_t frame, const std::string& what, const std::string& value) {
+void Journal::addInput(std::uint64_t frame, const std::string& what, const std::string& value,
+                       std::size_t viewer) {
   const std::scoped_lock hold(writer_->mutex);
   if (writer_->ended) return;
-  writer_->waiting.inputs.push_back({frame, {what, value}});
+  writer_->waiting.inputs.push_back({frame, {what, value, viewer}});
   writer_->changed.notify_one();
 }
 
 void Journal::addAnswer(std::uint64_t frame, const std::string& lesson, const std::string& question,
-                        const std::string& answer) {
+                        const std::string& answer, std::size_t viewer) {
   const std::scoped_lock hold(writer_->mutex);
   if (writer_->ended) return;
-  writer_->waiting.answers.push_back({frame, {lesson, question, answer}});
+  writer_->waiting.answers.push_back({frame, {lesson, question, answer, viewer}});
   writer_->changed.notify_one();
 }
 

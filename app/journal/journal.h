@@ -5,6 +5,9 @@
 //   session(key, value)
 //       The session's setup: program, rig and scenario with their texts, light speed, start (UTC); also the
 //       end, once the session was closed properly.
+//   game(first_frame, first_event, started_utc, scenario_file, scenario, light_speed_m_s)
+//       The games of the session, one after the other: its frames and events are those from first_frame and
+//       first_event up to the next game's. The first game is also that of the table session.
 //   frame(number, display_s, proper_time_s, t_s, x_m, y_m, z_m, switches, views, beside, truncate_from_s, …,
 //         known, celerity_x_m_s …)
 //       One row per frame: each field of its record (cave/frame/frame_state.h) in its own column
@@ -19,29 +22,41 @@
 //       angle_rad …: how the body turns (engine/spacetime/world_line.h).
 //       Bodies are numbered as in the scenario: 0 the board, then the pucks, then the scripted bodies.
 //   frame_event(frame, number, kind, cushion, which, t_s, x_m, y_m, z_m, without_delay, heat_j, turns, …)
-//       Events that a frame added to the list (engine/billiard/game_event.h), each with its turns, whose
+//       Events that a frame added to the game's list (engine/billiard/game_event.h), each with its turns, whose
 //       number is `turns`. kind is the value of EventKind, cushion that of Cushion plus 1; 0 is none. Events
 //       that a later stroke invalidated stay here, because they were shown.
 //   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j, without_delay)
 //       The final events: rows that a stroke invalidated are deleted. Numbers are in the order in which the
-//       simulation found the events. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names,
+//       simulation found the events; a game's first one has the number first_event. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names,
 //       separated by commas. t_s … z_m: the contact, the hand's stroke, the flash. without_delay: 1 if the
 //       contact existed already and the kick did not wait for its signal (engine/billiard/game_event.h),
 //       else 0. The game is known a little further than it was seen.
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y,
 //   proper_time_s, spin_before_kg_m2_s, spin_after_kg_m2_s)
 //       The change of motion and spin of each puck of an event, with the puck's name and its proper time.
-//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m)
+//   viewer(frame, name, t_s, x_m, y_m, z_m, proper_time_s, room_x_m, room_y_m, room_z_m, lapse, celerity_x_m_s,
+//          celerity_y_m_s, celerity_z_m_s, known)
+//       One row per frame and viewer: the event between the eyes, the viewer's own time, the place in the room as
+//       the clock took it, the lapse there (engine/spacetime/observers.h), and how the head was known. With the
+//       steps dx of the places and dT of the room's time from one frame to the next, the own time advances by
+//       sqrt((lapse dT)² − dx²/c²).
+//   platform(frame, room_s, u_x, u_y, u_z, qw, qx, qy, qz, thrust_x_m_s2, thrust_y_m_s2, thrust_z_m_s2)
+//       The room's own time, its u = γβ on the board after a rotation from its axes to the board's, and its mean
+//       thrust in the frame, felt by the one who steers, in the room's axes.
+//   other_viewer(frame, viewer, proper_time_s, …)
+//       The record's part of the viewers after the first (app/journal/frame_columns.h).
+//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m, viewer)
 //       Strokes by hand in a frame: the puck's name, the event of the hand, and the momentum that arrives at
 //       the puck; offset_m: how far to the right of its centre it strikes. Together with the scenario's strokes they are all strokes of the game, in its order.
-//   input(frame, what, value)
+//   input(frame, what, value, viewer)
 //       Actions of the operator and the hands, in words; they take effect with this frame.
-//   answer(frame, lesson, question, answer)
+//   answer(frame, lesson, question, answer, viewer)
 //       Answers of visitors.
 //   run(first_frame, started_utc, program)
-//       Each run of the program that wrote to this file: the first, and one per continuation of the session.
-//   sample(time_s, sensor, x_m, y_m, z_m, qw, qx, qy, qz)
-//       Samples of the head's tracker.
+//       Each time that writing began: the first, and one for each continuation of the session and each further
+//       game.
+//   sample(time_s, sensor, x_m, y_m, z_m, qw, qx, qy, qz, tracker)
+//       Samples of the heads' trackers.
 //   latency(display_s, frame, node, part, frames, median_s, p99_s, most_s, jitter_s)
 //       Real-time sessions, once per second for each node and part of a frame (cave/frame/frame_timing.h):
 //       statistics over the last second's frames, of which `frame` is the newest. `late` is by how much an
@@ -49,8 +64,8 @@
 //       node and second.
 // Numbers in frame, knot and frame_event are stored exactly: zero as an integer, NaN as NULL. `PRAGMA
 // user_version` is the version of this list. Files of version 3, which stored records as raw bytes, and of
-// version 4, which did not know of spins, can be read, and are converted to this version when the session is
-// continued.
+// versions 4 to 6, which did not know of spins, of the score, of several games and of several viewers, can be
+// read, and are converted to this version when the session is continued.
 
 #include <chrono>
 #include <filesystem>
@@ -59,6 +74,7 @@
 #include <string>
 #include <vector>
 
+#include "app/journal/journal_news.h"
 #include "app/journal/session_facts.h"
 #include "cave/frame/frame_state.h"
 #include "cave/frame/frame_timing.h"
@@ -93,15 +109,16 @@ class Journal {
   /// are not written. May be called from any thread, also while another adds or closes.
   void close();
 
-  /// Adds a frame: what was drawn, how the head was known, the tracker's samples for it, and the strokes by
-  /// hand. Never blocks.
-  void add(const FrameState& state, const HeadEstimate& head, std::span<const TrackerSample> samples,
-           std::span<const Stroke> strokes = {});
+  /// Adds a frame: what was drawn, how each viewer's head was known, the trackers' samples for it, and the
+  /// strokes by hand. Never blocks.
+  void add(const FrameState& state, std::span<const HeadEstimate> heads,
+           std::span<const TrackerSamples> samples, std::span<const HandStroke> strokes = {});
 
-  /// Adds what the operator or a hand did; it takes effect with frame `frame`.
-  void addInput(std::uint64_t frame, const std::string& what, const std::string& value);
+  /// Adds what the operator or a viewer's hand did; it takes effect with frame `frame`.
+  void addInput(std::uint64_t frame, const std::string& what, const std::string& value,
+                std::size_t viewer = 0);
   void addAnswer(std::uint64_t frame, const std::string& lesson, const std::string& question,
-                 const std::string& answer);
+                 const std::string& answer, std::size_t viewer = 0);
 
   /// Adds the nodes' frame timing; written with the next frame.
   void add(std::span<const LatencyRow> rows);

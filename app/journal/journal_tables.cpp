@@ -3,8 +3,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
+
+#include "app/journal/session_games.h"
 
 namespace carom {
 namespace {
@@ -14,7 +17,8 @@ constexpr int kBusy_ms = 2000;  // how long to wait for a reader of the file
 // The tables besides those of the frames (frameTables).
 constexpr const char* kTables = R"(
 CREATE TABLE session(key TEXT PRIMARY KEY, value) WITHOUT ROWID;
-CREATE TABLE sample(time_s REAL, sensor INTEGER, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, qz REAL);
+CREATE TABLE sample(time_s REAL, sensor INTEGER, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, qz REAL,
+  tracker TEXT);
 CREATE TABLE event(number INTEGER PRIMARY KEY, kind TEXT, pucks TEXT, cushion TEXT, t_s REAL, x_m REAL, y_m REAL,
   z_m REAL, heat_j REAL, without_delay INTEGER NOT NULL DEFAULT 0);
 CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, beta_before_x REAL,
@@ -22,9 +26,9 @@ CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m RE
   spin_before_kg_m2_s REAL NOT NULL DEFAULT 0, spin_after_kg_m2_s REAL NOT NULL DEFAULT 0);
 CREATE INDEX turn_of_event ON turn(event);
 CREATE TABLE stroke(frame INTEGER, puck TEXT, at_s REAL, from_x_m REAL, from_y_m REAL, from_z_m REAL,
-  p_x_kg_m_s REAL, p_y_kg_m_s REAL, offset_m REAL NOT NULL DEFAULT 0);
-CREATE TABLE input(frame INTEGER, what TEXT, value TEXT);
-CREATE TABLE answer(frame INTEGER, lesson TEXT, question TEXT, answer TEXT);
+  p_x_kg_m_s REAL, p_y_kg_m_s REAL, offset_m REAL NOT NULL DEFAULT 0, viewer TEXT);
+CREATE TABLE input(frame INTEGER, what TEXT, value TEXT, viewer TEXT);
+CREATE TABLE answer(frame INTEGER, lesson TEXT, question TEXT, answer TEXT, viewer TEXT);
 CREATE TABLE run(first_frame INTEGER, started_utc TEXT, program TEXT);
 CREATE TABLE latency(display_s REAL, frame INTEGER, node INTEGER, part TEXT, frames INTEGER, median_s REAL, p99_s REAL,
   most_s REAL, jitter_s REAL);
@@ -82,6 +86,7 @@ void JournalTables::make(const SessionFacts& facts) {
   SQLite::Transaction transaction(database_);
   database_.exec(kTables);
   database_.exec(frameTables());
+  database_.exec(viewerTables());
   database_.exec(fmt::format("PRAGMA application_id = {}", kJournalId));
   setVersion();
   SQLite::Statement row(database_, "INSERT INTO session VALUES(?, ?)");
@@ -92,6 +97,9 @@ void JournalTables::make(const SessionFacts& facts) {
   put(row, "rig", facts.rigText);
   put(row, "scenario_file", std::filesystem::absolute(facts.scenario).string());
   put(row, "scenario", facts.scenarioText);
+  for (std::size_t viewer = 0; viewer < facts.viewers.size(); ++viewer)
+    put(row, keyOfViewer(viewer), facts.viewers[viewer]);
+  addGames(database_);
   transaction.commit();
 }
 
@@ -103,10 +111,12 @@ void JournalTables::refuse(const std::string& what) const {
 
 // A second connection reads the old tables until the transaction ends.
 void JournalTables::convert() {
-  if (version() == kVersion4 || version() == kVersion5) {
+  if (version() >= kVersion4) {
     SQLite::Transaction transaction(database_);
     addColumns(database_);
     if (version() == kVersion4) addSpinsOfTurns();
+    addGames(database_);
+    addViewers();
     setVersion();
     transaction.commit();
     return;
@@ -145,6 +155,8 @@ void JournalTables::convert() {
     refuse(fmt::format("frame {}: {}", *number, error.what()));
   }
   addSpinsOfTurns();
+  addGames(database_);
+  addViewers();
   setVersion();
   transaction.commit();
 }
@@ -158,13 +170,34 @@ void JournalTables::addSpinsOfTurns() {
     database_.exec(fmt::format("ALTER TABLE {} REAL NOT NULL DEFAULT 0", column));
 }
 
+/// Adds the tables and columns of the viewers, of whom there was one, and the version.
+void JournalTables::addViewers() {
+  for (const char* table : {"sample ADD COLUMN tracker", "stroke ADD COLUMN viewer",
+                            "input ADD COLUMN viewer", "answer ADD COLUMN viewer"})
+    database_.exec(fmt::format("ALTER TABLE {} TEXT", table));
+  database_.exec(viewerTables());
+  database_.exec(
+      "INSERT INTO viewer SELECT number, 'viewer', t_s, x_m, y_m, z_m, proper_time_s, middle_in_room_x_m, "
+      "middle_in_room_y_m, middle_in_room_z_m, 1, celerity_x_m_s, celerity_y_m_s, celerity_z_m_s, known FROM "
+      "frame "
+      "WHERE number >= 0");
+  database_.exec("INSERT OR REPLACE INTO session VALUES('viewer', 'viewer')");
+}
+
 void JournalTables::begin(const SessionFacts& facts) {
   pucks_ = facts.pucks;
+  viewers_ = facts.viewers;
+  trackers_ = facts.trackers;
   if (version() != kJournalVersion)
     refuse(fmt::format("version {} of the tables, expected version {}", version(), kJournalVersion));
   frames_.emplace(database_);
-  listed_ = static_cast<std::uint64_t>(
+  viewerRows_.emplace(database_, viewers_);
+  removeEmptyGames(database_);
+  if (facts.isAnotherGame) addGame(database_, facts);
+  firstEvent_ = firstEventOfNewest(database_);
+  const auto events = static_cast<std::uint64_t>(
       database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM event").getInt64());
+  listed_ = events - std::min(firstEvent_, events);
   const std::int64_t first =
       database_.execAndGet("SELECT coalesce(max(number) + 1, 0) FROM frame").getInt64();
   SQLite::Statement row(database_, "INSERT INTO run VALUES(?, ?, ?)");
@@ -211,7 +244,8 @@ void JournalTables::writeFrames(const Batch& batch) {
     const std::span<const GameEvent> brought = events.first(row.events);
     events = events.subspan(row.events);
     list(brought, row.record.eventsKept);
-    frames_->write(row.record, toString(row.known), row.celerity_m_s);
+    frames_->write(row.record, toString(row.heads[0].known), row.heads[0].celerity_m_s);
+    viewerRows_->write(row.record, row.heads);
     for (const GameEvent& event : brought) frames_->write(row.record.number, event);
   }
   for (const auto& [frame, knot] : batch.knots) frames_->write(frame, knot);
@@ -222,7 +256,7 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
   if (kept < listed_) {
     for (const char* sql : {"DELETE FROM event WHERE number >= ?", "DELETE FROM turn WHERE event >= ?"}) {
       SQLite::Statement old(database_, sql);
-      put(old, kept);
+      put(old, firstEvent_ + kept);
     }
     listed_ = kept;
   }
@@ -233,10 +267,11 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
     std::string pucks;
     for (const Turn& turn : event.turns) {
       pucks += (pucks.empty() ? "" : ", ") + nameOf(turn.puck);
-      put(turnRow, event.number, nameOf(turn.puck), turn.event.t_s, turn.event.r_m, turn.betaBefore,
-          turn.betaAfter, turn.properTime_s, turn.spinBefore_kg_m2_s, turn.spinAfter_kg_m2_s);
+      put(turnRow, firstEvent_ + event.number, nameOf(turn.puck), turn.event.t_s, turn.event.r_m,
+          turn.betaBefore, turn.betaAfter, turn.properTime_s, turn.spinBefore_kg_m2_s,
+          turn.spinAfter_kg_m2_s);
     }
-    put(row, event.number, carom::nameOf(event.kind), pucks,
+    put(row, firstEvent_ + event.number, carom::nameOf(event.kind), pucks,
         event.cushion ? carom::nameOf(*event.cushion) : std::string_view(), event.at.t_s, event.at.r_m,
         event.heat_j, event.withoutDelay ? 1 : 0);
     listed_ = event.number + 1;
@@ -245,26 +280,31 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
 
 void JournalTables::writeInputs(const Batch& batch) {
   if (!batch.strokes.empty()) {
-    SQLite::Statement row(database_, "INSERT INTO stroke VALUES(?,?,?,?,?,?,?,?,?)");
-    for (const auto& [frame, stroke] : batch.strokes)
+    SQLite::Statement row(database_, "INSERT INTO stroke VALUES(?,?,?,?,?,?,?,?,?,?)");
+    for (const auto& [frame, made] : batch.strokes) {
+      const Stroke& stroke = made.stroke;
       put(row, frame, nameOf(stroke.puck), stroke.at_s, stroke.from_m.value(), stroke.momentum_kg_m_s,
-          stroke.offset_m);
+          stroke.offset_m, viewers_.at(made.viewer));
+    }
   }
   if (!batch.inputs.empty()) {
-    SQLite::Statement row(database_, "INSERT INTO input VALUES(?,?,?)");
-    for (const auto& [frame, input] : batch.inputs) put(row, frame, input.what, input.value);
+    SQLite::Statement row(database_, "INSERT INTO input VALUES(?,?,?,?)");
+    for (const auto& [frame, input] : batch.inputs)
+      put(row, frame, input.what, input.value, viewers_.at(input.viewer));
   }
   if (!batch.answers.empty()) {
-    SQLite::Statement row(database_, "INSERT INTO answer VALUES(?,?,?,?)");
-    for (const auto& [frame, a] : batch.answers) put(row, frame, a.lesson, a.question, a.answer);
+    SQLite::Statement row(database_, "INSERT INTO answer VALUES(?,?,?,?,?)");
+    for (const auto& [frame, a] : batch.answers)
+      put(row, frame, a.lesson, a.question, a.answer, viewers_.at(a.viewer));
   }
 }
 
 void JournalTables::writeSamples(const Batch& batch) {
-  SQLite::Statement& sample = statement(sample_, "INSERT INTO sample VALUES(?,?,?,?,?,?,?,?,?)");
-  for (const TrackerSample& s : batch.samples) {
+  SQLite::Statement& sample = statement(sample_, "INSERT INTO sample VALUES(?,?,?,?,?,?,?,?,?,?)");
+  for (const auto& [tracker, s] : batch.samples) {
     const glm::dquat& q = s.pose.orientation;
-    put(sample, s.time_s, s.sensor, s.pose.position_m, q.w, q.x, q.y, q.z);
+    put(sample, s.time_s, s.sensor, s.pose.position_m, q.w, q.x, q.y, q.z,
+        tracker < trackers_.size() ? trackers_[tracker] : fmt::format("tracker {}", tracker + 1));
   }
   SQLite::Statement& latency = statement(latency_, "INSERT INTO latency VALUES(?,?,?,?,?,?,?,?,?)");
   for (const LatencyRow& row : batch.latencies) {

@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -10,7 +11,9 @@
 #include <vector>
 
 #include "app/journal/frame_rows.h"
+#include "app/journal/journal_news.h"
 #include "app/journal/session_facts.h"
+#include "app/journal/viewer_rows.h"
 #include "cave/frame/frame_state.h"
 #include "cave/frame/frame_timing.h"
 #include "devices/filter/head_filter.h"
@@ -23,8 +26,7 @@ namespace carom {
 struct Batch {
   struct Frame {
     FrameRecord record;
-    Known known;
-    Vec3 celerity_m_s;
+    std::array<HeadWords, kMostViewers> heads;
     std::size_t events;  ///< number of its events in `events`, in order
   };
   template <typename Value>
@@ -34,18 +36,24 @@ struct Batch {
   };
   struct Input {
     std::string what, value;
+    std::size_t viewer;
   };
   struct Answer {
     std::string lesson, question, answer;
+    std::size_t viewer;
+  };
+  struct Sample {
+    std::size_t tracker;
+    TrackerSample sample;
   };
 
   std::vector<Frame> frames;
   std::vector<GameEvent> events;
   std::vector<OfFrame<BodyKnot>> knots;
-  std::vector<OfFrame<Stroke>> strokes;
+  std::vector<OfFrame<HandStroke>> strokes;
   std::vector<OfFrame<Input>> inputs;
   std::vector<OfFrame<Answer>> answers;
-  std::vector<TrackerSample> samples;
+  std::vector<Sample> samples;
   std::vector<LatencyRow> latencies;
 
   bool empty() const {
@@ -62,10 +70,10 @@ class JournalTables {
   /// Creates the tables of a new file.
   void make(const SessionFacts& facts);
   int version();
-  /// Converts a file of version 3 to 5 to this version. Throws std::runtime_error, and leaves the file as it was,
+  /// Converts a file of version 3 to 6 to this version. Throws std::runtime_error, and leaves the file as it was,
   /// if it is older still or damaged.
   void convert();
-  /// Records that a run of the program begins to write, for the first time or again. Throws
+  /// Records that a run of the program begins to write, for the first time or again, or another game. Throws
   /// std::runtime_error if the file has another version.
   void begin(const SessionFacts& facts);
   /// Writes all rows, or none if it throws.
@@ -77,6 +85,7 @@ class JournalTables {
 
  private:
   void addSpinsOfTurns();
+  void addViewers();
   void setVersion();
   void writeFrames(const Batch& batch);
   void list(std::span<const GameEvent> brought, std::uint64_t kept);
@@ -87,9 +96,11 @@ class JournalTables {
   [[noreturn]] void refuse(const std::string& what) const;
 
   SQLite::Database database_;
-  std::vector<std::string> pucks_;  // their names
-  std::uint64_t listed_ = 0;        // number of events in table event
+  std::vector<std::string> pucks_, viewers_, trackers_;  // their names
+  std::uint64_t firstEvent_ = 0;                         // number in table event of the game's first event
+  std::uint64_t listed_ = 0;                             // number of the game's events in table event
   std::optional<FrameWriter> frames_;
+  std::optional<ViewerWriter> viewerRows_;
   std::optional<SQLite::Statement> event_, turn_, sample_, latency_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // The identity of a session file and its initial data.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,7 +11,12 @@ namespace carom {
 /// The SQLite application id of a journal ("Caro") and the version of its tables. Files of newer versions, or
 /// of versions before 3, are not read.
 inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 6;
+inline constexpr int kJournalVersion = 7;
+
+/// Returns the key of the table session under which the name of a viewer stands: viewer, viewer_2, …
+inline std::string keyOfViewer(std::size_t viewer) {
+  return viewer == 0 ? "viewer" : "viewer_" + std::to_string(viewer + 1);
+}
 
 /// The initial data of a journal.
 struct SessionFacts {
@@ -18,7 +24,10 @@ struct SessionFacts {
   std::filesystem::path rig, scenario;
   std::string rigText, scenarioText;
   double lightSpeed_m_s = 0.0;
-  std::vector<std::string> pucks = {};  ///< names in the scenario's order; not read back
+  std::vector<std::string> pucks = {};            ///< names in the scenario's order; not read back
+  std::vector<std::string> viewers = {"viewer"};  ///< names in the rig's order
+  std::vector<std::string> trackers = {};         ///< the same of its trackers; not read back
+  bool isAnotherGame = false;  ///< of a file that goes on: a game after those in it; not read back
 };
 
 }  // namespace carom

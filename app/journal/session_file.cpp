@@ -82,7 +82,8 @@ struct SessionFile::Tables {
   std::optional<SQLite::Statement> ends, shown;
 };
 
-SessionFile::SessionFile(const std::filesystem::path& file, bool quiet) : file_(file) {
+SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::size_t> game, bool quiet)
+    : file_(file) {
   if (!std::filesystem::exists(file)) refuse(file, "there is no such file");
   if (std::filesystem::is_directory(file)) refuse(file, "this is a folder, expected a session file");
   const bool alone = !hasBeside(file);  // opening the database creates an empty one
@@ -113,12 +114,21 @@ SessionFile::SessionFile(const std::filesystem::path& file, bool quiet) : file_(
     const std::string check = database.execAndGet("PRAGMA quick_check").getString();
     if (check != "ok")
       refuse(file, "it is damaged (" + check + "); sqlite3 FILE .recover may save what is left");
-    facts_ = {tables_->fact("program"),
-              tables_->fact("rig_file"),
-              tables_->fact("scenario_file"),
-              tables_->fact("rig"),
-              tables_->fact("scenario"),
-              database.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble()};
+    games_ = gamesIn(database);
+    game_ = game.value_or(games_.size());
+    if (game_ < 1 || game_ > games_.size())
+      refuse(file, fmt::format("it has {} game{}, expected the number of one of them", games_.size(),
+                               games_.size() == 1 ? "" : "s"));
+    const SessionGame& chosen = games_[game_ - 1];
+    facts_ = {tables_->fact("program"), tables_->fact("rig_file"), chosen.scenario,
+              tables_->fact("rig"),     chosen.scenarioText,       chosen.lightSpeed_m_s};
+    showOnly(database, chosen);
+    for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer) {
+      const std::string name = tables_->fact(keyOfViewer(viewer).c_str());
+      if (name.empty()) break;
+      if (viewer == 0) facts_.viewers.clear();
+      facts_.viewers.push_back(name);
+    }
     if (!quiet && open && alone && tables_->fact("ended_utc").empty()) {
       log::warn(fmt::format(
           "session file {0}: the session was not closed, and {1}, which belongs beside it, is not "
@@ -134,6 +144,14 @@ SessionFile::SessionFile(const std::filesystem::path& file, bool quiet) : file_(
 
 SessionFile::~SessionFile() = default;
 
+std::size_t SessionFile::viewerNamed(const std::string& name) const {
+  const auto found = std::find(facts_.viewers.begin(), facts_.viewers.end(), name);
+  if (found == facts_.viewers.end())
+    refuse(file_,
+           fmt::format("there is no viewer '{}', expected {}", name, fmt::join(facts_.viewers, " or ")));
+  return static_cast<std::size_t>(found - facts_.viewers.begin());
+}
+
 std::optional<std::pair<std::uint64_t, std::uint64_t>> SessionFile::frames() const {
   SQLite::Statement& row = *tables_->ends;
   std::optional<std::pair<std::uint64_t, std::uint64_t>> ends;
@@ -147,13 +165,17 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> SessionFile::frames() con
 
 std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try {
   std::vector<Stroke> strokes;
+  const auto ends = frames();
+  if (!ends) return strokes;
   const bool hasOffsets = tables_->database.execAndGet("PRAGMA user_version").getInt() > kVersion4;
   SQLite::Statement row(
       tables_->database,
       fmt::format(
           "SELECT frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, {} FROM stroke "
-          "ORDER BY frame, rowid",
+          "WHERE frame BETWEEN ? AND ? ORDER BY frame, rowid",
           hasOffsets ? "offset_m" : "0.0"));
+  row.bind(1, static_cast<std::int64_t>(ends->first));
+  row.bind(2, static_cast<std::int64_t>(ends->second));
   while (row.executeStep()) {
     const auto frame = static_cast<std::uint64_t>(row.getColumn(0).getInt64());
     const std::string name = row.getColumn(1).getString();

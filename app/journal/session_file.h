@@ -10,24 +10,36 @@
 #include <vector>
 
 #include "app/journal/journal.h"
+#include "app/journal/session_games.h"
 #include "cave/frame/frame_state.h"
 #include "engine/billiard/billiard.h"
 
 namespace carom {
 
-/// A recorded session, frame by frame. May be opened while the session is still being written.
+/// One game of a recorded session, frame by frame. May be opened while the session is still being written.
 class SessionFile {
  public:
-  /// Opens the file. Throws std::runtime_error that gives the fault and what was expected: missing, not a
-  /// session file, damaged, of a newer version, locked. Logs a warning if the session was not closed and
+  /// Opens the file at a game, counted from 1, or at its newest. Throws std::runtime_error that gives the fault and
+  /// what was expected: missing, not a session file, damaged, of a newer version, locked, no such game. Logs a warning if the session was not closed and
   /// FILE-wal, which has its end, is missing; with `quiet`, logs nothing.
-  explicit SessionFile(const std::filesystem::path& file, bool quiet = false);
+  explicit SessionFile(const std::filesystem::path& file, std::optional<std::size_t> game = {},
+                       bool quiet = false);
   ~SessionFile();
   SessionFile(const SessionFile&) = delete;
   SessionFile& operator=(const SessionFile&) = delete;
 
+  /// Returns the rig of the session and the scenario of the game.
   const SessionFacts& facts() const { return facts_; }
-  /// Returns the numbers of the first and last frame, or nothing if the session has no frame.
+  /// Returns the name of a viewer of the records.
+  std::string nameOf(std::size_t viewer) const {
+    return viewer < facts_.viewers.size() ? facts_.viewers[viewer] : "viewer " + std::to_string(viewer + 1);
+  }
+  /// Returns the viewer of that name. Throws std::runtime_error that names those whom the session has.
+  std::size_t viewerNamed(const std::string& name) const;
+  /// Returns all games of the session, and the number of this one among them, from 1.
+  const std::vector<SessionGame>& games() const { return games_; }
+  std::size_t game() const { return game_; }
+  /// Returns the numbers of the game's first and last frame, or nothing if it has no frame.
   std::optional<std::pair<std::uint64_t, std::uint64_t>> frames() const;
 
   /// Returns the strokes by hand in the order of the frames. `pucks` are the scenario's. Throws
@@ -60,6 +72,8 @@ class SessionFile {
   std::filesystem::path file_;
   std::unique_ptr<Tables> tables_;
   SessionFacts facts_;
+  std::vector<SessionGame> games_;
+  std::size_t game_ = 1;
 };
 
 }  // namespace carom

@@ -74,6 +74,7 @@ struct WelcomeNextVisitor {
 };
 /// Shows the visitor's best shot again, as they saw it.
 struct ShowBestShot {
+  bool isEnd = false;  ///< the game ends with it, if there is one
   bool operator==(const ShowBestShot&) const = default;
 };
 /// Tells the person in the room why what they asked for is not done.

@@ -13,12 +13,15 @@
 
 namespace carom {
 
-Event handEvent(const Vec3& handInRoom_m, const ObserverView& observer, const Lorentz& boardFromRoom) {
-  const EyeView& head = observer.middle;
+Event handEvent(const Vec3& handInRoom_m, const FrameRecord& record) {
+  const Lorentz& boardFromRoom = record.boardFromRoom;
+  const EyeView& head = record.observer.middle;
   Event hand = head.observation + boardFromRoom * Displacement{0.0, handInRoom_m - head.seenFromInRoom_m};
-  for (const EyeView& eye : observer.all()) {
-    const double light_s = glm::distance(hand.r_m, eye.observation.r_m) / boardFromRoom.lightSpeed_m_s();
-    hand.t_s = std::max(hand.t_s, eye.observation.t_s - light_s);
+  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer) {
+    for (const EyeView& eye : record.viewer(viewer).observer.all()) {
+      const double light_s = glm::distance(hand.r_m, eye.observation.r_m) / boardFromRoom.lightSpeed_m_s();
+      hand.t_s = std::max(hand.t_s, eye.observation.t_s - light_s);
+    }
   }
   return hand;
 }
@@ -52,6 +55,17 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
   record.hand = viewOf(hand, pointed, game, record);
   if (cue.letGo) return strike(*cue.letGo, hand, game, record);
   return {{}, {}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
+}
+
+void CueInteraction::offer(std::size_t puck, const Game& game, FrameRecord& record) {
+  HandView& hand = record.hand;
+  if (hand.target != 0) return;
+  hand.target = kRestingBody + 1 + puck;
+  hand.target_m = aim_.seenInRoom_m(game.pucks()[puck], {record.observer, Eye::middle, record.switches});
+  if (hand.shown) return;
+  hand.shown = 1;
+  hand.from_m = record.observer.middle.positionInRoom_m;
+  hand.to_m = hand.target_m;
 }
 
 double CueInteraction::offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const {
@@ -89,7 +103,7 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
   const double c_m_s = scenario_->billiard.lightSpeed_m_s;
   const Vec2 u = strokeOf(cue_.pull_m(), record.boardFromRoom).u;
   if (u == Vec2(0.0)) return {{}, {}, texts::message::kLetGo};
-  const Event from = handEvent(hand.from_m, record.observer, record.boardFromRoom);
+  const Event from = handEvent(hand.from_m, record);
   if (from.t_s < 0.0) return {{}, {}, texts::message::kBeforeGame};
   const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u,
                       offset_m(u, puck, record.boardFromRoom)};

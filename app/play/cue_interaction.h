@@ -14,10 +14,10 @@
 namespace carom {
 
 /// Returns the board event at which a hand acts: the hand's position in the room at the head's time there, or
-/// later if an eye has already received light from there (the eyes are simultaneous for the head, which may
-/// move in the room): then the last event there whose light an eye has received. So no event that any eye has
-/// seen lies in its future.
-Event handEvent(const Vec3& handInRoom_m, const ObserverView& observer, const Lorentz& boardFromRoom);
+/// later if an eye of any viewer has already received light from there (the eyes are simultaneous for their head, which
+/// may move in the room): then the last event there whose light an eye has received. So no event that any eye has
+/// seen lies in its future. The hand is that of the record's first viewer.
+Event handEvent(const Vec3& handInRoom_m, const FrameRecord& record);
 
 class CueInteraction {
  public:
@@ -34,6 +34,9 @@ class CueInteraction {
   /// before the game's knots of this frame are taken. Fills record.hand, and strikes the puck when a stroke
   /// is released. `still` means that the viewer's time is frozen.
   Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record);
+
+  /// Rings a puck that the viewer may strike, in the record, unless the hand points to one.
+  void offer(std::size_t puck, const Game& game, FrameRecord& record);
 
  private:
   /// Returns how far to the right of the target's centre a stroke of `u` strikes; 0 where all rims are smooth, so

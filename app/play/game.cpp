@@ -30,6 +30,13 @@ double latestObservation_s(const ObserverView& observer) {
   return latest_s;
 }
 
+double latestObservation_s(const FrameRecord& record) {
+  double latest_s = latestObservation_s(record.observer);
+  for (std::size_t viewer = 1; viewer < record.viewers; ++viewer)
+    latest_s = std::max(latest_s, latestObservation_s(record.viewer(viewer).observer));
+  return latest_s;
+}
+
 namespace {
 
 BilliardSetup with(BilliardSetup setup, std::span<const Stroke> struck) {
@@ -83,9 +90,13 @@ void Game::advance(double t_s, FrameState& state) {
   }
 }
 
-void Game::forget(std::span<const WorldLine> histories, const ObserverView& observer, FrameState& state) {
-  const double before_s =
-      forgettableBefore_s(histories.subspan(kFirstPuck, billiard_.worldLines().size()), observer);
+void Game::forget(std::span<const WorldLine> histories, std::span<const ObserverView> observers,
+                  FrameState& state) {
+  double before_s = std::numeric_limits<double>::infinity();
+  for (const ObserverView& observer : observers)
+    before_s =
+        std::min(before_s,
+                 forgettableBefore_s(histories.subspan(kFirstPuck, billiard_.worldLines().size()), observer));
   billiard_.forgetBefore(before_s);
   state.record.forgetBefore_s = before_s;
 }

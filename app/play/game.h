@@ -19,8 +19,9 @@ namespace carom {
 double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer);
 inline constexpr double kEyesMayRunBack_m = 100.0;
 
-/// Returns the latest board time at which an eye receives light.
+/// Returns the latest board time at which an eye receives light; of a record, an eye of any viewer.
 double latestObservation_s(const ObserverView& observer);
+double latestObservation_s(const FrameRecord& record);
 
 class Game {
  public:
@@ -45,9 +46,10 @@ class Game {
   /// Simulates to board time `t_s` and adds to `state` the knots that no frame has carried yet.
   void advance(double t_s, FrameState& state);
 
-  /// Discards the history before `forgettableBefore_s`, and tells every rank to do the same with this frame.
-  /// `histories` are those of all bodies of the scene.
-  void forget(std::span<const WorldLine> histories, const ObserverView& observer, FrameState& state);
+  /// Discards the history before `forgettableBefore_s` of all these observers, and tells every rank to do the same
+  /// with this frame. `histories` are those of all bodies of the scene.
+  void forget(std::span<const WorldLine> histories, std::span<const ObserverView> observers,
+              FrameState& state);
 
  private:
   Billiard billiard_;

@@ -126,8 +126,9 @@ void addMyAxes(Chart& chart, const glm::dvec2& here, double beta) {
   const glm::vec3 light(0.9F, 0.55F, 0.0F), mine(0.1F, 0.2F, 0.7F);
   chart.lines.push_back(through(here, {1.0, 1.0}, texts::diagram::kLightCone, light, Style::dashed, 1.5F));
   chart.lines.push_back(through(here, {-1.0, 1.0}, "", light, Style::dashed, 1.5F));
+  const double shown = std::abs(beta) < 0.005 ? 0.0 : beta;  // not "-0.00 c"
   chart.lines.push_back(
-      through(here, {beta, 1.0}, fmt::format(texts::diagram::kTimeAxis, beta), mine, Style::dotted, 2.0F));
+      through(here, {beta, 1.0}, fmt::format(texts::diagram::kTimeAxis, shown), mine, Style::dotted, 2.0F));
   chart.lines.push_back(through(here, {1.0, beta}, texts::diagram::kSimultaneity, mine, Style::dashed, 2.0F));
 }
 
@@ -169,6 +170,29 @@ void addMe(Chart& chart, const DiagramSubject& subject, const Plane& plane, doub
   chart.lines.push_back({"", {plane(subject.mine.back())}, glm::vec3(0.0F), 10.0F, ChartLine::Style::marks});
 }
 
+/// Adds the world lines of the others in the room, their present events, and what is simultaneous for each.
+void addOthers(Chart& chart, const DiagramSubject& subject, const Plane& plane, double from_s) {
+  using Style = ChartLine::Style;
+  constexpr std::array<glm::vec3, kMostViewers - 1> kColours{
+      {{0.65F, 0.1F, 0.5F}, {0.0F, 0.5F, 0.35F}, {0.55F, 0.35F, 0.05F}}};
+  for (std::size_t i = 0; i < subject.others.size(); ++i) {
+    const OtherObserver& other = subject.others[i];
+    if (other.line.empty()) continue;
+    const glm::vec3 colour = kColours[i % kColours.size()];
+    ChartLine line{other.name, {}, colour, 3.5F, Style::solid};
+    for (std::size_t point = 0; point < other.line.size(); ++point) {
+      if (point + 1 == other.line.size() || other.line[point + 1].t_s >= from_s)
+        line.points.push_back(plane(other.line[point]));
+    }
+    chart.lines.push_back(line);
+    const glm::dvec2 here = plane(other.line.back());
+    chart.lines.push_back({"", {here}, colour, 10.0F, Style::marks});
+    chart.lines.push_back(through(here, {1.0, plane.along(other.beta)},
+                                  fmt::format(texts::diagram::kSimultaneityOf, other.name), colour,
+                                  Style::dashed, 2.0F));
+  }
+}
+
 }  // namespace
 
 DiagramSubject subjectOf(const Scenario& scenario) {
@@ -182,14 +206,29 @@ DiagramSubject subjectOf(const Scenario& scenario) {
   return subject;
 }
 
-void continueMine(DiagramSubject& subject, const Event& here) {
-  std::vector<Event>& mine = subject.mine;
-  if (!mine.empty()) {
-    const Displacement step = here - mine.back();
+void continueLine(std::vector<Event>& line, double c_m_s, const Event& here) {
+  if (!line.empty()) {
+    const Displacement step = here - line.back();
     if (step.dt_s == 0.0) return;
-    if (step.dt_s < 0.0 || glm::length(step.dr_m) > subject.c_m_s * step.dt_s) mine.clear();
+    if (step.dt_s < 0.0 || glm::length(step.dr_m) > c_m_s * step.dt_s) line.clear();
   }
-  mine.push_back(here);
+  line.push_back(here);
+}
+
+void follow(DiagramSubject& subject, const FrameRecord& record, std::span<const std::string> names) {
+  const auto betaOf = [](const ViewerState& viewer) {
+    return betaFromU(viewer.observer.headFromBoard.inverse().u());
+  };
+  continueLine(subject.mine, subject.c_m_s, record.observer.middle.observation);
+  subject.beta = betaOf(record);
+  subject.others.resize(record.viewers - 1);
+  for (std::size_t i = 0; i < subject.others.size(); ++i) {
+    const ViewerState& viewer = record.viewer(i + 1);
+    OtherObserver& other = subject.others[i];
+    other.name = i + 1 < names.size() ? names[i + 1] : "";
+    other.beta = betaOf(viewer);
+    continueLine(other.line, subject.c_m_s, viewer.observer.middle.observation);
+  }
 }
 
 Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
@@ -215,6 +254,7 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   addBodies(chart, subject, plane, span);
   addMyAxes(chart, plane(present), plane.along(subject.beta));
   addEvents(chart, subject, plane, span);
+  addOthers(chart, subject, plane, from_s);
   addMe(chart, subject, plane, from_s);
   return chart;
 }

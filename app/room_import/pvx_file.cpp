@@ -242,7 +242,7 @@ void readElement(const XmlElement& element, const XmlElement& parent, Reading& i
 }
 
 void assume(Reading& in) {
-  in.room.viewer = {{0.0, 0.0, 0.0}, in.root.at, "a viewer at the origin"};
+  in.room.viewers = {{{0.0, 0.0, 0.0}, in.root.at, "a viewer at the origin"}};
   in.room.assumptions.push_back(
       "the viewer's eyes start at the file's origin, as in ParaView without a tracker");
   in.room.assumptions.push_back("each <Machine> is drawn by the MPI rank of its place in the file");

@@ -1,5 +1,7 @@
 #include "app/room_import/rig_room.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "devices/tracker/trace.h"
@@ -8,26 +10,25 @@ namespace carom {
 
 namespace {
 
-Viewer viewerOf(const PlacedRig& placed) {
-  const Rig& rig = placed.rig;
-  const TrackerSetup& tracker = rig.trackers[rig.head.sensor.tracker];
-  const Pose eyesInSensor = inverse(rig.head.eyesFromSensor);
+Viewer eyesAtStart(const Rig& rig, const ViewerSetup& viewer, const FilePlace& at) {
+  const TrackerSetup& tracker = rig.trackers[viewer.head.sensor.tracker];
+  const Pose eyesInSensor = inverse(viewer.head.eyesFromSensor);
   if (tracker.kind == TrackerKind::recorded) {
     const std::vector<TrackerSample> samples = readTrace(tracker.source);
     const auto first = std::find_if(samples.begin(), samples.end(), [&](const TrackerSample& sample) {
-      return sample.sensor == rig.head.sensor.sensor;
+      return sample.sensor == viewer.head.sensor.sensor;
     });
     if (first != samples.end()) {
-      return {(tracker.roomFromTracker * first->pose * eyesInSensor).position_m, placed.head,
+      return {(tracker.roomFromTracker * first->pose * eyesInSensor).position_m, at,
               "the recorded head at its start"};
     }
   }
   const glm::dvec3 standing_m = rig.axes.up * kStandingEyes_m;
   if (tracker.kind != TrackerKind::simulated) {
-    return {standing_m, placed.head, "someone standing on the origin"};
+    return {standing_m, at, "someone standing on the origin"};
   }
   const Pose person{standing_m, {1.0, 0.0, 0.0, 0.0}};
-  return {(tracker.roomFromTracker * person * eyesInSensor).position_m, placed.head,
+  return {(tracker.roomFromTracker * person * eyesInSensor).position_m, at,
           "the simulated person at the start"};
 }
 
@@ -44,10 +45,13 @@ Room roomOf(const PlacedRig& placed, const std::filesystem::path& file) {
   room.nodes = rig.nodes;
   room.nodesAt = placed.nodes;
   room.oneWindow = rig.oneWindow;
-  room.eyeSeparation_m = rig.head.eyeSeparation_m;
+  room.eyeSeparation_m = rig.viewers.front().head.eyeSeparation_m;
   room.eyeSeparationAt = placed.eyeSeparation;
   room.unit_m = placed.unit_m;
-  room.viewer = viewerOf(placed);
+  for (const ViewerSetup& viewer : rig.viewers) {
+    Viewer& eyes = room.viewers.emplace_back(eyesAtStart(rig, viewer, placed.head));
+    if (rig.viewers.size() > 1) eyes.words = fmt::format("{}: {}", viewer.name, eyes.words);
+  }
   room.floor_m = 0.0;
   return room;
 }

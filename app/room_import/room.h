@@ -37,14 +37,16 @@ struct Room {
   std::optional<WindowPlacement> oneWindow;
   double eyeSeparation_m = 0.064;
   FilePlace eyeSeparationAt;
-  double unit_m = 1.0;  ///< of the lengths in the file
-  Viewer viewer;
+  double unit_m = 1.0;          ///< of the lengths in the file
+  std::vector<Viewer> viewers;  ///< one at least
   /// Height of the floor along axes.up if the file's format defines it; a wall that is a floor takes
   /// precedence.
   std::optional<double> floor_m;
   std::vector<std::string> assumptions;  ///< what the file leaves open and the value assumed
   std::vector<Finding> findings;         ///< of the reader
 
+  /// Returns whose eyes look at the wall.
+  const Viewer& viewerOf(const Wall& wall) const { return viewers.at(wall.viewer); }
   bool hasErrors() const {
     for (const Finding& finding : findings) {
       if (finding.kind == Finding::Kind::error) return true;

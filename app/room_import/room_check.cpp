@@ -56,12 +56,14 @@ void judgeSize(Verdict& verdict) {
 void judgeHeight(Verdict& verdict) {
   const auto floor_m = floorHeight_m(verdict.room);
   if (!floor_m) return;
-  const double eyes_m = glm::dot(verdict.room.viewer.eyes_m, verdict.room.axes.up) - *floor_m;
-  if (eyes_m >= kLowestEyes_m && eyes_m <= kHighestEyes_m) return;
-  verdict.warn(verdict.room.viewer.at,
-               fmt::format("{} has the eyes {:.0f} mm above the floor, expected {:.0f} to {:.0f} mm{}",
-                           verdict.room.viewer.words, mm(eyes_m), mm(kLowestEyes_m), mm(kHighestEyes_m),
-                           otherUnits(eyes_m, verdict.room.unit_m, kLowestEyes_m, kHighestEyes_m)));
+  for (const Viewer& viewer : verdict.room.viewers) {
+    const double eyes_m = glm::dot(viewer.eyes_m, verdict.room.axes.up) - *floor_m;
+    if (eyes_m >= kLowestEyes_m && eyes_m <= kHighestEyes_m) continue;
+    verdict.warn(viewer.at,
+                 fmt::format("{} has the eyes {:.0f} mm above the floor, expected {:.0f} to {:.0f} mm{}",
+                             viewer.words, mm(eyes_m), mm(kLowestEyes_m), mm(kHighestEyes_m),
+                             otherUnits(eyes_m, verdict.room.unit_m, kLowestEyes_m, kHighestEyes_m)));
+  }
 }
 
 void judgeRanks(Verdict& verdict) {
@@ -160,7 +162,8 @@ std::string wordsFor(const RoomWall& wall, const Room& room) {
   const double right = wall.wall.pixels.x / width, up = wall.wall.pixels.y / height;
   const bool equal = std::abs(width - height) <= kMeet_m;
   const bool square = std::max(right, up) <= (1.0 + kSquarePixels) * std::min(right, up);
-  const double before_m = glm::dot(normal(wall.wall), room.viewer.eyes_m - wall.wall.lowerLeft_m);
+  const double before_m =
+      glm::dot(normal(wall.wall), room.viewerOf(wall.wall).eyes_m - wall.wall.lowerLeft_m);
   const std::string feet =
       equal ? fmt::format("{:.3g} ft", width / kMetresPerFoot)
             : fmt::format("{:.3g} × {:.3g} ft", width / kMetresPerFoot, height / kMetresPerFoot);

@@ -85,7 +85,7 @@ void readUsers(SgctReading& in) {
   const SgctUser& user = in.users.front();
   in.room.eyeSeparation_m = user.eyeSeparation_m;
   in.room.eyeSeparationAt = user.eyeSeparationAt;
-  in.room.viewer = {user.eyes_m, user.at, "the viewer"};
+  in.room.viewers = {{user.eyes_m, user.at, "the viewer"}};
   if (in.users.size() > 1) {
     addWarning(in.room, in.users[1].at,
                fmt::format("there are {} users, but one person is tracked here: the first", in.users.size()));

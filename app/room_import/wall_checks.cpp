@@ -100,7 +100,7 @@ void judgePlane(const RoomWall& wall, Verdict& verdict) {
 void judgeName(const RoomWall& wall, Verdict& verdict) {
   const auto named = namedSide(wall.wall, verdict.room.axes);
   if (!named) return;
-  const glm::dvec3 seen_m = middle(wall.wall) - verdict.room.viewer.eyes_m;
+  const glm::dvec3 seen_m = middle(wall.wall) - verdict.room.viewerOf(wall.wall).eyes_m;
   const double squarely = glm::dot(named->direction, -normal(wall.wall));
   const double towards = glm::dot(named->direction, seen_m) / std::max(glm::length(seen_m), kBefore_m);
   constexpr double kSlanted = 0.3;  // side walls may be folded open by up to 70 degrees
@@ -120,8 +120,8 @@ void judgeName(const RoomWall& wall, Verdict& verdict) {
 }
 
 void judgeDistance(const RoomWall& wall, Verdict& verdict) {
-  const double before_m = glm::dot(normal(wall.wall), verdict.room.viewer.eyes_m - wall.wall.lowerLeft_m);
-  const std::string& viewer = verdict.room.viewer.words;
+  const auto& [eyes_m, at, viewer] = verdict.room.viewerOf(wall.wall);
+  const double before_m = glm::dot(normal(wall.wall), eyes_m - wall.wall.lowerLeft_m);
   const std::string& name = wall.wall.name;
   if (std::abs(before_m) <= kBefore_m) {
     verdict.warn(

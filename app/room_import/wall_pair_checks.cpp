@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "app/room_import/wall_shape.h"
+#include "cave/room/wall_eyes.h"
 
 namespace carom {
 namespace {
@@ -16,8 +17,14 @@ void judgeEyesOfOneWall(const RoomWall& a, const RoomWall& b, double off_m, Verd
   const auto cornersA = cornersOf(a.wall), cornersB = cornersOf(b.wall);
   double worst_m = 0.0;
   for (std::size_t i = 0; i < 4; ++i) worst_m = std::max(worst_m, glm::distance(cornersA[i], cornersB[i]));
-  const auto isEye = [](StereoMode mode) { return mode == StereoMode::left || mode == StereoMode::right; };
-  const bool eyes = isEye(a.wall.stereo) && isEye(b.wall.stereo) && a.wall.stereo != b.wall.stereo;
+  const std::vector<ViewerEye> ofA = eyesOf(a.wall), ofB = eyesOf(b.wall);
+  const bool eyes = std::none_of(ofA.begin(), ofA.end(), [&](const ViewerEye& eye) {
+    const auto isSeen = [&eye](const ViewerEye& other) {
+      const bool both = eye.eye == Eye::middle || other.eye == Eye::middle;
+      return eye.viewer == other.viewer && (both || eye.eye == other.eye);
+    };
+    return std::any_of(ofB.begin(), ofB.end(), isSeen);
+  });
   if (!eyes) {
     verdict.warn(
         b.at.wall,

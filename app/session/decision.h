@@ -1,11 +1,12 @@
 #pragma once
 // Rank 0's decision about one frame: the record that every rank draws, and what is reported about the frame.
 
+#include <array>
 #include <limits>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "app/journal/journal_news.h"
 #include "app/operator/command.h"
 #include "cave/frame/frame_state.h"
 #include "devices/filter/head_filter.h"
@@ -24,25 +25,35 @@ struct DecisionTiming {
 /// Name and value of something that happened, such as "aberration" and "off".
 struct Note {
   std::string what, value;
+  std::size_t viewer = 0;
+};
+
+/// A command that a viewer's hand device has given.
+struct HandCommand {
+  Command command;
+  std::size_t viewer = 0;
 };
 
 /// The answer that a visitor gave to a lesson's question.
 struct LessonAnswer {
   std::string lesson, question, answer;
+  std::size_t viewer = 0;
 };
 
 struct Decision {
   FrameState frame;
-  std::vector<Note> inputs;           ///< commands that take effect with this frame
-  std::vector<Note> notes;            ///< other events: the drive's mode, messages in the room
-  std::vector<LessonAnswer> answers;  ///< answers to a lesson's question
-  std::vector<Stroke> strokes;        ///< strokes made by hand
-  HeadEstimate head;                  ///< the head's estimate; live sessions only
-  /// The head tracker's samples for this frame, valid until the next decision; live sessions only.
-  std::span<const TrackerSample> samples;
+  std::vector<Note> inputs;                      ///< commands that take effect with this frame
+  std::vector<Note> notes;                       ///< other events: the drive's mode, messages in the room
+  std::vector<LessonAnswer> answers;             ///< answers to a lesson's question
+  std::vector<HandStroke> strokes;               ///< strokes made by hand
+  std::array<HeadEstimate, kMostViewers> heads;  ///< of each viewer; live sessions only
+  /// The head trackers' samples for this frame, valid until the next decision; live sessions only.
+  std::vector<TrackerSamples> samples;
   std::vector<std::string> alarms;  ///< tracker failures and recoveries, for the terminal
-  Commands commands;                ///< from hand devices and captions; they take effect with the next frame
+  Commands commands;                ///< from captions and programmes; they take effect with the next frame,
+  std::vector<HandCommand> handCommands;  ///< and so do these, from hand devices
   bool isHandled = false;  ///< the person uses a device of the hand: it steers, brakes, turns or presses
+  bool showsShot = false;  ///< the best shot is shown again
   double stay_s = 0.0;     ///< recorded sessions: time between the previous frame and this one
   DecisionTiming timing;
 
@@ -54,8 +65,9 @@ struct Decision {
     strokes.clear();
     alarms.clear();
     commands.clear();
-    isHandled = false;
-    samples = {};
+    handCommands.clear();
+    isHandled = showsShot = false;
+    samples.clear();
     stay_s = 0.0;
     timing = {};
   }

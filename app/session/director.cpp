@@ -1,5 +1,6 @@
 #include "app/session/director.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -18,19 +19,45 @@ FrameLeader::FrameLeader(FrameSource& source, KeysOf keys, const OperatorSetting
   settings_ = settings;
 }
 
+/// Takes the next game, which somebody has chosen.
+void FrameLeader::choose(NextGame next) {
+  nextGame_ = std::move(next);
+  awaitsShot_ = false;
+}
+
 /// Applies a command and notes it. In a live game nothing else changes the settings.
-void FrameLeader::obey(const Command& command, Decision& decision) {
+void FrameLeader::obey(const Command& command, Decision& decision, std::size_t viewer) {
   if (std::holds_alternative<AdvanceLesson>(command) && settings_.lesson.phase == LessonPhase::none)
-    return obey(ShowBestShot{}, decision);
+    return obey(ShowBestShot{}, decision, viewer);
   if (!apply(command, settings_)) return;
   obeyed_.push_back(command);
-  decision.inputs.push_back({nameOf(command), valueOf(command, settings_)});
+  decision.inputs.push_back({nameOf(command), valueOf(command, settings_), viewer});
   log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
   if (const auto* play = std::get_if<PlayScenario>(&command))
-    nextGame_ = {play->file, false, false, play->afresh, play->recordTo};
-  if (std::holds_alternative<WelcomeNextVisitor>(command)) nextGame_ = {firstGame_, true};
+    choose({play->file, false, false, play->afresh, play->recordTo});
+  if (std::holds_alternative<WelcomeNextVisitor>(command)) choose({firstGame_, true});
 }
+
+namespace {
+
+/// Returns the middle between the viewers' heads: it moves when one of them does.
+Vec3 meanPlaceOf(const Decision& decision) {
+  Vec3 sum_m(0.0);
+  for (std::size_t viewer = 0; viewer < decision.frame.record.viewers; ++viewer)
+    sum_m += decision.heads[viewer].pose.position_m;
+  return sum_m / static_cast<double>(decision.frame.record.viewers);
+}
+
+/// Returns whether one of the viewers draws the cue.
+bool anyPulls(const FrameRecord& record) {
+  bool any = false;
+  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
+    any |= record.viewer(viewer).hand.pulling != 0;
+  return any;
+}
+
+}  // namespace
 
 /// Lets another game follow by itself, unless somebody has just chosen one. `acted`: somebody gave a command or
 /// pressed a key.
@@ -39,14 +66,28 @@ void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& d
   mouseWas_ = desk.mouse;
   const FrameRecord& record = decision.frame.record;
   acted = acted || mouseMoved || desk.mouseHeld || desk.mouseTurns || desk.padHeld || decision.isHandled ||
-          record.hand.pulling;
+          anyPulls(record);
   if (nextGame_.isForNextVisitor) return programme_.welcome();
-  const NextGame next = programme_.look(
-      {record.display_s, acted, record.drive.mode == DriveMode::tour, decision.head.pose.position_m},
-      settings_.playing);
-  if (!nextGame_.file.empty()) return;
-  if (next.isForNextVisitor) return obey(WelcomeNextVisitor{}, decision);
+  const NextGame next =
+      programme_.look({record.display_s, acted, record.drive.mode == DriveMode::tour, meanPlaceOf(decision)},
+                      settings_.playing);
+  const bool isChosen = !nextGame_.file.empty() && !nextGame_.attracts && !awaitsShot_;
+  if (next.isForNextVisitor && !isChosen) return obey(WelcomeNextVisitor{}, decision);
+  if (!nextGame_.file.empty() || next.file.empty()) return;
   nextGame_ = next;
+  awaitsShot_ = !next.attracts;
+  if (awaitsShot_) decision.commands.emplace_back(ShowBestShot{true});
+}
+
+/// Ends this game if another was chosen: the walls go dark, after the best shot if the other follows by itself.
+void FrameLeader::endGame(Decision& decision) {
+  const bool isShown = lastOf<ShowBestShot>(decision.commands) || decision.showsShot;
+  if (nextGame_.file.empty() || (awaitsShot_ && isShown)) return;
+  FrameRecord& record = decision.frame.record;
+  if (!darkens_s_) darkens_s_ = record.display_s;
+  const double darkness = std::min(1.0, (record.display_s - *darkens_s_) / kFade_s);
+  record.fade = std::max(record.fade, darkness);
+  if (darkness == 1.0) record.last = 1;
 }
 
 void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Decision& decision) {
@@ -58,15 +99,17 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const bool acted = inbox_.size() > fromSource_ || !input.keys.empty();
   for (const Command& command : inbox_) obey(command, decision);
   inbox_.clear();
+  for (const HandCommand& given : handed_) obey(given.command, decision, given.viewer);
   for (const Command& command : commandsOf(input, keys_, before.display_s, settings_))
     obey(command, decision);
   const DeskInput desk = desk_ ? desk_(input, choosing) : DeskInput{};
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
   source_.next(times, {obeyed_, desk}, settings_, decision);
+  if (keys_ == KeysOf::session) followProgramme(acted, desk, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   fromSource_ = decision.commands.size();
-  if (keys_ == KeysOf::session) followProgramme(acted, desk, decision);
-  if (!nextGame_.file.empty()) decision.frame.record.last = 1;  // ends this game
+  handed_ = decision.handCommands;
+  endGame(decision);
   for (const std::string& alarm : decision.alarms) log::note(alarm);
   decision.timing.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }

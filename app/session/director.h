@@ -42,6 +42,7 @@ class FrameLeader : public Director {
   void begin(const OperatorSettings& settings) {
     settings_ = settings;
     inbox_.clear();  // of the game before
+    handed_.clear();
     fromSource_ = 0;
     programme_.begin();
   }
@@ -52,19 +53,27 @@ class FrameLeader : public Director {
   }
 
   /// Returns the game to play after this one and clears it.
-  NextGame takeNextGame() { return std::exchange(nextGame_, {}); }
+  NextGame takeNextGame() {
+    darkens_s_.reset();
+    return std::exchange(nextGame_, {});
+  }
 
  private:
-  void obey(const Command& command, Decision& decision);
+  void obey(const Command& command, Decision& decision, std::size_t viewer = 0);
   void followProgramme(bool acted, const DeskInput& desk, Decision& decision);
+  void choose(NextGame next);
+  void endGame(Decision& decision);
 
   FrameSource& source_;
   KeysOf keys_;
   DeskDevices desk_;  ///< kept between games, so that held buttons and keys stay held
   Commands inbox_, obeyed_;
-  std::size_t fromSource_ = 0;  ///< number of commands in the inbox that the source has given
+  std::vector<HandCommand> handed_;  ///< by the hands in the frame before
+  std::size_t fromSource_ = 0;       ///< number of commands in the inbox that the source has given
   std::string firstGame_;
   NextGame nextGame_;
+  bool awaitsShot_ = false;          ///< the next game follows by itself, after the best shot
+  std::optional<double> darkens_s_;  ///< since when the walls go dark before the next game, session clock
   Programme programme_;
   std::optional<PointedWall> mouseWas_;
 };

@@ -14,6 +14,9 @@
 
 namespace carom {
 
+/// How long the walls take to go dark before another game, and to come out of black with it.
+inline constexpr double kFade_s = 0.5;
+
 /// The operator's and players' input since the previous frame.
 struct FrameInput {
   std::span<const Command> commands;  ///< settings changes already applied, and one-time orders

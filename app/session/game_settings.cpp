@@ -13,7 +13,7 @@ bool isLesson(const Scenario& scenario) { return scenario.lesson.has_value(); }
 
 OperatorSettings settingsAtStart(const Rig& rig, const Scenario& scenario) {
   OperatorSettings settings;
-  settings.eyeSeparation_m = rig.head.eyeSeparation_m;
+  settings.eyeSeparation_m = rig.viewers.front().head.eyeSeparation_m;
   settings.lightSpeed_m_s = scenario.billiard.lightSpeed_m_s;
   settings.walls.comfort = rig.comfort.aids ? 1 : 0;
   return settings;

@@ -20,7 +20,7 @@ namespace carom {
 namespace {
 
 constexpr std::uint64_t kFramesBetweenForgetting = 600;  // ten seconds at 60 Hz
-constexpr double kOnset_s = 0.5, kFade_s = 0.5;
+constexpr double kOnset_s = 0.5;
 constexpr std::array<const char*, 4> kDriveModes{"as steered", "braking", "home", "tour"};
 
 /// Returns the direction, anticlockwise from +x, in which an observer with this velocity sees what one at rest sees
@@ -75,24 +75,24 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
     : rig_(rig),
       scenario_(scenario),
       world_(world),
-      viewer_(rig, scenario, start.sessionStart, start.before),
+      viewers_(rig, scenario, start.sessionStart, start.before),
       play_(scenario, rig.axes, !start.before, start.struck),
-      hands_(rig.axes),
-      roomBoundary_(rig.walls),
+      hands_(rig.viewers.size(), InputDevices(rig.axes)),
+      roomBoundaries_(rig.viewers.size(), RoomBoundary(rig.walls)),
       front_(frontWall(roomGeometryOf(rig))) {
   if (scenario.lesson && !start.before) beginPass(0);
   if (start.before) {
     play_.captions = captionsBegunAt(start.before->observer.properTime_s);
-    play_.score = CaromScore(start.before->score);
+    play_.match = Match(*start.before);
   }
   if (start.frames) lastFrame_ = start.firstFrame() + *start.frames - 1;
 }
 
 void LiveSource::playAnew() {
   fade_s_ = kFade_s;
-  viewer_.startIn(rig_, scenario_);
+  viewers_.startIn(rig_, scenario_);
   play_ = Play(scenario_, rig_.axes, true);
-  hands_.letGo();
+  for (InputDevices& hand : hands_) hand.letGo();
   if (scenario_.lesson) beginPass(0);
 }
 
@@ -100,33 +100,35 @@ void LiveSource::playAnew() {
 /// strike in a lesson, so it is the same in every pass.
 void LiveSource::beginPass(std::size_t observer) {
   const LessonPlan& plan = scenario_.lesson->plan;
-  viewer_.startAt(rig_, scenario_, startOf(scenario_, observer), plan.interval.from_s);
+  viewers_.startAt(rig_, scenario_, startOf(scenario_, observer), plan.interval.from_s);
   play_.drive = PlatformMotion(scenario_, rig_.axes, true);
   play_.passEnded_s.reset();
 }
 
 /// Returns the view in a lesson. While it shows, the game passes from the beginning of its interval to the
 /// end, slowly, stays there for a moment and begins again. While it explains, its moment is held.
-ObserverView LiveSource::lessonView(const OperatorSettings& settings, const FrameTimes& times) {
+ObserverViews LiveSource::lessonView(const OperatorSettings& settings, const FrameTimes& times) {
   constexpr double kStay_s = 1.5;
   const LessonInterval& interval = scenario_.lesson->plan.interval;
   const bool explains = settings.lesson.phase == LessonPhase::explains;
-  const bool isOver = play_.passEnded_s && times.display_s - *play_.passEnded_s >= kStay_s;
+  const bool isOver = !explains && play_.passEnded_s && times.display_s - *play_.passEnded_s >= kStay_s;
   const bool changes =
       std::exchange(play_.lessonObserver, settings.lessonObserver) != settings.lessonObserver;
-  if (changes || isOver || explains != play_.explained) {
+  const bool goesTo = explains ? !interval.keepsClocks : play_.explained;
+  if (changes || isOver || (goesTo && explains != play_.explained)) {
     beginPass(settings.lessonObserver);
-    if (explains) viewer_.runTo(interval.moment_s, play_.drive);
+    if (explains && !interval.keepsClocks) viewers_.runTo(interval.moment_s, play_.drive);
     play_.drive.news();  // of a way that nobody has seen
   }
   play_.explained = explains;
-  if (!explains && !play_.passEnded_s && viewer_.board_s() >= interval.until_s)
+  if (!explains && !play_.passEnded_s && viewers_.board_s() >= interval.until_s)
     play_.passEnded_s = times.display_s;
-  if (explains || play_.passEnded_s) return viewer_.freeView(times, settings.eyeSeparation_m, 0.0);
+  if (explains || play_.passEnded_s) return viewers_.freeView(times, settings.eyeSeparation_m, 0.0);
   const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-  if (interval.slowness == 1.0) return viewer_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive);
-  return viewer_.slowView(times, settings.eyeSeparation_m, pace, times.step_s / interval.slowness, wish_,
-                          play_.drive);
+  if (interval.slowness == 1.0)
+    return viewers_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive, steering_);
+  return viewers_.slowView(times, settings.eyeSeparation_m, pace, times.step_s / interval.slowness, wish_,
+                           play_.drive, steering_);
 }
 
 /// Takes over the lesson's state for this frame and notes an answer just given.
@@ -135,46 +137,61 @@ void LiveSource::advanceLesson(const LessonState& lesson, Decision& decision) {
   play_.lesson = lesson;
   if (!answered || !scenario_.lesson) return;
   const LessonWords& words = scenario_.lesson->words;
-  decision.answers.push_back({words.title, words.question, answerText(words, lesson)});
+  decision.answers.push_back({words.title, words.question, answerText(words, lesson), play_.answeredBy});
 }
 
-/// Fills in the viewer's view: the world line continues, driven by hand, on the tour or on the way home, or
+/// Fills in the viewers' views: their world lines continue, driven by hand, on the tour or on the way home, or
 /// time is frozen.
 void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, bool still,
                      Decision& decision) {
   FrameRecord& record = decision.frame.record;
   record.drive.mode = play_.driven;
+  ObserverViews views;
   const ShotView* const shot = shotShown(times.display_s);
   if (shot) {
-    record.observer = viewer_.frozenView(shot->observer, times, settings.eyeSeparation_m);
+    views.fill(shot->observer);
+    views = viewers_.frozenView(views, times, settings.eyeSeparation_m);
+    putInto(record, views);
     record.boardFromRoom = shot->boardFromRoom;
     return;
   }
   if (still && play_.frozen) {
-    record.observer = viewer_.frozenView(*play_.frozen, times, settings.eyeSeparation_m);
+    views = viewers_.frozenView(*play_.frozen, times, settings.eyeSeparation_m);
   } else {
     if (scenario_.lesson) {
-      record.observer = lessonView(settings, times);
+      views = lessonView(settings, times);
     } else {
       const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-      record.observer = viewer_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive);
+      views = viewers_.at(times, settings.eyeSeparation_m, pace, wish_, play_.drive, steering_);
     }
     record.drive = play_.drive.view();
     if (scenario_.lesson && (play_.explained || play_.passEnded_s)) record.drive.thrust = Vec3(0.0);
-    play_.frozen = record.observer;
+    play_.frozen = views;
     const DriveMode mode = record.drive.mode;
     if (mode != play_.driven)
       decision.notes.push_back({"drive", kDriveModes[static_cast<std::size_t>(mode)]});
     play_.driven = mode;
   }
-  record.boardFromRoom = viewer_.boardFromRoom();
+  putInto(record, views);
 }
 
-/// Shows a message in the room and notes it in the decision.
+void LiveSource::putInto(FrameRecord& record, const ObserverViews& views) const {
+  viewers_.putInto(record);
+  for (std::size_t i = 0; i < viewers_.size(); ++i) record.viewer(i).observer = views[i];
+}
+
+/// Shows a message to everybody in the room and notes it in the decision.
 void LiveSource::say(std::string_view words, Decision& decision) {
   if (words.empty()) return;
-  play_.message.say(words, decision.frame.record.display_s);
+  for (StatusMessage& message : play_.messages) message.say(words, decision.frame.record.display_s);
   decision.notes.push_back({"notice", std::string(words)});
+}
+
+/// Does the same for one viewer alone.
+void LiveSource::sayTo(std::size_t viewer, std::string_view words, Decision& decision) {
+  if (words.empty()) return;
+  play_.messages[viewer].say(words, decision.frame.record.display_s);
+  decision.notes.push_back({"notice", std::string(words), viewer});
 }
 
 /// Says which effects have just been turned on or off. They change with the next frame: before a picture with other
@@ -190,27 +207,71 @@ void LiveSource::tellChanges(std::span<const Command> commands, Decision& decisi
   }
 }
 
-/// Counts a carom when it is seen, and says so.
+/// Counts a carom when whoever struck sees it, and says so; tells who saw a hit first.
 void LiveSource::count(Decision& decision) {
   FrameRecord& record = decision.frame.record;
-  const Event& eye = record.observer.middle.observation;
-  const auto cushions = play_.score.look(world_.events, eye, scenario_.billiard.lightSpeed_m_s);
-  record.score = play_.score.score();
-  play_.shots.see({record.observer, record.boardFromRoom, record.display_s});
-  if (!cushions) return;
-  play_.shots.carom(*cushions, record.display_s);
-  say(fmt::format(texts::message::kCarom, *cushions), decision);
+  const double c_m_s = scenario_.billiard.lightSpeed_m_s;
+  play_.shots.see({record.viewer(play_.striker).observer, record.boardFromRoom, record.display_s});
+  if (const auto seen = play_.hit.look(world_.events, record); seen && seen->size() > 1)
+    tellWhoSawFirst(*seen, decision);
+  for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
+    const Event& eye = record.viewer(viewer).observer.middle.observation;
+    const auto cushions = play_.match.look(viewer, world_.events, eye, c_m_s);
+    if (!cushions) continue;
+    if (viewer == play_.striker) play_.shots.carom(*cushions, record.display_s);
+    if (viewers_.size() == 1) return say(fmt::format(texts::message::kCarom, *cushions), decision);
+    for (std::size_t other = 0; other < viewers_.size(); ++other) {
+      const std::string& name = rig_.viewers[viewer].name;
+      sayTo(other,
+            other == viewer ? fmt::format(texts::message::kCarom, *cushions)
+                            : fmt::format(texts::message::kCaromOf, name, *cushions),
+            decision);
+    }
+  }
+}
+
+/// Tells everybody in the room who saw a hit first, and why the others saw it later: in the room's frame its light
+/// took a longer way to them.
+void LiveSource::tellWhoSawFirst(std::span<const HitSeen::Seen> seen, Decision& decision) {
+  for (std::size_t reader = 0; reader < viewers_.size(); ++reader) {
+    const auto nameOf = [&](std::size_t viewer) {
+      return viewer == reader ? std::string(texts::legend::kMe) : rig_.viewers[viewer].name;
+    };
+    const std::size_t first = seen.front().viewer;
+    std::string words = first == reader ? std::string(texts::message::kYouSawHitFirst)
+                                        : fmt::format(texts::message::kSawHitFirst, nameOf(first));
+    for (const HitSeen::Seen& later : seen.subspan(1)) {
+      const double later_s = later.room_s - seen.front().room_s;
+      words += fmt::format(texts::message::kSawHitLater, nameOf(later.viewer), later_s,
+                           later_s * scenario_.billiard.lightSpeed_m_s);
+    }
+    sayTo(reader, words, decision);
+  }
+}
+
+/// Says whose best shot is shown again; everybody sees it as whoever struck saw it.
+void LiveSource::tellWhoseShot(bool isEnd, Decision& decision) {
+  const std::size_t cushions = play_.shots.bestCushions();
+  const std::string& striker = rig_.viewers[play_.striker].name;
+  for (std::size_t reader = 0; reader < viewers_.size(); ++reader) {
+    const bool isOwn = reader == play_.striker;
+    const std::string words = isOwn ? fmt::format(texts::message::kBestShot, cushions)
+                                    : fmt::format(texts::message::kBestShotOf, striker, cushions);
+    sayTo(reader, isEnd ? fmt::format(texts::message::kLastShot, words) : words + texts::message::kBackToGame,
+          decision);
+  }
 }
 
 /// Begins to show the best shot again, or ends it; anything that the person does ends it as well.
 void LiveSource::showAgain(const FrameInput& input, double now_s, Decision& decision) {
-  const bool isAsked = lastOf<ShowBestShot>(input.commands) != nullptr;
+  const ShowBestShot* const asked = lastOf<ShowBestShot>(input.commands);
+  const bool isAsked = asked && (!asked->isEnd || play_.shots.hasBest());
   if (play_.shownFrom_s) {
     const bool isOver = !play_.shots.at(now_s - *play_.shownFrom_s);
-    if (isAsked || isOver || asksForAnything(wish_)) play_.shownFrom_s.reset();
+    if ((isAsked && !asked->isEnd) || isOver || asksForAnything(wish_)) play_.shownFrom_s.reset();
   } else if (isAsked && play_.shots.hasBest()) {
     play_.shownFrom_s = now_s;
-    say(fmt::format(texts::message::kBestShot, play_.shots.bestCushions()), decision);
+    tellWhoseShot(asked->isEnd, decision);
   } else if (isAsked) {
     say(texts::message::kNoCarom, decision);
   }
@@ -223,7 +284,7 @@ const ShotView* LiveSource::shotShown(double now_s) const {
 
 /// Returns what the devices ask of the drive. The thrust sets in over kOnset_s; it ends at once.
 DriveWish LiveSource::eased(double step_s) {
-  DriveWish wish = hands_.drive();
+  DriveWish wish = hands_[steering_].drive();
   onset_ = wish.steer == Vec3(0.0) ? 0.0 : std::min(1.0, onset_ + step_s / kOnset_s);
   wish.steer *= onset_;
   return wish;
@@ -231,7 +292,7 @@ DriveWish LiveSource::eased(double step_s) {
 
 /// Says once why steering does nothing.
 void LiveSource::sayWhyStill(const OperatorSettings& settings, Decision& decision) {
-  if (!asksForAnything(hands_.drive())) {
+  if (!asksForAnything(hands_[steering_].drive())) {
     play_.saidStill = false;
   } else if (!std::exchange(play_.saidStill, true)) {
     say(settings.views.frozen ? texts::message::kFrozen : texts::message::kAsks, decision);
@@ -246,36 +307,65 @@ std::optional<PointedChoice> LiveSource::pointedChoice(const HandInput& hand,
   return choiceAt(*front_, record.lesson.phase == LessonPhase::explains, hand.from_m, hand.along);
 }
 
-/// Processes the hand's interaction with the game in this frame. A press on one of the choices is neither a stroke
-/// nor an answer.
-void LiveSource::strike(bool still, const FrameTimes& times, const OperatorSettings& settings,
-                        Decision& decision) {
+/// Gives the desk's input to the viewer over whose walls the mouse is, and settles who steers: the first who wishes it.
+void LiveSource::begin(const DeskInput& desk, bool asks) {
+  if (desk.mouse) atDesk_ = std::min(desk.mouse->viewer, hands_.size() - 1);
+  for (std::size_t viewer = 0; viewer < hands_.size(); ++viewer)
+    hands_[viewer].begin(viewer == atDesk_ ? desk : DeskInput{}, asks);
+  const auto steers = std::find_if(hands_.begin(), hands_.end(),
+                                   [](const InputDevices& hand) { return asksForAnything(hand.drive()); });
+  if (steers != hands_.end()) steering_ = static_cast<std::size_t>(steers - hands_.begin());
+}
+
+/// Processes a viewer's interaction with the game in this frame. The record's first viewer is the one whose hand it is.
+/// A press on one of the choices is neither a stroke nor an answer.
+void LiveSource::strike(std::size_t viewer, bool still, const FrameTimes& times,
+                        const OperatorSettings& settings, Decision& decision) {
   FrameRecord& record = decision.frame.record;
-  HandInput hand = hands_.cue(viewer_.hand(), record.observer, viewer_.head().pose, times.display_s);
+  InputDevices& devices = hands_[viewer];
+  HandInput hand =
+      devices.cue(viewers_.hand(viewer), record.observer, viewers_.head(viewer).pose, times.display_s);
   const std::optional<PointedChoice> pointed = pointedChoice(hand, record);
-  std::optional<Command> command = hands_.lessonCommand();
+  std::optional<Command> command = devices.lessonCommand();
   if (pointed && hand.pressed) {
     command = commandOf(pointed->choice, settings);
-    hands_.letGo();
+    devices.letGo();
     hand.held = false;
   }
   if (command) {
-    decision.commands.push_back(*command);
+    decision.handCommands.push_back({*command, viewer});
+    play_.answeredBy = viewer;
     decision.isHandled = true;
   }
-  const CueInteraction::Outcome outcome = play_.hands.step(hand, still, play_.game, record);
+  const CueInteraction::Outcome outcome = play_.cues[viewer].step(hand, still, play_.game, record);
+  const bool isNew = scenario_.choices && scenario_.tour.empty() && record.score.strokes == 0;
+  if (isNew && !still) play_.cues[viewer].offer(0, play_.game, record);
   if (pointed && !record.hand.pulling) {
     record.hand.to_m = pointed->onWall_m;
     record.hand.target = 0;
   }
   if (outcome.stroke) {
-    decision.strokes.push_back(*outcome.stroke);
-    play_.score.struck(outcome.stroke->puck, outcome.arrives_s);
+    decision.strokes.push_back({*outcome.stroke, viewer});
+    play_.match.struck(viewer, viewers_.size(), outcome.stroke->puck, outcome.arrives_s);
+    play_.hit.struck(outcome.stroke->puck, outcome.arrives_s);
+    play_.striker = viewer;
     play_.shots.struck();
   }
-  rumble_.set(rumbleStrength(hand, record.hand));
-  if (outcome.stroke && hand.device == texts::kGamepad) rumble_.pulse();
-  say(outcome.said, decision);
+  if (viewer == atDesk_) {
+    rumble_.set(rumbleStrength(hand, record.hand));
+    if (outcome.stroke && hand.device == texts::kGamepad) rumble_.pulse();
+  }
+  sayTo(viewer, outcome.said, decision);
+}
+
+/// Discards what no viewer will see any more, not even in the best shot.
+void LiveSource::forget(Decision& decision) {
+  const FrameRecord& record = decision.frame.record;
+  std::array<ObserverView, kMostViewers + 1> observers;
+  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
+    observers[viewer] = record.viewer(viewer).observer;
+  observers[record.viewers] = play_.shots.earliest(record.viewer(play_.striker).observer, record.display_s);
+  play_.game.forget(world_.histories, std::span(observers).first(record.viewers + 1), decision.frame);
 }
 
 void LiveSource::next(const FrameTimes& given, const FrameInput& input, OperatorSettings& settings,
@@ -287,9 +377,9 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   record.number = times.number;
   record.display_s = times.display_s;
   record.lightSpeed_m_s = settings.lightSpeed_m_s;
-  putInto(record, settings);
+  carom::putInto(record, settings);
   tellChanges(input.commands, decision);
-  hands_.begin(input.desk, offersChoices(settings));
+  begin(input.desk, offersChoices(settings));
   wish_ = eased(times.step_s);
   decision.isHandled = asksForAnything(wish_);
   advanceLesson(record.lesson = settings.lesson, decision);
@@ -298,32 +388,39 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   const bool still = settings.views.frozen || play_.lesson.phase == LessonPhase::asks;
   showAgain(input, times.display_s, decision);
   see(settings, times, still, decision);
-  const bool isShot = shotShown(times.display_s) != nullptr;
-  strike(still || isShot || scenario_.lesson, times, settings,
-         decision);  // a lesson plays the same game again and again
-  record.score = play_.score.score();
+  play_.match.putInto(record);
+  const bool isShot = decision.showsShot = shotShown(times.display_s) != nullptr;
+  for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
+    std::swap(record.viewer(0), record.viewer(viewer));
+    // A lesson plays the same game again and again.
+    strike(viewer, still || isShot || scenario_.lesson, times, settings, decision);
+    std::swap(record.viewer(0), record.viewer(viewer));
+  }
   if (!still && !isShot) count(decision);
+  play_.match.putInto(record);
   if (still) sayWhyStill(settings, decision);
   for (const Command& command : input.commands) {
     if (const auto* tells = std::get_if<TellPerson>(&command)) say(tells->words, decision);
   }
-  say(play_.drive.news().words(), decision);
-  if (const Wall* left = roomBoundary_.look(viewer_.head().pose.position_m))
-    say(fmt::format(texts::message::kLeftRoom, left->name), decision);
+  sayTo(steering_, play_.drive.news().words(), decision);
+  for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
+    if (const Wall* left = roomBoundaries_[viewer].look(viewers_.head(viewer).pose.position_m))
+      sayTo(viewer, fmt::format(texts::message::kLeftRoom, left->name), decision);
+  }
   say(std::exchange(pendingMessage_, {}), decision);
-  record.notice = play_.message.at(times.display_s);
+  for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer)
+    record.viewer(viewer).notice = play_.messages[viewer].at(times.display_s);
   showCaption(decision);
-  if (settings.views.myNow) play_.game.playToNowOf(record.observer);
-  play_.game.advance(latestObservation_s(record.observer), frame);
-  if (times.number % kFramesBetweenForgetting == 0 && !scenario_.lesson)
-    play_.game.forget(world_.histories, play_.shots.earliest(record.observer, times.display_s), frame);
+  for (std::size_t viewer = 0; settings.views.myNow && viewer < viewers_.size(); ++viewer)
+    play_.game.playToNowOf(record.viewer(viewer).observer);
+  play_.game.advance(latestObservation_s(record), frame);
+  if (times.number % kFramesBetweenForgetting == 0 && !scenario_.lesson) forget(decision);
   record.fade = fade_s_ / kFade_s;
   fade_s_ = std::max(0.0, fade_s_ - given.step_s);
   record.last = lastFrame_ && times.number >= *lastFrame_;
-  record.tracked = viewer_.tracked();
-  decision.head = viewer_.head();
-  decision.samples = viewer_.samples();
-  decision.alarms = viewer_.takeAlarms();
+  for (std::size_t i = 0; i < viewers_.size(); ++i) decision.heads[i] = viewers_.head(i);
+  viewers_.samplesInto(decision.samples);
+  decision.alarms = viewers_.takeAlarms();
   decision.timing.sampleAge_s = sampleAge_s(times.begin_s);
 }
 
@@ -334,7 +431,7 @@ std::size_t LiveSource::captionsBegunAt(double own_s) const {
   return static_cast<std::size_t>(begun - scenario_.captions.begin());
 }
 
-/// Shows the scenario's caption for the observer's proper time, unless a message is shown. When a caption
+/// Shows everybody the scenario's caption for the first observer's proper time, unless a message is shown. When a caption
 /// begins, commands turn on its time views and turn off those of the caption before it.
 void LiveSource::showCaption(Decision& decision) {
   FrameRecord& record = decision.frame.record;
@@ -349,14 +446,17 @@ void LiveSource::showCaption(Decision& decision) {
     }
     decision.notes.push_back({"notice", caption.text});
   }
-  if (play_.captions == 0 || !record.notice.words().empty()) return;
+  if (play_.captions == 0) return;
   const Caption& latest = captions[play_.captions - 1];
-  if (own_s < latest.from_s + latest.for_s) record.notice = Notice(latest.text);
+  if (own_s >= latest.from_s + latest.for_s) return;
+  for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
+    if (record.viewer(viewer).notice.words().empty()) record.viewer(viewer).notice = Notice(latest.text);
+  }
 }
 
 double LiveSource::sampleAge_s(double begin_s) {
-  const SensorChoice& head = rig_.head.sensor;
-  for (const TrackerSample& sample : viewer_.samples()) {
+  const SensorChoice& head = rig_.viewers.front().head.sensor;
+  for (const TrackerSample& sample : viewers_.samples()) {
     if (sample.sensor == head.sensor) newestSample_s_ = sample.time_s - rig_.trackers[head.tracker].latency_s;
   }
   return begin_s - newestSample_s_;
@@ -365,7 +465,7 @@ double LiveSource::sampleAge_s(double begin_s) {
 SourceStatus LiveSource::status() const {
   SourceStatus status;
   if (lastFrame_) status.end = *lastFrame_ + 1;
-  status.trackers = viewer_.trackers();
+  status.trackers = viewers_.trackers();
   return status;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Decides the frames of a live game, for the viewer whose head is tracked.
+// Decides the frames of a live game, for the viewers whose heads are tracked.
 
 #include <chrono>
 #include <limits>
@@ -10,15 +10,16 @@
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
-#include "app/play/carom_score.h"
 #include "app/play/cue_interaction.h"
 #include "app/play/game.h"
+#include "app/play/hit_seen.h"
 #include "app/play/input_devices.h"
+#include "app/play/match.h"
 #include "app/play/shot_memory.h"
 #include "app/session/frame_source.h"
 #include "app/session/status_message.h"
 #include "app/viewer/platform_motion.h"
-#include "app/viewer/viewer.h"
+#include "app/viewer/viewers.h"
 #include "cave/overlay/choice_tiles.h"
 #include "cave/room/room_boundary.h"
 #include "devices/usb/rumble.h"
@@ -40,23 +41,29 @@ struct Play {
   /// Starts the game. `begins` is true for a new game and false for one that continues an earlier session;
   /// `struck` are the strokes by hand in that session.
   Play(const Scenario& scenario, const RoomAxes& axes, bool begins, std::span<const Stroke> struck = {})
-      : drive(scenario, axes, begins), game(scenario, struck), hands(scenario), isNew(begins) {}
+      : drive(scenario, axes, begins),
+        game(scenario, struck),
+        cues(kMostViewers, CueInteraction(scenario)),
+        isNew(begins) {}
 
   PlatformMotion drive;
   Game game;
-  CueInteraction hands;
-  CaromScore score;
+  std::vector<CueInteraction> cues;  ///< of each viewer
+  Match match;
+  HitSeen hit;
+  std::size_t striker = 0;  ///< the viewer who struck last, whose shot is kept
   ShotMemory shots;
-  std::optional<double> shownFrom_s;  ///< the best shot is shown again since this display time
-  bool saidStill = false;             ///< why steering does nothing was said
-  StatusMessage message;
-  LessonState lesson;                  ///< in the previous frame
-  std::size_t lessonObserver = 0;      ///< the lesson's velocity in the previous frame
-  bool explained = false;              ///< the lesson's moment was held in the previous frame
-  std::optional<double> passEnded_s;   ///< display time at which a pass of the lesson ended
-  DriveMode driven = DriveMode::free;  ///< in the previous frame
-  std::optional<ObserverView> frozen;  ///< the last view before time was frozen
-  std::size_t captions = 0;            ///< that have begun
+  std::optional<double> shownFrom_s;                 ///< the best shot is shown again since this display time
+  bool saidStill = false;                            ///< why steering does nothing was said
+  std::array<StatusMessage, kMostViewers> messages;  ///< of each viewer
+  LessonState lesson;                                ///< in the previous frame
+  std::size_t answeredBy = 0;                        ///< the viewer whose hand gave the last command
+  std::size_t lessonObserver = 0;                    ///< the lesson's velocity in the previous frame
+  bool explained = false;                            ///< the lesson's moment was held in the previous frame
+  std::optional<double> passEnded_s;                 ///< display time at which a pass of the lesson ended
+  DriveMode driven = DriveMode::free;                ///< in the previous frame
+  std::optional<ObserverViews> frozen;               ///< the last views before time was frozen
+  std::size_t captions = 0;                          ///< that have begun
   std::optional<std::tuple<Switches, Switches>> effects;  ///< shown in the previous frame: left, right
   bool isNew;  ///< its first frame is still to come: no time passes for the viewer while a game is loaded
 };
@@ -81,16 +88,23 @@ class LiveSource : public FrameSource {
  private:
   void advanceLesson(const LessonState& lesson, Decision& decision);
   void beginPass(std::size_t observer);
-  ObserverView lessonView(const OperatorSettings& settings, const FrameTimes& times);
+  ObserverViews lessonView(const OperatorSettings& settings, const FrameTimes& times);
   void see(const OperatorSettings& settings, const FrameTimes& times, bool still, Decision& decision);
   std::optional<PointedChoice> pointedChoice(const HandInput& hand, const FrameRecord& record) const;
-  void strike(bool still, const FrameTimes& times, const OperatorSettings& settings, Decision& decision);
+  void putInto(FrameRecord& record, const ObserverViews& views) const;
+  void begin(const DeskInput& desk, bool asks);
+  void strike(std::size_t viewer, bool still, const FrameTimes& times, const OperatorSettings& settings,
+              Decision& decision);
   void count(Decision& decision);
+  void tellWhoSawFirst(std::span<const HitSeen::Seen> seen, Decision& decision);
+  void forget(Decision& decision);
+  void tellWhoseShot(bool isEnd, Decision& decision);
   void showAgain(const FrameInput& input, double now_s, Decision& decision);
   const ShotView* shotShown(double now_s) const;
   DriveWish eased(double step_s);
   void sayWhyStill(const OperatorSettings& settings, Decision& decision);
   void say(std::string_view words, Decision& decision);
+  void sayTo(std::size_t viewer, std::string_view words, Decision& decision);
   void tellChanges(std::span<const Command> commands, Decision& decision);
   std::size_t captionsBegunAt(double own_s) const;
   void showCaption(Decision& decision);
@@ -99,14 +113,16 @@ class LiveSource : public FrameSource {
   const Rig& rig_;
   const Scenario& scenario_;
   const World& world_;
-  Viewer viewer_;
+  Viewers viewers_;
   Play play_;
-  InputDevices hands_;
-  DriveWish wish_;       ///< of this frame
-  double onset_ = 0.0;   ///< share of the steered thrust: it sets in softly
-  double fade_s_ = 0.0;  ///< how long the walls still come out of black
+  std::vector<InputDevices> hands_;  ///< of each viewer
+  std::size_t atDesk_ = 0;  ///< the viewer to whom mouse and keys belong: over whose walls the mouse was last
+  std::size_t steering_ = 0;  ///< the viewer who steered last
+  DriveWish wish_;            ///< of this frame
+  double onset_ = 0.0;        ///< share of the steered thrust: it sets in softly
+  double fade_s_ = 0.0;       ///< how long the walls still come out of black
   Rumble rumble_;
-  RoomBoundary roomBoundary_;
+  std::vector<RoomBoundary> roomBoundaries_;                          ///< of each viewer
   std::optional<Wall> front_;                                         ///< the wall with the choices
   std::optional<std::uint64_t> lastFrame_;                            ///< number of the last frame
   std::string pendingMessage_;                                        ///< message still to be shown

@@ -17,8 +17,9 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart,
   FrameState frame;
   const auto look = [&] {
     game.pucks = game.news.record.pucks = frame.record.pucks;
-    for (const EyeView& eye : frame.record.observer.all()) {
-      game.known_s = std::max(game.known_s, eye.observation.t_s);
+    for (std::size_t viewer = 0; viewer < frame.record.viewers; ++viewer) {
+      for (const EyeView& eye : frame.record.viewer(viewer).observer.all())
+        game.known_s = std::max(game.known_s, eye.observation.t_s);
     }
   };
   session.goToChanges();
@@ -42,8 +43,8 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart,
 }
 
 RecordedSource::RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz,
-                               std::optional<double> from_s)
-    : session_(session), atStart_(std::move(atStart)), period_s_(1.0 / display_hz) {
+                               std::optional<double> from_s, std::size_t viewer)
+    : session_(session), atStart_(std::move(atStart)), period_s_(1.0 / display_hz), viewer_(viewer) {
   const auto [first, last] = *session_.frames();
   span_s_ = {session_.shownAt_s(first), session_.shownAt_s(last)};
   session_.goTo(0);
@@ -125,10 +126,11 @@ void RecordedSource::next(const FrameTimes& times, const FrameInput& input, Oper
   }
   decision.frame = shown_;
   FrameRecord& record = decision.frame.record;
+  record = seenBy(shown_.record, viewer_);
   record.last = ends_ && moves && !more_;
   keepChanges(input.commands, settings, record);
   readOnly_.handled(input.desk, times.begin_s);
-  readOnly_.tell(times.begin_s, record.notice);
+  for (std::size_t i = 0; i < record.viewers; ++i) readOnly_.tell(times.begin_s, record.viewer(i).notice);
   begun_ = true;
 }
 
@@ -149,8 +151,13 @@ void RecordedSource::keepChanges(std::span<const Command> commands, OperatorSett
 /// Applies the operator's freezing. `wasFrozen` means that the recording itself is frozen in this frame.
 void RecordedSource::freeze(FrameRecord& record, bool wasFrozen) {
   if (!record.views.frozen || wasFrozen) return frozen_.reset();
-  if (!frozen_) frozen_ = record.observer;
-  record.observer = frozenViewAt(*frozen_, record.observer);
+  const bool begins = !frozen_;
+  if (begins) frozen_.emplace();
+  for (std::size_t i = 0; i < record.viewers; ++i) {
+    ObserverView& observer = record.viewer(i).observer;
+    if (begins) (*frozen_)[i] = observer;
+    observer = frozenViewAt((*frozen_)[i], observer);
+  }
 }
 
 SourceStatus RecordedSource::status() const { return {session_.frames()->second + 1, span_s_, {}}; }

@@ -2,6 +2,8 @@
 // Decides the frames of a recorded session: as recorded from beginning to end, or as the operator navigates
 // it.
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -30,9 +32,9 @@ class RecordedSource : public FrameSource {
  public:
   /// Plays `session`, which needs at least one frame and must outlive this object. `from_s`, on the session
   /// clock, is where playback starts, with the game as it was known then; without it, playback starts at the
-  /// first frame.
+  /// first frame. `viewer` is the one of the session's viewers who is the first of the frames that are shown.
   RecordedSource(SessionFile& session, std::vector<WorldLine> atStart, double display_hz,
-                 std::optional<double> from_s = {});
+                 std::optional<double> from_s = {}, std::size_t viewer = 0);
 
   /// Returns the recorded frames one after the other. Until the operator seeks or changes the rate, each
   /// frame has only the knots known when it was recorded, so the pixels are the same, and the session ends
@@ -64,7 +66,9 @@ class RecordedSource : public FrameSource {
   bool bringsGame_ = false;           ///< the next frame brings the game: all of it, unless leftAlone_
   Commands changed_;                  ///< the operator's latest command on each setting
   ReadOnlyNotice readOnly_;
-  std::optional<ObserverView> frozen_;  ///< the view that the operator has frozen
+  std::size_t viewer_;  ///< the first of the frames that are shown
+  /// The views of all viewers that the operator has frozen.
+  std::optional<std::array<ObserverView, kMostViewers>> frozen_;
 };
 
 }  // namespace carom

@@ -14,15 +14,17 @@
 namespace carom {
 namespace {
 
+/// Returns the rig for the one who visits: its first viewer.
 Rig rigOf(Rig rig, const Visitor& visitor) {
+  rig.viewers.resize(1);
   if (!visitor.trace) return rig;
-  TrackerSetup& tracker = rig.trackers[rig.head.sensor.tracker];
+  TrackerSetup& tracker = rig.trackers[rig.viewers.front().head.sensor.tracker];
   tracker = {};
   tracker.kind = TrackerKind::recorded;
   tracker.source = *visitor.trace;
-  rig.head.sensor.sensor = 0;
-  rig.head.eyesFromSensor = {};
-  rig.hand.reset();
+  rig.viewers.front().head.sensor.sensor = 0;
+  rig.viewers.front().head.eyesFromSensor = {};
+  rig.viewers.front().hand.reset();
   return rig;
 }
 
@@ -44,12 +46,12 @@ std::optional<double> lengthOf_s(const Visitor& visitor) {
 
 ReplayVisitorSource::ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
                                          RecordedGame game, std::chrono::steady_clock::time_point start)
-    : viewer_(rigOf(rig, visitor), scenarioOf(scenario, visitor), start),
+    : viewers_(rigOf(rig, visitor), scenarioOf(scenario, visitor), start),
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
               .inverse()),
       origin_{0.0, scenarioOf(scenario, visitor).observer.position_m},
-      eyeSeparation_m_(rig.head.eyeSeparation_m),
+      eyeSeparation_m_(rig.viewers.front().head.eyeSeparation_m),
       lightSpeed_m_s_(scenario.billiard.lightSpeed_m_s),
       end_s_(lengthOf_s(visitor)),
       mayStay_(visitor.mayStay),
@@ -81,15 +83,16 @@ ObserverView ReplayVisitorSource::goOn(const Playback& playback, const FrameTime
   double by_s = playback.paused ? 0.0 : playback.rate * times.step_s;
   // The beginning is the game's, at room time 0, however long the visit has lasted.
   if (goTo_s) by_s = *goTo_s > 0.0 ? *goTo_s - display_s_ : -roomTime_s_;
-  const ObserverView view = lives ? viewer_.at(times, eyeSeparation_m_)
-                                  : viewer_.freeView(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_));
+  const ObserverView view = lives
+                                ? viewers_.at(times, eyeSeparation_m_)[0]
+                                : viewers_.freeView(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_))[0];
   heldBack_ = latestSeen_s(view) > game_.known_s;
   if (!heldBack_) return view;
-  return viewer_.freeView(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view));
+  return viewers_.freeView(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view))[0];
 }
 
 ObserverView ReplayVisitorSource::look(const OperatorSettings& settings, const FrameTimes& times) {
-  if (settings.views.frozen && sight_) return viewer_.frozenView(*sight_, times, eyeSeparation_m_);
+  if (settings.views.frozen && sight_) return viewers_.frozenView({*sight_}, times, eyeSeparation_m_)[0];
   sight_ = goOn(settings.playback, times);
   roomTime_s_ = roomTimeOf_s(*sight_);
   return *sight_;
@@ -115,13 +118,12 @@ void ReplayVisitorSource::next(const FrameTimes& times, const FrameInput& input,
   record.number = times.number;
   record.pucks = game_.pucks;
   record.observer = look(settings, times);
-  record.boardFromRoom = viewer_.boardFromRoom();
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
   record.last = isLast(times, record.observer);
   putInto(record, settings);
-  record.tracked = viewer_.tracked();
-  decision.alarms = viewer_.takeAlarms();
+  viewers_.putInto(record);
+  decision.alarms = viewers_.takeAlarms();
   readOnly_.tell(display_s_, record.notice);
 }
 

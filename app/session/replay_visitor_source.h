@@ -10,7 +10,7 @@
 #include "app/session/frame_source.h"
 #include "app/session/read_only_notice.h"
 #include "app/session/recorded_source.h"
-#include "app/viewer/viewer.h"
+#include "app/viewer/viewers.h"
 
 namespace carom {
 
@@ -50,7 +50,7 @@ class ReplayVisitorSource : public FrameSource {
   double latestSeen_s(const ObserverView& view) const;
   bool isLast(const FrameTimes& times, const ObserverView& view);
 
-  Viewer viewer_;
+  Viewers viewers_;
   Lorentz roomFromBoard_;
   Event origin_;  ///< of the room at room time 0
   double eyeSeparation_m_;

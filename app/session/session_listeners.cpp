@@ -21,13 +21,13 @@ void JournalListener::keep(std::unique_ptr<Journal> journal) {
 void JournalListener::shown(const Decision& decision) {
   if (!journal_) return;
   const std::uint64_t number = decision.frame.record.number;
-  for (const Note& input : decision.inputs) journal_->addInput(number, input.what, input.value);
+  for (const Note& input : decision.inputs) journal_->addInput(number, input.what, input.value, input.viewer);
   for (const LessonAnswer& answer : decision.answers) {
-    journal_->addAnswer(number, answer.lesson, answer.question, answer.answer);
+    journal_->addAnswer(number, answer.lesson, answer.question, answer.answer, answer.viewer);
   }
-  for (const Note& note : decision.notes) journal_->addInput(number, note.what, note.value);
+  for (const Note& note : decision.notes) journal_->addInput(number, note.what, note.value, note.viewer);
   if (statistics_) journal_->add(statistics_->rows());
-  journal_->add(decision.frame, decision.head, decision.samples, decision.strokes);
+  journal_->add(decision.frame, decision.heads, decision.samples, decision.strokes);
 }
 
 void ProgressListener::shown(const Decision& decision) {

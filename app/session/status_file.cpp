@@ -57,10 +57,11 @@ nlohmann::ordered_json nodesOf(const std::vector<LatencyView::Node>& all) {
 nlohmann::ordered_json trackersOf(const std::vector<TrackerReport>& reports) {
   auto trackers = nlohmann::ordered_json::array();
   for (const TrackerReport& report : reports) {
+    const bool isExplained = lampOf(report) == TrackerLamp::well || !report.health.message.empty();
     trackers.push_back({{"name", report.name},
                         {"use", report.use},
                         {"state", wordsFor(lampOf(report))},
-                        {"message", report.health.message},
+                        {"message", isExplained ? report.health.message : headWords(report)},
                         {"rate_hz", report.rate_hz},
                         {"age_ms", 1e3 * report.age_s}});
   }

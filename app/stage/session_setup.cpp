@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 
+#include "app/files/rig_viewers.h"
 #include "app/files/starting_histories.h"
 #include "app/files/traces.h"
 #include "app/stage/all_ranks.h"
@@ -96,6 +97,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   agreeOnVersion(cluster);
   Handover files(cluster);
   setup.rig = files.rig(options.rig);
+  if (options.onlyFor) setup.rig = rigFor(std::move(setup.rig), *options.onlyFor);
   setup.scenario = files.scenario(options.scenario);
   limitDrive(setup);
   onAllRanks(cluster, [&] {
@@ -121,8 +123,11 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
                                                       plainTable(setup.scenario), setup.desk.outside);
     }
   });
-  setup.realTime = !options.simulated ||
-                   (options.live && isDevice(setup.rig.trackers[setup.rig.head.sensor.tracker].kind));
+  const bool tracked =
+      std::any_of(setup.rig.viewers.begin(), setup.rig.viewers.end(), [&](const ViewerSetup& viewer) {
+        return isDevice(setup.rig.trackers[viewer.head.sensor.tracker].kind);
+      });
+  setup.realTime = !options.simulated || (options.live && tracked);
   onAllRanks(cluster, [&] {
     setup.recording =
         std::make_unique<Recording>(*setup.graphics, options.recording, cluster, setup.rig, setup.realTime);

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/files/rig.h"
@@ -26,6 +28,8 @@ struct SetupOptions {
   bool simulated = false;  ///< simulated time, unless a device tracks the head
   /// What rank 0 shows besides the walls; without windows, the view from outside is drawn all the same.
   ExtraWindows extra;
+  /// The viewer for whom alone walls are drawn, "" for the first; without a value, everybody's are.
+  std::optional<std::string> onlyFor{};
 };
 
 struct SessionSetup {

@@ -26,15 +26,16 @@ constexpr double kQuiet_m = 0.002;  // noise of a sample that deserves no remark
 double mm(double length_m) { return 1e3 * length_m; }
 
 CalibrationPlan planOf(const Rig& rig, const CalibrateOptions& options) {
-  if (options.tool == "hand" && !rig.hand) {
+  if (options.tool == "hand" && !rig.viewers.front().hand) {
     throw std::runtime_error("the rig has no [hand] to touch corners with, expected --tool head");
   }
-  const bool byHand = rig.hand && options.tool != "head";
-  CalibrationPlan plan{.tool = byHand ? SensorChoice(*rig.hand) : rig.head.sensor,
-                       .corners = cornersOf(rig),
-                       .pivot = options.pivot,
-                       .sight = options.sight,
-                       .targets = {}};
+  const bool byHand = rig.viewers.front().hand && options.tool != "head";
+  CalibrationPlan plan{
+      .tool = byHand ? SensorChoice(*rig.viewers.front().hand) : rig.viewers.front().head.sensor,
+      .corners = cornersOf(rig),
+      .pivot = options.pivot,
+      .sight = options.sight,
+      .targets = {}};
   const std::vector<NamedCorner> all = plan.corners;
   const std::string& first = rig.walls.front().name;
   const std::string usual =
@@ -144,7 +145,7 @@ bool judgeEyes(const Rig& rig, const CalibrationPlan& plan, const CalibrationDat
       return false;
     }
   }
-  const std::size_t headTracker = rig.head.sensor.tracker;
+  const std::size_t headTracker = rig.viewers.front().head.sensor.tracker;
   const Pose room =
       headTracker == plan.tool.tracker ? *found.roomFromTracker : rig.trackers[headTracker].roomFromTracker;
   const glm::dvec3 mark_m = *found.roomFromTracker * data.mark->at_m;
@@ -170,11 +171,11 @@ void tellLines(const PlacedRig& placed, const CalibrationPlan& plan, const Found
     fmt::print("# [head]\neye_separation = {}\n{}\n", lengthText(found.eyes->separation_m, placed.unit_m),
                poseLine("eyes_from_sensor", found.eyes->eyesFromSensor, placed.unit_m));
   }
-  const bool ofHand =
-      rig.hand && rig.hand->tracker == plan.tool.tracker && rig.hand->sensor == plan.tool.sensor;
+  const bool ofHand = rig.viewers.front().hand && rig.viewers.front().hand->tracker == plan.tool.tracker &&
+                      rig.viewers.front().hand->sensor == plan.tool.sensor;
   if (!found.tip_m || !ofHand) return;
   // The hand's ray begins at the tip and keeps its direction.
-  const glm::dquat& turn = rig.hand->handFromSensor.orientation;
+  const glm::dquat& turn = rig.viewers.front().hand->handFromSensor.orientation;
   fmt::print("# [hand], so that its ray begins at the tip\n{}\n",
              poseLine("hand_from_sensor", {-(turn * *found.tip_m), turn}, placed.unit_m));
 }

@@ -15,6 +15,7 @@
 #include "app/files/config_folder.h"
 #include "app/files/playlist.h"
 #include "app/files/rig.h"
+#include "app/files/rig_viewers.h"
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
 #include "app/files/traces.h"
@@ -83,9 +84,10 @@ void tellWalls(const Room& room) {
 
 /// Prints the first lines about a room of any format.
 void tellHead(const Room& room) {
-  const glm::dvec3& eyes_m = room.viewer.eyes_m;
-  fmt::print("distances are seen from {}, eyes at ({}, {}, {}) mm\n", room.viewer.words,
-             std::lround(eyes_m.x * 1e3), std::lround(eyes_m.y * 1e3), std::lround(eyes_m.z * 1e3));
+  for (const auto& [eyes_m, at, words] : room.viewers) {
+    fmt::print("distances are seen from {}, eyes at ({}, {}, {}) mm\n", words, std::lround(eyes_m.x * 1e3),
+               std::lround(eyes_m.y * 1e3), std::lround(eyes_m.z * 1e3));
+  }
   for (const NodeSetup& node : room.nodes)
     fmt::print("rank {} draws on display {}\n", node.rank, node.display);
 }
@@ -100,6 +102,23 @@ int tellForeignRoom(const std::filesystem::path& path) {
   tellHead(room);
   for (const std::string& assumption : room.assumptions) fmt::print("assumed: {}\n", assumption);
   return failed ? 1 : 0;
+}
+
+/// Prints how a viewer is tracked and, where there are several, what this one sees of each screen.
+void tellViewer(const Rig& rig, std::size_t viewer) {
+  const auto& [name, head, hand] = rig.viewers[viewer];
+  const bool several = rig.viewers.size() > 1;
+  const std::string whose = several ? name + "'s " : "";
+  fmt::print("{}head: tracker {}, sensor {}, eyes {:.1f} mm apart\n", whose,
+             rig.trackers[head.sensor.tracker].name, head.sensor.sensor, head.eyeSeparation_m * 1e3);
+  if (hand) {
+    const std::string buttons =
+        hand->buttons ? ", buttons of tracker " + rig.trackers[*hand->buttons].name : "";
+    fmt::print("{}hand: tracker {}, sensor {}{}\n", whose, rig.trackers[hand->tracker].name, hand->sensor,
+               buttons);
+  }
+  if (!several) return;
+  for (const std::string& sight : sightsOf(rig, viewer)) fmt::print("{} {}\n", name, sight);
 }
 
 void tellRig(const std::filesystem::path& path) {
@@ -120,15 +139,7 @@ void tellRig(const std::filesystem::path& path) {
     const std::string from = tracker.source.empty() ? "" : ", from " + tracker.source.string();
     fmt::print("tracker {}: {}{}\n", tracker.name, toString(tracker.kind), from);
   }
-  fmt::print("head: tracker {}, sensor {}, eyes {:.1f} mm apart\n",
-             rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor,
-             rig.head.eyeSeparation_m * 1e3);
-  if (rig.hand) {
-    const std::string buttons =
-        rig.hand->buttons ? ", buttons of tracker " + rig.trackers[*rig.hand->buttons].name : "";
-    fmt::print("hand: tracker {}, sensor {}{}\n", rig.trackers[rig.hand->tracker].name, rig.hand->sensor,
-               buttons);
-  }
+  for (std::size_t viewer = 0; viewer < rig.viewers.size(); ++viewer) tellViewer(rig, viewer);
   tellHead(room);
 }
 

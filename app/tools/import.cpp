@@ -46,15 +46,15 @@ std::string tomlText(std::string_view text) {
 void putOnFloor(Room& room) {
   const auto floor_m = floorHeight_m(room);
   const glm::dvec3 up = room.axes.up;
-  const double eyes_m = glm::dot(room.viewer.eyes_m, up);
-  const glm::dvec3 beneath_m = room.viewer.eyes_m - eyes_m * up;
+  const double eyes_m = glm::dot(room.viewers.front().eyes_m, up);
+  const glm::dvec3 beneath_m = room.viewers.front().eyes_m - eyes_m * up;
   const glm::dvec3 shift_m = -beneath_m + (floor_m ? -*floor_m : kStandingEyes_m - eyes_m) * up;
   for (RoomWall& wall : room.walls) {
     wall.wall.lowerLeft_m += shift_m;
     wall.wall.lowerRight_m += shift_m;
     wall.wall.upperLeft_m += shift_m;
   }
-  room.viewer.eyes_m += shift_m;
+  room.viewers.front().eyes_m += shift_m;
   room.floor_m = 0.0;
   if (!floor_m) {
     room.assumptions.push_back(
@@ -95,7 +95,7 @@ std::string headText(const Room& room) {
   text += fmt::format(
       "\n[[tracker]]\nname = \"person\"\nkind = \"simulated\"\n"
       "room_from_tracker = {{ translation = {}, rotation_deg = [0, 0, 0] }}\n",
-      vectorText(room.viewer.eyes_m - kStandingEyes_m * room.axes.up));
+      vectorText(room.viewers.front().eyes_m - kStandingEyes_m * room.axes.up));
   for (const NodeSetup& node : room.nodes) {
     text += fmt::format("\n[[node]]\nrank = {}\ndisplay = {}\n", node.rank, tomlText(node.display));
   }

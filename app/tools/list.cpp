@@ -11,6 +11,7 @@
 #include "app/files/playlist.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/journal/session_file.h"
 #include "app/operator/visitor_choices.h"
 
 namespace carom {
@@ -106,6 +107,20 @@ int runList() {
              : 0;
 }
 
+/// Prints the games of a session: number, start, first and last second on the session clock, title.
+int listGames(const std::filesystem::path& file) {
+  const SessionFile session(file);
+  fmt::print("games of {} (carom replay {} --game N)\n", file.string(), file.string());
+  fmt::print("{:>5}  {:20}  {:>17}  {}\n", "game", "started", "session clock", "title");
+  std::size_t number = 0;
+  for (const SessionGame& game : session.games()) {
+    const std::string title = readScenario(game.scenario, game.scenarioText).title;
+    fmt::print("{:5}  {:20}  {:>7.1f}-{:>7.1f} s  {}\n", ++number, game.startedUtc, game.from_s, game.to_s,
+               title);
+  }
+  return 0;
+}
+
 }  // namespace
 
 ListedFiles listFiles(const std::filesystem::path& folder) {
@@ -126,10 +141,14 @@ ListedFiles listFiles(const std::filesystem::path& folder) {
 }
 
 void addList(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "list", "List the shipped games, lessons, rigs, playlists and traces, and those in this folder");
-  command->footer("Example:\n  carom list");
-  command->callback([&status] { status = runList(); });
+  CLI::App* command = app.add_subcommand("list",
+                                         "List the shipped games, lessons, rigs, playlists and traces, and "
+                                         "those in this folder; or the games of a "
+                                         "session");
+  const auto session = std::make_shared<std::optional<std::filesystem::path>>();
+  command->add_option("SESSION", *session, "Session file whose games are listed");
+  command->footer("Examples:\n  carom list\n  carom list visit.db");
+  command->callback([session, &status] { status = *session ? listGames(**session) : runList(); });
 }
 
 }  // namespace carom

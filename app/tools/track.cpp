@@ -72,8 +72,10 @@ struct Watched {
 /// Returns a counter for each sensor of that tracker whose pose the rig uses.
 std::vector<LossCounter> lossCountersOf(const Rig& rig, std::size_t tracker) {
   std::vector<LossCounter> counters;
-  if (rig.head.sensor.tracker == tracker) counters.emplace_back(rig.head.sensor.sensor);
-  if (rig.hand && rig.hand->tracker == tracker) counters.emplace_back(rig.hand->sensor);
+  if (rig.viewers.front().head.sensor.tracker == tracker)
+    counters.emplace_back(rig.viewers.front().head.sensor.sensor);
+  if (rig.viewers.front().hand && rig.viewers.front().hand->tracker == tracker)
+    counters.emplace_back(rig.viewers.front().hand->sensor);
   return counters;
 }
 
@@ -83,7 +85,7 @@ class Recording {
  public:
   Recording(std::filesystem::path file, const Rig& rig)
       : file_(std::move(file)),
-        sensor_(rig.head.sensor),
+        sensor_(rig.viewers.front().head.sensor),
         latency_s_(rig.trackers[sensor_.tracker].latency_s) {
     const TrackerSetup& tracker = rig.trackers[sensor_.tracker];
     comment_ = fmt::format("recorded by carom track: tracker {} ({}), sensor {}", tracker.name,

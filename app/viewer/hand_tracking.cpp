@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "devices/setup/tracker_factory.h"
-
 namespace carom {
 namespace {
 
@@ -39,43 +37,47 @@ const TrackerSetup* spaceMouseOf(const Rig& rig) {
   return found == rig.trackers.end() ? nullptr : &*found;
 }
 
-HandTracking::Trackers open(const Rig& rig, std::chrono::steady_clock::time_point sessionStart) {
+bool isFirst(const Rig& rig, const ViewerSetup& viewer) { return &viewer == &rig.viewers.front(); }
+
+HandTracking::Trackers open(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& shared) {
   HandTracking::Trackers trackers;
   const auto opened = [&](std::size_t tracker) -> std::unique_ptr<Tracker> {
-    const TrackerSetup& setup = rig.trackers[tracker];
-    if (tracker == rig.head.sensor.tracker || setup.kind == TrackerKind::spaceMouse) return nullptr;
-    return createTracker(setup, rig.axes, sessionStart);
+    const bool isMouse = rig.trackers[tracker].kind == TrackerKind::spaceMouse;
+    if (tracker == viewer.head.sensor.tracker || isMouse) return nullptr;
+    return shared.follow(tracker);
   };
-  if (rig.hand) trackers.wand = opened(rig.hand->tracker);
-  if (rig.hand && rig.hand->buttons) trackers.buttons = opened(*rig.hand->buttons);
-  if (const TrackerSetup* mouse = spaceMouseOf(rig))
-    trackers.spaceMouse = createTracker(*mouse, rig.axes, sessionStart);
+  if (viewer.hand) trackers.wand = opened(viewer.hand->tracker);
+  if (viewer.hand && viewer.hand->buttons) trackers.buttons = opened(*viewer.hand->buttons);
+  const TrackerSetup* mouse = spaceMouseOf(rig);
+  if (mouse && isFirst(rig, viewer))
+    trackers.spaceMouse = shared.follow(static_cast<std::size_t>(mouse - rig.trackers.data()));
   return trackers;
 }
 
 }  // namespace
 
-HandTracking::HandTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart)
-    : HandTracking(rig, open(rig, sessionStart)) {}
+HandTracking::HandTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& trackers)
+    : HandTracking(rig, viewer, open(rig, viewer, trackers)) {}
 
-HandTracking::HandTracking(const Rig& rig, Trackers trackers) : trackers_(std::move(trackers)) {
+HandTracking::HandTracking(const Rig& rig, const ViewerSetup& viewer, Trackers trackers)
+    : trackers_(std::move(trackers)) {
   samples_.reserve(kMostSamples);
   inputs_.reserve(kMostSamples);
   if (const TrackerSetup* mouse = spaceMouseOf(rig)) spaceMouseName_ = mouse->name;
-  if (!rig.hand) return;
-  const TrackerSetup& wand = rig.trackers[rig.hand->tracker];
+  if (!viewer.hand) return;
+  const TrackerSetup& wand = rig.trackers[viewer.hand->tracker];
   if (wand.kind == TrackerKind::spaceMouse) return;  // it has no pose
-  place_.emplace(rig.hand->sensor, wand.roomFromTracker);
-  sensorFromHand_ = inverse(rig.hand->handFromSensor);
-  sensor_ = rig.hand->sensor;
+  place_.emplace(viewer.hand->sensor, wand.roomFromTracker);
+  sensorFromHand_ = inverse(viewer.hand->handFromSensor);
+  sensor_ = viewer.hand->sensor;
   wandName_ = buttonsName_ = wand.name;
   wandWatch_.emplace(wandName_, sensor_, kWithoutWand);
-  otherButtons_ = rig.hand->buttons.has_value();
+  otherButtons_ = viewer.hand->buttons.has_value();
   if (!otherButtons_) {
     buttonsSensor_ = wand.kind == TrackerKind::vrpn ? 0 : sensor_;  // as vrpn_decoder.h
     return;
   }
-  buttonsName_ = rig.trackers[*rig.hand->buttons].name;
+  buttonsName_ = rig.trackers[*viewer.hand->buttons].name;
   buttonsWatch_.emplace(buttonsName_, std::nullopt);
 }
 

@@ -1,11 +1,10 @@
 #pragma once
-// The tracked hand devices of a rig: a wand with a pose, buttons and axes, and a SpaceMouse, which has no
+// The tracked hand devices of a viewer: a wand with a pose, buttons and axes, and a SpaceMouse, which has no
 // pose and only steers. The wand may be a sensor of the head's tracker. Its buttons may come from another
 // tracker: from whichever sensor there sends some or, if several do, from the one with the wand's sensor
 // number.
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "app/files/rig.h"
+#include "app/viewer/shared_trackers.h"
 #include "devices/monitor/sensor_place.h"
 #include "devices/monitor/tracker_alarm.h"
 #include "devices/monitor/tracker_report.h"
@@ -48,9 +48,9 @@ class HandTracking {
     std::unique_ptr<Tracker> wand, spaceMouse, buttons;
   };
 
-  HandTracking(const Rig& rig, Trackers trackers);
-  /// Opens the trackers of the rig. The first SpaceMouse among them steers.
-  HandTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart);
+  HandTracking(const Rig& rig, const ViewerSetup& viewer, Trackers trackers);
+  /// Follows the trackers of one of the rig's viewers. The first SpaceMouse among them steers, for the first viewer.
+  HandTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& trackers);
 
   /// Takes everything received up to the start of a frame. `samples` and `inputs` are those of the head's
   /// tracker.

@@ -2,19 +2,18 @@
 
 #include <glm/geometric.hpp>
 
-#include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
 
 namespace carom {
-HeadTracking::HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart)
-    : setup_(rig.head),
-      roomFromTracker_(rig.trackers[rig.head.sensor.tracker].roomFromTracker),
-      latency_s_(rig.trackers[rig.head.sensor.tracker].latency_s),
-      tracker_(createTracker(rig.trackers[rig.head.sensor.tracker], rig.axes, sessionStart)),
-      watch_(rig.trackers[rig.head.sensor.tracker].name, rig.head.sensor.sensor),
-      headPlace_(rig.head.sensor.sensor, roomFromTracker_),
-      hand_(rig, sessionStart),
-      name_(rig.trackers[rig.head.sensor.tracker].name),
+HeadTracking::HeadTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& trackers)
+    : setup_(viewer.head),
+      roomFromTracker_(rig.trackers[setup_.sensor.tracker].roomFromTracker),
+      latency_s_(rig.trackers[setup_.sensor.tracker].latency_s),
+      tracker_(trackers.follow(setup_.sensor.tracker)),
+      watch_(rig.trackers[setup_.sensor.tracker].name, setup_.sensor.sensor),
+      headPlace_(setup_.sensor.sensor, roomFromTracker_),
+      hand_(rig, viewer, trackers),
+      name_(rig.trackers[setup_.sensor.tracker].name),
       standing_{rig.axes.up * kStandingEyes_m, {1.0, 0.0, 0.0, 0.0}} {
   constexpr std::size_t kMostSamples = 4096;  // per frame; more than a device's queue holds
   samples_.reserve(kMostSamples);

@@ -1,7 +1,6 @@
 #pragma once
-// Tracks the viewer's head in the room: tracker → pose of the eyes → filter.
+// Tracks a viewer's head in the room: tracker → pose of the eyes → filter.
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 
 #include "app/files/rig.h"
 #include "app/viewer/hand_tracking.h"
+#include "app/viewer/shared_trackers.h"
 #include "cave/frame/frame_state.h"
 #include "cave/frame/pacer.h"
 #include "devices/filter/head_filter.h"
@@ -24,9 +24,8 @@ namespace carom {
 
 class HeadTracking {
  public:
-  /// Opens the rig's trackers. `sessionStart` is where the session clock reads zero. Throws InputError if a
-  /// recorded trace is invalid.
-  HeadTracking(const Rig& rig, std::chrono::steady_clock::time_point sessionStart);
+  /// Follows the trackers of one of the rig's viewers. Throws InputError if a recorded trace is invalid.
+  HeadTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& trackers);
 
   /// Takes all samples up to the start of the frame and returns the head predicted for its display time.
   HeadEstimate at(const FrameTimes& times);

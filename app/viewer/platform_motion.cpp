@@ -6,12 +6,14 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "cave/frame/hall.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
+#include "engine/spacetime/attitude.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -28,23 +30,51 @@ constexpr double kMeant = 0.1;          // least steering that ends a tour; less
 constexpr int kMostStretches = 32;      // per frame; the rest then passes without thrust
 constexpr std::size_t kTripPushes = 3;  // accelerate, coast, decelerate
 
-/// Returns the room's orientation: boardFromRoom is a boost after it.
-glm::dquat attitudeOf(const Lorentz& boardFromRoom) {
-  const glm::dmat4 rest =
-      (Lorentz::boost(boardFromRoom.u(), boardFromRoom.lightSpeed_m_s()).inverse() * boardFromRoom).matrix();
-  return glm::normalize(
-      glm::quat_cast(glm::dmat3(Vec3(rest[1].y, rest[1].z, rest[1].w), Vec3(rest[2].y, rest[2].z, rest[2].w),
-                                Vec3(rest[3].y, rest[3].z, rest[3].w))));
-}
+using Heads = std::array<Head, kMostViewers>;
 
-Head headOnTheWay(const Head& before, const Head& head, double share) {
-  Head there = head;
-  there.roomFromHead.position_m =
-      glm::mix(before.roomFromHead.position_m, head.roomFromHead.position_m, share);
+/// Returns the heads at a fraction of a frame in which they move from where `before` has them to `heads`.
+Heads headsOnTheWay(const Observers& before, std::span<const Head> heads, double share) {
+  Heads there;
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    there[i] = heads[i];
+    there[i].roomFromHead.position_m =
+        glm::mix(before[i].head.roomFromHead.position_m, heads[i].roomFromHead.position_m, share);
+  }
   return there;
 }
 
 }  // namespace
+
+double PlatformMotion::Left::lasts_s(double part, const Vec3& thrust_m_s2) const {
+  if (observers.size() == 1) return part * frame.platform_s(thrust_m_s2);
+  const Heads there = headsOnTheWay(frame.before, frame.heads, 1.0 - share + part);
+  return observers.roomTimeOf_s(part * frame.person_s, std::span(there).first(frame.heads.size()), frame.pace,
+                                thrust_m_s2, frame.steering);
+}
+
+double PlatformMotion::Left::partThatLasts(double for_s, const Vec3& thrust_m_s2) const {
+  if (observers.size() == 1) return for_s / frame.platform_s(thrust_m_s2);
+  double least = 0.0, most = share;  // a longer part lasts longer
+  for (int halvings = 0; halvings < 60; ++halvings) {
+    const double middle = 0.5 * (least + most);
+    (lasts_s(middle, thrust_m_s2) < for_s ? least : most) = middle;
+  }
+  return most;
+}
+
+/// Returns the mean thrust over the rest of a frame. `gain_m_s`: what the room's rapidity, times c, gains in so
+/// much of its time.
+template <typename Gain>
+PlatformMotion::Manoeuvre PlatformMotion::meanOf(const Left& left, const Gain& gain_m_s) {
+  constexpr double kEndless_s = std::numeric_limits<double>::infinity();
+  constexpr double kLeastLapse = 0.25;  // 1/2 less what observers move in a frame
+  double least_s = 0.0, most_s = left.platform_s() / kLeastLapse;
+  for (int halvings = 0; halvings < 60; ++halvings) {
+    const double middle_s = 0.5 * (least_s + most_s);
+    (left.platform_s(gain_m_s(middle_s) / middle_s) > middle_s ? least_s : most_s) = middle_s;
+  }
+  return {kEndless_s, most_s > 0.0 ? gain_m_s(most_s) / most_s : Vec3(0.0)};
+}
 
 PlatformMotion::PlatformMotion(const Scenario& scenario, const RoomAxes& axes, bool begins)
     : c_m_s_(scenario.billiard.lightSpeed_m_s),
@@ -66,9 +96,9 @@ PlatformMotion::PlatformMotion(const Scenario& scenario, const RoomAxes& axes, b
   if (begins && scenario.tourAtOnce) setOut();
 }
 
-void PlatformMotion::begin(const Observer& observer) {
+void PlatformMotion::begin(const Observers& observers) {
   setsOut_ = false;
-  const Vec3 u = observer.boardFromRoom().u();
+  const Vec3 u = observers.boardFromRoom().u();
   if (tour_.empty()) {
     notice_ = Notice(texts::message::kNoFlight);
   } else if (view_.mode == DriveMode::tour) {
@@ -82,10 +112,10 @@ void PlatformMotion::begin(const Observer& observer) {
   }
 }
 
-void PlatformMotion::endTour(const Observer& observer) {
+void PlatformMotion::endTour(const Observers& observers) {
   leaveWay(DriveMode::free);
-  const double board_s = observer.headEvent().t_s - setOutBoard_s_,
-               own_s = observer.properTime_s() - setOutOwn_s_;
+  const double board_s = observers.headEvent(setOutBy_).t_s - setOutBoard_s_,
+               own_s = observers.properTime_s(setOutBy_) - setOutOwn_s_;
   notice_ = Notice(fmt::format(texts::message::kFlightFinished, board_s, own_s));
 }
 
@@ -120,60 +150,68 @@ void PlatformMotion::obey(const DriveWish& wish) {
   }
 }
 
-void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, const Head& before,
-                          const Head& head, Observer& observer) {
-  if (setsOut_) begin(observer);
+void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, std::span<const Head> heads,
+                          Observers& observers, std::size_t steering) {
+  steering_ = steering;
+  strongest_m_s2_ = strongestThrust_m_s2(c_m_s_, observers.farthestFrom_m(steering));
+  if (setsOut_) begin(observers);
   obey(wish);
   view_.atLimit = 0;
+  observers.beginFrame();
+  const Observers before = observers;
   const bool turns = view_.mode == DriveMode::free || view_.mode == DriveMode::braking;
-  if (turns && wish.turn_rad != 0.0) observer.turn(wish.turn_rad, up_);
-  // Observer's dT = sqrt(dτ² + |dx|²/c²): both run evenly through the frame.
-  Vec3 step_m = head.roomFromHead.position_m - before.roomFromHead.position_m;
-  if (!(glm::length(step_m) <= kGlitchCelerity_m_s * dtau_s)) step_m = Vec3(0.0);
-  const double frame_s = std::hypot(pace * dtau_s, glm::length(step_m) / c_m_s_);
+  if (turns && wish.turn_rad != 0.0) observers.turn({wish.turn_rad, up_}, steering);
+  const Frame frame{before, heads, dtau_s, pace, steering};
   Vec3 gained_m_s(0.0);
   double lived = 0.0;  // fraction of the frame
   for (int count = 0; lived < 1.0 && count < kMostStretches; ++count) {
-    const Vec3 headInRoom_m = headOnTheWay(before, head, lived).roomFromHead.position_m;
-    const Left left{(1.0 - lived) * frame_s, (1.0 - lived) * dtau_s};
-    const Manoeuvre stretch = next(wish, observer, headInRoom_m, left);
+    const Heads here = headsOnTheWay(before, heads, lived);
+    const Left left{frame, observers, 1.0 - lived};
+    const Manoeuvre stretch = next(wish, observers, here[steering].roomFromHead.position_m, left);
     if (view_.mode == DriveMode::tour && stretch.thrust_m_s2 != Vec3(0.0) && !std::exchange(thrusts_, true)) {
-      setOutBoard_s_ = observer.headEvent().t_s;
-      setOutOwn_s_ = observer.properTime_s();
+      setOutBy_ = steering;
+      setOutBoard_s_ = observers.headEvent(steering).t_s;
+      setOutOwn_s_ = observers.properTime_s(steering);
     }
-    const double until = stretch.for_s < left.platform_s ? lived + stretch.for_s / frame_s : 1.0;
-    observer.step((until - lived) * dtau_s, headOnTheWay(before, head, until), pace, stretch.thrust_m_s2);
-    if (stretch.turn_rad != 0.0) observer.turn(stretch.turn_rad, stretch.turnAxisInRoom);
-    gained_m_s += stretch.thrust_m_s2 * ((until - lived) * frame_s);
+    const double until = stretch.for_s < left.platform_s(stretch.thrust_m_s2)
+                             ? lived + left.partThatLasts(stretch.for_s, stretch.thrust_m_s2)
+                             : 1.0;
+    const double lasts_s = left.lasts_s(until - lived, stretch.thrust_m_s2);
+    const Heads there = headsOnTheWay(before, heads, until);
+    observers.step((until - lived) * dtau_s, std::span(there).first(heads.size()), pace, stretch.thrust_m_s2,
+                   steering, {stretch.turn_rad, stretch.turnAxisInRoom});
+    gained_m_s += stretch.thrust_m_s2 * lasts_s;
     lived = until;
   }
-  if (lived < 1.0) observer.step((1.0 - lived) * dtau_s, head, pace);
-  if (view_.mode == DriveMode::tour && push_ == way_.size()) endTour(observer);
-  const bool far = steered_ && glm::length(glm::dvec2(observer.headEvent().r_m)) > kFar_m;
+  if (lived < 1.0) observers.step((1.0 - lived) * dtau_s, heads, pace, Vec3(0.0), steering);
+  if (view_.mode == DriveMode::tour && push_ == way_.size()) endTour(observers);
+  const bool far = steered_ && glm::length(glm::dvec2(observers.headEvent(steering).r_m)) > kFar_m;
   if (far && view_.mode == DriveMode::free) sayOnce(saidFar_, texts::message::kFarFromTable);
   if (!far) saidFar_ = false;
+  const double frame_s = observers.size() > 1 ? observers.room_s() - before.room_s() : frame.platform_s();
+  view_.thrust_m_s2 = frame_s > 0.0 ? gained_m_s / frame_s : Vec3(0.0);
   view_.thrust = frame_s > 0.0 ? gained_m_s / (frame_s * strongest_m_s2_) : Vec3(0.0);
 }
 
-PlatformMotion::Manoeuvre PlatformMotion::next(const DriveWish& wish, const Observer& observer,
+PlatformMotion::Manoeuvre PlatformMotion::next(const DriveWish& wish, const Observers& observers,
                                                const Vec3& headInRoom_m, const Left& left) {
   switch (view_.mode) {
     case DriveMode::braking:
-      return brake(observer, left.platform_s);
+      return brake(observers, left);
     case DriveMode::home:
-      return returnHome(observer, headInRoom_m, left);
+      return returnHome(observers, headInRoom_m, left);
     case DriveMode::tour:
-      return alongWay(left.platform_s);
+      return alongWay(left);
     case DriveMode::free:
       break;
   }
-  return steered(wish.steer, observer, left.platform_s);
+  return steered(wish.steer, observers, left);
 }
 
-PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Observer& observer,
-                                                  double left_s) {
+PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Observers& observers,
+                                                  const Left& left) {
   const double asked = glm::length(steer);
-  if (!(asked > 0.0)) return steered_ ? coast(observer, left_s) : Manoeuvre{left_s};
+  if (!(asked > 0.0)) return steered_ ? coast(observers, left) : Manoeuvre{left.platform_s()};
   Vec3 thrust_m_s2 = steer * strongest_m_s2_;
   if (asked > 1.0 + 1e-9) {
     thrust_m_s2 /= asked;
@@ -181,31 +219,33 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
     const double behind_m = c_m_s_ * c_m_s_ / strongest_m_s2_;
     sayOnce(saidStrongest_, fmt::format(texts::message::kStrongestThrust, behind_m));
   }
-  const Lorentz& room = observer.boardFromRoom();
+  const double left_s = left.platform_s(thrust_m_s2);
+  const Lorentz& room = observers.boardFromRoom();
   const Lorentz after = room * Lorentz::fromRapidity(thrust_m_s2 * (left_s / c_m_s_), c_m_s_);
-  const Vec3 here_m = observer.headEvent().r_m;
+  const Vec3 here_m = observers.headEvent(steering_).r_m;
   if (!staysInHall(after, here_m)) {
     view_.atLimit = 1;
-    return stopAtWall(observer, left_s);
+    return stopAtWall(observers, left);
   }
   const double after_u = glm::length(after.u());
   if (after_u <= std::max(most_u_, glm::length(room.u()))) return {left_s, thrust_m_s2};
   view_.atLimit = 1;
   sayOnce(saidFastest_, fmt::format(texts::message::kFastest, most_u_ / std::hypot(1.0, most_u_),
                                     std::hypot(1.0, most_u_)));
-  return {left_s};
+  return {left.platform_s()};
 }
 
 /// Moves on without thrust, after somebody has steered: brakes where the hall would end.
-PlatformMotion::Manoeuvre PlatformMotion::coast(const Observer& observer, double left_s) {
-  const Lorentz& room = observer.boardFromRoom();
-  const Vec3 then_m = observer.headEvent().r_m + room.u() * (c_m_s_ * left_s);
-  return staysInHall(room, then_m) ? Manoeuvre{left_s} : stopAtWall(observer, left_s);
+PlatformMotion::Manoeuvre PlatformMotion::coast(const Observers& observers, const Left& left) {
+  const double left_s = left.platform_s();
+  const Lorentz& room = observers.boardFromRoom();
+  const Vec3 then_m = observers.headEvent(steering_).r_m + room.u() * (c_m_s_ * left_s);
+  return staysInHall(room, then_m) ? Manoeuvre{left_s} : stopAtWall(observers, left);
 }
 
-PlatformMotion::Manoeuvre PlatformMotion::stopAtWall(const Observer& observer, double left_s) {
+PlatformMotion::Manoeuvre PlatformMotion::stopAtWall(const Observers& observers, const Left& left) {
   sayOnce(saidWall_, texts::message::kHallWall);
-  return brake(observer, left_s);
+  return brake(observers, left);
 }
 
 /// Returns whether the platform, braked from now on, comes to rest within the hall or at least no further
@@ -225,21 +265,25 @@ bool PlatformMotion::staysInHall(const Lorentz& boardFromRoom, const Vec3& place
 
 /// Stops the platform. The board moves through the room with u = sinh η: a boost by the same brings the room
 /// to rest on it, without turning it. η = aτ/c.
-PlatformMotion::Manoeuvre PlatformMotion::brake(const Observer& observer, double left_s) const {
-  const Vec3 board_u = observer.boardFromRoom().inverse().u();
+PlatformMotion::Manoeuvre PlatformMotion::brake(const Observers& observers, const Left& left) const {
+  const Vec3 board_u = observers.boardFromRoom().inverse().u();
   const double u = glm::length(board_u);
-  if (!(u > kAtRest_u)) return {left_s};
+  if (!(u > kAtRest_u)) return {left.platform_s()};
   const Vec3 along = board_u / u;
-  return {std::min(left_s, c_m_s_ * std::asinh(u) / strongest_m_s2_), along * strongest_m_s2_};
+  const Vec3 thrust_m_s2 = along * strongest_m_s2_;
+  const double stops_s = c_m_s_ * std::asinh(u) / strongest_m_s2_;
+  if (left.observers.size() > 1)
+    return meanOf(left, [&](double for_s) { return thrust_m_s2 * std::min(for_s, stops_s); });
+  return {std::min(left.platform_s(thrust_m_s2), stops_s), thrust_m_s2};
 }
 
 /// Stops, turns to the initial orientation, and moves straight to the initial position. If the viewer walks
 /// meanwhile, the room ends slightly off; then the trip is repeated.
-PlatformMotion::Manoeuvre PlatformMotion::returnHome(const Observer& observer, const Vec3& headInRoom_m,
+PlatformMotion::Manoeuvre PlatformMotion::returnHome(const Observers& observers, const Vec3& headInRoom_m,
                                                      const Left& left) {
-  if (push_ < way_.size()) return alongWay(left.platform_s);
-  const Lorentz& room = observer.boardFromRoom();
-  if (glm::length(room.u()) > kAtRest_u) return brake(observer, left.platform_s);
+  if (push_ < way_.size()) return alongWay(left);
+  const Lorentz& room = observers.boardFromRoom();
+  if (glm::length(room.u()) > kAtRest_u) return brake(observers, left);
 
   const glm::dquat boardFromRoom = attitudeOf(room);
   glm::dquat turn = glm::conjugate(boardFromRoom) * boardFromHome_.orientation;
@@ -247,18 +291,18 @@ PlatformMotion::Manoeuvre PlatformMotion::returnHome(const Observer& observer, c
   const Vec3 axis(turn.x, turn.y, turn.z);
   const double angle_rad = 2.0 * std::atan2(glm::length(axis), turn.w);
   if (angle_rad > kFacing_rad) {
-    const double most_rad = kTurn_rad_s * left.person_s, share = std::min(1.0, most_rad / angle_rad);
-    return {share < 1.0 ? left.platform_s : left.platform_s * (angle_rad / most_rad), Vec3(0.0),
+    const double most_rad = kTurn_rad_s * left.person_s(), share = std::min(1.0, most_rad / angle_rad);
+    return {share < 1.0 ? left.platform_s() : left.platform_s() * (angle_rad / most_rad), Vec3(0.0),
             share * angle_rad, axis};
   }
-  const Vec3 floor_m = observer.headEvent().r_m - boardFromRoom * headInRoom_m;
+  const Vec3 floor_m = observers.headEvent(steering_).r_m - boardFromRoom * headInRoom_m;
   const Vec3 way_m = boardFromHome_.position_m - floor_m;
   if (glm::length(way_m) > kInPlace_m) {
     planTrip(glm::conjugate(boardFromRoom) * way_m);
-    return alongWay(left.platform_s);
+    return alongWay(left);
   }
   leaveWay(DriveMode::free);
-  return {left.platform_s};
+  return {left.platform_s()};
 }
 
 /// Plans a trip from rest to rest: half of the distance accelerating, half decelerating. On the hyperbola γ −
@@ -274,10 +318,49 @@ void PlatformMotion::planTrip(const Vec3& wayInRoom_m) {
   take(std::array<Thrust, kTripPushes>{{{off_s, thrust_m_s2}, {coast_s, Vec3(0.0)}, {off_s, -thrust_m_s2}}});
 }
 
-PlatformMotion::Manoeuvre PlatformMotion::alongWay(double left_s) {
+/// Returns the share of a planned thrust that the platform has: it is weaker, and for longer, where observers
+/// have gone farther apart since the way was planned.
+double PlatformMotion::shareOf(const Thrust& push) const {
+  const double planned_m_s2 = glm::length(push.thrust_m_s2);
+  return planned_m_s2 > strongest_m_s2_ * (1.0 + 1e-9) ? strongest_m_s2_ / planned_m_s2 : 1.0;
+}
+
+/// Returns what the way adds to the platform's rapidity, times c, in so much of the room's time after `pushed_s` of
+/// the thrust `push`, and advances both.
+Vec3 PlatformMotion::gainAlongWay_m_s(double for_s, std::size_t& push, double& pushed_s) const {
+  Vec3 gain_m_s(0.0);
+  while (push < way_.size()) {
+    const double share = shareOf(way_[push]), rest_s = (way_[push].for_s - pushed_s) / share;
+    const double here_s = std::min(rest_s, for_s);
+    gain_m_s += way_[push].thrust_m_s2 * (share * here_s);
+    for_s -= here_s;
+    if (here_s < rest_s) {
+      pushed_s += here_s * share;
+      break;
+    }
+    ++push;
+    pushed_s = 0.0;
+  }
+  return gain_m_s;
+}
+
+// Several observers' clocks run differently with each thrust. Over a whole frame the room has the mean of its
+// thrusts, so that one lapse holds for each observer and the fastest lives exactly the display's time; rapidities
+// add up to the same.
+PlatformMotion::Manoeuvre PlatformMotion::alongWay(const Left& left) {
+  if (left.observers.size() > 1) {
+    const auto gain_m_s = [&](double for_s) {
+      std::size_t push = push_;
+      double pushed_s = pushed_s_;
+      return gainAlongWay_m_s(for_s, push, pushed_s);
+    };
+    const Manoeuvre mean = meanOf(left, gain_m_s);
+    gainAlongWay_m_s(left.platform_s(mean.thrust_m_s2), push_, pushed_s_);
+    return mean;
+  }
   while (push_ < way_.size()) {
     const Thrust& push = way_[push_];
-    const double rest_s = push.for_s - pushed_s_;
+    const double rest_s = push.for_s - pushed_s_, left_s = left.platform_s(push.thrust_m_s2);
     if (rest_s > left_s) {
       pushed_s_ += left_s;
       return {left_s, push.thrust_m_s2};
@@ -286,7 +369,7 @@ PlatformMotion::Manoeuvre PlatformMotion::alongWay(double left_s) {
     pushed_s_ = 0.0;
     if (rest_s > 0.0) return {rest_s, push.thrust_m_s2};
   }
-  return {view_.mode == DriveMode::home ? 0.0 : left_s};
+  return {view_.mode == DriveMode::home ? 0.0 : left.platform_s()};
 }
 
 }  // namespace carom

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cave/projection/stereo.h"
+#include "cave/room/wall_eyes.h"
 #include "engine/base/whole_file.h"
 
 namespace carom {

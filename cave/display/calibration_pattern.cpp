@@ -12,8 +12,8 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl/glyph_bitmap.h"
-#include "cave/projection/stereo.h"
 #include "cave/room/off_axis.h"
+#include "cave/room/wall_eyes.h"
 #include "cave/texts/texts.h"
 
 namespace carom {

@@ -8,6 +8,7 @@
 #include "cave/display/calibration_pattern.h"
 #include "cave/display/wall_window.h"
 #include "cave/projection/stereo.h"
+#include "cave/room/wall_eyes.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -30,7 +31,7 @@ DisplayWalls::DisplayWalls(Graphics& graphics, const Scene& scene, double lightS
   graphics_.makeCurrent();
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
     firstEyeOf_.push_back(wallEyes_.size());
-    for (const Eye eye : eyesOf(walls_[wall].stereo)) {
+    for (const ViewerEye& eye : eyesOf(walls_[wall])) {
       wallEyes_.push_back({wall, eye, FrameDelay(walls_[wall].pixels, walls_[wall].heldFrames)});
     }
   }
@@ -86,13 +87,15 @@ void DisplayWalls::swapTogether() {
   swaps_ = std::make_unique<ParallelCalls>(std::move(swaps));
 }
 
-void DisplayWalls::drawSession(const FrameRecord& record, const World& world, const ObserverView& observer) {
+/// Draws the walls of one viewer, who is the first in `record`.
+void DisplayWalls::drawSession(const FrameRecord& record, const World& world, std::size_t viewer) {
   for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {
     pictured_.clear();
     for (WallEye& wallEye : wallEyes_) {
-      if (wallEye.eye == eye) pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next()});
+      if (wallEye.eye == ViewerEye{viewer, eye})
+        pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next()});
     }
-    session_->draw(record, world, observer, observer.of(eye), pictured_);
+    session_->draw(record, world, record.observer, record.observer.of(eye), pictured_);
   }
 }
 
@@ -103,10 +106,13 @@ void DisplayWalls::draw(const FrameRecord& record, const World& world) {
     return drawCalibrationPatterns(controls.eyesSwapped != 0);
   calibrationPatterns_.reset();
   if (controls.shown == Shown::session && !blank_) {
-    ObserverView observer = record.observer;
-    if (controls.eyesSwapped) std::swap(observer.left, observer.right);
-    drawSession(record, world, observer);
-    return drawAids(record, observer);
+    for (std::size_t viewer = 0; viewer < record.viewers; ++viewer) {
+      FrameRecord seen = seenBy(record, viewer);
+      if (controls.eyesSwapped) std::swap(seen.observer.left, seen.observer.right);
+      drawSession(seen, world, viewer);
+      drawAids(seen, viewer);
+    }
+    return;
   }
   graphics_.makeCurrent();
   for (WallEye& wallEye : wallEyes_) {
@@ -124,26 +130,31 @@ void DisplayWalls::setScene(const Scene& scene, double lightSpeed_m_s) {
 }
 
 void DisplayWalls::setRoom(const RoomGeometry& room) {
-  room_ = room;
   front_ = frontWall(room);
-  if (front_) words_.setWall(*front_);
+  for (std::size_t viewer = 0; viewer < room.viewers.size(); ++viewer) {
+    rooms_.at(viewer) = seenBy(room, viewer);
+    if (front_) words_[viewer].setWall(*front_, rooms_[viewer].viewers);
+  }
 }
 
-void DisplayWalls::drawAids(const FrameRecord& record, const ObserverView& observer) {
+void DisplayWalls::drawAids(const FrameRecord& record, std::size_t viewer) {
   graphics_.makeCurrent();
-  words_.follow(record);
+  HudPanel& words = words_[viewer];
+  const RoomGeometry& room = rooms_[viewer];
+  words.follow(record);
   for (WallEye& wallEye : wallEyes_) {
+    if (wallEye.eye.viewer != viewer) continue;
     const Wall& wall = walls_[wallEye.wall];
     const RenderTarget& picture = wallEye.pictures.drawn();
-    const glm::dvec3& eye_m = observer.of(wallEye.eye).positionInRoom_m;
+    const glm::dvec3& eye_m = record.observer.of(wallEye.eye.eye).positionInRoom_m;
     const bool isFront = front_ && standSame(*front_, wall);
-    comfort_.draw(room_, wall, eye_m, record, picture);
-    motion_.draw(room_, wall, eye_m, record, picture);
-    if (isFront) words_.draw(wall, picture);
+    comfort_.draw(room, wall, eye_m, record, picture);
+    motion_.draw(room, wall, eye_m, record, picture);
+    if (isFront) words.draw(wall, picture);
     if (isFront && offersChoices_) choices_.draw(wall, record, picture);
-    aids_.draw(room_, wall, isFront, eye_m, record, picture);
-    if (isFront && hasTable_) home_.draw(room_, wall, eye_m, record, picture);
-    hands_.draw(room_, wall, eye_m, record, picture);
+    aids_.draw(room, wall, isFront, eye_m, record, picture);
+    if (isFront && hasTable_) home_.draw(room, wall, eye_m, record, picture);
+    hands_.draw(room, wall, eye_m, record, picture);
     comfort_.fade(wall, record, picture);
   }
 }
@@ -164,6 +175,14 @@ std::optional<PointedWall> DisplayWalls::pointedAt() const {
     // A pointer that is held continues beyond the edge of the wall, as when a cue is drawn back.
     auto pointed = pointedIn(walls_[nearest], paneOf(nearest), *pointer_px, held);
     if (!pointed) continue;
+    if (pointed->eye != Eye::middle) {
+      const bool second = pointed->eye == Eye::right && firstEyeOf_[nearest + 1] - firstEyeOf_[nearest] > 1;
+      const ViewerEye& eye = wallEyes_[firstEyeOf_[nearest] + (second ? 1 : 0)].eye;
+      pointed->eye = eye.eye;
+      pointed->viewer = eye.viewer;
+    } else {
+      pointed->viewer = walls_[nearest].viewer;
+    }
     if (drawn_.eyesSwapped) pointed->eye = otherOf(pointed->eye);
     return pointed;
   }
@@ -192,7 +211,7 @@ void DisplayWalls::drawCalibrationPatterns(bool eyesSwapped) {
   if (calibrationPatterns_ == eyesSwapped) return;
   graphics_.makeCurrent();
   for (WallEye& wallEye : wallEyes_) {
-    const Eye eye = eyesSwapped ? otherOf(wallEye.eye) : wallEye.eye;
+    const Eye eye = eyesSwapped ? otherOf(wallEye.eye.eye) : wallEye.eye.eye;
     const Image pattern = calibrationPattern(walls_[wallEye.wall], eye);
     for (std::size_t i = 0; i <= walls_[wallEye.wall].heldFrames; ++i)
       wallEye.pictures.next().fill(pattern.rgb);
@@ -203,8 +222,12 @@ void DisplayWalls::drawCalibrationPatterns(bool eyesSwapped) {
 void DisplayWalls::capture(Capture& capture, std::uint64_t frame) const {
   graphics_.makeCurrent();
   taken_.clear();
-  for (const WallEye& wallEye : wallEyes_) {
-    taken_.push_back({&wallEye.pictures.drawn(), &walls_[wallEye.wall].name, wallEye.eye});
+  for (std::size_t i = 0; i < wallEyes_.size(); ++i) {
+    const WallEye& wallEye = wallEyes_[i];
+    const Wall& wall = walls_[wallEye.wall];
+    const std::string& name =
+        wall.pictureNames.empty() ? wall.name : wall.pictureNames[i - firstEyeOf_[wallEye.wall]];
+    taken_.push_back({&wallEye.pictures.drawn(), &name, wallEye.eye.eye});
   }
   capture.take(frame, taken_);
 }

@@ -49,7 +49,9 @@ class DisplayWalls {
   /// Without it they know only the walls, and there is no HUD panel.
   void setRoom(const RoomGeometry& room);
   /// Sets the game's lesson for the HUD panel; empty texts mean no lesson.
-  void setLesson(const LessonWords& words, const LessonPlan& plan) { words_.setLesson(words, plan); }
+  void setLesson(const LessonWords& words, const LessonPlan& plan) {
+    for (HudPanel& panel : words_) panel.setLesson(words, plan);
+  }
   /// Sets whether the game offers the three choices (cave/overlay/choice_tiles.h).
   void setChoices(bool offered) { offersChoices_ = offered; }
 
@@ -93,7 +95,7 @@ class DisplayWalls {
  private:
   struct WallEye {
     std::size_t wall = 0;
-    Eye eye = Eye::middle;
+    ViewerEye eye;
     FrameDelay pictures;
   };
   /// A window and the walls in it.
@@ -106,25 +108,25 @@ class DisplayWalls {
   };
   void openWindows(const std::optional<WindowPlacement>& oneWindow);
   void swapTogether();
-  void drawSession(const FrameRecord& record, const World& world, const ObserverView& observer);
+  void drawSession(const FrameRecord& record, const World& world, std::size_t viewer);
   void drawCalibrationPatterns(bool eyesSwapped);
-  void drawAids(const FrameRecord& record, const ObserverView& observer);
+  void drawAids(const FrameRecord& record, std::size_t viewer);
   Pane paneOf(std::size_t wall, const glm::ivec2& window_px) const;
 
   Graphics& graphics_;
   std::unique_ptr<EyeRenderer> session_;
   std::vector<Wall> walls_;
-  std::vector<WallEye> wallEyes_;        // of each wall one or two, the left eye's first
+  std::vector<WallEye> wallEyes_;        // of each wall one or two, in the order of its channels
   std::vector<std::size_t> firstEyeOf_;  // index in wallEyes_, of each wall; then the end of the last
   AlignmentPattern seams_;
-  RoomGeometry room_;
-  std::optional<Wall> front_;  // the wall with the HUD panel
+  std::array<RoomGeometry, kMostViewers> rooms_;  // as each viewer sees it
+  std::optional<Wall> front_;                     // the wall with the HUD panel
   ComfortOverlay comfort_;
   HomeArrow home_;
   MotionOverlay motion_;
   RoomOverlay aids_;
   CueOverlay hands_;
-  HudPanel words_;
+  std::array<HudPanel, kMostViewers> words_;  // of each viewer
   ChoiceTiles choices_;
   bool hasTable_ = false;  ///< in the game
   bool offersChoices_ = false;

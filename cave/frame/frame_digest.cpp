@@ -49,7 +49,7 @@ void add(const Lorentz& transform, Digest& digest) {
   }
 }
 
-std::uint64_t digestOf(const ObserverView& observer, const Lorentz& boardFromRoom) {
+Digest digestOf(const ObserverView& observer, const Lorentz& boardFromRoom) {
   Digest digest;
   add(observer.headFromBoard, digest);
   add(boardFromRoom, digest);
@@ -73,6 +73,17 @@ std::uint64_t digestOf(const HandView& hand) {
   digest << hand.shown << hand.pulling << hand.target << hand.from_m << hand.to_m << hand.target_m
          << hand.towards << hand.u;
   return hand.offset_m == 0.0 ? digest : digest << hand.offset_m;
+}
+
+Digest digestOf(const ViewerState& viewer, const DriveView& drive) {
+  Digest digest;
+  for (const Pose& pose : {viewer.tracked.roomFromHeadSensor, viewer.tracked.roomFromHand}) {
+    const glm::dquat& q = pose.orientation;
+    digest << pose.position_m << q.w << q.x << q.y << q.z;
+  }
+  digest << viewer.tracked.headKnown << viewer.tracked.handKnown;
+  digest << digestOf(viewer.hand) << drive.thrust << static_cast<std::uint8_t>(drive.mode) << drive.atLimit;
+  return digest;
 }
 
 /// Digests the newest knots and their numbers: once a history has lost or gained a knot, its digest stays
@@ -104,24 +115,27 @@ FrameDigest digestOf(const FrameState& state, const World& world) {
   if (record.controls.comfort) switches << record.controls.comfort;
   if (record.fade != 0.0) switches << record.fade;
   if (record.score != Score{}) switches << record.score.caroms << record.score.strokes;
-  Digest tracked;
-  for (const Pose& pose : {record.tracked.roomFromHeadSensor, record.tracked.roomFromHand}) {
-    const glm::dquat& q = pose.orientation;
-    tracked << pose.position_m << q.w << q.x << q.y << q.z;
-  }
-  tracked << record.tracked.headKnown << record.tracked.handKnown;
-  tracked << digestOf(record.hand) << record.drive.thrust << static_cast<std::uint8_t>(record.drive.mode)
-          << record.drive.atLimit;
+  Digest tracked = digestOf(static_cast<const ViewerState&>(record), record.drive);
   switches << static_cast<std::uint8_t>(record.lesson.phase) << record.lesson.answer;
   for (const char letter : record.notice.text) switches << letter;
+  Digest observers = digestOf(record.observer, record.boardFromRoom);
+  if (record.viewers > 1) observers << record.room_s << record.placeInRoom_m << record.lapse;
+  if (record.viewers > 1) switches << record.hasTurn;
+  for (std::size_t viewer = 1; viewer < record.viewers; ++viewer) {
+    const ViewerState& other = record.viewer(viewer);
+    observers << std::uint64_t{digestOf(other.observer, record.boardFromRoom)} << other.placeInRoom_m
+              << other.lapse;
+    tracked << std::uint64_t{digestOf(other, record.drive)};
+    for (const char letter : other.notice.text) switches << letter;
+    switches << other.score.caroms << other.score.strokes << other.hasTurn;
+  }
   knots << record.truncateFrom_s << record.pucks << record.forgetBefore_s;
   for (const BodyKnot& knot : state.knots) knots << knot.body << knot.knot;
   Digest events;
   events << record.eventsKept;
   for (const GameEvent& event : state.events) events << event;
-  return {{Digest() << record.number << record.last, Digest() << record.display_s,
-           digestOf(record.observer, record.boardFromRoom), switches, tracked, knots, events,
-           digestOfNewest(world.histories), digestOfNewest(world.events)}};
+  return {{Digest() << record.number << record.last, Digest() << record.display_s, observers, switches,
+           tracked, knots, events, digestOfNewest(world.histories), digestOfNewest(world.events)}};
 }
 
 HistoryDigest digestOf(const WorldLine& history) {

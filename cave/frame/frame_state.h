@@ -2,6 +2,8 @@
 // The record of one frame: everything that a node needs to draw its walls. Rank 0 decides it, and every rank
 // holds the same bytes.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -12,6 +14,7 @@
 #include "cave/frame/notice.h"
 #include "cave/frame/time_views.h"
 #include "cave/frame/wall_controls.h"
+#include "engine/base/limits.h"
 #include "engine/base/pose.h"
 #include "engine/billiard/game_event.h"
 #include "engine/light/switches.h"
@@ -32,18 +35,33 @@ struct Tracked {
   std::uint8_t headKnown = 0, handKnown = 0;  ///< 1: a tracker has reported it recently
 };
 
-/// What the person has played in this game: strokes by hand, and caroms as they were seen.
+/// What a viewer has played in this game: strokes by hand, and caroms as they saw them.
 struct Score {
   std::uint64_t caroms = 0, strokes = 0;
 
   bool operator==(const Score&) const = default;
 };
 
-struct FrameRecord {
-  std::uint64_t number = 0;
-  double display_s = 0.0;  ///< session clock: when the light of this frame leaves the walls
+/// What a frame holds of one viewer.
+struct ViewerState {
   ObserverView observer;
+  Tracked tracked;
+  HandView hand;
+  Notice notice;
+  Vec3 placeInRoom_m{0.0};  ///< of the head, as its clock took it (engine/spacetime/observers.h)
+  double lapse = 1.0;       ///< the rate of a clock there, relative to the room's time
+  Score score;
+  std::uint8_t hasTurn = 0;  ///< 1: of several who play, it is this one's turn
+};
+
+/// Its own ViewerState is that of the first viewer, or of the one through whose eyes it is drawn (seenBy).
+struct FrameRecord : ViewerState {
+  std::uint64_t viewers = 1;                         ///< number of viewers, 1 to kMostViewers
+  std::array<ViewerState, kMostViewers - 1> others;  ///< of the viewers after the first
+  std::uint64_t number = 0;
+  double display_s = 0.0;      ///< session clock: when the light of this frame leaves the walls
   Lorentz boardFromRoom{1.0};  ///< the room's attitude and motion
+  double room_s = 0.0;         ///< the room's own clock
   /// Before the new knots are added, the pucks (bodies 1 to `pucks`) lose the knots whose turn is at or after
   /// this board time.
   double truncateFrom_s = std::numeric_limits<double>::infinity();
@@ -60,14 +78,21 @@ struct FrameRecord {
   Switches switches;      ///< which effects are drawn
   WallControls controls;  ///< the operator's other choices
   TimeViews views;
-  Tracked tracked;
-  HandView hand;
   DriveView drive;
   LessonState lesson;
-  Notice notice;
-  Score score;
   double fade = 0.0;  ///< how black the walls are: 1 is wholly, as when a game begins
+
+  const ViewerState& viewer(std::size_t index) const {
+    return index == 0 ? static_cast<const ViewerState&>(*this) : others[index - 1];
+  }
+  ViewerState& viewer(std::size_t index) {
+    return index == 0 ? static_cast<ViewerState&>(*this) : others[index - 1];
+  }
 };
+
+/// Returns the record as another viewer sees it: their state is in the place of the first viewer's, and the
+/// other way round.
+FrameRecord seenBy(const FrameRecord& record, std::size_t viewer);
 static_assert(std::is_trivially_copyable_v<FrameRecord> && std::is_trivially_copyable_v<BodyKnot> &&
               std::is_trivially_copyable_v<GameEvent>);
 

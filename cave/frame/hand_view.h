@@ -34,7 +34,8 @@ enum class DriveMode : std::uint8_t {
 };
 
 struct DriveView {
-  Vec3 thrust{0.0};  ///< fraction of the strongest thrust, in the room's axes
+  Vec3 thrust{0.0};       ///< fraction of the strongest thrust, in the room's axes
+  Vec3 thrust_m_s2{0.0};  ///< the same in board seconds and metres, for the one who steers
   DriveMode mode = DriveMode::free;
   std::uint8_t atLimit = 0;  ///< 1: more was asked for than the platform can do
 };

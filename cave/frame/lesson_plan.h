@@ -17,6 +17,8 @@ struct LessonInterval {
   double from_s = 0.0;
   double until_s = 0.0;
   double moment_s = 0.0;  ///< held while the lesson explains
+  bool keepsClocks =
+      false;  ///< instead, the moment at which everybody is, so that their clocks stay as they are
   double slowness = 1.0;  ///< how many times slower than in the game the observer's time passes
 };
 
@@ -51,6 +53,18 @@ struct TickCounter {
   std::vector<Event> ticks;
 };
 
+enum class GaugeQuantity : std::uint8_t {
+  speed,          ///< v/c in the observer's room
+  apparentSpeed,  ///< the speed with which the body is seen to move, over c
+  gamma,          ///< the Lorentz factor in the observer's room
+};
+
+/// A plate above a body with what is true of it where it is seen.
+struct Gauge {
+  std::size_t body = 0;  ///< of the scene
+  GaugeQuantity quantity = GaugeQuantity::speed;
+};
+
 /// A straight line on the cloth, at rest.
 struct ClothLine {
   Vec3 from_m{0.0}, to_m{0.0};
@@ -70,6 +84,7 @@ struct LessonPlan {
   std::size_t explainedFor = 0;  ///< the velocity with which it explains
   std::vector<Stopwatch> stopwatches;
   std::vector<TickCounter> counters;
+  std::vector<Gauge> gauges;
   std::vector<ClothLine> lines;
   std::vector<SimultaneityLine> simultaneous;
 };

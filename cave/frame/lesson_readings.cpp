@@ -36,6 +36,16 @@ double reading_s(const Stopwatch& stopwatch, const LessonSight& sight) {
   return sight.phase == LessonPhase::explains ? *last_s : std::max(0.0, std::min(sinceStart_s(now), *last_s));
 }
 
+double gauged(GaugeQuantity quantity, const Motion& seen, const LessonSight& sight) {
+  const Lorentz roomFromBoard = sight.boardFromRoom.inverse();
+  const Vec3 u = (roomFromBoard * Lorentz::boost(seen.u, roomFromBoard.lightSpeed_m_s())).u();
+  if (quantity == GaugeQuantity::gamma) return gammaFromU(u);
+  const Vec3 beta = betaFromU(u);
+  if (quantity == GaugeQuantity::speed) return glm::length(beta);
+  const Displacement way = roomFromBoard * (seen.event - sight.observer.middle.observation);
+  return glm::length(beta) / (1.0 + glm::dot(glm::normalize(way.dr_m), beta));
+}
+
 std::optional<std::size_t> observerOf(const LessonPlan& plan, const Lorentz& boardFromRoom) {
   constexpr double kSame = 1e-6;
   const Vec3 beta = betaFromU(boardFromRoom.u());

@@ -30,6 +30,11 @@ struct LessonSight {
 /// frame.
 double reading_s(const Stopwatch& stopwatch, const LessonSight& sight);
 
+/// Returns the quantity of a body, whose seen motion is given on the board. It is seen to move with
+/// β/(1 + n·β), where n is the direction from the eye to it, all in the room: its light needs longer to arrive
+/// by n·β dt for every dt of the room's clocks.
+double gauged(GaugeQuantity quantity, const Motion& seen, const LessonSight& sight);
+
 /// Returns the number of the plan's velocity with which the room moves, if it is one of them.
 std::optional<std::size_t> observerOf(const LessonPlan& plan, const Lorentz& boardFromRoom);
 

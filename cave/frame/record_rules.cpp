@@ -78,12 +78,29 @@ void expectPossible(const WallControls& walls) {
   expectFlag("controls.comfort", walls.comfort);
 }
 
-void expectPossible(const HandView& hand, const DriveView& drive) {
+void expectPossible(const HandView& hand) {
   expectFlag("hand.shown", hand.shown);
   expectFlag("hand.pulling", hand.pulling);
-  for (const Vec3& place : {hand.from_m, hand.to_m, hand.target_m, hand.towards, drive.thrust})
+  for (const Vec3& place : {hand.from_m, hand.to_m, hand.target_m, hand.towards})
     expectFinite("the hand", place);
   expectFinite("the stroke", {hand.u, hand.offset_m});
+}
+
+void expectPossible(const ViewerState& viewer, double gameLightSpeed_m_s) {
+  expectPossible(viewer.observer, gameLightSpeed_m_s);
+  expectFinite("the head sensor's pose", viewer.tracked.roomFromHeadSensor);
+  expectFinite("the hand's pose", viewer.tracked.roomFromHand);
+  expectFlag("tracked.headKnown", viewer.tracked.headKnown);
+  expectFlag("tracked.handKnown", viewer.tracked.handKnown);
+  expectPossible(viewer.hand);
+  if (viewer.notice.text.back() != 0) refuse("notice has no end");
+  expectFinite("the head's place in the room", viewer.placeInRoom_m);
+  expectFinite("the lapse", {viewer.lapse});
+  expectFlag("hasTurn", viewer.hasTurn);
+}
+
+void expectPossible(const DriveView& drive) {
+  expectFinite("the thrust", drive.thrust);
   if (drive.mode > DriveMode::tour) refuse("drive.mode is none that there is");
   expectFlag("drive.atLimit", drive.atLimit);
 }
@@ -92,7 +109,11 @@ void expectPossible(const HandView& hand, const DriveView& drive) {
 
 void expectPossible(const FrameRecord& record, double gameLightSpeed_m_s) {
   expectFinite("display_s", {record.display_s});
-  expectPossible(record.observer, gameLightSpeed_m_s);
+  if (record.viewers < 1 || record.viewers > kMostViewers)
+    refuse("viewers is {}, expected 1 to {}", record.viewers, kMostViewers);
+  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
+    expectPossible(record.viewer(viewer), gameLightSpeed_m_s);
+  expectFinite("the room's time", {record.room_s});
   expectPossible("the room's frame", record.boardFromRoom, gameLightSpeed_m_s);
   if (std::isnan(record.truncateFrom_s))
     refuse("truncateFrom_s is no number, expected a board time or infinity");
@@ -107,15 +128,10 @@ void expectPossible(const FrameRecord& record, double gameLightSpeed_m_s) {
   expectPossible(record.controls);
   for (const NamedView& named : kNamedViews) expectFlag(named.name, record.views.*named.value);
   expectFlags(record.views.beside);
-  expectFinite("the head sensor's pose", record.tracked.roomFromHeadSensor);
-  expectFinite("the hand's pose", record.tracked.roomFromHand);
-  expectFlag("tracked.headKnown", record.tracked.headKnown);
-  expectFlag("tracked.handKnown", record.tracked.handKnown);
-  expectPossible(record.hand, record.drive);
+  expectPossible(record.drive);
   if (record.lesson.phase > LessonPhase::explains || record.lesson.answer > kMostAnswers)
     refuse("lesson is in no phase that there is");
   if (!(record.fade >= 0.0 && record.fade <= 1.0)) refuse("fade is {}, expected 0 to 1", record.fade);
-  if (record.notice.text.back() != 0) refuse("notice has no end");
 }
 
 void expectPossible(const Knot& knot) {

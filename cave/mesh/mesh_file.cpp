@@ -243,7 +243,7 @@ vtkSmartPointer<vtkPolyData> surfaceFrom(const std::string& bytes) {
 std::pair<int, int> placeIn(const std::string& message) {
   static const std::regex kXml("at line ([0-9]{1,8}), column ([0-9]{1,8})");
   static const std::regex kJson("Line ([0-9]{1,8}), Column ([0-9]{1,8})");
-  static const std::regex kObj("near line ([0-9]{1,8})");
+  static const std::regex kObj("(?:near line |points L\\.)([0-9]{1,8})");
   std::smatch found;
   if (std::regex_search(message, found, kObj)) return {std::stoi(found[1]), 1};
   if (std::regex_search(message, found, kXml)) return {std::stoi(found[1]), std::stoi(found[2]) + 1};

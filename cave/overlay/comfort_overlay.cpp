@@ -33,7 +33,8 @@ double shadeOf(const FrameRecord& record) {
 
 glm::dvec3 sightOf(const RoomGeometry& room, const FrameRecord& record) {
   if (record.tracked.headKnown && room.walls.size() > 1)
-    return (record.tracked.roomFromHeadSensor * room.sensorFromEyes).orientation * room.forward;
+    return (record.tracked.roomFromHeadSensor * room.viewers.front().sensorFromEyes).orientation *
+           room.forward;
   const std::optional<Wall> front = frontWall(room);
   if (!front) return room.forward;
   const glm::dvec3 middle_m = 0.5 * (front->lowerRight_m + front->upperLeft_m);

@@ -38,7 +38,7 @@ FacingPlane facing(const glm::dvec3& place_m, const glm::dvec3& eyes_m, const Ro
 class CueOverlay {
  public:
   // Lengths without a unit are fractions of the distance: 0.01 is 0.57°.
-  static constexpr double kRing_m = 0.08;  ///< radius around the target
+  static constexpr double kRing_m = 0.12;  ///< radius around the target: outside pucks of up to 0.1 m
   static constexpr double kRim_m = 0.05;   ///< radius of a puck's rim: where the cue begins at rest
   /// From the target to the bar: right of it, or left of it if the stroke goes to the right.
   static constexpr double kScaleRight = 0.13, kScaleLeft = -0.24;

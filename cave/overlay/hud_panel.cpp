@@ -92,16 +92,52 @@ void addLight(const FrameRecord& record, Lines& lines) {
   lines.add({}, texts::legend::kLight, record.lightSpeed_m_s);
 }
 
-void addScore(const FrameRecord& record, Lines& lines) {
-  if (record.score.strokes == 0) return;
-  lines.add({}, texts::legend::kScore, record.score.caroms, record.score.strokes);
+using Viewers = std::span<const RoomViewer>;
+
+void addScore(const FrameRecord& record, Viewers viewers, Lines& lines) {
+  const std::size_t count = std::min<std::size_t>(record.viewers, viewers.size());
+  bool played = false;
+  for (std::size_t i = 0; i < count; ++i) played = played || record.viewer(i).score.strokes > 0;
+  if (!played) return;
+  if (count < 2) return lines.add({}, texts::legend::kScore, record.score.caroms, record.score.strokes);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Score& score = record.viewer(i).score;
+    lines.add({}, texts::legend::kScoreOf, i == 0 ? std::string_view(texts::legend::kMe) : viewers[i].name,
+              score.caroms, score.strokes);
+  }
+  if (record.hasTurn) lines.add({}, "{}", texts::legend::kYourTurn);
+  for (std::size_t i = 1; i < count; ++i) {
+    if (record.viewer(i).hasTurn) lines.add({}, texts::legend::kTheirTurn, viewers[i].name);
+  }
 }
 
-void addClocks(const FrameRecord& record, Lines& lines) {
+/// Adds the clocks of the others in the room, all of whose presents are simultaneous there.
+void addOtherClocks(const FrameRecord& record, Viewers viewers, Lines& lines) {
+  constexpr double kShown_s = 0.05;  // of one decimal
+  for (std::size_t i = 1; i < std::min<std::size_t>(record.viewers, viewers.size()); ++i) {
+    const double own_s = record.viewer(i).observer.properTime_s;
+    const double older_s = own_s - record.observer.properTime_s;
+    if (std::abs(older_s) < kShown_s) {
+      lines.add({}, texts::legend::kAsOld, viewers[i].name, shownTime_s(own_s));
+    } else {
+      const texts::Text words = older_s > 0.0 ? texts::legend::kOlder : texts::legend::kYounger;
+      lines.add({}, "{}",
+                fmt::format(fmt::runtime(words), viewers[i].name, shownTime_s(own_s), std::abs(older_s)));
+    }
+  }
+}
+
+void addClocks(const FrameRecord& record, Viewers viewers, Lines& lines) {
   const Vec3 u = record.observer.headFromBoard.inverse().u();
   lines.add({}, texts::legend::kMyTime, shownTime_s(record.observer.properTime_s));
+  addOtherClocks(record, viewers, lines);
   lines.add({}, texts::legend::kMySpeed, glm::length(betaFromU(u)), gammaFromU(u));
   addLight(record, lines);
+}
+
+/// Adds the others' clocks to a lesson that shows the clocks.
+void addTwins(const FrameRecord& record, Viewers viewers, Lines& lines) {
+  if (record.views.clocks) addOtherClocks(record, viewers, lines);
 }
 
 void addQuestion(const LessonWords& lesson, Lines& lines) {
@@ -153,7 +189,8 @@ std::string paceWords(const LessonPlan& plan) {
 }
 
 /// Adds the lesson's text for its phase, and how to continue.
-void addLesson(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan, Lines& lines) {
+void addLesson(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
+               Lines& lines) {
   switch (record.lesson.phase) {
     case LessonPhase::none:
       return;
@@ -163,6 +200,7 @@ void addLesson(const FrameRecord& record, const LessonWords& lesson, const Lesso
       lines.wrap(lesson.todo, texts::lesson::kTryThis);
       lines.wrap(lesson.notice, texts::lesson::kLookFor);
       addReadings(record, plan, lines);
+      addTwins(record, viewers, lines);
       addObservers(record, plan, lines);
       return lines.add({}, "{}{}", texts::lesson::kOnwards, paceWords(plan));
     case LessonPhase::explains:
@@ -205,7 +243,7 @@ void addEffects(const Switches& switches, Lines& lines) {
   if (!on.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOn, on));
 }
 
-void addViews(const FrameRecord& record, Lines& lines) {
+void addViews(const FrameRecord& record, Viewers viewers, Lines& lines) {
   const TimeViews& views = record.views;
   if (views.boardNow || views.myNow || views.split) lines.add(kSeenMark, texts::legend::kSeen);
   if (views.boardNow) lines.add(kBoardNowColour, texts::legend::kBoardNow);
@@ -225,7 +263,7 @@ void addViews(const FrameRecord& record, Lines& lines) {
   if (views.frozen) lines.add({}, texts::legend::kFrozen);
   if (views.clocks) {
     lines.add({}, texts::legend::kClocks);
-    addClocks(record, lines);
+    addClocks(record, viewers, lines);
   }
 }
 
@@ -269,7 +307,7 @@ bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wal
     for (std::uint8_t answer = 0; answer <= words.answers.size(); ++answer) {
       FrameRecord record;
       record.lesson = {phase, answer};
-      describe(record, words, plan, bandLetters(wall), lines);
+      describe(record, words, plan, {}, bandLetters(wall), lines);
       const double high = (kBandLine * static_cast<double>(lines.size()) + 1.0) * kLetter;
       if (high > most) return false;
     }
@@ -277,15 +315,15 @@ bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wal
   return true;
 }
 
-void describe(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan,
+void describe(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
               std::size_t letters, std::vector<HudLine>& words) {
   Lines lines(words, letters);
   lines.wrap(record.notice.words(), {}, true);
-  addLesson(record, lesson, plan, lines);
+  addLesson(record, lesson, plan, viewers, lines);
   if (record.lesson.phase == LessonPhase::none) {
-    addScore(record, lines);
+    addScore(record, viewers, lines);
     addEffects(record.switches, lines);
-    addViews(record, lines);
+    addViews(record, viewers, lines);
     addDrive(record, lines);
   }
   if (record.controls.trackerCross) lines.add({}, texts::legend::kNearerBar);
@@ -322,7 +360,7 @@ void HudPanel::follow(const FrameRecord& record) {
   const bool band = record.lesson.phase != LessonPhase::none;
   if (band != band_) written_ = false;
   band_ = band;
-  describe(record, lesson_, plan_, band ? bandLetters_ : kLineLetters, described_);
+  describe(record, lesson_, plan_, viewers_, band ? bandLetters_ : kLineLetters, described_);
   set(described_);
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,10 @@ std::optional<Wall> frontWall(const RoomGeometry& room);
 /// that are on, each with the colour it is drawn in; with `clocks`, the person's own clock, their speed on
 /// the board and the speed of light; with the tracker crosses, what the stereo check
 /// (cave/overlay/room_overlay.h) should look like. The text depends on the record and the scenario alone, so
-/// all nodes write the same. `lines` is empty if there is no text.
+/// all nodes write the same. `lines` is empty if there is no text. `viewers` are those of the record, in its order;
+/// where there are several, the score is each one's, and the clocks compare theirs with that of the first.
 void describe(const FrameRecord& record, const LessonWords& words, const LessonPlan& plan,
-              std::size_t letters, std::vector<HudLine>& lines);
+              std::span<const RoomViewer> viewers, std::size_t letters, std::vector<HudLine>& lines);
 inline constexpr std::size_t kLineLetters = 40;  ///< without a lesson; longer words are not divided
 
 /// Returns how many letters a line of the band has on a wall.
@@ -79,8 +81,11 @@ class HudPanel {
   /// when they are next drawn.
   void set(const std::vector<HudLine>& lines);
 
-  /// Sets the wall on which the panel is drawn.
-  void setWall(const Wall& wall) { bandLetters_ = bandLetters(wall); }
+  /// Sets the wall on which the panel is drawn, and the viewers in the order of the records to follow.
+  void setWall(const Wall& wall, std::span<const RoomViewer> viewers) {
+    bandLetters_ = bandLetters(wall);
+    viewers_.assign(viewers.begin(), viewers.end());
+  }
 
   /// Sets the game's lesson.
   void setLesson(const LessonWords& words, const LessonPlan& plan);
@@ -111,6 +116,7 @@ class HudPanel {
   Notice notice_;
   LessonWords lesson_;
   LessonPlan plan_;
+  std::vector<RoomViewer> viewers_;
   std::size_t bandLetters_ = kLineLetters;
   bool band_ = false;           ///< a lesson speaks
   std::int64_t tenths_s_ = -1;  ///< time of the last description, in tenths

@@ -105,7 +105,7 @@ void RoomOverlay::drawMarks(const RoomGeometry& room, const Wall& wall, bool isF
   marks_.clear();
   if (isFront) addBars(wall, eyes_m);
   if (tracked.headKnown) {
-    Pose ahead = tracked.roomFromHeadSensor * room.sensorFromEyes;
+    Pose ahead = tracked.roomFromHeadSensor * room.viewers.front().sensorFromEyes;
     ahead.position_m = eyes_m + ahead.orientation * (kAhead_m * room.forward);
     addCross(ahead);
     addCross(tracked.roomFromHeadSensor);

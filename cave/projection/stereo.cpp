@@ -44,31 +44,6 @@ glm::ivec2 eyeSize_px(const Pane& pane) {
 
 }  // namespace
 
-std::vector<Eye> eyesOf(StereoMode mode) {
-  switch (mode) {
-    case StereoMode::mono:
-      return {Eye::middle};
-    case StereoMode::left:
-      return {Eye::left};
-    case StereoMode::right:
-      return {Eye::right};
-    default:
-      return {Eye::left, Eye::right};
-  }
-}
-
-const char* nameOf(Eye eye) {
-  switch (eye) {
-    case Eye::left:
-      return "left";
-    case Eye::right:
-      return "right";
-    case Eye::middle:
-      return "mono";
-  }
-  return "mono";
-}
-
 StereoPacker::StereoPacker() : program_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
   glUseProgram(program_);
   glUniform1i(glGetUniformLocation(program_, "leftPicture"), 0);

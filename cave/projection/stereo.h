@@ -16,12 +16,6 @@ namespace carom {
 class Projector;
 struct Projection;
 
-/// Returns the pictures that a wall with this stereo mode needs: {mono}, {left}, {right} or {left, right}.
-std::vector<Eye> eyesOf(StereoMode mode);
-
-/// Returns the eye's name in files and messages: "left", "right" or "mono".
-const char* nameOf(Eye eye);
-
 /// One wall in a visible window.
 struct Pane {
   const RenderTarget* left = nullptr;   ///< left eye, or the only picture (mono, left, right)

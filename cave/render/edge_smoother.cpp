@@ -10,8 +10,9 @@
 namespace carom {
 namespace {
 
-constexpr int kTile_px = 8;
-constexpr float kLeastStep = 0.016F;  // of tones 0 to 1: four of the picture's steps
+constexpr int kTile_px = 8;                  // as in shaders/edge_tile_vert.glsl
+constexpr int kLeastSize_px = kTile_px + 2;  // a tile and the pixels around it
+constexpr float kLeastStep = 0.016F;         // of tones 0 to 1: four of the picture's steps
 
 }  // namespace
 
@@ -19,13 +20,12 @@ EdgeSmoother::EdgeSmoother() : program_(makeProgram("edges", shaders::edge_tile_
   const GlStateGuard state(0, {1, 1});
   glUseProgram(program_);
   setUniform(program_, "drawn", 0);
-  setUniform(program_, "tile_px", kTile_px);
   setUniform(program_, "leastStep", kLeastStep);
 }
 
 void EdgeSmoother::smooth(unsigned drawn, const glm::ivec2& size_px, const RenderTarget& picture,
                           int left_px) const {
-  if (size_px.x < kTile_px || size_px.y < kTile_px) return;
+  if (size_px.x < kLeastSize_px || size_px.y < kLeastSize_px) return;
   const GlStateGuard state(picture.framebuffer(), size_px);
   glViewport(left_px, 0, size_px.x, size_px.y);
   glBindTexture(GL_TEXTURE_2D, drawn);

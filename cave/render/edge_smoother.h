@@ -18,8 +18,8 @@ class EdgeSmoother {
 
   /// Smooths the picture's columns from `left_px` on, `size_px` large. They are a copy of the first columns
   /// and rows of the texture `drawn`, which has in its alpha the tones between which edges are sought.
-  /// Nothing from beyond these columns and rows gets into the picture; one that is smaller than a tile stays
-  /// as it is.
+  /// Nothing from beyond these columns and rows gets into the picture; one of fewer than ten stays as it
+  /// is.
   void smooth(unsigned drawn, const glm::ivec2& size_px, const RenderTarget& picture, int left_px) const;
 
  private:

@@ -66,6 +66,18 @@ void addCounter(const MarkContext& sight, const Resting& draw, const TickCounter
                    centre_m + Vec3(0.0, 0.0, reach_m), glm::vec4(kFlashColour, 1.0F), crowd);
 }
 
+void addGauge(const MarkContext& sight, const Resting& draw, const Gauge& gauge, double reach_m,
+              LabelLayout& crowd, MarkBuffer& batch) {
+  const Motion seen =
+      centreSeen(sight.histories[gauge.body], sight.observer.middle.observation, sight.switches);
+  // Without light delay a body is seen to move as it does.
+  const bool real = gauge.quantity == GaugeQuantity::apparentSpeed && !sight.switches.retardation;
+  const double value = gauged(real ? GaugeQuantity::speed : gauge.quantity, seen,
+                              {sight.observer, sight.boardFromRoom, sight.lesson.phase});
+  addStandingPlate(batch, sight, draw, hundredthsOf(value), PlateShape::box,
+                   seen.event.r_m + Vec3(0.0, 0.0, reach_m), glm::vec4(kFlashColour, 1.0F), crowd);
+}
+
 }  // namespace
 
 std::size_t seenTicks(const MarkContext& sight, const TickCounter& counter) {
@@ -83,6 +95,7 @@ void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<
   if (sight.lesson.phase == LessonPhase::asks) return;
   for (const TickCounter& counter : plan.counters)
     addCounter(sight, draw, counter, reach_m[counter.body], crowd, batch);
+  for (const Gauge& gauge : plan.gauges) addGauge(sight, draw, gauge, reach_m[gauge.body], crowd, batch);
   for (const Stopwatch& watch : plan.stopwatches) {
     if (!watch.stands_m) continue;
     addStandingPlate(

@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// Adds the lesson's marks: its lines on the cloth always; counters and the plates of stopwatches once the
+/// Adds the lesson's marks: its lines on the cloth always; counters, gauges and the plates of stopwatches once the
 /// question is over; lines of simultaneity while it explains. `reach_m` is, for every body of the scene, how
 /// far it reaches from its centre.
 void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<const double> reach_m,

@@ -16,13 +16,9 @@
 namespace carom {
 namespace {
 
-/// Light that falls as flat as it can, 0.05 in shaders/body_vert.glsl, makes a shadow 20 times as long as the
-/// puck is high; its motion may double that.
-constexpr double kLongestShadow = 40.0;
-
-/// Returns how far a shadow's vertices are from the puck's centre, and how far they are moved at most. The
-/// third number for painting is the puck's height.
-double shadowReachOf(const ChunkedMeshes& meshes, const PartChunks& part) {
+/// Returns how far a shadow's vertices are from the puck's centre, and how far they are moved at most, `longest`
+/// heights of the puck. The third number for painting is the puck's height.
+double shadowReachOf(const ChunkedMeshes& meshes, const PartChunks& part, double longest) {
   double reach_m = 0.0, height_m = 0.0;
   for (const MeshChunk& chunk : std::span(meshes.chunks).subspan(part.first, part.count)) {
     for (const std::uint32_t i : std::span(meshes.indices).subspan(chunk.firstIndex, chunk.indexCount)) {
@@ -30,7 +26,7 @@ double shadowReachOf(const ChunkedMeshes& meshes, const PartChunks& part) {
       height_m = std::max(height_m, static_cast<double>(meshes.vertices[i].surface.z));
     }
   }
-  return reach_m + kLongestShadow * height_m;
+  return reach_m + longest * height_m;
 }
 
 /// Highlights, which are computed at vertices, need cells of this size.
@@ -67,7 +63,8 @@ SceneChunks::SceneChunks(const Scene& scene) {
         appendChunks(*part.mesh, meshes);
       }
       chunks.count = static_cast<std::uint32_t>(meshes.chunks.size()) - chunks.first;
-      if (part.paint == Paint::shadow) chunks.shadowReach_m = shadowReachOf(meshes, chunks);
+      if (part.paint == Paint::shadow)
+        chunks.shadowReach_m = shadowReachOf(meshes, chunks, scene.longestShadow);
     }
     chunks.body = part.body;
     chunks.firstPlace = static_cast<std::uint32_t>(places);

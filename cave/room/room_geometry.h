@@ -1,6 +1,9 @@
 #pragma once
 // The room as the overlays and the spectator view know it, beyond the walls that a node draws.
 
+#include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -10,13 +13,26 @@
 
 namespace carom {
 
-struct RoomGeometry {
-  std::vector<Wall> walls;                                ///< of all nodes
-  glm::dvec3 up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};  ///< unit vectors
+/// What the room knows of a viewer.
+struct RoomViewer {
+  std::string name = "viewer";
   /// Takes coordinates from the frame of the eyes (the person's right, up and forward along the room's axes)
   /// to that of the head sensor.
   Pose sensorFromEyes;
 };
+
+struct RoomGeometry {
+  std::vector<Wall> walls;                                ///< of all nodes
+  glm::dvec3 up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};  ///< unit vectors
+  std::vector<RoomViewer> viewers{1};                     ///< in the order of a frame's record
+};
+
+/// Returns the room with another viewer in the first's place, and the other way round, as the frame's record that
+/// this viewer sees (cave/frame/frame_state.h).
+inline RoomGeometry seenBy(RoomGeometry room, std::size_t viewer) {
+  std::swap(room.viewers.front(), room.viewers.at(viewer));
+  return room;
+}
 
 /// Returns whether two walls are the same screen, as when one computer draws for each eye.
 inline bool standSame(const Wall& a, const Wall& b) {

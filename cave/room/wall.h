@@ -67,6 +67,14 @@ struct Viewport {
   glm::ivec2 size_px{0};
 };
 
+/// An eye of one of the viewers in the room.
+struct ViewerEye {
+  std::size_t viewer = 0;  ///< index of the rig's viewers
+  Eye eye = Eye::middle;
+
+  bool operator==(const ViewerEye&) const = default;
+};
+
 /// A rectangle given by three of its corners, as seen from inside the room. Of a screen that is no rectangle, it
 /// is the one around it.
 struct Wall {
@@ -81,6 +89,11 @@ struct Wall {
   /// and a part; none: it has the whole window.
   std::optional<Viewport> viewport;
   StereoMode stereo = StereoMode::mono;
+  std::size_t viewer = 0;  ///< whose eyes it shows, an index of the rig's viewers
+  /// The eyes of the stereo mode's channels, in their order; empty: those of `viewer`.
+  std::vector<ViewerEye> eyes;
+  /// The names of its channels' pictures in files, where they are of several viewers; empty: the wall's name.
+  std::vector<std::string> pictureNames;
   /// The screen's own corners; none: they are those of the rectangle.
   std::optional<SkewedScreen> skewed;
   std::filesystem::path warp;  ///< mesh that warps the picture to the screen (.pfm, .obj); empty: none

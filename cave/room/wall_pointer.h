@@ -13,8 +13,9 @@ namespace carom {
 
 /// The mouse over a wall's picture.
 struct PointedWall {
-  Vec3 onWall_m{0.0};     ///< the place on the wall that it points to; room frame
-  Eye eye = Eye::middle;  ///< the eye from which that place is seen
+  Vec3 onWall_m{0.0};      ///< the place on the wall that it points to; room frame
+  Eye eye = Eye::middle;   ///< the eye from which that place is seen
+  std::size_t viewer = 0;  ///< whose eye it is, an index of the rig's viewers
 };
 
 /// Returns how far the pointer is outside the pane, in pixels; 0 inside.

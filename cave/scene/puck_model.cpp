@@ -115,15 +115,15 @@ vtkSmartPointer<vtkTransform> fitTo(vtkPolyData& mesh, double radius_m) {
 /// more vertices than asked.
 vtkSmartPointer<vtkPolyData> dividedTo(const Tessellation& tessellation, vtkSmartPointer<vtkPolyData> mesh) {
   constexpr int kMostPasses = 24;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  const auto most = static_cast<vtkIdType>(tessellation.mostVertices);
+  for (int pass = 0; pass < kMostPasses && mesh->GetNumberOfPoints() <= most; ++pass) {
     vtkNew<vtkAdaptiveSubdivisionFilter> halved;
     halved->SetInputData(mesh);
     halved->SetMaximumEdgeLength(tessellation.edge_m());
     halved->SetMaximumNumberOfPasses(1);
     halved->Update();
     const vtkIdType points = halved->GetOutput()->GetNumberOfPoints();
-    if (points == mesh->GetNumberOfPoints() || points > static_cast<vtkIdType>(tessellation.mostVertices))
-      break;
+    if (points == mesh->GetNumberOfPoints() || points > most) break;
     mesh = halved->GetOutput();
   }
   return mesh;

@@ -22,6 +22,13 @@ std::string joined(std::span<const MeshNote> notes) {
   return named < notes.size() ? text + fmt::format(" and {} more", notes.size() - named) : text;
 }
 
+/// Returns what kept a kind of objects from being divided further. Only what rests has levels.
+std::string limitOf(const MeshNote& note, int finer) {
+  if (note.kind == "The" && finer == Scene::kMostFiner)
+    return fmt::format("its edges are divided by {} at most", finer);
+  return fmt::format("{} vertices are the limit", note.most);
+}
+
 }  // namespace
 
 std::vector<WorldLine> reachingTo(std::span<const WorldLine> histories, std::span<const double> reach_m) {
@@ -51,9 +58,9 @@ std::string tessellationReport(const Scene& scene, const Tessellation& tessellat
     if (note->longestEdge_m > kRounding * tessellation.edge_m()) {
       // Only the ratio of length and distance counts.
       text += fmt::format(
-          "; nearer than {:.1f} m exact to half a pixel only up to {:.2f} c at {} m, since {} are the limit",
+          "; nearer than {:.1f} m exact to half a pixel only up to {:.2f} c at {} m, since {}",
           kNearestEye_m * note->longestEdge_m / tessellation.edge_m(),
-          fastestHead_beta(note->longestEdge_m, tolerance_rad), kNearestEye_m, note->most);
+          fastestHead_beta(note->longestEdge_m, tolerance_rad), kNearestEye_m, limitOf(*note, scene.finer));
     }
     text += ".\n";
     note = unlike;

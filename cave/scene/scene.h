@@ -34,6 +34,10 @@ struct Ruler {
   glm::dvec3 along{1.0, 0.0, 0.0}, aside{0.0, 1.0, 0.0};
 };
 
+/// Light that falls as flat as it can, 0.05 in cave/render/shaders/body_vert.glsl, makes a shadow 20 times as long as
+/// the puck is high; its motion may double that.
+inline constexpr double kLongestShadow = 40.0;
+
 /// Its bodies are numbered as cave/frame/bodies.h says.
 struct Scene {
   std::vector<ScenePart> parts;
@@ -42,7 +46,10 @@ struct Scene {
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   int finer = 1;                        ///< how many times finer than its meshes what rests may be drawn
+  static constexpr int kMostFiner = 8;  ///< the most of these
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
+  /// How far the far end of a puck's shadow can be from the puck at most, in heights of the puck.
+  double longestShadow = kLongestShadow;
   std::vector<ScenePart>
       casters;  ///< table and hall, undivided: what throws shadows (cave/scene/baked_light.h)
   std::vector<LightPath> pulses;

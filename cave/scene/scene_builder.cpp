@@ -12,6 +12,8 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkMath.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "cave/frame/bodies.h"
 #include "cave/frame/body_colour.h"
@@ -85,11 +87,10 @@ Resting restingParts(const BilliardSetup& setup, const Hall& hall, const std::ar
 
 /// Returns how many times finer than their meshes, a power of two, the parts are to be drawn where it is needed.
 int finerThan(const Resting& resting, const Tessellation& tessellation) {
-  constexpr int kMost = 8;
   const double longest_m = std::max(longestEdgeOf(resting.table), longestEdgeOf(resting.hall));
   const std::size_t most = Tessellation::kMostOfLevels * tessellation.mostVertices;
   int finer = 1;
-  while (finer < kMost && longest_m / finer > tessellation.edge_m() &&
+  while (finer < Scene::kMostFiner && longest_m / finer > tessellation.edge_m() &&
          4 * static_cast<std::size_t>(finer * finer) * resting.vertices() <= most)
     finer *= 2;
   return finer;
@@ -171,6 +172,23 @@ class BuiltBodies {
   std::map<std::tuple<std::string, double, double>, BuiltBody> built_;
 };
 
+/// Returns how long the shadows of pucks on a table can be, in heights of the puck. Light from a lamp that is H above
+/// and ρ beside the puck's upper rim reaches the cloth ρ/H heights beside the rim; while it falls, for √(1 + ρ²/H²)
+/// heights, the puck goes no further than that.
+double longestShadowOn(const glm::dvec2& table_m, std::span<const glm::dvec3> lamps_m,
+                       std::span<const BodyLooks> pucks) {
+  constexpr double kBeyond_m = 1.0;  // no point of a puck is drawn so far from its table, stretched or not
+  double highest_m = 0.0, longest = 0.0;
+  for (const BodyLooks& puck : pucks) highest_m = std::max(highest_m, puck.height_m);
+  for (const glm::dvec3& lamp_m : lamps_m) {
+    const glm::dvec2 corner_m = glm::abs(glm::dvec2(lamp_m)) + 0.5 * table_m + kBeyond_m;
+    const double above_m = lamp_m.z - highest_m;
+    if (above_m <= 0.0) return kLongestShadow;
+    longest = std::max(longest, 2.0 * glm::length(glm::dvec3(corner_m, above_m)) / above_m);
+  }
+  return std::min(longest, kLongestShadow);
+}
+
 void addBodies(Scene& scene, std::span<const BodyLooks> pucks, std::span<const BodyLooks> told,
                const Tessellation& tessellation) {
   Tessellation shared = tessellation;
@@ -216,6 +234,7 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
   const double lampHeight_m = std::min(kLampHeight_m, around.floor_m + around.size_m.z - 0.5);
   for (int i = 0; i < 3; ++i) scene.lamps_m[i] = {(i - 1) * table_m.x / 3.0, 0.0, lampHeight_m};
 
+  if (setup.board) scene.longestShadow = longestShadowOn(table_m, scene.lamps_m, pucks);
   Resting resting = restingParts(setup, around, scene.lamps_m);
   scene.finer = finerThan(resting, tessellation);
   addNote(scene, "table", resting.table, tessellation);

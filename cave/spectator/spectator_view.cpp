@@ -1,5 +1,6 @@
 #include "cave/spectator/spectator_view.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -66,7 +67,9 @@ struct SpectatorView::Drawing {
   RoomSurfaces surfaces;
   SolidDrawer solids;
   std::vector<Solid> head;
-  Solid coat, wand;
+  std::vector<Solid> coats;  ///< of each viewer
+  Solid wand;
+  std::array<RoomGeometry, kMostViewers> rooms;  ///< as each viewer sees it
   std::vector<Solid> table;
   std::vector<Corners> tableEdges;  ///< around the cloth and around the rails, on the board
   std::vector<BodySolid> bodies;
@@ -78,7 +81,7 @@ struct SpectatorView::Drawing {
   ~Drawing() { graphics.makeCurrent(); }
   void makeGame(const Scene& scene, std::span<const ScenePart> parts);
   void makePicture(const glm::ivec2& wanted_px);
-  void drawViewer(const FrameRecord& record) const;
+  void drawViewers(const FrameRecord& record) const;
   void drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories, float covers) const;
   void drawTable(const glm::dmat4& roomFromTable) const;
   void drawLines(const FrameRecord& record, const std::optional<glm::dmat4>& roomFromTable);
@@ -90,9 +93,12 @@ SpectatorView::Drawing::Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn
       room(roomIn),
       camera(roomIn),
       surfaces(roomIn),
-      coat(solids.upload(*viewer.coat.mesh, viewer.coat.colour)),
       wand(solids.upload(*viewer.wand.mesh, viewer.wand.colour)) {
   for (const ModelPart& part : viewer.head) head.push_back(solids.upload(*part.mesh, part.colour));
+  for (std::size_t i = 0; i < room.viewers.size(); ++i) {
+    coats.push_back(solids.upload(*viewer.coats.at(i).mesh, viewer.coats[i].colour));
+    rooms[i] = seenBy(room, i);
+  }
 }
 
 void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const ScenePart> parts) {
@@ -126,11 +132,13 @@ void SpectatorView::Drawing::makePicture(const glm::ivec2& wanted_px) {
   glBindRenderbuffer(GL_RENDERBUFFER, 0);
 }
 
-void SpectatorView::Drawing::drawViewer(const FrameRecord& record) const {
-  const ViewerPlaces places = viewerPlaces(record, room, surfaces.floor_m());
-  for (const Solid& part : head) solids.draw(part, places.roomFromHead);
-  if (places.roomFromCoat) solids.draw(coat, *places.roomFromCoat);
-  if (places.roomFromWand) solids.draw(wand, *places.roomFromWand);
+void SpectatorView::Drawing::drawViewers(const FrameRecord& record) const {
+  for (std::size_t i = 0; i < std::min<std::size_t>(record.viewers, room.viewers.size()); ++i) {
+    const ViewerPlaces places = viewerPlaces(seenBy(record, i), rooms[i], surfaces.floor_m());
+    for (const Solid& part : head) solids.draw(part, places.roomFromHead);
+    if (places.roomFromCoat) solids.draw(coats[i], *places.roomFromCoat);
+    if (places.roomFromWand) solids.draw(wand, *places.roomFromWand);
+  }
 }
 
 void SpectatorView::Drawing::drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories,
@@ -164,7 +172,9 @@ void SpectatorView::Drawing::drawLines(const FrameRecord& record,
     for (std::size_t i = 0; i < 4; ++i) {
       lines.push_back({corners_m[i], corners_m[(i + 1) % 4], inside ? kFrame_m : kFarFrame_m,
                        inside ? kFrame : kFarFrame});
-      lines.push_back({record.observer.middle.positionInRoom_m, corners_m[i], kSight_m, kSight});
+      for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
+        lines.push_back(
+            {record.viewer(viewer).observer.middle.positionInRoom_m, corners_m[i], kSight_m, kSight});
     }
   }
   const std::size_t ofRoom = lines.size();
@@ -238,7 +248,7 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   d.drawBodies(moment, histories, kBehindCovers);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
-  d.drawViewer(record);
+  d.drawViewers(record);
   d.drawBodies(moment, histories, 1.0F);
   const std::optional<glm::dmat4> roomFromTable = moment.roomFromBody(histories[kRestingBody]);
   if (roomFromTable) d.drawTable(*roomFromTable);

@@ -13,8 +13,10 @@
 namespace carom {
 namespace {
 
-constexpr glm::vec3 kSkin(0.80F, 0.32F, 0.09F), kCoat(0.06F, 0.16F, 0.42F), kGlasses(0.02F),
-    kWand(0.75F, 0.72F, 0.65F);
+constexpr glm::vec3 kSkin(0.80F, 0.32F, 0.09F), kGlasses(0.02F), kWand(0.75F, 0.72F, 0.65F);
+// Told apart by the colour-blind (Okabe and Ito 2008).
+constexpr std::array<glm::vec3, kMostViewers> kCoats{
+    {{0.06F, 0.16F, 0.42F}, {0.60F, 0.10F, 0.01F}, {0.01F, 0.30F, 0.16F}, {0.70F, 0.35F, 0.02F}}};
 constexpr double kBehindEyes_m = 0.09;  // distance of the head's middle behind the eyes
 constexpr double kLowest_m = 0.5;       // least height of the eyes above the floor for a coat below them
 
@@ -78,7 +80,12 @@ glm::dmat4 matrixOf(const Pose& pose) {
 
 }  // namespace
 
-ViewerModel makeViewerModel() { return {head(), {coat(), kCoat}, {wand(), kWand}}; }
+ViewerModel makeViewerModel() {
+  ViewerModel model{head(), {}, {wand(), kWand}};
+  const vtkSmartPointer<vtkPolyData> mesh = coat();
+  for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer) model.coats[viewer] = {mesh, kCoats[viewer]};
+  return model;
+}
 
 ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomGeometry& room, double floor_m) {
   const glm::dmat4 roomFromViewer(
@@ -87,7 +94,7 @@ ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomGeometry& room, d
   const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
   Pose roomFromHead{eyes_m, {1.0, 0.0, 0.0, 0.0}};
   if (tracked.headKnown)
-    roomFromHead.orientation = (tracked.roomFromHeadSensor * room.sensorFromEyes).orientation;
+    roomFromHead.orientation = (tracked.roomFromHeadSensor * room.viewers.front().sensorFromEyes).orientation;
   ViewerPlaces places{matrixOf(roomFromHead) * roomFromViewer, {}, {}};
   if (const double height_m = glm::dot(eyes_m, room.up) - floor_m; height_m > kLowest_m) {
     const glm::dvec3 forward = roomFromHead.orientation * room.forward;

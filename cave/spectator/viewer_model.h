@@ -1,6 +1,7 @@
 #pragma once
 // A model of the viewer for the room seen from outside: a head with 3-D glasses, a coat below it, and a wand.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct ModelPart {
 /// Meshes in metres; x right, y forward, z up.
 struct ViewerModel {
   std::vector<ModelPart> head;  ///< relative to the point between the eyes
-  ModelPart coat;               ///< relative to the floor below the neck; the eyes are 1 m high
-  ModelPart wand;               ///< relative to the point where it is held
+  /// Relative to the floor below the neck; the eyes are 1 m high. One for each viewer, in a colour of their own.
+  std::array<ModelPart, kMostViewers> coats;
+  ModelPart wand;  ///< relative to the point where it is held
 };
 ViewerModel makeViewerModel();
 
@@ -34,7 +36,7 @@ struct ViewerPlaces {
   std::optional<glm::dmat4> roomFromCoat;  ///< none if the eyes are too low for a standing person
   std::optional<glm::dmat4> roomFromWand;  ///< none while the hand is not tracked
 };
-/// `floor_m`: the floor's height along the room's up.
+/// Returns the places of the first viewer's figure. `floor_m`: the floor's height along the room's up.
 ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomGeometry& room, double floor_m);
 
 }  // namespace carom

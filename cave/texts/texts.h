@@ -56,6 +56,11 @@ inline constexpr Text kAngles = "angles between the outgoing paths";
 inline constexpr Text kFrozen = "frozen view: walk around it";
 inline constexpr Text kClocks = "labels: each puck's proper time";
 inline constexpr Text kScore = "caroms  {}   strokes  {}";
+inline constexpr Text kYourTurn = "your turn", kTheirTurn = "{}'s turn";
+inline constexpr Text kScoreOf = "{}:  caroms  {}   strokes  {}", kMe = "you";
+inline constexpr Text kOlder = "{}: {:.1f} s, older than you by {:.1f} s";
+inline constexpr Text kYounger = "{}: {:.1f} s, younger than you by {:.1f} s";
+inline constexpr Text kAsOld = "{}: {:.1f} s, as old as you";
 inline constexpr Text kMyTime = "my proper time  {:.1f} s";
 inline constexpr Text kMySpeed = "my speed  {:.2f} c   γ = {:.2f}";
 inline constexpr Text kLight = "light  {:.2f} m/s";
@@ -87,7 +92,12 @@ inline constexpr Text kReadOnly = "A recording cannot be changed: strokes and dr
 inline constexpr Text kTurnedOn = "{}: on", kTurnedOff = "{}: off";
 inline constexpr Text kCarom =
     "Carom! Your puck touched two others (cushions: {}). Enter: your best shot again";
-inline constexpr Text kBestShot = "Your best shot, as you saw it (cushions: {}). Enter: back to the game";
+inline constexpr Text kCaromOf = "Carom by {}! (cushions: {})";
+inline constexpr Text kSawHitFirst = "{} saw the hit first", kYouSawHitFirst = "You saw the hit first";
+inline constexpr Text kSawHitLater = "; {} {:.2f} s later: its light had {:.2f} m further to go";
+inline constexpr Text kBestShot = "Your best shot, as you saw it (cushions: {})";
+inline constexpr Text kBestShotOf = "The best shot of {}, seen with the same eyes (cushions: {})";
+inline constexpr Text kBackToGame = ". Enter: back to the game", kLastShot = "The game is over. {}";
 inline constexpr Text kNoCarom = "No carom so far: strike a puck so that it touches two others.";
 inline constexpr Text kFrozen = "The view is frozen: F lets time go on.";
 inline constexpr Text kAsks = "Time stands still until you answer, or skip the question (Enter).";
@@ -215,6 +225,7 @@ inline constexpr Text kCushions = "cushions";
 inline constexpr Text kLightCone = "my light cone";
 inline constexpr Text kTimeAxis = "my time axis ({:.2f} c)";
 inline constexpr Text kSimultaneity = "my line of simultaneity";
+inline constexpr Text kSimultaneityOf = "{}: line of simultaneity";
 inline constexpr Text kEvents = "events", kFlash = "flash: {}";
 inline constexpr Text kMe = "me";
 }  // namespace diagram
@@ -242,6 +253,9 @@ inline constexpr Text kSession = "session";
 inline constexpr Text kSessionTip = "Since the session began, by the clock on the wall.";
 inline constexpr Text kProperTime = "proper time";
 inline constexpr Text kProperTimeTip = "What the observer's own clock shows.";
+inline constexpr Text kOwnTimeAndPace = "{}  × {:.2f}";
+inline constexpr Text kOwnTimeTip =
+    "What this person's own clock shows, and its pace: 1 for whoever moves fastest, more for the others.";
 inline constexpr Text kTableTime = "table time";
 inline constexpr Text kTableTimeTip =
     "What the table's clocks show where the observer is. It runs ahead of the observer's proper time while "

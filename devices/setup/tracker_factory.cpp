@@ -57,8 +57,10 @@ std::unique_ptr<Tracker> createTracker(const TrackerSetup& setup, const RoomAxes
   if (setup.kind == TrackerKind::recorded) return std::make_unique<RecordedTracker>(readTrace(setup.source));
   if (setup.kind == TrackerKind::simulated) {
     SimulatedPerson person;
+    person.seed = setup.seed;
     person.axes = axes;
-    person.still = setup.still;
+    person.still = setup.person == SimulatedMotion::still;
+    person.walks = setup.person == SimulatedMotion::walks;
     return std::make_unique<SimulatedTracker>(person);
   }
   Transport transport;

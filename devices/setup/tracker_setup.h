@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -30,11 +31,15 @@ inline std::string_view toString(TrackerKind kind) { return kTrackerKinds[static
 /// The height of the eyes above the floor until a tracker has delivered.
 inline constexpr double kStandingEyes_m = 1.7;
 
+/// What a simulated person does (devices/tracker/simulated_tracker.h).
+enum class SimulatedMotion { moves, still, walks };
+
 struct TrackerSetup {
   std::string name;
   TrackerKind kind = TrackerKind::simulated;
-  double latency_s = 0.0;        ///< known age of its samples, if they do not carry it themselves
-  bool still = false;            ///< for a simulated tracker: the person does not move
+  double latency_s = 0.0;  ///< known age of its samples, if they do not carry it themselves
+  SimulatedMotion person = SimulatedMotion::moves;  ///< of a simulated tracker
+  std::uint64_t seed = 1;        ///< of a simulated tracker: people with different seeds walk differently
   std::filesystem::path source;  ///< recorded tracker: the trace, which exists. Device: its address
   bool start = false;            ///< for DTRACK: the session starts and stops the measurement
   Pose roomFromTracker;

@@ -15,6 +15,7 @@ constexpr double kBob_s = 0.008;     // amplitude of the bob in metres for each 
 constexpr double kGaze_rad_s = 5.0;  // how fast the eyes' place is turned to
 constexpr double kFirstStand_s = 5.0;
 constexpr double kFirstShift_s = 5.0;
+constexpr double kLeastWalk_m = 0.5;  // of one who walks from the beginning
 
 // How a body keeps its place: a damped spring, driven by acceleration noise of a component.
 struct Posture {
@@ -48,7 +49,7 @@ double between(std::mt19937_64& random, double low, double high) {
 SimulatedTracker::SimulatedTracker(const SimulatedPerson& person)
     : person_(person), motionRandom_(person.seed), noiseRandom_(person.seed + 0x9e3779b97f4a7c15u) {
   position_m_ = intent_.place_m = intent_.onTheWay_m = {0.0, person.headHeight_m, 0.0};
-  intent_.until_s = kFirstStand_s;
+  intent_.until_s = person.walks ? 0.0 : kFirstStand_s;
   intent_.lookUntil_s = kFirstStand_s;
 }
 
@@ -57,7 +58,7 @@ void SimulatedTracker::decide() {
   using Activity = Intent::Activity;
   const double now_s = static_cast<double>(steps_) * kStep_s;
   if (now_s >= intent_.until_s) {
-    const bool shifts = now_s < kFirstStand_s + kFirstShift_s;
+    const bool shifts = !person_.walks && now_s < kFirstStand_s + kFirstShift_s;
     const bool walked = intent_.activity == Activity::walking;
     intent_.activity = shifts ? Activity::shifting : walked ? Activity::standing : Activity::walking;
     if (shifts) {
@@ -66,8 +67,10 @@ void SimulatedTracker::decide() {
     } else if (walked) {
       intent_.until_s = now_s + between(motionRandom_, 1.0, 3.0);
     } else {
-      intent_.place_m.x = between(motionRandom_, -person_.reach_m, person_.reach_m);
-      intent_.place_m.z = between(motionRandom_, -person_.reach_m, person_.reach_m);
+      do {
+        intent_.place_m.x = between(motionRandom_, -person_.reach_m, person_.reach_m);
+        intent_.place_m.z = between(motionRandom_, -person_.reach_m, person_.reach_m);
+      } while (person_.walks && glm::distance(intent_.place_m, intent_.onTheWay_m) < kLeastWalk_m);
       const double way_m = glm::distance(intent_.place_m, intent_.onTheWay_m);
       intent_.until_s = now_s + way_m / kWalk_m_s + 1.5;
     }

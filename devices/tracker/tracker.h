@@ -2,8 +2,10 @@
 // The interface of every tracker, whether it is a device, a recording or a simulated person: poses of its
 // sensors with the times at which they held, buttons and axes, and its health.
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,12 @@ struct TrackerSample {
   Pose pose;                    ///< trackerFromSensor, metres; identity orientation where none is measured
   bool hasOrientation = false;  ///< whether the tracker measures orientation
   double quality = std::numeric_limits<double>::quiet_NaN();  ///< 0 … 1 if the tracker reports it
+};
+
+/// Samples of one of several trackers.
+struct TrackerSamples {
+  std::size_t tracker = 0;  ///< index of the rig's trackers
+  std::span<const TrackerSample> samples;
 };
 
 /// The health of a tracker, for display.

@@ -2,6 +2,7 @@
 // The limits that several parts of the program must agree on.
 
 #include <algorithm>
+#include <cstddef>
 
 namespace carom {
 
@@ -14,11 +15,12 @@ inline constexpr double kLeastLightSpeed_m_s = 0.3, kMostLightSpeed_m_s = 30.0;
 inline constexpr double kStrongestU = 3.0;
 
 /// Returns the strongest proper acceleration of the platform. Light from a distance c²/a behind never catches
-/// up with an observer who accelerates at a. The limit keeps that distance at two metres, so that time goes
-/// forward in the whole room; where light is fast, the limit is c in one second.
-inline double strongestThrust_m_s2(double c_m_s) {
+/// up with an observer who accelerates at a. The limit keeps that distance at two metres, or at twice the distance
+/// of the farthest of several observers, so that time goes forward in the whole room; where light is fast, the
+/// limit is c in one second.
+inline double strongestThrust_m_s2(double c_m_s, double farthestObserver_m = 0.0) {
   constexpr double kBehind_m = 2.0, kLeast_s = 1.0;
-  return std::min(c_m_s * c_m_s / kBehind_m, c_m_s / kLeast_s);
+  return std::min(c_m_s * c_m_s / std::max(kBehind_m, 2.0 * farthestObserver_m), c_m_s / kLeast_s);
 }
 
 /// The u = γβ beyond which the drive makes the platform no faster: 0.995 c. There ten of the board's seconds,
@@ -27,6 +29,12 @@ inline constexpr double kMostPlatformU = 10.0;
 
 /// A tracked step faster than this celerity is a glitch of the tracker, not travel: no head moves faster.
 inline constexpr double kGlitchCelerity_m_s = 12.0;
+
+/// The same where several observers share a room: there one's step makes the clocks of the others run ahead.
+inline constexpr double kGlitchOfSeveral_m_s = 3.0;
+
+/// The most observers whose heads are tracked in one room.
+inline constexpr std::size_t kMostViewers = 4;
 
 /// When no sample comes, a tracked pose is predicted for so long; then its celerity fades to zero. After both
 /// it counts as lost.

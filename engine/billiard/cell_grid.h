@@ -1,14 +1,32 @@
 #pragma once
-// A grid of square cells over the board. Each cell holds the numbers of the pucks whose centres lie in it, so
-// that neighbours are found without looking at every puck. The outermost cells reach to infinity.
+// A grid of square cells over the board. Each cell holds the numbers and coarse flights of the pucks whose
+// centres lie in it, so that neighbours are found without looking at every puck. The outermost cells reach to
+// infinity.
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
+#include "engine/base/large_pages.h"
+#include "engine/base/prefetch.h"
+#include "engine/collision/coarse_flight.h"
+
 namespace carom {
+
+/// Items and their flights as they are found, column by column. The columns have room for some more than are
+/// found, so that they are written and read several at a time.
+struct FoundFlights {
+  std::vector<float> x, y, vx, vy;
+  std::vector<int> items;
+  int count = 0;
+
+  static constexpr int kRoom = 16;
+  explicit FoundFlights(std::size_t most = 0)
+      : x(most + kRoom), y(most + kRoom), vx(most + kRoom), vy(most + kRoom), items(most + kRoom) {}
+};
 
 class CellGrid {
  public:
@@ -33,12 +51,17 @@ class CellGrid {
                   indexIn(std::floor((y - lowY_) * perCell_), rows_));
   }
 
-  void move(int item, int cell) {
+  void move(int item, int cell, const CoarseFlight& flight) {
     if (cellOf_[item] != kNone) takeOut(item, cellOf_[item]);
     cellOf_[item] = cell;
     int block = cell;
     while (blocks_[block].items.back() != kNone) block = blockAfter(block);
-    *std::find(blocks_[block].items.begin(), blocks_[block].items.end(), kNone) = item;
+    blocks_[block].put(blocks_[block].count(), item, flight);
+  }
+  /// Changes the flight of an item that is in a cell.
+  void change(int item, const CoarseFlight& flight) {
+    const auto [block, place] = find(item, cellOf_[item]);
+    blocks_[block].put(place, item, flight);
   }
 
   /// Whether a step along an axis leads out of `cell` into another.
@@ -66,30 +89,64 @@ class CellGrid {
     const int column = indexOf(cell, 0), row = indexOf(cell, 1);
     return findIn(column - reach, column + reach, row - reach, row + reach, found);
   }
-  /// Does the same for the three cells that come into reach after a step along an axis into `cell`.
-  int findAhead(int cell, int axis, int step, int* found) const {
-    if (!canLeave(cell, axis, step)) return 0;
+  /// Does the same with the items' flights, for which `found` has room.
+  void findNear(int cell, int reach, FoundFlights& found) const {
     const int column = indexOf(cell, 0), row = indexOf(cell, 1);
-    return axis == 0 ? findIn(column + step, column + step, row - 1, row + 1, found)
-                     : findIn(column - 1, column + 1, row + step, row + step, found);
+    findIn(column - reach, column + reach, row - reach, row + reach, found);
+  }
+  /// Does the same for the three cells that come into reach after a step along an axis into `cell`.
+  void findAhead(int cell, int axis, int step, FoundFlights& found) const {
+    found.count = 0;
+    if (!canLeave(cell, axis, step)) return;
+    const int column = indexOf(cell, 0), row = indexOf(cell, 1);
+    if (axis == 0) {
+      findIn(column + step, column + step, row - 1, row + 1, found);
+    } else {
+      findIn(column - 1, column + 1, row + step, row + step, found);
+    }
   }
   static constexpr int kSpare = 3;
-  // Prefetch from memory: in which cell an item is, and `cell` with those around it.
-  void fetchCellOf(int item) const { __builtin_prefetch(&cellOf_[item]); }
+  // Prefetch from memory: in which cell an item is; `cell` with those around it; `cell` and what `findAhead`
+  // reads.
+  void fetchCellOf(int item) const { prefetch(&cellOf_[item]); }
+  void fetch(int cell) const { prefetch(&blocks_[cell]); }
   void fetchNear(int cell) const {
     const int column = indexOf(cell, 0), row = indexOf(cell, 1);
-    for (int beside = std::max(0, row - 1); beside <= std::min(rows_ - 1, row + 1); ++beside) {
-      __builtin_prefetch(&blocks_[cellIn(std::max(0, column - 1), beside)]);
-      __builtin_prefetch(&blocks_[cellIn(std::min(columns_ - 1, column + 1), beside)]);
+    fetchBlocks(column - 1, column + 1, row - 1, row + 1);
+  }
+  void fetchAhead(int cell, int axis, int step) const {
+    const int column = indexOf(cell, 0), row = indexOf(cell, 1);
+    prefetch(&blocks_[cell]);
+    if (axis == 0) {
+      fetchBlocks(column + step, column + step, row - 1, row + 1);
+    } else {
+      fetchBlocks(column - 1, column + 1, row + step, row + step);
     }
   }
 
  private:
   static constexpr int kNone = -1;
-  // The first items of a cell. Further items are in further blocks, which follow those of the cells.
-  struct Block {
+  // The first items of a cell: a cache line. Further items are in further blocks, which follow those of the
+  // cells.
+  struct alignas(64) Block {
     std::array<int, kSpare> items{kNone, kNone, kNone};  // filled from the front, all but the last block full
+    std::array<float, kSpare> x{}, y{}, vx{}, vy{};
     int more = kNone;
+
+    void put(int place, int item, const CoarseFlight& flight) {
+      items[place] = item;
+      x[place] = flight.x, y[place] = flight.y, vx[place] = flight.vx, vy[place] = flight.vy;
+    }
+    void take(int place, const Block& from, int there) {
+      put(place, from.items[there], {from.x[there], from.y[there], from.vx[there], from.vy[there]});
+    }
+    int count() const {
+      return (items[0] != kNone ? 1 : 0) + (items[1] != kNone ? 1 : 0) + (items[2] != kNone ? 1 : 0);
+    }
+  };
+  static_assert(sizeof(Block) == 64);
+  struct Found {
+    int block, place;
   };
 
   static int indexIn(double index, int count) {
@@ -99,21 +156,54 @@ class CellGrid {
   int indexOf(int cell, int axis) const {
     return axis == 0 ? cell & ((1 << rowShift_) - 1) : cell >> rowShift_;
   }
-  int findIn(int columnLow, int columnHigh, int rowLow, int rowHigh, int* found) const {
+  template <class Visit>
+  void visitBlocks(int columnLow, int columnHigh, int rowLow, int rowHigh, Visit visit) const {
     columnLow = std::max(0, columnLow), columnHigh = std::min(columns_ - 1, columnHigh);
     rowLow = std::max(0, rowLow), rowHigh = std::min(rows_ - 1, rowHigh);
-    int* end = found;
     for (int row = rowLow; row <= rowHigh; ++row) {
       for (int column = columnLow; column <= columnHigh; ++column) {
-        for (int block = cellIn(column, row); block != kNone; block = blocks_[block].more) {
-          for (const int item : blocks_[block].items) {  // always all of them: no branch to mispredict
-            *end = item;
-            end += item != kNone ? 1 : 0;
-          }
-        }
+        for (int block = cellIn(column, row); block != kNone; block = blocks_[block].more)
+          visit(blocks_[block]);
       }
     }
+  }
+  void fetchBlocks(int columnLow, int columnHigh, int rowLow, int rowHigh) const {
+    columnLow = std::max(0, columnLow), columnHigh = std::min(columns_ - 1, columnHigh);
+    rowLow = std::max(0, rowLow), rowHigh = std::min(rows_ - 1, rowHigh);
+    for (int row = rowLow; row <= rowHigh; ++row) {
+      for (int column = columnLow; column <= columnHigh; ++column) prefetch(&blocks_[cellIn(column, row)]);
+    }
+  }
+  int findIn(int columnLow, int columnHigh, int rowLow, int rowHigh, int* found) const {
+    int* end = found;
+    visitBlocks(columnLow, columnHigh, rowLow, rowHigh, [&](const Block& block) {
+      std::copy(block.items.begin(), block.items.end(), end);  // always all: no branch to mispredict
+      end += block.count();
+    });
     return static_cast<int>(end - found);
+  }
+  // Copies four at a time, as one instruction does; only those that are items count. What follows a column of
+  // numbers in a block is no subnormal number, with which calculation takes a hundred times as long.
+  void findIn(int columnLow, int columnHigh, int rowLow, int rowHigh, FoundFlights& found) const {
+    int end = 0;
+    visitBlocks(columnLow, columnHigh, rowLow, rowHigh, [&](const Block& block) {
+      const char* const from = reinterpret_cast<const char*>(&block);
+      constexpr std::size_t kColumn = kSpare * sizeof(float), kFour = 4 * sizeof(float);
+      std::memcpy(&found.items[end], from, kFour);
+      std::memcpy(&found.x[end], from + kColumn, kFour);
+      std::memcpy(&found.y[end], from + 2 * kColumn, kFour);
+      std::memcpy(&found.vx[end], from + 3 * kColumn, kFour);
+      std::memcpy(&found.vy[end], from + 4 * kColumn, kFour);
+      end += block.count();
+    });
+    found.count = end;
+  }
+  Found find(int item, int cell) const {
+    for (int block = cell;; block = blocks_[block].more) {
+      for (int place = 0; place < kSpare; ++place) {
+        if (blocks_[block].items[place] == item) return {block, place};
+      }
+    }
   }
   int blockAfter(int block) {
     if (blocks_[block].more != kNone) return blocks_[block].more;
@@ -129,22 +219,16 @@ class CellGrid {
   }
   // Removes `item` from `cell`; the last item of the cell takes its place.
   void takeOut(int item, int cell) {
-    int block = cell;
-    auto place = blocks_[block].items.end();
-    while ((place = std::find(blocks_[block].items.begin(), blocks_[block].items.end(), item)) ==
-           blocks_[block].items.end()) {
-      block = blocks_[block].more;
-    }
+    const auto [block, place] = find(item, cell);
     int last = block, beforeLast = cell;
     if (block != cell) {
       while (blocks_[beforeLast].more != block) beforeLast = blocks_[beforeLast].more;
     }
     for (; blocks_[last].more != kNone; last = blocks_[last].more) beforeLast = last;
-    auto& items = blocks_[last].items;
-    const auto lastItem = std::find(items.begin(), items.end(), kNone) - 1;
-    *place = *lastItem;
-    *lastItem = kNone;
-    if (last != cell && items.front() == kNone) {
+    const int lastPlace = blocks_[last].count() - 1;
+    blocks_[block].take(place, blocks_[last], lastPlace);
+    blocks_[last].items[lastPlace] = kNone;
+    if (last != cell && lastPlace == 0) {
       blocks_[beforeLast].more = kNone;
       blocks_[last].more = free_;
       free_ = last;
@@ -153,10 +237,10 @@ class CellGrid {
 
   double lowX_ = 0.0, lowY_ = 0.0, cell_ = 1.0, perCell_ = 1.0;
   int columns_ = 1, rows_ = 1;
-  int rowShift_ = 0;           // a row of cells has room for 2^rowShift_
-  std::vector<Block> blocks_;  // by cell, then those for more items
-  std::vector<int> cellOf_;    // by item
-  int free_ = kNone;           // the first of the blocks for more items that hold none
+  int rowShift_ = 0;          // a row of cells has room for 2^rowShift_
+  LargeArray<Block> blocks_;  // by cell, then those for more items
+  LargeArray<int> cellOf_;    // by item
+  int free_ = kNone;          // the first of the blocks for more items that hold none
 };
 
 }  // namespace carom

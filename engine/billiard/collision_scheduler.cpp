@@ -131,45 +131,46 @@ bool CollisionScheduler::hasDeferredBefore(double limit) {
   return false;
 }
 
-void CollisionScheduler::fetchDiscs(int found) const {
-  for (int n = 0; n < found; ++n) __builtin_prefetch(&discs_[near_[n]]);
-}
-
 // Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
-// they are needed, one kind after the other, as each is found by the one before: a puck's own, its cells, the
-// pucks in them.
-void CollisionScheduler::prefetchUpcoming() {
-  constexpr int kOwn = DueQueue::kSoon - 1, kCells = 9, kDiscs = 4;  // events ahead
+// they are needed, one kind after the other, as each is found by the one before: a puck's own, those of the one
+// that it meets, and their cells.
+void CollisionScheduler::prefetchUpcoming(const GameHistory& history) {
+  constexpr int kOwn = DueQueue::kSoon, kOthers = 11, kCells = 6;  // events ahead
   const auto fetch = [&](int i) {
-    __builtin_prefetch(&outlooks_[i]);
-    __builtin_prefetch(&discs_[i]);
+    prefetch(&outlooks_[i]);
+    prefetch(&discs_[i]);
     cells_.fetchCellOf(i);
+    queue_.fetch(i);
   };
-  if (const int i = queue_.soon(kOwn); i >= 0) fetch(i);
-  if (const int i = queue_.soon(kCells); i >= 0) {
+  queue_.lookAhead(0, kOwn, fetch);
+  queue_.lookAhead(1, kOthers, [&](int i) {
     const Outlook& own = outlooks_[i];
-    cells_.fetchNear(cells_.cellOf(i));
-    if (!(own.leavesCell < own.next.ownTime)) {
-      __builtin_prefetch(&pucks_[i]);
-      if (own.next.kind == Kind::pair) fetch(own.next.with), __builtin_prefetch(&pucks_[own.next.with]);
-    }
-  }
-  if (const int i = queue_.soon(kDiscs); i >= 0) {
+    const int cell = cells_.cellOf(i), axis = leavesFirst(i);
+    cells_.fetch(cell);
+    if (own.leavesCell < own.next.ownTime)
+      return cells_.fetchAhead(cells_.beside(cell, axis, wayAlong(i, axis)), axis, wayAlong(i, axis));
+    cells_.fetchNear(cell);
+    prefetch(&pucks_[i], sizeof(PuckState));
+    if (own.next.kind == Kind::pair)
+      fetch(own.next.with), prefetch(&pucks_[own.next.with], sizeof(PuckState));
+  });
+  queue_.lookAhead(2, kCells, [&](int i) {
     const Outlook& own = outlooks_[i];
-    const int axis = leavesFirst(i), cell = cells_.cellOf(i);
-    if (own.leavesCell < own.next.ownTime) {
-      const int way = wayAlong(i, axis);
-      fetchDiscs(cells_.findAhead(cells_.beside(cell, axis, way), axis, way, near_.data()));
-    } else {
-      fetchDiscs(cells_.findNear(cell, 1, near_.data()));
-    }
-  }
+    if (own.leavesCell < own.next.ownTime) return;
+    history.fetch(pucks_[i].file);
+    if (own.firstDependent >= 0) fetch(own.firstDependent);
+    if (own.next.kind != Kind::pair) return;
+    cells_.fetchNear(cells_.cellOf(own.next.with));
+    history.fetch(pucks_[own.next.with].file);
+    if (const int dependent = outlooks_[own.next.with].firstDependent; dependent >= 0) fetch(dependent);
+  });
 }
 
 void CollisionScheduler::step(GameHistory& history) {
   const int i = queue_.first();
   clock_ = std::max(clock_, queue_.firstDue());
-  if (pucks_.size() > kPucksInCache) prefetchUpcoming();
+  moveEpoch();
+  if (pucks_.size() > kPucksInCache) prefetchUpcoming(history);
   const PredictedEvent predicted = outlooks_[i].next;
   if (outlooks_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
   switch (predicted.kind) {
@@ -203,7 +204,11 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
     deferred_.push_back(i);
     return;
   }
-  if (pucks_.size() > kPucksInCache) fetchDiscs(cells_.findNear(cells_.cellOf(j), 1, near_.data()));
+  if (pucks_.size() > kPucksInCache) {
+    for (const int dependent : {outlooks_[i].firstDependent, outlooks_[j].firstDependent}) {
+      if (dependent >= 0) cells_.fetchNear(cells_.cellOf(dependent));
+    }
+  }
   const bool inOrder = i < j;
   PredictedEvent ordered = a;
   if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
@@ -242,11 +247,12 @@ bool CollisionScheduler::waitsForItself(int i) const {
 void CollisionScheduler::changeCell(int i, int axis) {
   const int way = wayAlong(i, axis);
   const int into = cells_.beside(cells_.cellOf(i), axis, way);
-  cells_.move(i, into);
+  cells_.move(i, into, coarseFlightOf(i));
   findCellExit(i);
   const PredictedEvent& before = outlooks_[i].next;
   PredictedEvent best = before;
-  considerPairs(i, cells_.findAhead(into, axis, way, near_.data()), best);
+  cells_.findAhead(into, axis, way, found_);
+  considerPairs(i, best);
   considerCushions(i, best);
   if (best.ownTime == before.ownTime && best.with == before.with) return schedule(i);
   setPredictedEvent(i, best);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/large_pages.h"
 #include "engine/billiard/billiard_setup.h"
 #include "engine/billiard/cell_grid.h"
 #include "engine/billiard/due_queue.h"
@@ -44,6 +45,7 @@ class CollisionScheduler {
 
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t kPucksWithoutCells = 32;
 
   enum class Kind : unsigned char { none, turn, stroke, cushion, pair };  // in the order of equal times
   // The next event of a puck.
@@ -139,8 +141,7 @@ class CollisionScheduler {
   void flashUntil(double limit, GameHistory& history);
   void step(GameHistory& history);
   bool hasDeferredBefore(double limit);
-  void prefetchUpcoming();
-  void fetchDiscs(int found) const;
+  void prefetchUpcoming(const GameHistory& history);
   void meet(int i, GameHistory& history);
   bool waitsForItself(int i) const;
   void changeCell(int i, int axis);
@@ -149,11 +150,15 @@ class CollisionScheduler {
   void predict(int i);
   void predictAll();
   int enterCell(int i);
+  void moveEpoch();
+  CoarseFlight coarseFlightOf(int i) const { return coarseFlight(discs_[i], epoch_); }
+  // Games of few pucks compare all with all.
+  bool usesCells() const { return pucks_.size() > kPucksWithoutCells; }
   void layOutCells();
   void considerCushions(int i, PredictedEvent& best) const;
   void considerCushion(int i, int cushion, PredictedEvent& best) const;
   void considerStrokes(int i, PredictedEvent& best) const;
-  void considerPairs(int i, int found, PredictedEvent& best);
+  void considerPairs(int i, PredictedEvent& best);
   void considerPair(int i, int other, PredictedEvent& best);
   static bool isEarlier(double ownTime, int with, const PredictedEvent& than);
   std::optional<Meeting> meetingOf(int first, int second) const;
@@ -279,12 +284,14 @@ class CollisionScheduler {
       flashes_;  // in the order of time, beside their place in the setup
 
   // The state of the game, by puck.
-  std::vector<Disc> discs_;  // the legs being followed; the search for partners reads them
-  std::vector<Outlook> outlooks_;
-  std::vector<PuckState> pucks_;
+  LargeArray<Disc> discs_;  // the legs being followed; the search for partners reads them
+  LargeArray<Outlook> outlooks_;
+  LargeArray<PuckState> pucks_;
   std::vector<PuckSpin> spins_;
   DueQueue queue_;
   CellGrid cells_;
+  double epoch_ = 0.0;            // the board time of the flights in the cells
+  FoundFlights found_;            // scratch: neighbours
   std::vector<int> near_, void_;  // scratch
   std::vector<Member> members_;   // scratch: the jam that is being settled
   std::vector<Press> presses_;

@@ -298,6 +298,7 @@ void CollisionScheduler::beginLeg(int i, const Leg& leg, const Turning& turning)
   discs_[i].start = leg.start;
   discs_[i].u = leg.u;
   discs_[i].turnsAt = player.decided.empty() ? kNever : player.decided.front().leg.start.t;
+  if (usesCells()) cells_.change(i, coarseFlightOf(i));
 }
 
 void CollisionScheduler::beginCommitted(int i) {

@@ -10,7 +10,7 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kPucksWithoutCells = 32;
+constexpr double kCellsPerEpoch = 64.0;  // which light crosses before the epoch of the flights moves on
 
 }  // namespace
 
@@ -30,10 +30,12 @@ void CollisionScheduler::layOutCells() {
       std::sqrt(boxWidth_ * boxHeight_ / static_cast<double>(std::max<std::size_t>(1, count)));
   const double edge = 1.01 * std::max(pairReach_, onePuckEach);
   const auto fit = [&](double length) {
-    return count <= kPucksWithoutCells ? 1 : std::max(1, static_cast<int>(std::min(length / edge, 4096.0)));
+    return !usesCells() ? 1 : std::max(1, static_cast<int>(std::min(length / edge, 4096.0)));
   };
   cells_ = CellGrid(boxLowX_, boxLowY_, edge, fit(boxWidth_), fit(boxHeight_), static_cast<int>(count));
   near_.resize(count + CellGrid::kSpare);
+  found_ = FoundFlights(count);
+  epoch_ = clock_;
   cellsTooSmall_ = false;
 }
 
@@ -54,7 +56,7 @@ void CollisionScheduler::predict(int i) {
     best.ownTime = discs_[i].turnsAt;
   }
   if (!strokes_.empty()) considerStrokes(i, best);
-  if (pucks_.size() <= kPucksWithoutCells) {
+  if (!usesCells()) {
     for (int other = 0; other < static_cast<int>(pucks_.size()); ++other) {
       if (other == i || (brake_ == 0.0 && !mayMeet(discs_[i], discs_[other], convention_))) continue;
       considerPair(i, other, best);
@@ -64,7 +66,8 @@ void CollisionScheduler::predict(int i) {
     const double behind = std::max(0.0, clock_ - std::max(outlooks_[i].next.ownTime, discs_[i].start.t));
     const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
     const int reach = reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0));
-    considerPairs(i, cells_.findNear(enterCell(i), reach, near_.data()), best);
+    cells_.findNear(enterCell(i), reach, found_);
+    considerPairs(i, best);
   }
   considerCushions(i, best);
   setPredictedEvent(i, best);
@@ -75,9 +78,16 @@ int CollisionScheduler::enterCell(int i) {
   const Leg leg = flightOf(i);
   const Vec21 x = placeAt(leg, std::max(clock_, leg.start.t)).x;
   const int cell = cells_.cellAt(x.x, x.y);
-  if (cell != cells_.cellOf(i)) cells_.move(i, cell);
+  if (cell != cells_.cellOf(i)) cells_.move(i, cell, coarseFlightOf(i));
   findCellExit(i);
   return cell;
+}
+
+// The flights in the cells lose digits with the time between their epoch and the present.
+void CollisionScheduler::moveEpoch() {
+  if (!usesCells() || clock_ - epoch_ < kCellsPerEpoch * cells_.cellEdge()) return;
+  epoch_ = clock_;
+  for (int i = 0; i < static_cast<int>(pucks_.size()); ++i) cells_.change(i, coarseFlightOf(i));
 }
 
 void CollisionScheduler::findCellExit(int i) {
@@ -122,22 +132,33 @@ bool CollisionScheduler::isEarlier(double ownTime, int with, const PredictedEven
   return ownTime < than.ownTime || (ownTime == than.ownTime && than.kind == Kind::pair && with < than.with);
 }
 
-// Of the first `found` of near_: first those are sorted out that certainly do not meet, without a branch, and
-// while the others' data are on their way from memory.
-void CollisionScheduler::considerPairs(int i, int found, PredictedEvent& best) {
+// Of those found, first those are sorted out that certainly do not meet, without a branch: by their coarse
+// flights, and those that are left by the exact ones.
+void CollisionScheduler::considerPairs(int i, PredictedEvent& best) {
   int* const near = near_.data();
-  for (int k = 0; k < found; ++k) __builtin_prefetch(&discs_[near[k]]);
-  int kept = 0;
-  const Disc disc = discs_[i];
-  const TurnConvention convention = convention_;
+  const int* const items = found_.items.data();
   const bool braked = brake_ != 0.0;
-  for (int k = 0; k < found; ++k) {
-    const int other = near[k];
-    near[kept] = other;
-    kept += static_cast<int>((other != i) & (braked || mayMeet(disc, discs_[other], convention)));
+  const CoarseMeeting coarse(discs_[i], largestRadius_, convention_, epoch_);
+  int kept = 0;
+  for (int begin = 0; begin < found_.count; begin += FoundFlights::kRoom) {
+    std::array<int, FoundFlights::kRoom> may;
+    const float *const x = &found_.x[begin], *const y = &found_.y[begin];
+    const float *const vx = &found_.vx[begin], *const vy = &found_.vy[begin];
+    for (int k = 0; k < FoundFlights::kRoom; ++k) may[k] = coarse.mayMeet(x[k], y[k], vx[k], vy[k]) ? 1 : 0;
+    const int end = std::min(FoundFlights::kRoom, found_.count - begin);
+    for (int k = 0; k < end; ++k) {
+      near[kept] = items[begin + k];
+      kept += static_cast<int>(items[begin + k] != i) & (may[k] | static_cast<int>(braked));
+    }
   }
-  for (int k = 0; k < kept; ++k) __builtin_prefetch(&outlooks_[near[k]]);
-  for (int k = 0; k < kept; ++k) considerPair(i, near[k], best);
+  for (int k = 0; k < kept; ++k) {
+    prefetch(&discs_[near[k]]);
+    prefetch(&outlooks_[near[k]]);
+    queue_.fetch(near[k]);
+  }
+  for (int k = 0; k < kept; ++k) {
+    if (braked || mayMeet(discs_[i], discs_[near[k]], convention_)) considerPair(i, near[k], best);
+  }
 }
 
 void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {

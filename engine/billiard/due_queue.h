@@ -11,6 +11,8 @@
 #include <array>
 #include <limits>
 #include <vector>
+#include "engine/base/large_pages.h"
+#include "engine/base/prefetch.h"
 
 namespace carom {
 
@@ -32,9 +34,18 @@ class DueQueue {
     return soon_[begin_].item;
   }
   double due(int item) const { return items_[item].due; }
-  /// Returns the item that is due `k` (from 1) places after the first; -1 if it is not known yet.
-  int soon(int k) const { return k < end_ - begin_ ? soon_[begin_ + k].item : kNone; }
+  /// Visits those of the next `count` items that this one of kStages stages has not visited since they came
+  /// among the soonest. An item that is given a time among those visited is not visited again.
+  template <class Visit>
+  void lookAhead(int stage, int count, Visit visit) {
+    int& seen = seen_[stage];
+    seen = std::max(seen, begin_);
+    for (const int end = std::min(begin_ + count, end_); seen < end; ++seen) visit(soon_[seen].item);
+  }
+  static constexpr int kStages = 3;
   static constexpr int kSoon = 16;  // after `first`, fewer are known only where the heap is empty
+  /// Prefetches an item's time from memory.
+  void fetch(int item) const { prefetch(&items_[item]); }
 
   void setDue(int item, double time) {
     Item& own = items_[item];
@@ -90,14 +101,20 @@ class DueQueue {
   void makeRoom() {
     if (end_ < static_cast<int>(soon_.size())) return;
     std::copy(soon_.begin() + begin_, soon_.end(), soon_.begin());
+    for (int& seen : seen_) seen -= begin_;
     end_ -= begin_, begin_ = 0;
   }
   void insertSoon(const Entry& entry) {
-    if (end_ - begin_ == 2 * kSoon) place(newSlot(), soon_[--end_]);
+    if (end_ - begin_ == 2 * kSoon) moveLastSoon();
     makeRoom();
     int k = end_++;
     for (; k > begin_ && entry < soon_[k - 1]; --k) soon_[k] = soon_[k - 1];
     soon_[k] = entry;
+    for (int& seen : seen_) seen += k < seen ? 1 : 0;
+  }
+  void moveLastSoon() {
+    place(newSlot(), soon_[--end_]);
+    for (int& seen : seen_) seen = std::min(seen, end_);
   }
   void takeSoonOut(const Entry& entry) {
     int k = begin_;
@@ -106,6 +123,7 @@ class DueQueue {
       ++begin_;
     } else {
       std::copy(soon_.begin() + k + 1, soon_.begin() + end_--, soon_.begin() + k);
+      for (int& seen : seen_) seen -= k < seen ? 1 : 0;
     }
   }
 
@@ -170,9 +188,10 @@ class DueQueue {
   double horizon_ = 0.0;
   std::array<Entry, 8 * kSoon> soon_;  // the places from begin_ to end_: all that are due before the heap's
   int begin_ = 0, end_ = 0;
-  int size_ = 0;  // of the heap
+  std::array<int, kStages> seen_{};  // places of the first that the stages of `lookAhead` have not visited
+  int size_ = 0;                     // of the heap
   std::vector<Family> families_;
-  std::vector<Item> items_;
+  LargeArray<Item> items_;
 };
 
 }  // namespace carom

@@ -40,6 +40,7 @@ void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Turning& turnin
                      leg.properTime, turning, static_cast<std::uint32_t>(puck)};
   if (lines_.size() <= kFewPucks) return append(added);
   newLegs_.push_back(added);
+  prefetch(&newLegs_.back() + 4, sizeof(NewLeg));
   if (newLegs_.size() >= std::max(kNewLegs, kNewLegsPerPuck * lines_.size())) complete();
 }
 
@@ -56,9 +57,8 @@ void GameHistory::complete() {
   constexpr std::size_t kLegs = 24, kLines = 16, kEnds = 8;  // ahead
   const auto ahead = [&](std::size_t k) { return &newLegs_[byPuck_[std::min(k, byPuck_.size() - 1)]]; };
   for (std::size_t k = 0; k < byPuck_.size(); ++k) {
-    __builtin_prefetch(ahead(k + kLegs)), __builtin_prefetch(&ahead(k + kLegs)->turning);
-    const char* line = reinterpret_cast<const char*>(&lines_[ahead(k + kLines)->puck]);
-    for (std::size_t byte = 0; byte < sizeof(WorldLine); byte += 64) __builtin_prefetch(line + byte);
+    prefetch(ahead(k + kLegs), sizeof(NewLeg));
+    prefetch(&lines_[ahead(k + kLines)->puck], sizeof(WorldLine));
     lines_[ahead(k + kEnds)->puck].fetchEnd();
     append(newLegs_[byPuck_[k]]);
   }

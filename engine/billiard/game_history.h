@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/large_pages.h"
+#include "engine/base/prefetch.h"
 #include "engine/billiard/billiard_setup.h"
 #include "engine/collision/puck_leg.h"
 #include "engine/collision/turning.h"
@@ -33,7 +35,7 @@ class GameHistory {
   }
 
   /// Prefetches what `addTurn` needs of a puck from memory.
-  void fetch(std::uint32_t puck) const { __builtin_prefetch(&shapes_[puck]); }
+  void fetch(std::uint32_t puck) const { prefetch(&shapes_[puck]); }
 
   // Adding an event returns its number, counted from the start of the game. Its turns are added afterwards.
   std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, bool withoutDelay,
@@ -98,7 +100,7 @@ class GameHistory {
   double c_m_s_;
   double friction_m_s2_;
   double slowing_1_s_;  // of the rims' γβ
-  std::vector<Shape> shapes_;
+  LargeArray<Shape> shapes_;
   std::vector<WorldLine> lines_;
   std::vector<NewLeg> newLegs_;  // legs that are not in the lines yet, in the order in which they were added
   std::vector<std::uint32_t> byPuck_;  // scratch: their places, by puck

@@ -1,9 +1,6 @@
 #pragma once
-// The person: a world line of their own, walked by a tracked head inside a room that may itself be moving.
-//
-// The person's clock is their proper time τ. A tracked step dx made in dτ is a celerity, which has no
-// upper limit: room time advances by dT = sqrt(dτ² + |dx|²/c²), so the world line is timelike whatever
-// the person does.
+// What an observer is at one moment: a tracked head, the events at which its eyes receive light, and where the
+// room that carries it starts. Their world lines are in observers.h.
 
 #include <array>
 #include <numbers>
@@ -59,45 +56,5 @@ struct ObserverView {
 /// Returns a frozen view that the person walks round: the light is that of `sight`, from the middle of the
 /// eyes, for both eyes; the eyes' positions in the room are those of `now`.
 ObserverView frozenViewAt(const ObserverView& sight, const ObserverView& now);
-
-class Observer {
- public:
-  /// The head's first place is `head`; `boardFromRoom` is the room's attitude and motion, and `roomOrigin`
-  /// the board event of the room's origin at the moment (in the room's frame) of the start.
-  Observer(const Lorentz& boardFromRoom, const Event& roomOrigin, const Head& head);
-
-  /// Returns an observer whose head is at a known board event and whose clock shows `properTime_s`.
-  static Observer at(const Event& headEvent, double properTime_s, const Lorentz& boardFromRoom,
-                     const Head& head);
-
-  /// Lives on for dτ while the tracked head moves to `head`. A step beyond kGlitchCelerity_m_s moves the
-  /// person's place in the room, as re-anchoring, but not along the world line. `pace`: board seconds
-  /// per second of the person, which is the light speed that is shown divided by the game's.
-  /// `thrust_m_s2`: the proper acceleration that the room has meanwhile, felt at the head, in the room's axes
-  /// and the board's seconds. Exact for a head at rest in the room: then its world line is a hyperbola, of
-  /// which a step's chord is that of its middle's velocity.
-  void step(double dtau_s, const Head& head, double pace = 1.0, const Vec3& thrust_m_s2 = Vec3(0.0));
-
-  /// Moves with the head wherever it is in the room, in `roomTime_s` of the room's time, even faster than
-  /// light. For looking at a recorded game whose time stands still or runs at another rate; the head counts
-  /// as at rest in the room.
-  void moveUnseen(double roomTime_s, const Head& head);
-
-  /// Turns the room about the head, which stays at its event.
-  void turn(double angle_rad, const Vec3& axisInRoom);
-
-  /// Returns the eyes, `eyeSeparation_m` apart, at events that are simultaneous for the head.
-  ObserverView view(double eyeSeparation_m) const;
-
-  const Event& headEvent() const { return headEvent_; }  ///< on the board
-  const Lorentz& boardFromRoom() const { return boardFromRoom_; }
-  double properTime_s() const { return properTime_s_; }
-
- private:
-  Lorentz boardFromRoom_;
-  Event headEvent_;
-  Head head_;
-  double properTime_s_ = 0.0;
-};
 
 }  // namespace carom

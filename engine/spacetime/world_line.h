@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/prefetch.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -75,7 +76,7 @@ class WorldLine {
   /// Prefetches the last knots, which `append` needs, from memory.
   void fetchEnd() const {
     const char* end = reinterpret_cast<const char*>(knots_.data() + knots_.size());
-    for (int byte = -128; byte <= 64; byte += 64) __builtin_prefetch(end + byte);
+    prefetch(end - 128, 256);
   }
 
   /// Lowers the bound of when all points have joined the last leg, where a better one is known (joinedAfter_s

@@ -53,12 +53,12 @@ TEST(Calibrate, ItsLinesInTheRigAreTheTruth) {
       EXPECT_LT(glm::distance(found * (inverse(room.roomFromTracker) * place_m), place_m), 0.001);
     }
     EXPECT_LT(test::turnBetween_deg(found.orientation, room.roomFromTracker.orientation), 0.1);
-    EXPECT_LT(glm::length(read.hand->handFromSensor * room.tip_m), 0.001);
-    EXPECT_NEAR(read.head.eyeSeparation_m, room.eyeSeparation_m, 0.003);
+    EXPECT_LT(glm::length(read.viewers.front().hand->handFromSensor * room.tip_m), 0.001);
+    EXPECT_NEAR(read.viewers.front().head.eyeSeparation_m, room.eyeSeparation_m, 0.003);
     const glm::dvec3 nose_m(0.0);
-    EXPECT_LT(
-        glm::distance(inverse(read.head.eyesFromSensor) * nose_m, inverse(room.eyesFromSensor) * nose_m),
-        0.003);
+    EXPECT_LT(glm::distance(inverse(read.viewers.front().head.eyesFromSensor) * nose_m,
+                            inverse(room.eyesFromSensor) * nose_m),
+              0.003);
   }
 }
 

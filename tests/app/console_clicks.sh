@@ -12,14 +12,14 @@ sed "s/^pixels = .*/pixels = [64, 36]/; s/^window = .*/window = { position = [15
   "$config/rigs/single-screen.toml" >"$out/room.toml"
 printf '\n[console]\nwindow = { position = [%d, %d], size = [1280, 860] }\n' $left $top >>"$out/room.toml"
 
-rows() { [ -s "$out/${2:-game}.db" ] && sqlite3 -cmd '.timeout 5000' "$out/${2:-game}.db" "$1" 2>/dev/null; }
+rows() { [ -s "$out/game.db" ] && sqlite3 -cmd '.timeout 5000' "$out/game.db" "$1" 2>/dev/null; }
 await() { # WHAT SQL VALUE [FILE]: until the file says so
   for _ in $(seq 1200); do
-    [ "$(rows "$2" "${4:-game}")" = "$3" ] && return
+    [ "$(rows "$2")" = "$3" ] && return
     kill -0 "$job" 2>/dev/null || fail "$1: the session has ended"
     sleep 0.1
   done
-  fail "$1: '$(rows "$2" "${4:-game}")', expected '$3'; done so far: $(rows 'SELECT what, value FROM input')"
+  fail "$1: '$(rows "$2")', expected '$3'; done so far: $(rows 'SELECT what, value FROM input')"
 }
 click() { # X Y
   xdotool mousemove $((left + $1)) $((top + $2)) click 1
@@ -60,12 +60,13 @@ await "a key" "$(newest clocks)" on
 [ "$(rows "SELECT count(*) FROM input WHERE what = 'paths'")" -eq 0 ] || fail "a key went past the list of keys"
 
 click $again
-await "the game from its beginning, in a file of its own" 'SELECT count(*) > 5 FROM frame' 1 game-2
+await "the game from its beginning, as another one of the same file" \
+  'SELECT count(*) = 2 AND (SELECT max(number) FROM frame) > max(first_frame) + 5 FROM game' 1
 xdotool key Escape
 wait "$job" || fail "the session did not end well"
 job=
 [ "$(rows 'PRAGMA integrity_check')" = ok ] || fail "the session file is not whole"
 # The last frame of the first game is drawn as it was wanted: retardation, contraction, aberration; now on the board, clocks.
-[ "$(rows 'SELECT switches, views FROM frame ORDER BY number DESC LIMIT 1')" = "7|17" ] ||
+[ "$(rows 'SELECT switches, views FROM frame WHERE number < (SELECT max(first_frame) FROM game) ORDER BY number DESC LIMIT 1')" = "7|17" ] ||
   fail "the last frame: $(rows 'SELECT switches, views FROM frame ORDER BY number DESC LIMIT 1')"
 rows 'SELECT frame, what, value FROM input'

@@ -2,6 +2,7 @@
 // is the one that all strokes make, and a session that goes on has them.
 
 #include "app/play/cue_interaction.h"
+#include "engine/spacetime/observers.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -21,7 +22,7 @@
 #include "app/journal/session_file.h"
 #include "app/session/recorded_source.h"
 #include "app/session/replay_visitor_source.h"
-#include "app/viewer/viewer.h"
+#include "app/viewer/viewers.h"
 #include "cave/frame/frame_digest.h"
 #include "engine/light/light_cone.h"
 #include "engine/random_world.h"
@@ -94,7 +95,7 @@ class Lived {
   void live(std::uint64_t frames, const Hand& hand) {
     SimulatedClock clock;
     Pacer pacer(clock, kHz, 0.0);
-    Viewer person(rig, scenario, {});
+    Viewers person(rig, scenario, {});
     std::vector<Stroke> struck;
     const bool goesOn = std::filesystem::exists(file);
     if (goesOn) struck = SessionFile(file).strokes(scenario.billiard.pucks);
@@ -107,7 +108,7 @@ class Lived {
     for (FrameState state; number_ < first + frames; ++number_) {
       const FrameTimes times = pacer.next();
       FrameRecord& record = state.record = {};
-      record.observer = person.at(times, 0.064);
+      record.observer = person.at(times, 0.064)[0];
       record.boardFromRoom = person.boardFromRoom();
       record.lightSpeed_m_s = c_m_s();
       record.switches = switches;
@@ -119,8 +120,9 @@ class Lived {
       record.number = number_;
       record.display_s = static_cast<double>(number_ + 1) / kHz;
       record.views.myNow = myNow;
-      journal.add(state, person.head(), person.samples(),
-                  outcome.stroke ? std::span(&*outcome.stroke, 1) : std::span<const Stroke>());
+      std::vector<HandStroke> made;
+      if (outcome.stroke) made.push_back({*outcome.stroke});
+      journal.add(state, {&person.head(), 1}, std::vector<TrackerSamples>{{0, person.samples()}}, made);
       if (outcome.stroke) strokes.push_back(*outcome.stroke);
       states.push_back(state);
       pacer.awaitTick(0.0);
@@ -222,9 +224,9 @@ TEST(CueInteraction, AStrokeFasterThanLightWouldBeFound) {
   Game game(scenario);
   World before{startingHistories(scenario), {}};
   FrameState state;
-  const Observer observer =
-      Observer::at({6.0, {0.3, -1.6, 0.9}}, 6.0, Lorentz(scenario.billiard.lightSpeed_m_s),
-                   {{{0, 1.6, 0}, {1, 0, 0, 0}}, Vec3(0.0)});
+  const Observers observer =
+      Observers::at({6.0, {0.3, -1.6, 0.9}}, 6.0, Lorentz(scenario.billiard.lightSpeed_m_s),
+                    {{{0, 1.6, 0}, {1, 0, 0, 0}}, Vec3(0.0)});
   const ObserverView view = observer.view(0.064);
   game.advance(latestObservation_s(view), state);
   applyFrame(state, before);
@@ -520,12 +522,15 @@ TEST(CueInteraction, NoEyeHasSeenWhatAHandDoes) {
     const double c_m_s = 1.42;
     const Lorentz boardFromRoom = Lorentz::boost(random.u(0.95), c_m_s);
     const Head head{{random.inBox(1.0), {1.0, 0.0, 0.0, 0.0}}, random.inBall(10.0)};
-    const Observer observer = Observer::at({10.0, random.inBox(2.0)}, 10.0, boardFromRoom, head);
+    const Observers observer = Observers::at({10.0, random.inBox(2.0)}, 10.0, boardFromRoom, head);
     const ObserverView view = observer.view(0.08);
     const bool atEye = i % 2 == 0;
     const Vec3 hand_m = atEye ? view.of(i % 4 == 0 ? Eye::left : Eye::right).positionInRoom_m
                               : head.roomFromHead.position_m + random.inBox(0.8);
-    const Event hand = handEvent(hand_m, view, boardFromRoom);
+    FrameRecord record;
+    record.observer = view;
+    record.boardFromRoom = boardFromRoom;
+    const Event hand = handEvent(hand_m, record);
     for (const EyeView& eye : view.all()) {
       const double inside_m =
           c_m_s * (eye.observation.t_s - hand.t_s) - glm::distance(eye.observation.r_m, hand.r_m);

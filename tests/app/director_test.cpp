@@ -18,11 +18,14 @@ class Shows : public FrameSource {
     record.display_s = static_cast<double>(times.number);
     record.lesson = settings.lesson;
     putInto(record, settings);
-    if (byHand) decision.commands.push_back(*std::exchange(byHand, std::nullopt));
+    decision.showsShot = shotUntil > times.number;
+    if (byCaption) decision.commands.push_back(*std::exchange(byCaption, std::nullopt));
+    if (byHand) decision.handCommands.push_back({*std::exchange(byHand, std::nullopt), 1});
   }
 
   Commands given;
-  std::optional<Command> byHand;
+  std::optional<Command> byCaption, byHand;  ///< the hand is the second viewer's
+  std::uint64_t shotUntil = 0;
 };
 
 class DirectorTest : public testing::Test {
@@ -92,6 +95,7 @@ TEST_F(DirectorTest, AHandsButtonHoldsFromTheNextFrameOn) {
   EXPECT_EQ(frame().lesson.phase, LessonPhase::asks);
   EXPECT_EQ(frame().lesson, (LessonState{LessonPhase::shows, 2}));
   EXPECT_EQ(inputs(), Words{"lesson: shows, answered 2"});
+  EXPECT_EQ(decision_.inputs.front().viewer, 1U);
   EXPECT_EQ(frame().lesson, (LessonState{LessonPhase::shows, 2}));
   EXPECT_EQ(inputs(), Words{});
 }
@@ -107,7 +111,6 @@ TEST_F(DirectorTest, TheNextVisitorBeginsWithTheFirstGame) {
   game = next(leader, pressing(GLFW_KEY_F8));
   EXPECT_EQ(game.file, "first.toml");
   EXPECT_TRUE(game.isForNextVisitor);
-  EXPECT_EQ(decision_.frame.record.last, 1U);
 }
 
 // A frame a second. After 60 s without anybody, games attract people: the key at 100 s is that of somebody new. The
@@ -120,8 +123,8 @@ TEST_F(DirectorTest, AnAbandonedSessionWelcomesTheNextVisitorOnce) {
   for (int frame = 0; frame < 600; ++frame) {
     const bool presses = frame == 100;
     if (frame >= 130 && frame < 140)
-      decision_.head.pose.position_m.x = 0.01 * (frame - 129);                         // a step of 10 cm
-    if (frame >= 300) decision_.head.pose.position_m.y = frame % 2 == 0 ? 0.01 : 0.0;  // noise
+      decision_.heads[0].pose.position_m.x = 0.01 * (frame - 129);                         // a step of 10 cm
+    if (frame >= 300) decision_.heads[0].pose.position_m.y = frame % 2 == 0 ? 0.01 : 0.0;  // noise
     const WindowInput input = presses ? pressing(GLFW_KEY_4) : WindowInput{};
     if (next(leader, input).isForNextVisitor) welcomed.push_back(frame);
   }
@@ -136,21 +139,74 @@ TEST_F(DirectorTest, ACaptionIsNoSignOfLife) {
   FrameLeader leader(source_, KeysOf::session, settings, nullptr, 60.0);
   std::vector<int> welcomed;
   for (int frame = 0; frame < 400; ++frame) {
-    if (frame % 40 == 20) source_.byHand = SetView{&TimeViews::boardNow, frame % 80 == 20};
+    if (frame % 40 == 20) source_.byCaption = SetView{&TimeViews::boardNow, frame % 80 == 20};
     const WindowInput input = frame == 100 ? pressing(GLFW_KEY_F8) : WindowInput{};
     if (next(leader, input).isForNextVisitor) welcomed.push_back(frame);
   }
   EXPECT_EQ(welcomed, (std::vector<int>{100}));
 }
 
-TEST_F(DirectorTest, AnotherGameEndsThisOneWithTheFrame) {
+// A frame a second: the walls are still lit in the first frame and black in the next.
+TEST_F(DirectorTest, TheWallsGoDarkBeforeAnotherGame) {
   EXPECT_EQ(frame(pressing(GLFW_KEY_Y)).last, 0u) << "nothing is played that could begin again";
   leader_.inbox().emplace_back(PlayScenario{"another.toml"});
-  EXPECT_EQ(frame().last, 1u);
+  EXPECT_EQ(frame().last, 0u);
+  EXPECT_EQ(decision_.frame.record.fade, 0.0);
   EXPECT_EQ(inputs(), Words{"scenario: another.toml"});
+  EXPECT_EQ(frame().last, 1u);
+  EXPECT_EQ(decision_.frame.record.fade, 1.0);
   EXPECT_EQ(leader_.takeNextGame().file, "another.toml");
   EXPECT_EQ(leader_.takeNextGame().file, "");
   EXPECT_EQ(frame().last, 0u);
+  EXPECT_EQ(decision_.frame.record.fade, 0.0);
+}
+
+// The first game of the playlist lasts 5 s. Its best shot takes 3 s more, which somebody who chooses a game cuts short.
+TEST_F(DirectorTest, TheBestShotEndsAGameOfThePlaylist) {
+  Playlist playlist;
+  playlist.games.resize(2);
+  playlist.games[0].scenario = "first.toml";
+  playlist.games[0].for_s = 5.0;
+  playlist.games[1].scenario = "second.toml";
+  OperatorSettings settings;
+  settings.playing = "first.toml";
+  settings.playlist = std::make_shared<const Playlist>(playlist);
+  for (const bool choosesAnother : {false, true}) {
+    SCOPED_TRACE(choosesAnother);
+    FramePacer pacer;
+    FrameLeader leader(source_, KeysOf::session, settings, nullptr);
+    source_.shotUntil = 0;
+    std::uint64_t frames = 0;
+    for (decision_ = {}; !decision_.frame.record.last && frames < 20; ++frames) {
+      if (frames == 6) {
+        EXPECT_EQ(source_.shotUntil, 0u);
+        source_.shotUntil = 9;
+      }
+      if (frames == 7 && choosesAnother) leader.inbox().emplace_back(PlayScenario{"third.toml"});
+      leader.decide(pacer.next(), {}, decision_);
+      EXPECT_EQ(!source_.given.empty(), frames == 6 || (frames == 7 && choosesAnother)) << frames;
+    }
+    EXPECT_EQ(frames, choosesAnother ? 9u : 11u);
+    EXPECT_EQ(leader.takeNextGame().file, choosesAnother ? "third.toml" : "second.toml");
+  }
+}
+
+// After 60 s without anybody a game is to attract people. Somebody comes while the walls go dark for it.
+TEST_F(DirectorTest, WhoComesWhileTheWallsGoDarkIsWelcomed) {
+  OperatorSettings settings;
+  settings.playing = "first.toml";
+  for (const bool comes : {false, true}) {
+    SCOPED_TRACE(comes);
+    FramePacer pacer;
+    FrameLeader leader(source_, KeysOf::session, settings, nullptr, 60.0);
+    int frame = 0;
+    for (decision_ = {}; !decision_.frame.record.last && frame < 100; ++frame)
+      leader.decide(pacer.next(), comes && frame == 61 ? pressing(GLFW_KEY_4) : WindowInput{}, decision_);
+    EXPECT_EQ(frame, 62);
+    const NextGame next = leader.takeNextGame();
+    EXPECT_EQ(next.attracts, !comes);
+    EXPECT_EQ(next.isForNextVisitor, comes);
+  }
 }
 
 TEST_F(DirectorTest, TheListOfKeysIsShownAndSaid) {

@@ -1,4 +1,5 @@
-// Session files of versions 4 and 5, which do not know of spins, and of scores and comfort.
+// Session files of versions 4 to 6, which do not know of spins, of scores and comfort, of several games and of several
+// viewers.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -22,9 +23,10 @@ using namespace test;
 
 constexpr int kFrames = 9;
 
-/// The frame as a program of that version would have kept it: none knew of scores and comfort, and 4 of no spins.
+/// The frame as a program of that version would have kept it: before 6 without scores and comfort, 4 without spins.
 FrameState plainFrameOf(std::uint64_t number, int version) {
   FrameState state = frameOf(number);
+  if (version == kVersion6) return state;
   state.record.fade = 0.0;
   state.record.controls.comfort = 0;
   state.record.score = {};
@@ -47,8 +49,14 @@ void write(const std::filesystem::path& file, int version) {
   const auto drop = [&](std::initializer_list<const char*> columns) {
     for (const char* column : columns) database.exec(std::string("ALTER TABLE ") + column);
   };
-  drop({"frame DROP COLUMN comfort", "frame DROP COLUMN caroms", "frame DROP COLUMN strokes",
-        "frame DROP COLUMN fade"});
+  database.exec(
+      "DROP TABLE game; DROP TABLE viewer; DROP TABLE platform; DROP TABLE other_viewer; DELETE FROM session "
+      "WHERE key = 'viewer'");
+  drop({"sample DROP COLUMN tracker", "stroke DROP COLUMN viewer", "input DROP COLUMN viewer",
+        "answer DROP COLUMN viewer"});
+  if (version < kVersion6)
+    drop({"frame DROP COLUMN comfort", "frame DROP COLUMN caroms", "frame DROP COLUMN strokes",
+          "frame DROP COLUMN fade"});
   if (version == kVersion4) {
     drop({"frame DROP COLUMN cue_offset_m", "knot DROP COLUMN angle_rad", "knot DROP COLUMN spin_rad_s",
           "knot DROP COLUMN rim_u", "knot DROP COLUMN spin_slowing_1_s",
@@ -72,9 +80,9 @@ void expectFrames(const std::filesystem::path& file, int version, int plain, int
   EXPECT_FALSE(session.next(state));
 }
 
-TEST(EarlierVersions, FilesOfVersions4And5AreReadAndGoneOnWith) {
+TEST(EarlierVersions, FilesOfVersions4To6AreReadAndGoneOnWith) {
   TemporaryFolder folder;
-  for (const int version : {kVersion4, kVersion5}) {
+  for (const int version : {kVersion4, kVersion5, kVersion6}) {
     SCOPED_TRACE(version);
     const auto file = folder / ("game" + std::to_string(version) + ".db");
     write(file, version);
@@ -93,6 +101,7 @@ TEST(EarlierVersions, FilesOfVersions4And5AreReadAndGoneOnWith) {
     SQLite::Database database(file.string());
     EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), kJournalVersion);
     EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
+    EXPECT_EQ(database.execAndGet("SELECT count(*) FROM viewer WHERE name = 'viewer'").getInt(), 2 * kFrames);
   }
 }
 

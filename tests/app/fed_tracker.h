@@ -63,7 +63,7 @@ inline Rig rigWith(TrackerKind kind) {
   rig.trackers[1].roomFromTracker = {{0.0, 1.0, 0.0}, {1, 0, 0, 0}};
   rig.trackers[2].name = "cap";
   rig.trackers[2].kind = TrackerKind::spaceMouse;
-  rig.hand = HandSetup{{1, 3}, {}};
+  rig.viewers.front().hand = HandSetup{{1, 3}, {}};
   return rig;
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/play/game.h"
 #include "app/files/starting_histories.h"
+#include "engine/spacetime/observers.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ TEST(Game, ForgetsOnlyWhatNoEyeSeesAnyMore) {
     head.celerity_m_s = {swing_m * perSecond * std::cos(perSecond * t_s), 0.0, 0.0};
     return head;
   };
-  Observer observer(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, headAt(0.0));
+  Observers observer(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, headAt(0.0));
 
   const double step_s = 0.1, end_s = 4.0 * 3600.0;
   std::size_t mostKnots = 0, compared = 0;
@@ -55,7 +56,7 @@ TEST(Game, ForgetsOnlyWhatNoEyeSeesAnyMore) {
     state.record = {};
     game.advance(eyes.middle.observation.t_s + 1.0, state);
     applyFrame(state, kept);
-    if (frame % 100 == 0) game.forget(forgetting.histories, eyes, state);
+    if (frame % 100 == 0) game.forget(forgetting.histories, {&eyes, 1}, state);
     applyFrame(state, forgetting);
     mostKnots = std::max(mostKnots, knotsOf(forgetting.histories));
     if (frame % 97 != 0) continue;

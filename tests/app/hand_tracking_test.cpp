@@ -13,8 +13,8 @@ using namespace test;
 TEST(HandTracking, TheHeadsTrackerMayFollowTheWandToo) {
   Rig rig;
   rig.trackers.resize(1);
-  rig.hand = HandSetup{{0, 2}, {}};
-  HandTracking tracking(rig, HandTracking::Trackers{});
+  rig.viewers.front().hand = HandSetup{{0, 2}, {}};
+  HandTracking tracking(rig, rig.viewers.front(), HandTracking::Trackers{});
   const std::vector<TrackerSample> samples{at(0, {0, 1.7, 0}), at(2, {0.3, 1.1, -0.2})};
   FedTracker head;
   head.press(0, true, 2);
@@ -35,7 +35,8 @@ TEST(HandTracking, ReportsRateAndAge) {
   FedTracker* wand = new FedTracker;
   trackers.wand.reset(wand);
   trackers.spaceMouse = std::make_unique<FedTracker>();
-  HandTracking tracking(rigWith(TrackerKind::dtrack), std::move(trackers));
+  const Rig rig = rigWith(TrackerKind::dtrack);
+  HandTracking tracking(rig, rig.viewers.front(), std::move(trackers));
   const FedTracker head;
   wand->fed = {at(3, {0, 0, 0}), at(3, {0, 0, 0})};
   for (int i = 1; i <= 60; ++i) tracking.follow(0.02 * i, {}, {});
@@ -61,11 +62,11 @@ class TwoDevices {
     rig.trackers.resize(4);
     rig.trackers[3].name = "box";
     rig.trackers[3].kind = TrackerKind::vrpn;
-    rig.hand->buttons = buttonsOf;
+    rig.viewers.front().hand->buttons = buttonsOf;
     HandTracking::Trackers trackers;
     trackers.wand.reset(wand = new FedTracker);
     if (buttonsOf == 3u) trackers.buttons.reset(box = new FedTracker);
-    tracking.emplace(rig, std::move(trackers));
+    tracking.emplace(rig, rig.viewers.front(), std::move(trackers));
     wand->fed = {at(3, {0, 1, 0})};
     head.fares.state = TrackerHealth::State::delivering;
   }

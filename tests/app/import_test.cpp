@@ -36,11 +36,11 @@ TEST(Import, MakesARigThatChecksClean) {
   EXPECT_EQ(placed.rig.walls[1].name, "the-floor");
   EXPECT_EQ(placed.rig.walls[1].node, 1);
   EXPECT_EQ(placed.rig.walls[0].stereo, StereoMode::quadBuffer);
-  EXPECT_EQ(placed.rig.head.eyeSeparation_m, 0.063);
+  EXPECT_EQ(placed.rig.viewers.front().head.eyeSeparation_m, 0.063);
   // The floor has come up to zero, the walls with it, and the viewer's eyes are where they were before them.
   EXPECT_NEAR(glm::distance(placed.rig.walls[0].lowerLeft_m, {-1.5, 0.0, -1.5}), 0.0, kWritten_m);
   EXPECT_NEAR(glm::distance(placed.rig.walls[0].upperLeft_m, {-1.5, 3.0, -1.5}), 0.0, kWritten_m);
-  EXPECT_NEAR(glm::distance(roomOf(placed, rig).viewer.eyes_m, {0.0, 1.6, 0.0}), 0.0, kWritten_m);
+  EXPECT_NEAR(glm::distance(roomOf(placed, rig).viewers.front().eyes_m, {0.0, 1.6, 0.0}), 0.0, kWritten_m);
   EXPECT_TRUE(placed.rig.nodes.empty()) << "one display for all is no difference";
   const auto checked = runCarom(folder, {"check", rig});
   EXPECT_EQ(checked.status, 0) << checked.err;

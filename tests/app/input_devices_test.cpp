@@ -22,7 +22,7 @@ class HandsTest : public testing::Test {
     HandTracking::Trackers trackers;
     trackers.wand.reset(wand_ = new FedTracker);
     trackers.spaceMouse.reset(cap_ = new FedTracker);
-    tracking_.emplace(rig, std::move(trackers));
+    tracking_.emplace(rig, rig.viewers.front(), std::move(trackers));
     wand_->fed = {at(3, {0.3, 0.2, -0.4}), at(4, {9, 9, 9})};
     observer_.left.positionInRoom_m = {-0.032, 1.7, 0.0};
     observer_.right.positionInRoom_m = {0.032, 1.7, 0.0};
@@ -103,7 +103,8 @@ TEST_F(HandsTest, AWandPointsWhereItsSensorDoes) {
 TEST_F(HandsTest, AHandIsWhereTheRigHasItOnItsSensor) {
   Rig rig = rigWith(TrackerKind::dtrack);
   // The sensor sits 0.1 m to the right of the hand and is turned: its forward is the hand's left.
-  rig.hand->handFromSensor = {{0.1, 0.0, 0.0}, glm::angleAxis(glm::half_pi<double>(), glm::dvec3(0, 1, 0))};
+  rig.viewers.front().hand->handFromSensor = {{0.1, 0.0, 0.0},
+                                              glm::angleAxis(glm::half_pi<double>(), glm::dvec3(0, 1, 0))};
   use(rig);
   wand_->fed = {at(3, {0.0, 0.0, 0.0})};
   const HandInput input = frame();

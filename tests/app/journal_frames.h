@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -74,11 +75,11 @@ inline bool sameBits(const FrameState& a, const FrameState& b) {
           std::memcmp(a.knots.data(), b.knots.data(), a.knots.size() * sizeof(BodyKnot)) == 0);
 }
 
-inline HeadEstimate head() {
+inline std::array<HeadEstimate, 1> head() {
   HeadEstimate estimate;
   estimate.known = Known::predicted;
   estimate.celerity_m_s = {0.1, 0.2, 0.3};
-  return estimate;
+  return {estimate};
 }
 
 inline std::vector<std::string> column(SQLite::Database& database, const std::string& sql) {

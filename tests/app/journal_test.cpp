@@ -26,7 +26,7 @@ TEST(Journal, WhatWasWrittenIsReadWithTheSameBits) {
     Journal journal(file, kFacts, false);
     for (std::uint64_t number = 0; number < 500; ++number) {
       written.push_back(frameOf(number));
-      journal.add(written.back(), head(), samples);
+      journal.add(written.back(), head(), std::vector<TrackerSamples>{{0, samples}});
     }
   }
   SessionFile session(file);
@@ -44,12 +44,55 @@ TEST(Journal, WhatWasWrittenIsReadWithTheSameBits) {
   }
 }
 
+TEST(Journal, SeveralViewersAreReadWithTheSameBits) {
+  const test::NothingIsLogged silence;
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  SessionFacts facts = kFacts;
+  facts.viewers = {"anna", "ben", "cleo"};
+  std::vector<FrameState> written;
+  {
+    Journal journal(file, facts, false);
+    for (std::uint64_t number = 0; number < 100; ++number) {
+      FrameState& frame = written.emplace_back(frameOf(number));
+      FrameRecord& record = frame.record;
+      record.viewers = 3;
+      record.hasTurn = 1;
+      record.room_s = 0.3 * static_cast<double>(number);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const FrameRecord other = frameOf(number + 10 * i).record;
+        if (i > 0) record.others[i - 1] = other;
+        record.viewer(i).placeInRoom_m = {0.1, static_cast<double>(i), -0.3};
+        record.viewer(i).lapse = 0.5 + 0.1 * static_cast<double>(i);
+        record.viewer(i).notice = Notice("seen by " + facts.viewers[i]);
+      }
+      journal.add(frame, std::vector<HeadEstimate>(3), {});
+    }
+  }
+  SessionFile session(file);
+  FrameState state;
+  for (const FrameState& expected : written) {
+    ASSERT_TRUE(session.next(state));
+    ASSERT_TRUE(sameBits(state, expected)) << "frame " << expected.record.number;
+    ASSERT_EQ(state.record.placeInRoom_m, expected.record.placeInRoom_m);
+    ASSERT_EQ(state.record.lapse, expected.record.lapse);
+    ASSERT_EQ(state.record.room_s, expected.record.room_s);
+  }
+  SQLite::Database database(file.string());
+  EXPECT_EQ(database.execAndGet("SELECT lapse FROM viewer WHERE frame = 7 AND name = 'cleo'").getDouble(),
+            0.7);
+  EXPECT_EQ(database.execAndGet("SELECT room_s FROM platform WHERE frame = 7").getDouble(), 0.3 * 7.0);
+}
+
 TEST(Journal, PlainSqlTellsWhatHappened) {
   TemporaryFolder folder;
   const auto file = folder / "game.db";
-  { Journal(file, kFacts, false).add(frameOf(3), head(), std::vector<TrackerSample>(2)); }
+  const std::vector<TrackerSample> samples(2);
+  SessionFacts facts = kFacts;
+  facts.trackers = {"art"};
+  { Journal(file, facts, false).add(frameOf(3), head(), std::vector<TrackerSamples>{{0, samples}}); }
   SQLite::Database database(file.string());
-  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM sample").getInt(), 2);
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM sample WHERE tracker = 'art'").getInt(), 2);
   EXPECT_EQ(database.execAndGet("SELECT value FROM session WHERE key = 'scenario'").getString(),
             kFacts.scenarioText);
   SQLite::Statement frame(database, "SELECT t_s, known, celerity_y_m_s, switches FROM frame");
@@ -201,7 +244,7 @@ TEST(Journal, StrokesAreReadWithTheSameBitsInTheOrderOfTheFrames) {
                          std::abs(any(random)),
                          Vec3(any(random), any(random), 1e-300),
                          {0.5 * any(random), 0.6}});
-      journal.add(frameOf(number), head(), {}, std::span(&written.back(), 1));
+      journal.add(frameOf(number), head(), {}, std::vector<HandStroke>{{written.back()}});
     }
   }
   const SessionFile session(file);

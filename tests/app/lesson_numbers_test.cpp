@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <fstream>
@@ -17,7 +18,7 @@
 #include "engine/light/light_cone.h"
 #include "engine/light/vertex_history.h"
 #include "engine/spacetime/lorentz.h"
-#include "engine/spacetime/observer.h"
+#include "engine/spacetime/observers.h"
 
 namespace carom {
 namespace {
@@ -86,6 +87,12 @@ struct Explained {
   }
   double reads_s(const Stopwatch& watch) const {
     return reading_s(watch, {observer, boardFromRoom, LessonPhase::explains});
+  }
+  /// What the gauge of this number reads, above this puck, and which it is.
+  double gauges(const Scenario& scenario, std::size_t gauge, const WorldLine& puck) const {
+    const Gauge& chosen = scenario.lesson.value().plan.gauges.at(gauge);
+    const Motion seen = centreSeen(puck, observer.middle.observation);
+    return gauged(chosen.quantity, seen, {observer, boardFromRoom, LessonPhase::explains});
   }
   ObserverView observer;
   Lorentz boardFromRoom{1.0};
@@ -163,9 +170,9 @@ TEST(LessonNumbers, ParallelTracks) {
     EXPECT_NEAR(glm::distance(flash.r_m, crossing.r_m), 0.0, 1e-6) << pucks[i].name;
   }
   const Explained explained(scenario);
-  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Light's way from the near lane")), seen_s.front() - 1.0,
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Light's travel time: near lane")), seen_s.front() - 1.0,
               1e-6);
-  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "from the far lane")), seen_s.back() - 1.0, 1e-6);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "far lane")), seen_s.back() - 1.0, 1e-6);
   EXPECT_NEAR(scenario.lesson->plan.interval.moment_s, seen_s.front(), 0.005) << "the slowest is on the line";
   const Motion fastest = centreSeen(game.worldLines().back(), {seen_s.front(), eye_m});
   Numbers(claims(scenario))
@@ -230,7 +237,24 @@ TEST(LessonNumbers, ComesAndGoes) {
   EXPECT_GT(coming, 1.0) << "faster than light: the second answer";
   EXPECT_LT(going, beta);
   EXPECT_EQ(scenario.lesson->words.right, 1u);
-  Numbers(claims(scenario)).has(beta, 1).has(going, 3).has(coming, 1).has(1.0, 0);  // the 1 of the formulas
+  const Explained explained(scenario);
+  // By where its centre is seen a little earlier and later, from the person's eyes.
+  const auto placeSeen_m = [&](double after_s) {
+    Event eyes = explained.observer.middle.observation;
+    eyes.t_s += after_s;
+    return centreSeen(puck, eyes).event.r_m;
+  };
+  constexpr double kAside_s = 1e-4;
+  const double drawn = glm::distance(placeSeen_m(kAside_s), placeSeen_m(-kAside_s)) / (2.0 * kAside_s) /
+                       scenario.billiard.lightSpeed_m_s;
+  EXPECT_GT(drawn, 1.0) << "it comes at the moment";
+  EXPECT_NEAR(explained.gauges(scenario, 0, puck), drawn, 1e-3);
+  Numbers(claims(scenario))
+      .has(beta, 1)
+      .has(going, 3)
+      .has(coming, 1)
+      .has(drawn, 2)
+      .has(1.0, 0);  // the 1 of the formulas
 }
 
 TEST(LessonNumbers, Angles) {
@@ -426,19 +450,13 @@ TEST(LessonNumbers, PairsOfFour) {
       numbers.has(2.0 * beta, 1).has(1.0 + beta * beta, 2);
     }
   }
-  const Event first = flashNamed(scenario, "first mark").at, second = flashNamed(scenario, "second mark").at;
   const Billiard game = played(scenario, 2.0);
-  const WorldLine& right = game.worldLines()[puckNamed(scenario, "right 1")];
-  for (const Event& mark : {first, second})
-    EXPECT_NEAR(glm::distance(mark.r_m, right.at(mark.t_s).event.r_m), 0.0, 1e-6) << "on the right puck";
-  const Vec3 u = uFromBeta({0.6, 0.0, 0.0});
-  const Displacement covered =
-      Lorentz::boost(u, scenario.billiard.lightSpeed_m_s).inverse() * (second - first);
-  const double took_s = Explained(scenario).reads_s(scenario.lesson->plan.stopwatches.at(0));
-  EXPECT_NEAR(took_s, covered.dt_s, 1e-9) << "as is drawn";
-  const double covered_m = glm::length(covered.dr_m);
-  EXPECT_NEAR(covered_m / took_s / scenario.billiard.lightSpeed_m_s, 0.882, 0.001);
-  numbers.has(covered_m, 2).has(took_s, 2).has(covered_m / took_s, 2).has(1.0, 0);
+  const Explained explained(scenario);
+  const double drawn[] = {explained.gauges(scenario, 0, game.worldLines()[puckNamed(scenario, "left 1")]),
+                          explained.gauges(scenario, 1, game.worldLines()[puckNamed(scenario, "right 1")])};
+  EXPECT_NEAR(drawn[0], 0.0, 1e-6);
+  EXPECT_NEAR(drawn[1], 1.2 / 1.36, 1e-6);
+  numbers.has(std::abs(drawn[0]), 2).has(drawn[1], 2).has(1.0, 0);
   EXPECT_EQ(scenario.lesson->words.right, 1u);
 }
 
@@ -477,7 +495,8 @@ TEST(LessonNumbers, RollingWheel) {
   const WorldLine& line = game.worldLines()[0];
   const Puck& wheel = scenario.billiard.pucks[0];
   const double c_m_s = scenario.billiard.lightSpeed_m_s, omega = line.knots()[0].spin.omega_rad_s;
-  EXPECT_EQ(game.events().size(), 0u) << "it touches the cushion and meets nothing";
+  for (const GameEvent& event : game.events())
+    EXPECT_EQ(event.kind, EventKind::flash) << "it touches the cushion and meets nothing";
   const double hub = glm::length(betaFromU(line.at(1.0).u)), rim = omega * wheel.radius_m / c_m_s;
   EXPECT_NEAR(rim, hub, 1e-12);
   double slowest = 1.0, fastest = 0.0;
@@ -489,12 +508,27 @@ TEST(LessonNumbers, RollingWheel) {
   EXPECT_LT(slowest, 5e-3) << "it rests: the second answer";
   EXPECT_EQ(scenario.lesson->words.right, 1u);
   const double gamma = 1.0 / std::sqrt(1.0 - hub * hub);
+  // The wedge of the mesh is at its +y, and rests where it touches the cushion.
+  const auto wedge = vertexHistory(line, {0.0, wheel.radius_m, 0.0});
+  for (const char* name : {"wedge at the cushion", "wedge there again"}) {
+    const Event flash = flashNamed(scenario, name).at;
+    const VertexPiece& piece = pieceAt(wedge, flash.t_s);
+    EXPECT_NEAR(glm::distance(placeAt(piece, flash.t_s, c_m_s), flash.r_m), 0.0, 1e-5) << name;
+    EXPECT_LT(glm::length(uAt(piece, flash.t_s, c_m_s)), 1e-4) << name;
+  }
+  const double turn_s = 2.0 * std::numbers::pi / omega;  // of the hub's clock
+  const Explained explained(scenario);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "One turn, from cushion to cushion: table's frame")),
+              gamma * turn_s, 1e-5);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "hub's frame")), turn_s, 1e-5);
   Numbers(claims(scenario))
       .has(hub, 1)
       .has(2.0 * hub, 1)
       .has(hub * hub, 2)
       .has(fastest, 2)
       .has(gamma, 2)
+      .has(gamma * turn_s, 2)
+      .has(turn_s, 2)
       .has(0.0, 0)
       .has(1.0, 0)
       .has(2.0, 0);
@@ -523,7 +557,7 @@ TEST(LessonNumbers, SeenAtOnce) {
   const double left_m = glm::distance(eye_m, left.r_m), right_m = glm::distance(eye_m, right.r_m);
   const Explained explained(scenario);
   EXPECT_GT(explained.observer.middle.observation.t_s, right.t_s + right_m / c_m_s) << "both have been seen";
-  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Light's way: left")), left_m / c_m_s, 1e-9);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Travel time: left")), left_m / c_m_s, 1e-9);
   EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "right")), right_m / c_m_s, 1e-9);
   const double earlier_s = elapsedFor_s(uFromBeta({0.5, 0.0, 0.0}), right, left, c_m_s);
   EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "Right to left flash, your frame")), earlier_s, 1e-9);
@@ -541,7 +575,7 @@ TEST(LessonNumbers, Twins) {
   const Scenario scenario = shipped("twins");
   const double c_m_s = scenario.billiard.lightSpeed_m_s;
   const Head head{{{0.0, 0.0, kEyes_m}, {1.0, 0.0, 0.0, 0.0}}, Vec3(0.0)};
-  Observer traveller(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, head);
+  Observers traveller(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, head);
   const Vec3 home_m = traveller.headEvent().r_m;
   constexpr double kStep_s = 1e-3;
   Numbers numbers(claims(scenario));
@@ -577,6 +611,34 @@ TEST(LessonNumbers, Twins) {
       .has(leg_s, 0)
       .has(size_m_s2, 1)
       .has(firstLeg_s, 2);
+}
+
+// Walked here to and fro in steps of a frame, by the clocks of two observers in one room.
+TEST(LessonNumbers, TwinsInOneRoom) {
+  const Scenario scenario = shipped("twins-in-one-room");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  constexpr double kWalk_m_s = 0.6, kWalked_s = 20.0, kStep_s = 1.0 / 60.0;
+  std::array<Head, 2> heads;
+  heads[1].roomFromHead.position_m = {0.7, 0.0, 0.3};
+  Observers pair(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, heads);
+  const int frames = static_cast<int>(std::lround(kWalked_s / kStep_s));
+  for (int frame = 0; frame < frames; ++frame) {
+    const double way = frame % 120 < 60 ? 1.0 : -1.0;
+    heads[0].roomFromHead.position_m.x += way * kWalk_m_s * kStep_s;
+    pair.beginFrame();
+    pair.step(kStep_s, heads);
+  }
+  const double walked_s = pair.properTime_s(0), stood_s = pair.properTime_s(1);
+  EXPECT_NEAR(walked_s, kWalked_s, 1e-9) << "who moves fastest keeps the display's time";
+  EXPECT_EQ(scenario.lesson->words.right, 2u) << "theirs who stood";
+  Numbers(claims(scenario))
+      .has(kWalked_s, 0)
+      .has(kWalk_m_s, 2)
+      .has(c_m_s, 2)
+      .has(walked_s, 1)
+      .has(stood_s, 1)
+      .has(stood_s / walked_s, 3)
+      .has(1.0, 0);  // under the root
 }
 
 /// The velocity of a puck for an observer who moves along x at 0.6 c.
@@ -615,7 +677,14 @@ TEST(LessonNumbers, SameLaws) {
   EXPECT_NEAR(betaFor(red, after_s), 0.0, 1e-12);
   EXPECT_EQ(scenario.lesson->words.right, 0u);
   EXPECT_EQ(scenario.lesson->plan.observers.at(1).beta, Vec3(0.6, 0.0, 0.0));
-  Numbers(claims(scenario)).has(0.6, 1).has(0.6 / std::sqrt(1.0 - 0.36), 2);
+  const Explained explained(scenario);
+  EXPECT_NEAR(explained.gauges(scenario, 0, white), -betaFor(white, after_s), 1e-9);
+  EXPECT_NEAR(explained.gauges(scenario, 1, red), betaFor(red, after_s), 1e-9);
+  Numbers(claims(scenario))
+      .has(0.6, 1)
+      .has(-betaFor(white, after_s), 2)
+      .has(std::abs(betaFor(red, after_s)), 2)
+      .has(0.6 / std::sqrt(1.0 - 0.36), 2);
 }
 
 TEST(LessonNumbers, Cause) {
@@ -668,6 +737,10 @@ TEST(LessonNumbers, MassEnergy) {
   }
   const double heat = meeting.heat_j / (mass_kg * c_m_s * c_m_s);
   EXPECT_NEAR(heat, masses - 2.0, 1e-9) << "the game's own account";
+  const Explained explained(scenario);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(explained.gauges(scenario, i, game.worldLines()[i]), masses / 2.0, 1e-9)
+        << "before they meet";
   EXPECT_EQ(scenario.lesson->words.right, 1u);
   Numbers(claims(scenario))
       .has(0.6, 1)

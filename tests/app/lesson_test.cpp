@@ -282,6 +282,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"no moment", "moment_s = 1.0\n", "", 3, 1, "moment_s is missing"},
         Fault{"an end before the beginning", "until_s = 3.0", "until_s = 0.5", 12, 11,
               "until_s is 0.5, expected a time after from_s"},
+        Fault{"an end of no time at all", "until_s = 3.0", "until_s = 0.0", 12, 11,
+              "until_s is 0, expected a number"},
         Fault{"a lesson without end", "until_s = 3.0", "until_s = 1e6", 12, 11, "until_s is 1000000"},
         Fault{"time that runs faster", "moment_s = 1.0", "moment_s = 1.0\nslowness = 0.5", 14, 12,
               "slowness is 0.5"},

@@ -305,9 +305,9 @@ TEST_F(LiveSession, APressOnAChoiceIsACommandAndNoStroke) {
     return front.lowerLeft_m + Vec3(at_m, 0.0);
   };
   const auto command = [&]() -> std::string {
-    if (decision.commands.empty()) return "";
-    const auto* play = std::get_if<PlayScenario>(&decision.commands.front());
-    return play && decision.commands.size() == 1 ? play->file : "another";
+    if (decision.handCommands.empty()) return "";
+    const auto* play = std::get_if<PlayScenario>(&decision.handCommands.front().command);
+    return play && decision.handCommands.size() == 1 ? play->file : "another";
   };
   testing::internal::CaptureStderr();
   for (const auto& [choice, file] : {std::pair{Choice::play, fileOfGame(kWelcome)},

@@ -1,6 +1,7 @@
 // What the drive does with the platform, against closed forms of hyperbolic motion and against what must hold
 // of any person's world line.
 #include "app/viewer/platform_motion.h"
+#include "engine/spacetime/observers.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +10,6 @@
 #include <numbers>
 
 #include "app/temporary_folder.h"
-#include "app/viewer/viewer.h"
 #include "engine/base/limits.h"
 #include "engine/random_world.h"
 
@@ -48,7 +48,7 @@ class Ride {
     const Event before = observer.headEvent();
     lived_s_ += period_s_;
     const Head head{{walk_(lived_s_), {1, 0, 0, 0}}, Vec3(0.0)};
-    drive.live(wish, period_s_, pace_, head_, head, observer);
+    drive.live(wish, period_s_, pace_, {&head, 1}, observer);
     const Event after = observer.headEvent();
     const double dt_s = after.t_s - before.t_s, dr_m = glm::distance(after.r_m, before.r_m);
     ASSERT_GE(dt_s, pace_ * period_s_ * (1.0 - 1e-9));
@@ -78,7 +78,7 @@ class Ride {
   Head head_;
 
  public:
-  Observer observer;
+  Observers observer;
 };
 
 Vec3 walking(double t_s) {

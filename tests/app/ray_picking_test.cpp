@@ -2,6 +2,7 @@
 // `emission`), and the cloth as it stands in the room.
 
 #include "app/hand/ray_picking.h"
+#include "engine/spacetime/observers.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ struct Viewer {
   Viewer(const Vec3& beta, const Vec3& celerity_m_s)
       : boardFromRoom(Lorentz::boost(uFromBeta(beta), kC_m_s)),
         head{{{0.3, -0.2, 1.7}, {1.0, 0.0, 0.0, 0.0}}, celerity_m_s},
-        observer(Observer::at({5.0, {0.4, -1.5, 0.95}}, 5.0, boardFromRoom, head).view(0.064)) {}
+        observer(Observers::at({5.0, {0.4, -1.5, 0.95}}, 5.0, boardFromRoom, head).view(0.064)) {}
   Lorentz boardFromRoom;
   Head head;
   ObserverView observer;

@@ -13,7 +13,7 @@
 #include "app/play/game.h"
 #include "app/session/recorded_source.h"
 #include "app/session/replay_visitor_source.h"
-#include "app/viewer/viewer.h"
+#include "app/viewer/viewers.h"
 #include "cave/frame/frame_digest.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/light_cone.h"
@@ -120,7 +120,7 @@ class ReplaySources : public testing::Test {
   void play() {
     SimulatedClock clock;
     Pacer pacer(clock, kHz, 0.0);
-    Viewer person(rig_, scenario_, {});
+    Viewers person(rig_, scenario_, {});
     Game game(scenario_);
     Journal journal(
         folder_ / "game.db",
@@ -129,7 +129,7 @@ class ReplaySources : public testing::Test {
     while (lived_.size() < kFrames) {
       const FrameTimes times = pacer.next();
       FrameState& frame = lived_.emplace_back();
-      frame.record.observer = person.at(times, 0.064);
+      frame.record.observer = person.at(times, 0.064)[0];
       frame.record.number = times.number;
       frame.record.display_s = times.display_s;
       frame.record.boardFromRoom = person.boardFromRoom();
@@ -137,7 +137,7 @@ class ReplaySources : public testing::Test {
       frame.record.switches.colour = times.number >= 30 && times.number < 60;
       frame.record.tracked = person.tracked();
       game.advance(latest_s(frame.record.observer), frame);
-      journal.add(frame, person.head(), person.samples());
+      journal.add(frame, {&person.head(), 1}, std::vector<TrackerSamples>{{0, person.samples()}});
       pacer.awaitTick(0.0);
       pacer.swapped();
     }
@@ -370,13 +370,13 @@ TEST_F(ReplaySources, AVisitorSeesTheGameAsSomeoneWhoLivesThere) {
     rig.trackers[0].source = trace;
     Scenario scenario = scenario_;
     scenario.observer.beta = beta;
-    Viewer person(rig, scenario, {});
+    Viewers person(rig, scenario, {});
     Pacer pacer(livedClock, kHz, 0.0);
     std::uint64_t frames = 0;
     while (!show.frame.record.last) {
       const FrameRecord& record = show.next();
       const FrameTimes times = pacer.next();
-      ASSERT_TRUE(sameBits(record.observer, person.at(times, rig_.head.eyeSeparation_m)))
+      ASSERT_TRUE(sameBits(record.observer, person.at(times, rig_.viewers.front().head.eyeSeparation_m)[0]))
           << "frame " << frames;
       ASSERT_EQ(record.display_s, times.display_s);
       pacer.awaitTick(0.0);

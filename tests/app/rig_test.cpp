@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <glm/geometric.hpp>
-#include <regex>
 #include <tuple>
 
+#include "app/files/rig_viewers.h"
 #include "app/files/toml_file.h"
 #include "app/temporary_folder.h"
+#include "cave/room/wall_eyes.h"
 
 namespace carom {
 namespace {
@@ -63,9 +65,10 @@ TEST(Rig, ReadsLengthsInEveryUnit) {
              "pixels = [4, 3]\n");
     expectNear(rig.walls.at(0).lowerRight_m, {4 * metres, 0, 0});
     expectNear(rig.walls.at(0).upperLeft_m, {0, 3 * metres, 0});
-    expectNear(rig.head.eyesFromSensor.position_m, {0, metres, 0});
+    expectNear(rig.viewers.front().head.eyesFromSensor.position_m, {0, metres, 0});
     expectNear(rig.trackers.at(0).roomFromTracker.position_m, {metres, 0, 0});
-    EXPECT_NEAR(rig.head.eyeSeparation_m, 0.064, kRounding_m) << "the default is in metres whatever the unit";
+    EXPECT_NEAR(rig.viewers.front().head.eyeSeparation_m, 0.064, kRounding_m)
+        << "the default is in metres whatever the unit";
   }
 }
 
@@ -99,19 +102,19 @@ TEST(Rig, MayHaveASpaceMouse) {
   EXPECT_EQ(first.trackers[1].kind, TrackerKind::spaceMouse);
   EXPECT_EQ(first.trackers[1].source, "");
   EXPECT_EQ(addressed.trackers[1].source, "046d:c626:S1");
-  EXPECT_EQ(addressed.hand->tracker, 1u);
+  EXPECT_EQ(addressed.viewers.front().hand->tracker, 1u);
   EXPECT_EQ(toString(TrackerKind::spaceMouse), "spacemouse");
 }
 
 TEST(Rig, MaySayHowAHandHoldsItsSensor) {
   const std::string hand = "[hand]\ntracker = 'cap'\nsensor = 2\n";
-  EXPECT_EQ(read(kGood + hand).hand->handFromSensor.position_m, glm::dvec3(0.0));
+  EXPECT_EQ(read(kGood + hand).viewers.front().hand->handFromSensor.position_m, glm::dvec3(0.0));
   const Rig held =
       read(kGood + hand + "hand_from_sensor = { translation = [0, 30, 0], rotation_deg = [0, 90, 0] }\n");
-  ASSERT_TRUE(held.hand);
-  EXPECT_EQ(held.hand->sensor, 2);
-  expectNear(held.hand->handFromSensor.position_m, {0, 0.03, 0});
-  expectNear(held.hand->handFromSensor.orientation * glm::dvec3(0, 0, -1), {-1, 0, 0});
+  ASSERT_TRUE(held.viewers.front().hand);
+  EXPECT_EQ(held.viewers.front().hand->sensor, 2);
+  expectNear(held.viewers.front().hand->handFromSensor.position_m, {0, 0.03, 0});
+  expectNear(held.viewers.front().hand->handFromSensor.orientation * glm::dvec3(0, 0, -1), {-1, 0, 0});
 }
 
 TEST(Rig, AHandMayHaveItsButtonsFromAnotherTracker) {
@@ -120,13 +123,13 @@ TEST(Rig, AHandMayHaveItsButtonsFromAnotherTracker) {
     return "[hand]\ntracker = '" + tracker + "'\nsensor = 2\nbuttons = '" + buttons + "'\n";
   };
   const Rig rig = read(kGood + box + hand("cap", "box"));
-  EXPECT_EQ(rig.hand->tracker, 0u);
-  EXPECT_EQ(rig.hand->buttons, std::optional<std::size_t>(1));
+  EXPECT_EQ(rig.viewers.front().hand->tracker, 0u);
+  EXPECT_EQ(rig.viewers.front().hand->buttons, std::optional<std::size_t>(1));
   EXPECT_TRUE(rig.trackers[1].buttonsAlone);
   EXPECT_FALSE(rig.trackers[0].buttonsAlone);
-  EXPECT_FALSE(read(kGood + box + hand("box", "box")).hand->buttons) << "its own";
+  EXPECT_FALSE(read(kGood + box + hand("box", "box")).viewers.front().hand->buttons) << "its own";
   const Rig ofTheHead = read(kGood + box + hand("box", "cap"));
-  EXPECT_EQ(ofTheHead.hand->buttons, std::optional<std::size_t>(0));
+  EXPECT_EQ(ofTheHead.viewers.front().hand->buttons, std::optional<std::size_t>(0));
   EXPECT_FALSE(ofTheHead.trackers[0].buttonsAlone) << "the head's poses come from it, too";
   const std::string mouse = "[[tracker]]\nname = 'mouse'\nkind = 'spacemouse'\n";
   for (const auto& [text, words] :
@@ -154,6 +157,7 @@ TEST(Rig, KeepsItsAxesAndNamesTheirDirections) {
 
 TEST(Rig, TurnsAboutXThenYThenZ) {
   const Pose pose = read(changed("eye_separation = 62", "eyes_from_sensor = { rotation_deg = [90, 0, 90] }"))
+                        .viewers.front()
                         .head.eyesFromSensor;
   expectNear(pose * glm::dvec3(0, 1, 0), {0, 0, 1});  // x takes y to z, which z leaves
   expectNear(pose * glm::dvec3(0, 0, 1), {1, 0, 0});  // x takes z to −y, z takes that to x
@@ -186,8 +190,8 @@ TEST(Rig, AWindowNamesItsMonitors) {
 TEST(Rig, LeavesOutWhatIsOptional) {
   const Rig rig = read(kGood);
   EXPECT_EQ(rig.display_hz, 60.0);
-  EXPECT_NEAR(rig.head.eyeSeparation_m, 0.062, kRounding_m);
-  EXPECT_FALSE(rig.hand);
+  EXPECT_NEAR(rig.viewers.front().head.eyeSeparation_m, 0.062, kRounding_m);
+  EXPECT_FALSE(rig.viewers.front().hand);
   EXPECT_FALSE(rig.oneWindow);
   EXPECT_TRUE(rig.nodes.empty());
   EXPECT_EQ(rig.walls.at(0).stereo, StereoMode::mono);
@@ -482,6 +486,105 @@ INSTANTIATE_TEST_SUITE_P(
       std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
       return name;
     });
+
+/// A room for two: kGood without its head, with two viewers and a wall for each.
+std::string roomForTwo() {
+  const auto viewer = [](const std::string& name, int sensor) {
+    return "[[viewer]]\nname = '" + name + "'\ntracker = 'cap'\nsensor = " + std::to_string(sensor) + "\n";
+  };
+  std::string text =
+      changed("[head]\ntracker = 'cap'\neye_separation = 62\n", viewer("anna", 0) + viewer("ben", 1));
+  const std::string wall = text.substr(text.find("[[wall]]"));
+  std::string second = wall;
+  second.replace(second.find("'front'"), 7, "'front-ben'");
+  return text + "stereo = 'side-by-side'\nviewer = 'anna'\n" + second +
+         "stereo = 'side-by-side'\nviewer = 'ben'\n";
+}
+
+std::string changedForTwo(const std::string& from, const std::string& to) {
+  std::string text = roomForTwo();
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(Rig, HasAViewerForEachPersonInTheRoom) {
+  const Rig rig = read(roomForTwo());
+  EXPECT_EQ(namesOf(rig.viewers), (std::vector<std::string>{"anna", "ben"}));
+  EXPECT_EQ(rig.viewers[1].head.sensor, (SensorChoice{0, 1}));
+  EXPECT_EQ(eyesOf(rig.walls[1]), (std::vector<ViewerEye>{{1, Eye::left}, {1, Eye::right}}));
+  EXPECT_EQ(sightsOf(rig, 1), (std::vector<std::string>{"sees front-ben (left), front-ben (right)"}));
+
+  const Rig bens = rigFor(rig, "ben");
+  EXPECT_EQ(namesOf(bens.viewers), (std::vector<std::string>{"ben", "anna"}));
+  ASSERT_EQ(bens.walls.size(), 1u);
+  EXPECT_EQ(bens.walls[0].name, "front-ben");
+  EXPECT_EQ(bens.walls[0].viewer, 0u);
+}
+
+TEST(Rig, AWallMayShowEyesOfTwoPeople) {
+  std::string text = changedForTwo("viewer = 'anna'", "eyes = ['anna.left', 'ben.left']");
+  text.replace(text.find("viewer = 'ben'"), 14, "eyes = ['anna.right', 'ben.right']");
+  const Rig rig = read(text);
+  EXPECT_EQ(rig.walls[0].eyes, (std::vector<ViewerEye>{{0, Eye::left}, {1, Eye::left}}));
+  EXPECT_EQ(rig.walls[0].pictureNames, (std::vector<std::string>{"front-anna", "front-ben"}));
+  const Rig bens = rigFor(rig, "ben");
+  ASSERT_EQ(bens.walls.size(), 2u);
+  EXPECT_EQ(bens.walls[0].stereo, StereoMode::left);
+  EXPECT_EQ(bens.walls[1].stereo, StereoMode::right);
+  EXPECT_EQ(bens.walls[0].pictureNames, (std::vector<std::string>{"front-ben"}));
+  const Rig swapped = read(changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['right', 'left']"));
+  EXPECT_EQ(swapped.walls[0].eyes, (std::vector<ViewerEye>{{0, Eye::right}, {0, Eye::left}}));
+}
+
+TEST(Rig, RefusesViewersWhoDoNotFitTheirWalls) {
+  const std::string third = "[[viewer]]\nname = 'cleo'\ntracker = 'cap'\nsensor = 2\n";
+  std::string five = roomForTwo();
+  for (const char* name : {"c", "d", "e"})
+    five += std::string("[[viewer]]\nname = '") + name +
+            "'\ntracker = 'cap'\nsensor = " + std::to_string(name[0]) + "\n";
+  for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
+           {changedForTwo("sensor = 1", "sensor = 0"),
+            ":10:10: viewers 'anna' and 'ben' have one sensor of tracker 'cap', expected one each"},
+           {changedForTwo("name = 'ben'", "name = 'anna'"),
+            "the name 'anna' is taken in line 4, expected another"},
+           {changedForTwo("viewer = 'anna'\n", ""),
+            "wall 'front' does not say whose eyes it shows, expected viewer = 'anna' or 'ben'"},
+           {changedForTwo("viewer = 'ben'\n", "viewer = 'bob'\n"),
+            "there is no viewer 'bob', expected 'anna' or 'ben'"},
+           {changedForTwo("viewer = 'ben'\n", "viewer = 'anna'\n"),
+            "wall 'front-ben' shows anna.left on the screen of wall 'front', which shows this eye already, "
+            "expected "
+            "each eye once on a screen"},
+           {roomForTwo() + third,
+            "no wall shows the eyes of viewer 'cleo', expected one [[wall]] at least with viewer "
+            "= 'cleo'"},
+           {changedForTwo("stereo = 'side-by-side'\nviewer = 'ben'", "stereo = 'left'\nviewer = 'ben'"),
+            "viewer 'ben' sees the screen of wall 'front-ben' with the left eye only, expected both"},
+           {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left']"),
+            "eyes has 1 name, expected one for each of the 2 channels of 'side-by-side'"},
+           {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left', 'up']"),
+            "eyes has 'up', expected 'left', 'right' or a viewer's, such as 'anna.left'"},
+           {changedForTwo("viewer = 'anna'", "eyes = ['anna.left', 'bob.left']"),
+            "eyes has 'bob.left', expected"},
+           {five, "expected at most 4 in a room"},
+           {roomForTwo() + "[head]\ntracker = 'cap'\n",
+            "is the head of the one viewer of a room without [[viewer]], expected none"}}) {
+    SCOPED_TRACE(words);
+    try {
+      read(text);
+      ADD_FAILURE() << "was read";
+    } catch (const InputErrors& error) {
+      std::string all;
+      for (const InputError& fault : error.faults()) all += std::string(fault.what()) + "\n";
+      EXPECT_NE(all.find(words), std::string::npos) << all;
+      const std::size_t at = all.find("given.toml:");
+      ASSERT_LT(at, all.find('\n')) << all;
+      int line = 0, column = 0;
+      EXPECT_EQ(std::sscanf(all.c_str() + at, "given.toml:%d:%d: ", &line, &column), 2) << all;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace carom

@@ -79,8 +79,8 @@ cmp "$out/visit.db" "$out/damaged" || fail "a damaged visit was written to"
 [ "$(sqlite3 "$out/visit-2.db" "SELECT count(*) FROM frame")" = 5 ] || fail "no visit began beside the damaged one"
 # A scenario whose mesh is gone is named, with its line.
 cp "$out/game.db" "$out/bare.db"
-sqlite3 "$out/bare.db" "UPDATE session SET value = replace(value, 'mass_kg = 0.2', 'mass_kg = 0.2' || char(10) ||
-  'mesh = \"gone.obj\"') WHERE key = 'scenario'"
+sqlite3 "$out/bare.db" "UPDATE game SET scenario = replace(scenario, 'mass_kg = 0.2', 'mass_kg = 0.2' || char(10) ||
+  'mesh = \"gone.obj\"')"
 for command in "replay $out/bare.db --no-window" "events $out/bare.db"; do
   "$carom" $command 2>"$out/stderr" && fail "$command: without its mesh"
   grep -q "^error: .*three-pucks.toml:[0-9]*:[0-9]*: mesh 'gone.obj'" "$out/stderr" || fail "$command: $(cat "$out/stderr")"

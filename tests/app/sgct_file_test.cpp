@@ -55,7 +55,7 @@ TEST(SgctFile, ReadsAWall) {
   EXPECT_EQ(wall.window.position_px, glm::ivec2(50, 60));
   EXPECT_EQ(wall.stereo, StereoMode::mono);
   EXPECT_EQ(room.eyeSeparation_m, 0.06);
-  EXPECT_EQ(room.viewer.eyes_m, glm::dvec3(0, 0, 4));
+  EXPECT_EQ(room.viewers.front().eyes_m, glm::dvec3(0, 0, 4));
   EXPECT_FALSE(room.oneWindow);
 }
 

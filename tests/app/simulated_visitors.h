@@ -76,6 +76,7 @@ class SimulatedVisitors {
   std::size_t games() const { return games_; }
   std::size_t strokes() const { return strokes_; }
   std::size_t attractions() const { return attractions_; }
+  std::filesystem::path file() const { return folder_ / "visit.db"; }
   double now_s() const { return decision_.frame.record.display_s; }
 
  private:
@@ -85,9 +86,11 @@ class SimulatedVisitors {
     const FrameTimes times = pacer_.next();
     visit(times.display_s);
     WindowInput input;
-    if (pressed_) input.keys = {{*pressed_, true}, {*pressed_, false}};
+    if (!isFirstFrame_) {  // which is what a visitor finds
+      if (pressed_) input.keys = {{*pressed_, true}, {*pressed_, false}};
+      pressed_.reset();
+    }
     leader_->decide(times, input, decision_);
-    pressed_.reset();
     strokes_ += decision_.strokes.size();
     applyFrame(decision_.frame, world_);
     journal_.shown(decision_);
@@ -98,11 +101,11 @@ class SimulatedVisitors {
   /// Decides what the visitor does now: they come, stay for a while, and leave without a word.
   void visit(double now_s) {
     if (now_s < comes_s_) return;
-    if (mood_ == Mood::away && now_s > leaves_s_) leaves_s_ = now_s + random_.in(8.0, 50.0);
+    if (mood_ == Mood::away && now_s > leaves_s_) leaves_s_ = now_s + random_.in(8.0, 30.0);
     if (now_s > leaves_s_) {
       mood_ = Mood::away;
       const bool isQuiet = random_.in(0.0, 1.0) < 0.15;  // otherwise some come before all is put back
-      comes_s_ = now_s + kPatience_s + (isQuiet ? random_.in(60.0, 110.0) : random_.in(-20.0, 40.0));
+      comes_s_ = now_s + kPatience_s + (isQuiet ? random_.in(60.0, 110.0) : random_.in(-3.0, 12.0));
       return;
     }
     if (now_s < changes_s_) return;
@@ -126,10 +129,11 @@ class SimulatedVisitors {
   /// Returns the desk's input: the mouse over a puck as it was just seen, or drawn back along the cloth; keys held.
   DeskInput desk(const WindowInput&, bool) {
     DeskInput desk;
+    if (isFirstFrame_) return desk;
     if (mood_ == Mood::drives) desk.steer = {std::cos(turn_rad_), std::sin(turn_rad_), 0.0};
     const FrameRecord& before = decision_.frame.record;
     if (mood_ != Mood::aims && mood_ != Mood::draws) return desk;
-    if (puck_ >= scenario_.billiard.pucks.size() || isFirstFrame_) return desk;
+    if (puck_ >= scenario_.billiard.pucks.size()) return desk;
     const EyeView& eye = before.observer.middle;
     Vec3 along = aim_.seenInRoom_m(world_.histories[kFirstPuck + puck_],
                                    {before.observer, Eye::middle, before.switches}) -
@@ -154,15 +158,15 @@ class SimulatedVisitors {
     isWelcome_ = next.isForNextVisitor;
   }
 
-  /// Writes the game to a session file, which the one before it makes room for.
+  /// Writes the game to the session file of the day, unless it is there to attract people.
   void write(bool attracts) {
     journal_.keep(nullptr);
-    const std::filesystem::path file = folder_ / "visit.db";
-    std::filesystem::remove(file);
     if (attracts) return;
+    const bool isThere = std::filesystem::exists(file());
     SessionFacts facts{"carom", "play.toml", "game.toml", "", "", scenario_.billiard.lightSpeed_m_s};
     for (const Puck& puck : scenario_.billiard.pucks) facts.pucks.push_back(puck.name);
-    journal_.keep(std::make_unique<Journal>(file, facts, false));
+    facts.isAnotherGame = isThere;
+    journal_.keep(std::make_unique<Journal>(file(), facts, isThere));
   }
 
   Found find() const {

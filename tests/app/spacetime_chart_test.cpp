@@ -53,17 +53,45 @@ TEST(SpacetimeChart, AnObserverWhoIsPutElsewhereBeginsAnew) {
   DiagramSubject subject;
   subject.c_m_s = 1.42;
   const auto at = [](double t_s, double x_m) { return Event{t_s, Vec3(x_m, 0.0, 0.0)}; };
-  continueMine(subject, at(1.0, 0.0));
-  continueMine(subject, at(1.5, 0.7));
-  continueMine(subject, at(1.5, 0.9));  // time stands still while a person walks round what they see
+  continueLine(subject.mine, subject.c_m_s, at(1.0, 0.0));
+  continueLine(subject.mine, subject.c_m_s, at(1.5, 0.7));
+  continueLine(subject.mine, subject.c_m_s,
+               at(1.5, 0.9));  // time stands still while a person walks round what they see
   EXPECT_EQ(subject.mine.size(), 2U);
-  continueMine(subject, at(0.3, 0.0));  // the lesson begins again
+  continueLine(subject.mine, subject.c_m_s, at(0.3, 0.0));  // the lesson begins again
   ASSERT_EQ(subject.mine.size(), 1U);
   EXPECT_EQ(subject.mine.front().t_s, 0.3);
-  continueMine(subject, at(0.4, 0.1));
-  continueMine(subject, at(1.0, -0.9));  // with another velocity, from another place
+  continueLine(subject.mine, subject.c_m_s, at(0.4, 0.1));
+  continueLine(subject.mine, subject.c_m_s, at(1.0, -0.9));  // with another velocity, from another place
   ASSERT_EQ(subject.mine.size(), 1U);
   EXPECT_EQ(subject.mine.front().t_s, 1.0);
+}
+
+TEST(SpacetimeChart, HasTheWorldLineAndTheNowOfEverybodyInTheRoom) {
+  DiagramSubject subject;
+  subject.c_m_s = 1.42;
+  FrameRecord record;
+  record.viewers = 2;
+  const std::vector<std::string> names{"anna", "ben"};
+  for (const double t_s : {0.0, 1.0, 2.0}) {
+    for (std::size_t viewer = 0; viewer < 2; ++viewer) {
+      record.viewer(viewer).observer.middle.observation = {t_s, Vec3(static_cast<double>(viewer), 0.0, 0.0)};
+      record.viewer(viewer).observer.headFromBoard = Lorentz(1.42);
+    }
+    follow(subject, record, names);
+  }
+  ASSERT_EQ(subject.others.size(), 1U);
+  EXPECT_EQ(subject.others[0].name, "ben");
+  EXPECT_EQ(subject.others[0].line.size(), 3U);
+  const Chart chart = spacetimeChart(subject, {});
+  const auto named = [&](const std::string& name) {
+    return std::count_if(chart.lines.begin(), chart.lines.end(),
+                         [&](const ChartLine& line) { return line.name == name; });
+  };
+  EXPECT_EQ(named("me"), 1);
+  EXPECT_EQ(named("ben"), 1);
+  EXPECT_EQ(named("ben: line of simultaneity"), 1);
+  EXPECT_EQ(named("my line of simultaneity"), 1);
 }
 
 }  // namespace

@@ -15,8 +15,9 @@ TrackerReport after(double drawing_s, bool still) {
   Rig rig;
   rig.trackers.resize(1);
   rig.trackers[0].name = "you";
-  rig.trackers[0].still = still;
-  HeadTracking tracking(rig, std::chrono::steady_clock::now());
+  rig.trackers[0].person = still ? SimulatedMotion::still : SimulatedMotion::moves;
+  SharedTrackers trackers(rig, std::chrono::steady_clock::now());
+  HeadTracking tracking(rig, rig.viewers.front(), trackers);
   HeadEstimate head;
   FrameTimes times;
   for (double begin_s = 0.0; begin_s < 3.0 + drawing_s; begin_s += drawing_s) {

@@ -54,6 +54,12 @@ TEST(Version3, AFileOfVersion3IsReadAndGoneOnWithAndHasTheSameDigests) {
     const SessionFacts facts = SessionFile(file).facts();
     for (std::size_t field = 0; field < kDigests.size(); ++field)
       EXPECT_EQ(digestsOf(file, kFrames)[field], kDigests[field]) << FrameDigest::kFields[field];
+    SessionFile old(file);
+    for (FrameState state; old.next(state);) {
+      EXPECT_EQ(state.record.room_s, state.record.observer.properTime_s)
+          << "the room's time was the only viewer's";
+      EXPECT_EQ(state.record.placeInRoom_m, state.record.observer.middle.positionInRoom_m);
+    }
     FrameState later = frameOf(kFrames);
     later.record.eventsKept = 3;
     later.events[0].number = 3;
@@ -64,10 +70,10 @@ TEST(Version3, AFileOfVersion3IsReadAndGoneOnWithAndHasTheSameDigests) {
       journal.add(later, head(), {});
     }
     EXPECT_EQ(lines.said(), (Strings{"The session file " + file.string() +
-                                     " is of version 3 and becomes one of version 6."}));
+                                     " is of version 3 and becomes one of version 7."}));
     EXPECT_EQ(digestsOf(file, kFrames), kDigests);
     SQLite::Database database(file.string());
-    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 6);
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 7);
     EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
     EXPECT_EQ(column(database, "SELECT without_delay FROM event ORDER BY number"),
               (Strings{"0", "0", "0", "1"}));

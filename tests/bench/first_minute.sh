@@ -49,7 +49,7 @@ xdotool key --window "$window" F5
 picture 60
 xdotool key --window "$window" Escape
 wait "$job" || true
-for game in "$out"/visit*.db; do
+for game in "$out/visit.db"; do
   echo "$(basename "$game"): $(sqlite3 "$game" "SELECT count(*) || ' frames, ' || (SELECT count(*) FROM stroke) ||
     ' strokes, turned: ' || (max(board_from_room_xx) - min(board_from_room_xx) > 0.01) FROM frame")"
 done

@@ -13,7 +13,7 @@
 #include "app/journal/journal.h"
 #include "app/journal/session_file.h"
 #include "engine/billiard/billiard.h"
-#include "engine/spacetime/observer.h"
+#include "engine/spacetime/observers.h"
 
 using namespace carom;
 
@@ -37,7 +37,7 @@ int main() {
     return head;
   };
   Billiard billiard(scenario.billiard);
-  Observer observer(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, headAt(0.0));
+  Observers observer(Lorentz(c_m_s), {0.0, scenario.observer.position_m}, headAt(0.0));
   std::vector<double> took_us;
   {
     Journal journal(file, {"bench", config, config, "", "", c_m_s}, false);
@@ -63,7 +63,7 @@ int main() {
       std::vector<TrackerSample> samples(2);
       for (TrackerSample& sample : samples) sample.time_s = time_s, sample.pose = headAt(time_s).roomFromHead;
       const auto start = std::chrono::steady_clock::now();
-      journal.add(state, estimate, samples);
+      journal.add(state, {&estimate, 1}, std::vector<TrackerSamples>{{0, samples}});
       took_us.push_back(
           std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
       std::this_thread::sleep_for(std::chrono::milliseconds(4));

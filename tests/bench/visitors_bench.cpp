@@ -12,12 +12,13 @@ namespace carom {
 namespace {
 
 unsigned long seed = 1, visitors = 30;
+constexpr double kEach_s = 120.0;  // thirty in an hour
 
 TEST(Visitors, AnHour) {
   log::replaceSink([](log::Level, std::string_view) {});
   const test::TemporaryFolder folder;
   test::SimulatedVisitors room(seed, folder / "");
-  const std::vector<test::Found> found = room.run(visitors, 2.0 * 3600.0);
+  const std::vector<test::Found> found = room.run(visitors, kEach_s * static_cast<double>(visitors));
   fmt::print("visitor     at s  allocated kB  files  knots  events\n");
   for (std::size_t i = 0; i < found.size(); ++i) {
     fmt::print("{:7} {:8.1f} {:13} {:6} {:6} {:7}\n", i + 1, found[i].at_s, found[i].bytes / 1000,

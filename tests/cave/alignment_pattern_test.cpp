@@ -117,7 +117,7 @@ int axisOf(const glm::dvec3& edge) {
 }
 
 TEST_F(Seams, LinesMeetAtEverySharedEdgeOfEveryShippedRig) {
-  std::size_t most = 0;
+  std::size_t ofFive = 0;
   for (const auto& file : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/rigs")) {
     const Rig rig = readRig(file.path());
     for (const double time_s : {0.7, 77.1, 5000.3}) {
@@ -139,10 +139,10 @@ TEST_F(Seams, LinesMeetAtEverySharedEdgeOfEveryShippedRig) {
                      crossings_m(b, images[j], shared[0], shared[1], axis), 0.5 * pixel_m);
         }
       }
-      most = std::max(most, edges);
+      if (file.path().stem() == "five-walls-cluster") ofFive = edges;
     }
   }
-  EXPECT_EQ(most, 8U) << "front, left, right, floor and ceiling meet along eight edges";
+  EXPECT_EQ(ofFive, 8U) << "front, left, right, floor and ceiling meet along eight edges";
 }
 
 // Against the planes themselves, by hand: at 1.2 s they have gone 0.12 m.

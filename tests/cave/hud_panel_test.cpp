@@ -39,10 +39,35 @@ FrameRecord recordAt(double display_s) {
 
 std::vector<std::string> said(const FrameRecord& record) {
   std::vector<HudLine> lines;
-  describe(record, {}, {}, kLineLetters, lines);
+  describe(record, {}, {}, {}, kLineLetters, lines);
   std::vector<std::string> texts;
   for (const HudLine& line : lines) texts.push_back(line.text);
   return texts;
+}
+
+TEST(HudPanel, EachReadsTheOthersClocksScoresAndTurns) {
+  const std::vector<RoomViewer> viewers{{"anna", {}}, {"ben", {}}};
+  FrameRecord record;
+  record.viewers = 2;
+  record.views.clocks = 1;
+  record.observer.headFromBoard = record.viewer(1).observer.headFromBoard = Lorentz(1.42);
+  record.observer.properTime_s = 10.0;
+  record.viewer(1).observer.properTime_s = 11.3;
+  record.score = {1, 3};
+  record.viewer(1).score = {0, 2};
+  record.viewer(1).hasTurn = 1;
+  const auto reads = [&](std::size_t viewer, const std::string& words) {
+    std::vector<RoomViewer> seen = viewers;
+    std::swap(seen.front(), seen[viewer]);
+    std::vector<HudLine> lines;
+    describe(seenBy(record, viewer), {}, {}, seen, kLineLetters, lines);
+    return std::any_of(lines.begin(), lines.end(), [&](const HudLine& line) { return line.text == words; });
+  };
+  EXPECT_TRUE(reads(0, "ben: 11.3 s, older than you by 1.3 s"));
+  EXPECT_TRUE(reads(1, "anna: 10.0 s, younger than you by 1.3 s"));
+  EXPECT_TRUE(reads(0, "you:  caroms  1   strokes  3"));
+  EXPECT_TRUE(reads(0, "ben's turn"));
+  EXPECT_TRUE(reads(1, "your turn"));
 }
 
 TEST(HudPanel, SayWhichViewsAreOn) {
@@ -74,7 +99,7 @@ const LessonWords kLesson{
 
 std::vector<std::string> said(const FrameRecord& record, const LessonWords& lesson) {
   std::vector<HudLine> lines;
-  describe(record, lesson, {}, kLineLetters, lines);
+  describe(record, lesson, {}, {}, kLineLetters, lines);
   std::vector<std::string> texts;
   for (const HudLine& line : lines) texts.push_back(line.text);
   return texts;
@@ -132,13 +157,13 @@ TEST(HudPanel, TellWhatIsMeasuredAndWhichVelocitiesThereAre) {
   record.boardFromRoom = Lorentz::boost(uFromBeta({0.5, 0.0, 0.0}), kC_m_s);
   record.lesson.phase = LessonPhase::explains;
   std::vector<HudLine> lines;
-  describe(record, kLesson, plan, 90, lines);
+  describe(record, kLesson, plan, {}, 90, lines);
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[1].text, "Your clock: 12.36 s    From hit to hit: 1.15 s");
   EXPECT_TRUE(lines[1].urgent);
   EXPECT_EQ(lines[2].text, "You move:  F2 at rest  [F3 0.5 c to the right]");
   record.lesson.phase = LessonPhase::shows;
-  describe(record, kLesson, plan, 90, lines);
+  describe(record, kLesson, plan, {}, 90, lines);
   EXPECT_EQ(lines.back().text, "Y: replay    Enter: explanation    (slow motion: 1/4)");
 }
 
@@ -166,7 +191,7 @@ TEST(HudPanel, BeginWithWhatJustHappenedAndLetItStandOut) {
   record.notice = Notice(words);
   record.views.paths = 1;
   std::vector<HudLine> lines;
-  describe(record, {}, {}, kLineLetters, lines);
+  describe(record, {}, {}, {}, kLineLetters, lines);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[0].urgent && lines[1].urgent);
   EXPECT_FALSE(lines[2].urgent);
@@ -276,7 +301,7 @@ TEST_F(DrawnWords, TheBandOfALessonHasLettersOfAFortiethOfTheHeight) {
       graphics_.makeCurrent();
       RenderTarget picture(size_px);
       HudPanel band;
-      band.setWall(wall);
+      band.setWall(wall, {});
       band.setLesson(words, plan);
       FrameRecord record = recordAt(1.0);
       record.lesson = {phase, 1};

@@ -171,7 +171,7 @@ TEST(MeshFile, FaultsAreNamedWithTheirPlaces) {
       {".obj", replaced(kObj, "f 1 2 4", "f 1 0 4"), ":6:5: ", "from 1"},
       {".obj", replaced(kObj, "f 1 2 4", "f 1 2/7 4"), ":6:7: ", "7"},
       {".obj", replaced(kObj, "f 1 2 4", "f 1 2"), ":6:6: ", "missing"},
-      {".obj", replaced(kObjSlashed, "f 1/1/1 3/1/1", "f 1/1/1 3/1"), ":7:1: ", "near line 7"},
+      {".obj", replaced(kObjSlashed, "f 1/1/1 3/1/1", "f 1/1/1 3/1"), ":7:1: ", "7"},
       {".obj", "this is no mesh\n", ":1:1: ", "no surface"},
       {".obj", "", ":1:1: ", "no surface"},
       {".obj", "v 0 0 0\nv 1 0 0\n", ":1:1: ", "no surface"},

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/files/rig.h"
+#include "cave/room/room_geometry.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -73,7 +74,7 @@ Eyes randomHead(test::Random& random, const Rig& rig) {
   for (;;) {
     const glm::dvec3 head = random.in(0.8, 2.1) * rig.axes.up + random.in(-1.4, 1.4) * rig.axes.right +
                             random.in(-1.4, 1.4) * rig.axes.forward;
-    const glm::dvec3 half = 0.5 * rig.head.eyeSeparation_m * random.direction();
+    const glm::dvec3 half = 0.5 * rig.viewers.front().head.eyeSeparation_m * random.direction();
     const Eyes eyes{head - half, head + half};
     if (std::all_of(rig.walls.begin(), rig.walls.end(), [&](const Wall& wall) {
           return std::min(before_m(wall, eyes.left_m), before_m(wall, eyes.right_m)) > kNearest_m;
@@ -185,7 +186,7 @@ TEST(OffAxis, PointsBehindAreUncrossedAndInFrontCrossed) {
         const glm::dvec3 inWall = random.direction();
         const glm::dvec3 rightwards =
             glm::normalize(inWall - glm::dot(inWall, normalOf(wall)) * normalOf(wall));
-        const glm::dvec3 half = 0.5 * rig.head.eyeSeparation_m * rightwards;
+        const glm::dvec3 half = 0.5 * rig.viewers.front().head.eyeSeparation_m * rightwards;
         const glm::dvec3 onWall = randomOnWall(random, wall);
         for (const double s : {random.in(0.5, 1.0), random.in(1.0, 20.0)}) {
           const glm::dvec4 point(head + s * (onWall - head), 1.0);
@@ -231,8 +232,14 @@ std::vector<Edge> sharedEdges(const Rig& rig) {
 TEST(OffAxis, WallsOfShippedRigsMeetWithoutASeam) {
   test::Random random(4);
   std::size_t most = 0;
-  for (const Rig& rig : shippedRigs()) {
+  for (Rig rig : shippedRigs()) {
     SCOPED_TRACE(rig.title);
+    std::vector<Wall> screens;  // once each, however many walls of the rig are on them
+    for (const Wall& wall : rig.walls) {
+      const auto isThere = [&](const Wall& screen) { return standSame(screen, wall); };
+      if (std::none_of(screens.begin(), screens.end(), isThere)) screens.push_back(wall);
+    }
+    rig.walls = screens;
     const std::vector<Edge> edges = sharedEdges(rig);
     // A corner of n walls that meet at each other in a box has more edges than walls, but for one wall alone.
     EXPECT_GE(edges.size() + 1, rig.walls.size());

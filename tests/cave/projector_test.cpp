@@ -26,6 +26,7 @@
 #include "cave/display/window.h"
 #include "cave/gl/image.h"
 #include "cave/projection/stereo.h"
+#include "cave/room/wall_eyes.h"
 
 namespace carom {
 namespace {

@@ -288,6 +288,19 @@ TEST(Scene, PucksThatLookAlikeShareTheirMeshesButNotTheirColours) {
   EXPECT_LT(scene.reach_m[1], scene.reach_m[3]);
 }
 
+// With 3000 vertices the number of vertices is the limit, with a hundred million the number of levels.
+TEST(Scene, TheReportNamesTheLimit) {
+  for (const std::size_t most : {std::size_t{3000}, std::size_t{100000000}}) {
+    const Tessellation tessellation{1e-6, most};
+    const Scene scene = buildScene(boardOf(2.84, 1.42), {}, {}, {}, tessellation);
+    const std::string report = tessellationReport(scene, tessellation);
+    const bool byLevels = most > 3000;
+    EXPECT_EQ(report.find(", since its edges are divided by 8 at most") != std::string::npos, byLevels)
+        << report;
+    EXPECT_EQ(report.find(" vertices are the limit") != std::string::npos, !byLevels) << report;
+  }
+}
+
 TEST(Scene, TheReportNamesTheFirstOfManyAlike) {
   const std::vector<BodyLooks> looks(25, {"red", "", 0.03, 0.02});
   const Tessellation tessellation{0.001, 3000};

@@ -1,5 +1,6 @@
 // Stereo packing by pixels: a red left and a cyan right picture, with a mark that tells up from down.
 #include "cave/projection/stereo.h"
+#include "cave/room/wall_eyes.h"
 
 #include <gtest/gtest.h>
 #include <vtk_glew.h>

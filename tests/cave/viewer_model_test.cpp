@@ -83,7 +83,8 @@ TEST(ViewerModel, IsAsLargeAsAPerson) {
     return glm::dvec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
   };
   ASSERT_EQ(model.head.size(), 2u);
-  const glm::dvec3 skull_m = sizeOf(model.head[0]), wand_m = sizeOf(model.wand), coat = sizeOf(model.coat);
+  const glm::dvec3 skull_m = sizeOf(model.head[0]), wand_m = sizeOf(model.wand),
+                   coat = sizeOf(model.coats.front());
   EXPECT_NEAR(skull_m.x, 0.156, 0.005);
   EXPECT_NEAR(skull_m.z, 0.25, 0.005);
   EXPECT_NEAR(wand_m.y, 0.26 + 0.035, 0.005);

@@ -2,6 +2,7 @@
 // person's world line. Through the whole observer.
 
 #include "aberration_error.h"
+#include "engine/spacetime/observers.h"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ TEST(AberrationError, AReturnAMetreAwayIsNoJump) {
     std::mt19937_64 random(51);
     HeadFilter filter;
     HeadEstimate head = headAt(filter, 0.0, random);
-    Observer observer(Lorentz(c_m_s), {0.0, Vec3(0.0)}, {head.pose, head.celerity_m_s});
+    Observers observer(Lorentz(c_m_s), {0.0, Vec3(0.0)}, {head.pose, head.celerity_m_s});
     double slew_s = 0.0;
     for (int i = 1; i < 60 * 12; ++i) {
       const double time_s = i / kRate_hz, step_s = 1.0 / kRate_hz;

@@ -11,7 +11,7 @@
 #include "engine/light/ring_view.h"
 #include "engine/light/vertex_history.h"
 #include "engine/meshes.h"
-#include "engine/spacetime/observer.h"
+#include "engine/spacetime/observers.h"
 #include "reference/ray_reference.h"
 
 namespace carom {
@@ -139,7 +139,7 @@ class TurningHead {
 
   double angle_rad_ = 0.0, direction_rad_ = 0.0;
   Vec3 position_m_{0.0}, celerity_m_s_{0.0};
-  Observer observer_;
+  Observers observer_;
 };
 
 /// The same flight as samples: what a ring keeps.

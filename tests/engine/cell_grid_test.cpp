@@ -39,12 +39,26 @@ std::vector<int> sorted(std::vector<int> found, int count) {
   return found;
 }
 
+// The numbers of the items found, each of which has its own flight.
+std::vector<int> sorted(const FoundFlights& found) {
+  for (int k = 0; k < found.count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const auto number = static_cast<float>(found.items[at]);
+    EXPECT_EQ(found.x[at], number);
+    EXPECT_EQ(found.y[at], number + 0.25f);
+    EXPECT_EQ(found.vx[at], number + 0.5f);
+    EXPECT_EQ(found.vy[at], number + 0.75f);
+  }
+  return sorted(found.items, found.count);
+}
+
 // Half of the items crowd into one corner, so that cells hold more than their first three; some are outside.
 TEST(CellGrid, FindsWhatAListFinds) {
   test::Random random(1);
   CellGrid grid(kLowX, kLowY, kCell, kColumns, kRows, kItems);
   std::vector<Place> places(kItems);
   std::vector<int> found(kItems + CellGrid::kSpare);
+  FoundFlights flights(kItems);
   for (int step = 0; step < 5000; ++step) {
     CASE(random, step);
     const int item = static_cast<int>(random.in(0.0, kItems));
@@ -52,7 +66,9 @@ TEST(CellGrid, FindsWhatAListFinds) {
     const double x = kLowX + random.in(-0.1, 1.0) * size, y = kLowY + random.in(-0.1, 1.0) * size;
     const Place here = places[static_cast<std::size_t>(item)] = placeAt(x, y);
     const int cell = grid.cellAt(x, y);
-    grid.move(item, cell);
+    const auto number = static_cast<float>(item);
+    grid.move(item, cell, {number, -1.0f, -1.0f, -1.0f});
+    grid.change(item, {number, number + 0.25f, number + 0.5f, number + 0.75f});
     ASSERT_EQ(grid.cellOf(item), cell);
     for (const int reach : {0, 1, 2}) {
       const auto near = itemsWhere(places, [&](const Place& place) {
@@ -60,6 +76,8 @@ TEST(CellGrid, FindsWhatAListFinds) {
       });
       ASSERT_EQ(sorted(found, grid.findNear(cell, reach, found.data())).size(), near.size());
       ASSERT_EQ(sorted(found, grid.findNear(cell, reach, found.data())), near) << "step " << step;
+      grid.findNear(cell, reach, flights);
+      ASSERT_EQ(sorted(flights), near) << "step " << step;
     }
     for (const int way : {-1, 1}) {
       const auto besideX = itemsWhere(places, [&](const Place& place) {
@@ -68,10 +86,10 @@ TEST(CellGrid, FindsWhatAListFinds) {
       const auto besideY = itemsWhere(places, [&](const Place& place) {
         return place.row == here.row + way && std::abs(place.column - here.column) <= 1;
       });
-      const int countX = grid.findAhead(cell, 0, way, found.data());
-      ASSERT_EQ(sorted(found, countX), besideX) << "step " << step;
-      const int countY = grid.findAhead(cell, 1, way, found.data());
-      ASSERT_EQ(sorted(found, countY), besideY) << "step " << step;
+      grid.findAhead(cell, 0, way, flights);
+      ASSERT_EQ(sorted(flights), besideX) << "step " << step;
+      grid.findAhead(cell, 1, way, flights);
+      ASSERT_EQ(sorted(flights), besideY) << "step " << step;
     }
   }
 }

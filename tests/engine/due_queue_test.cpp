@@ -25,13 +25,25 @@ TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
   EXPECT_EQ(queue.firstDue(), kNever);
   std::set<std::pair<double, int>> sorted;
   std::vector<double> due(static_cast<std::size_t>(items), kNever);
+  std::set<int> seen;          // by the one stage that looks ahead here, and not given a new time since
+  std::set<int> setWhileSoon;  // need not be seen
+  const auto isSoon = [&](const std::pair<double, int>& entry) {
+    constexpr int kMostSoon = 2 * DueQueue::kSoon;
+    int before = 0;
+    for (auto one = sorted.begin(); one != sorted.end() && *one < entry && before < kMostSoon; ++one)
+      ++before;
+    return before < kMostSoon;
+  };
   const auto set = [&](int item, double time) {
+    seen.erase(item), setWhileSoon.erase(item);
+    if (isSoon({time, item})) setWhileSoon.insert(item);
     double& before = due[static_cast<std::size_t>(item)];
     if (before != kNever) sorted.erase({before, item});
     if (time != kNever) sorted.insert({time, item});
     queue.setDue(item, before = time);
   };
   for (int item = 0; item < items; ++item) set(item, std::floor(random.in(0.0, 2.0 * items)));
+  int visits = 0, again = 0;  // again: those that had to make room for sooner ones in between
   for (int step = 0; step < 20000; ++step) {
     CASE(random, step);
     if (!sorted.empty() && random.in(0.0, 1.0) < 0.5) {  // the first has its turn
@@ -46,11 +58,14 @@ TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
     if (sorted.empty()) continue;
     ASSERT_EQ(queue.first(), sorted.begin()->second) << "step " << step;
     ASSERT_EQ(queue.due(queue.first()), sorted.begin()->first);
-    for (int k = 1; k < 4; ++k) {
-      const int soon = queue.soon(k);
-      ASSERT_TRUE(soon >= -1 && soon < items && soon != queue.first()) << "step " << step << ": " << soon;
-    }
+    queue.lookAhead(1, DueQueue::kSoon, [&](int item) {
+      ++visits;
+      again += seen.insert(item).second ? 0 : 1;
+      EXPECT_TRUE(isSoon({due[static_cast<std::size_t>(item)], item})) << "step " << step << ": " << item;
+    });
+    ASSERT_TRUE(seen.contains(queue.first()) || setWhileSoon.contains(queue.first())) << "step " << step;
   }
+  EXPECT_LE(20 * again, visits);
   while (!sorted.empty()) {
     ASSERT_EQ(queue.firstDue(), sorted.begin()->first);
     ASSERT_EQ(queue.first(), sorted.begin()->second);

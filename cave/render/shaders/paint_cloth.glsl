@@ -1,8 +1,8 @@
 // Cloth with a faint 10 cm grid and the game's three spots. surface.xy: length and width of the board (metres).
 Painted paint() {
   vec2 at = place.xy * 10.0;
-  float grid = max(lines(at.x, 0.03), lines(at.y, 0.03));
-  vec3 green = mix(colour, colour * 0.70, grid);
+  vec2 grid = lines(at, 0.03, footprintOf(at));
+  vec3 green = colour * (1.0 - 0.30 * max(grid.x, grid.y));
   // Its nap, as long as a tuft is larger than a pixel.
   const float kTuft_m = 0.004;
   float tufts = 1.0 - footprintOf(place.x + place.y) / kTuft_m;

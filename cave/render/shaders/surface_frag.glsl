@@ -27,19 +27,22 @@ struct Painted {
 
 /// The size of this pixel in x's unit: edges are drawn about that wide.
 float footprintOf(float x) { return max(fwidth(x), 1e-6); }
+vec2 footprintOf(vec2 x) { return max(fwidth(x), 1e-6); }
 
 /// 0 to the left of x = 0, 1 to the right, soft over a pixel.
-float edge(float x) { return clamp(x / footprintOf(x) + 0.5, 0.0, 1.0); }
+float edge(float x, float footprint) { return clamp(x / footprint + 0.5, 0.0, 1.0); }
+float edge(float x) { return edge(x, footprintOf(x)); }
 
-/// How much of this pixel lies in lines of width `width` at whole numbers of x: the box-filtered pulse train,
-/// from its integral.
-float lines(float x, float width) {
-  float f = footprintOf(x);
-  float a = x + 0.5 * width - 0.5 * f;
-  float b = a + f;
-  float covered = floor(b) * width + min(fract(b), width) - floor(a) * width - min(fract(a), width);
-  return clamp(covered / f, 0.0, 1.0);
+/// How much of this pixel lies in lines of width `width` at whole numbers of x, and of y: the box-filtered pulse
+/// train, from its integral.
+vec2 lines(vec2 x, float width, vec2 footprint) {
+  vec2 a = x + (0.5 * width - 0.5 * footprint);
+  vec2 b = a + footprint;
+  vec2 wholeA = floor(a), wholeB = floor(b);
+  vec2 covered = (wholeB - wholeA) * width + (min(b - wholeB, width) - min(a - wholeA, width));
+  return clamp(covered / footprint, 0.0, 1.0);
 }
+float lines(float x, float width) { return lines(vec2(x), width, vec2(footprintOf(x))).x; }
 
 /// Linear light to sRGB: the curve of IEC 61966-2-1 to within 1.5 steps of 255, at the price of one root.
 vec3 toScreen(vec3 linear) {

@@ -1,0 +1,131 @@
+#pragma once
+// Rows of a session file whose columns are listed by a visit (app/journal/frame_columns.h): their names, and values
+// written to and read from them.
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "app/journal/frame_columns.h"
+#include "cave/frame/notice.h"
+
+namespace carom {
+
+/// Collects the column names.
+struct Names {
+  std::vector<std::string> all;
+
+  template <typename Value>
+  void operator()(Part prefix, Part name, const Value&) {
+    all.push_back(fmt::format("{}{}", prefix, name));
+  }
+  /// Returns the names, each after a comma.
+  std::string text() const {
+    std::string text;
+    for (const std::string& name : all) text += ", " + name;
+    return text;
+  }
+};
+
+inline std::set<std::string> columnsOf(SQLite::Database& database, const char* table) {
+  std::set<std::string> columns;
+  SQLite::Statement row(database, "SELECT name FROM pragma_table_info(?)");
+  row.bind(1, table);
+  while (row.executeStep()) columns.insert(row.getColumn(0).getString());
+  return columns;
+}
+
+/// Returns the names, each after a comma; 0 in the place of those that the table lacks.
+inline std::string selected(SQLite::Database& database, const char* table, const Names& names) {
+  const std::set<std::string> columns = columnsOf(database, table);
+  std::string text;
+  for (const std::string& name : names.all) text += ", " + (columns.contains(name) ? name : "0");
+  return text;
+}
+
+/// Binds values to a row's parameters in order.
+class Writing {
+ public:
+  explicit Writing(SQLite::Statement& row) : row_(row) { row_.tryReset(); }
+
+  /// Writes zero as an integer, which needs no byte, but keeps minus zero. NaN becomes NULL.
+  void operator()(Part, Part, double value) {
+    if (value == 0.0 && !std::signbit(value)) {
+      row_.bind(parameter_++, 0);
+    } else {
+      row_.bind(parameter_++, value);
+    }
+  }
+  template <std::unsigned_integral Whole>
+  void operator()(Part, Part, Whole value) {
+    row_.bind(parameter_++, static_cast<std::int64_t>(value));
+  }
+  template <typename Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(Part, Part, Choice value) { row_.bind(parameter_++, static_cast<int>(value)); }
+  void operator()(Part, Part, const Notice& notice) { (*this)("", "", std::string(notice.words())); }
+  void operator()(Part, Part, const std::string& text) { row_.bind(parameter_++, text); }
+
+ private:
+  SQLite::Statement& row_;
+  int parameter_ = 1;
+};
+
+/// Reads values from a row's columns in order. Anything that is not a number becomes NaN, which later checks
+/// refuse.
+class Reading {
+ public:
+  explicit Reading(SQLite::Statement& row) : row_(row) {}
+
+  void operator()(Part, Part, double& value) {
+    const SQLite::Column column = row_.getColumn(column_++);
+    value = column.isFloat() || column.isInteger() ? column.getDouble()
+                                                   : std::numeric_limits<double>::quiet_NaN();
+  }
+  template <std::unsigned_integral Whole>
+  void operator()(Part prefix, Part name, Whole& value) {
+    const SQLite::Column column = row_.getColumn(column_++);
+    const std::int64_t stored = column.getInt64();
+    value = static_cast<Whole>(stored);
+    if (!column.isInteger() || static_cast<std::int64_t>(value) != stored) {
+      throw std::runtime_error(fmt::format("{}{} is {}, expected a whole number up to {}", prefix, name,
+                                           column.getString(), std::numeric_limits<Whole>::max()));
+    }
+  }
+  template <typename Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(Part prefix, Part name, Choice& value) {
+    std::underlying_type_t<Choice> number{};
+    (*this)(prefix, name, number);
+    value = static_cast<Choice>(number);
+  }
+  void operator()(Part, Part name, Notice& notice) {
+    const std::string words = row_.getColumn(column_++).getString();
+    notice = Notice(words);
+    if (notice.words() != words)
+      throw std::runtime_error(fmt::format("{} is of {} bytes, expected at most {} and none zero", name,
+                                           words.size(), notice.text.size() - 1));
+  }
+
+ private:
+  SQLite::Statement& row_;
+  int column_ = 0;
+};
+
+/// `columns`, separated by commas, in the order in which they are written: an older file has them in another.
+inline std::string insertInto(const char* table, const std::string& columns) {
+  std::string text = fmt::format("INSERT OR REPLACE INTO {}({}) VALUES(?", table, columns);
+  for (const char letter : columns) text += letter == ',' ? ",?" : "";
+  return text + ")";
+}
+
+}  // namespace carom

@@ -1,0 +1,119 @@
+#include "app/journal/viewer_rows.h"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "app/journal/frame_columns.h"
+#include "app/journal/rows.h"
+#include "engine/spacetime/attitude.h"
+
+namespace carom {
+namespace {
+
+Names viewerNames() {
+  Names names;
+  const ViewerState viewer;
+  visitViewer(names, viewer);
+  return names;
+}
+
+template <typename Row>
+void putVector(Row& row, const Vec3& v) {
+  for (int axis = 0; axis < 3; ++axis) row("", "", v[axis]);
+}
+
+}  // namespace
+
+std::string viewerTables() {
+  return fmt::format(
+      "CREATE TABLE viewer(frame INTEGER, name TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, proper_time_s "
+      "REAL, "
+      "room_x_m REAL, room_y_m REAL, room_z_m REAL, lapse REAL, celerity_x_m_s REAL, celerity_y_m_s REAL, "
+      "celerity_z_m_s REAL, known TEXT, PRIMARY KEY(frame, name)) WITHOUT ROWID;\n"
+      "CREATE TABLE platform(frame INTEGER PRIMARY KEY, room_s REAL, u_x REAL, u_y REAL, u_z REAL, qw REAL, "
+      "qx "
+      "REAL, qy REAL, qz REAL, thrust_x_m_s2 REAL, thrust_y_m_s2 REAL, thrust_z_m_s2 REAL);\n"
+      "CREATE TABLE other_viewer(frame INTEGER, viewer INTEGER{}, PRIMARY KEY(frame, viewer)) WITHOUT "
+      "ROWID;\n",
+      viewerNames().text());
+}
+
+ViewerWriter::ViewerWriter(SQLite::Database& database, std::vector<std::string> names)
+    : names_(std::move(names)),
+      viewer_(database, "INSERT OR REPLACE INTO viewer VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+      platform_(database, "INSERT OR REPLACE INTO platform VALUES(?,?,?,?,?,?,?,?,?,?,?,?)"),
+      other_(database, insertInto("other_viewer", "frame, viewer" + viewerNames().text())) {}
+
+void ViewerWriter::write(const FrameRecord& record, std::span<const HeadWords> heads) {
+  for (std::size_t i = 0; i < record.viewers; ++i) {
+    const ViewerState& viewer = record.viewer(i);
+    const Event& head = viewer.observer.middle.observation;
+    Writing row(viewer_);
+    row("", "frame", record.number);
+    row("", "name", names_.at(i));
+    row("", "t_s", head.t_s);
+    putVector(row, head.r_m);
+    row("", "proper_time_s", viewer.observer.properTime_s);
+    putVector(row, viewer.placeInRoom_m);
+    row("", "lapse", viewer.lapse);
+    putVector(row, heads[i].celerity_m_s);
+    row("", "known", std::string(toString(heads[i].known)));
+    viewer_.exec();
+    if (i == 0) continue;
+    Writing other(other_);
+    other("", "frame", record.number);
+    other("", "viewer", std::uint64_t{i});
+    visitViewer(other, viewer);
+    other_.exec();
+  }
+  Writing row(platform_);
+  row("", "frame", record.number);
+  row("", "room_s", record.room_s);
+  putVector(row, record.boardFromRoom.u());
+  const glm::dquat attitude = attitudeOf(record.boardFromRoom);
+  for (const double component : {attitude.w, attitude.x, attitude.y, attitude.z}) row("", "", component);
+  putVector(row, record.drive.thrust_m_s2);
+  platform_.exec();
+}
+
+ViewerReader::ViewerReader(SQLite::Database& database, double lightSpeed_m_s)
+    : lightSpeed_m_s_(lightSpeed_m_s),
+      first_(
+          database,
+          "SELECT room_s, room_x_m, room_y_m, room_z_m, lapse FROM platform JOIN viewer USING(frame) WHERE "
+          "frame = ? AND name = (SELECT value FROM session WHERE key = 'viewer')"),
+      other_(database, fmt::format("SELECT frame, viewer{} FROM other_viewer WHERE frame = ? ORDER BY viewer",
+                                   viewerNames().text())) {}
+
+void ViewerReader::read(FrameRecord& record) {
+  first_.reset();
+  first_.bind(1, static_cast<std::int64_t>(record.number));
+  if (first_.executeStep()) {
+    Reading row(first_);
+    row("", "room_s", record.room_s);
+    visitPlace(row, "room_", record.placeInRoom_m);
+    row("", "lapse", record.lapse);
+  }
+  bool anotherPlays = false;
+  other_.reset();
+  other_.bind(1, static_cast<std::int64_t>(record.number));
+  while (other_.executeStep()) {
+    if (record.viewers == kMostViewers)
+      throw std::runtime_error(fmt::format("more than {} viewers", kMostViewers));
+    ViewerState& viewer = record.viewer(record.viewers++);
+    viewer.observer.headFromBoard = Lorentz(lightSpeed_m_s_);
+    Reading row(other_);
+    std::uint64_t number = 0;
+    row("", "frame", number);
+    row("", "viewer", number);
+    visitViewer(row, viewer);
+    anotherPlays = anotherPlays || viewer.hasTurn != 0;
+  }
+  record.hasTurn = record.viewers > 1 && !anotherPlays ? 1 : 0;
+}
+
+}  // namespace carom

@@ -1,0 +1,108 @@
+#pragma once
+// The viewers in the room: their tracked heads and hands, and their world lines.
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/files/rig.h"
+#include "app/files/scenario.h"
+#include "app/viewer/head_tracking.h"
+#include "app/viewer/platform_motion.h"
+#include "app/viewer/shared_trackers.h"
+#include "cave/frame/frame_state.h"
+#include "cave/frame/pacer.h"
+#include "engine/spacetime/observers.h"
+
+namespace carom {
+
+/// What the viewers of a rig see by, in its order.
+using ObserverViews = std::array<ObserverView, kMostViewers>;
+
+class Viewers {
+ public:
+  /// Starts at the scenario's initial state or, with `before`, at the observation events of an earlier
+  /// session's last frame. `sessionStart` is where the session clock reads zero. Throws InputError if a
+  /// recorded trace is invalid.
+  Viewers(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
+          const std::optional<FrameRecord>& before = {})
+      : Viewers(rig, scenario, SharedTrackers(rig, sessionStart), before) {}
+  /// Does the same with trackers that nobody follows yet.
+  Viewers(const Rig& rig, const Scenario& scenario, SharedTrackers trackers,
+          const std::optional<FrameRecord>& before = {});
+
+  /// Restarts in the initial state of another scenario, with proper time zero. The trackers continue.
+  void startIn(const Rig& rig, const Scenario& scenario);
+
+  /// Restarts at board time `board_s` on the way of a room that moves as `start` says and is there at board
+  /// time 0, with proper time zero. The trackers continue.
+  void startAt(const Rig& rig, const Scenario& scenario, const ObserverStart& start, double board_s);
+
+  /// Advances the world lines to the frame's display time and returns the eyes there. The first viewer's are
+  /// `eyeSeparation_m` apart, those of the others in the rig's proportion to it. `pace` is the number of game
+  /// seconds per second of the viewer who moves fastest.
+  ObserverViews at(const FrameTimes& times, double eyeSeparation_m, double pace = 1.0);
+  /// Does the same on a platform that is driven by viewer `steering`.
+  ObserverViews at(const FrameTimes& times, double eyeSeparation_m, double pace, const DriveWish& wish,
+                   PlatformMotion& drive, std::size_t steering = 0);
+
+  /// Returns the views after `step_s` of the fastest viewer's proper time, however long the frame takes. The
+  /// heads' motion has no relativistic effect meanwhile (Observers::moveUnseen).
+  ObserverViews slowView(const FrameTimes& times, double eyeSeparation_m, double pace, double step_s,
+                         const DriveWish& wish, PlatformMotion& drive, std::size_t steering = 0);
+
+  /// Lives on until board time `board_s` of the first, with the heads at rest in the room.
+  void runTo(double board_s, PlatformMotion& drive);
+
+  /// Frozen mode: each view stays at one observation event while the head moves. `sight` are the views at those
+  /// events.
+  ObserverViews frozenView(const ObserverViews& sight, const FrameTimes& times, double eyeSeparation_m);
+
+  /// Returns the views when the room's time is advanced, or set back, by `roomTime_s`. The heads' motion has
+  /// no relativistic effect meanwhile (Observers::moveUnseen).
+  ObserverViews freeView(const FrameTimes& times, double eyeSeparation_m, double roomTime_s);
+
+  std::size_t size() const { return observers_.size(); }
+  /// The head at that display time, and the tracker data for it.
+  const HeadEstimate& head(std::size_t viewer = 0) const { return heads_[viewer]; }
+  double board_s(std::size_t viewer = 0) const { return observers_.headEvent(viewer).t_s; }
+  double room_s() const { return observers_.room_s(); }
+  Tracked tracked(std::size_t viewer = 0) const { return trackings_[viewer]->tracked(); }
+  const HandDevices& hand(std::size_t viewer = 0) const { return trackings_[viewer]->hand(); }
+  std::vector<TrackerReport> trackers() const;
+  std::vector<std::string> takeAlarms();
+  const Lorentz& boardFromRoom() const { return observers_.boardFromRoom(); }
+  /// Returns the samples of all sensors of a head's tracker for that frame.
+  std::span<const TrackerSample> samples(std::size_t viewer = 0) const {
+    return trackings_[viewer]->samples();
+  }
+  /// Adds the same of all heads' trackers, each once.
+  void samplesInto(std::vector<TrackerSamples>& samples) const;
+
+  /// Writes what the frame's record holds of the viewers, except their eyes, hands and messages.
+  void putInto(FrameRecord& record) const;
+
+ private:
+  using Heads = std::array<Head, kMostViewers>;
+
+  void track(const FrameTimes& times);
+  Heads heads() const;
+  Heads headsAtRest() const;
+  std::span<const Head> used(const Heads& heads) const { return std::span(heads).first(trackings_.size()); }
+  Observers startOf(const Rig& rig, const Scenario& scenario, const std::optional<FrameRecord>& before) const;
+  ObserverViews views(double eyeSeparation_m) const;
+
+  SharedTrackers shared_;
+  std::vector<std::unique_ptr<HeadTracking>> trackings_;  ///< of each viewer
+  std::vector<std::string> names_;
+  std::array<double, kMostViewers> eyeSeparations_m_{};  ///< as in the rig
+  std::array<std::size_t, kMostViewers> trackers_{};     ///< of the heads, indices of the rig's trackers
+  std::array<HeadEstimate, kMostViewers> heads_;
+  Observers observers_;
+};
+
+}  // namespace carom
