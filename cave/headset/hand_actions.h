@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "cave/headset/headset_hands.h"
+#include "cave/frame/headset_frame.h"
 #include "cave/headset/openxr.h"
 
 namespace carom::openxr {

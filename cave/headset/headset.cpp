@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include "cave/headset/eye_images.h"
 #include "cave/headset/hand_actions.h"
@@ -23,6 +25,9 @@ namespace {
 using openxr::check;
 using openxr::listOf;
 
+constexpr double kStandingEyes_m = 1.7;  // above the floor, where the runtime knows no floor
+constexpr double kHalfSeparation_m = 0.032;
+constexpr const char* kLost = "the headset is lost";
 constexpr XrViewConfigurationType kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 
 template <typename Info>
@@ -36,26 +41,26 @@ Info infoOf(XrStructureType type) {
 class Instance {
  public:
   Instance() {
+    setenv("XR_LOADER_DEBUG", "none", 0);  // it writes pages about what is said here in a line
     const auto offered =
         listOf(infoOf<XrExtensionProperties>(XR_TYPE_EXTENSION_PROPERTIES),
                [](std::uint32_t capacity, std::uint32_t* count, XrExtensionProperties* items) {
                  return xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
                });
     std::vector<const char*> wanted;
-    for (const char* name :
-         {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}) {
-      if (std::none_of(offered.begin(), offered.end(), [&](const XrExtensionProperties& extension) {
-            return std::strcmp(extension.extensionName, name) == 0;
-          })) {
-        throw std::runtime_error(
-            offered.empty()
-                ? "no OpenXR runtime is active, expected one such as Monado or SteamVR (XR_RUNTIME_JSON "
-                  "names "
-                  "another than the installed one)"
-                : fmt::format("the headset's runtime lacks {}, which drawing with OpenGL needs", name));
-      }
-      wanted.push_back(name);
-    }
+    const auto offers = [&](const char* name) {
+      return std::any_of(offered.begin(), offered.end(), [&](const XrExtensionProperties& extension) {
+        return std::strcmp(extension.extensionName, name) == 0;
+      });
+    };
+    if (offered.empty())
+      throw std::runtime_error(
+          "no OpenXR runtime is active, expected one such as Monado or SteamVR (XR_RUNTIME_JSON names "
+          "another than "
+          "the installed one)");
+    if (!offers(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME))
+      throw std::runtime_error("the headset's runtime lacks XR_KHR_opengl_enable, which drawing needs");
+    wanted.push_back(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME);
     auto create = infoOf<XrInstanceCreateInfo>(XR_TYPE_INSTANCE_CREATE_INFO);
     std::strcpy(create.applicationInfo.applicationName, "Carom");
     create.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
@@ -191,16 +196,18 @@ struct Headset::Session {
                                 return xrEnumerateReferenceSpaces(handle, capacity, count, items);
                               });
     hasFloor = std::find(kinds.begin(), kinds.end(), XR_REFERENCE_SPACE_TYPE_STAGE) != kinds.end();
-    room = space(hasFloor ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL);
-    head = space(XR_REFERENCE_SPACE_TYPE_VIEW);
-    toClock = openxr::entry<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
+    // The origin of the local space is where the eyes were when it was last centred.
+    room = hasFloor ? space(XR_REFERENCE_SPACE_TYPE_STAGE, 0.0)
+                    : space(XR_REFERENCE_SPACE_TYPE_LOCAL, -kStandingEyes_m);
+    head = space(XR_REFERENCE_SPACE_TYPE_VIEW, 0.0);
     openxr::takeBack(graphics);
   }
 
-  XrSpace space(XrReferenceSpaceType kind) {
+  XrSpace space(XrReferenceSpaceType kind, double height_m) {
     auto info = infoOf<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
     info.referenceSpaceType = kind;
     info.poseInReferenceSpace.orientation.w = 1.0F;
+    info.poseInReferenceSpace.position.y = static_cast<float>(height_m);
     XrSpace made = XR_NULL_HANDLE;
     check(instance, xrCreateReferenceSpace(handle, &info, &made), "the headset's runtime knows no room");
     return made;
@@ -208,6 +215,7 @@ struct Headset::Session {
 
   void take(const XrEventDataBuffer& event);
   void changeTo(XrSessionState next);
+  void placeWithout(std::array<XrView, 2>& located) const;
   void locate(HeadsetFrame& frame);
   void end(bool withPictures);
 
@@ -221,14 +229,20 @@ struct Headset::Session {
   std::array<openxr::EyeImages, 2> images;
   bool hasFloor = false;
   XrSpace room = XR_NULL_HANDLE, head = XR_NULL_HANDLE;
-  PFN_xrConvertTimeToTimespecTimeKHR toClock = nullptr;
 
   State state = State::idle;
+  bool isBegun = false;  // a frame, which must be ended
+  std::string whyEnded;
   XrTime recentredFrom = 0;  // 0: not since the last frame
   XrFrameState waited = infoOf<XrFrameState>(XR_TYPE_FRAME_STATE);
   std::array<XrView, 2> views{};   // as they were last known,
   std::array<HeadsetEye, 2> eyes;  // and the same in our terms
   bool isKnown = false;            // they have been known once
+
+  void endFor(const char* why) {
+    state = State::ended;
+    whyEnded = why;
+  }
 };
 
 void Headset::Session::changeTo(XrSessionState next) {
@@ -245,8 +259,10 @@ void Headset::Session::changeTo(XrSessionState next) {
       state = State::idle;
       break;
     case XR_SESSION_STATE_EXITING:
+      endFor("the headset's system has ended the session");
+      break;
     case XR_SESSION_STATE_LOSS_PENDING:
-      state = State::ended;
+      endFor(kLost);
       break;
     default:  // synchronised, visible, focused: frames say whether they are seen, and hands whether they act
       break;
@@ -256,10 +272,21 @@ void Headset::Session::changeTo(XrSessionState next) {
 void Headset::Session::take(const XrEventDataBuffer& event) {
   if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
     changeTo(reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state);
-  if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) state = State::ended;
+  if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) endFor(kLost);
   if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING)
     recentredFrom = std::max<XrTime>(
         1, reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event).changeTime);
+}
+
+/// Gives the eyes of a headset that knows directions alone the places that they had, or those of somebody who stands.
+void Headset::Session::placeWithout(std::array<XrView, 2>& located) const {
+  const glm::dvec3 middle_m = isKnown ? headBetween(eyes).position_m : glm::dvec3(0.0, kStandingEyes_m, 0.0);
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    const glm::dquat attitude = openxr::poseOf(located[eye].pose).orientation;
+    const glm::vec3 place_m =
+        middle_m + attitude * glm::dvec3(eye == 0 ? -kHalfSeparation_m : kHalfSeparation_m, 0.0, 0.0);
+    located[eye].pose.position = {place_m.x, place_m.y, place_m.z};
+  }
 }
 
 /// Locates eyes, head and hands for the moment of the frame's display.
@@ -271,10 +298,12 @@ void Headset::Session::locate(HeadsetFrame& frame) {
   auto found = infoOf<XrViewState>(XR_TYPE_VIEW_STATE);
   std::uint32_t count = 0;
   std::array<XrView, 2> located{infoOf<XrView>(XR_TYPE_VIEW), infoOf<XrView>(XR_TYPE_VIEW)};
-  const bool isLocated = XR_SUCCEEDED(xrLocateViews(handle, &where, &found, 2, &count, located.data())) && count == 2;
-  constexpr XrViewStateFlags kWhole = XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_VALID_BIT;
+  const bool isLocated = XR_SUCCEEDED(xrLocateViews(handle, &where, &found, 2, &count, located.data())) &&
+                         count == 2 && (found.viewStateFlags & XR_VIEW_STATE_ORIENTATION_VALID_BIT);
+  frame.hasPosition = isLocated && (found.viewStateFlags & XR_VIEW_STATE_POSITION_VALID_BIT);
+  if (isLocated && !frame.hasPosition) placeWithout(located);
   const auto left = eyeOf(located[0]), right = eyeOf(located[1]);
-  frame.isTracked = isLocated && (found.viewStateFlags & kWhole) == kWhole && left && right;
+  frame.isTracked = isLocated && left && right;
   if (frame.isTracked) {
     views = located;
     eyes = {*left, *right};
@@ -312,11 +341,13 @@ void Headset::Session::end(bool withPictures) {
   end.layers = &layers;
   const XrResult result = xrEndFrame(handle, &end);
   openxr::takeBack(graphics);
-  if (result == XR_ERROR_SESSION_LOST || result == XR_ERROR_INSTANCE_LOST) state = State::ended;
+  if (result == XR_ERROR_SESSION_LOST || result == XR_ERROR_INSTANCE_LOST) endFor(kLost);
 }
 
 Headset::Headset(const Graphics& graphics) : session_(std::make_unique<Session>(graphics)) {}
 Headset::~Headset() = default;
+
+Headset::State Headset::state() const { return session_->state; }
 
 Headset::State Headset::poll() {
   auto event = infoOf<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
@@ -333,15 +364,13 @@ std::optional<HeadsetFrame> Headset::nextFrame() {
   const XrResult result = xrWaitFrame(session.handle, nullptr, &session.waited);
   openxr::takeBack(session.graphics);
   if (XR_FAILED(result) || XR_FAILED(xrBeginFrame(session.handle, nullptr))) {
-    session.state = State::ended;
+    session.endFor(kLost);
     return {};
   }
+  session.isBegun = true;
   HeadsetFrame frame;
-  timespec at{};
-  check(session.instance, session.toClock(session.instance, session.waited.predictedDisplayTime, &at),
-        "the headset's runtime has a time of its own");
-  frame.display_s = static_cast<double>(at.tv_sec) + 1e-9 * static_cast<double>(at.tv_nsec);
-  frame.untilNext_s = 1e-9 * static_cast<double>(session.waited.predictedDisplayPeriod);
+  frame.display_ns = session.waited.predictedDisplayTime;
+  frame.untilNext_ns = session.waited.predictedDisplayPeriod;
   frame.isSeen = session.waited.shouldRender == XR_TRUE;
   frame.isRecentred =
       session.recentredFrom != 0 && session.waited.predictedDisplayTime >= session.recentredFrom;
@@ -352,6 +381,7 @@ std::optional<HeadsetFrame> Headset::nextFrame() {
 
 void Headset::submit(const std::array<unsigned, 2>* pictures) {
   Session& session = *session_;
+  if (!std::exchange(session.isBegun, false)) return;
   bool all = pictures != nullptr && session.isKnown && session.waited.shouldRender == XR_TRUE;
   for (std::size_t eye = 0; eye < 2 && all; ++eye)
     all = session.images[eye].fill(session.graphics, (*pictures)[eye]);
@@ -363,13 +393,15 @@ void Headset::knock(int hand, double strength, double duration_s) {
 }
 
 void Headset::askToEnd() {
-  if (XR_FAILED(xrRequestExitSession(session_->handle))) session_->state = State::ended;
+  if (XR_FAILED(xrRequestExitSession(session_->handle))) session_->endFor(kLost);
 }
 
 glm::ivec2 Headset::pixels() const { return session_->pixels; }
 const std::string& Headset::runtime() const { return session_->runtime; }
 const std::string& Headset::system() const { return session_->name; }
 bool Headset::hasFloor() const { return session_->hasFloor; }
+bool Headset::takesEncoded() const { return session_->images[0].isEncoded(); }
+const std::string& Headset::whyEnded() const { return session_->whyEnded; }
 
 std::string aboutHeadsets() try {
   const Instance instance;

@@ -11,25 +11,10 @@
 
 #include <glm/vec2.hpp>
 
+#include "cave/frame/headset_frame.h"
 #include "cave/gl/graphics.h"
-#include "cave/headset/headset_hands.h"
-#include "cave/headset/headset_walls.h"
 
 namespace carom {
-
-/// What the runtime says of one frame, all for the moment of its display.
-struct HeadsetFrame {
-  double display_s = 0.0;    ///< of the steady clock
-  double untilNext_s = 0.0;  ///< the runtime's period
-  bool isSeen = false;       ///< the pictures will be shown; else submit nothing
-  bool isTracked = false;    ///< the eyes' places are known; else they are those of the frame before
-  bool isRecentred = false;  ///< the room's origin has moved since the frame before
-  std::array<HeadsetEye, 2> eyes;
-  /// dx/dt of the head by the runtime's own account, if it gives one. Not to be relied on: some runtimes give zero,
-  /// others what was true 35 ms ago.
-  std::optional<glm::dvec3> runtimeVelocity_m_s;
-  std::array<HeadsetHand, 2> hands;  ///< left, right; none is tracked while the session has no focus
-};
 
 class Headset {
  public:
@@ -47,13 +32,14 @@ class Headset {
 
   /// Takes note of what the runtime has said since the last call. Throws std::runtime_error if the headset is lost.
   State poll();
+  State state() const;  ///< without taking note of more
 
   /// Waits until the runtime wants the next frame, and returns it; nothing while the session is idle. Each must be
   /// submitted before the next.
   std::optional<HeadsetFrame> nextFrame();
 
   /// Hands over the eyes' pictures (textures of encoded bytes, of `pixels()`), which are copied byte for byte; with
-  /// null, or for a frame that is not seen, the frame ends without pictures.
+  /// null, or for a frame that is not seen, the frame ends without pictures. Does nothing where no frame was begun.
   void submit(const std::array<unsigned, 2>* pictures);
 
   /// Lets the hand's controller vibrate.
@@ -66,6 +52,8 @@ class Headset {
   const std::string& runtime() const;  ///< name and version
   const std::string& system() const;   ///< name of the headset
   bool hasFloor() const;               ///< the room's origin is on the floor
+  bool takesEncoded() const;           ///< pictures of sRGB; else it may show them too bright
+  const std::string& whyEnded() const;
 
  private:
   struct Session;

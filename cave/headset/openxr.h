@@ -4,10 +4,8 @@
 
 #include <GL/glew.h>
 #include <GL/glx.h>
-#include <time.h>
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL
-#define XR_USE_TIMESPEC
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
 

@@ -10,7 +10,7 @@
 #include <GL/glew.h>
 #include <GL/glx.h>
 
-#include "cave/headset/headset_walls.h"
+#include "cave/room/headset_walls.h"
 #include "cave/room/off_axis.h"
 #include "xr_double.h"
 
@@ -96,12 +96,12 @@ TEST_F(HeadsetTest, PicturesArriveByteForByteWithTheEyesForWhichTheyWereDrawn) {
     HeadsetFrame frame = firstFrame(headset);
     EXPECT_FALSE(frame.isSeen);
     headset.submit(&pictures);
-    double before_s = frame.display_s;
+    std::int64_t before_ns = frame.display_ns;
     for (int i = 1; i < 5; ++i) {
       const auto next = headset.nextFrame();
       ASSERT_TRUE(next && next->isSeen && next->isTracked);
-      EXPECT_NEAR(next->display_s - before_s, 11'111'111e-9, 1e-9);
-      before_s = next->display_s;
+      EXPECT_EQ(next->display_ns - before_ns, 11'111'111);
+      before_ns = next->display_ns;
       headset.submit(&pictures);
       EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
       EXPECT_EQ(glXGetCurrentContext(), context);
@@ -126,13 +126,13 @@ TEST_F(HeadsetTest, TimeIsThatOfTheDisplayHoweverLongAFrameTakes) {
     return frame;
   };
   Headset headset(graphics_);
-  double before_s = firstFrame(headset).display_s;
+  std::int64_t before_ns = firstFrame(headset).display_ns;
   headset.submit(nullptr);
   for (std::size_t i = 1; i < 20; ++i) {
     const auto frame = headset.nextFrame();
     ASSERT_TRUE(frame);
-    EXPECT_NEAR(frame->display_s - before_s, 1e-9 * static_cast<double>(steps[i % steps.size()]), 1e-9) << i;
-    before_s = frame->display_s;
+    EXPECT_EQ(frame->display_ns - before_ns, steps[i % steps.size()]) << i;
+    before_ns = frame->display_ns;
     headset.submit(nullptr);
   }
 }
@@ -155,7 +155,7 @@ TEST_F(HeadsetTest, TakenOffThereAreNoFramesAndPutOnAgainTheyGoOn) {
 
 TEST_F(HeadsetTest, EyesThatAreLostOrSenselessStayWhereTheyWere) {
   std::vector<XrDoubleFrame> frames(6);
-  frames[1].flags = XR_VIEW_STATE_ORIENTATION_VALID_BIT;
+  frames[1].flags = XR_VIEW_STATE_POSITION_VALID_BIT;
   frames[1].eyes[0].position.x = 5.0F;
   frames[2].eyes[1].position.y = std::nanf("");
   frames[3].eyes[0].orientation = {0, 0, 0, 0};
@@ -179,6 +179,44 @@ TEST_F(HeadsetTest, EyesThatAreLostOrSenselessStayWhereTheyWere) {
     headset.submit(&pictures);
     EXPECT_EQ(runtime_.ends.back().eyes[0].position.x, runtime_.ends.front().eyes[0].position.x) << i;
   }
+}
+
+TEST_F(HeadsetTest, WithoutPlacesTheHeadTurnsWhereItIs) {
+  std::vector<XrDoubleFrame> frames(3);
+  frames[0].flags = frames[2].flags = XR_VIEW_STATE_ORIENTATION_VALID_BIT;
+  frames[1].eyes[0].position = {-0.032F, 1.2F, -0.5F};
+  frames[1].eyes[1].position = {0.032F, 1.2F, -0.5F};
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    frames[0].eyes[eye].position = {std::nanf(""), 0, 0};
+    frames[2].eyes[eye] = {{0, 0.70710678F, 0, 0.70710678F}, {9, 9, 9}};  // 90° to the left
+  }
+  runtime_.script = [&](std::uint64_t number) { return frames[number]; };
+  Headset headset(graphics_);
+  const HeadsetFrame first = firstFrame(headset);
+  EXPECT_TRUE(first.isTracked);
+  EXPECT_FALSE(first.hasPosition);
+  EXPECT_LT(glm::distance(headBetween(first.eyes).position_m, glm::dvec3(0, 1.7, 0)), 1e-6);
+  headset.submit(nullptr);
+  EXPECT_TRUE(headset.nextFrame()->hasPosition);
+  headset.submit(nullptr);
+  const auto turned = headset.nextFrame();
+  ASSERT_TRUE(turned && turned->isTracked && !turned->hasPosition);
+  EXPECT_LT(glm::distance(turned->eyes[0].roomFromEye.position_m, glm::dvec3(0, 1.2, -0.468)), 1e-6);
+  EXPECT_LT(glm::distance(turned->eyes[1].roomFromEye.position_m, glm::dvec3(0, 1.2, -0.532)), 1e-6);
+  headset.submit(nullptr);
+}
+
+TEST_F(HeadsetTest, WithoutAFloorTheEyesStandAboveIt) {
+  runtime_.hasStage = false;
+  runtime_.script = [](std::uint64_t) {
+    XrDoubleFrame frame;
+    for (XrPosef& eye : frame.eyes) eye.position.y = 0.1F;
+    return frame;
+  };
+  Headset headset(graphics_);
+  EXPECT_FALSE(headset.hasFloor());
+  EXPECT_NEAR(firstFrame(headset).eyes[0].roomFromEye.position_m.y, 1.8, 1e-6);
+  headset.submit(nullptr);
 }
 
 TEST_F(HeadsetTest, TheRuntimesVelocityIsGivenOnlyWhereItHasOne) {

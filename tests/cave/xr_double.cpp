@@ -2,19 +2,23 @@
 
 #include <GL/glew.h>
 #include <GL/glx.h>
-#include <time.h>
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL
-#define XR_USE_TIMESPEC
 #include <openxr/openxr_platform.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <map>
+#include <memory>
+#include <sstream>
 #include <utility>
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 // How the loader and a runtime agree (the loader's interface, version 1); not in the headers of 1.0.20.
 extern "C" {
@@ -47,7 +51,8 @@ struct Chain {
 };
 struct Space {
   XrReferenceSpaceType type = XR_REFERENCE_SPACE_TYPE_STAGE;
-  int hand = -1;  // or of a hand's aim
+  int hand = -1;          // or of a hand's aim
+  float height_m = 0.0F;  // of its origin
 };
 
 XrDouble told;  // the script, and what was seen
@@ -72,6 +77,7 @@ Handle newHandle() {
 }
 
 XrResult fault(const char* what, XrResult result) {
+  std::fprintf(stderr, "xr_double: %s\n", what);
   told.faults.emplace_back(what);
   return result;
 }
@@ -97,8 +103,7 @@ using Result = XrResult;
 Result XRAPI_CALL enumerateExtensions(const char*, std::uint32_t capacity, std::uint32_t* count,
                                       XrExtensionProperties* out) {
   std::vector<XrExtensionProperties> all;
-  for (const char* name :
-       {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}) {
+  for (const char* name : {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME}) {
     XrExtensionProperties extension{};
     extension.type = XR_TYPE_EXTENSION_PROPERTIES;
     std::snprintf(extension.extensionName, sizeof extension.extensionName, "%s", name);
@@ -108,8 +113,59 @@ Result XRAPI_CALL enumerateExtensions(const char*, std::uint32_t capacity, std::
   return give(all, capacity, count, out);
 }
 
+/// A line of the script in a file.
+struct ScriptLine {
+  XrDoubleFrame frame;
+  std::string event;
+};
+
+void happen(const std::string& event) {
+  if (event == "off") {
+    told.takeOff();
+    for (int i = 0; i < 3; ++i) told.states.push_back(XR_SESSION_STATE_UNKNOWN);
+    told.putOn();
+  }
+  if (event == "recentre") told.recentres = true;
+  if (event == "unfocused") told.states.push_back(XR_SESSION_STATE_VISIBLE);
+  if (event == "focused") told.states.push_back(XR_SESSION_STATE_FOCUSED);
+  if (event == "lost") told.waitResult = XR_ERROR_SESSION_LOST;
+}
+
+/// Follows the script in a file.
+void follow(const char* file) {
+  auto lines = std::make_shared<std::vector<ScriptLine>>();
+  std::ifstream in(file);
+  for (std::string text; std::getline(in, text);) {
+    std::istringstream words(text);
+    ScriptLine line;
+    XrPosef head{};
+    XrDoubleHand& hand = line.frame.hands[1];
+    words >> line.frame.step_ns >> line.frame.shouldRender >> line.frame.flags >> head.position.x >>
+        head.position.y >> head.position.z >> head.orientation.w >> head.orientation.x >>
+        head.orientation.y >> head.orientation.z >> hand.trigger >> hand.aim.position.x >>
+        hand.aim.position.y >> hand.aim.position.z >> line.event;
+    const glm::quat attitude(head.orientation.w, head.orientation.x, head.orientation.y, head.orientation.z);
+    for (std::size_t eye = 0; eye < 2; ++eye) {
+      const glm::vec3 aside = attitude * glm::vec3(eye == 0 ? -0.032F : 0.032F, 0.0F, 0.0F);
+      line.frame.eyes[eye] = {
+          head.orientation,
+          {head.position.x + aside.x, head.position.y + aside.y, head.position.z + aside.z}};
+    }
+    hand.aim.orientation = {-0.3826834F, 0, 0, 0.9238795F};  // 45° down
+    line.frame.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+    lines->push_back(line);
+  }
+  told.script = [lines](std::uint64_t number) {
+    if (number + 1 == lines->size()) told.quit();
+    const ScriptLine& line = (*lines)[std::min<std::size_t>(number, lines->size() - 1)];
+    happen(line.event);
+    return line.frame;
+  };
+}
+
 Result XRAPI_CALL createInstance(const XrInstanceCreateInfo*, XrInstance* out) {
   runtime = {};
+  if (const char* file = std::getenv("CAROM_XR_SCRIPT")) follow(file);
   ++told.instances;
   *out = newHandle<XrInstance>();
   return XR_SUCCESS;
@@ -170,6 +226,10 @@ Result XRAPI_CALL pollEvent(XrInstance, XrEventDataBuffer* buffer) {
     return XR_SUCCESS;
   }
   if (told.states.empty()) return XR_EVENT_UNAVAILABLE;
+  if (told.states.front() == XR_SESSION_STATE_UNKNOWN) {  // a poll at which nothing happens
+    told.states.pop_front();
+    return XR_EVENT_UNAVAILABLE;
+  }
   auto& change = reinterpret_cast<XrEventDataSessionStateChanged&>(*buffer);
   change = {};
   change.type = XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED;
@@ -208,13 +268,13 @@ Result XRAPI_CALL enumerateSpaces(XrSession, std::uint32_t capacity, std::uint32
 }
 Result XRAPI_CALL createSpace(XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* out) {
   *out = newHandle<XrSpace>();
-  runtime.spaces[*out] = {info->referenceSpaceType, -1};
+  runtime.spaces[*out] = {info->referenceSpaceType, -1, info->poseInReferenceSpace.position.y};
   return ++told.spaces, XR_SUCCESS;
 }
 Result XRAPI_CALL createActionSpace(XrSession, const XrActionSpaceCreateInfo* info, XrSpace* out) {
   *out = newHandle<XrSpace>();
   const bool isRight = runtime.paths.at(info->subactionPath).find("right") != std::string::npos;
-  runtime.spaces[*out] = {XR_REFERENCE_SPACE_TYPE_STAGE, isRight ? 1 : 0};
+  runtime.spaces[*out] = {XR_REFERENCE_SPACE_TYPE_STAGE, isRight ? 1 : 0, 0.0F};
   return ++told.spaces, XR_SUCCESS;
 }
 Result XRAPI_CALL destroySpace(XrSpace) { return --told.spaces, XR_SUCCESS; }
@@ -246,6 +306,7 @@ Result XRAPI_CALL locateViews(XrSession, const XrViewLocateInfo* info, XrViewSta
   state->viewStateFlags = runtime.now.flags;
   for (std::size_t eye = 0; eye < 2; ++eye) {
     out[eye].pose = runtime.now.eyes[eye];
+    out[eye].pose.position.y -= runtime.spaces.at(info->space).height_m;
     out[eye].fov = runtime.now.fov[eye];
   }
   return XR_SUCCESS;
@@ -339,6 +400,24 @@ std::vector<unsigned char> bytesOf(const Chain& chain) {
   return rgba;
 }
 
+/// Appends a frame to the file of those submitted.
+void record(const XrDoubleEnd& end) {
+  static const char* const file = std::getenv("CAROM_XR_SEEN");
+  if (!file) return;
+  std::ofstream out(file, std::ios::binary | std::ios::app);
+  const auto put = [&](const auto& value) { out.write(reinterpret_cast<const char*>(&value), sizeof value); };
+  const bool whole = end.layers > 0 && runtime.frame % 10 == 0;
+  put(std::int64_t{end.displayTime});
+  put(std::int64_t{end.layers});
+  put(std::int64_t{whole});
+  for (std::size_t eye = 0; eye < 2 && whole; ++eye) {
+    put(end.eyes[eye]);
+    put(end.fov[eye]);
+    out.write(reinterpret_cast<const char*>(end.rgba[eye].data()),
+              static_cast<std::streamsize>(end.rgba[eye].size()));
+  }
+}
+
 Result XRAPI_CALL endFrame(XrSession, const XrFrameEndInfo* info) {
   if (!std::exchange(runtime.isBegun, false))
     return fault("a frame ends that was not begun", XR_ERROR_CALL_ORDER_INVALID);
@@ -360,6 +439,7 @@ Result XRAPI_CALL endFrame(XrSession, const XrFrameEndInfo* info) {
       if (told.keepsPictures) end.rgba[eye] = bytesOf(chain);
     }
   }
+  record(end);
   told.ends.push_back(std::move(end));
   beRude();
   return XR_SUCCESS;
@@ -414,10 +494,6 @@ Result XRAPI_CALL haptic(XrSession, const XrHapticActionInfo* info, const XrHapt
   told.knocks.emplace_back(isRight, reinterpret_cast<const XrHapticVibration*>(feedback)->amplitude);
   return XR_SUCCESS;
 }
-Result XRAPI_CALL toTimespec(XrInstance, XrTime time, timespec* at) {
-  *at = {static_cast<time_t>(time / 1'000'000'000), static_cast<long>(time % 1'000'000'000)};
-  return XR_SUCCESS;
-}
 Result XRAPI_CALL unsupported() { return XR_ERROR_FUNCTION_UNSUPPORTED; }
 
 Result XRAPI_CALL procAddress(XrInstance, const char* name, PFN_xrVoidFunction* out) {
@@ -466,8 +542,7 @@ Result XRAPI_CALL procAddress(XrInstance, const char* name, PFN_xrVoidFunction* 
       CAROM_XR("xrGetActionStateBoolean", stateBoolean),
       CAROM_XR("xrGetActionStateFloat", stateFloat),
       CAROM_XR("xrGetActionStateVector2f", stateVector),
-      CAROM_XR("xrApplyHapticFeedback", haptic),
-      CAROM_XR("xrConvertTimeToTimespecTimeKHR", toTimespec)};
+      CAROM_XR("xrApplyHapticFeedback", haptic)};
 #undef CAROM_XR
   const auto found = kAll.find(name);
   // The loader calls what is missing through a null pointer, so nothing of OpenXR 1.0 may be missing.

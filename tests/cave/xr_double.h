@@ -74,6 +74,16 @@ struct XrDouble {
   }
 };
 
+// A program of its own is led by files: CAROM_XR_SCRIPT names one with a line for each frame,
+//
+//   step_ns shown flags  x y z qw qx qy qz of the head  trigger x y z of the right hand [event]
+//
+// where `shown` is 1 for frames that are, `flags` are those of XrViewState, and the event is off (the headset is taken
+// off before the next frame, and put on after three polls), recentre, unfocused, focused or lost. After the last line the
+// system ends the session. What was submitted is appended to the file that CAROM_XR_SEEN names: of each frame the
+// display time, the number of layers and whether there are pictures, all as 64-bit numbers, and of every tenth that has
+// some the poses, the angles and the pictures of both eyes.
+
 /// Returns the runtime that the loader will load from the same library. Forgets all that was before if asked to.
 XrDouble& xrDouble(const std::string& library, bool anew);
 

@@ -1,16 +1,20 @@
-#include "cave/headset/headset_walls.h"
+#include "cave/room/headset_walls.h"
 
 namespace carom {
 
 Wall wallBefore(const HeadsetEye& eye, const char* name, glm::ivec2 pixels) {
-  const EyeFrustum& f = eye.frustum;
   Wall wall;
   wall.name = name;
+  wall.pixels = pixels;
+  hang(wall, eye);
+  return wall;
+}
+
+void hang(Wall& wall, const HeadsetEye& eye) {
+  const EyeFrustum& f = eye.frustum;
   wall.lowerLeft_m = eye.roomFromEye * glm::dvec3(f.left, f.down, -1.0);
   wall.lowerRight_m = eye.roomFromEye * glm::dvec3(f.right, f.down, -1.0);
   wall.upperLeft_m = eye.roomFromEye * glm::dvec3(f.left, f.up, -1.0);
-  wall.pixels = pixels;
-  return wall;
 }
 
 Pose headBetween(const std::array<HeadsetEye, 2>& eyes) {

@@ -26,6 +26,9 @@ struct HeadsetEye {
 /// Returns the wall that the eye sees exactly through its display, with the pixels of its pictures.
 Wall wallBefore(const HeadsetEye& eye, const char* name, glm::ivec2 pixels);
 
+/// Hangs a wall there.
+void hang(Wall& wall, const HeadsetEye& eye);
+
 /// Returns the head of a pair of eyes: the point between them, turned as the mean of the eyes, x from the left to the
 /// right eye. Both eyes are simultaneous for the head.
 Pose headBetween(const std::array<HeadsetEye, 2>& eyes);
