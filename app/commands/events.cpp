@@ -123,7 +123,7 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
             csvField(seen + "_proper_time_s");
   }
   for (std::size_t i = 1; i <= options.places_m.size(); ++i) text += fmt::format(",place_{}_t_s", i);
-  text += ",first_spin_kg_m2_s,second_spin_kg_m2_s\n";
+  text += ",first_spin_kg_m2_s,second_spin_kg_m2_s,side_on_side\n";
   for (const EventRow& row : rows) {
     const Event &at = row.event.at, &moving = row.moving;
     text += fmt::format("{},{},{},{},", row.event.number, nameOf(row.event.kind), csvField(row.who),
@@ -141,7 +141,7 @@ std::string csvOf(const Subject& subject, const std::vector<EventRow>& rows, con
       text += csvNumbers({receptionAt(place_m, at, subject.c_m_s).t_s});
     for (std::size_t i = 0; i < 2; ++i)  // afterwards, in the order of `who`
       text += i < row.event.turns.size() ? csvNumbers({row.event.turns[i].spinAfter_kg_m2_s}) : ",";
-    text.back() = '\n';  // replaces the last comma
+    text += row.event.sideOnSide ? "1\n" : "0\n";
   }
   return text;
 }
@@ -211,10 +211,12 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
   text += '\n';
   for (const EventRow& row : rows) {
     const Event &at = row.event.at, &moving = row.moving;
-    text += fmt::format(
-        "{:>4}  {:<13} {:<20} {:>7}   {:>5} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}", row.event.number,
-        fmt::format("{}{}", nameOf(row.event.kind), row.event.withoutDelay ? "*" : ""), row.who,
-        row.event.cushion ? nameOf(*row.event.cushion) : "", row.order, at.t_s, at.r_m.x, at.r_m.y, at.r_m.z);
+    text += fmt::format("{:>4}  {:<13} {:<20} {:>7}   {:>5} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}",
+                        row.event.number,
+                        fmt::format("{}{}{}", nameOf(row.event.kind), row.event.withoutDelay ? "*" : "",
+                                    row.event.sideOnSide ? "=" : ""),
+                        row.who, row.event.cushion ? nameOf(*row.event.cushion) : "", row.order, at.t_s,
+                        at.r_m.x, at.r_m.y, at.r_m.z);
     if (moves) {
       text += fmt::format("   {:>6} {:>9.4f} {:>8.4f} {:>8.4f} {:>8.4f}", row.movingOrder, moving.t_s,
                           moving.r_m.x, moving.r_m.y, moving.r_m.z);
@@ -226,6 +228,8 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
         "* without delay: they were in contact already, and the kick did not wait for a signal from this "
         "event\n";
   }
+  if (std::any_of(rows.begin(), rows.end(), [](const EventRow& row) { return row.event.sideOnSide; }))
+    text += "= side on side: several corners touched at one time, and this event is in their middle\n";
   if (rows.size() > 1) text += "\neach event and the next:\n";
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)
     text += pairText(rows[i], rows[i + 1], subject.c_m_s, moves);

@@ -40,6 +40,7 @@ struct EventsOptions {
 ///   place_1_t_s, …                         with --place: when the light reached that place
 ///   first_spin_kg_m2_s,                    angular momenta after it, in the order of `who`
 ///     second_spin_kg_m2_s
+///   side_on_side                           1 if several corners touched at one time, else 0
 // clang-format on
 ///
 /// Returns the exit status. Throws InputErrors or std::runtime_error.

@@ -10,6 +10,7 @@
 #include "cave/frame/lesson_plan.h"
 #include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"
+#include "cave/outlines/footprint.h"
 #include "engine/base/limits.h"
 #include "engine/billiard/billiard.h"
 #include "engine/spacetime/event.h"
@@ -17,6 +18,13 @@
 #include "engine/spacetime/world_line.h"
 
 namespace carom {
+
+/// What a puck looks like.
+struct PuckMesh {
+  std::filesystem::path file;      ///< exists
+  std::optional<MeshPlace> place;  ///< of what collides as it looks; otherwise scaled to the puck's radius
+  bool isInOnePiece = true;        ///< seen from above
+};
 
 /// A body with prescribed motion that collides with nothing: a rod, a train, a clock.
 struct ScriptedBody {
@@ -67,8 +75,8 @@ struct Caption {
 
 struct Scenario {
   std::string title;
-  BilliardSetup billiard;                                        ///< checked to be playable
-  std::vector<std::optional<std::filesystem::path>> puckMeshes;  ///< one for each puck, scaled to its radius
+  BilliardSetup billiard;                           ///< checked to be playable
+  std::vector<std::optional<PuckMesh>> puckMeshes;  ///< one for each puck
   std::vector<ScriptedBody> bodies;
   ObserverStart observer;
   std::vector<ThrustLeg> tour;     ///< in the order of time, without overlap

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "app/files/toml_values.h"
+#include "engine/billiard/setup_check.h"
 
 namespace carom {
 namespace {
@@ -47,6 +48,21 @@ bool overlap(const Puck& a, const Puck& b) {
 /// Returns the distance from the centre to the rim along the board's x and y: sqrt(nᵀSn).
 Vec2 reachOf(const Puck& puck) { return puck.radius_m * glm::sqrt(1.0 - puck.beta * puck.beta); }
 
+/// Records a fault if a corner of a puck is beyond a cushion at board time 0.
+void checkCorners(const BilliardSetup& setup, const Puck& puck, const TomlTable& table) {
+  const Vec2 half_m = 0.5 * Vec2(setup.board->length_m, setup.board->width_m);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double least_m = extentOnBoard_m(puck, axis, -1.0, setup.lightSpeed_m_s) - half_m[axis];
+    const double most_m = half_m[axis] - extentOnBoard_m(puck, axis, 1.0, setup.lightSpeed_m_s);
+    const double touching_m = kTouching * puck.radius_m, at_m = puck.position_m[axis];
+    if (at_m >= least_m - touching_m && at_m <= most_m + touching_m) continue;
+    table.fault("position_m",
+                fmt::format("puck '{}' reaches over the {} cushion, expected its centre's {} from "
+                            "{:.6g} to {:.6g} m",
+                            puck.name, "xy"[axis], "xy"[axis], least_m, most_m));
+  }
+}
+
 }  // namespace
 
 void checkNames(const std::vector<TomlTable>& pucks, const std::vector<TomlTable>& bodies,
@@ -67,7 +83,9 @@ void checkNames(const std::vector<TomlTable>& pucks, const std::vector<TomlTable
 void checkPlaces(const BilliardSetup& setup, const std::vector<TomlTable>& tables) {
   for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
     const Puck& puck = setup.pucks[i];
-    if (setup.board) {
+    if (setup.board && !puck.outline_m.empty()) {
+      checkCorners(setup, puck, tables[i]);
+    } else if (setup.board) {
       const Vec2 room = 0.5 * Vec2(setup.board->length_m, setup.board->width_m) - reachOf(puck);
       for (int axis = 0; axis < 2; ++axis) {
         if (std::abs(puck.position_m[axis]) <= room[axis] + kTouching * puck.radius_m) continue;
@@ -78,7 +96,10 @@ void checkPlaces(const BilliardSetup& setup, const std::vector<TomlTable>& table
       }
     }
     for (std::size_t j = 0; j < i; ++j) {
-      if (!overlap(setup.pucks[j], puck)) continue;
+      const bool corners = !puck.outline_m.empty() || !setup.pucks[j].outline_m.empty();
+      if (!(corners ? overlapOnBoard(setup.pucks[j], puck, setup.lightSpeed_m_s)
+                    : overlap(setup.pucks[j], puck)))
+        continue;
       tables[i].fault("position_m", fmt::format("puck '{}' overlaps puck '{}' at t = 0, expected pucks apart",
                                                 puck.name, setup.pucks[j].name));
     }
@@ -88,6 +109,13 @@ void checkPlaces(const BilliardSetup& setup, const std::vector<TomlTable>& table
 void checkFriction(const BilliardSetup& setup, const TomlTable& physics) {
   const double most_m2_s2 = 0.5 * setup.lightSpeed_m_s * setup.lightSpeed_m_s;
   for (const Puck& puck : setup.pucks) {
+    for (const char* key : {"friction_m_s2", "spin_deceleration_m_s2"}) {
+      if (puck.outline_m.empty() || !physics.has(key) || physics.number(key, {}, 0.0) == 0.0) continue;
+      physics.fault(
+          key, fmt::format("{} slows puck '{}', which has corners, expected 0 in a game with outline_m", key,
+                           puck.name));
+      return;
+    }
     if (puck.radius_m * setup.rules.friction_m_s2 < most_m2_s2) continue;
     physics.fault("friction_m_s2",
                   fmt::format("friction_m_s2 is {}, expected below {:.6g}: times the radius of "

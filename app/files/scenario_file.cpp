@@ -12,6 +12,7 @@
 #include "app/files/scenario_captions.h"
 #include "app/files/scenario_checks.h"
 #include "app/files/scenario_lesson.h"
+#include "app/files/scenario_outline.h"
 #include "app/files/scenario_spin.h"
 #include "app/files/scenario_tour.h"
 #include "app/files/toml_values.h"
@@ -62,14 +63,15 @@ ObserverStart readObserver(const TomlTable& table) {
   return observer;
 }
 
-Puck readPuck(const TomlTable& table, double c_m_s) {
+Puck readPuck(const TomlTable& table, double c_m_s, std::optional<PuckMesh>& mesh) {
   constexpr Range kShare{.least = 0.0, .most = 1.0, .above = true};
-  Puck puck{.name = table.text("name"),
-            .radius_m = table.number("radius_m", kPositive),
-            .height_m = table.number("height_m", kPositive, kDefaultPuckHeight_m),
-            .mass_kg = table.number("mass_kg", kPositive),
-            .position_m = toVec2(table.numbers<2>("position_m", {})),
-            .beta = readBeta2(table)};
+  Puck puck;
+  puck.name = table.text("name");
+  readShape(table, puck, mesh);
+  puck.height_m = table.number("height_m", kPositive, kDefaultPuckHeight_m);
+  puck.mass_kg = table.number("mass_kg", kPositive);
+  puck.position_m = toVec2(table.numbers<2>("position_m", {}));
+  puck.beta = readBeta2(table);
   puck.inertia = table.number("inertia", kShare, puck.inertia);
   if (puck.inertia < kLeastInertia) {
     table.fault("inertia", fmt::format("inertia is {}, expected at least {}", puck.inertia, kLeastInertia));
@@ -150,8 +152,9 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
 
   const std::vector<TomlTable> pucks = root.tables("puck");
   for (const TomlTable& puck : pucks) {
-    scenario.billiard.pucks.push_back(readPuck(puck, scenario.billiard.lightSpeed_m_s));
-    scenario.puckMeshes.push_back(readMesh(file, puck));
+    std::optional<PuckMesh>& mesh = scenario.puckMeshes.emplace_back();
+    if (const auto path = readMesh(file, puck)) mesh = {*path, {}};
+    scenario.billiard.pucks.push_back(readPuck(puck, scenario.billiard.lightSpeed_m_s, mesh));
   }
   const std::vector<TomlTable> bodyTables = root.tables("body");
   std::vector<BodyText> bodies;
@@ -190,6 +193,8 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   for (std::size_t i = 0; i < pucks.size(); ++i) {
     std::ranges::move(oddSpin(pucks[i], scenario.billiard.pucks[i], scenario.puckMeshes[i].has_value(),
                               scenario.billiard.lightSpeed_m_s),
+                      std::back_inserter(scenario.odd));
+    std::ranges::move(oddOutline(pucks[i], scenario.billiard.pucks[i], scenario.puckMeshes[i]),
                       std::back_inserter(scenario.odd));
   }
 

@@ -95,8 +95,8 @@ class PlanReader {
   }
 
   Gauge gauge(const TomlTable& table) const {
-    constexpr std::array<std::string_view, 3> kQuantities{"speed", "apparent speed",
-                                                          "gamma"};  // as in GaugeQuantity
+    constexpr std::array<std::string_view, 4> kQuantities{"speed", "apparent speed", "gamma",
+                                                          "seen length"};  // as in GaugeQuantity
     return {body(table), static_cast<GaugeQuantity>(table.choice("shows", kQuantities, 0))};
   }
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
 
 namespace carom {
 
@@ -11,6 +14,15 @@ namespace {
 /// Whether the rim of a puck with that celerity, γβ, is slower than light, rounding included.
 bool slowerThanLight(double u) { return std::abs(u / std::hypot(1.0, u)) < 1.0; }
 
+/// Returns what of a puck is farthest from its axis.
+std::string rimOf(const Puck& puck) {
+  if (puck.outline_m.empty()) return "the rim";
+  const auto isNearer = [](const Vec2& a, const Vec2& b) { return glm::dot(a, a) < glm::dot(b, b); };
+  const auto farthest = std::max_element(puck.outline_m.begin(), puck.outline_m.end(), isNearer);
+  return fmt::format("corner {} at ({:.6g}, {:.6g}) m", farthest - puck.outline_m.begin() + 1, farthest->x,
+                     farthest->y);
+}
+
 double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
   const double omega_rad_s = table.number("spin_rad_s", {}, 0.0), rim = omega_rad_s * puck.radius_m / c_m_s;
   const double most_rad_s = c_m_s / puck.radius_m;
@@ -18,9 +30,9 @@ double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
     const double spin_kg_m2_s = spinAt_kg_m2_s(puck, omega_rad_s, c_m_s);
     if (slowerThanLight(rimUOf(puck, spin_kg_m2_s, c_m_s))) return spin_kg_m2_s;
   }
-  table.fault("spin_rad_s", fmt::format("spin_rad_s is {}, so the rim would move at {:.6g} c, expected less "
+  table.fault("spin_rad_s", fmt::format("spin_rad_s is {}, so {} would move at {:.6g} c, expected less "
                                         "than {:.6g} rad/s for this radius",
-                                        omega_rad_s, std::abs(rim), most_rad_s));
+                                        omega_rad_s, rimOf(puck), std::abs(rim), most_rad_s));
   return 0.0;
 }
 
@@ -28,10 +40,11 @@ double angularMomentum(const TomlTable& table, const Puck& puck, double c_m_s) {
   const double spin_kg_m2_s = table.number("spin_kg_m2_s", {}, 0.0);
   if (slowerThanLight(rimUOf(puck, spin_kg_m2_s, c_m_s))) return spin_kg_m2_s;
   constexpr double kMost_u = 1e7;  // a rim with that celerity differs from light by 5e-15
-  table.fault("spin_kg_m2_s",
-              fmt::format("spin_kg_m2_s is {}, so the rim would be as fast as light in all digits, expected "
-                          "less than {:.6g} for this radius, mass and inertia",
-                          spin_kg_m2_s, kMost_u * puck.inertia * puck.mass_kg * puck.radius_m * c_m_s));
+  table.fault(
+      "spin_kg_m2_s",
+      fmt::format("spin_kg_m2_s is {}, so {} would be as fast as light in all digits, expected "
+                  "less than {:.6g} for this radius, mass and inertia",
+                  spin_kg_m2_s, rimOf(puck), kMost_u * puck.inertia * puck.mass_kg * puck.radius_m * c_m_s));
   return 0.0;
 }
 

@@ -280,6 +280,32 @@ std::vector<std::array<double, 3>> TomlTable::points(std::string_view key) const
   return result;
 }
 
+std::vector<PlacedPoint> TomlTable::boardPoints(std::string_view key) const {
+  std::vector<PlacedPoint> result;
+  const toml::node* node = state_->ask(key, false);
+  if (!node) return result;
+  const toml::array* array = node->as_array();
+  if (!array) {
+    state_->wrong(key, *node, "an array of places [x, y]");
+    return result;
+  }
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const std::string name = fmt::format("{}[{}]", key, i);
+    const toml::array* place = (*array)[i].as_array();
+    PlacedPoint& point = result.emplace_back();
+    point.at.fill(std::numeric_limits<double>::quiet_NaN());
+    point.place = placeOf((*array)[i].source());
+    if (!place || place->size() != 2) {
+      state_->fault(point.place, fmt::format("{} is wrong, expected a place [x, y]", name));
+      continue;
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+      point.at[k] =
+          state_->numberOf(fmt::format("{}[{}]", name, k), (*place)[k], {}, false).value_or(point.at[k]);
+  }
+  return result;
+}
+
 std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const toml::node* node = state_->find(key);
   if (!node) return {};

@@ -22,6 +22,12 @@ struct PlacedText {
   FilePlace place;
 };
 
+/// A point of the board as the file gives it.
+struct PlacedPoint {
+  std::array<double, 2> at{};
+  FilePlace place;
+};
+
 /// One table of a file. Each reading function takes one key. If its value is wrong, a fault is recorded and a
 /// substitute returned (the fallback if there is one), so that reading continues. A key without fallback is
 /// required. Keys that were never read are faults. Values must not be used before TomlFile::throwFaults has
@@ -62,6 +68,8 @@ class TomlTable {
   std::vector<PlacedText> oneOrMoreTexts(std::string_view key) const;
   /// Returns an array of points [x, y, z]; required. Wrong coordinates are NaN.
   std::vector<std::array<double, 3>> points(std::string_view key) const;
+  /// Returns an array of points [x, y] of the board, each with its position; required. Wrong coordinates are NaN.
+  std::vector<PlacedPoint> boardPoints(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::optional<TomlTable> requiredTable(std::string_view key) const;
   /// Returns an array of tables; empty if the key is absent.

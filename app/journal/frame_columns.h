@@ -236,10 +236,14 @@ void visitGameEvent(Visit& visit, AnEvent& event) {
   visitTurn(visit, "second_", turns[1]);
   visitTurnedSpin(visit, "first_", turns[0]);
   visitTurnedSpin(visit, "second_", turns[1]);
+  std::uint8_t sideOnSide = event.sideOnSide ? 1 : 0;
+  visit("", "side_on_side", sideOnSide);
   if constexpr (kReads) {
-    if (withoutDelay > 1 || count > turns.size()) throw std::runtime_error("no such event can be");
+    if (withoutDelay > 1 || sideOnSide > 1 || count > turns.size())
+      throw std::runtime_error("no such event can be");
     if (cushion > 0) event.cushion = static_cast<Cushion>(cushion - 1);
     event.withoutDelay = withoutDelay == 1;
+    event.sideOnSide = sideOnSide == 1;
     for (std::uint8_t turn = 0; turn < count; ++turn) event.turns.push_back(turns[turn]);
   }
 }

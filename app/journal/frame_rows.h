@@ -25,8 +25,10 @@ std::string frameTables();
 inline constexpr int kVersion5 = 5;
 /// The version before the tables of several games and several viewers.
 inline constexpr int kVersion6 = 6;
+/// The version before the columns that tell of sides on sides; in its files these are read as 0.
+inline constexpr int kVersion7 = 7;
 
-/// Adds the columns that a file of version 4 or 5 lacks, with 0 in every row.
+/// Adds the columns that a file of version 4 to 7 lacks, with 0 in every row.
 void addColumns(SQLite::Database& database);
 
 /// Writes the three tables.

@@ -25,12 +25,13 @@
 //       Events that a frame added to the game's list (engine/billiard/game_event.h), each with its turns, whose
 //       number is `turns`. kind is the value of EventKind, cushion that of Cushion plus 1; 0 is none. Events
 //       that a later stroke invalidated stay here, because they were shown.
-//   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j, without_delay)
+//   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j, without_delay, side_on_side)
 //       The final events: rows that a stroke invalidated are deleted. Numbers are in the order in which the
 //       simulation found the events; a game's first one has the number first_event. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names,
 //       separated by commas. t_s … z_m: the contact, the hand's stroke, the flash. without_delay: 1 if the
 //       contact existed already and the kick did not wait for its signal (engine/billiard/game_event.h),
-//       else 0. The game is known a little further than it was seen.
+//       else 0. side_on_side: 1 if a side of a puck lay on a side of the other or on a cushion, and the contact
+//       is the middle of what touched, else 0. The game is known a little further than it was seen.
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y,
 //   proper_time_s, spin_before_kg_m2_s, spin_after_kg_m2_s)
 //       The change of motion and spin of each puck of an event, with the puck's name and its proper time.
@@ -64,8 +65,8 @@
 //       node and second.
 // Numbers in frame, knot and frame_event are stored exactly: zero as an integer, NaN as NULL. `PRAGMA
 // user_version` is the version of this list. Files of version 3, which stored records as raw bytes, and of
-// versions 4 to 6, which did not know of spins, of the score, of several games and of several viewers, can be
-// read, and are converted to this version when the session is continued.
+// versions 4 to 7, which did not know of spins, of the score, of several games, of several viewers and of pucks
+// with corners, can be read, and are converted to this version when the session is continued.
 
 #include <chrono>
 #include <filesystem>

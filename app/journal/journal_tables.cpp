@@ -20,7 +20,7 @@ CREATE TABLE session(key TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE sample(time_s REAL, sensor INTEGER, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, qz REAL,
   tracker TEXT);
 CREATE TABLE event(number INTEGER PRIMARY KEY, kind TEXT, pucks TEXT, cushion TEXT, t_s REAL, x_m REAL, y_m REAL,
-  z_m REAL, heat_j REAL, without_delay INTEGER NOT NULL DEFAULT 0);
+  z_m REAL, heat_j REAL, without_delay INTEGER NOT NULL DEFAULT 0, side_on_side INTEGER NOT NULL DEFAULT 0);
 CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, beta_before_x REAL,
   beta_before_y REAL, beta_after_x REAL, beta_after_y REAL, proper_time_s REAL,
   spin_before_kg_m2_s REAL NOT NULL DEFAULT 0, spin_after_kg_m2_s REAL NOT NULL DEFAULT 0);
@@ -118,8 +118,11 @@ void JournalTables::convert() {
     SQLite::Transaction transaction(database_);
     addColumns(database_);
     if (version() == kVersion4) addSpinsOfTurns();
-    addGames(database_);
-    addViewers();
+    if (version() < kVersion7) {
+      addGames(database_);
+      addViewers();
+    }
+    addSidesOnSides();
     setVersion();
     transaction.commit();
     return;
@@ -160,6 +163,7 @@ void JournalTables::convert() {
   addSpinsOfTurns();
   addGames(database_);
   addViewers();
+  addSidesOnSides();
   setVersion();
   transaction.commit();
 }
@@ -185,6 +189,11 @@ void JournalTables::addViewers() {
       "frame "
       "WHERE number >= 0");
   database_.exec("INSERT OR REPLACE INTO session VALUES('viewer', 'viewer')");
+}
+
+/// Adds the column of sides on sides to the table that the program does not read back.
+void JournalTables::addSidesOnSides() {
+  database_.exec("ALTER TABLE event ADD COLUMN side_on_side INTEGER NOT NULL DEFAULT 0");
 }
 
 void JournalTables::begin(const SessionFacts& facts) {
@@ -266,7 +275,7 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
     listed_ = kept;
   }
   if (brought.empty()) return;
-  SQLite::Statement& row = statement(event_, "INSERT OR REPLACE INTO event VALUES(?,?,?,?,?,?,?,?,?,?)");
+  SQLite::Statement& row = statement(event_, "INSERT OR REPLACE INTO event VALUES(?,?,?,?,?,?,?,?,?,?,?)");
   SQLite::Statement& turnRow = statement(turn_, "INSERT INTO turn VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)");
   for (const GameEvent& event : brought) {
     std::string pucks;
@@ -278,7 +287,7 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
     }
     put(row, firstEvent_ + event.number, carom::nameOf(event.kind), pucks,
         event.cushion ? carom::nameOf(*event.cushion) : std::string_view(), event.at.t_s, event.at.r_m,
-        event.heat_j, event.withoutDelay ? 1 : 0);
+        event.heat_j, event.withoutDelay ? 1 : 0, event.sideOnSide ? 1 : 0);
     listed_ = event.number + 1;
   }
 }

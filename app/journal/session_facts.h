@@ -12,7 +12,7 @@ namespace carom {
 /// The SQLite application id of a journal ("Caro") and the version of its tables. Files of newer versions, or
 /// of versions before 3, are not read.
 inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 7;
+inline constexpr int kJournalVersion = 8;
 
 /// Returns the key of the table session under which the name of a viewer stands: viewer, viewer_2, …
 inline std::string keyOfViewer(std::size_t viewer) {

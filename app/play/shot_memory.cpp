@@ -36,4 +36,17 @@ const ObserverView& ShotMemory::earliest(const ObserverView& now, double now_s) 
   return current_.empty() ? now : current_.front().observer;
 }
 
+bool ShotReplay::look(const ShotMemory& shots, double now_s, bool interrupted) {
+  if (!from_s_) return false;
+  if (!over_s_ && (interrupted || !shots.at(now_s - *from_s_))) over_s_ = now_s;
+  if (over_s_ && (!endsGame_ || now_s - *over_s_ > kHeld_s)) from_s_.reset();
+  return true;
+}
+
+const ShotView* ShotReplay::view(const ShotMemory& shots, double now_s) const {
+  if (!from_s_ || !shots.hasBest()) return nullptr;
+  const ShotView* const view = shots.at(now_s - *from_s_);
+  return view ? view : &shots.last();
+}
+
 }  // namespace carom

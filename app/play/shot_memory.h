@@ -48,6 +48,9 @@ class ShotMemory {
   /// Returns the view of the best shot so long after its beginning, or null after its end.
   const ShotView* at(double since_s) const;
 
+  /// Returns the last view of the best shot, which there must be.
+  const ShotView& last() const { return best_.back(); }
+
   /// Returns the earliest view that may be shown again, or `now`; the best shot is dropped when it is too old.
   const ObserverView& earliest(const ObserverView& now, double now_s);
 
@@ -56,6 +59,30 @@ class ShotMemory {
   bool isOn_ = false;
   std::optional<double> caromAt_s_;
   std::size_t cushions_ = 0, bestCushions_ = 0;
+};
+
+/// Shows the best shot again. Where it ends a game, its view stays while the walls go dark over it, so that the game is
+/// not seen behind it.
+class ShotReplay {
+ public:
+  static constexpr double kHeld_s = 1.0;  ///< the walls are dark before
+
+  void begin(double now_s, bool endsGame) {
+    from_s_ = now_s;
+    over_s_.reset();
+    endsGame_ = endsGame;
+  }
+  /// Ends it if the shot is over or the person interrupts it. Returns whether it was shown until now.
+  bool look(const ShotMemory& shots, double now_s, bool interrupted);
+  /// Returns whether the shot is under way: the next game waits for it.
+  bool isOn() const { return from_s_ && !over_s_; }
+  /// Returns the view to show now, or null.
+  const ShotView* view(const ShotMemory& shots, double now_s) const;
+
+ private:
+  std::optional<double> from_s_;  ///< display time
+  std::optional<double> over_s_;  ///< since when its last views stay
+  bool endsGame_ = false;
 };
 
 }  // namespace carom

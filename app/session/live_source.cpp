@@ -150,7 +150,7 @@ void LiveSource::see(const OperatorSettings& settings, const FrameTimes& times, 
   FrameRecord& record = decision.frame.record;
   record.drive.mode = play_.driven;
   ObserverViews views;
-  const ShotView* const shot = shotShown(times.display_s);
+  const ShotView* const shot = play_.replay.view(play_.shots, times.display_s);
   if (shot) {
     views.fill(shot->observer);
     views = viewers_.frozenView(views, times, settings.eyeSeparation_m);
@@ -269,20 +269,13 @@ void LiveSource::tellWhoseShot(bool isEnd, Decision& decision) {
 void LiveSource::showAgain(const FrameInput& input, double now_s, Decision& decision) {
   const ShowBestShot* const asked = lastOf<ShowBestShot>(input.commands);
   const bool isAsked = asked && (!asked->isEnd || play_.shots.hasBest());
-  if (play_.shownFrom_s) {
-    const bool isOver = !play_.shots.at(now_s - *play_.shownFrom_s);
-    if ((isAsked && !asked->isEnd) || isOver || asksForAnything(wish_)) play_.shownFrom_s.reset();
-  } else if (isAsked && play_.shots.hasBest()) {
-    play_.shownFrom_s = now_s;
+  if (play_.replay.look(play_.shots, now_s, (isAsked && !asked->isEnd) || asksForAnything(wish_))) return;
+  if (isAsked && play_.shots.hasBest()) {
+    play_.replay.begin(now_s, asked->isEnd);
     tellWhoseShot(asked->isEnd, decision);
   } else if (isAsked) {
     say(texts::message::kNoCarom, decision);
   }
-}
-
-/// Returns the view of the best shot that is shown, or null.
-const ShotView* LiveSource::shotShown(double now_s) const {
-  return play_.shownFrom_s ? play_.shots.at(now_s - *play_.shownFrom_s) : nullptr;
 }
 
 /// Returns what the devices ask of the drive. The thrust sets in over kOnset_s; it ends at once.
@@ -393,7 +386,8 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   if (headset_) record.headset = viewers_.putOn(*headset_);
   see(settings, times, still, decision);
   play_.match.putInto(record);
-  const bool isShot = decision.showsShot = shotShown(times.display_s) != nullptr;
+  const bool isShot = play_.replay.view(play_.shots, times.display_s) != nullptr;
+  decision.showsShot = play_.replay.isOn();
   for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
     std::swap(record.viewer(0), record.viewer(viewer));
     // A lesson plays the same game again and again.

@@ -55,7 +55,7 @@ struct Play {
   HitSeen hit;
   std::size_t striker = 0;  ///< the viewer who struck last, whose shot is kept
   ShotMemory shots;
-  std::optional<double> shownFrom_s;                 ///< the best shot is shown again since this display time
+  ShotReplay replay;
   bool saidStill = false;                            ///< why steering does nothing was said
   std::array<StatusMessage, kMostViewers> messages;  ///< of each viewer
   LessonState lesson;                                ///< in the previous frame
@@ -102,7 +102,6 @@ class LiveSource : public FrameSource {
   void forget(Decision& decision);
   void tellWhoseShot(bool isEnd, Decision& decision);
   void showAgain(const FrameInput& input, double now_s, Decision& decision);
-  const ShotView* shotShown(double now_s) const;
   DriveWish eased(double step_s);
   void sayWhyStill(const OperatorSettings& settings, Decision& decision);
   void say(std::string_view words, Decision& decision);

@@ -16,7 +16,7 @@ void WallsView::draw(const FrameRecord& record, const World& world) {
 }
 
 void WallsView::drawOver(const LatencyView* latency) const {
-  if (latency) drawLatency(*latency);
+  if (latency) drawLatency(*latency, walls_.drawingTimes());
   if (director_.settings().keysShown) drawKeysOver(keys_);
 }
 

@@ -54,7 +54,8 @@ std::vector<fs::path> filesOf(const Scenario& scenario) {
     files.push_back(*mesh);
     for (const fs::path& buffer : meshBuffers(*mesh, bytesOf(*mesh))) files.push_back(buffer);
   };
-  for (const auto& mesh : scenario.puckMeshes) add(mesh);
+  for (const auto& mesh : scenario.puckMeshes)
+    if (mesh) add(mesh->file);
   for (const ScriptedBody& body : scenario.bodies) add(body.mesh);
   return files;
 }

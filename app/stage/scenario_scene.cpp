@@ -66,10 +66,13 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   std::vector<BodyLooks> pucks;
   for (std::size_t i = 0; i < scenario.billiard.pucks.size(); ++i) {
     const Puck& puck = scenario.billiard.pucks[i];
-    pucks.push_back({puck.name, pathOf(scenario.puckMeshes[i]), puck.radius_m, puck.height_m});
+    const std::optional<PuckMesh>& mesh = scenario.puckMeshes[i];
+    pucks.push_back({puck.name, mesh ? mesh->file.string() : "", puck.radius_m, puck.height_m, puck.outline_m,
+                     mesh ? mesh->place : std::nullopt});
   }
   std::vector<BodyLooks> told;
-  for (const ScriptedBody& body : scenario.bodies) told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0});
+  for (const ScriptedBody& body : scenario.bodies)
+    told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}, {}});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
@@ -81,7 +84,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
 
 void openMeshes(const Scenario& scenario) {
   std::vector<std::string> paths;
-  for (const auto& mesh : scenario.puckMeshes) paths.push_back(pathOf(mesh));
+  for (const auto& mesh : scenario.puckMeshes) paths.push_back(mesh ? mesh->file.string() : "");
   for (const ScriptedBody& body : scenario.bodies) paths.push_back(pathOf(body.mesh));
   std::sort(paths.begin(), paths.end());
   paths.erase(std::unique(paths.begin(), paths.end()), paths.end());

@@ -208,9 +208,10 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
   for (const Puck& puck : setup.pucks) {
     const double beta = glm::length(puck.beta);
     fmt::print(
-        "puck {}: radius {:.1f} mm, height {:.1f} mm, {} kg, starts at ({}, {}) mm with {:.4g} c (γ = "
+        "puck {}: {}radius {:.1f} mm, height {:.1f} mm, {} kg, starts at ({}, {}) mm with {:.4g} c (γ = "
         "{:.4g}){}\n",
-        puck.name, puck.radius_m * 1e3, puck.height_m * 1e3, puck.mass_kg, puck.position_m.x * 1e3,
+        puck.name, puck.outline_m.empty() ? "" : fmt::format("{} corners, ", puck.outline_m.size()),
+        puck.radius_m * 1e3, puck.height_m * 1e3, puck.mass_kg, puck.position_m.x * 1e3,
         puck.position_m.y * 1e3, beta, gammaFromU(uFromBeta(Vec3(puck.beta, 0.0))),
         spinText(puck, setup.lightSpeed_m_s));
   }

@@ -102,6 +102,7 @@ Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks
   json["turns"] = turns;
   json["heat_j"] = heat_j;
   if (first.withoutDelay) json["without_delay"] = true;
+  if (first.sideOnSide) json["side_on_side"] = true;
   return json;
 }
 

@@ -29,11 +29,12 @@ DisplayWalls::DisplayWalls(Graphics& graphics, const Scene& scene, double lightS
     : graphics_(graphics),
       session_(std::make_unique<EyeRenderer>(graphics, scene, lightSpeed_m_s)),
       walls_(std::move(walls)) {
+  hands_.setRims(rimsOf(scene));
   graphics_.makeCurrent();
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
     firstEyeOf_.push_back(wallEyes_.size());
     for (const ViewerEye& eye : eyesOf(walls_[wall])) {
-      wallEyes_.push_back({wall, eye, FrameDelay(walls_[wall].pixels, walls_[wall].heldFrames)});
+      wallEyes_.push_back({wall, eye, FrameDelay(walls_[wall].pixels, walls_[wall].heldFrames), {}});
     }
   }
   firstEyeOf_.push_back(wallEyes_.size());
@@ -96,7 +97,8 @@ void DisplayWalls::drawSession(const FrameRecord& record, const World& world, st
     pictured_.clear();
     for (WallEye& wallEye : wallEyes_) {
       if (wallEye.eye == ViewerEye{viewer, eye})
-        pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next()});
+        pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next(),
+                             record.controls.latency ? &wallEye.timers : nullptr});
     }
     session_->draw(record, world, record.observer, record.observer.of(eye), pictured_);
   }
@@ -113,6 +115,7 @@ void DisplayWalls::draw(const FrameRecord& record, const World& world) {
   hangOnHead(record.headset);
   const WallControls& controls = drawn_ = record.controls;
   blank_ = controls.blank != 0;
+  split_ = record.views.split != 0;
   if (controls.shown == Shown::calibrationPattern && !blank_)
     return drawCalibrationPatterns(controls.eyesSwapped != 0);
   calibrationPatterns_.reset();
@@ -138,6 +141,7 @@ void DisplayWalls::draw(const FrameRecord& record, const World& world) {
 
 void DisplayWalls::setScene(const Scene& scene, double lightSpeed_m_s) {
   session_ = std::make_unique<EyeRenderer>(graphics_, scene, lightSpeed_m_s);
+  hands_.setRims(rimsOf(scene));
 }
 
 void DisplayWalls::setRoom(const RoomGeometry& room) {
@@ -239,6 +243,18 @@ void DisplayWalls::drawCalibrationPatterns(bool eyesSwapped) {
       wallEye.pictures.next().fill(pattern.rgb);
   }
   calibrationPatterns_ = eyesSwapped;
+}
+
+std::span<const WallTime> DisplayWalls::drawingTimes() const {
+  times_.clear();
+  for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
+    WallTime& time = times_.emplace_back(WallTime{walls_[wall].name.c_str(), 0.0F});
+    for (std::size_t i = firstEyeOf_[wall]; i < firstEyeOf_[wall + 1]; ++i) {
+      const WallTimers& timers = wallEyes_[i].timers;
+      time.drawn_s += timers[0].median_s() + (split_ ? timers[1].median_s() : 0.0F);
+    }
+  }
+  return times_;
 }
 
 void DisplayWalls::capture(Capture& capture, std::uint64_t frame) const {

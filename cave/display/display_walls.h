@@ -23,6 +23,7 @@
 #include "cave/overlay/cue_overlay.h"
 #include "cave/overlay/home_arrow.h"
 #include "cave/overlay/hud_panel.h"
+#include "cave/overlay/latency_overlay.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/overlay/room_overlay.h"
 #include "cave/overlay/standing_board.h"
@@ -80,6 +81,9 @@ class DisplayWalls {
   /// pictures of an earlier frame. `over`: draws over the pictures, in a Gui; an empty function draws
   /// nothing.
   void show(const std::function<void()>& over = {});
+  /// Returns how long the graphics card draws the session on each wall, for all its eyes: measured while the
+  /// latency is shown.
+  std::span<const WallTime> drawingTimes() const;
   /// Waits until everything is drawn, so that a swap shows it at once.
   void awaitShown();
   void swap();
@@ -103,6 +107,7 @@ class DisplayWalls {
     std::size_t wall = 0;
     ViewerEye eye;
     FrameDelay pictures;
+    WallTimers timers;
   };
   /// A window and the walls in it.
   struct WallWindow {
@@ -149,6 +154,8 @@ class DisplayWalls {
   std::vector<PicturedWall> pictured_;    // of one eye
   std::vector<Pane> panes_;
   mutable std::vector<Capture::Taken> taken_;
+  mutable std::vector<WallTime> times_;
+  bool split_ = false;  // the newest pictures
   mutable std::vector<const RenderTarget*> filmed_;
 };
 

@@ -106,20 +106,25 @@ Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& reco
 
 void EyeRenderer::drawPart(WallRenderer& renderer, Part part, const EyeView& eye,
                            std::span<const PicturedWall> walls) {
-  for (const auto& [wall, picture] : walls) {
+  parts_.clear();
+  pictures_.clear();
+  parts_.reserve(walls.size());
+  for (const auto& [wall, picture, timers] : walls) {
     const int middle_px = wall->pixels.x / 2;
     WallDrawing drawing;
     drawing.seenFromEye_m = eye.seenFromInRoom_m - eye.positionInRoom_m;
     drawing.left_px = part == Part::right ? middle_px : 0;
     drawing.marks = marked_ ? marks_.get() : nullptr;
     drawing.cutAt = part == Part::left ? 1.0F : part == Part::right ? -1.0F : 0.0F;
-    if (part == Part::whole) {
-      renderer.draw(*wall, eye.positionInRoom_m, *picture, drawing);
-    } else {
+    const Wall* drawn = wall;
+    if (part != Part::whole) {
       const int right_px = part == Part::left ? middle_px : wall->pixels.x;
-      renderer.draw(columnsOf(*wall, drawing.left_px, right_px), eye.positionInRoom_m, *picture, drawing);
+      drawn = &parts_.emplace_back(columnsOf(*wall, drawing.left_px, right_px));
     }
+    pictures_.push_back(
+        {drawn, picture, drawing, timers ? &(*timers)[part == Part::right ? 1 : 0] : nullptr});
   }
+  renderer.draw(pictures_, eye.positionInRoom_m);
 }
 
 }  // namespace carom

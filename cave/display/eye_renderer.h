@@ -2,11 +2,13 @@
 // A session as one eye sees it on its walls: the bodies, and the views of time that are turned on
 // (cave/frame/time_views.h).
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "cave/frame/frame_state.h"
+#include "cave/gl/gpu_timer.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
 #include "cave/render/spacetime_marks.h"
@@ -16,10 +18,14 @@
 
 namespace carom {
 
+/// Of one eye on one wall: of all of it or, while it is split, of its left half and its right.
+using WallTimers = std::array<GpuTimer, 2>;
+
 /// A wall and the picture that is drawn for it; the wall has as many pixels as the picture.
 struct PicturedWall {
   const Wall* wall = nullptr;
   RenderTarget* picture = nullptr;
+  WallTimers* timers = nullptr;  ///< measure the drawing
 };
 
 /// Returns the columns of `wall` from `left_px` up to `right_px` as a wall of its own.
@@ -57,6 +63,8 @@ class EyeRenderer {
   std::unique_ptr<SpacetimeMarks> marks_;
   bool marked_ = false;
   std::vector<BodyView> bodies_, boardNow_, myNow_;
+  std::vector<Wall> parts_;            // halves of walls
+  std::vector<WallPicture> pictures_;  // of the eye that is drawn
 };
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "cave/display/wall_window.h"
+#include "cave/gl/gl_state_guard.h"
 
 namespace carom {
 namespace {
@@ -100,6 +101,7 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
   glfwShowWindow(window_);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(0);
+  enterRestState();
   drawable_ = currentDrawable();
   packer_ = std::make_unique<StereoPacker>();
 }

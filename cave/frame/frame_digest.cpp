@@ -28,6 +28,7 @@ class Digest {
     *this << event.number << static_cast<std::uint8_t>(event.kind)
           << (event.cushion ? static_cast<int>(*event.cushion) : -1) << event.which << event.at
           << event.heat_j << event.turns.size();
+    if (event.withoutDelay || event.sideOnSide) *this << event.withoutDelay << event.sideOnSide;
     for (const Turn& turn : event.turns) {
       *this << turn.puck << turn.event << turn.betaBefore.x << turn.betaBefore.y << turn.betaAfter.x
             << turn.betaAfter.y << turn.properTime_s;

@@ -57,6 +57,7 @@ enum class GaugeQuantity : std::uint8_t {
   speed,          ///< v/c in the observer's room
   apparentSpeed,  ///< the speed with which the body is seen to move, over c
   gamma,          ///< the Lorentz factor in the observer's room
+  seenLength,     ///< how long the body looks along its motion, over its length at rest
 };
 
 /// A plate above a body with what is true of it where it is seen.

@@ -43,7 +43,9 @@ double gauged(GaugeQuantity quantity, const Motion& seen, const LessonSight& sig
   const Vec3 beta = betaFromU(u);
   if (quantity == GaugeQuantity::speed) return glm::length(beta);
   const Displacement way = roomFromBoard * (seen.event - sight.observer.middle.observation);
-  return glm::length(beta) / (1.0 + glm::dot(glm::normalize(way.dr_m), beta));
+  const double receding = sight.switches.retardation != 0 ? glm::dot(glm::normalize(way.dr_m), beta) : 0.0;
+  const double length = sight.switches.contraction != 0 ? 1.0 / gammaFromU(u) : 1.0;
+  return (quantity == GaugeQuantity::seenLength ? length : glm::length(beta)) / (1.0 + receding);
 }
 
 std::optional<std::size_t> observerOf(const LessonPlan& plan, const Lorentz& boardFromRoom) {

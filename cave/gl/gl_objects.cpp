@@ -3,28 +3,6 @@
 #include <vtk_glew.h>
 
 namespace carom {
-namespace {
-
-/// Restores the vertex array and the array buffer that were bound.
-class KeptBindings {
- public:
-  KeptBindings() {
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &array_);
-    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &buffer_);
-  }
-  ~KeptBindings() {
-    glBindVertexArray(static_cast<GLuint>(array_));
-    glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(buffer_));
-  }
-  KeptBindings(const KeptBindings&) = delete;
-  KeptBindings& operator=(const KeptBindings&) = delete;
-
- private:
-  GLint array_ = 0, buffer_ = 0;
-};
-
-}  // namespace
-
 unsigned createGlObject(GlKind kind) {
   GLuint name = 0;
   switch (kind) {
@@ -73,7 +51,6 @@ GlFence placeFence() { return GlFence(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE,
 
 VertexBuffer::VertexBuffer(const GlProgram& program, std::size_t stride,
                            std::initializer_list<VertexAttribute> attributes) {
-  const KeptBindings kept;
   glBindVertexArray(array_);
   glBindBuffer(GL_ARRAY_BUFFER, buffer_);
   for (const VertexAttribute& attribute : attributes) {
@@ -82,12 +59,14 @@ VertexBuffer::VertexBuffer(const GlProgram& program, std::size_t stride,
     glVertexAttribPointer(location, attribute.size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                           reinterpret_cast<const void*>(attribute.offset));
   }
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 void VertexBuffer::upload(std::span<const std::byte> vertices) {
-  const KeptBindings kept;
   glBindBuffer(GL_ARRAY_BUFFER, buffer_);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size()), vertices.data(), GL_STREAM_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 void VertexBuffer::bind() const { glBindVertexArray(array_); }

@@ -56,8 +56,8 @@ struct VertexAttribute {
   std::size_t offset;
 };
 
-/// A vertex array that reads one buffer of vertices, each `stride` bytes. Creating and uploading leave the
-/// context's bindings as they were.
+/// A vertex array that reads one buffer of vertices, each `stride` bytes. Create and
+/// upload it while no vertex array is bound; afterwards neither that nor an array buffer is.
 class VertexBuffer {
  public:
   VertexBuffer(const GlProgram& program, std::size_t stride,

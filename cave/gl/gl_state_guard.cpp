@@ -15,6 +15,11 @@ void turnOff() {
 
 }  // namespace
 
+void enterRestState() {
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthFunc(GL_LEQUAL);
+}
+
 GlStateGuard::GlStateGuard(unsigned framebuffer, const glm::ivec2& size_px) {
   turnOff();
   glActiveTexture(GL_TEXTURE0);
@@ -33,9 +38,6 @@ GlStateGuard::~GlStateGuard() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
 }
 
-void blendOver() {
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-}
+void blendOver() { glEnable(GL_BLEND); }
 
 }  // namespace carom

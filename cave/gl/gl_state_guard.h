@@ -5,10 +5,15 @@
 
 namespace carom {
 
+/// Sets what a new context has otherwise than its users expect to find it: blending mixes with what is there by
+/// the alpha of what is drawn, and what is as near as what is there passes the depth test.
+void enterRestState();
+
 /// From its construction on, drawing goes into all of `framebuffer`, with every test and blending off. Its
 /// destructor leaves the context as its users expect to find it: nothing bound or in use, every test and
-/// blending off, depth written. So nobody needs to ask OpenGL for its state, which would have to wait for the
-/// commands given so far. Guards cannot be nested.
+/// blending off, depth written, the functions of blending and of the depth test those of enterRestState. So
+/// nobody needs to ask OpenGL for its state, which would have to wait for the commands given so far. Guards
+/// cannot be nested.
 class GlStateGuard {
  public:
   GlStateGuard(unsigned framebuffer, const glm::ivec2& size_px);

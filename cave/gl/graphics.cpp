@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <vtk_glew.h>
 
+#include "cave/gl/gl_state_guard.h"
+
 namespace carom {
 namespace {
 
@@ -63,6 +65,7 @@ Graphics::Graphics(const std::string& display) {
     throw std::runtime_error(fmt::format("the OpenGL functions cannot be loaded: {}",
                                          reinterpret_cast<const char*>(glewGetErrorString(status))));
   }
+  enterRestState();
   input_.keys.reserve(64);
   const std::string renderer = rendererName();
   for (const char* const known : {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"})

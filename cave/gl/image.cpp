@@ -17,13 +17,11 @@ Image readBack(const RenderTarget& picture) {
   Image image;
   image.size_px = picture.size_px();
   image.rgb.resize(3 * static_cast<std::size_t>(image.size_px.x) * static_cast<std::size_t>(image.size_px.y));
-  GLint readBefore = 0;
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, image.size_px.x, image.size_px.y, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   return image;
 }
 

@@ -22,23 +22,15 @@ RenderTarget::RenderTarget(const glm::ivec2& size_px) : size_px_(size_px) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glBindTexture(GL_TEXTURE_2D, 0);
-
-  GLint drawBefore = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBefore);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
-  clear(0, size_px.x);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawBefore));
+  clear();
 }
 
-void RenderTarget::clear() {
-  GLint drawBefore = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBefore);
-  clear(0, size_px_.x);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawBefore));
-}
+void RenderTarget::clear() { clear(0, size_px_.x); }
 
 void RenderTarget::clear(int left_px, int width_px) {
+  if (isBlack_) return;
   constexpr std::array<float, 4> kBlack{0.0F, 0.0F, 0.0F, 1.0F};
   const bool whole = width_px == size_px_.x;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
@@ -49,6 +41,7 @@ void RenderTarget::clear(int left_px, int width_px) {
   glClearBufferfv(GL_COLOR, 0, kBlack.data());
   if (!whole) glDisable(GL_SCISSOR_TEST);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  isBlack_ = whole;
 }
 
 void RenderTarget::fill(std::span<const std::uint8_t> rgb) {
@@ -56,14 +49,12 @@ void RenderTarget::fill(std::span<const std::uint8_t> rgb) {
     throw std::invalid_argument(fmt::format("{} bytes were given for a picture of {} x {} pixels", rgb.size(),
                                             size_px_.x, size_px_.y));
   }
-  GLint textureBefore = 0, alignmentBefore = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &textureBefore);
-  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignmentBefore);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glBindTexture(GL_TEXTURE_2D, texture_);
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_px_.x, size_px_.y, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(textureBefore));
-  glPixelStorei(GL_UNPACK_ALIGNMENT, alignmentBefore);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);  // as OpenGL begins
+  isBlack_ = false;
 }
 
 }  // namespace carom

@@ -16,20 +16,26 @@ class RenderTarget {
  public:
   explicit RenderTarget(const glm::ivec2& size_px);
 
-  void clear();  ///< fills it with black; the framebuffer that is bound stays bound
-  /// Fills `width_px` columns with black, from `left_px` on; leaves no framebuffer bound.
+  /// Fills it with black, or `width_px` columns from `left_px` on, unless all of it is black still; leaves no
+  /// framebuffer bound.
+  void clear();
   void clear(int left_px, int width_px);
   /// Sets its pixels: RGB, rows from the bottom up, as many as the picture has.
   void fill(std::span<const std::uint8_t> rgb);
 
   unsigned texture() const { return texture_; }
-  unsigned framebuffer() const { return framebuffer_; }  ///< of the drawing context
+  /// Returns its framebuffer in the drawing context, for drawing: it may not be black any more.
+  unsigned framebuffer() const {
+    isBlack_ = false;
+    return framebuffer_;
+  }
   const glm::ivec2& size_px() const { return size_px_; }
 
  private:
   glm::ivec2 size_px_;
   GlTexture texture_;
   GlFramebuffer framebuffer_;
+  mutable bool isBlack_ = false;  // nobody has drawn into it since it was cleared
 };
 
 }  // namespace carom

@@ -34,15 +34,13 @@ GlBuffer PictureReader::bufferFor(std::size_t view, const glm::ivec2& size_px) {
 }
 
 void PictureReader::ask(const RenderTarget& picture, std::size_t view) {
-  GLint readBefore = 0;
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   const glm::ivec2 size_px = picture.size_px();
   GlBuffer buffer = bufferFor(view, size_px);
   glReadPixels(0, 0, size_px.x, size_px.y, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   asked_.push_back({view, std::move(buffer), placeFence(), size_px});
 }
 

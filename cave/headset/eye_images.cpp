@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cave/gl/gl_state_guard.h"
+
 namespace carom::openxr {
 namespace {
 
@@ -29,6 +31,7 @@ void takeBack(const Graphics& graphics) {
   glfwMakeContextCurrent(graphics.context());
   for (int i = 0; i < 8 && glGetError() != GL_NO_ERROR; ++i) {
   }
+  enterRestState();
 }
 
 EyeImages::EyeImages(XrInstance instance, XrSession session, glm::ivec2 pixels)

@@ -35,7 +35,7 @@ class EyeImages {
 };
 
 /// Makes the drawing context current after a call into the runtime, without asking whether it is: some runtimes
-/// change it behind GLFW's back. Forgets OpenGL errors that they leave.
+/// change it behind GLFW's back. Forgets OpenGL errors that they leave, and sets what drawing expects.
 void takeBack(const Graphics& graphics);
 
 }  // namespace carom::openxr

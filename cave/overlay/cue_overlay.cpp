@@ -79,6 +79,12 @@ FacingPlane facing(const glm::dvec3& place_m, const glm::dvec3& eyes_m, const Ro
   return plane;
 }
 
+double CueOverlay::rimOf(const HandView& hand) const {
+  return hand.target < rims_m_.size() ? std::max(kRim_m, rims_m_[hand.target]) : kRim_m;
+}
+
+double CueOverlay::ringOf(const HandView& hand) const { return std::max(kRing_m, rimOf(hand) + kBeside_m); }
+
 double CueOverlay::heightOf(double cost) { return kPerCost * std::clamp(cost, 0.0, kMostCost); }
 
 void CueOverlay::addLine(const glm::dvec3& from_m, const glm::dvec3& to_m, double halfWidth_m,
@@ -140,14 +146,15 @@ void CueOverlay::addRay(const HandView& hand, const glm::dvec3& eyes_m, const Ro
   const double dot_m = std::max(kDot_m, 0.004 * end.distance_m);
   addDot(end, dot_m, colour);
   if (!hand.target) return;
-  addRing(facing(hand.target_m, eyes_m, room), kRing_m, 0.003 * std::max(end.distance_m, 1.0), colour);
+  addRing(facing(hand.target_m, eyes_m, room), ringOf(hand), 0.003 * std::max(end.distance_m, 1.0), colour);
 }
 
 /// Adds a stick behind the puck, thicker towards the hand, drawn back in proportion to the stroke's momentum.
 void CueOverlay::addCue(const HandView& hand, const RoomGeometry& room) {
   constexpr int kPieces = 10;
   constexpr double kLength_m = 0.9, kThin_m = 0.006, kThick_m = 0.014;
-  const glm::dvec3 tip_m = hand.target_m + asideOf(hand, room) - (kRim_m + kDrawn_m * hand.u) * hand.towards;
+  const glm::dvec3 tip_m =
+      hand.target_m + asideOf(hand, room) - (rimOf(hand) + kDrawn_m * hand.u) * hand.towards;
   for (int i = 0; i < kPieces; ++i) {
     const double from = static_cast<double>(i) / kPieces, to = static_cast<double>(i + 1) / kPieces;
     addLine(tip_m - kLength_m * from * hand.towards, tip_m - kLength_m * to * hand.towards,
@@ -157,7 +164,7 @@ void CueOverlay::addCue(const HandView& hand, const RoomGeometry& room) {
 
 void CueOverlay::addArrow(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room) {
   const double length_m = 0.1 + 0.4 * betaOf(hand.u), width_m = 0.003 * plane.distance_m;
-  const glm::dvec3 foot_m = hand.target_m + asideOf(hand, room) + kRing_m * hand.towards;
+  const glm::dvec3 foot_m = hand.target_m + asideOf(hand, room) + ringOf(hand) * hand.towards;
   const glm::dvec3 head_m = foot_m + length_m * hand.towards;
   const glm::vec4 colour = colourOf(costOf(hand.u));
   glm::dvec3 aside =
@@ -180,14 +187,15 @@ void CueOverlay::addTurning(const HandView& hand, const FacingPlane& plane, cons
     return hand.target_m +
            radius_m * (std::cos(angle_rad) * hand.towards + sense * std::sin(angle_rad) * left);
   };
+  const double ring_m = ringOf(hand);
   const glm::vec4 colour = colourOf(costOf(hand.u));
   const double first_rad = 0.5 * std::numbers::pi - 0.5 * kArc_rad, last_rad = first_rad + kArc_rad;
   for (int i = 0; i < kSides; ++i) {
     const double from_rad = first_rad + kArc_rad * i / kSides;
-    addLine(at(from_rad, kRing_m), at(from_rad + kArc_rad / kSides, kRing_m), width_m, colour);
+    addLine(at(from_rad, ring_m), at(from_rad + kArc_rad / kSides, ring_m), width_m, colour);
   }
   for (const double side_m : {-kHead_m, kHead_m})
-    addLine(at(last_rad - kHead_m / kRing_m, kRing_m + side_m), at(last_rad, kRing_m), width_m, colour);
+    addLine(at(last_rad - kHead_m / ring_m, ring_m + side_m), at(last_rad, ring_m), width_m, colour);
 }
 
 /// Adds, from the bottom of the panel, the speed and the cost that the stroke would have, and the bar above

@@ -10,6 +10,7 @@
 // that the stroke would now have.
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -38,8 +39,9 @@ FacingPlane facing(const glm::dvec3& place_m, const glm::dvec3& eyes_m, const Ro
 class CueOverlay {
  public:
   // Lengths without a unit are fractions of the distance: 0.01 is 0.57°.
-  static constexpr double kRing_m = 0.12;  ///< radius around the target: outside pucks of up to 0.1 m
-  static constexpr double kRim_m = 0.05;   ///< radius of a puck's rim: where the cue begins at rest
+  static constexpr double kRing_m = 0.12;    ///< least radius of the ring around the target
+  static constexpr double kBeside_m = 0.02;  ///< between a large puck's rim and the ring
+  static constexpr double kRim_m = 0.05;     ///< least radius of a puck's rim: where the cue begins at rest
   /// From the target to the bar: right of it, or left of it if the stroke goes to the right.
   static constexpr double kScaleRight = 0.13, kScaleLeft = -0.24;
   static constexpr double kScaleFoot = 0.14;  ///< height of zero cost above the target
@@ -49,6 +51,9 @@ class CueOverlay {
 
   /// Returns the height of a cost on the scale, from the scale's foot.
   static double heightOf(double cost);
+
+  /// Sets how far each body of the scene reaches sideways. Without it, all count as small.
+  void setRims(std::vector<double> rims_m) { rims_m_ = std::move(rims_m); }
 
   /// Draws over the picture of `wall` for an eye in the room; costs nothing if no hand aims. The drawing
   /// context must be current here, and when this object is created and destroyed.
@@ -66,6 +71,10 @@ class CueOverlay {
   void addTurning(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room);
   void addScale(const HandView& hand, const FacingPlane& plane);
 
+  double rimOf(const HandView& hand) const;
+  double ringOf(const HandView& hand) const;
+
+  std::vector<double> rims_m_;
   LineBatch ribbons_;
   std::vector<Ribbon> marks_;
 };

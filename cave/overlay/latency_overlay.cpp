@@ -90,6 +90,22 @@ void drawNodes(const LatencyView& view) {
   ImGui::EndTable();
 }
 
+/// Draws what is known: a driver without timer queries says nothing.
+void drawWalls(std::span<const WallTime> walls) {
+  const auto isKnown = [](const WallTime& wall) { return !std::isnan(wall.drawn_s); };
+  if (std::none_of(walls.begin(), walls.end(), isKnown)) return;
+  if (!ImGui::BeginTable("##walls", 2, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const char* name : texts::latency::kWallColumns) ImGui::TableSetupColumn(name);
+  ImGui::TableHeadersRow();
+  for (const WallTime& wall : walls) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(wall.wall);
+    number_ms(wall.drawn_s);
+  }
+  ImGui::EndTable();
+}
+
 }  // namespace
 
 void drawLatencyNumbers(const LatencyView& view) {
@@ -106,8 +122,11 @@ void drawLatencyNumbers(const LatencyView& view) {
   drawNodes(view);
 }
 
-void drawLatency(const LatencyView& view) {
-  overCorner("##latency", [&view] { drawLatencyNumbers(view); });
+void drawLatency(const LatencyView& view, std::span<const WallTime> walls) {
+  overCorner("##latency", [&] {
+    drawLatencyNumbers(view);
+    drawWalls(walls);
+  });
 }
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,14 @@ struct LatencyView {
   std::vector<Node> nodes;
 };
 
+/// How long the graphics card takes for one wall's pictures.
+struct WallTime {
+  const char* wall = nullptr;
+  float drawn_s = 0.0F;  ///< NaN while that is not known
+};
+
 /// Draws in the upper left corner of the window, between a Gui's begin and end.
-void drawLatency(const LatencyView& view);
+void drawLatency(const LatencyView& view, std::span<const WallTime> walls = {});
 /// Draws the same inside a window of Dear ImGui.
 void drawLatencyNumbers(const LatencyView& view);
 

@@ -40,6 +40,7 @@ void StandingBoard::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, const 
   setUniform(program_, "across_m", place_.lowerRight_m - place_.lowerLeft_m);
   setUniform(program_, "upwards_m", place_.upperLeft_m - place_.lowerLeft_m);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  enterRestState();
 }
 
 }  // namespace carom

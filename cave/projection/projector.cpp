@@ -52,21 +52,17 @@ float codeOf(double light, const std::optional<glm::dvec3>& gamma, int colour) {
   return static_cast<float>(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055);
 }
 
-/// Sets the state for drawing into a picture, and restores the framebuffer that was bound.
+/// Sets the state for drawing into a picture; afterwards no framebuffer is bound.
 class DrawInto {
  public:
   explicit DrawInto(const RenderTarget& picture) {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer());
     glViewport(0, 0, picture.size_px().x, picture.size_px().y);
     for (const GLenum test : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) glDisable(test);
   }
-  ~DrawInto() { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before_)); }
+  ~DrawInto() { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0); }
   DrawInto(const DrawInto&) = delete;
   DrawInto& operator=(const DrawInto&) = delete;
-
- private:
-  GLint before_ = 0;
 };
 
 /// Returns the picture as bytes: width, height, then RGB.

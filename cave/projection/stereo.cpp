@@ -44,7 +44,8 @@ glm::ivec2 eyeSize_px(const Pane& pane) {
 
 }  // namespace
 
-StereoPacker::StereoPacker() : program_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
+StereoPacker::StereoPacker(unsigned framebuffer)
+    : framebuffer_(framebuffer), program_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
   glUseProgram(program_);
   glUniform1i(glGetUniformLocation(program_, "leftPicture"), 0);
   glUniform1i(glGetUniformLocation(program_, "rightPicture"), 1);
@@ -65,7 +66,11 @@ Pane StereoPacker::projected(const Pane& pane) {
 }
 
 void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) {
-  if (pane.projection) return draw(projected(pane), windowSize_px);
+  if (pane.projection) {
+    const Pane corrected = projected(pane);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+    return draw(corrected, windowSize_px);
+  }
   if (pane.stereo == StereoMode::quadBuffer && pane.right) {
     glDrawBuffer(GL_BACK_LEFT);
     copy(*pane.left, pane.position_px, pane.size_px, windowSize_px);
@@ -93,15 +98,13 @@ void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) {
 /// Copies a picture into a part of the window: pixel by pixel if that is as large, smoothly if not.
 void StereoPacker::copy(const RenderTarget& picture, const glm::ivec2& position_px, const glm::ivec2& size_px,
                         const glm::ivec2& windowSize_px) const {
-  GLint readBefore = 0;
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, source_);
   glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.texture(), 0);
   const glm::ivec2 from_px = picture.size_px();
   const int top_px = windowSize_px.y - position_px.y;
   glBlitFramebuffer(0, 0, from_px.x, from_px.y, position_px.x, top_px - size_px.y, position_px.x + size_px.x,
                     top_px, GL_COLOR_BUFFER_BIT, from_px == size_px ? GL_NEAREST : GL_LINEAR);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
 }
 
 void StereoPacker::mix(const Pane& pane, const glm::ivec2& windowSize_px, int mixture) const {

@@ -30,10 +30,11 @@ struct Pane {
 /// context.
 class StereoPacker {
  public:
-  StereoPacker();
+  /// `framebuffer`: what is drawn into, and bound for it; 0 is the window.
+  explicit StereoPacker(unsigned framebuffer = 0);
   ~StereoPacker();
 
-  /// `windowSize_px` is the size of the current framebuffer. Each eye's picture is first projected, then
+  /// `windowSize_px` is the size of the framebuffer. Each eye's picture is first projected, then
   /// packed: which window pixel belongs to which eye does not depend on the projection. The pane's projection
   /// must outlive this object.
   void draw(const Pane& pane, const glm::ivec2& windowSize_px);
@@ -44,6 +45,7 @@ class StereoPacker {
             const glm::ivec2& windowSize_px) const;
   void mix(const Pane& pane, const glm::ivec2& windowSize_px, int mixture) const;
 
+  unsigned framebuffer_;
   GlProgram program_;
   GlVertexArray vertexArray_;
   GlFramebuffer source_;                                                // reads the picture that is copied

@@ -29,9 +29,13 @@ void attach(const GlTexture& texture, const GlBuffer& buffer) {
   glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
-void bind(int unit, GLuint texture) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(GL_TEXTURE_BUFFER, texture);
+/// Binds the textures of colours and legs, or nothing, to their units, and leaves the first unit active.
+static_assert(kLegUnit == 0 && kColourUnit == 1);
+void bindTextures(GLuint colours, GLuint legs) {
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_BUFFER, colours);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_BUFFER, legs);
 }
 
 void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
@@ -58,8 +62,8 @@ BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s)
     layers_.emplace_back(chunks_, scene_.bodyCount, scene_.parts.size());
   makeVertices();
   makeColours();
-  uploadLegs();  // a buffer exists from its first use on
-  attach(legTexture_, legBuffer_);
+  upload();  // a buffer exists from its first use on
+  attach(legTexture_, eyeBuffer_);
 }
 
 void BodyDrawer::makeVertices() {
@@ -72,7 +76,7 @@ void BodyDrawer::makeVertices() {
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(meshes.indices.size() * sizeof(std::uint32_t)), meshes.indices.data(),
                GL_STATIC_DRAW);
-  describeVertices(tileArray_, tileIndices_);
+  describeVertices(tileArray_, eyeBuffer_);
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
@@ -115,10 +119,10 @@ void BodyDrawer::takeLayer(ViewTime moment, std::span<const BodyView> bodies, co
   layer.visible.look(bodies, frame);
 }
 
-void BodyDrawer::uploadLegs() {
-  glBindBuffer(GL_TEXTURE_BUFFER, legBuffer_);
-  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(legs_.size() * sizeof(GpuLeg)), legs_.data(),
-               GL_STREAM_DRAW);
+void BodyDrawer::upload() {
+  glBindBuffer(GL_TEXTURE_BUFFER, eyeBuffer_);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(uploaded_.size() * sizeof(std::uint32_t)),
+               uploaded_.data(), GL_STREAM_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
 }
 
@@ -129,8 +133,9 @@ void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::spa
   takeLayer(ViewTime::seen, bodies, headFromBoard);
   takeLayer(ViewTime::boardNow, ghosts.boardNow, headFromBoard);
   takeLayer(ViewTime::myNow, ghosts.myNow, headFromBoard);
-  uploadLegs();
-  ++eye_.number;
+  uploaded_.resize(legs_.size() * sizeof(GpuLeg) / sizeof(std::uint32_t));
+  std::memcpy(uploaded_.data(), legs_.data(), legs_.size() * sizeof(GpuLeg));
+  chosen_ = 0;
   const ViewFrame frame(headFromBoard, switches);
   eye_.boardFromDrawn = glm::mat4(frame.drawnFromBoard.inverse().matrix());
   const Vec3 u = headFromBoard.inverse().u();
@@ -150,6 +155,7 @@ BodyProgram& BodyDrawer::programFor(const BodyVariant& variant, BodyProgram*& la
   const auto found = std::find_if(programs_.begin(), programs_.end(),
                                   [&](const auto& program) { return program->variant() == variant; });
   if (found == programs_.end()) {
+    use(0);  // as its constructor leaves it
     last = programs_.emplace_back(std::make_unique<BodyProgram>(variant)).get();
   } else {
     last = found->get();
@@ -163,7 +169,6 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   const LegRange& range = layers_[layerNumber].ranges[part.body];
   const bool ghost = moment != ViewTime::seen;
   PartUniforms uniforms;
-  uniforms.number = 1 + number + layerNumber * scene_.parts.size();
   uniforms.drawnFromSeen = layers_[layerNumber].drawnFromSeen;
   uniforms.legs = &legs_[static_cast<std::size_t>(range.first)];
   uniforms.firstLeg = range.first;
@@ -178,7 +183,14 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   return uniforms;
 }
 
-void BodyDrawer::setState(bool blend, bool depthMask, bool clip) {
+/// With `keepsAlpha`, what is blended leaves the alpha that is there: a shadow has no edge
+/// (shaders/edge_frag.glsl).
+void BodyDrawer::setState(bool blend, bool keepsAlpha, bool depthMask, bool clip) {
+  if (keepsAlpha != keepsAlpha_) {
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, keepsAlpha ? GL_ZERO : GL_ONE,
+                        keepsAlpha ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+  }
+  keepsAlpha_ = keepsAlpha;
   if (blend != blend_) enable(GL_BLEND, blend);
   if (depthMask != depthMask_) glDepthMask(depthMask);
   if (clip != clip_) enable(GL_CLIP_DISTANCE0, clip);
@@ -187,44 +199,52 @@ void BodyDrawer::setState(bool blend, bool depthMask, bool clip) {
   clip_ = clip;
 }
 
-void BodyDrawer::drawPart(ViewTime moment, std::size_t number, const WallUniforms& wall) {
-  Layer& layer = layers_[static_cast<std::size_t>(moment)];
-  const IndexRanges ranges = layer.visible.of(number);
-  if (ranges.counts.empty()) return;
-  const bool tiled = chunks_.parts[number].tiled;
-  const ScenePart& part = scene_.parts[number];
-  const PartUniforms uniforms = uniformsOf(moment, number);
-  const bool rests = moment == ViewTime::seen && part.body == kRestingBody;
-  const Legs legs = rests ? Legs::rest
-                          : legsOf({uniforms.legs, static_cast<std::size_t>(uniforms.legCount)},
-                                   part.paint == Paint::shadow);
-  const bool ghost = moment != ViewTime::seen;
+void BodyDrawer::use(unsigned program) {
+  if (program != program_) glUseProgram(program);
+  program_ = program;
+}
+
+void BodyDrawer::bindArray(const GlVertexArray& array) {
+  if (array != boundArray_) glBindVertexArray(array);
+  boundArray_ = array;
+}
+
+void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
+  const ScenePart& part = scene_.parts[chosen.number];
+  const PartUniforms uniforms = uniformsOf(chosen.moment, chosen.number);
+  const bool ghost = chosen.moment != ViewTime::seen;
   const bool decal = part.paint == Paint::shadow;
+  const Legs legs = !ghost && part.body == kRestingBody
+                        ? Legs::rest
+                        : legsOf({uniforms.legs, static_cast<std::size_t>(uniforms.legCount)}, decal);
   const Paint paint = ghost ? Paint::plain : part.paint;
-  programFor({legs, paint, switches_, moment}, layer.programs[number]).use(eye_, wall, uniforms);
-  setState(decal || ghost, !decal, uniforms.appears_m > kAlways_m);  // shadows overlap each other
-  if (!tiled) {
-    glBindVertexArray(array_);
-    glMultiDrawElements(GL_TRIANGLES, ranges.counts.data(), GL_UNSIGNED_INT, ranges.offsets.data(),
-                        static_cast<GLsizei>(ranges.counts.size()));
-    return;
+  Layer& layer = layers_[static_cast<std::size_t>(chosen.moment)];
+  BodyProgram& program = programFor({legs, paint, switches_, chosen.moment}, layer.programs[chosen.number]);
+  use(program.name());
+  program.set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
+  setState(decal || ghost, decal && !ghost, !decal,
+           uniforms.appears_m > kAlways_m);  // shadows overlap each other
+  if (chunks_.parts[chosen.number].tiled) {
+    bindArray(tileArray_);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(chosen.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(chosen.first * sizeof(std::uint32_t)));
+  } else {
+    bindArray(array_);
+    glMultiDrawElements(GL_TRIANGLES, &choice.counts[chosen.first], GL_UNSIGNED_INT,
+                        &choice.offsets[chosen.first], static_cast<GLsizei>(chosen.count));
   }
-  const std::size_t first = surfaces_.firstIndexOf(number), end = surfaces_.endIndexOf(number);
-  glBindVertexArray(tileArray_);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - first), GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
-bool BodyDrawer::isStill(std::size_t number) const {
+bool BodyDrawer::isStill(ViewTime moment, std::size_t number) const {
   const ScenePart& part = scene_.parts[number];
-  return part.body == kRestingBody && part.paint != Paint::clock;
+  return moment == ViewTime::seen && part.body == kRestingBody && part.paint != Paint::clock;
 }
 
-StillView BodyDrawer::stillView(const glm::dmat4& clipFromDrawn, const glm::ivec2& size_px) const {
+StillView BodyDrawer::stillView(const Choice& choice, const glm::ivec2& size_px) const {
   const Layer& layer = layers_[static_cast<std::size_t>(ViewTime::seen)];
   GpuLeg leg = legs_[static_cast<std::size_t>(layer.ranges[kRestingBody].first)];
   leg.boardTime = 0.0F;  // which only clocks show
-  StillView view{{}, switches_, size_px, surfaces_.digest()};
+  StillView view{{}, switches_, size_px, choice.levels};
   float* end = view.numbers.data();
   const auto append = [&](const auto& value) {
     std::memcpy(end, &value, sizeof(value));
@@ -236,52 +256,61 @@ StillView BodyDrawer::stillView(const glm::dmat4& clipFromDrawn, const glm::ivec
   append(eye_.headOnBoard);
   append(eye_.eyeOnBoard_m);
   append(eye_.exposure);
-  append(glm::mat4(clipFromDrawn));
+  append(glm::mat4(choice.clipFromDrawn));
   static_assert(sizeof(leg) + 3 * sizeof(glm::mat4) + sizeof(glm::vec4) + 2 * sizeof(glm::vec3) <=
                 sizeof(view.numbers));
   return view;
 }
 
-void BodyDrawer::drawLayer(ViewTime moment, What what, const WallUniforms& wall) {
+/// Appends the parts of a layer that the wall may show.
+void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
+  const VisibleChunks& visible = layers_[static_cast<std::size_t>(moment)].visible;
+  const bool ghosts = moment != ViewTime::seen;
   for (std::size_t number = 0; number < scene_.parts.size(); ++number) {
     const ScenePart& part = scene_.parts[number];
-    if ((what == What::still) != (moment == ViewTime::seen && isStill(number))) continue;
-    const bool hasGhost = part.body != kRestingBody && part.paint != Paint::shadow;
-    if (moment == ViewTime::seen || hasGhost) drawPart(moment, number, wall);
+    const IndexRanges ranges = visible.of(number);
+    if (ranges.counts.empty()) continue;
+    if (ghosts && (part.body == kRestingBody || part.paint == Paint::shadow)) continue;
+    if (chunks_.parts[number].tiled) {
+      const std::size_t first = surfaces_.firstIndexOf(number);
+      choice.parts.push_back(
+          {moment, number, uploaded_.size() + first, surfaces_.endIndexOf(number) - first});
+    } else {
+      choice.parts.push_back({moment, number, choice.counts.size(), ranges.counts.size()});
+      choice.counts.insert(choice.counts.end(), ranges.counts.begin(), ranges.counts.end());
+      choice.offsets.insert(choice.offsets.end(), ranges.offsets.begin(), ranges.offsets.end());
+    }
   }
 }
 
-bool BodyDrawer::choose(const glm::dmat4& clipFromDrawn, double pixel_rad, bool everything) {
-  bool anything = false;
-  for (Layer& layer : layers_) {
-    layer.visible.choose(clipFromDrawn, everything);
-    anything = anything || !layer.visible.chosen().empty();
-  }
+const BodyDrawer::Choice& BodyDrawer::choose(const glm::dmat4& clipFromDrawn, double pixel_rad,
+                                             bool everything) {
+  if (chosen_ == choices_.size()) choices_.emplace_back();
+  Choice& choice = choices_[chosen_++];
+  choice.clipFromDrawn = clipFromDrawn;
+  choice.parts.clear();
+  choice.counts.clear();
+  choice.offsets.clear();
+  for (Layer& layer : layers_) layer.visible.choose(clipFromDrawn, everything);
   surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);
-  const std::span<const std::uint32_t> indices = surfaces_.indices();
-  glBindVertexArray(tileArray_);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
-               GL_STREAM_DRAW);
-  glBindVertexArray(0);
-  return anything;
+  choice.levels = surfaces_.digest();
+  for (const ViewTime moment : kMoments) takeParts(moment, choice);  // ghosts last: they are transparent
+  uploaded_.insert(uploaded_.end(), surfaces_.indices().begin(), surfaces_.indices().end());
+  return choice;
 }
 
-void BodyDrawer::draw(const glm::dmat4& clipFromDrawn, What what) {
-  const WallUniforms wall{++walls_, glm::mat4(clipFromDrawn)};
-  bind(kColourUnit, colourTexture_);
-  bind(kLegUnit, legTexture_);
-  for (const ViewTime moment : kMoments) {  // ghosts last: they are transparent
-    const bool ghost = moment != ViewTime::seen;
-    glBlendFuncSeparate(
-        GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, ghost ? GL_ONE : GL_ZERO,
-        ghost ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);  // a shadow has no edge: shaders/edge_frag.glsl
-    drawLayer(moment, what, wall);
-  }
-  setState(false, true, false);
-  bind(kColourUnit, 0);
-  bind(kLegUnit, 0);
-  glBindVertexArray(0);
-  glUseProgram(0);
+void BodyDrawer::draw(const Choice& choice, What what) {
+  const auto isMeant = [&](const ChosenPart& part) {
+    return (what == What::still) == isStill(part.moment, part.number);
+  };
+  if (std::none_of(choice.parts.begin(), choice.parts.end(), isMeant)) return;
+  bindTextures(colourTexture_, legTexture_);
+  for (const ChosenPart& part : choice.parts)
+    if (isMeant(part)) drawPart(choice, part);
+  setState(false, false, true, false);
+  bindTextures(0, 0);
+  glBindVertexArray(boundArray_ = 0);
+  use(0);
 }
 
 }  // namespace carom

@@ -2,6 +2,8 @@
 // Draws the bodies of a scene, chunk by chunk, into the framebuffer that is bound.
 
 #include <array>
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
@@ -42,17 +44,21 @@ class BodyDrawer {
             const Switches& switches, const Ghosts& ghosts);
 
   /// Chooses what a wall may show; with `everything`, also what it cannot. Surfaces are divided so finely that
-  /// nothing is off by more than half of `pixel_rad`. Returns whether there is anything to draw.
-  bool choose(const glm::dmat4& clipFromDrawn, double pixel_rad, bool everything);
+  /// nothing is off by more than half of `pixel_rad`. Returns the choice, which holds until the next `look`.
+  struct Choice;
+  const Choice& choose(const glm::dmat4& clipFromDrawn, double pixel_rad, bool everything);
+  /// Hands the eye's legs and the surfaces of all walls that were chosen for to OpenGL.
+  void upload();
   /// What rests on the board and always looks the same from one place, its clocks are not part of it; and all else.
   /// All is drawn by `still` and then `changing`.
   enum class What { still, changing };
-  /// Draws what was chosen.
-  void draw(const glm::dmat4& clipFromDrawn, What what);
+  /// Draws what was chosen, after `upload`.
+  void draw(const Choice& choice, What what);
   /// Returns what the picture of the still bodies depends on: while it is the same, so is every pixel of it.
-  StillView stillView(const glm::dmat4& clipFromDrawn, const glm::ivec2& size_px) const;
+  StillView stillView(const Choice& choice, const glm::ivec2& size_px) const;
 
  private:
+  struct ChosenPart;
   /// The range of one body's legs in the buffer.
   struct LegRange {
     int first = 0;
@@ -75,27 +81,48 @@ class BodyDrawer {
   void describeVertices(const GlVertexArray& array, const GlBuffer& indices) const;
   void makeColours();
   void takeLayer(ViewTime moment, std::span<const BodyView> bodies, const Lorentz& headFromBoard);
-  void uploadLegs();
-  void drawLayer(ViewTime moment, What what, const WallUniforms& wall);
-  bool isStill(std::size_t number) const;
-  void drawPart(ViewTime moment, std::size_t number, const WallUniforms& wall);
+  void takeParts(ViewTime moment, Choice& choice) const;
+  bool isStill(ViewTime moment, std::size_t number) const;
+  void drawPart(const Choice& choice, const ChosenPart& part);
+  void use(unsigned program);
+  void bindArray(const GlVertexArray& array);
   PartUniforms uniformsOf(ViewTime moment, std::size_t number) const;
   BodyProgram& programFor(const BodyVariant& variant, BodyProgram*& last);
-  void setState(bool blend, bool depthMask, bool clip);
+  void setState(bool blend, bool keepsAlpha, bool depthMask, bool clip);
 
   Scene scene_;
   SceneChunks chunks_;
   TiledSurfaces surfaces_;
   Switches switches_;
   EyeUniforms eye_;
-  std::uint64_t walls_ = 0;
   std::vector<GpuLeg> legs_;
-  std::vector<Layer> layers_;  // as ViewTime numbers them
+  std::deque<Choice> choices_;  // since the last look the first `chosen_`; the others keep their memory
+  std::size_t chosen_ = 0;
+  std::vector<std::uint32_t> uploaded_;  // the legs, then the indices of tiles, wall by wall
+  std::vector<Layer> layers_;            // as ViewTime numbers them
   std::vector<std::unique_ptr<BodyProgram>> programs_;
   GlVertexArray array_, tileArray_;
-  GlBuffer vertices_, indices_, tileIndices_, legBuffer_, colourBuffer_;
+  GlBuffer vertices_, indices_, colourBuffer_;
+  GlBuffer eyeBuffer_;  // of `uploaded_`
   GlTexture legTexture_, colourTexture_;
-  bool blend_ = false, depthMask_ = true, clip_ = false;
+  unsigned program_ = 0, boundArray_ = 0;  // in use
+  bool blend_ = false, keepsAlpha_ = false, depthMask_ = true, clip_ = false;
+};
+
+/// A part that one wall shows.
+struct BodyDrawer::ChosenPart {
+  ViewTime moment = ViewTime::seen;
+  std::size_t number = 0;            ///< in the scene
+  std::size_t first = 0, count = 0;  ///< of ranges; of a tiled part, of indices in the eye's buffer
+};
+
+/// What one wall shows of what the eye sees.
+struct BodyDrawer::Choice {
+  glm::dmat4 clipFromDrawn{1.0};
+  std::vector<ChosenPart> parts;  ///< in the order in which they are drawn
+  std::vector<int> counts;        ///< of indices in each range
+  std::vector<const void*> offsets;
+  std::size_t levels = 0;  ///< TiledSurfaces::digest
 };
 
 }  // namespace carom

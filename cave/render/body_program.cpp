@@ -1,5 +1,7 @@
 #include "cave/render/body_program.h"
 
+#include <cstring>
+
 #include <vtk_glew.h>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -15,21 +17,15 @@ glm::mat4 placement(const GpuLeg& leg) {
   return {column(1), column(2), column(3), glm::vec4(leg.seenCentre, 1.0F)};
 }
 
-void set(int at, const glm::mat4& matrix) {
-  if (at >= 0) glUniformMatrix4fv(at, 1, GL_FALSE, glm::value_ptr(matrix));
+void send(int at, const glm::mat4& matrix) { glUniformMatrix4fv(at, 1, GL_FALSE, glm::value_ptr(matrix)); }
+void send(int at, const glm::vec3& value) { glUniform3fv(at, 1, glm::value_ptr(value)); }
+void send(int at, const glm::vec4& value) { glUniform4fv(at, 1, glm::value_ptr(value)); }
+void send(int at, float value) { glUniform1f(at, value); }
+void send(int at, int value) { glUniform1i(at, value); }
+void send(int at, const std::array<glm::vec3, 3>& values) {
+  glUniform3fv(at, 3, glm::value_ptr(values.front()));
 }
-void set(int at, const glm::vec3& value) {
-  if (at >= 0) glUniform3fv(at, 1, glm::value_ptr(value));
-}
-void set(int at, const glm::vec4& value) {
-  if (at >= 0) glUniform4fv(at, 1, glm::value_ptr(value));
-}
-void set(int at, float value) {
-  if (at >= 0) glUniform1f(at, value);
-}
-void set(int at, int value) {
-  if (at >= 0) glUniform1i(at, value);
-}
+void send(int at, const LegUniform& leg) { glUniform4fv(at, kLegTexels, leg.data()); }
 
 }  // namespace
 
@@ -38,52 +34,78 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
       program_(makeProgram(
           "body", bodyVertexShader(variant.legs, variant.paint, variant.switches, variant.moment),
           surfaceFragmentShader(variant.paint, variant.switches, variant.moment), kVertexInputs)) {
-  const auto place = [this](const char* name) { return glGetUniformLocation(program_, name); };
-  at_ = {place("clipFromDrawn"),  place("boardFromDrawn"), place("headOnBoard"),     place("eyeOnBoard_m"),
-         place("exposure"),       place("lamps_m"),        place("observedWhole_s"), place("observedPart_s"),
-         place("lightSpeed_m_s"), place("drawnFromSeen"),  place("drawnFromBody"),   place("onlyLeg"),
-         place("firstLeg"),       place("legCount"),       place("appears_m"),       place("colour"),
-         place("gloss"),          place("tint"),           place("nearer"),          place("ghostColour"),
-         place("hatch_m")};
+  const auto place = [this](auto& uniform, const char* name) {
+    uniform.at = glGetUniformLocation(program_, name);
+  };
+  place(has_.clipFromDrawn, "clipFromDrawn");
+  place(has_.boardFromDrawn, "boardFromDrawn");
+  place(has_.headOnBoard, "headOnBoard");
+  place(has_.eyeOnBoard_m, "eyeOnBoard_m");
+  place(has_.exposure, "exposure");
+  place(has_.lamps_m, "lamps_m");
+  place(has_.observedWhole_s, "observedWhole_s");
+  place(has_.observedPart_s, "observedPart_s");
+  place(has_.lightSpeed_m_s, "lightSpeed_m_s");
+  place(has_.drawnFromSeen, "drawnFromSeen");
+  place(has_.drawnFromBody, "drawnFromBody");
+  place(has_.onlyLeg, "onlyLeg");
+  place(has_.firstLeg, "firstLeg");
+  place(has_.legCount, "legCount");
+  place(has_.appears_m, "appears_m");
+  place(has_.colour, "colour");
+  place(has_.gloss, "gloss");
+  place(has_.tint, "tint");
+  place(has_.nearer, "nearer");
+  place(has_.ghostColour, "ghostColour");
+  place(has_.hatch_m, "hatch_m");
   glUseProgram(program_);
-  set(place("legTexels"), kLegUnit);
-  set(place("colourTexels"), kColourUnit);
+  setUniform(program_, "legTexels", kLegUnit);
+  setUniform(program_, "colourTexels", kColourUnit);
+  glUseProgram(0);
 }
 
-void BodyProgram::setEye(const EyeUniforms& eye) const {
-  set(at_.boardFromDrawn, eye.boardFromDrawn);
-  set(at_.headOnBoard, eye.headOnBoard);
-  set(at_.eyeOnBoard_m, eye.eyeOnBoard_m);
-  set(at_.exposure, eye.exposure);
-  if (at_.lamps_m >= 0) glUniform3fv(at_.lamps_m, 3, glm::value_ptr(eye.lamps_m[0]));
-  set(at_.observedWhole_s, eye.observedWhole_s);
-  set(at_.observedPart_s, eye.observedPart_s);
-  set(at_.lightSpeed_m_s, eye.lightSpeed_m_s);
+template <typename T>
+void BodyProgram::Uniform<T>::set(const T& wanted) {
+  if (at < 0 || (isSet && value == wanted)) return;
+  send(at, wanted);
+  value = wanted;
+  isSet = true;
 }
 
-void BodyProgram::setPart(const PartUniforms& part) const {
-  set(at_.drawnFromSeen, part.drawnFromSeen);
-  set(at_.drawnFromBody, placement(*part.legs));
-  if (at_.onlyLeg >= 0) glUniform4fv(at_.onlyLeg, kLegTexels, reinterpret_cast<const float*>(part.legs));
-  set(at_.firstLeg, part.firstLeg);
-  set(at_.legCount, part.legCount);
-  set(at_.appears_m, part.appears_m);
-  set(at_.colour, part.colour);
-  set(at_.gloss, part.gloss);
-  set(at_.tint, part.tint);
-  set(at_.nearer, part.nearer);
-  set(at_.ghostColour, part.ghostColour);
-  set(at_.hatch_m, part.hatch_m);
+void BodyProgram::set(const EyeUniforms& eye) {
+  has_.boardFromDrawn.set(eye.boardFromDrawn);
+  has_.headOnBoard.set(eye.headOnBoard);
+  has_.eyeOnBoard_m.set(eye.eyeOnBoard_m);
+  has_.exposure.set(eye.exposure);
+  has_.lamps_m.set(eye.lamps_m);
+  has_.observedWhole_s.set(eye.observedWhole_s);
+  has_.observedPart_s.set(eye.observedPart_s);
+  has_.lightSpeed_m_s.set(eye.lightSpeed_m_s);
 }
 
-void BodyProgram::use(const EyeUniforms& eye, const WallUniforms& wall, const PartUniforms& part) {
-  glUseProgram(program_);
-  if (wall_ != wall.number) set(at_.clipFromDrawn, wall.clipFromDrawn);
-  if (eye_ != eye.number) setEye(eye);
-  if (eye_ != eye.number || part_ != part.number) setPart(part);
-  eye_ = eye.number;
-  wall_ = wall.number;
-  part_ = part.number;
+void BodyProgram::set(const PartUniforms& part) {
+  has_.drawnFromSeen.set(part.drawnFromSeen);
+  has_.drawnFromBody.set(placement(*part.legs));
+  if (has_.onlyLeg.at >= 0) {
+    LegUniform leg;
+    std::memcpy(leg.data(), part.legs, sizeof(leg));
+    has_.onlyLeg.set(leg);
+  }
+  has_.firstLeg.set(part.firstLeg);
+  has_.legCount.set(part.legCount);
+  has_.appears_m.set(part.appears_m);
+  has_.colour.set(part.colour);
+  has_.gloss.set(part.gloss);
+  has_.tint.set(part.tint);
+  has_.nearer.set(part.nearer);
+  has_.ghostColour.set(part.ghostColour);
+  has_.hatch_m.set(part.hatch_m);
+}
+
+void BodyProgram::set(const EyeUniforms& eye, const glm::mat4& clipFromDrawn, const PartUniforms& part) {
+  has_.clipFromDrawn.set(clipFromDrawn);
+  set(eye);
+  set(part);
 }
 
 }  // namespace carom

@@ -21,13 +21,13 @@ using GpuLeg = kernel_float::LegView;
 inline constexpr int kLegTexels = 17;
 static_assert(sizeof(GpuLeg) == kLegTexels * 4 * sizeof(float),
               "shaders/leg_at.glsl reads seventeen texels a leg");
+using LegUniform = std::array<float, 4 * std::size_t{kLegTexels}>;
 
 /// The texture units of the legs and of the table of colours.
 inline constexpr int kLegUnit = 0, kColourUnit = 1;
 
 /// What the shaders of all parts need of one eye.
 struct EyeUniforms {
-  std::uint64_t number = 0;  ///< another for every eye
   glm::mat4 boardFromDrawn{1.0F};
   glm::vec4 headOnBoard{1.0F, 0.0F, 0.0F, 0.0F};
   glm::vec3 eyeOnBoard_m{0.0F};
@@ -38,15 +38,8 @@ struct EyeUniforms {
   std::array<glm::vec3, 3> lamps_m{};
 };
 
-/// What they need of one wall.
-struct WallUniforms {
-  std::uint64_t number = 0;  ///< another for every wall and eye
-  glm::mat4 clipFromDrawn{1.0F};
-};
-
 /// What they need of one part.
 struct PartUniforms {
-  std::size_t number = 0;  ///< another for every part
   glm::mat4 drawnFromSeen{1.0F};
   const GpuLeg* legs = nullptr;  ///< of this body, the first
   int firstLeg = 0;
@@ -80,25 +73,36 @@ class BodyProgram {
 
   const BodyVariant& variant() const { return variant_; }
 
-  /// Puts the program to use and sets those of its uniforms that differ from what it has.
-  void use(const EyeUniforms& eye, const WallUniforms& wall, const PartUniforms& part);
+  /// Sets those of its uniforms that differ from what it has. It must be in use.
+  void set(const EyeUniforms& eye, const glm::mat4& clipFromDrawn, const PartUniforms& part);
+
+  unsigned name() const { return program_; }
 
  private:
-  void setEye(const EyeUniforms& eye) const;
-  void setPart(const PartUniforms& part) const;
+  void set(const EyeUniforms& eye);
+  void set(const PartUniforms& part);
 
-  /// Places of the uniforms; −1 of those that the program does not have.
-  struct Places {
-    int clipFromDrawn, boardFromDrawn, headOnBoard, eyeOnBoard_m, exposure, lamps_m, observedWhole_s,
-        observedPart_s, lightSpeed_m_s;
-    int drawnFromSeen, drawnFromBody, onlyLeg, firstLeg, legCount, appears_m, colour, gloss, tint, nearer,
-        ghostColour, hatch_m;
+  /// A uniform and the value that the program has for it.
+  template <typename T>
+  struct Uniform {
+    int at = -1;  ///< its place; −1 if the program does not have it
+    T value{};
+    bool isSet = false;
+
+    void set(const T& wanted);
+  };
+  struct Uniforms {
+    Uniform<glm::mat4> clipFromDrawn, boardFromDrawn, drawnFromSeen, drawnFromBody;
+    Uniform<glm::vec4> headOnBoard;
+    Uniform<glm::vec3> eyeOnBoard_m, exposure, colour, ghostColour;
+    Uniform<std::array<glm::vec3, 3>> lamps_m;
+    Uniform<LegUniform> onlyLeg;
+    Uniform<int> observedWhole_s, firstLeg, legCount;
+    Uniform<float> observedPart_s, lightSpeed_m_s, appears_m, gloss, tint, nearer, hatch_m;
   };
   BodyVariant variant_;
   GlProgram program_;
-  Places at_;
-  std::uint64_t eye_ = 0, wall_ = 0;  // whose uniforms it has
-  std::size_t part_ = 0;
+  Uniforms has_;
 };
 
 }  // namespace carom

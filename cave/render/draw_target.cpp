@@ -36,10 +36,9 @@ void DrawTarget::bind(const glm::ivec2& size_px) {
   if (size_px.x > buffer_px_.x || size_px.y > buffer_px_.y) grow(size_px);
   size_px_ = size_px;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  glViewport(0, 0, size_px.x, size_px.y);
-  glDepthMask(GL_TRUE);
+  if (size_px != viewport_px_) glViewport(0, 0, size_px.x, size_px.y);
+  viewport_px_ = size_px;
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
 }
 
 void DrawTarget::begin(const glm::ivec2& size_px) {
@@ -49,7 +48,6 @@ void DrawTarget::begin(const glm::ivec2& size_px) {
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, size_px.x, size_px.y);
   }
-  glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (!whole) glDisable(GL_SCISSOR_TEST);
 }
@@ -59,12 +57,11 @@ void DrawTarget::beginWith(const DrawTarget& other) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, other.framebuffer_);
   glBlitFramebuffer(0, 0, size_px_.x, size_px_.y, 0, 0, size_px_.x, size_px_.y,
                     GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
 }
 
 void DrawTarget::copyTo(const RenderTarget& picture, int left_px) const {
   glDisable(GL_DEPTH_TEST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer());
   glBlitFramebuffer(0, 0, size_px_.x, size_px_.y, left_px, 0, left_px + size_px_.x, size_px_.y,
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);

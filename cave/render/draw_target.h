@@ -14,13 +14,17 @@ class DrawTarget {
   /// `samples`: samples a pixel (1: no multisampling).
   explicit DrawTarget(int samples);
 
+  /// Forgets which viewport is set, as others have drawn since.
+  void forgetViewport() { viewport_px_ = glm::ivec2(0); }
+
   /// Makes what follows draw into a black picture of this size, with the depth test on. The buffers grow to
   /// the largest picture and keep that size: making them anew for every size would cost more than the
   /// drawing.
   void begin(const glm::ivec2& size_px);
   /// Does the same, but begins with the colours and depths of another picture. Both have one sample a pixel.
   void beginWith(const DrawTarget& other);
-  /// Copies the picture into columns of another, from `left_px` on.
+  /// Copies the picture, which was begun last, into columns of another, from `left_px` on. Afterwards the depth test
+  /// is off and no framebuffer is bound; the viewport is still that of this picture.
   void copyTo(const RenderTarget& picture, int left_px) const;
 
   unsigned framebuffer() const { return framebuffer_; }
@@ -34,6 +38,7 @@ class DrawTarget {
 
   int samples_;
   glm::ivec2 buffer_px_{0}, size_px_{0};
+  glm::ivec2 viewport_px_{0};  // as it is set; 0: not known
   GlFramebuffer framebuffer_;
   GlTexture texture_;      // of colours, with one sample a pixel
   GlRenderbuffer colour_;  // with several

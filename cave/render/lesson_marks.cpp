@@ -11,8 +11,38 @@
 namespace carom {
 namespace {
 
+/// Computes where the events of a line of simultaneity are drawn: where ghosts show what is now for the observer, at their
+/// places in that frame, and otherwise at the places of the board as it is seen.
+class OnSimultaneity {
+ public:
+  OnSimultaneity(const MarkContext& sight, const Event& with, const Vec3& beta)
+      : drawnFromBoard_(
+            ViewFrame(sight.observer.headFromBoard, sight.switches, ViewTime::myNow).seenFromBoard),
+        seen_(sight),
+        atGhosts_(sight.views.myNow != 0),
+        eye_(sight.eye.observation),
+        with_(with),
+        beta_(beta) {}
+  /// Returns the board time of what is simultaneous at this place of the board.
+  double at_s(const Vec3& place_m) const {
+    return simultaneousAt_s(with_, place_m, beta_, drawnFromBoard_.lightSpeed_m_s());
+  }
+  glm::dvec3 operator()(const Vec3& place_m) const {
+    if (!atGhosts_) return seen_(place_m);
+    return (drawnFromBoard_ * (Event{at_s(place_m), place_m} - eye_)).dr_m;
+  }
+
+ private:
+  Lorentz drawnFromBoard_;
+  Resting seen_;
+  bool atGhosts_;
+  Event eye_, with_;
+  Vec3 beta_;
+};
+
 /// Adds a straight strip on the cloth.
-void addStripe(MarkBuffer& batch, const Resting& draw, const Vec3& from_m, const Vec3& to_m, double half_m,
+template <typename Draw>
+void addStripe(MarkBuffer& batch, const Draw& draw, const Vec3& from_m, const Vec3& to_m, double half_m,
                const glm::vec4& colour) {
   constexpr std::size_t kPoints = 17;  // aberration bends straight lines
   const Vec3 way = glm::normalize(to_m - from_m);
@@ -27,7 +57,8 @@ void addStripe(MarkBuffer& batch, const Resting& draw, const Vec3& from_m, const
 }
 
 /// Adds a plate on a thin stem above a place of the board.
-void addStandingPlate(MarkBuffer& batch, const MarkContext& sight, const Resting& draw, const PlateText& text,
+template <typename Draw>
+void addStandingPlate(MarkBuffer& batch, const MarkContext& sight, const Draw& draw, const PlateText& text,
                       PlateShape shape, const Vec3& foot_m, const glm::vec4& colour, LabelLayout& crowd) {
   constexpr double kStem_m = 0.07;
   StandingPlate plate = standingPlate(sight, text, shape, foot_m + Vec3(0.0, 0.0, kStem_m));
@@ -43,18 +74,18 @@ glm::vec4 colourOf(const Vec3& beta) {
   return glm::vec4(beta == Vec3(0.0) ? kBoardNowColour : kMyNowColour, 1.0F);
 }
 
-void addSimultaneity(const MarkContext& sight, const Resting& draw, const SimultaneityLine& line,
-                     LabelLayout& crowd, MarkBuffer& batch) {
+void addSimultaneity(const MarkContext& sight, const SimultaneityLine& line, LabelLayout& crowd,
+                     MarkBuffer& batch) {
   constexpr int kClocks = 5;
-  const Lorentz boardFromRoom = sight.boardFromRoom;
-  const Vec3 beta = line.beta.value_or(betaFromU(boardFromRoom.u()));
+  const Vec3 beta = line.beta.value_or(betaFromU(sight.boardFromRoom.u()));
+  const OnSimultaneity draw(sight, line.with, beta);
   const glm::vec4 colour = colourOf(beta);
   const auto at = [&](double x_m) { return Vec3(x_m, line.with.r_m.y, 0.0); };
   addStripe(batch, draw, at(line.from_m), at(line.to_m), 0.006, colour);
   for (int i = 0; i < kClocks; ++i) {
     const Vec3 place_m = at(glm::mix(line.from_m, line.to_m, static_cast<double>(i) / (kClocks - 1)));
-    const double t_s = simultaneousAt_s(line.with, place_m, beta, boardFromRoom.lightSpeed_m_s());
-    addStandingPlate(batch, sight, draw, hundredthsOf(t_s), PlateShape::clock, place_m, colour, crowd);
+    addStandingPlate(batch, sight, draw, hundredthsOf(draw.at_s(place_m)), PlateShape::clock, place_m, colour,
+                     crowd);
   }
 }
 
@@ -70,10 +101,8 @@ void addGauge(const MarkContext& sight, const Resting& draw, const Gauge& gauge,
               LabelLayout& crowd, MarkBuffer& batch) {
   const Motion seen =
       centreSeen(sight.histories[gauge.body], sight.observer.middle.observation, sight.switches);
-  // Without light delay a body is seen to move as it does.
-  const bool real = gauge.quantity == GaugeQuantity::apparentSpeed && !sight.switches.retardation;
-  const double value = gauged(real ? GaugeQuantity::speed : gauge.quantity, seen,
-                              {sight.observer, sight.boardFromRoom, sight.lesson.phase});
+  const double value =
+      gauged(gauge.quantity, seen, {sight.observer, sight.boardFromRoom, sight.lesson.phase, sight.switches});
   addStandingPlate(batch, sight, draw, hundredthsOf(value), PlateShape::box,
                    seen.event.r_m + Vec3(0.0, 0.0, reach_m), glm::vec4(kFlashColour, 1.0F), crowd);
 }
@@ -104,7 +133,7 @@ void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<
         PlateShape::clock, *watch.stands_m, colourOf(watch.beta), crowd);
   }
   if (sight.lesson.phase != LessonPhase::explains) return;
-  for (const SimultaneityLine& line : plan.simultaneous) addSimultaneity(sight, draw, line, crowd, batch);
+  for (const SimultaneityLine& line : plan.simultaneous) addSimultaneity(sight, line, crowd, batch);
 }
 
 }  // namespace carom

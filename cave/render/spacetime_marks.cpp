@@ -157,19 +157,20 @@ void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) 
 
 namespace {
 
-/// Adds clocks around the rim of a large disc that turns evenly and has met nothing: each runs slow by its γ, and was
-/// set to 0 with the centre's, in the centre's rest frame. While a lesson asks, they would tell the answer.
-void addRimClocks(const MarkContext& sight, std::size_t body, double centre_s, const Vec3& middle_m,
-                  const glm::vec4& colour, MarkBuffer& batch) {
+/// Adds clocks around the rim, `radius_m` from the centre, of a large disc that turns evenly and has met nothing: each
+/// runs slow by its γ, and was set to 0 with the centre's, in the centre's rest frame. While a lesson asks, they would
+/// tell the answer.
+void addRimClocks(const MarkContext& sight, std::size_t body, double radius_m, double centre_s,
+                  const Vec3& middle_m, const glm::vec4& colour, MarkBuffer& batch) {
   constexpr int kClocks = 6;
   constexpr double kLeast_m = 0.2, kStem_m = 0.05;
   const WorldLine& line = sight.histories[body];
-  const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m();
+  const double c_m_s = line.lightSpeed_m_s();
   const Spin& spin = line.knots().front().spin;
   const double rim = spin.omega_rad_s * radius_m / c_m_s;
   const BodyView& view = sight.bodies[body];
   if (sight.lesson.phase == LessonPhase::asks) return;
-  if (line.knots().size() > 1 || rim == 0.0 || spin.slowing_1_s > 0.0 || line.radius_m() < kLeast_m) return;
+  if (line.knots().size() > 1 || rim == 0.0 || spin.slowing_1_s > 0.0 || radius_m < kLeast_m) return;
   const Resting resting(sight);
   const OnBody draw(sight, view, ViewTime::seen);
   for (int k = 0; k < kClocks; ++k) {
@@ -189,23 +190,23 @@ void addRimClocks(const MarkContext& sight, std::size_t body, double centre_s, c
 
 }  // namespace
 
-void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
-                   std::span<const double> reach_m, LabelLayout& crowd, MarkBuffer& batch) {
+void addPuckClocks(const MarkContext& sight, const MarkedBodies& marked, LabelLayout& crowd,
+                   MarkBuffer& batch) {
   const Event& between = sight.observer.middle.observation;
   const Resting resting(sight);
   for (std::size_t body = 1; body <= sight.pucks; ++body) {
     const OnBody draw(sight, sight.bodies[body], ViewTime::seen);
     const Motion centre = centreSeen(sight.histories[body], sight.eye.observation, sight.switches);
     const Vec3 middle_m = centreSeen(sight.histories[body], between, sight.switches).event.r_m;
-    const Vec3 above_m(0.0, 0.0, reach_m[body] + 0.01);
+    const Vec3 above_m(0.0, 0.0, marked.reach_m[body] + 0.01);
     StandingPlate plate =
         standingPlate(sight, tenthsOf(centre.properTime_s), PlateShape::clock, middle_m + above_m);
     plate.scale *= 1.15;
     const Vec3 foot_m = above_m + Vec3(0.0, 0.0, crowd.raise_m(plate));
-    const glm::vec4 colour(codeOf(glm::max(colours[body], glm::vec3(0.08F))), 1.0F);
+    const glm::vec4 colour(codeOf(glm::max(marked.colours[body], glm::vec3(0.08F))), 1.0F);
     const std::array<glm::dvec3, 2> stem{draw(Vec3(0.0)), draw(foot_m)};
     batch.addLine(stem, colour, 0.0014);
-    addRimClocks(sight, body, centre.properTime_s, middle_m, colour, batch);
+    addRimClocks(sight, body, marked.rims_m[body], centre.properTime_s, middle_m, colour, batch);
     // The plate is no object of the scene: it stands upright, as if at rest, so that it can be read at any
     // speed.
     addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) {
@@ -269,6 +270,7 @@ SpacetimeMarks::SpacetimeMarks(const Scene& scene)
     : colours_(scene.bodyCount),
       reach_m_(scene.reach_m),
       tops_m_(scene.bodyCount),
+      rims_m_(rimsOf(scene)),
       ruler_(scene.ruler),
       pulses_(scene.pulses),
       lesson_(scene.lesson) {
@@ -293,7 +295,7 @@ void SpacetimeMarks::look(const MarkContext& sight) {
   batch_.clear();
   LabelLayout crowd(sight);
   if (sight.views.ruler) addRuler(sight, ruler_, crowd, batch_);
-  if (sight.views.clocks) addPuckClocks(sight, colours_, reach_m_, crowd, batch_);
+  if (sight.views.clocks) addPuckClocks(sight, {colours_, reach_m_, rims_m_}, crowd, batch_);
   if (sight.views.events) addEvents(sight, crowd, batch_);
   if (sight.views.angles) addAngles(sight, crowd, batch_);
   addBeacons(sight, colours_, tops_m_, batch_);
@@ -306,7 +308,6 @@ void SpacetimeMarks::draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, 
                           float cutAt) const {
   const GlStateGuard state(framebuffer, size_px);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
   blendOver();
   if (pathsShown_) paths_.draw(clipFromDrawn, drawnFromBoard_, std::span(colours_).subspan(1, pucks_));

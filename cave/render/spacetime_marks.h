@@ -26,12 +26,18 @@ inline constexpr double kEventShown_s = 8.0;  ///< after its light has arrived
 inline constexpr double kFlashSeen_s = 0.35;  ///< how long a flash glows
 inline constexpr double kSphere_m = 9.0;      ///< radius up to which the light is shown
 
+/// What clocks need to know of every body of the scene.
+struct MarkedBodies {
+  std::span<const glm::vec3> colours;  ///< linear
+  std::span<const double> reach_m;     ///< how far it reaches from its centre, with its shadow's mesh
+  std::span<const double> rims_m;      ///< radius (rimsOf of the scene)
+};
+
 /// Adds a clock on a stem above each puck, moving with it, that shows the puck's own time at the event where
 /// the light left its centre. A large puck that turns evenly and has met nothing has six more around its rim,
-/// with the rim's own times, set with the centre's. For every body of the scene, `colours` is linear and `reach_m` is how far it
-/// reaches from its centre.
-void addPuckClocks(const MarkContext& sight, std::span<const glm::vec3> colours,
-                   std::span<const double> reach_m, LabelLayout& crowd, MarkBuffer& batch);
+/// with the rim's own times, set with the centre's.
+void addPuckClocks(const MarkContext& sight, const MarkedBodies& marked, LabelLayout& crowd,
+                   MarkBuffer& batch);
 
 /// Adds a pin above each ghost, moving with it, so that ghosts can be found and told apart from far away and
 /// without colours: a diamond marks "now on the board", a ring "my now", both around the body's own colour.
@@ -52,8 +58,8 @@ class SpacetimeMarks {
             float cutAt = 0.0F) const;
 
  private:
-  std::vector<glm::vec3> colours_;        // of every body, linear
-  std::vector<double> reach_m_, tops_m_;  // of every body
+  std::vector<glm::vec3> colours_;                 // of every body, linear
+  std::vector<double> reach_m_, tops_m_, rims_m_;  // of every body
   Ruler ruler_;
   std::vector<LightPath> pulses_;
   LessonPlan lesson_;

@@ -12,25 +12,26 @@ StillLayers::Layer& StillLayers::layerAt(const glm::ivec2& place) {
   return layers_.back();
 }
 
-void StillLayers::draw(BodyDrawer& drawer, const glm::dmat4& clipFromDrawn, const glm::ivec2& size_px,
+void StillLayers::draw(BodyDrawer& drawer, const BodyDrawer::Choice& choice, const glm::ivec2& size_px,
                        DrawTarget& target, const glm::ivec2& place) {
   Layer& layer = layerAt(place);
-  const StillView view = drawer.stillView(clipFromDrawn, size_px);
+  const StillView view = drawer.stillView(choice, size_px);
   if (view != layer.view) {
     layer.view = view;
     layer.isDrawn = false;
     target.begin(size_px);
-    drawer.draw(clipFromDrawn, BodyDrawer::What::still);
+    drawer.draw(choice, BodyDrawer::What::still);
   } else {
     if (!layer.picture) layer.picture = std::make_unique<DrawTarget>(1);
     if (!layer.isDrawn) {
+      layer.picture->forgetViewport();
       layer.picture->begin(size_px);
-      drawer.draw(clipFromDrawn, BodyDrawer::What::still);
+      drawer.draw(choice, BodyDrawer::What::still);
       layer.isDrawn = true;
     }
     target.beginWith(*layer.picture);
   }
-  drawer.draw(clipFromDrawn, BodyDrawer::What::changing);
+  drawer.draw(choice, BodyDrawer::What::changing);
 }
 
 }  // namespace carom

@@ -1,5 +1,6 @@
 #include "cave/render/wall_renderer.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -17,6 +18,11 @@
 
 namespace carom {
 
+/// What the eye sees on a wall; null if it is not before the wall.
+struct WallRenderer::Seen {
+  const BodyDrawer::Choice* choice = nullptr;
+};
+
 struct WallRenderer::Drawing {
   Drawing(const Scene& scene, double lightSpeed_m_s, int samples, bool inSoftware)
       : bodyCount(scene.bodyCount),
@@ -26,13 +32,13 @@ struct WallRenderer::Drawing {
     if (inSoftware && samples > 1) smoother.emplace();
   }
 
-  void drawBodies(const glm::dmat4& clipFromDrawn, const glm::ivec2& size_px, const glm::ivec2& place) {
+  void drawBodies(const BodyDrawer::Choice& choice, const glm::ivec2& size_px, const glm::ivec2& place) {
     if (keepsStill) {
-      still.draw(bodies, clipFromDrawn, size_px, target, place);
+      still.draw(bodies, choice, size_px, target, place);
     } else {
       target.begin(size_px);
-      bodies.draw(clipFromDrawn, BodyDrawer::What::still);
-      bodies.draw(clipFromDrawn, BodyDrawer::What::changing);
+      bodies.draw(choice, BodyDrawer::What::still);
+      bodies.draw(choice, BodyDrawer::What::changing);
     }
   }
 
@@ -66,28 +72,46 @@ void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::s
   drawing_->bodies.look(headFromBoard, eye, bodies, switches, ghosts);
 }
 
-bool WallRenderer::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, RenderTarget& picture,
-                        const WallDrawing& drawing) {
+std::size_t WallRenderer::draw(std::span<const WallPicture> walls, const glm::dvec3& eyeInRoom_m) {
   graphics_.makeCurrent();
-  const std::optional<glm::dmat4> projection = clipFromEye(wall, eyeInRoom_m);
-  if (!projection) {
-    picture.clear(drawing.left_px, wall.pixels.x);
-    return false;
+  seen_.clear();
+  for (const WallPicture& shown : walls) {
+    const std::optional<glm::dmat4> projection = clipFromEye(*shown.wall, eyeInRoom_m);
+    if (!projection) {
+      seen_.push_back({});
+      continue;
+    }
+    const glm::dmat4 clipFromDrawn = glm::translate(*projection, shown.drawing.seenFromEye_m);
+    const double pixel_rad = finestPixel_rad({shown.wall, 1}, eyeInRoom_m);
+    seen_.push_back({&drawing_->bodies.choose(clipFromDrawn, pixel_rad, shown.drawing.everything)});
   }
-  const glm::dmat4 clipFromDrawn = glm::translate(*projection, drawing.seenFromEye_m);
-  const double pixel_rad = finestPixel_rad({&wall, 1}, eyeInRoom_m);
-  if (!drawing_->bodies.choose(clipFromDrawn, pixel_rad, drawing.everything) && !drawing.marks) {
-    picture.clear(drawing.left_px, wall.pixels.x);
-    return true;
+  const auto isDrawn = [](const Seen& seen) { return seen.choice && !seen.choice->parts.empty(); };
+  if (std::any_of(seen_.begin(), seen_.end(), isDrawn)) drawing_->bodies.upload();
+  drawing_->target.forgetViewport();
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    if (walls[i].timer) walls[i].timer->begin();
+    drawWall(walls[i], seen_[i]);
+    if (walls[i].timer) walls[i].timer->end();
   }
-  drawing_->drawBodies(clipFromDrawn, wall.pixels, {picture.framebuffer(), drawing.left_px});
+  return static_cast<std::size_t>(
+      std::count_if(seen_.begin(), seen_.end(), [](const Seen& seen) { return seen.choice != nullptr; }));
+}
+
+void WallRenderer::drawWall(const WallPicture& shown, const Seen& seen) {
+  const auto& [wall, picture, drawing, timer] = shown;
+  const int left_px = drawing.left_px;
+  if (!seen.choice || (seen.choice->parts.empty() && !drawing.marks)) {
+    picture->clear(left_px, wall->pixels.x);
+    return;
+  }
+  drawing_->drawBodies(*seen.choice, wall->pixels, {picture->framebuffer(), left_px});
   if (drawing.marks) {
-    drawing.marks->draw(glm::mat4(clipFromDrawn), drawing_->target.framebuffer(), wall.pixels, drawing.cutAt);
+    drawing.marks->draw(glm::mat4(seen.choice->clipFromDrawn), drawing_->target.framebuffer(), wall->pixels,
+                        drawing.cutAt);
   }
-  drawing_->target.copyTo(picture, drawing.left_px);
+  drawing_->target.copyTo(*picture, left_px);
   if (drawing_->smoother)
-    drawing_->smoother->smooth(drawing_->target.texture(), wall.pixels, picture, drawing.left_px);
-  return true;
+    drawing_->smoother->smooth(drawing_->target.texture(), wall->pixels, *picture, left_px);
 }
 
 }  // namespace carom

@@ -3,11 +3,13 @@
 // shader (engine/light/emission_kernel.glsl), over legs that were prepared in double for that eye.
 //
 //   renderer.look(observer.headFromBoard, eye, bodyViews);          // once for each eye
-//   renderer.draw(wall, eye.positionInRoom_m, picture);             // for each wall of that eye
+//   renderer.draw(walls, eye.positionInRoom_m);                     // all walls of that eye
 
 #include <memory>
 #include <span>
+#include <vector>
 
+#include "cave/gl/gpu_timer.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
 #include "cave/render/ghosts.h"
@@ -31,6 +33,14 @@ struct WallDrawing {
   bool everything = false;  ///< draw also what the wall cannot show: the same picture, for comparison
 };
 
+/// A wall, and the picture that is drawn for it.
+struct WallPicture {
+  const Wall* wall = nullptr;
+  RenderTarget* picture = nullptr;
+  WallDrawing drawing;
+  GpuTimer* timer = nullptr;  ///< measures the drawing
+};
+
 class WallRenderer {
  public:
   /// `samples`: samples of multisample antialiasing (1: none). Where the processor stands in for a graphics
@@ -48,16 +58,25 @@ class WallRenderer {
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
             const Switches& switches = {}, const Ghosts& ghosts = {});
 
-  /// Draws what the eye last given to `look` sees on `wall` from `eyeInRoom_m` (the tracked eye at the time
-  /// when the photons leave the wall), into as many columns of the picture as the wall has. Returns false and
-  /// leaves the picture black if the eye is on the wall or behind it.
+  /// Draws what the eye last given to `look` sees on walls from `eyeInRoom_m` (the tracked eye at the time when
+  /// the photons leave the walls), each into as many columns of its picture as the wall has. The picture of a
+  /// wall on or behind which the eye is stays black. Returns how many others there are.
+  std::size_t draw(std::span<const WallPicture> walls, const glm::dvec3& eyeInRoom_m);
+  /// Does the same for one wall; returns whether the eye is before it.
   bool draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, RenderTarget& picture,
-            const WallDrawing& drawing = {});
+            const WallDrawing& drawing = {}) {
+    const WallPicture only{&wall, &picture, drawing, nullptr};
+    return draw({&only, 1}, eyeInRoom_m) == 1;
+  }
 
  private:
+  struct Seen;
+  void drawWall(const WallPicture& shown, const Seen& seen);
+
   struct Drawing;  // what OpenGL holds
   Graphics& graphics_;
   std::unique_ptr<Drawing> drawing_;
+  std::vector<Seen> seen_;  // of each wall that is being drawn
 };
 
 }  // namespace carom

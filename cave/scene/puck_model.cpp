@@ -19,12 +19,12 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cave/mesh/mesh_builder.h"
+#include "cave/scene/shadow_model.h"
 
 namespace carom {
 namespace {
 
 constexpr int kSectors = 72;
-constexpr double kShadowHeight_m = 0.0005;  // above the cloth
 
 /// Returns the number of sectors around a puck of this radius. The rim lies outside its chords by
 /// r (1 − cos(π/n)) = π² r/2n²: 29 µm with 72 sectors for a carom ball's radius, and hardly more up to three times
@@ -65,46 +65,25 @@ void addRoundRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& t
                 });
 }
 
-/// Returns the shadow of a puck: the fraction that it takes from the cloth's light of each lamp (0 to 2) and
-/// of the hall (3), in this order in surface.y. surface.x is 0 where all of that light is hidden and 1 where
-/// none is; surface.z is the puck's height. The parts are discs; the vertex shader places their far side.
-ScenePart shadowPart(double radius_m, double height_m, std::size_t body, double cell_m) {
-  constexpr double kHall = 3.0;
-  const double z = kShadowHeight_m - 0.5 * height_m;
-  MeshBuilder shadow;
-  const auto addDisc = [&](double sort, double outer_m, double inner_m, double outerFade) {
-    const int sectors = std::max(kSectors / 2, cellsFor(2.0 * std::numbers::pi * outer_m, cell_m));
-    shadow.addPatch(sectors, std::max(2, cellsFor(outer_m - inner_m, cell_m)), [&](double u, double v) {
-      const double angle_rad = 2.0 * std::numbers::pi * u;
-      const double r = outer_m + v * (inner_m - outer_m);
-      return PatchPoint{{r * std::cos(angle_rad), r * std::sin(angle_rad), z},
-                        {(1.0 - v) * outerFade, sort, height_m}};
-    });
-  };
-  const double hallReach_m = radius_m + 0.9 * height_m;
-  addDisc(kHall, hallReach_m, 0.95 * radius_m, 1.0);
-  addDisc(kHall, 0.95 * radius_m, 0.0, 0.0);
-  // For a lamp of 0.22 m radius 1.45 m above, the top rim's shadow is soft over ±0.15 of its height.
-  const double soft_m = 0.15 * height_m;
-  for (const double lamp : {0.0, 1.0, 2.0}) {
-    addDisc(lamp, radius_m + soft_m, radius_m - soft_m, 1.0);
-    addDisc(lamp, radius_m - soft_m, 0.0, 0.0);
-  }
-  return {body, shadow.build(), Paint::shadow, glm::vec3(0.0F), 0.0F};
-}
-
-/// Returns the transform that moves the middle of the mesh's box to the origin and scales it to the radius.
-vtkSmartPointer<vtkTransform> fitTo(vtkPolyData& mesh, double radius_m) {
+/// Returns the transform that moves the middle of the mesh's box to the origin and scales it to the radius, or does to
+/// x and y as `place` says.
+vtkSmartPointer<vtkTransform> fitTo(vtkPolyData& mesh, double radius_m,
+                                    const std::optional<MeshPlace>& place) {
   std::array<double, 6> box{};
   mesh.GetBounds(box.data());
   const glm::dvec3 middle(0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]));
+  auto transform = vtkSmartPointer<vtkTransform>::New();
+  if (place) {
+    transform->Scale(glm::value_ptr(glm::dvec3(place->scale)));
+    transform->Translate(-place->centre.x, -place->centre.y, -middle.z);
+    return transform;
+  }
   double widest = 0.0;
   for (vtkIdType i = 0; i < mesh.GetNumberOfPoints(); ++i) {
     std::array<double, 3> p{};
     mesh.GetPoint(i, p.data());
     widest = std::max(widest, std::hypot(p[0] - middle.x, p[1] - middle.y));
   }
-  auto transform = vtkSmartPointer<vtkTransform>::New();
   if (radius_m > 0.0 && widest > 0.0) transform->Scale(glm::value_ptr(glm::dvec3(radius_m / widest)));
   transform->Translate(-middle.x, -middle.y, -middle.z);
   return transform;
@@ -151,7 +130,7 @@ std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t b
     ring({rings[i] * (r - bevel), z}, {rings[i + 1] * (r - bevel), z}, onFace);
     ring({rings[i + 1] * (r - bevel), -z}, {rings[i] * (r - bevel), -z}, onFace);
   }
-  return {shadowPart(radius_m, height_m, body, cell_m), {body, mesh.build(), Paint::puck, colour, 0.5F}};
+  return {discShadow(radius_m, height_m, body, cell_m), {body, mesh.build(), Paint::puck, colour, 0.5F}};
 }
 
 ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
@@ -188,13 +167,20 @@ vtkSmartPointer<vtkMergePoints> locatorFor(vtkIdType points) {
 }  // namespace
 
 ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
-                   const glm::vec3& colour, const Tessellation& tessellation) {
+                   const glm::vec3& colour, const Tessellation& tessellation,
+                   const std::optional<MeshPlace>& place) {
   vtkNew<vtkTransformPolyDataFilter> fitted;
   fitted->SetInputData(read);
-  fitted->SetTransform(fitTo(*read, radius_m));
+  fitted->SetTransform(fitTo(*read, radius_m, place));
+  fitted->Update();
+  return surfacePart(fitted->GetOutput(), body, colour, tessellation);
+}
+
+ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& whole, std::size_t body, const glm::vec3& colour,
+                      const Tessellation& tessellation) {
   vtkNew<vtkCleanPolyData> cleaned;
-  cleaned->SetInputConnection(fitted->GetOutputPort());
-  cleaned->SetLocator(locatorFor(read->GetNumberOfPoints()));
+  cleaned->SetInputData(whole);
+  cleaned->SetLocator(locatorFor(whole->GetNumberOfPoints()));
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(cleaned->GetOutputPort());
   triangles->PassLinesOff();

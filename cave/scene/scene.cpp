@@ -43,6 +43,15 @@ std::vector<WorldLine> reachingTo(std::span<const WorldLine> histories, std::spa
   return reaching;
 }
 
+std::vector<double> rimsOf(const Scene& scene) {
+  std::vector<double> rims_m(scene.bodyCount);
+  for (const ScenePart& part : scene.parts) {
+    if (part.paint == Paint::shadow) continue;
+    rims_m[part.body] = std::max(rims_m[part.body], part.mesh->GetBounds()[1]);  // VTK's xmax
+  }
+  return rims_m;
+}
+
 std::string tessellationReport(const Scene& scene, const Tessellation& tessellation) {
   const double tolerance_rad = 0.5 * tessellation.pixel_rad;
   constexpr double kRounding = 1.0 + 1e-5;  // of coordinates in single precision

@@ -57,6 +57,9 @@ struct Scene {
   LessonPlan lesson;
 };
 
+/// Returns how far each body reaches along x, without its shadow: the radius of what is round.
+std::vector<double> rimsOf(const Scene& scene);
+
 /// Returns a session's message about the division, one line for each kind of objects and one for all. "Exact
 /// to half a pixel" holds for eyes at least kNearestEye_m away and for heads up to the speed named
 /// (cave/mesh/tessellation.h).

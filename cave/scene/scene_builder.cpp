@@ -19,7 +19,9 @@
 #include "cave/frame/body_colour.h"
 #include "cave/mesh/mesh_file.h"
 #include "cave/scene/hall_model.h"
+#include "cave/scene/outline_model.h"
 #include "cave/scene/puck_model.h"
+#include "cave/scene/shadow_model.h"
 #include "cave/scene/table_model.h"
 
 namespace carom {
@@ -132,16 +134,31 @@ struct BuiltBody {
   double reach_m = 0.0;
 };
 
+/// Returns the shadow of a puck with corners; none without.
+std::vector<ScenePart> shadowsOf(const BodyLooks& looks, std::size_t body, const Tessellation& tessellation) {
+  constexpr double kLeastCell = 0.1;  // of the radius
+  if (looks.outline_m.empty()) return {};
+  const double cell_m = std::max(cellOf(tessellation), kLeastCell * looks.radius_m);
+  return {outlineShadow(looks.outline_m, looks.height_m, body, cell_m)};
+}
+
 /// Builds body number `body` from `looks`; `model(cell_m)` makes it if it has no mesh file.
 template <typename Model>
 BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& colour,
                     const Tessellation& tessellation, const Model& model) {
   if (!looks.meshPath.empty()) {
     const auto mesh = readMeshFile(looks.meshPath);
-    return {{meshPart(mesh, looks.radius_m, body, colour, tessellation)},
-            static_cast<std::size_t>(mesh->GetNumberOfPoints()),
-            0.0,
-            0.0};
+    BuiltBody built{shadowsOf(looks, body, tessellation),
+                    static_cast<std::size_t>(mesh->GetNumberOfPoints())};
+    built.parts.push_back(meshPart(mesh, looks.radius_m, body, colour, tessellation, looks.meshPlace));
+    return built;
+  }
+  if (!looks.outline_m.empty()) {
+    const auto prism = prismOver(looks.outline_m, looks.height_m);
+    BuiltBody built{shadowsOf(looks, body, tessellation),
+                    static_cast<std::size_t>(prism->GetNumberOfPoints())};
+    built.parts.push_back(surfacePart(prism, body, colour, tessellation));
+    return built;
   }
   return {finestPartsWithin(tessellation.mostVertices, cellOf(tessellation), model),
           verticesOf(model(kAnyCell_m)), 0.0, 0.0};
@@ -154,7 +171,8 @@ class BuiltBodies {
   template <typename Build>
   const BuiltBody& of(const BodyLooks& looks, std::size_t body, const glm::vec3& colour, const Build& build) {
     const auto [found, isNew] =
-        built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m));
+        built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m, outlineOf(looks),
+                                      looks.meshPlace ? looks.meshPlace->scale : 0.0));
     BuiltBody& like = found->second;
     if (isNew) {
       like = build();
@@ -169,7 +187,14 @@ class BuiltBodies {
   }
 
  private:
-  std::map<std::tuple<std::string, double, double>, BuiltBody> built_;
+  static std::vector<std::pair<double, double>> outlineOf(const BodyLooks& looks) {
+    std::vector<std::pair<double, double>> corners;
+    for (const glm::dvec2& corner_m : looks.outline_m) corners.emplace_back(corner_m.x, corner_m.y);
+    return corners;
+  }
+
+  std::map<std::tuple<std::string, double, double, std::vector<std::pair<double, double>>, double>, BuiltBody>
+      built_;
 };
 
 /// Returns how long the shadows of pucks on a table can be, in heights of the puck. Light from a lamp that is H above

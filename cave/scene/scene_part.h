@@ -2,7 +2,9 @@
 // The parts that a scene is built from: meshes with their paint, how bodies look, how large the hall is.
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -11,6 +13,7 @@
 
 #include "cave/frame/bodies.h"
 #include "cave/frame/hall.h"
+#include "cave/outlines/footprint.h"
 
 namespace carom {
 
@@ -45,8 +48,10 @@ struct BodyLooks {
   std::string
       meshPath;  ///< as readMeshFile takes it; empty: the built-in puck, or for scripted bodies a rod of
                  ///< 1 m along x
-  double radius_m = 0.0;  ///< a puck's mesh is scaled to it; 0: as it is
-  double height_m = 0.0;  ///< of the built-in puck
+  double radius_m = 0.0;                 ///< a puck's mesh is scaled to it; 0: as it is
+  double height_m = 0.0;                 ///< of the built-in puck
+  std::vector<glm::dvec2> outline_m{};   ///< corners of the built-in puck; none: a disc
+  std::optional<MeshPlace> meshPlace{};  ///< of a mesh that is not scaled to the radius
 };
 
 }  // namespace carom

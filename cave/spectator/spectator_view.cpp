@@ -10,9 +10,10 @@
 #include <glm/geometric.hpp>
 
 #include "cave/frame/bodies.h"
-#include "cave/gl/gl_objects.h"
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/line_batch.h"
+#include "cave/render/draw_target.h"
+#include "cave/render/edge_smoother.h"
 #include "cave/spectator/orbit_camera.h"
 #include "cave/spectator/outside_view.h"
 #include "cave/spectator/room_simultaneity.h"
@@ -62,8 +63,8 @@ struct SpectatorView::Drawing {
   std::unique_ptr<Window> window;
   glm::ivec2 size_px{0};
   std::unique_ptr<RenderTarget> picture;
-  GlFramebuffer framebuffer;
-  std::array<GlRenderbuffer, 2> buffers;  ///< colour and depth, with many samples
+  DrawTarget target;
+  std::optional<EdgeSmoother> smoother;  ///< where the processor draws, instead of many samples
   RoomSurfaces surfaces;
   SolidDrawer solids;
   std::vector<Solid> head;
@@ -80,20 +81,20 @@ struct SpectatorView::Drawing {
   Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn, const ViewerModel& viewer);
   ~Drawing() { graphics.makeCurrent(); }
   void makeGame(const Scene& scene, std::span<const ScenePart> parts);
-  void makePicture(const glm::ivec2& wanted_px);
   void drawViewers(const FrameRecord& record) const;
   void drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories, float covers) const;
   void drawTable(const glm::dmat4& roomFromTable) const;
   void drawLines(const FrameRecord& record, const std::optional<glm::dmat4>& roomFromTable);
-  void resolve() const;
 };
 
 SpectatorView::Drawing::Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn, const ViewerModel& viewer)
     : graphics(graphicsIn),
       room(roomIn),
       camera(roomIn),
+      target(graphics.inSoftware() ? 1 : kSamples),
       surfaces(roomIn),
       wand(solids.upload(*viewer.wand.mesh, viewer.wand.colour)) {
+  if (graphics.inSoftware()) smoother.emplace(EdgeSmoother::Tones::luminance);
   for (const ModelPart& part : viewer.head) head.push_back(solids.upload(*part.mesh, part.colour));
   for (std::size_t i = 0; i < room.viewers.size(); ++i) {
     coats.push_back(solids.upload(*viewer.coats.at(i).mesh, viewer.coats[i].colour));
@@ -114,22 +115,6 @@ void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const SceneP
     if (part.body == kRestingBody || part.paint == Paint::shadow) continue;
     bodies.push_back({part.body, solids.upload(*part.mesh, part.colour)});
   }
-}
-
-/// Creates the picture, and creates it anew when the window's size changes.
-void SpectatorView::Drawing::makePicture(const glm::ivec2& wanted_px) {
-  if (wanted_px == size_px && picture) return;
-  size_px = wanted_px;
-  picture = std::make_unique<RenderTarget>(size_px);
-  const GlStateGuard state(framebuffer, size_px);
-  constexpr std::array<GLenum, 2> kFormats{GL_RGBA8, GL_DEPTH_COMPONENT24};
-  constexpr std::array<GLenum, 2> kPlaces{GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-  for (std::size_t i = 0; i < 2; ++i) {
-    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, kFormats[i], size_px.x, size_px.y);
-    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, kPlaces[i], GL_RENDERBUFFER, buffers[i]);
-  }
-  glBindRenderbuffer(GL_RENDERBUFFER, 0);
 }
 
 void SpectatorView::Drawing::drawViewers(const FrameRecord& record) const {
@@ -197,16 +182,6 @@ void SpectatorView::Drawing::drawLines(const FrameRecord& record,
   glDepthMask(GL_TRUE);
 }
 
-/// Resolves the samples of each pixel into the picture.
-void SpectatorView::Drawing::resolve() const {
-  GLint readBefore = 0;
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture->framebuffer());
-  glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
-}
-
 SpectatorView::SpectatorView(Graphics& graphics, const RoomGeometry& room, const Scene& scene,
                              std::span<const ScenePart> table, const std::optional<WindowPlacement>& window) {
   graphics.makeCurrent();
@@ -229,14 +204,15 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
                          const DisplayWalls& walls) {
   Drawing& d = *drawing_;
   d.graphics.makeCurrent();
-  d.makePicture(d.window ? glm::max(d.window->size_px(), glm::ivec2(1)) : kPicture_px);
+  d.size_px = d.window ? glm::max(d.window->size_px(), glm::ivec2(1)) : kPicture_px;
+  if (!d.picture || d.picture->size_px() != d.size_px) d.picture = std::make_unique<RenderTarget>(d.size_px);
   d.view = {d.camera.clipFromRoom(d.size_px), d.camera.place_m(), d.size_px};
   const EyeView& middle = record.observer.middle;
   const RoomSimultaneity moment(record.boardFromRoom, middle.observation, middle.seenFromInRoom_m);
 
-  const GlStateGuard state(d.framebuffer, d.size_px);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  d.target.forgetViewport();
+  d.target.begin(d.size_px);
+  const GlStateGuard state(d.target.framebuffer(), d.size_px);
   d.surfaces.drawGround(d.view);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
@@ -254,8 +230,11 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   if (roomFromTable) d.drawTable(*roomFromTable);
   d.drawLines(record, roomFromTable);
   glDisable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
   d.surfaces.drawNames(d.view);
-  d.resolve();
+  glViewport(0, 0, d.size_px.x, d.size_px.y);
+  d.target.copyTo(*d.picture, 0);
+  if (d.smoother) d.smoother->smooth(d.target.texture(), d.size_px, *d.picture, 0);
 }
 
 const RenderTarget& SpectatorView::picture() const { return *drawing_->picture; }

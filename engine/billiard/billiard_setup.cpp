@@ -1,8 +1,18 @@
 #include "engine/billiard/billiard_setup.h"
 
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
 #include "engine/collision/spinning_body.h"
 
 namespace carom {
+
+double radiusOf_m(const std::vector<Vec2>& outline_m) {
+  double radius_m = 0.0;
+  for (const Vec2& corner_m : outline_m) radius_m = std::max(radius_m, glm::length(corner_m));
+  return radius_m;
+}
 
 double rimUOf(const Puck& puck, double spin_kg_m2_s, double c_m_s) {
   return spin_kg_m2_s / (puck.radius_m * c_m_s * puck.inertia * puck.mass_kg);

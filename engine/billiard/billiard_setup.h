@@ -21,7 +21,7 @@ struct Board {
 
 struct Puck {
   std::string name;
-  double radius_m = 0.0;
+  double radius_m = 0.0;  ///< of the disc, or of the farthest corner (`radiusOf_m`)
   double height_m = 0.0;
   double mass_kg = 0.0;
   Vec2 position_m{0.0};  ///< of the centre at board time 0
@@ -29,6 +29,9 @@ struct Puck {
   double inertia = 0.5;  ///< share of the mass that is in the rim (engine/collision/spinning_body.h)
   /// At board time 0, where its angle is 0: in the centre's rest frame, anticlockwise seen from above.
   double spin_kg_m2_s = 0.0;
+  /// The corners, from the centre, anticlockwise in the rest frame at angle 0 (engine/collision/outline.h). None: a
+  /// disc.
+  std::vector<Vec2> outline_m{};
 };
 
 /// The event at which a collision changes the motion of a puck's centre.
@@ -83,6 +86,8 @@ struct BilliardSetup {
   std::vector<Flash> flashes;
 };
 
+/// Returns the distance of the farthest corner from the centre.
+double radiusOf_m(const std::vector<Vec2>& outline_m);
 /// Returns γβ of the rim of a puck with that angular momentum.
 double rimUOf(const Puck& puck, double spin_kg_m2_s, double c_m_s);
 /// Returns the angular momentum of a puck that turns at `omega_rad_s` by its own clock, slower than light.

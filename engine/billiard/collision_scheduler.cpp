@@ -64,6 +64,7 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
     lowX = std::min(lowX, puck.position_m.x), highX = std::max(highX, puck.position_m.x);
     lowY = std::min(lowY, puck.position_m.y), highY = std::max(highY, puck.position_m.y);
   }
+  takeOutlines(setup);
   if (setup.board) {
     boxLowX_ = -0.5 * setup.board->length_m, boxWidth_ = setup.board->length_m;
     boxLowY_ = -0.5 * setup.board->width_m, boxHeight_ = setup.board->width_m;
@@ -170,6 +171,7 @@ void CollisionScheduler::step(GameHistory& history) {
   const int i = queue_.first();
   clock_ = std::max(clock_, queue_.firstDue());
   moveEpoch();
+  members_.clear();
   if (pucks_.size() > kPucksInCache) prefetchUpcoming(history);
   const PredictedEvent predicted = outlooks_[i].next;
   if (outlooks_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
@@ -191,6 +193,7 @@ void CollisionScheduler::step(GameHistory& history) {
   if (cellsTooSmall_) return predictAll();
   predict(i);
   predictDependents(i);
+  predictMembers(i, i);
 }
 
 // A contact happens when it is the next thing in both pucks' own time.
@@ -213,15 +216,19 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
   PredictedEvent ordered = a;
   if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
   const unsigned legs[2] = {outlooks_[i].legNumber, outlooks_[j].legNumber};
-  members_.clear();
-  collide(inOrder ? i : j, inOrder ? j : i, ordered, history);
-  if (outlooks_[i].legNumber == legs[0]) noteMet(i, j, legs[1]);
-  if (outlooks_[j].legNumber == legs[1]) noteMet(j, i, legs[0]);
+  const double until = collide(inOrder ? i : j, inOrder ? j : i, ordered, history);
+  if (outlooks_[i].legNumber == legs[0]) noteMet(i, {j, legs[1], until});
+  if (outlooks_[j].legNumber == legs[1]) noteMet(j, {i, legs[0], until});
   if (cellsTooSmall_) return predictAll();
   predict(i);
   predict(j);
   predictDependents(i);
   predictDependents(j);
+  predictMembers(i, j);
+}
+
+// Those of a jam besides the one or two by which it was found.
+void CollisionScheduler::predictMembers(int i, int j) {
   for (const Member& member : members_) {
     if (member.puck == i || member.puck == j) continue;
     predict(member.puck);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,8 @@
 #include "engine/billiard/cell_grid.h"
 #include "engine/billiard/due_queue.h"
 #include "engine/billiard/game_history.h"
+#include "engine/collision/corner_contact.h"
+#include "engine/collision/corner_kick.h"
 #include "engine/collision/cushion_contact.h"
 #include "engine/collision/kick.h"
 #include "engine/collision/puck_contact.h"
@@ -46,6 +49,8 @@ class CollisionScheduler {
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr std::size_t kPucksWithoutCells = 32;
+  // Of light speed: bodies with corners that lie on each other and move slower than this rest.
+  static constexpr double kResting = 1e-10;
 
   enum class Kind : unsigned char { none, turn, stroke, cushion, pair };  // in the order of equal times
   // The next event of a puck.
@@ -84,6 +89,7 @@ class CollisionScheduler {
   struct HandledContact {
     int puck;
     unsigned leg;
+    double until;  // bodies with corners that turn: the time of the contact in their frame; else for good
   };
   // What, besides its disc, the predictions of a puck and of its neighbours read and write: one cache line.
   struct alignas(64) Outlook {
@@ -143,6 +149,7 @@ class CollisionScheduler {
   bool hasDeferredBefore(double limit);
   void prefetchUpcoming(const GameHistory& history);
   void meet(int i, GameHistory& history);
+  void predictMembers(int i, int j);
   bool waitsForItself(int i) const;
   void changeCell(int i, int axis);
 
@@ -162,10 +169,10 @@ class CollisionScheduler {
   void considerPair(int i, int other, PredictedEvent& best);
   static bool isEarlier(double ownTime, int with, const PredictedEvent& than);
   std::optional<Meeting> meetingOf(int first, int second) const;
-  bool hasDealtWith(int i, int other) const;
+  const HandledContact* dealtWith(int i, int other) const;
   double decidedAt(int i) const { return outlooks_[i].hasDecided ? pucks_[i].decidedAt : -kNever; }
   void noteDecided(int i, double at) { pucks_[i].decidedAt = at, outlooks_[i].hasDecided = true; }
-  void noteMet(int i, int other, unsigned otherLeg);
+  void noteMet(int i, const HandledContact& contact);
   void findCellExit(int i);
   double leavesCell(int i, int axis) const;
   int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
@@ -187,7 +194,7 @@ class CollisionScheduler {
     // For the signal of a cushion: the leg touched that cushion itself, and the signal of this came first.
     std::optional<CushionContact> touchedBefore;
   };
-  void collide(int first, int second, const PredictedEvent& a, GameHistory& history);
+  double collide(int first, int second, const PredictedEvent& a, GameHistory& history);
   void bounce(int i, const PredictedEvent& a, GameHistory& history);
   void strike(int i, int stroke, GameHistory& history);
   LegState turnOnFollowedLeg(int i, int which, const PairContact& contact, bool simultaneous) const;
@@ -214,8 +221,8 @@ class CollisionScheduler {
   std::optional<SpinningPairKick> pairKick(const std::array<int, 2>& who, const PairContact& contact,
                                            const std::array<LegState, 2>& turn,
                                            const std::array<double, 2>& j, double restitution) const;
-  std::optional<SpinningCushionKick> cushionKick(int i, int cushion, const Vec21& u, double j,
-                                                 double restitution) const;
+  std::optional<SpinningCushionKick> cushionKick(int i, int cushion, const Vec21& touch, const LegState& turn,
+                                                 double j, double restitution) const;
   bool receding(const std::array<int, 2>& who, const PairContact& contact, const PredictedEvent& a,
                 const std::array<double, 2>& touchAt) const;
   struct Struck {
@@ -237,13 +244,36 @@ class CollisionScheduler {
   void noteBounce(const CommittedLeg& decided, GameHistory& history) const;
   void noteKick(int i, const Vec21& turn);
 
+  // collision_scheduler_corners.cpp: bodies with corners
+  const Outline* outlineOf(int i) const {
+    return outlines_ == nullptr || !(*outlines_)[i] ? nullptr : &*(*outlines_)[i];
+  }
+  bool hasCorners(int first, int second) const {
+    return outlines_ != nullptr && (outlineOf(first) != nullptr || outlineOf(second) != nullptr);
+  }
+  void takeOutlines(const BilliardSetup& setup);
+  ShapedFlight shapedFlight(int i, const Leg& leg, const Turning& turning) const;
+  std::optional<CornerContact> cornersMeet(int first, int second) const;
+  bool approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a, PairContact& contact) const;
+  std::optional<CushionContact> touchOf(int i, const Leg& leg, const Turning& turning, int cushion) const;
+  std::optional<CushionContact> followedTouchOf(int i, int cushion) const;
+  bool isKickedBy(int i, int cushion, const CushionContact& contact) const;
+  bool liesOnCushion(int i, int cushion, const CushionContact& contact) const;
+  LeveredBody levered(int i, const Vec21& touch, const LegState& at, double j) const;
+  std::optional<SpinningPairKick> cornerKick(const std::array<int, 2>& who, const PairContact& contact,
+                                             const std::array<Vec21, 2>& u, const std::array<double, 2>& j,
+                                             double restitution) const;
+  // Whether a puck can be pressed: elastic discs among elastic cushions cannot.
+  bool canPress(int i) const { return canPress_ || outlineOf(i) != nullptr; }
+
   // collision_scheduler_jam.cpp: what happens to pucks that press on one another
   struct Member {
     int puck = 0;
     LegState turn;  // before
     Turning turning;
-    double mass = 0.0;
-    Vec21 u;  // after
+    double j = 0.0;     // after
+    double mass = 0.0;  // with this spin
+    Vec21 u;
     double heat = 0.0;
     Vec21 radiated, taken;
     unsigned cushions = 0;  // that it touches, one bit each
@@ -251,21 +281,34 @@ class CollisionScheduler {
     int changed = 0;        // number of the last sweep that changed it
   };
   struct Press {
-    int first = 0, second = 0;  // places among the members
+    int first = 0, second = 0;         // places among the members
+    std::vector<TouchedPlace> places;  // of bodies with corners
   };
-  void noteBlow(int i, double turnTime, double closing, bool byPressed);
+  void noteBlow(int i, double turnTime, double closing, bool manifold);
   bool isPressed(int i, double t) const;
   void settle(const std::array<int, 2>& who, const PairContact& contact, const std::array<LegState, 2>& turn,
               GameHistory& history);
-  void gatherJam(const std::array<int, 2>& who, const PairContact& contact,
-                 const std::array<LegState, 2>& turn);
+  bool settleCorners(std::span<const int> who, std::span<const LegState> turn, const Vec21& touch,
+                     const Vec21& U, GameHistory& history);
+  double slowIn(std::span<const int> who, double hardest) const;
+  void gatherJam(const Vec21& U, double earliest);
+  bool touch(const Member& one, const Member& other) const;
   std::optional<LegState> joinsAt(int i, const Vec21& touched, const Vec21& U, double earliest) const;
   static void kicked(Member& member, const Vec21& u, double heat);
-  void addMember(int i, const LegState& turn);
-  void relax(double slow);
+  Member memberOf(int i, const LegState& turn) const;
+  bool relax(double slow);
+  bool partDiscs(Member& one, Member& two, double slow) const;
   void moveOnTogether(double slow);
+  void moveBody(int body);
   void leaveCushions(Member& member, double slow);
-  void commitJam(const PairContact& contact, GameHistory& history);
+  bool commitJam(const Vec21& touch, GameHistory& history);
+  // with corners (collision_scheduler_corners.cpp)
+  ShapedFlight shapedFlight(const Member& member) const;
+  std::vector<TouchedPlace> placesOf(const Member& one, const Member& other) const;
+  bool partCorners(Member& one, Member& two, std::span<const TouchedPlace> places) const;
+  bool isTouched(const Member& member, const CushionPlane& cushion) const;
+  void partFromCushions(Member& member) const;
+  void turned(Member& member, double j) const { member.j = j, member.mass = massOf(member.puck, j); }
 
   // Fixed by the setup.
   double c_m_s_;
@@ -277,6 +320,8 @@ class CollisionScheduler {
   double slowing_;                   // of spins by the cloth: the rim's γβ in a metre of own time
   bool turns_;                       // whether anything, strokes so far included, can turn a puck
   std::vector<CushionPlane> cushions_;
+  /// By puck; null in a game of discs.
+  std::shared_ptr<const std::vector<std::optional<Outline>>> outlines_;
   double largestRadius_ = 0.0;
   double boxLowX_ = 0.0, boxLowY_ = 0.0, boxWidth_ = 0.0, boxHeight_ = 0.0;
   std::vector<PuckStroke> strokes_;

@@ -33,7 +33,7 @@ bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairConta
                                   const PredictedEvent& a, const std::array<double, 2>& touchAt) const {
   const bool braked = brake_ != 0.0;
   std::array<Vec21, 2> u;
-  std::array<double, 2> mass;
+  std::array<double, 2> mass, spin;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
     const Leg leg = lastLeg(i);
@@ -42,6 +42,11 @@ bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairConta
     if (slowing_ > 0.0 && j != 0.0)
       j = turningAt(i, momentAt(leg, std::max(k == 0 ? a.ownTime : a.otherTime, leg.start.t)).properTime).j;
     mass[k] = massOf(i, j);
+    spin[k] = j;
+  }
+  if (hasCorners(who[0], who[1])) {
+    const auto kick = cornerKick(who, contact, u, spin, 1.0);
+    return !kick || (a.withoutDelay && kick->centres.closing < kResting);
   }
   return !kickPair(contact.U, contact.n, u, mass, 1.0);
 }
@@ -51,6 +56,7 @@ std::optional<SpinningPairKick> CollisionScheduler::pairKick(const std::array<in
                                                              const std::array<LegState, 2>& turn,
                                                              const std::array<double, 2>& j,
                                                              double restitution) const {
+  if (hasCorners(who[0], who[1])) return cornerKick(who, contact, {turn[0].u, turn[1].u}, j, restitution);
   if (!isSmooth(puckRims_)) {
     return kickSpinningPair(contact.U, contact.n,
                             {SpinningPuck{spins_[who[0]].body, j[0], turn[0].u},
@@ -63,8 +69,13 @@ std::optional<SpinningPairKick> CollisionScheduler::pairKick(const std::array<in
   return SpinningPairKick{*kick, j};
 }
 
-std::optional<SpinningCushionKick> CollisionScheduler::cushionKick(int i, int cushion, const Vec21& u,
-                                                                   double j, double restitution) const {
+std::optional<SpinningCushionKick> CollisionScheduler::cushionKick(int i, int cushion, const Vec21& touch,
+                                                                   const LegState& turn, double j,
+                                                                   double restitution) const {
+  const Vec21& u = turn.u;
+  if (outlineOf(i) != nullptr)
+    return kickCornerOffCushion(cushions_[cushion], levered(i, touch, turn, j),
+                                withRestitution(cushionRims_, restitution));
   if (!isSmooth(cushionRims_)) {
     return kickSpinningOffCushion(cushions_[cushion], {spins_[i].body, j, u},
                                   withRestitution(cushionRims_, restitution));
@@ -74,7 +85,9 @@ std::optional<SpinningCushionKick> CollisionScheduler::cushionKick(int i, int cu
   return SpinningCushionKick{*kick, j};
 }
 
-void CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
+// Returns until when this pair's contacts on the legs that they follow have been dealt with: for good, but where
+// nothing comes of a contact of bodies that turn, up to this one.
+double CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
   const std::array<int, 2> who{first, second};
   const bool braked = brake_ != 0.0;
   for (const int i : who) history.fetch(pucks_[i].file);
@@ -83,32 +96,40 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
   std::array<double, 2> touchAt{};
   if (braked) touchAt = findBrakedMeeting(disc(0), disc(1), convention_).value().touchAt;
   const auto flight = [&](int k) { return braked ? flightAt(disc(k), touchAt[k]) : discs_[who[k]]; };
-  const PairContact contact = contactOf(flight(0), flight(1), a.withoutDelay);
+  const std::optional<CornerContact> corners =
+      hasCorners(first, second) ? cornersMeet(first, second) : std::nullopt;
+  PairContact contact = corners ? corners->contact : contactOf(flight(0), flight(1), a.withoutDelay);
 
-  if (receding(who, contact, a, touchAt)) return;
+  const bool waits = !pucks_[first].decided.empty() || !pucks_[second].decided.empty();
+  const double until = corners && !waits ? corners->time : kNever;
+  if (receding(who, contact, a, touchAt) && !(corners && approachElsewhere(who, a, contact))) return until;
   const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;
   std::array<LegState, 2> turn;
   for (int k = 0; k < 2; ++k) {
     const LegState onFollowedLeg = turnOnFollowedLeg(who[k], k, contact, simultaneous);
     const Place place =
         placeTurn(who[k], simultaneous ? onFollowedLeg.x : contact.event, -1, onFollowedLeg, history);
-    if (place.tooLate) return;
+    if (place.tooLate) return kNever;
     turn[k] = place.turn;
   }
   const std::array<Turning, 2> turning{turningAt(first, turn[0].properTime),
                                        turningAt(second, turn[1].properTime)};
   const std::array<bool, 2> pressed{isPressed(first, turn[0].x.t), isPressed(second, turn[1].x.t)};
-  if (pressed[0] && pressed[1]) return settle(who, contact, turn, history);
+  if (pressed[0] && pressed[1]) {
+    if (!corners) return settle(who, contact, turn, history), kNever;
+    if (a.withoutDelay && settleCorners(who, turn, contact.event, contact.U, history)) return kNever;
+  }
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
   const auto found = pairKick(who, contact, turn, {turning[0].j, turning[1].j}, e);
-  if (!found) return;
+  if (!found) return until;
   const PairKick* const kick = &found->centres;
-  if (e == 0.0 && kick->closing < kStill && (pucks_[first].jammed || pucks_[second].jammed)) return;
+  if (e == 0.0 && kick->closing < kStill && (pucks_[first].jammed || pucks_[second].jammed)) return kNever;
 
   const double heat = kick->heat[0] + kick->heat[1];
   const std::uint64_t collision =
       history.addCollision(std::nullopt, contact.event, a.withoutDelay, heat * c_m_s_ * c_m_s_);
+  if (corners && corners->sideOnSide) history.noteSideOnSide();
   accounts_.heat += heat;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
@@ -123,22 +144,22 @@ void CollisionScheduler::collide(int first, int second, const PredictedEvent& a,
     noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
     decide(i, decided, turn[k], history);
     noteKick(i, turn[k].x);
-    noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k]);
+    noteBlow(i, turn[k].x.t, kick->closing, pressed[1 - k] || (corners && a.withoutDelay));
     outlooks_[i].lastPartner = who[1 - k];
   }
+  return kNever;
 }
 
 void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& history) {
   PuckState& player = pucks_[i];
   outlooks_[i].metCushions |= static_cast<unsigned char>(1u << a.with);
-  std::optional<CushionContact> contact =
-      findContact(legOf(i), discs_[i].radius, cushions_[a.with], convention_);
+  std::optional<CushionContact> contact = followedTouchOf(i, a.with);
   if (!contact) return;
   std::size_t foundOn = legsBegun(i);
   if (!player.decided.empty()) {
     if (contact->withoutDelay) return;
     // What is decided already has turned the puck off this cushion.
-    if (!(cushions_[a.with].towards(lastLeg(i).u) > 0.0)) return;
+    if (outlineOf(i) == nullptr && !(cushions_[a.with].towards(lastLeg(i).u) > 0.0)) return;
     const Place place = placeTurn(i, contact->event, a.with, contact->turn, history);
     if (place.tooLate) return;
     contact->turn = place.turn;
@@ -149,6 +170,10 @@ void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& his
     }
   }
   noteDecided(i, a.ownTime);
+  const bool lies = contact->withoutDelay && outlineOf(i) != nullptr;
+  if (lies && isPressed(i, contact->turn.x.t) &&
+      settleCorners({&i, 1}, {&contact->turn, 1}, contact->event, contact->turn.u, history))
+    return;
   bounceAt(i, a.with, *contact, foundOn, history);
 }
 
@@ -182,7 +207,8 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   PuckState& player = pucks_[i];
   const double e = restitution(i, cushionRestitution_, contact.turn.x.t);
   const Turning turning = turningAt(i, contact.turn.properTime);
-  const std::optional<SpinningCushionKick> found = cushionKick(i, cushion, contact.turn.u, turning.j, e);
+  const std::optional<SpinningCushionKick> found =
+      cushionKick(i, cushion, contact.event, contact.turn, turning.j, e);
   if (!found) return;
   const CushionKick* const kick = &found->centre;
   accounts_.heat += kick->heat;
@@ -190,6 +216,7 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   CommittedLeg decided;
   decided.event = history.addCollision(static_cast<Cushion>(cushion), contact.event, contact.withoutDelay,
                                        kick->heat * c_m_s_ * c_m_s_);
+  if (liesOnCushion(i, cushion, contact)) history.noteSideOnSide();
   history.addTurn(decided.event, player.file, contact.turn, kick->u, {turning.j, found->j});
   decided.leg = {contact.turn.x, kick->u, contact.turn.properTime, brake_};
   decided.turning = {found->j, turning.angle};
@@ -203,6 +230,7 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   decided.taken = contact.turn.u * massOf(i, turning.j) - kick->u * (massOf(i, found->j) + kick->heat);
   decide(i, decided, contact.turn, history);
   noteKick(i, contact.turn.x);
+  if (outlineOf(i) != nullptr) noteBlow(i, contact.turn.x.t, kick->closing, contact.withoutDelay);
   outlooks_[i].lastPartner = -1;
 }
 
@@ -248,10 +276,9 @@ CollisionScheduler::Place CollisionScheduler::whereSignalArrives(int i, const Ve
     CushionContact before;
     before.turn = turn;
     for (int k = 0; k < static_cast<int>(cushions_.size()); ++k) {
-      const auto contact = findContact(leg, discs_[i].radius, cushions_[k], convention_);
+      const auto contact = touchOf(i, leg, lastTurning(i), k);
       // What friction has stopped by the time at which the signal comes is not kicked.
-      if (contact && cushions_[k].towards(contact->turn.u) > 0.0 &&
-          contact->turn.x.t < before.turn.x.t - same * leg.u.t)
+      if (contact && contact->turn.x.t < before.turn.x.t - same * leg.u.t && isKickedBy(i, k, *contact))
         cushionBefore = k, before = *contact;
     }
     if (cushionBefore < 0) return {turn, false, {}};
@@ -390,7 +417,7 @@ void CollisionScheduler::placeAnew(int i, CommittedLeg kick, GameHistory& histor
   const Turning turning = turningAt(i, turn.properTime);
   if (kick.cushion >= 0) {
     const double e = restitution(i, cushionRestitution_, turn.x.t);
-    const auto bounced = cushionKick(i, kick.cushion, turn.u, turning.j, e);
+    const auto bounced = cushionKick(i, kick.cushion, kick.contact, turn, turning.j, e);
     kick.heat = bounced ? bounced->centre.heat : 0.0;
     kick.leg.u = bounced ? bounced->centre.u : turn.u;
     kick.turning = {bounced ? bounced->j : turning.j, turning.angle};

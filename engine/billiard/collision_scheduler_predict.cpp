@@ -58,7 +58,9 @@ void CollisionScheduler::predict(int i) {
   if (!strokes_.empty()) considerStrokes(i, best);
   if (!usesCells()) {
     for (int other = 0; other < static_cast<int>(pucks_.size()); ++other) {
-      if (other == i || (brake_ == 0.0 && !mayMeet(discs_[i], discs_[other], convention_))) continue;
+      if (other == i ||
+          (brake_ == 0.0 && outlines_ == nullptr && !mayMeet(discs_[i], discs_[other], convention_)))
+        continue;
       considerPair(i, other, best);
     }
   } else {
@@ -137,7 +139,7 @@ bool CollisionScheduler::isEarlier(double ownTime, int with, const PredictedEven
 void CollisionScheduler::considerPairs(int i, PredictedEvent& best) {
   int* const near = near_.data();
   const int* const items = found_.items.data();
-  const bool braked = brake_ != 0.0;
+  const bool all = brake_ != 0.0 || outlines_ != nullptr;
   const CoarseMeeting coarse(discs_[i], largestRadius_, convention_, epoch_);
   int kept = 0;
   for (int begin = 0; begin < found_.count; begin += FoundFlights::kRoom) {
@@ -148,7 +150,7 @@ void CollisionScheduler::considerPairs(int i, PredictedEvent& best) {
     const int end = std::min(FoundFlights::kRoom, found_.count - begin);
     for (int k = 0; k < end; ++k) {
       near[kept] = items[begin + k];
-      kept += static_cast<int>(items[begin + k] != i) & (may[k] | static_cast<int>(braked));
+      kept += static_cast<int>(items[begin + k] != i) & (may[k] | static_cast<int>(all));
     }
   }
   for (int k = 0; k < kept; ++k) {
@@ -157,7 +159,7 @@ void CollisionScheduler::considerPairs(int i, PredictedEvent& best) {
     queue_.fetch(near[k]);
   }
   for (int k = 0; k < kept; ++k) {
-    if (braked || mayMeet(discs_[i], discs_[near[k]], convention_)) considerPair(i, near[k], best);
+    if (all || mayMeet(discs_[i], discs_[near[k]], convention_)) considerPair(i, near[k], best);
   }
 }
 
@@ -171,8 +173,11 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   if (own < decidedAt(i) || theirs < decidedAt(other)) return;  // what came after it is decided already
   const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, partner.next);
   if (!mine && !also) return;
-  if (player.lastPartner == other && partner.lastPartner == i) return;
-  if (player.hasMet && hasDealtWith(i, other)) return;
+  // Discs that have just collided part; bodies that turn may meet with other corners.
+  if (!hasCorners(i, other)) {
+    if (player.lastPartner == other && partner.lastPartner == i) return;
+    if (dealtWith(i, other) != nullptr) return;
+  }
   PredictedEvent a;
   a.kind = Kind::pair;
   a.withoutDelay = meeting->withoutDelay;
@@ -186,19 +191,31 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   }
 }
 
-bool CollisionScheduler::hasDealtWith(int i, int other) const {
+// The last contact of the legs that both follow, if it has been dealt with.
+const CollisionScheduler::HandledContact* CollisionScheduler::dealtWith(int i, int other) const {
+  if (!outlooks_[i].hasMet) return nullptr;
   const std::vector<HandledContact>& met = pucks_[i].met;
-  return std::any_of(met.begin(), met.end(), [&](const HandledContact& contact) {
+  const auto found = std::find_if(met.rbegin(), met.rend(), [&](const HandledContact& contact) {
     return contact.puck == other && contact.leg == outlooks_[other].legNumber;
   });
+  return found == met.rend() ? nullptr : &*found;
 }
 
-void CollisionScheduler::noteMet(int i, int other, unsigned otherLeg) {
-  pucks_[i].met.push_back({other, otherLeg});
+void CollisionScheduler::noteMet(int i, const HandledContact& contact) {
+  pucks_[i].met.push_back(contact);
   outlooks_[i].hasMet = true;
 }
 
 std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second) const {
+  if (hasCorners(first, second)) {
+    const HandledContact* const last = dealtWith(first, second);
+    if (last != nullptr && last->until == kNever) return std::nullopt;
+    const std::optional<CornerContact> found = cornersMeet(first, second);
+    if (!found) return std::nullopt;
+    return carom::meetingOf(shapedFlight(first, flightOf(first), spins_[first].turning),
+                            shapedFlight(second, flightOf(second), spins_[second].turning), *found,
+                            convention_);
+  }
   if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
   const auto found = findBrakedMeeting({flightOf(first), discs_[first].radius},
                                        {flightOf(second), discs_[second].radius}, convention_);
@@ -214,7 +231,8 @@ void CollisionScheduler::considerCushions(int i, PredictedEvent& best) const {
   for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
     const CushionPlane& plane = cushions_[cushion];
     if (cells_.canLeave(cell, plane.axis, plane.sign > 0.0 ? 1 : -1)) continue;
-    if (!(plane.towards(discs_[i].u) > 0.0) || (outlooks_[i].metCushions >> cushion & 1u) != 0) continue;
+    if ((outlooks_[i].metCushions >> cushion & 1u) != 0) continue;
+    if (!(plane.towards(discs_[i].u) > 0.0) && outlineOf(i) == nullptr) continue;
     considerCushion(i, cushion, best);
   }
 }
@@ -224,10 +242,9 @@ void CollisionScheduler::considerCushion(int i, int cushion, PredictedEvent& bes
   // No earlier than straight flight to R (1 + u_n) from the plane, as R sqrt(1 + u_n²) is less; a glide is
   // slower.
   const double un = cushions_[cushion].towards(leg.u);
-  const double atLeast = cushions_[cushion].inside(leg.start) - discs_[i].radius * (1.0 + un);
-  if (atLeast * leg.u.t > (best.ownTime - leg.start.t) * un) return;
-  const std::optional<CushionContact> contact =
-      findContact(leg, discs_[i].radius, cushions_[cushion], convention_);
+  const double atLeast = cushions_[cushion].inside(leg.start) - discs_[i].radius * (1.0 + std::abs(un));
+  if (un > 0.0 ? atLeast * leg.u.t > (best.ownTime - leg.start.t) * un : atLeast > 0.0) return;
+  const std::optional<CushionContact> contact = touchOf(i, leg, spins_[i].turning, cushion);
   if (!contact) return;
   const double own = contact->ownTime;
   if (own >= discs_[i].turnsAt || own > best.ownTime) return;

@@ -74,6 +74,8 @@ struct GameEvent {
   /// the rims lie on each other, simultaneously with the turns in the equal-speed frame, or the place on the
   /// cushion beside the centre when it turns; it may lie after the turns and out of reach of light.
   bool withoutDelay = false;
+  /// For a collision of bodies with corners: a side lies on a side, and `at` is the middle of what touches.
+  bool sideOnSide = false;
   Turns turns;  ///< one for each puck that took part; for a stroke, its arrival
   double heat_j = 0.0;
 };

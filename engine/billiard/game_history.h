@@ -40,6 +40,8 @@ class GameHistory {
   // Adding an event returns its number, counted from the start of the game. Its turns are added afterwards.
   std::uint64_t addCollision(std::optional<Cushion> cushion, const Vec21& contact, bool withoutDelay,
                              double heat_j);
+  /// Notes that in the last collision added a side lies on a side.
+  void noteSideOnSide() { events_.back().sideOnSide = true; }
   std::uint64_t addJam(const Vec21& contact, double heat_j);
   /// Adds a stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
   std::uint64_t addStroke(std::uint32_t stroke, const Vec21& at, double height_m);

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
+
+#include "engine/collision/shaped_flight.h"
+#include "engine/collision/spinning_body.h"
 
 namespace carom {
 
@@ -59,6 +63,39 @@ void checkSpin(const Puck& puck, double c_m_s) {
            " kg m²/s: expected one with which the rim is slower than light");
 }
 
+/// A puck as it is at board time 0, c = 1.
+struct Start {
+  std::optional<Outline> outline;
+  ShapedFlight flight;
+
+  Start(const Puck& puck, double c_m_s) {
+    if (!puck.outline_m.empty()) outline.emplace(puck.outline_m);
+    const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta));
+    const SpinningBody body{puck.mass_kg, puck.inertia * puck.mass_kg};
+    flight = {{0.0, puck.position_m.x, puck.position_m.y},
+              {gamma, gamma * puck.beta.x, gamma * puck.beta.y},
+              puck.radius_m,
+              outline ? &*outline : nullptr,
+              0.0,
+              rimBeta(body, puck.spin_kg_m2_s / (puck.radius_m * c_m_s)) / puck.radius_m};
+  }
+  Start(const Start&) = delete;
+  Start& operator=(const Start&) = delete;
+};
+
+void checkOutline(const PhysicsRules& rules, const Puck& puck) {
+  if (puck.outline_m.empty()) return;
+  if (const auto fault = faultOf(puck.outline_m)) refuse("puck \"", puck.name, "\": outline: ", fault->what);
+  const double radius_m = radiusOf_m(puck.outline_m);
+  if (!(std::abs(puck.radius_m - radius_m) <= kTouching * radius_m))
+    refuse("puck \"", puck.name, "\": radius ", puck.radius_m, " m: expected that of its farthest corner, ",
+           radius_m, " m");
+  if (rules.friction_m_s2 != 0.0 || rules.spinDeceleration_m_s2 != 0.0)
+    refuse("puck \"", puck.name,
+           "\" has corners, and the cloth slows pucks: expected no friction and no spin "
+           "deceleration in a game with corners");
+}
+
 void checkPuck(const BilliardSetup& setup, const Puck& puck) {
   if (!isPositive(puck.radius_m))
     refuse("puck \"", puck.name, "\": radius ", puck.radius_m, " m: expected a positive number");
@@ -77,6 +114,7 @@ void checkPuck(const BilliardSetup& setup, const Puck& puck) {
            " c: expected less than 1");
   }
   const double c = setup.lightSpeed_m_s;
+  checkOutline(setup.rules, puck);
   checkSpin(puck, c);
   if (!(puck.radius_m * setup.rules.friction_m_s2 < 0.5 * c * c)) {
     refuse("puck \"", puck.name, "\": friction × radius is ", puck.radius_m * setup.rules.friction_m_s2,
@@ -84,18 +122,19 @@ void checkPuck(const BilliardSetup& setup, const Puck& puck) {
   }
 }
 
-// Half the extent of the contracted disc along an axis: R sqrt(1 − β_n²).
-double halfExtent_m(const Puck& puck, double betaN) { return puck.radius_m * std::sqrt(1.0 - betaN * betaN); }
-
-void checkInsideBoard(const Board& board, const Puck& puck) {
+void checkInsideBoard(const Board& board, const Puck& puck, double c_m_s) {
   const double halves_m[2] = {0.5 * board.length_m, 0.5 * board.width_m};
   for (int axis = 0; axis < 2; ++axis) {
-    const double clear_m = halves_m[axis] - std::abs(puck.position_m[axis]);
-    const double needed_m = halfExtent_m(puck, puck.beta[axis]);
-    if (!(clear_m >= needed_m * (1.0 - kTouching))) {
+    // Of a disc the nearer cushion tells.
+    for (const double sign :
+         {puck.position_m[axis] > 0 ? 1.0 : -1.0, puck.position_m[axis] > 0 ? -1.0 : 1.0}) {
+      const double clear_m = halves_m[axis] - sign * puck.position_m[axis];
+      const double needed_m = extentOnBoard_m(puck, axis, sign, c_m_s);
+      if (clear_m >= needed_m * (1.0 - kTouching)) continue;
       refuse("puck \"", puck.name, "\": at t = 0 its centre is ", clear_m, " m inside the ",
-             axis == 0 ? (puck.position_m.x > 0 ? "+x" : "-x") : (puck.position_m.y > 0 ? "+y" : "-y"),
-             " cushion and its disc reaches ", needed_m, " m: expected it to be clear of the cushion");
+             axis == 0 ? (sign > 0 ? "+x" : "-x") : (sign > 0 ? "+y" : "-y"), " cushion and its ",
+             puck.outline_m.empty() ? "disc reaches " : "corners reach ", needed_m,
+             " m: expected it to be clear of the cushion");
     }
   }
 }
@@ -123,10 +162,21 @@ void forEachClosePair(const std::vector<Puck>& pucks, Function f) {
 
 }  // namespace
 
+double extentOnBoard_m(const Puck& puck, int axis, double sign, double c_m_s) {
+  if (puck.outline_m.empty()) return puck.radius_m * std::sqrt(1.0 - puck.beta[axis] * puck.beta[axis]);
+  const Start start(puck, c_m_s);
+  double farthest_m = 0.0;
+  for (const Vec2& corner_m : cornersOnBoard(start.flight, 0.0))
+    farthest_m = std::max(farthest_m, sign * (corner_m[axis] - puck.position_m[axis]));
+  return farthest_m;
+}
+
 // Perram and Wertheim's contact function of two ellipses with shape matrices A, B and distance r:
 // F = max over 0 < λ < 1 of λ(1−λ) rᵀ [(1−λ) A + λ B]⁻¹ r; they overlap iff F < 1. The maximised function is
 // concave. For a disc, A = R² (1 − ββᵀ).
-bool overlapOnBoard(const Puck& a, const Puck& b) {
+bool overlapOnBoard(const Puck& a, const Puck& b, double c_m_s) {
+  if (!a.outline_m.empty() || !b.outline_m.empty())
+    return overlapOnBoard(Start(a, c_m_s).flight, Start(b, c_m_s).flight, 0.0);
   const Vec2 r = b.position_m - a.position_m;
   const double reach_m = a.radius_m + b.radius_m;
   if (glm::dot(r, r) >= reach_m * reach_m) return false;
@@ -179,12 +229,12 @@ void checkSetup(const BilliardSetup& setup) {
   std::unordered_set<std::string> names;
   for (const Puck& puck : setup.pucks) {
     checkPuck(setup, puck);
-    if (setup.board) checkInsideBoard(*setup.board, puck);
+    if (setup.board) checkInsideBoard(*setup.board, puck, setup.lightSpeed_m_s);
     if (!names.insert(puck.name).second)
       refuse("two pucks are named \"", puck.name, "\": expected different names");
   }
-  forEachClosePair(setup.pucks, [](const Puck& a, const Puck& b) {
-    if (!overlapOnBoard(a, b)) return;
+  forEachClosePair(setup.pucks, [&](const Puck& a, const Puck& b) {
+    if (!overlapOnBoard(a, b, setup.lightSpeed_m_s)) return;
     refuse("pucks \"", a.name, "\" at (", a.position_m.x, ", ", a.position_m.y, ") m and \"", b.name,
            "\" at (", b.position_m.x, ", ", b.position_m.y,
            ") m overlap at t = 0: expected them to be apart");

@@ -31,6 +31,7 @@ std::optional<PairKick> kickPair(const Vec21& U, const Vec21& n, const std::arra
 struct CushionKick {
   Vec21 u;
   double heat = 0.0;
+  double closing = 0.0;  ///< celerity at which what touched closed on the cushion
 };
 
 /// Returns the kick that a cushion gives; none if the puck does not move towards it.

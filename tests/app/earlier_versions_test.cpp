@@ -1,5 +1,5 @@
-// Session files of versions 4 to 6, which do not know of spins, of scores and comfort, of several games and of several
-// viewers.
+// Session files of versions 4 to 7, which do not know of spins, of scores and comfort, of several games, of several
+// viewers and of sides on sides.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -23,10 +23,12 @@ using namespace test;
 
 constexpr int kFrames = 9;
 
-/// The frame as a program of that version would have kept it: before 6 without scores and comfort, 4 without spins.
+/// The frame as a program of that version would have kept it: without sides on sides, before 6 without scores and
+/// comfort, 4 without spins.
 FrameState plainFrameOf(std::uint64_t number, int version) {
   FrameState state = frameOf(number);
-  if (version == kVersion6) return state;
+  for (GameEvent& event : state.events) event.sideOnSide = false;
+  if (version >= kVersion6) return state;
   state.record.fade = 0.0;
   state.record.controls.comfort = 0;
   state.record.score = {};
@@ -49,6 +51,9 @@ void write(const std::filesystem::path& file, int version) {
   const auto drop = [&](std::initializer_list<const char*> columns) {
     for (const char* column : columns) database.exec(std::string("ALTER TABLE ") + column);
   };
+  drop({"event DROP COLUMN side_on_side", "frame_event DROP COLUMN side_on_side"});
+  database.exec("PRAGMA user_version = " + std::to_string(version));
+  if (version == kVersion7) return;
   database.exec(
       "DROP TABLE game; DROP TABLE viewer; DROP TABLE platform; DROP TABLE other_viewer; DELETE FROM session "
       "WHERE key = 'viewer'");
@@ -66,7 +71,6 @@ void write(const std::filesystem::path& file, int version) {
           "frame_event DROP COLUMN second_spin_after_kg_m2_s", "turn DROP COLUMN spin_before_kg_m2_s",
           "turn DROP COLUMN spin_after_kg_m2_s", "stroke DROP COLUMN offset_m"});
   }
-  database.exec("PRAGMA user_version = " + std::to_string(version));
 }
 
 void expectFrames(const std::filesystem::path& file, int version, int plain, int later) {
@@ -80,9 +84,9 @@ void expectFrames(const std::filesystem::path& file, int version, int plain, int
   EXPECT_FALSE(session.next(state));
 }
 
-TEST(EarlierVersions, FilesOfVersions4To6AreReadAndGoneOnWith) {
+TEST(EarlierVersions, FilesOfVersions4To7AreReadAndGoneOnWith) {
   TemporaryFolder folder;
-  for (const int version : {kVersion4, kVersion5, kVersion6}) {
+  for (const int version : {kVersion4, kVersion5, kVersion6, kVersion7}) {
     SCOPED_TRACE(version);
     const auto file = folder / ("game" + std::to_string(version) + ".db");
     write(file, version);

@@ -24,6 +24,7 @@ inline GameEvent eventOf(std::uint64_t number, double x) {
   if (number % 2 == 0) event.cushion = Cushion::minusY;
   event.at = {x, {0.1, -x, 0.01}};
   event.withoutDelay = number % 3 == 0;
+  event.sideOnSide = number % 5 == 0;
   event.heat_j = 1e-3 * x;
   for (std::size_t puck = 0; puck < 1 + number % 2; ++puck)
     event.turns.push_back({puck, {x, {x, 0.2, 0.01}}, {0.1, x}, {-0.1, x}, x / 3.0, 0.01 * x, -x});
@@ -58,7 +59,7 @@ inline FrameState frameOf(std::uint64_t number) {
 }
 
 inline bool sameBits(const GameEvent& a, const GameEvent& b) {
-  return a.withoutDelay == b.withoutDelay &&
+  return a.withoutDelay == b.withoutDelay && a.sideOnSide == b.sideOnSide &&
          digestOf(FrameState{{}, {}, {a}}, World{}) == digestOf(FrameState{{}, {}, {b}}, World{});
 }
 

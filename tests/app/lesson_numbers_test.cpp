@@ -215,6 +215,35 @@ TEST(LessonNumbers, TwoCushions) {
       .has(right->r_m.x - left->r_m.x, 2);
 }
 
+TEST(LessonNumbers, BarMeetsBar) {
+  const Scenario scenario = shipped("bar-meets-bar");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const Billiard game = played(scenario, 1.0);
+  const auto isPair = [](const GameEvent& event) { return event.kind == EventKind::puckPuck; };
+  const auto met = std::find_if(game.events().begin(), game.events().end(), isPair);
+  ASSERT_NE(met, game.events().end());
+  EXPECT_TRUE(met->sideOnSide);
+  const Event right = flashNamed(scenario, "right ends").at, left = flashNamed(scenario, "left ends").at;
+  for (const Event& end : {right, left}) {
+    EXPECT_NEAR(end.t_s, met->at.t_s, 1e-12);
+    EXPECT_NEAR(end.r_m.y, met->at.r_m.y, 1e-12);
+  }
+  EXPECT_NEAR(met->at.r_m.x, 0.0, 1e-12);
+  const double length_m = right.r_m.x - left.r_m.x;
+  for (const Puck& bar : scenario.billiard.pucks)  // it moves across its length
+    EXPECT_NEAR(2.0 * bar.outline_m[2].x, length_m, 1e-12);
+  const Vec3 flying = uFromBeta({0.5, 0.0, 0.0});
+  const double earlier_s = elapsedFor_s(flying, right, left, c_m_s);
+  EXPECT_GT(earlier_s, 0.0) << "the right ones first: the second answer";
+  EXPECT_EQ(elapsedFor_s(Vec3(0.0), right, left, c_m_s), 0.0);
+  const Explained explained(scenario);
+  EXPECT_NEAR(explained.reads_s(scenario.lesson->plan.stopwatches.at(0)), earlier_s, 1e-9);
+  EXPECT_NEAR(elapsedFor_s(flying, explained.observer.middle.observation, right, c_m_s), 0.0, 1e-9)
+      << "the moment at which the right ends touch";
+  EXPECT_EQ(scenario.lesson->words.right, 1u);
+  Numbers(claims(scenario)).has(0.5, 1).has(earlier_s, 3).has(gammaFromU(flying), 3).has(length_m, 2);
+}
+
 /// At which speed of light's a puck is seen to move along x, by an eye on its line.
 double apparentBeta(const WorldLine& line, const Vec3& eye_m, double at_s) {
   constexpr double kApart_s = 0.05;
@@ -460,32 +489,45 @@ TEST(LessonNumbers, PairsOfFour) {
   EXPECT_EQ(scenario.lesson->words.right, 1u);
 }
 
-/// How long a puck is seen to be along x by an eye on its line, in its own lengths.
-double seenLength(const WorldLine& line, double radius_m, const Vec3& from_m, double at_s) {
-  const Vec3 start_m = line.at(0.0).event.r_m;
-  const Event eye{at_s, {from_m.x, start_m.y, start_m.z}};
+/// How long a puck is seen to be along x between these points of it, `half_m` before and behind its centre, in lengths at
+/// rest.
+double seenLength(const WorldLine& line, double half_m, const Event& eye) {
   const auto seen = [&](double offset_m) {
     return emission(line, {offset_m, 0.0, 0.0}, eye, Lorentz(line.lightSpeed_m_s())).value().event.r_m.x;
   };
-  return (seen(radius_m) - seen(-radius_m)) / (2.0 * radius_m);
+  return (seen(half_m) - seen(-half_m)) / (2.0 * half_m);
 }
 
 TEST(LessonNumbers, SeenLength) {
   const Scenario scenario = shipped("seen-length");
   const Billiard game = played(scenario, 9.0);
-  const std::size_t moving = puckNamed(scenario, "moving");
+  const std::size_t moving = puckNamed(scenario, "moving"), resting = puckNamed(scenario, "at rest");
   const WorldLine& line = game.worldLines()[moving];
   const double radius_m = scenario.billiard.pucks[moving].radius_m;
   const double beta = glm::length(betaFromU(line.at(1.0).u));
-  EXPECT_EQ(radius_m, scenario.billiard.pucks[puckNamed(scenario, "at rest")].radius_m);
-  const double going = seenLength(line, radius_m, scenario.observer.position_m, 2.5);
-  const double coming = seenLength(line, radius_m, scenario.observer.position_m, 5.8);
+  EXPECT_EQ(radius_m, scenario.billiard.pucks[resting].radius_m);
+  const Vec3 onItsLine_m(scenario.observer.position_m.x, line.at(0.0).event.r_m.y, line.at(0.0).event.r_m.z);
+  const double going = seenLength(line, radius_m, {2.5, onItsLine_m});
+  const double coming = seenLength(line, radius_m, {5.8, onItsLine_m});
   EXPECT_NEAR(coming, 2.0, 1e-6) << "twice: the second answer";
   EXPECT_EQ(scenario.lesson->words.answers[scenario.lesson->words.right], "Twice as long");
-  const double contracted = std::sqrt(1.0 - beta * beta);
-  Numbers(claims(scenario)).has(beta, 1).has(coming, 0).has(going, 1).has(contracted, 1).has(1.0, 0);
-  const Event now = Explained(scenario).observer.middle.observation;
+  const Explained explained(scenario);
+  const Event now = explained.observer.middle.observation;
   EXPECT_LT(centreSeen(line, now).u.x, 0.0) << "it comes at the moment";
+  const double drawn[] = {explained.gauges(scenario, 0, line),
+                          explained.gauges(scenario, 1, game.worldLines()[resting])};
+  EXPECT_NEAR(drawn[0], seenLength(line, 1e-4, now), 1e-5);
+  EXPECT_NEAR(drawn[0], seenLength(line, radius_m, now), 0.01)
+      << "the whole puck looks as long, as far as one reads";
+  EXPECT_NEAR(drawn[1], 1.0, 1e-12);
+  Numbers(claims(scenario))
+      .has(beta, 1)
+      .has(coming, 0)
+      .has(going, 1)
+      .has(std::sqrt(1.0 - beta * beta), 1)
+      .has(drawn[0], 2)
+      .has(drawn[1], 2)
+      .has(1.0, 0);
 }
 
 // By the points' own world lines.
@@ -544,7 +586,28 @@ TEST(LessonNumbers, SpinningDisc) {
   const double rim = line.knots()[0].spin.omega_rad_s * radius_m / c_m_s, gamma = 10.0 / rim_s;
   EXPECT_EQ(scenario.lesson->words.right, 1u) << "less";
   const double gap_s = 2.0 * std::numbers::pi * radius_m * rim * gamma / c_m_s;
-  Numbers(claims(scenario)).has(rim, 1).has(gamma, 2).has(rim_s, 0).has(10.0, 0).has(gap_s, 2).has(2.0, 0);
+  // What the clocks in the middle and on the rim are seen to show, cut off after tenths as they are drawn.
+  const Event now = Explained(scenario).observer.middle.observation;
+  const auto shown_s = [&](const Vec3& point_m) {
+    const auto way = vertexHistory(line, point_m);
+    const double left_s = eventOnPastCone(way, now, c_m_s).t_s;
+    return std::floor(10.0 * properTimeAt(pieceAt(way, left_s), left_s, c_m_s)) / 10.0;
+  };
+  double least_s = 1e9, most_s = -1e9;
+  for (int k = 0; k < 6; ++k) {
+    const double angle_rad = std::numbers::pi * k / 3.0;
+    const double clock_s = shown_s({radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad), 0.0});
+    least_s = std::min(least_s, clock_s), most_s = std::max(most_s, clock_s);
+  }
+  Numbers(claims(scenario))
+      .has(rim, 1)
+      .has(gamma, 2)
+      .has(rim_s, 1)
+      .has(shown_s(Vec3(0.0)), 1)
+      .has(least_s, 1)
+      .has(most_s, 1)
+      .has(gap_s, 2)
+      .has(2.0, 0);
 }
 
 TEST(LessonNumbers, SeenAtOnce) {

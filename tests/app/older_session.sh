@@ -17,8 +17,8 @@ replay() { "$carom" replay "$out/game.db" --capture "$out/$1" --no-window 2>"$ou
 replay before
 [ "$(rows 'PRAGMA user_version')" = 3 ] || fail "a replay has changed the file"
 "$carom" cave --session "$out/game.db" --resume --frames 5 --no-window 2>"$out/stderr" || fail "resume: $(cat "$out/stderr")"
-grep -q "game.db is of version 3 and becomes one of version 7" "$out/stderr" || fail "not a word: $(cat "$out/stderr")"
-[ "$(rows 'PRAGMA user_version')" = 7 ] || fail "its version is $(rows 'PRAGMA user_version')"
+grep -q "game.db is of version 3 and becomes one of version 8" "$out/stderr" || fail "not a word: $(cat "$out/stderr")"
+[ "$(rows 'PRAGMA user_version')" = 8 ] || fail "its version is $(rows 'PRAGMA user_version')"
 [ "$(rows 'SELECT count(*), max(number) FROM frame')" = "25|24" ] || fail "its frames: $(rows 'SELECT number FROM frame')"
 replay after
 pictures=$(find "$out/before" -name '*.png' | wc -l)

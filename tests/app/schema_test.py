@@ -62,6 +62,21 @@ for window, right in [
     assert schema.is_valid(tried) == right, f"the schema judges the window {window} wrongly"
 print("the keys of a window are judged rightly")
 
+game = tomllib.loads((config / "scenarios/three-pucks.toml").read_text())
+puck = {"name": "a", "mass_kg": 1, "position_m": [0, 0], "beta": [0, 0]}
+scenario = jsonschema.Draft7Validator(json.loads((config / "scenario.schema.json").read_text()))
+for keys, right in [
+    ({"radius_m": 0.1}, True),
+    ({"outline_m": [[0, 0], [1, 0], [0, 1]]}, True),
+    ({"outline_m": [[0, 0], [1, 0]]}, False),
+    ({"outline_m": [[0, 0], [1, 0], [0, 1]], "radius_m": 0.1}, False),
+    ({"radius_m": 0.1, "mesh": "a.obj", "outline": "mesh"}, True),
+    ({"radius_m": 0.1, "outline": "mesh"}, False),
+    ({"radius_m": 0.1, "mesh": "a.obj", "outline": "hull"}, False),
+]:
+    assert scenario.is_valid(game | {"puck": [puck | keys]}) == right, f"the schema judges the puck {keys} wrongly"
+print("the keys of outlines are judged rightly")
+
 for node, right in [
     ({"rank": 0, "host": "cave-front"}, True),
     ({"rank": 0, "host": "10.0.0.7", "slots": 2, "display": ":0.1"}, True),

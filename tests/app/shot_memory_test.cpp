@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace carom {
 namespace {
 
@@ -57,6 +59,42 @@ TEST(ShotMemory, ALongShotIsNotKeptAndNothingGrows) {
   ShotMemory shots;
   shoot(shots, 0.0, 1000.0, 5);
   EXPECT_FALSE(shots.hasBest());
+}
+
+TEST(ShotReplay, EndsWithTheShotOrWhenThePersonInterruptsIt) {
+  ShotMemory shots;
+  shoot(shots, 10.0, 8.0, 1);
+  ShotReplay replay;
+  EXPECT_FALSE(replay.look(shots, 30.0, false));
+  EXPECT_FALSE(replay.view(shots, 30.0));
+  for (const double interrupted_s : {33.0, 1e9}) {
+    replay.begin(30.0, false);
+    double now_s = 30.1;
+    for (; replay.look(shots, now_s, now_s > interrupted_s) && replay.isOn(); now_s += 0.1)
+      ASSERT_NEAR(replay.view(shots, now_s)->shown_s, now_s - 20.0, 0.06);
+    EXPECT_NEAR(now_s, std::min(interrupted_s, 34.0 + ShotMemory::kAfter_s), 0.21);
+    EXPECT_FALSE(replay.view(shots, now_s)) << "the game is seen at once";
+  }
+}
+
+TEST(ShotReplay, WhereItEndsAGameTheGameIsNotSeenWhileTheWallsGoDark) {
+  ShotMemory shots;
+  shoot(shots, 10.0, 8.0, 1);
+  ShotReplay replay;
+  for (const double interrupted_s : {33.0, 1e9}) {
+    replay.begin(30.0, true);
+    double now_s = 30.1;
+    while (replay.look(shots, now_s, now_s > interrupted_s) && replay.isOn()) now_s += 0.1;
+    const double over_s = now_s;
+    for (; now_s < over_s + 0.9 * ShotReplay::kHeld_s; now_s += 0.1) {
+      replay.look(shots, now_s, false);
+      ASSERT_FALSE(replay.isOn()) << "the next game may come";
+      ASSERT_TRUE(replay.view(shots, now_s)) << now_s;
+      EXPECT_NEAR(replay.view(shots, now_s)->shown_s, std::min(now_s - 20.0, shots.last().shown_s), 0.06);
+    }
+    replay.look(shots, over_s + 1.2 * ShotReplay::kHeld_s, false);
+    EXPECT_FALSE(replay.view(shots, over_s + 1.2 * ShotReplay::kHeld_s)) << "no other game has come";
+  }
 }
 
 TEST(ShotMemory, TheGameMayForgetWhatAnOldShotShowed) {

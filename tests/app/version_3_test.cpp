@@ -70,10 +70,10 @@ TEST(Version3, AFileOfVersion3IsReadAndGoneOnWithAndHasTheSameDigests) {
       journal.add(later, head(), {});
     }
     EXPECT_EQ(lines.said(), (Strings{"The session file " + file.string() +
-                                     " is of version 3 and becomes one of version 7."}));
+                                     " is of version 3 and becomes one of version 8."}));
     EXPECT_EQ(digestsOf(file, kFrames), kDigests);
     SQLite::Database database(file.string());
-    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 7);
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 8);
     EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
     EXPECT_EQ(column(database, "SELECT without_delay FROM event ORDER BY number"),
               (Strings{"0", "0", "0", "1"}));

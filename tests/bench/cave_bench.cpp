@@ -66,7 +66,12 @@ class Room {
     return std::make_unique<WallRenderer>(graphics_, scene_, kC_m_s, 1);
   }
 
-  /// One frame: four walls, two eyes, drawn to the end.
+  /// Lets the head go on at another speed, so that nothing that rests looks as it did.
+  void turnSpeed(double phase_rad) {
+    headFromBoard_ = Lorentz::boost({-0.5 + 0.02 * std::sin(phase_rad), 0.1, 0.05}, kC_m_s);
+  }
+
+  /// One frame: four walls, two eyes.
   void draw(WallRenderer& renderer, const Switches& switches, double t_s) {
     for (const double side : {-0.032, 0.032}) {
       const EyeView eye{{t_s, {side, -1.6, 0.85}}, {side, 0.0, 1.6}};
@@ -74,11 +79,11 @@ class Room {
         viewBody(histories_[body], eye.observation, headFromBoard_, bodies_[body], switches);
       }
       renderer.look(headFromBoard_, eye, bodies_, switches);
-      for (std::size_t i = 0; i < walls_.size(); ++i) {
-        renderer.draw(walls_[i], eye.positionInRoom_m, *pictures_[(side > 0.0 ? 4 : 0) + i]);
-      }
+      std::array<WallPicture, 4> shown;
+      for (std::size_t i = 0; i < walls_.size(); ++i)
+        shown[i] = {&walls_[i], pictures_[(side > 0.0 ? 4 : 0) + i].get(), {}, nullptr};
+      renderer.draw(shown, eye.positionInRoom_m);
     }
-    glFinish();
   }
 
   /// The first wall for one eye alone, drawn to the end.
@@ -188,6 +193,12 @@ struct Million {
   }
 };
 
+/// Draws a frame to its end.
+void finish(Room& room, WallRenderer& renderer, const Switches& switches, double t_s) {
+  room.draw(renderer, switches, t_s);
+  glFinish();
+}
+
 /// One state of the switches, drawn and timed.
 struct Drawn {
   const char* name;
@@ -195,26 +206,33 @@ struct Drawn {
   std::unique_ptr<WallRenderer> renderer;
   std::vector<double> times_s;
   std::vector<double> processor_s;  // of all threads
+  GpuTimer card;
 };
 
 /// Frames in turn with each state of the switches, so that whatever else the machine does strikes all alike.
-/// Counters: median milliseconds a frame, by the wall's clock and of processors, and these of the first
-/// state's.
-void measureInTurn(benchmark::State& state, Room& room) {
-  std::array<Drawn, 4> states{{{"euclid", kNoSwitches, {}, {}, {}},
-                               {"relativity", {}, {}, {}, {}},
-                               {"with_colour", kAllOn, {}, {}, {}},
-                               {"unsolved", kUnsolved, {}, {}, {}}}};
+/// Counters: median milliseconds a frame, by the wall's clock, of processors and of the graphics card, and the first
+/// two over those of the first state. If the head moves, its speed changes from frame to frame.
+void measureInTurn(benchmark::State& state, Room& room, bool moves = false) {
+  std::array<Drawn, 4> states{{{"euclid", kNoSwitches, {}, {}, {}, {}},
+                               {"relativity", {}, {}, {}, {}, {}},
+                               {"with_colour", kAllOn, {}, {}, {}, {}},
+                               {"unsolved", kUnsolved, {}, {}, {}, {}}}};
   double t_s = 3.0;
   for (Drawn& drawn : states) {
     drawn.renderer = room.makeRenderer();
-    room.draw(*drawn.renderer, drawn.switches, t_s);  // compiles
+    finish(room, *drawn.renderer, drawn.switches, t_s);  // compiles
   }
   for (auto _ : state) {
     t_s = t_s < 8.0 ? t_s + 1.0 / 60.0 : 3.0;
+    if (moves) room.turnSpeed(10.0 * t_s);
     for (Drawn& drawn : states) {
       const std::clock_t before = std::clock();
-      drawn.times_s.push_back(secondsOf([&] { room.draw(*drawn.renderer, drawn.switches, t_s); }));
+      drawn.times_s.push_back(secondsOf([&] {
+        drawn.card.begin();
+        room.draw(*drawn.renderer, drawn.switches, t_s);
+        drawn.card.end();
+        glFinish();
+      }));
       drawn.processor_s.push_back(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
     }
   }
@@ -223,6 +241,7 @@ void measureInTurn(benchmark::State& state, Room& room) {
     const std::string name = drawn.name;
     state.counters[name + "_ms"] = 1e3 * medianOf(drawn.times_s);
     state.counters[name + "_cpu_ms"] = 1e3 * medianOf(drawn.processor_s);
+    state.counters[name + "_card_ms"] = 1e3 * static_cast<double>(drawn.card.median_s());
     state.counters[name + "_ratio"] = medianOf(drawn.times_s) / medianOf(states[0].times_s);
     state.counters[name + "_cpu_ratio"] = medianOf(drawn.processor_s) / medianOf(states[0].processor_s);
   }
@@ -241,12 +260,20 @@ void frame(benchmark::State& state) {
   measureInTurn(state, room);
 }
 
+// The same while the head's speed changes: nothing can be kept from the frame before.
+void movingFrame(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Game game;
+  Room room(graphics(), game.scene, game.histories);
+  measureInTurn(state, room, true);
+}
+
 // The same at a size at which pixels cost nothing: what is left is the price of vertices and of commands.
 void frameWithoutPixels(benchmark::State& state) {
   graphics().makeCurrent();
   const Game game;
   Room room(graphics(), game.scene, game.histories, 16);
-  measureInTurn(state, room);
+  measureInTurn(state, room, true);
 }
 
 // The same with nothing in sight: the table lies behind all walls, and there is no hall.
@@ -275,15 +302,15 @@ void views(benchmark::State& state) {
   const Game game;
   Room room(graphics(), game.scene, game.histories);
   const auto solved = room.makeRenderer(), unsolved = room.makeRenderer();
-  room.draw(*solved, {}, 3.0);
-  room.draw(*unsolved, kUnsolved, 3.0);
+  finish(room, *solved, {}, 3.0);
+  finish(room, *unsolved, kUnsolved, 3.0);
   std::vector<double> eight_s, one_s, unsolved_s;
   double t_s = 3.0;
   for (auto _ : state) {
     t_s = t_s < 8.0 ? t_s + 1.0 / 60.0 : 3.0;
     one_s.push_back(processorTimeOf([&] { room.drawOneView(*solved, {}, t_s); }));
-    eight_s.push_back(processorTimeOf([&] { room.draw(*solved, {}, t_s); }));
-    unsolved_s.push_back(processorTimeOf([&] { room.draw(*unsolved, kUnsolved, t_s); }));
+    eight_s.push_back(processorTimeOf([&] { finish(room, *solved, {}, t_s); }));
+    unsolved_s.push_back(processorTimeOf([&] { finish(room, *unsolved, kUnsolved, t_s); }));
   }
   state.counters["one_cpu_ms"] = 1e3 * medianOf(one_s);
   state.counters["eight_cpu_ms"] = 1e3 * medianOf(eight_s);
@@ -298,14 +325,14 @@ void twentySpinning(benchmark::State& state) {
   Room stillRoom(graphics(), still.scene, still.histories);
   Room spinningRoom(graphics(), spinning.scene, spinning.histories);
   const auto stillRenderer = stillRoom.makeRenderer(), spinningRenderer = spinningRoom.makeRenderer();
-  stillRoom.draw(*stillRenderer, {}, 3.0);
-  spinningRoom.draw(*spinningRenderer, {}, 3.0);
+  finish(stillRoom, *stillRenderer, {}, 3.0);
+  finish(spinningRoom, *spinningRenderer, {}, 3.0);
   std::vector<double> still_s, spinning_s;
   double t_s = 3.0;
   for (auto _ : state) {
     t_s = t_s < 6.0 ? t_s + 1.0 / 60.0 : 3.0;
-    still_s.push_back(processorTimeOf([&] { stillRoom.draw(*stillRenderer, {}, t_s); }));
-    spinning_s.push_back(processorTimeOf([&] { spinningRoom.draw(*spinningRenderer, {}, t_s); }));
+    still_s.push_back(processorTimeOf([&] { finish(stillRoom, *stillRenderer, {}, t_s); }));
+    spinning_s.push_back(processorTimeOf([&] { finish(spinningRoom, *spinningRenderer, {}, t_s); }));
   }
   state.counters["still_cpu_ms"] = 1e3 * medianOf(still_s);
   state.counters["spinning_cpu_ms"] = 1e3 * medianOf(spinning_s);
@@ -359,6 +386,7 @@ void millionSolvedAndUploaded(benchmark::State& state) {
 }
 
 BENCHMARK(frame)->Unit(benchmark::kMillisecond);
+BENCHMARK(movingFrame)->Unit(benchmark::kMillisecond);
 BENCHMARK(frameWithoutPixels)->Unit(benchmark::kMillisecond);
 BENCHMARK(nothingInSight)->Unit(benchmark::kMillisecond);
 BENCHMARK(views)->Unit(benchmark::kMillisecond);

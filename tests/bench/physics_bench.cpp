@@ -3,6 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/billiard/billiard.h"
+#include "engine/billiard/setup_check.h"
+#include "engine/collision/corner_contact.h"
 #include "engine/collision/rim_friction.h"
 #include "engine/gas.h"
 #include "engine/random_world.h"
@@ -105,6 +107,64 @@ void collisionSpin(benchmark::State& state) {
   }
 }
 
+std::vector<glm::dvec2> regular(int corners, double radius) {
+  std::vector<glm::dvec2> outline;
+  for (int k = 0; k < corners; ++k) {
+    const double at = 2.0 * M_PI * k / corners;
+    outline.push_back({radius * std::cos(at), radius * std::sin(at)});
+  }
+  return outline;
+}
+
+// The first contact of two bodies with so many corners that come from 0.5 m to either side at up to 0.9 c, most of
+// them to meet; with the second argument their corners go round at up to 0.5 c.
+void cornerContact(benchmark::State& state) {
+  const Outline outline(regular(static_cast<int>(state.range(0)), 0.05));
+  test::Random random(1);
+  const auto body = [&](double side) {
+    const double beta = random.in(0.1, 0.9), u = beta / std::sqrt(1.0 - beta * beta);
+    ShapedFlight flight{{0.0, 0.5 * side, random.in(-0.05, 0.05)},
+                        fourVelocity(-side * u, 0.0),
+                        outline.radius(),
+                        &outline,
+                        random.in(0.0, 6.0)};
+    if (state.range(1) != 0) flight.turning = random.in(-0.5, 0.5) / outline.radius();
+    return flight;
+  };
+  std::vector<std::array<ShapedFlight, 2>> pairs;
+  for (int i = 0; i < 256; ++i) pairs.push_back({body(-1.0), body(1.0)});
+  std::size_t i = 0, met = 0;
+  for (auto _ : state) {
+    const auto& pair = pairs[i++ % pairs.size()];
+    met += findCornerContact(pair[0], pair[1]) ? 1 : 0;
+  }
+  state.counters["meet"] = static_cast<double>(met) / static_cast<double>(state.iterations());
+}
+
+// A frame in which nothing collides, of bars instead of discs.
+void idleBars(benchmark::State& state) {
+  BilliardSetup setup = pairsSetup(static_cast<int>(state.range(0)));
+  for (Puck& puck : setup.pucks) {
+    puck.outline_m = {{-0.03, -0.005}, {0.03, -0.005}, {0.03, 0.005}, {-0.03, 0.005}};
+    puck.radius_m = radiusOf_m(puck.outline_m);
+  }
+  Billiard billiard(setup);
+  double t_s = 0.0;
+  for (auto _ : state) {
+    t_s = t_s < 0.3 ? t_s + 1e-9 : 0.0;
+    billiard.advanceTo(t_s);
+    benchmark::DoNotOptimize(moveAll(billiard, t_s));
+  }
+}
+
+BENCHMARK(idleBars)->Name("idle_frame/bars")->Arg(20);
+BENCHMARK(cornerContact)
+    ->Name("corner_contact")
+    ->ArgNames({"corners", "spin"})
+    ->Args({4, 0})
+    ->Args({16, 0})
+    ->Args({4, 1})
+    ->Args({16, 1});
 BENCHMARK(idleFrame)->Name("idle_frame/pucks")->Arg(2)->Arg(10)->Arg(20);
 BENCHMARK(collisionFrame)->Name("collision_frame/pucks")->Arg(2)->Arg(10)->Arg(20);
 BENCHMARK(collisionSpin)->Name("collision_spin/restitution_percent")->Arg(0)->Arg(50);

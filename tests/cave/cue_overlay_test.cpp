@@ -116,6 +116,25 @@ TEST_F(CueOverlayPicture, AimedAtAPuckTheRayIsBrighterAndTheTargetRinged) {
   }
 }
 
+TEST_F(CueOverlayPicture, ALargePuckIsWithinItsRingAndBeforeItsCue) {
+  const double rim_m = 0.2;
+  FrameRecord record = pulling(0.6);
+  const auto behind = [&](double by_m) { return record.hand.target_m - by_m * record.hand.towards; };
+  const double small_m = CueOverlay::kRim_m + CueOverlay::kDrawn_m * record.hand.u;
+  EXPECT_GT(at(drawn(record), behind(small_m + 0.05))[0], 150) << "the cue at a small puck";
+  aids_.setRims({0.0, rim_m});
+  EXPECT_LT(at(drawn(record), behind(small_m + 0.05))[0], 60) << "the large puck is there";
+  EXPECT_GT(at(drawn(record), behind(small_m + rim_m))[0], 150);
+  record.hand.pulling = 0;
+  const Image image = drawn(record);
+  const FacingPlane plane = facing(record.hand.target_m, kEyes_m, room_);
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.1 + i;
+    const glm::dvec3 ring_m = std::cos(angle) * plane.right + std::sin(angle) * plane.up;
+    EXPECT_GT(at(image, record.hand.target_m + (rim_m + CueOverlay::kBeside_m) * ring_m)[0], 120) << i;
+  }
+}
+
 TEST_F(CueOverlayPicture, OnesOwnRayIsAPoint) {
   FrameRecord record = pulling(0.8);
   record.hand.pulling = 0;

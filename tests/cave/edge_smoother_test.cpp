@@ -65,6 +65,7 @@ class EdgeSmootherTest : public testing::Test {
                                    const glm::ivec2& size_px = {kWide_px, kHigh_px}) {
     const auto rgba = pixelsOf(painting, size_px);
     const auto drawn = pictureOf(rgba, size_px), picture = pictureOf(rgba, size_px);
+    glViewport(0, 0, size_px.x, size_px.y);
     EdgeSmoother().smooth(drawn->texture(), size_px, *picture, 0);
     return greysOf(*picture);
   }
@@ -159,6 +160,7 @@ TEST_F(EdgeSmootherTest, NothingComesFromBeyondAWallsBorder) {
           pixelsOf([&](double x, double y) { return edge(x - kWall_px.x, y); }, {2 * kWall_px.x, kWall_px.y}),
           {2 * kWall_px.x, kWall_px.y});
       const std::vector<int> before = greysOf(*picture);
+      glViewport(0, 0, kWall_px.x, kWall_px.y);
       EdgeSmoother().smooth(drawn->texture(), kWall_px, *picture, kWall_px.x);
       const std::vector<int> greys = greysOf(*picture);
       for (std::size_t at = 0; at < greys.size(); ++at) {

@@ -24,5 +24,20 @@ TEST(FrameDigest, EachOfTheOperatorsChoicesCounts) {
   }
 }
 
+TEST(FrameDigest, HowACollisionActsCounts) {
+  constexpr std::size_t kEventsField = 6;
+  ASSERT_STREQ(FrameDigest::kFields[kEventsField], "new events");
+  FrameState plain, atOnce, sides;
+  for (FrameState* state : {&plain, &atOnce, &sides}) state->events.emplace_back();
+  atOnce.events[0].withoutDelay = true;
+  sides.events[0].sideOnSide = true;
+  const std::uint64_t digests[]{digestOf(plain, {}).fields[kEventsField],
+                                digestOf(atOnce, {}).fields[kEventsField],
+                                digestOf(sides, {}).fields[kEventsField]};
+  EXPECT_NE(digests[0], digests[1]);
+  EXPECT_NE(digests[0], digests[2]);
+  EXPECT_NE(digests[1], digests[2]);
+}
+
 }  // namespace
 }  // namespace carom

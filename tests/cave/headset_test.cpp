@@ -10,8 +10,10 @@
 #include <GL/glew.h>
 #include <GL/glx.h>
 
+#include "cave/headset/headset_pacer.h"
 #include "cave/room/headset_walls.h"
 #include "cave/room/off_axis.h"
+#include "counted_new.h"
 #include "xr_double.h"
 
 namespace carom {
@@ -293,6 +295,37 @@ TEST_F(HeadsetTest, WithoutTheFocusNoHandActs) {
   ASSERT_TRUE(frame);
   for (const HeadsetHand& hand : frame->hands) EXPECT_FALSE(hand.isTracked || hand.trigger);
   headset.submit(nullptr);
+}
+
+TEST_F(HeadsetTest, ASteadyFrameAllocatesNothing) {
+  runtime_.keepsPictures = false;
+  runtime_.ends.reserve(1000);
+  Headset headset(graphics_);
+  const Picture left(headset.pixels(), 0), right(headset.pixels(), 1);
+  const std::array<unsigned, 2> pictures{left, right};
+  HeadsetPacer pacer(headset, 0.0, 0);
+  std::size_t allocated = 0;
+  for (int frame = 0; frame < 200; ++frame) {
+    const std::size_t before = test::allocationCount();
+    const FrameTimes times = pacer.next();
+    headset.submit(&pictures);
+    if (frame > 120) allocated += test::allocationCount() - before;  // what the headset lacks is said in frame 90
+    EXPECT_EQ(times.number, static_cast<std::uint64_t>(frame));
+  }
+  EXPECT_EQ(allocated, 0U);
+}
+
+TEST_F(HeadsetTest, TheHandWhoseTriggerIsPulledTakesTheCue) {
+  std::array<HeadsetHand, 2> hands;
+  EXPECT_EQ(aimingHand(1, hands), 1U);
+  hands[0].isTracked = true;
+  EXPECT_EQ(aimingHand(1, hands), 0U) << "the other is lost";
+  hands[1].isTracked = true;
+  EXPECT_EQ(aimingHand(0, hands), 0U);
+  hands[1].trigger = true;
+  EXPECT_EQ(aimingHand(0, hands), 1U);
+  hands[0].trigger = true;
+  EXPECT_EQ(aimingHand(1, hands), 1U) << "who holds the cue keeps it";
 }
 
 TEST_F(HeadsetTest, WhatIsMissingIsSaid) {

@@ -80,7 +80,7 @@ class ProjectorPixels : public testing::Test {
 
   /// The window with one pane over all of it; rows from the bottom up.
   Pixels packed(const Projection* projection, StereoMode mode = StereoMode::mono) {
-    StereoPacker packer;
+    StereoPacker packer(window_->framebuffer());
     glBindFramebuffer(GL_FRAMEBUFFER, window_->framebuffer());
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);

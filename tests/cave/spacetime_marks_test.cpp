@@ -7,7 +7,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
+#include <vector>
 
+#include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -231,7 +234,7 @@ TEST(PuckClocks, ShowThePucksOwnTimeAsItIsSeen) {
     const MarkContext sight{observer, observer.middle, {}, {}, 1, lines, views, {}, {}};
     LabelLayout crowd(sight);
     MarkBuffer batch;
-    addPuckClocks(sight, colours, reach_m, crowd, batch);
+    addPuckClocks(sight, {colours, reach_m, reach_m}, crowd, batch);
     ASSERT_FALSE(batch.corners().empty());
     const auto seen = emission(lines[1], Vec3(0.0), eye, headFromBoard);
     const double own_s = startTime_s + (seen->event.t_s - start.t_s) / gammaFromU(u);
@@ -252,6 +255,93 @@ TEST(PuckClocks, ShowThePucksOwnTimeAsItIsSeen) {
     for (const MarkCorner& corner : batch.corners())
       nearest_m = std::min(nearest_m, static_cast<double>(glm::length(corner.drawn_m - foot)));
     ASSERT_LT(nearest_m, kFloat_m * (1.0 + glm::length(seen->seen.dr_m))) << "case " << i;
+  }
+}
+
+// A rim clock stands on the rim, not on the shadow's, and shows that point's own time where its light left: by the point's
+// own world line.
+TEST(PuckClocks, ThoseOnARimShowTheRimsOwnTimes) {
+  test::Random random(75);
+  for (int i = 0; i < 60; ++i) {
+    CASE(random, i);
+    const double rim_m = random.in(0.25, 0.5), rim = random.in(0.1, 0.9);
+    const Event start{0.0, random.inBox(1.0)};
+    Knot knot{start, Vec3(0.0), 0.0, start, 0.0};
+    knot.spin.omega_rad_s = rim * kC_m_s / rim_m;
+    const std::array<WorldLine, 2> lines{WorldLine(Knot{}, kC_m_s), WorldLine(knot, kC_m_s, 1.2 * rim_m)};
+    const Event eye{random.in(6.0, 20.0), start.r_m + Vec3(random.in(-1.0, 1.0), random.in(-1.0, 1.0), 1.5)};
+    const Lorentz headFromBoard = Lorentz::boost(random.u(0.5), kC_m_s);
+    const ObserverView observer = observerAt(eye, headFromBoard);
+    std::array<BodyView, 2> views;
+    for (std::size_t body = 0; body < 2; ++body) viewBody(lines[body], eye, headFromBoard, views[body]);
+    const std::array<glm::vec3, 2> colours{};
+    const std::array<double, 2> reach_m{0.0, 1.2 * rim_m}, rims_m{0.0, rim_m};
+    const MarkContext sight{observer, observer.middle, {}, {}, 1, lines, views, {}, {}};
+    LabelLayout crowd(sight);
+    MarkBuffer batch;
+    addPuckClocks(sight, {colours, reach_m, rims_m}, crowd, batch);
+    std::vector<std::uint64_t> drawn;
+    for (const MarkCorner& corner : batch.corners()) {
+      if (corner.what.x == 0.0F) continue;  // of a stem
+      drawn.push_back(static_cast<std::uint64_t>(corner.what.y) << 24 |
+                      static_cast<std::uint64_t>(corner.what.z));
+    }
+    for (int k = 0; k < 6; ++k) {
+      const double angle_rad = std::numbers::pi * k / 3.0;
+      const Vec3 foot_m(rim_m * std::cos(angle_rad), rim_m * std::sin(angle_rad), 0.0);
+      const auto history = vertexHistory(lines[1], foot_m);
+      const double left_s = eventOnPastCone(history, eye, kC_m_s).t_s;
+      const double own_s = properTimeAt(pieceAt(history, left_s), left_s, kC_m_s);
+      const double tenth = std::remainder(10.0 * own_s, 1.0);
+      if (std::abs(tenth) < 1e-3) continue;  // rounding decides the digit
+      ASSERT_EQ(std::count(drawn.begin(), drawn.end(), tenthsOf(own_s).digits) > 0, true)
+          << "case " << i << ", clock " << k << ": " << own_s << " s";
+      double nearest_m = 1e9;
+      const glm::vec3 seen(emission(lines[1], foot_m, eye, headFromBoard)->seen.dr_m);
+      for (const MarkCorner& corner : batch.corners())
+        nearest_m = std::min(nearest_m, static_cast<double>(glm::length(corner.drawn_m - seen)));
+      ASSERT_LT(nearest_m, 0.01) << "case " << i << ", clock " << k << ": half as thick as its stem";
+    }
+  }
+}
+
+// The plates of a line of simultaneity show the board times of events with one time in the head's frame, and stand where
+// these events are there: x' = γ (x − β c t) along the motion.
+TEST(LessonMarks, ALineOfSimultaneityIsDrawnWhereItsEventsAreForTheObserver) {
+  test::Random random(76);
+  for (int i = 0; i < 100; ++i) {
+    CASE(random, i);
+    const double beta = random.in(-0.8, 0.8), gamma = 1.0 / std::sqrt(1.0 - beta * beta);
+    const Event eye{random.in(0.0, 3.0), random.inBox(2.0)};
+    const Lorentz boardFromRoom = Lorentz::boost(uFromBeta({beta, 0.0, 0.0}), kC_m_s);
+    const ObserverView observer = observerAt(eye, boardFromRoom.inverse());
+    MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, {}, {}};
+    sight.lesson.phase = LessonPhase::explains;
+    sight.views.myNow = 1;
+    sight.boardFromRoom = boardFromRoom;
+    LessonPlan plan;
+    const Event with{random.in(0.0, 3.0), {random.in(-1.0, 1.0), random.in(-0.5, 0.5), 0.02}};
+    plan.simultaneous.push_back({with, {}, -1.0, 1.0});
+    LabelLayout crowd(sight);
+    MarkBuffer batch;
+    addLessonMarks(sight, plan, {}, crowd, batch);
+    for (int k = 0; k < 5; ++k) {
+      const Vec3 place_m(-1.0 + 0.5 * k, with.r_m.y, 0.0);
+      const double t_s = with.t_s + beta * (place_m.x - with.r_m.x) / kC_m_s;
+      const Vec3 way_m = place_m - eye.r_m;
+      const glm::vec3 expected(gamma * (way_m.x - beta * kC_m_s * (t_s - eye.t_s)), way_m.y, way_m.z);
+      float nearest_m = 1e9F;
+      bool told = std::abs(std::remainder(100.0 * t_s, 1.0)) < 1e-6;  // rounding decides the digit
+      for (const MarkCorner& corner : batch.corners()) {
+        if (corner.what.x == 0.0F)
+          nearest_m = std::min(nearest_m, glm::length(corner.drawn_m - expected));
+        else
+          told |= (static_cast<std::uint64_t>(corner.what.y) << 24 |
+                   static_cast<std::uint64_t>(corner.what.z)) == hundredthsOf(t_s).digits;
+      }
+      ASSERT_LT(nearest_m, 0.007F) << "case " << i << ", clock " << k << ": half as wide as the line";
+      ASSERT_TRUE(told) << "case " << i << ", clock " << k << ": " << t_s << " s";
+    }
   }
 }
 

@@ -208,15 +208,22 @@ TEST_F(WallRendererTest, AClockShowsTheTimeAtWhichItsLightLeft) {
 // above, the furthest shadow begins where that of the rim's last place is seen (bisection), to within its
 // softness.
 TEST_F(WallRendererTest, AFastPucksShadowLagsBehindItByTheLightsWay) {
+  // A disc, and a block that shows the same front along the way.
   constexpr double kRadius_m = 0.1, kHeight_m = 0.08, kEye_m = 1.2, kSoft_m = 0.15 * kHeight_m;
   BilliardSetup setup;
   setup.board = Board{2.84, 1.42};
-  Scene with = buildScene(setup, std::vector<BodyLooks>{{"white", "", kRadius_m, kHeight_m}}), without = with;
-  std::erase_if(without.parts, [](const ScenePart& part) { return part.paint == Paint::shadow; });
+  const std::vector<glm::dvec2> block_m{
+      {-kRadius_m, -kRadius_m}, {kRadius_m, -kRadius_m}, {kRadius_m, kRadius_m}, {-kRadius_m, kRadius_m}};
   const glm::ivec2 pixels(400, 2000);  // rows along x
   const Event eye{kEye_m / kC_m_s, {-0.1, 0.0, kEye_m}};
   const Wall wall = wallTowards({0, 0, 0}, {0, 0, -1}, pixels);
-  for (const double beta : {0.0, 0.6, 0.9}) {
+  for (const auto& [beta, isBlock] :
+       {std::pair{0.0, false}, std::pair{0.6, false}, std::pair{0.9, false}, std::pair{0.9, true}}) {
+    const Scene with = buildScene(
+        setup, std::vector<BodyLooks>{{"white", "", isBlock ? std::sqrt(2.0) * kRadius_m : kRadius_m,
+                                       kHeight_m, isBlock ? block_m : std::vector<glm::dvec2>{}}});
+    Scene without = with;
+    std::erase_if(without.parts, [](const ScenePart& part) { return part.paint == Paint::shadow; });
     const WorldLine line({{0.0, {0.0, 0.0, 0.5 * kHeight_m}}, uFromBeta({beta, 0.0, 0.0}), 0.0, {}, 0.0},
                          kC_m_s, 0.2);
     const auto views = viewsOf(line, eye, Lorentz(kC_m_s));
@@ -256,7 +263,7 @@ TEST_F(WallRendererTest, AFastPucksShadowLagsBehindItByTheLightsWay) {
       expected_m = std::min(expected_m, shadow(early_s).x);
     }
     EXPECT_NEAR(first_m, expected_m - 0.5 * kSoft_m * std::sqrt(1.0 - beta * beta), kSoft_m)
-        << "at " << beta << " c";
+        << "at " << beta << " c, " << (isBlock ? "block" : "disc");
   }
 }
 

@@ -133,8 +133,8 @@ TEST(SetupCheck, DiscsOverlapWhereAPointLiesInBoth) {
     }
     if (touches != touchesLarger) continue;  // too near to say
     ++(touches ? overlapping : apart);
-    EXPECT_EQ(overlapOnBoard(a, b), touches);
-    EXPECT_EQ(overlapOnBoard(b, a), touches);
+    EXPECT_EQ(overlapOnBoard(a, b, 1.42), touches);
+    EXPECT_EQ(overlapOnBoard(b, a, 1.42), touches);
   }
   EXPECT_TRUE(apart > 30 && overlapping > 30) << apart << " apart, " << overlapping << " overlapping";
 }

@@ -203,13 +203,14 @@ void lightUp(Sight sight) {
 
 #ifdef SHADOW
 /// The shadow of one light (surfaceMC.y: a lamp, or 3, the hall, whose light comes from above on average) is what the
-/// puck hides from its lower rim to its upper, surfaceMC.z higher: the disc under it, the same disc where the upper
-/// rim's shadow lies, and all between. So of the disc's vertices those on the far side are moved. Light that passed the
-/// upper rim goes on for l to the cloth, while the rim goes on, too: at one board time the shadow is from its rim
+/// puck hides from its lower rim to its upper, surfaceMC.z higher: the shape under it, the same shape where the upper
+/// rim's shadow lies, and all between. So those vertices are moved whose normal, out of the puck, points away from the
+/// light. Light that passed the upper rim goes on for l to the cloth, while the rim goes on, too: at one board time the
+/// shadow is from its rim
 ///   Δ = l (n − β)   (n: the ray's direction)
 /// and goes with it, as the puck's centre goes: while the signal of a blow runs through the puck its rim moves in many
 /// ways, and the shadow is to stay one. The eye sees it at s = c (t − t_rim) with T − s = |D − β s|, D from there to the eye, T from the rim.
-Sight shadowed(vec3 d, Sight sight, Sight centre, out float share) {
+Sight shadowed(Sight sight, Sight centre, out float share) {
   vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn) : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
   vec3 at = eyeOnBoard_m + fromEye_m;
   int sort = int(surfaceMC.y + 0.5);
@@ -229,7 +230,7 @@ Sight shadowed(vec3 d, Sight sight, Sight centre, out float share) {
   // Of the hall's light, from everywhere, half of the puck's height stands for all of it.
   float height_m = sort == 3 ? 0.5 * surfaceMC.z : surfaceMC.z;
   vec3 inBody = inBodyFrame(centre, n);
-  if (dot(d.xy, inBody.xy) <= 0.0) return sight;
+  if (dot(normalInLeg.xy, inBody.xy) <= 0.0) return sight;
   vec3 beta = centre.u / centre.gamma;
   // The ray by the upper rim, where that was.
   if (sort < 3) n = normalize(at + vec3(0.0, 0.0, height_m) + beta * (height_m / n.z) - lamps_m[sort]);
@@ -256,7 +257,7 @@ void main() {
   Sight sight = sightOf(d);
 #ifdef SHADOW
   float share;
-  sight = shadowed(d, sight, centre, share);
+  sight = shadowed(sight, centre, share);
 #endif
 #ifdef CLOCK
   if (RETARDED) {

@@ -1,13 +1,12 @@
 // A pixel at an edge takes as much of its neighbour's colour as the neighbour covers of it.
 //
-// Edges are sought in alpha: there the surfaces are as bright as if each were painted evenly (surface_frag.glsl), since
-// what is painted on a surface is smooth already. The search is that of T. Lottes, FXAA 3.11 (NVIDIA, 2011): from a
+// Edges are sought in the tone, TONE of a pixel. In the session's pictures that is alpha: there the surfaces are as
+// bright as if each were painted evenly (surface_frag.glsl), since what is painted on a surface is smooth already. The search is that of T. Lottes, FXAA 3.11 (NVIDIA, 2011): from a
 // pixel along the edge to both sides, up to where the edge goes on in another row. The share is that of A. Reshetov,
 // Morphological antialiasing (High Performance Graphics 2009): between two such places, k pixels apart, the edge is
 // a straight line from half a pixel on this side of the border of the rows to half a pixel on the other. Of the pixel
 // from j to j + 1 it cuts off
 //   ∫ max(0, 1/2 − x/k) dx from j to j + 1.
-#version 150
 uniform sampler2D drawn;
 uniform ivec2 size_px;  // of what is drawn: the first columns and rows of the texture
 uniform int left_px;    // column of the picture in which it begins
@@ -17,7 +16,7 @@ out vec4 colour;
 const int kFarthest_px = 16;  // that an edge is followed
 
 ivec2 within(ivec2 at) { return clamp(at, ivec2(0), size_px - 1); }
-float toneAt(ivec2 at) { return texelFetch(drawn, within(at), 0).a; }
+float toneAt(ivec2 at) { return TONE(texelFetch(drawn, within(at), 0)); }
 
 /// The share of the pixel from j to j + 1 that lies beyond the edge.
 float cutOff(float j, float k) {

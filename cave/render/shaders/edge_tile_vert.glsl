@@ -1,6 +1,5 @@
 // A tile of the picture: a point as large as it, moved out of sight if no edge runs through it.
-#version 150
-uniform sampler2D drawn;  // alpha: edge_frag.glsl
+uniform sampler2D drawn;  // TONE: edge_frag.glsl
 uniform ivec2 size_px;    // of what is drawn: the first columns and rows of the texture
 uniform float leastStep;
 
@@ -16,7 +15,7 @@ void main() {
   float most = 0.0;
   for (int y = 0; y < kLooked_px; ++y) {  // always the same number: the compiler unrolls it
     for (int x = 0; x < kLooked_px; ++x) {
-      float here = texelFetch(drawn, first + ivec2(x, y), 0).a;
+      float here = TONE(texelFetch(drawn, first + ivec2(x, y), 0));
       least = min(least, here);
       most = max(most, here);
     }

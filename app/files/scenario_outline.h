@@ -1,0 +1,21 @@
+#pragma once
+// Reads and checks the corners of a puck in a scenario file.
+
+#include <optional>
+#include <vector>
+
+#include "app/files/scenario.h"
+#include "app/files/toml_file.h"
+#include "engine/billiard/billiard_setup.h"
+
+namespace carom {
+
+/// Reads `radius_m`, `outline_m` or `outline = "mesh"` with the radius and, where the file gives none, the inertia that
+/// follow from an outline. A mesh whose footprint is the outline gets its place.
+void readShape(const TomlTable& table, Puck& puck, std::optional<PuckMesh>& mesh);
+
+/// Returns what is unusual about the outline of a puck.
+std::vector<Finding> oddOutline(const TomlTable& table, const Puck& puck,
+                                const std::optional<PuckMesh>& mesh);
+
+}  // namespace carom

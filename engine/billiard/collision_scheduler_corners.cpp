@@ -1,0 +1,189 @@
+// How bodies with corners enter the game: their flights, contacts and kicks. A game of discs never comes here.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/billiard/collision_scheduler.h"
+#include "engine/collision/corner_cushion.h"
+
+namespace carom {
+
+namespace {
+
+constexpr double kTouching = 1e-6;  // of the radii: nearer than this is touching
+constexpr double kRebound = 0.25;   // of inelastic bodies in a jam: so it ends after few kicks
+constexpr int kJamsToRest = 64;     // without peace, after which a body moves on with what it touches
+
+}  // namespace
+
+void CollisionScheduler::takeOutlines(const BilliardSetup& setup) {
+  std::vector<std::optional<Outline>> outlines(pucks_.size());
+  bool any = false;
+  for (std::size_t i = 0; i < pucks_.size(); ++i) {
+    const std::vector<Vec2>& corners = setup.pucks[pucks_[i].file].outline_m;
+    if (corners.empty()) continue;
+    outlines[i].emplace(corners);
+    any = true;
+  }
+  if (!any) return;
+  outlines_ = std::make_shared<const std::vector<std::optional<Outline>>>(std::move(outlines));
+  turns_ = true;
+}
+
+ShapedFlight CollisionScheduler::shapedFlight(int i, const Leg& leg, const Turning& turning) const {
+  const double radius = discs_[i].radius;
+  return {leg.start, leg.u, radius, outlineOf(i), turning.angle, rimBeta(spins_[i].body, turning.j) / radius};
+}
+
+std::optional<CornerContact> CollisionScheduler::cornersMeet(int first, int second) const {
+  const HandledContact* const last = dealtWith(first, second);
+  return findCornerContact(shapedFlight(first, flightOf(first), spins_[first].turning),
+                           shapedFlight(second, flightOf(second), spins_[second].turning),
+                           last == nullptr ? -kNever : last->until);
+}
+
+// Bodies that lie on each other at several places and recede at that of the contact: takes the one at which they
+// approach fastest. Returns whether there is one.
+bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a,
+                                           PairContact& contact) const {
+  if (!a.withoutDelay) return false;
+  const auto flight = [&](int k) { return shapedFlight(who[k], flightOf(who[k]), spins_[who[k]].turning); };
+  const std::array<Vec21, 2> u{lastLeg(who[0]).u, lastLeg(who[1]).u};
+  const std::array<double, 2> j{lastTurning(who[0]).j, lastTurning(who[1]).j};
+  const double radii = discs_[who[0]].radius + discs_[who[1]].radius;
+  double fastest = kResting;
+  for (const TouchedPlace& place : touchedPlaces(flight(0), flight(1), kTouching * radii)) {
+    PairContact here = contact;
+    here.event = place.event, here.n = place.n;
+    const auto kick = cornerKick(who, here, u, j, 1.0);
+    if (!kick || !(kick->centres.closing > fastest)) continue;
+    fastest = kick->centres.closing;
+    contact = here;
+  }
+  return fastest > kResting;
+}
+
+// The contact of a leg with a cushion.
+std::optional<CushionContact> CollisionScheduler::touchOf(int i, const Leg& leg, const Turning& turning,
+                                                          int cushion) const {
+  if (outlineOf(i) == nullptr) return findContact(leg, discs_[i].radius, cushions_[cushion], convention_);
+  const auto found =
+      findCornerContact(shapedFlight(i, leg, turning), leg.properTime, cushions_[cushion], convention_);
+  if (!found) return std::nullopt;
+  return found->contact;
+}
+
+// Of the leg being followed.
+std::optional<CushionContact> CollisionScheduler::followedTouchOf(int i, int cushion) const {
+  return touchOf(i, legOf(i), spins_[i].turning, cushion);
+}
+
+// Whether what the body is as it turns goes towards the cushion.
+bool CollisionScheduler::isKickedBy(int i, int cushion, const CushionContact& contact) const {
+  if (outlineOf(i) == nullptr) return cushions_[cushion].towards(contact.turn.u) > 0.0;
+  const double j = turningAt(i, contact.turn.properTime).j;
+  return cushionKick(i, cushion, contact.event, contact.turn, j, 1.0).has_value();
+}
+
+// With two corners at once.
+bool CollisionScheduler::liesOnCushion(int i, int cushion, const CushionContact& contact) const {
+  if (outlineOf(i) == nullptr || contact.withoutDelay) return false;
+  const auto found = findCornerContact(shapedFlight(i, legOf(i), spins_[i].turning), pucks_[i].properTime,
+                                       cushions_[cushion], convention_);
+  return found && found->sideOnSide;
+}
+
+// The lever from the centre to the contact, simultaneous in the body's own frame.
+LeveredBody CollisionScheduler::levered(int i, const Vec21& touch, const LegState& at, double j) const {
+  const Vec21 way = touch - at.x;
+  return {{spins_[i].body, j, at.u}, discs_[i].radius, way - at.u * dot(at.u, way)};
+}
+
+// With the levers on the legs being followed, on which the contact was found.
+std::optional<SpinningPairKick> CollisionScheduler::cornerKick(const std::array<int, 2>& who,
+                                                               const PairContact& contact,
+                                                               const std::array<Vec21, 2>& u,
+                                                               const std::array<double, 2>& j,
+                                                               double restitution) const {
+  std::array<LeveredBody, 2> bodies;
+  for (int k = 0; k < 2; ++k) {
+    const Disc& flight = discs_[who[k]];
+    bodies[k] = levered(who[k], contact.event, {flight.start, flight.u, 0.0}, j[k]);
+    bodies[k].puck.u = u[k];
+  }
+  RimRules rules = puckRims_;
+  rules.restitution = restitution;
+  return kickCorners(contact.U, contact.n, bodies, rules);
+}
+
+ShapedFlight CollisionScheduler::shapedFlight(const Member& member) const {
+  return shapedFlight(member.puck, {member.turn.x, member.u, 0.0, 0.0}, {member.j, member.turning.angle});
+}
+
+std::vector<TouchedPlace> CollisionScheduler::placesOf(const Member& one, const Member& other) const {
+  const ShapedFlight first = shapedFlight(one), second = shapedFlight(other);
+  return touchedPlaces(first, second, kTouching * (first.radius + second.radius));
+}
+
+// A kick without friction at that of the places where two members touch at which they close fastest. Returns whether
+// they close.
+bool CollisionScheduler::partCorners(Member& one, Member& two, std::span<const TouchedPlace> places) const {
+  const RimRules rules{puckRestitution_ < 1.0 ? kRebound : 1.0};
+  const Vec21 U = equalSpeedFrame(one.u, two.u);
+  std::optional<SpinningPairKick> fastest;
+  for (const TouchedPlace& place : places) {
+    const std::array<LeveredBody, 2> bodies{levered(one.puck, place.event, {one.turn.x, one.u, 0.0}, one.j),
+                                            levered(two.puck, place.event, {two.turn.x, two.u, 0.0}, two.j)};
+    const auto kick = kickCorners(U, place.n, bodies, rules);
+    if (kick && kick->centres.closing > (fastest ? fastest->centres.closing : kResting)) fastest = kick;
+  }
+  if (!fastest) return false;
+  turned(one, fastest->j[0]), turned(two, fastest->j[1]);
+  kicked(one, fastest->centres.u[0], fastest->centres.heat[0]);
+  kicked(two, fastest->centres.u[1], fastest->centres.heat[1]);
+  return true;
+}
+
+bool CollisionScheduler::isTouched(const Member& member, const CushionPlane& cushion) const {
+  return !touchedPlaces(shapedFlight(member), cushion, kTouching * discs_[member.puck].radius).empty();
+}
+
+// Likewise from each cushion that a member touches.
+void CollisionScheduler::partFromCushions(Member& member) const {
+  const RimRules rules{cushionRestitution_ < 1.0 ? kRebound : 1.0};
+  for (std::size_t k = 0; k < cushions_.size(); ++k) {
+    if ((member.cushions >> k & 1u) == 0) continue;
+    const ShapedFlight flight = shapedFlight(member);
+    const Vec21 momentum = member.u * member.mass;
+    std::optional<SpinningCushionKick> fastest;
+    for (const Vec21& place : touchedPlaces(flight, cushions_[k], kTouching * flight.radius)) {
+      const LeveredBody body = levered(member.puck, place, {member.turn.x, member.u, 0.0}, member.j);
+      const auto kick = kickCornerOffCushion(cushions_[k], body, rules);
+      if (kick && kick->centre.closing > (fastest ? fastest->centre.closing : kResting)) fastest = kick;
+    }
+    if (!fastest) continue;
+    turned(member, fastest->j);
+    kicked(member, fastest->centre.u, fastest->centre.heat);
+    member.taken = member.taken + (momentum - member.u * (member.mass + fastest->centre.heat));
+  }
+}
+
+// Bodies with corners that lie on each other or on a cushion would be kicked at one place after the other, each
+// kick sending others together. All such kicks are taken at once. Returns whether there are any.
+bool CollisionScheduler::settleCorners(std::span<const int> who, std::span<const LegState> turn,
+                                       const Vec21& touch, const Vec21& U, GameHistory& history) {
+  members_.clear();
+  double earliest = kNever, hardest = 0.0;
+  for (std::size_t k = 0; k < who.size(); ++k) {
+    members_.push_back(memberOf(who[k], turn[k]));
+    earliest = std::min(earliest, turn[k].x.t);
+    hardest = std::max(hardest, pucks_[who[k]].hardestBlow);
+  }
+  gatherJam(U, earliest);
+  const double slow = slowIn(who, hardest);
+  const bool again = pucks_[who[0]].jams >= kJamsToRest;
+  moveOnTogether(relax(0.125 * slow) && !again ? slow : kNever);
+  return commitJam(touch, history);
+}
+
+}  // namespace carom

@@ -1,0 +1,342 @@
+// A corner of one body pierces a side of the other.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "engine/base/root.h"
+#include "engine/collision/corner_search.h"
+#include "engine/collision/rest_axes.h"
+
+namespace carom {
+
+namespace {
+
+using Vec2 = glm::dvec2;
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kTie = 1e-9;         // of the radii: piercings as near to each other in time are one
+constexpr double kSameNormal = 1e-6;  // the angle between their sides
+constexpr double kEnd = 1e-12;        // of a side's length: by so much it reaches beyond its corners
+constexpr double kLeastStep = 1e-6;   // of the radii: what touches for less grazes
+constexpr int kMostSteps = 4096;
+
+/// A quantity that is linear in the offset of a corner and in its own time.
+struct Linear {
+  double at0, perX, perY, perS;
+  double operator()(const Vec2& offset, double s) const {
+    return at0 + perX * offset.x + perY * offset.y + perS * s;
+  }
+};
+
+/// Corners of one body, a, as another, b, meets them.
+class Corners {
+ public:
+  Corners(const ShapedFlight& a, const ShapedFlight& b, const Vec21& origin, const Vec21& U,
+          const ContactWindow& window, bool aIsFirst)
+      : a_(a), b_(b), window_(window), axesOfA_(a.u), axesOfB_(b.u), aIsFirst_(aIsFirst) {
+    const Vec21 d = a.start - b.start;
+    place_ = axesOfB_.place(d);
+    perX_ = axesOfB_.place(axesOfA_.x), perY_ = axesOfB_.place(axesOfA_.y), perS_ = axesOfB_.place(a.u);
+    ownTimeOfB_ = linear(b.u, d);
+    time_ = linear(U, a.start - origin);
+    windowTime_ = linear(window.frame, a.start - window.origin);
+    size_ = a.radius + b.radius;
+  }
+
+  /// Bodies without spin: keeps the earliest piercing in `best`.
+  void pierceStraight(std::optional<FoundContact>& best) const;
+  /// Without spin: keeps the deepest corner that is inside b as both flights have begun, and goes deeper.
+  void overlapStraight(double& deepest, std::optional<FoundContact>& best) const;
+  /// Keeps the earliest contact in `best`; in the body, of several at once the deepest.
+  void pierceTurning(double& deepest, std::optional<FoundContact>& best) const;
+  /// Adds the corners that are inside b or nearer to it than `within` as both flights have begun.
+  void addTouching(double within, std::vector<FoundContact>& places) const;
+
+ private:
+  Linear linear(const Vec21& of, const Vec21& from) const {
+    return {dot(of, from), dot(of, axesOfA_.x), dot(of, axesOfA_.y), dot(of, a_.u)};
+  }
+  Vec2 placeOf(const Vec2& offset, double s) const {
+    return place_ + perX_ * offset.x + perY_ * offset.y + perS_ * s;
+  }
+  FoundContact contact(const Vec2& offset, double s, const Vec2& normalInB) const {
+    const Vec21 n = axesOfB_(normalInB);  // out of b
+    return {time_(offset, s), a_.start + axesOfA_(offset) + a_.u * s, aIsFirst_ ? n * -1.0 : n};
+  }
+  double startOf(const Vec2& corner) const;
+  Outline::Clearance clearanceAt(const Vec2& corner, double s) const;
+  FoundContact contactAt(const Vec2& corner, double s, std::size_t side) const;
+  std::optional<double> advance(const Vec2& corner, double s, double end, double before) const;
+
+  const ShapedFlight &a_, &b_;
+  const ContactWindow& window_;
+  RestAxes axesOfA_, axesOfB_;
+  bool aIsFirst_;
+  Vec2 place_, perX_, perY_, perS_;
+  Linear ownTimeOfB_, time_, windowTime_;
+  double size_;
+};
+
+/// Whether two contacts at one time are on sides that lie on each other.
+bool sameSide(const FoundContact& one, const FoundContact& other, const Vec21& U) {
+  const auto inFrame = [&](const Vec21& n) {
+    const Vec21 flat = n - U * dot(n, U);
+    return flat * (1.0 / std::sqrt(-dot(flat, flat)));
+  };
+  const Vec21 apart = inFrame(one.normal) - inFrame(other.normal);
+  return -dot(apart, apart) < kSameNormal * kSameNormal;
+}
+
+/// The ends of what touches where sides lie on each other.
+struct Tie {
+  Vec21 U, along;
+  double low = kNever, high = -kNever;
+  Vec21 ends[2];
+
+  void add(const Vec21& event) {
+    const double at = -dot(event, along);
+    if (at < low) low = at, ends[0] = event;
+    if (at > high) high = at, ends[1] = event;
+  }
+};
+
+void keepEarlier(std::optional<FoundContact>& best, const FoundContact& found) {
+  if (!best || found.time < best->time) best = found;
+}
+
+// With b's angle turned into its axes, each side towards which the corners move is pierced at most once by each.
+void Corners::pierceStraight(std::optional<FoundContact>& best) const {
+  const SinCos ofA = portableSinCos(a_.angle), ofB = portableSinCos(b_.angle);
+  const Vec2 w = turnedBack(perS_, ofB);
+  struct Entry {
+    Vec2 normal, along;
+    double offset, perSpeed, from, length, drift;
+    std::size_t side;
+  };
+  std::array<Entry, kMostCorners> entries;
+  std::size_t count = 0;
+  const std::span<const Outline::Side> sides = b_.outline->sides();
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const double speed = -glm::dot(sides[k].normal, w);
+    if (!(speed > 0.0)) continue;
+    const double beyond = kEnd * (sides[k].length + size_);
+    entries[count++] = {sides[k].normal,
+                        sides[k].along,
+                        sides[k].offset,
+                        1.0 / speed,
+                        glm::dot(sides[k].along, sides[k].from) - beyond,
+                        sides[k].length + 2.0 * beyond,
+                        glm::dot(sides[k].along, w),
+                        k};
+  }
+  double earliest = best ? best->time : kNever;
+  for (const Vec2& corner : a_.outline->corners()) {
+    const Vec2 offset = turned(corner, ofA), z = turnedBack(placeOf(offset, 0.0), ofB);
+    const double time0 = time_(offset, 0.0), window0 = windowTime_(offset, 0.0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Entry& entry = entries[k];
+      const double s = (glm::dot(entry.normal, z) - entry.offset) * entry.perSpeed;
+      const double time = time0 + time_.perS * s;
+      if (!(time < earliest)) continue;
+      const double along = glm::dot(entry.along, z) + entry.drift * s - entry.from;
+      if (!(along >= 0.0 && along <= entry.length)) continue;
+      if (!window_.holds(window0 + windowTime_.perS * s)) continue;
+      earliest = time;
+      best = contact(offset, s, turned(entry.normal, ofB));
+    }
+  }
+}
+
+void Corners::overlapStraight(double& deepest, std::optional<FoundContact>& best) const {
+  const SinCos ofA = portableSinCos(a_.angle), ofB = portableSinCos(b_.angle);
+  const Vec2 w = turnedBack(perS_, ofB);
+  for (const Vec2& corner : a_.outline->corners()) {
+    const Vec2 offset = turned(corner, ofA);
+    const double s = (window_.from - windowTime_(offset, 0.0)) / windowTime_.perS;
+    const Outline::Clearance there = b_.outline->clearanceOf(turnedBack(placeOf(offset, s), ofB));
+    if (!(there.outside <= kCornerTouches * size_) || !(there.outside < deepest)) continue;
+    const Vec2& normal = b_.outline->sides()[there.side].normal;
+    if (!(-glm::dot(normal, w) > kLeastClosing)) continue;
+    deepest = there.outside;
+    best = contact(offset, s, turned(normal, ofB));
+    best->withoutDelay = true;
+  }
+}
+
+/// The own time from which on contacts of this corner count: Newton's steps, as its time grows with s.
+double Corners::startOf(const Vec2& corner) const {
+  double s = (window_.from - windowTime_.at0) / windowTime_.perS;
+  for (int step = 0; step < 60; ++step) {
+    const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
+    const double slope =
+        windowTime_.perS + a_.turning * (windowTime_.perY * offset.x - windowTime_.perX * offset.y);
+    const double next = s - (windowTime_(offset, s) - window_.from) / slope;
+    if (std::abs(next - s) <= 1e-15 * size_ || next == s) return next;
+    s = next;
+  }
+  return s;
+}
+
+Outline::Clearance Corners::clearanceAt(const Vec2& corner, double s) const {
+  const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
+  const double angle = b_.angle + b_.turning * ownTimeOfB_(offset, s);
+  return b_.outline->clearanceOf(turnedBack(placeOf(offset, s), portableSinCos(angle)));
+}
+
+FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) const {
+  const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
+  const double angle = b_.angle + b_.turning * ownTimeOfB_(offset, s);
+  return contact(offset, s, turned(b_.outline->sides()[side].normal, portableSinCos(angle)));
+}
+
+/// The own time at which a corner is outside no more and goes deeper, from s on and no later than `end` and,
+/// in the frame of U, `before`.
+std::optional<double> Corners::advance(const Vec2& corner, double s, double end, double before) const {
+  const double gamma = ownTimeOfB_.perS, beta = glm::length(perS_) / gamma;
+  const double ofA = std::abs(a_.turning) * a_.radius, ofB = std::abs(b_.turning) * b_.radius;
+  const double fastest = gamma * (1.0 + beta * ofA) * (std::min(1.0, beta + ofA) + ofB);
+  if (!(fastest > 0.0)) return std::nullopt;
+  const double least = kLeastStep * size_ / fastest;
+  const double latest =
+      (before - time_.at0 + size_ * (std::abs(time_.perX) + std::abs(time_.perY))) / time_.perS;
+  const double last = std::min(end, latest);
+  double outside = clearanceAt(corner, s).outside;
+  bool inside = outside <= 0.0;
+  for (int step = 0; step < kMostSteps && s < last; ++step) {
+    const double next = s + (inside ? 1e3 * least : std::max(outside / fastest, least));
+    const double there = clearanceAt(corner, next).outside;
+    if (inside && there <= 0.0 && there < outside - kLeastClosing * (next - s)) return next;  // deeper again
+    if (!inside && there <= 0.0) {
+      const auto depth = [&](double at) { return -clearanceAt(corner, at).outside; };
+      return rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s));
+    }
+    s = next, outside = there, inside = there <= 0.0;
+  }
+  return std::nullopt;
+}
+
+void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) const {
+  // Where the tubes around both overlap, by a's own time; a corner's events at that time are up to βR beside.
+  const double speed2 = glm::dot(perS_, perS_), half = glm::dot(place_, perS_);
+  const double apart2 = glm::dot(place_, place_) - size_ * size_;
+  const double root2 = half * half - speed2 * apart2;
+  double begin = -kNever, end = kNever;
+  if (speed2 > 0.0) {
+    if (root2 < 0.0) return;
+    const double margin = std::sqrt(speed2) / ownTimeOfB_.perS * a_.radius;
+    begin = (-half - std::sqrt(root2)) / speed2 - margin, end = (-half + std::sqrt(root2)) / speed2 + margin;
+  } else if (apart2 > 0.0) {
+    return;
+  }
+  for (const Vec2& corner : a_.outline->corners()) {
+    const double start = startOf(corner);
+    if (start > end) continue;
+    double s = std::max(begin, start);
+    if (s == start && !window_.strictly && !window_.resumed) {
+      const Outline::Clearance there = clearanceAt(corner, s);
+      const double soon = kLeastStep * size_;
+      if (there.outside <= kCornerTouches * size_) {
+        const double closing = (there.outside - clearanceAt(corner, s + soon).outside) / soon;
+        if (closing > kLeastClosing) {
+          if (!(there.outside < deepest)) continue;
+          deepest = there.outside;
+          best = contactAt(corner, s, there.side);
+          best->withoutDelay = true;
+          continue;
+        }
+        s += soon;
+      }
+    }
+    if (best && best->withoutDelay) continue;
+    const std::optional<double> found = advance(corner, s, end, best ? best->time : kNever);
+    if (!found) continue;
+    keepEarlier(best, contactAt(corner, *found, clearanceAt(corner, *found).side));
+  }
+}
+
+void Corners::addTouching(double within, std::vector<FoundContact>& places) const {
+  for (const Vec2& corner : a_.outline->corners()) {
+    const double s = startOf(corner);
+    const Outline::Clearance there = clearanceAt(corner, s);
+    if (there.outside <= within) places.push_back(contactAt(corner, s, there.side));
+  }
+}
+
+// The centres are no farther apart than R1 + R2 as the later flight begins.
+bool mayOverlap(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, double from) {
+  const auto placeAt = [&](const ShapedFlight& flight) {
+    return flight.start + flight.u * ((from - dot(U, flight.start - first.start)) / dot(U, flight.u));
+  };
+  const Vec21 apart = placeAt(second) - placeAt(first);
+  const double reach = (first.radius + second.radius) * (1.0 + kCornerTouches);
+  return -dot(apart, apart) <= reach * reach;
+}
+
+// All piercings at the time of the first, on sides that lie on each other.
+void settleTie(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, FoundContact& best) {
+  const double tolerance = kTie * (first.radius + second.radius);
+  Tie tie;
+  tie.U = U;
+  tie.along = cross(best.normal, U);
+  const auto collect = [&](const ShapedFlight& a, const ShapedFlight& b, bool aIsFirst) {
+    const RestAxes axesOfA(a.u), axesOfB(b.u);
+    const SinCos ofA = portableSinCos(a.angle), ofB = portableSinCos(b.angle);
+    for (const Vec2& corner : a.outline->corners()) {
+      const Vec21 from = a.start + axesOfA(turned(corner, ofA));
+      const double s = (best.time - dot(U, from - first.start)) / dot(U, a.u);
+      const Vec21 event = from + a.u * s;
+      const Vec2 z = turnedBack(axesOfB.place(event - b.start), ofB);
+      for (const Outline::Side& side : b.outline->sides()) {
+        const double along = glm::dot(side.along, z - side.from);
+        if (std::abs(glm::dot(side.normal, z) - side.offset) > tolerance || along < -tolerance ||
+            along > side.length + tolerance)
+          continue;
+        FoundContact here = best;
+        here.normal = axesOfB(turned(side.normal, ofB)) * (aIsFirst ? -1.0 : 1.0);
+        if (sameSide(best, here, U)) tie.add(event);
+      }
+    }
+  };
+  collect(first, second, true);
+  collect(second, first, false);
+  if (!(tie.high - tie.low > tolerance)) return;
+  best.event = (tie.ends[0] + tie.ends[1]) * 0.5;
+  best.sideOnSide = true;
+}
+
+}  // namespace
+
+std::optional<FoundContact> findPiercing(const ShapedFlight& first, const ShapedFlight& second,
+                                         const Vec21& U, const ContactWindow& window) {
+  const Corners ofFirst(first, second, first.start, U, window, true);
+  const Corners ofSecond(second, first, first.start, U, window, false);
+  std::optional<FoundContact> best;
+  double deepest = kNever;
+  if (first.turning != 0.0 || second.turning != 0.0) {
+    ofFirst.pierceTurning(deepest, best);
+    ofSecond.pierceTurning(deepest, best);
+    return best;
+  }
+  if (!window.strictly && !window.resumed && mayOverlap(first, second, U, window.from)) {
+    ofFirst.overlapStraight(deepest, best);
+    ofSecond.overlapStraight(deepest, best);
+  }
+  if (!best) {
+    ofFirst.pierceStraight(best);
+    ofSecond.pierceStraight(best);
+  }
+  if (best) settleTie(first, second, U, *best);
+  return best;
+}
+
+void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                      const ContactWindow& window, double within, std::vector<FoundContact>& places) {
+  Corners(first, second, first.start, U, window, true).addTouching(within, places);
+  Corners(second, first, first.start, U, window, false).addTouching(within, places);
+}
+
+}  // namespace carom

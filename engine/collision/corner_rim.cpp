@@ -1,0 +1,293 @@
+// The rim of a disc touches a body with corners.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "engine/base/root.h"
+#include "engine/collision/corner_search.h"
+#include "engine/collision/rest_axes.h"
+
+namespace carom {
+
+namespace {
+
+using Vec2 = glm::dvec2;
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kLeastStep = 1e-6;  // of the radii
+constexpr int kMostSteps = 4096;
+
+/// The disc and the body in the frame of U, around the disc's centre and stretched so that the disc is a circle.
+class StretchedFrame {
+ public:
+  StretchedFrame(const ShapedFlight& disc, const ShapedFlight& body, const Vec21& origin, const Vec21& U)
+      : disc_(disc),
+        body_(body),
+        U_(U),
+        axes_(U),
+        axesOfBody_(body.u),
+        discTime_(dot(U, disc.start - origin)),
+        bodyTime_(dot(U, body.start - origin)),
+        alongX_(dot(U, axesOfBody_.x)),
+        alongY_(dot(U, axesOfBody_.y)),
+        gammaOfDisc_(dot(U, disc.u)),
+        gammaOfBody_(dot(U, body.u)),
+        beta_(axes_.place(disc.u) / gammaOfDisc_) {
+    velocity_ = stretched(axes_.place(body.u) / gammaOfBody_ - beta_);
+    reach_ = disc.radius + body.radius;
+  }
+
+  Vec2 stretched(const Vec2& x) const { return x + beta_ * stretchAlong(x); }
+  Vec2 shrunk(const Vec2& x) const { return x - beta_ * (stretchAlong(x) / gammaOfDisc_); }
+  const Vec2& velocity() const { return velocity_; }
+  double radius() const { return disc_.radius; }
+  double reach() const { return reach_; }
+  const ShapedFlight& body() const { return body_; }
+
+  /// The disc's centre at a time of the frame.
+  Vec21 centreAt(double time) const { return disc_.start + disc_.u * ((time - discTime_) / gammaOfDisc_); }
+  /// The corners at a time of the frame.
+  std::span<const Vec2> cornersAt(double time) {
+    const std::span<const Vec2> corners = body_.outline->corners();
+    const Vec21 centre = centreAt(time);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const double s = ownTimeAt(corners[k], time);
+      const Vec2 offset = turned(corners[k], portableSinCos(body_.angle + body_.turning * s));
+      const Vec21 event = body_.start + axesOfBody_(offset) + body_.u * s;
+      places_[k] = stretched(axes_.place(event - centre));
+    }
+    return {places_.data(), corners.size()};
+  }
+  FoundContact contact(double time, const Vec2& towards, const Vec2& touch, bool discIsFirst) const {
+    const Vec2 normal = stretched(towards), place = shrunk(touch);
+    const Vec21 n = axes_(normal);
+    return {time, centreAt(time) + axes_(place), discIsFirst ? n : n * -1.0};
+  }
+  /// How fast the gap can close.
+  double fastest() const {
+    const double ofBody = std::sqrt(std::max(0.0, 1.0 - 1.0 / (gammaOfBody_ * gammaOfBody_)));
+    const double turning = std::abs(body_.turning) * body_.radius;
+    return gammaOfDisc_ * (std::min(1.0, ofBody + turning) + glm::length(beta_));
+  }
+  /// From when to when the tubes around both overlap.
+  std::array<double, 2> overlapTimes() const {
+    const Vec21 d = body_.start - disc_.start;
+    const Vec2 v = axes_.place(body_.u) / gammaOfBody_ - beta_;
+    // Apart at the time 0 of the frame.
+    const Vec2 apart = axes_.place(d) - axes_.place(body_.u) * (bodyTime_ / gammaOfBody_) + beta_ * discTime_;
+    const double v2 = glm::dot(v, v), half = glm::dot(apart, v),
+                 far2 = glm::dot(apart, apart) - reach_ * reach_;
+    if (!(v2 > 0.0)) return far2 > 0.0 ? std::array{kNever, -kNever} : std::array{-kNever, kNever};
+    const double root2 = half * half - v2 * far2;
+    if (root2 < 0.0) return {kNever, -kNever};
+    return {(-half - std::sqrt(root2)) / v2, (-half + std::sqrt(root2)) / v2};
+  }
+
+ private:
+  double stretchAlong(const Vec2& x) const {
+    // (γ − 1)/β² = γ²/(γ + 1)
+    return glm::dot(x, beta_) * (gammaOfDisc_ * gammaOfDisc_ / (gammaOfDisc_ + 1.0));
+  }
+  double ownTimeAt(const Vec2& corner, double time) const {
+    double s = (time - bodyTime_) / gammaOfBody_;
+    for (int step = 0; step < 60; ++step) {
+      const Vec2 offset = turned(corner, portableSinCos(body_.angle + body_.turning * s));
+      const double late = bodyTime_ + alongX_ * offset.x + alongY_ * offset.y + gammaOfBody_ * s - time;
+      const double slope = gammaOfBody_ + body_.turning * (alongY_ * offset.x - alongX_ * offset.y);
+      const double next = s - late / slope;
+      const bool settled = body_.turning == 0.0 || std::abs(next - s) <= 1e-15 * reach_;
+      s = next;
+      if (settled) break;
+    }
+    return s;
+  }
+
+  const ShapedFlight &disc_, &body_;
+  Vec21 U_;
+  RestAxes axes_, axesOfBody_;
+  double discTime_, bodyTime_, alongX_, alongY_, gammaOfDisc_, gammaOfBody_;
+  Vec2 beta_, velocity_;
+  double reach_ = 0.0;
+  std::array<Vec2, kMostCorners> places_;
+};
+
+/// A point of an outline that is nearer to the circle's centre than its neighbours.
+struct Nearest {
+  double outside = kNever;  ///< of the centre; below 0 inside
+  Vec2 towards{0.0};        ///< from the centre into the body
+  std::size_t side = 0;
+  double share = 0.0;  ///< of the side
+};
+
+double shareNearest(std::span<const Vec2> corners, std::size_t k) {
+  const Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
+  return -glm::dot(corners[k], side) / glm::dot(side, side);
+}
+
+Vec2 pointOn(std::span<const Vec2> corners, std::size_t side, double share) {
+  return corners[side] + (corners[(side + 1) % corners.size()] - corners[side]) * share;
+}
+
+Nearest nearestOf(std::span<const Vec2> corners) {
+  double least2 = kNever;
+  Nearest found;
+  Vec2 nearest{0.0};
+  bool inside = false;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+    if ((a.y > 0.0) != (b.y > 0.0) && 0.0 < a.x - (b.x - a.x) * (a.y / (b.y - a.y))) inside = !inside;
+    const double share = std::clamp(shareNearest(corners, k), 0.0, 1.0);
+    const Vec2 point = pointOn(corners, k, share);
+    const double distance2 = glm::dot(point, point);
+    if (distance2 < least2) least2 = distance2, nearest = point, found.side = k, found.share = share;
+  }
+  const double distance = std::sqrt(least2);
+  found.outside = inside ? -distance : distance;
+  found.towards = nearest * ((inside ? -1.0 : 1.0) / distance);
+  if (!(distance > 0.0)) {
+    const Vec2 way = pointOn(corners, found.side, 1.0) - corners[found.side];
+    found.outside = 0.0, found.towards = Vec2{-way.y, way.x} / glm::length(way);
+  }
+  return found;
+}
+
+// Those no farther than `reach`. A centre inside the outline has one.
+std::vector<Nearest> nearPoints(std::span<const Vec2> corners, double reach) {
+  const Nearest nearest = nearestOf(corners);
+  if (!(nearest.outside <= reach)) return {};
+  if (nearest.outside <= 0.0) return {nearest};
+  std::vector<Nearest> points;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const double share = shareNearest(corners, k);
+    const bool atCorner =
+        share <= 0.0 && shareNearest(corners, (k + corners.size() - 1) % corners.size()) >= 1.0;
+    if (!(share > 0.0 && share < 1.0) && !atCorner) continue;
+    const Vec2 point = pointOn(corners, k, std::max(share, 0.0));
+    const double distance = glm::length(point);
+    if (distance <= reach) points.push_back({distance, point / distance, k, std::max(share, 0.0)});
+  }
+  return points;
+}
+
+// Without spin the stretched corners move uniformly: the first side of which the centre comes to be R outside
+// opposite one of its points, or the first corner that comes to be R away.
+std::optional<FoundContact> touchStraight(StretchedFrame& frame, const ContactWindow& window,
+                                          bool discIsFirst) {
+  const std::span<const Vec2> corners = frame.cornersAt(0.0);
+  const Vec2& v = frame.velocity();
+  const double R = frame.radius(), v2 = glm::dot(v, v);
+  std::optional<FoundContact> best;
+  const auto consider = [&](double time, const Vec2& towards) {
+    if (best && !(time < best->time)) return;
+    const FoundContact found = frame.contact(time, towards, towards * R, discIsFirst);
+    if (window.holds(window.timeOf(found.event))) best = found;
+  };
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2 &a = corners[k], side = corners[(k + 1) % corners.size()] - a;
+    const double length = glm::length(side);
+    const Vec2 along = side / length, normal{along.y, -along.x};
+    const double speed = glm::dot(normal, v);
+    if (speed > 0.0) {
+      const double time = (-glm::dot(normal, a) - R) / speed;
+      const double foot = -glm::dot(a + v * time, along);
+      if (foot >= 0.0 && foot <= length) consider(time, normal * -1.0);
+    }
+    const double half = glm::dot(a, v), root2 = half * half - v2 * (glm::dot(a, a) - R * R);
+    if (v2 > 0.0 && root2 > 0.0) {
+      const double time = (-half - std::sqrt(root2)) / v2;
+      consider(time, (a + v * time) / R);
+    }
+  }
+  return best;
+}
+
+std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWindow& window, bool discIsFirst,
+                                         double start, double end) {
+  const double R = frame.radius(), fastest = frame.fastest();
+  if (!(fastest > 0.0)) return std::nullopt;
+  const double least = kLeastStep * frame.reach() / fastest;
+  const auto gapAt = [&](double time) { return nearestOf(frame.cornersAt(time)).outside - R; };
+  double time = start, gap = gapAt(time);
+  bool inside = gap <= 0.0;
+  const auto found = [&](double at) {
+    const Vec2 towards = nearestOf(frame.cornersAt(at)).towards;
+    return frame.contact(at, towards, towards * R, discIsFirst);
+  };
+  for (int step = 0; step < kMostSteps && time < end; ++step) {
+    const double next = time + (inside ? 1e3 * least : std::max(gap / fastest, least));
+    const double there = gapAt(next);
+    double at = next;
+    bool touches = inside && there <= 0.0 && there < gap - kLeastClosing * (next - time);  // deeper again
+    if (!inside && there <= 0.0) {
+      at = rootOfIncreasing([&](double t) { return -gapAt(t); }, 0.5 * (time + next), 0.5 * (next - time));
+      touches = true;
+    }
+    if (touches) {
+      const FoundContact contact = found(at);
+      if (window.holds(window.timeOf(contact.event))) return contact;
+    }
+    time = next, gap = there, inside = there <= 0.0;
+  }
+  return std::nullopt;
+}
+
+// The deepest point of those that go on.
+std::optional<FoundContact> overlapNow(StretchedFrame& frame, double time, bool discIsFirst) {
+  const double R = frame.radius(), soon = kLeastStep * frame.reach();
+  const std::vector<Nearest> points = nearPoints(frame.cornersAt(time), R + kCornerTouches * frame.reach());
+  const std::span<const Vec2> then = frame.cornersAt(time + soon);
+  const Nearest* deepest = nullptr;
+  for (const Nearest& near : points) {
+    const double outside = glm::dot(pointOn(then, near.side, near.share), near.towards);
+    if (!((near.outside - outside) / soon > kLeastClosing)) continue;
+    if (deepest == nullptr || near.outside < deepest->outside) deepest = &near;
+  }
+  if (deepest == nullptr) return std::nullopt;
+  const Vec2& towards = deepest->towards;
+  FoundContact found = frame.contact(time, towards, towards * R, discIsFirst);
+  found.withoutDelay = true;
+  return found;
+}
+
+}  // namespace
+
+std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
+                                           const Vec21& U, const ContactWindow& window) {
+  const bool discIsFirst = first.outline == nullptr;
+  const ShapedFlight &disc = discIsFirst ? first : second, &body = discIsFirst ? second : first;
+  StretchedFrame frame(disc, body, first.start, U);
+  const auto [begin, end] = frame.overlapTimes();
+  if (!(begin <= end)) return std::nullopt;
+  if (window.strictly) {
+    if (body.turning == 0.0) return touchStraight(frame, window, discIsFirst);
+    // Board time 0 is not one time of this frame: from before it on, wherever they are near each other.
+    const Vec21 apart = second.start - first.start;
+    const double earliest = std::min(0.0, dot(U, apart)) - 4.0 * frame.reach() * U.t;
+    return touchTurning(frame, window, discIsFirst, std::max(begin, earliest), end);
+  }
+  if (window.from > end) return std::nullopt;
+  if (window.from >= begin && !window.resumed) {
+    if (const auto overlap = overlapNow(frame, window.from, discIsFirst)) return overlap;
+  }
+  if (body.turning == 0.0) return touchStraight(frame, window, discIsFirst);
+  return touchTurning(frame, window, discIsFirst, std::max(begin, window.from), end);
+}
+
+void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                  const ContactWindow& window, double within, std::vector<FoundContact>& places) {
+  const bool discIsFirst = first.outline == nullptr;
+  const ShapedFlight &disc = discIsFirst ? first : second, &body = discIsFirst ? second : first;
+  StretchedFrame frame(disc, body, first.start, U);
+  for (const Nearest& near : nearPoints(frame.cornersAt(window.from), disc.radius + within)) {
+    const Vec2& towards = near.towards;
+    places.push_back(frame.contact(window.from, towards, towards * disc.radius, discIsFirst));
+  }
+}
+
+}  // namespace carom

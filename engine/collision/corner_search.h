@@ -1,0 +1,49 @@
+#pragma once
+// The two searches behind corner_contact.h.
+
+#include <optional>
+#include <vector>
+
+#include "engine/collision/shaped_flight.h"
+
+namespace carom {
+
+/// From when on a contact counts: dot(frame, C − origin) >= from, above it if `strictly`.
+struct ContactWindow {
+  Vec21 frame, origin;
+  double from = 0.0;
+  bool strictly = false;  ///< both flights begin at board time 0, when nothing is in contact
+  bool resumed = false;   ///< what touches already at `from` has been dealt with
+
+  double timeOf(const Vec21& event) const { return dot(frame, event - origin); }
+  bool holds(double time) const { return strictly ? time > from : time >= from; }
+};
+
+/// A contact as the searches find it.
+struct FoundContact {
+  double time = 0.0;  ///< U · (C − X1)
+  Vec21 event;
+  Vec21 normal;  ///< from the first body to the second, to within a multiple of U
+  bool withoutDelay = false;
+  bool sideOnSide = false;
+};
+
+/// Slower than this, bodies that overlap do not approach.
+constexpr double kLeastClosing = 1e-9;
+/// Of the radii: what is nearer touches, after rounding.
+constexpr double kCornerTouches = 1e-11;
+
+/// Of two bodies with corners.
+std::optional<FoundContact> findPiercing(const ShapedFlight& first, const ShapedFlight& second,
+                                         const Vec21& U, const ContactWindow& window);
+/// Of a disc and a body with corners, in either order.
+std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
+                                           const Vec21& U, const ContactWindow& window);
+
+/// Adds all places at which two bodies touch, nearer than `within`, or overlap at the time `window.from`.
+void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                      const ContactWindow& window, double within, std::vector<FoundContact>& places);
+void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                  const ContactWindow& window, double within, std::vector<FoundContact>& places);
+
+}  // namespace carom

@@ -1,0 +1,302 @@
+#include "engine/corner_games.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+
+#include "engine/billiard/setup_check.h"
+#include "engine/collision/corner_contact.h"
+#include "engine/collision/corner_kick.h"
+#include "engine/sampled_body.h"
+
+namespace carom::test {
+
+namespace {
+
+constexpr double kC_m_s = 1.42;
+constexpr double kSoon = 0.01;  // of the radii: a pair that turns again so soon is not asked
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+std::vector<Vec2> regular(int corners, double radius_m, double angle_rad) {
+  std::vector<Vec2> outline_m;
+  for (int k = 0; k < corners; ++k) {
+    const double at = angle_rad + 2.0 * M_PI * k / corners;
+    outline_m.push_back({radius_m * std::cos(at), radius_m * std::sin(at)});
+  }
+  return outline_m;
+}
+
+/// A leg of one body, with c = 1.
+struct PlayedLeg {
+  SampledBody body;
+  Vec21 u;
+  SpinningPuck puck;
+  std::uint64_t number = 0;            // of the event that began it
+  double next = kNever;                // board time at which the next leg begins,
+  std::uint64_t nextNumber = ~0u;      // the number of its event
+  Vec21 nextSignal{kNever, 0.0, 0.0};  // and the contact
+};
+
+std::vector<PlayedLeg> legsOf(const BilliardSetup& setup, const Billiard& game, std::size_t which) {
+  const Puck& puck = setup.pucks[which];
+  const double c = setup.lightSpeed_m_s;
+  std::map<double, std::uint64_t> last, first;  // of the events at a turn
+  for (const GameEvent& event : game.events()) {
+    for (const Turn& turn : event.turns)
+      if (turn.puck == which)
+        last[turn.event.t_s] = event.number, first.emplace(turn.event.t_s, event.number);
+  }
+  std::vector<PlayedLeg> legs;
+  const SpinningBody material{puck.mass_kg, puck.inertia * puck.mass_kg};
+  for (const Knot& knot : game.worldLines()[which].knots()) {
+    const Vec21 u = fourVelocity(knot.u.x, knot.u.y);
+    const Vec21 start{knot.turn.t_s * c, knot.turn.r_m.x, knot.turn.r_m.y};
+    if (!legs.empty()) {
+      legs.back().next = start.t, legs.back().nextNumber = first[knot.turn.t_s];
+      legs.back().nextSignal = {knot.signal.t_s * c, knot.signal.r_m.x, knot.signal.r_m.y};
+    }
+    // A disc that turns fills the same place.
+    const double turning = puck.outline_m.empty() ? 0.0 : knot.spin.omega_rad_s / c;
+    legs.push_back(
+        {{puck.outline_m, start, {u.x / u.t, u.y / u.t}, turning, puck.radius_m, knot.spin.angle_rad},
+         u,
+         {material, spinOfRim(material, knot.spin.omega_rad_s / c * puck.radius_m), u},
+         last[knot.turn.t_s]});
+  }
+  return legs;
+}
+
+/// Returns how fast two bodies that touch as the later leg begins close by the law of the kick, where they do so
+/// fastest; 0 if nowhere.
+double closingByLaw(const PlayedLeg& one, const PlayedLeg& other) {
+  std::vector<Outline> outlines;
+  outlines.reserve(2);
+  std::array<ShapedFlight, 2> flights;
+  const std::array<const PlayedLeg*, 2> legs{&one, &other};
+  for (int i = 0; i < 2; ++i) {
+    const SampledBody& body = legs[i]->body;
+    flights[i] = {body.start, legs[i]->u, body.radius, nullptr, body.angle, body.turning};
+    if (!body.corners.empty()) flights[i].outline = &outlines.emplace_back(body.corners);
+  }
+  double fastest = 0.0;
+  for (const TouchedPlace& place : touchedPlaces(flights[0], flights[1], 0.0)) {
+    std::array<LeveredBody, 2> bodies;
+    for (int i = 0; i < 2; ++i) {
+      const Vec21 way = place.event - flights[i].start;
+      bodies[i] = {legs[i]->puck, flights[i].radius, way - flights[i].u * dot(flights[i].u, way)};
+    }
+    const auto kick = kickCorners(equalSpeedFrame(one.u, other.u), place.n, bodies, {});
+    if (kick) fastest = std::max(fastest, kick->centres.closing);
+  }
+  return fastest;
+}
+
+/// How fast two bodies that touch go on into each other.
+class ApproachCheck {
+ public:
+  ApproachCheck(const BilliardSetup& setup, const Billiard& game, double until_s, CornerTally& tally)
+      : tally_(tally), until_(until_s * setup.lightSpeed_m_s) {
+    for (std::size_t i = 0; i < setup.pucks.size(); ++i) legs_.push_back(legsOf(setup, game, i));
+  }
+
+  /// Returns the fastest of a pair, over c.
+  double check(std::size_t first, std::size_t second) {
+    double fastest = 0.0;
+    std::size_t from = 0;
+    for (const PlayedLeg& one : legs_[first]) {
+      const std::vector<PlayedLeg>& others = legs_[second];
+      // In their frame simultaneous with one leg can be what the board shows before or after.
+      const double slack = 4.0 * (one.body.radius + others[0].body.radius) * one.u.t;
+      while (from + 1 < others.size() && others[from].next + slack * others[from].u.t < one.body.start.t)
+        ++from;
+      for (std::size_t k = from; k < others.size(); ++k) {
+        if (others[k].body.start.t > one.next + slack * others[k].u.t) break;
+        fastest = std::max(fastest, ofLegs(one, others[k]));
+      }
+    }
+    return fastest;
+  }
+
+ private:
+  double ofLegs(const PlayedLeg& one, const PlayedLeg& other) {
+    if (one.body.corners.empty() && other.body.corners.empty()) return 0.0;
+    const double later = std::max(one.body.start.t, other.body.start.t),
+                 size = one.body.radius + other.body.radius;
+    if (later > until_ || later == 0.0) return 0.0;
+    // What was decided before turns one of them yet.
+    if (std::min(one.nextNumber, other.nextNumber) <= std::max(one.number, other.number)) return 0.0;
+    if (std::min(one.nextSignal.t, other.nextSignal.t) <= later) return 0.0;
+    if (one.next < kNever && one.nextNumber == other.nextNumber) return 0.0;
+    const Vec21 sum = one.u + other.u;
+    const Matrix frame = boost({sum.x / sum.t, sum.y / sum.t});
+    const double begin = std::max((frame * one.body.start).t, (frame * other.body.start).t);
+    const double soon = 1e-6 * size;
+    double end = kNever;
+    for (const PlayedLeg* leg : {&one, &other}) {
+      const double own = (leg->next - leg->body.start.t) / leg->u.t;
+      if (own < kNever) end = std::min(end, (frame * (leg->body.start + leg->u * own)).t);
+    }
+    if (begin + kSoon * size >= end) return 0.0;
+    const Vec21 apart =
+        one.body.eventAt({0.0, 0.0}, frame, begin) - other.body.eventAt({0.0, 0.0}, frame, begin);
+    if (-dot(apart, apart) > size * size) return 0.0;
+    const double depth = depthAt(one.body, other.body, frame, begin);
+    if (depth < -1e-10) return 0.0;
+    ++tally_.touching;
+    tally_.fastestDeeper =
+        std::max(tally_.fastestDeeper, (depthAt(one.body, other.body, frame, begin + soon) - depth) / soon);
+    return closingByLaw(one, other);
+  }
+
+  CornerTally& tally_;
+  double until_;
+  std::vector<std::vector<PlayedLeg>> legs_;
+};
+
+void drawRules(unsigned seed, std::mt19937_64& random, PhysicsRules& rules) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  if (seed % 3 != 0) rules.puckRestitution = uniform(0.0, 1.0), rules.cushionRestitution = uniform(0.0, 1.0);
+  if (seed % 2 != 0) rules.puckFriction = uniform(0.0, 1.0), rules.cushionFriction = uniform(0.0, 1.0);
+  rules.tangentialRestitution = uniform(0.0, 1.0);
+  if (seed % 5 == 4) rules.collisionEvent = CollisionEvent::contact;
+}
+
+void checkBalance(const Billiard& game, const Ledger& before, const std::string& name, CornerTally& tally) {
+  const Ledger now = game.ledger();
+  const double energy_j =
+      now.motion.energy_j + now.radiated.energy_j + now.takenByCushions.energy_j - before.motion.energy_j;
+  const Vec2 momentum = now.motion.momentum_kg_m_s + now.radiated.momentum_kg_m_s +
+                        now.takenByCushions.momentum_kg_m_s - before.motion.momentum_kg_m_s;
+  const double energy = std::abs(energy_j) / before.motion.energy_j;
+  const double missing = glm::length(momentum) * kC_m_s / before.motion.energy_j;
+  if (!(energy <= 1e-10) || !(missing <= 1e-10))
+    tally.faults.push_back(name + ": four-momentum is not conserved: " + std::to_string(energy) + ", " +
+                           std::to_string(missing));
+  tally.worstEnergy = std::max(tally.worstEnergy, energy);
+  tally.worstMomentum = std::max(tally.worstMomentum, missing);
+}
+
+}  // namespace
+
+std::vector<Vec2> rectangle(double length_m, double width_m) {
+  const double x = 0.5 * length_m, y = 0.5 * width_m;
+  return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+}
+
+Puck bodyOf(const std::string& name, const std::vector<Vec2>& outline_m) {
+  Puck puck;
+  puck.name = name;
+  puck.outline_m = outline_m;
+  puck.radius_m = radiusOf_m(outline_m);
+  puck.height_m = 0.02, puck.mass_kg = 0.2, puck.inertia = 0.3;
+  return puck;
+}
+
+BilliardSetup cornerGame(unsigned seed, int most) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = kC_m_s;
+  setup.board = Board{2.84, 1.42};
+  drawRules(seed, random, setup.rules);
+  const int count = 2 + static_cast<int>(seed % static_cast<unsigned>(most - 1));
+  for (int tries = 0; tries < 1000 && static_cast<int>(setup.pucks.size()) < count; ++tries) {
+    const int kind = static_cast<int>(uniform(0.0, 4.0));
+    std::vector<Vec2> outline_m;
+    if (kind == 1) outline_m = rectangle(uniform(0.06, 0.12), uniform(0.01, 0.03));
+    if (kind == 2)
+      outline_m = regular(3 + static_cast<int>(uniform(0, 6)), uniform(0.02, 0.06), uniform(0, 6));
+    if (kind == 3)
+      outline_m = {{0.05, -0.04},  {0.05, 0.04},  {0.03, 0.04},  {0.03, -0.02},
+                   {-0.03, -0.02}, {-0.03, 0.04}, {-0.05, 0.04}, {-0.05, -0.04}};
+    std::string name = std::to_string(setup.pucks.size());
+    name.insert(0, 3 - name.size(), '0');
+    Puck puck = bodyOf(name, outline_m);
+    if (kind == 0) puck.radius_m = uniform(0.02, 0.05);
+    puck.mass_kg = std::pow(10.0, uniform(-2.0, 0.0)), puck.inertia = uniform(0.2, 1.0);
+    puck.position_m = {uniform(-1.3, 1.3), uniform(-0.6, 0.6)};
+    const double at = uniform(0.0, 2.0 * M_PI), speed = uniform(0.0, seed % 7 == 0 ? 0.95 : 0.8);
+    puck.beta = {speed * std::cos(at), speed * std::sin(at)};
+    puck.spin_kg_m2_s = spinOfRim_kg_m2_s(puck, uniform(-1.0, 1.0), kC_m_s);
+    setup.pucks.push_back(puck);
+    try {
+      checkSetup(setup);
+    } catch (const std::invalid_argument&) {
+      setup.pucks.pop_back();
+    }
+  }
+  return setup;
+}
+
+BilliardSetup mirrored(const BilliardSetup& setup) {
+  BilliardSetup image = setup;
+  for (Puck& puck : image.pucks) {
+    puck.position_m.y *= -1.0, puck.beta.y *= -1.0, puck.spin_kg_m2_s *= -1.0;
+    for (Vec2& corner : puck.outline_m) corner.y *= -1.0;
+    std::reverse(puck.outline_m.begin(), puck.outline_m.end());
+  }
+  return image;
+}
+
+void checkCornerGame(const BilliardSetup& setup, double until_s, const std::string& name,
+                     CornerTally& tally) {
+  Billiard game(setup);
+  const Ledger before = game.ledger();
+  game.advanceTo(until_s);
+  checkBalance(game, before, name, tally);
+  for (const GameEvent& event : game.events()) {
+    if (event.kind == EventKind::puckPuck || event.kind == EventKind::puckCushion) ++tally.collisions;
+    if (event.kind == EventKind::jam) ++tally.jams;
+    if (event.withoutDelay) ++tally.withoutDelay;
+    if (!(event.heat_j >= 0.0))
+      tally.faults.push_back(name + ": heat below 0: " + std::to_string(event.heat_j));
+  }
+  for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+    const WorldLine& line = game.worldLines()[i];
+    std::vector<Event> places;
+    for (const Knot& knot : line.knots()) places.push_back(knot.turn);
+    places.push_back(line.at(until_s).event);
+    for (const Event& place : places) {
+      if (!(std::abs(place.r_m.x) <= 0.5 * setup.board->length_m) ||
+          !(std::abs(place.r_m.y) <= 0.5 * setup.board->width_m))
+        tally.faults.push_back(name + ": puck " + setup.pucks[i].name + " is off the table at " +
+                               std::to_string(place.t_s) + " s");
+    }
+  }
+  ApproachCheck approach(setup, game, until_s, tally);
+  for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+    for (std::size_t k = i + 1; k < setup.pucks.size(); ++k) {
+      const double fastest = approach.check(i, k);
+      if (fastest > 1e-6) ++tally.approaching;
+      tally.fastestApproach = std::max(tally.fastestApproach, fastest);
+    }
+  }
+}
+
+std::string otherBits(const Billiard& game, const Billiard& reversed, double until_s) {
+  const std::size_t count = game.worldLines().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto &one = game.worldLines()[i].knots(), &other = reversed.worldLines()[count - 1 - i].knots();
+    for (std::size_t k = 0; k < one.size() && one[k].turn.t_s <= until_s; ++k) {
+      const bool same = k < other.size() && one[k].turn.t_s == other[k].turn.t_s &&
+                        one[k].turn.r_m == other[k].turn.r_m && one[k].u == other[k].u &&
+                        one[k].properTime_s == other[k].properTime_s &&
+                        one[k].spin.angle_rad == other[k].spin.angle_rad &&
+                        one[k].spin.omega_rad_s == other[k].spin.omega_rad_s;
+      if (!same) return "puck " + std::to_string(i) + ", leg " + std::to_string(k);
+    }
+  }
+  return {};
+}
+
+}  // namespace carom::test

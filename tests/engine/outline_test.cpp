@@ -1,0 +1,74 @@
+// Outlines: what is wrong with corners, and what a plate of that outline is.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "engine/collision/outline.h"
+
+namespace carom {
+namespace {
+
+using Vec2 = glm::dvec2;
+
+std::vector<Vec2> regular(int corners) {
+  std::vector<Vec2> all;
+  for (int k = 0; k < corners; ++k)
+    all.push_back({0.03 * std::cos(2.0 * M_PI * k / corners), 0.03 * std::sin(2.0 * M_PI * k / corners)});
+  return all;
+}
+
+void expectFault(const std::vector<Vec2>& corners, std::size_t corner, const std::string& part) {
+  const auto fault = faultOf(corners);
+  ASSERT_TRUE(fault) << part;
+  EXPECT_EQ(fault->corner, corner) << fault->what;
+  EXPECT_NE(fault->what.find(part), std::string::npos) << fault->what;
+}
+
+TEST(Outline, SaysWhatIsWrongAndWhere) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(faultOf(regular(3)));
+  EXPECT_FALSE(faultOf(regular(256)));
+  EXPECT_FALSE(faultOf(std::vector<Vec2>{{0, 0}, {2, 0}, {1, 0.5}, {2, 2}, {0, 2}}));
+  expectFault({{0, 0}, {1, 0}}, 0, "2 corners: expected 3 to 256");
+  expectFault(regular(257), 0, "257 corners");
+  expectFault({{0, 0}, {1, 0}, {1, nan}}, 2, "corner 3 is not a place");
+  expectFault({{0, 0}, {1, 0}, {1, 1}, {1, 0}}, 3, "corner 4 lies on corner 2");
+  expectFault({{0, 0}, {0, 1}, {1, 1}, {1, 0}}, 0, "clockwise");
+  expectFault({{0, 0}, {1, 0}, {2, 0}}, 0, "no area");
+  expectFault({{0, 0}, {2, 0}, {0.5, 1}, {1, -1}}, 2, "crosses or touches");
+  expectFault({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}, 2, "crosses or touches");
+  expectFault({{0, 0}, {2, 0}, {1, 0}, {1, 1}}, 1, "lie on each other");
+}
+
+TEST(Outline, MomentsOfARectangleAndOfMovedCorners) {
+  const double a = 0.12, b = 0.02;
+  const std::vector<Vec2> bar{{-a / 2, -b / 2}, {a / 2, -b / 2}, {a / 2, b / 2}, {-a / 2, b / 2}};
+  const OutlineMoments moments = momentsOf(bar);
+  EXPECT_NEAR(moments.area, a * b, 1e-17);
+  EXPECT_NEAR(moments.centre.x, 0.0, 1e-17);
+  EXPECT_NEAR(moments.inertia, (a * a + b * b) / 12.0 / ((a * a + b * b) / 4.0), 1e-15);
+  std::vector<Vec2> moved = bar;
+  for (Vec2& corner : moved) corner += Vec2{0.5, 0.25};
+  EXPECT_NEAR(momentsOf(moved).centre.x, 0.5, 1e-15);
+  EXPECT_NEAR(momentsOf(moved).centre.y, 0.25, 1e-15);
+  EXPECT_NEAR(momentsOf(regular(256)).inertia, 0.5, 1e-3);  // a disc
+}
+
+TEST(Outline, ClearanceInsideAndOutside) {
+  const Outline square(std::vector<Vec2>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+  EXPECT_TRUE(square.isConvex());
+  EXPECT_DOUBLE_EQ(square.clearanceOf({0.75, 0.5}).outside, -0.25);
+  EXPECT_EQ(square.clearanceOf({0.75, 0.5}).side, 1u);
+  EXPECT_DOUBLE_EQ(square.clearanceOf({0.5, -3.0}).outside, 2.0);
+  const Outline notch(std::vector<Vec2>{{-1, -1}, {1, -1}, {1, 1}, {0, 0}, {-1, 1}});
+  EXPECT_FALSE(notch.isConvex());
+  EXPECT_DOUBLE_EQ(notch.clearanceOf({0.0, 0.5}).outside, std::sqrt(0.125));
+  EXPECT_DOUBLE_EQ(notch.clearanceOf({0.0, -0.75}).outside, -0.25);
+  EXPECT_DOUBLE_EQ(notch.clearanceOf({3.0, 2.0}).outside, std::sqrt(5.0));
+}
+
+}  // namespace
+}  // namespace carom
