@@ -14,7 +14,7 @@
 
 namespace carom {
 
-/// A hand at the moment of a frame's display: a controller's aim, trigger, buttons and stick, or a bare hand. Room
+/// A hand at the moment of a frame's display: a controller's aim, trigger, buttons and stick. Room
 /// frame; its aim is along -z.
 struct HeadsetHand {
   bool isTracked = false;

@@ -309,7 +309,8 @@ TEST_F(HeadsetTest, ASteadyFrameAllocatesNothing) {
     const std::size_t before = test::allocationCount();
     const FrameTimes times = pacer.next();
     headset.submit(&pictures);
-    if (frame > 120) allocated += test::allocationCount() - before;  // what the headset lacks is said in frame 90
+    if (frame > 120)
+      allocated += test::allocationCount() - before;  // what the headset lacks is said in frame 90
     EXPECT_EQ(times.number, static_cast<std::uint64_t>(frame));
   }
   EXPECT_EQ(allocated, 0U);
