@@ -76,6 +76,7 @@ std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>&
   for (const Puck& puck : setup.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
   facts.viewers = namesOf(setup.rig.viewers);
   for (const TrackerSetup& tracker : setup.rig.trackers) facts.trackers.push_back(tracker.name);
+  if (setup.headset) facts.eyePixels = {setup.headset->pixels().x, setup.headset->pixels().y};
   facts.isAnotherGame = game == WrittenGame::another;
   return std::make_unique<Journal>(*file, facts, game != WrittenGame::first);
 }
@@ -139,9 +140,8 @@ struct LivePlay {
   LivePlay(const SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
            const Before& before, LiveStart start)
       : clock(clockOf(setup, options, start.sessionStart)),
-        pacer((clock->sleepUntil(livedOf_s(start)), *clock), setup.rig.display_hz, setup.rig.displayLatency_s,
-              setup.swapsWait, start.firstFrame()),
-        source(setup.rig, setup.scenario, setup.world, start),
+        pace(paceOf(setup, *clock, livedOf_s(start), start.firstFrame())),
+        source(setup.rig, setup.scenario, setup.world, (start.headset = pace.worn, start)),
         leader(source, KeysOf::session, firstSettings(setup, options, inputs.scenario.file.string(), before),
                devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::session), options.unattended_s,
                options.scenario.string()),
@@ -153,7 +153,7 @@ struct LivePlay {
   static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
 
   std::unique_ptr<Clock> clock;
-  Pacer pacer;
+  Pace pace;
   LiveSource source;
   FrameLeader leader;
   std::unique_ptr<Sounds> sounds;
@@ -249,9 +249,9 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
     frames.context().keyLock = &lock;
     return runFrames(frames.context());
   }
-  const LeaderParts lead{play->source,       play->leader,   windows,
-                         play->sounds.get(), &play->journal, play->status.get()};
-  SessionFrames frames(cluster, setup, play->pacer, &lead, KeysOf::session);
+  const LeaderParts lead{play->source,   play->leader,       windows,        play->sounds.get(),
+                         &play->journal, play->status.get(), play->pace.worn};
+  SessionFrames frames(cluster, setup, *play->pace.pacer, &lead, KeysOf::session);
   frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());
   if (setup.realTime) frames.statistics().sayHowItWent();

@@ -25,6 +25,7 @@
 #include "cave/audio/sounds.h"
 #include "cave/cluster/cluster.h"
 #include "cave/display/display_facts.h"
+#include "cave/headset/headset.h"
 #include "devices/tracker/realtime_thread.h"
 #include "devices/usb/device_list.h"
 #include "engine/base/log.h"
@@ -207,6 +208,7 @@ NodeHealth lookAt(const Cluster& cluster, const Rig* rig) {
     lookAtDisplay(graphics, rig, walls, report);
   });
   tried([&] { lookAtSystem(report); });
+  report.add("headset", aboutHeadsets());
   report.add("MPI", fmt::format("{}, {} node{}", Cluster::libraryVersion(), cluster.size(),
                                 cluster.size() == 1 ? "" : "s"));
   return report;

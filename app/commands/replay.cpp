@@ -22,7 +22,8 @@ namespace carom {
 namespace {
 
 bool isVisit(const ReplayOptions& options) {
-  return options.observer || options.walk || options.beta || options.from_m || options.facing_rad;
+  return options.observer || options.rig || options.walk || options.beta || options.from_m ||
+         options.facing_rad;
 }
 
 /// Opens the session file and takes rig and scenario from it.
@@ -35,6 +36,9 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
   if (options.observer) readTrace(*options.observer);
   if (!options.as.empty()) session->viewerNamed(options.as);
   inputs.rig = {session->facts().rig, session->facts().rigText};
+  const std::array<int, 2>& eye_px = session->facts().eyePixels;
+  if (!inputs.live && eye_px[0] > 0 && eye_px[1] > 0) inputs.eye_px = {eye_px[0], eye_px[1]};
+  if (options.rig) inputs.rig = {*options.rig, {}};
   inputs.scenario = {session->facts().scenario, session->facts().scenarioText};
   return session;
 }
@@ -42,7 +46,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
 /// The frame source, with its clock and pacer.
 struct Frames {
   std::unique_ptr<Clock> clock;
-  std::unique_ptr<FramePacer> pacer;
+  Pace pace;
   std::unique_ptr<FrameSource> source;
 };
 
@@ -58,17 +62,16 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
   }
   const Rig& rig = setup.rig;
   if (game) {
+    frames.pace = paceOf(setup, *frames.clock);
     const Visitor visitor{options.observer, options.beta, setup.realTime && !options.observer, options.from_m,
                           options.facing_rad};
-    frames.source =
-        std::make_unique<ReplayVisitorSource>(rig, setup.scenario, visitor, std::move(*game), start);
-    frames.pacer =
-        std::make_unique<Pacer>(*frames.clock, rig.display_hz, rig.displayLatency_s, setup.swapsWait);
+    frames.source = std::make_unique<ReplayVisitorSource>(rig, setup.scenario, visitor, std::move(*game),
+                                                          start, frames.pace.worn);
   } else {
     const std::size_t viewer = options.as.empty() ? 0 : session.viewerNamed(options.as);
     frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(setup), rig.display_hz,
                                                      options.at_s, viewer);
-    frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
+    frames.pace.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   return frames;
 }
@@ -81,8 +84,8 @@ void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows,
   FrameLeader leader(*frames.source, KeysOf::replay, settings,
                      devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::replay));
   const auto sounds = soundsFor(setup, options.silent || options.noWindow);
-  const LeaderParts lead{*frames.source, leader, windows, sounds.get(), nullptr, nullptr};
-  runFrames(SessionFrames(cluster, setup, *frames.pacer, &lead, KeysOf::replay).context());
+  const LeaderParts lead{*frames.source, leader, windows, sounds.get(), nullptr, nullptr, frames.pace.worn};
+  runFrames(SessionFrames(cluster, setup, *frames.pace.pacer, &lead, KeysOf::replay).context());
 }
 
 void replay(Cluster& cluster, const ReplayOptions& options) {
@@ -130,6 +133,12 @@ void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options
           "what was not recorded")
       ->type_name("TRACE")
       ->transform(shipped({"traces"}));
+  command
+      .add_option("--rig", options->rig,
+                  "Walk about in the recorded game in another room than the recorded one, or with a headset")
+      ->type_name("RIG")
+      ->transform(shipped({"rigs"}))
+      ->excludes(command.get_option("--observer"));
   command
       .add_flag("--walk", options->walk,
                 "Walk about in the recorded game yourself, with the head tracked by the rig's tracker")

@@ -19,16 +19,17 @@ struct ReplayOptions {
   std::filesystem::path session;
   std::optional<std::size_t> game;                ///< of the session, from 1; by default the newest
   std::optional<std::filesystem::path> observer;  ///< trace of another viewer's head (room axes)
-  std::string as;                    ///< of several viewers, the one whose walls alone are shown; empty: all
-  bool walk = false;                 ///< another viewer, whose head the rig's tracker follows
-  std::optional<Vec3> beta;          ///< v/c of the other viewer's room on the board
-  std::optional<Vec3> from_m;        ///< initial position of that room's floor origin on the board
-  std::optional<double> facing_rad;  ///< initial direction of its forward axis, anticlockwise from +x
-  std::optional<double> at_s;        ///< session time at which to start; not with another viewer
-  RecordingOptions recording;        ///< images and movie
-  bool noWindow = false;             ///< without windows, frames go as fast as possible
-  bool silent = false;               ///< no sounds
-  ExtraWindows extra;                ///< what rank 0 also shows
+  std::string as;  ///< of several viewers, the one whose walls alone are shown; empty: all
+  std::optional<std::filesystem::path> rig;  ///< the room of another viewer; empty: the recorded one
+  bool walk = false;                         ///< another viewer, whose head the rig's tracker follows
+  std::optional<Vec3> beta;                  ///< v/c of the other viewer's room on the board
+  std::optional<Vec3> from_m;                ///< initial position of that room's floor origin on the board
+  std::optional<double> facing_rad;          ///< initial direction of its forward axis, anticlockwise from +x
+  std::optional<double> at_s;                ///< session time at which to start; not with another viewer
+  RecordingOptions recording;                ///< images and movie
+  bool noWindow = false;                     ///< without windows, frames go as fast as possible
+  bool silent = false;                       ///< no sounds
+  ExtraWindows extra;                        ///< what rank 0 also shows
 };
 
 /// Returns the exit status: 0, or 1 after a message on standard error.

@@ -45,6 +45,17 @@ std::unique_ptr<Sounds> soundsFor(const SessionSetup& setup, bool silent) {
   return std::make_unique<Sounds>(SoundAxes{axes.right, axes.up, axes.forward});
 }
 
+Pace paceOf(const SessionSetup& setup, Clock& clock, double lived_s, std::uint64_t firstFrame) {
+  if (setup.headset) {
+    auto pacer = std::make_unique<HeadsetPacer>(*setup.headset, lived_s, firstFrame);
+    const HeadsetFrame* worn = &pacer->frame();
+    return {std::move(pacer), worn};
+  }
+  clock.sleepUntil(lived_s);
+  return {std::make_unique<Pacer>(clock, setup.rig.display_hz, setup.rig.displayLatency_s, setup.swapsWait,
+                                  firstFrame)};
+}
+
 SessionFrames::SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& pacer,
                              const LeaderParts* lead, KeysOf keys)
     : statistics_(cluster, setup.lock, setup.rig.display_hz, setup.realTime),
@@ -53,6 +64,10 @@ SessionFrames::SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& 
       recording_(*setup.recording, *setup.walls, setup.outside.get()),
       context_{cluster,     *setup.graphics, setup.world,    pacer,   lead ? lead->leader : follower_,
                statistics_, {&walls_},       {&statistics_}, &noLock_} {
+  if (setup.headset) {
+    context_.views.insert(context_.views.begin(), &headset_.emplace(*setup.headset, *setup.walls));
+    if (lead && lead->worn) context_.listeners.push_back(&haptics_.emplace(*setup.headset, *lead->worn));
+  }
   if (setup.outside) context_.views.push_back(&outside_.emplace(*setup.outside, *setup.walls));
   if (lead && lead->windows.diagram) context_.views.push_back(lead->windows.diagram.get());
   context_.views.push_back(&drawingEnd_);

@@ -2,8 +2,14 @@
 
 namespace carom {
 
+std::vector<Wall> standingWalls(const Rig& rig) { return isHeadset(rig) ? std::vector<Wall>() : rig.walls; }
+
 RoomGeometry roomGeometryOf(const Rig& rig) {
-  RoomGeometry room{rig.walls, rig.axes.up, rig.axes.forward, {}};
+  RoomGeometry room{isHeadset(rig) ? std::vector{*rig.board} : rig.walls,
+                    rig.axes.up,
+                    rig.axes.forward,
+                    {},
+                    isHeadset(rig)};
   for (const ViewerSetup& viewer : rig.viewers)
     room.viewers.push_back({viewer.name, inverse(viewer.head.eyesFromSensor)});
   return room;

@@ -6,6 +6,7 @@
 
 #include "app/files/config_folder.h"
 #include "app/files/rig_checks.h"
+#include "app/files/rig_headset.h"
 #include "app/files/rig_nodes.h"
 #include "app/files/rig_trackers.h"
 #include "app/files/rig_viewers.h"
@@ -55,12 +56,16 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
   rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock", kFrameLocks, 0));
   rig.playlist = playlistOf(path, root.text("playlist", ""));
+  if (const auto headset = root.table("headset")) {
+    readHeadset(root, *headset, unit_m, rig);
+    placed.head = placed.eyeSeparation = headset->place();
+  }
   std::uint64_t simulated = 0;  // the first simulated person has the seed of one who is alone
   for (const TomlTable& table : root.tables("tracker")) {
     TrackerSetup& tracker = rig.trackers.emplace_back(readTracker(file, table, unit_m, rig.axes));
     if (tracker.kind == TrackerKind::simulated) tracker.seed = ++simulated;
   }
-  rig.viewers = readViewers(root, rig.trackers, unit_m);
+  if (!isHeadset(rig)) rig.viewers = readViewers(root, rig.trackers, unit_m);
   const std::vector<TomlTable> viewers = root.tables("viewer");
   if (const auto head = viewers.empty() ? root.table("head") : viewers.front()) {
     placed.head = head->place();
@@ -80,6 +85,13 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window, true);
   }
 
+  if (isHeadset(rig)) {
+    placeEyes(rig);
+    const FilePlace at = placed.head;
+    placed.walls.assign(rig.walls.size(), {at, at, at, at, at, at, at});
+    file.throwFaults();
+    return placed;
+  }
   std::vector<WallText> walls;
   for (const TomlTable& table : root.tables("wall")) {
     walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));

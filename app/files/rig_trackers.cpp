@@ -92,7 +92,7 @@ SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>&
 TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m, const RoomAxes& axes) {
   TrackerSetup tracker;
   tracker.name = table.text("name");
-  tracker.kind = static_cast<TrackerKind>(table.choice("kind", kTrackerKinds));
+  tracker.kind = static_cast<TrackerKind>(table.choice("kind", std::span(kTrackerKinds).first(8)));
   tracker.source = readSource(file, table, tracker.kind, axes);
   constexpr std::array<std::string_view, 3> kPersons{"moves", "still", "walks"};
   if (tracker.kind == TrackerKind::simulated) {

@@ -171,6 +171,21 @@ void visitViewer(Visit& visit, Viewer& viewer) {
   visit("", "has_turn", viewer.hasTurn);
 }
 
+/// Visits what is stored of a headset.
+template <typename Visit, typename Headset>
+void visitHeadset(Visit& visit, Headset& headset) {
+  visitPlace(visit, "velocity_", headset.runtimeVelocity_m_s);
+  visit("", "velocity_known", headset.velocityKnown);
+  for (const auto& [eye, prefix] : {std::pair(&headset.eyes[0], "left_"), {&headset.eyes[1], "right_"}}) {
+    const std::string name(prefix);
+    visitPose(visit, name, eye->roomFromEye);
+    visit(name, "tan_left", eye->frustum.left);
+    visit(name, "tan_right", eye->frustum.right);
+    visit(name, "tan_down", eye->frustum.down);
+    visit(name, "tan_up", eye->frustum.up);
+  }
+}
+
 template <typename Visit, typename AKnot>
 void visitKnot(Visit& visit, AKnot& knot) {
   visitEvent(visit, "", knot.turn);

@@ -116,6 +116,7 @@ FrameReader::FrameReader(SQLite::Database& database, int version, double lightSp
     event_.emplace(database, fmt::format("SELECT frame{} FROM frame_event WHERE frame = ? ORDER BY number",
                                          selected(database, "frame_event", eventNames())));
   if (version > kVersion6) viewers_.emplace(database, lightSpeed_m_s);
+  if (version > kVersion6) headset_.emplace(database);
   goTo(0);
 }
 
@@ -141,6 +142,7 @@ void FrameReader::read(FrameState& state) {
   state.record.placeInRoom_m = state.record.observer.middle.positionInRoom_m;
   state.record.room_s = state.record.observer.properTime_s;
   if (viewers_) viewers_->read(state.record);
+  if (headset_) headset_->read(state.record);
   if (state.record.number != static_cast<std::uint64_t>(number))
     throw std::runtime_error(fmt::format("its record is of frame {}", state.record.number));
   expectPossible(state.record, lightSpeed_m_s_);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/journal/headset_rows.h"
 #include "app/journal/viewer_rows.h"
 #include "cave/frame/frame_state.h"
 
@@ -71,7 +72,8 @@ class FrameReader {
   double lightSpeed_m_s_;
   bool changesOnly_ = false;
   SQLite::Statement frame_, change_, knot_;
-  std::optional<ViewerReader> viewers_;     ///< not before version 7
+  std::optional<ViewerReader> viewers_;  ///< not before version 7
+  std::optional<HeadsetReader> headset_;
   std::optional<SQLite::Statement> event_;  ///< not in version 3, which stores events with the frame
 };
 

@@ -99,6 +99,9 @@ void JournalTables::make(const SessionFacts& facts) {
   put(row, "scenario", facts.scenarioText);
   for (std::size_t viewer = 0; viewer < facts.viewers.size(); ++viewer)
     put(row, keyOfViewer(viewer), facts.viewers[viewer]);
+  for (const std::size_t axis : {0, 1}) {
+    if (facts.eyePixels[axis] > 0) put(row, kKeysOfEyePixels[axis], facts.eyePixels[axis]);
+  }
   addGames(database_);
   transaction.commit();
 }
@@ -201,6 +204,7 @@ void JournalTables::begin(const SessionFacts& facts) {
     refuse(fmt::format("version {} of the tables, expected version {}", version(), kJournalVersion));
   frames_.emplace(database_);
   viewerRows_.emplace(database_, viewers_);
+  headsetRows_.emplace(database_);
   removeEmptyGames(database_);
   if (facts.isAnotherGame) addGame(database_, facts);
   firstEvent_ = firstEventOfNewest(database_);
@@ -255,6 +259,7 @@ void JournalTables::writeFrames(const Batch& batch) {
     list(brought, row.record.eventsKept);
     frames_->write(row.record, toString(row.heads[0].known), row.heads[0].celerity_m_s);
     viewerRows_->write(row.record, row.heads);
+    headsetRows_->write(row.record);
     for (const GameEvent& event : brought) frames_->write(row.record.number, event);
   }
   for (const auto& [frame, knot] : batch.knots) frames_->write(frame, knot);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/journal/frame_rows.h"
+#include "app/journal/headset_rows.h"
 #include "app/journal/journal_news.h"
 #include "app/journal/session_facts.h"
 #include "app/journal/viewer_rows.h"
@@ -102,6 +103,7 @@ class JournalTables {
   std::uint64_t listed_ = 0;                             // number of the game's events in table event
   std::optional<FrameWriter> frames_;
   std::optional<ViewerWriter> viewerRows_;
+  std::optional<HeadsetWriter> headsetRows_;
   std::optional<SQLite::Statement> event_, turn_, sample_, latency_;
 };
 

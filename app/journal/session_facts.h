@@ -1,6 +1,7 @@
 #pragma once
 // The identity of a session file and its initial data.
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -18,6 +19,8 @@ inline std::string keyOfViewer(std::size_t viewer) {
   return viewer == 0 ? "viewer" : "viewer_" + std::to_string(viewer + 1);
 }
 
+inline constexpr std::array<const char*, 2> kKeysOfEyePixels{"headset_width", "headset_height"};
+
 /// The initial data of a journal.
 struct SessionFacts {
   std::string program;
@@ -27,6 +30,7 @@ struct SessionFacts {
   std::vector<std::string> pucks = {};            ///< names in the scenario's order; not read back
   std::vector<std::string> viewers = {"viewer"};  ///< names in the rig's order
   std::vector<std::string> trackers = {};         ///< the same of its trackers; not read back
+  std::array<int, 2> eyePixels{};                 ///< of each eye's picture in a headset; 0: there was none
   bool isAnotherGame = false;  ///< of a file that goes on: a game after those in it; not read back
 };
 

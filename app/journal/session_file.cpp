@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -123,6 +124,12 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
     facts_ = {tables_->fact("program"), tables_->fact("rig_file"), chosen.scenario,
               tables_->fact("rig"),     chosen.scenarioText,       chosen.lightSpeed_m_s};
     showOnly(database, chosen);
+    for (const std::size_t axis : {0, 1}) {
+      constexpr long kMost = 8192;
+      const std::string pixels = tables_->fact(kKeysOfEyePixels[axis]);
+      facts_.eyePixels[axis] =
+          static_cast<int>(std::clamp(std::strtol(pixels.c_str(), nullptr, 10), 0L, kMost));
+    }
     for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer) {
       const std::string name = tables_->fact(keyOfViewer(viewer).c_str());
       if (name.empty()) break;

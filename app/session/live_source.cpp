@@ -10,6 +10,7 @@
 
 #include "app/operator/lesson.h"
 #include "app/operator/visitor_choices.h"
+#include "app/viewer/headset_tracker.h"
 #include "cave/overlay/choice_tiles.h"
 #include "cave/overlay/hud_panel.h"
 #include "cave/texts/texts.h"
@@ -75,10 +76,12 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
     : rig_(rig),
       scenario_(scenario),
       world_(world),
-      viewers_(rig, scenario, start.sessionStart, start.before),
+      headset_(start.headset),
+      viewers_(rig, scenario, trackersOf(rig, start.sessionStart, start.headset), start.before),
       play_(scenario, rig.axes, !start.before, start.struck),
       hands_(rig.viewers.size(), InputDevices(rig.axes)),
-      roomBoundaries_(rig.viewers.size(), RoomBoundary(rig.walls)),
+      standing_(standingWalls(rig)),
+      roomBoundaries_(rig.viewers.size(), RoomBoundary(standing_)),
       front_(frontWall(roomGeometryOf(rig))) {
   if (scenario.lesson && !start.before) beginPass(0);
   if (start.before) {
@@ -380,6 +383,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   // Until the question is answered time is frozen, so that nothing of the answer can be seen.
   const bool still = settings.views.frozen || play_.lesson.phase == LessonPhase::asks;
   showAgain(input, times.display_s, decision);
+  if (headset_) record.headset = viewers_.putOn(*headset_);
   see(settings, times, still, decision);
   play_.match.putInto(record);
   const bool isShot = play_.replay.view(play_.shots, times.display_s) != nullptr;
@@ -411,7 +415,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   if (times.number % kFramesBetweenForgetting == 0 && !scenario_.lesson) forget(decision);
   record.fade = fade_s_ / kFade_s;
   fade_s_ = std::max(0.0, fade_s_ - given.step_s);
-  record.last = lastFrame_ && times.number >= *lastFrame_;
+  record.last = times.isLast || (lastFrame_ && times.number >= *lastFrame_);
   for (std::size_t i = 0; i < viewers_.size(); ++i) decision.heads[i] = viewers_.head(i);
   viewers_.samplesInto(decision.samples);
   decision.alarms = viewers_.takeAlarms();

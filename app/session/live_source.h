@@ -32,6 +32,8 @@ struct LiveStart {
   std::optional<FrameRecord> before;                   ///< last frame of the session that is continued
   std::optional<std::uint64_t> frames;                 ///< number of frames to show; unlimited if empty
   std::vector<Stroke> struck = {};                     ///< strokes by hand in the session that is continued
+  const HeadsetFrame* headset =
+      nullptr;  ///< of the frame that is decided; null: the rig's trackers are followed
 
   std::uint64_t firstFrame() const { return before ? before->number + 1 : 0; }
 };
@@ -112,6 +114,7 @@ class LiveSource : public FrameSource {
   const Rig& rig_;
   const Scenario& scenario_;
   const World& world_;
+  const HeadsetFrame* headset_;
   Viewers viewers_;
   Play play_;
   std::vector<InputDevices> hands_;  ///< of each viewer
@@ -121,6 +124,7 @@ class LiveSource : public FrameSource {
   double onset_ = 0.0;        ///< share of the steered thrust: it sets in softly
   double fade_s_ = 0.0;       ///< how long the walls still come out of black
   Rumble rumble_;
+  std::vector<Wall> standing_;                                        ///< the walls that can be left behind
   std::vector<RoomBoundary> roomBoundaries_;                          ///< of each viewer
   std::optional<Wall> front_;                                         ///< the wall with the choices
   std::optional<std::uint64_t> lastFrame_;                            ///< number of the last frame

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/viewer/headset_tracker.h"
 #include "devices/tracker/trace.h"
 #include "engine/base/log.h"
 #include "engine/light/light_cone.h"
@@ -45,8 +46,10 @@ std::optional<double> lengthOf_s(const Visitor& visitor) {
 }  // namespace
 
 ReplayVisitorSource::ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
-                                         RecordedGame game, std::chrono::steady_clock::time_point start)
-    : viewers_(rigOf(rig, visitor), scenarioOf(scenario, visitor), start),
+                                         RecordedGame game, std::chrono::steady_clock::time_point start,
+                                         const HeadsetFrame* headset)
+    : headset_(headset),
+      viewers_(rigOf(rig, visitor), scenarioOf(scenario, visitor), trackersOf(rig, start, headset)),
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
               .inverse()),
@@ -117,10 +120,11 @@ void ReplayVisitorSource::next(const FrameTimes& times, const FrameInput& input,
   FrameRecord& record = decision.frame.record;
   record.number = times.number;
   record.pucks = game_.pucks;
+  if (headset_) record.headset = viewers_.putOn(*headset_);
   record.observer = look(settings, times);
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
-  record.last = isLast(times, record.observer);
+  record.last = times.isLast || isLast(times, record.observer);
   putInto(record, settings);
   viewers_.putInto(record);
   decision.alarms = viewers_.takeAlarms();

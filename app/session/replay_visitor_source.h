@@ -32,10 +32,10 @@ class ReplayVisitorSource : public FrameSource {
  public:
   /// Starts a visit. The first frame brings the complete game, because the visitor's board time is
   /// independent of the recorded one. The frames end with the trace, or before the visitor would see what was
-  /// not recorded. `start` is where the clock of the frames' times reads zero. Throws InputError if the trace
-  /// is invalid.
+  /// not recorded. `start` is where the clock of the frames' times reads zero; `headset` is the newest frame of
+  /// the visitor's headset, or null. Throws InputError if the trace is invalid.
   ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor, RecordedGame game,
-                      std::chrono::steady_clock::time_point start);
+                      std::chrono::steady_clock::time_point start, const HeadsetFrame* headset = nullptr);
 
   /// Decides the frame. Display times advance even if the operator pauses or changes the rate of the game. At
   /// any rate other than the visitor's own, the head's motion has no relativistic effect: it could exceed the
@@ -50,6 +50,7 @@ class ReplayVisitorSource : public FrameSource {
   double latestSeen_s(const ObserverView& view) const;
   bool isLast(const FrameTimes& times, const ObserverView& view);
 
+  const HeadsetFrame* headset_;
   Viewers viewers_;
   Lorentz roomFromBoard_;
   Event origin_;  ///< of the room at room time 0

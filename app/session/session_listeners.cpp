@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/hand/cue.h"
+#include "engine/base/limits.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -28,6 +30,17 @@ void JournalListener::shown(const Decision& decision) {
   for (const Note& note : decision.notes) journal_->addInput(number, note.what, note.value, note.viewer);
   if (statistics_) journal_->add(statistics_->rows());
   journal_->add(decision.frame, decision.heads, decision.samples, decision.strokes);
+}
+
+void HapticListener::shown(const Decision& decision) {
+  constexpr double kKnock_s = 0.05, kFrame_s = 0.02, kTremble = 0.4;  // of the strength of a knock
+  const HandView& hand = decision.frame.record.hand;
+  const int aiming = static_cast<int>(frame_.aiming);
+  if (!decision.strokes.empty()) {
+    headset_.knock(aiming, 1.0, kKnock_s);
+  } else if (hand.pulling) {
+    headset_.knock(aiming, kTremble * costOf(hand.u) / costOf(kStrongestU), kFrame_s);
+  }
 }
 
 void ProgressListener::shown(const Decision& decision) {

@@ -11,6 +11,7 @@
 #include "app/session/frame_statistics.h"
 #include "app/stage/recording.h"
 #include "cave/audio/sounds.h"
+#include "cave/headset/headset_pacer.h"
 #include "cave/process/termination.h"
 
 namespace carom {
@@ -49,6 +50,18 @@ class RecordingListener : public FrameListener {
   Recording& recording_;
   const DisplayWalls& walls_;
   const SpectatorView* outside_;
+};
+
+/// Lets the controller of a headset be felt: it trembles as the cue is drawn back, and knocks with the stroke.
+class HapticListener : public FrameListener {
+ public:
+  HapticListener(Headset& headset, const HeadsetFrame& frame) : headset_(headset), frame_(frame) {}
+
+  void shown(const Decision& decision) override;
+
+ private:
+  Headset& headset_;
+  const HeadsetFrame& frame_;
 };
 
 /// Plays the game's sounds.

@@ -8,6 +8,7 @@
 #include "app/session/frame_statistics.h"
 #include "app/session/view.h"
 #include "cave/display/display_walls.h"
+#include "cave/headset/headset.h"
 #include "cave/spectator/spectator_view.h"
 
 namespace carom {
@@ -29,6 +30,22 @@ class WallsView : public View {
   FrameStatistics& statistics_;
   const Director& director_;
   std::vector<KeyLine> keys_;
+};
+
+/// Hands the pictures of both eyes over to the headset.
+class HeadsetView : public View {
+ public:
+  HeadsetView(Headset& headset, const DisplayWalls& walls) : headset_(headset), walls_(walls) {}
+
+  void draw(const FrameRecord&, const World&) override {}
+  void swap() override {
+    const std::array<unsigned, 2> pictures = walls_.onHead();
+    headset_.submit(&pictures);
+  }
+
+ private:
+  Headset& headset_;
+  const DisplayWalls& walls_;
 };
 
 /// Draws the spectator view of the room. It must be drawn after the walls because it shows their images.

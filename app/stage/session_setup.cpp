@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <stdexcept>
 
+#include "app/files/rig_headset.h"
 #include "app/files/rig_viewers.h"
 #include "app/files/starting_histories.h"
 #include "app/files/traces.h"
@@ -34,6 +36,22 @@ bool warmUp(const Cluster& cluster, const SessionSetup& setup) {
     log::note(fmt::format("{} empty frames were swapped on every node to warm up.", returned_s.size()));
   }
   return swapsWaitFor(setup.rig.display_hz, returned_s);
+}
+
+/// Connects with the headset that the rig describes, whose walls then have the pixels of its displays.
+void connectHeadset(const Cluster& cluster, SessionSetup& setup) {
+  if (cluster.size() > 1)
+    throw std::runtime_error("a headset is drawn by one process, expected none beside it under mpirun");
+  setup.headset = std::make_unique<Headset>(*setup.graphics);
+  const glm::ivec2 eye_px = setup.headset->pixels();
+  fitEyes(setup.rig, eye_px);
+  log::note(fmt::format("{}, by {}: {} × {} pixels an eye; {}.", setup.headset->system(),
+                        setup.headset->runtime(), eye_px.x, eye_px.y,
+                        setup.headset->hasFloor()
+                            ? "it knows where the floor is"
+                            : "it knows no floor, which is taken to be 1.7 m below the eyes"));
+  if (!setup.headset->takesEncoded())
+    log::warn("the headset's runtime takes no sRGB pictures: it may show them too bright.");
 }
 
 /// Makes the drive no faster than the game and the room allow.
@@ -106,6 +124,8 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   cluster.nameNodes(setup.rig.walls);
   onAllRanks(cluster, [&] {
     setup.graphics = std::make_unique<Graphics>(displayOf(setup.rig, cluster.rank()));
+    if (isHeadset(setup.rig) && options.live) connectHeadset(cluster, setup);
+    if (isHeadset(setup.rig) && options.eye_px.x > 0) fitEyes(setup.rig, options.eye_px);
     if (options.noWindow) return;
     checkMonitors(cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow);
     if (cluster.rank() == 0) placeAll(cluster, options, setup);

@@ -14,6 +14,7 @@
 #include "app/stage/recording.h"
 #include "cave/cluster/cluster.h"
 #include "cave/display/display_walls.h"
+#include "cave/headset/headset_pacer.h"
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene.h"
 #include "cave/spectator/spectator_view.h"
@@ -30,6 +31,8 @@ struct SetupOptions {
   ExtraWindows extra;
   /// The viewer for whom alone walls are drawn, "" for the first; without a value, everybody's are.
   std::optional<std::string> onlyFor{};
+  glm::ivec2 eye_px{
+      0};  ///< of a headset that is not there, in a replay: of its recorded pictures; 0: unknown
 };
 
 struct SessionSetup {
@@ -43,6 +46,7 @@ struct SessionSetup {
   Scene scene;
   std::unique_ptr<DisplayWalls> walls;
   std::unique_ptr<SpectatorView> outside;  ///< null unless requested
+  std::unique_ptr<Headset> headset;        ///< null unless the rig is one, and is worn
   World world;
   std::unique_ptr<Recording> recording;
   NodeLock lock;           ///< of this node's buffer swaps

@@ -127,9 +127,11 @@ void tellRig(const std::filesystem::path& path) {
   openTraces(rig);
   if (!rig.playlist.empty()) readPlaylist(rig.playlist);
   const Room room = roomOf(placed, path);
-  printFindings(path, findingsOf(room));
+  if (!isHeadset(rig)) printFindings(path, findingsOf(room));
   fmt::print("{}: a rig of {} at {} Hz\n", rig.title, counted(rig.walls.size(), "wall"), rig.display_hz);
-  tellWalls(room);
+  if (!isHeadset(rig)) tellWalls(room);
+  if (isHeadset(rig))
+    fmt::print("The walls hang on the head, before the eyes of a headset; a board stands in the room.\n");
   if (rig.comfort.most_u < kMostPlatformU || rig.comfort.aids) {
     fmt::print("comfort: the drive up to {:.4g} c{}\n",
                rig.comfort.most_u / std::hypot(1.0, rig.comfort.most_u),

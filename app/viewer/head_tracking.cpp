@@ -10,6 +10,7 @@ HeadTracking::HeadTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrac
       roomFromTracker_(rig.trackers[setup_.sensor.tracker].roomFromTracker),
       latency_s_(rig.trackers[setup_.sensor.tracker].latency_s),
       tracker_(trackers.follow(setup_.sensor.tracker)),
+      isHeadset_(rig.trackers[setup_.sensor.tracker].kind == TrackerKind::headset),
       watch_(rig.trackers[setup_.sensor.tracker].name, setup_.sensor.sensor),
       headPlace_(setup_.sensor.sensor, roomFromTracker_),
       hand_(rig, viewer, trackers),
@@ -56,14 +57,18 @@ HeadEstimate HeadTracking::at(const FrameTimes& times) {
   if (hand_.isDue(begin_s_)) {
     for (const std::string& line : hand_.look(begin_s_, *tracker_)) alarms_.push_back(line);
   }
+  if (isHeadset_ && times.step_s == 0.0) filter_ = HeadFilter();
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
   for (const TrackerSample& sample : samples_) {
     if (sample.sensor != setup_.sensor.sensor) continue;
     if (!filter_.hasStarted()) filter_.fadeInFrom(times.display_s);
-    filter_.add(sample.time_s - latency_s_, roomFromTracker_ * sample.pose * sensorFromEyes);
+    const Pose roomFromHead = roomFromTracker_ * sample.pose * sensorFromEyes;
+    filter_.add(sample.time_s - latency_s_, roomFromHead);
+    if (isHeadset_) worn_ = roomFromHead;
   }
   HeadEstimate head = filter_.at(times.display_s);
   if (!filter_.hasStarted()) head.pose = standing_;
+  if (worn_) head.pose = *worn_;
   return head;
 }
 

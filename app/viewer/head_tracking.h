@@ -27,7 +27,9 @@ class HeadTracking {
   /// Follows the trackers of one of the rig's viewers. Throws InputError if a recorded trace is invalid.
   HeadTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& trackers);
 
-  /// Takes all samples up to the start of the frame and returns the head predicted for its display time.
+  /// Takes all samples up to the start of the frame and returns the head predicted for its display time. A headset has
+  /// predicted it already: its pose stays as it is, from which it shifts the picture as the head goes on moving, and the
+  /// celerity alone is filtered, anew where no time passes.
   HeadEstimate at(const FrameTimes& times);
 
   /// Returns and clears the messages since the last call: that the tracker of head or hand has failed for
@@ -52,8 +54,10 @@ class HeadTracking {
   Pose roomFromTracker_;
   double latency_s_;
   std::unique_ptr<Tracker> tracker_;
+  bool isHeadset_;
   TrackerAlarm watch_;
   HeadFilter filter_;
+  std::optional<Pose> worn_;  // of a headset: as it last told it
   std::vector<TrackerSample> samples_;
   SensorPlace headPlace_;
   std::vector<Reading> inputs_;

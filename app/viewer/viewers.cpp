@@ -75,10 +75,25 @@ void Viewers::startAt(const Rig& rig, const Scenario& scenario, const ObserverSt
   observers_.moveUnseen((board_s - observers_.headEvent().t_s) / gammaFromU(room.u()), used(now));
 }
 
+HeadsetState Viewers::putOn(const HeadsetFrame& frame) {
+  HeadsetState state;
+  if (frame.isTracked) {
+    const Pose head = headBetween(frame.eyes);
+    if (!worn_m_ && observers_.properTime_s() == 0.0) observers_.moveUnseen(0.0, Head{head, Vec3(0.0)});
+    worn_m_ = {frame.eyes[0].roomFromEye.position_m - head.position_m,
+               frame.eyes[1].roomFromEye.position_m - head.position_m};
+  }
+  state.isWorn = worn_m_ ? 1 : 0;
+  state.eyes = frame.eyes;
+  state.velocityKnown = frame.runtimeVelocity_m_s ? 1 : 0;
+  state.runtimeVelocity_m_s = frame.runtimeVelocity_m_s.value_or(Vec3(0.0));
+  return state;
+}
+
 ObserverViews Viewers::views(double eyeSeparation_m) const {
   ObserverViews views;
   const double share = eyeSeparations_m_[0] > 0.0 ? eyeSeparation_m / eyeSeparations_m_[0] : 1.0;
-  views[0] = observers_.view(eyeSeparation_m);
+  views[0] = worn_m_ ? observers_.view((*worn_m_)[0], (*worn_m_)[1]) : observers_.view(eyeSeparation_m);
   for (std::size_t i = 1; i < size(); ++i) views[i] = observers_.view(share * eyeSeparations_m_[i], i);
   return views;
 }

@@ -35,6 +35,10 @@ class Viewers {
   Viewers(const Rig& rig, const Scenario& scenario, SharedTrackers trackers,
           const std::optional<FrameRecord>& before = {});
 
+  /// Puts the eyes of the first viewer where a headset has them, for the views from now on. The first time, before
+  /// anybody has lived, the head is put there as well. Returns what the frame's record keeps of it.
+  HeadsetState putOn(const HeadsetFrame& frame);
+
   /// Restarts in the initial state of another scenario, with proper time zero. The trackers continue.
   void startIn(const Rig& rig, const Scenario& scenario);
 
@@ -100,7 +104,9 @@ class Viewers {
   std::vector<std::unique_ptr<HeadTracking>> trackings_;  ///< of each viewer
   std::vector<std::string> names_;
   std::array<double, kMostViewers> eyeSeparations_m_{};  ///< as in the rig
-  std::array<std::size_t, kMostViewers> trackers_{};     ///< of the heads, indices of the rig's trackers
+  /// Of a headset: from the head to the left and the right eye, in the room's axes.
+  std::optional<std::array<Vec3, 2>> worn_m_;
+  std::array<std::size_t, kMostViewers> trackers_{};  ///< of the heads, indices of the rig's trackers
   std::array<HeadEstimate, kMostViewers> heads_;
   Observers observers_;
 };

@@ -8,6 +8,7 @@
 #include "cave/display/calibration_pattern.h"
 #include "cave/display/wall_window.h"
 #include "cave/projection/stereo.h"
+#include "cave/room/headset_walls.h"
 #include "cave/room/wall_eyes.h"
 #include "cave/texts/texts.h"
 
@@ -70,7 +71,9 @@ void DisplayWalls::openWindows(const std::optional<WindowPlacement>& oneWindow) 
     window.window = std::make_unique<Window>(graphics_, fmt::format(texts::title::kWalls, title),
                                              window.placement, quadBuffer);
   }
-  for (const WallWindow& window : windows_) window.window->setVsync(true);
+  // Who wears a headset does not wait for a mirror's display.
+  const bool waits = !walls_.front().onHead;
+  for (const WallWindow& window : windows_) window.window->setVsync(waits);
   if (windows_.size() > 1) swapTogether();
 }
 
@@ -101,7 +104,15 @@ void DisplayWalls::drawSession(const FrameRecord& record, const World& world, st
   }
 }
 
+void DisplayWalls::hangOnHead(const HeadsetState& headset) {
+  if (!headset.isWorn) return;
+  for (Wall& wall : walls_) {
+    if (wall.onHead) hang(wall, headset.eyes[wall.stereo == StereoMode::left ? 0 : 1]);
+  }
+}
+
 void DisplayWalls::draw(const FrameRecord& record, const World& world) {
+  hangOnHead(record.headset);
   const WallControls& controls = drawn_ = record.controls;
   blank_ = controls.blank != 0;
   split_ = record.views.split != 0;
@@ -135,6 +146,8 @@ void DisplayWalls::setScene(const Scene& scene, double lightSpeed_m_s) {
 
 void DisplayWalls::setRoom(const RoomGeometry& room) {
   front_ = frontWall(room);
+  graphics_.makeCurrent();
+  if (room.isHeadset) board_.emplace(room.walls.front());
   for (std::size_t viewer = 0; viewer < room.viewers.size(); ++viewer) {
     rooms_.at(viewer) = seenBy(room, viewer);
     if (front_) words_[viewer].setWall(*front_, rooms_[viewer].viewers);
@@ -143,9 +156,10 @@ void DisplayWalls::setRoom(const RoomGeometry& room) {
 
 void DisplayWalls::drawAids(const FrameRecord& record, std::size_t viewer) {
   graphics_.makeCurrent();
-  HudPanel& words = words_[viewer];
   const RoomGeometry& room = rooms_[viewer];
-  words.follow(record);
+  words_[viewer].follow(record);
+  if (board_)
+    drawOnFront(record, viewer, board_->place(), record.observer.middle.positionInRoom_m, board_->wiped());
   for (WallEye& wallEye : wallEyes_) {
     if (wallEye.eye.viewer != viewer) continue;
     const Wall& wall = walls_[wallEye.wall];
@@ -154,13 +168,20 @@ void DisplayWalls::drawAids(const FrameRecord& record, std::size_t viewer) {
     const bool isFront = front_ && standSame(*front_, wall);
     comfort_.draw(room, wall, eye_m, record, picture);
     motion_.draw(room, wall, eye_m, record, picture);
-    if (isFront) words.draw(wall, picture);
-    if (isFront && offersChoices_) choices_.draw(wall, record, picture);
     aids_.draw(room, wall, isFront, eye_m, record, picture);
-    if (isFront && hasTable_) home_.draw(room, wall, eye_m, record, picture);
+    if (isFront) drawOnFront(record, viewer, wall, eye_m, picture);
+    if (board_) board_->draw(wall, eye_m, picture);
     hands_.draw(room, wall, eye_m, record, picture);
     comfort_.fade(wall, record, picture);
   }
+}
+
+/// Draws words and choices over the picture of the front wall.
+void DisplayWalls::drawOnFront(const FrameRecord& record, std::size_t viewer, const Wall& front,
+                               const glm::dvec3& eye_m, const RenderTarget& picture) {
+  words_[viewer].draw(front, picture);
+  if (offersChoices_) choices_.draw(front, record, picture);
+  if (hasTable_) home_.draw(rooms_[viewer], front, eye_m, record, picture);
 }
 
 std::optional<PointedWall> DisplayWalls::pointedAt() const {
@@ -204,6 +225,7 @@ bool DisplayWalls::isTurning() const {
 }
 
 const RenderTarget* DisplayWalls::pictureOf(const std::string& wall) const {
+  if (board_ && board_->place().name == wall) return &board_->written();
   for (const WallEye& wallEye : wallEyes_) {
     if (walls_[wallEye.wall].name == wall) return &wallEye.pictures.drawn();
   }

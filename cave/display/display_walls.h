@@ -26,6 +26,7 @@
 #include "cave/overlay/latency_overlay.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/overlay/room_overlay.h"
+#include "cave/overlay/standing_board.h"
 #include "cave/projection/projector.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
@@ -62,6 +63,11 @@ class DisplayWalls {
   /// Draws every wall as both eyes see the bodies, or what the operator has chosen instead: a pattern, or
   /// black. `world.histories[i]` is body i of the scene.
   void draw(const FrameRecord& record, const World& world);
+
+  /// Returns the textures of the newest pictures of both eyes of a headset.
+  std::array<unsigned, 2> onHead() const {
+    return {wallEyes_[0].pictures.drawn().texture(), wallEyes_[1].pictures.drawn().texture()};
+  }
 
   /// Returns the newest picture of a wall (the left eye's, if it has one for each eye), or null if this node
   /// draws no wall of that name.
@@ -115,7 +121,10 @@ class DisplayWalls {
   void swapTogether();
   void drawSession(const FrameRecord& record, const World& world, std::size_t viewer);
   void drawCalibrationPatterns(bool eyesSwapped);
+  void hangOnHead(const HeadsetState& headset);
   void drawAids(const FrameRecord& record, std::size_t viewer);
+  void drawOnFront(const FrameRecord& record, std::size_t viewer, const Wall& front, const glm::dvec3& eye_m,
+                   const RenderTarget& picture);
   Pane paneOf(std::size_t wall, const glm::ivec2& window_px) const;
 
   Graphics& graphics_;
@@ -126,6 +135,7 @@ class DisplayWalls {
   AlignmentPattern seams_;
   std::array<RoomGeometry, kMostViewers> rooms_;  // as each viewer sees it
   std::optional<Wall> front_;                     // the wall with the HUD panel
+  std::optional<StandingBoard> board_;            // in the place of that wall, for whoever wears a headset
   ComfortOverlay comfort_;
   HomeArrow home_;
   MotionOverlay motion_;

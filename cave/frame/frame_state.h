@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cave/frame/hand_view.h"
+#include "cave/frame/headset_frame.h"
 #include "cave/frame/lesson_words.h"
 #include "cave/frame/notice.h"
 #include "cave/frame/time_views.h"
@@ -80,6 +81,7 @@ struct FrameRecord : ViewerState {
   TimeViews views;
   DriveView drive;
   LessonState lesson;
+  HeadsetState headset;
   double fade = 0.0;  ///< how black the walls are: 1 is wholly, as when a game begins
 
   const ViewerState& viewer(std::size_t index) const {

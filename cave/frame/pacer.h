@@ -15,6 +15,7 @@ struct FrameTimes {
   double begin_s = 0.0;    ///< when the frame begins: newer samples of the head are not used
   double display_s = 0.0;  ///< when the photons leave the wall
   double step_s = 0.0;     ///< display time since the previous frame: the person has lived that long
+  bool isLast = false;     ///< no more frames can be shown
 };
 
 /// A clock that a pacer reads and waits on.

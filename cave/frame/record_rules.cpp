@@ -99,6 +99,18 @@ void expectPossible(const ViewerState& viewer, double gameLightSpeed_m_s) {
   expectFlag("hasTurn", viewer.hasTurn);
 }
 
+void expectPossible(const HeadsetState& headset) {
+  expectFlag("headset.isWorn", headset.isWorn);
+  expectFlag("headset.velocityKnown", headset.velocityKnown);
+  expectFinite("the headset's velocity", headset.runtimeVelocity_m_s);
+  for (const HeadsetEye& eye : headset.eyes) {
+    const EyeFrustum& f = eye.frustum;
+    expectFinite("an eye's pose", eye.roomFromEye);
+    expectFinite("an eye's frustum", {f.left, f.right, f.down, f.up});
+    if (!(f.left < f.right && f.down < f.up)) refuse("an eye's frustum is none");
+  }
+}
+
 void expectPossible(const DriveView& drive) {
   expectFinite("the thrust", drive.thrust);
   if (drive.mode > DriveMode::tour) refuse("drive.mode is none that there is");
@@ -129,6 +141,7 @@ void expectPossible(const FrameRecord& record, double gameLightSpeed_m_s) {
   for (const NamedView& named : kNamedViews) expectFlag(named.name, record.views.*named.value);
   expectFlags(record.views.beside);
   expectPossible(record.drive);
+  expectPossible(record.headset);
   if (record.lesson.phase > LessonPhase::explains || record.lesson.answer > kMostAnswers)
     refuse("lesson is in no phase that there is");
   if (!(record.fade >= 0.0 && record.fade <= 1.0)) refuse("fade is {}, expected 0 to 1", record.fade);

@@ -32,7 +32,7 @@ double shadeOf(const FrameRecord& record) {
 }
 
 glm::dvec3 sightOf(const RoomGeometry& room, const FrameRecord& record) {
-  if (record.tracked.headKnown && room.walls.size() > 1)
+  if (record.tracked.headKnown && (room.isHeadset || room.walls.size() > 1))
     return (record.tracked.roomFromHeadSensor * room.viewers.front().sensorFromEyes).orientation *
            room.forward;
   const std::optional<Wall> front = frontWall(room);
@@ -84,7 +84,7 @@ void ComfortOverlay::shade(const Wall& wall, const glm::dvec3& eyeInRoom_m, cons
 /// Draws a grid of lines in the wall's plane, which rest whatever the board does.
 void ComfortOverlay::drawFrame(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
                                double shade, const RenderTarget& picture) {
-  if (room.walls.empty()) return;
+  if (room.walls.empty() || wall.onHead) return;  // what hangs on the head does not rest
   const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
   if (!clip) return;
   const glm::dvec3 across_m = wall.lowerRight_m - wall.lowerLeft_m,

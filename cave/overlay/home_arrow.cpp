@@ -8,6 +8,7 @@
 
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/glyph_bitmap.h"
+#include "cave/overlay/comfort_overlay.h"
 #include "cave/overlay/hud_panel.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/texts.h"
@@ -19,6 +20,7 @@ constexpr double kLetters = 0.045;  // of the wall's height
 constexpr double kLength = 0.16,
                  kOff = 0.30;  // of the wall's height: the arrow, and its middle from the wall's
 constexpr double kHalfLine = 0.008, kHead = 0.06;  // of the wall's height
+constexpr double kSeenByHead = 0.77;               // cosine of 40°, which every headset shows
 constexpr double kBeside = 1.02;                   // a point just beside a wall counts as on it
 constexpr glm::vec4 kColour{1.0F, 0.75F, 0.2F, 0.95F}, kRim{0.0F, 0.0F, 0.0F, 0.6F};
 
@@ -50,8 +52,10 @@ std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const FrameRecord& r
   if (!front || !isFree) return {};
   const glm::dvec3 eye_m = record.observer.middle.positionInRoom_m;
   const glm::dvec3 towards = seenTable(record).towards;
-  const bool isSeen = std::any_of(room.walls.begin(), room.walls.end(),
-                                  [&](const Wall& wall) { return shows(wall, eye_m, towards); });
+  const bool isSeen = room.isHeadset
+                          ? glm::dot(sightOf(room, record), towards) > kSeenByHead
+                          : std::any_of(room.walls.begin(), room.walls.end(),
+                                        [&](const Wall& wall) { return shows(wall, eye_m, towards); });
   if (isSeen || !(glm::length(towards) > 0.0)) return {};
   const glm::dvec3 right = glm::normalize(front->lowerRight_m - front->lowerLeft_m),
                    up = glm::normalize(front->upperLeft_m - front->lowerLeft_m);

@@ -47,7 +47,7 @@ RoomOverlay::RoomOverlay()
 void RoomOverlay::draw(const RoomGeometry& room, const Wall& wall, bool isFront,
                        const glm::dvec3& eyeInRoom_m, const FrameRecord& record,
                        const RenderTarget& picture) {
-  drawGrid(wall, record, picture);
+  if (!wall.onHead) drawGrid(wall, record, picture);
   if (record.controls.trackerCross) drawMarks(room, wall, isFront, eyeInRoom_m, record, picture);
 }
 

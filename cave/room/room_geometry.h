@@ -25,6 +25,8 @@ struct RoomGeometry {
   std::vector<Wall> walls;                                ///< of all nodes
   glm::dvec3 up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};  ///< unit vectors
   std::vector<RoomViewer> viewers{1};                     ///< in the order of a frame's record
+  /// The viewer wears a headset and sees all around; the one wall is a board that stands in the room.
+  bool isHeadset = false;
 };
 
 /// Returns the room with another viewer in the first's place, and the other way round, as the frame's record that

@@ -106,6 +106,7 @@ struct Wall {
   std::optional<glm::dvec3> gamma;  ///< its light is code^gamma; none: sRGB
   Flip flip = Flip::none;
   double displayLatency_s = 0.0;  ///< from the swap to the photons
+  bool onHead = false;            ///< it hangs on the head, before an eye of a headset, wherever that is
   std::size_t heldFrames = 0;     ///< frames by which its pictures are delayed, to match slower walls
 };
 

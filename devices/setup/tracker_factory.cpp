@@ -27,6 +27,18 @@ UsbAddress usbAddress(const std::string& source) {
   return *address;
 }
 
+/// A headset that no session follows.
+class UnfollowedHeadset : public Tracker {
+ public:
+  void poll(double, std::vector<TrackerSample>&) override {}
+  TrackerHealth health(double) const override {
+    TrackerHealth health;
+    health.state = TrackerHealth::State::failed;
+    health.message = "a headset is followed by a session alone: carom cave";
+    return health;
+  }
+};
+
 }  // namespace
 
 bool isDevice(TrackerKind kind) { return kind != TrackerKind::simulated && kind != TrackerKind::recorded; }
@@ -47,6 +59,7 @@ Transport createTransport(TrackerKind kind, const std::string& source, const Roo
       return spaceMouseTransport(source.empty() ? std::nullopt : std::optional(usbAddress(source)));
     case TrackerKind::simulated:
     case TrackerKind::recorded:
+    case TrackerKind::headset:
       break;
   }
   throw std::logic_error("createTransport: this tracker is no device");
@@ -63,6 +76,7 @@ std::unique_ptr<Tracker> createTracker(const TrackerSetup& setup, const RoomAxes
     person.walks = setup.person == SimulatedMotion::walks;
     return std::make_unique<SimulatedTracker>(person);
   }
+  if (setup.kind == TrackerKind::headset) return std::make_unique<UnfollowedHeadset>();
   Transport transport;
   if (setup.kind == TrackerKind::dtrack) {
     DtrackSource source = readDtrackSource(setup.source.string());

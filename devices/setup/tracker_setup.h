@@ -21,11 +21,12 @@ enum class TrackerKind {
   polhemusUsb,
   hidImu,
   spaceMouse,  ///< buttons and axes, no poses
+  headset,     ///< in rigs of a headset alone, which a session follows itself (app/viewer/headset_tracker.h)
 };
 
 /// The names in rig files, in the order of TrackerKind.
-inline constexpr std::array<std::string_view, 8> kTrackerKinds{
-    "simulated", "recorded", "vrpn", "dtrack", "natnet", "polhemus-usb", "hid-imu", "spacemouse"};
+inline constexpr std::array<std::string_view, 9> kTrackerKinds{
+    "simulated", "recorded", "vrpn", "dtrack", "natnet", "polhemus-usb", "hid-imu", "spacemouse", "headset"};
 inline std::string_view toString(TrackerKind kind) { return kTrackerKinds[static_cast<std::size_t>(kind)]; }
 
 /// The height of the eyes above the floor until a tracker has delivered.

@@ -215,15 +215,20 @@ void Observers::rotate(const glm::dquat& turned) {
 }
 
 ObserverView Observers::view(double eyeSeparation_m, std::size_t observer) const {
+  const glm::dquat& attitude = observers_[observer].head.roomFromHead.orientation;
+  const Vec3 right_m = attitude * Vec3(0.5 * eyeSeparation_m, 0.0, 0.0);
+  return view(-right_m, right_m, observer);
+}
+
+ObserverView Observers::view(const Vec3& left_m, const Vec3& right_m, std::size_t observer) const {
   const double c_m_s = boardFromRoom_.lightSpeed_m_s();
   const auto& [headEvent, place_m, head, properTime_s, lapse] = observers_[observer];
   const Lorentz boardFromHead = boardFromRoom_ * Lorentz::boost(head.celerity_m_s / c_m_s, c_m_s);
-  const Vec3 right_m = head.roomFromHead.orientation * Vec3(0.5 * eyeSeparation_m, 0.0, 0.0);
   const auto eye = [&](const Vec3& offset_m) {
     const Vec3 inRoom_m = head.roomFromHead.position_m + offset_m;
     return EyeView{headEvent + boardFromHead * Displacement{0.0, offset_m}, inRoom_m, inRoom_m};
   };
-  return {boardFromHead.inverse(), eye(-right_m), eye(right_m), eye(Vec3(0.0)), properTime_s};
+  return {boardFromHead.inverse(), eye(left_m), eye(right_m), eye(Vec3(0.0)), properTime_s};
 }
 
 }  // namespace carom

@@ -86,6 +86,8 @@ class Observers {
 
   /// Returns the eyes of an observer, `eyeSeparation_m` apart, at events that are simultaneous for the head.
   ObserverView view(double eyeSeparation_m, std::size_t observer = 0) const;
+  /// Returns the same for eyes that are elsewhere: from the head, in the room's axes.
+  ObserverView view(const Vec3& left_m, const Vec3& right_m, std::size_t observer = 0) const;
 
   std::size_t size() const { return size_; }
   const OneObserver& operator[](std::size_t observer) const { return observers_[observer]; }

@@ -31,6 +31,7 @@ for rig in "$config"/rigs/*.toml "$out"/*.toml; do
   name=$(basename "$rig" .toml)
   "$carom" check "$rig" >/dev/null 2>"$out/findings"
   [ -s "$out/findings" ] && { echo "$name does not check clean:"; cat "$out/findings"; exit 1; }
+  grep -q '^\[headset\]' "$rig" && continue # drawn by headset_session_test, which has a runtime for it
   drawn=$rig
   if grep -q '^display = ' "$rig"; then  # X screens that are not here
     drawn=$out/drawn/$name.toml

@@ -1,0 +1,54 @@
+#include "app/journal/headset_rows.h"
+
+#include <fmt/format.h>
+
+#include "app/journal/frame_columns.h"
+#include "app/journal/rows.h"
+
+namespace carom {
+namespace {
+
+Names headsetNames() {
+  Names names;
+  const HeadsetState headset;
+  visitHeadset(names, headset);
+  return names;
+}
+
+SQLite::Database& created(SQLite::Database& database) {
+  database.exec(
+      fmt::format("CREATE TABLE IF NOT EXISTS headset(frame INTEGER PRIMARY KEY{})", headsetNames().text()));
+  return database;
+}
+
+}  // namespace
+
+HeadsetWriter::HeadsetWriter(SQLite::Database& database)
+    : row_(created(database), insertInto("headset", "frame" + headsetNames().text())) {}
+
+void HeadsetWriter::write(const FrameRecord& record) {
+  if (!record.headset.isWorn) return;
+  Writing row(row_);
+  row("", "frame", record.number);
+  visitHeadset(row, record.headset);
+  row_.exec();
+}
+
+HeadsetReader::HeadsetReader(SQLite::Database& database) {
+  if (!database.tableExists("headset")) return;
+  row_.emplace(database, fmt::format("SELECT frame{} FROM headset WHERE frame = ?", headsetNames().text()));
+}
+
+void HeadsetReader::read(FrameRecord& record) {
+  if (!row_) return;
+  row_->reset();
+  row_->bind(1, static_cast<std::int64_t>(record.number));
+  if (!row_->executeStep()) return;
+  Reading row(*row_);
+  std::uint64_t frame = 0;
+  row("", "frame", frame);
+  visitHeadset(row, record.headset);
+  record.headset.isWorn = 1;
+}
+
+}  // namespace carom

@@ -1,0 +1,36 @@
+#pragma once
+// The rows of the headset in a session file: its eyes in each frame, and the runtime's own account of the head's
+// velocity. The table is empty where nobody wore one, and is missing in older files.
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <optional>
+
+#include "cave/frame/frame_state.h"
+
+namespace carom {
+
+class HeadsetWriter {
+ public:
+  /// Creates the table if it is not there.
+  explicit HeadsetWriter(SQLite::Database& database);
+
+  /// Writes the row of a frame that a headset shows.
+  void write(const FrameRecord& record);
+
+ private:
+  SQLite::Statement row_;
+};
+
+class HeadsetReader {
+ public:
+  explicit HeadsetReader(SQLite::Database& database);
+
+  /// Adds what is stored of a frame's headset to its record.
+  void read(FrameRecord& record);
+
+ private:
+  std::optional<SQLite::Statement> row_;  ///< empty in an older file
+};
+
+}  // namespace carom

@@ -1,0 +1,40 @@
+#pragma once
+// What OpenXR calls actions: the aim, trigger, buttons and stick of both hands, whichever controllers there are.
+
+#include <array>
+
+#include "cave/frame/headset_frame.h"
+#include "cave/headset/openxr.h"
+
+namespace carom::openxr {
+
+class HandActions {
+ public:
+  HandActions(XrInstance instance, XrSession session);
+  ~HandActions();
+  HandActions(const HandActions&) = delete;
+  HandActions& operator=(const HandActions&) = delete;
+
+  /// Returns both hands as they will be at `time`, in the coordinates of `room`.
+  std::array<HeadsetHand, 2> at(XrTime time, XrSpace room);
+
+  void knock(int hand, double strength, double duration_s) const;
+
+ private:
+  XrAction action(XrActionType type, const char* name, const char* shownName);
+  void suggest(const char* profile, const std::vector<std::pair<XrAction, const char*>>& inputs);
+  void suggestAll();
+  HeadsetHand handAt(std::size_t hand, XrTime time, XrSpace room);
+  bool isPressed(XrAction action, std::size_t hand) const;
+  double pulled(std::size_t hand) const;
+
+  XrInstance instance_;
+  XrSession session_;
+  std::array<XrPath, 2> hands_{};
+  XrActionSet set_ = XR_NULL_HANDLE;
+  XrAction aim_{}, trigger_{}, select_{}, first_{}, second_{}, menu_{}, stick_{}, knock_{};
+  std::array<XrSpace, 2> aims_{};
+  std::array<bool, 2> wasHeld_{};
+};
+
+}  // namespace carom::openxr

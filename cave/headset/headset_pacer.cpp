@@ -1,0 +1,73 @@
+#include "cave/headset/headset_pacer.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "engine/base/log.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uint64_t kFramesUntilTold = 90;  // controllers wake up in the first second
+
+}  // namespace
+
+HeadsetPacer::HeadsetPacer(Headset& headset, double lived_s, std::uint64_t firstFrame)
+    : headset_(headset), display_s_(lived_s) {
+  number_ = firstFrame;
+}
+
+/// Returns a frame in which no time passes for whoever wears the headset: it is taken off, or its session has ended.
+FrameTimes HeadsetPacer::idle() {
+  const bool isLast = headset_.state() == Headset::State::ended;
+  if (isLast) {
+    log::warn(fmt::format("{}: the session ends.", headset_.whyEnded()));
+  } else if (isRunning_) {
+    log::note("The headset is taken off: time stands still.");
+  }
+  isRunning_ = frame_.isSeen = frame_.isTracked = frame_.isRecentred = false;
+  frame_.hands = {};
+  frame_.runtimeVelocity_m_s.reset();
+  std::this_thread::sleep_for(std::chrono::duration<double>(kIdle_s));
+  display_s_ += kIdle_s;
+  return {number_++, display_s_, display_s_, 0.0, isLast};
+}
+
+/// Advances the session's clock to the next frame, and returns how long its wearer has lived since the one before.
+double HeadsetPacer::stepTo(const HeadsetFrame& next) {
+  const std::int64_t step_ns = isRunning_ ? next.display_ns - frame_.display_ns : next.untilNext_ns;
+  const double step_s = 1e-9 * static_cast<double>(step_ns);
+  if (!(step_s > 0.0)) return 0.0;
+  display_s_ += step_s;
+  return isRunning_ && !next.isRecentred && step_s <= kLongestStep_s ? step_s : 0.0;
+}
+
+/// Says once, when everything has had time to come, what the headset lacks.
+void HeadsetPacer::tell() {
+  hasVelocity_ = hasVelocity_ || frame_.runtimeVelocity_m_s;
+  hasHands_ = hasHands_ || frame_.hands[0].isTracked || frame_.hands[1].isTracked;
+  hasPosition_ = hasPosition_ || frame_.hasPosition;
+  if (++told_ != kFramesUntilTold) return;
+  if (!hasPosition_)
+    log::warn(
+        "the headset knows directions and no places: its wearer turns the head and stands still otherwise.");
+  if (!hasHands_) log::note("No hand is followed: mouse, keys and gamepad play as on a desk.");
+  if (!hasVelocity_) log::note("The headset gives no velocity; the head's own filter needs none.");
+}
+
+FrameTimes HeadsetPacer::next() {
+  headset_.poll();
+  std::optional<HeadsetFrame> next = headset_.nextFrame();
+  if (!next) return idle();
+  next->aiming = aimingHand(frame_.aiming, next->hands);
+  if (!isRunning_ && wasWorn_) log::note("The headset is worn again: time goes on.");
+  const double step_s = stepTo(*next);
+  frame_ = *next;
+  isRunning_ = wasWorn_ = true;
+  tell();
+  return {number_++, display_s_, display_s_, step_s};
+}
+
+}  // namespace carom

@@ -1,0 +1,44 @@
+#pragma once
+// Frames at the times at which a headset wants them.
+
+#include <cstdint>
+
+#include "cave/frame/headset_frame.h"
+#include "cave/frame/pacer.h"
+#include "cave/headset/headset.h"
+
+namespace carom {
+
+/// The session's clock is the headset's: it advances by the difference of the display times that the runtime predicts,
+/// however long a frame takes. Nobody lives while the headset is taken off, while its room is centred anew, or in a gap
+/// longer than kLongestStep_s. Each frame that it begins must be submitted to the headset before the next.
+class HeadsetPacer : public FramePacer {
+ public:
+  static constexpr double kLongestStep_s = 0.25;
+  static constexpr double kIdle_s =
+      1.0 / 30.0;  ///< from frame to frame for the others, while nobody wears it
+
+  /// `lived_s`: the session's clock before the first frame; `firstFrame`: its number.
+  HeadsetPacer(Headset& headset, double lived_s, std::uint64_t firstFrame);
+
+  FrameTimes next() override;
+
+  /// Returns what the headset says of the frame that `next` began; while nobody wears it, of the one before, as one
+  /// that is neither seen nor tracked.
+  const HeadsetFrame& frame() const { return frame_; }
+
+ private:
+  FrameTimes idle();
+  double stepTo(const HeadsetFrame& next);
+  void tell();
+
+  Headset& headset_;
+  HeadsetFrame frame_;
+  double display_s_;
+  bool isRunning_ = false;  ///< the frame before was one of the headset's
+  bool wasWorn_ = false;    ///< there has been one
+  std::uint64_t told_ = 0;  ///< frames until it is said what the headset lacks
+  bool hasVelocity_ = false, hasHands_ = false, hasPosition_ = false;
+};
+
+}  // namespace carom
