@@ -49,7 +49,8 @@ ReplayVisitorSource::ReplayVisitorSource(const Rig& rig, const Scenario& scenari
                                          RecordedGame game, std::chrono::steady_clock::time_point start,
                                          const HeadsetFrame* headset)
     : headset_(headset),
-      viewers_(rigOf(rig, visitor), scenarioOf(scenario, visitor), trackersOf(rig, start, headset)),
+      viewers_(rigOf(rig, visitor), scenarioOf(scenario, visitor),
+               trackersOf(rigOf(rig, visitor), start, headset)),
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
               .inverse()),

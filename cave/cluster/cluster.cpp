@@ -402,6 +402,8 @@ void Cluster::giveUp(const std::string& why, bool others) const {
       MPI_Request sent;
       if (rank != rank_) MPI_Isend(nullptr, 0, MPI_BYTE, rank, kLastWords, MPI_COMM_WORLD, &sent);
     }
+    // What a process that has ended has sent can be lost: it stays until the next rank looks for it.
+    std::this_thread::sleep_for(Seconds(kRankZerosTurn_s));
   }
   if (others) abort();
   std::_Exit(1);
