@@ -76,7 +76,9 @@ TEST(RoomCheck, HasNothingToSayOfARightRoom) { EXPECT_EQ(allOf(judgeRoom(roomWit
 
 TEST(RoomCheck, HasNothingToSayOfShippedRigs) {
   for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/rigs")) {
-    EXPECT_EQ(allOf(judgeRoom(roomOf(readPlacedRig(entry.path()), entry.path()))), "") << entry.path();
+    const PlacedRig rig = readPlacedRig(entry.path());
+    if (isHeadset(rig.rig)) continue;  // its walls hang on the head: it has no room
+    EXPECT_EQ(allOf(judgeRoom(roomOf(rig, entry.path()))), "") << entry.path();
   }
 }
 

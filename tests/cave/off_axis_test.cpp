@@ -234,7 +234,8 @@ TEST(OffAxis, WallsOfShippedRigsMeetWithoutASeam) {
   std::size_t most = 0;
   for (Rig rig : shippedRigs()) {
     SCOPED_TRACE(rig.title);
-    std::vector<Wall> screens;  // once each, however many walls of the rig are on them
+    if (isHeadset(rig)) continue;  // its eyes' walls hang on the head, each for itself
+    std::vector<Wall> screens;     // once each, however many walls of the rig are on them
     for (const Wall& wall : rig.walls) {
       const auto isThere = [&](const Wall& screen) { return standSame(screen, wall); };
       if (std::none_of(screens.begin(), screens.end(), isThere)) screens.push_back(wall);
