@@ -68,15 +68,21 @@ BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s)
 
 void BodyDrawer::makeVertices() {
   const ChunkedMeshes& meshes = chunks_.meshes;
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(meshes.vertices.size() * sizeof(MeshVertex)),
-               meshes.vertices.data(), GL_STATIC_DRAW);
+  const auto fill = [](const GlBuffer& buffer, const std::vector<MeshVertex>& vertices) {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(MeshVertex)),
+                 vertices.data(), GL_STATIC_DRAW);
+  };
+  fill(vertices_, meshes.vertices);
   chunks_.meshes.vertices = {};
   describeVertices(array_, indices_);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(meshes.indices.size() * sizeof(std::uint32_t)), meshes.indices.data(),
                GL_STATIC_DRAW);
+  fill(tileVertices_, meshes.tileVertices);
   describeVertices(tileArray_, eyeBuffer_);
+  glBindBuffer(GL_ARRAY_BUFFER, eyeBuffer_);
+  describeVertices(fineArray_, eyeBuffer_);
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
@@ -224,14 +230,25 @@ void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
   program.set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(decal || ghost, decal && !ghost, !decal,
            uniforms.appears_m > kAlways_m);  // shadows overlap each other
-  if (chunks_.parts[chosen.number].tiled) {
-    bindArray(tileArray_);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(chosen.count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(chosen.first * sizeof(std::uint32_t)));
-  } else {
+  drawTriangles(choice, chosen);
+}
+
+void BodyDrawer::drawTriangles(const Choice& choice, const ChosenPart& chosen) {
+  const auto count = static_cast<GLsizei>(chosen.count);
+  if (chosen.sort == ChosenPart::Sort::chunks) {
     bindArray(array_);
     glMultiDrawElements(GL_TRIANGLES, &choice.counts[chosen.first], GL_UNSIGNED_INT,
-                        &choice.offsets[chosen.first], static_cast<GLsizei>(chosen.count));
+                        &choice.offsets[chosen.first], count);
+    return;
+  }
+  const auto* const first = reinterpret_cast<const void*>(chosen.first * sizeof(std::uint32_t));
+  if (chosen.sort == ChosenPart::Sort::tiles) {
+    bindArray(tileArray_);
+    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, first);
+  } else {
+    bindArray(fineArray_);
+    glDrawElementsBaseVertex(GL_TRIANGLES, count, GL_UNSIGNED_INT, const_cast<void*>(first),
+                             static_cast<GLint>(choice.fineVertices));
   }
 }
 
@@ -262,6 +279,31 @@ StillView BodyDrawer::stillView(const Choice& choice, const glm::ivec2& size_px)
   return view;
 }
 
+/// Appends what the wall may show of a part that is tiled.
+void BodyDrawer::takeSurfaces(std::size_t number, Choice& choice) const {
+  const auto take = [&](const TiledSurfaces::Range& range, std::size_t offset, ChosenPart::Sort sort) {
+    if (range.end > range.first)
+      choice.parts.push_back({ViewTime::seen, number, offset + range.first, range.end - range.first, sort});
+  };
+  take(surfaces_.rangeOf(number), choice.tileIndices, ChosenPart::Sort::tiles);
+  take(surfaces_.fineRangeOf(number), choice.fineIndices, ChosenPart::Sort::fine);
+}
+
+/// Appends the surfaces that were chosen for a wall to what is uploaded for the eye.
+void BodyDrawer::appendSurfaces(Choice& choice) {
+  constexpr std::size_t kVertexWords = sizeof(MeshVertex) / sizeof(std::uint32_t);
+  static_assert(sizeof(MeshVertex) % sizeof(std::uint32_t) == 0);
+  choice.tileIndices = uploaded_.size();
+  uploaded_.insert(uploaded_.end(), surfaces_.indices().begin(), surfaces_.indices().end());
+  choice.fineVertices = (uploaded_.size() + kVertexWords - 1) / kVertexWords;
+  const std::size_t place = choice.fineVertices * kVertexWords;
+  choice.fineIndices = place + surfaces_.fineVertices().size() * kVertexWords;
+  uploaded_.resize(choice.fineIndices);
+  std::memcpy(uploaded_.data() + place, surfaces_.fineVertices().data(),
+              surfaces_.fineVertices().size_bytes());
+  uploaded_.insert(uploaded_.end(), surfaces_.fineIndices().begin(), surfaces_.fineIndices().end());
+}
+
 /// Appends the parts of a layer that the wall may show.
 void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
   const VisibleChunks& visible = layers_[static_cast<std::size_t>(moment)].visible;
@@ -272,11 +314,9 @@ void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
     if (ranges.counts.empty()) continue;
     if (ghosts && (part.body == kRestingBody || part.paint == Paint::shadow)) continue;
     if (chunks_.parts[number].tiled) {
-      const std::size_t first = surfaces_.firstIndexOf(number);
-      choice.parts.push_back(
-          {moment, number, uploaded_.size() + first, surfaces_.endIndexOf(number) - first});
+      takeSurfaces(number, choice);
     } else {
-      choice.parts.push_back({moment, number, choice.counts.size(), ranges.counts.size()});
+      choice.parts.push_back({moment, number, choice.counts.size(), ranges.counts.size(), {}});
       choice.counts.insert(choice.counts.end(), ranges.counts.begin(), ranges.counts.end());
       choice.offsets.insert(choice.offsets.end(), ranges.offsets.begin(), ranges.offsets.end());
     }
@@ -294,8 +334,8 @@ const BodyDrawer::Choice& BodyDrawer::choose(const glm::dmat4& clipFromDrawn, do
   for (Layer& layer : layers_) layer.visible.choose(clipFromDrawn, everything);
   surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);
   choice.levels = surfaces_.digest();
+  appendSurfaces(choice);
   for (const ViewTime moment : kMoments) takeParts(moment, choice);  // ghosts last: they are transparent
-  uploaded_.insert(uploaded_.end(), surfaces_.indices().begin(), surfaces_.indices().end());
   return choice;
 }
 

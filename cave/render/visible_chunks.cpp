@@ -49,7 +49,7 @@ double lightAtRest(const Scene& scene, const MeshVertex& vertex) {
 }  // namespace
 
 SceneChunks::SceneChunks(const Scene& scene) {
-  MeshTiles tiles(meshes, scene.finer, [&](const MeshVertex& vertex) { return lightAtRest(scene, vertex); });
+  MeshTiles tiles(meshes, [&](const MeshVertex& vertex) { return lightAtRest(scene, vertex); });
   std::map<const vtkPolyData*, PartChunks> made;
   for (const ScenePart& part : scene.parts) {
     const auto [found, isNew] = made.try_emplace(part.mesh);
