@@ -331,7 +331,8 @@ const BodyDrawer::Choice& BodyDrawer::choose(const glm::dmat4& clipFromDrawn, do
   choice.parts.clear();
   choice.counts.clear();
   choice.offsets.clear();
-  for (Layer& layer : layers_) layer.visible.choose(clipFromDrawn, everything);
+  // A quarter of a pixel, so that less than half of one is changed where another mesh takes over.
+  for (Layer& layer : layers_) layer.visible.choose(clipFromDrawn, 0.25 * pixel_rad, everything);
   surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);
   choice.levels = surfaces_.digest();
   appendSurfaces(choice);

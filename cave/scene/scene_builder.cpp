@@ -41,24 +41,36 @@ std::size_t verticesOf(std::span<const ScenePart> parts) {
   return count;
 }
 
-double longestEdgeOf(std::span<const ScenePart> parts) {
+double longestEdgeOf(vtkPolyData& mesh) {
   double longest2 = 0.0;
-  for (const ScenePart& part : parts) {
-    const auto cells = vtk::TakeSmartPointer(part.mesh->GetPolys()->NewIterator());
-    for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-      vtkIdType corners = 0;
-      const vtkIdType* ids = nullptr;
-      cells->GetCurrentCell(corners, ids);
-      for (vtkIdType i = 0; i < corners; ++i) {
-        const std::array<vtkIdType, 2> ends{ids[i], ids[(i + 1) % corners]};
-        std::array<double, 3> a{}, b{};
-        part.mesh->GetPoint(ends[0], a.data());
-        part.mesh->GetPoint(ends[1], b.data());
-        longest2 = std::max(longest2, vtkMath::Distance2BetweenPoints(a.data(), b.data()));
-      }
+  const auto cells = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+    vtkIdType corners = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(corners, ids);
+    for (vtkIdType i = 0; i < corners; ++i) {
+      const std::array<vtkIdType, 2> ends{ids[i], ids[(i + 1) % corners]};
+      std::array<double, 3> a{}, b{};
+      mesh.GetPoint(ends[0], a.data());
+      mesh.GetPoint(ends[1], b.data());
+      longest2 = std::max(longest2, vtkMath::Distance2BetweenPoints(a.data(), b.data()));
     }
   }
   return std::sqrt(longest2);
+}
+
+double longestEdgeOf(std::span<const ScenePart> parts) {
+  double longest_m = 0.0;
+  for (const ScenePart& part : parts) longest_m = std::max(longest_m, longestEdgeOf(*part.mesh));
+  return longest_m;
+}
+
+/// Notes how long the cells of coarser meshes are: a triangle lies within a circle of 1/√3 of its longest edge, as cells
+/// 2/√3 times as long do.
+void measureCoarser(std::span<ScenePart> parts) {
+  for (ScenePart& part : parts)
+    for (CoarserMesh& coarser : part.coarser)
+      coarser.cell_m = 2.0 / std::sqrt(3.0) * longestEdgeOf(*coarser.mesh);
 }
 
 double reachOf(std::span<const ScenePart> parts) {
@@ -163,6 +175,7 @@ class BuiltBodies {
     if (isNew) {
       like = build();
       like.longestEdge_m = longestEdgeOf(like.parts);
+      measureCoarser(like.parts);
       like.reach_m = reachOf(like.parts);
     }
     for (ScenePart& part : like.parts) {

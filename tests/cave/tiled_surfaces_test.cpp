@@ -42,7 +42,7 @@ struct Room {
     const Lorentz rests(kC_m_s);
     viewBody(WorldLine(Knot{}, kC_m_s, 20.0), Event{}, rests, bodies[0]);
     visible.look(bodies, ViewFrame(rests, {}));
-    visible.choose(glm::dmat4(1.0), true);
+    visible.choose(glm::dmat4(1.0), 0.0, true);
   }
 
   static BilliardSetup withTable() {
