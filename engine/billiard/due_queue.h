@@ -139,16 +139,19 @@ class DueQueue {
   }
   // Fills the empty heap with the next items due, if any is.
   void openDay() {
+    constexpr std::size_t kAhead = 16;
     while (size_ == 0 && !days_.empty()) {
       if (++today_ == kDays && !beginCalendar()) {
         --today_;
         return;
       }
-      for (const int item : days_[today_]) {
-        const Item& own = items_[item];
-        if (own.slot == kNone && dayOf(own.due) == today_) place(newSlot(), {own.due, item});
+      std::vector<int>& listed = days_[today_];
+      for (std::size_t k = 0; k < listed.size(); ++k) {
+        fetch(listed[std::min(k + kAhead, listed.size() - 1)]);
+        const Item& own = items_[listed[k]];
+        if (own.slot == kNone && dayOf(own.due) == today_) place(newSlot(), {own.due, listed[k]});
       }
-      days_[today_].clear();
+      listed.clear();
     }
   }
   // Begins a calendar with the first item due. A sample of the items tells how long a day is. Returns whether there
