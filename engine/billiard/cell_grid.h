@@ -169,7 +169,7 @@ class CellGrid {
   }
   void fetchThree(int middle) const {
     const int first = std::clamp(middle - 1, 0, std::max(0, static_cast<int>(blocks_.size()) - 3));
-    prefetch(&blocks_[first], 3 * sizeof(Block));
+    for (int k = 0; k < 3; ++k) prefetch(&blocks_[first + k]);
   }
   int findIn(int columnLow, int columnHigh, int rowLow, int rowHigh, int* found) const {
     int* end = found;
