@@ -184,7 +184,7 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
 }
 
 /// With `keepsAlpha`, what is blended leaves the alpha that is there: a shadow has no edge
-/// (shaders/edge_frag.glsl).
+/// (cave/render/edge_pixels.h).
 void BodyDrawer::setState(bool blend, bool keepsAlpha, bool depthMask, bool clip) {
   if (keepsAlpha != keepsAlpha_) {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, keepsAlpha ? GL_ZERO : GL_ONE,

@@ -109,9 +109,11 @@ void WallRenderer::drawWall(const WallPicture& shown, const Seen& seen) {
     drawing.marks->draw(glm::mat4(seen.choice->clipFromDrawn), drawing_->target.framebuffer(), wall->pixels,
                         drawing.cutAt);
   }
-  drawing_->target.copyTo(*picture, left_px);
-  if (drawing_->smoother)
-    drawing_->smoother->smooth(drawing_->target.texture(), wall->pixels, *picture, left_px);
+  if (drawing_->smoother) {
+    drawing_->smoother->copy(drawing_->target, *picture, left_px);
+  } else {
+    drawing_->target.copyTo(*picture, left_px);
+  }
 }
 
 }  // namespace carom
