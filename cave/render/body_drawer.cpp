@@ -190,7 +190,7 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
 }
 
 /// With `keepsAlpha`, what is blended leaves the alpha that is there: a shadow has no edge
-/// (shaders/edge_frag.glsl).
+/// (cave/render/edge_pixels.h).
 void BodyDrawer::setState(bool blend, bool keepsAlpha, bool depthMask, bool clip) {
   if (keepsAlpha != keepsAlpha_) {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, keepsAlpha ? GL_ZERO : GL_ONE,
@@ -282,8 +282,9 @@ StillView BodyDrawer::stillView(const Choice& choice, const glm::ivec2& size_px)
 /// Appends what the wall may show of a part that is tiled.
 void BodyDrawer::takeSurfaces(std::size_t number, Choice& choice) const {
   const auto take = [&](const TiledSurfaces::Range& range, std::size_t offset, ChosenPart::Sort sort) {
-    if (range.end > range.first)
-      choice.parts.push_back({ViewTime::seen, number, offset + range.first, range.end - range.first, sort});
+    const std::size_t count = range.end - range.first;
+    if (count > 0) choice.parts.push_back({ViewTime::seen, number, offset + range.first, count, sort});
+    choice.triangles += count / 3;
   };
   take(surfaces_.rangeOf(number), choice.tileIndices, ChosenPart::Sort::tiles);
   take(surfaces_.fineRangeOf(number), choice.fineIndices, ChosenPart::Sort::fine);
@@ -318,6 +319,7 @@ void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
     } else {
       choice.parts.push_back({moment, number, choice.counts.size(), ranges.counts.size(), {}});
       choice.counts.insert(choice.counts.end(), ranges.counts.begin(), ranges.counts.end());
+      for (const int count : ranges.counts) choice.triangles += static_cast<std::size_t>(count) / 3;
       choice.offsets.insert(choice.offsets.end(), ranges.offsets.begin(), ranges.offsets.end());
     }
   }
@@ -331,6 +333,7 @@ const BodyDrawer::Choice& BodyDrawer::choose(const glm::dmat4& clipFromDrawn, do
   choice.parts.clear();
   choice.counts.clear();
   choice.offsets.clear();
+  choice.triangles = 0;
   // A quarter of a pixel, so that less than half of one is changed where another mesh takes over.
   for (Layer& layer : layers_) layer.visible.choose(clipFromDrawn, 0.25 * pixel_rad, everything);
   surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);

@@ -128,7 +128,8 @@ struct BodyDrawer::Choice {
   std::vector<ChosenPart> parts;  ///< in the order in which they are drawn
   std::vector<int> counts;        ///< of indices in each range
   std::vector<const void*> offsets;
-  std::size_t levels = 0;  ///< TiledSurfaces::digest
+  std::size_t levels = 0;     ///< TiledSurfaces::digest
+  std::size_t triangles = 0;  ///< of all parts
   /// Where the eye's buffer has the wall's indices of tiles, its fine vertices (counted in vertices) and their indices.
   std::size_t tileIndices = 0, fineVertices = 0, fineIndices = 0;
 };

@@ -6,12 +6,10 @@
 #include <numbers>
 
 #include <vtkAdaptiveSubdivisionFilter.h>
-#include <vtkCleanPolyData.h>
+#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
-#include <vtkMergePoints.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 #include <vtkTriangleFilter.h>
@@ -19,6 +17,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cave/mesh/mesh_builder.h"
+#include "cave/mesh/smooth_surface.h"
 #include "cave/scene/shadow_model.h"
 
 namespace carom {
@@ -177,20 +176,6 @@ ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
   return {body, mesh.build(), Paint::bands, colour, 0.3F};
 }
 
-namespace {
-
-/// Returns a search for equal points whose buckets hold few of the `points` of a surface. VTK's own has the
-/// same number of buckets for any mesh, and takes seconds for a million points.
-vtkSmartPointer<vtkMergePoints> locatorFor(vtkIdType points) {
-  constexpr double kFewest = 50.0, kMost = 256.0;  // along each side of the box
-  const double along = std::clamp(1.5 * std::cbrt(static_cast<double>(points)), kFewest, kMost);
-  auto locator = vtkSmartPointer<vtkMergePoints>::New();
-  locator->SetDivisions(static_cast<int>(along), static_cast<int>(along), static_cast<int>(along));
-  return locator;
-}
-
-}  // namespace
-
 ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
                    const glm::vec3& colour, const Tessellation& tessellation,
                    const std::optional<MeshPlace>& place) {
@@ -203,20 +188,17 @@ ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, st
 
 ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& whole, std::size_t body, const glm::vec3& colour,
                       const Tessellation& tessellation) {
-  vtkNew<vtkCleanPolyData> cleaned;
-  cleaned->SetInputData(whole);
-  cleaned->SetLocator(locatorFor(whole->GetNumberOfPoints()));
   vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(cleaned->GetOutputPort());
-  triangles->PassLinesOff();
-  triangles->PassVertsOff();
-  triangles->Update();
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(dividedTo(tessellation, triangles->GetOutput()));
-  normals->SetFeatureAngle(40.0);
-  normals->Update();
+  if (whole->GetPolys()->IsHomogeneous() != 3) {
+    triangles->SetInputData(whole);
+    triangles->PassLinesOff();
+    triangles->PassVertsOff();
+    triangles->Update();
+  }
+  const auto merged =
+      withPointsMerged(whole->GetPolys()->IsHomogeneous() == 3 ? *whole : *triangles->GetOutput());
+  const vtkSmartPointer<vtkPolyData> mesh = withNormals(*dividedTo(tessellation, merged));
 
-  const vtkSmartPointer<vtkPolyData> mesh = normals->GetOutput();
   vtkNew<vtkFloatArray> surface;
   surface->SetName("surface");
   surface->SetNumberOfComponents(3);

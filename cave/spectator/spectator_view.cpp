@@ -99,7 +99,7 @@ SpectatorView::Drawing::Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn
       target(graphics.inSoftware() ? 1 : kSamples),
       surfaces(roomIn),
       wand(solids.upload(*viewer.wand.mesh, viewer.wand.colour)) {
-  if (graphics.inSoftware()) smoother.emplace(EdgeSmoother::Tones::luminance);
+  if (graphics.inSoftware()) smoother.emplace(EdgePixels::Tones::luminance);
   for (const ModelPart& part : viewer.head) head.push_back(solids.upload(*part.mesh, part.colour));
   for (std::size_t i = 0; i < room.viewers.size(); ++i) {
     coats.push_back(solids.upload(*viewer.coats.at(i).mesh, viewer.coats[i].colour));
@@ -255,8 +255,11 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   glDepthFunc(GL_LEQUAL);
   d.surfaces.drawNames(d.view);
   glViewport(0, 0, d.size_px.x, d.size_px.y);
-  d.target.copyTo(*d.picture, 0);
-  if (d.smoother) d.smoother->smooth(d.target.texture(), d.size_px, *d.picture, 0);
+  if (d.smoother) {
+    d.smoother->copy(d.target, *d.picture, 0);
+  } else {
+    d.target.copyTo(*d.picture, 0);
+  }
 }
 
 const RenderTarget& SpectatorView::picture() const { return *drawing_->picture; }

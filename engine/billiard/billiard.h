@@ -65,6 +65,10 @@ class GameHistory;
 ///   move on as one, without spins, and what energy is over is heat. A pair that recedes where it is in contact, by
 ///   the momenta that are decided, is kicked where else it touches and approaches; a pair of bodies that turn can
 ///   meet again on the same legs where nothing came of a contact.
+/// * A body with corners and another that have come together remember that contact until they have parted. Thin ones
+///   can be deep in each other, or behind each other, when light has told their centres: until they are back, only
+///   those sides kick from which they came (earlier_contact.h). Where a third one turns one of them while they are
+///   behind each other, they stay there.
 /// * Of a puck whose last 64 kicks, cushions' among them, fell within a millionth of that time, kicks are
 ///   perfectly plastic until it has been left in peace for as long: so between two cushions.
 ///

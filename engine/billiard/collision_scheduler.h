@@ -104,6 +104,12 @@ class CollisionScheduler {
     bool hasMet = false;                           // something is in `PuckState::met`
     bool hasDecided = false;                       // `PuckState::decidedAt` is not -kNever
   };
+  // The contact at which a body with corners and another came together, while they have not parted since.
+  struct Unparted {
+    int other;
+    EarlierContact contact;        // the puck with the smaller number first
+    std::array<unsigned, 2> legs;  // on which they were last found not to have parted
+  };
   // The rest of a puck's state: a cache line that every collision needs, and what is seldom needed.
   struct alignas(64) PuckState {
     std::vector<CommittedLeg> decided;
@@ -124,6 +130,7 @@ class CollisionScheduler {
     alignas(64) double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
     std::vector<HandledContact>
         met;  // pucks whose contact with this leg is dealt with, and the number of their leg
+    std::vector<Unparted> unparted;
   };
   // The spin of a puck on the leg that it follows, and what it depends on.
   struct PuckSpin {
@@ -267,6 +274,11 @@ class CollisionScheduler {
   void takeOutlines(const BilliardSetup& setup);
   ShapedFlight shapedFlight(int i, const Leg& leg, const Turning& turning) const;
   std::optional<CornerContact> cornersMeet(int first, int second) const;
+  ShapedFlight followedFlight(int i) const { return shapedFlight(i, flightOf(i), spins_[i].turning); }
+  const EarlierContact* earlierContact(int first, int second) const;
+  void noteTogether(const std::array<int, 2>& who, const PairContact& contact);
+  void forgetParted(int i);
+  bool haveParted(int first, int second, EarlierContact& earlier) const;
   bool approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a, PairContact& contact) const;
   std::optional<CushionContact> touchOf(int i, const Leg& leg, const Turning& turning, int cushion) const;
   std::optional<CushionContact> followedTouchOf(int i, int cushion) const;
@@ -356,6 +368,7 @@ class CollisionScheduler {
   std::vector<char> inJam_;    // by puck
   std::size_t flashed_ = 0;    // number of flashes listed so far
   std::vector<int> deferred_;  // pucks whose event waits until others have had theirs
+  std::size_t deferredLater_ = 0;  // the first of them wait for something after the limit of `playUntil`
   double gammaBound_ = 1.0;    // the greatest γ for which the cells are large enough
   double pairReach_ = 0.0;     // the distance within which two pucks must be compared
   bool cellsTooSmall_ = false;

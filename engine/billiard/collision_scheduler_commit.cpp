@@ -98,6 +98,7 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
   const auto flight = [&](int k) { return braked ? flightAt(disc(k), touchAt[k]) : discs_[who[k]]; };
   const std::optional<CornerContact> corners =
       hasCorners(first, second) ? cornersMeet(first, second) : std::nullopt;
+  if (corners && corners->unfinished) return corners->time;
   PairContact contact = corners ? corners->contact : contactOf(flight(0), flight(1), a.withoutDelay);
 
   const bool waits = !pucks_[first].decided.empty() || !pucks_[second].decided.empty();
@@ -137,6 +138,7 @@ void CollisionScheduler::commitKick(const std::array<int, 2>& who, const PairCon
   const std::uint64_t collision =
       history.addCollision(std::nullopt, contact.event, a.withoutDelay, heat * c_m_s_ * c_m_s_);
   accounts_.heat += heat;
+  if (hasCorners(who[0], who[1])) noteTogether(who, contact);
   const bool lies = a.withoutDelay && hasCorners(who[0], who[1]);
   const std::array<bool, 2> byMany{lies || isPressed(who[1], turn[1].x.t),
                                    lies || isPressed(who[0], turn[0].x.t)};

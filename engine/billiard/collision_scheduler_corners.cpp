@@ -37,9 +37,52 @@ ShapedFlight CollisionScheduler::shapedFlight(int i, const Leg& leg, const Turni
 
 std::optional<CornerContact> CollisionScheduler::cornersMeet(int first, int second) const {
   const HandledContact* const last = dealtWith(first, second);
-  return findCornerContact(shapedFlight(first, flightOf(first), spins_[first].turning),
-                           shapedFlight(second, flightOf(second), spins_[second].turning),
-                           last == nullptr ? -kNever : last->until);
+  return findCornerContact(followedFlight(first), followedFlight(second),
+                           last == nullptr ? -kNever : last->until, earlierContact(first, second));
+}
+
+const EarlierContact* CollisionScheduler::earlierContact(int first, int second) const {
+  const std::vector<Unparted>& unparted = pucks_[first].unparted;
+  const auto found = std::find_if(unparted.begin(), unparted.end(),
+                                  [second](const Unparted& one) { return one.other == second; });
+  return found == unparted.end() ? nullptr : &found->contact;
+}
+
+// On the legs that both follow.
+void CollisionScheduler::noteTogether(const std::array<int, 2>& who, const PairContact& contact) {
+  if (earlierContact(who[0], who[1]) != nullptr) return;
+  const EarlierContact now{{followedFlight(who[0]), followedFlight(who[1])}, contact.event, contact.n, false};
+  const std::array<unsigned, 2> legs{outlooks_[who[0]].legNumber, outlooks_[who[1]].legNumber};
+  for (int k = 0; k < 2; ++k) pucks_[who[k]].unparted.push_back({who[1 - k], now, legs});
+}
+
+// A pair is looked at once on each pair of legs.
+void CollisionScheduler::forgetParted(int i) {
+  std::erase_if(pucks_[i].unparted, [&](Unparted& one) {
+    const int first = std::min(i, one.other), second = std::max(i, one.other);
+    const std::array<unsigned, 2> legs{outlooks_[first].legNumber, outlooks_[second].legNumber};
+    if (legs == one.legs) return false;
+    std::vector<Unparted>& theirs = pucks_[one.other].unparted;
+    const auto same =
+        std::find_if(theirs.begin(), theirs.end(), [i](const Unparted& x) { return x.other == i; });
+    const bool parted = haveParted(first, second, one.contact);
+    same->contact.behind = one.contact.behind;
+    one.legs = same->legs = legs;
+    if (parted) theirs.erase(same);
+    return parted;
+  });
+}
+
+// Those that something else has turned while they were behind each other stay there.
+bool CollisionScheduler::haveParted(int first, int second, EarlierContact& earlier) const {
+  const ShapedFlight one = followedFlight(first), other = followedFlight(second);
+  const Vec21 U = equalSpeedFrame(one.u, other.u);
+  const double since = std::max(dot(U, one.start - earlier.event), dot(U, other.start - earlier.event));
+  if (!(since > 0.0)) return false;
+  const Passage passage = passageSince(earlier, one, other);
+  earlier.behind = earlier.behind || passage == Passage::through;
+  const bool undisturbed = outlooks_[first].lastPartner == second && outlooks_[second].lastPartner == first;
+  return passage == Passage::apart || (passage == Passage::through && !undisturbed);
 }
 
 // Bodies that lie on each other at several places and recede at that of the contact: takes the one at which they
@@ -47,12 +90,12 @@ std::optional<CornerContact> CollisionScheduler::cornersMeet(int first, int seco
 bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a,
                                            PairContact& contact) const {
   if (!a.withoutDelay) return false;
-  const auto flight = [&](int k) { return shapedFlight(who[k], flightOf(who[k]), spins_[who[k]].turning); };
   const std::array<Vec21, 2> u{lastLeg(who[0]).u, lastLeg(who[1]).u};
   const std::array<double, 2> j{lastTurning(who[0]).j, lastTurning(who[1]).j};
   const double radii = discs_[who[0]].radius + discs_[who[1]].radius;
   double fastest = kResting;
-  for (const TouchedPlace& place : touchedPlaces(flight(0), flight(1), kTouching * radii)) {
+  for (const TouchedPlace& place : touchedPlaces(followedFlight(who[0]), followedFlight(who[1]),
+                                                 kTouching * radii, earlierContact(who[0], who[1]))) {
     PairContact here = contact;
     here.event = place.event, here.n = place.n;
     const auto kick = cornerKick(who, here, u, j, 1.0);
@@ -121,8 +164,10 @@ ShapedFlight CollisionScheduler::shapedFlight(const Member& member) const {
 }
 
 std::vector<TouchedPlace> CollisionScheduler::placesOf(const Member& one, const Member& other) const {
+  if (other.puck < one.puck) return placesOf(other, one);
   const ShapedFlight first = shapedFlight(one), second = shapedFlight(other);
-  return touchedPlaces(first, second, kTouching * (first.radius + second.radius));
+  return touchedPlaces(first, second, kTouching * (first.radius + second.radius),
+                       earlierContact(one.puck, other.puck));
 }
 
 // A kick without friction at that of the places where two members touch at which they close fastest. Returns whether

@@ -65,6 +65,7 @@ void CollisionScheduler::predictBoth(int first, int second) {
 
 // Of many pucks, only those among near_ from `begin` to `end` can be met.
 void CollisionScheduler::predictAmong(int i, int begin, int end) {
+  if (outlines_ != nullptr) forgetParted(i);
   PredictedEvent best;
   if (discs_[i].turnsAt < kNever) {
     best.kind = Kind::turn;
@@ -235,9 +236,7 @@ std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second) cons
     if (last != nullptr && last->until == kNever) return std::nullopt;
     const std::optional<CornerContact> found = cornersMeet(first, second);
     if (!found) return std::nullopt;
-    return carom::meetingOf(shapedFlight(first, flightOf(first), spins_[first].turning),
-                            shapedFlight(second, flightOf(second), spins_[second].turning), *found,
-                            convention_);
+    return carom::meetingOf(followedFlight(first), followedFlight(second), *found, convention_);
   }
   if (brake_ == 0.0) return findMeeting(discs_[first], discs_[second], convention_);
   const auto found = findBrakedMeeting({flightOf(first), discs_[first].radius},

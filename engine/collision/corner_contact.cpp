@@ -11,26 +11,40 @@ namespace {
 
 constexpr double kResumed = 1e-9;  // of the radii: what comes so soon after a contact is that contact
 
+bool haveCorners(const ShapedFlight& first, const ShapedFlight& second) {
+  return first.outline != nullptr && second.outline != nullptr;
+}
+
+// From when both flights have begun.
+ContactWindow windowFromBoth(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U) {
+  ContactWindow window;
+  window.frame = U;
+  window.origin = first.start;
+  window.from = std::max(0.0, dot(U, second.start - first.start));
+  return window;
+}
+
 ContactWindow windowOf(const ShapedFlight& first, const ShapedFlight& second, const Vec21& order) {
   const bool bothFirst = first.start.t == 0.0 && second.start.t == 0.0;
+  if (!bothFirst) return windowFromBoth(first, second, order);
   ContactWindow window;
-  window.strictly = bothFirst;
-  window.frame = bothFirst ? Vec21{1.0, 0.0, 0.0} : order;
+  window.strictly = true;
+  window.frame = {1.0, 0.0, 0.0};
   window.origin = first.start;
-  window.from = bothFirst ? 0.0 : std::max(0.0, dot(order, second.start - first.start));
   return window;
 }
 
 std::optional<CornerContact> findContact(const ShapedFlight& first, const ShapedFlight& second,
-                                         const Vec21& order, const ContactWindow& window) {
-  const std::optional<FoundContact> found = first.outline != nullptr && second.outline != nullptr
-                                                ? findPiercing(first, second, order, window)
-                                                : findRimContact(first, second, order, window);
+                                         const Vec21& order, const ContactWindow& window,
+                                         const EarlierContact* earlier) {
+  const auto find = haveCorners(first, second) ? findPiercing : findRimContact;
+  const std::optional<FoundContact> found = find(first, second, order, window, earlier);
   if (!found) return std::nullopt;
 
   CornerContact contact;
   contact.withoutDelay = found->withoutDelay;
   contact.sideOnSide = found->sideOnSide;
+  contact.unfinished = found->unfinished;
   contact.time = found->time;
   contact.contact.event = found->event;
   contact.contact.U = order;
@@ -50,34 +64,34 @@ std::optional<CornerContact> findContact(const ShapedFlight& first, const Shaped
 }  // namespace
 
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               double after) {
+                                               double after, const EarlierContact* earlier) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
-  if (after == -std::numeric_limits<double>::infinity()) return findCornerContact(first, second, U);
+  if (after == -std::numeric_limits<double>::infinity()) return findCornerContact(first, second, U, earlier);
   ContactWindow window;
   window.frame = U;
   window.origin = first.start;
   window.from = after + kResumed * (first.radius + second.radius);
   window.resumed = true;
-  return findContact(first, second, U, window);
+  return findContact(first, second, U, window, earlier);
 }
 
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               const Vec21& order) {
-  return findContact(first, second, order, windowOf(first, second, order));
+                                               const Vec21& order, const EarlierContact* earlier) {
+  return findContact(first, second, order, windowOf(first, second, order), earlier);
 }
 
-std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second,
-                                        double within) {
+Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
-  ContactWindow window;
-  window.frame = U;
-  window.origin = first.start;
-  window.from = std::max(0.0, dot(U, second.start - first.start));
+  const auto passage = haveCorners(first, second) ? passageOfCorners : passageOfDisc;
+  return passage(first, second, U, windowFromBoth(first, second, U), earlier);
+}
+
+std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within,
+                                        const EarlierContact* earlier) {
+  const Vec21 U = equalSpeedFrame(first.u, second.u);
   std::vector<FoundContact> found;
-  if (first.outline != nullptr && second.outline != nullptr)
-    addPiercedPlaces(first, second, U, window, within, found);
-  else
-    addRimPlaces(first, second, U, window, within, found);
+  const auto add = haveCorners(first, second) ? addPiercedPlaces : addRimPlaces;
+  add(first, second, U, windowFromBoth(first, second, U), within, earlier, found);
   std::vector<TouchedPlace> places;
   for (const FoundContact& one : found) places.push_back({one.event, one.normal});
   return places;

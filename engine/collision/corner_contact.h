@@ -18,11 +18,13 @@
 // A flight holds from its start on: a contact counts from the moment on at which both have begun, in the frame
 // of U, or, of two that begin at board time 0, after board time 0. Bodies that overlap by then and approach
 // are in contact at that moment, without delay.
+// Bodies that have not parted since an earlier contact: see earlier_contact.h.
 
 #include <limits>
 #include <optional>
 #include <vector>
 
+#include "engine/collision/earlier_contact.h"
 #include "engine/collision/puck_contact.h"
 #include "engine/collision/shaped_flight.h"
 
@@ -35,15 +37,22 @@ struct CornerContact {
   /// A side lies on a side: several piercings happen at one time. The contact is in their middle.
   bool sideOnSide = false;
   double time = 0.0;  ///< in the frame of U, from the first one's start on
+  /// No contact: up to this time there is none, and the search goes on with it as `after`.
+  bool unfinished = false;
 };
 
 /// Returns the first contact of two flights, of which at least one has an outline; none if they do not meet. With
 /// `after`, the time of a contact of these flights, the next one: of a corner that comes in, or goes deeper, later.
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               double after = -std::numeric_limits<double>::infinity());
+                                               double after = -std::numeric_limits<double>::infinity(),
+                                               const EarlierContact* earlier = nullptr);
 /// Returns the contact that is the first in the frame of the four-velocity `order`.
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               const Vec21& order);
+                                               const Vec21& order, const EarlierContact* earlier = nullptr);
+
+/// Returns how two bodies have come from an earlier contact by the moment at which the later flight begins, in the
+/// frame of equal speeds.
+Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second);
 
 /// A place at which two bodies touch: PairContact's C and n.
 struct TouchedPlace {
@@ -51,7 +60,8 @@ struct TouchedPlace {
 };
 /// Returns all places at which two bodies touch or overlap as the later flight begins, in the frame of equal speeds.
 /// What is nearer than `within` touches.
-std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within);
+std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within,
+                                        const EarlierContact* earlier = nullptr);
 
 /// Returns the moments of the contact by which the game orders its events: so long before each centre's turn
 /// as light needs to cross the body's radius, or the turn where this does not wait for the signal.

@@ -19,7 +19,6 @@ using Vec2 = glm::dvec2;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTie = 1e-9;        // of the radius
 constexpr double kLeastStep = 1e-6;  // of the radius
-constexpr int kMostSteps = 4096;
 
 Vec21 normalOf(const CushionPlane& cushion) {
   return cushion.axis == 0 ? Vec21{0.0, cushion.sign, 0.0} : Vec21{0.0, 0.0, cushion.sign};
@@ -98,18 +97,26 @@ class Approach {
     return flight_.start + axes_(k_ * (ahead(s) / glm::length(k_))) + flight_.u * s;
   }
 
+  /// From how soon on a corner that turns can be there: what is left of its way falls at most as
+  ///     clearance − closing δ − K δ²/2,   K = Ω² reach
+  double soonest(const Vec2& corner, double s, double clearance) const {
+    const double most = flight_.turning * flight_.turning * reach_, speed = closing(corner, s);
+    const double root = std::sqrt(speed * speed + 2.0 * most * clearance);
+    return speed > 0.0 ? 2.0 * clearance / (root + speed) : (root - speed) / most;
+  }
+
   std::optional<double> reachedTurning(const Vec2& corner, double s, double before) const {
     const double fastest = towards_ + std::abs(flight_.turning) * reach_;
     if (!(fastest > 0.0)) return std::nullopt;
     const double least = kLeastStep * flight_.radius / fastest;
-    // No corner is there before; and none later than a whole turn after the farthest could be.
+    // No corner is there before, and the farthest is within a turn from then.
     if (towards_ > 0.0) s = std::max(s, (away_ - reach_) / towards_);
     double last = std::min(before, s + 7.0 / std::abs(flight_.turning));
-    if (towards_ > 0.0) last = std::min(before, std::max(s, (away_ + reach_) / towards_) + least);
+    if (towards_ > 0.0) last = std::min(last, std::max(s, (away_ + reach_) / towards_) + least);
     double there = clearance(corner, s);
     bool beyond = there <= 0.0;
-    for (int step = 0; step < kMostSteps && s < last; ++step) {
-      const double next = s + (beyond ? 1e3 * least : std::max(there / fastest, least));
+    while (s < last) {
+      const double next = s + (beyond ? 1e3 * least : std::max(soonest(corner, s, there), least));
       const double then = clearance(corner, next);
       if (beyond && then <= 0.0 && closing(corner, next) > kLeastClosing) return next;  // farther again
       if (!beyond && then <= 0.0) {

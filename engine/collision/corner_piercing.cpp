@@ -20,6 +20,7 @@ using Vec2 = glm::dvec2;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTie = 1e-9;         // of the radii: piercings as near to each other in time are one
 constexpr double kSameNormal = 1e-6;  // the angle between their sides
+constexpr double kFront = 0.1;        // the cosine of the angle between sides that look the same way
 constexpr double kEnd = 1e-12;        // of a side's length: by so much it reaches beyond its corners
 constexpr double kLeastStep = 1e-6;   // of the radii: what touches for less grazes
 constexpr int kMostSteps = 4096;
@@ -30,6 +31,19 @@ struct Linear {
   double operator()(const Vec2& offset, double s) const {
     return at0 + perX * offset.x + perY * offset.y + perS * s;
   }
+};
+
+/// A corner as it lies to b: `Outline::Clearance`, and whether it has come through b and is behind it.
+struct Lie {
+  double outside;
+  std::size_t side;
+  bool through = false;
+};
+
+/// The own time of a corner up to which it touches nothing, and whether it does then.
+struct Advanced {
+  double s;
+  bool touches;
 };
 
 /// Corners of one body, a, as another, b, meets them.
@@ -46,6 +60,14 @@ class Corners {
     windowTime_ = linear(window.frame, a.start - window.origin);
     size_ = a.radius + b.radius;
   }
+
+  /// The same bodies at an earlier contact, since which they have not parted.
+  void remember(const Corners& earlier, const EarlierContact& contact);
+  Passage passage() const { return passage_; }
+  /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to where the
+  /// other was at the earlier contact, or only such as look away.
+  Passage passageOfConvex() const;
+  void setPassage(Passage of, bool behind) { passage_ = of, behind_ = behind; }
 
   /// Bodies without spin: keeps the earliest piercing in `best`.
   void pierceStraight(std::optional<FoundContact>& best) const;
@@ -68,9 +90,28 @@ class Corners {
     return {time_(offset, s), a_.start + axesOfA_(offset) + a_.u * s, aIsFirst_ ? n * -1.0 : n};
   }
   double startOf(const Vec2& corner) const;
-  Outline::Clearance clearanceAt(const Vec2& corner, double s) const;
+  /// In the axes that turn with b.
+  Vec2 placeInB(const Vec2& corner, double s) const;
+  Lie lieOf(std::size_t corner, const Vec2& place, double s) const;
+  Lie lieAt(std::size_t corner, double s) const { return lieOf(corner, placeInB(cornerOf(corner), s), s); }
+  /// The side of b to which a corner that is known by its way belongs at its own time s.
+  std::optional<std::size_t> entranceOf(std::size_t corner, const Vec2& place, double s) const;
+  double angleOfB(const Vec2& corner, double s) const;
+  /// The way out of b on which a was at the earlier contact, in the axes that turn with b.
+  Vec2 outwards(std::size_t corner, double s) const {
+    return turnedBack(outwards_, portableSinCos(angleOfB(cornerOf(corner), s)));
+  }
+  /// Whether what belongs to one side comes to another from behind.
+  bool looksAway(std::size_t side, std::size_t entrance) const {
+    const double along = glm::dot(b_.outline->sides()[side].normal, b_.outline->sides()[entrance].normal);
+    return along < (behind_ ? kFront : -kSameNormal);
+  }
+  bool isKnownByItsWay(std::size_t corner) const {
+    return behind_ || passage_ == Passage::through || (passage_ == Passage::inside && hasEntered_[corner]);
+  }
+  const Vec2& cornerOf(std::size_t k) const { return a_.outline->corners()[k]; }
   FoundContact contactAt(const Vec2& corner, double s, std::size_t side) const;
-  std::optional<double> advance(const Vec2& corner, double s, double end, double before) const;
+  std::optional<Advanced> advance(std::size_t corner, double s, double end, double before) const;
 
   const ShapedFlight &a_, &b_;
   const ContactWindow& window_;
@@ -79,6 +120,12 @@ class Corners {
   Vec2 place_, perX_, perY_, perS_;
   Linear ownTimeOfB_, time_, windowTime_;
   double size_;
+  // Of each corner at the earlier contact its place in the axes that turn with b; none without such a contact.
+  std::vector<Vec2> cameFrom_;
+  std::vector<char> hasEntered_;
+  Vec2 outwards_{0.0};
+  bool behind_ = false;               // convex, and through each other since
+  Passage passage_ = Passage::apart;  // of all corners of both
 };
 
 /// Whether two contacts at one time are on sides that lie on each other.
@@ -134,8 +181,8 @@ void Corners::pierceStraight(std::optional<FoundContact>& best) const {
                         k};
   }
   double earliest = best ? best->time : kNever;
-  for (const Vec2& corner : a_.outline->corners()) {
-    const Vec2 offset = turned(corner, ofA), z = turnedBack(placeOf(offset, 0.0), ofB);
+  for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
+    const Vec2 offset = turned(cornerOf(c), ofA), z = turnedBack(placeOf(offset, 0.0), ofB);
     const double time0 = time_(offset, 0.0), window0 = windowTime_(offset, 0.0);
     for (std::size_t k = 0; k < count; ++k) {
       const Entry& entry = entries[k];
@@ -145,6 +192,10 @@ void Corners::pierceStraight(std::optional<FoundContact>& best) const {
       const double along = glm::dot(entry.along, z) + entry.drift * s - entry.from;
       if (!(along >= 0.0 && along <= entry.length)) continue;
       if (!window_.holds(window0 + windowTime_.perS * s)) continue;
+      if (isKnownByItsWay(c)) {
+        const auto entrance = entranceOf(c, z + w * s, s);
+        if (entrance && looksAway(entry.side, *entrance)) continue;
+      }
       earliest = time;
       best = contact(offset, s, turned(entry.normal, ofB));
     }
@@ -154,11 +205,11 @@ void Corners::pierceStraight(std::optional<FoundContact>& best) const {
 void Corners::overlapStraight(double& deepest, std::optional<FoundContact>& best) const {
   const SinCos ofA = portableSinCos(a_.angle), ofB = portableSinCos(b_.angle);
   const Vec2 w = turnedBack(perS_, ofB);
-  for (const Vec2& corner : a_.outline->corners()) {
-    const Vec2 offset = turned(corner, ofA);
+  for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
+    const Vec2 offset = turned(cornerOf(c), ofA);
     const double s = (window_.from - windowTime_(offset, 0.0)) / windowTime_.perS;
-    const Outline::Clearance there = b_.outline->clearanceOf(turnedBack(placeOf(offset, s), ofB));
-    if (!(there.outside <= kCornerTouches * size_) || !(there.outside < deepest)) continue;
+    const Lie there = lieOf(c, turnedBack(placeOf(offset, s), ofB), s);
+    if (there.through || !(there.outside <= kCornerTouches * size_) || !(there.outside < deepest)) continue;
     const Vec2& normal = b_.outline->sides()[there.side].normal;
     if (!(-glm::dot(normal, w) > kLeastClosing)) continue;
     deepest = there.outside;
@@ -181,10 +232,72 @@ double Corners::startOf(const Vec2& corner) const {
   return s;
 }
 
-Outline::Clearance Corners::clearanceAt(const Vec2& corner, double s) const {
+Vec2 Corners::placeInB(const Vec2& corner, double s) const {
   const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
   const double angle = b_.angle + b_.turning * ownTimeOfB_(offset, s);
-  return b_.outline->clearanceOf(turnedBack(placeOf(offset, s), portableSinCos(angle)));
+  return turnedBack(placeOf(offset, s), portableSinCos(angle));
+}
+
+void Corners::remember(const Corners& earlier, const EarlierContact& contact) {
+  const std::size_t count = a_.outline->corners().size();
+  for (std::size_t k = 0; k < count; ++k)
+    cameFrom_.push_back(earlier.placeInB(cornerOf(k), earlier.startOf(cornerOf(k))));
+  Passage farthest = Passage::apart;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec2 place = placeInB(cornerOf(k), startOf(cornerOf(k)));
+    hasEntered_.push_back(b_.outline->entranceOf(cameFrom_[k], place).has_value());
+    if (!hasEntered_[k]) continue;
+    const bool inside = b_.outline->clearanceOf(place).outside <= 0.0;
+    farthest = std::max(farthest, inside ? Passage::inside : Passage::through);
+  }
+  passage_ = farthest;
+  outwards_ = axesOfB_.place(contact.n) * (aIsFirst_ ? -1.0 : 1.0);
+  outwards_ /= glm::length(outwards_);
+}
+
+Passage Corners::passageOfConvex() const {
+  Passage passage = Passage::inside;
+  for (const Outline::Side& side : b_.outline->sides()) {
+    double least = kNever, along = 1.0;
+    for (std::size_t k = 0; k < a_.outline->corners().size(); ++k) {
+      const double s = startOf(cornerOf(k));
+      const double outside = glm::dot(side.normal, placeInB(cornerOf(k), s)) - side.offset;
+      if (outside < least) least = outside, along = glm::dot(side.normal, outwards(k, s));
+    }
+    if (!(least >= -kCornerTouches * size_)) continue;
+    if (along > -kFront) return Passage::apart;
+    passage = Passage::through;
+  }
+  return passage;
+}
+
+double Corners::angleOfB(const Vec2& corner, double s) const {
+  const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
+  return b_.angle + b_.turning * ownTimeOfB_(offset, s);
+}
+
+// Bodies that have come through each other are free to turn there. They belong where they were on the board.
+std::optional<std::size_t> Corners::entranceOf(std::size_t corner, const Vec2& place, double s) const {
+  if (!behind_) return b_.outline->entranceOf(cameFrom_[corner], place);
+  const Vec2 front = outwards(corner, s);
+  const std::span<const Outline::Side> sides = b_.outline->sides();
+  std::size_t entrance = 0;
+  for (std::size_t k = 1; k < sides.size(); ++k)
+    if (glm::dot(sides[k].normal, front) > glm::dot(sides[entrance].normal, front)) entrance = k;
+  return entrance;
+}
+
+Lie Corners::lieOf(std::size_t corner, const Vec2& place, double s) const {
+  const Outline::Clearance there = b_.outline->clearanceOf(place);
+  const Lie nearest{there.outside, there.side};
+  if (!isKnownByItsWay(corner)) return nearest;
+  const auto entrance = entranceOf(corner, place, s);
+  if (!entrance) return nearest;
+  const bool away = looksAway(there.side, *entrance);
+  if (there.outside > 0.0) return {there.outside, there.side, away || !behind_};
+  if (!away) return nearest;
+  const Outline::Side& side = b_.outline->sides()[*entrance];
+  return {glm::dot(side.normal, place) - side.offset, *entrance};
 }
 
 FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) const {
@@ -193,9 +306,9 @@ FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) 
   return contact(offset, s, turned(b_.outline->sides()[side].normal, portableSinCos(angle)));
 }
 
-/// The own time at which a corner is outside no more and goes deeper, from s on and no later than `end` and,
-/// in the frame of U, `before`.
-std::optional<double> Corners::advance(const Vec2& corner, double s, double end, double before) const {
+/// The own time at which a corner is outside no more, or goes deeper, from s on and no later than `end` and, in the
+/// frame of U, `before`. After so many steps, as where it slides along a side, it stops.
+std::optional<Advanced> Corners::advance(std::size_t corner, double s, double end, double before) const {
   const double gamma = ownTimeOfB_.perS, beta = glm::length(perS_) / gamma;
   const double ofA = std::abs(a_.turning) * a_.radius, ofB = std::abs(b_.turning) * b_.radius;
   const double fastest = gamma * (1.0 + beta * ofA) * (std::min(1.0, beta + ofA) + ofB);
@@ -204,18 +317,22 @@ std::optional<double> Corners::advance(const Vec2& corner, double s, double end,
   const double latest =
       (before - time_.at0 + size_ * (std::abs(time_.perX) + std::abs(time_.perY))) / time_.perS;
   const double last = std::min(end, latest);
-  double outside = clearanceAt(corner, s).outside;
-  bool inside = outside <= 0.0;
+  Lie here = lieAt(corner, s);
   for (int step = 0; step < kMostSteps && s < last; ++step) {
-    const double next = s + (inside ? 1e3 * least : std::max(outside / fastest, least));
-    const double there = clearanceAt(corner, next).outside;
-    if (inside && there <= 0.0 && there < outside - kLeastClosing * (next - s)) return next;  // deeper again
-    if (!inside && there <= 0.0) {
-      const auto depth = [&](double at) { return -clearanceAt(corner, at).outside; };
-      return rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s));
+    const bool inside = here.outside <= 0.0;
+    const double next = s + (inside ? 1e3 * least : std::max(here.outside / fastest, least));
+    const Lie there = lieAt(corner, next);
+    const bool comparable = there.side == here.side || !isKnownByItsWay(corner);
+    if (inside && comparable && there.outside <= 0.0 &&
+        there.outside < here.outside - kLeastClosing * (next - s))
+      return Advanced{next, true};  // deeper again
+    if (!inside && there.outside <= 0.0 && !here.through) {
+      const auto depth = [&](double at) { return -lieAt(corner, at).outside; };
+      return Advanced{rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s)), true};
     }
-    s = next, outside = there, inside = there <= 0.0;
+    s = next, here = there;
   }
+  if (s < last) return Advanced{s, false};
   return std::nullopt;
 }
 
@@ -232,15 +349,16 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
   } else if (apart2 > 0.0) {
     return;
   }
-  for (const Vec2& corner : a_.outline->corners()) {
+  for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
+    const Vec2& corner = cornerOf(c);
     const double start = startOf(corner);
     if (start > end) continue;
     double s = std::max(begin, start);
     if (s == start && !window_.strictly && !window_.resumed) {
-      const Outline::Clearance there = clearanceAt(corner, s);
+      const Lie there = lieAt(c, s);
       const double soon = kLeastStep * size_;
-      if (there.outside <= kCornerTouches * size_) {
-        const double closing = (there.outside - clearanceAt(corner, s + soon).outside) / soon;
+      if (!there.through && there.outside <= kCornerTouches * size_) {
+        const double closing = (there.outside - lieAt(c, s + soon).outside) / soon;
         if (closing > kLeastClosing) {
           if (!(there.outside < deepest)) continue;
           deepest = there.outside;
@@ -252,19 +370,47 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
       }
     }
     if (best && best->withoutDelay) continue;
-    const std::optional<double> found = advance(corner, s, end, best ? best->time : kNever);
+    const std::optional<Advanced> found = advance(c, s, end, best ? best->time : kNever);
     if (!found) continue;
-    keepEarlier(best, contactAt(corner, *found, clearanceAt(corner, *found).side));
+    FoundContact contact = contactAt(corner, found->s, lieAt(c, found->s).side);
+    contact.unfinished = !found->touches;
+    keepEarlier(best, contact);
   }
 }
 
 void Corners::addTouching(double within, std::vector<FoundContact>& places) const {
-  for (const Vec2& corner : a_.outline->corners()) {
-    const double s = startOf(corner);
-    const Outline::Clearance there = clearanceAt(corner, s);
-    if (there.outside <= within) places.push_back(contactAt(corner, s, there.side));
+  for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
+    const double s = startOf(cornerOf(c));
+    const Lie there = lieAt(c, s);
+    if (!there.through && there.outside <= within) places.push_back(contactAt(cornerOf(c), s, there.side));
   }
 }
+
+/// The corners of both.
+struct BothCorners {
+  Corners ofFirst, ofSecond;
+
+  BothCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+              const ContactWindow& window, const EarlierContact* earlier)
+      : ofFirst(first, second, first.start, U, window, true),
+        ofSecond(second, first, first.start, U, window, false) {
+    if (earlier == nullptr) return;
+    const auto& [one, other] = earlier->flights;
+    const ContactWindow then = windowAt(*earlier);
+    ofFirst.remember({one, other, one.start, then.frame, then, true}, *earlier);
+    ofSecond.remember({other, one, one.start, then.frame, then, false}, *earlier);
+    Passage passage = std::max(ofFirst.passage(), ofSecond.passage());
+    const bool convex = first.outline->isConvex() && second.outline->isConvex();
+    if (convex && (passage != Passage::apart || earlier->behind)) {
+      const Passage bySecond = ofFirst.passageOfConvex(), byFirst = ofSecond.passageOfConvex();
+      const bool apart = bySecond == Passage::apart || byFirst == Passage::apart;
+      passage = apart ? Passage::apart : std::max(bySecond, byFirst);
+    }
+    const bool behind =
+        convex && (passage == Passage::through || (earlier->behind && passage != Passage::apart));
+    ofFirst.setPassage(passage, behind), ofSecond.setPassage(passage, behind);
+  }
+};
 
 // The centres are no farther apart than R1 + R2 as the later flight begins.
 bool mayOverlap(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, double from) {
@@ -311,9 +457,9 @@ void settleTie(const ShapedFlight& first, const ShapedFlight& second, const Vec2
 }  // namespace
 
 std::optional<FoundContact> findPiercing(const ShapedFlight& first, const ShapedFlight& second,
-                                         const Vec21& U, const ContactWindow& window) {
-  const Corners ofFirst(first, second, first.start, U, window, true);
-  const Corners ofSecond(second, first, first.start, U, window, false);
+                                         const Vec21& U, const ContactWindow& window,
+                                         const EarlierContact* earlier) {
+  const auto [ofFirst, ofSecond] = BothCorners(first, second, U, window, earlier);
   std::optional<FoundContact> best;
   double deepest = kNever;
   if (first.turning != 0.0 || second.turning != 0.0) {
@@ -334,9 +480,16 @@ std::optional<FoundContact> findPiercing(const ShapedFlight& first, const Shaped
 }
 
 void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                      const ContactWindow& window, double within, std::vector<FoundContact>& places) {
-  Corners(first, second, first.start, U, window, true).addTouching(within, places);
-  Corners(second, first, first.start, U, window, false).addTouching(within, places);
+                      const ContactWindow& window, double within, const EarlierContact* earlier,
+                      std::vector<FoundContact>& places) {
+  const BothCorners corners(first, second, U, window, earlier);
+  corners.ofFirst.addTouching(within, places);
+  corners.ofSecond.addTouching(within, places);
+}
+
+Passage passageOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                         const ContactWindow& window, const EarlierContact& earlier) {
+  return BothCorners(first, second, U, window, &earlier).ofFirst.passage();
 }
 
 }  // namespace carom

@@ -70,6 +70,24 @@ class StretchedFrame {
     const Vec21 n = axes_(normal);
     return {time, centreAt(time) + axes_(place), discIsFirst ? n : n * -1.0};
   }
+  /// The disc's centre at a time of the frame, in the axes that turn with the body.
+  Vec2 centreInBody(double time) const {
+    const Vec21 apart = centreAt(time) - body_.start;
+    const double angle = body_.angle + body_.turning * dot(body_.u, apart);
+    return turnedBack(axesOfBody_.place(apart), portableSinCos(angle));
+  }
+  /// The same bodies at an earlier contact, since which they have not parted, and its time there.
+  void remember(const StretchedFrame& earlier, double time) { cameFrom_ = earlier.centreInBody(time); }
+  /// The side by which the centre has come into the body or through it since.
+  std::optional<std::size_t> entrance(double time) const {
+    if (!cameFrom_) return std::nullopt;
+    return body_.outline->entranceOf(*cameFrom_, centreInBody(time));
+  }
+  bool isInside(double time) const { return body_.outline->clearanceOf(centreInBody(time)).outside <= 0.0; }
+  Passage passage(double time) const {
+    if (!entrance(time)) return Passage::apart;
+    return isInside(time) ? Passage::inside : Passage::through;
+  }
   /// How fast the gap can close.
   double fastest() const {
     const double ofBody = std::sqrt(std::max(0.0, 1.0 - 1.0 / (gammaOfBody_ * gammaOfBody_)));
@@ -115,6 +133,7 @@ class StretchedFrame {
   double discTime_, bodyTime_, alongX_, alongY_, gammaOfDisc_, gammaOfBody_;
   Vec2 beta_, velocity_;
   double reach_ = 0.0;
+  std::optional<Vec2> cameFrom_;  // of the centre, in the axes that turn with the body
   std::array<Vec2, kMostCorners> places_;
 };
 
@@ -189,10 +208,22 @@ OnSide nearestOnSide(const PlaceAt& placeAt, double share) {
   return here;
 }
 
+// Of a centre that is inside: the point of the side by which it came in.
+Nearest nearestOnEntrance(std::span<const Vec2> corners, std::size_t side) {
+  const double share = std::clamp(shareNearest(corners, side), 0.0, 1.0);
+  const Vec2 point = pointOn(corners, side, share);
+  const double distance = glm::length(point);
+  if (distance > 0.0) return {-distance, point * (-1.0 / distance), side, share};
+  const Vec2 way = corners[(side + 1) % corners.size()] - corners[side];
+  return {0.0, Vec2{-way.y, way.x} / glm::length(way), side, share};
+}
+
 // At a time, of a body that turns: its sides are not straight then, as their points are seen at different angles.
 Nearest nearestOfTurning(StretchedFrame& frame, double time) {
   constexpr double kBend = 0.3;  // of a side: farther beside its chord no point of it is
   const std::span<const Vec2> corners = frame.cornersAt(time);
+  if (const auto entrance = frame.entrance(time); entrance && frame.isInside(time))
+    return nearestOnEntrance(corners, *entrance);
   const Vec21 centre = frame.centreAt(time);
   Nearest found = nearestOf(corners);
   const double sign = found.outside < 0.0 ? -1.0 : 1.0, chord = std::abs(found.outside);
@@ -218,8 +249,13 @@ Nearest nearestOfTurning(StretchedFrame& frame, double time) {
   return found;
 }
 
-// Those no farther than `reach`. A centre inside the outline has one.
-std::vector<Nearest> nearPoints(std::span<const Vec2> corners, double reach) {
+// Those no farther than `reach`. A centre inside the outline has one, and none where it has come through it.
+std::vector<Nearest> nearPoints(StretchedFrame& frame, double time, double reach) {
+  const std::span<const Vec2> corners = frame.cornersAt(time);
+  if (const auto entrance = frame.entrance(time)) {
+    if (!frame.isInside(time)) return {};
+    return {nearestOnEntrance(corners, *entrance)};
+  }
   const Nearest nearest = nearestOf(corners);
   if (!(nearest.outside <= reach)) return {};
   if (nearest.outside <= 0.0) return {nearest};
@@ -247,7 +283,7 @@ std::optional<FoundContact> touchStraight(StretchedFrame& frame, const ContactWi
   const auto consider = [&](double time, const Vec2& towards) {
     if (best && !(time < best->time)) return;
     const FoundContact found = frame.contact(time, towards, towards * R, discIsFirst);
-    if (window.holds(window.timeOf(found.event))) best = found;
+    if (window.holds(window.timeOf(found.event)) && !frame.entrance(time)) best = found;
   };
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vec2 &a = corners[k], side = corners[(k + 1) % corners.size()] - a;
@@ -280,6 +316,7 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
     const Vec2 towards = nearestOfTurning(frame, at).towards;
     return frame.contact(at, towards, towards * R, discIsFirst);
   };
+  bool behind = frame.passage(time) == Passage::through;  // then it touches nothing
   for (int step = 0; step < kMostSteps && time < end; ++step) {
     const double next = time + (inside ? 1e3 * least : std::max(gap / fastest, least));
     const double there = gapAt(next);
@@ -289,19 +326,22 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
       at = rootOfIncreasing([&](double t) { return -gapAt(t); }, 0.5 * (time + next), 0.5 * (next - time));
       touches = true;
     }
-    if (touches) {
+    if (touches && !behind) {
       const FoundContact contact = found(at);
-      if (window.holds(window.timeOf(contact.event))) return contact;
+      if (window.holds(window.timeOf(contact.event)) && frame.passage(at) != Passage::through) return contact;
     }
-    time = next, gap = there, inside = there <= 0.0;
+    time = next, gap = there, inside = there <= 0.0, behind = frame.passage(time) == Passage::through;
   }
-  return std::nullopt;
+  if (!(time < end)) return std::nullopt;
+  FoundContact contact = found(time);
+  contact.unfinished = true;
+  return contact;
 }
 
 // The deepest point of those that go on.
 std::optional<FoundContact> overlapNow(StretchedFrame& frame, double time, bool discIsFirst) {
   const double R = frame.radius(), soon = kLeastStep * frame.reach();
-  const std::vector<Nearest> points = nearPoints(frame.cornersAt(time), R + kCornerTouches * frame.reach());
+  const std::vector<Nearest> points = nearPoints(frame, time, R + kCornerTouches * frame.reach());
   const std::span<const Vec2> then = frame.cornersAt(time + soon);
   const Nearest* deepest = nullptr;
   for (const Nearest& near : points) {
@@ -316,13 +356,27 @@ std::optional<FoundContact> overlapNow(StretchedFrame& frame, double time, bool 
   return found;
 }
 
+StretchedFrame frameOf(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                       const EarlierContact* earlier) {
+  const auto of = [](const ShapedFlight& one, const ShapedFlight& other, const Vec21& order) {
+    const bool oneIsDisc = one.outline == nullptr;
+    return StretchedFrame(oneIsDisc ? one : other, oneIsDisc ? other : one, one.start, order);
+  };
+  StretchedFrame frame = of(first, second, U);
+  if (earlier == nullptr) return frame;
+  const ContactWindow then = windowAt(*earlier);
+  frame.remember(of(earlier->flights[0], earlier->flights[1], then.frame), then.from);
+  return frame;
+}
+
 }  // namespace
 
 std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
-                                           const Vec21& U, const ContactWindow& window) {
+                                           const Vec21& U, const ContactWindow& window,
+                                           const EarlierContact* earlier) {
   const bool discIsFirst = first.outline == nullptr;
-  const ShapedFlight &disc = discIsFirst ? first : second, &body = discIsFirst ? second : first;
-  StretchedFrame frame(disc, body, first.start, U);
+  StretchedFrame frame = frameOf(first, second, U, earlier);
+  const ShapedFlight& body = frame.body();
   const auto [begin, end] = frame.overlapTimes();
   if (!(begin <= end)) return std::nullopt;
   if (window.strictly) {
@@ -341,14 +395,19 @@ std::optional<FoundContact> findRimContact(const ShapedFlight& first, const Shap
 }
 
 void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                  const ContactWindow& window, double within, std::vector<FoundContact>& places) {
+                  const ContactWindow& window, double within, const EarlierContact* earlier,
+                  std::vector<FoundContact>& places) {
   const bool discIsFirst = first.outline == nullptr;
-  const ShapedFlight &disc = discIsFirst ? first : second, &body = discIsFirst ? second : first;
-  StretchedFrame frame(disc, body, first.start, U);
-  for (const Nearest& near : nearPoints(frame.cornersAt(window.from), disc.radius + within)) {
+  StretchedFrame frame = frameOf(first, second, U, earlier);
+  for (const Nearest& near : nearPoints(frame, window.from, frame.radius() + within)) {
     const Vec2& towards = near.towards;
-    places.push_back(frame.contact(window.from, towards, towards * disc.radius, discIsFirst));
+    places.push_back(frame.contact(window.from, towards, towards * frame.radius(), discIsFirst));
   }
+}
+
+Passage passageOfDisc(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                      const ContactWindow& window, const EarlierContact& earlier) {
+  return frameOf(first, second, U, &earlier).passage(window.from);
 }
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/collision/shaped_flight.h"
+#include "engine/collision/earlier_contact.h"
 
 namespace carom {
 
@@ -26,7 +26,17 @@ struct FoundContact {
   Vec21 normal;  ///< from the first body to the second, to within a multiple of U
   bool withoutDelay = false;
   bool sideOnSide = false;
+  bool unfinished = false;  ///< CornerContact's
 };
+
+/// Returns the window that begins at an earlier contact: when both bodies were there.
+inline ContactWindow windowAt(const EarlierContact& earlier) {
+  ContactWindow window;
+  window.frame = equalSpeedFrame(earlier.flights[0].u, earlier.flights[1].u);
+  window.origin = earlier.flights[0].start;
+  window.from = dot(window.frame, earlier.event - window.origin);
+  return window;
+}
 
 /// Slower than this, bodies that overlap do not approach.
 constexpr double kLeastClosing = 1e-9;
@@ -35,15 +45,24 @@ constexpr double kCornerTouches = 1e-11;
 
 /// Of two bodies with corners.
 std::optional<FoundContact> findPiercing(const ShapedFlight& first, const ShapedFlight& second,
-                                         const Vec21& U, const ContactWindow& window);
+                                         const Vec21& U, const ContactWindow& window,
+                                         const EarlierContact* earlier);
 /// Of a disc and a body with corners, in either order.
 std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
-                                           const Vec21& U, const ContactWindow& window);
+                                           const Vec21& U, const ContactWindow& window,
+                                           const EarlierContact* earlier);
+/// Where the corners of each body are to the other, or the centre of a disc, at the time `window.from`.
+Passage passageOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                         const ContactWindow& window, const EarlierContact& earlier);
+Passage passageOfDisc(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                      const ContactWindow& window, const EarlierContact& earlier);
 
 /// Adds all places at which two bodies touch, nearer than `within`, or overlap at the time `window.from`.
 void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                      const ContactWindow& window, double within, std::vector<FoundContact>& places);
+                      const ContactWindow& window, double within, const EarlierContact* earlier,
+                      std::vector<FoundContact>& places);
 void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                  const ContactWindow& window, double within, std::vector<FoundContact>& places);
+                  const ContactWindow& window, double within, const EarlierContact* earlier,
+                  std::vector<FoundContact>& places);
 
 }  // namespace carom

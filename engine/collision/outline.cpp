@@ -13,6 +13,8 @@ namespace {
 
 using Vec2 = glm::dvec2;
 
+constexpr double kOnSide = 1e-9;  // of the radius: nearer than this lies on a side
+
 double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 template <class... Parts>
@@ -153,6 +155,24 @@ Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
   }
   found.outside = inside ? -std::sqrt(least2) : std::sqrt(least2);
   return found;
+}
+
+// What begins or ends on a side has not crossed it.
+std::optional<std::size_t> Outline::entranceOf(const Vec2& from, const Vec2& to) const {
+  const double touches = kOnSide * radius_;
+  double last = -1.0;
+  std::optional<std::size_t> entrance;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const Side& side = sides_[k];
+    const double before = glm::dot(side.normal, from) - side.offset;
+    const double after = glm::dot(side.normal, to) - side.offset;
+    if (!(before >= -touches && after < -touches)) continue;
+    const double at = std::max(0.0, before / (before - after));
+    const double along = glm::dot(side.along, from + (to - from) * at - side.from);
+    if (!(along >= -touches && along <= side.length + touches) || !(at > last)) continue;
+    last = at, entrance = k;
+  }
+  return entrance;
 }
 
 }  // namespace carom

@@ -59,6 +59,8 @@ class Outline {
     std::size_t side = 0;  ///< the nearest one inside and at the outline
   };
   Clearance clearanceOf(const glm::dvec2& point) const;
+  /// Returns the side by which a way, straight and from outside, comes in, of several the last; none if it does not.
+  std::optional<std::size_t> entranceOf(const glm::dvec2& from, const glm::dvec2& to) const;
 
  private:
   std::vector<glm::dvec2> corners_;

@@ -44,8 +44,8 @@ int main(int count, char** words) {
       "%zu games, %zu collisions, of which %zu without delay, and %zu turns in jams. Missing of the energy "
       "at most "
       "%.1e, of momentum %.1e. Of %zu pairs that touched when both had turned, %zu went on, the fastest at "
-      "%.2g c.\n",
+      "%.2g c; %zu had not parted since they met, %zu of which seemed to go deeper.\n",
       games, tally.collisions, tally.withoutDelay, tally.jams, tally.worstEnergy, tally.worstMomentum,
-      tally.touching, tally.approaching, tally.fastestApproach);
+      tally.touching, tally.approaching, tally.fastestApproach, tally.inEachOther, tally.goingDeeper);
   return tally.faults.empty() ? 0 : 1;
 }

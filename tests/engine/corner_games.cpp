@@ -73,20 +73,18 @@ std::vector<PlayedLeg> legsOf(const BilliardSetup& setup, const Billiard& game, 
   return legs;
 }
 
+ShapedFlight flightOn(const PlayedLeg& leg, const std::optional<Outline>& outline) {
+  const SampledBody& body = leg.body;
+  return {body.start, leg.u, body.radius, outline ? &*outline : nullptr, body.angle, body.turning};
+}
+
 /// Returns how fast two bodies that touch as the later leg begins close by the law of the kick, where they do so
-/// fastest; 0 if nowhere.
-double closingByLaw(const PlayedLeg& one, const PlayedLeg& other) {
-  std::vector<Outline> outlines;
-  outlines.reserve(2);
-  std::array<ShapedFlight, 2> flights;
+/// fastest; 0 if nowhere. By the sides that count since an earlier contact.
+double closingByLaw(const PlayedLeg& one, const PlayedLeg& other, const std::array<ShapedFlight, 2>& flights,
+                    const EarlierContact* earlier) {
   const std::array<const PlayedLeg*, 2> legs{&one, &other};
-  for (int i = 0; i < 2; ++i) {
-    const SampledBody& body = legs[i]->body;
-    flights[i] = {body.start, legs[i]->u, body.radius, nullptr, body.angle, body.turning};
-    if (!body.corners.empty()) flights[i].outline = &outlines.emplace_back(body.corners);
-  }
   double fastest = 0.0;
-  for (const TouchedPlace& place : touchedPlaces(flights[0], flights[1], 0.0)) {
+  for (const TouchedPlace& place : touchedPlaces(flights[0], flights[1], 0.0, earlier)) {
     std::array<LeveredBody, 2> bodies;
     for (int i = 0; i < 2; ++i) {
       const Vec21 way = place.event - flights[i].start;
@@ -103,7 +101,18 @@ class ApproachCheck {
  public:
   ApproachCheck(const BilliardSetup& setup, const Billiard& game, double until_s, CornerTally& tally)
       : tally_(tally), until_(until_s * setup.lightSpeed_m_s) {
-    for (std::size_t i = 0; i < setup.pucks.size(); ++i) legs_.push_back(legsOf(setup, game, i));
+    for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+      legs_.push_back(legsOf(setup, game, i));
+      const std::vector<Vec2>& corners = setup.pucks[i].outline_m;
+      outlines_.push_back(corners.empty() ? std::nullopt : std::optional<Outline>(corners));
+    }
+    for (const GameEvent& event : game.events()) {
+      if (event.kind != EventKind::puckPuck) continue;
+      const double c = setup.lightSpeed_m_s;
+      const std::size_t one = event.turns[0].puck, other = event.turns[1].puck;
+      meetings_[{std::min(one, other), std::max(one, other)}].push_back(
+          {event.number, {event.at.t_s * c, event.at.r_m.x, event.at.r_m.y}});
+    }
   }
 
   /// Returns the fastest of a pair, over c.
@@ -118,21 +127,61 @@ class ApproachCheck {
         ++from;
       for (std::size_t k = from; k < others.size(); ++k) {
         if (others[k].body.start.t > one.next + slack * others[k].u.t) break;
-        fastest = std::max(fastest, ofLegs(one, others[k]));
+        fastest = std::max(fastest, ofLegs(one, others[k], {first, second}));
       }
     }
     return fastest;
   }
 
  private:
-  double ofLegs(const PlayedLeg& one, const PlayedLeg& other) {
+  struct Meeting {
+    std::uint64_t number;
+    Vec21 contact;
+  };
+  // The leg that a body followed when it came to a contact.
+  const PlayedLeg& legAt(std::size_t which, const Meeting& meeting) const {
+    const std::vector<PlayedLeg>& legs = legs_[which];
+    std::size_t k = 0;
+    while (k + 1 < legs.size() && legs[k + 1].number < meeting.number &&
+           dot(legs[k + 1].u, meeting.contact - legs[k + 1].body.start) > 0.0)
+      ++k;
+    return legs[k];
+  }
+  // The last contact before these legs at which the two came together from apart.
+  std::optional<EarlierContact> earlierOf(const PlayedLeg& one, const PlayedLeg& other,
+                                          const std::array<std::size_t, 2>& who) const {
+    const auto met = meetings_.find({who[0], who[1]});
+    if (met == meetings_.end()) return std::nullopt;
+    std::optional<EarlierContact> earlier;
+    for (const Meeting& meeting : met->second) {
+      if (meeting.number > std::max(one.number, other.number)) break;
+      const std::array<ShapedFlight, 2> flights{flightOn(legAt(who[0], meeting), outlines_[who[0]]),
+                                                flightOn(legAt(who[1], meeting), outlines_[who[1]])};
+      if (!earlier || passageSince(*earlier, flights[0], flights[1]) == Passage::apart)
+        earlier = EarlierContact{flights, meeting.contact, normalOf(who, meeting), false};
+    }
+    return earlier;
+  }
+  // Along what the contact has given to the second.
+  Vec21 normalOf(const std::array<std::size_t, 2>& who, const Meeting& meeting) const {
+    const std::vector<PlayedLeg>& legs = legs_[who[1]];
+    for (std::size_t k = 1; k < legs.size(); ++k)
+      if (legs[k].number == meeting.number) return momentumOf(legs[k]) - momentumOf(legs[k - 1]);
+    return {0.0, 1.0, 0.0};
+  }
+  static Vec21 momentumOf(const PlayedLeg& leg) { return leg.u * restMass(leg.puck.body, leg.puck.j); }
+
+  double ofLegs(const PlayedLeg& one, const PlayedLeg& other, const std::array<std::size_t, 2>& who) {
     if (one.body.corners.empty() && other.body.corners.empty()) return 0.0;
     const double later = std::max(one.body.start.t, other.body.start.t),
                  size = one.body.radius + other.body.radius;
     if (later > until_ || later == 0.0) return 0.0;
-    // What was decided before turns one of them yet.
+    // What was decided before turns one of them yet: its own moment of that contact is past. Until then no contact
+    // that comes before it counts, and when it has turned they are looked at again.
     if (std::min(one.nextNumber, other.nextNumber) <= std::max(one.number, other.number)) return 0.0;
     if (std::min(one.nextSignal.t, other.nextSignal.t) <= later) return 0.0;
+    for (const PlayedLeg* leg : {&one, &other})
+      if (leg->next - leg->body.radius * leg->u.t <= later) return 0.0;
     if (one.next < kNever && one.nextNumber == other.nextNumber) return 0.0;
     const Vec21 sum = one.u + other.u;
     const Matrix frame = boost({sum.x / sum.t, sum.y / sum.t});
@@ -152,12 +201,22 @@ class ApproachCheck {
     ++tally_.touching;
     tally_.fastestDeeper =
         std::max(tally_.fastestDeeper, (depthAt(one.body, other.body, frame, begin + soon) - depth) / soon);
-    return closingByLaw(one, other);
+    const std::array<ShapedFlight, 2> flights{flightOn(one, outlines_[who[0]]),
+                                              flightOn(other, outlines_[who[1]])};
+    const auto earlier = earlierOf(one, other, who);
+    if (!earlier || passageSince(*earlier, flights[0], flights[1]) == Passage::apart)
+      return closingByLaw(one, other, flights, nullptr);
+    // They are still in each other or behind each other since they met, and on their way back.
+    ++tally_.inEachOther;
+    if (closingByLaw(one, other, flights, &*earlier) > 1e-6) ++tally_.goingDeeper;
+    return 0.0;
   }
 
   CornerTally& tally_;
   double until_;
   std::vector<std::vector<PlayedLeg>> legs_;
+  std::vector<std::optional<Outline>> outlines_;
+  std::map<std::array<std::size_t, 2>, std::vector<Meeting>> meetings_;
 };
 
 void drawRules(unsigned seed, std::mt19937_64& random, PhysicsRules& rules) {

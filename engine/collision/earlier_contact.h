@@ -1,0 +1,28 @@
+#pragma once
+// What is known of a pair from the contact at which it came together. c = 1.
+//
+// Light needs time from a contact to the centres, so that bodies go into each other before they turn, and thin ones
+// can come out behind each other: they must go back. Until they have parted, a corner (the centre of a disc) that is
+// in or behind the other body is known by its way: straight from where it was at that contact, as the other body sees
+// it. The side by which this way comes in is the one to which it belongs, however near another is, and what comes at a
+// side from behind does not touch it. Convex bodies that are through each other are free to turn there: to them the
+// sides count that look, by then, to where the other one was on the board.
+
+#include <array>
+
+#include "engine/collision/shaped_flight.h"
+
+namespace carom {
+
+/// Two flights and the contact at which they came together.
+struct EarlierContact {
+  std::array<ShapedFlight, 2> flights;
+  Vec21 event, n;       ///< PairContact's C and n
+  bool behind = false;  ///< they have been found to be through each other since
+};
+
+/// How two bodies have come from an earlier contact: apart; some corners, or the centre of a disc, into the other;
+/// or some through it.
+enum class Passage { apart, inside, through };
+
+}  // namespace carom
