@@ -295,7 +295,10 @@ const BodyDrawer::Choice& BodyDrawer::choose(const glm::dmat4& clipFromDrawn, do
   surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);
   choice.levels = surfaces_.digest();
   for (const ViewTime moment : kMoments) takeParts(moment, choice);  // ghosts last: they are transparent
-  uploaded_.insert(uploaded_.end(), surfaces_.indices().begin(), surfaces_.indices().end());
+  const auto& added = surfaces_.indices();
+  const std::size_t needed = uploaded_.size() + added.size();
+  if (needed > uploaded_.capacity()) uploaded_.reserve(2 * needed);  // more comes into sight frame by frame
+  uploaded_.insert(uploaded_.end(), added.begin(), added.end());
   return choice;
 }
 
