@@ -540,7 +540,7 @@ INSTANTIATE_TEST_SUITE_P(
               headset("lower_right = [120, 120, -240]", "lower_right = [-120, 120, -480]"), 4, 9,
               "the board does not face somebody who looks forward"},
         Fault{"a board that is no rectangle", headset("120, 120, -240], upper", "120, 150, -240], upper"), 4,
-              9, "misses the right angle"},
+              88, "misses the right angle"},
         Fault{"a board of too many pixels", headset("270, -240]", "270, -240], pixels = [640, 5000]"), 4, 122,
               "expected a whole number from 1 to 4096"}));
 
