@@ -294,6 +294,9 @@ void BodyDrawer::takeSurfaces(std::size_t number, Choice& choice) const {
 void BodyDrawer::appendSurfaces(Choice& choice) {
   constexpr std::size_t kVertexWords = sizeof(MeshVertex) / sizeof(std::uint32_t);
   static_assert(sizeof(MeshVertex) % sizeof(std::uint32_t) == 0);
+  const std::size_t most = uploaded_.size() + surfaces_.indices().size() + surfaces_.fineIndices().size() +
+                           (surfaces_.fineVertices().size() + 1) * kVertexWords;
+  if (most > uploaded_.capacity()) uploaded_.reserve(2 * most);  // more comes into sight frame by frame
   choice.tileIndices = uploaded_.size();
   uploaded_.insert(uploaded_.end(), surfaces_.indices().begin(), surfaces_.indices().end());
   choice.fineVertices = (uploaded_.size() + kVertexWords - 1) / kVertexWords;

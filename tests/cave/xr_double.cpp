@@ -1,5 +1,7 @@
 #include "xr_double.h"
 
+#include <dlfcn.h>
+
 #include <GL/glew.h>
 #include <GL/glx.h>
 #define XR_USE_PLATFORM_XLIB
@@ -7,6 +9,7 @@
 #include <openxr/openxr_platform.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -65,6 +68,7 @@ struct Runtime {
   bool isRunning = false, isAwaited = false, isBegun = false;
   XrTime time = kBegins_ns;
   XrDoubleFrame now;
+  std::int64_t located_ns = 0, ours_ns = 0, allocatedBefore = 0, allocated = 0;
   std::vector<std::string> paths{""};
   std::map<XrAction, std::string> actions;
   std::map<XrSpace, Space> spaces;
@@ -96,6 +100,15 @@ XrResult give(const std::vector<Item>& items, std::uint32_t capacity, std::uint3
   if (capacity < items.size()) return XR_ERROR_SIZE_INSUFFICIENT;
   std::copy(items.begin(), items.end(), out);
   return XR_SUCCESS;
+}
+
+std::int64_t now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+
+/// Returns how often `new` was asked for, if somebody counts.
+std::int64_t allocations() {
+  using Count = std::size_t();
+  static auto* const count = reinterpret_cast<Count*>(dlsym(RTLD_DEFAULT, "caromAllocationCount"));
+  return count ? static_cast<std::int64_t>(count()) : 0;
 }
 
 using Result = XrResult;
@@ -338,6 +351,7 @@ Result XRAPI_CALL locateViews(XrSession, const XrViewLocateInfo* info, XrViewSta
     out[eye].pose.position.y -= runtime.spaces.at(info->space).height_m;
     out[eye].fov = runtime.now.fov[eye];
   }
+  runtime.located_ns = now_ns();
   return XR_SUCCESS;
 }
 
@@ -442,6 +456,8 @@ void record(const XrDoubleEnd& end) {
   for (const auto& [hand, amplitude] : told.knocks) strongest = std::max(strongest, amplitude);
   told.knocks.clear();
   put(static_cast<std::int64_t>(1000.0F * strongest));
+  put(runtime.ours_ns);
+  put(runtime.allocated);
   put(std::int64_t{whole});
   for (std::size_t eye = 0; eye < 2 && whole; ++eye) {
     put(end.eyes[eye]);
@@ -456,6 +472,9 @@ Result XRAPI_CALL endFrame(XrSession, const XrFrameEndInfo* info) {
     return fault("a frame ends that was not begun", XR_ERROR_CALL_ORDER_INVALID);
   if (info->displayTime != runtime.time)
     return fault("a frame ends with another time than its own", XR_ERROR_TIME_INVALID);
+  glFinish();
+  runtime.ours_ns = now_ns() - runtime.located_ns;
+  runtime.allocated = allocations() - runtime.allocatedBefore;
   XrDoubleEnd end;
   end.displayTime = info->displayTime;
   end.layers = info->layerCount;
@@ -475,6 +494,7 @@ Result XRAPI_CALL endFrame(XrSession, const XrFrameEndInfo* info) {
   record(end);
   told.ends.push_back(std::move(end));
   beRude();
+  runtime.allocatedBefore = allocations();
   return XR_SUCCESS;
 }
 
