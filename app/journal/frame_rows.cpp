@@ -15,22 +15,13 @@ namespace carom {
 namespace {
 
 Names frameNames() {
-  Names names;
-  const FrameRecord record;
-  visitRecord(names, record);
-  return names;
+  return namesOf<FrameRecord>([](Names& names, const FrameRecord& record) { visitRecord(names, record); });
 }
 Names knotNames() {
-  Names names;
-  const Knot knot;
-  visitKnot(names, knot);
-  return names;
+  return namesOf<Knot>([](Names& names, const Knot& knot) { visitKnot(names, knot); });
 }
 Names eventNames() {
-  Names names;
-  const GameEvent event;
-  visitGameEvent(names, event);
-  return names;
+  return namesOf<GameEvent>([](Names& names, const GameEvent& event) { visitGameEvent(names, event); });
 }
 
 std::string framesOf(SQLite::Database& database, int version, const char* which) {

@@ -9,10 +9,8 @@ namespace carom {
 namespace {
 
 Names headsetNames() {
-  Names names;
-  const HeadsetState headset;
-  visitHeadset(names, headset);
-  return names;
+  return namesOf<HeadsetState>(
+      [](Names& names, const HeadsetState& headset) { visitHeadset(names, headset); });
 }
 
 SQLite::Database& created(SQLite::Database& database) {

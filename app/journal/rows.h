@@ -36,6 +36,14 @@ struct Names {
   }
 };
 
+/// Returns the names of the columns that `visit(row, record)` names, in its order.
+template <typename Record, typename Visit>
+Names namesOf(Visit visit) {
+  Names names;
+  visit(names, Record());
+  return names;
+}
+
 inline std::set<std::string> columnsOf(SQLite::Database& database, const char* table) {
   std::set<std::string> columns;
   SQLite::Statement row(database, "SELECT name FROM pragma_table_info(?)");

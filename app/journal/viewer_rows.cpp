@@ -15,10 +15,7 @@ namespace carom {
 namespace {
 
 Names viewerNames() {
-  Names names;
-  const ViewerState viewer;
-  visitViewer(names, viewer);
-  return names;
+  return namesOf<ViewerState>([](Names& names, const ViewerState& viewer) { visitViewer(names, viewer); });
 }
 
 template <typename Row>

@@ -8,8 +8,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kMostSamples = 4096;  // per frame; more than a device's queue holds
-constexpr double kButtonsWithin_s = 5.0;    // most devices send their state at once
+constexpr double kButtonsWithin_s = 5.0;  // most devices send their state at once
 constexpr const char* kWithoutWand = "the wand aims at nothing";
 
 void take(const Reading& reading, ButtonState& handles) {

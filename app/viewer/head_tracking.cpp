@@ -16,7 +16,6 @@ HeadTracking::HeadTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrac
       hand_(rig, viewer, trackers),
       name_(rig.trackers[setup_.sensor.tracker].name),
       standing_{rig.axes.up * kStandingEyes_m, {1.0, 0.0, 0.0, 0.0}} {
-  constexpr std::size_t kMostSamples = 4096;  // per frame; more than a device's queue holds
   samples_.reserve(kMostSamples);
   inputs_.reserve(kMostSamples);
 }

@@ -6,11 +6,6 @@
 #include "devices/setup/tracker_factory.h"
 
 namespace carom {
-namespace {
-
-constexpr std::size_t kMostSamples = 4096;  // per poll; more than a device's queue holds
-
-}  // namespace
 
 /// A tracker and what it delivered when it was last polled.
 struct SharedTrackers::Opened {

@@ -2,6 +2,7 @@
 // The trackers of a rig, each opened once, however many heads and hands follow it.
 
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "devices/tracker/tracker.h"
 
 namespace carom {
+
+/// How many samples or inputs of a tracker fit in one poll; more than a device's queue holds.
+inline constexpr std::size_t kMostSamples = 4096;
 
 class SharedTrackers {
  public:

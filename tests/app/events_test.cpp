@@ -2,39 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <sstream>
 
 #include "app/program.h"
+#include "app/table_rows.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
 namespace {
 
+using test::Row;
+using test::rowsOf;
 using test::runCarom;
 using test::TemporaryFolder;
 
 const std::string kTwoCushions = CAROM_CONFIG_DIR "/scenarios/two-cushions.toml";
-
-/// Rows of a CSV by the names of their columns; none of these fields holds a comma.
-std::vector<std::map<std::string, std::string>> rowsOf(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> names;
-  std::vector<std::map<std::string, std::string>> rows;
-  for (std::string line; std::getline(in, line);) {
-    std::vector<std::string> fields;
-    line += ',';
-    for (std::size_t at = 0, comma; at < line.size(); at = comma + 1)
-      fields.push_back(line.substr(at, (comma = line.find(',', at)) - at));
-    if (names.empty()) {
-      names = fields;
-      continue;
-    }
-    EXPECT_EQ(fields.size(), names.size()) << line;
-    for (std::size_t i = 0; i < std::min(fields.size(), names.size()); ++i)
-      (i == 0 ? rows.emplace_back() : rows.back())[names[i]] = fields[i];
-  }
-  return rows;
-}
 
 TEST(Events, TheTableSaysWhatIsFirstForWhom) {
   TemporaryFolder folder;
@@ -55,7 +36,7 @@ TEST(Events, TheCsvHoldsAllDigitsAndOrdersThatTurnRound) {
                           "0", "--place", "0", "-1.6", "0.95", "--csv", "-"});
     ASSERT_EQ(result.status, 0) << result.err;
     const auto rows = rowsOf(result.out);
-    std::vector<std::map<std::string, std::string>> bounces;
+    std::vector<Row> bounces;
     for (const auto& row : rows) {
       if (row.at("kind") == "puck-cushion" && bounces.size() < 2) bounces.push_back(row);
     }

@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <memory>
-#include <sstream>
 
 #include "app/program.h"
+#include "app/table_rows.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
@@ -15,31 +14,10 @@ namespace {
 using nlohmann::json;
 using test::contentOf;
 using test::exact;
+using test::Row;
+using test::rowsOf;
 using test::runCarom;
 using test::TemporaryFolder;
-
-using Row = std::map<std::string, std::string>;
-
-/// Rows of a CSV by the names of their columns; none of these fields holds a comma.
-std::vector<Row> rowsOf(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> names;
-  std::vector<Row> rows;
-  for (std::string line; std::getline(in, line);) {
-    std::vector<std::string> fields;
-    line += ',';
-    for (std::size_t at = 0, comma; at < line.size(); at = comma + 1)
-      fields.push_back(line.substr(at, (comma = line.find(',', at)) - at));
-    if (names.empty()) {
-      names = fields;
-      continue;
-    }
-    EXPECT_EQ(fields.size(), names.size()) << line;
-    Row& row = rows.emplace_back();
-    for (std::size_t i = 0; i < std::min(fields.size(), names.size()); ++i) row[names[i]] = fields[i];
-  }
-  return rows;
-}
 
 double numberIn(const Row& row, const std::string& name) { return std::stod(row.at(name)); }
 

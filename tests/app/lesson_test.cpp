@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/toml_file.h"
+#include "app/input_faults.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
@@ -226,90 +227,84 @@ TEST(LessonFile, PulsesAreRead) {
   EXPECT_EQ(scenario.pulses[0].path_m, (std::vector<Vec3>{{0, 0, 1}, {0, 0, 2}, {0, 0, 1}}));
 }
 
-struct Fault {
+/// A lesson with one piece of it changed.
+struct Change {
   const char* what;
-  std::string before, after;  ///< in the lesson
+  std::string before, after;
   int line, column;
   const char* words;
 };
-std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
-class LessonFaults : public ::testing::TestWithParam<Fault> {};
+std::ostream& operator<<(std::ostream& out, const Change& change) { return out << change.what; }
+class LessonFaults : public ::testing::TestWithParam<Change> {};
 
 TEST_P(LessonFaults, ArePlacedAndExplained) {
-  const Fault& fault = GetParam();
+  const Change& change = GetParam();
   std::string text =
       kHead + kLesson + "[[pulse]]\nname = 'light'\nat_s = 0\npath_m = [[0, 0, 1], [0, 0, 2]]\n";
-  const auto at = text.find(fault.before);
+  const auto at = text.find(change.before);
   ASSERT_NE(at, std::string::npos);
-  text.replace(at, fault.before.size(), fault.after);
-  try {
-    read(text);
-    FAIL() << "was taken: " << fault.what;
-  } catch (const InputErrors& error) {
-    EXPECT_EQ(error.line(), fault.line) << error.what();
-    EXPECT_EQ(error.column(), fault.column) << error.what();
-    EXPECT_NE(error.message().find(fault.words), std::string::npos) << error.what();
-    EXPECT_EQ(error.faults().size(), 1u) << error.faults().back().what();
-  }
+  text.replace(at, change.before.size(), change.after);
+  test::expectExplained({change.what, text, change.line, change.column, change.words}, read);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     OneByOne, LessonFaults,
     ::testing::Values(
-        Fault{"unknown key", "todo =", "tudo =", 7, 1, "unknown key 'tudo', expected 'todo'?"},
-        Fault{"nothing to notice", "notice = \"The clocks.\"\n", "", 3, 1, "notice is missing"},
-        Fault{"one answer", R"(["Neither", "Who stayed"])", R"(["Neither"])", 5, 11,
-              "1 answer here, expected answers = [...] with two to four"},
-        Fault{"five answers", R"(["Neither", "Who stayed"])", R"(["1", "2", "3", "4", "5"])", 5, 11,
-              "5 answers here"},
-        Fault{"no answers", "answers = [\"Neither\", \"Who stayed\"]\n", "", 3, 1, "0 answers here"},
-        Fault{"an answer that is none", R"("Neither")", "7", 5, 12, "answers[0] is a whole number"},
-        Fault{"an empty answer", R"("Neither")", "\"\"", 5, 12, "answers[0] is empty"},
-        Fault{"an answer too long", "Who stayed", std::string(Lesson::kAnswerLetters + 1, 'w'), 5, 23,
-              "answers[1] has 71 letters, expected 70 at most"},
-        Fault{"right beyond the answers", "right = 2", "right = 3", 6, 9, "right is 3, expected"},
-        Fault{"right before them", "right = 2", "right = 0", 6, 9, "right is 0, expected"},
-        Fault{"a question too long", "Who is older?", std::string(Lesson::kTextLetters + 1, 'w'), 4, 12,
-              "question has 161 letters, expected 160 at most"},
-        Fault{"a number too long", "10 s", std::string(Lesson::kNumberLetters, 'w'), 9, 10,
-              "number has 239 letters"},
-        Fault{"a view mistyped", "\"clocks\"", "\"clock\"", 10, 10,
-              "there is no view 'clock', expected 'clocks'?"},
-        Fault{"no array of views", R"(["clocks", "my-now"])", "1", 10, 9, "views is a whole number"},
-        Fault{"a moment before what is shown", "moment_s = 1.0", "moment_s = 0.4", 13, 12,
-              "moment_s is 0.4, which lies outside what the lesson shows, expected a time from 0.5 to 3"},
-        Fault{"a moment after it", "moment_s = 1.0", "moment_s = 3.1", 13, 12, "moment_s is 3.1, which lies"},
-        Fault{"no moment", "moment_s = 1.0\n", "", 3, 1, "moment_s is missing"},
-        Fault{"an end before the beginning", "until_s = 3.0", "until_s = 0.5", 12, 11,
-              "until_s is 0.5, expected a time after from_s"},
-        Fault{"an end of no time at all", "until_s = 3.0", "until_s = 0.0", 12, 11,
-              "until_s is 0, expected a number"},
-        Fault{"a lesson without end", "until_s = 3.0", "until_s = 1e6", 12, 11, "until_s is 1000000"},
-        Fault{"time that runs faster", "moment_s = 1.0", "moment_s = 1.0\nslowness = 0.5", 14, 12,
-              "slowness is 0.5"},
-        Fault{"an observer of light", "[[pulse]]",
-              "[[lesson.observer]]\nname = 'light'\nbeta = [1.0, 0, 0]\n[[pulse]]", 16, 8,
-              "beta has magnitude 1"},
-        Fault{"a stopwatch of a flash that is not there", "[[pulse]]",
-              "[[flash]]\nname = 'lamp'\nat_s = 1.0\nr_m = [0, 0, 0]\n[[lesson.stopwatch]]\nname = 'time'\n"
-              "starts = 'lamb'\n[[pulse]]",
-              20, 10, "there is no flash 'lamb', expected 'lamp'?"},
-        Fault{"a flash after the end", "[[pulse]]",
-              "[[flash]]\nname = 'lamp'\nat_s = 4.0\nr_m = [0, 0, 0]\n[[lesson.stopwatch]]\nname = 'time'\n"
-              "starts = 'lamp'\n[[pulse]]",
-              20, 10, "the flash 'lamp' is at 4 s, expected one that the lesson shows, up to 3 s"},
-        Fault{"a counter on nothing", "[[pulse]]",
-              "[[flash]]\nname = 'tick 1'\nat_s = 1.0\nr_m = [0, 0, 0]\n[[lesson.counter]]\nbody = 'clock'\n"
-              "flashes = 'tick'\n[[pulse]]",
-              19, 8, "there is no body 'clock'"},
-        Fault{"a pulse of one place", "[[0, 0, 1], [0, 0, 2]]", "[[0, 0, 1]]", 17, 10,
-              "path_m has one place, expected two places at least"},
-        Fault{"a pulse that stays", "[0, 0, 2]", "[0, 0, 1]", 17, 10, "path_m[1] is the place before it"},
-        Fault{"a place of two numbers", "[0, 0, 2]", "[0, 0]", 17, 22,
-              "path_m[1] is wrong, expected a place"},
-        Fault{"a place that is none", "[0, 0, 2]", "[0, 0, 'x']", 17, 29, "path_m[1][2] is a text"},
-        Fault{"a pulse without a way", "path_m = [[0, 0, 1], [0, 0, 2]]\n", "", 14, 1, "path_m is missing"},
-        Fault{"a pulse without a name", "name = 'light'\n", "", 14, 1, "name is missing"}));
+        Change{"unknown key", "todo =", "tudo =", 7, 1, "unknown key 'tudo', expected 'todo'?"},
+        Change{"nothing to notice", "notice = \"The clocks.\"\n", "", 3, 1, "notice is missing"},
+        Change{"one answer", R"(["Neither", "Who stayed"])", R"(["Neither"])", 5, 11,
+               "1 answer here, expected answers = [...] with two to four"},
+        Change{"five answers", R"(["Neither", "Who stayed"])", R"(["1", "2", "3", "4", "5"])", 5, 11,
+               "5 answers here"},
+        Change{"no answers", "answers = [\"Neither\", \"Who stayed\"]\n", "", 3, 1, "0 answers here"},
+        Change{"an answer that is none", R"("Neither")", "7", 5, 12, "answers[0] is a whole number"},
+        Change{"an empty answer", R"("Neither")", "\"\"", 5, 12, "answers[0] is empty"},
+        Change{"an answer too long", "Who stayed", std::string(Lesson::kAnswerLetters + 1, 'w'), 5, 23,
+               "answers[1] has 71 letters, expected 70 at most"},
+        Change{"right beyond the answers", "right = 2", "right = 3", 6, 9, "right is 3, expected"},
+        Change{"right before them", "right = 2", "right = 0", 6, 9, "right is 0, expected"},
+        Change{"a question too long", "Who is older?", std::string(Lesson::kTextLetters + 1, 'w'), 4, 12,
+               "question has 161 letters, expected 160 at most"},
+        Change{"a number too long", "10 s", std::string(Lesson::kNumberLetters, 'w'), 9, 10,
+               "number has 239 letters"},
+        Change{"a view mistyped", "\"clocks\"", "\"clock\"", 10, 10,
+               "there is no view 'clock', expected 'clocks'?"},
+        Change{"no array of views", R"(["clocks", "my-now"])", "1", 10, 9, "views is a whole number"},
+        Change{"a moment before what is shown", "moment_s = 1.0", "moment_s = 0.4", 13, 12,
+               "moment_s is 0.4, which lies outside what the lesson shows, expected a time from 0.5 to 3"},
+        Change{"a moment after it", "moment_s = 1.0", "moment_s = 3.1", 13, 12,
+               "moment_s is 3.1, which lies"},
+        Change{"no moment", "moment_s = 1.0\n", "", 3, 1, "moment_s is missing"},
+        Change{"an end before the beginning", "until_s = 3.0", "until_s = 0.5", 12, 11,
+               "until_s is 0.5, expected a time after from_s"},
+        Change{"an end of no time at all", "until_s = 3.0", "until_s = 0.0", 12, 11,
+               "until_s is 0, expected a number"},
+        Change{"a lesson without end", "until_s = 3.0", "until_s = 1e6", 12, 11, "until_s is 1000000"},
+        Change{"time that runs faster", "moment_s = 1.0", "moment_s = 1.0\nslowness = 0.5", 14, 12,
+               "slowness is 0.5"},
+        Change{"an observer of light", "[[pulse]]",
+               "[[lesson.observer]]\nname = 'light'\nbeta = [1.0, 0, 0]\n[[pulse]]", 16, 8,
+               "beta has magnitude 1"},
+        Change{"a stopwatch of a flash that is not there", "[[pulse]]",
+               "[[flash]]\nname = 'lamp'\nat_s = 1.0\nr_m = [0, 0, 0]\n[[lesson.stopwatch]]\nname = 'time'\n"
+               "starts = 'lamb'\n[[pulse]]",
+               20, 10, "there is no flash 'lamb', expected 'lamp'?"},
+        Change{"a flash after the end", "[[pulse]]",
+               "[[flash]]\nname = 'lamp'\nat_s = 4.0\nr_m = [0, 0, 0]\n[[lesson.stopwatch]]\nname = 'time'\n"
+               "starts = 'lamp'\n[[pulse]]",
+               20, 10, "the flash 'lamp' is at 4 s, expected one that the lesson shows, up to 3 s"},
+        Change{"a counter on nothing", "[[pulse]]",
+               "[[flash]]\nname = 'tick 1'\nat_s = 1.0\nr_m = [0, 0, 0]\n[[lesson.counter]]\nbody = 'clock'\n"
+               "flashes = 'tick'\n[[pulse]]",
+               19, 8, "there is no body 'clock'"},
+        Change{"a pulse of one place", "[[0, 0, 1], [0, 0, 2]]", "[[0, 0, 1]]", 17, 10,
+               "path_m has one place, expected two places at least"},
+        Change{"a pulse that stays", "[0, 0, 2]", "[0, 0, 1]", 17, 10, "path_m[1] is the place before it"},
+        Change{"a place of two numbers", "[0, 0, 2]", "[0, 0]", 17, 22,
+               "path_m[1] is wrong, expected a place"},
+        Change{"a place that is none", "[0, 0, 2]", "[0, 0, 'x']", 17, 29, "path_m[1][2] is a text"},
+        Change{"a pulse without a way", "path_m = [[0, 0, 1], [0, 0, 2]]\n", "", 14, 1, "path_m is missing"},
+        Change{"a pulse without a name", "name = 'light'\n", "", 14, 1, "name is missing"}));
 
 TEST(LessonFile, NamesOfPulsesAreTheirOwn) {
   const std::string pulse = "[[pulse]]\nname = 'light'\nat_s = 0\npath_m = [[0, 0, 1], [0, 0, 2]]\n";

@@ -13,6 +13,7 @@ namespace carom {
 namespace {
 
 using nlohmann::json;
+using test::answerOf;
 using test::exact;
 using test::runCarom;
 using test::sharedCases;
@@ -96,15 +97,6 @@ void checkSeen(const json& testCase, const json& point) {
   vectorNear(point["beta_at_emission"], expected["velocity_at_emission"], 1.0 / c, kVelocityRounding);
 }
 
-json observe(const TemporaryFolder& folder, const std::string& scenario,
-             const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"observe", folder.file("scenario.toml", scenario), "--json", "-"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const auto result = runCarom(folder, arguments);
-  EXPECT_EQ(result.status, 0) << result.err << scenario;
-  return result.status == 0 ? json::parse(result.out) : json();
-}
-
 TEST(Observe, SeesWhatExactCasesSay) {
   const json cases = sharedCases("emission.json");
   if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
@@ -119,10 +111,10 @@ TEST(Observe, SeesWhatExactCasesSay) {
       return exact(value.get<double>() / scale);
     };
     const json &r = input["observer"]["r"], &v = input["observer"]["v"], &xi = input["xi"];
-    const json found = observe(folder, scenarioOf(input),
-                               {"--event", number(input["observer"]["t"]), number(r[0]), number(r[1]),
-                                number(r[2]), "--beta", number(v[0], c), number(v[1], c), number(v[2], c),
-                                "--point", "it", number(xi[0]), number(xi[1]), number(xi[2])});
+    const json found = answerOf(folder, "observe", scenarioOf(input),
+                                {"--event", number(input["observer"]["t"]), number(r[0]), number(r[1]),
+                                 number(r[2]), "--beta", number(v[0], c), number(v[1], c), number(v[2], c),
+                                 "--point", "it", number(xi[0]), number(xi[1]), number(xi[2])});
     ASSERT_EQ(found["points"].size(), 1u);
     const json& point = found["points"][0];
     EXPECT_EQ(point["name"], "it");
@@ -164,7 +156,7 @@ TEST(Observe, SeesPointsOfSpinningBodiesWhereExactCasesSay) {
     arguments.push_back("--beta");
     for (const json& v : eye["v"]) arguments.push_back(exact(v.get<double>() / c));
     arguments.insert(arguments.end(), {"--point", "it", exact(xi[0]), exact(xi[1]), exact(xi[2])});
-    const json point = observe(folder, spinningScenarioOf(input), arguments)["points"][0];
+    const json point = answerOf(folder, "observe", spinningScenarioOf(input), arguments)["points"][0];
     ASSERT_EQ(point["status"], "seen");
     const auto near = [&](const json& found, const char* key, double scale = 1.0) {
       EXPECT_NEAR(found.get<double>(), expected[key].get<double>() * scale, tolerance[key].get<double>())
@@ -193,8 +185,8 @@ TEST(Observe, TurnsABodyByItsOwnClock) {
       "[[body.leg]]\nbeta = [0, 0, 0]\n[[body.leg]]\nfrom_s = 1\nbeta = [0, 0, 0.6]\n";
   const auto placeAt = [&](double t_s, double z_m) {
     const double way_s = 5.0 / 10.0;  // from the eye, 5 m above
-    const json found = observe(
-        folder, scenario,
+    const json found = answerOf(
+        folder, "observe", scenario,
         {"--event", exact(t_s + way_s), "0", "0", exact(z_m + 5.0), "--point", "disc", "1e-6", "0", "0"});
     return found["points"][0]["emission"]["r_m"];
   };
@@ -225,7 +217,7 @@ TEST(Observe, SeesEveryCentreUnlessTold) {
       "beta = [0.5, 0]\n[[body]]\nname = \"late\"\nat = { t_s = 0, r_m = [0, 0, 5] }\nappears_s = "
       "2\n[[body.leg]]\n"
       "beta = [0, 0, 0]\n";
-  const json found = observe(folder, scenario, {"--event", "6", "0", "0", "0.25"});
+  const json found = answerOf(folder, "observe", scenario, {"--event", "6", "0", "0", "0.25"});
   ASSERT_EQ(found["points"].size(), 2u);
   const json& puck = found["points"][0];
   EXPECT_EQ(puck["name"], "puck");
@@ -237,7 +229,8 @@ TEST(Observe, SeesEveryCentreUnlessTold) {
   EXPECT_NEAR(puck["doppler"].get<double>(), std::sqrt(0.75), kRounding);
   EXPECT_NEAR(puck["proper_time_s"].get<double>(), 3.0 * std::sqrt(0.75), kRounding);
   EXPECT_EQ(found["points"][1]["status"], "unseen") << "its first light needs until 6.75 s";
-  EXPECT_EQ(observe(folder, scenario, {"--event", "7", "0", "0", "0.25"})["points"][1]["status"], "seen");
+  EXPECT_EQ(answerOf(folder, "observe", scenario, {"--event", "7", "0", "0", "0.25"})["points"][1]["status"],
+            "seen");
 }
 
 // The light of a puck that has bounced reaches the eye from its new leg; while the news of the bounce
@@ -256,9 +249,9 @@ TEST(Observe, FollowsTheGame) {
   const double away_m = 10.0, z_m = 0.01;  // the eye lies on the track, at the height of the puck's centre
   for (const double after_s : {-0.25, 0.25}) {
     const json found =
-        observe(folder, scenario,
-                {"--event", exact(turn_s + after_s + away_m - x_m - (after_s < 0 ? 0.6 : -0.6) * after_s),
-                 exact(away_m), "0", exact(z_m)});
+        answerOf(folder, "observe", scenario,
+                 {"--event", exact(turn_s + after_s + away_m - x_m - (after_s < 0 ? 0.6 : -0.6) * after_s),
+                  exact(away_m), "0", exact(z_m)});
     const json& point = found["points"][0];
     constexpr double kRounding = 1e-12;
     EXPECT_NEAR(point["emission"]["t_s"].get<double>(), turn_s + after_s, kRounding);

@@ -39,6 +39,17 @@ inline std::string exact(double value) {
   return text;
 }
 
+/// Returns what a command that takes a scenario, given as text, answers as JSON; null, with the test failed, where it
+/// ends with an error.
+inline nlohmann::json answerOf(const TemporaryFolder& folder, const std::string& command,
+                               const std::string& scenario, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{command, folder.file("scenario.toml", scenario), "--json", "-"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const ProgramResult result = runCarom(folder, arguments);
+  EXPECT_EQ(result.status, 0) << result.err << scenario;
+  return result.status == 0 ? nlohmann::json::parse(result.out) : nlohmann::json();
+}
+
 /// The cases kept beside a working checkout; null, with the test skipped by the caller, where they are not.
 inline nlohmann::json sharedCases(const std::string& name) {
   std::ifstream file(std::string(CAROM_SHARED_DIR) + "/cases/" + name);

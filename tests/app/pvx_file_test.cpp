@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/import_faults.h"
 #include "app/room_import/room_check.h"
 #include "app/temporary_folder.h"
 
@@ -9,6 +10,7 @@ namespace carom {
 namespace {
 
 using test::TemporaryFolder;
+using Fault = test::ImportFault;
 
 Room read(const std::string& text) {
   const TemporaryFolder folder;
@@ -59,28 +61,9 @@ TEST(PvxFile, RanksAreThePlacesOfMachines) {
   EXPECT_EQ(room.eyeSeparation_m, 0.06);
 }
 
-struct Fault {
-  const char* what;
-  std::string text;
-  int line, column;
-  std::vector<const char*> words;
-  bool error = true;
-};
-
-std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
-
 class PvxFaults : public ::testing::TestWithParam<Fault> {};
 
-TEST_P(PvxFaults, ArePlacedAndExplained) {
-  const Room room = read(GetParam().text);
-  ASSERT_EQ(room.findings.size(), 1u) << (room.findings.empty() ? "none" : room.findings.back().text);
-  const Finding& finding = room.findings[0];
-  EXPECT_EQ(finding.at.line, GetParam().line) << finding.text;
-  EXPECT_EQ(finding.at.column, GetParam().column) << finding.text;
-  EXPECT_EQ(finding.kind == Finding::Kind::error, GetParam().error) << finding.text;
-  for (const char* words : GetParam().words)
-    EXPECT_NE(finding.text.find(words), std::string::npos) << finding.text;
-}
+TEST_P(PvxFaults, ArePlacedAndExplained) { test::expectFound(GetParam(), read(GetParam().text)); }
 
 const std::string kGood = machine(kFloor);
 

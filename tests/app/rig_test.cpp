@@ -9,12 +9,14 @@
 
 #include "app/files/rig_viewers.h"
 #include "app/files/toml_file.h"
+#include "app/input_faults.h"
 #include "app/temporary_folder.h"
 #include "cave/room/wall_eyes.h"
 
 namespace carom {
 namespace {
 
+using test::Fault;
 using test::TemporaryFolder;
 
 constexpr double kRounding_m = 1e-12;
@@ -378,28 +380,9 @@ TEST(Rig, WallsMayMissARectangleByTwoMillimetres) {
   EXPECT_THROW(read(kGood + "upper_right = [1500, 2002.1, -1500]\n"), InputErrors);
 }
 
-struct Fault {
-  const char* what;
-  std::string text;
-  int line, column;
-  const char* words;
-};
-
-std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
-
 class RigFaults : public ::testing::TestWithParam<Fault> {};
 
-TEST_P(RigFaults, ArePlacedAndExplained) {
-  try {
-    read(GetParam().text);
-    FAIL() << "was taken: " << GetParam().what;
-  } catch (const InputErrors& error) {
-    EXPECT_EQ(error.line(), GetParam().line) << error.what();
-    EXPECT_EQ(error.column(), GetParam().column) << error.what();
-    EXPECT_NE(error.message().find(GetParam().words), std::string::npos) << error.what();
-    EXPECT_EQ(error.faults().size(), 1u) << error.faults().back().what();
-  }
-}
+TEST_P(RigFaults, ArePlacedAndExplained) { test::expectExplained(GetParam(), read); }
 
 INSTANTIATE_TEST_SUITE_P(
     All, RigFaults,

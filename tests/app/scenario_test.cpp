@@ -7,11 +7,13 @@
 #include <random>
 
 #include "app/files/toml_file.h"
+#include "app/input_faults.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
 namespace {
 
+using test::Fault;
 using test::TemporaryFolder;
 
 constexpr double kRounding = 1e-12;  // of metres and seconds of order one
@@ -215,28 +217,9 @@ TEST(Scenario, PucksAndCushionsMayTouch) {
                InputErrors);
 }
 
-struct Fault {
-  const char* what;
-  std::string text;
-  int line, column;
-  const char* words;
-};
-
-std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
-
 class ScenarioFaults : public ::testing::TestWithParam<Fault> {};
 
-TEST_P(ScenarioFaults, ArePlacedAndExplained) {
-  try {
-    read(GetParam().text);
-    FAIL() << "was taken: " << GetParam().what;
-  } catch (const InputErrors& error) {
-    EXPECT_EQ(error.line(), GetParam().line) << error.what();
-    EXPECT_EQ(error.column(), GetParam().column) << error.what();
-    EXPECT_NE(error.message().find(GetParam().words), std::string::npos) << error.what();
-    EXPECT_EQ(error.faults().size(), 1u) << error.faults().back().what();
-  }
-}
+TEST_P(ScenarioFaults, ArePlacedAndExplained) { test::expectExplained(GetParam(), read); }
 
 const std::string kHead = "light_speed_m_s = 1\n";
 const std::string kPuck =

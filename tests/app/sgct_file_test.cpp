@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/import_faults.h"
 #include "app/room_import/room_check.h"
 #include "app/temporary_folder.h"
 
@@ -13,6 +14,7 @@ namespace carom {
 namespace {
 
 using test::TemporaryFolder;
+using Fault = test::ImportFault;
 
 Room read(const std::string& text) {
   const TemporaryFolder folder;
@@ -80,29 +82,9 @@ TEST(SgctFile, ViewportsShareTheirWindow) {
   EXPECT_EQ(room.walls[1].wall.name, "front-2");
 }
 
-struct Fault {
-  const char* what;
-  std::string text;
-  int line, column;
-  std::vector<const char*> words;
-  bool error = true;
-};
-
-std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.what; }
-
 class SgctFaults : public ::testing::TestWithParam<Fault> {};
 
-TEST_P(SgctFaults, ArePlacedAndExplained) {
-  const Room room = read(GetParam().text);
-  ASSERT_FALSE(room.findings.empty());
-  const Finding& finding = room.findings[0];
-  EXPECT_EQ(room.findings.size(), 1u) << finding.text << '\n' << room.findings.back().text;
-  EXPECT_EQ(finding.at.line, GetParam().line) << finding.text;
-  EXPECT_EQ(finding.at.column, GetParam().column) << finding.text;
-  EXPECT_EQ(finding.kind == Finding::Kind::error, GetParam().error) << finding.text;
-  for (const char* words : GetParam().words)
-    EXPECT_NE(finding.text.find(words), std::string::npos) << finding.text;
-}
+TEST_P(SgctFaults, ArePlacedAndExplained) { test::expectFound(GetParam(), read(GetParam().text)); }
 
 INSTANTIATE_TEST_SUITE_P(
     All, SgctFaults,

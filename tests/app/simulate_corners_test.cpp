@@ -13,19 +13,11 @@ namespace carom {
 namespace {
 
 using nlohmann::json;
+using test::answerOf;
 using test::exact;
 using test::runCarom;
 using test::sharedCases;
 using test::TemporaryFolder;
-
-json run(const TemporaryFolder& folder, const std::string& command, const std::string& scenario,
-         const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{command, folder.file("scenario.toml", scenario), "--json", "-"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const auto result = runCarom(folder, arguments);
-  EXPECT_EQ(result.status, 0) << result.err << scenario;
-  return result.status == 0 ? json::parse(result.out) : json();
-}
 
 std::string outlineText(const json& corners) {
   std::string text;
@@ -84,7 +76,7 @@ TEST(SimulateCorners, BodiesMeetAsExactCasesSay) {
   for (const json& testCase : cases["cases"]) {
     SCOPED_TRACE(testCase["id"].get<std::string>() + " " + testCase["input"]["group"].get<std::string>());
     const json &input = testCase["input"], &expected = testCase["expected"], &tolerance = testCase["tol"];
-    const json found = run(folder, "simulate", caseText(input), {"--until", exact(input["until"])});
+    const json found = answerOf(folder, "simulate", caseText(input), {"--until", exact(input["until"])});
     if (expected["status"] == "none") {
       EXPECT_EQ(found["collisions"].size(), 0u);
       continue;
@@ -118,7 +110,7 @@ TEST(SimulateCorners, SideOnSideIsSaid) {
   const TemporaryFolder folder;
   const std::string scenario = "light_speed_m_s = 1.42\n" + bar("left", "-0.3, 0", "beta = [0.6, 0]\n") +
                                bar("right", "0.3, 0", "beta = [-0.6, 0]\n");
-  const json found = run(folder, "simulate", scenario, {"--until", "2"});
+  const json found = answerOf(folder, "simulate", scenario, {"--until", "2"});
   ASSERT_EQ(found["collisions"].size(), 1u);
   EXPECT_EQ(found["collisions"][0]["side_on_side"], true);
   EXPECT_NEAR(found["collisions"][0]["contact"]["r_m"][0].get<double>(), 0.0, 1e-15);
@@ -139,9 +131,9 @@ TEST(SimulateCorners, CornersAreSeenAsPointsOfToldBodies) {
       bar("bar", "-0.3, 0.1", "height_m = 0.02\nbeta = [0.6, 0.2]\nspin_rad_s = 20\n") +
       "[[body]]\nname = \"told\"\nat = { t_s = 0, r_m = [-0.3, 0.1, 0.01] }\n"
       "spin_rad_s = 20\n[[body.leg]]\nbeta = [0.6, 0.2, 0]\n";
-  const json found = run(folder, "observe", scenario,
-                         {"--event", "2", "0.2", "-0.4", "0.3", "--beta", "0.3", "0.1", "0", "--point", "bar",
-                          "0.04", "0.01", "0.01", "--point", "told", "0.04", "0.01", "0.01"});
+  const json found = answerOf(folder, "observe", scenario,
+                              {"--event", "2", "0.2", "-0.4", "0.3", "--beta", "0.3", "0.1", "0", "--point",
+                               "bar", "0.04", "0.01", "0.01", "--point", "told", "0.04", "0.01", "0.01"});
   const json &puck = found["points"][0], &told = found["points"][1];
   for (const char* key : {"distance_m", "doppler", "proper_time_s"})
     EXPECT_NEAR(puck[key].get<double>(), told[key].get<double>(), 1e-11) << key;
@@ -219,12 +211,12 @@ TEST(SimulateCorners, MeshesCollideByTheirFootprints) {
     corners.push_back({scale * (x - 5.0 / 6.0), scale * (y - 5.0 / 6.0)});
   const double side = 0.06 / std::hypot(6.0, 2.0);
   const json bar{{-6 * side, -2 * side}, {6 * side, -2 * side}, {6 * side, 2 * side}, {-6 * side, 2 * side}};
-  const json meshes = run(folder, "simulate",
-                          pucks("mesh = \"bar.obj\"\noutline = \"mesh\"\nradius_m = 0.06\n",
-                                "mesh = \"angle.obj\"\noutline = \"mesh\"\nradius_m = 0.05\n"),
-                          {"--until", "0.9"});
+  const json meshes = answerOf(folder, "simulate",
+                               pucks("mesh = \"bar.obj\"\noutline = \"mesh\"\nradius_m = 0.06\n",
+                                     "mesh = \"angle.obj\"\noutline = \"mesh\"\nradius_m = 0.05\n"),
+                               {"--until", "0.9"});
   const json byHand =
-      run(folder, "simulate", pucks(outlineText(bar), outlineText(corners)), {"--until", "0.9"});
+      answerOf(folder, "simulate", pucks(outlineText(bar), outlineText(corners)), {"--until", "0.9"});
   ASSERT_GE(meshes["collisions"].size(), 1u);
   for (const char* key : {"beta", "r_m"})
     for (std::size_t puck = 0; puck < 2; ++puck)

@@ -12,19 +12,11 @@ namespace carom {
 namespace {
 
 using nlohmann::json;
+using test::answerOf;
 using test::exact;
 using test::runCarom;
 using test::sharedCases;
 using test::TemporaryFolder;
-
-json run(const TemporaryFolder& folder, const std::string& command, const std::string& scenario,
-         const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{command, folder.file("scenario.toml", scenario), "--json", "-"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const auto result = runCarom(folder, arguments);
-  EXPECT_EQ(result.status, 0) << result.err << scenario;
-  return result.status == 0 ? json::parse(result.out) : json();
-}
 
 std::string puckText(const std::string& name, const json& puck, double c, double x_m, double y_m) {
   return "[[puck]]\nname = \"" + name + "\"\nradius_m = " + exact(puck["R"]) +
@@ -85,8 +77,8 @@ TEST(SimulateSpin, RoughRimsKickAsExactCasesSay) {
       until_s = 0.3 + kFromCushion_m /
                           (n[0].get<double>() * v[0].get<double>() + n[1].get<double>() * v[1].get<double>());
     }
-    const json found = run(folder, "simulate", cushion ? cushionScenario(input) : pairScenario(input),
-                           {"--until", exact(until_s)});
+    const json found = answerOf(folder, "simulate", cushion ? cushionScenario(input) : pairScenario(input),
+                                {"--until", exact(until_s)});
     ASSERT_EQ(found["collisions"].size(), 1u);
     const json& collision = found["collisions"][0];
     double heat_kg = 0.0;
@@ -122,7 +114,8 @@ TEST(SimulateSpin, SaysSpinsAnglesAndRestMasses) {
   const double c = 1.42, R = 0.03, m = 0.2, omega = -30.0;
   const double f = omega * R / c, j = 0.5 * m * f / std::sqrt(1.0 - f * f);
   const std::string head = "light_speed_m_s = 1.42\n[[puck]]\n" + kDisc;
-  const json byRate = run(folder, "simulate", head + "spin_rad_s = -30\n", {"--until", "2", "--every", "1"});
+  const json byRate =
+      answerOf(folder, "simulate", head + "spin_rad_s = -30\n", {"--until", "2", "--every", "1"});
   const json& puck = byRate["pucks"][0];
   EXPECT_NEAR(puck["spin_kg_m2_s"].get<double>(), j * R * c, 1e-16);
   EXPECT_NEAR(puck["spin_rad_s"].get<double>(), omega, 1e-13);
@@ -137,7 +130,7 @@ TEST(SimulateSpin, SaysSpinsAnglesAndRestMasses) {
         1e-13);
   }
   const json byMomentum =
-      run(folder, "simulate", head + "spin_kg_m2_s = " + exact(j * R * c) + "\n", {"--until", "2"});
+      answerOf(folder, "simulate", head + "spin_kg_m2_s = " + exact(j * R * c) + "\n", {"--until", "2"});
   EXPECT_NEAR(byMomentum["pucks"][0]["spin_rad_s"].get<double>(), omega, 1e-13);
 }
 
@@ -148,9 +141,9 @@ TEST(SimulateSpin, PointsOfPucksAreSeenAsThoseOfToldBodies) {
       "light_speed_m_s = 1.42\n[[puck]]\n" + kDisc +
       "spin_rad_s = 42\n[[body]]\nname = \"told\"\nat = { t_s = 0, r_m = [-0.3, 0.1, 0.01] }\nspin_rad_s = "
       "42\n[[body.leg]]\nbeta = [0.6, 0.2, 0]\n";
-  const json found = run(folder, "observe", scenario,
-                         {"--event", "2", "0.2", "-0.4", "0.3", "--beta", "0.3", "0.1", "0", "--point",
-                          "disc", "0.02", "0.01", "0.005", "--point", "told", "0.02", "0.01", "0.005"});
+  const json found = answerOf(folder, "observe", scenario,
+                              {"--event", "2", "0.2", "-0.4", "0.3", "--beta", "0.3", "0.1", "0", "--point",
+                               "disc", "0.02", "0.01", "0.005", "--point", "told", "0.02", "0.01", "0.005"});
   const json &puck = found["points"][0], &told = found["points"][1];
   for (const char* key : {"distance_m", "doppler", "proper_time_s"})
     EXPECT_NEAR(puck[key].get<double>(), told[key].get<double>(), 1e-11) << key;
@@ -177,9 +170,9 @@ TEST(SimulateSpin, PointsGoOnThroughBouncesAndGlides) {
         friction + "\ncushion_friction = 0.3\nspin_deceleration_m_s2 = 0.7\n[[puck]]\n" + kDisc +
         "spin_rad_s = 40\n";
     const auto see = [&](double t_s) {
-      const json point = run(folder, "observe", scenario,
-                             {"--event", exact(t_s), "0", "0.1", "0.3", "--point", "disc", "0.021", "-0.018",
-                              "0.01"})["points"][0];
+      const json point = answerOf(folder, "observe", scenario,
+                                  {"--event", exact(t_s), "0", "0.1", "0.3", "--point", "disc", "0.021",
+                                   "-0.018", "0.01"})["points"][0];
       SeenPoint seen{};
       seen.t_s = point["emission"]["t_s"], seen.clock_s = point["proper_time_s"];
       double way_m2 = 0.0;

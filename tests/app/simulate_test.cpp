@@ -15,6 +15,7 @@ namespace carom {
 namespace {
 
 using nlohmann::json;
+using test::answerOf;
 using test::exact;
 using test::runCarom;
 using test::sharedCases;
@@ -32,12 +33,9 @@ std::string puckText(const std::string& name, double radius, double mass, const 
 
 json simulate(const TemporaryFolder& folder, const std::string& scenario, double until_s,
               const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments{
-      "simulate", folder.file("scenario.toml", scenario), "--until", exact(until_s), "--json", "-"};
+  std::vector<std::string> arguments{"--until", exact(until_s)};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  const auto result = runCarom(folder, arguments);
-  EXPECT_EQ(result.status, 0) << result.err << scenario;
-  return result.status == 0 ? json::parse(result.out) : json();
+  return answerOf(folder, "simulate", scenario, arguments);
 }
 
 void expectNear(const json& vector, double x, double y, double tolerance) {
