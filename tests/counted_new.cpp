@@ -41,3 +41,6 @@ namespace carom::test {
 std::size_t allocationCount() { return count; }
 std::size_t bytesHeld() { return held; }
 }  // namespace carom::test
+
+/// For a program into which this is loaded before others (LD_PRELOAD).
+extern "C" __attribute__((visibility("default"))) std::size_t caromAllocationCount() { return count; }

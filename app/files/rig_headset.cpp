@@ -60,8 +60,8 @@ void placeEyes(Rig& rig) {
     const double aside = side == Eye::left ? -0.5 : 0.5;
     const Vec3 place_m =
         rig.axes.up * kStandingEyes_m + aside * rig.viewers.front().head.eyeSeparation_m * rig.axes.right;
-    Wall wall = wallBefore({{place_m, {1.0, 0.0, 0.0, 0.0}}, {}},
-                           side == Eye::left ? "left-eye" : "right-eye", kEye_px);
+    Wall wall =
+        wallBefore({{place_m, {1.0, 0.0, 0.0, 0.0}}, {}}, kEyeWalls[side == Eye::left ? 0 : 1], kEye_px);
     wall.stereo = side == Eye::left ? StereoMode::left : StereoMode::right;
     wall.onHead = true;
     wall.pictureNames = {"headset"};

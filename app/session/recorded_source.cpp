@@ -29,7 +29,10 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart,
   }
   if (const auto frames = session.frames()) {  // the latest frame says until when the game is known
     session.goTo(std::min(last, frames->second));
-    if (session.next(frame)) look();
+    if (session.next(frame)) {
+      look();
+      game.headset = frame.record.headset;
+    }
   }
   game.news.record.truncateFrom_s = 0.0;
   game.news.record.eventsKept = 0;

@@ -16,10 +16,11 @@ namespace carom {
 
 /// The final state of a recorded game, without what later strokes invalidated.
 struct RecordedGame {
-  World world;            ///< with the complete game
-  FrameState news;        ///< the complete game in the form of a session's first frame
-  std::size_t pucks = 0;  ///< the pucks are bodies 1 to `pucks`
-  double known_s = 0.0;   ///< board time up to which every puck's motion is known
+  World world;                ///< with the complete game
+  FrameState news;            ///< the complete game in the form of a session's first frame
+  std::size_t pucks = 0;      ///< the pucks are bodies 1 to `pucks`
+  double known_s = 0.0;       ///< board time up to which every puck's motion is known
+  HeadsetState headset = {};  ///< of the latest frame
 };
 
 /// Reads the complete game, or the game as it was known in frame `last`. `atStart` are the histories of all

@@ -37,6 +37,19 @@ Scenario scenarioOf(Scenario scenario, const Visitor& visitor) {
   return scenario;
 }
 
+/// Returns the headset of a head whose eyes see as in `view`, with the displays of another that was worn.
+HeadsetState wornBy(const Pose& roomFromHead, const ObserverView& view, const HeadsetState& other) {
+  HeadsetState state = other;
+  const glm::dquat headFromRoom = glm::conjugate(headBetween(other.eyes).orientation);
+  for (const auto& [eye, side] : {std::pair(&state.eyes[0], Eye::left), {&state.eyes[1], Eye::right}})
+    eye->roomFromEye = {
+        view.of(side).positionInRoom_m,
+        glm::normalize(roomFromHead.orientation * headFromRoom * eye->roomFromEye.orientation)};
+  state.isWorn = 1;
+  state.velocityKnown = 0;
+  return state;
+}
+
 std::optional<double> lengthOf_s(const Visitor& visitor) {
   if (!visitor.trace) return std::nullopt;
   const std::vector<TrackerSample> samples = readTrace(*visitor.trace);
@@ -59,6 +72,7 @@ ReplayVisitorSource::ReplayVisitorSource(const Rig& rig, const Scenario& scenari
       lightSpeed_m_s_(scenario.billiard.lightSpeed_m_s),
       end_s_(lengthOf_s(visitor)),
       mayStay_(visitor.mayStay),
+      hasHeadset_(isHeadset(rig)),
       game_(std::move(game)) {}
 
 double ReplayVisitorSource::roomTimeOf_s(const ObserverView& view) const {
@@ -123,6 +137,8 @@ void ReplayVisitorSource::next(const FrameTimes& times, const FrameInput& input,
   record.pucks = game_.pucks;
   if (headset_) record.headset = viewers_.putOn(*headset_);
   record.observer = look(settings, times);
+  if (hasHeadset_ && !headset_)
+    record.headset = wornBy(viewers_.head(0).pose, record.observer, game_.headset);
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
   record.last = times.isLast || isLast(times, record.observer);

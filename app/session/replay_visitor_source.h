@@ -58,6 +58,7 @@ class ReplayVisitorSource : public FrameSource {
   double lightSpeed_m_s_;
   std::optional<double> end_s_;  ///< duration of the trace
   bool mayStay_;
+  bool hasHeadset_;  ///< the walls hang on the head, be it that of a trace
   RecordedGame game_;
   double roomTime_s_ = 0.0;       ///< of the head in the previous frame
   double display_s_ = 0.0;        ///< of the previous frame

@@ -98,7 +98,7 @@ void DisplayWalls::drawSession(const FrameRecord& record, const World& world, st
     for (WallEye& wallEye : wallEyes_) {
       if (wallEye.eye == ViewerEye{viewer, eye})
         pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next(),
-                             record.controls.latency ? &wallEye.timers : nullptr});
+                             record.controls.latency ? &wallEye.meters : nullptr});
     }
     session_->draw(record, world, record.observer, record.observer.of(eye), pictured_);
   }
@@ -248,10 +248,13 @@ void DisplayWalls::drawCalibrationPatterns(bool eyesSwapped) {
 std::span<const WallTime> DisplayWalls::drawingTimes() const {
   times_.clear();
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
-    WallTime& time = times_.emplace_back(WallTime{walls_[wall].name.c_str(), 0.0F});
+    WallTime& time = times_.emplace_back(WallTime{walls_[wall].name.c_str(), 0.0F, 0});
     for (std::size_t i = firstEyeOf_[wall]; i < firstEyeOf_[wall + 1]; ++i) {
-      const WallTimers& timers = wallEyes_[i].timers;
-      time.drawn_s += timers[0].median_s() + (split_ ? timers[1].median_s() : 0.0F);
+      for (std::size_t half = 0; half < (split_ ? 2U : 1U); ++half) {
+        const DrawingMeter& meter = wallEyes_[i].meters[half];
+        time.drawn_s += meter.timer.median_s();
+        time.triangles += meter.triangles;
+      }
     }
   }
   return times_;

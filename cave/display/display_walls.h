@@ -81,8 +81,8 @@ class DisplayWalls {
   /// pictures of an earlier frame. `over`: draws over the pictures, in a Gui; an empty function draws
   /// nothing.
   void show(const std::function<void()>& over = {});
-  /// Returns how long the graphics card draws the session on each wall, for all its eyes: measured while the
-  /// latency is shown.
+  /// Returns how long the graphics card draws the session on each wall, and how many triangles, for all its eyes:
+  /// measured while the latency is shown.
   std::span<const WallTime> drawingTimes() const;
   /// Waits until everything is drawn, so that a swap shows it at once.
   void awaitShown();
@@ -107,7 +107,7 @@ class DisplayWalls {
     std::size_t wall = 0;
     ViewerEye eye;
     FrameDelay pictures;
-    WallTimers timers;
+    WallMeters meters;
   };
   /// A window and the walls in it.
   struct WallWindow {

@@ -109,7 +109,7 @@ void EyeRenderer::drawPart(WallRenderer& renderer, Part part, const EyeView& eye
   parts_.clear();
   pictures_.clear();
   parts_.reserve(walls.size());
-  for (const auto& [wall, picture, timers] : walls) {
+  for (const auto& [wall, picture, meters] : walls) {
     const int middle_px = wall->pixels.x / 2;
     WallDrawing drawing;
     drawing.seenFromEye_m = eye.seenFromInRoom_m - eye.positionInRoom_m;
@@ -122,7 +122,7 @@ void EyeRenderer::drawPart(WallRenderer& renderer, Part part, const EyeView& eye
       drawn = &parts_.emplace_back(columnsOf(*wall, drawing.left_px, right_px));
     }
     pictures_.push_back(
-        {drawn, picture, drawing, timers ? &(*timers)[part == Part::right ? 1 : 0] : nullptr});
+        {drawn, picture, drawing, meters ? &(*meters)[part == Part::right ? 1 : 0] : nullptr});
   }
   renderer.draw(pictures_, eye.positionInRoom_m);
 }

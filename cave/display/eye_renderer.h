@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "cave/frame/frame_state.h"
-#include "cave/gl/gpu_timer.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
 #include "cave/render/spacetime_marks.h"
@@ -19,13 +18,13 @@
 namespace carom {
 
 /// Of one eye on one wall: of all of it or, while it is split, of its left half and its right.
-using WallTimers = std::array<GpuTimer, 2>;
+using WallMeters = std::array<DrawingMeter, 2>;
 
 /// A wall and the picture that is drawn for it; the wall has as many pixels as the picture.
 struct PicturedWall {
   const Wall* wall = nullptr;
   RenderTarget* picture = nullptr;
-  WallTimers* timers = nullptr;  ///< measure the drawing
+  WallMeters* meters = nullptr;
 };
 
 /// Returns the columns of `wall` from `left_px` up to `right_px` as a wall of its own.

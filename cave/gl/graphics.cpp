@@ -1,5 +1,7 @@
 #include "cave/gl/graphics.h"
 
+#include <malloc.h>
+
 #include <cstdlib>
 #include <stdexcept>
 
@@ -24,6 +26,14 @@ constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a graphics card that
                            "; start one, e.g. with: xvfb-run -a -s \"-screen 0 1920x1200x24\" COMMAND");
 }
 
+/// Keeps memory that a frame gives back for the next: what draws on the processor asks for some megabytes in every frame,
+/// whose new pages would cost more than what is written to them.
+void keepFreedMemory() {
+  constexpr int kMostKept = 256 << 20, kLargest = 32 << 20;  // bytes; larger pieces are pages of their own
+  mallopt(M_TRIM_THRESHOLD, kMostKept);
+  mallopt(M_MMAP_THRESHOLD, kLargest);
+}
+
 }  // namespace
 
 std::string lastGlfwError() {
@@ -38,6 +48,9 @@ void hintContext() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  // Pictures are copied into windows, which need no depth; where one has it, llvmpipe copies six times slower.
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
 }
 
 void awaitFence(const GlFence& fence) {
@@ -70,6 +83,7 @@ Graphics::Graphics(const std::string& display) {
   const std::string renderer = rendererName();
   for (const char* const known : {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"})
     inSoftware_ = inSoftware_ || renderer.find(known) != std::string::npos;
+  if (inSoftware_) keepFreedMemory();
 }
 
 Graphics::~Graphics() {

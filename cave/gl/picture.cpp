@@ -8,6 +8,12 @@
 
 namespace carom {
 
+// For a sized internal format Mesa's llvmpipe keeps to the order red, green, blue, and then copies into windows
+// at six times the price (tests/bench/README.md).
+void allocatePicture(const glm::ivec2& size_px) {
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size_px.x, size_px.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
+}
+
 RenderTarget::RenderTarget(const glm::ivec2& size_px) : size_px_(size_px) {
   GLint limit_px = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit_px);
@@ -16,7 +22,7 @@ RenderTarget::RenderTarget(const glm::ivec2& size_px) : size_px_(size_px) {
                                          size_px.x, size_px.y, limit_px));
   }
   glBindTexture(GL_TEXTURE_2D, texture_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  allocatePicture(size_px);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -42,6 +48,14 @@ void RenderTarget::clear(int left_px, int width_px) {
   if (!whole) glDisable(GL_SCISSOR_TEST);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   isBlack_ = whole;
+}
+
+void RenderTarget::fill(std::span<const std::uint32_t> pixels, int left_px, int width_px) {
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, left_px, 0, width_px, size_px_.y, GL_BGRA, GL_UNSIGNED_BYTE,
+                  pixels.data());
+  glBindTexture(GL_TEXTURE_2D, 0);
+  isBlack_ = false;
 }
 
 void RenderTarget::fill(std::span<const std::uint8_t> rgb) {

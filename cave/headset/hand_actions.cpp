@@ -1,16 +1,10 @@
 #include "cave/headset/hand_actions.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace carom::openxr {
 namespace {
-
-template <typename Info>
-Info infoOf(XrStructureType type) {
-  Info info{};
-  info.type = type;
-  return info;
-}
 
 XrActionStateGetInfo stateOf(XrAction action, XrPath hand) {
   auto info = infoOf<XrActionStateGetInfo>(XR_TYPE_ACTION_STATE_GET_INFO);
@@ -21,7 +15,8 @@ XrActionStateGetInfo stateOf(XrAction action, XrPath hand) {
 
 }  // namespace
 
-HandActions::HandActions(XrInstance instance, XrSession session) : instance_(instance), session_(session) {
+HandActions::HandActions(XrInstance instance, XrSession session, bool seesHands)
+    : instance_(instance), session_(session) {
   hands_ = {pathOf(instance, "/user/hand/left"), pathOf(instance, "/user/hand/right")};
   auto set = infoOf<XrActionSetCreateInfo>(XR_TYPE_ACTION_SET_CREATE_INFO);
   std::strcpy(set.actionSetName, "carom");
@@ -48,6 +43,7 @@ HandActions::HandActions(XrInstance instance, XrSession session) : instance_(ins
     check(instance, xrCreateActionSpace(session, &space, &aims_[hand]),
           "the headset's runtime follows no hands");
   }
+  if (seesHands) bare_.emplace(instance, session);
 }
 
 HandActions::~HandActions() { xrDestroyActionSet(set_); }
@@ -133,7 +129,14 @@ HeadsetHand HandActions::handAt(std::size_t hand, XrTime time, XrSpace room) {
     state.isTracked = true;
     state.roomFromAim = poseOf(place.pose);
   }
-  wasHeld_[hand] = state.trigger = isHeld(wasHeld_[hand], pulled(hand));
+  double pull = pulled(hand);
+  if (!state.isTracked && bare_) {
+    const BareHand& bare = bare_->at(hand, time, room);
+    state.isTracked = bare.isSeen;
+    state.roomFromAim = bare.roomFromPalm;
+    pull = std::max(pull, bare.pinched);
+  }
+  wasHeld_[hand] = state.trigger = isHeld(wasHeld_[hand], pull);
   state.first = isPressed(first_, hand);
   state.second = isPressed(second_, hand);
   state.menu = isPressed(menu_, hand);

@@ -1,16 +1,19 @@
 #pragma once
-// What OpenXR calls actions: the aim, trigger, buttons and stick of both hands, whichever controllers there are.
+// What OpenXR calls actions: the aim, trigger, buttons and stick of both hands, whichever controllers there are, or of bare hands.
 
 #include <array>
+#include <optional>
 
 #include "cave/frame/headset_frame.h"
+#include "cave/headset/bare_hands.h"
 #include "cave/headset/openxr.h"
 
 namespace carom::openxr {
 
 class HandActions {
  public:
-  HandActions(XrInstance instance, XrSession session);
+  /// `seesHands`: a hand without a controller is followed by its joints; a pinch is its trigger.
+  HandActions(XrInstance instance, XrSession session, bool seesHands);
   ~HandActions();
   HandActions(const HandActions&) = delete;
   HandActions& operator=(const HandActions&) = delete;
@@ -35,6 +38,7 @@ class HandActions {
   XrAction aim_{}, trigger_{}, select_{}, first_{}, second_{}, menu_{}, stick_{}, knock_{};
   std::array<XrSpace, 2> aims_{};
   std::array<bool, 2> wasHeld_{};
+  std::optional<BareHands> bare_;
 };
 
 }  // namespace carom::openxr

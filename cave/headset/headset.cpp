@@ -17,102 +17,17 @@
 
 #include "cave/headset/eye_images.h"
 #include "cave/headset/hand_actions.h"
+#include "cave/headset/instance.h"
 #include "cave/headset/openxr.h"
 
 namespace carom {
 namespace {
 
-using openxr::check;
-using openxr::listOf;
+using namespace openxr;
 
 constexpr double kStandingEyes_m = 1.7;  // above the floor, where the runtime knows no floor
 constexpr double kHalfSeparation_m = 0.032;
 constexpr const char* kLost = "the headset is lost";
-constexpr XrViewConfigurationType kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
-
-template <typename Info>
-Info infoOf(XrStructureType type) {
-  Info info{};
-  info.type = type;
-  return info;
-}
-
-/// An instance of OpenXR: the connection to a runtime.
-class Instance {
- public:
-  Instance() {
-    setenv("XR_LOADER_DEBUG", "none", 0);  // it writes pages about what is said here in a line
-    const auto offered =
-        listOf(infoOf<XrExtensionProperties>(XR_TYPE_EXTENSION_PROPERTIES),
-               [](std::uint32_t capacity, std::uint32_t* count, XrExtensionProperties* items) {
-                 return xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
-               });
-    std::vector<const char*> wanted;
-    const auto offers = [&](const char* name) {
-      return std::any_of(offered.begin(), offered.end(), [&](const XrExtensionProperties& extension) {
-        return std::strcmp(extension.extensionName, name) == 0;
-      });
-    };
-    if (offered.empty())
-      throw std::runtime_error(
-          "no OpenXR runtime is active, expected one such as Monado or SteamVR (XR_RUNTIME_JSON names "
-          "another than "
-          "the installed one)");
-    if (!offers(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME))
-      throw std::runtime_error("the headset's runtime lacks XR_KHR_opengl_enable, which drawing needs");
-    wanted.push_back(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME);
-    auto create = infoOf<XrInstanceCreateInfo>(XR_TYPE_INSTANCE_CREATE_INFO);
-    std::strcpy(create.applicationInfo.applicationName, "Carom");
-    create.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
-    create.enabledExtensionCount = static_cast<std::uint32_t>(wanted.size());
-    create.enabledExtensionNames = wanted.data();
-    check(XR_NULL_HANDLE, xrCreateInstance(&create, &handle_), "the headset's runtime does not start");
-  }
-  ~Instance() { xrDestroyInstance(handle_); }
-  Instance(const Instance&) = delete;
-  Instance& operator=(const Instance&) = delete;
-
-  operator XrInstance() const { return handle_; }
-
-  /// Returns the headset that the runtime knows.
-  XrSystemId system() const {
-    auto get = infoOf<XrSystemGetInfo>(XR_TYPE_SYSTEM_GET_INFO);
-    get.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
-    XrSystemId system = XR_NULL_SYSTEM_ID;
-    check(handle_, xrGetSystem(handle_, &get, &system),
-          "no headset is connected, expected one that is switched on");
-    return system;
-  }
-  std::string runtime() const {
-    auto about = infoOf<XrInstanceProperties>(XR_TYPE_INSTANCE_PROPERTIES);
-    if (XR_FAILED(xrGetInstanceProperties(handle_, &about))) return "an unknown runtime";
-    return fmt::format("{} {}.{}.{}", about.runtimeName, XR_VERSION_MAJOR(about.runtimeVersion),
-                       XR_VERSION_MINOR(about.runtimeVersion), XR_VERSION_PATCH(about.runtimeVersion));
-  }
-  XrSystemProperties about(XrSystemId system) const {
-    auto properties = infoOf<XrSystemProperties>(XR_TYPE_SYSTEM_PROPERTIES);
-    check(handle_, xrGetSystemProperties(handle_, system, &properties), "the headset says nothing of itself");
-    return properties;
-  }
-
- private:
-  XrInstance handle_ = XR_NULL_HANDLE;
-};
-
-/// Returns the pixels of an eye's picture that the runtime recommends, the same for both eyes.
-glm::ivec2 recommendedPixels(XrInstance instance, XrSystemId system) {
-  const auto views =
-      listOf(infoOf<XrViewConfigurationView>(XR_TYPE_VIEW_CONFIGURATION_VIEW),
-             [&](std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* items) {
-               return xrEnumerateViewConfigurationViews(instance, system, kStereo, capacity, count, items);
-             });
-  constexpr std::uint32_t kMost = 8192;
-  if (views.size() != 2 || views[0].recommendedImageRectWidth - 1 >= kMost ||
-      views[0].recommendedImageRectHeight - 1 >= kMost)
-    throw std::runtime_error("the headset has no two displays, expected one for each eye");
-  return {static_cast<int>(views[0].recommendedImageRectWidth),
-          static_cast<int>(views[0].recommendedImageRectHeight)};
-}
 
 /// The session of a headset, on the drawing context.
 class OwnedSession {
@@ -120,7 +35,7 @@ class OwnedSession {
   OwnedSession(const Instance& instance, XrSystemId system, const Graphics& graphics) {
     auto needs = infoOf<XrGraphicsRequirementsOpenGLKHR>(XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
     const auto ask =
-        openxr::entry<PFN_xrGetOpenGLGraphicsRequirementsKHR>(instance, "xrGetOpenGLGraphicsRequirementsKHR");
+        entry<PFN_xrGetOpenGLGraphicsRequirementsKHR>(instance, "xrGetOpenGLGraphicsRequirementsKHR");
     check(instance, ask ? ask(instance, system, &needs) : XR_ERROR_FUNCTION_UNSUPPORTED,
           "the headset's runtime does not say which OpenGL it needs");
     graphics.makeCurrent();
@@ -129,7 +44,7 @@ class OwnedSession {
     create.next = &binding;
     create.systemId = system;
     const XrResult result = xrCreateSession(instance, &create, &handle_);
-    openxr::takeBack(graphics);
+    takeBack(graphics);
     check(instance, result, "the headset's runtime does not let this program draw");
   }
   ~OwnedSession() { xrDestroySession(handle_); }
@@ -175,7 +90,7 @@ std::optional<HeadsetEye> eyeOf(const XrView& view) {
   if (!isWhole) return {};
   const auto tangent = [](float angle) { return std::tan(static_cast<double>(angle)); };
   return HeadsetEye{
-      openxr::poseOf(pose),
+      poseOf(pose),
       {tangent(fov.angleLeft), tangent(fov.angleRight), tangent(fov.angleDown), tangent(fov.angleUp)}};
 }
 
@@ -186,10 +101,10 @@ struct Headset::Session {
       : graphics(drawing),
         system(instance.system()),
         runtime(instance.runtime()),
-        name(instance.about(system).systemName),
-        pixels(recommendedPixels(instance, system)),
+        name(instance.nameOf(system)),
+        pixels(instance.recommendedPixels(system)),
         handle(instance, system, drawing),
-        hands(instance, handle),
+        hands(instance, handle, instance.followsHands(system)),
         images{{{instance, handle, pixels}, {instance, handle, pixels}}} {
     const auto kinds = listOf(XR_REFERENCE_SPACE_TYPE_LOCAL,
                               [&](std::uint32_t capacity, std::uint32_t* count, XrReferenceSpaceType* items) {
@@ -200,7 +115,7 @@ struct Headset::Session {
     room = hasFloor ? space(XR_REFERENCE_SPACE_TYPE_STAGE, 0.0)
                     : space(XR_REFERENCE_SPACE_TYPE_LOCAL, -kStandingEyes_m);
     head = space(XR_REFERENCE_SPACE_TYPE_VIEW, 0.0);
-    openxr::takeBack(graphics);
+    takeBack(graphics);
   }
 
   XrSpace space(XrReferenceSpaceType kind, double height_m) {
@@ -225,8 +140,8 @@ struct Headset::Session {
   std::string runtime, name;
   glm::ivec2 pixels;
   OwnedSession handle;
-  openxr::HandActions hands;
-  std::array<openxr::EyeImages, 2> images;
+  HandActions hands;
+  std::array<EyeImages, 2> images;
   bool hasFloor = false;
   XrSpace room = XR_NULL_HANDLE, head = XR_NULL_HANDLE;
 
@@ -282,7 +197,7 @@ void Headset::Session::take(const XrEventDataBuffer& event) {
 void Headset::Session::placeWithout(std::array<XrView, 2>& located) const {
   const glm::dvec3 middle_m = isKnown ? headBetween(eyes).position_m : glm::dvec3(0.0, kStandingEyes_m, 0.0);
   for (std::size_t eye = 0; eye < 2; ++eye) {
-    const glm::dquat attitude = openxr::poseOf(located[eye].pose).orientation;
+    const glm::dquat attitude = poseOf(located[eye].pose).orientation;
     const glm::vec3 place_m =
         middle_m + attitude * glm::dvec3(eye == 0 ? -kHalfSeparation_m : kHalfSeparation_m, 0.0, 0.0);
     located[eye].pose.position = {place_m.x, place_m.y, place_m.z};
@@ -340,7 +255,7 @@ void Headset::Session::end(bool withPictures) {
   end.layerCount = withPictures ? 1 : 0;
   end.layers = &layers;
   const XrResult result = xrEndFrame(handle, &end);
-  openxr::takeBack(graphics);
+  takeBack(graphics);
   if (result == XR_ERROR_SESSION_LOST || result == XR_ERROR_INSTANCE_LOST) endFor(kLost);
 }
 
@@ -362,7 +277,7 @@ std::optional<HeadsetFrame> Headset::nextFrame() {
   Session& session = *session_;
   if (session.state != State::running) return {};
   const XrResult result = xrWaitFrame(session.handle, nullptr, &session.waited);
-  openxr::takeBack(session.graphics);
+  takeBack(session.graphics);
   if (XR_FAILED(result) || XR_FAILED(xrBeginFrame(session.handle, nullptr))) {
     session.endFor(kLost);
     return {};
@@ -407,7 +322,7 @@ std::string aboutHeadsets() try {
   const Instance instance;
   const std::string runtime = instance.runtime();
   try {
-    return fmt::format("{}, by {}", instance.about(instance.system()).systemName, runtime);
+    return fmt::format("{}, by {}", instance.nameOf(instance.system()), runtime);
   } catch (const std::exception& error) {
     return fmt::format("{}; the runtime is {}", error.what(), runtime);
   }

@@ -41,7 +41,22 @@ double HeadsetPacer::stepTo(const HeadsetFrame& next) {
   const double step_s = 1e-9 * static_cast<double>(step_ns);
   if (!(step_s > 0.0)) return 0.0;
   display_s_ += step_s;
+  tellWhenLate(step_s, next);
   return isRunning_ && !next.isRecentred && step_s <= kLongestStep_s ? step_s : 0.0;
+}
+
+/// Says, the first time, that a frame comes much later than its display wants it. What is loaded at the beginning makes
+/// frames late that tell nothing.
+void HeadsetPacer::tellWhenLate(double step_s, const HeadsetFrame& next) {
+  constexpr double kPeriods = 5.0;
+  const double wanted_s = 1e-9 * static_cast<double>(next.untilNext_ns);
+  if (!isRunning_ || told_ < kFramesUntilTold || saidLate_ || !(step_s > kPeriods * wanted_s)) return;
+  saidLate_ = true;
+  log::warn(fmt::format(
+      "a frame came {:.0f} ms after the one before, expected one every {:.0f} ms: this computer is too slow "
+      "for "
+      "the headset, or was held up.{}",
+      1e3 * step_s, 1e3 * wanted_s, step_s > kLongestStep_s ? " Time stood still meanwhile." : ""));
 }
 
 /// Says once, when everything has had time to come, what the headset lacks.
@@ -49,7 +64,7 @@ void HeadsetPacer::tell() {
   hasVelocity_ = hasVelocity_ || frame_.runtimeVelocity_m_s;
   hasHands_ = hasHands_ || frame_.hands[0].isTracked || frame_.hands[1].isTracked;
   hasPosition_ = hasPosition_ || frame_.hasPosition;
-  if (++told_ != kFramesUntilTold) return;
+  if (told_ > kFramesUntilTold || ++told_ != kFramesUntilTold) return;
   if (!hasPosition_)
     log::warn(
         "the headset knows directions and no places: its wearer turns the head and stands still otherwise.");

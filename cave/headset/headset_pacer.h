@@ -30,6 +30,7 @@ class HeadsetPacer : public FramePacer {
  private:
   FrameTimes idle();
   double stepTo(const HeadsetFrame& next);
+  void tellWhenLate(double step_s, const HeadsetFrame& next);
   void tell();
 
   Headset& headset_;
@@ -38,6 +39,7 @@ class HeadsetPacer : public FramePacer {
   bool isRunning_ = false;  ///< the frame before was one of the headset's
   bool wasWorn_ = false;    ///< there has been one
   std::uint64_t told_ = 0;  ///< frames until it is said what the headset lacks
+  bool saidLate_ = false;   ///< that frames come too late
   bool hasVelocity_ = false, hasHands_ = false, hasPosition_ = false;
 };
 

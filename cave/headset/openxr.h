@@ -6,6 +6,7 @@
 #include <GL/glx.h>
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL
+#define XR_NO_PROTOTYPES
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
 
@@ -15,6 +16,28 @@
 #include "engine/base/pose.h"
 
 namespace carom::openxr {
+
+// The functions of OpenXR that are used. They are those of the loader, a library that is looked for when a headset is:
+// the program runs where there is none.
+// clang-format off
+#define CAROM_XR_CALLS(X)                                                                            \
+  X(AcquireSwapchainImage) X(ApplyHapticFeedback) X(AttachSessionActionSets) X(BeginFrame)           \
+  X(BeginSession) X(CreateAction) X(CreateActionSet) X(CreateActionSpace) X(CreateInstance)          \
+  X(CreateReferenceSpace) X(CreateSession) X(CreateSwapchain) X(DestroyActionSet) X(DestroyInstance) \
+  X(DestroySession) X(DestroySwapchain) X(EndFrame) X(EndSession)                                    \
+  X(EnumerateInstanceExtensionProperties) X(EnumerateReferenceSpaces) X(EnumerateSwapchainFormats)   \
+  X(EnumerateSwapchainImages) X(EnumerateViewConfigurationViews) X(GetActionStateBoolean)            \
+  X(GetActionStateFloat) X(GetActionStateVector2f) X(GetInstanceProcAddr) X(GetInstanceProperties)   \
+  X(GetSystem) X(GetSystemProperties) X(LocateSpace) X(LocateViews) X(PollEvent)                     \
+  X(ReleaseSwapchainImage) X(RequestExitSession) X(ResultToString) X(StringToPath)                   \
+  X(SuggestInteractionProfileBindings) X(SyncActions) X(WaitFrame) X(WaitSwapchainImage)
+// clang-format on
+#define CAROM_XR_CALL(name) extern PFN_xr##name xr##name;
+CAROM_XR_CALLS(CAROM_XR_CALL)
+#undef CAROM_XR_CALL
+
+/// Finds these functions. Throws std::runtime_error if there is no loader; call it before all others.
+void load();
 
 /// Throws std::runtime_error that says what could not be done ("the headset has no ...") and OpenXR's name of the
 /// fault, unless the result is a success.
@@ -38,6 +61,14 @@ std::vector<Item> listOf(const Item& empty, const Call& call) {
   if (count > 0 && XR_FAILED(call(count, &count, items.data()))) return {};
   items.resize(count);
   return items;
+}
+
+/// Returns a structure that says which it is, and nothing else.
+template <typename Info>
+Info infoOf(XrStructureType type) {
+  Info info{};
+  info.type = type;
+  return info;
 }
 
 XrPath pathOf(XrInstance instance, const char* text);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 #include <limits>
 #include <span>
 
@@ -61,12 +62,15 @@ std::vector<Triangle> trianglesOf(vtkPolyData& mesh) {
 }
 
 /// Orders triangles so that those of each chunk lie together, by halving them along the longest side of their
-/// box, and calls `chunk` for each.
-template <typename Chunk>
-void forEachChunk(std::span<Triangle> triangles, const Chunk& chunk) {
+/// box, and returns them. Halves of many are ordered at once.
+std::vector<std::span<Triangle>> chunksOf(std::span<Triangle> triangles) {
+  constexpr std::size_t kMany = 200000;
+  if (triangles.empty()) return {};
   if (triangles.size() <= kChunkTriangles) {
-    if (!triangles.empty()) chunk(triangles);
-    return;
+    // Neighbours in the mesh are neighbours in memory again, and share vertices soon.
+    std::sort(triangles.begin(), triangles.end(),
+              [](const Triangle& a, const Triangle& b) { return a.corners < b.corners; });
+    return {triangles};
   }
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   for (const Triangle& triangle : triangles) {
@@ -82,8 +86,12 @@ void forEachChunk(std::span<Triangle> triangles, const Chunk& chunk) {
                      if (a.sum_m[along] != b.sum_m[along]) return a.sum_m[along] < b.sum_m[along];
                      return a.corners < b.corners;
                    });
-  forEachChunk(triangles.first(half), chunk);
-  forEachChunk(triangles.subspan(half), chunk);
+  auto second = std::async(triangles.size() > kMany ? std::launch::async : std::launch::deferred, chunksOf,
+                           triangles.subspan(half));
+  std::vector<std::span<Triangle>> chunks = chunksOf(triangles.first(half));
+  const std::vector<std::span<Triangle>> others = second.get();
+  chunks.insert(chunks.end(), others.begin(), others.end());
+  return chunks;
 }
 
 /// Returns the sphere around the box of these vertices.
@@ -117,10 +125,7 @@ void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to) {
   std::vector<std::uint32_t> numbers(static_cast<std::size_t>(mesh.GetNumberOfPoints()), kUnused);
   to.vertices.reserve(to.vertices.size() + numbers.size());
   to.indices.reserve(to.indices.size() + 3 * triangles.size());
-  forEachChunk(triangles, [&](std::span<Triangle> chunk) {
-    // Neighbours in the mesh are neighbours in memory again, and share vertices soon.
-    std::sort(chunk.begin(), chunk.end(),
-              [](const Triangle& a, const Triangle& b) { return a.corners < b.corners; });
+  for (const std::span<const Triangle> chunk : chunksOf(triangles)) {
     const std::size_t firstIndex = to.indices.size();
     for (const Triangle& triangle : chunk) {
       for (const std::uint32_t corner : triangle.corners) {
@@ -132,7 +137,7 @@ void appendChunks(vtkPolyData& mesh, ChunkedMeshes& to) {
       }
     }
     to.chunks.push_back(chunkAround(to, firstIndex));
-  });
+  }
 }
 
 }  // namespace carom

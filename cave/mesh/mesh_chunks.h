@@ -10,18 +10,10 @@
 #include <vtkPolyData.h>
 #include <glm/vec3.hpp>
 
+#include "cave/mesh/mesh_vertex.h"
 #include "cave/mesh/surface_tiles.h"
 
 namespace carom {
-
-/// A vertex as the shaders take it. Body's rest frame, from its centre.
-struct MeshVertex {
-  glm::vec3 place_m{0.0F};
-  glm::vec3 normal{0.0F};
-  glm::vec3 surface{0.0F};  ///< for painting
-  /// The share of each lamp's light and of the hall's that reaches it, of 255.
-  std::array<std::uint8_t, 4> lit{255, 255, 255, 255};
-};
 
 /// A run of triangles or a tile, and a sphere around them in the body's rest frame.
 struct MeshChunk {
@@ -38,7 +30,8 @@ struct ChunkedMeshes {
   std::vector<std::uint32_t> indices;
   std::vector<MeshChunk> chunks;
   std::vector<SurfaceTile> tiles;
-  std::vector<TileDetail> edges;  ///< of the tiles
+  std::vector<MeshVertex> tileVertices;
+  std::vector<TileEdge> edges;  ///< of the tiles
 };
 
 /// Returns a point of a mesh with its normal and its tuples of the arrays "surface" and "lit"; where the mesh lacks

@@ -26,7 +26,6 @@
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkOutputWindow.h>
-#include <vtkPLYReader.h>
 #include <vtkPoints.h>
 #include <vtkSTLReader.h>
 #include <vtkTransform.h>
@@ -37,6 +36,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "cave/mesh/mesh_text.h"
+#include "cave/mesh/ply_file.h"
 #include "cave/process/subprocess.h"
 #include "engine/base/input_error.h"
 
@@ -126,38 +126,43 @@ std::string contentOf(const std::string& path) {
 
 /// Coordinates and corners as plain numbers.
 struct Triangles {
-  std::vector<double> places_m;    // x, y, z of each point
-  std::vector<vtkIdType> corners;  // three per triangle
+  std::vector<float> places_m;        // x, y, z of each point
+  std::vector<std::int32_t> corners;  // three per triangle
 };
 
-/// Throws, without the file's name, if there is anything other than triangles between points.
+/// Returns the triangles of a surface, without its other polygons; their corners are points. Throws, without the file's
+/// name, if a point is too far away.
 Triangles trianglesOf(vtkPolyData& surface) {
   Triangles triangles;
   const vtkIdType points = surface.GetNumberOfPoints();
+  triangles.places_m.reserve(3 * static_cast<std::size_t>(points));
   for (vtkIdType i = 0; i < points; ++i) {
     std::array<double, 3> p{};
     surface.GetPoint(i, p.data());
     constexpr double kFurthest = 1e9;
-    if (!std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) <= kFurthest; })) {
-      throw std::runtime_error(
-          fmt::format("point {} is at ({}, {}, {}), expected numbers up to 1e9", i, p[0], p[1], p[2]));
+    for (const double coordinate_m : p) {
+      if (!(std::abs(coordinate_m) <= kFurthest)) {
+        throw std::runtime_error(
+            fmt::format("point {} is at ({}, {}, {}), expected numbers up to 1e9", i, p[0], p[1], p[2]));
+      }
+      triangles.places_m.push_back(static_cast<float>(coordinate_m));
     }
-    triangles.places_m.insert(triangles.places_m.end(), p.begin(), p.end());
   }
+  triangles.corners.reserve(3 * static_cast<std::size_t>(surface.GetNumberOfPolys()));
   const auto cells = vtk::TakeSmartPointer(surface.GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
     cells->GetCurrentCell(count, ids);
-    for (vtkIdType i = 0; i < count; ++i) {
-      if (ids[i] < 0 || ids[i] >= points) {
-        throw std::runtime_error(
-            fmt::format("a polygon has corner {}, expected one of the {} points", ids[i], points));
-      }
-    }
-    if (count == 3) triangles.corners.insert(triangles.corners.end(), ids, ids + 3);
+    for (vtkIdType i = 0; count == 3 && i < count; ++i)
+      triangles.corners.push_back(static_cast<std::int32_t>(ids[i]));
   }
   return triangles;
+}
+
+/// Returns whether every cell is a triangle.
+bool hasOnlyTriangles(vtkPolyData& surface) {
+  return surface.GetNumberOfStrips() == 0 && surface.GetPolys()->IsHomogeneous() == 3;
 }
 
 /// Checks that there are points and that all corners are among them, before polygons and strips are divided
@@ -196,15 +201,18 @@ std::string readApart(const Reader& reader, const std::string& path) {
   bare->SetPolys(read->GetPolys());
   bare->SetStrips(read->GetStrips());
   vtkNew<vtkTriangleFilter> cut;
-  cut->SetInputData(bare);
-  cut->Update();
-  const Triangles triangles = trianglesOf(*cut->GetOutput());
+  if (!hasOnlyTriangles(*bare)) {
+    cut->SetInputData(bare);
+    cut->Update();
+  }
+  const Triangles triangles = trianglesOf(hasOnlyTriangles(*bare) ? *bare : *cut->GetOutput());
   const std::uint64_t points = triangles.places_m.size() / 3;
   std::string bytes(reinterpret_cast<const char*>(&points), sizeof points);
+  bytes.reserve(sizeof points + 4 * (triangles.places_m.size() + triangles.corners.size()));
   bytes.append(reinterpret_cast<const char*>(triangles.places_m.data()),
-               triangles.places_m.size() * sizeof(double));
+               triangles.places_m.size() * sizeof(float));
   bytes.append(reinterpret_cast<const char*>(triangles.corners.data()),
-               triangles.corners.size() * sizeof(vtkIdType));
+               triangles.corners.size() * sizeof(std::int32_t));
   return bytes;
 }
 
@@ -212,24 +220,24 @@ vtkSmartPointer<vtkPolyData> surfaceFrom(const std::string& bytes) {
   std::uint64_t count = 0;
   std::memcpy(&count, bytes.data(), sizeof count);
   const char* places = bytes.data() + sizeof count;
-  const char* corners = places + 3 * count * sizeof(double);
+  const char* corners = places + 3 * count * sizeof(float);
   const std::size_t triangles =
-      static_cast<std::size_t>(bytes.data() + bytes.size() - corners) / (3 * sizeof(vtkIdType));
+      static_cast<std::size_t>(bytes.data() + bytes.size() - corners) / (3 * sizeof(std::int32_t));
   vtkNew<vtkFloatArray> coordinates_m;
   coordinates_m->SetNumberOfComponents(3);
-  float* coordinate_m = coordinates_m->WritePointer(0, static_cast<vtkIdType>(3 * count));
-  for (std::size_t i = 0; i < 3 * count; ++i) {
-    double read_m = 0.0;
-    std::memcpy(&read_m, places + i * sizeof read_m, sizeof read_m);
-    coordinate_m[i] = static_cast<float>(read_m);
-  }
+  std::memcpy(coordinates_m->WritePointer(0, static_cast<vtkIdType>(3 * count)), places,
+              3 * count * sizeof(float));
   vtkNew<vtkPoints> points;
   points->SetData(coordinates_m);
   vtkNew<vtkIdTypeArray> ends, ids;
   vtkIdType* end = ends->WritePointer(0, static_cast<vtkIdType>(triangles + 1));
   for (std::size_t i = 0; i <= triangles; ++i) end[i] = static_cast<vtkIdType>(3 * i);
-  std::memcpy(ids->WritePointer(0, static_cast<vtkIdType>(3 * triangles)), corners,
-              3 * triangles * sizeof(vtkIdType));
+  vtkIdType* id = ids->WritePointer(0, static_cast<vtkIdType>(3 * triangles));
+  for (std::size_t i = 0; i < 3 * triangles; ++i) {
+    std::int32_t corner = 0;
+    std::memcpy(&corner, corners + i * sizeof corner, sizeof corner);
+    id[i] = corner;
+  }
   vtkNew<vtkCellArray> cells;
   cells->SetData(ends, ids);
   auto surface = vtkSmartPointer<vtkPolyData>::New();
@@ -251,11 +259,22 @@ std::pair<int, int> placeIn(const std::string& message) {
   return {1, 1};
 }
 
+/// Returns the triangles of what `reader` reads, in a process of its own.
+vtkSmartPointer<vtkPolyData> cutApart(const Reader& reader, const std::string& path) {
+  try {
+    return surfaceFrom(runInSubprocess([&] { return readApart(reader, path); }));
+  } catch (const SubprocessFailed& lost) {
+    throw InputError(path, 1, 1, std::string(lost.what()) + ", expected a file that is whole");
+  } catch (const std::runtime_error& error) {
+    const auto [line, column] = placeIn(error.what());
+    throw InputError(path, line, column, error.what());
+  }
+}
+
 vtkSmartPointer<vtkPolyData> readNow(const std::string& path) {
   static const std::map<std::string, Reader> kReaders{
       {".obj", readSurface<vtkOBJReader>},
       {".stl", readSurface<vtkSTLReader>},
-      {".ply", readSurface<vtkPLYReader>},
       {".vtk", readOutside<vtkDataSetReader>},
       {".vtp", readSurface<vtkXMLPolyDataReader>},
       {".vtu", readOutside<vtkXMLUnstructuredGridReader>},
@@ -265,19 +284,17 @@ vtkSmartPointer<vtkPolyData> readNow(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto reader = kReaders.find(ending);
-  if (reader == kReaders.end()) {
+  const auto known = kReaders.find(ending);
+  if (known == kReaders.end() && ending != ".ply") {
     throw InputError(path, 1, 1, fmt::format("is of no known kind, expected {}", kMeshEndings));
   }
-  checkMeshText(path, ending, contentOf(path));
   vtkSmartPointer<vtkPolyData> surface;
-  try {
-    surface = surfaceFrom(runInSubprocess([&] { return readApart(reader->second, path); }));
-  } catch (const SubprocessFailed& lost) {
-    throw InputError(path, 1, 1, std::string(lost.what()) + ", expected a file that is whole");
-  } catch (const std::runtime_error& error) {
-    const auto [line, column] = placeIn(error.what());
-    throw InputError(path, line, column, error.what());
+  if (ending == ".ply") {
+    surface = readPly(path, contentOf(path));
+    if (!hasOnlyTriangles(*surface)) surface = cutApart([&](const std::string&) { return surface; }, path);
+  } else {
+    checkMeshText(path, ending, contentOf(path));
+    surface = cutApart(known->second, path);
   }
   if (!(surface->GetLength() > 0.0)) {
     throw InputError(path, 1, 1, "all points are one, expected a mesh that has extent");

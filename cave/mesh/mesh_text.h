@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// Checks the `content` of the file at `path`, if its ending is .obj, .stl, .ply or .vtk (other files pass):
+/// Checks the `content` of the file at `path`, if its ending is .obj, .stl or .vtk (other files pass):
 /// every number is valid and finite, rows are complete, corners are among the points, and counts fit the
 /// file's size. Throws InputError (engine/base/input_error.h) at the first fault.
 void checkMeshText(const std::string& path, std::string_view ending, std::string_view content);

@@ -34,23 +34,6 @@ T mixed(const T& a, const T& b, const T& c, const T& d, float u, float v) {
   return (a * (1.0F - u) + b * u) * (1.0F - v) + (c * (1.0F - u) + d * u) * v;
 }
 
-glm::vec4 litOf(const MeshVertex& vertex) {
-  return {vertex.lit[0], vertex.lit[1], vertex.lit[2], vertex.lit[3]};
-}
-
-/// Returns the vertex at (u, v) of a cell with the corners a, b and, above them, c, d.
-MeshVertex within(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c, const MeshVertex& d, float u,
-                  float v) {
-  MeshVertex vertex;
-  vertex.place_m = mixed(a.place_m, b.place_m, c.place_m, d.place_m, u, v);
-  vertex.normal = mixed(a.normal, b.normal, c.normal, d.normal, u, v);
-  vertex.surface = mixed(a.surface, b.surface, c.surface, d.surface, u, v);
-  const glm::vec4 lit = mixed(litOf(a), litOf(b), litOf(c), litOf(d), u, v);
-  for (int k = 0; k < 4; ++k)
-    vertex.lit[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(lit[k]));
-  return vertex;
-}
-
 /// Widens the box to hold the place.
 void widen(Extent& extent, const glm::dvec3& place_m) {
   extent.low_m = glm::min(extent.low_m, place_m);
@@ -82,10 +65,13 @@ struct MeshTiles::Patch {
   const MeshVertex& at(const glm::ivec2& place) const { return vertices[number(place)]; }
 };
 
-MeshTiles::MeshTiles(ChunkedMeshes& to, int finer, Light light)
-    : to_(to), finer_(finer), light_(std::move(light)) {
-  while (finer >> (halvings_ + 1) > 0) ++halvings_;
-}
+/// The number of an edge, and whether its ends are in the other order than the tile has them.
+struct MeshTiles::EdgeOfTile {
+  std::uint32_t number;
+  bool turned;
+};
+
+MeshTiles::MeshTiles(ChunkedMeshes& to, Light light) : to_(to), light_(std::move(light)) {}
 
 /// Returns the level beyond which this part of a patch would be drawn with other light or another shape: on each
 /// coarser one, points that it leaves out are held against the straight lines that it draws instead.
@@ -113,59 +99,60 @@ int MeshTiles::coarsestOf(const Patch& patch, const glm::ivec2& corner, const gl
     const glm::ivec2 cell = glm::max(glm::min(glm::ivec2(1 << coarser), cells), glm::ivec2(1));
     for (int j = 0; j <= cells.y; ++j) {
       for (int i = 0; i <= cells.x; ++i) {
-        if (!agrees(cell, {i, j})) return halvings_ + coarser - 1;
+        if (!agrees(cell, {i, j})) return kBuiltLevel + coarser - 1;
       }
     }
   }
-  return halvings_ + kTileHalvings;
+  return kBuiltLevel + kTileHalvings;
 }
 
-std::uint32_t MeshTiles::edgeOf(const Patch& patch, const glm::ivec2& from, const glm::ivec2& step,
-                                int cells) {
+MeshTiles::EdgeOfTile MeshTiles::edgeOf(const Patch& patch, const glm::ivec2& from, const glm::ivec2& step,
+                                        int cells) {
   const glm::ivec2 to = from + cells * step;
   auto a = micrometres(patch.at(from).place_m), b = micrometres(patch.at(to).place_m);
-  if (b < a) std::swap(a, b);
+  const bool turned = b < a;
+  if (turned) std::swap(a, b);
   const auto middle = micrometres(patch.at(from + cells / 2 * step).place_m);
   const auto [found, isNew] =
       edges_.try_emplace(Key{a[0], a[1], a[2], b[0], b[1], b[2], middle[0], middle[1], middle[2]},
                          static_cast<std::uint32_t>(to_.edges.size()));
-  if (isNew) to_.edges.push_back({kNothing, 0.0, halvings_ + kTileHalvings});
-  TileDetail& edge = to_.edges[found->second];
-  edge.coarsest = std::min(edge.coarsest, coarsestOf(patch, from, cells * step));
-  for (int i = 0; i <= cells; ++i) widen(edge.extent, patch.at(from + i * step).place_m);
-  return found->second;
-}
-
-void MeshTiles::appendVertices(const Patch& patch, const glm::ivec2& corner, const glm::ivec2& cells) {
-  for (int j = 0; j <= cells.y * finer_; ++j) {
-    for (int i = 0; i <= cells.x * finer_; ++i) {
-      const glm::ivec2 cell = glm::min(glm::ivec2(i, j) / finer_, cells - 1);
-      const glm::vec2 share = glm::vec2(glm::ivec2(i, j) - cell * finer_) / static_cast<float>(finer_);
-      const glm::ivec2 at = corner + cell;
-      to_.vertices.push_back(within(patch.at(at), patch.at(at + glm::ivec2(1, 0)),
-                                    patch.at(at + glm::ivec2(0, 1)), patch.at(at + glm::ivec2(1, 1)), share.x,
-                                    share.y));
-    }
+  if (isNew) {
+    to_.edges.push_back({{kNothing, 0.0, kBuiltLevel + kTileHalvings}, {}});
+    to_.edges.back().cells.fill(kNothing);
   }
+  TileEdge& edge = to_.edges[found->second];
+  edge.detail.coarsest = std::min(edge.detail.coarsest, coarsestOf(patch, from, cells * step));
+  for (int i = 0; i <= cells; ++i) widen(edge.detail.extent, patch.at(from + i * step).place_m);
+  for (int i = 0; i < cells; ++i) {
+    Extent& cell = edge.cells[static_cast<std::size_t>(turned ? cells - 1 - i : i)];
+    widen(cell, patch.at(from + i * step).place_m);
+    widen(cell, patch.at(from + (i + 1) * step).place_m);
+  }
+  return {found->second, turned};
 }
 
 void MeshTiles::appendTile(const Patch& patch, const glm::ivec2& corner, const glm::ivec2& cells,
                            double largestCell_m) {
   SurfaceTile tile;
-  tile.firstVertex = static_cast<std::uint32_t>(to_.vertices.size());
-  tile.cells = {cells.x * finer_, cells.y * finer_};
-  appendVertices(patch, corner, cells);
+  tile.firstVertex = static_cast<std::uint32_t>(to_.tileVertices.size());
+  tile.cells = {cells.x, cells.y};
   const glm::ivec2 u(1, 0), v(0, 1);
-  tile.edges = {edgeOf(patch, corner, u, cells.x), edgeOf(patch, corner + cells * v, u, cells.x),
-                edgeOf(patch, corner, v, cells.y), edgeOf(patch, corner + cells * u, v, cells.y)};
+  const std::array<EdgeOfTile, 4> edges{
+      edgeOf(patch, corner, u, cells.x), edgeOf(patch, corner + cells * v, u, cells.x),
+      edgeOf(patch, corner, v, cells.y), edgeOf(patch, corner + cells * u, v, cells.y)};
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    tile.edges[i] = edges[i].number;
+    tile.turned[i] = edges[i].turned;
+  }
   tile.detail = {kNothing, 0.0, coarsestOf(patch, corner, cells)};
   for (int j = 0; j <= cells.y; ++j) {
     for (int i = 0; i <= cells.x; ++i) {
       const glm::ivec2 at = corner + glm::ivec2(i, j);
+      to_.tileVertices.push_back(patch.at(at));
       widen(tile.detail.extent, patch.at(at).place_m);
       if (i == 0 || j == 0) continue;
       const auto across_m = [&](const glm::ivec2& p, const glm::ivec2& q) {
-        return static_cast<double>(glm::distance(patch.at(p).place_m, patch.at(q).place_m)) / finer_;
+        return static_cast<double>(glm::distance(patch.at(p).place_m, patch.at(q).place_m)) / kMostParts;
       };
       tile.detail.cell_m = std::max({tile.detail.cell_m, across_m(at, at - 1), across_m(at - u, at - v)});
     }
@@ -173,7 +160,7 @@ void MeshTiles::appendTile(const Patch& patch, const glm::ivec2& corner, const g
   while (tile.detail.coarsest > 0 && tile.detail.cell_m * (1 << tile.detail.coarsest) > largestCell_m)
     --tile.detail.coarsest;
   for (const std::uint32_t edge : tile.edges)
-    to_.edges[edge].cell_m = std::max(to_.edges[edge].cell_m, tile.detail.cell_m);
+    to_.edges[edge].detail.cell_m = std::max(to_.edges[edge].detail.cell_m, tile.detail.cell_m);
   const Extent& box = tile.detail.extent;
   to_.chunks.push_back({0, 0, static_cast<std::uint32_t>(to_.tiles.size()), 0.5 * (box.low_m + box.high_m),
                         0.5 * glm::distance(box.low_m, box.high_m)});

@@ -20,9 +20,9 @@ bool hasPatches(vtkPolyData& mesh);
 class MeshTiles {
  public:
   using Light = std::function<double(const MeshVertex&)>;
-  /// Appends to `to`, which it keeps a reference to. Each cell of a mesh is divided into `finer` × `finer` (a power of
-  /// two); `light` is what falls on a vertex, 1 being about as much as on the cloth under a lamp.
-  MeshTiles(ChunkedMeshes& to, int finer, Light light);
+  /// Appends to `to`, which it keeps a reference to. `light` is what falls on a vertex, 1 being about as much as on the
+  /// cloth under a lamp.
+  MeshTiles(ChunkedMeshes& to, Light light);
 
   /// Appends the tiles of a mesh, each as one chunk, whose cells may be drawn as large as `largestCell_m`, in addition
   /// to what shape and light allow. Edges that tiles have in common, of this mesh or an earlier one, get one number.
@@ -33,13 +33,11 @@ class MeshTiles {
   using Key = std::array<long long, 9>;
   void appendTile(const Patch& patch, const glm::ivec2& corner, const glm::ivec2& cells,
                   double largestCell_m);
-  void appendVertices(const Patch& patch, const glm::ivec2& corner, const glm::ivec2& cells);
-  std::uint32_t edgeOf(const Patch& patch, const glm::ivec2& from, const glm::ivec2& step, int cells);
+  struct EdgeOfTile;
+  EdgeOfTile edgeOf(const Patch& patch, const glm::ivec2& from, const glm::ivec2& step, int cells);
   int coarsestOf(const Patch& patch, const glm::ivec2& corner, const glm::ivec2& cells) const;
 
   ChunkedMeshes& to_;
-  int finer_;
-  int halvings_ = 0;  // of a cell: finer_ is 2 to its power
   Light light_;
   std::map<Key, std::uint32_t> edges_;
 };

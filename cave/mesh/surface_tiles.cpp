@@ -1,9 +1,13 @@
 #include "cave/mesh/surface_tiles.h"
 
+#include <cmath>
+
+#include <glm/vec4.hpp>
+
 namespace carom {
 namespace {
 
-/// Points along a line of a tile: point i is the vertex first + i·stride, at the place from + i·step along the line.
+/// Points along a line of a grid: point i is the vertex first + i·stride, at the place from + i·step along the line.
 struct Row {
   std::uint32_t first;
   int stride;
@@ -30,6 +34,30 @@ void zip(const Row& right, const Row& left, bool mirrored, std::vector<std::uint
   }
 }
 
+/// A vertex between others, all in floats.
+struct Mixed {
+  glm::vec3 place_m, normal, surface;
+  glm::vec4 lit;
+};
+
+Mixed mixedOf(const MeshVertex& vertex) {
+  const auto& lit = vertex.lit;
+  return {vertex.place_m, vertex.normal, vertex.surface, glm::vec4(lit[0], lit[1], lit[2], lit[3])};
+}
+
+Mixed mixed(const Mixed& a, const Mixed& b, float share) {
+  const float rest = 1.0F - share;
+  return {a.place_m * rest + b.place_m * share, a.normal * rest + b.normal * share,
+          a.surface * rest + b.surface * share, a.lit * rest + b.lit * share};
+}
+
+MeshVertex vertexOf(const Mixed& mixed) {
+  MeshVertex vertex{mixed.place_m, mixed.normal, mixed.surface, {}};
+  for (int k = 0; k < 4; ++k)
+    vertex.lit[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(mixed.lit[k] + 0.5F);
+  return vertex;
+}
+
 }  // namespace
 
 int tiledCells(int cells) {
@@ -39,12 +67,12 @@ int tiledCells(int cells) {
   return power;
 }
 
-void appendTriangles(const SurfaceTile& tile, int level, const std::array<int, 4>& edgeLevels,
+void appendTriangles(const VertexGrid& grid, int level, const std::array<int, 4>& edgeLevels,
                      std::vector<std::uint32_t>& indices) {
-  const int width = tile.cells[0], height = tile.cells[1], row = width + 1;
+  const int width = grid.cells[0], height = grid.cells[1], row = width + 1;
   const int nu = segmentsOf(width, level), nv = segmentsOf(height, level), du = width / nu, dv = height / nv;
   const auto vertex = [&](int i, int j) {
-    return tile.firstVertex + static_cast<std::uint32_t>(j * row + i);
+    return grid.firstVertex + static_cast<std::uint32_t>(j * row + i);
   };
   const auto alongU = [&](int j, int edge) {
     const int count = segmentsOf(width, edgeLevels[static_cast<std::size_t>(edge)]), step = width / count;
@@ -65,6 +93,19 @@ void appendTriangles(const SurfaceTile& tile, int level, const std::array<int, 4
     const Row below{vertex(du, j * dv), du, nu - 1, du, du};
     const Row above{vertex(du, (j + 1) * dv), du, nu - 1, du, du};
     zip(below, above, false, indices);
+  }
+}
+
+void appendVertices(const std::array<const MeshVertex*, 4>& corners, int parts,
+                    std::vector<MeshVertex>& vertices) {
+  const Mixed a = mixedOf(*corners[0]), b = mixedOf(*corners[1]), c = mixedOf(*corners[2]),
+              d = mixedOf(*corners[3]);
+  const float step = 1.0F / static_cast<float>(parts);  // exact: a power of two
+  for (int j = 0; j <= parts; ++j) {
+    const float v = step * static_cast<float>(j);
+    const Mixed left = mixed(a, c, v), right = mixed(b, d, v);
+    for (int i = 0; i <= parts; ++i)
+      vertices.push_back(vertexOf(mixed(left, right, step * static_cast<float>(i))));
   }
 }
 

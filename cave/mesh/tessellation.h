@@ -31,6 +31,8 @@ namespace carom {
 /// from its edges in its rest frame.
 inline constexpr double kFastestHead_beta = 0.95;
 inline constexpr double kNearestEye_m = 0.5;
+/// The nearest that an eye comes to what rests, which has levels (cave/mesh/surface_tiles.h).
+inline constexpr double kNearestToSurface_m = 0.1;
 
 /// Returns the largest angle, at the eye, between the drawn middle of an edge of this length and the seen
 /// edge, in radians: the worst case over all eyes at least `nearest_m` from the edge and all motions up to
@@ -55,9 +57,6 @@ struct Tessellation {
   /// The most vertices of all bodies that do not rest on the board together, shared out evenly. Edges that would need
   /// more vertices stay longer than they should be.
   std::size_t mostVertices = 50000;
-  /// What rests has levels (cave/mesh/surface_tiles.h), of which only as much is drawn as an eye needs: the finest
-  /// may have so many times as many vertices.
-  static constexpr std::size_t kMostOfLevels = 40;
 
   /// Returns the longest edge that is off by at most half a pixel.
   double edge_m() const { return longestEdge_m(0.5 * pixel_rad); }

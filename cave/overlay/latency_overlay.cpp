@@ -90,17 +90,18 @@ void drawNodes(const LatencyView& view) {
   ImGui::EndTable();
 }
 
-/// Draws what is known: a driver without timer queries says nothing.
+/// Draws a row for each wall; a driver without timer queries leaves the times empty.
 void drawWalls(std::span<const WallTime> walls) {
-  const auto isKnown = [](const WallTime& wall) { return !std::isnan(wall.drawn_s); };
-  if (std::none_of(walls.begin(), walls.end(), isKnown)) return;
-  if (!ImGui::BeginTable("##walls", 2, ImGuiTableFlags_SizingFixedFit)) return;
+  if (walls.empty()) return;
+  if (!ImGui::BeginTable("##walls", 3, ImGuiTableFlags_SizingFixedFit)) return;
   for (const char* name : texts::latency::kWallColumns) ImGui::TableSetupColumn(name);
   ImGui::TableHeadersRow();
   for (const WallTime& wall : walls) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(wall.wall);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(fmt::format("{:>11}", wall.triangles).c_str());
     number_ms(wall.drawn_s);
   }
   ImGui::EndTable();

@@ -28,10 +28,11 @@ struct LatencyView {
   std::vector<Node> nodes;
 };
 
-/// How long the graphics card takes for one wall's pictures.
+/// What one wall's pictures take.
 struct WallTime {
   const char* wall = nullptr;
-  float drawn_s = 0.0F;  ///< NaN while that is not known
+  float drawn_s = 0.0F;  ///< by the graphics card; NaN while that is not known
+  std::size_t triangles = 0;
 };
 
 /// Draws in the upper left corner of the window, between a Gui's begin and end.

@@ -62,8 +62,7 @@ void PanelPicture::draw(const RenderTarget& picture, const glm::ivec2& from_px, 
   blendOver();
   glUseProgram(program_);
   glBindVertexArray(vertexArray_);
-  glBindTexture(GL_TEXTURE_2D, texture_);
-  glUniform1i(glGetUniformLocation(program_, "words"), 0);
+  glBindTexture(GL_TEXTURE_2D, texture_);  // of the first unit, as a sampler begins
   glViewport(from_px.x, from_px.y, static_cast<int>(std::lround(size_px_.x * stretch)), size_px_.y);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

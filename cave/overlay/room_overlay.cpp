@@ -42,7 +42,15 @@ double warningAt(double distance_m) {
 }
 
 RoomOverlay::RoomOverlay()
-    : program_(makeProgram("warning grid", shaders::stereo_vert, shaders::grid_frag)) {}
+    : program_(makeProgram("warning grid", shaders::stereo_vert, shaders::grid_frag)),
+      sizeAt_(glGetUniformLocation(program_, "size_m")),
+      warningsAt_(glGetUniformLocation(program_, "warnings")) {
+  glUseProgram(program_);
+  setUniform(program_, "step_m", static_cast<float>(kGrid_m));
+  setUniform(program_, "halfLine_m", static_cast<float>(kHalfLine_m));
+  setUniform(program_, "reach_m", static_cast<float>(kReach_m));
+  glUseProgram(0);
+}
 
 void RoomOverlay::draw(const RoomGeometry& room, const Wall& wall, bool isFront,
                        const glm::dvec3& eyeInRoom_m, const FrameRecord& record,
@@ -60,11 +68,8 @@ void RoomOverlay::drawGrid(const Wall& wall, const FrameRecord& record, const Re
   blendOver();
   glUseProgram(program_);
   glBindVertexArray(vertexArray_);
-  glUniform2fv(glGetUniformLocation(program_, "size_m"), 1, glm::value_ptr(glm::vec2(sizeOf_m(wall))));
-  glUniform3fv(glGetUniformLocation(program_, "warnings"), 2, glm::value_ptr(warnings[0]));
-  glUniform1f(glGetUniformLocation(program_, "step_m"), static_cast<float>(kGrid_m));
-  glUniform1f(glGetUniformLocation(program_, "halfLine_m"), static_cast<float>(kHalfLine_m));
-  glUniform1f(glGetUniformLocation(program_, "reach_m"), static_cast<float>(kReach_m));
+  glUniform2fv(sizeAt_, 1, glm::value_ptr(glm::vec2(sizeOf_m(wall))));
+  glUniform3fv(warningsAt_, 2, glm::value_ptr(warnings[0]));
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -64,6 +64,7 @@ class RoomOverlay {
   void addBars(const Wall& wall, const glm::dvec3& eyes_m);
 
   GlProgram program_;
+  int sizeAt_, warningsAt_;  // places of its uniforms
   GlVertexArray vertexArray_;
   LineBatch ribbons_;
   std::vector<Ribbon> marks_;

@@ -5,6 +5,8 @@
 
 #include "cave/gl/gl_program.h"
 #include "cave/projection/projector.h"
+#include "shaders/copy_frag.h"
+#include "shaders/copy_vert.h"
 #include "shaders/stereo_frag.h"
 #include "shaders/stereo_vert.h"
 
@@ -45,10 +47,16 @@ glm::ivec2 eyeSize_px(const Pane& pane) {
 }  // namespace
 
 StereoPacker::StereoPacker(unsigned framebuffer)
-    : framebuffer_(framebuffer), program_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
-  glUseProgram(program_);
-  glUniform1i(glGetUniformLocation(program_, "leftPicture"), 0);
-  glUniform1i(glGetUniformLocation(program_, "rightPicture"), 1);
+    : framebuffer_(framebuffer),
+      copyProgram_(makeProgram("copy", shaders::copy_vert, shaders::copy_frag)),
+      mixProgram_(makeProgram("stereo", shaders::stereo_vert, shaders::stereo_frag)) {
+  glUseProgram(copyProgram_);
+  setUniform(copyProgram_, "picture", 0);
+  glUseProgram(mixProgram_);
+  setUniform(mixProgram_, "leftPicture", 0);
+  setUniform(mixProgram_, "rightPicture", 1);
+  modeAt_ = glGetUniformLocation(mixProgram_, "mode");
+  heightAt_ = glGetUniformLocation(mixProgram_, "windowHeight_px");
 }
 
 StereoPacker::~StereoPacker() = default;
@@ -98,13 +106,20 @@ void StereoPacker::draw(const Pane& pane, const glm::ivec2& windowSize_px) {
 /// Copies a picture into a part of the window: pixel by pixel if that is as large, smoothly if not.
 void StereoPacker::copy(const RenderTarget& picture, const glm::ivec2& position_px, const glm::ivec2& size_px,
                         const glm::ivec2& windowSize_px) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, source_);
-  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.texture(), 0);
-  const glm::ivec2 from_px = picture.size_px();
-  const int top_px = windowSize_px.y - position_px.y;
-  glBlitFramebuffer(0, 0, from_px.x, from_px.y, position_px.x, top_px - size_px.y, position_px.x + size_px.x,
-                    top_px, GL_COLOR_BUFFER_BIT, from_px == size_px ? GL_NEAREST : GL_LINEAR);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glDisable(GL_DEPTH_TEST);
+  glViewport(position_px.x, windowSize_px.y - position_px.y - size_px.y, size_px.x, size_px.y);
+  glUseProgram(copyProgram_);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, picture.texture());
+  const auto filter = [](int which) {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, which);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, which);
+  };
+  const bool asLarge = picture.size_px() == size_px;
+  if (asLarge) filter(GL_NEAREST);
+  glBindVertexArray(vertexArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 6);
+  if (asLarge) filter(GL_LINEAR);
 }
 
 void StereoPacker::mix(const Pane& pane, const glm::ivec2& windowSize_px, int mixture) const {
@@ -112,9 +127,9 @@ void StereoPacker::mix(const Pane& pane, const glm::ivec2& windowSize_px, int mi
   glDisable(GL_DEPTH_TEST);
   glViewport(pane.position_px.x, windowSize_px.y - pane.position_px.y - pane.size_px.y, pane.size_px.x,
              pane.size_px.y);
-  glUseProgram(program_);
-  glUniform1i(glGetUniformLocation(program_, "mode"), mixture);
-  glUniform1f(glGetUniformLocation(program_, "windowHeight_px"), static_cast<float>(windowSize_px.y));
+  glUseProgram(mixProgram_);
+  glUniform1i(modeAt_, mixture);
+  glUniform1f(heightAt_, static_cast<float>(windowSize_px.y));
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, pane.left->texture());
   glActiveTexture(GL_TEXTURE1);

@@ -46,9 +46,9 @@ class StereoPacker {
   void mix(const Pane& pane, const glm::ivec2& windowSize_px, int mixture) const;
 
   unsigned framebuffer_;
-  GlProgram program_;
+  GlProgram copyProgram_, mixProgram_;
+  int modeAt_ = -1, heightAt_ = -1;  // places of uniforms of the latter
   GlVertexArray vertexArray_;
-  GlFramebuffer source_;                                                // reads the picture that is copied
   std::map<const Projection*, std::unique_ptr<Projector>> projectors_;  // made when first drawn
 };
 

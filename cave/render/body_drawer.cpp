@@ -68,15 +68,21 @@ BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s)
 
 void BodyDrawer::makeVertices() {
   const ChunkedMeshes& meshes = chunks_.meshes;
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(meshes.vertices.size() * sizeof(MeshVertex)),
-               meshes.vertices.data(), GL_STATIC_DRAW);
+  const auto fill = [](const GlBuffer& buffer, const std::vector<MeshVertex>& vertices) {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(MeshVertex)),
+                 vertices.data(), GL_STATIC_DRAW);
+  };
+  fill(vertices_, meshes.vertices);
   chunks_.meshes.vertices = {};
   describeVertices(array_, indices_);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(meshes.indices.size() * sizeof(std::uint32_t)), meshes.indices.data(),
                GL_STATIC_DRAW);
+  fill(tileVertices_, meshes.tileVertices);
   describeVertices(tileArray_, eyeBuffer_);
+  glBindBuffer(GL_ARRAY_BUFFER, eyeBuffer_);
+  describeVertices(fineArray_, eyeBuffer_);
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
@@ -184,7 +190,7 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
 }
 
 /// With `keepsAlpha`, what is blended leaves the alpha that is there: a shadow has no edge
-/// (shaders/edge_frag.glsl).
+/// (cave/render/edge_pixels.h).
 void BodyDrawer::setState(bool blend, bool keepsAlpha, bool depthMask, bool clip) {
   if (keepsAlpha != keepsAlpha_) {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, keepsAlpha ? GL_ZERO : GL_ONE,
@@ -224,14 +230,25 @@ void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
   program.set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(decal || ghost, decal && !ghost, !decal,
            uniforms.appears_m > kAlways_m);  // shadows overlap each other
-  if (chunks_.parts[chosen.number].tiled) {
-    bindArray(tileArray_);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(chosen.count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(chosen.first * sizeof(std::uint32_t)));
-  } else {
+  drawTriangles(choice, chosen);
+}
+
+void BodyDrawer::drawTriangles(const Choice& choice, const ChosenPart& chosen) {
+  const auto count = static_cast<GLsizei>(chosen.count);
+  if (chosen.sort == ChosenPart::Sort::chunks) {
     bindArray(array_);
     glMultiDrawElements(GL_TRIANGLES, &choice.counts[chosen.first], GL_UNSIGNED_INT,
-                        &choice.offsets[chosen.first], static_cast<GLsizei>(chosen.count));
+                        &choice.offsets[chosen.first], count);
+    return;
+  }
+  const auto* const first = reinterpret_cast<const void*>(chosen.first * sizeof(std::uint32_t));
+  if (chosen.sort == ChosenPart::Sort::tiles) {
+    bindArray(tileArray_);
+    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, first);
+  } else {
+    bindArray(fineArray_);
+    glDrawElementsBaseVertex(GL_TRIANGLES, count, GL_UNSIGNED_INT, const_cast<void*>(first),
+                             static_cast<GLint>(choice.fineVertices));
   }
 }
 
@@ -262,6 +279,35 @@ StillView BodyDrawer::stillView(const Choice& choice, const glm::ivec2& size_px)
   return view;
 }
 
+/// Appends what the wall may show of a part that is tiled.
+void BodyDrawer::takeSurfaces(std::size_t number, Choice& choice) const {
+  const auto take = [&](const TiledSurfaces::Range& range, std::size_t offset, ChosenPart::Sort sort) {
+    const std::size_t count = range.end - range.first;
+    if (count > 0) choice.parts.push_back({ViewTime::seen, number, offset + range.first, count, sort});
+    choice.triangles += count / 3;
+  };
+  take(surfaces_.rangeOf(number), choice.tileIndices, ChosenPart::Sort::tiles);
+  take(surfaces_.fineRangeOf(number), choice.fineIndices, ChosenPart::Sort::fine);
+}
+
+/// Appends the surfaces that were chosen for a wall to what is uploaded for the eye.
+void BodyDrawer::appendSurfaces(Choice& choice) {
+  constexpr std::size_t kVertexWords = sizeof(MeshVertex) / sizeof(std::uint32_t);
+  static_assert(sizeof(MeshVertex) % sizeof(std::uint32_t) == 0);
+  const std::size_t most = uploaded_.size() + surfaces_.indices().size() + surfaces_.fineIndices().size() +
+                           (surfaces_.fineVertices().size() + 1) * kVertexWords;
+  if (most > uploaded_.capacity()) uploaded_.reserve(2 * most);  // more comes into sight frame by frame
+  choice.tileIndices = uploaded_.size();
+  uploaded_.insert(uploaded_.end(), surfaces_.indices().begin(), surfaces_.indices().end());
+  choice.fineVertices = (uploaded_.size() + kVertexWords - 1) / kVertexWords;
+  const std::size_t place = choice.fineVertices * kVertexWords;
+  choice.fineIndices = place + surfaces_.fineVertices().size() * kVertexWords;
+  uploaded_.resize(choice.fineIndices);
+  std::memcpy(uploaded_.data() + place, surfaces_.fineVertices().data(),
+              surfaces_.fineVertices().size_bytes());
+  uploaded_.insert(uploaded_.end(), surfaces_.fineIndices().begin(), surfaces_.fineIndices().end());
+}
+
 /// Appends the parts of a layer that the wall may show.
 void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
   const VisibleChunks& visible = layers_[static_cast<std::size_t>(moment)].visible;
@@ -272,12 +318,11 @@ void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
     if (ranges.counts.empty()) continue;
     if (ghosts && (part.body == kRestingBody || part.paint == Paint::shadow)) continue;
     if (chunks_.parts[number].tiled) {
-      const std::size_t first = surfaces_.firstIndexOf(number);
-      choice.parts.push_back(
-          {moment, number, uploaded_.size() + first, surfaces_.endIndexOf(number) - first});
+      takeSurfaces(number, choice);
     } else {
-      choice.parts.push_back({moment, number, choice.counts.size(), ranges.counts.size()});
+      choice.parts.push_back({moment, number, choice.counts.size(), ranges.counts.size(), {}});
       choice.counts.insert(choice.counts.end(), ranges.counts.begin(), ranges.counts.end());
+      for (const int count : ranges.counts) choice.triangles += static_cast<std::size_t>(count) / 3;
       choice.offsets.insert(choice.offsets.end(), ranges.offsets.begin(), ranges.offsets.end());
     }
   }
@@ -291,11 +336,13 @@ const BodyDrawer::Choice& BodyDrawer::choose(const glm::dmat4& clipFromDrawn, do
   choice.parts.clear();
   choice.counts.clear();
   choice.offsets.clear();
-  for (Layer& layer : layers_) layer.visible.choose(clipFromDrawn, everything);
+  choice.triangles = 0;
+  // A quarter of a pixel, so that less than half of one is changed where another mesh takes over.
+  for (Layer& layer : layers_) layer.visible.choose(clipFromDrawn, 0.25 * pixel_rad, everything);
   surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);
   choice.levels = surfaces_.digest();
+  appendSurfaces(choice);
   for (const ViewTime moment : kMoments) takeParts(moment, choice);  // ghosts last: they are transparent
-  uploaded_.insert(uploaded_.end(), surfaces_.indices().begin(), surfaces_.indices().end());
   return choice;
 }
 

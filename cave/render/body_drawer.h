@@ -82,8 +82,11 @@ class BodyDrawer {
   void makeColours();
   void takeLayer(ViewTime moment, std::span<const BodyView> bodies, const Lorentz& headFromBoard);
   void takeParts(ViewTime moment, Choice& choice) const;
+  void takeSurfaces(std::size_t number, Choice& choice) const;
+  void appendSurfaces(Choice& choice);
   bool isStill(ViewTime moment, std::size_t number) const;
   void drawPart(const Choice& choice, const ChosenPart& part);
+  void drawTriangles(const Choice& choice, const ChosenPart& chosen);
   void use(unsigned program);
   void bindArray(const GlVertexArray& array);
   PartUniforms uniformsOf(ViewTime moment, std::size_t number) const;
@@ -98,22 +101,25 @@ class BodyDrawer {
   std::vector<GpuLeg> legs_;
   std::deque<Choice> choices_;  // since the last look the first `chosen_`; the others keep their memory
   std::size_t chosen_ = 0;
-  std::vector<std::uint32_t> uploaded_;  // the legs, then the indices of tiles, wall by wall
-  std::vector<Layer> layers_;            // as ViewTime numbers them
+  std::vector<std::uint32_t>
+      uploaded_;               // the legs; then, wall by wall, indices of tiles, fine vertices, their indices
+  std::vector<Layer> layers_;  // as ViewTime numbers them
   std::vector<std::unique_ptr<BodyProgram>> programs_;
-  GlVertexArray array_, tileArray_;
-  GlBuffer vertices_, indices_, colourBuffer_;
+  GlVertexArray array_, tileArray_, fineArray_;
+  GlBuffer vertices_, indices_, tileVertices_, colourBuffer_;
   GlBuffer eyeBuffer_;  // of `uploaded_`
   GlTexture legTexture_, colourTexture_;
   unsigned program_ = 0, boundArray_ = 0;  // in use
   bool blend_ = false, keepsAlpha_ = false, depthMask_ = true, clip_ = false;
 };
 
-/// A part that one wall shows.
+/// A part, or what there is of it of one sort, that one wall shows.
 struct BodyDrawer::ChosenPart {
+  enum class Sort { chunks, tiles, fine };
   ViewTime moment = ViewTime::seen;
   std::size_t number = 0;            ///< in the scene
-  std::size_t first = 0, count = 0;  ///< of ranges; of a tiled part, of indices in the eye's buffer
+  std::size_t first = 0, count = 0;  ///< of ranges; of tiles, of indices in the eye's buffer
+  Sort sort = Sort::chunks;
 };
 
 /// What one wall shows of what the eye sees.
@@ -122,7 +128,10 @@ struct BodyDrawer::Choice {
   std::vector<ChosenPart> parts;  ///< in the order in which they are drawn
   std::vector<int> counts;        ///< of indices in each range
   std::vector<const void*> offsets;
-  std::size_t levels = 0;  ///< TiledSurfaces::digest
+  std::size_t levels = 0;     ///< TiledSurfaces::digest
+  std::size_t triangles = 0;  ///< of all parts
+  /// Where the eye's buffer has the wall's indices of tiles, its fine vertices (counted in vertices) and their indices.
+  std::size_t tileIndices = 0, fineVertices = 0, fineIndices = 0;
 };
 
 }  // namespace carom

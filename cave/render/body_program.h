@@ -47,7 +47,7 @@ struct PartUniforms {
   float appears_m = 0.0F;
   glm::vec3 colour{0.0F};
   float gloss = 0.0F;
-  float tint = 0.0F;  ///< sets its tone off from other parts' (shaders/edge_frag.glsl)
+  float tint = 0.0F;  ///< sets its tone off from other parts' (cave/render/edge_pixels.h)
   float nearer = 0.0F;
   glm::vec3 ghostColour{0.0F};
   float hatch_m = 1.0F;

@@ -14,8 +14,7 @@ void DrawTarget::grow(const glm::ivec2& size_px) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   if (samples_ == 0) {
     glBindTexture(GL_TEXTURE_2D, texture_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, buffer_px_.x, buffer_px_.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 nullptr);
+    allocatePicture(buffer_px_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glBindTexture(GL_TEXTURE_2D, 0);
@@ -65,6 +64,12 @@ void DrawTarget::copyTo(const RenderTarget& picture, int left_px) const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer());
   glBlitFramebuffer(0, 0, size_px_.x, size_px_.y, left_px, 0, left_px + size_px_.x, size_px_.y,
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void DrawTarget::read(std::span<std::uint32_t> pixels) const {
+  glDisable(GL_DEPTH_TEST);
+  glReadPixels(0, 0, size_px_.x, size_px_.y, GL_BGRA, GL_UNSIGNED_BYTE, pixels.data());
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

@@ -2,6 +2,9 @@
 // The buffers into which a wall is drawn, with depth and if asked for with several samples a pixel, before it
 // is copied into its picture.
 
+#include <cstdint>
+#include <span>
+
 #include <glm/vec2.hpp>
 
 #include "cave/gl/gl_objects.h"
@@ -27,10 +30,11 @@ class DrawTarget {
   /// is off and no framebuffer is bound; the viewport is still that of this picture.
   void copyTo(const RenderTarget& picture, int left_px) const;
 
+  /// Does the same, but copies into memory (cave/gl/picture.h: `RenderTarget::fill`). With one sample a pixel.
+  void read(std::span<std::uint32_t> pixels) const;
+
   unsigned framebuffer() const { return framebuffer_; }
-  /// Returns the texture that is drawn into with one sample a pixel. It may be larger than the picture, which
-  /// is in its first columns and rows.
-  unsigned texture() const { return texture_; }
+  const glm::ivec2& size_px() const { return size_px_; }
 
  private:
   void bind(const glm::ivec2& size_px);

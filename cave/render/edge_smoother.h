@@ -1,34 +1,25 @@
 #pragma once
 // Smooth edges without multisampling, for renderers in software, where four samples a pixel cost two and a
-// half times the time of a frame: edges are found in the finished picture and drawn again, each pixel mixed
-// with its neighbour as far as the edge covers it (shaders/edge_frag.glsl). What holds no edge is not
-// touched.
+// half times the time of a frame. As the processor has drawn the picture, it also smooths it
+// (cave/render/edge_pixels.h): a shader would do for every pixel what few pixels need.
 
-#include <glm/vec2.hpp>
-
-#include "cave/gl/gl_objects.h"
 #include "cave/gl/picture.h"
+#include "cave/render/draw_target.h"
+#include "cave/render/edge_pixels.h"
 
 namespace carom {
 
-/// Create, use and destroy it with the drawing context current.
+/// Use it with the drawing context current.
 class EdgeSmoother {
  public:
-  /// Where a picture has the tones between which edges are sought.
-  enum class Tones { inAlpha, luminance };
-  explicit EdgeSmoother(Tones tones = Tones::inAlpha);
+  explicit EdgeSmoother(EdgePixels::Tones tones = EdgePixels::Tones::inAlpha) : pixels_(tones) {}
 
-  /// Smooths the picture's columns from `left_px` on, `size_px` large. They are a copy of the first columns
-  /// and rows of the texture `drawn`. The viewport is the first `size_px` when this is called and stays that.
-  /// Nothing from beyond these columns and rows gets into the picture; one of fewer than ten stays as it is.
-  void smooth(unsigned drawn, const glm::ivec2& size_px, const RenderTarget& picture, int left_px);
+  /// Puts what was drawn into columns of a picture, from `left_px` on, with smooth edges. Afterwards the depth test is
+  /// off and no framebuffer is bound.
+  void copy(const DrawTarget& drawn, RenderTarget& picture, int left_px);
 
  private:
-  GlProgram program_;
-  GlVertexArray vertexArray_;
-  int sizeAt_ = -1, leftAt_ = -1;  // places of the uniforms
-  glm::ivec2 size_px_{0};
-  int left_px_ = 0;  // as the program has them
+  EdgePixels pixels_;
 };
 
 }  // namespace carom

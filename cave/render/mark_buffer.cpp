@@ -141,7 +141,10 @@ MarkDrawer::MarkDrawer()
                          {"ink", 4, offsetof(MarkCorner, colour)},
                          {"on", 2, offsetof(MarkCorner, on)},
                          {"what", 3, offsetof(MarkCorner, what)},
-                         {"plate", 4, offsetof(MarkCorner, plate)}}) {}
+                         {"plate", 4, offsetof(MarkCorner, plate)}}),
+      clipAt_(glGetUniformLocation(program_, "clipFromDrawn")),
+      cutAt_(glGetUniformLocation(program_, "cutAt")),
+      platesAt_(glGetUniformLocation(program_, "plates")) {}
 
 void MarkDrawer::upload(const MarkBuffer& batch) {
   count_ = static_cast<int>(batch.corners().size());
@@ -152,11 +155,10 @@ void MarkDrawer::draw(const glm::mat4& clipFromDrawn, float cutAt) const {
   if (count_ == 0) return;
   glUseProgram(program_);
   stream_.bind();
-  glUniformMatrix4fv(glGetUniformLocation(program_, "clipFromDrawn"), 1, GL_FALSE,
-                     glm::value_ptr(clipFromDrawn));
-  glUniform1f(glGetUniformLocation(program_, "cutAt"), cutAt);
+  glUniformMatrix4fv(clipAt_, 1, GL_FALSE, glm::value_ptr(clipFromDrawn));
+  glUniform1f(cutAt_, cutAt);
   for (const int plates : {0, 1}) {
-    glUniform1i(glGetUniformLocation(program_, "plates"), plates);
+    glUniform1i(platesAt_, plates);
     glDrawArrays(GL_TRIANGLES, 0, count_);
   }
 }

@@ -87,6 +87,7 @@ class MarkDrawer {
  private:
   GlProgram program_;
   VertexStream<MarkCorner> stream_;
+  int clipAt_, cutAt_, platesAt_;  // places of uniforms
   int count_ = 0;
 };
 

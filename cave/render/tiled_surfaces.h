@@ -1,17 +1,6 @@
 #pragma once
 // Chooses how finely the tiles of what rests are drawn for one eye on one wall: as coarsely as they may be without
 // anything lying farther than half a pixel from where light shows it.
-//
-// A point at r from the eye (board frame) is seen by light that comes along the null vector (−|r|, r). In the frame of
-// a head that moves with u = γβ that is (the boost of Jackson, Classical Electrodynamics, 3rd ed., 11.19)
-//   X = r + u (u·r)/(γ + 1) + u |r|,   |X| = D |r|,   D = γ + u·n,   n = r/|r|.
-// All of it is linear in r but the last term. A triangle is drawn flat between the X of its corners; so a point of it
-// is drawn beside its place by exactly u δ, where δ is what linear interpolation adds to |r| there. The second
-// derivatives of |r| are at most 1/|r|, so that δ ≤ h²/(8 |r|) for triangles in a cell with the diagonal h, and on an
-// edge of the length h. Seen from the eye that is an angle of at most
-//   |u| sin χ' δ/|X| = |u| sin χ/D² · h²/(8 |r|²),   sin χ' = sin χ/D,
-// χ being the angle from the motion, χ' the same in the head's frame. With D = γ + |u| cos χ the factor sin χ/D² has
-// one peak, at cos χ = (γ − √(γ² + 8 u²))/(2 |u|).
 
 #include <cstddef>
 #include <cstdint>
@@ -24,12 +13,8 @@
 
 namespace carom {
 
-/// Returns the longest diagonal of a cell, over the root of the angle by which it may be off (radians), that may be
-/// drawn flat anywhere in the box for an eye of a head that moves with u = γβ. Nearer than kNearestEye_m the result is
-/// that for kNearestEye_m.
-double longestFlat_m(const Extent& box, const glm::dvec3& eye_m, const glm::dvec3& u);
-
-/// Chosen anew for each eye and wall. Allocates only when it is made.
+/// Chosen anew for each eye and wall. Allocates only when it is made, or for a wall that needs more triangles than any
+/// before.
 class TiledSurfaces {
  public:
   /// Keeps a reference to `scene`.
@@ -42,24 +27,42 @@ class TiledSurfaces {
   /// tiles that are chosen.
   void choose(const VisibleChunks& visible, double tolerance_rad);
 
-  /// Returns the triangles, part by part.
-  std::span<const std::uint32_t> indices() const { return indices_; }
-  /// Returns the place of a part's first index, and of that after its last.
-  std::size_t firstIndexOf(std::size_t part) const { return firstOfPart_[part]; }
-  std::size_t endIndexOf(std::size_t part) const { return firstOfPart_[part + 1]; }
+  /// Triangles of tiles as they were built, between the scene's `tileVertices`, and those of tiles that needed finer
+  /// ones, between `fineVertices`; part by part.
+  std::span<const std::uint32_t> indices() const { return tiles_.indices; }
+  std::span<const std::uint32_t> fineIndices() const { return cells_.indices; }
+  std::span<const MeshVertex> fineVertices() const { return fineVertices_; }
+
+  /// A part's own among such triangles: the places of its first index and of that after its last.
+  struct Range {
+    std::size_t first, end;
+  };
+  Range rangeOf(std::size_t part) const { return tiles_.rangeOf(part); }
+  Range fineRangeOf(std::size_t part) const { return cells_.rangeOf(part); }
 
   /// Returns a number that is the same while all levels are.
   std::size_t digest() const;
 
  private:
-  int levelOf(std::size_t edge) const { return levels_[edge]; }
-  int levelOf(const SurfaceTile& tile, double longest_m) const;
+  struct Triangles {
+    std::vector<std::uint32_t> indices;
+    std::vector<std::size_t> firstOfPart;
+    Range rangeOf(std::size_t part) const { return {firstOfPart[part], firstOfPart[part + 1]}; }
+  };
+  void chooseLevels();
+  int levelWithin(const TileDetail& detail, double longest_m) const;
+  int levelOfCell(const Extent& extent, double cell_m) const;
+  void appendTile(const SurfaceTile& tile, int level);
+  void appendCells(const SurfaceTile& tile);
+  int levelOfCellsEdge(const SurfaceTile& tile, const glm::ivec2& from, const glm::ivec2& step) const;
 
   const SceneChunks* scene_;
+  glm::dvec3 eye_m_{0.0}, u_{0.0};
+  double rootTolerance_ = 0.0;
   std::vector<double> longest_m_;     // of each edge and then each tile, over the root of the tolerance
   std::vector<std::uint8_t> levels_;  // of each edge and then each tile
-  std::vector<std::uint32_t> indices_;
-  std::vector<std::size_t> firstOfPart_;
+  Triangles tiles_, cells_;
+  std::vector<MeshVertex> fineVertices_;
 };
 
 }  // namespace carom

@@ -10,8 +10,8 @@
 #include "cave/frame/bodies.h"
 #include "cave/mesh/mesh_builder.h"
 #include "cave/mesh/mesh_tiles.h"
+#include "cave/render/flat_cells.h"
 #include "cave/room/wall_pyramid.h"
-#include "engine/light/seen_cap.h"
 
 namespace carom {
 namespace {
@@ -49,7 +49,7 @@ double lightAtRest(const Scene& scene, const MeshVertex& vertex) {
 }  // namespace
 
 SceneChunks::SceneChunks(const Scene& scene) {
-  MeshTiles tiles(meshes, scene.finer, [&](const MeshVertex& vertex) { return lightAtRest(scene, vertex); });
+  MeshTiles tiles(meshes, [&](const MeshVertex& vertex) { return lightAtRest(scene, vertex); });
   std::map<const vtkPolyData*, PartChunks> made;
   for (const ScenePart& part : scene.parts) {
     const auto [found, isNew] = made.try_emplace(part.mesh);
@@ -65,46 +65,85 @@ SceneChunks::SceneChunks(const Scene& scene) {
       chunks.count = static_cast<std::uint32_t>(meshes.chunks.size()) - chunks.first;
       if (part.paint == Paint::shadow)
         chunks.shadowReach_m = shadowReachOf(meshes, chunks, scene.longestShadow);
+      appendCoarser(part, chunks);
     }
     chunks.body = part.body;
-    chunks.firstPlace = static_cast<std::uint32_t>(places);
-    places += chunks.count;
+    const auto place = [this](ChunkRange& range) {
+      range.firstPlace = static_cast<std::uint32_t>(places);
+      places += range.count;
+    };
+    place(chunks);
+    for (std::size_t k = 0; k < chunks.coarserCount; ++k) place(chunks.coarser[k]);
     parts.push_back(chunks);
   }
 }
 
+/// Appends the coarser meshes of a part.
+void SceneChunks::appendCoarser(const ScenePart& part, PartChunks& chunks) {
+  chunks.coarserCount = std::min(part.coarser.size(), PartChunks::kMostCoarser);
+  for (std::size_t k = 0; k < chunks.coarserCount; ++k) {
+    PartChunks::Coarser& coarser = chunks.coarser[k];
+    coarser.cell_m = part.coarser[k].cell_m;
+    coarser.off_m = part.coarser[k].off_m;
+    coarser.first = static_cast<std::uint32_t>(meshes.chunks.size());
+    appendChunks(*part.coarser[k].mesh, meshes);
+    coarser.count = static_cast<std::uint32_t>(meshes.chunks.size()) - coarser.first;
+    for (std::uint32_t i = coarser.first; i < coarser.first + coarser.count; ++i)
+      chunks.reach_m =
+          std::max(chunks.reach_m, glm::length(meshes.chunks[i].middle_m) + meshes.chunks[i].radius_m);
+  }
+}
+
 VisibleChunks::VisibleChunks(const SceneChunks& scene)
-    : scene_(&scene), caps_(scene.places), drawn_(scene.parts.size()), firstOfPart_(scene.parts.size() + 1) {
+    : scene_(&scene),
+      caps_(scene.places),
+      views_(scene.parts.size()),
+      level_(scene.parts.size()),
+      firstOfPart_(scene.parts.size() + 1) {
   chosen_.reserve(caps_.size());
   counts_.reserve(caps_.size());
   offsets_.reserve(caps_.size());
 }
 
-void VisibleChunks::lookAtPart(const PartChunks& part, const BodyView& body, const ViewFrame& frame) {
-  const SeenCaps seen(body, frame);
-  for (std::uint32_t i = 0; i < part.count; ++i) {
-    const MeshChunk& chunk = scene_->meshes.chunks[part.first + i];
-    caps_[part.firstPlace + i] =
-        part.shadowReach_m > 0.0 ? seen.around(part.shadowReach_m) : seen.of(chunk.middle_m, chunk.radius_m);
-  }
-}
-
 void VisibleChunks::look(std::span<const BodyView> bodies, const ViewFrame& frame) {
   for (std::size_t i = 0; i < scene_->parts.size(); ++i) {
     const PartChunks& part = scene_->parts[i];
-    drawn_[i] = !bodies.empty() && !bodies[part.body].legs.empty();
-    if (drawn_[i]) lookAtPart(part, bodies[part.body], frame);
+    PartView& view = views_[i];
+    view.seen.reset();
+    if (bodies.empty() || bodies[part.body].legs.empty()) continue;
+    view.seen.emplace(bodies[part.body], frame);
+    view.known = 0;
+    for (std::size_t k = 0; k < part.coarserCount; ++k)
+      view.off_rad[k] = worstOff_rad(*view.seen, part.reach_m, part.coarser[k].cell_m, part.coarser[k].off_m);
   }
 }
 
-void VisibleChunks::choose(const glm::dmat4& clipFromDrawn, bool everything) {
+/// Chooses the mesh of a part that is drawn, and sees to it that the caps of its chunks are known.
+void VisibleChunks::chooseLevel(std::size_t number, double tolerance_rad) {
+  const PartChunks& part = scene_->parts[number];
+  PartView& view = views_[number];
+  std::size_t level = 0;
+  while (level < part.coarserCount && view.off_rad[level] <= tolerance_rad) ++level;
+  level_[number] = static_cast<std::uint8_t>(level);
+  if ((view.known >> level & 1U) != 0) return;
+  view.known |= 1U << level;
+  const ChunkRange& range = part.rangeOf(level);
+  for (std::uint32_t i = 0; i < range.count; ++i) {
+    const MeshChunk& chunk = scene_->meshes.chunks[range.first + i];
+    caps_[range.firstPlace + i] = part.shadowReach_m > 0.0 ? view.seen->around(part.shadowReach_m)
+                                                           : view.seen->of(chunk.middle_m, chunk.radius_m);
+  }
+}
+
+void VisibleChunks::choose(const glm::dmat4& clipFromDrawn, double tolerance_rad, bool everything) {
   const WallPyramid pyramid(clipFromDrawn);
   chosen_.clear();
   for (std::size_t part = 0; part < scene_->parts.size(); ++part) {
     firstOfPart_[part] = chosen_.size();
-    if (!drawn_[part]) continue;
-    const PartChunks& chunks = scene_->parts[part];
-    for (std::uint32_t i = chunks.firstPlace; i < chunks.firstPlace + chunks.count; ++i) {
+    if (!views_[part].seen) continue;
+    chooseLevel(part, tolerance_rad);
+    const ChunkRange& range = scene_->parts[part].rangeOf(level_[part]);
+    for (std::uint32_t i = range.firstPlace; i < range.firstPlace + range.count; ++i) {
       if (everything || pyramid.mayShow(caps_[i])) chosen_.push_back(i);
     }
     std::sort(chosen_.begin() + static_cast<std::ptrdiff_t>(firstOfPart_[part]), chosen_.end(),
@@ -117,9 +156,9 @@ void VisibleChunks::choose(const glm::dmat4& clipFromDrawn, bool everything) {
   counts_.clear();
   offsets_.clear();
   for (std::size_t part = 0; part < scene_->parts.size(); ++part) {
-    const PartChunks& chunks = scene_->parts[part];
+    const ChunkRange& range = scene_->parts[part].rangeOf(level_[part]);
     for (std::size_t i = firstOfPart_[part]; i < firstOfPart_[part + 1]; ++i) {
-      const MeshChunk& chunk = scene_->meshes.chunks[chunks.first + chosen_[i] - chunks.firstPlace];
+      const MeshChunk& chunk = scene_->meshes.chunks[range.first + chosen_[i] - range.firstPlace];
       counts_.push_back(static_cast<int>(chunk.indexCount));
       offsets_.push_back(reinterpret_cast<const void*>(chunk.firstIndex * sizeof(std::uint32_t)));
     }

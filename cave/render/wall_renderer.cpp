@@ -89,16 +89,19 @@ std::size_t WallRenderer::draw(std::span<const WallPicture> walls, const glm::dv
   if (std::any_of(seen_.begin(), seen_.end(), isDrawn)) drawing_->bodies.upload();
   drawing_->target.forgetViewport();
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    if (walls[i].timer) walls[i].timer->begin();
+    DrawingMeter* const meter = walls[i].meter;
+    if (meter) meter->timer.begin();
     drawWall(walls[i], seen_[i]);
-    if (walls[i].timer) walls[i].timer->end();
+    if (!meter) continue;
+    meter->timer.end();
+    meter->triangles = seen_[i].choice ? seen_[i].choice->triangles : 0;
   }
   return static_cast<std::size_t>(
       std::count_if(seen_.begin(), seen_.end(), [](const Seen& seen) { return seen.choice != nullptr; }));
 }
 
 void WallRenderer::drawWall(const WallPicture& shown, const Seen& seen) {
-  const auto& [wall, picture, drawing, timer] = shown;
+  const auto& [wall, picture, drawing, meter] = shown;
   const int left_px = drawing.left_px;
   if (!seen.choice || (seen.choice->parts.empty() && !drawing.marks)) {
     picture->clear(left_px, wall->pixels.x);
@@ -109,9 +112,11 @@ void WallRenderer::drawWall(const WallPicture& shown, const Seen& seen) {
     drawing.marks->draw(glm::mat4(seen.choice->clipFromDrawn), drawing_->target.framebuffer(), wall->pixels,
                         drawing.cutAt);
   }
-  drawing_->target.copyTo(*picture, left_px);
-  if (drawing_->smoother)
-    drawing_->smoother->smooth(drawing_->target.texture(), wall->pixels, *picture, left_px);
+  if (drawing_->smoother) {
+    drawing_->smoother->copy(drawing_->target, *picture, left_px);
+  } else {
+    drawing_->target.copyTo(*picture, left_px);
+  }
 }
 
 }  // namespace carom

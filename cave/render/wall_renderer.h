@@ -33,12 +33,18 @@ struct WallDrawing {
   bool everything = false;  ///< draw also what the wall cannot show: the same picture, for comparison
 };
 
+/// What drawing a wall's picture takes.
+struct DrawingMeter {
+  GpuTimer timer;
+  std::size_t triangles = 0;  ///< that were handed over for the last picture
+};
+
 /// A wall, and the picture that is drawn for it.
 struct WallPicture {
   const Wall* wall = nullptr;
   RenderTarget* picture = nullptr;
   WallDrawing drawing;
-  GpuTimer* timer = nullptr;  ///< measures the drawing
+  DrawingMeter* meter = nullptr;
 };
 
 class WallRenderer {

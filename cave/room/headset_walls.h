@@ -23,6 +23,9 @@ struct HeadsetEye {
   EyeFrustum frustum;
 };
 
+/// The walls' names, left and right.
+inline constexpr std::array<const char*, 2> kEyeWalls{"left-eye", "right-eye"};
+
 /// Returns the wall that the eye sees exactly through its display, with the pixels of its pictures.
 Wall wallBefore(const HeadsetEye& eye, const char* name, glm::ivec2 pixels);
 

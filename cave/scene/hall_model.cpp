@@ -131,7 +131,7 @@ std::vector<ScenePart> hallParts(const Hall& hall) {
 }
 
 std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m) {
-  constexpr double cell_m = 0.25;
+  constexpr double cell_m = 0.1;
   MeshBuilder shades;
   MeshBuilder bulbs;
   for (const glm::dvec3& lamp : lamps_m) {

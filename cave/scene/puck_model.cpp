@@ -6,12 +6,10 @@
 #include <numbers>
 
 #include <vtkAdaptiveSubdivisionFilter.h>
-#include <vtkCleanPolyData.h>
+#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
-#include <vtkMergePoints.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 #include <vtkTriangleFilter.h>
@@ -19,6 +17,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cave/mesh/mesh_builder.h"
+#include "cave/mesh/smooth_surface.h"
 #include "cave/scene/shadow_model.h"
 
 namespace carom {
@@ -26,23 +25,31 @@ namespace {
 
 constexpr int kSectors = 72;
 
+/// How finely a puck is divided: the finest mesh as its roundness and slow light need, coarser ones ever less.
+struct Fineness {
+  double cell_m = 0.0;
+  int halvings = 0;  ///< how often its sectors, rings and the steps of its round edges were halved
+
+  int halved(int count, int least) const { return std::max(least, count >> halvings); }
+};
+
 /// Returns the number of sectors around a puck of this radius. The rim lies outside its chords by
 /// r (1 − cos(π/n)) = π² r/2n²: 29 µm with 72 sectors for a carom ball's radius, and hardly more up to three times
 /// that radius; even larger pucks leave vertices for finer cells.
-int sectorsOf(double radius_m, double cell_m) {
+int sectorsOf(double radius_m, const Fineness& fineness) {
   constexpr double kFarthestOut_m = 30e-6;
-  constexpr int kMostForRoundness = 128;
+  constexpr int kMostForRoundness = 128, kFewest = 12;
   const int round =
       static_cast<int>(std::ceil(std::numbers::pi * std::sqrt(0.5 * radius_m / kFarthestOut_m)));
-  return std::max(
-      {kSectors, std::min(round, kMostForRoundness), cellsFor(2.0 * std::numbers::pi * radius_m, cell_m)});
+  return std::max(fineness.halved(std::max(kSectors, std::min(round, kMostForRoundness)), kFewest),
+                  cellsFor(2.0 * std::numbers::pi * radius_m, fineness.cell_m));
 }
 
 /// Adds a ring of the puck, from (radius, z) to (radius, z); its outer side is to the right of that
 /// direction.
 void addRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, const glm::dvec3& surface,
-             double cell_m) {
-  mesh.addPatch(sectorsOf(surface.x, cell_m), cellsFor(glm::distance(from, to), cell_m),
+             const Fineness& fineness) {
+  mesh.addPatch(sectorsOf(surface.x, fineness), cellsFor(glm::distance(from, to), fineness.cell_m),
                 [&](double u, double v) {
                   const double angle_rad = 2.0 * std::numbers::pi * u;
                   const glm::dvec2 p = from + v * (to - from);
@@ -53,9 +60,10 @@ void addRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, co
 /// Adds a ring with a slope of 45° that is shaded as if it were round: its normals turn by a right angle,
 /// starting at `from_rad` above outwards.
 void addRoundRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& to, double from_rad,
-                  const glm::dvec3& surface, double cell_m) {
+                  const glm::dvec3& surface, const Fineness& fineness) {
   constexpr int kSteps = 4;
-  mesh.addPatch(sectorsOf(surface.x, cell_m), std::max(kSteps, cellsFor(glm::distance(from, to), cell_m)),
+  mesh.addPatch(sectorsOf(surface.x, fineness),
+                std::max(fineness.halved(kSteps, 1), cellsFor(glm::distance(from, to), fineness.cell_m)),
                 [&](double u, double v) {
                   const double angle_rad = 2.0 * std::numbers::pi * u;
                   const double rise_rad = from_rad + 0.5 * std::numbers::pi * v;
@@ -108,10 +116,11 @@ vtkSmartPointer<vtkPolyData> dividedTo(const Tessellation& tessellation, vtkSmar
   return mesh;
 }
 
-}  // namespace
+constexpr int kCoarserPucks = 3;
+/// Light, which is computed at vertices, needs cells of this size.
+constexpr double kLitCell_m = 0.05;
 
-std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t body, const glm::vec3& colour,
-                                 double cell_m) {
+vtkSmartPointer<vtkPolyData> puckMesh(double radius_m, double height_m, const Fineness& fineness) {
   const double r = radius_m;
   const double z = 0.5 * height_m;
   const double bevel = std::min(0.08 * r, 0.3 * z);
@@ -119,18 +128,33 @@ std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t b
   const glm::dvec3 onRim(r, 1.0, z);
   MeshBuilder mesh;
   const auto ring = [&](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec3& surface) {
-    addRing(mesh, from, to, surface, cell_m);
+    addRing(mesh, from, to, surface, fineness);
   };
-  addRoundRing(mesh, {r - bevel, -z}, {r, -z + bevel}, -0.5 * std::numbers::pi, onRim, cell_m);
+  addRoundRing(mesh, {r - bevel, -z}, {r, -z + bevel}, -0.5 * std::numbers::pi, onRim, fineness);
   ring({r, -z + bevel}, {r, 0.0}, onRim);
   ring({r, 0.0}, {r, z - bevel}, onRim);
-  addRoundRing(mesh, {r, z - bevel}, {r - bevel, z}, 0.0, onFace, cell_m);
-  const std::array<double, 5> rings{1.0, 0.75, 0.5, 0.25, 0.0};
-  for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
-    ring({rings[i] * (r - bevel), z}, {rings[i + 1] * (r - bevel), z}, onFace);
-    ring({rings[i + 1] * (r - bevel), -z}, {rings[i] * (r - bevel), -z}, onFace);
+  addRoundRing(mesh, {r, z - bevel}, {r - bevel, z}, 0.0, onFace, fineness);
+  const int rings = fineness.halved(4, 1);
+  for (int i = 0; i < rings; ++i) {
+    const double outer = (r - bevel) * (rings - i) / rings, inner = (r - bevel) * (rings - i - 1) / rings;
+    ring({outer, z}, {inner, z}, onFace);
+    ring({inner, -z}, {outer, -z}, onFace);
   }
-  return {discShadow(radius_m, height_m, body, cell_m), {body, mesh.build(), Paint::puck, colour, 0.5F}};
+  return mesh.build();
+}
+
+}  // namespace
+
+std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t body, const glm::vec3& colour,
+                                 double cell_m) {
+  ScenePart puck{body, puckMesh(radius_m, height_m, {cell_m}), Paint::puck, colour, 0.5F};
+  for (int halvings = 1; halvings <= kCoarserPucks; ++halvings) {
+    const Fineness fineness{std::min(cell_m * (1 << halvings), kLitCell_m), halvings};
+    const double turn_rad = std::numbers::pi / sectorsOf(radius_m, fineness);
+    puck.coarser.push_back(
+        {puckMesh(radius_m, height_m, fineness), 0.0, radius_m * (1.0 - std::cos(turn_rad))});
+  }
+  return {discShadow(radius_m, height_m, body, cell_m), std::move(puck)};
 }
 
 ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
@@ -152,20 +176,6 @@ ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
   return {body, mesh.build(), Paint::bands, colour, 0.3F};
 }
 
-namespace {
-
-/// Returns a search for equal points whose buckets hold few of the `points` of a surface. VTK's own has the
-/// same number of buckets for any mesh, and takes seconds for a million points.
-vtkSmartPointer<vtkMergePoints> locatorFor(vtkIdType points) {
-  constexpr double kFewest = 50.0, kMost = 256.0;  // along each side of the box
-  const double along = std::clamp(1.5 * std::cbrt(static_cast<double>(points)), kFewest, kMost);
-  auto locator = vtkSmartPointer<vtkMergePoints>::New();
-  locator->SetDivisions(static_cast<int>(along), static_cast<int>(along), static_cast<int>(along));
-  return locator;
-}
-
-}  // namespace
-
 ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
                    const glm::vec3& colour, const Tessellation& tessellation,
                    const std::optional<MeshPlace>& place) {
@@ -178,20 +188,17 @@ ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, st
 
 ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& whole, std::size_t body, const glm::vec3& colour,
                       const Tessellation& tessellation) {
-  vtkNew<vtkCleanPolyData> cleaned;
-  cleaned->SetInputData(whole);
-  cleaned->SetLocator(locatorFor(whole->GetNumberOfPoints()));
   vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(cleaned->GetOutputPort());
-  triangles->PassLinesOff();
-  triangles->PassVertsOff();
-  triangles->Update();
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(dividedTo(tessellation, triangles->GetOutput()));
-  normals->SetFeatureAngle(40.0);
-  normals->Update();
+  if (whole->GetPolys()->IsHomogeneous() != 3) {
+    triangles->SetInputData(whole);
+    triangles->PassLinesOff();
+    triangles->PassVertsOff();
+    triangles->Update();
+  }
+  const auto merged =
+      withPointsMerged(whole->GetPolys()->IsHomogeneous() == 3 ? *whole : *triangles->GetOutput());
+  const vtkSmartPointer<vtkPolyData> mesh = withNormals(*dividedTo(tessellation, merged));
 
-  const vtkSmartPointer<vtkPolyData> mesh = normals->GetOutput();
   vtkNew<vtkFloatArray> surface;
   surface->SetName("surface");
   surface->SetNumberOfComponents(3);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cave/mesh/surface_tiles.h"
+
 namespace carom {
 namespace {
 
@@ -22,11 +24,15 @@ std::string joined(std::span<const MeshNote> notes) {
   return named < notes.size() ? text + fmt::format(" and {} more", notes.size() - named) : text;
 }
 
-/// Returns what kept a kind of objects from being divided further. Only what rests has levels.
-std::string limitOf(const MeshNote& note, int finer) {
-  if (note.kind == "The" && finer == Scene::kMostFiner)
-    return fmt::format("its edges are divided by {} at most", finer);
-  return fmt::format("{} vertices are the limit", note.most);
+/// Returns what is to be said of what rests, which is divided for each eye.
+std::string levelsOf(const MeshNote& note, const Tessellation& tessellation) {
+  const double nearest_m =
+      std::max(kNearestToSurface_m, kNearestEye_m * note.longestEdge_m / tessellation.edge_m());
+  return fmt::format(
+      "{} {}: {} vertices, their cells divided for each eye by up to {}: exact to half a pixel up to {} c "
+      "from {:.2f} m "
+      "on.\n",
+      note.kind, note.name, note.vertices, kMostParts, kFastestHead_beta, nearest_m);
 }
 
 }  // namespace
@@ -62,20 +68,27 @@ std::string tessellationReport(const Scene& scene, const Tessellation& tessellat
         std::find_if(note, scene.notes.end(), [&](const MeshNote& other) { return !alike(*note, other); });
     const auto count = static_cast<std::size_t>(unlike - note);
     total += count * note->divided;
+    if (note->most == 0) {
+      text += levelsOf(*note++, tessellation);
+      continue;
+    }
     text += fmt::format("{}: {} vertices{}, {} added", joined({note, unlike}), note->vertices,
                         count > 1 ? " each" : "", note->divided - std::min(note->divided, note->vertices));
     if (note->longestEdge_m > kRounding * tessellation.edge_m()) {
       // Only the ratio of length and distance counts.
       text += fmt::format(
-          "; nearer than {:.1f} m exact to half a pixel only up to {:.2f} c at {} m, since {}",
+          "; nearer than {:.1f} m exact to half a pixel only up to {:.2f} c at {} m, since {} "
+          "vertices are the limit",
           kNearestEye_m * note->longestEdge_m / tessellation.edge_m(),
-          fastestHead_beta(note->longestEdge_m, tolerance_rad), kNearestEye_m, limitOf(*note, scene.finer));
+          fastestHead_beta(note->longestEdge_m, tolerance_rad), kNearestEye_m, note->most);
     }
     text += ".\n";
     note = unlike;
   }
-  return text + fmt::format("In all {} vertices; edges up to {:.0f} mm are exact to half a pixel up to {} c.",
-                            total, tessellation.edge_m() * 1e3, kFastestHead_beta);
+  return text + fmt::format(
+                    "In all {} vertices; edges up to {:.0f} mm are exact to half a pixel up to {} c "
+                    "from {} m on.",
+                    total, tessellation.edge_m() * 1e3, kFastestHead_beta, kNearestEye_m);
 }
 
 }  // namespace carom

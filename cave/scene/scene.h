@@ -19,12 +19,12 @@ namespace carom {
 
 /// How a kind of objects was divided, for a message to the person.
 struct MeshNote {
-  std::string kind;            ///< "Puck", "Body" or, at rest, "The"
-  std::string name;            ///< "red"
-  std::size_t vertices = 0;    ///< without the division that slow light needs
-  std::size_t divided = 0;     ///< as they are drawn; of what rests, of the finest level
-  std::size_t most = 0;        ///< the most that are allowed
-  double longestEdge_m = 0.0;  ///< after the division
+  std::string kind;          ///< "Puck", "Body" or, at rest, "The"
+  std::string name;          ///< "red"
+  std::size_t vertices = 0;  ///< without the division that slow light needs
+  std::size_t divided = 0;   ///< as they are drawn
+  std::size_t most = 0;      ///< the most that are allowed; none of what rests, which is divided for each eye
+  double longestEdge_m = 0.0;  ///< after the division; of what rests, of its finest level
 };
 
 /// A metre on the cloth: it starts at `from_m` and goes along the unit vector `along`; light's marks are on
@@ -45,8 +45,6 @@ struct Scene {
   /// For each body, how far its points reach from its centre (the radius of its world line).
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
-  int finer = 1;                        ///< how many times finer than its meshes what rests may be drawn
-  static constexpr int kMostFiner = 8;  ///< the most of these
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
   /// How far the far end of a puck's shadow can be from the puck at most, in heights of the puck.
   double longestShadow = kLongestShadow;
@@ -61,8 +59,8 @@ struct Scene {
 std::vector<double> rimsOf(const Scene& scene);
 
 /// Returns a session's message about the division, one line for each kind of objects and one for all. "Exact
-/// to half a pixel" holds for eyes at least kNearestEye_m away and for heads up to the speed named
-/// (cave/mesh/tessellation.h).
+/// to half a pixel" holds for eyes at least kNearestEye_m away, of what rests at least as far as it says, and for heads
+/// up to the speed named (cave/mesh/tessellation.h).
 std::string tessellationReport(const Scene& scene, const Tessellation& tessellation);
 
 /// Returns the same world lines, each with its body's radius widened to `reach_m[body]` if the mesh reaches

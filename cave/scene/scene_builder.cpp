@@ -18,6 +18,7 @@
 #include "cave/frame/bodies.h"
 #include "cave/frame/body_colour.h"
 #include "cave/mesh/mesh_file.h"
+#include "cave/mesh/surface_tiles.h"
 #include "cave/scene/hall_model.h"
 #include "cave/scene/outline_model.h"
 #include "cave/scene/puck_model.h"
@@ -40,24 +41,36 @@ std::size_t verticesOf(std::span<const ScenePart> parts) {
   return count;
 }
 
-double longestEdgeOf(std::span<const ScenePart> parts) {
+double longestEdgeOf(vtkPolyData& mesh) {
   double longest2 = 0.0;
-  for (const ScenePart& part : parts) {
-    const auto cells = vtk::TakeSmartPointer(part.mesh->GetPolys()->NewIterator());
-    for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-      vtkIdType corners = 0;
-      const vtkIdType* ids = nullptr;
-      cells->GetCurrentCell(corners, ids);
-      for (vtkIdType i = 0; i < corners; ++i) {
-        const std::array<vtkIdType, 2> ends{ids[i], ids[(i + 1) % corners]};
-        std::array<double, 3> a{}, b{};
-        part.mesh->GetPoint(ends[0], a.data());
-        part.mesh->GetPoint(ends[1], b.data());
-        longest2 = std::max(longest2, vtkMath::Distance2BetweenPoints(a.data(), b.data()));
-      }
+  const auto cells = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+    vtkIdType corners = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(corners, ids);
+    for (vtkIdType i = 0; i < corners; ++i) {
+      const std::array<vtkIdType, 2> ends{ids[i], ids[(i + 1) % corners]};
+      std::array<double, 3> a{}, b{};
+      mesh.GetPoint(ends[0], a.data());
+      mesh.GetPoint(ends[1], b.data());
+      longest2 = std::max(longest2, vtkMath::Distance2BetweenPoints(a.data(), b.data()));
     }
   }
   return std::sqrt(longest2);
+}
+
+double longestEdgeOf(std::span<const ScenePart> parts) {
+  double longest_m = 0.0;
+  for (const ScenePart& part : parts) longest_m = std::max(longest_m, longestEdgeOf(*part.mesh));
+  return longest_m;
+}
+
+/// Notes how long the cells of coarser meshes are: a triangle lies within a circle of 1/√3 of its longest edge, as cells
+/// 2/√3 times as long do.
+void measureCoarser(std::span<ScenePart> parts) {
+  for (ScenePart& part : parts)
+    for (CoarserMesh& coarser : part.coarser)
+      coarser.cell_m = 2.0 / std::sqrt(3.0) * longestEdgeOf(*coarser.mesh);
 }
 
 double reachOf(std::span<const ScenePart> parts) {
@@ -76,7 +89,6 @@ double reachOf(std::span<const ScenePart> parts) {
 struct Resting {
   std::vector<ScenePart> table;
   std::vector<ScenePart> hall;
-  std::size_t vertices() const { return verticesOf(table) + verticesOf(hall); }
 };
 
 Resting restingParts(const BilliardSetup& setup, const Hall& hall, const std::array<glm::dvec3, 3>& lamps_m) {
@@ -87,24 +99,10 @@ Resting restingParts(const BilliardSetup& setup, const Hall& hall, const std::ar
   return resting;
 }
 
-/// Returns how many times finer than their meshes, a power of two, the parts are to be drawn where it is needed.
-int finerThan(const Resting& resting, const Tessellation& tessellation) {
-  const double longest_m = std::max(longestEdgeOf(resting.table), longestEdgeOf(resting.hall));
-  const std::size_t most = Tessellation::kMostOfLevels * tessellation.mostVertices;
-  int finer = 1;
-  while (finer < Scene::kMostFiner && longest_m / finer > tessellation.edge_m() &&
-         4 * static_cast<std::size_t>(finer * finer) * resting.vertices() <= most)
-    finer *= 2;
-  return finer;
-}
-
-/// Notes parts that rest and have finer levels.
-void addNote(Scene& scene, const std::string& name, std::span<const ScenePart> parts,
-             const Tessellation& tessellation) {
-  const auto finest = static_cast<std::size_t>(scene.finer * scene.finer) * verticesOf(parts);
-  scene.notes.push_back({"The", name, verticesOf(parts), finest,
-                         Tessellation::kMostOfLevels * tessellation.mostVertices,
-                         longestEdgeOf(parts) / scene.finer});
+/// Notes parts that rest, which have levels.
+void addNote(Scene& scene, const std::string& name, std::span<const ScenePart> parts) {
+  const std::size_t vertices = verticesOf(parts);
+  scene.notes.push_back({"The", name, vertices, vertices, 0, longestEdgeOf(parts) / kMostParts});
 }
 
 /// Returns the size of cells whose diagonals are the longest edges.
@@ -177,6 +175,7 @@ class BuiltBodies {
     if (isNew) {
       like = build();
       like.longestEdge_m = longestEdgeOf(like.parts);
+      measureCoarser(like.parts);
       like.reach_m = reachOf(like.parts);
     }
     for (ScenePart& part : like.parts) {
@@ -261,9 +260,8 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
 
   if (setup.board) scene.longestShadow = longestShadowOn(table_m, scene.lamps_m, pucks);
   Resting resting = restingParts(setup, around, scene.lamps_m);
-  scene.finer = finerThan(resting, tessellation);
-  addNote(scene, "table", resting.table, tessellation);
-  addNote(scene, "hall", resting.hall, tessellation);
+  addNote(scene, "table", resting.table);
+  addNote(scene, "hall", resting.hall);
   scene.reach_m.push_back(std::max(reachOf(resting.table), reachOf(resting.hall)));
   append(scene.casters, resting.table);
   append(scene.casters, resting.hall);

@@ -31,6 +31,14 @@ enum class Paint {
   lamp,    ///< shines
 };
 
+/// A mesh for the same part that may stand for it where its cells, up to `cell_m` long and drawn flat, and its shape, off
+/// by up to `off_m`, are seen as small as need be.
+struct CoarserMesh {
+  vtkSmartPointer<vtkPolyData> mesh;
+  double cell_m = 0.0;
+  double off_m = 0.0;
+};
+
 /// Part of a body. The mesh has points and normals in the body's rest frame (metres, from its centre) and,
 /// for painting, a point array "surface" of three floats per point, whose meaning the paint's shader
 /// explains.
@@ -38,8 +46,9 @@ struct ScenePart {
   std::size_t body = 0;
   vtkSmartPointer<vtkPolyData> mesh;
   Paint paint = Paint::plain;
-  glm::vec3 colour{1.0F};  ///< linear light, the share reflected
-  float gloss = 0.0F;      ///< strength of the highlight; cloth and panels have none
+  glm::vec3 colour{1.0F};              ///< linear light, the share reflected
+  float gloss = 0.0F;                  ///< strength of the highlight; cloth and panels have none
+  std::vector<CoarserMesh> coarser{};  ///< for eyes farther and farther away
 };
 
 /// How a puck or a scripted body looks.

@@ -52,7 +52,7 @@ bool showsInside(const Wall& wall, const glm::dvec3& camera_m) {
 
 RoomSurfaces::RoomSurfaces(const RoomGeometry& room)
     : room_(room),
-      floor_m_(std::numeric_limits<double>::infinity()),
+      floor_m_(room.isHeadset ? 0.0 : std::numeric_limits<double>::infinity()),
       panelProgram_(makeProgram("panel", shaders::panel_vert, shaders::panel_frag)),
       groundProgram_(makeProgram("ground", shaders::panel_vert, shaders::ground_frag)),
       backdropProgram_(makeProgram("backdrop", shaders::stereo_vert, shaders::backdrop_frag)),
@@ -96,16 +96,18 @@ void RoomSurfaces::drawGround(const OutsideView& view) const {
 }
 
 void RoomSurfaces::drawPanels(const OutsideView& view, const DisplayWalls& shown) const {
+  for (const Wall& wall : walls_) drawPanel(wall, view, shown);
+}
+
+void RoomSurfaces::drawPanel(const Wall& wall, const OutsideView& view, const DisplayWalls& shown) const {
+  if (!showsInside(wall, view.camera_m)) return;
   glUseProgram(panelProgram_);
   glBindVertexArray(vertexArray_);
   setUniform(panelProgram_, "shown", 0);
-  for (const Wall& wall : walls_) {
-    if (!showsInside(wall, view.camera_m)) continue;
-    const RenderTarget* live = shown.pictureOf(wall.name);
-    setUniform(panelProgram_, "empty", live ? 0 : 1);
-    if (live) glBindTexture(GL_TEXTURE_2D, live->texture());
-    drawRectangle(panelProgram_, view, wall);
-  }
+  const RenderTarget* live = shown.pictureOf(wall.name);
+  setUniform(panelProgram_, "empty", live ? 0 : 1);
+  if (live) glBindTexture(GL_TEXTURE_2D, live->texture());
+  drawRectangle(panelProgram_, view, wall);
 }
 
 void RoomSurfaces::drawNames(const OutsideView& view) const {

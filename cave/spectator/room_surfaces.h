@@ -18,7 +18,8 @@ class RoomSurfaces {
   explicit RoomSurfaces(const RoomGeometry& room);
 
   const std::vector<Wall>& walls() const { return walls_; }  ///< each screen once
-  double floor_m() const { return floor_m_; }                ///< the lowest corner, along the room's up
+  /// Returns the lowest corner, along the room's up; that of a headset's room is its origin.
+  double floor_m() const { return floor_m_; }
 
   // These draw within a GlStateGuard.
   /// Draws the backdrop and the ground. The ground is not drawn when seen from below, where it would hide the
@@ -27,6 +28,8 @@ class RoomSurfaces {
   /// Draws the pictures of the walls that show their inner side; a wall that `shown` does not draw is an
   /// empty panel.
   void drawPanels(const OutsideView& view, const DisplayWalls& shown) const;
+  /// Does the same for one wall.
+  void drawPanel(const Wall& wall, const OutsideView& view, const DisplayWalls& shown) const;
   /// Draws each wall's name above it, before the near edge of one that lies on the floor, and at the foot of
   /// one that is seen from behind.
   void drawNames(const OutsideView& view) const;

@@ -14,6 +14,7 @@
 #include "cave/gl/line_batch.h"
 #include "cave/render/draw_target.h"
 #include "cave/render/edge_smoother.h"
+#include "cave/room/headset_walls.h"
 #include "cave/spectator/orbit_camera.h"
 #include "cave/spectator/outside_view.h"
 #include "cave/spectator/room_simultaneity.h"
@@ -77,13 +78,17 @@ struct SpectatorView::Drawing {
   LineBatch ribbons;
   std::vector<Ribbon> lines;
   OutsideView view;
+  std::array<Wall, 2> hung;  ///< before the eyes of a headset,
+  bool isWorn = false;       ///< while there is one
 
   Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn, const ViewerModel& viewer);
   ~Drawing() { graphics.makeCurrent(); }
   void makeGame(const Scene& scene, std::span<const ScenePart> parts);
+  void putOn(const HeadsetState& headset);
   void drawViewers(const FrameRecord& record) const;
   void drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories, float covers) const;
   void drawTable(const glm::dmat4& roomFromTable) const;
+  void outline(const Wall& wall, std::span<const glm::dvec3> eyes_m);
   void drawLines(const FrameRecord& record, const std::optional<glm::dmat4>& roomFromTable);
 };
 
@@ -94,12 +99,18 @@ SpectatorView::Drawing::Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn
       target(graphics.inSoftware() ? 1 : kSamples),
       surfaces(roomIn),
       wand(solids.upload(*viewer.wand.mesh, viewer.wand.colour)) {
-  if (graphics.inSoftware()) smoother.emplace(EdgeSmoother::Tones::luminance);
+  if (graphics.inSoftware()) smoother.emplace(EdgePixels::Tones::luminance);
   for (const ModelPart& part : viewer.head) head.push_back(solids.upload(*part.mesh, part.colour));
   for (std::size_t i = 0; i < room.viewers.size(); ++i) {
     coats.push_back(solids.upload(*viewer.coats.at(i).mesh, viewer.coats[i].colour));
     rooms[i] = seenBy(room, i);
   }
+  for (std::size_t eye = 0; eye < 2; ++eye) hung[eye].name = kEyeWalls[eye];
+}
+
+void SpectatorView::Drawing::putOn(const HeadsetState& headset) {
+  isWorn = room.isHeadset && headset.isWorn;
+  for (std::size_t eye = 0; eye < 2 && isWorn; ++eye) hang(hung[eye], headset.eyes[eye]);
 }
 
 void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const ScenePart> parts) {
@@ -147,21 +158,30 @@ void SpectatorView::Drawing::drawTable(const glm::dmat4& roomFromTable) const {
   glDepthFunc(GL_LESS);
 }
 
+/// Adds the frame of a wall, and lines of sight from eyes to its corners.
+void SpectatorView::Drawing::outline(const Wall& wall, std::span<const glm::dvec3> eyes_m) {
+  constexpr double kFrame_m = 0.014, kFarFrame_m = 0.3 * kFrame_m, kSight_m = 0.003;
+  const Corners corners_m = cornersOf(wall);
+  const bool inside = showsInside(wall, view.camera_m);
+  for (std::size_t i = 0; i < 4; ++i) {
+    lines.push_back(
+        {corners_m[i], corners_m[(i + 1) % 4], inside ? kFrame_m : kFarFrame_m, inside ? kFrame : kFarFrame});
+    for (const glm::dvec3& eye_m : eyes_m) lines.push_back({eye_m, corners_m[i], kSight_m, kSight});
+  }
+}
+
 void SpectatorView::Drawing::drawLines(const FrameRecord& record,
                                        const std::optional<glm::dmat4>& roomFromTable) {
-  constexpr double kFrame_m = 0.014, kFarFrame_m = 0.3 * kFrame_m, kSight_m = 0.003, kEdge_m = 0.005;
+  constexpr double kEdge_m = 0.005;
+  std::array<glm::dvec3, kMostViewers> heads_m;
+  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
+    heads_m[viewer] = record.viewer(viewer).observer.middle.positionInRoom_m;
   lines.clear();
-  for (const Wall& wall : surfaces.walls()) {
-    const Corners corners_m = cornersOf(wall);
-    const bool inside = showsInside(wall, view.camera_m);
-    for (std::size_t i = 0; i < 4; ++i) {
-      lines.push_back({corners_m[i], corners_m[(i + 1) % 4], inside ? kFrame_m : kFarFrame_m,
-                       inside ? kFrame : kFarFrame});
-      for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
-        lines.push_back(
-            {record.viewer(viewer).observer.middle.positionInRoom_m, corners_m[i], kSight_m, kSight});
-    }
-  }
+  for (const Wall& wall : surfaces.walls())
+    outline(wall, std::span(heads_m).first(room.isHeadset ? 0 : record.viewers));
+  const std::array<glm::dvec3, 2> eyes_m{record.observer.left.positionInRoom_m,
+                                         record.observer.right.positionInRoom_m};
+  for (std::size_t eye = 0; eye < 2 && isWorn; ++eye) outline(hung[eye], std::span(eyes_m).subspan(eye, 1));
   const std::size_t ofRoom = lines.size();
   const auto inRoom_m = [&](const glm::dvec3& onBoard_m) {
     return glm::dvec3(*roomFromTable * glm::dvec4(onBoard_m, 1.0));
@@ -207,6 +227,7 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   d.size_px = d.window ? glm::max(d.window->size_px(), glm::ivec2(1)) : kPicture_px;
   if (!d.picture || d.picture->size_px() != d.size_px) d.picture = std::make_unique<RenderTarget>(d.size_px);
   d.view = {d.camera.clipFromRoom(d.size_px), d.camera.place_m(), d.size_px};
+  d.putOn(record.headset);
   const EyeView& middle = record.observer.middle;
   const RoomSimultaneity moment(record.boardFromRoom, middle.observation, middle.seenFromInRoom_m);
 
@@ -217,6 +238,7 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   d.surfaces.drawPanels(d.view, walls);
+  if (d.isWorn) d.surfaces.drawPanel(d.hung[0], d.view, walls);
   d.solids.begin(d.view, d.room.up, glm::cross(d.room.forward, d.room.up));
   // Draws dimly what stands behind a wall.
   glDepthFunc(GL_GREATER);
@@ -233,8 +255,11 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   glDepthFunc(GL_LEQUAL);
   d.surfaces.drawNames(d.view);
   glViewport(0, 0, d.size_px.x, d.size_px.y);
-  d.target.copyTo(*d.picture, 0);
-  if (d.smoother) d.smoother->smooth(d.target.texture(), d.size_px, *d.picture, 0);
+  if (d.smoother) {
+    d.smoother->copy(d.target, *d.picture, 0);
+  } else {
+    d.target.copyTo(*d.picture, 0);
+  }
 }
 
 const RenderTarget& SpectatorView::picture() const { return *drawing_->picture; }

@@ -138,7 +138,7 @@ inline constexpr std::array<Text, 5> kPartColumns{"ms", "  median", "    99 %", 
                                                   "the line: one period"};
 inline constexpr std::array<Text, 5> kNodeColumns{"late, ms", "  median", "    99 %", "  jitter",
                                                   "frame lock"};
-inline constexpr std::array<Text, 2> kWallColumns{"graphics card, ms", "  median"};
+inline constexpr std::array<Text, 3> kWallColumns{"wall", "  triangles", "graphics card, ms"};
 inline constexpr std::array<Text, 4> kLockStates{"software", "swap group pending", "swap group joined",
                                                  "swap group LOST"};
 inline constexpr Text kNode = "{}   frame {}   {:.5g} Hz";

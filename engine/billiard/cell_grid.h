@@ -111,17 +111,13 @@ class CellGrid {
   void fetchCellOf(int item) const { prefetch(&cellOf_[item]); }
   void fetch(int cell) const { prefetch(&blocks_[cell]); }
   void fetchNear(int cell) const {
-    const int column = indexOf(cell, 0), row = indexOf(cell, 1);
-    fetchBlocks(column - 1, column + 1, row - 1, row + 1);
+    for (int row = -1; row <= 1; ++row) fetchThree(cell + row * (1 << rowShift_));
   }
   void fetchAhead(int cell, int axis, int step) const {
-    const int column = indexOf(cell, 0), row = indexOf(cell, 1);
+    const int row = 1 << rowShift_;
     prefetch(&blocks_[cell]);
-    if (axis == 0) {
-      fetchBlocks(column + step, column + step, row - 1, row + 1);
-    } else {
-      fetchBlocks(column - 1, column + 1, row + step, row + step);
-    }
+    if (axis == 1) return fetchThree(cell + step * row);
+    for (int k = -1; k <= 1; ++k) fetchOne(cell + step + k * row);
   }
 
  private:
@@ -167,12 +163,13 @@ class CellGrid {
       }
     }
   }
-  void fetchBlocks(int columnLow, int columnHigh, int rowLow, int rowHigh) const {
-    columnLow = std::max(0, columnLow), columnHigh = std::min(columns_ - 1, columnHigh);
-    rowLow = std::max(0, rowLow), rowHigh = std::min(rows_ - 1, rowHigh);
-    for (int row = rowLow; row <= rowHigh; ++row) {
-      for (int column = columnLow; column <= columnHigh; ++column) prefetch(&blocks_[cellIn(column, row)]);
-    }
+  // At the rim some of these are other cells, which does no harm.
+  void fetchOne(int cell) const {
+    prefetch(&blocks_[std::clamp(cell, 0, static_cast<int>(blocks_.size()) - 1)]);
+  }
+  void fetchThree(int middle) const {
+    const int first = std::clamp(middle - 1, 0, std::max(0, static_cast<int>(blocks_.size()) - 3));
+    for (int k = 0; k < 3; ++k) prefetch(&blocks_[first + k]);
   }
   int findIn(int columnLow, int columnHigh, int rowLow, int rowHigh, int* found) const {
     int* end = found;

@@ -100,6 +100,7 @@ int CollisionScheduler::storeStroke(const Stroke& stroke) {
 }
 
 bool CollisionScheduler::playUntil(double limit, std::size_t events, GameHistory& history) {
+  deferredLater_ = 0;
   while (!pucks_.empty() && (queue_.firstDue() <= limit || hasDeferredBefore(limit))) {
     if (history.eventCount() >= events) return false;
     flashUntil(queue_.firstDue(), history);
@@ -118,15 +119,18 @@ void CollisionScheduler::flashUntil(double limit, GameHistory& history) {
   }
 }
 
-// A puck put off behind a later one may still have something to do before `limit`.
+// A puck put off behind a later one may still have something to do before `limit`. Those that have not are set aside
+// until the limit changes: what changes the event of one of them gives it another place in the queue, too.
 bool CollisionScheduler::hasDeferredBefore(double limit) {
-  for (std::size_t k = deferred_.size(); k-- > 0;) {
-    const PredictedEvent& next = outlooks_[deferred_[k]].next;
-    if (queue_.due(deferred_[k]) <= next.due()) {
-      deferred_[k] = deferred_.back();
+  while (deferred_.size() > deferredLater_) {
+    const int i = deferred_.back();
+    const PredictedEvent& next = outlooks_[i].next;
+    if (queue_.due(i) <= next.due()) {
       deferred_.pop_back();
     } else if (next.ownTime <= limit || next.otherTime <= limit) {
       return true;
+    } else {
+      std::swap(deferred_.back(), deferred_[deferredLater_++]);
     }
   }
   return false;

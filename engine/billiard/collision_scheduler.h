@@ -365,11 +365,12 @@ class CollisionScheduler {
   std::vector<int> near_, void_;  // scratch
   std::vector<Member> members_;   // scratch: the jam that is being settled
   std::vector<Press> presses_;
-  std::vector<char> inJam_;    // by puck
-  std::size_t flashed_ = 0;    // number of flashes listed so far
-  std::vector<int> deferred_;  // pucks whose event waits until others have had theirs
-  double gammaBound_ = 1.0;    // the greatest γ for which the cells are large enough
-  double pairReach_ = 0.0;     // the distance within which two pucks must be compared
+  std::vector<char> inJam_;        // by puck
+  std::size_t flashed_ = 0;        // number of flashes listed so far
+  std::vector<int> deferred_;      // pucks whose event waits until others have had theirs
+  std::size_t deferredLater_ = 0;  // the first of them wait for something after the limit of `playUntil`
+  double gammaBound_ = 1.0;        // the greatest γ for which the cells are large enough
+  double pairReach_ = 0.0;         // the distance within which two pucks must be compared
   bool cellsTooSmall_ = false;
   double rollbackWindow_ = 0.0;
   double clock_ = 0.0;

@@ -4,9 +4,10 @@
 //
 // The soonest are a short sorted list, so that one can look ahead. Further items due today are in a four-way heap.
 // Four siblings fill one cache line, and the least of them is found without a branch. Where there are many items,
-// those due later are only listed under their day, so that the heap stays small: a calendar (R. Brown, 1988, Calendar
-// queues). An item that is given another time stays on the list of its old day, and is left out there when that day
-// comes. When the calendar ends, a new one begins, for which all items are looked through once.
+// those due later are only listed under their day: a calendar (R. Brown, 1988, Calendar queues). When the soonest become
+// few, the next day's items are sorted and follow them; only what is due that day and is given its time afterwards goes
+// through the heap. An item that is given another time stays on the list of its old day, and is left out there when that
+// day comes. When the calendar ends, a new one begins, for which all items are looked through once.
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,8 @@ class DueQueue {
     for (const int end = std::min(begin_ + count, end_); seen < end; ++seen) visit(soon_[seen].item);
   }
   static constexpr int kStages = 3;
-  static constexpr int kSoon = 16;  // after `first`, fewer are known only where the heap is empty
+  static constexpr int kSoon = 16;  // after `first`, fewer are known only where the calendar ends
+  static constexpr int kMostSoon = 128;
   /// Prefetches an item's time from memory.
   void fetch(int item) const { prefetch(&items_[item]); }
 
@@ -96,10 +98,14 @@ class DueQueue {
   // Whether an entry belongs among the soonest: before the last of them.
   bool isSoon(const Entry& entry) const { return begin_ < end_ && !(soon_[end_ - 1] < entry); }
   void fillSoon() {
-    if (begin_ == end_ && size_ == 0) openDay();
-    for (; end_ - begin_ < kSoon && size_ > 0; takeOut(0)) {
-      makeRoom();
-      soon_[end_++] = at(0);
+    while (end_ - begin_ < kSoon) {
+      if (size_ > 0) {
+        makeRoom();
+        soon_[end_++] = at(0);
+        takeOut(0);
+      } else if (!openDay()) {
+        return;
+      }
     }
   }
   void makeRoom() {
@@ -109,7 +115,7 @@ class DueQueue {
     end_ -= begin_, begin_ = 0;
   }
   void insertSoon(const Entry& entry) {
-    if (end_ - begin_ == 2 * kSoon) moveLastSoon();
+    if (end_ - begin_ == kMostSoon) moveLastSoon();
     makeRoom();
     int k = end_++;
     for (; k > begin_ && entry < soon_[k - 1]; --k) soon_[k] = soon_[k - 1];
@@ -137,19 +143,32 @@ class DueQueue {
     if (time == kNever) return kDays + 1;
     return static_cast<int>(std::clamp((time - begins_) * perDay_, 0.0, static_cast<double>(kDays)));
   }
-  // Fills the empty heap with the next items due, if any is.
-  void openDay() {
-    while (size_ == 0 && !days_.empty()) {
-      if (++today_ == kDays && !beginCalendar()) {
-        --today_;
-        return;
-      }
-      for (const int item : days_[today_]) {
-        const Item& own = items_[item];
-        if (own.slot == kNone && dayOf(own.due) == today_) place(newSlot(), {own.due, item});
-      }
-      days_[today_].clear();
+  // Adds the items of the next day to the soonest, behind which nothing is in the heap. Returns whether there is such a
+  // day: not after the last of a calendar while something is due before, nor where nothing is due.
+  bool openDay() {
+    if (days_.empty() || (today_ + 1 == kDays && (begin_ < end_ || !beginCalendar()))) return false;
+    constexpr std::size_t kAhead = 16;
+    std::vector<int>& listed = days_[++today_];
+    opened_.clear();
+    for (std::size_t k = 0; k < listed.size(); ++k) {
+      fetch(listed[std::min(k + kAhead, listed.size() - 1)]);
+      const Entry entry{items_[listed[k]].due, listed[k]};
+      if (dayOf(entry.due) == today_) opened_.push_back(entry);
     }
+    listed.clear();
+    std::sort(opened_.begin(), opened_.end());
+    int before = kNone;  // an item can have been listed twice
+    for (const Entry& entry : opened_) {
+      if (entry.item != before) addLast(entry);
+      before = entry.item;
+    }
+    return true;
+  }
+  // Adds what is due after all of the soonest and of the heap.
+  void addLast(const Entry& entry) {
+    if (end_ - begin_ >= kMostSoon) return place(newSlot(), entry);
+    makeRoom();
+    soon_[end_++] = entry;
   }
   // Begins a calendar with the first item due. A sample of the items tells how long a day is. Returns whether there
   // is such an item.
@@ -163,7 +182,7 @@ class DueQueue {
     if (begins_ == kNever) return begins_ = -kLatest, perDay_ = 1.0, false;
     const double days = static_cast<double>(items_.size()) / (kShare * kADay);
     perDay_ = std::min(days / (sample[kSample / kShare] - begins_), kLatest);
-    today_ = 0;
+    today_ = -1;
     for (int item = 0; item < static_cast<int>(items_.size()); ++item) {
       if (const int day = dayOf(items_[item].due); day < kDays) days_[day].push_back(item);
     }
@@ -216,8 +235,10 @@ class DueQueue {
   int today_ = kDays;  // in a calendar of days of equal length
   double begins_ = 0.0, perDay_ = 0.0;
   std::vector<std::vector<int>>
-      days_;                           // the items that have been given a time on each; no days for few items
-  std::array<Entry, 8 * kSoon> soon_;  // the places from begin_ to end_: all that are due before the heap's
+      days_;                   // the items that have been given a time on each; no days for few items
+  std::vector<Entry> opened_;  // scratch
+  std::array<Entry, 2 * kMostSoon>
+      soon_;  // the places from begin_ to end_: all that are due before the heap's
   int begin_ = 0, end_ = 0;
   std::array<int, kStages> seen_{};  // places of the first that the stages of `lookAhead` have not visited
   int size_ = 0;                     // of the heap

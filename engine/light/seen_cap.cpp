@@ -75,6 +75,18 @@ SphericalCap SeenCaps::of(const Vec3& middle_m, double radius_m) const {
   return carried(capOfSphere(stretched_m - leg_.eye, leg_.toBoardTime.x * radius_m), drawnFromSphere_);
 }
 
+// A displacement (c t, x) of the leg's frame has the time γ c t − u·x in the head's. At a moment, drawn places are a
+// linear map of the body's in which nothing is longer: the distance is what is drawn, and nothing bends.
+std::optional<SeenCaps::RestView> SeenCaps::restView() const {
+  if (!contracted_ || leg_.spin.w > 0.0) return std::nullopt;
+  if (kind_ == Kind::moment)
+    return RestView{-kernel::seenFromEye(leg_, kernel::emissionOnLeg(leg_, Vec3(0.0), false, true)),
+                    Vec3(0.0)};
+  if (kind_ != Kind::straight) return std::nullopt;
+  const glm::dvec4 time = glm::transpose(drawnFromSphere_)[0];
+  return RestView{leg_.eye, -Vec3(time.y, time.z, time.w)};
+}
+
 // Light from a point within R of the centre at each board time left at t, the centre's at t_c:
 //   c |t − t_c| ≤ |x − x_c| ≤ R + β c |t − t_c|,   so |x − x_c| ≤ R/(1 − β).
 SphericalCap SeenCaps::around(double radius_m) const {

@@ -1,6 +1,8 @@
 #pragma once
 // In which directions an eye can see the parts of a body, without solving for any of their points.
 
+#include <optional>
+
 #include <glm/mat4x4.hpp>
 
 #include "engine/light/light_cone.h"
@@ -25,6 +27,14 @@ class SeenCaps {
   /// Returns where the points are drawn that are at most `radius_m` from `middle_m` (in the body's rest
   /// frame, from its centre): in the frame in which walls draw.
   SphericalCap of(const Vec3& middle_m, double radius_m) const;
+
+  /// A body at rest, as an eye sees it: the eye's place, from the body's centre, and its head's γβ.
+  struct RestView {
+    Vec3 eye_m{0.0}, u{0.0};
+  };
+  /// Returns how the whole body is seen in its rest frame. Nothing of a body that keeps to no straight leg, that spins or
+  /// that is drawn uncontracted.
+  std::optional<RestView> restView() const;
 
   /// Returns where everything is drawn that is at rest to the body's centre on the board within `radius_m` of
   /// the place from which the centre's light came: larger than `of` in most cases, and good for a shadow,

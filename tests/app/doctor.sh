@@ -11,7 +11,7 @@ status=0
 fail() { echo "FAILED: $*"; status=1; }
 
 "$carom" doctor >"$work/said" 2>"$work/errors" || fail "it ended with an error: $(cat "$work/errors")"
-for kind in host display OpenGL stereo "swap group" monitor sound device "real time" cores disk MPI; do
+for kind in host display OpenGL stereo "swap group" monitor sound device "real time" cores disk headset MPI; do
   grep -q "^$kind  *[^ ]" "$work/said" || fail "it says nothing of '$kind': $(cat "$work/said")"
 done
 

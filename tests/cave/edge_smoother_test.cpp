@@ -1,5 +1,5 @@
-// Edges smoothed in the finished picture (cave/render/edge_smoother.h) against the same picture with 16 × 16
-// samples a pixel.
+// Edges smoothed in the finished picture (cave/render/edge_pixels.h) against the same picture with 16 × 16
+// samples a pixel, and on their way from what was drawn into a wall's picture (cave/render/edge_smoother.h).
 #include "cave/render/edge_smoother.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include <cmath>
 #include <functional>
-#include <memory>
+#include <span>
 #include <vector>
 
 #include "cave/gl/graphics.h"
@@ -25,15 +25,15 @@ struct Pixel {
 };
 using Painting = std::function<Pixel(double x, double y)>;  // in pixels from the lower left
 
-std::vector<std::uint8_t> pixelsOf(const Painting& painting, const glm::ivec2& size_px) {
-  std::vector<std::uint8_t> rgba;
+/// Writes a painting: rows from the bottom up.
+void paintInto(std::span<std::uint32_t> pixels, const Painting& painting, const glm::ivec2& size_px) {
+  auto to = pixels.begin();
   for (int y = 0; y < size_px.y; ++y) {
     for (int x = 0; x < size_px.x; ++x) {
       const Pixel pixel = painting(x + 0.5, y + 0.5);
-      rgba.insert(rgba.end(), {pixel.grey, pixel.grey, pixel.grey, pixel.tone});
+      *to++ = pixel.grey * 0x010101U | static_cast<std::uint32_t>(pixel.tone) << 24U;
     }
   }
-  return rgba;
 }
 
 /// Returns the grey of a pixel with many samples.
@@ -45,40 +45,14 @@ double sampled(const Painting& painting, int x, int y) {
   return sum / (kSamples * kSamples);
 }
 
-class EdgeSmootherTest : public testing::Test {
- protected:
-  void SetUp() override { graphics_.makeCurrent(); }
-
-  /// Returns a picture of these pixels.
-  static std::unique_ptr<RenderTarget> pictureOf(const std::vector<std::uint8_t>& rgba,
-                                                 const glm::ivec2& size_px) {
-    auto picture = std::make_unique<RenderTarget>(size_px);
-    glBindTexture(GL_TEXTURE_2D, picture->texture());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_px.x, size_px.y, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-    glBindTexture(GL_TEXTURE_2D, 0);
-    return picture;
-  }
-
-  /// Returns the greys of a painting, smoothed: rows from the bottom up.
-  static std::vector<int> smoothed(const Painting& painting,
-                                   const glm::ivec2& size_px = {kWide_px, kHigh_px}) {
-    const auto rgba = pixelsOf(painting, size_px);
-    const auto drawn = pictureOf(rgba, size_px), picture = pictureOf(rgba, size_px);
-    glViewport(0, 0, size_px.x, size_px.y);
-    EdgeSmoother().smooth(drawn->texture(), size_px, *picture, 0);
-    return greysOf(*picture);
-  }
-
-  static std::vector<int> greysOf(const RenderTarget& picture) {
-    const Image image = readBack(picture);
-    std::vector<int> greys;
-    for (std::size_t i = 0; i < image.rgb.size(); i += 3) greys.push_back(image.rgb[i]);
-    return greys;
-  }
-
-  Graphics graphics_;
-};
+/// Returns the greys of a painting, smoothed: rows from the bottom up.
+std::vector<int> smoothed(const Painting& painting, const glm::ivec2& size_px = {kWide_px, kHigh_px}) {
+  EdgePixels edges(EdgePixels::Tones::inAlpha);
+  paintInto(edges.begin(size_px), painting, size_px);
+  std::vector<int> greys;
+  for (const std::uint32_t pixel : edges.smooth()) greys.push_back(static_cast<int>(pixel & 255U));
+  return greys;
+}
 
 /// Grey 40 below a straight edge through (x, y) with this slope, 220 above it; tones as different.
 Painting edgeThrough(double x, double y, double angle_rad) {
@@ -89,7 +63,7 @@ Painting edgeThrough(double x, double y, double angle_rad) {
   };
 }
 
-TEST_F(EdgeSmootherTest, StraightEdgesAreTwiceAsNearToManySamples) {
+TEST(EdgeSmoother, StraightEdgesAreTwiceAsNearToManySamples) {
   test::Random random(20261122);
   double rough = 0.0, smooth = 0.0;
   for (int i = 0; i < 60; ++i) {
@@ -115,18 +89,18 @@ TEST_F(EdgeSmootherTest, StraightEdgesAreTwiceAsNearToManySamples) {
   RecordProperty("smoothToRough", std::to_string(smooth / rough));
 }
 
-TEST_F(EdgeSmootherTest, WhatHasOneToneStaysAsItIs) {
+TEST(EdgeSmoother, WhatHasOneToneStaysAsItIs) {
   // Letters, digits, tiles: what is painted on one surface, with the hardest contrasts.
   const auto written = [](double x, double y) {
     const bool ink = (static_cast<int>(x) * 7 + static_cast<int>(y) * 3) % 5 < 2;
     return Pixel{static_cast<std::uint8_t>(ink ? 255 : 0), 128};
   };
-  const auto rgba = pixelsOf(written, {kWide_px, kHigh_px});
   const std::vector<int> greys = smoothed(written);
-  for (std::size_t i = 0; i < greys.size(); ++i) ASSERT_EQ(greys[i], rgba[4 * i]) << "pixel " << i;
+  for (int i = 0; i < kWide_px * kHigh_px; ++i)
+    ASSERT_EQ(greys[static_cast<std::size_t>(i)], written(i % kWide_px + 0.5, i / kWide_px + 0.5).grey) << i;
 }
 
-TEST_F(EdgeSmootherTest, EveryTileIsReached) {
+TEST(EdgeSmoother, EveryRowIsReached) {
   // A step in one place of the picture, and the same step moved: the same change, wherever it is.
   int expected = 0;
   for (int y = 4; y < kHigh_px - 4; ++y) {
@@ -142,42 +116,58 @@ TEST_F(EdgeSmootherTest, EveryTileIsReached) {
   }
 }
 
-TEST_F(EdgeSmootherTest, NothingComesFromBeyondAWallsBorder) {
-  // Two walls beside each other in one picture, drawn into a texture that holds something else beyond them.
-  static constexpr glm::ivec2 kWall_px(40, 30), kBuffer_px(90, 50);
+TEST(EdgeSmoother, AnEdgeAlongABorderHasNothingBeyond) {
+  // Whatever the size and wherever the edge runs, a pixel is its own or between its neighbours within the picture.
   test::Random random(7);
-  for (int i = 0; i < 20; ++i) {
-    const Painting edge = edgeThrough(random.in(30.0, 50.0), random.in(0.0, 40.0), random.in(0.0, 6.283));
-    const auto within = [&edge](Pixel beyond) -> Painting {
-      return [edge, beyond](double x, double y) {
-        return x < kWall_px.x && y < kWall_px.y ? edge(x, y) : beyond;
-      };
-    };
-    std::vector<int> expected;
-    for (const Pixel beyond : {Pixel{40, 50}, Pixel{255, 255}, Pixel{0, 0}}) {
-      const auto drawn = pictureOf(pixelsOf(within(beyond), kBuffer_px), kBuffer_px);
-      const auto picture = pictureOf(
-          pixelsOf([&](double x, double y) { return edge(x - kWall_px.x, y); }, {2 * kWall_px.x, kWall_px.y}),
-          {2 * kWall_px.x, kWall_px.y});
-      const std::vector<int> before = greysOf(*picture);
-      glViewport(0, 0, kWall_px.x, kWall_px.y);
-      EdgeSmoother().smooth(drawn->texture(), kWall_px, *picture, kWall_px.x);
-      const std::vector<int> greys = greysOf(*picture);
-      for (std::size_t at = 0; at < greys.size(); ++at) {
-        if (static_cast<int>(at) % (2 * kWall_px.x) >= kWall_px.x) continue;
-        ASSERT_EQ(greys[at], before[at]) << "the other wall, pixel " << at;
-      }
-      if (expected.empty()) expected = greys;
-      ASSERT_EQ(greys, expected) << "edge " << i << ", beyond the wall " << int(beyond.grey);
+  EdgePixels edges(EdgePixels::Tones::inAlpha);
+  for (int i = 0; i < 200; ++i) {
+    const glm::ivec2 size_px(static_cast<int>(random.in(1.0, 41.0)), static_cast<int>(random.in(1.0, 41.0)));
+    const Painting painting =
+        edgeThrough(random.in(0.0, size_px.x), random.in(0.0, size_px.y), random.in(0.0, 6.283));
+    paintInto(edges.begin(size_px), painting, size_px);
+    for (const std::uint32_t pixel : edges.smooth()) {
+      ASSERT_EQ(pixel & 255U, pixel >> 8U & 255U) << "picture " << i;
+      ASSERT_GE(pixel & 255U, 40U) << "picture " << i << ", " << size_px.x << " × " << size_px.y;
+      ASSERT_LE(pixel & 255U, 220U) << "picture " << i << ", " << size_px.x << " × " << size_px.y;
     }
   }
 }
 
-TEST_F(EdgeSmootherTest, APictureSmallerThanATileStays) {
-  const auto painting = edgeThrough(3.0, 3.0, 0.3);
-  const auto rgba = pixelsOf(painting, {7, 40});
-  const std::vector<int> greys = smoothed(painting, {7, 40});
-  for (std::size_t i = 0; i < greys.size(); ++i) EXPECT_EQ(greys[i], rgba[4 * i]) << "pixel " << i;
+TEST(EdgeSmoother, TonesOfLettersAndPicturesAreTheirLuminance) {
+  EdgePixels edges(EdgePixels::Tones::luminance);
+  const Painting painting = edgeThrough(50.0, 30.0, 0.2);
+  paintInto(edges.begin({kWide_px, kHigh_px}),
+            [&](double x, double y) {
+              return Pixel{painting(x, y).grey, 255};
+            },
+            {kWide_px, kHigh_px});
+  const std::vector<int> expected = smoothed(painting);
+  const auto found = edges.smooth();
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    ASSERT_EQ(static_cast<int>(found[i] & 255U), expected[i]) << "pixel " << i;
+}
+
+TEST(EdgeSmoother, PutsWhatWasDrawnIntoItsColumnsOnly) {
+  // A wall of 40 columns, drawn into buffers that are larger and hold something else beyond it.
+  constexpr glm::ivec2 kWall_px(40, 30), kBuffer_px(90, 50);
+  Graphics graphics;
+  graphics.makeCurrent();
+  DrawTarget target(1);
+  glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+  target.begin(kBuffer_px);
+  glClearColor(0.2F, 0.4F, 0.6F, 0.5F);
+  target.begin(kWall_px);
+  glClearColor(0.0F, 0.0F, 0.0F, 0.0F);  // as OpenGL begins
+  RenderTarget picture({2 * kWall_px.x, kWall_px.y});
+  EdgeSmoother().copy(target, picture, kWall_px.x);
+  const Image image = readBack(picture);
+  for (int i = 0; i < 2 * kWall_px.x * kWall_px.y; ++i) {
+    const bool here = i % (2 * kWall_px.x) >= kWall_px.x;
+    const auto* rgb = &image.rgb[static_cast<std::size_t>(3 * i)];
+    ASSERT_EQ((std::vector<int>{rgb[0], rgb[1], rgb[2]}),
+              (here ? std::vector{51, 102, 153} : std::vector{0, 0, 0}))
+        << "pixel " << i;
+  }
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ class HeadsetTest : public ::testing::Test {
     EXPECT_EQ(runtime_.instances, 0);
     EXPECT_EQ(runtime_.sessions, 0);
     EXPECT_EQ(runtime_.chains, 0);
+    EXPECT_EQ(runtime_.handTrackers, 0);
   }
 
   /// Returns the next frame, once the session runs.
@@ -280,14 +281,62 @@ TEST_F(HeadsetTest, ATriggerIsHeldUntilItIsWellReleased) {
   EXPECT_EQ(runtime_.knocks, (std::vector<std::pair<int, float>>{{1, 0.5F}}));
 }
 
+TEST_F(HeadsetTest, AHandWithoutAControllerAimsAlongItselfAndItsPinchIsTheTrigger) {
+  // The tips' distances at which a trigger is held and released, by the definition of a pinch: 2 and 3.5 cm.
+  const std::vector<float> apart_m{0.06F, 0.021F, 0.019F, 0.03F, 0.034F, -1.0F, 0.036F, 0.021F, 0.0F};
+  const std::vector<bool> held{false, false, true, true, true, true, false, false, true};
+  const XrPosef palm{{0, 0.38268343F, 0, 0.92387953F}, {0.2F, 1.1F, -0.4F}};  // 45° to the left
+  runtime_.seesHands = true;
+  runtime_.script = [&](std::uint64_t number) {
+    XrDoubleFrame frame;
+    for (auto& hand : frame.hands) hand.flags = 0;
+    frame.hands[1].tipsApart_m = apart_m[number];
+    frame.hands[1].aim = palm;
+    return frame;
+  };
+  Headset headset(graphics_);
+  HeadsetFrame frame = firstFrame(headset);
+  for (std::size_t i = 0;; ++i) {
+    EXPECT_EQ(frame.hands[1].trigger, held[i]) << i << ": a hand that is lost keeps its pinch";
+    EXPECT_EQ(frame.hands[1].isTracked, apart_m[i] >= 0.0F) << i;
+    EXPECT_FALSE(frame.hands[0].isTracked || frame.hands[0].trigger) << i;
+    const glm::dvec3 ray = frame.hands[1].roomFromAim.orientation * glm::dvec3(0, 0, -1);
+    EXPECT_LT(glm::distance(ray, glm::dvec3(-std::sqrt(0.5), 0, -std::sqrt(0.5))), 1e-7) << i;
+    EXPECT_EQ(frame.hands[1].roomFromAim.position_m, glm::dvec3(glm::vec3(0.2F, 1.1F, -0.4F))) << i;
+    headset.submit(nullptr);
+    if (i + 1 == apart_m.size()) break;
+    const auto next = headset.nextFrame();
+    ASSERT_TRUE(next);
+    frame = *next;
+  }
+  EXPECT_EQ(runtime_.handTrackers, 2);
+}
+
+TEST_F(HeadsetTest, AControllerGoesBeforeTheHandThatHoldsIt) {
+  runtime_.seesHands = true;
+  runtime_.script = [&](std::uint64_t) {
+    XrDoubleFrame frame;
+    frame.hands[1].tipsApart_m = 0.0F;  // around the grip
+    return frame;
+  };
+  Headset headset(graphics_);
+  const HeadsetFrame frame = firstFrame(headset);
+  EXPECT_TRUE(frame.hands[1].isTracked);
+  EXPECT_FALSE(frame.hands[1].trigger);
+  headset.submit(nullptr);
+}
+
 TEST_F(HeadsetTest, WithoutTheFocusNoHandActs) {
   runtime_.script = [](std::uint64_t) {
     XrDoubleFrame frame;
     frame.hands[1].trigger = 1.0F;
+    frame.hands[0].flags = 0;
+    frame.hands[0].tipsApart_m = 0.0F;
     return frame;
   };
+  runtime_.seesHands = true;
   Headset headset(graphics_);
-  firstFrame(headset);
+  EXPECT_TRUE(firstFrame(headset).hands[0].trigger);
   headset.submit(nullptr);
   runtime_.states.push_back(XR_SESSION_STATE_VISIBLE);
   headset.poll();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vtk_glew.h>
 
+#include <array>
 #include <cstdlib>
 #include <limits>
 
@@ -48,10 +49,11 @@ TEST(LatencyOverlay, IsOverTheWindowAndNotInThePictures) {
   Window window(graphics, "test", {0, {0, 0}, {960, 600}, false});
   const Pane pane{&picture, nullptr, StereoMode::mono, {0, 0}, {960, 600}};
   const LatencyView view = someView();
+  const std::array<WallTime, 2> walls{{{"front", 0.0031F, 254'300}, {"floor", 0.0008F, 9'920}}};
   Image with;
   for (int frame = 0; frame < 2; ++frame) {  // a window of Dear ImGui finds its size with its first frame
     graphics.finishDrawing();
-    window.show({&pane, 1}, [&] { drawLatency(view); });
+    window.show({&pane, 1}, [&] { drawLatency(view, walls); });
     window.awaitShown();
     with = shownIn(window);
     window.swap();

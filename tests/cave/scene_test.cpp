@@ -190,8 +190,7 @@ TEST(Scene, EveryBodyIsFineEnoughAndSaysSo) {
   const std::string report = tessellationReport(scene, tessellation);
   EXPECT_NE(report.find("Puck white, red: 3078 vertices each"), std::string::npos) << report;
   EXPECT_NE(report.find("The hall: "), std::string::npos) << report;
-  EXPECT_NE(report.find("only up to"), std::string::npos)
-      << "the hall needs more than is allowed: " << report;
+  EXPECT_NE(report.find("exact to half a pixel up to 0.95 c from 0.10 m on"), std::string::npos) << report;
 }
 
 TEST(Scene, ManyBodiesShareTheVertices) {
@@ -288,17 +287,21 @@ TEST(Scene, PucksThatLookAlikeShareTheirMeshesButNotTheirColours) {
   EXPECT_LT(scene.reach_m[1], scene.reach_m[3]);
 }
 
-// With 3000 vertices the number of vertices is the limit, with a hundred million the number of levels.
+// What rests is divided for each eye, by 128 at most: for tiny pixels that holds only from farther on. A puck is divided
+// once, up to its share of the vertices.
 TEST(Scene, TheReportNamesTheLimit) {
-  for (const std::size_t most : {std::size_t{3000}, std::size_t{100000000}}) {
-    const Tessellation tessellation{1e-6, most};
-    const Scene scene = buildScene(boardOf(2.84, 1.42), {}, {}, {}, tessellation);
-    const std::string report = tessellationReport(scene, tessellation);
-    const bool byLevels = most > 3000;
-    EXPECT_EQ(report.find(", since its edges are divided by 8 at most") != std::string::npos, byLevels)
-        << report;
-    EXPECT_EQ(report.find(" vertices are the limit") != std::string::npos, !byLevels) << report;
-  }
+  const Tessellation tessellation{1e-6, 3000};
+  const std::vector<BodyLooks> looks{{"white", "", 0.03, 0.02}};
+  const Scene scene = buildScene(boardOf(2.84, 1.42), looks, {}, {}, tessellation);
+  const std::string report = tessellationReport(scene, tessellation);
+  const std::string from = "exact to half a pixel up to 0.95 c from ";
+  const std::size_t at = report.find(from, report.find("The hall: "));
+  ASSERT_NE(at, std::string::npos) << report;
+  const double nearest_m = std::stod(report.substr(at + from.size()));
+  EXPECT_NEAR(nearest_m, kNearestEye_m * scene.notes[1].longestEdge_m / tessellation.edge_m(), 0.01)
+      << report;
+  EXPECT_GT(nearest_m, kNearestToSurface_m) << report;
+  EXPECT_NE(report.find("since 3000 vertices are the limit"), std::string::npos) << report;
 }
 
 TEST(Scene, TheReportNamesTheFirstOfManyAlike) {

@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <glm/geometric.hpp>
 
+#include "cave/bumpy_sphere.h"
 #include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
+#include "cave/mesh/mesh_file.h"
 #include "cave/room/off_axis.h"
 #include "cave/scene/scene_builder.h"
 #include "cave/scene/table_model.h"
@@ -124,6 +128,31 @@ TEST_F(WallRendererTest, AnEyeBehindTheWallSeesBlack) {
   EXPECT_LT(litBox(readBack(picture))[0], 64.0);
   EXPECT_FALSE(renderer.draw(wall, {0, 2, 0}, picture));
   EXPECT_GT(litBox(readBack(picture))[0], 64.0);
+}
+
+// Behind the wall's border lies half of the mesh, then all of it.
+TEST_F(WallRendererTest, TheMeterCountsOnlyTrianglesThatTheWallMayShow) {
+  const std::string file = (std::filesystem::temp_directory_path() / "carom_meter.ply").string();
+  std::ofstream(file, std::ios::binary) << bumpySphere(100);  // 39 600 triangles and a few at the poles
+  Scene scene = glowingPuck(0.3);
+  scene.parts.back() = meshPart(readMeshFile(file), 0.5, 1, glm::vec3(1.0F), {});
+  std::filesystem::remove(file);
+  WallRenderer renderer(graphics_, scene, kC_m_s, 1);
+  const Wall wall = wallTowards({0, 0, 0}, {0, 1, 0}, {64, 64});  // 4 m wide
+  RenderTarget picture({64, 64});
+  DrawingMeter meter;
+  const auto triangles = [&](double aside_m) {
+    const WorldLine line({{0.0, {aside_m, 2.0, 0.0}}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s, 0.6);
+    renderer.look(Lorentz(kC_m_s), {}, viewsOf(line, {}, Lorentz(kC_m_s)));
+    const WallPicture shown{&wall, &picture, {}, &meter};
+    EXPECT_EQ(renderer.draw({&shown, 1}, {0, 0, 0}), 1U);
+    return meter.triangles;
+  };
+  const std::size_t whole = triangles(0.0), half = triangles(4.0), none = triangles(12.0);
+  EXPECT_GT(whole, 39'000U);
+  EXPECT_GT(half, whole / 4);
+  EXPECT_LT(half, 3 * whole / 4);
+  EXPECT_EQ(none, 0U);
 }
 
 /// The sRGB code, 0 to 255, of linear light (IEC 61966-2-1) behind the exposure of a head at rest.

@@ -1,5 +1,7 @@
 #include "xr_double.h"
 
+#include <dlfcn.h>
+
 #include <GL/glew.h>
 #include <GL/glx.h>
 #define XR_USE_PLATFORM_XLIB
@@ -7,6 +9,7 @@
 #include <openxr/openxr_platform.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -65,6 +68,7 @@ struct Runtime {
   bool isRunning = false, isAwaited = false, isBegun = false;
   XrTime time = kBegins_ns;
   XrDoubleFrame now;
+  std::int64_t located_ns = 0, ours_ns = 0, allocatedBefore = 0, allocated = 0;
   std::vector<std::string> paths{""};
   std::map<XrAction, std::string> actions;
   std::map<XrSpace, Space> spaces;
@@ -98,12 +102,23 @@ XrResult give(const std::vector<Item>& items, std::uint32_t capacity, std::uint3
   return XR_SUCCESS;
 }
 
+std::int64_t now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+
+/// Returns how often `new` was asked for, if somebody counts.
+std::int64_t allocations() {
+  using Count = std::size_t();
+  static auto* const count = reinterpret_cast<Count*>(dlsym(RTLD_DEFAULT, "caromAllocationCount"));
+  return count ? static_cast<std::int64_t>(count()) : 0;
+}
+
 using Result = XrResult;
 
 Result XRAPI_CALL enumerateExtensions(const char*, std::uint32_t capacity, std::uint32_t* count,
                                       XrExtensionProperties* out) {
   std::vector<XrExtensionProperties> all;
-  for (const char* name : {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME}) {
+  for (const char* name : {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME}) {
+    if (!told.hasOpenGl && std::strcmp(name, XR_KHR_OPENGL_ENABLE_EXTENSION_NAME) == 0) continue;
+    if (!told.seesHands && std::strcmp(name, XR_EXT_HAND_TRACKING_EXTENSION_NAME) == 0) continue;
     XrExtensionProperties extension{};
     extension.type = XR_TYPE_EXTENSION_PROPERTIES;
     std::snprintf(extension.extensionName, sizeof extension.extensionName, "%s", name);
@@ -118,6 +133,29 @@ struct ScriptLine {
   XrDoubleFrame frame;
   std::string event;
 };
+
+/// Returns whether the environment gives the runtime this habit.
+bool has(const char* habit) {
+  const char* const habits = std::getenv("CAROM_XR_HABITS");
+  std::istringstream words(habits ? habits : "");
+  for (std::string word; words >> word;) {
+    if (word == habit) return true;
+  }
+  return false;
+}
+
+/// Takes on the habits that the environment names.
+void takeHabits() {
+  if (!std::getenv("CAROM_XR_HABITS")) return;
+  told.hasHeadset = !has("no-headset");
+  told.hasOpenGl = !has("no-opengl");
+  told.seesHands = has("bare-hands");
+  told.isRude = has("rude");
+  if (has("no-srgb")) told.formats = {0x8058};
+  if (has("no-8-bits")) told.formats = {0x881A};
+  if (has("large")) told.size = {1024, 1024};
+  if (has("silent")) told.keepsPictures = false;
+}
 
 void happen(const std::string& event) {
   if (event == "off") {
@@ -143,7 +181,7 @@ void follow(const char* file) {
     words >> line.frame.step_ns >> line.frame.shouldRender >> line.frame.flags >> head.position.x >>
         head.position.y >> head.position.z >> head.orientation.w >> head.orientation.x >>
         head.orientation.y >> head.orientation.z >> hand.trigger >> hand.aim.position.x >>
-        hand.aim.position.y >> hand.aim.position.z >> line.event;
+        hand.aim.position.y >> hand.aim.position.z >> hand.stick.y >> line.event;
     const glm::quat attitude(head.orientation.w, head.orientation.x, head.orientation.y, head.orientation.z);
     for (std::size_t eye = 0; eye < 2; ++eye) {
       const glm::vec3 aside = attitude * glm::vec3(eye == 0 ? -0.032F : 0.032F, 0.0F, 0.0F);
@@ -152,7 +190,9 @@ void follow(const char* file) {
           {head.position.x + aside.x, head.position.y + aside.y, head.position.z + aside.z}};
     }
     hand.aim.orientation = {-0.3826834F, 0, 0, 0.9238795F};  // 45° down
-    line.frame.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+    line.frame.velocityFlags = has("no-velocity") ? 0 : XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+    if (has("bare-hands")) hand.tipsApart_m = 0.06F - 0.05F * std::exchange(hand.trigger, 0.0F);
+    if (has("bare-hands") || has("no-hands")) line.frame.hands[0].flags = hand.flags = 0;
     lines->push_back(line);
   }
   told.script = [lines](std::uint64_t number) {
@@ -186,6 +226,8 @@ Result XRAPI_CALL getSystem(XrInstance, const XrSystemGetInfo*, XrSystemId* id) 
 }
 Result XRAPI_CALL systemProperties(XrInstance, XrSystemId, XrSystemProperties* about) {
   std::snprintf(about->systemName, sizeof about->systemName, "A headset of a script");
+  if (auto* hands = static_cast<XrSystemHandTrackingPropertiesEXT*>(about->next); hands)
+    hands->supportsHandTracking = told.seesHands;
   return XR_SUCCESS;
 }
 Result XRAPI_CALL enumerateViews(XrInstance, XrSystemId, XrViewConfigurationType, std::uint32_t capacity,
@@ -309,6 +351,7 @@ Result XRAPI_CALL locateViews(XrSession, const XrViewLocateInfo* info, XrViewSta
     out[eye].pose.position.y -= runtime.spaces.at(info->space).height_m;
     out[eye].fov = runtime.now.fov[eye];
   }
+  runtime.located_ns = now_ns();
   return XR_SUCCESS;
 }
 
@@ -406,9 +449,15 @@ void record(const XrDoubleEnd& end) {
   if (!file) return;
   std::ofstream out(file, std::ios::binary | std::ios::app);
   const auto put = [&](const auto& value) { out.write(reinterpret_cast<const char*>(&value), sizeof value); };
-  const bool whole = end.layers > 0 && runtime.frame % 10 == 0;
+  const bool whole = end.layers > 0 && told.keepsPictures;
   put(std::int64_t{end.displayTime});
   put(std::int64_t{end.layers});
+  float strongest = 0.0F;
+  for (const auto& [hand, amplitude] : told.knocks) strongest = std::max(strongest, amplitude);
+  told.knocks.clear();
+  put(static_cast<std::int64_t>(1000.0F * strongest));
+  put(runtime.ours_ns);
+  put(runtime.allocated);
   put(std::int64_t{whole});
   for (std::size_t eye = 0; eye < 2 && whole; ++eye) {
     put(end.eyes[eye]);
@@ -423,6 +472,9 @@ Result XRAPI_CALL endFrame(XrSession, const XrFrameEndInfo* info) {
     return fault("a frame ends that was not begun", XR_ERROR_CALL_ORDER_INVALID);
   if (info->displayTime != runtime.time)
     return fault("a frame ends with another time than its own", XR_ERROR_TIME_INVALID);
+  glFinish();
+  runtime.ours_ns = now_ns() - runtime.located_ns;
+  runtime.allocated = allocations() - runtime.allocatedBefore;
   XrDoubleEnd end;
   end.displayTime = info->displayTime;
   end.layers = info->layerCount;
@@ -442,6 +494,7 @@ Result XRAPI_CALL endFrame(XrSession, const XrFrameEndInfo* info) {
   record(end);
   told.ends.push_back(std::move(end));
   beRude();
+  runtime.allocatedBefore = allocations();
   return XR_SUCCESS;
 }
 
@@ -494,6 +547,29 @@ Result XRAPI_CALL haptic(XrSession, const XrHapticActionInfo* info, const XrHapt
   told.knocks.emplace_back(isRight, reinterpret_cast<const XrHapticVibration*>(feedback)->amplitude);
   return XR_SUCCESS;
 }
+Result XRAPI_CALL createHandTracker(XrSession, const XrHandTrackerCreateInfoEXT* info,
+                                    XrHandTrackerEXT* out) {
+  // The handle says which hand it is.
+  *out = reinterpret_cast<XrHandTrackerEXT>(info->hand == XR_HAND_RIGHT_EXT ? std::uintptr_t{2} : 1);
+  return ++told.handTrackers, XR_SUCCESS;
+}
+Result XRAPI_CALL destroyHandTracker(XrHandTrackerEXT) { return --told.handTrackers, XR_SUCCESS; }
+Result XRAPI_CALL locateHandJoints(XrHandTrackerEXT tracker, const XrHandJointsLocateInfoEXT* info,
+                                   XrHandJointLocationsEXT* out) {
+  if (info->time != runtime.time)
+    return fault("joints are asked for another time than the frame's", XR_ERROR_TIME_INVALID);
+  if (out->jointCount != XR_HAND_JOINT_COUNT_EXT)
+    return fault("a hand has other joints", XR_ERROR_VALIDATION_FAILURE);
+  const XrDoubleHand& hand = runtime.now.hands[reinterpret_cast<std::uintptr_t>(tracker) - 1];
+  out->isActive = hand.tipsApart_m >= 0.0F;
+  for (std::uint32_t joint = 0; joint < out->jointCount; ++joint) {
+    out->jointLocations[joint] = {};
+    out->jointLocations[joint].locationFlags = out->isActive ? 15 : 0;
+    out->jointLocations[joint].pose = hand.aim;
+  }
+  out->jointLocations[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position.y += hand.tipsApart_m;
+  return XR_SUCCESS;
+}
 Result XRAPI_CALL unsupported() { return XR_ERROR_FUNCTION_UNSUPPORTED; }
 
 Result XRAPI_CALL procAddress(XrInstance, const char* name, PFN_xrVoidFunction* out) {
@@ -542,7 +618,10 @@ Result XRAPI_CALL procAddress(XrInstance, const char* name, PFN_xrVoidFunction* 
       CAROM_XR("xrGetActionStateBoolean", stateBoolean),
       CAROM_XR("xrGetActionStateFloat", stateFloat),
       CAROM_XR("xrGetActionStateVector2f", stateVector),
-      CAROM_XR("xrApplyHapticFeedback", haptic)};
+      CAROM_XR("xrApplyHapticFeedback", haptic),
+      CAROM_XR("xrCreateHandTrackerEXT", createHandTracker),
+      CAROM_XR("xrDestroyHandTrackerEXT", destroyHandTracker),
+      CAROM_XR("xrLocateHandJointsEXT", locateHandJoints)};
 #undef CAROM_XR
   const auto found = kAll.find(name);
   // The loader calls what is missing through a null pointer, so nothing of OpenXR 1.0 may be missing.
@@ -564,6 +643,7 @@ __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRuntimeInterfac
     const XrNegotiateLoaderInfo* loader, XrNegotiateRuntimeRequest* request) {
   if (!loader || !request || loader->minInterfaceVersion > 1 || loader->maxInterfaceVersion < 1)
     return XR_ERROR_INITIALIZATION_FAILED;
+  carom::test::takeHabits();
   request->runtimeInterfaceVersion = 1;
   request->runtimeApiVersion = XR_MAKE_VERSION(1, 0, 20);
   request->getInstanceProcAddr = carom::test::procAddress;

@@ -21,6 +21,8 @@ struct XrDoubleHand {
   float trigger = 0.0F;
   bool first = false, second = false, menu = false;
   XrVector2f stick{0, 0};
+  float tipsApart_m =
+      -1.0F;  ///< of a hand without a controller, whose palm is at `aim`; negative: none is seen
 };
 
 /// What the runtime says of one frame.
@@ -47,7 +49,8 @@ struct XrDoubleEnd {
 struct XrDouble {
   std::function<XrDoubleFrame(std::uint64_t)>
       script;  ///< of frame 0, 1, ...; none: every frame is the usual one
-  bool hasHeadset = true, hasStage = true, hasHandProfile = true;
+  bool hasHeadset = true, hasStage = true, hasHandProfile = true, hasOpenGl = true;
+  bool seesHands = false;                             ///< without controllers
   std::vector<std::int64_t> formats{0x8C43, 0x8058};  ///< sRGB8_ALPHA8, RGBA8
   std::array<std::uint32_t, 2> size{64, 72};          ///< of a picture
   bool isRude = false;                                ///< changes the context and leaves errors
@@ -60,7 +63,7 @@ struct XrDouble {
   std::vector<XrDoubleEnd> ends;
   std::vector<std::string> faults;  ///< calls out of order, and wrong arguments
   std::vector<std::pair<int, float>> knocks;
-  int instances = 0, sessions = 0, chains = 0, spaces = 0;  ///< that live
+  int instances = 0, sessions = 0, chains = 0, spaces = 0, handTrackers = 0;  ///< that live
 
   /// Takes the headset off, and puts it on again; ends the session, as the system's menu does.
   void takeOff() {
@@ -76,13 +79,19 @@ struct XrDouble {
 
 // A program of its own is led by files: CAROM_XR_SCRIPT names one with a line for each frame,
 //
-//   step_ns shown flags  x y z qw qx qy qz of the head  trigger x y z of the right hand [event]
+//   step_ns shown flags  x y z qw qx qy qz of the head  trigger x y z stick of the right hand [event]
 //
-// where `shown` is 1 for frames that are, `flags` are those of XrViewState, and the event is off (the headset is taken
-// off before the next frame, and put on after three polls), recentre, unfocused, focused or lost. After the last line the
-// system ends the session. What was submitted is appended to the file that CAROM_XR_SEEN names: of each frame the
-// display time, the number of layers and whether there are pictures, all as 64-bit numbers, and of every tenth that has
-// some the poses, the angles and the pictures of both eyes.
+// where the stick is pushed forwards so far, `shown` is 1 for frames that are, `flags` are those of XrViewState, and the
+// event is off (the headset is taken off before the next frame, and put on after three polls), recentre, unfocused, focused
+// or lost. After the last line the system ends the session. What was submitted is appended to the file that CAROM_XR_SEEN
+// names: of each frame, as 64-bit numbers, the display time, the number of layers, a thousand times the strongest vibration
+// of a hand since the frame before, how many nanoseconds passed between the places of the eyes and the finished pictures,
+// how often `new` was asked for since the frame before (0 unless counted_new_before is loaded before all others) and
+// whether there are pictures; and then the poses, the angles and the pictures of both eyes. CAROM_XR_HABITS lists what else
+// is peculiar to the runtime, in words:
+//
+//   no-headset  no-opengl  no-srgb  no-8-bits  no-velocity  no-hands  bare-hands (a pinch is the trigger)  rude
+//   silent (keeps no pictures)  large (pictures of 1024 × 1024)
 
 /// Returns the runtime that the loader will load from the same library. Forgets all that was before if asked to.
 XrDouble& xrDouble(const std::string& library, bool anew);

@@ -28,11 +28,11 @@ TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
   std::set<int> seen;          // by the one stage that looks ahead here, and not given a new time since
   std::set<int> setWhileSoon;  // need not be seen
   const auto isSoon = [&](const std::pair<double, int>& entry) {
-    constexpr int kMostSoon = 2 * DueQueue::kSoon;
     int before = 0;
-    for (auto one = sorted.begin(); one != sorted.end() && *one < entry && before < kMostSoon; ++one)
+    for (auto one = sorted.begin(); one != sorted.end() && *one < entry && before < DueQueue::kMostSoon;
+         ++one)
       ++before;
-    return before < kMostSoon;
+    return before < DueQueue::kMostSoon;
   };
   const auto set = [&](int item, double time) {
     seen.erase(item), setWhileSoon.erase(item);

@@ -78,7 +78,7 @@ void main() {
 #ifdef SHADOW
   float alpha = painted.cover;
 #else
-  float alpha = tone;  // what edge_frag.glsl finds edges in
+  float alpha = tone;  // between which cave/render/edge_pixels.h finds edges
 #endif
   pixel = vec4(shown(seen), alpha);
 #endif
