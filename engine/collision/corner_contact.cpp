@@ -44,7 +44,6 @@ std::optional<CornerContact> findContact(const ShapedFlight& first, const Shaped
   CornerContact contact;
   contact.withoutDelay = found->withoutDelay;
   contact.sideOnSide = found->sideOnSide;
-  contact.unfinished = found->unfinished;
   contact.time = found->time;
   contact.contact.event = found->event;
   contact.contact.U = order;

@@ -37,8 +37,6 @@ struct CornerContact {
   /// A side lies on a side: several piercings happen at one time. The contact is in their middle.
   bool sideOnSide = false;
   double time = 0.0;  ///< in the frame of U, from the first one's start on
-  /// No contact: up to this time there is none, and the search goes on with it as `after`.
-  bool unfinished = false;
 };
 
 /// Returns the first contact of two flights, of which at least one has an outline; none if they do not meet. With

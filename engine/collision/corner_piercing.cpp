@@ -22,7 +22,6 @@ constexpr double kTie = 1e-9;         // of the radii: piercings as near to each
 constexpr double kSameNormal = 1e-6;  // the angle between their sides
 constexpr double kFront = 0.1;        // the cosine of the angle between sides that look the same way
 constexpr double kEnd = 1e-12;        // of a side's length: by so much it reaches beyond its corners
-constexpr int kMostSteps = 4096;
 
 /// A quantity that is linear in the offset of a corner and in its own time.
 struct Linear {
@@ -37,12 +36,6 @@ struct Lie {
   double outside;
   std::size_t side;
   bool through = false;
-};
-
-/// The own time of a corner up to which it touches nothing, and whether it does then.
-struct Advanced {
-  double s;
-  bool touches;
 };
 
 /// Corners of one body, a, as another, b, meets them.
@@ -110,7 +103,7 @@ class Corners {
   }
   const Vec2& cornerOf(std::size_t k) const { return a_.outline->corners()[k]; }
   FoundContact contactAt(const Vec2& corner, double s, std::size_t side) const;
-  std::optional<Advanced> advance(std::size_t corner, double s, double end, double before) const;
+  std::optional<double> advance(std::size_t corner, double s, double end, double before) const;
 
   const ShapedFlight &a_, &b_;
   const ContactWindow& window_;
@@ -306,33 +299,33 @@ FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) 
 }
 
 /// The own time at which a corner is outside no more, or goes deeper, from s on and no later than `end` and, in the
-/// frame of U, `before`. After so many steps, as where it slides along a side, it stops.
-std::optional<Advanced> Corners::advance(std::size_t corner, double s, double end, double before) const {
+/// frame of U, `before`. It stops where a corner stays near a side for too many steps.
+std::optional<double> Corners::advance(std::size_t corner, double s, double end, double before) const {
   const double gamma = ownTimeOfB_.perS, beta = glm::length(perS_) / gamma;
   const double ofA = std::abs(a_.turning) * a_.radius, ofB = std::abs(b_.turning) * b_.radius;
   const double fastest = gamma * (1.0 + beta * ofA) * (std::min(1.0, beta + ofA) + ofB);
   if (!(fastest > 0.0)) return std::nullopt;
   const double coarse = kSlideStep * size_ / fastest;
-  const double least = window_.resumed ? coarse : kLeastStep * size_ / fastest;
+  const double fine = kLeastStep * size_ / fastest;
   const double latest =
       (before - time_.at0 + size_ * (std::abs(time_.perX) + std::abs(time_.perY))) / time_.perS;
   const double last = std::min(end, latest);
   Lie here = lieAt(corner, s);
-  for (int step = 0; step < kMostSteps && s < last; ++step) {
+  for (int step = 0; step < 2 * kFineSteps && s < last; ++step) {
+    const double least = step < kFineSteps ? fine : coarse;
     const bool inside = here.outside <= 0.0;
     const double next = s + (inside ? coarse : std::max(here.outside / fastest, least));
     const Lie there = lieAt(corner, next);
     const bool comparable = there.side == here.side || !isKnownByItsWay(corner);
     if (inside && comparable && there.outside <= 0.0 &&
         there.outside < here.outside - kLeastClosing * (next - s))
-      return Advanced{next, true};  // deeper again
+      return next;  // deeper again
     if (!inside && there.outside <= 0.0 && !here.through) {
       const auto depth = [&](double at) { return -lieAt(corner, at).outside; };
-      return Advanced{rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s)), true};
+      return rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s));
     }
     s = next, here = there;
   }
-  if (s < last) return Advanced{s, false};
   return std::nullopt;
 }
 
@@ -370,11 +363,9 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
       }
     }
     if (best && best->withoutDelay) continue;
-    const std::optional<Advanced> found = advance(c, s, end, best ? best->time : kNever);
+    const std::optional<double> found = advance(c, s, end, best ? best->time : kNever);
     if (!found) continue;
-    FoundContact contact = contactAt(corner, found->s, lieAt(c, found->s).side);
-    contact.unfinished = !found->touches;
-    keepEarlier(best, contact);
+    keepEarlier(best, contactAt(corner, *found, lieAt(c, *found).side));
   }
 }
 

@@ -20,7 +20,6 @@ namespace {
 using Vec2 = glm::dvec2;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr int kMostSteps = 4096;
 
 /// The disc and the body in the frame of U, around the disc's centre and stretched so that the disc is a circle.
 class StretchedFrame {
@@ -308,7 +307,7 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
   const double R = frame.radius(), fastest = frame.fastest();
   if (!(fastest > 0.0)) return std::nullopt;
   const double coarse = kSlideStep * frame.reach() / fastest;
-  const double least = window.resumed ? coarse : kLeastStep * frame.reach() / fastest;
+  const double fine = kLeastStep * frame.reach() / fastest;
   const auto gapAt = [&](double time) { return nearestOfTurning(frame, time).outside - R; };
   double time = start, gap = gapAt(time);
   bool inside = gap <= 0.0;
@@ -317,7 +316,8 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
     return frame.contact(at, towards, towards * R, discIsFirst);
   };
   bool behind = frame.passage(time) == Passage::through;  // then it touches nothing
-  for (int step = 0; step < kMostSteps && time < end; ++step) {
+  for (int step = 0; step < 2 * kFineSteps && time < end; ++step) {
+    const double least = step < kFineSteps ? fine : coarse;
     const double next = time + (inside ? coarse : std::max(gap / fastest, least));
     const double there = gapAt(next);
     double at = next;
@@ -332,10 +332,7 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
     }
     time = next, gap = there, inside = there <= 0.0, behind = frame.passage(time) == Passage::through;
   }
-  if (!(time < end)) return std::nullopt;
-  FoundContact contact = found(time);
-  contact.unfinished = true;
-  return contact;
+  return std::nullopt;
 }
 
 // The deepest point of those that go on.

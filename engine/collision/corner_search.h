@@ -26,7 +26,6 @@ struct FoundContact {
   Vec21 normal;  ///< from the first body to the second, to within a multiple of U
   bool withoutDelay = false;
   bool sideOnSide = false;
-  bool unfinished = false;  ///< CornerContact's
 };
 
 /// Returns the window that begins at an earlier contact: when both bodies were there.
@@ -42,8 +41,9 @@ inline ContactWindow windowAt(const EarlierContact& earlier) {
 constexpr double kLeastClosing = 1e-9;
 /// Of the radii: what touches for less grazes.
 constexpr double kLeastStep = 1e-6;
-/// Likewise of what slides in another, and in a search that goes on after a contact or where it had stopped. So it
-/// gets on by the radii in a thousand steps, however near a corner stays to a side.
+/// Likewise of what slides in another, and where a corner stays near a side for long: after so many fine steps a search
+/// takes as many coarse ones. By these it gets on by the radii in a thousand.
+constexpr int kFineSteps = 4096;
 constexpr double kSlideStep = 1e-3;
 /// Of the radii: what is nearer touches, after rounding.
 constexpr double kCornerTouches = 1e-11;
