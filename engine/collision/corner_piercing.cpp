@@ -22,7 +22,6 @@ constexpr double kTie = 1e-9;         // of the radii: piercings as near to each
 constexpr double kSameNormal = 1e-6;  // the angle between their sides
 constexpr double kFront = 0.1;        // the cosine of the angle between sides that look the same way
 constexpr double kEnd = 1e-12;        // of a side's length: by so much it reaches beyond its corners
-constexpr double kLeastStep = 1e-6;   // of the radii: what touches for less grazes
 constexpr int kMostSteps = 4096;
 
 /// A quantity that is linear in the offset of a corner and in its own time.
@@ -313,14 +312,15 @@ std::optional<Advanced> Corners::advance(std::size_t corner, double s, double en
   const double ofA = std::abs(a_.turning) * a_.radius, ofB = std::abs(b_.turning) * b_.radius;
   const double fastest = gamma * (1.0 + beta * ofA) * (std::min(1.0, beta + ofA) + ofB);
   if (!(fastest > 0.0)) return std::nullopt;
-  const double least = kLeastStep * size_ / fastest;
+  const double coarse = kSlideStep * size_ / fastest;
+  const double least = window_.resumed ? coarse : kLeastStep * size_ / fastest;
   const double latest =
       (before - time_.at0 + size_ * (std::abs(time_.perX) + std::abs(time_.perY))) / time_.perS;
   const double last = std::min(end, latest);
   Lie here = lieAt(corner, s);
   for (int step = 0; step < kMostSteps && s < last; ++step) {
     const bool inside = here.outside <= 0.0;
-    const double next = s + (inside ? 1e3 * least : std::max(here.outside / fastest, least));
+    const double next = s + (inside ? coarse : std::max(here.outside / fastest, least));
     const Lie there = lieAt(corner, next);
     const bool comparable = there.side == here.side || !isKnownByItsWay(corner);
     if (inside && comparable && there.outside <= 0.0 &&

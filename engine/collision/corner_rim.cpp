@@ -20,7 +20,6 @@ namespace {
 using Vec2 = glm::dvec2;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kLeastStep = 1e-6;  // of the radii
 constexpr int kMostSteps = 4096;
 
 /// The disc and the body in the frame of U, around the disc's centre and stretched so that the disc is a circle.
@@ -308,7 +307,8 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
                                          double start, double end) {
   const double R = frame.radius(), fastest = frame.fastest();
   if (!(fastest > 0.0)) return std::nullopt;
-  const double least = kLeastStep * frame.reach() / fastest;
+  const double coarse = kSlideStep * frame.reach() / fastest;
+  const double least = window.resumed ? coarse : kLeastStep * frame.reach() / fastest;
   const auto gapAt = [&](double time) { return nearestOfTurning(frame, time).outside - R; };
   double time = start, gap = gapAt(time);
   bool inside = gap <= 0.0;
@@ -318,7 +318,7 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
   };
   bool behind = frame.passage(time) == Passage::through;  // then it touches nothing
   for (int step = 0; step < kMostSteps && time < end; ++step) {
-    const double next = time + (inside ? 1e3 * least : std::max(gap / fastest, least));
+    const double next = time + (inside ? coarse : std::max(gap / fastest, least));
     const double there = gapAt(next);
     double at = next;
     bool touches = inside && there <= 0.0 && there < gap - kLeastClosing * (next - time);  // deeper again

@@ -40,6 +40,11 @@ inline ContactWindow windowAt(const EarlierContact& earlier) {
 
 /// Slower than this, bodies that overlap do not approach.
 constexpr double kLeastClosing = 1e-9;
+/// Of the radii: what touches for less grazes.
+constexpr double kLeastStep = 1e-6;
+/// Likewise of what slides in another, and in a search that goes on after a contact or where it had stopped. So it
+/// gets on by the radii in a thousand steps, however near a corner stays to a side.
+constexpr double kSlideStep = 1e-3;
 /// Of the radii: what is nearer touches, after rounding.
 constexpr double kCornerTouches = 1e-11;
 
