@@ -24,6 +24,9 @@ unsigned createGlObject(GlKind kind) {
     case GlKind::program:
       name = glCreateProgram();
       break;
+    case GlKind::query:
+      glGenQueries(1, &name);
+      break;
   }
   return name;
 }
@@ -42,6 +45,8 @@ void deleteGlObject(GlKind kind, unsigned name) {
       return glDeleteRenderbuffers(1, &name);
     case GlKind::program:
       return glDeleteProgram(name);
+    case GlKind::query:
+      return glDeleteQueries(1, &name);
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace carom {
 
-enum class GlKind { buffer, vertexArray, texture, framebuffer, renderbuffer, program };
+enum class GlKind { buffer, vertexArray, texture, framebuffer, renderbuffer, program, query };
 unsigned createGlObject(GlKind kind);
 void deleteGlObject(GlKind kind, unsigned name);
 
@@ -40,6 +40,7 @@ using GlTexture = GlObject<GlKind::texture>;
 using GlFramebuffer = GlObject<GlKind::framebuffer>;  ///< never shared between contexts
 using GlRenderbuffer = GlObject<GlKind::renderbuffer>;
 using GlProgram = GlObject<GlKind::program>;
+using GlQuery = GlObject<GlKind::query>;  ///< never shared between contexts
 
 /// A fence among the commands of a context (OpenGL's GLsync), or null.
 struct GlFenceDeleter {

@@ -12,6 +12,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "cave/gl/gl_objects.h"
+
 struct ImGuiContext;
 
 namespace carom {
@@ -54,6 +56,7 @@ class Gui {
   void takeHeard();
 
   ImGuiContext* context_ = nullptr;
+  GlQuery drawn_;
   std::vector<GuiEvent> events_;
   std::bitset<512> keysDown_;  // by GLFW's numbers, which end at 348
   std::optional<unsigned> pressedKey_;

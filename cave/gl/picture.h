@@ -41,6 +41,7 @@ class RenderTarget {
  private:
   glm::ivec2 size_px_;
   GlTexture texture_;
+  GlRenderbuffer depth_;  // keeps Mesa 22.3's llvmpipe from a fast path that mistakes colours
   GlFramebuffer framebuffer_;
   mutable bool isBlack_ = false;  // nobody has drawn into it since it was cleared
 };

@@ -307,14 +307,16 @@ void expectSameAsRig(const std::vector<Scripted>& script, const std::vector<Fram
   EXPECT_EQ(compared, 589U) << "all but those that are not shown, and the lost one";
 }
 
+/// A session leaves out pictures that come faster than a busy machine writes them; a replay waits for its disk.
 void expectSamePictures(const std::filesystem::path& live, const std::filesystem::path& again) {
-  std::size_t pictures = 0;
-  for (const auto& picture : std::filesystem::directory_iterator(again)) {
+  std::ptrdiff_t pictures = 0;
+  for (const auto& picture : std::filesystem::directory_iterator(live)) {
     ++pictures;
-    ASSERT_EQ(test::contentOf(picture.path()), test::contentOf(live / picture.path().filename()))
+    ASSERT_EQ(test::contentOf(picture.path()), test::contentOf(again / picture.path().filename()))
         << picture.path();
   }
-  EXPECT_EQ(pictures, std::distance(std::filesystem::directory_iterator(live), {}));
+  EXPECT_GT(pictures, 0);
+  EXPECT_LE(pictures, std::distance(std::filesystem::directory_iterator(again), {}));
 }
 
 TEST_F(HeadsetSession, EveryFrameIsWhatARigWithTheSameWallsAndEyesShows) {
