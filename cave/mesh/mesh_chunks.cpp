@@ -6,12 +6,12 @@
 #include <limits>
 #include <span>
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "cave/mesh/polygons.h"
 
 namespace carom {
 namespace {
@@ -43,13 +43,9 @@ std::vector<Triangle> trianglesOf(vtkPolyData& mesh) {
   std::vector<Triangle> triangles;
   triangles.reserve(static_cast<std::size_t>(mesh.GetNumberOfPolys()));
   vtkDataArray* const places = mesh.GetPoints() ? mesh.GetPoints()->GetData() : nullptr;
-  const auto cells = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-    vtkIdType corners = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(corners, ids);
-    for (vtkIdType i = 2; i < corners; ++i) {
-      const std::array<vtkIdType, 3> fan{ids[0], ids[i - 1], ids[i]};
+  forEachPolygon(*mesh.GetPolys(), [&](std::span<const vtkIdType> corners) {
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const std::array<vtkIdType, 3> fan{corners[0], corners[i - 1], corners[i]};
       Triangle triangle{{}, glm::vec3(0.0F)};
       for (std::size_t k = 0; k < 3; ++k) {
         triangle.corners[k] = static_cast<std::uint32_t>(fan[k]);
@@ -57,7 +53,7 @@ std::vector<Triangle> trianglesOf(vtkPolyData& mesh) {
       }
       triangles.push_back(triangle);
     }
-  }
+  });
   return triangles;
 }
 

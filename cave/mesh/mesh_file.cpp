@@ -11,12 +11,12 @@
 #include <functional>
 #include <map>
 #include <regex>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkCompositeDataGeometryFilter.h>
 #include <vtkDataSetReader.h>
 #include <vtkDataSetSurfaceFilter.h>
@@ -37,6 +37,7 @@
 
 #include "cave/mesh/mesh_text.h"
 #include "cave/mesh/ply_file.h"
+#include "cave/mesh/polygons.h"
 #include "cave/process/subprocess.h"
 #include "engine/base/input_error.h"
 
@@ -149,14 +150,10 @@ Triangles trianglesOf(vtkPolyData& surface) {
     }
   }
   triangles.corners.reserve(3 * static_cast<std::size_t>(surface.GetNumberOfPolys()));
-  const auto cells = vtk::TakeSmartPointer(surface.GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(count, ids);
-    for (vtkIdType i = 0; count == 3 && i < count; ++i)
-      triangles.corners.push_back(static_cast<std::int32_t>(ids[i]));
-  }
+  forEachPolygon(*surface.GetPolys(), [&](std::span<const vtkIdType> corners) {
+    if (corners.size() != 3) return;
+    for (const vtkIdType corner : corners) triangles.corners.push_back(static_cast<std::int32_t>(corner));
+  });
   return triangles;
 }
 
@@ -169,17 +166,13 @@ bool hasOnlyTriangles(vtkPolyData& surface) {
 /// into triangles.
 void checkCorners(vtkPolyData& read) {
   for (vtkCellArray* cells : {read.GetPolys(), read.GetStrips()}) {
-    const auto each = vtk::TakeSmartPointer(cells->NewIterator());
-    for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell()) {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      each->GetCurrentCell(count, ids);
-      const auto wrong = std::find_if(ids, ids + count,
+    forEachPolygon(*cells, [&](std::span<const vtkIdType> corners) {
+      const auto wrong = std::find_if(corners.begin(), corners.end(),
                                       [&](vtkIdType id) { return id < 0 || id >= read.GetNumberOfPoints(); });
-      if (wrong == ids + count) continue;
+      if (wrong == corners.end()) return;
       throw std::runtime_error(fmt::format("a polygon has corner {}, expected one of the {} points", *wrong,
                                            read.GetNumberOfPoints()));
-    }
+    });
   }
 }
 
@@ -238,12 +231,7 @@ vtkSmartPointer<vtkPolyData> surfaceFrom(const std::string& bytes) {
     std::memcpy(&corner, corners + i * sizeof corner, sizeof corner);
     id[i] = corner;
   }
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(ends, ids);
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(cells);
-  return surface;
+  return surfaceOf(points, ends, ids);
 }
 
 /// Returns the line and column that a reader's message names (of XML, with columns from 0, and of JSON),

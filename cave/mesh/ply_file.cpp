@@ -7,12 +7,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 
 #include "cave/mesh/mesh_words.h"
+#include "cave/mesh/polygons.h"
 
 namespace carom {
 namespace {
@@ -165,12 +165,7 @@ class PlyFile {
     std::copy(ends_.begin(), ends_.end(), ends->WritePointer(0, static_cast<vtkIdType>(ends_.size())));
     std::copy(corners_.begin(), corners_.end(),
               corners->WritePointer(0, static_cast<vtkIdType>(corners_.size())));
-    vtkNew<vtkCellArray> faces;
-    faces->SetData(ends, corners);
-    auto read = vtkSmartPointer<vtkPolyData>::New();
-    read->SetPoints(points);
-    read->SetPolys(faces);
-    return read;
+    return surfaceOf(points, ends, corners);
   }
 
   /// Returns the place of the next value, or none in a binary row.

@@ -7,11 +7,10 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -19,6 +18,8 @@
 #include <vtkPoints.h>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+
+#include "cave/mesh/polygons.h"
 
 namespace carom {
 namespace {
@@ -39,15 +40,11 @@ std::vector<glm::vec3> placesOf(vtkPolyData& mesh) {
 std::vector<Face> facesOf(vtkPolyData& mesh) {
   std::vector<Face> faces;
   faces.reserve(static_cast<std::size_t>(mesh.GetNumberOfPolys()));
-  const auto cells = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-    vtkIdType corners = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(corners, ids);
-    if (corners != 3) continue;
-    faces.push_back({static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
-                     static_cast<std::uint32_t>(ids[2])});
-  }
+  forEachPolygon(*mesh.GetPolys(), [&](std::span<const vtkIdType> corners) {
+    if (corners.size() != 3) return;
+    faces.push_back({static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
+                     static_cast<std::uint32_t>(corners[2])});
+  });
   return faces;
 }
 
@@ -69,12 +66,7 @@ vtkSmartPointer<vtkPolyData> meshOf(const std::vector<glm::vec3>& places, const 
   vtkIdType* corner = corners->WritePointer(0, static_cast<vtkIdType>(3 * faces.size()));
   for (const Face& face : faces)
     for (const std::uint32_t point : face) *corner++ = point;
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(ends, corners);
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(cells);
-  return mesh;
+  return surfaceOf(points, ends, corners);
 }
 
 /// Returns a number that is mostly different for different places, by two rounds of a multiplication and a shift.

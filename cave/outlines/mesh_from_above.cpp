@@ -1,28 +1,23 @@
 #include "cave/outlines/mesh_from_above.h"
 
 #include <array>
-
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
+#include <span>
 
 #include "cave/mesh/mesh_file.h"
+#include "cave/mesh/polygons.h"
 
 namespace carom {
 
 std::vector<glm::dvec2> trianglesFromAbove(const std::string& path) {
   const vtkSmartPointer<vtkPolyData> mesh = readMeshFile(path);
   std::vector<glm::dvec2> corners;
-  const auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(count, ids);
-    for (vtkIdType i = 0; i < count; ++i) {
+  forEachPolygon(*mesh->GetPolys(), [&](std::span<const vtkIdType> ids) {
+    for (const vtkIdType id : ids) {
       std::array<double, 3> place{};
-      mesh->GetPoint(ids[i], place.data());
+      mesh->GetPoint(id, place.data());
       corners.emplace_back(place[0], place[1]);
     }
-  }
+  });
   return corners;
 }
 

@@ -9,8 +9,6 @@
 #include <tuple>
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkMath.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -18,6 +16,7 @@
 #include "cave/frame/bodies.h"
 #include "cave/frame/body_colour.h"
 #include "cave/mesh/mesh_file.h"
+#include "cave/mesh/polygons.h"
 #include "cave/mesh/surface_tiles.h"
 #include "cave/scene/hall_model.h"
 #include "cave/scene/outline_model.h"
@@ -43,19 +42,14 @@ std::size_t verticesOf(std::span<const ScenePart> parts) {
 
 double longestEdgeOf(vtkPolyData& mesh) {
   double longest2 = 0.0;
-  const auto cells = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-    vtkIdType corners = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(corners, ids);
-    for (vtkIdType i = 0; i < corners; ++i) {
-      const std::array<vtkIdType, 2> ends{ids[i], ids[(i + 1) % corners]};
+  forEachPolygon(*mesh.GetPolys(), [&](std::span<const vtkIdType> corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
       std::array<double, 3> a{}, b{};
-      mesh.GetPoint(ends[0], a.data());
-      mesh.GetPoint(ends[1], b.data());
+      mesh.GetPoint(corners[i], a.data());
+      mesh.GetPoint(corners[(i + 1) % corners.size()], b.data());
       longest2 = std::max(longest2, vtkMath::Distance2BetweenPoints(a.data(), b.data()));
     }
-  }
+  });
   return std::sqrt(longest2);
 }
 
