@@ -21,6 +21,14 @@ using Vec2 = glm::dvec2;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
+/// A place on a side that bends, from the disc's centre, and how it changes along the side.
+struct OnSide {
+  double share = 0.0;  ///< of the side
+  Vec2 place{0.0}, slope{0.0}, curve{0.0};
+};
+
+using Places = std::array<Vec2, kMostCorners>;
+
 /// The disc and the body in the frame of U, around the disc's centre and stretched so that the disc is a circle.
 class StretchedFrame {
  public:
@@ -32,13 +40,19 @@ class StretchedFrame {
         axesOfBody_(body.u),
         discTime_(dot(U, disc.start - origin)),
         bodyTime_(dot(U, body.start - origin)),
-        alongX_(dot(U, axesOfBody_.x)),
-        alongY_(dot(U, axesOfBody_.y)),
+        along_(dot(U, axesOfBody_.x), dot(U, axesOfBody_.y)),
         gammaOfDisc_(dot(U, disc.u)),
         gammaOfBody_(dot(U, body.u)),
         beta_(axes_.place(disc.u) / gammaOfDisc_) {
     velocity_ = stretched(axes_.place(body.u) / gammaOfBody_ - beta_);
+    perX_ = stretched(axes_.place(axesOfBody_.x)), perY_ = stretched(axes_.place(axesOfBody_.y));
+    perS_ = stretched(axes_.place(body.u));
     reach_ = disc.radius + body.radius;
+    if (body.turning != 0.0)
+      for (const Outline::Side& side : body.outline->sides()) {
+        bends_.push_back(bendOf(side.length));
+        mostBend_ = std::max(mostBend_, bends_.back());
+      }
   }
 
   Vec2 stretched(const Vec2& x) const { return x + beta_ * stretchAlong(x); }
@@ -50,19 +64,36 @@ class StretchedFrame {
 
   /// The disc's centre at a time of the frame.
   Vec21 centreAt(double time) const { return disc_.start + disc_.u * ((time - discTime_) / gammaOfDisc_); }
-  /// The corners at a time of the frame.
-  std::span<const Vec2> cornersAt(double time) {
+  /// The corners at a time of the frame, written to `places`.
+  std::span<const Vec2> cornersAt(double time, Places& places) const {
     const std::span<const Vec2> corners = body_.outline->corners();
-    const Vec21 centre = centreAt(time);
-    for (std::size_t k = 0; k < corners.size(); ++k) places_[k] = placeAt(corners[k], time, centre);
-    return {places_.data(), corners.size()};
+    const Vec2 start = startAt(time);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const AtTime point = pointAt(corners[k], time);
+      places[k] = start + mapped(turned(corners[k], point.turn), point.s);
+    }
+    return {places.data(), corners.size()};
   }
-  /// A point of the body at a time of the frame, from the disc's centre then.
-  Vec2 placeAt(const Vec2& point, double time, const Vec21& centre) const {
-    const double s = ownTimeAt(point, time);
-    const Vec2 offset = turned(point, portableSinCos(body_.angle + body_.turning * s));
-    return stretched(axes_.place(body_.start + axesOfBody_(offset) + body_.u * s - centre));
+  /// Where the body starts, from the disc's centre at a time of the frame.
+  Vec2 startAt(double time) const { return stretched(axes_.place(body_.start - centreAt(time))); }
+  /// A point of a side at a time of the frame: its place from the disc's centre, of which `start` is known, and the
+  /// first two derivatives by its share of the side. With w the offset from the body's centre in its axes, e the side
+  /// there, s the point's own time, and t = b + a·w + γ s for all points,
+  ///     w' = e + Ω s' w⟂     w'' = 2 Ω s' e⟂ − (Ω s')² w + Ω s'' w⟂     s' = −a·e/t_s     s'' = −a·(…)/t_s
+  OnSide onSide(std::size_t k, double share, double time, const Vec2& start) const {
+    const Outline::Side& side = body_.outline->sides()[k];
+    const Vec2 point = side.from + side.along * (side.length * share);
+    const AtTime at = pointAt(point, time);
+    const Vec2 w = turned(point, at.turn), e = turned(side.along * side.length, at.turn);
+    const double s1 = -glm::dot(along_, e) / at.slope, turn1 = body_.turning * s1;
+    const Vec2 beside = across(e) * (2.0 * turn1) - w * (turn1 * turn1);
+    const double s2 = -glm::dot(along_, beside) / at.slope;
+    return {share, start + mapped(w, at.s), mapped(e + across(w) * turn1, s1),
+            mapped(beside + across(w) * (body_.turning * s2), s2)};
   }
+  /// How far beside its chord a side can be: an eighth of the greatest second derivative.
+  double bend(std::size_t k) const { return bends_[k]; }
+  double mostBend() const { return mostBend_; }
   FoundContact contact(double time, const Vec2& towards, const Vec2& touch, bool discIsFirst) const {
     const Vec2 normal = stretched(towards), place = shrunk(touch);
     const Vec21 n = axes_(normal);
@@ -111,28 +142,51 @@ class StretchedFrame {
     // (γ − 1)/β² = γ²/(γ + 1)
     return glm::dot(x, beta_) * (gammaOfDisc_ * gammaOfDisc_ / (gammaOfDisc_ + 1.0));
   }
-  double ownTimeAt(const Vec2& corner, double time) const {
-    double s = (time - bodyTime_) / gammaOfBody_;
+  static Vec2 across(const Vec2& x) { return {-x.y, x.x}; }
+  Vec2 mapped(const Vec2& w, double s) const { return perX_ * w.x + perY_ * w.y + perS_ * s; }
+  /// A point of the body at a time t of the frame: its own time s, the turn of the body there, and dt/ds.
+  struct AtTime {
+    double s;
+    SinCos turn;
+    double slope;
+  };
+  /// Newton's steps. From the last one on, which is short, the turn is continued: with its square, below rounding.
+  AtTime pointAt(const Vec2& point, double time) const {
+    constexpr double kShort = 1e-8;
+    AtTime at{(time - bodyTime_) / gammaOfBody_, {}, gammaOfBody_};
     for (int step = 0; step < 60; ++step) {
-      const Vec2 offset = turned(corner, portableSinCos(body_.angle + body_.turning * s));
-      const double late = bodyTime_ + alongX_ * offset.x + alongY_ * offset.y + gammaOfBody_ * s - time;
-      const double slope = gammaOfBody_ + body_.turning * (alongY_ * offset.x - alongX_ * offset.y);
-      const double next = s - late / slope;
-      const bool settled = body_.turning == 0.0 || std::abs(next - s) <= 1e-15 * reach_;
-      s = next;
-      if (settled) break;
+      at.turn = portableSinCos(body_.angle + body_.turning * at.s);
+      const Vec2 offset = turned(point, at.turn);
+      const double late = bodyTime_ + glm::dot(along_, offset) + gammaOfBody_ * at.s - time;
+      at.slope = gammaOfBody_ + body_.turning * glm::dot(along_, across(offset));
+      const double by = -late / at.slope, angle = body_.turning * by;
+      at.s += by;
+      if (std::abs(angle) > kShort) continue;
+      const SinCos& turn = at.turn;
+      at.turn = {turn.sin + turn.cos * angle, turn.cos - turn.sin * angle};
+      break;
     }
-    return s;
+    return at;
+  }
+  double bendOf(double length) const {
+    const double turning = std::abs(body_.turning), f = turning * body_.radius, a = glm::length(along_);
+    const double slope = gammaOfBody_ - f * a;
+    const double turn1 = turning * a * length / slope;
+    const double beside = 2.0 * turn1 * length + turn1 * turn1 * body_.radius;
+    return 0.125 * gammaOfDisc_ * beside * (1.0 + f * a / slope);
   }
 
   const ShapedFlight &disc_, &body_;
   Vec21 U_;
   RestAxes axes_, axesOfBody_;
-  double discTime_, bodyTime_, alongX_, alongY_, gammaOfDisc_, gammaOfBody_;
-  Vec2 beta_, velocity_;
+  double discTime_, bodyTime_;
+  Vec2 along_;
+  double gammaOfDisc_, gammaOfBody_;
+  Vec2 beta_, velocity_, perX_, perY_, perS_;
+  std::vector<double> bends_;
+  double mostBend_ = 0.0;
   double reach_ = 0.0;
   std::optional<Vec2> cameFrom_;  // of the centre, in the axes that turn with the body
-  std::array<Vec2, kMostCorners> places_;
 };
 
 /// A point of an outline that is nearer to the circle's centre than its neighbours.
@@ -175,25 +229,16 @@ Nearest nearestOf(std::span<const Vec2> corners) {
   return found;
 }
 
-/// A place on a side that bends: its share of the side, from the disc's centre.
-struct OnSide {
-  double share = 0.0;
-  Vec2 place{0.0};
-};
-
 // Newton's steps along the side, halved where they lead away.
-template <typename PlaceAt>
-OnSide nearestOnSide(const PlaceAt& placeAt, double share) {
-  constexpr double kNear = 1e-3, kClose = 1e-4, kFound = 1e-14;  // of a side; steps below kClose lead on
+OnSide nearestOnSide(const StretchedFrame& frame, std::size_t side, double share, double time,
+                     const Vec2& start) {
+  constexpr double kClose = 1e-4, kFound = 1e-14;  // of a side; steps below kClose lead on
   constexpr int kSteps = 32;
-  OnSide here{share, placeAt(share)};
+  OnSide here = frame.onSide(side, share, time, start);
   for (int step = 0; step < kSteps; ++step) {
-    const Vec2 slope = (placeAt(here.share + kNear) - placeAt(here.share - kNear)) / (2.0 * kNear);
-    double by = -glm::dot(here.place, slope) / glm::dot(slope, slope);
-    const auto moved = [&] {
-      const double to = std::clamp(here.share + by, 0.0, 1.0);
-      return OnSide{to, placeAt(to)};
-    };
+    const double slope2 = glm::dot(here.slope, here.slope), bent = slope2 + glm::dot(here.place, here.curve);
+    double by = -glm::dot(here.place, here.slope) / (bent > 0.25 * slope2 ? bent : slope2);
+    const auto moved = [&] { return frame.onSide(side, std::clamp(here.share + by, 0.0, 1.0), time, start); };
     OnSide there = moved();
     const auto leadsAway = [&] {
       return std::abs(by) > kClose && glm::length(there.place) > glm::length(here.place);
@@ -217,39 +262,32 @@ Nearest nearestOnEntrance(std::span<const Vec2> corners, std::size_t side) {
 }
 
 // At a time, of a body that turns: its sides are not straight then, as their points are seen at different angles.
-Nearest nearestOfTurning(StretchedFrame& frame, double time) {
-  constexpr double kBend = 0.3;  // of a side: farther beside its chord no point of it is
-  const std::span<const Vec2> corners = frame.cornersAt(time);
+Nearest nearestOfTurning(const StretchedFrame& frame, double time, std::span<const Vec2> corners) {
   if (const auto entrance = frame.entrance(time); entrance && frame.isInside(time))
     return nearestOnEntrance(corners, *entrance);
-  const Vec21 centre = frame.centreAt(time);
+  const Vec2 start = frame.startAt(time);
   Nearest found = nearestOf(corners);
-  const double sign = found.outside < 0.0 ? -1.0 : 1.0, chord = std::abs(found.outside);
+  const double sign = found.outside < 0.0 ? -1.0 : 1.0;
   double least = kNever;
   const auto consider = [&](const Vec2& nearest, std::size_t k, double share) {
     const double distance = glm::length(nearest);
     if (!(distance > 0.0) || !(distance < least)) return;
     least = distance, found = {sign * distance, nearest * (sign / distance), k, share};
   };
+  for (std::size_t k = 0; k < corners.size(); ++k) consider(corners[k], k, 0.0);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    consider(corners[k], k, 0.0);
-    const Outline::Side& side = frame.body().outline->sides()[k];
     const double share = std::clamp(shareNearest(corners, k), 0.0, 1.0);
-    const double length = glm::length(corners[(k + 1) % corners.size()] - corners[k]);
-    if (glm::length(pointOn(corners, k, share)) > chord + kBend * length) continue;
-    const OnSide nearest = nearestOnSide(
-        [&](double part) {
-          return frame.placeAt(side.from + side.along * (side.length * part), time, centre);
-        },
-        share);
+    if (glm::length(pointOn(corners, k, share)) > least + frame.bend(k)) continue;
+    const OnSide nearest = nearestOnSide(frame, k, share, time, start);
     consider(nearest.place, k, nearest.share);
   }
   return found;
 }
 
 // Those no farther than `reach`. A centre inside the outline has one, and none where it has come through it.
-std::vector<Nearest> nearPoints(StretchedFrame& frame, double time, double reach) {
-  const std::span<const Vec2> corners = frame.cornersAt(time);
+std::vector<Nearest> nearPoints(const StretchedFrame& frame, double time, double reach) {
+  Places places;
+  const std::span<const Vec2> corners = frame.cornersAt(time, places);
   if (const auto entrance = frame.entrance(time)) {
     if (!frame.isInside(time)) return {};
     return {nearestOnEntrance(corners, *entrance)};
@@ -272,9 +310,10 @@ std::vector<Nearest> nearPoints(StretchedFrame& frame, double time, double reach
 
 // Without spin the stretched corners move uniformly: the first side of which the centre comes to be R outside
 // opposite one of its points, or the first corner that comes to be R away.
-std::optional<FoundContact> touchStraight(StretchedFrame& frame, const ContactWindow& window,
+std::optional<FoundContact> touchStraight(const StretchedFrame& frame, const ContactWindow& window,
                                           bool discIsFirst) {
-  const std::span<const Vec2> corners = frame.cornersAt(0.0);
+  Places places;
+  const std::span<const Vec2> corners = frame.cornersAt(0.0, places);
   const Vec2& v = frame.velocity();
   const double R = frame.radius(), v2 = glm::dot(v, v);
   std::optional<FoundContact> best;
@@ -302,28 +341,38 @@ std::optional<FoundContact> touchStraight(StretchedFrame& frame, const ContactWi
   return best;
 }
 
-std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWindow& window, bool discIsFirst,
-                                         double start, double end) {
+// How far the rim is outside; less where it is far enough outside for the bends of the sides not to matter.
+double gapAt(const StretchedFrame& frame, double time) {
+  Places places;
+  const std::span<const Vec2> corners = frame.cornersAt(time, places);
+  const double R = frame.radius(), bend = frame.mostBend();
+  const double byChords = nearestOf(corners).outside - bend - R;
+  return byChords > bend ? byChords : nearestOfTurning(frame, time, corners).outside - R;
+}
+
+std::optional<FoundContact> touchTurning(const StretchedFrame& frame, const ContactWindow& window,
+                                         bool discIsFirst, double start, double end) {
   const double R = frame.radius(), fastest = frame.fastest();
   if (!(fastest > 0.0)) return std::nullopt;
   const double coarse = kSlideStep * frame.reach() / fastest;
   const double fine = kLeastStep * frame.reach() / fastest;
-  const auto gapAt = [&](double time) { return nearestOfTurning(frame, time).outside - R; };
-  double time = start, gap = gapAt(time);
+  double time = start, gap = gapAt(frame, time);
   bool inside = gap <= 0.0;
   const auto found = [&](double at) {
-    const Vec2 towards = nearestOfTurning(frame, at).towards;
+    Places places;
+    const Vec2 towards = nearestOfTurning(frame, at, frame.cornersAt(at, places)).towards;
     return frame.contact(at, towards, towards * R, discIsFirst);
   };
   bool behind = frame.passage(time) == Passage::through;  // then it touches nothing
   for (int step = 0; step < 2 * kFineSteps && time < end; ++step) {
     const double least = step < kFineSteps ? fine : coarse;
     const double next = time + (inside ? coarse : std::max(gap / fastest, least));
-    const double there = gapAt(next);
+    const double there = gapAt(frame, next);
     double at = next;
     bool touches = inside && there <= 0.0 && there < gap - kLeastClosing * (next - time);  // deeper again
     if (!inside && there <= 0.0) {
-      at = rootOfIncreasing([&](double t) { return -gapAt(t); }, 0.5 * (time + next), 0.5 * (next - time));
+      at = rootOfIncreasing([&](double t) { return -gapAt(frame, t); }, 0.5 * (time + next),
+                            0.5 * (next - time));
       touches = true;
     }
     if (touches && !behind) {
@@ -336,10 +385,11 @@ std::optional<FoundContact> touchTurning(StretchedFrame& frame, const ContactWin
 }
 
 // The deepest point of those that go on.
-std::optional<FoundContact> overlapNow(StretchedFrame& frame, double time, bool discIsFirst) {
+std::optional<FoundContact> overlapNow(const StretchedFrame& frame, double time, bool discIsFirst) {
   const double R = frame.radius(), soon = kLeastStep * frame.reach();
   const std::vector<Nearest> points = nearPoints(frame, time, R + kCornerTouches * frame.reach());
-  const std::span<const Vec2> then = frame.cornersAt(time + soon);
+  Places places;
+  const std::span<const Vec2> then = frame.cornersAt(time + soon, places);
   const Nearest* deepest = nullptr;
   for (const Nearest& near : points) {
     const double outside = glm::dot(pointOn(then, near.side, near.share), near.towards);

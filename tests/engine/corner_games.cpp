@@ -96,6 +96,13 @@ double closingByLaw(const PlayedLeg& one, const PlayedLeg& other, const std::arr
   return fastest;
 }
 
+/// Returns how deep two bodies, of which at least one has corners, are in each other at a time of a frame.
+double overlapAt(const SampledBody& one, const SampledBody& other, const Matrix& frame, double time) {
+  if (one.corners.empty()) return overlapOfDisc(one, other, frame, time);
+  if (other.corners.empty()) return overlapOfDisc(other, one, frame, time);
+  return depthAt(one, other, frame, time);
+}
+
 /// How fast two bodies that touch go on into each other.
 class ApproachCheck {
  public:
@@ -193,22 +200,24 @@ class ApproachCheck {
       if (own < kNever) end = std::min(end, (frame * (leg->body.start + leg->u * own)).t);
     }
     if (begin + kSoon * size >= end) return 0.0;
-    const Vec21 apart =
+    const Vec21 way =
         one.body.eventAt({0.0, 0.0}, frame, begin) - other.body.eventAt({0.0, 0.0}, frame, begin);
-    if (-dot(apart, apart) > size * size) return 0.0;
-    const double depth = depthAt(one.body, other.body, frame, begin);
+    if (-dot(way, way) > size * size) return 0.0;
+    const double depth = overlapAt(one.body, other.body, frame, begin);
     if (depth < -1e-10) return 0.0;
     ++tally_.touching;
-    tally_.fastestDeeper =
-        std::max(tally_.fastestDeeper, (depthAt(one.body, other.body, frame, begin + soon) - depth) / soon);
+    const double deeper = (overlapAt(one.body, other.body, frame, begin + soon) - depth) / soon;
     const std::array<ShapedFlight, 2> flights{flightOn(one, outlines_[who[0]]),
                                               flightOn(other, outlines_[who[1]])};
     const auto earlier = earlierOf(one, other, who);
-    if (!earlier || passageSince(*earlier, flights[0], flights[1]) == Passage::apart)
-      return closingByLaw(one, other, flights, nullptr);
+    const bool apart = !earlier || passageSince(*earlier, flights[0], flights[1]) == Passage::apart;
+    const double byLaw = closingByLaw(one, other, flights, apart ? nullptr : &*earlier);
+    // Where they turn, the law of the kick and the distance can differ in the sign of what is nearly at rest.
+    const double approach = std::min(byLaw, deeper);
+    if (apart) return approach;
     // They are still in each other or behind each other since they met, and on their way back.
     ++tally_.inEachOther;
-    if (closingByLaw(one, other, flights, &*earlier) > 1e-6) ++tally_.goingDeeper;
+    if (approach > 1e-6) ++tally_.goingDeeper;
     return 0.0;
   }
 

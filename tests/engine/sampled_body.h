@@ -117,4 +117,35 @@ inline double depthAt(const SampledBody& one, const SampledBody& other, const Ma
   return most;
 }
 
+/// Returns how far the rim of a disc would have to be drawn in for it to touch a body with corners no more, at a time of
+/// a frame: its radius less the distance of the nearest point of the outline, by halving around the nearest of many;
+/// more than the radius where the centre is inside the body.
+inline double overlapOfDisc(const SampledBody& disc, const SampledBody& body, const Matrix& frame,
+                            double time) {
+  constexpr int kParts = 32;
+  double nearest = 1e9;
+  for (std::size_t k = 0; k < body.corners.size(); ++k) {
+    const glm::dvec2 from = body.corners[k], side = body.corners[(k + 1) % body.corners.size()] - from;
+    const auto distanceAt = [&](double share) {
+      const Vec21 x = disc.restPlace(body.eventAt(from + side * share, frame, time));
+      return std::hypot(x.x, x.y);
+    };
+    double best = 0.0, distance = distanceAt(0.0);
+    for (int part = 1; part <= kParts; ++part) {
+      const double there = distanceAt(static_cast<double>(part) / kParts);
+      if (there < distance) distance = there, best = static_cast<double>(part) / kParts;
+    }
+    if (distance > nearest + 2.0 * glm::length(side) / kParts) continue;
+    for (double step = 0.5 / kParts; step > 1e-10; step *= 0.5) {
+      for (const double share : {best - step, best + step}) {
+        const double there = distanceAt(std::clamp(share, 0.0, 1.0));
+        if (there < distance) distance = there, best = std::clamp(share, 0.0, 1.0);
+      }
+    }
+    nearest = std::min(nearest, distance);
+  }
+  const bool inside = body.depthOf(disc.eventAt({0.0, 0.0}, frame, time)) > 0.0;
+  return disc.radius + (inside ? nearest : -nearest);
+}
+
 }  // namespace carom::test
