@@ -98,6 +98,7 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
   const auto flight = [&](int k) { return braked ? flightAt(disc(k), touchAt[k]) : discs_[who[k]]; };
   const std::optional<CornerContact> corners =
       hasCorners(first, second) ? cornersMeet(first, second) : std::nullopt;
+  if (corners && corners->lookAgain) return corners->time;
   PairContact contact = corners ? corners->contact : contactOf(flight(0), flight(1), a.withoutDelay);
 
   const bool waits = !pucks_[first].decided.empty() || !pucks_[second].decided.empty();

@@ -44,6 +44,7 @@ std::optional<CornerContact> findContact(const ShapedFlight& first, const Shaped
   CornerContact contact;
   contact.withoutDelay = found->withoutDelay;
   contact.sideOnSide = found->sideOnSide;
+  contact.lookAgain = found->lookAgain;
   contact.time = found->time;
   contact.contact.event = found->event;
   contact.contact.U = order;

@@ -36,6 +36,8 @@ struct CornerContact {
   bool withoutDelay = false;  ///< in contact and approaching when the later flight began
   /// A side lies on a side: several piercings happen at one time. The contact is in their middle.
   bool sideOnSide = false;
+  /// No contact, but how far the search has come: there is none before, and it goes on `after` this time.
+  bool lookAgain = false;
   double time = 0.0;  ///< in the frame of U, from the first one's start on
 };
 

@@ -103,7 +103,12 @@ class Corners {
   }
   const Vec2& cornerOf(std::size_t k) const { return a_.outline->corners()[k]; }
   FoundContact contactAt(const Vec2& corner, double s, std::size_t side) const;
-  std::optional<double> advance(std::size_t corner, double s, double end, double before) const;
+  /// Where a search along a corner's way ends.
+  struct Advanced {
+    double s;
+    bool lookAgain = false;
+  };
+  std::optional<Advanced> advance(std::size_t corner, double s, double end, double before) const;
 
   const ShapedFlight &a_, &b_;
   const ContactWindow& window_;
@@ -299,30 +304,30 @@ FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) 
 }
 
 /// The own time at which a corner is outside no more, or goes deeper, from s on and no later than `end` and, in the
-/// frame of U, `before`. It stops where a corner stays near a side for too many steps.
-std::optional<double> Corners::advance(std::size_t corner, double s, double end, double before) const {
+/// frame of U, `before`.
+std::optional<Corners::Advanced> Corners::advance(std::size_t corner, double s, double end,
+                                                  double before) const {
   const double gamma = ownTimeOfB_.perS, beta = glm::length(perS_) / gamma;
   const double ofA = std::abs(a_.turning) * a_.radius, ofB = std::abs(b_.turning) * b_.radius;
   const double fastest = gamma * (1.0 + beta * ofA) * (std::min(1.0, beta + ofA) + ofB);
   if (!(fastest > 0.0)) return std::nullopt;
-  const double coarse = kSlideStep * size_ / fastest;
-  const double fine = kLeastStep * size_ / fastest;
+  AdvancingSteps steps(size_, fastest);
   const double latest =
       (before - time_.at0 + size_ * (std::abs(time_.perX) + std::abs(time_.perY))) / time_.perS;
   const double last = std::min(end, latest);
   Lie here = lieAt(corner, s);
-  for (int step = 0; step < 2 * kFineSteps && s < last; ++step) {
-    const double least = step < kFineSteps ? fine : coarse;
+  for (int step = 0; s < last; ++step) {
+    if (step == kMostSteps) return Advanced{s, true};
     const bool inside = here.outside <= 0.0;
-    const double next = s + (inside ? coarse : std::max(here.outside / fastest, least));
+    const double next = s + steps.next(here.outside);
     const Lie there = lieAt(corner, next);
     const bool comparable = there.side == here.side || !isKnownByItsWay(corner);
     if (inside && comparable && there.outside <= 0.0 &&
         there.outside < here.outside - kLeastClosing * (next - s))
-      return next;  // deeper again
+      return Advanced{next};  // deeper again
     if (!inside && there.outside <= 0.0 && !here.through) {
       const auto depth = [&](double at) { return -lieAt(corner, at).outside; };
-      return rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s));
+      return Advanced{rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s))};
     }
     s = next, here = there;
   }
@@ -363,9 +368,11 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
       }
     }
     if (best && best->withoutDelay) continue;
-    const std::optional<double> found = advance(c, s, end, best ? best->time : kNever);
+    const std::optional<Advanced> found = advance(c, s, end, best ? best->time : kNever);
     if (!found) continue;
-    keepEarlier(best, contactAt(corner, *found, lieAt(c, *found).side));
+    FoundContact contact = contactAt(corner, found->s, lieAt(c, found->s).side);
+    contact.lookAgain = found->lookAgain;
+    keepEarlier(best, contact);
   }
 }
 

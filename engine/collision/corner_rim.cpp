@@ -354,19 +354,20 @@ std::optional<FoundContact> touchTurning(const StretchedFrame& frame, const Cont
                                          bool discIsFirst, double start, double end) {
   const double R = frame.radius(), fastest = frame.fastest();
   if (!(fastest > 0.0)) return std::nullopt;
-  const double coarse = kSlideStep * frame.reach() / fastest;
-  const double fine = kLeastStep * frame.reach() / fastest;
+  AdvancingSteps steps(frame.reach(), fastest);
   double time = start, gap = gapAt(frame, time);
   bool inside = gap <= 0.0;
-  const auto found = [&](double at) {
+  const auto found = [&](double at, bool lookAgain) {
     Places places;
     const Vec2 towards = nearestOfTurning(frame, at, frame.cornersAt(at, places)).towards;
-    return frame.contact(at, towards, towards * R, discIsFirst);
+    FoundContact contact = frame.contact(at, towards, towards * R, discIsFirst);
+    contact.lookAgain = lookAgain;
+    return contact;
   };
   bool behind = frame.passage(time) == Passage::through;  // then it touches nothing
-  for (int step = 0; step < 2 * kFineSteps && time < end; ++step) {
-    const double least = step < kFineSteps ? fine : coarse;
-    const double next = time + (inside ? coarse : std::max(gap / fastest, least));
+  for (int step = 0; time < end; ++step) {
+    if (step == kMostSteps) return found(time, true);
+    const double next = time + steps.next(gap);
     const double there = gapAt(frame, next);
     double at = next;
     bool touches = inside && there <= 0.0 && there < gap - kLeastClosing * (next - time);  // deeper again
@@ -376,7 +377,7 @@ std::optional<FoundContact> touchTurning(const StretchedFrame& frame, const Cont
       touches = true;
     }
     if (touches && !behind) {
-      const FoundContact contact = found(at);
+      const FoundContact contact = found(at, false);
       if (window.holds(window.timeOf(contact.event)) && frame.passage(at) != Passage::through) return contact;
     }
     time = next, gap = there, inside = there <= 0.0, behind = frame.passage(time) == Passage::through;

@@ -1,6 +1,7 @@
 #pragma once
 // The two searches behind corner_contact.h.
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct FoundContact {
   Vec21 normal;  ///< from the first body to the second, to within a multiple of U
   bool withoutDelay = false;
   bool sideOnSide = false;
+  bool lookAgain = false;  ///< no contact: CornerContact's
 };
 
 /// Returns the window that begins at an earlier contact: when both bodies were there.
@@ -41,10 +43,31 @@ inline ContactWindow windowAt(const EarlierContact& earlier) {
 constexpr double kLeastClosing = 1e-9;
 /// Of the radii: what touches for less grazes.
 constexpr double kLeastStep = 1e-6;
-/// Likewise of what slides in another, and where a corner stays near a side for long: after so many fine steps a search
-/// takes as many coarse ones. By these it gets on by the radii in a thousand.
-constexpr int kFineSteps = 4096;
+/// Likewise of what slides in another, or stays near it for long.
 constexpr double kSlideStep = 1e-3;
+/// A search ends after so many steps, to be continued from there.
+constexpr int kMostSteps = 4096;
+
+/// The steps of a search, of a length in which what is outside cannot come nearer than it is, or the least one. This
+/// grows where it is taken again and again.
+class AdvancingSteps {
+ public:
+  AdvancingSteps(double size, double fastest)
+      : fastest_(fastest), fine_(kLeastStep * size / fastest), coarse_(kSlideStep * size / fastest) {}
+
+  double next(double outside) {
+    const double sure = outside / fastest_;
+    if (!(outside > 0.0)) return coarse_;
+    if (sure > coarse_) least_ = fine_;
+    if (sure >= least_) return sure;
+    least_ = std::min(coarse_, 1.01 * least_);
+    return least_;
+  }
+
+ private:
+  double fastest_, fine_, coarse_;
+  double least_ = fine_;
+};
 /// Of the radii: what is nearer touches, after rounding.
 constexpr double kCornerTouches = 1e-11;
 

@@ -169,6 +169,29 @@ TEST(BilliardCorners, MirrorImagesAreMirrored) {
   }
 }
 
+// The corners of a bar pass another body in each turn, a little nearer each time: hundreds of turns later one touches.
+TEST(BilliardCorners, ABarThatTurnsBesideABodyMeetsItInTheEnd) {
+  constexpr double kGap_m = 2e-6, kDrift = 1e-8,
+                   kTurning = 8.0;  // metres, over c, radians in a metre of light
+  for (const bool disc : {false, true}) {
+    SCOPED_TRACE(disc ? "disc" : "square");
+    BilliardSetup setup;
+    setup.lightSpeed_m_s = kC_m_s;
+    Puck bar = bodyOf("bar", rectangle(0.12, 0.02));
+    bar.spin_kg_m2_s = spinOfRim_kg_m2_s(bar, kTurning * bar.radius_m, kC_m_s);
+    Puck other = bodyOf("other", rectangle(0.08, 0.08));
+    if (disc) other = bodyOf("other", {}), other.radius_m = 0.04;
+    other.position_m = {bar.radius_m + 0.04 + kGap_m, 0.0}, other.beta = {-kDrift, 0.0};
+    setup.pucks = {bar, other};
+    Billiard game(setup);
+    const double earliest_s = kGap_m / kDrift / kC_m_s, turn_s = 2.0 * M_PI / kTurning / kC_m_s;
+    game.advanceTo(earliest_s + 2.0 * turn_s);
+    ASSERT_GE(game.events().size(), 1u);
+    EXPECT_GE(game.events()[0].at.t_s, earliest_s);
+    EXPECT_LE(game.events()[0].at.t_s, earliest_s + turn_s);
+  }
+}
+
 TEST(BilliardCorners, SquaresFaceToFaceAreJournalledAsSideOnSide) {
   BilliardSetup setup;
   setup.lightSpeed_m_s = kC_m_s;
