@@ -46,6 +46,15 @@ class CollisionScheduler {
   Ledger ledger() const;
   std::span<const JamNote> jams() const { return jams_; }
 
+  /// Two bodies that have come together and not parted since.
+  struct Together {
+    std::array<std::size_t, 2> pucks;  ///< their places in the setup
+    std::array<ShapedFlight, 2> flights;
+    EarlierContact since;
+  };
+  /// Returns all such pairs on the legs that they follow.
+  std::vector<Together> together() const;
+
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr std::size_t kPucksWithoutCells = 32;

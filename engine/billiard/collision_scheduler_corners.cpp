@@ -85,6 +85,20 @@ bool CollisionScheduler::haveParted(int first, int second, EarlierContact& earli
   return passage == Passage::apart || (passage == Passage::through && !undisturbed);
 }
 
+std::vector<CollisionScheduler::Together> CollisionScheduler::together() const {
+  std::vector<Together> pairs;
+  for (std::size_t i = 0; i < pucks_.size(); ++i) {
+    const int first = static_cast<int>(i);
+    for (const Unparted& one : pucks_[i].unparted) {
+      if (one.other < first) continue;
+      pairs.push_back({{pucks_[i].file, pucks_[static_cast<std::size_t>(one.other)].file},
+                       {followedFlight(first), followedFlight(one.other)},
+                       one.contact});
+    }
+  }
+  return pairs;
+}
+
 // Bodies that lie on each other at several places and recede at that of the contact: takes the one at which they
 // approach fastest. Returns whether there is one.
 bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a,

@@ -7,9 +7,11 @@
 #include <random>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
+#include "engine/billiard/collision_scheduler.h"
 #include "engine/billiard/setup_check.h"
 #include "engine/collision/corner_contact.h"
 #include "engine/collision/corner_kick.h"
@@ -107,19 +109,13 @@ double overlapAt(const SampledBody& one, const SampledBody& other, const Matrix&
 class ApproachCheck {
  public:
   ApproachCheck(const BilliardSetup& setup, const Billiard& game, double until_s, CornerTally& tally)
-      : tally_(tally), until_(until_s * setup.lightSpeed_m_s) {
+      : tally_(tally), until_(until_s * setup.lightSpeed_m_s), setup_(setup), again_(setup) {
     for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
       legs_.push_back(legsOf(setup, game, i));
       const std::vector<Vec2>& corners = setup.pucks[i].outline_m;
       outlines_.push_back(corners.empty() ? std::nullopt : std::optional<Outline>(corners));
     }
-    for (const GameEvent& event : game.events()) {
-      if (event.kind != EventKind::puckPuck) continue;
-      const double c = setup.lightSpeed_m_s;
-      const std::size_t one = event.turns[0].puck, other = event.turns[1].puck;
-      meetings_[{std::min(one, other), std::max(one, other)}].push_back(
-          {event.number, {event.at.t_s * c, event.at.r_m.x, event.at.r_m.y}});
-    }
+    noteTogether();
   }
 
   /// Returns the fastest of a pair, over c.
@@ -141,42 +137,33 @@ class ApproachCheck {
   }
 
  private:
-  struct Meeting {
-    std::uint64_t number;
-    Vec21 contact;
-  };
-  // The leg that a body followed when it came to a contact.
-  const PlayedLeg& legAt(std::size_t which, const Meeting& meeting) const {
-    const std::vector<PlayedLeg>& legs = legs_[which];
-    std::size_t k = 0;
-    while (k + 1 < legs.size() && legs[k + 1].number < meeting.number &&
-           dot(legs[k + 1].u, meeting.contact - legs[k + 1].body.start) > 0.0)
-      ++k;
-    return legs[k];
-  }
-  // The last contact before these legs at which the two came together from apart.
-  std::optional<EarlierContact> earlierOf(const PlayedLeg& one, const PlayedLeg& other,
-                                          const std::array<std::size_t, 2>& who) const {
-    const auto met = meetings_.find({who[0], who[1]});
-    if (met == meetings_.end()) return std::nullopt;
-    std::optional<EarlierContact> earlier;
-    for (const Meeting& meeting : met->second) {
-      if (meeting.number > std::max(one.number, other.number)) break;
-      const std::array<ShapedFlight, 2> flights{flightOn(legAt(who[0], meeting), outlines_[who[0]]),
-                                                flightOn(legAt(who[1], meeting), outlines_[who[1]])};
-      if (!earlier || passageSince(*earlier, flights[0], flights[1]) == Passage::apart)
-        earlier = EarlierContact{flights, meeting.contact, normalOf(who, meeting), false};
+  // Plays the game again, from one beginning of a leg to the next.
+  void noteTogether() {
+    std::vector<double> times;
+    for (const std::vector<PlayedLeg>& legs : legs_)
+      for (const PlayedLeg& leg : legs)
+        if (leg.body.start.t <= until_) times.push_back(leg.body.start.t);
+    std::sort(times.begin(), times.end());
+    GameHistory history(setup_);
+    for (const double time : times) {
+      again_.playUntil(time + 1e-12, std::numeric_limits<std::size_t>::max(), history);
+      for (const CollisionScheduler::Together& pair : again_.together()) {
+        const auto [one, other] = std::array{start(pair.flights[0].start.t), start(pair.flights[1].start.t)};
+        together_.insert_or_assign({pair.pucks[0], pair.pucks[1], one, other}, pair.since);
+        together_.insert_or_assign({pair.pucks[1], pair.pucks[0], other, one}, reversed(pair.since));
+      }
     }
-    return earlier;
   }
-  // Along what the contact has given to the second.
-  Vec21 normalOf(const std::array<std::size_t, 2>& who, const Meeting& meeting) const {
-    const std::vector<PlayedLeg>& legs = legs_[who[1]];
-    for (std::size_t k = 1; k < legs.size(); ++k)
-      if (legs[k].number == meeting.number) return momentumOf(legs[k]) - momentumOf(legs[k - 1]);
-    return {0.0, 1.0, 0.0};
+  /// The beginning of a leg, but for rounding.
+  static float start(double time) { return static_cast<float>(time); }
+  static EarlierContact reversed(const EarlierContact& of) {
+    return {{of.flights[1], of.flights[0]}, of.event, of.n * -1.0, of.behind};
   }
-  static Vec21 momentumOf(const PlayedLeg& leg) { return leg.u * restMass(leg.puck.body, leg.puck.j); }
+  const EarlierContact* earlierOf(const PlayedLeg& one, const PlayedLeg& other,
+                                  const std::array<std::size_t, 2>& who) const {
+    const auto found = together_.find({who[0], who[1], start(one.body.start.t), start(other.body.start.t)});
+    return found == together_.end() ? nullptr : &found->second;
+  }
 
   double ofLegs(const PlayedLeg& one, const PlayedLeg& other, const std::array<std::size_t, 2>& who) {
     if (one.body.corners.empty() && other.body.corners.empty()) return 0.0;
@@ -209,23 +196,20 @@ class ApproachCheck {
     const double deeper = (overlapAt(one.body, other.body, frame, begin + soon) - depth) / soon;
     const std::array<ShapedFlight, 2> flights{flightOn(one, outlines_[who[0]]),
                                               flightOn(other, outlines_[who[1]])};
-    const auto earlier = earlierOf(one, other, who);
-    const bool apart = !earlier || passageSince(*earlier, flights[0], flights[1]) == Passage::apart;
-    const double byLaw = closingByLaw(one, other, flights, apart ? nullptr : &*earlier);
+    const EarlierContact* const earlier = earlierOf(one, other, who);
+    const double byLaw = closingByLaw(one, other, flights, earlier);
+    if (earlier != nullptr) ++tally_.inEachOther;
     // Where they turn, the law of the kick and the distance can differ in the sign of what is nearly at rest.
-    const double approach = std::min(byLaw, deeper);
-    if (apart) return approach;
-    // They are still in each other or behind each other since they met, and on their way back.
-    ++tally_.inEachOther;
-    if (approach > 1e-6) ++tally_.goingDeeper;
-    return 0.0;
+    return std::min(byLaw, deeper);
   }
 
   CornerTally& tally_;
   double until_;
   std::vector<std::vector<PlayedLeg>> legs_;
   std::vector<std::optional<Outline>> outlines_;
-  std::map<std::array<std::size_t, 2>, std::vector<Meeting>> meetings_;
+  BilliardSetup setup_;
+  CollisionScheduler again_;
+  std::map<std::tuple<std::size_t, std::size_t, float, float>, EarlierContact> together_;
 };
 
 void drawRules(unsigned seed, std::mt19937_64& random, PhysicsRules& rules) {
