@@ -199,7 +199,7 @@ class CollisionScheduler {
   double leavesCell(int i, int axis) const;
   void fetchState(int i) const {
     prefetch(&pucks_[i]);
-    if (canPress(i)) prefetch(&pucks_[i].blowsBegan);
+    if (canPress_) prefetch(&pucks_[i].blowsBegan);
   }
   int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
   // Returns the axis along which the puck's centre leaves its cell first.
@@ -297,8 +297,8 @@ class CollisionScheduler {
   std::optional<SpinningPairKick> cornerKick(const std::array<int, 2>& who, const PairContact& contact,
                                              const std::array<Vec21, 2>& u, const std::array<double, 2>& j,
                                              double restitution) const;
-  // Whether a puck can be pressed: elastic discs among elastic cushions cannot.
-  bool canPress(int i) const { return canPress_ || outlineOf(i) != nullptr; }
+  // Whether discs that are pressed, as they can be by bodies with corners, bounce off each other without loss.
+  bool discsStayElastic() const { return outlines_ != nullptr && puckRestitution_ == 1.0; }
 
   // collision_scheduler_jam.cpp: what happens to pucks that press on one another
   struct Member {
@@ -348,7 +348,7 @@ class CollisionScheduler {
   double c_m_s_;
   TurnConvention convention_;
   double puckRestitution_, cushionRestitution_;
-  bool canPress_;                    // whether pucks or cushions are inelastic
+  bool canPress_;                    // whether pucks or cushions are inelastic, or some have corners
   double brake_;                     // friction over c²
   RimRules puckRims_, cushionRims_;  // their coefficients of restitution aside
   double slowing_;                   // of spins by the cloth: the rim's γβ in a metre of own time

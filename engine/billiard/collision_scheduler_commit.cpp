@@ -114,8 +114,8 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
     turn[k] = place.turn;
   }
   if (isPressed(first, turn[0].x.t) && isPressed(second, turn[1].x.t)) {
-    if (!corners) return settle(who, contact, turn, history), kNever;
-    if (a.withoutDelay && settleCorners(who, turn, contact.event, contact.U, history)) return kNever;
+    if (!corners && !discsStayElastic()) return settle(who, contact, turn, history), kNever;
+    if (corners && a.withoutDelay && settleCorners(who, turn, contact.event, contact.U, history)) return kNever;
   }
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));

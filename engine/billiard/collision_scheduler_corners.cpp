@@ -27,7 +27,7 @@ void CollisionScheduler::takeOutlines(const BilliardSetup& setup) {
   }
   if (!any) return;
   outlines_ = std::make_shared<const std::vector<std::optional<Outline>>>(std::move(outlines));
-  turns_ = true;
+  turns_ = canPress_ = true;
 }
 
 ShapedFlight CollisionScheduler::shapedFlight(int i, const Leg& leg, const Turning& turning) const {

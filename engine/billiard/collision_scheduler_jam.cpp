@@ -48,7 +48,7 @@ double relative2(const Vec21& u1, const Vec21& u2) {
 
 // Of many at once, by what presses or lies on the puck.
 void CollisionScheduler::noteBlow(int i, double turnTime, double closing, bool manifold) {
-  if (!canPress(i)) return;
+  if (!canPress_) return;
   PuckState& player = pucks_[i];
   const double radius = discs_[i].radius;
   const bool peace = turnTime - player.lastBlow > radius;
@@ -62,7 +62,7 @@ void CollisionScheduler::noteBlow(int i, double turnTime, double closing, bool m
 
 bool CollisionScheduler::isPressed(int i, double t) const {
   const PuckState& player = pucks_[i];
-  return canPress(i) && player.blows >= kBlowsOfAJam && !(t - player.lastBlow > discs_[i].radius);
+  return canPress_ && player.blows >= kBlowsOfAJam && !(t - player.lastBlow > discs_[i].radius);
 }
 
 // The kick of two pressed pucks: together with all pressed pucks that touch them, in a chain, they come to
@@ -198,7 +198,9 @@ void CollisionScheduler::leaveCushions(Member& member, double slow) {
 
 bool CollisionScheduler::partDiscs(Member& one, Member& two, double slow) const {
   const Pose pose = poseOf(one.turn.x, one.u, two.turn.x, two.u);
-  const std::optional<PairKick> kick = kickPair(pose.U, pose.n, {one.u, two.u}, {one.mass, two.mass}, 0.0);
+  const double restitution = discsStayElastic() ? 1.0 : 0.0;
+  const std::optional<PairKick> kick =
+      kickPair(pose.U, pose.n, {one.u, two.u}, {one.mass, two.mass}, restitution);
   if (!kick || kick->closing < slow) return false;
   kicked(one, kick->u[0], kick->heat[0]);
   kicked(two, kick->u[1], kick->heat[1]);

@@ -128,6 +128,18 @@ TEST(BilliardCorners, APileInACornerComesToRest) {
   }
 }
 
+// Two places of a U would kick an elastic disc between them without end.
+TEST(BilliardCorners, AnElasticDiscThatAHookHoldsIsKickedFewTimes) {
+  const BilliardSetup setup = cornerGame(1473);
+  ASSERT_EQ(setup.rules.puckRestitution, 1.0);
+  Billiard game(setup);
+  for (double t_s = 0.0; t_s <= 6.0; t_s += 0.05) {
+    game.advanceTo(t_s);
+    ASSERT_LT(game.events().size(), 1000u) << "at " << t_s << " s";
+  }
+  EXPECT_GT(game.events().size(), 100u);
+}
+
 BilliardSetup twoBars() {
   BilliardSetup setup;
   setup.lightSpeed_m_s = kC_m_s;
