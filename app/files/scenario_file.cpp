@@ -104,8 +104,9 @@ Flash readFlash(const TomlTable& table, std::size_t index) {
 
 Pulse readPulse(const TomlTable& table) {
   Pulse pulse{.name = table.text("name"), .at_s = table.number("at_s", {}), .path_m = {}};
-  for (const auto& place : table.points("path_m")) pulse.path_m.push_back(toVec3(place));
-  if (!table.has("path_m")) return pulse;
+  const auto places = table.points("path_m", 3);
+  if (!places) return pulse;
+  for (const PlacedPoint& place : *places) pulse.path_m.push_back({place.at[0], place.at[1], place.at[2]});
   if (pulse.path_m.size() < 2) {
     table.fault("path_m", fmt::format("path_m has {}, expected two places at least",
                                       pulse.path_m.empty() ? "no place" : "one place"));

@@ -11,79 +11,91 @@
 #include "app/files/toml_values.h"
 #include "cave/outlines/footprint.h"
 #include "cave/outlines/mesh_from_above.h"
+#include "engine/billiard/setup_check.h"
 #include "engine/collision/outline.h"
 
 namespace carom {
 
 namespace {
 
-/// A square, for what else is to be checked of a puck whose corners are wrong.
-const std::vector<Vec2> kPlaceholder_m{{-0.03, -0.03}, {0.03, -0.03}, {0.03, 0.03}, {-0.03, 0.03}};
-
-void setOutline(Puck& puck, const std::vector<Vec2>& corners_m) {
+/// Gives the puck an outline of the size that `key` says.
+void setOutline(const TomlTable& table, std::string_view key, Puck& puck,
+                const std::vector<Vec2>& corners_m) {
+  const double inertia = momentsOf(corners_m).inertia;
+  if (!(inertia >= kLeastInertia && inertia <= 1.0)) {
+    table.fault(key,
+                fmt::format("the corners of puck '{}' are too near to each other, or too far from [0, 0], "
+                            "for the digits of a number, expected them around its centre of mass",
+                            puck.name));
+    return;
+  }
   puck.outline_m = corners_m;
   puck.radius_m = radiusOf_m(puck.outline_m);
-  puck.inertia = momentsOf(puck.outline_m).inertia;
+  puck.inertia = inertia;
 }
 
 void takeCorners(const TomlTable& table, Puck& puck) {
-  bool known = true;
-  const std::vector<PlacedPoint> points = table.boardPoints("outline_m");
+  const auto points = table.points("outline_m", 2);
+  if (!points) return;
   std::vector<Vec2> corners_m;
-  for (const PlacedPoint& point : points) {
-    known = known && !std::isnan(point.at[0]) && !std::isnan(point.at[1]);
+  for (const PlacedPoint& point : *points) {
+    if (std::isnan(point.at[0]) || std::isnan(point.at[1])) return;
     corners_m.push_back({point.at[0], point.at[1]});
   }
-  if (known) {
-    if (const auto wrong = faultOf(corners_m)) {
-      const FilePlace place =
-          wrong->corner < points.size() ? points[wrong->corner].place : table.place("outline_m");
-      table.fault(place, fmt::format("outline_m of puck '{}': {}", puck.name, wrong->what));
-      known = false;
-    }
+  if (const auto wrong = faultOf(corners_m)) {
+    const FilePlace place =
+        wrong->corner < points->size() ? (*points)[wrong->corner].place : table.place("outline_m");
+    table.fault(place, fmt::format("outline_m of puck '{}': {}", puck.name, wrong->what));
+    return;
   }
-  setOutline(puck, known ? corners_m : kPlaceholder_m);
+  setOutline(table, "outline_m", puck, corners_m);
 }
 
-/// Gives the puck the footprint of its mesh, so large that its farthest corner is at the radius.
-void takeFootprint(const TomlTable& table, Puck& puck, std::optional<PuckMesh>& mesh) {
+/// Returns what a puck's mesh covers; none if there is a fault.
+std::optional<Footprint> readFootprint(const TomlTable& table, const Puck& puck,
+                                       const std::optional<PuckMesh>& mesh) {
   if (!mesh) {
     if (!table.has("mesh"))
       table.fault("outline", fmt::format("puck '{}' has no mesh, expected mesh = a file", puck.name));
-    return;
+    return {};
   }
-  if (mesh->file.empty()) return;  // there is no such file, which has been said
+  if (mesh->file.empty()) return {};  // there is no such file, which has been said
   try {
-    const Footprint footprint = footprintOf(trianglesFromAbove(mesh->file.string()));
-    mesh->place = {footprint.centre, puck.radius_m / footprint.radius};
-    mesh->isInOnePiece = footprint.isInOnePiece;
-    std::vector<Vec2> corners_m;
-    for (const Vec2& corner : footprint.corners) corners_m.push_back(corner * mesh->place->scale);
-    setOutline(puck, corners_m);
+    return footprintOf(trianglesFromAbove(mesh->file.string()));
   } catch (const std::runtime_error& error) {
     table.fault("mesh", fmt::format("the mesh of puck '{}' gives no outline: {}", puck.name, error.what()));
+    return {};
   }
+}
+
+/// Gives the puck the footprint of its mesh, so large that its farthest corner is at the radius.
+void takeFootprint(const TomlTable& table, const Footprint& footprint, Puck& puck, PuckMesh& mesh) {
+  mesh.place = {footprint.centre, puck.radius_m / footprint.radius};
+  mesh.isInOnePiece = footprint.isInOnePiece;
+  std::vector<Vec2> corners_m;
+  for (const Vec2& corner : footprint.corners) corners_m.push_back(corner * mesh.place->scale);
+  setOutline(table, "radius_m", puck, corners_m);
 }
 
 }  // namespace
 
 void readShape(const TomlTable& table, Puck& puck, std::optional<PuckMesh>& mesh) {
   constexpr std::array<std::string_view, 1> kOutlines{"mesh"};
-  const bool ofMesh = table.has("outline");
-  if (ofMesh) table.choice("outline", kOutlines);
-  if (!table.has("outline_m")) {
-    puck.radius_m = table.number("radius_m", kPositive);
-    if (ofMesh) takeFootprint(table, puck, mesh);
+  if (table.has("outline_m")) {
+    table.refuse("outline", "stands beside outline_m, expected one of them");
+    table.refuse(
+        "radius_m",
+        "stands beside outline_m, expected one of them: the radius of a puck with corners is that of its "
+        "farthest corner");
+    takeCorners(table, puck);
     return;
   }
-  if (ofMesh) table.fault("outline", "outline stands beside outline_m, expected one of them");
-  if (table.has("radius_m")) {
-    table.fault("radius_m",
-                "radius_m stands beside outline_m, expected one of them: the radius of a puck with "
-                "corners is that of its farthest corner");
-    table.number("radius_m", kPositive);
-  }
-  takeCorners(table, puck);
+  std::optional<Footprint> footprint;
+  if (table.choice("outline", kOutlines, kOutlines.size()) == 0) footprint = readFootprint(table, puck, mesh);
+  const bool outlineIsWrong = table.has("outline") && !footprint;
+  if (outlineIsWrong && !table.has("radius_m")) return;  // the size of a shape that there is none of
+  puck.radius_m = table.rightNumber("radius_m", kPositive).value_or(0.0);
+  if (footprint && puck.radius_m > 0.0) takeFootprint(table, *footprint, puck, *mesh);
 }
 
 std::vector<Finding> oddOutline(const TomlTable& table, const Puck& puck,

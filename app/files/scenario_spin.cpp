@@ -26,6 +26,7 @@ std::string rimOf(const Puck& puck) {
 double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
   const double omega_rad_s = table.number("spin_rad_s", {}, 0.0), rim = omega_rad_s * puck.radius_m / c_m_s;
   const double most_rad_s = c_m_s / puck.radius_m;
+  if (puck.radius_m == 0.0) return 0.0;  // why it is unknown has been said
   if (std::abs(rim) < 1.0) {
     const double spin_kg_m2_s = spinAt_kg_m2_s(puck, omega_rad_s, c_m_s);
     if (slowerThanLight(rimUOf(puck, spin_kg_m2_s, c_m_s))) return spin_kg_m2_s;
@@ -38,6 +39,7 @@ double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
 
 double angularMomentum(const TomlTable& table, const Puck& puck, double c_m_s) {
   const double spin_kg_m2_s = table.number("spin_kg_m2_s", {}, 0.0);
+  if (puck.radius_m == 0.0) return 0.0;
   if (slowerThanLight(rimUOf(puck, spin_kg_m2_s, c_m_s))) return spin_kg_m2_s;
   constexpr double kMost_u = 1e7;  // a rim with that celerity differs from light by 5e-15
   table.fault(
@@ -74,8 +76,8 @@ std::vector<Finding> oddSpin(const TomlTable& table, const Puck& puck, bool hasM
   if (rim > kSharpRim) {
     const char* key = table.has("spin_rad_s") ? "spin_rad_s" : "spin_kg_m2_s";
     odd.push_back({.at = table.place(key),
-                   .text = fmt::format("the rim of puck '{}' moves at {:.6g} c, expected at most {} c",
-                                       puck.name, rim, kSharpRim)});
+                   .text = fmt::format("{} of puck '{}' moves at {:.6g} c, expected at most {} c",
+                                       rimOf(puck), puck.name, rim, kSharpRim)});
   }
   if (puck.inertia > kSolidInertia && hasMesh) {
     odd.push_back({.at = table.place("inertia"),

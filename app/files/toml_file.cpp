@@ -164,10 +164,14 @@ bool TomlTable::isNumber(std::string_view key) const {
   return node && node->is_number();
 }
 
+std::optional<double> TomlTable::rightNumber(std::string_view key, const Range& range) const {
+  const toml::node* node = state_->ask(key, false);
+  return node ? state_->numberOf(key, *node, range, false) : std::nullopt;
+}
+
 double TomlTable::number(std::string_view key, const Range& range, std::optional<double> fallback) const {
-  const toml::node* node = state_->ask(key, fallback.has_value());
-  const auto value = node ? state_->numberOf(key, *node, range, false) : std::nullopt;
-  return value.value_or(fallback.value_or(range.most));
+  if (fallback && !has(key)) return *fallback;
+  return rightNumber(key, range).value_or(fallback.value_or(range.most));
 }
 
 int TomlTable::integer(std::string_view key, int least, int most, std::optional<int> fallback) const {
@@ -255,53 +259,36 @@ std::vector<PlacedText> TomlTable::oneOrMoreTexts(std::string_view key) const {
   return {{text(key), placeOf(node->source())}};
 }
 
-std::vector<std::array<double, 3>> TomlTable::points(std::string_view key) const {
-  std::vector<std::array<double, 3>> result;
+std::optional<std::vector<PlacedPoint>> TomlTable::points(std::string_view key, std::size_t count) const {
   const toml::node* node = state_->ask(key, false);
-  if (!node) return result;
+  if (!node) return {};
+  const char* axes = count == 2 ? "[x, y]" : "[x, y, z]";
   const toml::array* array = node->as_array();
   if (!array) {
-    state_->wrong(key, *node, "an array of places [x, y, z]");
-    return result;
+    state_->wrong(key, *node, fmt::format("an array of places {}", axes));
+    return {};
   }
-  for (std::size_t i = 0; i < array->size(); ++i) {
-    const std::string name = fmt::format("{}[{}]", key, i);
-    const toml::array* place = (*array)[i].as_array();
-    auto& point = result.emplace_back();
-    point.fill(std::numeric_limits<double>::quiet_NaN());  // placeholder that equals no other value
-    if (!place || place->size() != 3) {
-      state_->fault(placeOf((*array)[i].source()),
-                    fmt::format("{} is wrong, expected a place [x, y, z]", name));
-      continue;
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-      point[k] = state_->numberOf(fmt::format("{}[{}]", name, k), (*place)[k], {}, false).value_or(point[k]);
-  }
-  return result;
-}
-
-std::vector<PlacedPoint> TomlTable::boardPoints(std::string_view key) const {
   std::vector<PlacedPoint> result;
-  const toml::node* node = state_->ask(key, false);
-  if (!node) return result;
-  const toml::array* array = node->as_array();
-  if (!array) {
-    state_->wrong(key, *node, "an array of places [x, y]");
-    return result;
-  }
   for (std::size_t i = 0; i < array->size(); ++i) {
     const std::string name = fmt::format("{}[{}]", key, i);
-    const toml::array* place = (*array)[i].as_array();
-    PlacedPoint& point = result.emplace_back();
-    point.at.fill(std::numeric_limits<double>::quiet_NaN());
-    point.place = placeOf((*array)[i].source());
-    if (!place || place->size() != 2) {
-      state_->fault(point.place, fmt::format("{} is wrong, expected a place [x, y]", name));
-      continue;
+    const toml::node& element = (*array)[i];
+    const toml::array* coordinates = element.as_array();
+    // The points after a wrong one are often wrong in the same way: one fault tells it.
+    if (!coordinates) {
+      state_->wrong(name, element, fmt::format("a place {}", axes));
+      return {};
     }
-    for (std::size_t k = 0; k < 2; ++k)
-      point.at[k] =
-          state_->numberOf(fmt::format("{}[{}]", name, k), (*place)[k], {}, false).value_or(point.at[k]);
+    if (coordinates->size() != count) {
+      state_->fault(placeOf(element.source()),
+                    fmt::format("{} has {} values, expected a place {}", name, coordinates->size(), axes));
+      return {};
+    }
+    PlacedPoint& point = result.emplace_back();
+    point.place = placeOf(element.source());
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto value = state_->numberOf(fmt::format("{}[{}]", name, k), (*coordinates)[k], {}, false);
+      point.at.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
   }
   return result;
 }

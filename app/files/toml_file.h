@@ -22,9 +22,9 @@ struct PlacedText {
   FilePlace place;
 };
 
-/// A point of the board as the file gives it.
+/// A point of an array of points, of two or three coordinates.
 struct PlacedPoint {
-  std::array<double, 2> at{};
+  std::vector<double> at;  ///< NaN where the file has none
   FilePlace place;
 };
 
@@ -40,6 +40,8 @@ class TomlTable {
   bool isNumber(std::string_view key) const;
 
   double number(std::string_view key, const Range& range, std::optional<double> fallback = {}) const;
+  /// Returns a required number; none if it is absent or wrong.
+  std::optional<double> rightNumber(std::string_view key, const Range& range) const;
   int integer(std::string_view key, int least, int most, std::optional<int> fallback = {}) const;
   bool flag(std::string_view key, std::optional<bool> fallback = {}) const;
   std::string text(std::string_view key, std::optional<std::string> fallback = {}) const;
@@ -66,10 +68,9 @@ class TomlTable {
   std::vector<PlacedText> texts(std::string_view key) const;
   /// Returns the same of a key whose value may also be a single string.
   std::vector<PlacedText> oneOrMoreTexts(std::string_view key) const;
-  /// Returns an array of points [x, y, z]; required. Wrong coordinates are NaN.
-  std::vector<std::array<double, 3>> points(std::string_view key) const;
-  /// Returns an array of points [x, y] of the board, each with its position; required. Wrong coordinates are NaN.
-  std::vector<PlacedPoint> boardPoints(std::string_view key) const;
+  /// Returns an array of points, each of `count` coordinates; required. None if the key is absent or not an array of
+  /// such points.
+  std::optional<std::vector<PlacedPoint>> points(std::string_view key, std::size_t count) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::optional<TomlTable> requiredTable(std::string_view key) const;
   /// Returns an array of tables; empty if the key is absent.

@@ -70,8 +70,9 @@ void CueInteraction::offer(std::size_t puck, const Game& game, FrameRecord& reco
 
 double CueInteraction::offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const {
   const PhysicsRules& rules = scenario_->billiard.rules;
-  if (rules.puckFriction == 0.0 && rules.cushionFriction == 0.0) return 0.0;
-  return sideOf(aside_m_, u, boardFromRoom, scenario_->billiard.pucks[target].radius_m);
+  const Puck& puck = scenario_->billiard.pucks[target];
+  if (puck.outline_m.empty() && rules.puckFriction == 0.0 && rules.cushionFriction == 0.0) return 0.0;
+  return sideOf(aside_m_, u, boardFromRoom, puck.radius_m);
 }
 
 /// Returns the hand's view. While the cue is held, its ray ends where the target is seen, wherever the hand

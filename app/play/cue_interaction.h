@@ -39,8 +39,8 @@ class CueInteraction {
   void offer(std::size_t puck, const Game& game, FrameRecord& record);
 
  private:
-  /// Returns how far to the right of the target's centre a stroke of `u` strikes; 0 where all rims are smooth, so
-  /// that a spin would show nowhere.
+  /// Returns how far to the right of the target's centre a stroke of `u` strikes; 0 where the target is round and all
+  /// rims are smooth, so that a spin would show nowhere.
   double offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const;
   HandView viewOf(const HandInput& hand, const PickResult& pointed, const Game& game,
                   const FrameRecord& record);

@@ -148,8 +148,8 @@ void tellRig(const std::filesystem::path& path) {
 std::string spinText(const Puck& puck, double c_m_s) {
   if (puck.spin_kg_m2_s == 0.0) return "";
   const double u = rimUOf(puck, puck.spin_kg_m2_s, c_m_s), rim = u / std::sqrt(1.0 + u * u);
-  return fmt::format(", spins at {:.6g} rad/s, its rim at {:.6g} c", rim * c_m_s / puck.radius_m,
-                     std::abs(rim));
+  return fmt::format(", spins at {:.6g} rad/s, its {} at {:.6g} c", rim * c_m_s / puck.radius_m,
+                     puck.outline_m.empty() ? "rim" : "farthest corner", std::abs(rim));
 }
 
 /// Returns what a person could not see well in this game.

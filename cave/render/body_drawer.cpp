@@ -17,9 +17,10 @@
 namespace carom {
 namespace {
 
-constexpr float kAlways_m = -1e30F;     // means that the body has always existed
-constexpr float kDecalNearer = 0.002F;  // fraction of the distance by which a decal is drawn nearer
-constexpr float kHatch = 0.5F;          // of a ghost, as a fraction of its body's reach from its centre
+constexpr float kAlways_m = -1e30F;       // means that the body has always existed
+constexpr float kDecalNearer = 0.002F;    // fraction of the distance by which a decal is drawn nearer
+constexpr float kBodiesNearer = 0.0005F;  // the same of the last body
+constexpr float kHatch = 0.5F;            // of a ghost, as a fraction of its body's reach from its centre
 constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
 
 /// Makes a texture of the four numbers a texel that a buffer holds.
@@ -183,7 +184,9 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   uniforms.colour = part.colour;
   uniforms.gloss = part.gloss;
   uniforms.tint = static_cast<float>(number % 3);
-  uniforms.nearer = ghost || part.paint == Paint::shadow ? kDecalNearer : 0.0F;
+  // Bodies that go into each other until they turn have their tops in one plane: the later body's is seen.
+  const float share = static_cast<float>(part.body) / static_cast<float>(scene_.bodyCount);
+  uniforms.nearer = ghost || part.paint == Paint::shadow ? kDecalNearer : kBodiesNearer * share;
   uniforms.ghostColour = linearOf(moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
   uniforms.hatch_m = kHatch * static_cast<float>(scene_.reach_m.empty() ? 1.0 : scene_.reach_m[part.body]);
   return uniforms;
@@ -222,7 +225,7 @@ void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
   const bool decal = part.paint == Paint::shadow;
   const Legs legs = !ghost && part.body == kRestingBody
                         ? Legs::rest
-                        : legsOf({uniforms.legs, static_cast<std::size_t>(uniforms.legCount)}, decal);
+                        : legsOf({uniforms.legs, static_cast<std::size_t>(uniforms.legCount)}, part.isRound);
   const Paint paint = ghost ? Paint::plain : part.paint;
   Layer& layer = layers_[static_cast<std::size_t>(chosen.moment)];
   BodyProgram& program = programFor({legs, paint, switches_, chosen.moment}, layer.programs[chosen.number]);

@@ -48,6 +48,7 @@ struct ScenePart {
   Paint paint = Paint::plain;
   glm::vec3 colour{1.0F};              ///< linear light, the share reflected
   float gloss = 0.0F;                  ///< strength of the highlight; cloth and panels have none
+  bool isRound = false;                ///< looks the same however the body has turned
   std::vector<CoarserMesh> coarser{};  ///< for eyes farther and farther away
 };
 

@@ -196,7 +196,7 @@ ScenePart discShadow(double radius_m, double height_m, std::size_t body, double 
     addDisc(lamp, radius_m + soft_m, radius_m - soft_m, 1.0);
     addDisc(lamp, radius_m - soft_m, 0.0, 0.0);
   }
-  return {body, shadow.build(), Paint::shadow, glm::vec3(0.0F), 0.0F};
+  return {.body = body, .mesh = shadow.build(), .paint = Paint::shadow, .isRound = true};
 }
 
 ScenePart outlineShadow(std::span<const Vec2> corners_m, double height_m, std::size_t body, double cell_m) {
@@ -207,7 +207,7 @@ ScenePart outlineShadow(std::span<const Vec2> corners_m, double height_m, std::s
   const double soft_m = softOf_m(height_m);
   const std::vector<ShadowSide> sides = sidesOf(outline, soft_m, soft_m);
   for (const double lamp : {0.0, 1.0, 2.0}) ShadowOfOne(shadow, sides, lamp, height_m, cell_m).add();
-  return {body, shadow.build(), Paint::shadow, glm::vec3(0.0F), 0.0F};
+  return {.body = body, .mesh = shadow.build(), .paint = Paint::shadow};
 }
 
 }  // namespace carom

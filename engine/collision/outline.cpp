@@ -32,6 +32,16 @@ double twiceArea(std::span<const Vec2> corners) {
   return sum;
 }
 
+/// Whether no corner is farther than `beside` from the line through the first one and the one farthest from it.
+bool onOneLine(std::span<const Vec2> corners, double beside) {
+  Vec2 line{0.0};
+  for (const Vec2& corner : corners)
+    if (glm::length(corner - corners[0]) > glm::length(line)) line = corner - corners[0];
+  return std::all_of(corners.begin(), corners.end(), [&](const Vec2& corner) {
+    return std::abs(cross2(line, corner - corners[0])) <= beside * glm::length(line);
+  });
+}
+
 double extentOf(std::span<const Vec2> corners) {
   double extent = 0.0;
   for (const Vec2& corner : corners)
@@ -59,7 +69,8 @@ bool sidesMeet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 std::optional<OutlineFault> faultOf(std::span<const Vec2> corners) {
   const std::size_t count = corners.size();
   if (count < kLeastCorners || count > kMostCorners)
-    return fault(0, count, " corners: expected ", kLeastCorners, " to ", kMostCorners);
+    return fault(0, count, count == 1 ? " corner" : " corners", ": expected ", kLeastCorners, " to ",
+                 kMostCorners);
   for (std::size_t k = 0; k < count; ++k)
     if (!std::isfinite(corners[k].x) || !std::isfinite(corners[k].y))
       return fault(k, "corner ", k + 1, " is not a place: expected two finite numbers");
@@ -68,10 +79,9 @@ std::optional<OutlineFault> faultOf(std::span<const Vec2> corners) {
     for (std::size_t before = 0; before < k; ++before)
       if (!(glm::length(corners[k] - corners[before]) > same))
         return fault(k, "corner ", k + 1, " lies on corner ", before + 1, ": expected different places");
-  // A line there and back has no area, though its sides also touch: the more telling of the two is said first.
-  const double area2 = twiceArea(corners);
-  const bool flat = !(std::abs(area2) > 1e-9 * extent * extent);
-  for (std::size_t k = 0; !flat && k < count; ++k) {
+  // Sides on one line touch, too, and a bow tie has no area, either: the more telling is said.
+  if (onOneLine(corners, same)) return fault(0, "the corners lie on one line: expected an area");
+  for (std::size_t k = 0; k < count; ++k) {
     const Vec2 &a = corners[k], &b = corners[(k + 1) % count], &c = corners[(k + 2) % count];
     if (std::abs(cross2(b - a, c - b)) <= 1e-12 * extent * extent && glm::dot(b - a, c - b) < 0.0)
       return fault((k + 1) % count, "the sides at corner ", (k + 1) % count + 1,
@@ -83,7 +93,8 @@ std::optional<OutlineFault> faultOf(std::span<const Vec2> corners) {
                      k + 1, ": expected an outline that meets itself nowhere");
     }
   }
-  if (flat) return fault(0, "the corners lie on one line or enclose no area: expected an area");
+  const double area2 = twiceArea(corners);
+  if (!(std::abs(area2) > same * extent)) return fault(0, "the corners enclose no area: expected an area");
   if (area2 < 0.0) return fault(0, "the corners run clockwise: expected them anticlockwise seen from above");
   return std::nullopt;
 }
@@ -113,7 +124,8 @@ Outline::Outline(std::span<const Vec2> corners) : corners_(corners.begin(), corn
     side.length = glm::length(way);
     side.along = way / side.length;
     side.normal = {side.along.y, -side.along.x};
-    side.offset = glm::dot(side.normal, side.from);
+    // From both ends, so that an outline's mirror image has the same bits.
+    side.offset = 0.5 * (glm::dot(side.normal, side.from) + glm::dot(side.normal, corners_[(k + 1) % count]));
     sides_.push_back(side);
     radius_ = std::max(radius_, glm::length(corners_[k]));
   }

@@ -148,10 +148,12 @@ class Lived {
   std::vector<FrameState> states;
 };
 
-/// A wand that at seeded times aims at a puck where it is seen, is drawn back for some frames and let go.
+/// A wand that at seeded times aims at a puck where it is seen, or so far beside it, is drawn back for some frames and let
+/// go.
 class Player {
  public:
-  Player(std::uint64_t seed, std::uint64_t every) : random_(seed), every_(every) {}
+  Player(std::uint64_t seed, std::uint64_t every, const Vec3& aside_m = Vec3(0.0))
+      : random_(seed), every_(every), aside_m_(aside_m) {}
 
   HandInput operator()(std::uint64_t frame, const ObserverView& observer, const Game& game) {
     HandInput hand;
@@ -164,7 +166,7 @@ class Player {
       pull_m_ = Vec3(std::cos(angle_rad), random_.in(-0.2, 0.2), std::sin(angle_rad)) * random_.in(0.05, 0.5);
     }
     const Vec3 seen_m = aim_.seenInRoom_m(game.pucks()[puck_], {observer, Eye::middle, Switches()});
-    hand.along = glm::normalize(seen_m - hand.from_m);
+    hand.along = glm::normalize(seen_m + aside_m_ - hand.from_m);
     hand.held = phase > 3 && phase < 10;
     if (hand.held) hand.pull_m = pull_m_ * (static_cast<double>(phase - 4) / 5.0);
     return hand;
@@ -173,6 +175,7 @@ class Player {
  private:
   test::Random random_;
   std::uint64_t every_;
+  Vec3 aside_m_;
   std::size_t puck_ = 0;
   Vec3 pull_m_{0.0};
   RayPicking aim_;
@@ -216,6 +219,30 @@ TEST(CueInteraction, NoStrokeChangesWhatWasSeen) {
     EXPECT_EQ(compared, 400u * 9u);
   }
   EXPECT_GT(takenBack, 10u) << "knots that had been played ahead, and carried by frames";
+}
+
+// Without friction a spin shows only of what has corners.
+TEST(CueInteraction, AStrokeBesideTheMiddleTurnsWhatHasCorners) {
+  Scenario scenario = readScenario(CAROM_CONFIG_DIR "/scenarios/three-pucks.toml");
+  Puck& square = scenario.billiard.pucks[1];
+  const double half_m = square.radius_m / std::sqrt(2.0);
+  square.outline_m = {{-half_m, -half_m}, {half_m, -half_m}, {half_m, half_m}, {-half_m, half_m}};
+  square.radius_m = radiusOf_m(square.outline_m);
+  int turned = 0, discs = 0;
+  for (const double aside_m : {0.02, -0.02}) {
+    const TemporaryFolder folder;
+    Lived lived(folder, scenario, "game.db");
+    lived.live(300, Player(11, 12, {aside_m, 0.0, 0.0}));
+    for (const Stroke& stroke : lived.strokes) {
+      EXPECT_LE(std::abs(stroke.offset_m), 0.5 * square.radius_m);
+      if (stroke.puck == 1) turned += stroke.offset_m * aside_m * stroke.momentum_kg_m_s.y > 0.0 ? 1 : 0;
+      if (stroke.puck == 1) continue;
+      EXPECT_EQ(stroke.offset_m, 0.0);
+      ++discs;
+    }
+  }
+  EXPECT_GT(turned, 4);
+  EXPECT_GT(discs, 8);
 }
 
 // The same comparison finds a stroke that acts where it was already seen not to.

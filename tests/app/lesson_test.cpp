@@ -301,7 +301,7 @@ INSTANTIATE_TEST_SUITE_P(
                "path_m has one place, expected two places at least"},
         Change{"a pulse that stays", "[0, 0, 2]", "[0, 0, 1]", 17, 10, "path_m[1] is the place before it"},
         Change{"a place of two numbers", "[0, 0, 2]", "[0, 0]", 17, 22,
-               "path_m[1] is wrong, expected a place"},
+               "path_m[1] has 2 values, expected a place [x, y, z]"},
         Change{"a place that is none", "[0, 0, 2]", "[0, 0, 'x']", 17, 29, "path_m[1][2] is a text"},
         Change{"a pulse without a way", "path_m = [[0, 0, 1], [0, 0, 2]]\n", "", 14, 1, "path_m is missing"},
         Change{"a pulse without a name", "name = 'light'\n", "", 14, 1, "name is missing"}));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -146,37 +147,102 @@ struct Wrong {
   std::string place, words;
 };
 
+/// Checks a scenario and expects one error, at that place and with these words.
+void expectOneError(const TemporaryFolder& folder, const std::string& scenario, const std::string& place,
+                    const std::string& words) {
+  SCOPED_TRACE(scenario);
+  const auto result = runCarom(folder, {"check", folder.file("wrong.toml", scenario)});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("wrong.toml" + place), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("error:"), result.err.rfind("error:")) << "one fault is one error\n"
+                                                                   << result.err;
+}
+
+const std::string kBarHead =
+    "light_speed_m_s = 1.42\n[[puck]]\nname = \"bar\"\nmass_kg = 0.2\nposition_m = [0, 0]\nbeta = [0, 0]\n";
+
 TEST(SimulateCorners, CheckSaysWhereAnOutlineIsWrong) {
   const TemporaryFolder folder;
+  std::string many;
+  for (int k = 0; k < 257; ++k)
+    many +=
+        fmt::format("[{:.9f}, {:.9f}],\n", std::cos(2.0 * M_PI * k / 257), std::sin(2.0 * M_PI * k / 257));
   const Wrong wrongs[]{
-      {"outline_m = [[-1, -1], [1, 1], [1, -1], [-1, 2]]\n", ":4:", "cross"},
-      {"outline_m = [[-1, -1], [-1, 1], [1, 1], [1, -1]]\n", ":4:", "clockwise"},
-      {"outline_m = [[-1, -1], [1, 1]]\n", ":4:", "corners"},
-      {"outline_m = []\n", ":4:", "corners"},
-      {"outline_m = [[-1, 0], [0, 0], [1, 0]]\n", ":4:", "area"},
-      {"outline_m = [[-1, -1],\n[1, -1],\n[1, -1],\n[0, 1]]\n", ":6:", "corner"},
-      {"outline_m = [[-1, -1],\n[nan, -1],\n[0, 1]]\n", ":5:", "expected a number"},
-      {"outline_m = [[-1, -1],\n[1, -1, 3],\n[0, 1]]\n", ":5:", "expected a place [x, y]"},
-      {"outline_m = 3\n", ":4:", "expected an array of places"},
-      {"radius_m = 1\noutline_m = [[-1, -1], [1, -1], [0, 1]]\n", ":4:", "radius_m stands beside outline_m"},
+      {"outline_m = [[-1, -1], [1, 1], [1, -1], [-1, 2]]\n", ":7:32: outline_m of puck 'bar'", "cross"},
+      {"outline_m = [[-1, -1], [-1, 1], [1, 1], [1, -1]]\n", ":7:14:", "clockwise"},
+      {"outline_m = [[-1, -1], [1, 1]]\n", ":7:14:", "2 corners: expected 3 to 256"},
+      {"outline_m = []\n", ":7:13:", "0 corners: expected 3 to 256"},
+      {"outline_m = [\n" + many + "]\n", ":8:1:", "257 corners: expected 3 to 256"},
+      {"outline_m = [[-1, 0], [0, 0], [1, 0]]\n", ":7:14:", "area"},
+      {"outline_m = [[-1, -1],\n[1, -1],\n[1, -1],\n[0, 1]]\n", ":9:1:", "corner 3 lies on corner 2"},
+      {"outline_m = [[-1, -1],\n[1, -1],\n[0, 1],\n[-1, -1]]\n", ":10:1:", "corner 4 lies on corner 1"},
+      {"outline_m = [[-1, -1],\n[nan, -1],\n[0, 1]]\n", ":8:2:", "outline_m[1][0] is nan, expected a number"},
+      {"outline_m = [[-1, -1],\n[1, -inf],\n[0, 1]]\n",
+       ":8:5:", "outline_m[1][1] is -inf, expected a number"},
+      {"outline_m = [[-1, -1],\n[1, -1],\n[0, 1e300]]\n", ":9:5:", "is 1e+300, expected a number"},
+      {"outline_m = [[-1, -1],\n[1, \"-1\"],\n[0, 1]]\n", ":8:5:", "is a text, expected a number"},
+      {"outline_m = [[-1, -1],\n[1, -1, 3],\n[0, 1, 3]]\n",
+       ":8:1:", "outline_m[1] has 3 values, expected a place [x, y]"},
+      {"outline_m = [-1, -1, 1, -1, 0, 1]\n", ":7:14:", "outline_m[0] is a whole number, expected a place"},
+      {"outline_m = [{x = 1, y = 2}, {x = 2, y = 1}]\n",
+       ":7:14:", "outline_m[0] is a table, expected a place"},
+      {"outline_m = 3\n", ":7:13:", "outline_m is a whole number, expected an array of places [x, y]"},
+      {"outline_m = \"mesh\"\n", ":7:13:", "outline_m is a text, expected an array of places [x, y]"},
+      {"outline_m = [[-1e-90, 0], [1e-90, 0], [0, 1e-90]]\n", ":7:13:", "too near to each other"},
+      {"outline_m = [[1e9, 1e9], [999999999.9, 1e9], [1e9, 999999999.9]]\n", ":7:13:", "too far from [0, 0]"},
+      {"radius_m = 1\noutline_m = [[-1, -1], [1, -1], [0, 1]]\n",
+       ":7:12:", "radius_m stands beside outline_m"},
+      {"radius_m = -1\noutline_m = [[-1, -1], [1, -1], [0, 1]]\n",
+       ":7:12:", "radius_m stands beside outline_m"},
       {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\nspin_rad_s = 1.4\n",
-       ":5:", "corner 1 at (-1, -0.5) m would move at 1.10"},
-      {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\nspin_kg_m2_s = 1e9\n", ":5:", "corner 1 at"},
-      {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\n[physics]\nfriction_m_s2 = 0.1\n", ":9:", "has corners"},
+       ":8:14:", "corner 1 at (-1, -0.5) m would move at 1.10"},
+      {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\nspin_kg_m2_s = 1e9\n", ":8:16:", "corner 1 at"},
+      {"outline_m = [[-1, -0.5], [1, -0.5], [1, -0.5]]\nspin_rad_s = 1e8\n",
+       ":7:37:", "corner 3 lies on corner 2"},
+      {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\n[physics]\nfriction_m_s2 = 0.1\n",
+       ":9:17:", "friction_m_s2 slows puck 'bar', which has corners"},
+      {"outline_m = [[-1, -0.5], [1, -0.5], [0, 1]]\n[physics]\nspin_deceleration_m_s2 = 0.1\n",
+       ":9:26:", "spin_deceleration_m_s2 slows puck 'bar', which has corners"},
       {"outline_m = [[-3, -0.5], [1, -0.5], [0, 1]]\n[board]\nlength_m = 3\nwidth_m = 3\n",
-       ":5:", "reaches over"},
+       ":5:14:", "reaches over"},
   };
-  for (const Wrong& wrong : wrongs) {
-    SCOPED_TRACE(wrong.keys);
-    std::string keys = wrong.keys;
-    const std::size_t end = std::min(keys.find("[physics]"), keys.find("[board]"));
-    keys.insert(std::min(end, keys.size()), "position_m = [0, 0]\nmass_kg = 0.2\nbeta = [0, 0]\n");
-    const auto result = runCarom(
-        folder,
-        {"check", folder.file("wrong.toml", "light_speed_m_s = 1.42\n[[puck]]\nname = \"bar\"\n" + keys)});
-    EXPECT_EQ(result.status, 1);
-    EXPECT_NE(result.err.find("wrong.toml" + wrong.place), std::string::npos) << result.err;
-    EXPECT_NE(result.err.find(wrong.words), std::string::npos) << result.err;
+  for (const Wrong& wrong : wrongs) expectOneError(folder, kBarHead + wrong.keys, wrong.place, wrong.words);
+}
+
+// In outlines of 5 to 40 corners, a line each, one at a time is doubled, changed with the next one or no number.
+TEST(SimulateCorners, CheckSaysWhichCornerIsWrong) {
+  const TemporaryFolder folder;
+  for (const std::size_t count : {5, 12, 40}) {
+    for (std::size_t k = 0; k < count; k += 4) {
+      std::vector<std::string> corners;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double angle_rad = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(count);
+        corners.push_back(fmt::format("[{:.9f}, {:.9f}]", std::cos(angle_rad), std::sin(angle_rad)));
+      }
+      const auto expectError = [&](const std::vector<std::string>& wrong, std::size_t corner,
+                                   const std::string& words) {
+        std::string text = kBarHead + "outline_m = [\n";
+        for (const std::string& each : wrong) text += each + ",\n";
+        expectOneError(folder, text + "]\n", fmt::format(":{}:", 8 + corner), words);
+      };
+      auto wrong = corners;
+      wrong.insert(wrong.begin() + static_cast<std::ptrdiff_t>(k), corners[(k + 2) % count]);
+      const std::size_t other = (k + 2) % count + ((k + 2) % count >= k ? 1 : 0);
+      expectError(
+          wrong, std::max(k, other),
+          fmt::format("corner {} lies on corner {}:", std::max(k, other) + 1, std::min(k, other) + 1));
+      wrong = corners;
+      std::swap(wrong[k], wrong[(k + 1) % count]);
+      // The side into the first of the two crosses the one out of the second.
+      const std::size_t before = (k + count - 1) % count, after = (k + 1) % count;
+      expectError(wrong, std::max(before, after),
+                  fmt::format("the side from corner {} crosses or touches the side from corner {}:",
+                              std::max(before, after) + 1, std::min(before, after) + 1));
+      wrong = corners;
+      wrong[k] = "[0.5, nan]";
+      expectError(wrong, k, fmt::format("outline_m[{}][1] is nan", k));
+    }
   }
 }
 
@@ -229,30 +295,33 @@ TEST(SimulateCorners, MeshesCollideByTheirFootprints) {
 TEST(SimulateCorners, CheckSaysWhyAMeshGivesNoOutline) {
   const TemporaryFolder folder;
   folder.file("plate.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 1 2 3 4\n");
+  folder.file("nan.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n");
   folder.file("two.obj", prismText({{0, 0}, {1, 0}, {0, 1}}) + "v 5 5 0\nv 6 5 0\nv 5 6 0\nf 7 8 9\n");
-  const std::string head =
-      "light_speed_m_s = 1.42\n[[puck]]\nname = \"bar\"\nmass_kg = 0.2\nposition_m = [0, 0]\nbeta = [0, 0]\n";
-  const auto check = [&](const std::string& keys) {
-    return runCarom(folder, {"check", folder.file("mesh.toml", head + keys)});
-  };
   const Wrong wrongs[]{
       {"radius_m = 1\nmesh = \"plate.obj\"\noutline = \"mesh\"\n",
        ":8:8:", "is a line or a point, expected an area"},
+      {"mesh = \"plate.obj\"\noutline = \"mesh\"\n", ":7:8:", "is a line or a point, expected an area"},
       {"radius_m = 1\noutline = \"mesh\"\n", ":8:11:", "has no mesh, expected mesh = a file"},
-      {"radius_m = 1\nmesh = \"plate.obj\"\noutline = \"hull\"\n", ":9:11:", "expected 'mesh'"},
+      {"outline = \"mesh\"\n", ":7:11:", "has no mesh, expected mesh = a file"},
+      {"radius_m = 1\nmesh = \"two.obj\"\noutline = \"hull\"\n",
+       ":9:11:", "outline is 'hull', expected 'mesh'"},
+      {"outline = [[0, 0], [1, 0], [0, 1]]\n", ":7:11:", "outline is an array, expected 'mesh'"},
       {"outline_m = [[0, 0], [1, 0], [0, 1]]\nmesh = \"two.obj\"\noutline = \"mesh\"\n",
        ":9:11:", "beside outline_m"},
-      {"mesh = \"two.obj\"\noutline = \"mesh\"\n", ":2:1:", "radius_m"},
+      {"outline_m = [[0, 0], [1, 0], [0, 1]]\noutline = 3\n", ":8:11:", "beside outline_m"},
+      {"mesh = \"two.obj\"\noutline = \"mesh\"\nspin_rad_s = 100\n", ":2:1:", "radius_m is missing"},
+      {"radius_m = 0\nmesh = \"two.obj\"\noutline = \"mesh\"\n", ":7:12:", "radius_m is 0, expected"},
+      {"radius_m = 1e-90\nmesh = \"two.obj\"\noutline = \"mesh\"\n", ":7:12:", "too near to each other"},
       {"radius_m = 1\nmesh = \"none.obj\"\noutline = \"mesh\"\n", ":8:8:", "none.obj"},
+      {"mesh = \"none.obj\"\noutline = \"mesh\"\n", ":7:8:", "none.obj"},
+      {"radius_m = 1\nmesh = \"nan.obj\"\noutline = \"mesh\"\n", ":8:8:", "nan.obj:3:3: 'nan' is wrong"},
+      {"radius_m = 1\nmesh = \"two.obj\"\noutline = \"mesh\"\nspin_rad_s = 2\n",
+       ":10:14:", "would move at 1.40"},
   };
-  for (const Wrong& wrong : wrongs) {
-    SCOPED_TRACE(wrong.keys);
-    const auto result = check(wrong.keys);
-    EXPECT_EQ(result.status, 1);
-    EXPECT_NE(result.err.find("mesh.toml" + wrong.place), std::string::npos) << result.err;
-    EXPECT_NE(result.err.find(wrong.words), std::string::npos) << result.err;
-  }
-  const auto pieces = check("radius_m = 0.1\nmesh = \"two.obj\"\noutline = \"mesh\"\n");
+  for (const Wrong& wrong : wrongs) expectOneError(folder, kBarHead + wrong.keys, wrong.place, wrong.words);
+  const auto pieces = runCarom(
+      folder, {"check", folder.file("pieces.toml",
+                                    kBarHead + "radius_m = 0.1\nmesh = \"two.obj\"\noutline = \"mesh\"\n")});
   EXPECT_EQ(pieces.status, 0) << pieces.err;
   EXPECT_NE(pieces.err.find(":8:8: the mesh of puck 'bar' covers several pieces"), std::string::npos)
       << pieces.err;

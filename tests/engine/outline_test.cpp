@@ -37,10 +37,43 @@ TEST(Outline, SaysWhatIsWrongAndWhere) {
   expectFault({{0, 0}, {1, 0}, {1, nan}}, 2, "corner 3 is not a place");
   expectFault({{0, 0}, {1, 0}, {1, 1}, {1, 0}}, 3, "corner 4 lies on corner 2");
   expectFault({{0, 0}, {0, 1}, {1, 1}, {1, 0}}, 0, "clockwise");
-  expectFault({{0, 0}, {1, 0}, {2, 0}}, 0, "no area");
+  expectFault({{0, 0}}, 0, "1 corner: expected 3 to 256");
+  expectFault({{0, 0}, {1, 0}, {2, 0}}, 0, "one line");
+  expectFault({{0, 0}, {2, 0}, {1, 0}, {1.5, 0}}, 0, "one line");
   expectFault({{0, 0}, {2, 0}, {0.5, 1}, {1, -1}}, 2, "crosses or touches");
   expectFault({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}, 2, "crosses or touches");
   expectFault({{0, 0}, {2, 0}, {1, 0}, {1, 1}}, 1, "lie on each other");
+}
+
+// Bow ties of any turn, size and waist, also such as have no area: both sides that cross are named.
+TEST(Outline, ABowTieCrossesItself) {
+  for (double angle = 0.0; angle < 6.3; angle += 0.37) {
+    for (const double size : {1e-6, 1.0, 1e6}) {
+      for (const double wide : {0.5, 0.9, 1.0, 1.1, 2.0}) {
+        std::vector<Vec2> corners;
+        for (const Vec2& p : {Vec2{-1, -1}, Vec2{wide, 1}, Vec2{wide, -1}, Vec2{-1, 1}})
+          corners.push_back(size * Vec2{p.x * std::cos(angle) - p.y * std::sin(angle),
+                                        p.x * std::sin(angle) + p.y * std::cos(angle)});
+        expectFault(corners, 2, "the side from corner 3 crosses or touches the side from corner 1");
+      }
+    }
+  }
+}
+
+TEST(Outline, MirrorImagesHaveTheSameBits) {
+  for (int count = 3; count < 40; ++count) {
+    std::vector<Vec2> corners = regular(count), image;
+    for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner)
+      image.push_back({corner->x, -corner->y});
+    const Outline outline(corners), mirrored(image);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Outline::Side &side = outline.sides()[k],
+                          &other = mirrored.sides()[(2 * corners.size() - 2 - k) % corners.size()];
+      EXPECT_EQ(side.offset, other.offset);
+      EXPECT_EQ(side.normal.x, other.normal.x);
+      EXPECT_EQ(side.normal.y, -other.normal.y);
+    }
+  }
 }
 
 TEST(Outline, MomentsOfARectangleAndOfMovedCorners) {

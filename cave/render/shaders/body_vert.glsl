@@ -201,6 +201,17 @@ void lightUp(Sight sight) {
 }
 #endif
 
+#if defined(SHADOW) && defined(SPINS)
+/// The share of the way from the axis at which a place of the shadow lies in its body. What is farther out, by the reach of
+/// its light's shadow (cave/scene/shadow_model.cpp), is none of the body: if it turned with it, it could outrun light, or
+/// come late after a bounce.
+float shareInBody(vec3 d) {
+  float radius = max(length(d.xy), 1e-6);
+  float beside = surfaceMC.x * surfaceMC.z * (surfaceMC.y > 2.5 ? 0.9 : 0.3);
+  return max(1.0 - beside / radius, 0.25);
+}
+#endif
+
 #ifdef SHADOW
 /// The shadow of one light (surfaceMC.y: a lamp, or 3, the hall, whose light comes from above on average) is what the
 /// puck hides from its lower rim to its upper, surfaceMC.z higher: the shape under it, the same shape where the upper
@@ -254,7 +265,14 @@ void main() {
 #ifdef SHADOW
   Sight centre = sightOf(vec3(0.0));
 #endif
+#if defined(SHADOW) && defined(SPINS)
+  float inBody = shareInBody(d);
+  vec3 axis = sightOf(vec3(0.0, 0.0, d.z)).drawn;
+  Sight sight = sightOf(vec3(inBody * d.xy, d.z));
+  sight.drawn = axis + (sight.drawn - axis) / inBody;
+#else
   Sight sight = sightOf(d);
+#endif
 #ifdef SHADOW
   float share;
   sight = shadowed(sight, centre, share);
