@@ -56,8 +56,8 @@ class GameHistory;
 ///   most 1e-6 c, a millionth of R in the time after which a puck in peace is no more pressed. Elastic pucks
 ///   between elastic cushions are never pressed. `jams` tells where.
 /// * What is pressed keeps its spin: rims in a jam neither slip nor roll on each other.
-/// * Bodies with corners lie on each other, and on cushions, at several places. Elastic ones can be pressed as well;
-///   a kick without delay counts as 16. Where such a body meets another without delay, both pressed, or a cushion,
+/// * Bodies with corners lie on each other, and on cushions, at several places. Elastic ones can be pressed as well,
+///   and elastic discs beside them; a kick without delay counts as 16. Where such a body meets another without delay, both pressed, or a cushion,
 ///   all kicks between it and all pressed pucks that touch it, in a chain, happen at once, without friction, each
 ///   time at the place at which two close fastest, until none closes faster than 1e-10 c: elastic ones where the
 ///   rules are elastic, else with the restitution 1/4, so that it comes to an end after few. These kicks change

@@ -46,13 +46,18 @@ class CollisionScheduler {
   Ledger ledger() const;
   std::span<const JamNote> jams() const { return jams_; }
 
-  /// Two bodies that have come together and not parted since.
+  /// What a puck does, by its place in the setup.
+  struct Followed {
+    double since = 0.0;  ///< board time at which the leg began that it follows
+    Vec21 u;
+    bool awaitsTurn = false;  ///< which is decided and has not come
+  };
+  std::vector<Followed> followed() const;
+  /// Two bodies that have come together and not parted since: their places in the setup, and the contact.
   struct Together {
-    std::array<std::size_t, 2> pucks;  ///< their places in the setup
-    std::array<ShapedFlight, 2> flights;
+    std::array<std::size_t, 2> pucks;
     EarlierContact since;
   };
-  /// Returns all such pairs on the legs that they follow.
   std::vector<Together> together() const;
 
  private:

@@ -85,6 +85,13 @@ bool CollisionScheduler::haveParted(int first, int second, EarlierContact& earli
   return passage == Passage::apart || (passage == Passage::through && !undisturbed);
 }
 
+std::vector<CollisionScheduler::Followed> CollisionScheduler::followed() const {
+  std::vector<Followed> all(pucks_.size());
+  for (std::size_t i = 0; i < pucks_.size(); ++i)
+    all[pucks_[i].file] = {discs_[i].start.t, discs_[i].u, !pucks_[i].decided.empty()};
+  return all;
+}
+
 std::vector<CollisionScheduler::Together> CollisionScheduler::together() const {
   std::vector<Together> pairs;
   for (std::size_t i = 0; i < pucks_.size(); ++i) {
@@ -92,7 +99,6 @@ std::vector<CollisionScheduler::Together> CollisionScheduler::together() const {
     for (const Unparted& one : pucks_[i].unparted) {
       if (one.other < first) continue;
       pairs.push_back({{pucks_[i].file, pucks_[static_cast<std::size_t>(one.other)].file},
-                       {followedFlight(first), followedFlight(one.other)},
                        one.contact});
     }
   }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <random>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -23,7 +21,8 @@ namespace {
 
 constexpr double kC_m_s = 1.42;
 constexpr double kRounding_m = 1e-13;
-constexpr double kSoon = 0.01;  // of the radii: a pair that turns again so soon is not asked
+constexpr double kSame = 1e-12;  // metres of light: rounding
+constexpr double kSoon = 1.0;  // of the radii: until then light is on its way that tells a pair of a contact
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::vector<Vec2> regular(int corners, double radius_m, double angle_rad) {
@@ -40,37 +39,24 @@ struct PlayedLeg {
   SampledBody body;
   Vec21 u;
   SpinningPuck puck;
-  std::uint64_t number = 0;            // of the event that began it
-  double next = kNever;                // board time at which the next leg begins,
-  std::uint64_t nextNumber = ~0u;      // the number of its event
-  Vec21 nextSignal{kNever, 0.0, 0.0};  // and the contact
+  double next = kNever;  // board time at which the next leg begins
 };
 
 std::vector<PlayedLeg> legsOf(const BilliardSetup& setup, const Billiard& game, std::size_t which) {
   const Puck& puck = setup.pucks[which];
   const double c = setup.lightSpeed_m_s;
-  std::map<double, std::uint64_t> last, first;  // of the events at a turn
-  for (const GameEvent& event : game.events()) {
-    for (const Turn& turn : event.turns)
-      if (turn.puck == which)
-        last[turn.event.t_s] = event.number, first.emplace(turn.event.t_s, event.number);
-  }
   std::vector<PlayedLeg> legs;
   const SpinningBody material{puck.mass_kg, puck.inertia * puck.mass_kg};
   for (const Knot& knot : game.worldLines()[which].knots()) {
     const Vec21 u = fourVelocity(knot.u.x, knot.u.y);
     const Vec21 start{knot.turn.t_s * c, knot.turn.r_m.x, knot.turn.r_m.y};
-    if (!legs.empty()) {
-      legs.back().next = start.t, legs.back().nextNumber = first[knot.turn.t_s];
-      legs.back().nextSignal = {knot.signal.t_s * c, knot.signal.r_m.x, knot.signal.r_m.y};
-    }
+    if (!legs.empty()) legs.back().next = start.t;
     // A disc that turns fills the same place.
     const double turning = puck.outline_m.empty() ? 0.0 : knot.spin.omega_rad_s / c;
     legs.push_back(
         {{puck.outline_m, start, {u.x / u.t, u.y / u.t}, turning, puck.radius_m, knot.spin.angle_rad},
          u,
-         {material, spinOfRim(material, knot.spin.omega_rad_s / c * puck.radius_m), u},
-         last[knot.turn.t_s]});
+         {material, spinOfRim(material, knot.spin.omega_rad_s / c * puck.radius_m), u}});
   }
   return legs;
 }
@@ -115,7 +101,7 @@ class ApproachCheck {
       const std::vector<Vec2>& corners = setup.pucks[i].outline_m;
       outlines_.push_back(corners.empty() ? std::nullopt : std::optional<Outline>(corners));
     }
-    noteTogether();
+    playAgain();
   }
 
   /// Returns the fastest of a pair, over c.
@@ -137,32 +123,58 @@ class ApproachCheck {
   }
 
  private:
-  // Plays the game again, from one beginning of a leg to the next.
-  void noteTogether() {
+  /// What the game knows at one time.
+  struct Instant {
+    std::vector<CollisionScheduler::Followed> followed;
+    std::vector<CollisionScheduler::Together> together;
+  };
+  // Plays the game again, from one beginning of a leg, or event, to the next.
+  void playAgain() {
     std::vector<double> times;
     for (const std::vector<PlayedLeg>& legs : legs_)
       for (const PlayedLeg& leg : legs)
-        if (leg.body.start.t <= until_) times.push_back(leg.body.start.t);
+        if (leg.body.start.t <= until_) times.push_back(leg.body.start.t + kSame);
     std::sort(times.begin(), times.end());
+    CollisionScheduler& game = again_;
     GameHistory history(setup_);
     for (const double time : times) {
-      again_.playUntil(time + 1e-12, std::numeric_limits<std::size_t>::max(), history);
-      for (const CollisionScheduler::Together& pair : again_.together()) {
-        const auto [one, other] = std::array{start(pair.flights[0].start.t), start(pair.flights[1].start.t)};
-        together_.insert_or_assign({pair.pucks[0], pair.pucks[1], one, other}, pair.since);
-        together_.insert_or_assign({pair.pucks[1], pair.pucks[0], other, one}, reversed(pair.since));
+      bool played = false;
+      while (!played) {
+        played = game.playUntil(time, history.eventCount() + 1, history);
+        instants_.push_back({game.followed(), game.together()});
       }
     }
   }
-  /// The beginning of a leg, but for rounding.
-  static float start(double time) { return static_cast<float>(time); }
-  static EarlierContact reversed(const EarlierContact& of) {
-    return {{of.flights[1], of.flights[0]}, of.event, of.n * -1.0, of.behind};
+  // The first time at which both follow these legs; none if they never do.
+  const Instant* bothOn(const PlayedLeg& one, const PlayedLeg& other,
+                        const std::array<std::size_t, 2>& who) const {
+    const std::array<const PlayedLeg*, 2> legs{&one, &other};
+    const auto since = [&](const Instant& instant, int i) {
+      return instant.followed[who[i]].since - legs[i]->body.start.t;
+    };
+    const auto at = std::partition_point(instants_.begin(), instants_.end(), [&](const Instant& instant) {
+      return since(instant, 0) < -kSame || since(instant, 1) < -kSame;
+    });
+    // Several legs can begin, and end, at one time.
+    for (auto instant = at; instant != instants_.end(); ++instant) {
+      if (since(*instant, 0) > kSame || since(*instant, 1) > kSame) return nullptr;
+      const auto follows = [&](int i) {
+        const Vec21 differs = instant->followed[who[i]].u - legs[i]->u;
+        return std::abs(differs.x) + std::abs(differs.y) < kSame * legs[i]->u.t;
+      };
+      if (follows(0) && follows(1)) return &*instant;
+    }
+    return nullptr;
   }
-  const EarlierContact* earlierOf(const PlayedLeg& one, const PlayedLeg& other,
-                                  const std::array<std::size_t, 2>& who) const {
-    const auto found = together_.find({who[0], who[1], start(one.body.start.t), start(other.body.start.t)});
-    return found == together_.end() ? nullptr : &found->second;
+  static std::optional<EarlierContact> earlierOf(const Instant& instant,
+                                                 const std::array<std::size_t, 2>& who) {
+    for (const CollisionScheduler::Together& pair : instant.together) {
+      const EarlierContact& of = pair.since;
+      if (pair.pucks == who) return of;
+      if (pair.pucks == std::array{who[1], who[0]})
+        return EarlierContact{{of.flights[1], of.flights[0]}, of.event, of.n * -1.0, of.behind};
+    }
+    return std::nullopt;
   }
 
   double ofLegs(const PlayedLeg& one, const PlayedLeg& other, const std::array<std::size_t, 2>& who) {
@@ -170,13 +182,11 @@ class ApproachCheck {
     const double later = std::max(one.body.start.t, other.body.start.t),
                  size = one.body.radius + other.body.radius;
     if (later > until_ || later == 0.0) return 0.0;
-    // What was decided before turns one of them yet: its own moment of that contact is past. Until then no contact
-    // that comes before it counts, and when it has turned they are looked at again.
-    if (std::min(one.nextNumber, other.nextNumber) <= std::max(one.number, other.number)) return 0.0;
-    if (std::min(one.nextSignal.t, other.nextSignal.t) <= later) return 0.0;
-    for (const PlayedLeg* leg : {&one, &other})
-      if (leg->next - leg->body.radius * leg->u.t <= later) return 0.0;
-    if (one.next < kNever && one.nextNumber == other.nextNumber) return 0.0;
+    // What was decided before turns one of them yet: until then no contact counts that comes before it, and when it has
+    // turned they are looked at again.
+    const Instant* const instant = bothOn(one, other, who);
+    if (instant == nullptr || instant->followed[who[0]].awaitsTurn || instant->followed[who[1]].awaitsTurn)
+      return 0.0;
     const Vec21 sum = one.u + other.u;
     const Matrix frame = boost({sum.x / sum.t, sum.y / sum.t});
     const double begin = std::max((frame * one.body.start).t, (frame * other.body.start).t);
@@ -196,9 +206,9 @@ class ApproachCheck {
     const double deeper = (overlapAt(one.body, other.body, frame, begin + soon) - depth) / soon;
     const std::array<ShapedFlight, 2> flights{flightOn(one, outlines_[who[0]]),
                                               flightOn(other, outlines_[who[1]])};
-    const EarlierContact* const earlier = earlierOf(one, other, who);
-    const double byLaw = closingByLaw(one, other, flights, earlier);
-    if (earlier != nullptr) ++tally_.inEachOther;
+    const std::optional<EarlierContact> earlier = earlierOf(*instant, who);
+    const double byLaw = closingByLaw(one, other, flights, earlier ? &*earlier : nullptr);
+    if (earlier) ++tally_.inEachOther;
     // Where they turn, the law of the kick and the distance can differ in the sign of what is nearly at rest.
     return std::min(byLaw, deeper);
   }
@@ -209,7 +219,7 @@ class ApproachCheck {
   std::vector<std::optional<Outline>> outlines_;
   BilliardSetup setup_;
   CollisionScheduler again_;
-  std::map<std::tuple<std::size_t, std::size_t, float, float>, EarlierContact> together_;
+  std::vector<Instant> instants_;
 };
 
 void drawRules(unsigned seed, std::mt19937_64& random, PhysicsRules& rules) {

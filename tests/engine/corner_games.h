@@ -25,7 +25,8 @@ struct CornerTally {
   std::size_t touching = 0;  ///< pairs that touch or overlap when both have turned
   /// Of these, those that have not parted since they met: light told them when they were in each other.
   std::size_t inEachOther = 0;
-  /// Pairs that go on approaching, above 1e-6: they go deeper, and the law of the kick would push them apart.
+  /// Pairs that go on approaching, above 1e-6, for longer than light needs to tell their centres: they go deeper, and
+  /// the law of the kick would push them apart.
   std::size_t approaching = 0;
   double fastestApproach = 0.0;                   ///< of them, over c
   double worstEnergy = 0.0, worstMomentum = 0.0;  ///< that is missing, over the energy at the start
