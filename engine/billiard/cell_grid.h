@@ -70,9 +70,7 @@ class CellGrid {
     return index >= 0 && index < (axis == 0 ? columns_ : rows_);
   }
   /// Returns the cell one step along an axis beside `cell`; requires `canLeave`.
-  int beside(int cell, int axis, int step) const {
-    return cell + step * stepAlong(axis);
-  }
+  int beside(int cell, int axis, int step) const { return cell + step * stepAlong(axis); }
   /// Returns the coordinate of the edge between `cell` and the one beside it.
   double edge(int cell, int axis, int step) const {
     return (axis == 0 ? lowX_ : lowY_) + (indexOf(cell, axis) + (step > 0 ? 1 : 0)) * cell_;
