@@ -1,7 +1,7 @@
 #pragma once
 // A grid of square cells over the board. Each cell holds the numbers and coarse flights of the pucks whose
 // centres lie in it, so that neighbours are found without looking at every puck. The outermost cells reach to
-// infinity.
+// infinity; around them lies a margin of cells that stay empty, so that every cell has eight around it.
 
 #include <algorithm>
 #include <array>
@@ -40,8 +40,8 @@ class CellGrid {
         perCell_(1.0 / cell),
         columns_(columns),
         rows_(rows),
-        rowShift_(std::countr_zero(std::bit_ceil(static_cast<unsigned>(columns)))),
-        blocks_(static_cast<std::size_t>(rows) << rowShift_),
+        rowShift_(std::countr_zero(std::bit_ceil(static_cast<unsigned>(columns) + 1))),
+        blocks_(static_cast<std::size_t>(rows + 2) << rowShift_),
         cellOf_(items, kNone) {}
 
   double cellEdge() const { return cell_; }
@@ -70,9 +70,7 @@ class CellGrid {
     return index >= 0 && index < (axis == 0 ? columns_ : rows_);
   }
   /// Returns the cell one step along an axis beside `cell`; requires `canLeave`.
-  int beside(int cell, int axis, int step) const {
-    return cell + (axis == 0 ? step : step * (1 << rowShift_));
-  }
+  int beside(int cell, int axis, int step) const { return cell + step * stepAlong(axis); }
   /// Returns the coordinate of the edge between `cell` and the one beside it.
   double edge(int cell, int axis, int step) const {
     return (axis == 0 ? lowX_ : lowY_) + (indexOf(cell, axis) + (step > 0 ? 1 : 0)) * cell_;
@@ -91,19 +89,16 @@ class CellGrid {
   }
   /// Does the same with the items' flights, for which `found` has room.
   void findNear(int cell, int reach, FoundFlights& found) const {
+    if (reach == 1) return findAround(cell, found);
     const int column = indexOf(cell, 0), row = indexOf(cell, 1);
     findIn(column - reach, column + reach, row - reach, row + reach, found);
   }
   /// Does the same for the three cells that come into reach after a step along an axis into `cell`.
   void findAhead(int cell, int axis, int step, FoundFlights& found) const {
-    found.count = 0;
-    if (!canLeave(cell, axis, step)) return;
-    const int column = indexOf(cell, 0), row = indexOf(cell, 1);
-    if (axis == 0) {
-      findIn(column + step, column + step, row - 1, row + 1, found);
-    } else {
-      findIn(column - 1, column + 1, row + step, row + step, found);
-    }
+    const int across = stepAlong(1 - axis), middle = beside(cell, axis, step);
+    int end = 0;
+    for (int k = -1; k <= 1; ++k) end = findInCell(middle + k * across, found, end);
+    found.count = end;
   }
   static constexpr int kSpare = 3;
   // Prefetch from memory: in which cell an item is; `cell` with those around it; `cell` and what `findAhead`
@@ -111,13 +106,13 @@ class CellGrid {
   void fetchCellOf(int item) const { prefetch(&cellOf_[item]); }
   void fetch(int cell) const { prefetch(&blocks_[cell]); }
   void fetchNear(int cell) const {
-    for (int row = -1; row <= 1; ++row) fetchThree(cell + row * (1 << rowShift_));
+    for (int row = -1; row <= 1; ++row) {
+      for (int column = -1; column <= 1; ++column) fetch(cell + row * stepAlong(1) + column);
+    }
   }
   void fetchAhead(int cell, int axis, int step) const {
-    const int row = 1 << rowShift_;
-    prefetch(&blocks_[cell]);
-    if (axis == 1) return fetchThree(cell + step * row);
-    for (int k = -1; k <= 1; ++k) fetchOne(cell + step + k * row);
+    fetch(cell);
+    for (int k = -1; k <= 1; ++k) fetch(beside(cell, axis, step) + k * stepAlong(1 - axis));
   }
 
  private:
@@ -148,10 +143,13 @@ class CellGrid {
   static int indexIn(double index, int count) {
     return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
   }
-  int cellIn(int column, int row) const { return (row << rowShift_) + column; }
+  // The margin is the first row, the last, and what follows the columns of every row, which is the one before those of the
+  // next row, too.
+  int cellIn(int column, int row) const { return ((row + 1) << rowShift_) + column; }
   int indexOf(int cell, int axis) const {
-    return axis == 0 ? cell & ((1 << rowShift_) - 1) : cell >> rowShift_;
+    return axis == 0 ? cell & ((1 << rowShift_) - 1) : (cell >> rowShift_) - 1;
   }
+  int stepAlong(int axis) const { return axis == 0 ? 1 : 1 << rowShift_; }
   template <class Visit>
   void visitBlocks(int columnLow, int columnHigh, int rowLow, int rowHigh, Visit visit) const {
     columnLow = std::max(0, columnLow), columnHigh = std::min(columns_ - 1, columnHigh);
@@ -163,14 +161,6 @@ class CellGrid {
       }
     }
   }
-  // At the rim some of these are other cells, which does no harm.
-  void fetchOne(int cell) const {
-    prefetch(&blocks_[std::clamp(cell, 0, static_cast<int>(blocks_.size()) - 1)]);
-  }
-  void fetchThree(int middle) const {
-    const int first = std::clamp(middle - 1, 0, std::max(0, static_cast<int>(blocks_.size()) - 3));
-    for (int k = 0; k < 3; ++k) prefetch(&blocks_[first + k]);
-  }
   int findIn(int columnLow, int columnHigh, int rowLow, int rowHigh, int* found) const {
     int* end = found;
     visitBlocks(columnLow, columnHigh, rowLow, rowHigh, [&](const Block& block) {
@@ -179,21 +169,37 @@ class CellGrid {
     });
     return static_cast<int>(end - found);
   }
-  // Copies four at a time, as one instruction does; only those that are items count. What follows a column of
-  // numbers in a block is no subnormal number, with which calculation takes a hundred times as long.
   void findIn(int columnLow, int columnHigh, int rowLow, int rowHigh, FoundFlights& found) const {
     int end = 0;
-    visitBlocks(columnLow, columnHigh, rowLow, rowHigh, [&](const Block& block) {
-      const char* const from = reinterpret_cast<const char*>(&block);
-      constexpr std::size_t kColumn = kSpare * sizeof(float), kFour = 4 * sizeof(float);
-      std::memcpy(&found.items[end], from, kFour);
-      std::memcpy(&found.x[end], from + kColumn, kFour);
-      std::memcpy(&found.y[end], from + 2 * kColumn, kFour);
-      std::memcpy(&found.vx[end], from + 3 * kColumn, kFour);
-      std::memcpy(&found.vy[end], from + 4 * kColumn, kFour);
-      end += block.count();
-    });
+    visitBlocks(columnLow, columnHigh, rowLow, rowHigh,
+                [&](const Block& block) { end = findInBlock(block, found, end); });
     found.count = end;
+  }
+  void findAround(int cell, FoundFlights& found) const {
+    int end = 0;
+    for (int row = -1; row <= 1; ++row) {
+      for (int column = -1; column <= 1; ++column)
+        end = findInCell(cell + row * stepAlong(1) + column, found, end);
+    }
+    found.count = end;
+  }
+  // These write from place `end` on and return the new end.
+  int findInCell(int cell, FoundFlights& found, int end) const {
+    for (int block = cell; block != kNone; block = blocks_[block].more)
+      end = findInBlock(blocks_[block], found, end);
+    return end;
+  }
+  // Copies four at a time, as one instruction does; only those that are items count. What follows a column of
+  // numbers in a block is no subnormal number, with which calculation takes a hundred times as long.
+  static int findInBlock(const Block& block, FoundFlights& found, int end) {
+    const char* const from = reinterpret_cast<const char*>(&block);
+    constexpr std::size_t kColumn = kSpare * sizeof(float), kFour = 4 * sizeof(float);
+    std::memcpy(&found.items[end], from, kFour);
+    std::memcpy(&found.x[end], from + kColumn, kFour);
+    std::memcpy(&found.y[end], from + 2 * kColumn, kFour);
+    std::memcpy(&found.vx[end], from + 3 * kColumn, kFour);
+    std::memcpy(&found.vy[end], from + 4 * kColumn, kFour);
+    return end + block.count();
   }
   Found find(int item, int cell) const {
     for (int block = cell;; block = blocks_[block].more) {

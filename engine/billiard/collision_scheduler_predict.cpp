@@ -164,8 +164,9 @@ int CollisionScheduler::sortOut(int i, int begin) {
     std::array<int, FoundFlights::kRoom> may;
     const float *const x = &found_.x[first], *const y = &found_.y[first];
     const float *const vx = &found_.vx[first], *const vy = &found_.vy[first];
-    for (int k = 0; k < FoundFlights::kRoom; ++k) may[k] = coarse.mayMeet(x[k], y[k], vx[k], vy[k]) ? 1 : 0;
     const int end = std::min(FoundFlights::kRoom, found_.count - first);
+    const int fours = (end + 3) / 4 * 4;  // which an instruction computes at once
+    for (int k = 0; k < fours; ++k) may[k] = coarse.mayMeet(x[k], y[k], vx[k], vy[k]) ? 1 : 0;
     for (int k = 0; k < end; ++k) {
       near[kept] = items[first + k];
       kept += static_cast<int>(items[first + k] != i) & (may[k] | static_cast<int>(all));

@@ -22,8 +22,12 @@ class DueQueue {
  public:
   DueQueue() = default;
   /// Makes a queue of `items` items, none of which is ever due at first.
-  explicit DueQueue(int items) : days_(items <= kFew ? 0 : kDays), items_(items) {
-    if (items > kFew) today_ = kDays - 1, begins_ = -kLatest, perDay_ = 1.0;  // at the end of a calendar
+  explicit DueQueue(int items)
+      : lastDay_(std::max(kFewestDays, items / kADay) - 1),
+        today_(lastDay_),
+        days_(items <= kFew ? 0 : lastDay_ + 1),
+        items_(items) {
+    if (items > kFew) begins_ = -kLatest, perDay_ = 1.0;  // at the end of a calendar
   }
 
   /// Returns the time at which the next item is due; infinity if none ever is.
@@ -63,7 +67,7 @@ class DueQueue {
       insertSoon(now);
     } else if (const int day = dayOf(time); day > today_) {
       if (slot != kNone) takeOut(slot);
-      if (day < kDays) days_[day].push_back(item);
+      if (day <= lastDay_) days_[day].push_back(item);
     } else {
       place(slot != kNone ? slot : newSlot(), now);
     }
@@ -73,8 +77,8 @@ class DueQueue {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr double kLatest = std::numeric_limits<double>::max();
   static constexpr int kNone = -1;
-  static constexpr int kFew = 256;               // so many are all in the heap
-  static constexpr int kDays = 256, kADay = 64;  // about so many items are due on each
+  static constexpr int kFew = 256;                     // so many are all in the heap
+  static constexpr int kFewestDays = 256, kADay = 64;  // about so many items are due on each
 
   struct Item {
     double due = kNever;
@@ -137,16 +141,16 @@ class DueQueue {
     }
   }
 
-  // The heap holds what is due up to this day. What is due after the calendar's end has the day kDays, what is never
-  // due a day after that.
+  // The heap holds what is due up to this day. What is due after the calendar's end has the day after the last, what is
+  // never due a day after that.
   int dayOf(double time) const {
-    if (time == kNever) return kDays + 1;
-    return static_cast<int>(std::clamp((time - begins_) * perDay_, 0.0, static_cast<double>(kDays)));
+    if (time == kNever) return lastDay_ + 2;
+    return static_cast<int>(std::clamp((time - begins_) * perDay_, 0.0, lastDay_ + 1.0));
   }
   // Adds the items of the next day to the soonest, behind which nothing is in the heap. Returns whether there is such a
   // day: not after the last of a calendar while something is due before, nor where nothing is due.
   bool openDay() {
-    if (days_.empty() || (today_ + 1 == kDays && (begin_ < end_ || !beginCalendar()))) return false;
+    if (days_.empty() || (today_ == lastDay_ && (begin_ < end_ || !beginCalendar()))) return false;
     constexpr std::size_t kAhead = 16;
     std::vector<int>& listed = days_[++today_];
     opened_.clear();
@@ -184,7 +188,7 @@ class DueQueue {
     perDay_ = std::min(days / (sample[kSample / kShare] - begins_), kLatest);
     today_ = -1;
     for (int item = 0; item < static_cast<int>(items_.size()); ++item) {
-      if (const int day = dayOf(items_[item].due); day < kDays) days_[day].push_back(item);
+      if (const int day = dayOf(items_[item].due); day <= lastDay_) days_[day].push_back(item);
     }
     return true;
   }
@@ -232,7 +236,8 @@ class DueQueue {
     items_[entry.item].slot = slot;
   }
 
-  int today_ = kDays;  // in a calendar of days of equal length
+  int lastDay_ = kFewestDays - 1;  // of a calendar of days of equal length
+  int today_ = lastDay_;
   double begins_ = 0.0, perDay_ = 0.0;
   std::vector<std::vector<int>>
       days_;                   // the items that have been given a time on each; no days for few items

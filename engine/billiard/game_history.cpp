@@ -9,9 +9,11 @@ namespace {
 
 constexpr std::size_t kFewPucks = 256;  // whose world lines' ends lie in the caches
 // Memory that is used for the first time costs as much as a third of a collision. Of many pucks there is room from the
-// start for about what a session keeps that forgets what is past.
+// start for about what a session keeps that forgets what is past. The list of events has addresses for more, so that it
+// need not be moved.
 constexpr std::size_t kEventsPerPuck = 16, kLegsPerPuck = 48;
-constexpr std::size_t kMostEvents = std::size_t{1} << 19, kMostLegs = std::size_t{1} << 21;
+constexpr std::size_t kMostEvents = std::size_t{1} << 20, kMostLegs = std::size_t{1} << 22;
+constexpr std::size_t kAddresses = 4;                       // for so many times the events
 constexpr std::size_t kNewLegs = 256, kNewLegsPerPuck = 4;  // of more pucks, at most so many legs wait
 
 Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }
@@ -46,7 +48,9 @@ GameHistory::GameHistory(const BilliardSetup& setup)
 void GameHistory::makeRoom() {
   if (lines_.size() <= kFewPucks) return;
   for (WorldLine& line : lines_) line.reserve(std::min(kLegsPerPuck, kMostLegs / lines_.size()));
-  events_.resize(std::min(kMostEvents, kEventsPerPuck * lines_.size()));
+  const std::size_t events = std::min(kMostEvents, kEventsPerPuck * lines_.size());
+  events_.reserve(kAddresses * events);
+  events_.resize(events);
   events_.clear();
 }
 

@@ -74,7 +74,7 @@ TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
   EXPECT_EQ(queue.firstDue(), kNever);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, DueQueueOf, testing::Values(1, 5, 300, 9000));
+INSTANTIATE_TEST_SUITE_P(Sizes, DueQueueOf, testing::Values(1, 5, 300, 9000, 20000));
 
 // Each item in its turn gets a later time, of which some lie beyond the calendar, until several calendars are over and
 // nothing is due any more.
