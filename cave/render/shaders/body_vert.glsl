@@ -142,10 +142,18 @@ vec3 normalInVertexFrame(Sight sight) {
 }
 
 #ifndef GHOST
+/// The way on the board along which the light came; what rests is where its mesh has it.
+vec3 onBoardFromEye(Sight sight) {
+#ifdef RESTS
+  return vertexMC.xyz - eyeOnBoard_m;
+#else
+  return ABERRATED ? rayThrough(boardFromDrawn, sight.drawn) : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
+#endif
+}
+
 /// Follows the light from hall and lamps to the eye.
 void lightUp(Sight sight) {
-  vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn)
-                             : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
+  vec3 fromEye_m = onBoardFromEye(sight);
   vec3 onBoard_m = eyeOnBoard_m + fromEye_m;
   vec3 towardsEye = normalize(-fromEye_m);
   float toHead = dopplerInto(headOnBoard.x, headOnBoard.yzw, towardsEye) /
@@ -214,7 +222,7 @@ void lightUp(Sight sight) {
 /// and goes with it, as the puck's centre goes: while the signal of a blow runs through the puck its rim moves in many
 /// ways, and the shadow is to stay one. The eye sees it at s = c (t − t_rim) with T − s = |D − β s|, D from there to the eye, T from the rim.
 Sight shadowed(Sight sight, Sight centre, out float share) {
-  vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn) : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
+  vec3 fromEye_m = onBoardFromEye(sight);
   vec3 at = eyeOnBoard_m + fromEye_m;
   int sort = int(surfaceMC.y + 0.5);
   vec3 n = vec3(0.0, 0.0, -1.0);
