@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "cave/frame/bodies.h"
+#include "cave/frame/hall.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/mesh/mesh_builder.h"
 #include "cave/render/wall_renderer.h"
@@ -66,15 +67,22 @@ class Room {
     return std::make_unique<WallRenderer>(graphics_, scene_, kC_m_s, 1);
   }
 
+  /// Lets the head go at another place on the board and, to the left, at another speed over c.
+  void put(const glm::dvec3& between_m, double beta) {
+    between_m_ = between_m;
+    beta_ = beta;
+    turnSpeed(0.0);
+  }
+
   /// Lets the head go on at another speed, so that nothing that rests looks as it did.
   void turnSpeed(double phase_rad) {
-    headFromBoard_ = Lorentz::boost({-0.5 + 0.02 * std::sin(phase_rad), 0.1, 0.05}, kC_m_s);
+    headFromBoard_ = Lorentz::boost({-beta_ + 0.02 * std::sin(phase_rad), 0.1, 0.05}, kC_m_s);
   }
 
   /// One frame: four walls, two eyes.
   void draw(WallRenderer& renderer, const Switches& switches, double t_s) {
     for (const double side : {-0.032, 0.032}) {
-      const EyeView eye{{t_s, {side, -1.6, 0.85}}, {side, 0.0, 1.6}};
+      const EyeView eye{{t_s, between_m_ + glm::dvec3(side, 0.0, 0.0)}, {side, 0.0, 1.6}};
       for (std::size_t body = 0; body < bodies_.size(); ++body) {
         viewBody(histories_[body], eye.observation, headFromBoard_, bodies_[body], switches);
       }
@@ -88,7 +96,7 @@ class Room {
 
   /// The first wall for one eye alone, drawn to the end.
   void drawOneView(WallRenderer& renderer, const Switches& switches, double t_s) {
-    const EyeView eye{{t_s, {-0.032, -1.6, 0.85}}, {-0.032, 0.0, 1.6}};
+    const EyeView eye{{t_s, between_m_ - glm::dvec3(0.032, 0.0, 0.0)}, {-0.032, 0.0, 1.6}};
     for (std::size_t body = 0; body < bodies_.size(); ++body) {
       viewBody(histories_[body], eye.observation, headFromBoard_, bodies_[body], switches);
     }
@@ -107,7 +115,9 @@ class Room {
   std::vector<WorldLine> histories_;
   std::vector<BodyView> bodies_;
   vtkIdType vertices_ = 0;
-  Lorentz headFromBoard_ = Lorentz::boost({-0.5, 0.1, 0.05}, kC_m_s);
+  glm::dvec3 between_m_{0.0, -1.6, 0.85};  // the eyes, on the board
+  double beta_ = 0.5;
+  Lorentz headFromBoard_ = Lorentz::boost({-beta_, 0.1, 0.05}, kC_m_s);
   std::array<Wall, 4> walls_;
   std::array<std::unique_ptr<RenderTarget>, 8> pictures_;
 
@@ -284,7 +294,16 @@ void movingFrame(benchmark::State& state) {
   measureInTurn(state, room, true);
 }
 
-// The same at a size at which pixels cost nothing: what is left is the price of vertices and of commands.
+// The same 10 cm before a wall of the hall, at 0.95 c along it: surfaces are divided as finely as they ever are.
+void nearWall(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Game game;
+  Room room(graphics(), game.scene, game.histories);
+  room.put({0.0, 0.5 * Hall().size_m.y - 0.1, 0.85}, 0.95);
+  measureInTurn(state, room, true);
+}
+
+// `movingFrame` at a size at which pixels cost nothing: what is left is the price of vertices and of commands.
 void frameWithoutPixels(benchmark::State& state) {
   graphics().makeCurrent();
   const Game game;
@@ -444,6 +463,7 @@ void millionSolvedAndUploaded(benchmark::State& state) {
 
 BENCHMARK(frame)->Unit(benchmark::kMillisecond);
 BENCHMARK(movingFrame)->Unit(benchmark::kMillisecond);
+BENCHMARK(nearWall)->Unit(benchmark::kMillisecond);
 BENCHMARK(frameWithoutPixels)->Unit(benchmark::kMillisecond);
 BENCHMARK(nothingInSight)->Unit(benchmark::kMillisecond);
 BENCHMARK(views)->Unit(benchmark::kMillisecond);
