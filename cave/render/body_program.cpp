@@ -41,7 +41,7 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   place(has_.boardFromDrawn, "boardFromDrawn");
   place(has_.headOnBoard, "headOnBoard");
   place(has_.eyeOnBoard_m, "eyeOnBoard_m");
-  place(has_.exposure, "exposure");
+  place(has_.exposure, "eyeExposure");
   place(has_.lamps_m, "lamps_m");
   place(has_.observedWhole_s, "observedWhole_s");
   place(has_.observedPart_s, "observedPart_s");
@@ -52,7 +52,7 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   place(has_.firstLeg, "firstLeg");
   place(has_.legCount, "legCount");
   place(has_.appears_m, "appears_m");
-  place(has_.colour, "colour");
+  place(has_.colour, "partColour");
   place(has_.gloss, "gloss");
   place(has_.tint, "tint");
   place(has_.nearer, "nearer");

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "cave/frame/bodies.h"
+#include "cave/frame/hall.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/mesh/mesh_builder.h"
 #include "cave/render/wall_renderer.h"
@@ -66,15 +67,22 @@ class Room {
     return std::make_unique<WallRenderer>(graphics_, scene_, kC_m_s, 1);
   }
 
+  /// Lets the head go at another place on the board and, to the left, at another speed over c.
+  void put(const glm::dvec3& between_m, double beta) {
+    between_m_ = between_m;
+    beta_ = beta;
+    turnSpeed(0.0);
+  }
+
   /// Lets the head go on at another speed, so that nothing that rests looks as it did.
   void turnSpeed(double phase_rad) {
-    headFromBoard_ = Lorentz::boost({-0.5 + 0.02 * std::sin(phase_rad), 0.1, 0.05}, kC_m_s);
+    headFromBoard_ = Lorentz::boost({-beta_ + 0.02 * std::sin(phase_rad), 0.1, 0.05}, kC_m_s);
   }
 
   /// One frame: four walls, two eyes.
   void draw(WallRenderer& renderer, const Switches& switches, double t_s) {
     for (const double side : {-0.032, 0.032}) {
-      const EyeView eye{{t_s, {side, -1.6, 0.85}}, {side, 0.0, 1.6}};
+      const EyeView eye{{t_s, between_m_ + glm::dvec3(side, 0.0, 0.0)}, {side, 0.0, 1.6}};
       for (std::size_t body = 0; body < bodies_.size(); ++body) {
         viewBody(histories_[body], eye.observation, headFromBoard_, bodies_[body], switches);
       }
@@ -88,7 +96,7 @@ class Room {
 
   /// The first wall for one eye alone, drawn to the end.
   void drawOneView(WallRenderer& renderer, const Switches& switches, double t_s) {
-    const EyeView eye{{t_s, {-0.032, -1.6, 0.85}}, {-0.032, 0.0, 1.6}};
+    const EyeView eye{{t_s, between_m_ - glm::dvec3(0.032, 0.0, 0.0)}, {-0.032, 0.0, 1.6}};
     for (std::size_t body = 0; body < bodies_.size(); ++body) {
       viewBody(histories_[body], eye.observation, headFromBoard_, bodies_[body], switches);
     }
@@ -107,7 +115,9 @@ class Room {
   std::vector<WorldLine> histories_;
   std::vector<BodyView> bodies_;
   vtkIdType vertices_ = 0;
-  Lorentz headFromBoard_ = Lorentz::boost({-0.5, 0.1, 0.05}, kC_m_s);
+  glm::dvec3 between_m_{0.0, -1.6, 0.85};  // the eyes, on the board
+  double beta_ = 0.5;
+  Lorentz headFromBoard_ = Lorentz::boost({-beta_, 0.1, 0.05}, kC_m_s);
   std::array<Wall, 4> walls_;
   std::array<std::unique_ptr<RenderTarget>, 8> pictures_;
 
@@ -193,6 +203,22 @@ struct Million {
   }
 };
 
+/// Sheets over the floor, each nearer to the eye than those before: every pixel of each is painted.
+Scene sheets(Paint paint, float gloss, int count) {
+  Scene scene;
+  for (int i = 0; i < count; ++i) {
+    MeshBuilder mesh;
+    mesh.addPatch(32, 32, [&](double u, double v) {
+      const glm::dvec2 place(4.0 * u - 2.0, 4.0 * v - 3.6);
+      return PatchPoint{{place, 0.002 * i}, {place, 0.4}};
+    });
+    scene.parts.push_back({kRestingBody, mesh.build(), paint, glm::vec3(0.5F, 0.4F, 0.3F), gloss});
+  }
+  scene.bodyCount = 1;
+  scene.lamps_m = {{{-1.0, 0.0, 1.45}, {0.0, 0.0, 1.45}, {1.0, 0.0, 1.45}}};
+  return scene;
+}
+
 /// Draws a frame to its end.
 void finish(Room& room, WallRenderer& renderer, const Switches& switches, double t_s) {
   room.draw(renderer, switches, t_s);
@@ -268,7 +294,16 @@ void movingFrame(benchmark::State& state) {
   measureInTurn(state, room, true);
 }
 
-// The same at a size at which pixels cost nothing: what is left is the price of vertices and of commands.
+// The same 10 cm before a wall of the hall, at 0.95 c along it: surfaces are divided as finely as they ever are.
+void nearWall(benchmark::State& state) {
+  graphics().makeCurrent();
+  const Game game;
+  Room room(graphics(), game.scene, game.histories);
+  room.put({0.0, 0.5 * Hall().size_m.y - 0.1, 0.85}, 0.95);
+  measureInTurn(state, room, true);
+}
+
+// `movingFrame` at a size at which pixels cost nothing: what is left is the price of vertices and of commands.
 void frameWithoutPixels(benchmark::State& state) {
   graphics().makeCurrent();
   const Game game;
@@ -339,6 +374,47 @@ void twentySpinning(benchmark::State& state) {
   state.counters["ratio"] = medianOf(spinning_s) / medianOf(still_s);
 }
 
+// A pixel of one paint, light included: what 32 sheets that fill a wall take more than one, over their pixels.
+void pixel(benchmark::State& state, Paint paint, float gloss) {
+  graphics().makeCurrent();
+  const Wall floor = walls(kSide_px)[3];
+  RenderTarget picture(floor.pixels);
+  const EyeView eye{{3.0, {0.0, -1.6, 1.2}}, {0.0, 0.0, 1.6}};
+  const WorldLine history = restingWorldLine(kC_m_s);
+  std::vector<BodyView> bodies(1);
+  double phase_rad = 0.0;
+  const auto draw = [&](WallRenderer& renderer, const Switches& switches) {
+    const Lorentz headFromBoard = Lorentz::boost({0.02 * std::sin(phase_rad), 0.01, 0.0}, kC_m_s);
+    viewBody(history, eye.observation, headFromBoard, bodies[0], switches);
+    renderer.look(headFromBoard, eye, bodies, switches);
+    renderer.draw(floor, eye.positionInRoom_m, picture);
+    glFinish();
+  };
+  constexpr int kMany = 32;
+  const Scene few = sheets(paint, gloss, 1), many = sheets(paint, gloss, kMany);
+  struct Pair {
+    const char* name;
+    Switches switches;
+    WallRenderer few, many;
+    std::vector<double> more_s;
+  };
+  std::array<Pair, 2> pairs{
+      {{"relativity_ns", {}, {graphics(), few, kC_m_s, 1}, {graphics(), many, kC_m_s, 1}, {}},
+       {"with_colour_ns", kAllOn, {graphics(), few, kC_m_s, 1}, {graphics(), many, kC_m_s, 1}, {}}}};
+  for (Pair& pair : pairs) {
+    for (WallRenderer* renderer : {&pair.few, &pair.many}) draw(*renderer, pair.switches);  // compiles
+  }
+  for (auto _ : state) {
+    phase_rad += 1.0;
+    for (Pair& pair : pairs) {
+      const double few_s = processorTimeOf([&] { draw(pair.few, pair.switches); });
+      pair.more_s.push_back(processorTimeOf([&] { draw(pair.many, pair.switches); }) - few_s);
+    }
+  }
+  constexpr double kPixels = (kMany - 1.0) * kSide_px * kSide_px;
+  for (const Pair& pair : pairs) state.counters[pair.name] = 1e9 * medianOf(pair.more_s) / kPixels;
+}
+
 // The same as `frame` with a million vertices.
 void million(benchmark::State& state) {
   graphics().makeCurrent();
@@ -387,9 +463,16 @@ void millionSolvedAndUploaded(benchmark::State& state) {
 
 BENCHMARK(frame)->Unit(benchmark::kMillisecond);
 BENCHMARK(movingFrame)->Unit(benchmark::kMillisecond);
+BENCHMARK(nearWall)->Unit(benchmark::kMillisecond);
 BENCHMARK(frameWithoutPixels)->Unit(benchmark::kMillisecond);
 BENCHMARK(nothingInSight)->Unit(benchmark::kMillisecond);
 BENCHMARK(views)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(pixel, plain, Paint::plain, 0.1F)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(pixel, cloth, Paint::cloth, 0.0F)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(pixel, wood, Paint::wood, 0.35F)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(pixel, panels, Paint::panels, 0.0F)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(pixel, floor, Paint::floor, 0.05F)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(pixel, puck, Paint::puck, 0.5F)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(twentySpinning)->Unit(benchmark::kMillisecond);
 BENCHMARK(million)->Unit(benchmark::kMillisecond);
 BENCHMARK(millionSolvedAndUploaded)->Unit(benchmark::kMillisecond);

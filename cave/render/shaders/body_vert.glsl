@@ -23,9 +23,9 @@ uniform vec4 headOnBoard;      // γ, γβ
 uniform vec3 eyeOnBoard_m;     // where the eye receives the light
 uniform vec3 lamps_m[3];       // at rest on the board
 uniform float gloss;
-uniform vec3 colour;           // linear, the share reflected
+uniform vec3 partColour;     // linear, the share reflected
 uniform float tint;            // 0, 1 or 2, of this part
-uniform vec3 exposure;         // engine/colour/exposure.h
+uniform vec3 eyeExposure;    // engine/colour/exposure.h
 uniform float nearer;          // share by which decals are drawn nearer than they are
 
 out vec3 place;       // vertexMC, for painting
@@ -43,6 +43,9 @@ out SHINE shine;      // mirrored to the eye by its varnish
 out float tone;       // 0 to 1: how bright it is as if it were painted evenly, and set off from parts of another tint
 #endif
 out float boardTime_m;  // c (t − t_o) of the emission
+// Uniforms, handed on: llvmpipe reads those of pixels one by one, with a check for each.
+flat out vec3 colour;
+flat out vec3 exposure;
 
 const float kLampStrength_m2 = 1.1;  // light on a surface at 1 m that faces the lamp
 
@@ -139,10 +142,18 @@ vec3 normalInVertexFrame(Sight sight) {
 }
 
 #ifndef GHOST
+/// The way on the board along which the light came; what rests is where its mesh has it.
+vec3 onBoardFromEye(Sight sight) {
+#ifdef RESTS
+  return vertexMC.xyz - eyeOnBoard_m;
+#else
+  return ABERRATED ? rayThrough(boardFromDrawn, sight.drawn) : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
+#endif
+}
+
 /// Follows the light from hall and lamps to the eye.
 void lightUp(Sight sight) {
-  vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn)
-                             : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
+  vec3 fromEye_m = onBoardFromEye(sight);
   vec3 onBoard_m = eyeOnBoard_m + fromEye_m;
   vec3 towardsEye = normalize(-fromEye_m);
   float toHead = dopplerInto(headOnBoard.x, headOnBoard.yzw, towardsEye) /
@@ -222,7 +233,7 @@ float shareInBody(vec3 d) {
 /// and goes with it, as the puck's centre goes: while the signal of a blow runs through the puck its rim moves in many
 /// ways, and the shadow is to stay one. The eye sees it at s = c (t − t_rim) with T − s = |D − β s|, D from there to the eye, T from the rim.
 Sight shadowed(Sight sight, Sight centre, out float share) {
-  vec3 fromEye_m = ABERRATED ? rayThrough(boardFromDrawn, sight.drawn) : (boardFromDrawn * vec4(0.0, sight.drawn)).yzw;
+  vec3 fromEye_m = onBoardFromEye(sight);
   vec3 at = eyeOnBoard_m + fromEye_m;
   int sort = int(surfaceMC.y + 0.5);
   vec3 n = vec3(0.0, 0.0, -1.0);
@@ -286,6 +297,8 @@ void main() {
   }
 #endif
 
+  colour = partColour;
+  exposure = eyeExposure;
   gl_Position = clipFromDrawn * vec4(sight.drawn * (1.0 - nearer), 1.0);
   gl_ClipDistance[0] = boardTime_m - appears_m;
   place = d;
@@ -297,9 +310,9 @@ void main() {
   fromEye_m = sight.drawn;
 #else
   lightUp(sight);
-  float bright = exposure.x * max(dot(light * colour, vec3(0.2126, 0.7152, 0.0722)), 0.0);
+  float bright = eyeExposure.x * max(dot(light * partColour, vec3(0.2126, 0.7152, 0.0722)), 0.0);
 #ifdef GLOWS
-  bright += exposure.x * dot(glow * colour, vec3(0.2126, 0.7152, 0.0722));
+  bright += eyeExposure.x * dot(glow * partColour, vec3(0.2126, 0.7152, 0.0722));
 #endif
   tone = (tint + 0.6 * bright / (bright + 0.2)) / 2.6;  // those of different tints never agree
 #endif

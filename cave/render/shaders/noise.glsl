@@ -1,9 +1,6 @@
 // Irregularities of materials: 0 to 1, soft over a cell of 1, the same on every machine.
 
-float atKnot(uint n) {
-  n = (n ^ (n >> 15)) * 2246822519u;
-  return float((n ^ (n >> 13)) & 65535u) * (1.0 / 65535.0);
-}
+float atKnot(uint n) { return float(((n ^ (n >> 15)) * 2246822519u) >> 16) * (1.0 / 65535.0); }
 
 const uvec2 kStep = uvec2(1597334677u, 3812015801u);  // from knot to knot
 

@@ -30,6 +30,6 @@ Painted paint() {
   p.x = across + (p.x + 0.5 * (kFace.x - kWritten) / scale) / kPlace.x;
   float lit = written(p, places, 1, digits, footprint);
   vec2 outside = abs(surface.xy - vec2(2.0, 0.5)) - vec2(2.0, 0.5);
-  float bezel = max(edge(outside.x), edge(outside.y));
+  float bezel = max(edge(outside.x / footprintOf(outside.x)), edge(outside.y / footprintOf(outside.y)));
   return Painted(vec3(mix(0.008, 0.045, bezel)), lit * colour, 1.0);
 }

@@ -14,8 +14,8 @@ in float tone;          // of its surface, as if it were painted evenly
 #endif
 in float boardTime_m;   // c (t − t_o) of the emission
 
-uniform vec3 colour;    // linear, the share reflected
-uniform vec3 exposure;  // gain, rise, fall: engine/colour/exposure.h
+flat in vec3 colour;    // linear, the share reflected
+flat in vec3 exposure;  // gain, rise, fall: engine/colour/exposure.h
 
 out vec4 pixel;
 
@@ -25,29 +25,35 @@ struct Painted {
   float cover;    // 1: hides what is behind
 };
 
-/// The size of this pixel in x's unit: edges are drawn about that wide.
+/// The size of this pixel in x's unit: edges are drawn about that wide. Divisions by it, as all of them, cost llvmpipe
+/// as much as eight multiplications: where there are several, it is divided by once.
 float footprintOf(float x) { return max(fwidth(x), 1e-6); }
 vec2 footprintOf(vec2 x) { return max(fwidth(x), 1e-6); }
 
-/// 0 to the left of x = 0, 1 to the right, soft over a pixel.
-float edge(float x, float footprint) { return clamp(x / footprint + 0.5, 0.0, 1.0); }
-float edge(float x) { return edge(x, footprintOf(x)); }
+/// 0 to the left of x = 0, 1 to the right, soft over a pixel; x in pixels.
+float edge(float x_px) { return clamp(x_px + 0.5, 0.0, 1.0); }
 
 /// How much of this pixel lies in lines of width `width` at whole numbers of x, and of y: the box-filtered pulse
-/// train, from its integral.
-vec2 lines(vec2 x, float width, vec2 footprint) {
+/// train, from its integral. `perUnit_px`: 1/footprint.
+vec2 lines(vec2 x, float width, vec2 footprint, vec2 perUnit_px) {
   vec2 a = x + (0.5 * width - 0.5 * footprint);
   vec2 b = a + footprint;
   vec2 wholeA = floor(a), wholeB = floor(b);
   vec2 covered = (wholeB - wholeA) * width + (min(b - wholeB, width) - min(a - wholeA, width));
-  return clamp(covered / footprint, 0.0, 1.0);
+  return clamp(covered * perUnit_px, 0.0, 1.0);
 }
-float lines(float x, float width) { return lines(vec2(x), width, vec2(footprintOf(x))).x; }
+float lines(float x, float width) {
+  vec2 footprint = vec2(footprintOf(x));
+  return lines(vec2(x), width, footprint, 1.0 / footprint).x;
+}
+
+/// From 0 to 1 without a bend at the ends: smoothstep.
+float soft(float share) { return share * share * (3.0 - 2.0 * share); }
 
 /// Linear light to sRGB: the curve of IEC 61966-2-1 to within 1.5 steps of 255, at the price of one root.
 vec3 toScreen(vec3 linear) {
   vec3 x = clamp(linear, 0.0, 1.0);
-  return max(1.2345 * sqrt(x) - 0.2172 * x - 0.0231, 0.0);
+  return 1.2345 * sqrt(x) - 0.2172 * x - 0.0231;
 }
 
 /// Linear light as the picture is exposed, for the screen.
@@ -55,7 +61,7 @@ vec3 shown(vec3 linear) {
   if (!COLOURED && !SEARCHLIGHT) {
     // The exposure is then always the same, and both curves together are within 1.5 steps of 255 a cubic of the root.
     vec3 root = sqrt(clamp(linear, 0.0, 1.57));
-    return max(((0.05259 * root - 0.44084) * root + 1.28424) * root - 0.02573, 0.0);
+    return ((0.05259 * root - 0.44084) * root + 1.28424) * root - 0.02573;
   }
   vec3 x = max(exposure.x * linear, 0.0);
   return toScreen(x * (1.0 + exposure.y * x) / (1.0 + exposure.z * x));
