@@ -23,9 +23,26 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// A place on a side that bends, from the disc's centre, and how it changes along the side.
 struct OnSide {
-  double share = 0.0;  ///< of the side
+  double share = 0.0;  ///< of the side: −1 where it begins, 1 where it ends
   Vec2 place{0.0}, slope{0.0}, curve{0.0};
 };
+
+const Vec2& endOf(std::span<const Vec2> corners, std::size_t side) {
+  return corners[side + 1 < corners.size() ? side + 1 : 0];
+}
+Vec2 halfOf(std::span<const Vec2> corners, std::size_t side) {
+  return (endOf(corners, side) - corners[side]) * 0.5;
+}
+// From the middle of a side, so that its mirror image has the same bits.
+double shareNearest(std::span<const Vec2> corners, std::size_t side) {
+  const Vec2 middle = (corners[side] + endOf(corners, side)) * 0.5, half = halfOf(corners, side);
+  return -glm::dot(middle, half) / glm::dot(half, half);
+}
+Vec2 pointOn(std::span<const Vec2> corners, std::size_t side, double share) {
+  if (share <= -1.0) return corners[side];
+  if (share >= 1.0) return endOf(corners, side);
+  return (corners[side] + endOf(corners, side)) * 0.5 + halfOf(corners, side) * share;
+}
 
 using Places = std::array<Vec2, kMostCorners>;
 
@@ -77,14 +94,13 @@ class StretchedFrame {
   /// Where the body starts, from the disc's centre at a time of the frame.
   Vec2 startAt(double time) const { return stretched(axes_.place(body_.start - centreAt(time))); }
   /// A point of a side at a time of the frame: its place from the disc's centre, of which `start` is known, and the
-  /// first two derivatives by its share of the side. With w the offset from the body's centre in its axes, e the side
+  /// first two derivatives by its share. With w the offset from the body's centre in its axes, e half the side
   /// there, s the point's own time, and t = b + a·w + γ s for all points,
   ///     w' = e + Ω s' w⟂     w'' = 2 Ω s' e⟂ − (Ω s')² w + Ω s'' w⟂     s' = −a·e/t_s     s'' = −a·(…)/t_s
   OnSide onSide(std::size_t k, double share, double time, const Vec2& start) const {
-    const Outline::Side& side = body_.outline->sides()[k];
-    const Vec2 point = side.from + side.along * (side.length * share);
+    const Vec2 point = pointOn(body_.outline->corners(), k, share);
     const AtTime at = pointAt(point, time);
-    const Vec2 w = turned(point, at.turn), e = turned(side.along * side.length, at.turn);
+    const Vec2 w = turned(point, at.turn), e = turned(halfOf(body_.outline->corners(), k), at.turn);
     const double s1 = -glm::dot(along_, e) / at.slope, turn1 = body_.turning * s1;
     const Vec2 beside = across(e) * (2.0 * turn1) - w * (turn1 * turn1);
     const double s2 = -glm::dot(along_, beside) / at.slope;
@@ -197,15 +213,6 @@ struct Nearest {
   double share = 0.0;  ///< of the side
 };
 
-double shareNearest(std::span<const Vec2> corners, std::size_t k) {
-  const Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
-  return -glm::dot(corners[k], side) / glm::dot(side, side);
-}
-
-Vec2 pointOn(std::span<const Vec2> corners, std::size_t side, double share) {
-  return corners[side] + (corners[(side + 1) % corners.size()] - corners[side]) * share;
-}
-
 Nearest nearestOf(std::span<const Vec2> corners) {
   double least2 = kNever;
   Nearest found;
@@ -214,7 +221,7 @@ Nearest nearestOf(std::span<const Vec2> corners) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vec2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
     if ((a.y > 0.0) != (b.y > 0.0) && 0.0 < a.x - (b.x - a.x) * (a.y / (b.y - a.y))) inside = !inside;
-    const double share = std::clamp(shareNearest(corners, k), 0.0, 1.0);
+    const double share = std::clamp(shareNearest(corners, k), -1.0, 1.0);
     const Vec2 point = pointOn(corners, k, share);
     const double distance2 = glm::dot(point, point);
     if (distance2 < least2) least2 = distance2, nearest = point, found.side = k, found.share = share;
@@ -223,7 +230,7 @@ Nearest nearestOf(std::span<const Vec2> corners) {
   found.outside = inside ? -distance : distance;
   found.towards = nearest * ((inside ? -1.0 : 1.0) / distance);
   if (!(distance > 0.0)) {
-    const Vec2 way = pointOn(corners, found.side, 1.0) - corners[found.side];
+    const Vec2 way = halfOf(corners, found.side);
     found.outside = 0.0, found.towards = Vec2{-way.y, way.x} / glm::length(way);
   }
   return found;
@@ -238,7 +245,9 @@ OnSide nearestOnSide(const StretchedFrame& frame, std::size_t side, double share
   for (int step = 0; step < kSteps; ++step) {
     const double slope2 = glm::dot(here.slope, here.slope), bent = slope2 + glm::dot(here.place, here.curve);
     double by = -glm::dot(here.place, here.slope) / (bent > 0.25 * slope2 ? bent : slope2);
-    const auto moved = [&] { return frame.onSide(side, std::clamp(here.share + by, 0.0, 1.0), time, start); };
+    const auto moved = [&] {
+      return frame.onSide(side, std::clamp(here.share + by, -1.0, 1.0), time, start);
+    };
     OnSide there = moved();
     const auto leadsAway = [&] {
       return std::abs(by) > kClose && glm::length(there.place) > glm::length(here.place);
@@ -253,11 +262,11 @@ OnSide nearestOnSide(const StretchedFrame& frame, std::size_t side, double share
 
 // Of a centre that is inside: the point of the side by which it came in.
 Nearest nearestOnEntrance(std::span<const Vec2> corners, std::size_t side) {
-  const double share = std::clamp(shareNearest(corners, side), 0.0, 1.0);
+  const double share = std::clamp(shareNearest(corners, side), -1.0, 1.0);
   const Vec2 point = pointOn(corners, side, share);
   const double distance = glm::length(point);
   if (distance > 0.0) return {-distance, point * (-1.0 / distance), side, share};
-  const Vec2 way = corners[(side + 1) % corners.size()] - corners[side];
+  const Vec2 way = halfOf(corners, side);
   return {0.0, Vec2{-way.y, way.x} / glm::length(way), side, share};
 }
 
@@ -274,9 +283,9 @@ Nearest nearestOfTurning(const StretchedFrame& frame, double time, std::span<con
     if (!(distance > 0.0) || !(distance < least)) return;
     least = distance, found = {sign * distance, nearest * (sign / distance), k, share};
   };
-  for (std::size_t k = 0; k < corners.size(); ++k) consider(corners[k], k, 0.0);
+  for (std::size_t k = 0; k < corners.size(); ++k) consider(corners[k], k, -1.0);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const double share = std::clamp(shareNearest(corners, k), 0.0, 1.0);
+    const double share = std::clamp(shareNearest(corners, k), -1.0, 1.0);
     if (glm::length(pointOn(corners, k, share)) > least + frame.bend(k)) continue;
     const OnSide nearest = nearestOnSide(frame, k, share, time, start);
     consider(nearest.place, k, nearest.share);
@@ -299,11 +308,11 @@ std::vector<Nearest> nearPoints(const StretchedFrame& frame, double time, double
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const double share = shareNearest(corners, k);
     const bool atCorner =
-        share <= 0.0 && shareNearest(corners, (k + corners.size() - 1) % corners.size()) >= 1.0;
-    if (!(share > 0.0 && share < 1.0) && !atCorner) continue;
-    const Vec2 point = pointOn(corners, k, std::max(share, 0.0));
+        share <= -1.0 && shareNearest(corners, (k + corners.size() - 1) % corners.size()) >= 1.0;
+    if (!(share > -1.0 && share < 1.0) && !atCorner) continue;
+    const Vec2 point = pointOn(corners, k, std::max(share, -1.0));
     const double distance = glm::length(point);
-    if (distance <= reach) points.push_back({distance, point / distance, k, std::max(share, 0.0)});
+    if (distance <= reach) points.push_back({distance, point / distance, k, std::max(share, -1.0)});
   }
   return points;
 }
@@ -323,14 +332,13 @@ std::optional<FoundContact> touchStraight(const StretchedFrame& frame, const Con
     if (window.holds(window.timeOf(found.event)) && !frame.entrance(time)) best = found;
   };
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec2 &a = corners[k], side = corners[(k + 1) % corners.size()] - a;
+    const Vec2 &a = corners[k], middle = pointOn(corners, k, 0.0), side = halfOf(corners, k);
     const double length = glm::length(side);
     const Vec2 along = side / length, normal{along.y, -along.x};
     const double speed = glm::dot(normal, v);
     if (speed > 0.0) {
-      const double time = (-glm::dot(normal, a) - R) / speed;
-      const double foot = -glm::dot(a + v * time, along);
-      if (foot >= 0.0 && foot <= length) consider(time, normal * -1.0);
+      const double time = (-glm::dot(normal, middle) - R) / speed;
+      if (std::abs(glm::dot(middle + v * time, along)) <= length) consider(time, normal * -1.0);
     }
     const double half = glm::dot(a, v), root2 = half * half - v2 * (glm::dot(a, a) - R * R);
     if (v2 > 0.0 && root2 > 0.0) {

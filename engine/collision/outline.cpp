@@ -153,8 +153,9 @@ Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
     const Vec2 a = side.from, b = corners_[(k + 1) % corners_.size()];
     if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y)))
       inside = !inside;
-    const double along = glm::dot(point - a, side.along);
-    const Vec2 way = point - (along <= 0.0 ? a : along >= side.length ? b : a + side.along * along);
+    const Vec2 middle = (a + b) * 0.5;
+    const double along = glm::dot(point - middle, side.along), half = 0.5 * side.length;
+    const Vec2 way = point - (along <= -half ? a : along >= half ? b : middle + side.along * along);
     const double distance2 = glm::dot(way, way);
     const double front = glm::dot(way, side.normal);
     // Two sides are equally near at their corner: that counts which the point lies on the outside of, or else more in

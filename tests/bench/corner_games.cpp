@@ -25,6 +25,17 @@ void checkOrder(const BilliardSetup& setup, const std::string& name, CornerTally
   if (!differs.empty()) tally.faults.push_back(name + ": other bits in the reverse order: " + differs);
 }
 
+void checkMirrors(const BilliardSetup& setup, const std::string& name, CornerTally& tally) {
+  Billiard game(setup);
+  game.advanceTo(kUntil_s);
+  for (const Vec2 signs : {Vec2{1.0, -1.0}, Vec2{-1.0, 1.0}}) {
+    Billiard image(mirrored(setup, signs));
+    image.advanceTo(kUntil_s);
+    if (eventDigits(game, {1.0, 1.0}) != eventDigits(image, signs))
+      tally.faults.push_back(name + ": other bits in a mirror");
+  }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -36,7 +47,7 @@ int main(int count, char** words) {
     const BilliardSetup setup = cornerGame(seed);
     const std::string name = "seed " + std::to_string(seed);
     checkCornerGame(setup, kUntil_s, name, tally);
-    if (games % 10 == 0) checkOrder(setup, name, tally);
+    if (games % 10 == 0) checkOrder(setup, name, tally), checkMirrors(setup, name, tally);
     for (; reported < tally.faults.size(); ++reported) std::printf("%s\n", tally.faults[reported].c_str());
     std::fflush(stdout);
   }

@@ -301,14 +301,26 @@ BilliardSetup cornerGame(unsigned seed, int most) {
   return setup;
 }
 
-BilliardSetup mirrored(const BilliardSetup& setup) {
+BilliardSetup mirrored(const BilliardSetup& setup, const Vec2& signs) {
   BilliardSetup image = setup;
   for (Puck& puck : image.pucks) {
-    puck.position_m.y *= -1.0, puck.beta.y *= -1.0, puck.spin_kg_m2_s *= -1.0;
-    for (Vec2& corner : puck.outline_m) corner.y *= -1.0;
+    puck.position_m *= signs, puck.beta *= signs, puck.spin_kg_m2_s *= -1.0;
+    for (Vec2& corner : puck.outline_m) corner *= signs;
     std::reverse(puck.outline_m.begin(), puck.outline_m.end());
   }
   return image;
+}
+
+std::vector<double> eventDigits(const Billiard& game, const Vec2& signs) {
+  std::vector<double> digits;
+  for (const GameEvent& event : game.events()) {
+    digits.insert(digits.end(),
+                  {event.at.t_s, signs.x * event.at.r_m.x, signs.y * event.at.r_m.y, event.heat_j});
+    for (const Turn& turn : event.turns)
+      digits.insert(digits.end(), {static_cast<double>(turn.puck), turn.event.t_s, signs.x * turn.betaAfter.x,
+                                   signs.y * turn.betaAfter.y, signs.x * signs.y * turn.spinAfter_kg_m2_s});
+  }
+  return digits;
 }
 
 void checkCornerGame(const BilliardSetup& setup, double until_s, const std::string& name,

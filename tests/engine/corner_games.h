@@ -17,8 +17,11 @@ Puck bodyOf(const std::string& name, const std::vector<Vec2>& outline_m);
 /// Returns a game of up to `most` discs, bars, regular polygons and U shapes on a table: with spins up to the speed of
 /// light at the rim, up to 0.95 c, masses 1 : 100, with and without friction, elastic and not, both conventions.
 BilliardSetup cornerGame(unsigned seed, int most = 13);
-/// Returns the game as a mirror along the x axis shows it.
-BilliardSetup mirrored(const BilliardSetup& setup);
+/// Returns the game as a mirror along an axis shows it: one of the signs, of x and y, is −1.
+BilliardSetup mirrored(const BilliardSetup& setup, const Vec2& signs);
+
+/// Returns all numbers of a game's events, as a mirror with these signs shows them.
+std::vector<double> eventDigits(const Billiard& game, const Vec2& signs);
 
 struct CornerTally {
   std::size_t collisions = 0, jams = 0, withoutDelay = 0;
