@@ -214,18 +214,18 @@ struct Nearest {
 };
 
 Nearest nearestOf(std::span<const Vec2> corners) {
-  double least2 = kNever;
+  double least2 = kNever, mostFront = 0.0;
   Nearest found;
   Vec2 nearest{0.0};
-  bool inside = false;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
-    if ((a.y > 0.0) != (b.y > 0.0) && 0.0 < a.x - (b.x - a.x) * (a.y / (b.y - a.y))) inside = !inside;
     const double share = std::clamp(shareNearest(corners, k), -1.0, 1.0);
-    const Vec2 point = pointOn(corners, k, share);
+    const Vec2 point = pointOn(corners, k, share), half = halfOf(corners, k);
     const double distance2 = glm::dot(point, point);
-    if (distance2 < least2) least2 = distance2, nearest = point, found.side = k, found.share = share;
+    const double front = (point.y * half.x - point.x * half.y) / glm::length(half);
+    if (!isNearer(distance2, front, least2, mostFront)) continue;
+    least2 = distance2, mostFront = front, nearest = point, found.side = k, found.share = share;
   }
+  const bool inside = !(mostFront > 0.0);
   const double distance = std::sqrt(least2);
   found.outside = inside ? -distance : distance;
   found.towards = nearest * ((inside ? -1.0 : 1.0) / distance);

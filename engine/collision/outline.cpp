@@ -99,6 +99,12 @@ std::optional<OutlineFault> faultOf(std::span<const Vec2> corners) {
   return std::nullopt;
 }
 
+bool isNearer(double distance2, double front, double least2, double frontOfLeast) {
+  if (distance2 != least2) return distance2 < least2;
+  const bool inFront = front > 0.0, leastInFront = frontOfLeast > 0.0;
+  return inFront != leastInFront ? inFront : std::abs(front) > std::abs(frontOfLeast);
+}
+
 // Sums over the triangles from the origin to each side a b, with z = a × b: area z/2, first moment z (a + b)/6,
 // second moment z (a·a + a·b + b·b)/12.
 OutlineMoments momentsOf(std::span<const Vec2> corners) {
@@ -133,8 +139,8 @@ Outline::Outline(std::span<const Vec2> corners) : corners_(corners.begin(), corn
     convex_ = convex_ && cross2(sides_[k].along, sides_[(k + 1) % count].along) >= -1e-12;
 }
 
-// Of a convex outline the side of which the point is farthest outside. Of another the nearest side, and inside
-// is where a ray crosses the outline an odd number of times.
+// Of a convex outline the side of which the point is farthest outside. Of another the nearest side: inside is what lies
+// behind it.
 Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
   Clearance found;
   if (convex_) {
@@ -147,26 +153,18 @@ Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
   }
   double least2 = std::numeric_limits<double>::infinity();
   double mostFront = 0.0;
-  bool inside = false;
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const Side& side = sides_[k];
     const Vec2 a = side.from, b = corners_[(k + 1) % corners_.size()];
-    if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y)))
-      inside = !inside;
     const Vec2 middle = (a + b) * 0.5;
     const double along = glm::dot(point - middle, side.along), half = 0.5 * side.length;
     const Vec2 way = point - (along <= -half ? a : along >= half ? b : middle + side.along * along);
     const double distance2 = glm::dot(way, way);
     const double front = glm::dot(way, side.normal);
-    // Two sides are equally near at their corner: that counts which the point lies on the outside of, or else more in
-    // front of.
-    const bool tied = distance2 == least2;
-    const bool nearer = tied ? (front > 0.0) > (mostFront > 0.0) || ((front > 0.0) == (mostFront > 0.0) &&
-                                                                     std::abs(front) > std::abs(mostFront))
-                             : distance2 < least2;
-    if (nearer) least2 = distance2, mostFront = front, found.side = k;
+    if (!isNearer(distance2, front, least2, mostFront)) continue;
+    least2 = distance2, mostFront = front, found.side = k;
   }
-  found.outside = inside ? -std::sqrt(least2) : std::sqrt(least2);
+  found.outside = mostFront > 0.0 ? std::sqrt(least2) : -std::sqrt(least2);
   return found;
 }
 
