@@ -17,6 +17,7 @@ double sameTurn_m(double radius) { return 1e-9 * radius; }
 constexpr int kKicksOfAJam = 64;
 constexpr double kJamPerRadius = 1e-6;  // of the time in which light crosses the radius
 constexpr double kStill = 1e-9;         // of light speed: slower than this, jammed pucks do not kick
+constexpr double kStands = 1e-18;       // likewise: a disc that comes to a cushion slower than this stops
 
 /// Whether a kick keeps every spin.
 bool isSmooth(const RimRules& rims) { return rims.friction == 0.0; }
@@ -115,7 +116,8 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
   }
   if (isPressed(first, turn[0].x.t) && isPressed(second, turn[1].x.t)) {
     if (!corners && !discsStayElastic()) return settle(who, contact, turn, history), kNever;
-    if (corners && a.withoutDelay && settleCorners(who, turn, contact.event, contact.U, history)) return kNever;
+    if (corners && a.withoutDelay && settleCorners(who, turn, contact.event, contact.U, history))
+      return kNever;
   }
   const double e = std::min(restitution(first, puckRestitution_, turn[0].x.t),
                             restitution(second, puckRestitution_, turn[1].x.t));
@@ -219,9 +221,14 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   PuckState& player = pucks_[i];
   const double e = restitution(i, cushionRestitution_, contact.turn.x.t);
   const Turning turning = turningAt(i, contact.turn.properTime);
-  const std::optional<SpinningCushionKick> found =
+  std::optional<SpinningCushionKick> found =
       cushionKick(i, cushion, contact.event, contact.turn, turning.j, e);
   if (!found) return;
+  // Two rough cushions in whose corner a disc lies turn it by turns, at one moment, and slow it without end.
+  if (outlineOf(i) == nullptr && cushions_[cushion].towards(contact.turn.u) < kStands) {
+    const double heat = massOf(i, turning.j) * contact.turn.u.t - massOf(i, 0.0);
+    found = SpinningCushionKick{{{1.0, 0.0, 0.0}, heat, 0.0}, 0.0};
+  }
   const CushionKick* const kick = &found->centre;
   accounts_.heat += kick->heat;
   contact.event = cornerBefore(cushion, contact).value_or(contact.event);

@@ -98,8 +98,7 @@ std::vector<CollisionScheduler::Together> CollisionScheduler::together() const {
     const int first = static_cast<int>(i);
     for (const Unparted& one : pucks_[i].unparted) {
       if (one.other < first) continue;
-      pairs.push_back({{pucks_[i].file, pucks_[static_cast<std::size_t>(one.other)].file},
-                       one.contact});
+      pairs.push_back({{pucks_[i].file, pucks_[static_cast<std::size_t>(one.other)].file}, one.contact});
     }
   }
   return pairs;

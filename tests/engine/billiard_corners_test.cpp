@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "engine/billiard/billiard.h"
+#include "engine/billiard/collision_scheduler.h"
 #include "engine/corner_games.h"
 
 namespace carom {
@@ -138,6 +139,15 @@ TEST(BilliardCorners, AnElasticDiscThatAHookHoldsIsKickedFewTimes) {
     ASSERT_LT(game.events().size(), 1000u) << "at " << t_s << " s";
   }
   EXPECT_GT(game.events().size(), 100u);
+}
+
+// Two rough cushions turn a disc by turns, and slow it each time, at one moment.
+TEST(BilliardCorners, ADiscInACornerOfRoughCushionsComesToRest) {
+  const BilliardSetup setup = cornerGame(1535);
+  CollisionScheduler game(setup);
+  GameHistory history(setup);
+  EXPECT_TRUE(game.playUntil(6.0 * kC_m_s, 2000, history));
+  EXPECT_GT(history.eventCount(), 20u);
 }
 
 BilliardSetup twoBars() {
