@@ -140,7 +140,7 @@ bool CollisionScheduler::hasDeferredBefore(double limit) {
 // Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
 // they are needed: a puck's own, then what these lead to. Of two that meet, which are due at once, the first does it.
 void CollisionScheduler::prefetchUpcoming() {
-  constexpr int kOwn = DueQueue::kSoon, kOthers = 6;  // events ahead
+  constexpr int kOwn = DueQueue::kSoon, kOthers = 11;  // events ahead
   const auto fetch = [&](int i) {
     prefetch(&outlooks_[i]);
     prefetch(&discs_[i]);
