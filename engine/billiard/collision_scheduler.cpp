@@ -15,6 +15,7 @@ std::vector<CushionPlane> cushionsOf(const std::optional<Board>& board) {
 }
 
 constexpr std::size_t kPucksInCache = 2000;
+constexpr unsigned kStepsAtOnce = 4;  // for which data are asked for
 
 std::vector<std::size_t> byName(const std::vector<Puck>& pucks) {
   std::vector<std::size_t> order(pucks.size());
@@ -137,10 +138,9 @@ bool CollisionScheduler::hasDeferredBefore(double limit) {
 }
 
 // Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
-// they are needed, one kind after the other, as each is found by the one before: a puck's own, those of the one
-// that it meets, and their cells.
-void CollisionScheduler::prefetchUpcoming(const GameHistory& history) {
-  constexpr int kOwn = DueQueue::kSoon, kOthers = 11, kCells = 6;  // events ahead
+// they are needed: a puck's own, then what these lead to. Of two that meet, which are due at once, the first does it.
+void CollisionScheduler::prefetchUpcoming() {
+  constexpr int kOwn = DueQueue::kSoon, kOthers = 11;  // events ahead
   const auto fetch = [&](int i) {
     prefetch(&outlooks_[i]);
     prefetch(&discs_[i]);
@@ -151,22 +151,18 @@ void CollisionScheduler::prefetchUpcoming(const GameHistory& history) {
   queue_.lookAhead(1, kOthers, [&](int i) {
     const Outlook& own = outlooks_[i];
     const int cell = cells_.cellOf(i), axis = leavesFirst(i);
-    cells_.fetch(cell);
-    if (own.leavesCell < own.next.ownTime)
+    if (own.leavesCell < own.next.ownTime) {
+      cells_.fetch(cell);
       return cells_.fetchAhead(cells_.beside(cell, axis, wayAlong(i, axis)), axis, wayAlong(i, axis));
+    }
+    const int other = own.next.kind == Kind::pair ? own.next.with : i;
+    if (other < i) return;
     cells_.fetchNear(cell);
-    fetchState(i);
-    if (own.next.kind == Kind::pair) fetch(own.next.with), fetchState(own.next.with);
-  });
-  queue_.lookAhead(2, kCells, [&](int i) {
-    const Outlook& own = outlooks_[i];
-    if (own.leavesCell < own.next.ownTime) return;
-    history.fetch(pucks_[i].file);
-    if (own.firstDependent >= 0) fetch(own.firstDependent);
-    if (own.next.kind != Kind::pair) return;
-    cells_.fetchNear(cells_.cellOf(own.next.with));
-    history.fetch(pucks_[own.next.with].file);
-    if (const int dependent = outlooks_[own.next.with].firstDependent; dependent >= 0) fetch(dependent);
+    if (cells_.cellOf(other) != cell) cells_.fetchNear(cells_.cellOf(other));
+    for (const int puck : {i, other}) {
+      fetchState(puck);
+      if (const int dependent = outlooks_[puck].firstDependent; dependent >= 0) fetch(dependent);
+    }
   });
 }
 
@@ -175,7 +171,7 @@ void CollisionScheduler::step(GameHistory& history) {
   clock_ = std::max(clock_, queue_.firstDue());
   moveEpoch();
   members_.clear();
-  if (pucks_.size() > kPucksInCache) prefetchUpcoming(history);
+  if (pucks_.size() > kPucksInCache && ++steps_ % kStepsAtOnce == 0) prefetchUpcoming();
   const PredictedEvent predicted = outlooks_[i].next;
   if (outlooks_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
   switch (predicted.kind) {

@@ -168,7 +168,7 @@ class CollisionScheduler {
   void flashUntil(double limit, GameHistory& history);
   void step(GameHistory& history);
   bool hasDeferredBefore(double limit);
-  void prefetchUpcoming(const GameHistory& history);
+  void prefetchUpcoming();
   void meet(int i, GameHistory& history);
   void predictMembers(int i, int j);
   bool waitsForItself(int i) const;
@@ -386,6 +386,7 @@ class CollisionScheduler {
   double gammaBound_ = 1.0;        // the greatest γ for which the cells are large enough
   double pairReach_ = 0.0;         // the distance within which two pucks must be compared
   bool cellsTooSmall_ = false;
+  unsigned steps_ = 0;
   double rollbackWindow_ = 0.0;
   double clock_ = 0.0;
   Accounts accounts_;

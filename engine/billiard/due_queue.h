@@ -45,11 +45,11 @@ class DueQueue {
   /// among the soonest. An item that is given a time among those visited is not visited again.
   template <class Visit>
   void lookAhead(int stage, int count, Visit visit) {
-    int& seen = seen_[stage];
-    seen = std::max(seen, begin_);
-    for (const int end = std::min(begin_ + count, end_); seen < end; ++seen) visit(soon_[seen].item);
+    const int from = std::max(seen_[stage], begin_), to = std::max(from, std::min(begin_ + count, end_));
+    seen_[stage] = to;
+    for (int k = from; k < to; ++k) visit(soon_[k].item);
   }
-  static constexpr int kStages = 3;
+  static constexpr int kStages = 2;
   static constexpr int kSoon = 16;  // after `first`, fewer are known only where the calendar ends
   static constexpr int kMostSoon = 128;
   /// Prefetches an item's time from memory.

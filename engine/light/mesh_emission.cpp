@@ -142,33 +142,24 @@ template <bool kDetails>
   }
 }
 
-// The same loops for each instruction set. Neither set contracts, so both give the same bits.
-
-template <bool kDetails>
-CAROM_AVX2 void onOneLegAvx2(const FloatLeg& leg, const Block& block) {
-  onOneLeg<kDetails>(leg, CAROM_ARRAYS_OF(block));
-}
-template <bool kDetails, int kSteps>
-CAROM_AVX2 void onOneSpinningLegAvx2(const FloatLeg& leg, const Block& block) {
-  onOneSpinningLeg<kDetails, kSteps>(leg, CAROM_ARRAYS_OF(block));
-}
-template <bool kDetails>
-CAROM_AVX2 void betweenTwoLegsAvx2(const FloatLeg& from, const FloatLeg& to, const Block& block) {
-  betweenTwoLegs<kDetails>(from, to, CAROM_ARRAYS_OF(block));
-}
-
-template <bool kDetails>
-void onOneLegBaseline(const FloatLeg& leg, const Block& block) {
-  onOneLeg<kDetails>(leg, CAROM_ARRAYS_OF(block));
-}
-template <bool kDetails, int kSteps>
-void onOneSpinningLegBaseline(const FloatLeg& leg, const Block& block) {
-  onOneSpinningLeg<kDetails, kSteps>(leg, CAROM_ARRAYS_OF(block));
-}
-template <bool kDetails>
-void betweenTwoLegsBaseline(const FloatLeg& from, const FloatLeg& to, const Block& block) {
-  betweenTwoLegs<kDetails>(from, to, CAROM_ARRAYS_OF(block));
-}
+// The same loops for each instruction set. None contracts, so all give the same bits.
+#define CAROM_LOOPS(NAME, TARGET)                                                              \
+  template <bool kDetails>                                                                     \
+  struct NAME {                                                                                \
+    TARGET static void oneLeg(const FloatLeg& leg, const Block& block) {                       \
+      onOneLeg<kDetails>(leg, CAROM_ARRAYS_OF(block));                                         \
+    }                                                                                          \
+    template <int kSteps>                                                                      \
+    TARGET static void oneSpinningLeg(const FloatLeg& leg, const Block& block) {               \
+      onOneSpinningLeg<kDetails, kSteps>(leg, CAROM_ARRAYS_OF(block));                         \
+    }                                                                                          \
+    TARGET static void twoLegs(const FloatLeg& from, const FloatLeg& to, const Block& block) { \
+      betweenTwoLegs<kDetails>(from, to, CAROM_ARRAYS_OF(block));                              \
+    }                                                                                          \
+  };
+CAROM_LOOPS(Baseline, )
+CAROM_LOOPS(Avx2, CAROM_AVX2)
+CAROM_LOOPS(Avx512, CAROM_AVX512)
 
 bool glides(const LegView& leg) { return leg.glide.w > 0.0; }
 bool spins(const LegView& leg) { return leg.spin.w > 0.0; }
@@ -211,24 +202,32 @@ void alongChain(const BodyView& view, const Block& block) {
   }
 }
 
-template <bool kDetails>
-void solveBlock(const BodyView& view, const std::array<FloatLeg, 2>& legs, InstructionSet instructions,
-                const Block& block) {
-  const bool avx2 = instructions == InstructionSet::avx2;
+template <class Loops>
+void solveBlock(const BodyView& view, const std::array<FloatLeg, 2>& legs, const Block& block) {
   const bool straight = std::none_of(view.legs.begin(), view.legs.end(),
                                      [](const LegView& leg) { return glides(leg) || spins(leg); });
   if (view.legs.size() == 1 && straight) {
-    (avx2 ? onOneLegAvx2<kDetails> : onOneLegBaseline<kDetails>)(legs[0], block);
+    Loops::oneLeg(legs[0], block);
   } else if (view.legs.size() == 2 && straight) {
-    (avx2 ? betweenTwoLegsAvx2<kDetails> : betweenTwoLegsBaseline<kDetails>)(legs[0], legs[1], block);
+    Loops::twoLegs(legs[0], legs[1], block);
   } else if (view.legs.size() == 1 && spinsUniformly(view.legs[0])) {
     const bool fast = view.legs[0].spin.w > 4.0;
-    const auto solve =
-        avx2 ? (fast ? onOneSpinningLegAvx2<kDetails, 6> : onOneSpinningLegAvx2<kDetails, 4>)
-             : (fast ? onOneSpinningLegBaseline<kDetails, 6> : onOneSpinningLegBaseline<kDetails, 4>);
-    solve(legs[0], block);
+    (fast ? Loops::template oneSpinningLeg<6> : Loops::template oneSpinningLeg<4>)(legs[0], block);
   } else {
     alongChain(view, block);
+  }
+}
+
+template <bool kDetails>
+void solveBlock(const BodyView& view, const std::array<FloatLeg, 2>& legs, InstructionSet instructions,
+                const Block& block) {
+  switch (instructions) {
+    case InstructionSet::baseline:
+      return solveBlock<Baseline<kDetails>>(view, legs, block);
+    case InstructionSet::avx2:
+      return solveBlock<Avx2<kDetails>>(view, legs, block);
+    case InstructionSet::avx512:
+      return solveBlock<Avx512<kDetails>>(view, legs, block);
   }
 }
 

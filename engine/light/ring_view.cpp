@@ -250,7 +250,7 @@ std::size_t RingView::see(std::size_t first, const SeenPoints& seen) {
     return seen.size();
   }
   const bool details = !seen.doppler.empty() || !seen.boardTime_m.empty();
-  const bool avx2 = instructions_ == InstructionSet::avx2;
+  const bool avx2 = instructions_ != InstructionSet::baseline;
   SeeRuns* const seeRuns = details ? (avx2 ? seeRunsAvx2<true> : seeRunsBaseline<true>)
                                    : (avx2 ? seeRunsAvx2<false> : seeRunsBaseline<false>);
   const glm::mat4 headFromBoard(headFromBoard_.matrix());
