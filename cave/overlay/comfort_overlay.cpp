@@ -15,7 +15,7 @@
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
 #include "shaders/shade_frag.h"
-#include "shaders/stereo_vert.h"
+#include "shaders/shade_vert.h"
 
 namespace carom {
 namespace {
@@ -42,7 +42,7 @@ glm::dvec3 sightOf(const RoomGeometry& room, const FrameRecord& record) {
 }
 
 ComfortOverlay::ComfortOverlay()
-    : program_(makeProgram("dark edges", shaders::stereo_vert, shaders::shade_frag)) {}
+    : program_(makeProgram("dark edges", shaders::shade_vert, shaders::shade_frag)) {}
 
 void ComfortOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
                           const FrameRecord& record, const RenderTarget& picture) {

@@ -30,6 +30,8 @@ constexpr double kBounced =
 constexpr double kLampRadius_m = 0.15;
 constexpr double kOffSurface_m =
     2e-3;  // where rays begin, above the surface, and how far from a lamp they end
+constexpr double kNearest_m =
+    1e-3;  // of what can hide: a place where parts meet lies in the other's surface, which hides nothing of its front
 constexpr int kLampRays = 12, kFewestRays = 8, kMostRays = 64;
 constexpr std::size_t kRaysInAll = 8'000'000;  // of the hall's light, so that no scene takes long
 
@@ -60,6 +62,7 @@ class Obstacles {
     RTCRay ray{};
     ray.org_x = from.x, ray.org_y = from.y, ray.org_z = from.z;
     ray.dir_x = way.x, ray.dir_y = way.y, ray.dir_z = way.z;
+    ray.tnear = static_cast<float>(kNearest_m);
     ray.tfar = static_cast<float>(length_m);
     ray.mask = ~0U;
 #if RTC_VERSION_MAJOR >= 4
@@ -145,7 +148,10 @@ void bakePart(const Obstacles& obstacles, const std::array<glm::dvec3, 3>& lamps
     const auto tupleOf = [i](vtkDataArray* array) {
       return glm::dvec3(array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2));
     };
-    const glm::dvec3 normal = tupleOf(normals), place_m = tupleOf(places) + kOffSurface_m * normal;
+    const glm::dvec3 normal = tupleOf(normals);
+    // What stands is lifted off what it stands on, too: no ray begins in the ground and passes below it.
+    const glm::dvec3 off(normal.x, normal.y, normal.z + 1.0 - std::abs(normal.z));
+    const glm::dvec3 place_m = tupleOf(places) + kOffSurface_m * off;
     const auto set = [&](int k, double share) {
       bytes[static_cast<std::size_t>(4 * i + k)] = static_cast<std::uint8_t>(std::lround(255.0 * share));
     };

@@ -103,6 +103,12 @@ TEST(BakedLight, AHallIsDarkUnderItsTableAndInItsCornersAndTheClothIsLit) {
   for (const double lamp : under.lamps) EXPECT_LT(lamp, 0.05) << "the table hides the lamps";
   for (const double lamp : open.lamps) EXPECT_GT(lamp, 0.5);
   for (const double lamp : cloth.lamps) EXPECT_EQ(lamp, 1.0);
+  // The cushions' feet touch the cloth, which hides the lower half of the hall and no lamp.
+  const Lit feet = meanWhere(scene, Paint::plain, [](const glm::dvec3& place_m) {
+    return std::abs(place_m.z) < 1e-6 && std::abs(place_m.x) < 1.421 && std::abs(place_m.y) < 0.711;
+  });
+  for (const double lamp : feet.lamps) EXPECT_GT(lamp, 0.95);
+  EXPECT_NEAR(feet.hall, 0.6, 0.1);
   EXPECT_LT(under.hall, 0.65 * open.hall);
   EXPECT_GT(cloth.hall, 0.9);
   const double floor_m = Hall{}.floor_m;
