@@ -225,7 +225,9 @@ Nearest nearestOf(std::span<const Vec2> corners) {
     if (!isNearer(distance2, front, least2, mostFront)) continue;
     least2 = distance2, mostFront = front, nearest = point, found.side = k, found.share = share;
   }
-  const bool inside = !(mostFront > 0.0);
+  const bool atCorner = std::abs(found.share) >= 1.0;
+  const bool inside =
+      atCorner ? !turnsLeft(corners, found.share < 0.0 ? found.side : found.side + 1) : !(mostFront > 0.0);
   const double distance = std::sqrt(least2);
   found.outside = inside ? -distance : distance;
   found.towards = nearest * ((inside ? -1.0 : 1.0) / distance);

@@ -99,6 +99,12 @@ std::optional<OutlineFault> faultOf(std::span<const Vec2> corners) {
   return std::nullopt;
 }
 
+bool turnsLeft(std::span<const Vec2> corners, std::size_t corner) {
+  const std::size_t count = corners.size();
+  const Vec2 &at = corners[corner % count], &before = corners[(corner + count - 1) % count];
+  return cross2(at - before, corners[(corner + 1) % count] - at) > 0.0;
+}
+
 bool isNearer(double distance2, double front, double least2, double frontOfLeast) {
   if (distance2 != least2) return distance2 < least2;
   const bool inFront = front > 0.0, leastInFront = frontOfLeast > 0.0;
@@ -140,7 +146,7 @@ Outline::Outline(std::span<const Vec2> corners) : corners_(corners.begin(), corn
 }
 
 // Of a convex outline the side of which the point is farthest outside. Of another the nearest side: inside is what lies
-// behind it.
+// behind it, or nearest to a dent.
 Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
   Clearance found;
   if (convex_) {
@@ -153,6 +159,7 @@ Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
   }
   double least2 = std::numeric_limits<double>::infinity();
   double mostFront = 0.0;
+  bool outside = false;
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const Side& side = sides_[k];
     const Vec2 a = side.from, b = corners_[(k + 1) % corners_.size()];
@@ -163,8 +170,9 @@ Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
     const double front = glm::dot(way, side.normal);
     if (!isNearer(distance2, front, least2, mostFront)) continue;
     least2 = distance2, mostFront = front, found.side = k;
+    outside = std::abs(along) < half ? front > 0.0 : turnsLeft(corners_, along < 0.0 ? k : k + 1);
   }
-  found.outside = mostFront > 0.0 ? std::sqrt(least2) : -std::sqrt(least2);
+  found.outside = outside ? std::sqrt(least2) : -std::sqrt(least2);
   return found;
 }
 

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "engine/collision/outline.h"
+#include "engine/sampled_body.h"
 
 namespace carom {
 namespace {
@@ -101,6 +103,33 @@ TEST(Outline, ClearanceInsideAndOutside) {
   EXPECT_DOUBLE_EQ(notch.clearanceOf({0.0, 0.5}).outside, std::sqrt(0.125));
   EXPECT_DOUBLE_EQ(notch.clearanceOf({0.0, -0.75}).outside, -0.25);
   EXPECT_DOUBLE_EQ(notch.clearanceOf({3.0, 2.0}).outside, std::sqrt(5.0));
+}
+
+// Against the number of crossings of a ray: stars with sharp points and dents.
+TEST(Outline, APointIsInsideWhereARaySaysSo) {
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int inside = 0, outside = 0;
+  for (int n = 0; n < 500; ++n) {
+    const int count = 4 + n % 17;
+    std::vector<Vec2> corners;
+    for (int k = 0; k < count; ++k) {
+      const double at = 2.0 * M_PI * (k + 0.8 * uniform(random)) / count, far = 0.1 + 0.9 * uniform(random);
+      corners.push_back({far * std::cos(at), far * std::sin(at)});
+    }
+    if (faultOf(corners)) continue;
+    const Outline outline(corners);
+    const test::SampledBody sampled(corners, {0.0, 0.0, 0.0}, {0.0, 0.0}, 0.0, outline.radius());
+    for (int m = 0; m < 100; ++m) {
+      const Vec2 point{2.2 * uniform(random) - 1.1, 2.2 * uniform(random) - 1.1};
+      const double depth = sampled.depthOf({0.0, point.x, point.y});
+      const double clearance = outline.clearanceOf(point).outside;
+      ASSERT_EQ(depth > 0.0, clearance < 0.0) << "outline " << n << " at " << point.x << ", " << point.y;
+      (depth > 0.0 ? inside : outside) += 1;
+    }
+  }
+  EXPECT_GT(inside, 5000);
+  EXPECT_GT(outside, 5000);
 }
 
 }  // namespace
