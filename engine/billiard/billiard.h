@@ -56,21 +56,22 @@ class GameHistory;
 ///   most 1e-6 c, a millionth of R in the time after which a puck in peace is no more pressed. Elastic pucks
 ///   between elastic cushions are never pressed. `jams` tells where.
 /// * What is pressed keeps its spin: rims in a jam neither slip nor roll on each other.
-/// * Bodies with corners lie on each other, and on cushions, at several places. Elastic ones can be pressed as well,
-///   and elastic discs beside them; a kick without delay counts as 16. Where such a body meets another without delay, both pressed, or a cushion,
-///   all kicks between it and all pressed pucks that touch it, in a chain, happen at once, without friction, each
-///   time at the place at which two close fastest, until none closes faster than 1e-10 c: elastic ones where the
-///   rules are elastic, else with the restitution 1/4, so that it comes to an end after few. These kicks change
-///   spins. Bodies that are so wedged that 300 rounds do not settle it, or that have been in 64 jams without peace,
-///   move on as one, without spins, and what energy is over is heat. A pair that recedes where it is in contact, by
-///   the momenta that are decided, is kicked where else it touches and approaches; a pair of bodies that turn can
-///   meet again on the same legs where nothing came of a contact.
+/// * Bodies with corners lie on each other, and on cushions, at several places. Elastic ones can be pressed as
+///   well, and elastic discs beside them; a kick without delay counts as 16. Where such a body meets another
+///   without delay, both pressed, or a cushion, all kicks between it and all pressed pucks that touch it, in a
+///   chain, happen at once, without friction, each time at the place at which two close fastest, until none closes
+///   faster than 1e-10 c: elastic ones where the rules are elastic, else with the restitution 1/4, so that it comes
+///   to an end after few. These kicks change spins. Bodies that are so wedged that 300 rounds do not settle it, or
+///   that have been in 64 jams without peace, move on as one, without spins, and what energy is over is heat. A
+///   pair that recedes where it is in contact, by the momenta that are decided, is kicked where else it touches and
+///   approaches; a pair of bodies that turn can meet again on the same legs where nothing came of a contact.
 /// * A body with corners and another that have come together remember that contact until they have parted. Thin ones
 ///   can be deep in each other, or behind each other, when light has told their centres: until they are back, only
 ///   those sides kick from which they came (earlier_contact.h). Where a third one turns one of them while they are
 ///   behind each other, they stay there.
 /// * Of a puck whose last 64 kicks, cushions' among them, fell within a millionth of that time, kicks are
 ///   perfectly plastic until it has been left in peace for as long: so between two cushions.
+///   A disc that comes to a cushion slower than 1e-18 c stops: rough ones would turn it in their corner without end.
 ///
 /// With friction, the contact of two pucks is at the first board time t at which Dpar = dmin for the flights
 /// that touch the two world lines at t, or, of a pair already in contact, where the later leg begins in its
