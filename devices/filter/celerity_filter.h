@@ -1,6 +1,6 @@
 #pragma once
 // The celerity of a tracked point from its noisy positions: an interacting-multiple-model Kalman filter
-// (Blom and Bar-Shalom 1988). Each model holds another idea of how vigorously a head moves at present, from
+// (Blom and Bar-Shalom 1988; Bar-Shalom, Li and Kirubarajan 2001, 11.6). Each model holds another idea of how vigorously a head moves at present, from
 // standing still to hurrying; every sample tells how likely each is, and the estimate is their mean.
 //
 // The models' values (celerity_filter.cpp) were found on six simulated heads and on twelve recorded ones (of
@@ -48,8 +48,15 @@ class CelerityFilter {
   /// each m/s² of constant acceleration. It is the value of the moving models; a still head has no lag.
   double lag_s() const;
 
-  /// Returns where the point will be `ahead_s` after the last position.
-  glm::dvec3 predictedPosition_m(double ahead_s) const;
+  /// Where the point is and how it moves.
+  struct Course {
+    glm::dvec3 position_m{0.0};
+    glm::dvec3 celerity_m_s{0.0};
+  };
+  /// Returns the expected course `ahead_s` after the last position: the mean of the models, each of which goes
+  /// on by itself.
+  Course predicted(double ahead_s) const;
+  glm::dvec3 predictedPosition_m(double ahead_s) const { return predicted(ahead_s).position_m; }
 
   /// Returns the standard deviation (one component) of a position measured at that time if the point kept its
   /// celerity.
