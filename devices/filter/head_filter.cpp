@@ -46,8 +46,8 @@ double leftAfter(double ahead_s) {
   return 1.0 - u * u * (3.0 - 2.0 * u);
 }
 
-// How long a head that goes on as before would take for the way that one takes whose celerity fades by the share
-// 1 − u²(3 − 2u): the integral of that share, u − u³ + u⁴/2 in units of the fade.
+// How long a head that goes on as before would take for the way that one takes whose celerity fades by the
+// share 1 − u²(3 − 2u): the integral of that share, u − u³ + u⁴/2 in units of the fade.
 double coasted_s(double ahead_s) {
   const double u = fadedAfter(ahead_s);
   return std::min(ahead_s, kTrackCoasts_s) + kTrackFades_s * u * (1.0 - u * u * (1.0 - 0.5 * u));
@@ -169,8 +169,8 @@ glm::dvec3 HeadFilter::shownCelerity_m_s(double time_s) const {
   return leftAfter(ahead_s) * (share_ * expected_m_s + (1.0 - share_) * before_m_s_);
 }
 
-// Of a celerity that has faded to the share l, shown = l (share estimated + (1 − share) before), samples are back:
-// the estimate's share is l share from there on.
+// Of a celerity that has faded to the share l, shown = l (share estimated + (1 − share) before), samples are
+// back: the estimate's share is l share from there on.
 void HeadFilter::takeOverFade(double time_s) {
   const double left = leftAfter(time_s - time_s_), share = left * share_;
   if (left == 1.0) return;

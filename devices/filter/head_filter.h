@@ -53,24 +53,27 @@ enum class SampleUse {
 ///
 /// Samples where no head gets are glitches of the tracker and count as loss (jump_judge.h). Where no usable
 /// sample comes, because somebody has lifted an arm, the head goes on as its models expect it, by their mean
-/// and covariance, for 0.5 s. A sample that comes back by then is taken by the models as any other: the longer
-/// the gap, the less the estimate counts beside it (the prediction of a Kalman filter over a missing
-/// measurement; Bar-Shalom, Li and Kirubarajan, Estimation with Applications to Tracking and Navigation, 2001,
-/// 5.2 and 11.6). Nothing is begun anew, and nothing fades.
+/// and covariance, for 0.5 s. A sample that comes back by then is taken by the models as any other: the
+/// longer the gap, the less the estimate counts beside it (the prediction of a Kalman filter over a missing
+/// measurement; Bar-Shalom, Li and Kirubarajan, Estimation with Applications to Tracking and Navigation,
+/// 2001, 5.2 and 11.6). Nothing is begun anew, and nothing fades.
 ///
-/// From 0.5 s on the head comes to rest: the share of its celerity that is shown falls as 1 − u²(3 − 2u), smooth
-/// at both ends, and is zero a second after the last sample. The pose goes on at the shown celerity and stops
-/// with it. Samples that return then are taken by the models, too, and the share grows again over 0.2 s. After a
-/// whole second nothing is known of the motion, and celerity is estimated anew and fades in likewise.
+/// From 0.5 s on the head comes to rest: the share of its celerity that is shown falls as 1 − u²(3 − 2u),
+/// smooth at both ends, and is zero a second after the last sample. The pose goes on at the shown celerity
+/// and stops with it. Samples that return then are taken by the models, too, and the share grows again over
+/// 0.2 s. After a whole second nothing is known of the motion, and celerity is estimated anew and fades in
+/// likewise.
 ///
-/// The celerity of a recent sample is not predicted: what it gains by its acceleration counts from 0.1 s after
-/// the sample on. The orientation goes on turning for 0.1 s and stops, since turns of the head are brief.
+/// The celerity of a recent sample is not predicted: what it gains by its acceleration counts from 0.1 s
+/// after the sample on. The orientation goes on turning for 0.1 s and stops, since turns of the head are
+/// brief.
 ///
-/// When samples come back after more than 0.1 s, the pose slides to the new place at 1 m/s and 3 rad/s, beside
-/// the user's own motion: where the prediction was off by 3 cm, as is usual after 0.3 s, in 30 ms. A step of the
-/// tracker is slid over in the same way; the celerity ignores it. Glitches that follow one another for 0.3 s are
-/// the head's new place, and so is a place to which no head gets from its course within a gap of over 0.3 s:
-/// celerity is estimated anew, and within 0.2 s the estimate takes the place of the celerity shown before.
+/// When samples come back after more than 0.1 s, the pose slides to the new place at 1 m/s and 3 rad/s,
+/// beside the user's own motion: where the prediction was off by 3 cm, as is usual after 0.3 s, in 30 ms. A
+/// step of the tracker is slid over in the same way; the celerity ignores it. Glitches that follow one
+/// another for 0.3 s are the head's new place, and so is a place to which no head gets from its course within
+/// a gap of over 0.3 s: celerity is estimated anew, and within 0.2 s the estimate takes the place of the
+/// celerity shown before.
 ///
 /// That slide is a motion of the shown pose and none of the celerity. The observer's world line follows it
 /// (engine/spacetime/observer.h) and stays timelike at any light speed: an eye that was put elsewhere instead
@@ -97,8 +100,8 @@ class HeadFilter {
   /// Returns whether a sample has been used.
   bool hasStarted() const { return started_; }
 
-  /// Lets the celerity grow from nothing to its full size over the 0.5 s after this time. From its first samples
-  /// the filter cannot tell noise from motion, so the scene would jump when a session begins.
+  /// Lets the celerity grow from nothing to its full size over the 0.5 s after this time. From its first
+  /// samples the filter cannot tell noise from motion, so the scene would jump when a session begins.
   void fadeInFrom(double time_s) { fadesInFrom_s_ = time_s; }
 
   /// Returns the present estimate of the tracker's noise: standard deviation per axis, metres.

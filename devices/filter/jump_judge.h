@@ -9,11 +9,11 @@ namespace carom {
 
 /// The kinds of samples.
 enum class Jump {
-  none,     ///< the head, which continues from the last used sample
-  doubted,  ///< where a head cannot get: not to be used, or not yet
-  quick,    ///< the head; the doubted sample before was the head, too: both are to be used
-  shifted,  ///< the head, which the tracker shows beside its place before: see offset_m()
-  elsewhere,  ///< a place to which doubted samples have led for long, or out of reach: nothing is known of the motion
+  none,       ///< the head, which continues from the last used sample
+  doubted,    ///< where a head cannot get: not to be used, or not yet
+  quick,      ///< the head; the doubted sample before was the head, too: both are to be used
+  shifted,    ///< the head, which the tracker shows beside its place before: see offset_m()
+  elsewhere,  ///< the head, out of reach or after many doubts: nothing is known of its motion
 };
 
 /// Judges samples by the head's course, as its filter foresees it. A head that stands reaches 15 m/s² within
@@ -26,8 +26,9 @@ enum class Jump {
 ///  * beside the course by always the same, for 45 ms: a step of the tracker. The head goes on as it did;
 ///  * anything else, from place to place at below 12 m/s, for long: the head's new place.
 ///
-/// After a gap of over 0.3 s a sample is believed at once. It is the head on its course where a head that left it
-/// with 15 m/s² for 0.3 s might be, and otherwise the head elsewhere: a tracker that was set up anew meanwhile.
+/// After a gap of over 0.3 s a sample is believed at once. It is the head on its course where a head that
+/// left it with 15 m/s² for 0.3 s might be, and otherwise the head elsewhere: a tracker that was set up anew
+/// meanwhile.
 ///
 /// So one sample that is 5 mm off at 60 Hz leaves no trace, nor a step of half a metre, spread over several
 /// samples or not. No allocation, the same bits in every run.

@@ -25,8 +25,8 @@ constexpr double kMostColour = 4.0;
 // Beyond this spacing quick shakes of the head show a little: nothing is extrapolated from what it shows.
 constexpr double kExtrapolated_s = 0.03;
 constexpr double kBlock_s = 0.1;  // of the means that show how long errors last
-// The steps of means over half a second, in units of their fifth differences, as variances: of white noise 1, of
-// errors that last for 50 ms 2, of a head that moves many.
+// The steps of means over half a second, in units of their fifth differences, as variances: of white noise 1,
+// of errors that last for 50 ms 2, of a head that moves many.
 constexpr double kCourseOfStill = 4.0;
 constexpr double kColourByChance = 1.7;  // what two seconds of white noise hardly ever show
 constexpr double kMostStillColour =
@@ -168,8 +168,8 @@ void TrackerNoise::addToBlock(double time_s, const glm::dvec3& position_m) {
   block_.sum_m += position_m;
 }
 
-// A mean over n samples of white noise of variance σ² has the variance σ²/n: n times what the means show is the
-// variance of white noise that has as much power at their low frequencies.
+// A mean over n samples of white noise of variance σ² has the variance σ²/n: n times what the means show is
+// the variance of white noise that has as much power at their low frequencies.
 void TrackerNoise::learnColour() {
   const double recentShare = -std::expm1(-means_.interval_s() / kRecent_s);
   recentMeans_m2_ += recentShare * (means_.noise_m2() - recentMeans_m2_);

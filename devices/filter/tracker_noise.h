@@ -20,8 +20,8 @@ namespace carom {
 /// While the sensor is still, it is no motion. Then means over 0.1 s show how large the errors are that last
 /// (a magnetic tracker near metal: 1 mm for 50 ms), by Allan's method (1966) with fifth differences: of white
 /// noise a mean over n samples keeps 1/n of the variance, of errors that last it keeps more. The ratio, its
-/// colour, is remembered while the sensor moves. A sensor is still where it has not gone further within half a
-/// second than such errors explain.
+/// colour, is remembered while the sensor moves. A sensor is still where it has not gone further within half
+/// a second than such errors explain.
 ///
 /// A tracker that rounds its positions has errors of a third of its step q (Widrow's q/√12), and none for
 /// seconds where the sensor is still: the estimate is no smaller than that.

@@ -36,8 +36,8 @@ inline constexpr double kGlitchOfSeveral_m_s = 3.0;
 /// The most observers whose heads are tracked in one room.
 inline constexpr std::size_t kMostViewers = 4;
 
-/// When no sample of the head comes, its pose is predicted for so long, and after that it is overdue. It goes on
-/// as it moved until kTrackCoasts_s, comes to rest smoothly in the kTrackFades_s after that, and is lost then.
+/// When no sample of the head comes, its pose is predicted for so long, and is then overdue. It goes on until
+/// kTrackCoasts_s, comes to rest smoothly in the kTrackFades_s after that, and is lost then.
 inline constexpr double kTrackPredicted_s = 0.1, kTrackCoasts_s = 0.5, kTrackFades_s = 0.5;
 inline constexpr double kTrackLost_s = kTrackCoasts_s + kTrackFades_s;
 

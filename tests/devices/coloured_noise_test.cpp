@@ -9,6 +9,7 @@
 #include <random>
 
 #include "devices/filter/head_filter.h"
+#include "devices/lasting_noise.h"
 #include "devices/recorded_head.h"
 #include "devices/simulated_heads.h"
 #include "devices/velocity_peers.h"
@@ -21,35 +22,11 @@ const glm::dvec3 kPlace_m(0.5, 1.7, -0.3);
 
 Pose at(const glm::dvec3& position_m) { return {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)}; }
 
-// Errors that are forgotten with a time constant (Ornstein and Uhlenbeck 1930).
-class LastingNoise {
- public:
-  LastingNoise(std::uint64_t seed, double sigma_m, double tau_s, double rate_hz)
-      : random_(seed), keeps_(std::exp(-1.0 / (rate_hz * tau_s))), sigma_m_(sigma_m) {
-    now_m_ = trackerNoise(random_, sigma_m);
-  }
-  glm::dvec3 operator()() {
-    return now_m_ = keeps_ * now_m_ + trackerNoise(random_, sigma_m_ * std::sqrt(1.0 - keeps_ * keeps_));
-  }
-
- private:
-  std::mt19937_64 random_;
-  double keeps_, sigma_m_;
-  glm::dvec3 now_m_{0.0};
-};
-
-// RMS of a component from five seconds on, while the sensor keeps its place for half a minute.
-double restOf_m_s(HeadFilter& filter, double rate_hz, const std::function<glm::dvec3()>& sample) {
-  double square = 0.0;
-  int count = 0;
-  for (int i = 0; i < 30.0 * rate_hz; ++i) {
-    filter.add(i / rate_hz, at(sample()));
-    if (i < 5.0 * rate_hz) continue;
-    const glm::dvec3 celerity_m_s = filter.at(i / rate_hz).celerity_m_s;
-    square += glm::dot(celerity_m_s, celerity_m_s) / 3.0;
-    ++count;
-  }
-  return std::sqrt(square / count);
+VelocityFilter celerityOf(HeadFilter filter) {
+  return [filter](double time_s, const glm::dvec3& position_m) mutable {
+    filter.add(time_s, at(position_m));
+    return filter.at(time_s).celerity_m_s;
+  };
 }
 
 // A magnetic tracker near metal: 1 mm for 50 ms. At c = 1.42 m/s, 5 mm/s turn the sky by 0.2°.
@@ -57,9 +34,9 @@ TEST(ColouredNoise, AHeadAtRestIsCalm) {
   for (const double rate_hz : test::someOf({60.0, 30.0, 120.0, 240.0})) {
     for (const double sigma_m : {0.0003, 0.001}) {
       for (const std::uint64_t seed : {1u, 2u, 3u}) {
-        HeadFilter filter;
         LastingNoise noise(seed, sigma_m, 0.05, rate_hz);
-        const double rest_m_s = restOf_m_s(filter, rate_hz, [&] { return kPlace_m + noise(); });
+        const double rest_m_s =
+            restOf_m_s(celerityOf(HeadFilter()), rate_hz, [&] { return kPlace_m + noise(); });
         EXPECT_LE(rest_m_s, 0.005) << sigma_m << " m at " << rate_hz << " Hz, seed " << seed;
       }
     }
@@ -113,8 +90,7 @@ TEST(RoundedPositions, TheEdgeOfAStepIsNoMotion) {
       for (const double edge : {0.5, 0.49, 0.45, 0.4, 0.3, 0.2}) {
         for (const bool isTurned : {false, true}) {
           std::mt19937_64 random(7);
-          HeadFilter filter;
-          const double rest_m_s = restOf_m_s(filter, 60.0, [&] {
+          const double rest_m_s = restOf_m_s(celerityOf(HeadFilter()), 60.0, [&] {
             const glm::dvec3 at_m =
                 (glm::dvec3(520.0, 1700.0, -300.0) + edge) * step_m + trackerNoise(random, own * step_m);
             const glm::dvec3 rounded_m = step_m * glm::round(at_m / step_m);

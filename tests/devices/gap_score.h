@@ -15,7 +15,8 @@ struct GapScore {
   double worst_m_s = 0.0;  ///< the largest error there
 };
 
-/// Takes samples out of the path for `gap_s` every two seconds and a little, beginning elsewhere with each seed.
+/// Takes samples out of the path for `gap_s` every two seconds and a little, beginning elsewhere with each
+/// seed.
 inline GapScore gapScoreOf(const Path& path, double gap_s, const FilterMaker& make, int seeds,
                            double noise_m = kTrackerNoise_m) {
   constexpr double kEvery_s = 2.13, kAfter_s = 0.3, kFirst_s = 3.0;

@@ -104,7 +104,8 @@ TEST(HeadGap, ThePlaceGoesOnAndNeverJumps) {
           coasted += glm::dot(off_m, off_m);
           held += glm::dot(lastMeasured_m - now.truth_m, lastMeasured_m - now.truth_m);
         }
-        // The way of the head, as it was or is estimated, and the slide; noise moves the place by less than 2 mm.
+        // The way of the head, as it was or is estimated, and the slide; noise moves the place by less than 2
+        // mm.
         const double fastest_m_s = std::max({glm::length(now.head.celerity_m_s), glm::length(estimated_m_s),
                                              glm::length(now.velocity_m_s)}) +
                                    kSlew_m_s;
@@ -122,14 +123,14 @@ TEST(HeadGap, ThePlaceGoesOnAndNeverJumps) {
       // 0.3 s of sliding are 0.3 m; what is left then is noise.
       EXPECT_LT(late_m, 0.005) << head.name << ", " << gap_s << " s";
     }
-    // Two thirds as far off as a head that is held, of all heads. (One that turns quickly about its neck does not
-    // go on.)
+    // Two thirds as far off as a head that is held, of all heads. (One that turns quickly about its neck does
+    // not go on.)
     EXPECT_LT(coasted, 0.45 * held) << gap_s << " s";
   }
 }
 
-// Walking evenly at 1 m/s: nothing changes for half a second, then the celerity falls smoothly, is zero after a
-// second, and grows smoothly when samples return. Nothing jumps.
+// Walking evenly at 1 m/s: nothing changes for half a second, then the celerity falls smoothly, is zero after
+// a second, and grows smoothly when samples return. Nothing jumps.
 TEST(HeadGap, AfterHalfASecondTheHeadComesToRest) {
   const simulated_heads::Course walk = [](double time_s) { return glm::dvec3(time_s, 0.0, 0.0); };
   for (const double gap_s : {0.17, 0.3, 0.5, 0.7, 0.9, 1.0, 5.0}) {
@@ -149,7 +150,8 @@ TEST(HeadGap, AfterHalfASecondTheHeadComesToRest) {
         EXPECT_LT(x_m_s, 0.95) << gap_s << " " << now.missing_s;
       }
       if (frames > 60) {
-        // 1 − u²(3 − 2u) over 0.5 s: at most 1.5/0.5 s a second, and its slope changes by 6/0.5² s² at most. Back over 0.2 s.
+        // 1 − u²(3 − 2u) over 0.5 s: at most 1.5/0.5 s a second, and its slope changes by 6/0.5² s² at most.
+        // Back over 0.2 s.
         EXPECT_TRUE(std::abs(change_m_s) < (fades ? 3.0 : 5.0) * kFrame_s + 0.03)
             << gap_s << " " << now.missing_s << " " << now.back_s;
         if (fades && missingBefore_s > 0.0) {

@@ -15,8 +15,8 @@
 
 namespace carom {
 
-/// A movement from rest to rest. Its course has the least mean jerk, as measured for arms and heads (Flash and
-/// Hogan 1985): the share 10u³ − 15u⁴ + 6u⁵ of the way after the share u of the time.
+/// A movement from rest to rest. Its course has the least mean jerk, as measured for arms and heads (Flash
+/// and Hogan 1985): the share 10u³ − 15u⁴ + 6u⁵ of the way after the share u of the time.
 struct Movement {
   double begin_s = 0.0, lasts_s = 1.0;
   glm::dvec3 way{0.0};
@@ -64,8 +64,8 @@ inline Course swaying(std::mt19937_64& random, double size_m) {
   };
 }
 
-/// Walks of 1 to 2.5 m with halts between. The head rises and falls by 2 cm at each step, and leans to the side
-/// at every other (Hirasaki et al. 1999).
+/// Walks of 1 to 2.5 m with halts between. The head rises and falls by 2 cm at each step, and leans to the
+/// side at every other (Hirasaki et al. 1999).
 inline Course walking(std::mt19937_64& random, double speed_m_s, double steps_hz) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   std::vector<Movement> walks, going;
