@@ -97,18 +97,17 @@ SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
   }
 
   const double interval_s = time_s - time_s_;
-  const bool isOverdue = interval_s > kTrackPredicted_s;
-  const bool returned = isOverdue || jump == Jump::elsewhere || jump == Jump::shifted;
+  const bool returned = interval_s > kTrackPredicted_s || jump == Jump::elsewhere || jump == Jump::shifted;
   const Pose shown = returned ? shownPose(time_s) : Pose{};
   if (jump == Jump::elsewhere || interval_s > kTrackLost_s) {
     before_m_s_ = shownCelerity_m_s(time_s);
     share_ = 0.0;
     start(time_s, measured);
   } else {
-    if (isOverdue)
-      takeOverFade(time_s);
-    else
-      share_ = std::min(1.0, share_ + interval_s / kFadesBack_s);
+    takeOverFade(time_s);
+    if (interval_s <= kTrackCoasts_s) {
+      share_ = std::min(1.0, share_ + std::min(interval_s, kTrackPredicted_s) / kFadesBack_s);
+    }
     if (jump == Jump::quick) use(doubted_.time_s, doubted_.roomFromHead);
     if (jump == Jump::shifted) celerity_.moveBy(judge_.offset_m());
     use(time_s, measured);

@@ -189,6 +189,15 @@ TEST(HeadGap, TheErrorIsStated) {
   }
 }
 
+// Each sample of a tracker of 5 Hz is overdue when it comes: after a loss the walk is seen again all the same.
+TEST(HeadGap, ASlowTrackerReturnsToo) {
+  HeadFilter filter;
+  for (int i = 0; i < 60; ++i) {
+    if (i < 20 || i >= 30) filter.add(0.2 * i, at({0.2 * i, 1.7, 0.0}));
+  }
+  EXPECT_NEAR(filter.at(0.2 * 59).celerity_m_s.x, 1.0, 0.03);
+}
+
 // A tracker that comes back a metre beside the course was set up anew: no head gets there. Nobody has moved.
 TEST(HeadGap, ATrackerThatReturnsElsewhereIsNoMotion) {
   for (const double gap_s : {0.4, 0.8, 2.0}) {
@@ -204,6 +213,20 @@ TEST(HeadGap, ATrackerThatReturnsElsewhereIsNoMotion) {
     }
     EXPECT_LT(fastest_m_s, 0.02) << gap_s;  // a raw difference of noise is 0.025
     EXPECT_NEAR(filter.at(10.0).pose.position_m.x, 1.0, 0.001) << gap_s;
+  }
+}
+
+// The same beneath someone who walks: the walk goes on as it was until it is known anew.
+TEST(HeadGap, ATrackerThatReturnsElsewhereLeavesTheWalk) {
+  std::mt19937_64 random(8);
+  HeadFilter filter;
+  for (int i = 0; i < 600; ++i) {
+    const double time_s = i * kFrame_s;
+    if (time_s >= 5.0 && time_s < 5.4) continue;
+    filter.add(time_s, at(glm::dvec3(time_s, 1.7, time_s < 5.0 ? 0.0 : 2.0) + trackerNoise(random)));
+    if (time_s < 4.0) continue;
+    EXPECT_TRUE(glm::distance(filter.at(time_s).celerity_m_s, glm::dvec3(1.0, 0.0, 0.0)) < 0.1)
+        << time_s << ": " << filter.at(time_s).celerity_m_s.x;
   }
 }
 
