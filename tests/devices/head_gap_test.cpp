@@ -198,6 +198,40 @@ TEST(HeadGap, ASlowTrackerReturnsToo) {
   EXPECT_NEAR(filter.at(0.2 * 59).celerity_m_s.x, 1.0, 0.03);
 }
 
+// Gathering way when samples stop: the celerity is that of the place 0.1 s before, by the difference of places.
+TEST(HeadGap, TheCelerityGoesOnAsThePlaceDoes) {
+  std::mt19937_64 random(10);
+  HeadFilter filter;
+  const auto place_m = [](double time_s) {
+    const double since_s = std::max(0.0, time_s - 2.0);
+    return glm::dvec3(0.5 * since_s * since_s, 1.7, 0.0);  // 1 m/s²
+  };
+  for (int i = 0; i < 180; ++i) filter.add(i * kFrame_s, at(place_m(i * kFrame_s) + trackerNoise(random)));
+  const double last_s = 179 * kFrame_s, last_m_s = filter.at(last_s).celerity_m_s.x;
+  constexpr double kStep_s = 1e-4;
+  for (double ahead_s = 0.12; ahead_s < 0.5; ahead_s += 0.05) {
+    const double then_s = last_s + ahead_s - 0.1;
+    const glm::dvec3 way_m =
+        filter.at(then_s + kStep_s).pose.position_m - filter.at(then_s - kStep_s).pose.position_m;
+    const glm::dvec3 celerity_m_s = filter.at(last_s + ahead_s).celerity_m_s;
+    EXPECT_TRUE(glm::distance(celerity_m_s, way_m / (2.0 * kStep_s)) < 1e-6) << ahead_s;
+    if (ahead_s > 0.3) {
+      EXPECT_GT(celerity_m_s.x, last_m_s + 0.05) << ahead_s;
+    }
+  }
+}
+
+TEST(HeadGap, TheErrorOfAFadingCelerityIsStated) {
+  std::mt19937_64 random(11);
+  HeadFilter filter;
+  for (int i = 0; i < 180; ++i)
+    filter.add(i * kFrame_s, at(glm::dvec3(i * kFrame_s, 1.7, 0.0) + trackerNoise(random)));
+  for (const double after_s : {0.12, 0.6, 0.75, 0.9, 0.98, 1.5}) {
+    const HeadEstimate head = filter.at(179 * kFrame_s + after_s);
+    EXPECT_GT(head.sigma_m_s, 0.9 * std::abs(1.0 - head.celerity_m_s.x)) << after_s;
+  }
+}
+
 // A tracker that comes back a metre beside the course was set up anew: no head gets there. Nobody has moved.
 TEST(HeadGap, ATrackerThatReturnsElsewhereIsNoMotion) {
   for (const double gap_s : {0.4, 0.8, 2.0}) {
