@@ -29,8 +29,8 @@ constexpr double kBlock_s = 0.1;  // of the means that show how long errors last
 // of errors that last for 50 ms 2, of a head that moves many.
 constexpr double kCourseOfStill = 4.0;
 constexpr double kColourByChance = 1.7;  // what two seconds of white noise hardly ever show
-constexpr double kMostStillColour =
-    36.0;  // errors of 100 ms at 60 Hz; of longer ones a head's sway is not told
+// Errors of 1 mm that last for 100 ms, at 60 Hz. Those that last longer are not told from a head's sway.
+constexpr double kMostStillColour = 36.0;
 constexpr double kMostRounding_m = 0.002;  // coarser steps are judged as jumps (jump_judge.h)
 constexpr int kAgreeing = 16;              // as many on end are no chance
 constexpr double kMostMultiple = 16.0;     // of squares; the next ones lie too close together to tell
