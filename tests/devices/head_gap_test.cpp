@@ -120,7 +120,7 @@ TEST(HeadGap, ThePlaceGoesOnAndNeverJumps) {
         before_m = place_m;
         estimated_m_s = now.head.celerity_m_s;
       });
-      // 0.3 s of sliding are 0.3 m; what is left then is noise.
+      // 0.3 s of sliding are 0.3 m; the rest is noise.
       EXPECT_LT(late_m, 0.005) << head.name << ", " << gap_s << " s";
     }
     // Two thirds as far off as a head that is held, of all heads. (One that turns quickly about its neck does
@@ -172,7 +172,7 @@ TEST(HeadGap, AfterHalfASecondTheHeadComesToRest) {
   }
 }
 
-// The stated error holds what is not known in the gap: RMS of errors beside that of the stated ones.
+// The stated error covers the gap: RMS of errors beside that of the stated ones.
 TEST(HeadGap, TheErrorIsStated) {
   for (const double gap_s : {0.2, 0.5, 0.9}) {
     double square = 0.0, stated = 0.0;
