@@ -26,6 +26,8 @@ const char* wordOf(TrackerHealth::State state) {
   switch (state) {
     case TrackerHealth::State::connecting:
       return texts::console::kConnecting;
+    case TrackerHealth::State::untouched:
+      return texts::console::kUntouched;
     case TrackerHealth::State::delivering:
       return texts::console::kDelivering;
     case TrackerHealth::State::silent:

@@ -381,7 +381,8 @@ inline constexpr Text kNextGame = "Next: {}, in {:.0f} s";
 inline constexpr Text kBestShot = "Best shot again", kBestShotTip = "On the walls, as the visitor saw it.";
 
 // Trackers.
-inline constexpr Text kConnecting = "being looked for", kDelivering = "delivers", kSilent = "silent";
+inline constexpr Text kConnecting = "being looked for", kDelivering = "delivers", kSilent = "silent",
+                      kUntouched = "no presses yet";
 inline constexpr Text kFailed = "needs help";
 struct Column {
   Text name;
