@@ -82,7 +82,7 @@ const ImVec4& lightOfTrackers(const ConsoleFrame& frame) {
 
 void drawTrackers(const ConsoleFrame& frame) {
   if (frame.status.trackers.empty()) {
-    dim(frame.keys == KeysOf::session ? texts::console::kNoTracker : texts::console::kRecordedHead);
+    dim(isLive(frame.keys) ? texts::console::kNoTracker : texts::console::kRecordedHead);
     return;
   }
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg;
