@@ -162,6 +162,7 @@ std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
   addBeginning(command, options);
   addSession(command, options);
   command.add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  addWithoutNodes(command, options->withoutNodes);
   addUnattended(command, options);
   addSilent(command, options->silent);
   addExtraWindows(command, options->extra);
