@@ -182,7 +182,7 @@ class RoomStatus {
     }
     writer_.write();
   }
-  /// Returns whether a node 0 writes the file, or has written its end.
+  /// Returns whether the file is another process's: of a node 0 that lives, or that has written its end.
   bool isByNodes() const {
     const ReadStatus status = readStatus(file_);
     if (status.process <= 0 || status.process == getpid()) return false;
@@ -190,7 +190,7 @@ class RoomStatus {
   }
   std::string text() {
     const std::scoped_lock hold(mutex_);
-    if (!std::exchange(isNew_, false) && isByNodes()) return {};
+    if (!std::exchange(isNew_, false) && isByNodes()) return withNewTime(file_);
     nlohmann::ordered_json status = statusOf(state_);
     if (!why_.empty()) status["message"] = why_;
     if (!missing_.empty()) status["missing"] = missing_;
@@ -228,7 +228,10 @@ class RealNodes : public RoomNodes {
     while (!asked && now_s() < until_s) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     return !asked;
   }
-  std::vector<HostFault> ask(const Hosts& hosts) override { return askHosts(hosts, ownProgram(), asked); }
+  std::vector<HostFault> ask(const Hosts& hosts) override {
+    status_.start();
+    return askHosts(hosts, ownProgram(), asked);
+  }
   std::optional<std::vector<HostFault>> poll(const Hosts& hosts) override {
     if (!answers_.valid())
       answers_ = std::async(std::launch::async, [hosts] { return askHosts(hosts, ownProgram(), asked); });

@@ -58,6 +58,7 @@ int RoomKeeper::keep() {
 std::optional<int> RoomKeeper::gather() {
   leaveOutMissing({});  // those that came back in vain
   for (std::size_t turn = 0;; ++turn) {
+    const double asked_s = nodes_.now_s();
     const std::vector<HostFault> faults = nodes_.ask(names(false));
     if (nodes_.isAskedToEnd()) return 0;
     const bool isUnfit =
@@ -67,7 +68,7 @@ std::optional<int> RoomKeeper::gather() {
       return 1;
     }
     if (faults.empty()) return {};
-    note(faults, turn);
+    note(faults, asked_s, turn == 0);
     if (leaveOutMissing(faults)) continue;
     const double usual_s = patience_.again_s[std::min(turn, patience_.again_s.size() - 1)];
     const double pause_s = std::max(1.0, std::min(usual_s, untilLeftOut_s()));
@@ -79,14 +80,14 @@ std::optional<int> RoomKeeper::gather() {
   }
 }
 
-/// Notes since when hosts are missing, and logs it the first time.
-void RoomKeeper::note(const std::vector<HostFault>& faults, std::size_t turn) {
+/// Notes since when hosts are missing. Logs it if they were asked for the first time.
+void RoomKeeper::note(const std::vector<HostFault>& faults, double asked_s, bool isFirst) {
   for (const HostFault& fault : faults) {
     const auto found =
         std::find_if(hosts_.begin(), hosts_.end(), [&](const Host& host) { return host.name == fault.host; });
     if (found == hosts_.end()) continue;
-    if (!found->missing_s) found->missing_s = nodes_.now_s();
-    if (turn == 0) log::warn(fault.words);
+    if (!found->missing_s) found->missing_s = asked_s;
+    if (isFirst) log::warn(fault.words);
   }
 }
 

@@ -81,7 +81,7 @@ class RoomKeeper {
     int answers = 0;                    ///< while it is out: one after the other
   };
   std::optional<int> gather();
-  void note(const std::vector<HostFault>& faults, std::size_t turn);
+  void note(const std::vector<HostFault>& faults, double asked_s, bool isFirst);
   bool leaveOutMissing(const std::vector<HostFault>& faults);
   void leaveOut(Host& host);
   double untilLeftOut_s() const;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -18,13 +19,12 @@ namespace {
 
 constexpr std::chrono::seconds kEvery{1};
 
+std::string now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+
 }  // namespace
 
 nlohmann::ordered_json statusOf(const char* state) {
-  return {{"version", CAROM_VERSION},
-          {"written", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
-          {"state", state},
-          {"process", getpid()}};
+  return {{"version", CAROM_VERSION}, {"written", now()}, {"state", state}, {"process", getpid()}};
 }
 
 std::string linesOf(const nlohmann::ordered_json& status) {
@@ -37,6 +37,16 @@ ReadStatus readStatus(const std::filesystem::path& file) try {
   ReadStatus status{json.at("state").get<std::string>(), json.at("process").get<pid_t>()};
   if (json.contains("frame")) status.frame = json["frame"].get<std::uint64_t>();
   return status;
+} catch (const nlohmann::json::exception&) {
+  return {};
+}
+
+std::string withNewTime(const std::filesystem::path& file) try {
+  std::ifstream in(file);
+  auto status = nlohmann::ordered_json::parse(in);
+  if (kill(status.at("process").get<pid_t>(), 0) == 0) return {};
+  status["written"] = now();
+  return linesOf(status);
 } catch (const nlohmann::json::exception&) {
   return {};
 }

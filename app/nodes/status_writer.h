@@ -29,6 +29,10 @@ struct ReadStatus {
 };
 ReadStatus readStatus(const std::filesystem::path& file);
 
+/// Returns the last words of a process that has ended, as if they were written now. Empty while the process lives, or if
+/// the file cannot be read.
+std::string withNewTime(const std::filesystem::path& file);
+
 /// Replaces the file as a whole once a second, whatever the rest of the program does: a reader never sees half of it.
 /// If it cannot be written any more, this is logged once.
 class StatusWriter {

@@ -139,7 +139,7 @@ job=
 rm on
 "$carom" room --no-doctor --without later later.toml --scenario three-pucks --frames 1 --no-window --session without.db \
   --capture without --status status.json 2>stderr || fail "without a host"
-[ "$(ls without)" = "$(printf '%s\n' front-{left,right}-0000.png)" ] || fail "without a host, the pictures are $(ls without)"
+[ "$(ls without)" = "$(printf '%s\n' front-{left,right}-000000.png)" ] || fail "without a host, the pictures are $(ls without)"
 [ "$(status missing)" = "[{'name': 'later', 'walls': ['left', 'right', 'floor']}]" ] || fail "the status is $(cat status.json)"
 
 # Four local nodes, from the rig alone, judged before. One of them hangs for a while, one dies, another in the new start.

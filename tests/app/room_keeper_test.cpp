@@ -160,6 +160,17 @@ TEST(RoomKeeper, LeavesOutAHostAfterAMinuteAndTakesItBack) {
   EXPECT_NE(said.lines.find("host left is left out: its walls (left) stay dark"), std::string::npos);
 }
 
+TEST(RoomKeeper, LeavesOutAHostWhoseLoginHangsAsSoon) {
+  MadeUpNodes nodes;
+  nodes.asking_s = 15.0;
+  nodes.script = {{End::cutOff, 3.0, 200.0}};
+  nodes.silent["left"] = {1100.0, 9000.0};
+  const Said said;
+  EXPECT_EQ(RoomKeeper(nodes, {"first", "left"}, {}).keep(), 0);
+  EXPECT_LT(nodes.began_s.at(1), 1218.0 + 60.0 + 2 * 15.0 + 2.0)
+      << "a minute, the question then, and one to the rest";
+}
+
 TEST(RoomKeeper, NeverLeavesOutTheHostOfNodeZero) {
   MadeUpNodes nodes;
   nodes.script = {{End::cutOff, 3.0, 200.0}};
