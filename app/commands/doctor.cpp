@@ -335,7 +335,7 @@ int judgeAll(const DoctorOptions& options) {
   bool isRoom = false;
   try {
     isRoom = !isNode && options.rig && nodesOf(readRig(*options.rig)) > 1;
-  } catch (const InputErrors&) {  // the doctor says what is wrong
+  } catch (const InputErrors&) {  // the doctor reports them
   }
   if (!isRoom) return runDoctor(options);
   RoomOptions room;

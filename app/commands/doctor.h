@@ -19,8 +19,9 @@ struct DoctorOptions {
   std::filesystem::path folder = ".";  ///< of the session files
 };
 
-/// Prints what this machine has and lacks; under mpirun a table of all nodes. With a rig, judges whether they can show
-/// it, and the room as a whole. Returns the exit status: 0, or 1 if something keeps a session from running.
+/// Prints what this machine has and lacks; under mpirun a table of all nodes. With a rig, judges whether they
+/// can show it, and the room as a whole. Returns the exit status: 0, or 1 if something keeps a session from
+/// running.
 int runDoctor(const DoctorOptions& options);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.

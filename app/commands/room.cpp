@@ -96,7 +96,8 @@ std::vector<std::string> withoutArguments(std::vector<std::string> arguments, co
   return arguments;
 }
 
-/// Returns whether a job has ended with this status because it lost a node, rather than because it cannot begin.
+/// Returns whether a job has ended with this status because it lost a node, rather than because it cannot
+/// begin.
 bool isOfLostNode(int status) { return status == kNodeLost || status >= 128; }
 
 /// Returns the arguments with which `carom doctor` judges the room for a session.
@@ -149,7 +150,7 @@ class PrivateStatus {
   std::filesystem::path folder_;
 };
 
-/// What the status says while node 0 does not.
+/// The status file while node 0 does not write it.
 class RoomStatus {
  public:
   explicit RoomStatus(const std::optional<std::filesystem::path>& file)
@@ -167,7 +168,8 @@ class RoomStatus {
     missing_ = std::move(missing);
   }
   void end() try {
-    writer_.end([this] { return isByNodes() ? std::string() : linesOf(statusOf("ended")); });
+    writer_.end(
+        [this] { return readStatus(file_).state == "ended" ? std::string() : linesOf(statusOf("ended")); });
   } catch (const NotWritten& error) {
     log::warn(error.what());
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What `carom doctor` judges of the room as a whole: its trackers, links between nodes, disk and ports.
+// The part of `carom doctor` about the room as a whole: its trackers, links between nodes, disk and ports.
 
 #include <filesystem>
 
@@ -9,15 +9,15 @@
 
 namespace carom {
 
-/// Listens to the rig's devices for some seconds: do they send, how often, and the sensors that the rig uses? Returns
-/// how many poses they all send in a second.
+/// Listens to the rig's devices for some seconds: do they send, how often, and the sensors that the rig uses?
+/// Returns how many poses they all send in a second.
 double judgeTrackers(const Rig& rig, NodeHealth& report);
 
 /// Judges the messages between the nodes. Every rank must call it; the report is rank 0's.
 void judgeLinks(const Cluster& cluster, const Rig& rig, NodeHealth& report);
 
-/// Judges the space for session files in a folder, in hours of session. `rig` may be null; `poses_hz`: those of its
-/// trackers.
+/// Judges the space for session files in a folder, in hours of session. `rig` may be null; `poses_hz`: those
+/// of its trackers.
 void judgeDisk(const std::filesystem::path& folder, const Rig* rig, double poses_hz, NodeHealth& report);
 
 /// Judges the ports that the rig fixes for the messages of the nodes. `ranks`: those on this computer.

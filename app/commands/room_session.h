@@ -1,5 +1,6 @@
 #pragma once
-// The session of `carom room`: the arguments with which it begins, how far it has come, and those with which it goes on.
+// The session of `carom room`: the arguments with which it begins, how far it has come, and those with which
+// it goes on.
 
 #include <cstdint>
 #include <filesystem>

@@ -20,8 +20,8 @@ inline constexpr double kHostAnswers_s = 15.0;
 /// Returns whether a rig's host is this computer.
 bool isThisComputer(const std::string& host);
 
-/// Asks all other hosts at once, each once, whether `program` is there in this version. Returns why those cannot
-/// that cannot, after `limit_s` at the latest; nothing once `cancelled`.
+/// Asks all other hosts at once, each once, whether `program` is there in this version. Returns why those
+/// cannot that cannot, after `limit_s` at the latest; nothing once `cancelled`.
 std::vector<HostFault> askHosts(const std::vector<std::string>& hosts, const std::string& program,
                                 const std::atomic<bool>& cancelled, double limit_s = kHostAnswers_s);
 

@@ -20,9 +20,9 @@ struct JobEnd {
   bool wasStopped = false;  ///< `isToStop` said so
 };
 
-/// Runs mpirun in a process group of its own, so that Ctrl-C in the terminal reaches it through this process alone, and
-/// waits for its end. It is asked to end once `asked` is true (set by a signal's handler) or `isToStop`, which is called
-/// about five times a second, returns true.
+/// Runs mpirun in a process group of its own, so that Ctrl-C in the terminal reaches it through this process
+/// alone, and waits for its end. It is asked to end once `asked` is true (set by a signal's handler) or
+/// `isToStop`, which is called about five times a second, returns true.
 JobEnd runJob(const std::vector<std::string>& words, const std::atomic<bool>& asked,
               const std::function<bool()>& isToStop, double ends_s = kJobEnds_s);
 
@@ -32,7 +32,8 @@ class JobWatch {
   /// `starts_s`: the time until the first frame. After node 0 has ended, the job gets `ends_s`.
   JobWatch(std::filesystem::path status, double starts_s, double ends_s = kJobEnds_s);
 
-  /// Looks once more. `elapsed_s`: since the job began. Returns a sentence if the job hangs, otherwise nothing.
+  /// Looks once more. `elapsed_s`: since the job began. Returns a sentence if the job hangs, otherwise
+  /// nothing.
   std::string look(double elapsed_s);
   /// Returns how long there have been frames, at the latest look; 0 before the first.
   double played_s() const { return played_s_; }

@@ -54,7 +54,8 @@ int RoomKeeper::keep() {
   }
 }
 
-/// Asks the hosts until each either answers or is left out. Returns the exit status if the room ends before that.
+/// Asks the hosts until each either answers or is left out. Returns the exit status if the room ends before
+/// that.
 std::optional<int> RoomKeeper::gather() {
   leaveOutMissing({});  // those that came back in vain
   for (std::size_t turn = 0;; ++turn) {
@@ -91,8 +92,8 @@ void RoomKeeper::note(const std::vector<HostFault>& faults, double asked_s, bool
   }
 }
 
-/// Leaves out the hosts among the faults that have been missing for too long, and those that were back in vain, if the
-/// room can play without them. Returns whether it left any out.
+/// Leaves out the hosts among the faults that have been missing for too long, and those that were back in
+/// vain, if the room can play without them. Returns whether it left any out.
 bool RoomKeeper::leaveOutMissing(const std::vector<HostFault>& faults) {
   constexpr int kVainStarts = 2;
   bool isAny = false;

@@ -1,6 +1,6 @@
 #pragma once
-// Keeps a room playing: starts its nodes again whenever they end before they were asked to, waits for hosts that do not
-// answer, and leaves out the walls of those that stay away until they answer again.
+// Keeps a room playing: starts its nodes again whenever they end before they were asked to, waits for hosts
+// that do not answer, and leaves out the walls of those that stay away until they answer again.
 
 #include <functional>
 #include <optional>
@@ -54,8 +54,8 @@ class RoomNodes {
   virtual bool canPlayWithout(const std::vector<std::string>& hosts) = 0;
   /// Returns the walls that these hosts draw, for messages.
   virtual std::string wallsOf(const std::vector<std::string>& hosts) = 0;
-  /// Starts the nodes of all other hosts, from where they were, and returns when they have ended. About once a
-  /// second `isToEnd` says whether they are to end.
+  /// Starts the nodes of all other hosts, from where they were, and returns when they have ended. About once
+  /// a second `isToEnd` says whether they are to end.
   virtual RoomRun run(const std::vector<std::string>& without, const std::function<bool()>& isToEnd) = 0;
 };
 
@@ -65,8 +65,8 @@ class RoomKeeper {
   RoomKeeper(RoomNodes& nodes, const std::vector<std::string>& hosts, const std::vector<std::string>& leftOut,
              RoomPatience patience = {});
 
-  /// Keeps the room playing until it has come to its end, is asked to end, or cannot begin at all. Returns the exit
-  /// status.
+  /// Keeps the room playing until it has come to its end, is asked to end, or cannot begin at all. Returns
+  /// the exit status.
   int keep();
 
  private:

@@ -21,7 +21,7 @@ nlohmann::ordered_json statusOf(const char* state);
 /// Returns the status as the content of its file.
 std::string linesOf(const nlohmann::ordered_json& status);
 
-/// What a status file tells `carom room` of the session that writes it.
+/// The part of a status file that `carom room` reads.
 struct ReadStatus {
   std::string state;                     ///< empty if the file cannot be read
   pid_t process = 0;                     ///< of node 0
@@ -29,16 +29,16 @@ struct ReadStatus {
 };
 ReadStatus readStatus(const std::filesystem::path& file);
 
-/// Returns the last words of a process that has ended, as if they were written now. Empty while the process lives, or if
-/// the file cannot be read.
+/// Returns the last words of a process that has ended, as if they were written now. Empty while the process
+/// lives, or if the file cannot be read.
 std::string withNewTime(const std::filesystem::path& file);
 
-/// Replaces the file as a whole once a second, whatever the rest of the program does: a reader never sees half of it.
-/// If it cannot be written any more, this is logged once.
+/// Replaces the file as a whole once a second, whatever the rest of the program does: a reader never sees
+/// half of it. If it cannot be written any more, this is logged once.
 class StatusWriter {
  public:
-  /// Writes `text()` at once and then every second, from a thread of its own; an empty text leaves the file as it is.
-  /// Throws NotWritten if the file cannot be written at first.
+  /// Writes `text()` at once and then every second, from a thread of its own; an empty text leaves the file
+  /// as it is. Throws NotWritten if the file cannot be written at first.
   StatusWriter(std::filesystem::path file, std::function<std::string()> text);
   StatusWriter(const StatusWriter&) = delete;
   StatusWriter& operator=(const StatusWriter&) = delete;

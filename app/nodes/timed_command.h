@@ -15,9 +15,9 @@ struct CommandResult {
   bool isCancelled = false;  ///< it was ended because `cancelled` became true
 };
 
-/// Runs a command with an empty standard input and waits until it ends, at most for `limit_s` or until `cancelled`;
-/// then it is killed with all processes that it has started. Its first 64 KiB of output are kept. May be called from
-/// any thread.
+/// Runs a command with an empty standard input and waits until it ends, at most for `limit_s` or until
+/// `cancelled`; then it is killed with all processes that it has started. Its first 64 KiB of output are
+/// kept. May be called from any thread.
 CommandResult runTimed(const std::vector<std::string>& words, double limit_s,
                        const std::atomic<bool>& cancelled);
 

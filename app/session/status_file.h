@@ -18,18 +18,20 @@
 
 namespace carom {
 
-/// A JSON file that is replaced as a whole every second, also while no frames come: whoever reads it never sees half of
-/// it. A thread of its own writes it; if it cannot be written any more, this is logged once and the session goes on.
+/// A JSON file that is replaced as a whole every second, also while no frames come: a reader never sees
+/// half of it. A thread of its own writes it; if it cannot be written any more, this is logged once and
+/// the session goes on.
 class StatusFile : public FrameListener {
  public:
-  /// Writes the first status, "starting". Throws NotWritten if the file cannot be written. `cluster` must outlive this
-  /// object.
+  /// Writes the first status, "starting". Throws NotWritten if the file cannot be written. `cluster` must
+  /// outlive this object.
   StatusFile(std::filesystem::path file, const Cluster& cluster);
   ~StatusFile() override;  ///< writes the last status, "ended"
   StatusFile(const StatusFile&) = delete;
   StatusFile& operator=(const StatusFile&) = delete;
 
-  /// Sets the rig and the title of the game that is played from now on, and its session file, which may be empty.
+  /// Sets the rig and the title of the game that is played from now on, and its session file, which may be
+  /// empty.
   void play(const Rig& rig, const std::string& game, const std::filesystem::path& session);
 
   /// Sets where the numbers come from. Both must outlive the game's frames.

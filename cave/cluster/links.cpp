@@ -19,7 +19,8 @@ double since_s(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Answers node 0's messages. Until its turn a node sleeps, so that it takes no time from the others of its computer.
+/// Answers node 0's messages. Until its turn a node sleeps, so that it takes no time from the others of its
+/// computer.
 void answer(std::vector<char>& block) {
   for (int arrived = 0; !arrived;) {
     MPI_Iprobe(0, kTag, MPI_COMM_WORLD, &arrived, MPI_STATUS_IGNORE);

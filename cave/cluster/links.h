@@ -14,8 +14,8 @@ struct LinkFigures {
   double bytes_per_s = 0.0;
 };
 
-/// Measures node 0's links one after the other, about half a second each. Every rank must call it. Returns, on rank 0,
-/// the figures by rank, the first of them zero; elsewhere nothing.
+/// Measures node 0's links one after the other, about half a second each. Every rank must call it. Returns,
+/// on rank 0, the figures by rank, the first of them zero; elsewhere nothing.
 std::vector<LinkFigures> measureLinks(const Cluster& cluster);
 
 }  // namespace carom

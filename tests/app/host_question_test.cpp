@@ -1,4 +1,5 @@
-// Questions to other computers: an ssh of the test's own answers, refuses, waits for ever, or leaves a process behind.
+// Questions to other computers: an ssh of the test's own answers, refuses, waits for ever, or leaves a
+// process behind.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What keeps a room playing, against computers that are made up: time passes only where they let it.
+// The keeper of a room, against computers that are made up: time passes only where they let it.
 
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ class MadeUpNodes : public RoomNodes {
   double now_s_ = 1000.0;
 };
 
-/// Collects what is said while it lives.
+/// Collects the log's lines while it lives.
 struct Said {
   Said() {
     before =
@@ -226,7 +226,7 @@ TEST(RoomKeeper, EndsWhenItIsAskedToAtAnyMoment) {
   }
 }
 
-/// Whatever fails when: the room plays again within two minutes after the last fault, with all hosts that answer.
+/// After any faults the room plays again, with all hosts that answer.
 TEST(RoomKeeper, PlaysAgainWhateverFails) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
