@@ -168,6 +168,7 @@ std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
       "wand. "
       "Arrows walk, Page Up and Page Down raise and lower the head, Delete and End turn it; the wand points "
       "where the mouse does, and the left button is its trigger");
+  addWithoutNodes(command, options->withoutNodes);
   addUnattended(command, options);
   addSilent(command, options->silent);
   addExtraWindows(command, options->extra);

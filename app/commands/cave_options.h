@@ -36,6 +36,7 @@ struct CaveOptions {
   bool resume = false;       ///< continue from the end of `session`, with its rig and scenario
   bool resumeOrNew = false;  ///< continue the newest game of `session` if there is one
   std::optional<std::filesystem::path> status;  ///< rank 0 says here once a second how the session goes
+  std::vector<int> withoutNodes;                ///< of the rig, whose computers are missing
   bool noWindow = false;
   bool silent = false;  ///< no sounds
   std::string pin;      ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none

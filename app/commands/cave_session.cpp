@@ -235,7 +235,7 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
     std::optional<std::filesystem::path> session;
     if (writeNext(play->journal, options, next, inputs, setup)) session = options.session;
     if (windows.console) windows.console->writeTo(session);
-    if (play->status) play->status->play(setup.rig.title, setup.scenario.title, session.value_or(""));
+    if (play->status) play->status->play(setup.rig, setup.scenario.title, session.value_or(""));
     play->leader.begin(
         settingsOfNext(play->leader.settings(), next, setup.rig, setup.scenario, beginningOf(options)));
     log::note(
@@ -323,11 +323,12 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,         options.recording,
                       options.noWindow,  options.frames.has_value(), options.extra};
   inputs.byMouse = options.byMouse;
+  inputs.withoutNodes = options.withoutNodes;
   Before before;
   std::unique_ptr<StatusFile> status;
   onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
-    if (options.status) status = std::make_unique<StatusFile>(*options.status);
+    if (options.status) status = std::make_unique<StatusFile>(*options.status, cluster);
     before = prepare(options, inputs);
   });
   opened = options.session;
@@ -339,7 +340,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
     if (cluster.rank() > 0) return;
     play = playOf(setup, options, inputs, before);
     play->status = std::move(status);
-    if (play->status) play->status->play(setup.rig.title, setup.scenario.title, options.session.value_or(""));
+    if (play->status) play->status->play(setup.rig, setup.scenario.title, options.session.value_or(""));
   });
   if (play) announce(setup, cluster, options);
   KeyLock lock(options.pin);

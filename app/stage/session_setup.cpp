@@ -11,6 +11,7 @@
 #include "app/files/rig_viewers.h"
 #include "app/files/starting_histories.h"
 #include "app/files/traces.h"
+#include "app/nodes/rig_without.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/frame/pacer.h"
@@ -131,6 +132,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   agreeOnVersion(cluster);
   Handover files(cluster);
   setup.rig = files.rig(options.rig);
+  onAllRanks(cluster, [&] { setup.rig = rigWithout(std::move(setup.rig), options.withoutNodes); });
   if (options.onlyFor) setup.rig = rigFor(std::move(setup.rig), *options.onlyFor);
   if (options.byMouse) onAllRanks(cluster, [&] { putMouseInPlaceOfTrackers(setup.rig); });
   setup.scenario = files.scenario(options.scenario);

@@ -423,6 +423,11 @@ inline constexpr Text kBlack = "black";
 inline constexpr Text kWallTip = "Wall \"{}\", {} × {} pixels, {}, drawn by {}. Here: {}.";
 inline constexpr Text kForMiddle = "for the point between the eyes";
 inline constexpr Text kForLeftEye = "its left eye's picture, if it has two";
+inline constexpr Text kMissing = "{} is missing: {}";
+inline constexpr Text kMissingWalls = "walls {} are dark", kNoWalls = "no wall is dark";
+inline constexpr Text kMissingTip =
+    "This computer did not answer, or was left out. The other walls play on. Once it answers, 'carom room' "
+    "starts the nodes again with its walls.";
 inline constexpr Text kDrawAbsent = "draw other nodes' walls here, too, once a second";
 inline constexpr Text kDrawAbsentTip =
     "For looking only: small, for one eye. It costs this node a little; the first time, the session stops "
