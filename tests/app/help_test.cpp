@@ -113,6 +113,12 @@ TEST(Help, WordsOfAMessageAreEnough) {
   EXPECT_EQ(first("one wall is black"), "one wall is black");
   EXPECT_EQ(first("needs firmware"), "Tracker NAME: … needs firmware: …");
   EXPECT_NE(first("quad-buffer stereo").find("offers no quad-buffer"), std::string::npos);
+  EXPECT_EQ(first("/home/anna/r.toml:12:1:"), "error: FILE:12:8: …, expected …") << "a place in a file";
+  EXPECT_EQ(first("/r.toml:4:12: there is no game 'the wand is lost: no stroke', expected 'table'?"),
+            "…/my-list.toml:4:12: there is no game 'twinz', …")
+      << "names in quotes are not compared";
+  EXPECT_EQ(first("is the room open today"), "") << "words that many messages have tell nothing";
+  EXPECT_EQ(first("who has the key for the door"), "");
   EXPECT_EQ(first("7"), "");
   EXPECT_EQ(first("xyzzy plugh"), "");
   EXPECT_EQ(first("the cat sat upon the mat and purred"), "");

@@ -199,7 +199,7 @@ TEST_P(MousePeopleTest, TheMouseIsTheirsOverWhoseWallsItIs) {
 
 INSTANTIATE_TEST_SUITE_P(BothAxes, MousePeopleTest,
                          testing::Values(Axes{"YUp", {}}, Axes{"ZUp", {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}),
-                         [](const testing::TestParamInfo<Axes>& info) { return info.param.name; });
+                         [](const testing::TestParamInfo<Axes>& axes) { return axes.param.name; });
 
 }  // namespace
 }  // namespace carom
