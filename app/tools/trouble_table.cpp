@@ -21,8 +21,8 @@ constexpr std::size_t kMostFound = 3;
 constexpr double kLeastShare = 0.5;  // of the words of the row, or of those asked for, that must agree
 constexpr double kNextBest = 0.6;    // of the best row's score, for another one to be shown
 
-/// Returns the words by which a message is known. A place in a file ("FILE:12:8:") is a word of its own; what has digits or
-/// quotes, and the page's placeholders, are left out.
+/// Returns the words by which a message is known. A place in a file ("FILE:12:8:") is a word of its own; what
+/// has digits or quotes, and the page's placeholders, are left out.
 Words wordsOf(std::string_view message) {
   static const std::regex kPlace(R"([^\s:]+:\d+:\d+:)");
   static const std::regex kWord(R"([^\s,;:()=\[\]…]+)");
@@ -67,7 +67,8 @@ class Weights {
   std::map<std::string, double> uses_;
 };
 
-/// Returns how alike a message of the table and the words asked for are; 0 if less than half of either agrees.
+/// Returns how alike a message of the table and the words asked for are; 0 if less than half of either
+/// agrees.
 double likeness(const Words& message, const Words& asked, const Weights& weights) {
   Words common;
   std::set_intersection(message.begin(), message.end(), asked.begin(), asked.end(),

@@ -1,5 +1,5 @@
-// `carom help`: each row of the page's tables is found by its own message with other numbers, names and places, and by
-// messages as the program really prints them.
+// `carom help`: each row of the page's tables is found by its own message with other numbers, names and
+// places, and by messages as the program really prints them.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -19,7 +19,8 @@ std::string replaced(const std::string& text, const char* pattern, const char* b
   return std::regex_replace(text, std::regex(pattern), by);
 }
 
-/// The message as another room would get it: other names, numbers and places, and words where the page leaves them out.
+/// The message as another room would get it: other names, numbers and places, and words where the page leaves
+/// them out.
 std::string elsewhere(const std::string& message) {
   std::string text = replaced(message, "FILE:12:8", "/home/anna/halls/north.toml:3:1");
   text = replaced(text, "NAME", "optical");

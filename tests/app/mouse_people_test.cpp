@@ -1,4 +1,5 @@
-// Heads and wands that mouse and keys move: how far they walk, where they stop, where they point, how a wand is drawn.
+// Heads and wands that mouse and keys move: how far they walk, where they stop, where they point, how a wand
+// is drawn.
 #include "app/play/mouse_people.h"
 
 #include <gtest/gtest.h>
