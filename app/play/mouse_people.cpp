@@ -95,8 +95,8 @@ void MousePeople::walk(const DeskInput& desk, double step_s, Person& person) con
   person.eyes_m = inside(person.eyes_m + step_s * person.velocity_m_s);
 }
 
-/// Turns head and wand to where the mouse points to, from when it moves until keys turn them. While the button is held
-/// they stay as they are, for the mouse then draws the wand.
+/// Turns head and wand to where the mouse points to, from when it moves until keys turn them. While the
+/// button is held they stay as they are, for the mouse then draws the wand.
 void MousePeople::look(const DeskInput& desk, double step_s, Person& person) const {
   if (desk.mouse) {
     if (desk.mouse->onWall_m != person.pointed_m) person.followsMouse = true;
@@ -116,8 +116,8 @@ void MousePeople::look(const DeskInput& desk, double step_s, Person& person) con
   if (glm::length(toPointed) > 1e-3) person.along = glm::normalize(toPointed);
 }
 
-/// Moves the wand as the mouse moves on the cloth while the button is held; later it returns. A stroke is as strong as
-/// the wand is drawn in the frame in which the button goes up, so it stays for that frame.
+/// Moves the wand as the mouse moves on the cloth while the button is held; later it returns. A stroke is as
+/// strong as the wand is drawn in the frame in which the button goes up, so it stays for that frame.
 void MousePeople::draw(bool isHeld, double step_s, Person& person) const {
   const bool wasHeld = std::exchange(person.isHeld, isHeld);
   const std::optional<Vec3> now_m = isHeld ? onCloth(person) : std::nullopt;

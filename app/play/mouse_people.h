@@ -7,8 +7,8 @@
 //   mouse                head and wand turn to the place on a wall that it points to; its left button is the
 //                        wand's button 0, and what the mouse moves on the cloth meanwhile the wand moves, too
 //
-// They move the viewer over whose walls the mouse was last; the others stand still beside that one. Nobody walks
-// through a wall. The rest of the mouse and the keys is as at a desk (app/input/desk_controls.h).
+// They move the viewer over whose walls the mouse was last; the others stand still beside that one. Nobody
+// walks through a wall. The rest of the mouse and the keys is as at a desk (app/input/desk_controls.h).
 
 #include <cstddef>
 #include <memory>

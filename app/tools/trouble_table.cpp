@@ -1,7 +1,6 @@
 #include "app/tools/trouble_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -22,18 +21,13 @@ constexpr std::size_t kMostFound = 3;
 constexpr double kLeastShare = 0.5;  // of the words of the row, or of those asked for, that must agree
 constexpr double kNextBest = 0.6;    // of the best row's score, for another one to be shown
 
-/// Returns the words by which a message is known. A place in a file ("FILE:12:8:") and the node at a message's end are
-/// words of their own; names, numbers and paths are left out.
+/// Returns the words by which a message is known. A place in a file ("FILE:12:8:") is a word of its own; what
+/// has digits or quotes, and the page's placeholders, are left out.
 Words wordsOf(std::string_view message) {
-  static const std::array<std::pair<std::regex, const char*>, 5> kReplaced{
-      {{std::regex(R"([^\s:]+:\d+:\d+:)"), " PLACE "},
-       {std::regex(R"(\(node \d+\))"), " ATNODE "},
-       {std::regex(R"((node \d+) \([^)]*\))"), "$1 "},
-       {std::regex(R"("[^"]*")"), " "},
-       {std::regex(R"((^|[\s(])'[^']*')"), " "}}};
+  static const std::regex kPlace(R"([^\s:]+:\d+:\d+:)");
   static const std::regex kWord(R"([^\s,;:()=\[\]…]+)");
-  std::string text(message.substr(0, kLongestWords));
-  for (const auto& [pattern, by] : kReplaced) text = std::regex_replace(text, pattern, by);
+  const std::string text =
+      std::regex_replace(std::string(message.substr(0, kLongestWords)), kPlace, " PLACE ");
   Words words;
   for (std::sregex_iterator found(text.begin(), text.end(), kWord), end; found != end; ++found) {
     std::string one = found->str();
@@ -42,7 +36,7 @@ Words wordsOf(std::string_view message) {
       return std::isalpha(c) != 0 || c == '-' || c == '_' || c == '\'';
     });
     if (!isPlain || one.empty() || one == "NAME" || one == "FILE" || one == "RIG") continue;
-    if (one != "PLACE" && one != "ATNODE") std::transform(one.begin(), one.end(), one.begin(), ::tolower);
+    if (one != "PLACE") std::transform(one.begin(), one.end(), one.begin(), ::tolower);
     words.insert(one);
   }
   return words;
@@ -73,7 +67,8 @@ class Weights {
   std::map<std::string, double> uses_;
 };
 
-/// Returns how alike a message of the table and the words asked for are; 0 if less than half of either agrees.
+/// Returns how alike a message of the table and the words asked for are; 0 if less than half of either
+/// agrees.
 double likeness(const Words& message, const Words& asked, const Weights& weights) {
   Words common;
   std::set_intersection(message.begin(), message.end(), asked.begin(), asked.end(),

@@ -22,8 +22,9 @@ std::vector<Trouble> troublesOf(std::string_view page);
 /// Returns those of the page that the program was built with.
 const std::vector<Trouble>& troubles();
 
-/// Returns the rows whose message is most like `words`, the best first, at most three; empty if none is. Words are
-/// compared, whatever stands between them; numbers, quoted names, paths and places in files are not.
+/// Returns the rows whose message is most like `words`, the best first, at most three; empty if none is.
+/// Words are compared, whatever stands between them; numbers, quoted names, paths and places in files are
+/// not.
 std::vector<const Trouble*> nearestTroubles(const std::vector<Trouble>& rows, std::string_view words);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// `carom help`: each row of the page's tables is found by its own message with other numbers, names and places, and by
-// messages as the program really prints them.
+// `carom help`: each row of the page's tables is found by its own message with other numbers, names and
+// places, and by messages as the program really prints them.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -19,7 +19,8 @@ std::string replaced(const std::string& text, const char* pattern, const char* b
   return std::regex_replace(text, std::regex(pattern), by);
 }
 
-/// The message as another room would get it: other names, numbers and places, and words where the page leaves them out.
+/// The message as another room would get it: other names, numbers and places, and words where the page leaves
+/// them out.
 std::string elsewhere(const std::string& message) {
   std::string text = replaced(message, "FILE:12:8", "/home/anna/halls/north.toml:3:1");
   text = replaced(text, "NAME", "optical");
@@ -113,6 +114,12 @@ TEST(Help, WordsOfAMessageAreEnough) {
   EXPECT_EQ(first("one wall is black"), "one wall is black");
   EXPECT_EQ(first("needs firmware"), "Tracker NAME: … needs firmware: …");
   EXPECT_NE(first("quad-buffer stereo").find("offers no quad-buffer"), std::string::npos);
+  EXPECT_EQ(first("/home/anna/r.toml:12:1:"), "error: FILE:12:8: …, expected …") << "a place in a file";
+  EXPECT_EQ(first("/r.toml:4:12: there is no game 'the wand is lost: no stroke', expected 'table'?"),
+            "…/my-list.toml:4:12: there is no game 'twinz', …")
+      << "names in quotes are not compared";
+  EXPECT_EQ(first("is the room open today"), "") << "words that many messages have tell nothing";
+  EXPECT_EQ(first("who has the key for the door"), "");
   EXPECT_EQ(first("7"), "");
   EXPECT_EQ(first("xyzzy plugh"), "");
   EXPECT_EQ(first("the cat sat upon the mat and purred"), "");

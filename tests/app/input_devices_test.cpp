@@ -67,8 +67,10 @@ void expectNear(const glm::dvec3& a, const glm::dvec3& b, double within = 1e-12)
 
 // In a dry run the mouse moves the wand and is no device of its own; its right button turns the room all the same.
 TEST_F(HandsTest, AMouseThatMovesTheWandDoesNotAim) {
+  pointTo(-0.6, -2.0);
+  frame();
   pointTo(-0.5, -2.0);
-  EXPECT_EQ(frame().device, texts::kDevices[1]) << "the mouse";
+  EXPECT_EQ(frame().device, texts::kDevices[1]) << "the mouse, which has moved";
   desk_.mouseAims = false;
   pointTo(-0.3, -2.0);
   desk_.mouseHeld = true;

@@ -1,4 +1,5 @@
-// Heads and wands that mouse and keys move: how far they walk, where they stop, where they point, how a wand is drawn.
+// Heads and wands that mouse and keys move: how far they walk, where they stop, where they point, how a wand
+// is drawn.
 #include "app/play/mouse_people.h"
 
 #include <gtest/gtest.h>
@@ -199,7 +200,7 @@ TEST_P(MousePeopleTest, TheMouseIsTheirsOverWhoseWallsItIs) {
 
 INSTANTIATE_TEST_SUITE_P(BothAxes, MousePeopleTest,
                          testing::Values(Axes{"YUp", {}}, Axes{"ZUp", {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}),
-                         [](const testing::TestParamInfo<Axes>& info) { return info.param.name; });
+                         [](const testing::TestParamInfo<Axes>& axes) { return axes.param.name; });
 
 }  // namespace
 }  // namespace carom
