@@ -36,6 +36,7 @@ class FindingList {
   bool empty() const { return kept_.empty(); }
   std::size_t size() const { return kept_.size(); }
   const Finding& operator[](std::size_t i) const { return kept_[i]; }
+  const Finding& back() const { return kept_.back(); }
   auto begin() const { return kept_.begin(); }
   auto end() const { return kept_.end(); }
   /// Returns whether there are so many findings that another one needs no helpful words.
