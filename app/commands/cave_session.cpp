@@ -94,6 +94,7 @@ struct Before {
 
 Before whatWas(const std::filesystem::path& file) {
   SessionFile session(file);
+  session.scenario();  // refuses one that the session does not belong to
   Before before{session.facts(), {}};
   const auto frames = session.frames();
   if (!frames) return before;

@@ -35,6 +35,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
   }
   if (options.observer) readTrace(*options.observer);
   if (!options.as.empty()) session->viewerNamed(options.as);
+  session->scenario();  // refuses one that the session does not belong to
   inputs.rig = {session->facts().rig, session->facts().rigText};
   const std::array<int, 2>& eye_px = session->facts().eyePixels;
   if (!inputs.live && eye_px[0] > 0 && eye_px[1] > 0) inputs.eye_px = {eye_px[0], eye_px[1]};

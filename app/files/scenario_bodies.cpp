@@ -85,7 +85,7 @@ WorldLine scriptedWorldLine(const BodyText& body, double c_m_s) {
 
 std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTable& table) {
   if (!table.has("mesh")) return {};
-  return file.existingFile(table, "mesh");
+  return file.existingFile(table, "mesh", InputKind::mesh, Reach::ownFolder);
 }
 
 BodyText readBody(const TomlFile& file, const TomlTable& table) {

@@ -23,7 +23,8 @@ constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a graphics card that
                                 ? fmt::format("no X display: cannot open \"{}\" ({})", display, reason)
                                 : std::string("no X display: the environment variable DISPLAY is not set");
   throw std::runtime_error(where +
-                           "; start one, e.g. with: xvfb-run -a -s \"-screen 0 1920x1200x24\" COMMAND");
+                           "; expected a screen to which this user is logged in, or one that a [[node]] of "
+                           "the rig names by display");
 }
 
 /// Keeps memory that a frame gives back for the next: what draws on the processor asks for some megabytes in every frame,

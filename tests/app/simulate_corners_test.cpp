@@ -311,7 +311,7 @@ TEST(SimulateCorners, CheckSaysWhyAMeshGivesNoOutline) {
       {"outline_m = [[0, 0], [1, 0], [0, 1]]\noutline = 3\n", ":8:11:", "beside outline_m"},
       {"mesh = \"two.obj\"\noutline = \"mesh\"\nspin_rad_s = 100\n", ":2:1:", "radius_m is missing"},
       {"radius_m = 0\nmesh = \"two.obj\"\noutline = \"mesh\"\n", ":7:12:", "radius_m is 0, expected"},
-      {"radius_m = 1e-90\nmesh = \"two.obj\"\noutline = \"mesh\"\n", ":7:12:", "too near to each other"},
+      {"radius_m = 1e-90\nmesh = \"two.obj\"\noutline = \"mesh\"\n", ":7:12:", "too small to calculate with"},
       {"radius_m = 1\nmesh = \"none.obj\"\noutline = \"mesh\"\n", ":8:8:", "none.obj"},
       {"mesh = \"none.obj\"\noutline = \"mesh\"\n", ":7:8:", "none.obj"},
       {"radius_m = 1\nmesh = \"nan.obj\"\noutline = \"mesh\"\n", ":8:8:", "nan.obj:3:3: 'nan' is wrong"},
