@@ -107,6 +107,36 @@ TEST(Billiard, cellsChangeNoBit) {
   }
 }
 
+// As fast as that, pucks touch across more than the next cell: in small cells, and in one that holds all.
+TEST(Billiard, cellsChangeNoBitOfTheFastest) {
+  for (const CollisionEvent convention : {CollisionEvent::centre, CollisionEvent::contact}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed);
+      BilliardSetup setup = test::gasSetup(100, 0.02, 7.0, seed);  // 0.99 c
+      setup.board.reset();
+      setup.rules.collisionEvent = convention;
+      for (Puck& puck : setup.pucks) {
+        const double speed = glm::length(puck.beta), share = puck.name.size() == 1 ? 0.1 : 1.0;
+        const Vec2 way = -puck.position_m + 0.2 * puck.beta;  // past the middle, slow ones among them
+        puck.beta = share * speed / glm::length(way) * way;
+      }
+      BilliardSetup oneCell = setup;
+      oneCell.pucks.push_back({"zz", 10.0, 0.02, 1.0, {100.0, 0.0}, {0.0, 0.0}});
+      Billiard with(setup), without(oneCell);
+      for (const double until_s : {0.5, 1.0, 2.0}) {
+        with.advanceTo(until_s), without.advanceTo(until_s);
+        for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+          const Motion a = with.worldLines()[i].at(until_s), b = without.worldLines()[i].at(until_s);
+          ASSERT_EQ(a.u, b.u) << "puck " << i << " at " << until_s << " s";
+          ASSERT_EQ(a.properTime_s, b.properTime_s);
+          ASSERT_EQ(a.leg, b.leg);
+        }
+      }
+      EXPECT_GT(with.events().size(), 60u);
+    }
+  }
+}
+
 // For a target at rest, tan θ1 tan θ2 = 2/(γ+1).
 TEST(Billiard, anglesOfTwoEqualPucks) {
   for (const double gamma : {1.25, 2.0, 7.0, 70.0}) {
