@@ -74,6 +74,12 @@ TEST(Observers, EyesAreSimultaneousForTheHead) {
   const Displacement inHead = view.headFromBoard * (view.right.observation - view.left.observation);
   EXPECT_NEAR(inHead.dt_s, 0.0, 1e-14);
   EXPECT_NEAR(inHead.dr_m.x, 0.064, 1e-14);
+  // Of who walks in the room, too.
+  const Observers walking(boardFromRoom, kOrigin, headAt(Vec3(0.0), {0.7, 0.2, -0.3}));
+  const ObserverView seen = walking.view(0.064);
+  const Displacement walker = seen.headFromBoard * (seen.right.observation - seen.left.observation);
+  EXPECT_NEAR(walker.dt_s, 0.0, 1e-14);
+  EXPECT_NEAR(walker.dr_m.x, 0.064, 1e-14);
 }
 
 // The walk in the room, boosted by the platform: velocities add as relativity says, w' = γ_w γ_V (…).

@@ -96,6 +96,11 @@ TEST(WorldLine, FrictionLegMatchesNumericalIntegration) {
     EXPECT_NEAR(motion.properTime_s, tau_s, 1e-9) << dt_s;
     EXPECT_NEAR(motion.u.y, std::max(0.0, 1.5 - a_m_s2 / kC_m_s * dt_s), 1e-12) << dt_s;
   }
+  // Before its turn the leg is continued without friction.
+  const Motion earlier = motionOnLeg(knot, 0.0, kC_m_s);
+  EXPECT_EQ(earlier.u.y, 1.5);
+  EXPECT_NEAR(earlier.event.r_m.y, -kC_m_s * 1.5 / std::sqrt(3.25), 1e-15);
+  EXPECT_NEAR(earlier.properTime_s, 3.0 - 1.0 / std::sqrt(3.25), 1e-15);
 }
 
 TEST(WorldLine, AnglesLieWithinHalfATurn) {
