@@ -97,6 +97,9 @@ TEST(PuckContact, agreesWithSlowReference) {
     for (int k = 0; k < 2; ++k) {
       const Disc& disc = pair.discs[k];
       EXPECT_TRUE(distance(disc.start + disc.u * contact.signal[k], slow->turnAtSignal[k]) <= tolerance);
+      // Its own moment of the contact is R before the signal, by its own clock.
+      const double own = static_cast<double>(slow->turnAtSignal[k].t) - disc.u.t * disc.radius;
+      EXPECT_TRUE(std::abs(fast->ownTime[k] - own) <= tolerance) << fast->ownTime[k] - own;
       EXPECT_TRUE(distance(disc.start + disc.u * contact.simultaneous[k], slow->turnAtContact[k]) <=
                   tolerance);
       const reference::Point after{1, slow->after[k][0], slow->after[k][1]};
