@@ -22,6 +22,7 @@
 #include "app/tools/calibrate.h"
 #include "app/tools/check.h"
 #include "app/tools/filter.h"
+#include "app/tools/help.h"
 #include "app/tools/import.h"
 #include "app/tools/list.h"
 #include "app/tools/observe.h"
@@ -84,6 +85,7 @@ void addCommands(CLI::App& app, int& status) {
   addCalibrate(app, status);
   addTrack(app, status);
   addFilter(app, status);
+  addHelp(app, status);
 }
 
 }  // namespace

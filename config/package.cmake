@@ -16,7 +16,7 @@ install(FILES ${PROJECT_BINARY_DIR}/app/doc/carom.1.gz COMPONENT program DESTINA
 # The pages keep their places relative to each other, so that their links remain valid.
 install(FILES README.md COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY app/pictures app/doc COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR}/app
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.html" PATTERN "*.png")
 install(FILES LICENSE COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES LICENSE COMPONENT engine DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libcarom-dev RENAME copyright)
 

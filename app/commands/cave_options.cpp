@@ -162,6 +162,12 @@ std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
   addBeginning(command, options);
   addSession(command, options);
   command.add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  command.add_flag(
+      "--by-mouse", options->byMouse,
+      "A dry run of the room without its trackers, none of which is opened: mouse and keys move head and "
+      "wand. "
+      "Arrows walk, Page Up and Page Down raise and lower the head, Delete and End turn it; the wand points "
+      "where the mouse does, and the left button is its trigger");
   addUnattended(command, options);
   addSilent(command, options->silent);
   addExtraWindows(command, options->extra);

@@ -28,6 +28,7 @@ struct CaveOptions {
   bool isUsualGame = false;                 ///< no scenario was asked for
   std::filesystem::path playlist;           ///< empty: the rig's, if it has one
   std::shared_ptr<const Playlist> games{};  ///< the playlist that was read
+  bool byMouse = false;                     ///< mouse and keys move heads and wands, in place of trackers
   /// Number of frames to play in simulated time; if empty, real time without limit.
   std::optional<std::uint64_t> frames;
   RecordingOptions recording;                    ///< images and movie

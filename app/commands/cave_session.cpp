@@ -30,9 +30,14 @@ namespace {
 std::unique_ptr<Clock> clockOf(const SessionSetup& setup, const CaveOptions& options,
                                std::chrono::steady_clock::time_point start) {
   if (!setup.realTime) return std::make_unique<SimulatedClock>();
-  if (options.frames) log::note("The head is tracked by a device: the frames are shown in real time.");
+  if (options.frames) {
+    log::note(fmt::format("The head is {}: the frames are shown in real time.",
+                          setup.rig.byMouse ? "moved by mouse and keys" : "tracked by a device"));
+  }
   return std::make_unique<SteadyClock>(start);
 }
+
+KeysOf keysOf(const CaveOptions& options) { return options.byMouse ? KeysOf::dryRun : KeysOf::session; }
 
 /// Prints what will be shown, on rank 0.
 void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptions& options) {
@@ -53,7 +58,7 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
   const bool drawsHere = std::any_of(walls.begin(), walls.end(),
                                      [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
   const bool hasWindow = !options.noWindow && (drawsHere || options.extra.outside || options.extra.console);
-  if (hasWindow) sayKeys(KeysOf::session);
+  if (hasWindow) sayKeys(keysOf(options));
   if (!hasWindow && !options.frames) {
     log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
   }
@@ -142,8 +147,8 @@ struct LivePlay {
       : clock(clockOf(setup, options, start.sessionStart)),
         pace(paceOf(setup, *clock, livedOf_s(start), start.firstFrame())),
         source(setup.rig, setup.scenario, setup.world, (start.headset = pace.worn, start)),
-        leader(source, KeysOf::session, firstSettings(setup, options, inputs.scenario.file.string(), before),
-               devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::session), options.unattended_s,
+        leader(source, keysOf(options), firstSettings(setup, options, inputs.scenario.file.string(), before),
+               devicesOf(setup.realTime ? setup.walls.get() : nullptr, keysOf(options)), options.unattended_s,
                options.scenario.string()),
         sounds(soundsFor(setup, options.silent || options.noWindow)) {
     const WrittenGame game = options.resume ? WrittenGame::resumed : WrittenGame::first;
@@ -241,17 +246,17 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
 }
 
 /// Runs one game's frames. Returns whether someone asked to quit.
-bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play,
+bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play, KeysOf keys,
               KeyLock& lock) {
   FramePacer follows;
   if (!play) {
-    SessionFrames frames(cluster, setup, follows, nullptr, KeysOf::session);
+    SessionFrames frames(cluster, setup, follows, nullptr, keys);
     frames.context().keyLock = &lock;
     return runFrames(frames.context());
   }
   const LeaderParts lead{play->source,   play->leader,       windows,        play->sounds.get(),
                          &play->journal, play->status.get(), play->pace.worn};
-  SessionFrames frames(cluster, setup, *play->pace.pacer, &lead, KeysOf::session);
+  SessionFrames frames(cluster, setup, *play->pace.pacer, &lead, keys);
   frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());
   if (setup.realTime) frames.statistics().sayHowItWent();
@@ -317,6 +322,7 @@ Before prepare(CaveOptions& options, SetupOptions& inputs) {
 void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesystem::path>& opened) {
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,         options.recording,
                       options.noWindow,  options.frames.has_value(), options.extra};
+  inputs.byMouse = options.byMouse;
   Before before;
   std::unique_ptr<StatusFile> status;
   onAllRanks(cluster, [&] {
@@ -326,7 +332,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
   });
   opened = options.session;
   SessionSetup setup = setUpSession(cluster, inputs);
-  OperatorWindows windows = openWindows(cluster, setup, KeysOf::session);
+  OperatorWindows windows = openWindows(cluster, setup, keysOf(options));
   if (windows.console) windows.console->writeTo(options.session);
   std::unique_ptr<LivePlay> play;
   onAllRanks(cluster, [&] {
@@ -337,7 +343,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
   });
   if (play) announce(setup, cluster, options);
   KeyLock lock(options.pin);
-  while (!playGame(cluster, setup, windows, play.get(), lock) &&
+  while (!playGame(cluster, setup, windows, play.get(), keysOf(options), lock) &&
          goOnWithAnother(cluster, options, inputs, setup, windows, play.get())) {
   }
   const bool leads = play != nullptr;

@@ -146,7 +146,7 @@ void Console::drawAll(const ConsoleFrame& frame) {
 
 void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
   const float width = ImGui::GetContentRegionMax().x;
-  const float buttons = width - (keys_ == KeysOf::session ? 3 : 2) * (kButton_px + kGap_px) + kGap_px;
+  const float buttons = width - (isLive(keys_) ? 3 : 2) * (kButton_px + kGap_px) + kGap_px;
   const ImVec2 at = ImGui::GetWindowPos();
   const float words_px = isNarrow ? width : buttons - kGap_px;
   ImGui::PushClipRect(at, {at.x + words_px, at.y + ImGui::GetWindowHeight()}, true);
@@ -169,7 +169,7 @@ void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
 }
 
 void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
-  if (keys_ == KeysOf::session) {
+  if (isLive(keys_)) {
     if (ImGui::Button(texts::console::kNextVisitor, size)) frame.commands.emplace_back(WelcomeNextVisitor{});
     tip(texts::console::kNextVisitorTip);
     ImGui::SameLine(0.0F, kGap_px);

@@ -84,6 +84,7 @@ struct Rig {
   std::vector<ViewerSetup> viewers{1};  ///< one to kMostViewers
   std::vector<TrackerSetup> trackers;
   std::vector<NodeSetup> nodes;  ///< if empty, every rank uses its default display
+  bool byMouse = false;          ///< mouse and keys move heads and hands: there is a tracker for them alone
   StartSetup start;
   std::vector<Wall> walls;  ///< at least one; rectangles to 2 mm
   /// If given, the only window of each node; a wall's `window` is then a position inside it.

@@ -14,7 +14,10 @@ namespace carom {
 namespace {
 
 /// Keys in the order of DeskControls::held_.
-constexpr std::array kHeldKeys{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_SPACE};
+constexpr std::array kHeldKeys{GLFW_KEY_W,     GLFW_KEY_A,       GLFW_KEY_S,         GLFW_KEY_D,
+                               GLFW_KEY_SPACE, GLFW_KEY_UP,      GLFW_KEY_LEFT,      GLFW_KEY_DOWN,
+                               GLFW_KEY_RIGHT, GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN, GLFW_KEY_DELETE,
+                               GLFW_KEY_END};
 
 /// Gamepad buttons in the order of the answers.
 constexpr std::array kPadButtons{GLFW_GAMEPAD_BUTTON_A, GLFW_GAMEPAD_BUTTON_B, GLFW_GAMEPAD_BUTTON_X,
@@ -60,11 +63,13 @@ void DeskControls::takeKeys(const WindowInput& input) {
     for (std::size_t i = 0; i < kHeldKeys.size(); ++i) {
       if (key.key == kHeldKeys[i]) held_[i] = key.pressed;
     }
-    if (key.key == GLFW_KEY_HOME && key.pressed) input_.home = place_ == KeysOf::session;
+    if (key.key == GLFW_KEY_HOME && key.pressed) input_.home = isLive(place_);
   }
-  const auto [w, a, s, d, space] = held_;
+  const auto [w, a, s, d, space, up, left, down, right, higher, lower, lookLeft, lookRight] = held_;
   input_.steer = {double(d) - double(a), double(w) - double(s), 0.0};
-  input_.brake = space && place_ == KeysOf::session;
+  input_.brake = space && isLive(place_);
+  input_.walk = {double(right) - double(left), double(up) - double(down), double(higher) - double(lower)};
+  input_.look = double(lookRight) - double(lookLeft);
 }
 
 void DeskControls::takePad(const GLFWgamepadstate& pad, bool asks) {

@@ -1,7 +1,8 @@
 #pragma once
 // The desktop input from GLFW: the mouse over the walls' windows, held keys, and a gamepad.
 //
-//   keys      W A S D steer, Space brakes, Home goes home
+//   keys      W A S D steer, Space brakes, Home goes home; in a dry run the arrows walk, Page Up, Page Down,
+//             Delete and End move the head (app/play/mouse_people.h)
 //   mouse     aims at what it points to; its left button holds the cue, its right button turns the view
 //   gamepad   left stick steers, A or the right trigger holds the cue, the right stick draws it back,
 //             B brakes, Y goes home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4
@@ -60,7 +61,7 @@ class DeskControls {
 
   KeysOf place_;
   DeskInput input_;
-  std::array<bool, 5> held_{};  ///< keys, in the order of kHeldKeys of desk_controls.cpp
+  std::array<bool, 13> held_{};  ///< keys, in the order of kHeldKeys of desk_controls.cpp
   Buttons buttons_;
 };
 

@@ -14,8 +14,12 @@ namespace carom {
 /// Returns whether Escape or Q was pressed or a window was closed.
 bool wantsToEnd(const WindowInput& input);
 
-/// The kind of session in which keys are pressed; some keys work only in certain kinds.
-enum class KeysOf { session, replay, patterns };
+/// The kind of session in which keys are pressed; some keys work only in certain kinds. In a dry run, which is a
+/// session, keys move the head as well (app/play/mouse_people.h).
+enum class KeysOf { session, replay, patterns, dryRun };
+
+/// Returns whether a game is played, and not shown again.
+inline bool isLive(KeysOf place) { return place == KeysOf::session || place == KeysOf::dryRun; }
 
 /// One line of the list of keys.
 struct KeyLine {

@@ -86,8 +86,8 @@ InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double 
   if (desk_.mouse) mouseWas_ = desk_.mouse;
   Hand hand;
   hand.there = desk_.mouse || (mouseWas_ && holder_ == mouse);
-  hand.held = hand.down = desk_.mouseHeld;
-  hand.used_s = mouseUsed_s_;
+  hand.held = hand.down = desk_.mouseHeld && desk_.mouseAims;
+  hand.used_s = desk_.mouseAims ? mouseUsed_s_ : kNever_s;
   if (!hand.there) return hand;
   hand.eye = mouseWas_->eye;
   hand.from_m = observer.of(hand.eye).positionInRoom_m;

@@ -105,7 +105,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const DeskInput desk = desk_ ? desk_(input, choosing) : DeskInput{};
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
   source_.next(times, {obeyed_, desk}, settings_, decision);
-  if (keys_ == KeysOf::session) followProgramme(acted, desk, decision);
+  if (isLive(keys_)) followProgramme(acted, desk, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   fromSource_ = decision.commands.size();
   handed_ = decision.handCommands;

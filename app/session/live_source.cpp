@@ -51,6 +51,13 @@ std::string changesBy(std::span<const Command> commands) {
   return all;
 }
 
+/// Returns the trackers of a rig, or the headset, or those people who are moved by mouse and keys.
+SharedTrackers trackersOf(const Rig& rig, const LiveStart& start, const MousePeople* people) {
+  SharedTrackers trackers = carom::trackersOf(rig, start.sessionStart, start.headset);
+  if (people) trackers.take(rig.viewers.front().head.sensor.tracker, people->tracker());
+  return trackers;
+}
+
 /// Returns where the platform is at board time 0 and how it moves, with this velocity of the lesson: at the
 /// lesson's moment it passes the scenario's position, and what an observer at rest sees ahead is seen ahead, unless
 /// the lesson is about what is now ahead, which no motion turns.
@@ -77,7 +84,8 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       scenario_(scenario),
       world_(world),
       headset_(start.headset),
-      viewers_(rig, scenario, trackersOf(rig, start.sessionStart, start.headset), start.before),
+      people_(rig.byMouse ? std::make_unique<MousePeople>(rig) : nullptr),
+      viewers_(rig, scenario, trackersOf(rig, start, people_.get()), start.before),
       play_(scenario, rig.axes, !start.before, start.struck),
       hands_(rig.viewers.size(), InputDevices(rig.axes)),
       standing_(standingWalls(rig)),
@@ -306,8 +314,10 @@ std::optional<PointedChoice> LiveSource::pointedChoice(const HandInput& hand,
 /// Gives the desk's input to the viewer over whose walls the mouse is, and settles who steers: the first who wishes it.
 void LiveSource::begin(const DeskInput& desk, bool asks) {
   if (desk.mouse) atDesk_ = std::min(desk.mouse->viewer, hands_.size() - 1);
+  DeskInput own = desk;
+  own.mouseAims = !people_;
   for (std::size_t viewer = 0; viewer < hands_.size(); ++viewer)
-    hands_[viewer].begin(viewer == atDesk_ ? desk : DeskInput{}, asks);
+    hands_[viewer].begin(viewer == atDesk_ ? own : DeskInput{}, asks);
   const auto steers = std::find_if(hands_.begin(), hands_.end(),
                                    [](const InputDevices& hand) { return asksForAnything(hand.drive()); });
   if (steers != hands_.end()) steering_ = static_cast<std::size_t>(steers - hands_.begin());
@@ -376,6 +386,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   carom::putInto(record, settings);
   tellChanges(input.commands, decision);
   begin(input.desk, offersChoices(settings));
+  if (people_) people_->move(input.desk, atDesk_, times.begin_s);
   wish_ = eased(times.step_s);
   decision.isHandled = asksForAnything(wish_);
   advanceLesson(record.lesson = settings.lesson, decision);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "app/play/hit_seen.h"
 #include "app/play/input_devices.h"
 #include "app/play/match.h"
+#include "app/play/mouse_people.h"
 #include "app/play/shot_memory.h"
 #include "app/session/frame_source.h"
 #include "app/session/status_message.h"
@@ -115,6 +117,7 @@ class LiveSource : public FrameSource {
   const Scenario& scenario_;
   const World& world_;
   const HeadsetFrame* headset_;
+  std::unique_ptr<MousePeople> people_;  ///< of a dry run
   Viewers viewers_;
   Play play_;
   std::vector<InputDevices> hands_;  ///< of each viewer

@@ -54,6 +54,22 @@ void connectHeadset(const Cluster& cluster, SessionSetup& setup) {
     log::warn("the headset's runtime takes no sRGB pictures: it may show them too bright.");
 }
 
+/// Puts heads and wands for mouse and keys in the place of everybody's trackers, which are then not opened.
+void putMouseInPlaceOfTrackers(Rig& rig) {
+  if (isHeadset(rig))
+    throw std::runtime_error("--by-mouse: this rig is a headset, expected one with walls in a room");
+  TrackerSetup tracker;
+  tracker.name = "mouse and keys";
+  rig.trackers = {tracker};
+  rig.byMouse = true;
+  int sensor = 0;
+  for (ViewerSetup& viewer : rig.viewers) {
+    viewer.head.sensor = {.tracker = 0, .sensor = sensor++};
+    viewer.head.eyesFromSensor = {};
+    viewer.hand = HandSetup{{.tracker = 0, .sensor = sensor++}, {}};
+  }
+}
+
 /// Makes the drive no faster than the game and the room allow.
 void limitDrive(SessionSetup& setup) {
   setup.scenario.most_u = std::min(setup.scenario.most_u, setup.rig.comfort.most_u);
@@ -116,6 +132,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   Handover files(cluster);
   setup.rig = files.rig(options.rig);
   if (options.onlyFor) setup.rig = rigFor(std::move(setup.rig), *options.onlyFor);
+  if (options.byMouse) onAllRanks(cluster, [&] { putMouseInPlaceOfTrackers(setup.rig); });
   setup.scenario = files.scenario(options.scenario);
   limitDrive(setup);
   onAllRanks(cluster, [&] {
@@ -147,7 +164,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
       std::any_of(setup.rig.viewers.begin(), setup.rig.viewers.end(), [&](const ViewerSetup& viewer) {
         return isDevice(setup.rig.trackers[viewer.head.sensor.tracker].kind);
       });
-  setup.realTime = !options.simulated || (options.live && tracked);
+  setup.realTime = !options.simulated || (options.live && (tracked || options.byMouse));
   onAllRanks(cluster, [&] {
     setup.recording =
         std::make_unique<Recording>(*setup.graphics, options.recording, cluster, setup.rig, setup.realTime);

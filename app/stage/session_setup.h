@@ -33,6 +33,7 @@ struct SetupOptions {
   std::optional<std::string> onlyFor{};
   glm::ivec2 eye_px{
       0};  ///< of a headset that is not there, in a replay: of its recorded pictures; 0: unknown
+  bool byMouse = false;  ///< mouse and keys move heads and wands in the place of the rig's trackers
 };
 
 struct SessionSetup {

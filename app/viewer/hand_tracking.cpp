@@ -187,7 +187,7 @@ std::vector<std::string> HandTracking::look(double now_s, const Tracker& headTra
   if (otherButtons_) {
     const TrackerHealth health = (trackers_.buttons ? *trackers_.buttons : headTracker).health(now_s);
     if (trackers_.buttons) tell(buttonsWatch_->look(now_s, health));
-    if (health.state != TrackerHealth::State::delivering) {
+    if (health.state != TrackerHealth::State::delivering && health.state != TrackerHealth::State::untouched) {
       devices_.wand = {};
       tracked = false;
     }

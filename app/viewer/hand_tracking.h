@@ -29,7 +29,7 @@ struct ButtonState {
 
 /// The state of the hand devices at the start of a frame.
 struct HandDevices {
-  bool wandKnown = false;  ///< its pose is recent (kTrackLost_s)
+  bool wandKnown = false;  ///< its pose is recent (kHandLost_s)
   Pose roomFromHand;       ///< wand pose: its origin is the hand, and it points along the rig's forward axis
   ButtonState wand;
   ButtonState spaceMouse;  ///< axes: pushed right, up, back, and turned; each −1 to 1

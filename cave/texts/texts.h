@@ -204,6 +204,8 @@ inline constexpr Text kEyesApart = "eye separation";
 inline constexpr Text kSensors = "show the tracked sensors";
 inline constexpr Text kLatency = "latency overlay";
 inline constexpr Text kComfort = "comfort: dark edges, resting frame";
+inline constexpr Text kWalk = "walk in the room", kHeadHeight = "head higher, lower";
+inline constexpr Text kLook = "turn head and wand";
 inline constexpr Text kSteer = "steer: forward, left, back, right";
 inline constexpr Text kBrake = "brake";
 inline constexpr Text kHome = "return to the table";
@@ -215,6 +217,7 @@ inline constexpr Text kQuit = "quit";
 
 inline constexpr Text kSpaceKey = "Space", kHomeKey = "Home", kEnterKey = "Enter";
 inline constexpr Text kVelocityKeys = "F2 to F4", kAnswerKeys = "1 to 4", kQuitKeys = "Escape Q";
+inline constexpr Text kPageKeys = "Page Up, Page Down", kLookKeys = "Delete, End";
 inline constexpr Text kMouse = "Mouse", kRightButton = "Right button";
 }  // namespace keys
 
@@ -381,7 +384,8 @@ inline constexpr Text kNextGame = "Next: {}, in {:.0f} s";
 inline constexpr Text kBestShot = "Best shot again", kBestShotTip = "On the walls, as the visitor saw it.";
 
 // Trackers.
-inline constexpr Text kConnecting = "being looked for", kDelivering = "delivers", kSilent = "silent";
+inline constexpr Text kConnecting = "being looked for", kDelivering = "delivers", kSilent = "silent",
+                      kUntouched = "no presses yet";
 inline constexpr Text kFailed = "needs help";
 struct Column {
   Text name;

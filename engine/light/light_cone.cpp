@@ -115,8 +115,7 @@ std::size_t firstLeg(const WorldLine& line, std::size_t last, const ViewQuery& a
 /// Had friction stopped the body before any event of its points on the leg of `knots[leg]` that matters, if
 /// it is the first that is looked at? Those that are shown differ from the centre's by at most R/c where the
 /// body rests, and all that later signal has to do with comes after that.
-bool restsForGood(std::span<const Knot> knots, std::size_t leg, const Motion& centre, double radius_s,
-                  double c_m_s) {
+bool restsForGood(Knots knots, std::size_t leg, const Motion& centre, double radius_s, double c_m_s) {
   const Knot& knot = knots[leg];
   const double rests_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
   return centre.event.t_s - radius_s >= rests_s &&

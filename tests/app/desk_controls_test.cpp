@@ -47,6 +47,19 @@ TEST_F(DeskTest, HeldKeysSteerUntilTheyAreLetGo) {
   EXPECT_FALSE(type({{GLFW_KEY_SPACE, false}}).brake);
 }
 
+TEST_F(DeskTest, ArrowsAndPagesMoveAHeadAndDeleteAndEndTurnIt) {
+  EXPECT_EQ(type({{GLFW_KEY_UP, true}, {GLFW_KEY_LEFT, true}}).walk, Vec3(-1, 1, 0));
+  EXPECT_EQ(type({{GLFW_KEY_UP, false}, {GLFW_KEY_RIGHT, true}, {GLFW_KEY_PAGE_UP, true}}).walk,
+            Vec3(0, 0, 1));
+  EXPECT_EQ(type({{GLFW_KEY_LEFT, false}, {GLFW_KEY_DOWN, true}, {GLFW_KEY_PAGE_UP, false}}).walk,
+            Vec3(1, -1, 0));
+  EXPECT_EQ(type({{GLFW_KEY_PAGE_DOWN, true}}).walk, Vec3(1, -1, -1));
+  EXPECT_EQ(type({}).steer, Vec3(0.0)) << "they drive nothing";
+  EXPECT_EQ(type({{GLFW_KEY_END, true}}).look, 1.0);
+  EXPECT_EQ(type({{GLFW_KEY_DELETE, true}}).look, 0.0);
+  EXPECT_EQ(type({{GLFW_KEY_END, false}}).look, -1.0);
+}
+
 TEST_F(DeskTest, HomeIsAskedForOnce) {
   EXPECT_TRUE(type({{GLFW_KEY_HOME, true}}).home);
   EXPECT_FALSE(type({}).home);

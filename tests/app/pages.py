@@ -1,6 +1,8 @@
 """pages.py ROOT: every link in README.md and in the pages of app/doc leads to a page, a heading or a picture that is there,
-also where they are installed (config/package.cmake), and README.md links to every page."""
+also where they are installed (config/package.cmake), and README.md links to every page. The card to print is well formed
+and has two sides; every command and option that it and the page of the first day name is in the manual page."""
 
+import html.parser
 import pathlib
 import re
 import sys
@@ -8,7 +10,8 @@ import sys
 root = pathlib.Path(sys.argv[1])
 readme = root / "README.md"
 pages = [readme, *sorted((root / "app/doc").glob("*.md"))]
-installed = {*pages, *(root / "app/pictures").glob("*.png")}
+card = root / "app/doc/card.html"
+installed = {*pages, card, *(root / "app/pictures").glob("*.png")}
 failed = False
 
 
@@ -45,5 +48,55 @@ for page in pages:
 for page in pages[1:]:
     if page not in linked:
         fail(f"{readme} has no link to {page}")
-print(f"{len(pages)} pages")
+if card not in linked:
+    fail(f"{readme} has no link to {card}")
+
+
+class Card(html.parser.HTMLParser):
+    """Its open elements, its sides and what stands in code."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.sides, self.codes = [], 0, []
+
+    def handle_starttag(self, tag, attributes):
+        self.sides += tag == "section"
+        if tag == "code":
+            self.codes.append("")
+        if tag not in ("meta", "br"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            fail(f"{card}:{self.getpos()[0]}: </{tag}> closes nothing")
+
+    def handle_data(self, data):
+        if "code" in self.open:
+            self.codes[-1] += data
+
+
+parsed = Card()
+parsed.feed(card.read_text())
+if parsed.open or parsed.sides != 2:
+    fail(f"{card}: open at the end: {parsed.open}; {parsed.sides} sides, expected 2")
+
+# Commands, with the options that follow them, against the manual page.
+manual = (root / "app/doc/carom.1").read_text().replace("\\-", "-")
+parts = {part.split()[1].strip('"'): part for part in re.split(r"(?m)^\.SS \"?", manual)[1:]}
+first_day = (root / "app/doc/first-day.md").read_text()
+codes = parsed.codes + re.findall(r"(?m)`([^`\n]+)`", first_day) + re.findall(r"(?m)^carom .*$", first_day)
+named = 0
+for code in codes:
+    for command, rest in re.findall(r"\bcarom ([a-z]+)\b([^;|&]*)", code):
+        named += 1
+        if command not in parts:
+            fail(f"'{code}': {command} is no command of the manual page")
+            continue
+        known = parts[command] + (parts["cave"] if command == "room" else "")
+        for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", re.split(r"   |\s--\s", rest)[0]):
+            if not re.search(re.escape(option) + r"(?![a-z-])", known):
+                fail(f"'{code}': the manual page knows no {option} of {command}")
+if named < 25:
+    fail(f"only {named} commands are named by the first day and the card")
+print(f"{len(pages)} pages, {named} commands")
 sys.exit(1 if failed or len(pages) < 3 else 0)
