@@ -158,6 +158,27 @@ TEST(WorldLine, FrictionLegMatchesNumericalIntegration) {
     EXPECT_NEAR(motion.properTime_s, tau_s, 1e-9) << dt_s;
     EXPECT_NEAR(motion.u.y, std::max(0.0, 1.5 - a_m_s2 / kC_m_s * dt_s), 1e-12) << dt_s;
   }
+  // Before its turn the leg is continued without friction.
+  const Motion earlier = motionOnLeg(knot, 0.0, kC_m_s);
+  EXPECT_EQ(earlier.u.y, 1.5);
+  EXPECT_NEAR(earlier.event.r_m.y, -kC_m_s * 1.5 / std::sqrt(3.25), 1e-15);
+  EXPECT_NEAR(earlier.properTime_s, 3.0 - 1.0 / std::sqrt(3.25), 1e-15);
+}
+
+TEST(WorldLine, AnglesLieWithinHalfATurn) {
+  test::Random random(15);
+  for (int i = 0; i < 1000; ++i) {
+    CASE(random, i);
+    const double rim = random.in(-0.99, 0.99);
+    Spin spin{random.in(-3.0, 3.0), 40.0 * rim, rim / std::sqrt(1.0 - rim * rim), 0.0};
+    if (i % 2 == 0) spin.slowing_1_s = random.in(0.01, 1.0);
+    const double own_s = random.in(-100.0, 1000.0), angle_rad = angleAfter(spin, own_s);
+    EXPECT_LE(std::abs(angle_rad), M_PI);
+    if (spin.slowing_1_s == 0.0) {
+      EXPECT_NEAR(std::remainder(spin.angle_rad + spin.omega_rad_s * own_s - angle_rad, 2.0 * M_PI), 0.0,
+                  1e-10);
+    }
+  }
 }
 
 // The bound against what points really do.
@@ -174,6 +195,32 @@ TEST(WorldLine, EveryPointHasJoinedItsLegWhenItIsSettled) {
       // The last piece begins where the point joins the last leg.
       const Displacement joined = Lorentz::boost(-last.u, kC_m_s) * (history.back().start - last.turn);
       ASSERT_LE(joined.dt_s, line.settled_s(line.knots().size() - 1)) << "case " << i << " point " << k;
+    }
+  }
+}
+
+// A body that is slowed by a blow from behind, and then by friction that all but tears it apart: its points chase what
+// brakes away from them, longer than without friction, and have joined when both bounds say so.
+TEST(WorldLine, GlidingPointsHaveJoinedTheirLegWhenItIsSettled) {
+  const double radius_m = 0.05;
+  for (const double pull : {0.25, 0.4, 0.499}) {  // R a, over c²
+    for (const double beta : {0.6, 0.8}) {
+      SCOPED_TRACE(testing::Message() << "R a = " << pull << " c², then " << beta << " c");
+      const double friction_m_s2 = pull * kC_m_s * kC_m_s / radius_m;
+      WorldLine line({{0.0, Vec3(0.0)}, uFromBeta({0.899, 0.0, 0.0}), 0.0, {}, friction_m_s2}, kC_m_s,
+                     radius_m);
+      const Motion turn = line.at(1e-4);
+      line.append({turn.event, uFromBeta({beta, 0.0, 0.0}), turn.properTime_s, turn.event, friction_m_s2});
+      const Lorentz bodyFromBoard = Lorentz::boost(-line.knots()[1].u, kC_m_s);
+      const double bound_s = joinedAfter_s(line);
+      for (int point = 0; point < 24; ++point) {
+        const double around = 2.0 * M_PI * point / 24;
+        const Event joined =
+            vertexHistory(line, radius_m * Vec3(std::cos(around), std::sin(around), 0.0)).back().start;
+        const double joined_s = (bodyFromBoard * (joined - turn.event)).dt_s;
+        EXPECT_LE(joined_s, line.settled_s(1)) << "point " << point;
+        EXPECT_LE(joined_s, bound_s) << "point " << point;
+      }
     }
   }
 }
