@@ -119,9 +119,12 @@ void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) 
 /// Adds what lets a session run without an operator.
 void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   command
-      .add_option("--unattended", options->unattended_s,
-                  "Welcome the next visitor after so many seconds without input or motion of the head: the "
-                  "first game starts anew, all settings as at the beginning")
+      .add_option(
+          "--unattended", options->unattended_s,
+          "Welcome the next visitor after so many seconds without input or motion of the head, five "
+          "times as many while a question stands: the last ten are counted down on the wall, then the "
+          "first game starts anew, all settings as at the beginning. Locks Escape, Q and the close "
+          "buttons of the windows")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
   command

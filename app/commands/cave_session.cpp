@@ -59,6 +59,8 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
                                      [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
   const bool hasWindow = !options.noWindow && (drawsHere || options.extra.outside || options.extra.console);
   if (hasWindow) sayKeys(keysOf(options));
+  if (hasWindow && options.unattended_s && options.pin.empty())
+    log::note("Escape, Q and the windows' close buttons are locked. Ctrl+C or SIGTERM ends the session.");
   if (!hasWindow && !options.frames) {
     log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
   }
@@ -126,6 +128,7 @@ Beginning beginningOf(const CaveOptions& options) {
 OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& options, const std::string& file,
                                const Before& before) {
   OperatorSettings settings = settingsOf(setup.rig, setup.scenario, file, beginningOf(options));
+  settings.console = consoleAtStart(setup.desk);
   if (!before.last) return settings;
   // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
@@ -242,7 +245,7 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
     log::note(
         fmt::format("{}{}", setup.scenario.title, session ? " is written to " + session->string() : ""));
   });
-  setup.graphics->poll();  // discards input that arrived during the setup
+  setup.graphics->discardInput();  // that arrived during the setup
   return true;
 }
 
@@ -344,7 +347,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
     if (play->status) play->status->play(setup.rig, setup.scenario.title, options.session.value_or(""));
   });
   if (play) announce(setup, cluster, options);
-  KeyLock lock(options.pin);
+  KeyLock lock(options.pin, options.unattended_s.has_value());
   while (!playGame(cluster, setup, windows, play.get(), keysOf(options), lock) &&
          goOnWithAnother(cluster, options, inputs, setup, windows, play.get())) {
   }

@@ -82,6 +82,7 @@ void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows,
                 const std::string& scenario, Frames& frames) {
   OperatorSettings settings = settingsAtStart(setup.rig, setup.scenario);
   settings.playing = scenario;
+  settings.console = consoleAtStart(setup.desk);
   FrameLeader leader(*frames.source, KeysOf::replay, settings,
                      devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::replay));
   const auto sounds = soundsFor(setup, options.silent || options.noWindow);

@@ -13,7 +13,7 @@ RoomGeometry roomGeometryOf(const Rig& rig) {
                     {},
                     isHeadset(rig)};
   for (const ViewerSetup& viewer : rig.viewers)
-    room.viewers.push_back({viewer.name, inverse(viewer.head.eyesFromSensor)});
+    room.viewers.push_back({viewer.name, inverse(viewer.head.eyesFromSensor), viewer.hand.has_value()});
   return room;
 }
 

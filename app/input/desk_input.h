@@ -23,6 +23,7 @@ struct DeskInput {
   /// A gamepad's cue, aimed with the head and drawn back with the right stick.
   bool hasPad = false;
   bool padHeld = false;
+  int padStep = 0;       ///< its cross was pressed: 1 right or down, −1 left or up
   Vec3 padPull{0.0};     ///< right, back; −1 to 1 each, along the floor
   int answer = 0;        ///< number of the lesson's answer that was pressed, from 1; 0 if none
   bool onwards = false;  ///< the button for "go on" was pressed

@@ -167,18 +167,14 @@ constexpr std::array kKeys{
     Key{GLFW_KEY_K, 0, "K", kInSession, texts::keys::kSensors, turnWalls<&WallControls::trackerCross>},
     Key{GLFW_KEY_J, 0, "J", kInSession, texts::keys::kComfort, turnWalls<&WallControls::comfort>},
     Key{GLFW_KEY_L, 0, "L", kEverywhere, texts::keys::kLatency, turnWalls<&WallControls::latency>},
+    Key{GLFW_KEY_F10, 0, "F10", kWithGame, texts::keys::kConsole,
+        [](const OperatorSettings& now, const Pressed&) -> Command {
+          if (now.console == ConsoleState::none) return TellPerson{texts::message::kNoConsole};
+          return ShowConsole{now.console != ConsoleState::shown};
+        }},
     Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
         [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
 };
-
-constexpr std::array<int, 2> kEndKeys{GLFW_KEY_ESCAPE, GLFW_KEY_Q};
-
-template <std::size_t count>
-bool pressedOneOf(const WindowInput& input, const std::array<int, count>& keys) {
-  return std::any_of(input.keys.begin(), input.keys.end(), [&](const KeyInput& key) {
-    return key.pressed && std::find(keys.begin(), keys.end(), key.key) != keys.end();
-  });
-}
 
 bool means(const Key& key, KeysOf place) { return (key.where & (1U << static_cast<unsigned>(place))) != 0; }
 
@@ -218,8 +214,6 @@ std::optional<Command> commandOf(int pressed, const OperatorSettings& now, const
 }
 
 }  // namespace
-
-bool wantsToEnd(const WindowInput& input) { return input.closeRequested || pressedOneOf(input, kEndKeys); }
 
 Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const OperatorSettings& settings) {
   Commands commands;

@@ -1,6 +1,6 @@
 #pragma once
-// The keyboard commands of a session. They work in all of rank 0's windows; quitting works in any window of
-// any node.
+// The keyboard commands of a session. They work in all of rank 0's windows; ending (app/input/end_question.h) works in
+// any window of any node.
 
 #include <string>
 #include <string_view>
@@ -10,9 +10,6 @@
 #include "cave/gl/graphics.h"
 
 namespace carom {
-
-/// Returns whether Escape or Q was pressed or a window was closed.
-bool wantsToEnd(const WindowInput& input);
 
 /// The kind of session in which keys are pressed; some keys work only in certain kinds. In a dry run, which is a
 /// session, keys move the head as well (app/play/mouse_people.h).

@@ -109,7 +109,7 @@ void InputDevices::turn(const Hand& hand) {
 
 InputDevices::Hand InputDevices::padHand(const ObserverView& observer, const Pose& roomFromHead,
                                          double now_s) {
-  if (desk_.padHeld || desk_.padPull != Vec3(0.0)) padUsed_s_ = now_s;
+  if (desk_.padHeld || desk_.padPull != Vec3(0.0) || desk_.padStep != 0) padUsed_s_ = now_s;
   Hand hand;
   hand.there = desk_.hasPad;
   hand.held = hand.down = desk_.padHeld;

@@ -15,7 +15,7 @@
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/frame/pacer.h"
-#include "cave/overlay/hud_panel.h"
+#include "cave/overlay/band_layout.h"
 #include "cave/scene/kept_light.h"
 #include "cave/scene/table_model.h"
 #include "devices/setup/tracker_factory.h"

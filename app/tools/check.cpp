@@ -25,7 +25,7 @@
 #include "app/room_import/room_check.h"
 #include "app/tools/import.h"
 #include "app/tools/option_values.h"
-#include "cave/overlay/hud_panel.h"
+#include "cave/overlay/band_layout.h"
 #include "cave/process/work_budget.h"
 #include "engine/base/log.h"
 #include "engine/spacetime/lorentz.h"

@@ -113,6 +113,12 @@ const WindowInput& Graphics::poll() {
   return input_;
 }
 
+void Graphics::discardInput() {
+  poll();
+  input_.keys.clear();
+  ++discarded_;
+}
+
 std::string Graphics::rendererName() const {
   makeCurrent();
   return reinterpret_cast<const char*>(glGetString(GL_RENDERER));

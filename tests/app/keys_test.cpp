@@ -164,6 +164,16 @@ TEST(Keys, AKeyThatDoesNothingSaysSoUnlessItSteersOrIsTheDesktops) {
   EXPECT_EQ(commandsOf(GLFW_KEY_F2, {}), Commands{TellPerson{texts::message::kNoVelocities}});
 }
 
+TEST(Keys, F10ShowsTheConsoleAndHidesIt) {
+  OperatorSettings settings;
+  EXPECT_EQ(commandsOf(GLFW_KEY_F10, settings), Commands{TellPerson{texts::message::kNoConsole}});
+  settings.console = ConsoleState::waits;
+  EXPECT_EQ(press(GLFW_KEY_F10, settings), 1);
+  EXPECT_EQ(settings.console, ConsoleState::shown);
+  EXPECT_EQ(press(GLFW_KEY_F10, settings, KeysOf::replay), 1);
+  EXPECT_EQ(settings.console, ConsoleState::waits);
+}
+
 TEST(Keys, WhileALessonAsksDigitsAnswerAndDoNothingElse) {
   for (const int digit : {0, 1, 2, 3, 4, 9}) {
     OperatorSettings settings;
