@@ -4,6 +4,7 @@
 // Each chunk has a sphere around it, which the eye sees within a cap of its sky (engine/light/seen_cap.h); a
 // cap outside the wall's pyramid is not drawn. Shadows lie where no part of their puck is: they have one wide
 // cap.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <array>
 #include <cstddef>

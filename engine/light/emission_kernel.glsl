@@ -15,6 +15,7 @@
 //   contracted false: at each board time a vertex is at the centre's place + d: it turns with the centre;
 //   both false:       the plane is the board's; then no frame is needed: the leg's is the board's, moved to the
 //                     centre.
+// Theory: app/doc/physics.md, Emission; Bounce and catching up.
 
 LegView legAt(LEGS legs, int i);
 

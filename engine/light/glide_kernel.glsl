@@ -3,6 +3,7 @@
 //   u = u_o − a s   (before the turn u_turn, after the stop 0)     centre: ∫ u/γ ds     vertex: d∥/γ from it
 // (uncontracted: d∥)
 // with ∫ u/γ ds from r to o = (γ_o − γ_r)/a = (r − o)(u_o + u_r)/(γ_o + γ_r), which does not cancel.
+// Theory: app/doc/physics.md, Friction.
 
 KERNEL real gammaOf(real u) { return sqrt(real(1) + u * u); }
 

@@ -6,6 +6,7 @@
 // upper limit: room time advances by dT = sqrt(dτ² + |dx|²/c²), so the world line is timelike whatever the
 // observer does. Several observers share the room's time: whoever moves fastest needs most of it, and the clocks
 // of the others run ahead. All their presents are simultaneous in the room, so none is ever in another's past.
+// Theory: app/doc/physics.md, The celerity clock; The platform.
 
 #include <array>
 #include <cstddef>

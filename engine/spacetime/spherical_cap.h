@@ -8,6 +8,7 @@
 //   N·S = n·a − cos α ≥ 0    (metric −+++)
 // holds in every frame or in none. In another frame S becomes (s₀, s), so that the cap there has the axis
 // s/|s| and cos α' = −s₀/|s|. Since S·S = sin²α stays too, sin α' = sin α/|s|.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <glm/mat4x4.hpp>
 

@@ -1,14 +1,15 @@
 """pages.py ROOT: every link in README.md and in the pages of app/doc leads to a page, a heading or a picture that is there,
-also where they are installed (config/package.cmake), and README.md links to every page."""
+also where they are installed (config/package.cmake), README.md links to every page, and the sections of app/doc/physics.md and
+the headers that they name agree: each such header has a line "Theory: app/doc/physics.md, SECTION; SECTION."."""
 
 import pathlib
 import re
 import sys
 
-root = pathlib.Path(sys.argv[1])
+root = pathlib.Path(sys.argv[1]).resolve()
 readme = root / "README.md"
-pages = [readme, *sorted((root / "app/doc").glob("*.md"))]
-installed = {*pages, *(root / "app/pictures").glob("*.png")}
+pages = [readme, root / "CONTRIBUTING.md", root / "CHANGELOG.md", *sorted((root / "app/doc").glob("*.md"))]
+installed = {*pages, *(root / "app/pictures").glob("*.png"), *(root / "app/doc/figures").glob("*.svg")}
 failed = False
 
 
@@ -45,5 +46,24 @@ for page in pages:
 for page in pages[1:]:
     if page not in linked:
         fail(f"{readme} has no link to {page}")
-print(f"{len(pages)} pages")
+# The page of physics and the headers name each other.
+named = set()  # (header, section) by the page
+for section in re.split(r"(?m)^## ", (root / "app/doc/physics.md").read_text())[1:]:
+    title = section.splitlines()[0]
+    for header in re.findall(r"`((?:engine|cave|devices)/[\w/]+\.(?:h|glsl))`", section):
+        named.add((header, title))
+told = set()  # by the headers
+for folder in ("engine", "cave", "devices", "app"):
+    for header in (root / folder).rglob("*"):
+        if header.suffix in (".h", ".glsl"):
+            line = re.search(r"(?m)^// Theory: app/doc/physics\.md, (.*)\.$", header.read_text())
+            if line:
+                told |= {(str(header.relative_to(root)), title) for title in line[1].split("; ")}
+for header, title in sorted(named - told):
+    fail(f"app/doc/physics.md, {title}, names {header}, which has no line: // Theory: app/doc/physics.md, {title}.")
+for header, title in sorted(told - named):
+    fail(f"{header} names the section {title} of app/doc/physics.md, which does not name it")
+if len(named) < 20:
+    fail("app/doc/physics.md names too few headers")
+print(f"{len(pages)} pages, {len(named)} sections named by headers")
 sys.exit(1 if failed or len(pages) < 3 else 0)
