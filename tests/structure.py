@@ -1,6 +1,6 @@
 """structure.py ROOT: checks that no header includes itself through others, that the dependencies between
 rooms (the folders with a carom_room in their CMakeLists.txt) have no circle, that a room includes only
-from rooms that it uses, that app/doc/figures/modules.svg shows these rooms, that no folder holds more than 28 modules, and that every source file has the
+from rooms that it uses, that no type is defined twice, that app/doc/figures/modules.svg shows these rooms, that no folder holds more than 28 modules, and that every source file has the
 format of .clang-format. Prints a line for each folder and one for each of the rules."""
 
 import pathlib
@@ -92,6 +92,17 @@ for own in sorted(includes):
             forbidden += 1
             fail(f"{own} includes {other}, but {room} does not use its folder")
 print(f"includes of rooms that are not used {forbidden}")
+
+# Two types of one name in one namespace are ill-formed as soon as one source sees both headers.
+defined = {}
+for file in files:
+    if file.suffix == ".h":
+        for name in re.findall(r"(?m)^(?:struct|class|union|enum class|enum)(?: alignas\(\w+\))? (\w+)(?: final)?(?: :[^;{]*)? ?\{", file.read_text()):
+            defined.setdefault(name, []).append(str(file.relative_to(root)))
+twice = {name: places for name, places in defined.items() if len(places) > 1}
+for name, places in sorted(twice.items()):
+    fail(f"the type {name} is defined in", " and in ".join(sorted(places)))
+print(f"types {len(defined)}, defined twice {len(twice)}")
 
 files_of = {}
 for file in files:
