@@ -267,7 +267,7 @@ void addViews(const FrameRecord& record, Viewers viewers, Lines& lines) {
   }
 }
 
-/// Returns where text begins, in the height of letters: behind the marks of the legend, of which a band has none.
+/// Returns where text begins, in the height of letters: behind the marks of the legend; a band has none.
 constexpr double beginOfText(bool band) { return band ? 1.25 : 2.0; }
 
 /// Returns the indent of a line, which is that of an answer behind its number.

@@ -39,8 +39,8 @@ struct HudLine {
 /// such wall.
 std::optional<Wall> frontWall(const RoomGeometry& room);
 
-/// Fills `lines`, whose memory is reused, with the session's text, in lines of `letters`: what was just
-/// refused or has happened; the lesson's texts for the record's phase, or without a lesson the views of time
+/// Fills `lines`, whose memory is reused, with the session's text, in lines of `letters`: the latest
+/// refusal or event; the lesson's texts for the record's phase, or without a lesson the views of time
 /// that are on, each with the colour it is drawn in; with `clocks`, the person's own clock, their speed on
 /// the board and the speed of light; with the tracker crosses, what the stereo check
 /// (cave/overlay/room_overlay.h) should look like. The text depends on the record and the scenario alone, so

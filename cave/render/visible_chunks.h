@@ -93,7 +93,7 @@ class VisibleChunks {
   std::span<const std::uint32_t> chosen() const { return chosen_; }
 
  private:
-  /// How a part is seen: the angles by which its coarser meshes are off, and of which of its meshes the caps are known.
+  /// How a part is seen: the angles by which its coarser meshes are off, and the meshes whose caps are known.
   struct PartView {
     std::optional<SeenCaps> seen;
     std::array<double, PartChunks::kMostCoarser> off_rad{};

@@ -16,7 +16,7 @@
 
 namespace carom {
 
-/// Directions within an angle α of an axis, and how near what is seen there can be.
+/// Directions within an angle α of an axis, and the least distance of anything seen there.
 struct SphericalCap {
   Vec3 axis{0.0, 0.0, 1.0};  ///< unit vector, from the eye
   double cosine = -1.0;      ///< of α; −1: all directions

@@ -73,7 +73,7 @@ class WorldLine {
             double appears_s = -std::numeric_limits<double>::infinity(),
             std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
-  /// Makes room for so many knots, so that none moves until there are more.
+  /// Makes room for this number of knots; none moves until there are more.
   void reserve(std::size_t knots);
 
   /// Adds a leg. The turn must not lie before the last one and must lie on the leg it ends, within 1e-9
