@@ -15,8 +15,7 @@ namespace carom {
 class HeadsetPacer : public FramePacer {
  public:
   static constexpr double kLongestStep_s = 0.25;
-  static constexpr double kIdle_s =
-      1.0 / 30.0;  ///< from frame to frame for the others, while it is not worn
+  static constexpr double kIdle_s = 1.0 / 30.0;  ///< from frame to frame for the others, while it is not worn
 
   /// `lived_s`: the session's clock before the first frame; `firstFrame`: its number.
   HeadsetPacer(Headset& headset, double lived_s, std::uint64_t firstFrame);
