@@ -73,7 +73,7 @@ class SessionFrames {
   FrameStatistics statistics_;
   std::optional<HeadsetView> headset_;
   WallsView walls_;
-  std::optional<OutsideView> outside_;
+  std::optional<SpectatorWindow> outside_;
   DrawingEnd drawingEnd_;
   RecordingListener recording_;
   std::optional<HapticListener> haptics_;

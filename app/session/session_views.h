@@ -57,9 +57,9 @@ class HeadsetView : public View {
 };
 
 /// Draws the spectator view of the room. It must be drawn after the walls because it shows their images.
-class OutsideView : public View {
+class SpectatorWindow : public View {
  public:
-  OutsideView(SpectatorView& room, const DisplayWalls& walls) : room_(room), walls_(walls) {}
+  SpectatorWindow(SpectatorView& room, const DisplayWalls& walls) : room_(room), walls_(walls) {}
 
   void draw(const FrameRecord& record, const World& world) override {
     room_.draw(record, world.histories, walls_);

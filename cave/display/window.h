@@ -48,10 +48,10 @@ class Window {
   /// (Graphics::setOverAll); `swap` makes them visible. Leaves this window's context current.
   void show(std::span<const Pane> panes, const std::function<void()>& over = {});
 
-  /// Waits until what was shown is drawn. Any context may be current.
+  /// Waits until the shown picture is drawn. Any context may be current.
   void awaitShown() const;
 
-  /// Makes what was shown visible; waits for the display's refresh if `setVsync(true)`.
+  /// Makes the shown picture visible; waits for the display's refresh if `setVsync(true)`.
   void swap();
   void makeCurrent() const;
   static void makeNoneCurrent();  ///< in this thread

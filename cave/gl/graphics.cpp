@@ -27,8 +27,8 @@ constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a graphics card that
                            "the rig names by display");
 }
 
-/// Keeps memory that a frame gives back for the next: what draws on the processor asks for some megabytes in every frame,
-/// whose new pages would cost more than what is written to them.
+/// Keeps memory that a frame gives back for the next: drawing on the processor takes some megabytes in every
+/// frame, and new pages for them would cost more than the writing.
 void keepFreedMemory() {
   constexpr int kMostKept = 256 << 20, kLargest = 32 << 20;  // bytes; larger pieces are pages of their own
   mallopt(M_TRIM_THRESHOLD, kMostKept);

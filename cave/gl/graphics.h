@@ -52,7 +52,7 @@ class Graphics {
   /// before Window::show.
   void finishDrawing();
 
-  /// Waits until what was drawn before the last finishDrawing is complete.
+  /// Waits until all draws before the last finishDrawing are complete.
   void awaitDrawing() const;
 
   /// Processes the windows' input; call it once per drawn frame. The result is valid until the next call.

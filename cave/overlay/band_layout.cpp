@@ -14,7 +14,7 @@ namespace {
 
 // In the nominal height of the letters.
 constexpr double kTextPitch = 1.25, kRowPitch = 1.35, kChipPitch = 1.4;  // from line to line
-constexpr double kClear = 0.06;                                         // above and below a button
+constexpr double kClear = 0.06;                                          // above and below a button
 
 double pitchOf(const HudLine& line) {
   if (!line.chips.empty()) return kChipPitch;

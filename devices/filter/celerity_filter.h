@@ -12,6 +12,7 @@
 //
 // What an error of celerity does to the eye depends on its direction (aberration_error.h), and the estimate
 // needs not know: a mean has the least square error however components are weighted against each other.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <array>
 #include <glm/mat3x3.hpp>

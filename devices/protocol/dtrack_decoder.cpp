@@ -82,7 +82,7 @@ class DtrackDecoder::Line {
     return value;
   }
 
-  /// A bracketed list of finite numbers, of which those beyond `numbers` are passed over. How many were kept;
+  /// Reads a bracketed list of finite numbers; those beyond `numbers` are passed over. Returns the number kept;
   /// none where there is no such list.
   std::optional<std::size_t> block(std::span<double> numbers) {
     if (!take('[')) return {};

@@ -111,7 +111,7 @@ void append(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-/// A record of ours. Its time is left at zero: nobody reads it.
+/// Appends a record of our own. Its time stays zero: servers do not read it.
 void appendRecord(std::vector<std::uint8_t>& bytes, std::int32_t sender, std::int32_t type,
                   std::span<const std::uint8_t> payload) {
   append(bytes, static_cast<std::uint32_t>(kHeader + payload.size()));
@@ -150,7 +150,7 @@ void VrpnDecoder::decode(std::span<const std::uint8_t> bytes, std::vector<Readin
   held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(std::exchange(used_, 0)));
 }
 
-/// Takes one record off what is held; false where it has not all come yet.
+/// Takes one record from the buffer; returns false if it is not complete yet.
 bool VrpnDecoder::takeRecord(std::vector<Reading>& readings) {
   const auto held = std::span<const std::uint8_t>(held_).subspan(used_);
   if (!greeted_) {

@@ -25,7 +25,7 @@ class VrpnDecoder {
 
   /// Takes the next bytes, at most 8 KiB at a time, and appends what the sender said: poses, velocities,
   /// buttons (sensor 0) and analog channels (axes of sensor 0, clamped to −1 … 1). Throws std::runtime_error,
-  /// which says what is wrong, if the stream cannot be followed: another version of the protocol, or a record
+  /// which says why, if the stream cannot be followed: another version of the protocol, or a record
   /// of impossible length.
   void decode(std::span<const std::uint8_t> bytes, std::vector<Reading>& readings);
 

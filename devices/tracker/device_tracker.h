@@ -24,7 +24,7 @@ class DeviceSink {
   virtual void connected() = 0;
   virtual void remark(const std::string& /*what*/) {}     ///< connected, but something needs to be known
   virtual void disconnected(const std::string& why) = 0;  ///< the transport will try again
-  virtual void failed(const std::string& why) = 0;        ///< needs help: what is wrong and what to do
+  virtual void failed(const std::string& why) = 0;        ///< needs help: the fault and its remedy
   virtual void refused() = 0;                             ///< a packet could not be read
   virtual void missed(std::uint64_t packets) = 0;         ///< packets that the device numbered never arrived
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kPositionHeader = "time_s,x_m,y_m,z_m";
 constexpr std::string_view kPoseHeader = "time_s,x_m,y_m,z_m,qx,qy,qz,qw";
 
-// Bounds against what is no trace at all.
+// Bounds against files that are no traces.
 constexpr std::size_t kLongestLine = 1024;    // bytes; a row needs about 200
 constexpr std::size_t kMostRows = 4'000'000;  // eighteen hours at 60 Hz
 constexpr double kFarthest_m = 1e6;

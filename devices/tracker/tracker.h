@@ -45,7 +45,7 @@ struct TrackerHealth {
   std::uint64_t gaps = 0;        ///< samples that the device numbered and that never arrived
   std::uint64_t late = 0;        ///< arrived after a later one (dropped), or after over 50 ms (counted)
   std::uint64_t refused = 0;     ///< packets that could not be read
-  std::uint64_t overflowed = 0;  ///< readings lost because nobody polled
+  std::uint64_t overflowed = 0;  ///< readings lost because they were not polled
   std::uint64_t reconnections = 0;
 };
 

@@ -7,6 +7,7 @@
 // it. The side by which this way comes in is the one to which it belongs, however near another is, and what comes at a
 // side from behind does not touch it. Convex bodies that are through each other are free to turn there: to them the
 // sides count that look, by then, to where the other one was on the board.
+// Theory: app/doc/physics.md, Polygons.
 
 #include <array>
 

@@ -480,7 +480,7 @@ double joinedAfter_s(const WorldLine& line) {
   // The bound costs the square of the number of legs: in a pile of pucks that press on one another hundreds
   // can come before any is joined by all points.
   constexpr std::size_t kManyLegs = 32;
-  // Of faster bodies a few points can lag behind all others, so many times longer that no number of them
+  // Of faster bodies a few points can lag behind all others, for so much longer that no number of samples
   // shows it.
   constexpr double kFollowed_beta = 0.95;
   const Knots knots = line.knots();

@@ -1,6 +1,7 @@
 #pragma once
 // The world line of a body's centre, as knots: between two knots the motion is exact, so a bounce costs
 // one knot and a straight flight of any length costs nothing.
+// Theory: app/doc/physics.md, Friction.
 
 #include <cstddef>
 #include <limits>

@@ -110,10 +110,10 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   FrameRecord record = recordAt(1.0);
   record.lesson.phase = LessonPhase::asks;
   EXPECT_EQ(said(record, kLesson),
-            (std::vector<std::string>{
-                "Question:  Two twins part and meet", "again. Who of them is then the older", "one, and why?",
-                "1   Neither", "2   The one who stayed at home, as seen", "from where they meet",
-                "3   The traveller", "Choose an answer.[Skip  Enter]", "[Leave  F7]"}));
+            (std::vector<std::string>{"Question:  Two twins part and meet",
+                                      "again. Who of them is then the older", "one, and why?", "1   Neither",
+                                      "2   The one who stayed at home, as seen", "from where they meet",
+                                      "3   The traveller", "Choose an answer.[Skip  Enter]", "[Leave  F7]"}));
   std::vector<HudLine> lines;
   describe(record, kLesson, {}, {}, kLineLetters, lines);
   for (const auto& [line, answer] : {std::pair{3U, 1}, {4U, 2}, {5U, 2}, {6U, 3}})

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -14,6 +12,7 @@
 #include "engine/collision/corner_cushion.h"
 #include "engine/collision/corner_kick.h"
 #include "engine/sampled_body.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -99,10 +98,7 @@ void expectCase(const Json& one) {
 }
 
 TEST(CornerContact, ExactCases) {
-  const std::filesystem::path path = std::filesystem::path(CAROM_SHARED_DIR) / "cases/polygon_contacts.json";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the cases are not here: " << path;
-  const Json cases = Json::parse(std::ifstream(path));
-  for (const Json& one : cases["cases"]) expectCase(one);
+  for (const Json& one : test::exactCases("polygon_contacts.json")) expectCase(one);
 }
 
 // ---- The slow reference: sampled_body.h.

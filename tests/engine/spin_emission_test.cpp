@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -16,6 +14,7 @@
 #include "engine/light/vertex_history.h"
 #include "engine/meshes.h"
 #include "engine/random_world.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -41,11 +40,7 @@ void expectWithin(const Vec3& value, const Json& expected, double tolerance, con
 }
 
 TEST(SpinEmission, allOfTheOracle) {
-  std::ifstream file(std::filesystem::path(CAROM_SHARED_DIR) / "cases" / "spin_emission.json");
-  if (!file) GTEST_SKIP() << "no shared cases here";
-  const Json all = Json::parse(file)["cases"];
-  ASSERT_FALSE(all.empty());
-  for (const Json& one : all) {
+  for (const Json& one : test::exactCases("spin_emission.json")) {
     SCOPED_TRACE(one["id"].get<std::string>());
     const Json &input = one["input"], &expected = one["expected"], &tol = one["tol"];
     const double c_m_s = input["c"];
