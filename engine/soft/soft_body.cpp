@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/instruction_set.h"
-
 namespace carom {
 namespace {
 
@@ -114,8 +112,8 @@ inline double contraction(double vx, double vy) {
 double SoftTotals::restMass() const { return std::sqrt(dot(momentum, momentum)); }
 
 SoftBody::SoftBody(std::shared_ptr<const SoftMesh> mesh, const SoftMaterial& material, double mass,
-                   const glm::dvec2& centre, const Vec21& u)
-    : mesh_(std::move(mesh)), material_(material), mass_(mass) {
+                   const glm::dvec2& centre, const Vec21& u, InstructionSet instructions)
+    : mesh_(std::move(mesh)), material_(material), mass_(mass), instructions_(instructions) {
   for (const SoftMesh::Triangle& triangle : mesh_->triangles()) {
     for (std::size_t k = 0; k < 3; ++k) {
       triangles_.node[k].push_back(triangle.nodes[k]);
@@ -178,7 +176,7 @@ void SoftBody::gatherForces(const std::vector<double>& vx, const std::vector<dou
                   t.stressXX.data(),
                   t.stressXY.data(),
                   t.stressYY.data()};
-  switch (bestInstructionSet()) {
+  switch (instructions_) {
     case InstructionSet::avx512:
       forcesAvx512(in);
       break;

@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/instruction_set.h"
 #include "engine/soft/soft_mesh.h"
 #include "engine/spacetime/minkowski.h"
 
@@ -46,7 +47,7 @@ class SoftBody {
  public:
   /// Makes a relaxed, contracted body of this rest mass (kg) whose centre is at `centre` with the four-velocity `u`.
   SoftBody(std::shared_ptr<const SoftMesh> mesh, const SoftMaterial& material, double mass,
-           const glm::dvec2& centre, const Vec21& u);
+           const glm::dvec2& centre, const Vec21& u, InstructionSet instructions = bestInstructionSet());
 
   const SoftMesh& mesh() const { return *mesh_; }
   const SoftMaterial& material() const { return material_; }
@@ -80,6 +81,8 @@ class SoftBody {
   /// Returns the part of a node's momentum that its stress carries at a velocity, L(v) τ v.
   glm::dvec2 stressMomentum(std::size_t node, const glm::dvec2& v) const;
   double energy(std::size_t node) const { return state_.e[node]; }
+  /// Sets the velocity of a node that a told body carries along.
+  void carry(std::size_t node, const glm::dvec2& v) { state_.vx[node] = v.x, state_.vy[node] = v.y; }
   /// Adds an outer force on a node, for the step that is about to be tried.
   void push(std::size_t node, const glm::dvec2& force);
   void endPushes();
@@ -113,6 +116,7 @@ class SoftBody {
   std::shared_ptr<const SoftMesh> mesh_;
   SoftMaterial material_;
   double mass_ = 0.0;
+  InstructionSet instructions_;
   Triangles triangles_;
   State state_, tried_;
   std::vector<double> middleX_, middleY_;  // velocities

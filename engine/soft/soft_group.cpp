@@ -181,22 +181,25 @@ bool SoftGroup::tryStep(double dt) {
   }
   for (SoftBody* body : bodies_) {
     body->commit(dt);
-    body->drift(0.5 * dt);
   }
+  for (const HeldSide& side : held_) {
+    for (const int node : side.nodes)
+      bodies_[side.body]->carry(static_cast<std::size_t>(node), side.velocity);
+  }
+  for (SoftBody* body : bodies_) body->drift(0.5 * dt);
   return std::all_of(bodies_.begin(), bodies_.end(), [](const SoftBody* body) { return body->isSound(); });
 }
 
 double SoftGroup::step(double most) {
   double dt = most;
   for (const SoftBody* body : bodies_) dt = std::min(dt, body->longestStep());
-  std::vector<SoftBody::State> before;
-  for (const SoftBody* body : bodies_) before.push_back(body->state());
-  const std::vector<glm::dvec2> impulses = impulses_;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) before_[k] = bodies_[k]->state();
+  impulsesBefore_ = impulses_;
   for (int halving = 0; halving <= kHalvings; ++halving) {
     touched_.assign(cushions_.size(), false);
     if (tryStep(dt)) return dt;
-    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k]->restore(before[k]);
-    impulses_ = impulses;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k]->restore(before_[k]);
+    impulses_ = impulsesBefore_;
     dt *= 0.5;
   }
   throw std::runtime_error("a soft body cannot be followed");

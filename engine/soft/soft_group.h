@@ -35,7 +35,10 @@ class SoftGroup {
  public:
   /// `bodies` are the group's in the order of their names, and outlive it.
   SoftGroup(std::vector<SoftBody*> bodies, std::vector<SoftCushion> cushions)
-      : bodies_(std::move(bodies)), cushions_(std::move(cushions)), impulses_(cushions_.size()) {}
+      : bodies_(std::move(bodies)),
+        cushions_(std::move(cushions)),
+        impulses_(cushions_.size()),
+        before_(bodies_.size()) {}
 
   /// Makes one step, of at most `most`. Returns its length. A step that cannot be followed is undone and tried again with half its
   /// length, down to a sixteenth; then throws std::runtime_error.
@@ -72,6 +75,8 @@ class SoftGroup {
   std::vector<bool> touched_;
   std::vector<HeldSide> held_;
   std::vector<Touch> touches_;
+  std::vector<SoftBody::State> before_;  // the step that is made, to undo it
+  std::vector<glm::dvec2> impulsesBefore_;
 };
 
 }  // namespace carom
