@@ -97,8 +97,8 @@ TEST(SoftBody, BouncesOffACushionAsTheReferences) {
   struct Case {
     double speed, sound, ratio;
   };
-  for (const Case& one : {Case{0.3, 0.5, 0.675}, Case{0.6, 0.5, 0.651}, Case{0.8, 0.5, 0.653},
-                          Case{0.6, 0.25, 0.517}, Case{0.6, 0.7, 0.709}}) {
+  for (const Case& one : test::someOf({Case{0.6, 0.5, 0.651}, Case{0.3, 0.5, 0.675}, Case{0.8, 0.5, 0.653},
+                                       Case{0.6, 0.25, 0.517}, Case{0.6, 0.7, 0.709}})) {
     SCOPED_TRACE(testing::Message() << one.speed << " c, sound " << one.sound);
     EXPECT_NEAR(bounced(8, {one.sound, 0.15}, one.speed, 0.0).normalRatio, -one.ratio, 0.05);
     EXPECT_NEAR(bounced(16, {one.sound, 0.15}, one.speed, 0.0).normalRatio, -one.ratio, 0.03);
