@@ -51,8 +51,6 @@ def module(path):
 uses, errors = modules.modules_used(root)
 for error in errors:
     fail(error)
-if (root / "app/doc/figures/modules.svg").read_text() != modules.figure(uses):
-    fail("app/doc/figures/modules.svg shows other modules than the lists: python3 tests/modules.py .")
 
 # The modules that each module includes.
 includes = {}
@@ -71,6 +69,8 @@ found = circles(uses)
 for circle in found:
     fail("these rooms use each other in a circle:", " -> ".join(circle))
 print(f"room circles {len(found)}")
+if not found and (root / "app/doc/figures/modules.svg").read_text() != modules.figure(uses):
+    fail("app/doc/figures/modules.svg shows other modules than the lists: python3 tests/modules.py .")
 
 
 def below(room, seen):
