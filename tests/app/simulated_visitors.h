@@ -152,7 +152,8 @@ class SimulatedVisitors {
 
   /// Decides whether the visitors stand before a question now and discuss it.
   bool discusses() {
-    const bool isNew = discussed_ != games_;  // one discussion a game
+    // One discussion a game, and by somebody who has done something since they came.
+    const bool isNew = discussed_ != games_ && mood_ != Mood::away;
     return isNew && leader_->settings().lesson.phase == LessonPhase::asks && random_.in(0.0, 1.0) < 0.3;
   }
 
