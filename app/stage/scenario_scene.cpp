@@ -67,7 +67,7 @@ void warnOfLarge(const std::string& path) {
   std::error_code failed;
   const double bytes = static_cast<double>(std::filesystem::file_size(path, failed));
   const auto faces = facesIn(path);
-  // Measured with VTK 9.1: a triangle of a binary STL takes 1.5 µs and 250 bytes.
+  // About, with VTK 9.1: a triangle of a binary STL takes 1.5 µs and 250 bytes.
   constexpr double kPerFace_s = 1.5e-6, kPerFace_bytes = 250.0;
   log::warn(fmt::format(
       "{}:1:1: is large, {:.0f} MB{}, and was not read here: whether it is whole is not known", path,
