@@ -240,7 +240,7 @@ NodeHealth unpacked(const std::string& text) {
   return report;
 }
 
-/// Prints the facts of all nodes, kind by kind: once what is the same on every node.
+/// Prints the facts of all nodes, kind by kind: once where all nodes have the same.
 void printFacts(const Cluster& cluster, const std::vector<NodeHealth>& nodes) {
   std::vector<std::string> kinds;
   for (const NodeHealth& node : nodes) {

@@ -36,7 +36,7 @@ double rimOf(vtkPolyData& mesh) {
   return rim_m;
 }
 
-/// Throws std::runtime_error if the body's spin would carry a part of what is drawn of it round as fast as light.
+/// Throws std::runtime_error if the body's spin would carry a part of its picture round as fast as light.
 void checkSpin(const ScriptedBody& body, double c_m_s) {
   const double turn_rad_s = std::abs(body.worldLine.knots().front().spin.omega_rad_s);
   if (turn_rad_s == 0.0) return;
