@@ -191,7 +191,7 @@ expect("Tracker" not in said, f"something is said of trackers that are well: {sa
 wand, box = Server("Wand"), Server("Button0")
 LINES = [
     f"Tracker you: the server at 127.0.0.1:{wand.port} has no 'Nobody', it has: Wand; it is waited for",
-    f"Tracker box: the server at 127.0.0.1:{box.port} has no 'Nobody', it has: Button0",
+    f"Tracker box: the server at 127.0.0.1:{box.port} has no 'Nobody', it has: Button0; it is waited for",
     "Tracker wand: its messages carry the same time again and again; each is taken to be of the moment when it came",
 ]
 
