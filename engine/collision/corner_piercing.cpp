@@ -20,8 +20,9 @@ using Vec2 = glm::dvec2;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTie = 1e-9;         // of the radii: piercings as near to each other in time are one
 constexpr double kSameNormal = 1e-6;  // the angle between their sides
-constexpr double kFront = 0.1;        // the cosine of the angle between sides that look the same way
-constexpr double kEnd = 1e-12;        // of a side's length: by so much it reaches beyond its corners
+constexpr double kDeeper = 1e-2;  // of the radii: so much deeper goes a corner that slides in the other body
+constexpr double kFront = 0.1;    // the cosine of the angle between sides that look the same way
+constexpr double kEnd = 1e-12;    // of a side's length: by so much it reaches beyond its corners
 
 /// A quantity that is linear in the offset of a corner and in its own time.
 struct Linear {
@@ -86,6 +87,18 @@ class Corners {
   Vec2 placeInB(const Vec2& corner, double s) const;
   Lie lieOf(std::size_t corner, const Vec2& place, double s) const;
   Lie lieAt(std::size_t corner, double s) const { return lieOf(corner, placeInB(cornerOf(corner), s), s); }
+  /// Likewise; a corner that has come in, or is through, as it lies to the side by which it came.
+  Lie keptOut(std::size_t corner, const Vec2& place, double s) const;
+  Lie keptOutAt(std::size_t corner, double s) const {
+    return keptOut(corner, placeInB(cornerOf(corner), s), s);
+  }
+  double outsideOf(std::size_t side, const Vec2& place) const {
+    const Outline::Side& of = b_.outline->sides()[side];
+    return glm::dot(of.normal, place) - of.offset;
+  }
+  double outsideOf(std::size_t side, std::size_t corner, double s) const {
+    return outsideOf(side, placeInB(cornerOf(corner), s));
+  }
   /// The side of b to which a corner that is known by its way belongs at its own time s.
   std::optional<std::size_t> entranceOf(std::size_t corner, const Vec2& place, double s) const;
   double angleOfB(const Vec2& corner, double s) const;
@@ -205,7 +218,7 @@ void Corners::overlapStraight(double& deepest, std::optional<FoundContact>& best
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const Vec2 offset = turned(cornerOf(c), ofA);
     const double s = (window_.from - windowTime_(offset, 0.0)) / windowTime_.perS;
-    const Lie there = lieOf(c, turnedBack(placeOf(offset, s), ofB), s);
+    const Lie there = keptOut(c, turnedBack(placeOf(offset, s), ofB), s);
     if (there.through || !(there.outside <= kCornerTouches * size_) || !(there.outside < deepest)) continue;
     const Vec2& normal = b_.outline->sides()[there.side].normal;
     if (!(-glm::dot(normal, w) > kLeastClosing)) continue;
@@ -297,6 +310,14 @@ Lie Corners::lieOf(std::size_t corner, const Vec2& place, double s) const {
   return {glm::dot(side.normal, place) - side.offset, *entrance};
 }
 
+Lie Corners::keptOut(std::size_t corner, const Vec2& place, double s) const {
+  if (passage_ != Passage::apart && hasEntered_[corner]) {
+    const auto entrance = entranceOf(corner, place, s);
+    if (entrance) return {outsideOf(*entrance, place), *entrance};
+  }
+  return lieOf(corner, place, s);
+}
+
 FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) const {
   const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
   const double angle = b_.angle + b_.turning * ownTimeOfB_(offset, s);
@@ -316,14 +337,17 @@ std::optional<Corners::Advanced> Corners::advance(std::size_t corner, double s, 
       (before - time_.at0 + size_ * (std::abs(time_.perX) + std::abs(time_.perY))) / time_.perS;
   const double last = std::min(end, latest);
   Lie here = lieAt(corner, s);
+  double shallowest = here.outside;
   for (int step = 0; s < last; ++step) {
     if (step == kMostSteps) return Advanced{s, true};
     const bool inside = here.outside <= 0.0;
     const double next = s + steps.next(here.outside);
     const Lie there = lieAt(corner, next);
     const bool comparable = there.side == here.side || !isKnownByItsWay(corner);
-    if (inside && comparable && there.outside <= 0.0 &&
-        there.outside < here.outside - kLeastClosing * (next - s))
+    shallowest = inside && comparable ? std::max(shallowest, there.outside) : there.outside;
+    const double slack = isKnownByItsWay(corner) ? kDeeper * size_ : kLeastClosing * (next - s);
+    if (inside && comparable && !window_.onlyNew && there.outside <= 0.0 && there.outside < here.outside &&
+        there.outside < shallowest - slack)
       return Advanced{next};  // deeper again
     if (!inside && there.outside <= 0.0 && !here.through) {
       const auto depth = [&](double at) { return -lieAt(corner, at).outside; };
@@ -341,22 +365,25 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
   const double root2 = half * half - speed2 * apart2;
   double begin = -kNever, end = kNever;
   if (speed2 > 0.0) {
-    if (root2 < 0.0) return;
+    if (root2 < 0.0 && passage_ == Passage::apart) return;
     const double margin = std::sqrt(speed2) / ownTimeOfB_.perS * a_.radius;
-    begin = (-half - std::sqrt(root2)) / speed2 - margin, end = (-half + std::sqrt(root2)) / speed2 + margin;
-  } else if (apart2 > 0.0) {
+    const double root = std::sqrt(std::max(0.0, root2));
+    begin = (-half - root) / speed2 - margin, end = (-half + root) / speed2 + margin;
+  } else if (apart2 > 0.0 && passage_ == Passage::apart) {
     return;
   }
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const Vec2& corner = cornerOf(c);
     const double start = startOf(corner);
-    if (start > end) continue;
-    double s = std::max(begin, start);
+    const bool entered = passage_ != Passage::apart && hasEntered_[c];
+    if (start > end && !entered) continue;
+    double s = entered ? start : std::max(begin, start);
     if (s == start && !window_.strictly && !window_.resumed) {
-      const Lie there = lieAt(c, s);
+      const Lie there = keptOutAt(c, s);
       const double soon = kLeastStep * size_;
       if (!there.through && there.outside <= kCornerTouches * size_) {
-        const double closing = (there.outside - lieAt(c, s + soon).outside) / soon;
+        const double later = entered ? outsideOf(there.side, c, s + soon) : lieAt(c, s + soon).outside;
+        const double closing = (there.outside - later) / soon;
         if (closing > kLeastClosing) {
           if (!(there.outside < deepest)) continue;
           deepest = there.outside;
@@ -379,7 +406,7 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
 void Corners::addTouching(double within, std::vector<FoundContact>& places) const {
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const double s = startOf(cornerOf(c));
-    const Lie there = lieAt(c, s);
+    const Lie there = keptOutAt(c, s);
     if (!there.through && there.outside <= within) places.push_back(contactAt(cornerOf(c), s, there.side));
   }
 }
@@ -404,8 +431,7 @@ struct BothCorners {
       const bool apart = bySecond == Passage::apart || byFirst == Passage::apart;
       passage = apart ? Passage::apart : std::max(bySecond, byFirst);
     }
-    const bool behind =
-        convex && (passage == Passage::through || (earlier->behind && passage != Passage::apart));
+    const bool behind = convex && passage != Passage::apart;
     ofFirst.setPassage(passage, behind), ofSecond.setPassage(passage, behind);
   }
 };
@@ -465,7 +491,8 @@ std::optional<FoundContact> findPiercing(const ShapedFlight& first, const Shaped
     ofSecond.pierceTurning(deepest, best);
     return best;
   }
-  if (!window.strictly && !window.resumed && mayOverlap(first, second, U, window.from)) {
+  const bool come = ofFirst.passage() != Passage::apart;
+  if (!window.strictly && !window.resumed && (come || mayOverlap(first, second, U, window.from))) {
     ofFirst.overlapStraight(deepest, best);
     ofSecond.overlapStraight(deepest, best);
   }

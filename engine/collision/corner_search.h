@@ -15,6 +15,7 @@ struct ContactWindow {
   double from = 0.0;
   bool strictly = false;  ///< both flights begin at board time 0, when nothing is in contact
   bool resumed = false;   ///< what touches already at `from` has been dealt with
+  bool onlyNew = false;   ///< and what goes deeper after that
 
   double timeOf(const Vec21& event) const { return dot(frame, event - origin); }
   bool holds(double time) const { return strictly ? time > from : time >= from; }
