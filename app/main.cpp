@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/files/toml_file.h"
+#include "cave/mesh/vtk_messages.h"
 #include "engine/base/log.h"
 #include "options.h"
 
@@ -23,6 +24,7 @@ int report(const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  carom::sendVtkMessagesToLog();
   try {
     return carom::runCommandLine(argc, argv);
   } catch (const std::exception& error) {

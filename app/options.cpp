@@ -18,10 +18,12 @@
 #include "app/commands/replay.h"
 #include "app/commands/room.h"
 #include "app/files/input_file.h"
+#include "app/stage/handover.h"
 #include "app/stage/scenario_scene.h"
 #include "app/tools/calibrate.h"
 #include "app/tools/check.h"
 #include "app/tools/filter.h"
+#include "app/tools/help.h"
 #include "app/tools/import.h"
 #include "app/tools/list.h"
 #include "app/tools/observe.h"
@@ -32,7 +34,9 @@ namespace carom {
 namespace {
 
 const SeenSceneText kSeenScene = seenSceneVtp;
-const std::function<void(const Scenario&)> kOpenMeshes = openMeshes;
+const FileOpeners kOpeners{examineMeshes, [](const auto& file, const Rig& rig) {
+                             openBlends({file, {}}, rig);
+                           }};
 const ShowPattern kShowPattern = [](const auto& rig, const auto& capture) {
   return runPattern({rig, capture});
 };
@@ -75,7 +79,7 @@ void addCommands(CLI::App& app, int& status) {
   addDiagram(app, status);
   addExport(app, status);
   addList(app, status);
-  addCheck(app, status, kOpenMeshes, kShowPattern);
+  addCheck(app, status, kOpeners, kShowPattern);
   addSimulate(app, status);
   addObserve(app, status, kSeenScene);
   addRoom(app, status);
@@ -84,6 +88,7 @@ void addCommands(CLI::App& app, int& status) {
   addCalibrate(app, status);
   addTrack(app, status);
   addFilter(app, status);
+  addHelp(app, status);
 }
 
 }  // namespace

@@ -11,12 +11,12 @@ install(DIRECTORY config/ COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}
   PATTERN udev EXCLUDE PATTERN desktop EXCLUDE PATTERN systemd EXCLUDE)
 install(FILES config/udev/70-carom.rules COMPONENT program DESTINATION lib/udev/rules.d)
 install(FILES config/desktop/carom.desktop COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
-install(FILES config/systemd/carom.service COMPONENT program DESTINATION lib/systemd/user)
+install(FILES config/systemd/carom.service config/systemd/carom-room.service COMPONENT program DESTINATION lib/systemd/user)
 install(FILES ${PROJECT_BINARY_DIR}/app/doc/carom.1.gz COMPONENT program DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 # The pages keep their places relative to each other, so that their links remain valid.
-install(FILES README.md COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CONTRIBUTING.md CHANGELOG.md COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY app/pictures app/doc COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR}/app
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.html" PATTERN "*.png" PATTERN "*.svg")
 install(FILES LICENSE COMPONENT program DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES LICENSE COMPONENT engine DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libcarom-dev RENAME copyright)
 

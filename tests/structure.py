@@ -1,6 +1,6 @@
 """structure.py ROOT: checks that no header includes itself through others, that the dependencies between
 rooms (the folders with a carom_room in their CMakeLists.txt) have no circle, that a room includes only
-from rooms that it uses, that no folder holds more than 28 modules, and that every source file has the
+from rooms that it uses, that no type is defined twice, that app/doc/figures/modules.svg shows these rooms, that no folder holds more than 28 modules, and that every source file has the
 format of .clang-format. Prints a line for each folder and one for each of the rules."""
 
 import pathlib
@@ -8,6 +8,8 @@ import re
 import shutil
 import subprocess
 import sys
+
+import modules
 
 MOST_MODULES = 28
 ROOMS = ["app", "cave", "devices", "engine"]
@@ -46,14 +48,9 @@ def module(path):
     return str(path).rsplit(".", 1)[0]
 
 
-# The rooms that each room uses, according to its CMakeLists.txt.
-uses = {}
-for listing in root.rglob("CMakeLists.txt"):
-    for room, rest in re.findall(r"(?m)^carom_room\((\S+)([^)]*)\)", listing.read_text()):
-        named = re.search(r"\bUSES\s+(.*?)(?=\s+[A-Z_]{4,}\b|\s*$)", rest, re.DOTALL)
-        uses[room] = set(named.group(1).split()) if named else set()
-        for other in uses[room] - {path for path in uses[room] if (root / path).is_dir()}:
-            fail(f"{room} uses {other}, which is no folder")
+uses, errors = modules.modules_used(root)
+for error in errors:
+    fail(error)
 
 # The modules that each module includes.
 includes = {}
@@ -72,6 +69,8 @@ found = circles(uses)
 for circle in found:
     fail("these rooms use each other in a circle:", " -> ".join(circle))
 print(f"room circles {len(found)}")
+if not found and (root / "app/doc/figures/modules.svg").read_text() != modules.figure(uses):
+    fail("app/doc/figures/modules.svg shows other modules than the lists: python3 tests/modules.py .")
 
 
 def below(room, seen):
@@ -94,14 +93,25 @@ for own in sorted(includes):
             fail(f"{own} includes {other}, but {room} does not use its folder")
 print(f"includes of rooms that are not used {forbidden}")
 
-modules = {}
+# Two types of one name in one namespace are ill-formed as soon as one source sees both headers.
+defined = {}
+for file in files:
+    if file.suffix == ".h":
+        for name in re.findall(r"(?m)^(?:struct|class|union|enum class|enum)(?: alignas\(\w+\))? (\w+)(?: final)?(?: :[^;{]*)? ?\{", file.read_text()):
+            defined.setdefault(name, []).append(str(file.relative_to(root)))
+twice = {name: places for name, places in defined.items() if len(places) > 1}
+for name, places in sorted(twice.items()):
+    fail(f"the type {name} is defined in", " and in ".join(sorted(places)))
+print(f"types {len(defined)}, defined twice {len(twice)}")
+
+files_of = {}
 for file in files:
     if file.suffix in (".h", ".cpp"):
-        modules.setdefault(str(file.parent.relative_to(root)), set()).add(file.stem)
-for folder in sorted(modules, key=lambda folder: (-len(modules[folder]), folder)):
-    print(f"{len(modules[folder]):3} modules in {folder}")
-    if len(modules[folder]) > MOST_MODULES:
-        fail(f"{folder} holds {len(modules[folder])} modules, expected {MOST_MODULES} at most")
+        files_of.setdefault(str(file.parent.relative_to(root)), set()).add(file.stem)
+for folder in sorted(files_of, key=lambda folder: (-len(files_of[folder]), folder)):
+    print(f"{len(files_of[folder]):3} modules in {folder}")
+    if len(files_of[folder]) > MOST_MODULES:
+        fail(f"{folder} holds {len(files_of[folder])} modules, expected {MOST_MODULES} at most")
 
 formatter = shutil.which("clang-format-14") or shutil.which("clang-format")
 version = subprocess.run([formatter, "--version"], capture_output=True, text=True).stdout if formatter else ""

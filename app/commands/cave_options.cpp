@@ -119,9 +119,12 @@ void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) 
 /// Adds what lets a session run without an operator.
 void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   command
-      .add_option("--unattended", options->unattended_s,
-                  "Welcome the next visitor after so many seconds without input or motion of the head: the "
-                  "first game starts anew, all settings as at the beginning")
+      .add_option(
+          "--unattended", options->unattended_s,
+          "Welcome the next visitor after so many seconds without input or motion of the head, five "
+          "times as many while a question stands: the last ten are counted down on the wall, then the "
+          "first game starts anew, all settings as at the beginning. Locks Escape, Q and the close "
+          "buttons of the windows")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
   command
@@ -162,6 +165,13 @@ std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
   addBeginning(command, options);
   addSession(command, options);
   command.add_flag("--no-window", options->noWindow, "Draw without showing; an X display is still needed");
+  command.add_flag(
+      "--by-mouse", options->byMouse,
+      "A dry run of the room without its trackers, none of which is opened: mouse and keys move head and "
+      "wand. "
+      "Arrows walk, Page Up and Page Down raise and lower the head, Delete and End turn it; the wand points "
+      "where the mouse does, and the left button is its trigger");
+  addWithoutNodes(command, options->withoutNodes);
   addUnattended(command, options);
   addSilent(command, options->silent);
   addExtraWindows(command, options->extra);

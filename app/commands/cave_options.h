@@ -28,6 +28,7 @@ struct CaveOptions {
   bool isUsualGame = false;                 ///< no scenario was asked for
   std::filesystem::path playlist;           ///< empty: the rig's, if it has one
   std::shared_ptr<const Playlist> games{};  ///< the playlist that was read
+  bool byMouse = false;                     ///< mouse and keys move heads and wands, in place of trackers
   /// Number of frames to play in simulated time; if empty, real time without limit.
   std::optional<std::uint64_t> frames;
   RecordingOptions recording;                    ///< images and movie
@@ -35,6 +36,7 @@ struct CaveOptions {
   bool resume = false;       ///< continue from the end of `session`, with its rig and scenario
   bool resumeOrNew = false;  ///< continue the newest game of `session` if there is one
   std::optional<std::filesystem::path> status;  ///< rank 0 says here once a second how the session goes
+  std::vector<int> withoutNodes;                ///< of the rig, whose computers are missing
   bool noWindow = false;
   bool silent = false;  ///< no sounds
   std::string pin;      ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none

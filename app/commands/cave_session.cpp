@@ -30,9 +30,14 @@ namespace {
 std::unique_ptr<Clock> clockOf(const SessionSetup& setup, const CaveOptions& options,
                                std::chrono::steady_clock::time_point start) {
   if (!setup.realTime) return std::make_unique<SimulatedClock>();
-  if (options.frames) log::note("The head is tracked by a device: the frames are shown in real time.");
+  if (options.frames) {
+    log::note(fmt::format("The head is {}: the frames are shown in real time.",
+                          setup.rig.byMouse ? "moved by mouse and keys" : "tracked by a device"));
+  }
   return std::make_unique<SteadyClock>(start);
 }
+
+KeysOf keysOf(const CaveOptions& options) { return options.byMouse ? KeysOf::dryRun : KeysOf::session; }
 
 /// Prints what will be shown, on rank 0.
 void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptions& options) {
@@ -53,7 +58,9 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
   const bool drawsHere = std::any_of(walls.begin(), walls.end(),
                                      [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
   const bool hasWindow = !options.noWindow && (drawsHere || options.extra.outside || options.extra.console);
-  if (hasWindow) sayKeys(KeysOf::session);
+  if (hasWindow) sayKeys(keysOf(options));
+  if (hasWindow && options.unattended_s && options.pin.empty())
+    log::note("Escape, Q and the windows' close buttons are locked. Ctrl+C or SIGTERM ends the session.");
   if (!hasWindow && !options.frames) {
     log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
   }
@@ -89,6 +96,7 @@ struct Before {
 
 Before whatWas(const std::filesystem::path& file) {
   SessionFile session(file);
+  session.scenario();  // refuses one that the session does not belong to
   Before before{session.facts(), {}};
   const auto frames = session.frames();
   if (!frames) return before;
@@ -120,6 +128,7 @@ Beginning beginningOf(const CaveOptions& options) {
 OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& options, const std::string& file,
                                const Before& before) {
   OperatorSettings settings = settingsOf(setup.rig, setup.scenario, file, beginningOf(options));
+  settings.console = consoleAtStart(setup.desk);
   if (!before.last) return settings;
   // A question without an answer is asked again.
   if (before.last->lesson.phase != LessonPhase::asks) settings.lesson = before.last->lesson;
@@ -142,8 +151,8 @@ struct LivePlay {
       : clock(clockOf(setup, options, start.sessionStart)),
         pace(paceOf(setup, *clock, livedOf_s(start), start.firstFrame())),
         source(setup.rig, setup.scenario, setup.world, (start.headset = pace.worn, start)),
-        leader(source, KeysOf::session, firstSettings(setup, options, inputs.scenario.file.string(), before),
-               devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::session), options.unattended_s,
+        leader(source, keysOf(options), firstSettings(setup, options, inputs.scenario.file.string(), before),
+               devicesOf(setup.realTime ? setup.walls.get() : nullptr, keysOf(options)), options.unattended_s,
                options.scenario.string()),
         sounds(soundsFor(setup, options.silent || options.noWindow)) {
     const WrittenGame game = options.resume ? WrittenGame::resumed : WrittenGame::first;
@@ -230,28 +239,28 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
     std::optional<std::filesystem::path> session;
     if (writeNext(play->journal, options, next, inputs, setup)) session = options.session;
     if (windows.console) windows.console->writeTo(session);
-    if (play->status) play->status->play(setup.rig.title, setup.scenario.title, session.value_or(""));
+    if (play->status) play->status->play(setup.rig, setup.scenario.title, session.value_or(""));
     play->leader.begin(
         settingsOfNext(play->leader.settings(), next, setup.rig, setup.scenario, beginningOf(options)));
     log::note(
         fmt::format("{}{}", setup.scenario.title, session ? " is written to " + session->string() : ""));
   });
-  setup.graphics->poll();  // discards input that arrived during the setup
+  setup.graphics->discardInput();  // that arrived during the setup
   return true;
 }
 
 /// Runs one game's frames. Returns whether someone asked to quit.
-bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play,
+bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, LivePlay* play, KeysOf keys,
               KeyLock& lock) {
   FramePacer follows;
   if (!play) {
-    SessionFrames frames(cluster, setup, follows, nullptr, KeysOf::session);
+    SessionFrames frames(cluster, setup, follows, nullptr, keys);
     frames.context().keyLock = &lock;
     return runFrames(frames.context());
   }
   const LeaderParts lead{play->source,   play->leader,       windows,        play->sounds.get(),
                          &play->journal, play->status.get(), play->pace.worn};
-  SessionFrames frames(cluster, setup, *play->pace.pacer, &lead, KeysOf::session);
+  SessionFrames frames(cluster, setup, *play->pace.pacer, &lead, keys);
   frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());
   if (setup.realTime) frames.statistics().sayHowItWent();
@@ -317,27 +326,29 @@ Before prepare(CaveOptions& options, SetupOptions& inputs) {
 void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesystem::path>& opened) {
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,         options.recording,
                       options.noWindow,  options.frames.has_value(), options.extra};
+  inputs.byMouse = options.byMouse;
+  inputs.withoutNodes = options.withoutNodes;
   Before before;
   std::unique_ptr<StatusFile> status;
   onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
-    if (options.status) status = std::make_unique<StatusFile>(*options.status);
+    if (options.status) status = std::make_unique<StatusFile>(*options.status, cluster);
     before = prepare(options, inputs);
   });
   opened = options.session;
   SessionSetup setup = setUpSession(cluster, inputs);
-  OperatorWindows windows = openWindows(cluster, setup, KeysOf::session);
+  OperatorWindows windows = openWindows(cluster, setup, keysOf(options));
   if (windows.console) windows.console->writeTo(options.session);
   std::unique_ptr<LivePlay> play;
   onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;
     play = playOf(setup, options, inputs, before);
     play->status = std::move(status);
-    if (play->status) play->status->play(setup.rig.title, setup.scenario.title, options.session.value_or(""));
+    if (play->status) play->status->play(setup.rig, setup.scenario.title, options.session.value_or(""));
   });
   if (play) announce(setup, cluster, options);
-  KeyLock lock(options.pin);
-  while (!playGame(cluster, setup, windows, play.get(), lock) &&
+  KeyLock lock(options.pin, options.unattended_s.has_value());
+  while (!playGame(cluster, setup, windows, play.get(), keysOf(options), lock) &&
          goOnWithAnother(cluster, options, inputs, setup, windows, play.get())) {
   }
   const bool leads = play != nullptr;

@@ -39,7 +39,7 @@ DiagramSubject subjectOf(const Scenario& scenario, double until_s) {
 /// Returns the diagram of a recorded session, to its end or to a board time.
 DiagramSubject subjectOf(const DiagramOptions& options) {
   SessionFile session(options.source, options.game);
-  const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
+  const Scenario scenario = session.scenario();
   sayGame(session, scenario.title);
   DiagramSubject subject = subjectOf(scenario);
   World world{startingHistories(scenario), {}};

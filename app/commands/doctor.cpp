@@ -10,15 +10,22 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <glm/common.hpp>
 
+#include "app/commands/node_health.h"
+#include "app/commands/room.h"
+#include "app/commands/room_health.h"
+#include "app/commands/session_options.h"
 #include "app/files/rig.h"
+#include "app/nodes/rig_without.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/handover.h"
 #include "app/tools/option_values.h"
@@ -32,16 +39,6 @@
 
 namespace carom {
 namespace {
-
-constexpr double kLeastDisk_gib = 2.0;  // an hour's session file with its samples takes about a quarter
-
-/// What one node has, and what keeps it from showing a room.
-struct NodeHealth {
-  std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<std::string> warnings, errors;
-
-  void add(const char* what, std::string said) { facts.emplace_back(what, std::move(said)); }
-};
 
 /// Returns which part of a window lies on none of the monitors, 0 to 1, if these do not overlap.
 double hiddenShare(const ScreenPlace& window, std::span<const Monitor> monitors) {
@@ -161,15 +158,6 @@ void lookAtSystem(NodeHealth& report) {
   CPU_ZERO(&mask);
   sched_getaffinity(0, sizeof mask, &mask);
   report.add("cores", fmt::format("{} of {}", CPU_COUNT(&mask), std::thread::hardware_concurrency()));
-
-  std::error_code failed;
-  const auto space = std::filesystem::space(".", failed);
-  const double free_gib = failed ? 0.0 : static_cast<double>(space.available) / (1024.0 * 1024.0 * 1024.0);
-  report.add("disk",
-             fmt::format("{:.0f} GiB free in {}", free_gib, std::filesystem::current_path(failed).string()));
-  if (free_gib < kLeastDisk_gib)
-    report.warnings.push_back(fmt::format(
-        "{:.1f} GiB are free here, expected {:g} at least for session files", free_gib, kLeastDisk_gib));
 }
 
 std::string hostName() {
@@ -191,27 +179,51 @@ void lookAtWalls(const Cluster& cluster, std::span<const Wall> walls, NodeHealth
   report.add("walls", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")));
 }
 
-NodeHealth lookAt(const Cluster& cluster, const Rig* rig) {
+/// Runs a judgement; if it cannot be made, this is an error of the report.
+void tried(NodeHealth& report, const std::function<void()>& judge) {
+  try {
+    judge();
+  } catch (const InputErrors& errors) {
+    for (const InputError& fault : errors.faults()) report.errors.push_back(fault.what());
+  } catch (const std::exception& error) {
+    report.errors.emplace_back(error.what());
+  }
+}
+
+/// Returns the findings about this computer.
+NodeHealth lookAtNode(const Cluster& cluster, const Rig* rig, const DoctorOptions& options) {
   NodeHealth report;
   report.add("host", hostName());
-  const auto tried = [&](const auto& look) {
-    try {
-      look();
-    } catch (const std::exception& error) {
-      report.errors.emplace_back(error.what());
-    }
-  };
-  tried([&] {
+  tried(report, [&] {
+    if (options.noWindow) return;
     const Graphics graphics(rig ? displayOf(*rig, cluster.rank()) : "");
     const std::vector<Wall> walls = rig ? cluster.wallsOf(rig->walls) : std::vector<Wall>();
     if (rig) lookAtWalls(cluster, walls, report);
     lookAtDisplay(graphics, rig, walls, report);
   });
-  tried([&] { lookAtSystem(report); });
+  tried(report, [&] { lookAtSystem(report); });
   report.add("headset", aboutHeadsets());
   report.add("MPI", fmt::format("{}, {} node{}", Cluster::libraryVersion(), cluster.size(),
                                 cluster.size() == 1 ? "" : "s"));
   return report;
+}
+
+/// Returns how many processes of this room run on this computer.
+int ranksHere() {
+  const char* here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  return here ? std::max(1, std::atoi(here)) : 1;
+}
+
+/// Adds the findings about the room. Every rank must call it; rank 0 makes the report.
+void lookAtRoom(const Cluster& cluster, const Rig* rig, const DoctorOptions& options, NodeHealth& report) {
+  double poses_hz = 0.0;
+  if (rig && cluster.size() > 1 && cluster.rank() == 0) judgePorts(*rig, ranksHere(), report);
+  if (rig && cluster.rank() == 0) {
+    tried(report, [&] { judgeFiles(*rig, report); });
+    tried(report, [&] { poses_hz = judgeTrackers(*rig, report); });
+  }
+  if (cluster.rank() == 0) judgeDisk(options.folder, rig, poses_hz, report);
+  if (rig) judgeLinks(cluster, *rig, report);
 }
 
 std::string packed(const NodeHealth& report) {
@@ -282,33 +294,78 @@ bool printFindings(const Cluster& cluster, const std::vector<NodeHealth>& nodes)
 
 }  // namespace
 
-int runDoctor(const std::optional<std::filesystem::path>& rigFile) {
+int runDoctor(const DoctorOptions& options) {
   int status = 0;
   const int failed = runOnCluster([&](Cluster& cluster) {
     std::optional<Rig> rig;
     agreeOnVersion(cluster);
     Handover files(cluster);
-    if (rigFile) rig = files.rig({*rigFile, {}});
+    if (options.rig) try {
+        rig = files.rig({*options.rig, {}});
+        onAllRanks(cluster, [&] { rig = rigWithout(std::move(*rig), options.withoutNodes); });
+      } catch (const RankFailed&) {  // it has been said why; the rest is judged without the rig
+        rig.reset();
+        status = 1;
+      }
     if (rig) cluster.nameNodes(rig->walls);
-    const std::vector<std::string> texts = cluster.gather(packed(lookAt(cluster, rig ? &*rig : nullptr)));
+    const Rig* const judged = rig ? &*rig : nullptr;
+    const std::vector<std::string> texts = cluster.gather(packed(lookAtNode(cluster, judged, options)));
+    NodeHealth room;
+    lookAtRoom(cluster, judged, options, room);
     if (cluster.rank() > 0) return;
     std::vector<NodeHealth> nodes;
     for (const std::string& text : texts) nodes.push_back(unpacked(text));
-    printFacts(cluster, nodes);
+    if (!options.findings) {
+      printFacts(cluster, nodes);
+      for (const auto& [subject, said] : room.facts) fmt::print("{:11}{}\n", subject, said);
+    }
     if (printFindings(cluster, nodes)) status = 1;
+    for (const std::string& finding : room.warnings) log::warn(finding);
+    for (const std::string& finding : room.errors) log::error(finding);
+    if (!room.errors.empty()) status = 1;
   });
   return std::max(failed, status);
 }
 
+namespace {
+
+/// Judges the nodes of a rig on their computers, or this machine: under mpirun this is one of its nodes.
+int judgeAll(const DoctorOptions& options) {
+  const bool isNode = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr;
+  bool isRoom = false;
+  try {
+    isRoom = !isNode && options.rig && nodesOf(readRig(*options.rig)) > 1;
+  } catch (const InputErrors&) {  // the doctor reports them
+  }
+  if (!isRoom) return runDoctor(options);
+  RoomOptions room;
+  room.rig = *options.rig;
+  room.doctor = true;
+  return runRoom(room);
+}
+
+}  // namespace
+
 void addDoctor(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "doctor", "Say what this machine, or each node of a room, has and lacks for a session");
-  auto rig = std::make_shared<std::optional<std::filesystem::path>>();
-  command->add_option("RIG", *rig, "Rig file that the machine is to show")->transform(shipped({"rigs"}));
+      "doctor", "Say what this machine, or every computer of a room, has and lacks for a session");
+  auto options = std::make_shared<DoctorOptions>();
+  command
+      ->add_option("RIG", options->rig,
+                   "Rig file of the room to be judged: its computers, trackers, files, links, disk and ports")
+      ->transform(shipped({"rigs"}));
+  command->add_flag("--findings", options->findings, "Say only what is wrong or suspicious");
+  command->add_flag("--no-window", options->noWindow, "Do not judge the displays: nothing is to be shown");
+  command->add_option("--folder", options->folder, "Folder of the session files, whose disk is judged")
+      ->type_name("DIR")
+      ->capture_default_str();
+  addWithoutNodes(*command, options->withoutNodes);
   command->footer(
-      "Examples:\n  carom doctor\n  carom room --doctor my-cave.toml\n"
-      "The exit status is 1 if something keeps a session from running.");
-  command->callback([rig, &status] { status = runDoctor(*rig); });
+      "Examples:\n  carom doctor\n  carom doctor my-cave.toml\n"
+      "The nodes of a rig are judged on their own computers, by mpirun. The exit status is 1 if something "
+      "keeps a\n"
+      "session from running.");
+  command->callback([options, &status] { status = judgeAll(*options); });
 }
 
 }  // namespace carom

@@ -59,7 +59,7 @@ Subject played(const Scenario& scenario, double until_s) {
 /// Returns the final state of the recorded game.
 Subject recorded(const EventsOptions& options) {
   SessionFile session(options.source, options.game);
-  const Scenario scenario = readScenario(session.facts().scenario, session.facts().scenarioText);
+  const Scenario scenario = session.scenario();
   sayGame(session, scenario.title);
   Subject subject = subjectOf(scenario);
   subject.viewers = session.facts().viewers;

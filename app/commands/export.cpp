@@ -77,7 +77,7 @@ struct Recorded {
   Recorded(const std::filesystem::path& file, std::optional<std::size_t> number)
       : session(file, number),
         rig(readRig(session.facts().rig, session.facts().rigText)),
-        scenario(readScenario(session.facts().scenario, session.facts().scenarioText)),
+        scenario(session.scenario()),
         game(wholeGame(session, startingHistories(scenario))) {
     sayGame(session, scenario.title);
     if (!session.frames())

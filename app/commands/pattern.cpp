@@ -101,6 +101,7 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
   DrawingEnd drawingEnd(*patterns.walls, statistics, realTime);
   RecordingListener recording(*patterns.recording, *patterns.walls, nullptr);
   KeyLock noLock;
+  EndQuestion ending;
   FrameContext context{cluster,
                        *patterns.graphics,
                        nothing,
@@ -109,7 +110,8 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
                        statistics,
                        {&walls, &drawingEnd},
                        {&statistics, &recording},
-                       &noLock};
+                       &noLock,
+                       &ending};
   runFrames(context);
   patterns.recording->finish();
   if (leads && options.capture) log::note(fmt::format("The pictures are in {}.", options.capture->string()));

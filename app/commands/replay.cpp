@@ -35,6 +35,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
   }
   if (options.observer) readTrace(*options.observer);
   if (!options.as.empty()) session->viewerNamed(options.as);
+  session->scenario();  // refuses one that the session does not belong to
   inputs.rig = {session->facts().rig, session->facts().rigText};
   const std::array<int, 2>& eye_px = session->facts().eyePixels;
   if (!inputs.live && eye_px[0] > 0 && eye_px[1] > 0) inputs.eye_px = {eye_px[0], eye_px[1]};
@@ -81,6 +82,7 @@ void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows,
                 const std::string& scenario, Frames& frames) {
   OperatorSettings settings = settingsAtStart(setup.rig, setup.scenario);
   settings.playing = scenario;
+  settings.console = consoleAtStart(setup.desk);
   FrameLeader leader(*frames.source, KeysOf::replay, settings,
                      devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::replay));
   const auto sounds = soundsFor(setup, options.silent || options.noWindow);

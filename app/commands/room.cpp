@@ -1,289 +1,398 @@
 #include "app/commands/room.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
+#include <fmt/ranges.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
-#include <cerrno>
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <ctime>
 #include <future>
-#include <map>
 #include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <thread>
+#include <utility>
 
-#include "app/commands/cave_options.h"
-#include "app/commands/mpirun_line.h"
+#include "app/commands/room_session.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
-#include "app/journal/session_file.h"
-#include "app/journal/session_series.h"
+#include "app/nodes/mpirun_line.h"
+#include "app/nodes/rig_without.h"
+#include "app/nodes/room_job.h"
+#include "app/nodes/room_keeper.h"
+#include "app/nodes/status_writer.h"
 #include "app/tools/option_values.h"
+#include "cave/cluster/cluster.h"
 #include "engine/base/log.h"
+#include "engine/base/whole_file.h"
 
 namespace carom {
 namespace {
 
-constexpr int kAnswers_s = 5;  // how long a host may take to answer
+constexpr double kStarts_s = 180.0;  // the time until the first frame
+constexpr double kJudges_s = 90.0;   // the time that `carom doctor` gets
 
-volatile std::sig_atomic_t asked = 0;  // someone asked for the end
-volatile pid_t running = 0;            // mpirun
+std::atomic<bool> asked = false;  // someone asked for the end
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void passOn(int) {
-  asked = 1;
-  if (running > 0) kill(running, SIGTERM);
-}
-
-std::string ownProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
-
-std::string ownHost() {
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
-}
-
-bool isHere(const std::string& host) { return host == "localhost" || host == ownHost(); }
-
-/// Returns what a command prints, of both of its outputs, and its exit status.
-std::pair<std::string, int> outputOf(const std::vector<std::string>& words) {
-  const std::string line = shellLine(words) + " 2>&1 </dev/null";
-  std::FILE* const pipe = popen(line.c_str(), "r");
-  if (!pipe) return {std::strerror(errno), -1};
-  std::string text;
-  std::array<char, 4096> block{};
-  while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe))
-    text.append(block.data(), got);
-  const int status = pclose(pipe);
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-  return {printable(text), WIFEXITED(status) ? WEXITSTATUS(status) : -1};
-}
-
-std::string_view lastLineOf(std::string_view text) {
-  const std::size_t end = text.rfind('\n');
-  return end == std::string_view::npos ? text : text.substr(end + 1);
-}
-
-/// Returns what is wrong with a host: it does not answer, or its program is missing or another version. Empty
-/// if nothing is.
-std::string faultOf(const std::string& host, const std::string& program) {
-  const auto [said, status] =
-      outputOf({"ssh", "-o", "BatchMode=yes", "-o", "LogLevel=ERROR", "-o",
-                fmt::format("ConnectTimeout={}", kAnswers_s), host, program, "--version"});
-  if (status == 255)  // of ssh itself
-    return fmt::format("host {} does not answer: {}, expected to reach it by ssh without a password", host,
-                       said);
-  if (status != 0)
-    return fmt::format("host {} does not run {}: {}, expected {} there", host, program, said, CAROM_VERSION);
-  if (lastLineOf(said) == CAROM_VERSION) return {};  // shells may greet or warn before it
-  return fmt::format("host {} has another version, {}, expected {} as here", host, said, CAROM_VERSION);
-}
-
-/// Asks all other hosts at once. Returns whether every one of them can take part; logs those that cannot.
-bool allAnswer(const std::vector<std::string>& hosts, const std::string& program) {
-  std::map<std::string, std::future<std::string>> answers;
-  for (const std::string& host : hosts) {
-    if (isHere(host) || answers.contains(host)) continue;
-    answers[host] = std::async(std::launch::async, faultOf, host, program);
-  }
-  bool all = true;
-  for (auto& [host, answer] : answers) {
-    const std::string fault = answer.get();
-    if (fault.empty()) continue;
-    log::error(fault);
-    all = false;
-  }
-  return all;
-}
-
-/// Runs mpirun in a process group of its own, so that Ctrl-C in the terminal reaches it through us alone.
-/// Returns its exit status.
-int run(const std::vector<std::string>& words) {
-  std::vector<char*> pointers;
-  std::vector<std::string> copy = words;
-  for (std::string& word : copy) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  sigset_t ours, before;  // no signal may come to the child between fork and exec, where it would be lost
-  sigemptyset(&ours);
-  sigaddset(&ours, SIGINT);
-  sigaddset(&ours, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &ours, &before);
-  const pid_t child = fork();
-  if (child == 0) {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-  } else {
-    running = child;
-  }
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  if (child < 0) throw std::runtime_error(fmt::format("mpirun cannot be started: {}", std::strerror(errno)));
-  if (child == 0) {
-    setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
-    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
-    execvp(pointers[0], pointers.data());
-    std::fprintf(stderr, "error: mpirun cannot be started: %s; expected the package openmpi-bin\n",
-                 std::strerror(errno));
-    _exit(127);
-  }
-  if (asked) kill(child, SIGTERM);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  running = 0;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
-/// How far a session has come: its newest file, and the last frame there.
-struct Progress {
-  std::filesystem::path file;
-  std::uint64_t frame = 0;
-
-  bool operator==(const Progress&) const = default;
-};
-
-/// Returns how far a session has come, or none if it cannot be read.
-std::optional<Progress> progressOf(const std::filesystem::path& session) try {
-  if (!std::filesystem::exists(session)) return {};
-  constexpr bool kQuiet = true;
-  const std::filesystem::path newest = newestOf(session);
-  const auto frames = SessionFile(newest, {}, kQuiet).frames();
-  return Progress{newest, frames ? frames->second : 0};  // a game may have begun and shown nothing yet
-} catch (const std::exception&) {
-  return {};
-}
-
-/// Returns a name for the session file: that of the rig, and the time.
-std::string sessionNameOf(const std::filesystem::path& rig) {
-  const std::time_t now = std::time(nullptr);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", std::localtime(&now));
-  return fmt::format("{}-{}.db", rig.stem().string(), text.data());
-}
-
-/// Gives a session whose name has a date the name of today, with which it can go on later.
-void settleDate(std::vector<std::string>& arguments, bool isToGoOn) {
-  const auto dated = [&](const std::string& file) {
-    return (isToGoOn ? namedToday(file) : datedFile(file)).string();
-  };
-  for (std::string& argument : arguments) {
-    constexpr std::string_view kWithName = "--session=";
-    if (&argument != arguments.data() && *(&argument - 1) == "--session")
-      argument = dated(argument);
-    else if (argument.starts_with(kWithName))
-      argument = std::string(kWithName) + dated(argument.substr(kWithName.size()));
-  }
-}
+extern "C" void notice(int) { asked = true; }
 
 void noticeSignals() {
   struct sigaction action {};
-  action.sa_handler = passOn;
+  action.sa_handler = notice;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }
 
-/// A session of `carom room`.
-struct RoomSession {
-  CaveOptions options;                 ///< as the arguments name them
-  std::vector<std::string> arguments;  ///< with a name for the session
-  std::filesystem::path file;
-};
+std::string ownProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-/// Returns the session that the arguments ask for. Throws CLI::ParseError, or what is wrong with its game.
-RoomSession sessionOf(const RoomOptions& options, const Rig& rig) {
-  RoomSession session{caveOptionsOf(options.arguments), options.arguments, {}};
-  if (!valueOf(session.arguments, "--rig").empty())
-    throw CLI::ValidationError("--rig", "the rig is named already, expected it once, before what follows it");
-  if (!session.options.session)
-    session.arguments = withValue(session.arguments, "--session", sessionNameOf(options.rig));
-  if (!session.options.resume) settleDate(session.arguments, session.options.resumeOrNew);
-  session.file = valueOf(session.arguments, "--session");
-  if (isHere(hostsOf(rig).front()) && !session.options.scenario.empty())
-    readScenario(session.options.scenario);
-  return session;
+using Hosts = std::vector<std::string>;
+
+/// Returns the hosts of the rig, each once.
+Hosts distinctHostsOf(const Rig& rig) {
+  Hosts hosts = hostsOf(rig);
+  hosts.erase(std::unique(hosts.begin(), hosts.end()), hosts.end());
+  return hosts;
 }
 
-/// Returns the arguments of carom with which the session goes on after a frame: its end and its first game are those
-/// with which it began.
-std::vector<std::string> argumentsAfter(const RoomSession& session, const Progress& reached,
-                                        std::uint64_t firstFrame) {
-  std::vector<std::string> arguments = session.arguments;
-  if (const auto frames = session.options.frames)
-    arguments = withValue(arguments, "--frames", std::to_string(firstFrame + *frames - 1 - reached.frame));
-  if (!session.options.isUsualGame)
-    arguments = withValue(arguments, "--scenario", session.options.scenario.string());
-  return resumedArguments(arguments, reached.file.string());
+/// Returns the ranks that run on these hosts.
+std::vector<int> ranksOf(const Rig& rig, const Hosts& hosts) {
+  const Hosts all = hostsOf(rig);
+  std::vector<int> ranks;
+  for (std::size_t rank = 0; rank < all.size(); ++rank) {
+    if (std::find(hosts.begin(), hosts.end(), all[rank]) != hosts.end())
+      ranks.push_back(static_cast<int>(rank));
+  }
+  return ranks;
 }
 
-/// Runs the session, and again from where it was cut off as long as it gets further.
-int runSession(const Rig& rig, const std::string& program, const RoomSession& session,
-               std::vector<std::string> line) {
-  auto before = progressOf(session.file);
-  const std::uint64_t firstFrame = before ? before->frame + 1 : 0;
-  for (;;) {
-    const int status = run(line);
-    if (asked) return 0;  // mpirun calls the end that was asked for a failure
-    if (status == 0) return 0;
-    const auto reached = progressOf(before ? before->file : session.file);
-    if (!reached || reached == before) return 1;  // it would fail again: it has shown nothing new
-    if (session.options.frames && reached->frame + 1 >= firstFrame + *session.options.frames) return status;
-    before = reached;
-    log::warn(fmt::format("the session was cut off after frame {}: it goes on by itself.", reached->frame));
-    line = mpirunLine(rig, program, argumentsAfter(session, *reached, firstFrame));
+/// Returns the rig without the computers that are left out by hand. Throws CLI::ValidationError.
+Rig rigWithoutHosts(const Rig& rig, const Hosts& without) {
+  const Hosts hosts = distinctHostsOf(rig);
+  for (const std::string& host : without) {
+    if (std::find(hosts.begin() + 1, hosts.end(), host) != hosts.end()) continue;
+    const bool isFirst = host == hosts.front();
+    throw CLI::ValidationError("--without",
+                               isFirst ? fmt::format("node 0 is on '{}', expected another host", host)
+                                       : fmt::format("the rig has no host '{}', expected one of {}", host,
+                                                     fmt::join(hosts.begin() + 1, hosts.end(), ", ")));
+  }
+  try {
+    return rigWithout(rig, ranksOf(rig, without));
+  } catch (const std::runtime_error& error) {
+    throw CLI::ValidationError("--without", error.what());
   }
 }
 
-/// Returns the line of mpirun that begins the session, or goes on with it.
-std::vector<std::string> firstLine(const Rig& rig, const std::string& program, const RoomOptions& options,
-                                   const RoomSession& session) {
-  if (session.options.resume)
-    return mpirunLine(rig, program, resumedArguments(session.arguments, newestOf(session.file).string()));
-  return mpirunLine(rig, program, startArguments(options.rig.string(), session.arguments));
+/// Returns the arguments that say which nodes of the rig are left out.
+std::vector<std::string> withoutArguments(std::vector<std::string> arguments, const std::vector<int>& ranks) {
+  if (!ranks.empty()) arguments.push_back(fmt::format("--without-nodes={}", fmt::join(ranks, ",")));
+  return arguments;
+}
+
+/// Returns whether a job has ended with this status because it lost a node, rather than because it cannot
+/// begin.
+bool isOfLostNode(int status) { return status == kNodeLost || status >= 128; }
+
+/// Returns the arguments with which `carom doctor` judges the room for a session.
+std::vector<std::string> doctorArguments(const RoomOptions& options, const RoomSession* session,
+                                         const std::vector<int>& without) {
+  std::vector<std::string> arguments{"doctor", options.rig.string()};
+  if (session) {
+    arguments.emplace_back("--findings");
+    if (session->options().noWindow) arguments.emplace_back("--no-window");
+    const std::filesystem::path folder = session->file().parent_path();
+    if (!folder.empty()) arguments.push_back(fmt::format("--folder={}", folder.string()));
+  }
+  return withoutArguments(std::move(arguments), without);
+}
+
+/// Runs `carom doctor` on the nodes of the rig. Returns its exit status.
+int judge(const Rig& rig, const std::vector<std::string>& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const JobEnd end = runJob(mpirunLine(rig, ownProgram(), arguments), asked, [start] {
+    return std::chrono::steady_clock::now() - start > std::chrono::duration<double>(kJudges_s);
+  });
+  if (end.wasAsked) return 0;
+  if (end.wasStopped)
+    log::error(
+        fmt::format("carom doctor did not come to its end within {:g} s, expected nodes that reach each "
+                    "other; does a firewall "
+                    "stand between them ([start] ports of the rig)?",
+                    kJudges_s));
+  return end.wasStopped ? kNodeLost : end.status;
+}
+
+/// A file for the status where the operator wants none, in a folder that goes with it.
+class PrivateStatus {
+ public:
+  PrivateStatus() {
+    std::string name = std::filesystem::temp_directory_path() / "carom-room-XXXXXX";
+    if (!mkdtemp(name.data())) throw NotWritten(name, "no folder for the room's status");
+    folder_ = name;
+  }
+  ~PrivateStatus() {
+    std::error_code failed;
+    std::filesystem::remove_all(folder_, failed);
+  }
+  PrivateStatus(const PrivateStatus&) = delete;
+  PrivateStatus& operator=(const PrivateStatus&) = delete;
+
+  std::filesystem::path file() const { return folder_ / "status.json"; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The status file while node 0 does not write it.
+class RoomStatus {
+ public:
+  explicit RoomStatus(const std::optional<std::filesystem::path>& file)
+      : own_(file ? nullptr : std::make_unique<PrivateStatus>()),
+        file_(file ? *file : own_->file()),
+        writer_(file_, [this] { return text(); }) {}
+
+  const std::filesystem::path& file() const { return file_; }
+
+  /// Says so in the place of the status that a node 0 has left.
+  void start() { say("starting", ""); }
+  void wait(const std::string& why) { say("waiting", why); }
+  void leaveOut(nlohmann::ordered_json missing) {
+    const std::scoped_lock hold(mutex_);
+    missing_ = std::move(missing);
+  }
+  void end() try {
+    writer_.end(
+        [this] { return readStatus(file_).state == "ended" ? std::string() : linesOf(statusOf("ended")); });
+  } catch (const NotWritten& error) {
+    log::warn(error.what());
+  }
+
+ private:
+  void say(const char* state, const std::string& why) {
+    {
+      const std::scoped_lock hold(mutex_);
+      state_ = state;
+      why_ = why;
+      isNew_ = true;
+    }
+    writer_.write();
+  }
+  /// Returns whether the file is another process's: of a node 0 that lives, or that has written its end.
+  bool isByNodes() const {
+    const ReadStatus status = readStatus(file_);
+    if (status.process <= 0 || status.process == getpid()) return false;
+    return status.state == "ended" || kill(status.process, 0) == 0;
+  }
+  std::string text() {
+    const std::scoped_lock hold(mutex_);
+    if (!std::exchange(isNew_, false) && isByNodes()) return withNewTime(file_);
+    nlohmann::ordered_json status = statusOf(state_);
+    if (!why_.empty()) status["message"] = why_;
+    if (!missing_.empty()) status["missing"] = missing_;
+    return linesOf(status);
+  }
+
+  std::unique_ptr<PrivateStatus> own_;
+  std::filesystem::path file_;
+  std::mutex mutex_;  // of:
+  const char* state_ = "starting";
+  bool isNew_ = true;
+  std::string why_;
+  nlohmann::ordered_json missing_ = nlohmann::ordered_json::array();
+  StatusWriter writer_;  // last: it uses the rest
+};
+
+/// The computers of the rig, by ssh, and its nodes, by mpirun.
+class RealNodes : public RoomNodes {
+ public:
+  RealNodes(const Rig& rig, const RoomOptions& options, const RoomSession& session)
+      : rig_(rig),
+        options_(options),
+        session_(session),
+        leadsHere_(isThisComputer(hostsOf(rig).front())),
+        status_(leadsHere_ ? session.options().status : std::nullopt) {}
+  ~RealNodes() override { status_.end(); }
+
+  double now_s() override {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  bool isAskedToEnd() override { return asked; }
+  bool wait(double duration_s, const std::string& why) override {
+    status_.wait(why);
+    const double until_s = now_s() + duration_s;
+    while (!asked && now_s() < until_s) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return !asked;
+  }
+  std::vector<HostFault> ask(const Hosts& hosts) override {
+    status_.start();
+    return askHosts(hosts, ownProgram(), asked);
+  }
+  std::optional<std::vector<HostFault>> poll(const Hosts& hosts) override {
+    if (!answers_.valid())
+      answers_ = std::async(std::launch::async, [hosts] { return askHosts(hosts, ownProgram(), asked); });
+    if (answers_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
+    return answers_.get();
+  }
+  bool canPlayWithout(const Hosts& hosts) override try {
+    rigWithout(rig_, ranksOf(rig_, hosts));
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+  std::string wallsOf(const Hosts& hosts) override {
+    const std::vector<int> ranks = ranksOf(rig_, hosts);
+    std::vector<std::string> names;
+    for (const Wall& wall : rig_.walls) {
+      if (std::find(ranks.begin(), ranks.end(), wall.node) != ranks.end()) names.push_back(wall.name);
+    }
+    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+  }
+  RoomRun run(const Hosts& without, const std::function<bool()>& isToEnd) override;
+
+ private:
+  RoomRun endOf(const JobEnd& job, const JobWatch& watch, bool hangs) const;
+
+  const Rig& rig_;
+  const RoomOptions& options_;
+  const RoomSession& session_;
+  bool leadsHere_;  // node 0 runs on this computer
+  bool isJudged_ = false;
+  RoomStatus status_;
+  std::future<std::vector<HostFault>> answers_;
+};
+
+RoomRun RealNodes::run(const Hosts& without, const std::function<bool()>& isToEnd) {
+  const std::vector<int> ranks = ranksOf(rig_, without);
+  const Rig rig = rigWithout(rig_, ranks);
+  auto missing = nlohmann::ordered_json::array();
+  for (const MissingNode& node : rig.missing) missing.push_back({{"name", node.name}, {"walls", node.walls}});
+  status_.leaveOut(missing);
+  status_.start();
+  if (!options_.noDoctor && !isJudged_) {
+    const int verdict = judge(rig, doctorArguments(options_, &session_, ranks));
+    if (asked) return {RoomRun::End::askedToEnd};
+    if (isOfLostNode(verdict)) return {RoomRun::End::cutOff, verdict};
+    if (verdict != 0) return {RoomRun::End::refused, verdict};
+    isJudged_ = true;
+  }
+  auto arguments = session_.nextArguments(session_.progress());
+  if (leadsHere_) arguments = withValue(arguments, "--status", status_.file().string());
+  JobWatch watch(status_.file(), kStarts_s);
+  const double start_s = now_s();
+  bool hangs = false;
+  const auto isToStop = [&] {
+    const std::string fault = leadsHere_ ? watch.look(now_s() - start_s) : std::string();
+    hangs = !fault.empty();
+    if (hangs) log::error(fmt::format("{}: they are ended.", fault));
+    return hangs || isToEnd();
+  };
+  const JobEnd job =
+      runJob(mpirunLine(rig, ownProgram(), withoutArguments(arguments, ranks)), asked, isToStop);
+  watch.look(now_s() - start_s);
+  return endOf(job, watch, hangs);
+}
+
+/// Returns how a run has ended. Logs it if the session goes on.
+RoomRun RealNodes::endOf(const JobEnd& job, const JobWatch& watch, bool hangs) const {
+  RoomRun run{RoomRun::End::cutOff, job.status, watch.played_s()};
+  if (job.wasAsked)
+    run.end = RoomRun::End::askedToEnd;  // mpirun calls the end that was asked for a failure
+  else if (job.wasStopped && !hangs)
+    run.end = RoomRun::End::broughtBack;
+  else if (job.status == 0 && !hangs)
+    run.end = RoomRun::End::finished;
+  else if (!leadsHere_ || session_.isComplete(session_.progress()))
+    run.end = RoomRun::End::finished;
+  else if (run.played_s <= 0.0 && !isOfLostNode(job.status))
+    run.end = RoomRun::End::refused;
+  if (run.end != RoomRun::End::cutOff) return run;
+  const auto reached = session_.progress();
+  if (run.played_s > 0.0 && reached && reached->frame)
+    log::warn(fmt::format("the session was cut off after frame {}: it goes on by itself.", *reached->frame));
+  else
+    log::warn("the nodes ended before their first frame.");
+  return run;
+}
+
+/// Runs the session, and again from where it was cut off.
+int keepPlaying(const Rig& rig, const RoomOptions& options, const RoomSession& session) {
+  const std::string leader = hostsOf(rig).front();
+  if (!isThisComputer(leader)) {
+    log::warn(
+        fmt::format("node 0 is {}, not this computer: the session file lies there, so a session that loses a "
+                    "node does not go on by itself",
+                    leader));
+  }
+  RealNodes nodes(rig, options, session);
+  return RoomKeeper(nodes, distinctHostsOf(rig), options.without).keep();
+}
+
+/// Returns whether every host can take part; logs those that cannot.
+bool allAnswer(const Rig& rig) {
+  const std::vector<HostFault> faults = askHosts(hostsOf(rig), ownProgram(), asked);
+  for (const HostFault& fault : faults) log::error(fault.words);
+  return faults.empty();
+}
+
+/// Runs `carom doctor`, or the test patterns, on every node.
+int runOnce(const Rig& rig, const std::vector<std::string>& arguments, bool isDoctor) {
+  if (!allAnswer(rig)) return 1;
+  if (isDoctor) return judge(rig, arguments);
+  return runJob(mpirunLine(rig, ownProgram(), arguments), asked, [] { return false; }).status;
 }
 
 }  // namespace
 
 int runRoom(const RoomOptions& options) {
   const Rig rig = readRig(options.rig);
-  const std::string program = ownProgram(), leader = hostsOf(rig).front();
-  const bool isSession = !options.doctor && !options.pattern;
-  const RoomSession session = isSession ? sessionOf(options, rig) : RoomSession{};
-  std::vector<std::string> line;
-  if (isSession) line = firstLine(rig, program, options, session);
-  if (options.doctor) line = mpirunLine(rig, program, {"doctor", options.rig.string()});
-  if (options.pattern) line = mpirunLine(rig, program, {"check", options.rig.string(), "--pattern"});
+  const std::vector<int> without = ranksOf(rig, options.without);
+  const Rig present = rigWithoutHosts(rig, options.without);
+  std::optional<RoomSession> session;
+  std::vector<std::string> arguments;
+  if (options.doctor) arguments = doctorArguments(options, nullptr, without);
+  if (options.pattern) arguments = {"check", options.rig.string(), "--pattern"};
+  if (arguments.empty()) {
+    session.emplace(options.rig, options.arguments);
+    arguments = withoutArguments(session->nextArguments(session->progress()), without);
+    const std::filesystem::path& scenario = session->options().scenario;
+    if (isThisComputer(hostsOf(rig).front()) && !scenario.empty()) readScenario(scenario);
+  }
   if (options.lineOnly) {
-    fmt::print("{}\n", shellLine(line));
+    fmt::print("{}\n", shellLine(mpirunLine(present, ownProgram(), arguments)));
     return 0;
   }
-  if (!allAnswer(hostsOf(rig), program)) return 1;
-  if (isSession && !isHere(leader)) {
-    log::warn(
-        fmt::format("node 0 is {}, not this computer: the session file lies there, so a session that loses a "
-                    "node does not go on by itself",
-                    leader));
-  }
   noticeSignals();
-  return isSession ? runSession(rig, program, session, line) : run(line);
+  return session ? keepPlaying(rig, options, *session) : runOnce(present, arguments, options.doctor);
 }
 
 void addRoom(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "room", "Start a session on every host of a rig by mpirun, and again if it loses a node");
+      "room", "Start a session on every host of a rig by mpirun, and again whenever it loses a node");
   auto options = std::make_shared<RoomOptions>();
   command->add_flag("--line", options->lineOnly, "Print the line of mpirun and start nothing");
-  auto* doctor =
-      command->add_flag("--doctor", options->doctor, "Say instead what every node has: carom doctor RIG");
-  command
-      ->add_flag("--pattern", options->pattern, "Show the test patterns instead: carom check RIG --pattern")
+  auto* doctor = command->add_flag("--doctor", options->doctor,
+                                   "Judge the room instead, and start nothing: carom doctor RIG");
+  command->add_flag("--no-doctor", options->noDoctor, "Do not judge the room before the session starts")
       ->excludes(doctor);
+  auto* pattern = command
+                      ->add_flag("--pattern", options->pattern,
+                                 "Show the test patterns instead: carom check RIG --pattern")
+                      ->excludes(doctor);
+  command
+      ->add_option(
+          "--without", options->without,
+          "Leave out this host and its walls. May be given several times. A host that does not answer "
+          "for a minute is left out by itself, until it answers")
+      ->type_name("HOST")
+      ->allow_extra_args(false)
+      ->excludes(pattern);
   command
       ->add_option("RIG", options->rig,
                    "Rig file; a [[node]] with a host for each rank that is on another computer")
@@ -292,7 +401,7 @@ void addRoom(CLI::App& app, int& status) {
   command->prefix_command();
   command->footer(
       "Examples:\n  carom room my-cave.toml --scenario twins --session monday.db\n"
-      "  carom room --doctor my-cave.toml\n"
+      "  carom room --doctor my-cave.toml\n  carom room --without cave-left my-cave.toml\n"
       "What follows the rig are arguments of carom cave. Without --session, the session is written to a new "
       "file\nhere, RIG-DATE-TIME.db, from which it goes on if a node is lost.");
   command->callback([=, &status] {

@@ -1,5 +1,5 @@
 #pragma once
-// `carom room`: starts a session on every host of a rig by mpirun, and again if it lost a node.
+// `carom room`: starts a session on every host of a rig by mpirun, and again whenever it loses a node.
 
 #include <filesystem>
 #include <string>
@@ -15,7 +15,9 @@ struct RoomOptions {
   std::filesystem::path rig;
   std::vector<std::string> arguments;  ///< for `carom cave`
   bool lineOnly = false;               ///< print the line of mpirun and start nothing
+  std::vector<std::string> without{};  ///< hosts that are left out with their walls
   bool doctor = false;                 ///< run `carom doctor` on every node instead
+  bool noDoctor = false;               ///< do not run it before the session
   bool pattern = false;                ///< show the test patterns instead
 };
 

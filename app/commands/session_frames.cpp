@@ -1,5 +1,7 @@
 #include "app/commands/session_frames.h"
 
+#include <algorithm>
+
 #include "app/files/rig_viewers.h"
 #include "app/stage/all_ranks.h"
 
@@ -10,6 +12,11 @@ void OperatorWindows::play(const SessionSetup& setup) {
   if (console) console->play(setup.scenario, setup.scene);
 }
 
+ConsoleState consoleAtStart(const DeskWindows& desk) {
+  if (!desk.console) return ConsoleState::none;
+  return desk.consoleWaits ? ConsoleState::waits : ConsoleState::shown;
+}
+
 OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, KeysOf keys) {
   OperatorWindows windows;
   onAllRanks(cluster, [&] {
@@ -18,7 +25,7 @@ OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, KeysOf keys) 
                                                         namesOf(setup.rig.viewers));
     if (!setup.desk.console) return;
     windows.console = std::make_unique<Console>(*setup.graphics, *setup.desk.console, setup.rig, cluster,
-                                                keys, setup.scenario, setup.scene);
+                                                keys, setup.scenario, setup.scene, setup.desk.consoleWaits);
   });
   return windows;
 }
@@ -33,7 +40,8 @@ void rememberWindows(const SessionSetup& setup, const OperatorWindows& windows) 
   };
   for (std::size_t i = 0; i < setup.wallMemory.size(); ++i)
     add(setup.wallMemory[i], setup.walls->placeOf(setup.rig.walls[i].name));
-  if (windows.console && !setup.rig.console) add("console", windows.console->place());
+  if (windows.console && !setup.rig.console && !setup.desk.consoleWaits)
+    add("console", windows.console->place());
   if (setup.outside) add("outside", setup.outside->place());
   if (windows.diagram) add("diagram", windows.diagram->place());
   writeWindowMemory(windowMemory(), lie);
@@ -56,14 +64,25 @@ Pace paceOf(const SessionSetup& setup, Clock& clock, double lived_s, std::uint64
                                   firstFrame)};
 }
 
+namespace {
+
+/// Returns whether the windows of the walls have a tile for the console: on a desk, where it has no room beside them.
+bool hasConsoleTile(const SessionSetup& setup) {
+  return setup.desk.consoleWaits && std::any_of(setup.rig.walls.begin(), setup.rig.walls.end(),
+                                                [](const Wall& wall) { return wall.window.border; });
+}
+
+}  // namespace
+
 SessionFrames::SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& pacer,
                              const LeaderParts* lead, KeysOf keys)
     : statistics_(cluster, setup.lock, setup.rig.display_hz, setup.realTime),
-      walls_(*setup.walls, statistics_, lead ? lead->leader : follower_, keys),
+      walls_(*setup.walls, statistics_, lead ? lead->leader : follower_, keys,
+             lead && hasConsoleTile(setup) ? &lead->leader.inbox() : nullptr),
       drawingEnd_(*setup.walls, statistics_, setup.realTime),
       recording_(*setup.recording, *setup.walls, setup.outside.get()),
-      context_{cluster,     *setup.graphics, setup.world,    pacer,   lead ? lead->leader : follower_,
-               statistics_, {&walls_},       {&statistics_}, &noLock_} {
+      context_{cluster,     *setup.graphics, setup.world,    pacer,    lead ? lead->leader : follower_,
+               statistics_, {&walls_},       {&statistics_}, &noLock_, &ending_} {
   if (setup.headset) {
     context_.views.insert(context_.views.begin(), &headset_.emplace(*setup.headset, *setup.walls));
     if (lead && lead->worn) context_.listeners.push_back(&haptics_.emplace(*setup.headset, *lead->worn));

@@ -24,6 +24,9 @@ struct OperatorWindows {
   /// Switches to another game, which is in `setup`.
   void play(const SessionSetup& setup);
 };
+/// Returns whether there is a console, and whether it is in sight, when a session begins.
+ConsoleState consoleAtStart(const DeskWindows& desk);
+
 /// Opens those for which the setup has a place.
 OperatorWindows openWindows(Cluster& cluster, SessionSetup& setup, KeysOf keys);
 
@@ -70,7 +73,7 @@ class SessionFrames {
   FrameStatistics statistics_;
   std::optional<HeadsetView> headset_;
   WallsView walls_;
-  std::optional<OutsideView> outside_;
+  std::optional<SpectatorWindow> outside_;
   DrawingEnd drawingEnd_;
   RecordingListener recording_;
   std::optional<HapticListener> haptics_;
@@ -78,6 +81,7 @@ class SessionFrames {
   std::optional<ConsoleListener> console_;
   std::optional<ProgressListener> progress_;
   KeyLock noLock_;
+  EndQuestion ending_;
   FrameContext context_;
 };
 

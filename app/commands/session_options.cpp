@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/files/rig_walls.h"
 #include "cave/capture/movie.h"
 #include "engine/base/log.h"
 
@@ -25,6 +26,17 @@ void addExtraWindows(CLI::App& command, ExtraWindows& extra) {
       "--outside", extra.outside,
       "Show the room from outside, too: its walls, the person, the table where it is. With --capture "
       "also as outside-mono-FRAME.png");
+}
+
+void addWithoutNodes(CLI::App& command, std::vector<int>& nodes) {
+  command
+      .add_option(
+          "--without-nodes", nodes,
+          "Leave out these nodes of the rig and their walls, as 'carom room' does where a computer is "
+          "missing: 1,3. Those that follow move up")
+      ->type_name("RANKS")
+      ->delimiter(',')
+      ->check(CLI::Range(1, kMostRanks));
 }
 
 void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie) {

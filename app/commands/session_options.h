@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/journal/session_file.h"
 #include "app/stage/desk_windows.h"
@@ -16,6 +17,8 @@ namespace carom {
 void addSilent(CLI::App& command, bool& silent);
 /// Adds the options --console, --diagram and --outside.
 void addExtraWindows(CLI::App& command, ExtraWindows& extra);
+/// Adds the option --without-nodes.
+void addWithoutNodes(CLI::App& command, std::vector<int>& nodes);
 /// Adds the option --movie.
 void addMovie(CLI::App& command, std::optional<std::filesystem::path>& movie);
 

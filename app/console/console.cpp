@@ -51,9 +51,10 @@ bool tabsFitIn(float width_px) {
 }  // namespace
 
 Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
-                 KeysOf keys, const Scenario& scenario, const Scene& scene)
+                 KeysOf keys, const Scenario& scenario, const Scene& scene, bool waits)
     : window_(graphics, texts::title::kConsole, place),
       keys_(keys),
+      waits_(waits),
       keyMap_(keyMap(keys)),
       scenario_(&scenario),
       walls_(graphics, rig, cluster),
@@ -62,6 +63,7 @@ Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& ri
       diagram_(scenario, namesOf(rig.viewers)) {
   window_.listen(kText_px, kHeading_px);
   setStyle();
+  if (waits) window_.setVisible(false);
   play(scenario, scene);
 }
 
@@ -91,6 +93,9 @@ void Console::show(const ConsoleFrame& frame) {
   events_.follow(frame.world);
   clocks_.follow(frame.record);
   diagram_.follow(frame.record);
+  const bool isShown = frame.settings.console != ConsoleState::waits;
+  if (isShown != window_.isVisible()) window_.setVisible(isShown);
+  if (!isShown) return;
   const Clock::time_point begun = Clock::now();
   if (begun < (window_.isPressed() ? earliest_ : due_) || window_.isIconified()) return;
   if (file_ != frame.settings.playing) {
@@ -114,7 +119,7 @@ void Console::drawAll(const ConsoleFrame& frame) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   const float left = kGap_px, right = kLeft_px + 2 * kGap_px, width = size.x - right - kGap_px;
-  const bool isNarrow = size.x < kNarrow_px;
+  const bool isNarrow = size.x < kNarrow_px + (waits_ ? kButton_px + kGap_px : 0.0F);
   const float top_px = kTop_px + (isNarrow ? kRow_px : 0.0F), top = top_px + kGap_px;
   const float bottom = size.y - kSaid_px - 2 * kGap_px;
   part("##top", {0.0F, 0.0F}, {size.x, top_px});
@@ -146,7 +151,8 @@ void Console::drawAll(const ConsoleFrame& frame) {
 
 void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
   const float width = ImGui::GetContentRegionMax().x;
-  const float buttons = width - (keys_ == KeysOf::session ? 3 : 2) * (kButton_px + kGap_px) + kGap_px;
+  const int count = (isLive(keys_) ? 3 : 2) + (waits_ ? 1 : 0);
+  const float buttons = width - static_cast<float>(count) * (kButton_px + kGap_px) + kGap_px;
   const ImVec2 at = ImGui::GetWindowPos();
   const float words_px = isNarrow ? width : buttons - kGap_px;
   ImGui::PushClipRect(at, {at.x + words_px, at.y + ImGui::GetWindowHeight()}, true);
@@ -169,7 +175,12 @@ void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
 }
 
 void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
-  if (keys_ == KeysOf::session) {
+  if (waits_) {
+    if (ImGui::Button(texts::console::kHide, size)) frame.commands.emplace_back(ShowConsole{false});
+    tip(texts::console::kHideTip);
+    ImGui::SameLine(0.0F, kGap_px);
+  }
+  if (isLive(keys_)) {
     if (ImGui::Button(texts::console::kNextVisitor, size)) frame.commands.emplace_back(WelcomeNextVisitor{});
     tip(texts::console::kNextVisitorTip);
     ImGui::SameLine(0.0F, kGap_px);

@@ -28,10 +28,10 @@ namespace carom {
 
 class Console {
  public:
-  /// Opens the window at `place`. `rig` and `cluster` must outlive this object, `scenario` and
+  /// Opens the window at `place`, out of sight until it is asked for if it `waits`. `rig` and `cluster` must outlive this object, `scenario` and
   /// `scene` until `play` is called.
   Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
-          KeysOf keys, const Scenario& scenario, const Scene& scene);
+          KeysOf keys, const Scenario& scenario, const Scene& scene, bool waits = false);
 
   /// Switches to another game. `scenario` and `scene` must stay valid until the next call.
   void play(const Scenario& scenario, const Scene& scene);
@@ -63,6 +63,7 @@ class Console {
 
   Window window_;
   KeysOf keys_;
+  bool waits_;  ///< where it lies it covers the game: it has a button that hides it
   std::vector<KeyLine> keyMap_;
   std::string title_;
   const Scenario* scenario_;

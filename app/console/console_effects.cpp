@@ -73,7 +73,7 @@ void EffectsPanel::drawSwitches(const ConsoleFrame& frame) const {
 
 void EffectsPanel::drawLight(const ConsoleFrame& frame, double usual_m_s) {
   heading(texts::console::kLightAndEyes);
-  ImGui::BeginDisabled(keys_ != KeysOf::session);
+  ImGui::BeginDisabled(!isLive(keys_));
   ImGui::SetNextItemWidth(-kBeside_em * ImGui::GetFontSize());
   double light_m_s = frame.settings.lightSpeed_m_s;
   if (light_.draw("##light", light_m_s, kLeastLightSpeed_m_s, kMostLightSpeed_m_s,
@@ -95,7 +95,7 @@ void EffectsPanel::drawLight(const ConsoleFrame& frame, double usual_m_s) {
   }
   tip(texts::console::kBetweenEyesTip);
   ImGui::EndDisabled();
-  if (keys_ != KeysOf::session) tip(texts::console::kRecordedTip);
+  if (!isLive(keys_)) tip(texts::console::kRecordedTip);
 }
 
 void EffectsPanel::drawViews(const ConsoleFrame& frame) const {

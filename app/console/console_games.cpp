@@ -106,7 +106,7 @@ void GamesPanel::drawProgramme(const ConsoleFrame& frame) const {
 }
 
 void GamesPanel::drawList(const ConsoleFrame& frame) {
-  const bool mayPlay = frame.keys == KeysOf::session;
+  const bool mayPlay = isLive(frame.keys);
   const float foot_px = mayPlay ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
   ImGui::BeginChild("##games", {0.0F, -foot_px});
   bool twice = false;
@@ -195,7 +195,7 @@ void GamesPanel::drawChosen() const {
 }
 
 void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
-  const bool live = frame.keys == KeysOf::session;
+  const bool live = isLive(frame.keys);
   if (scenario_->lesson) {
     ImGui::BeginDisabled(!live);
     drawLesson(frame, *scenario_->lesson);

@@ -68,7 +68,7 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
   made(texts::console::kCapture, report.capture, report.captured, report.notCaptured,
        texts::console::kCaptureOption);
   made(texts::console::kMovie, report.movie, report.filmed, report.notFilmed, texts::console::kMovieOption);
-  if (frame.keys == KeysOf::session) drawButtons(frame, report);
+  if (isLive(frame.keys)) drawButtons(frame, report);
 }
 
 /// Draws what starts and ends recordings while the session runs.

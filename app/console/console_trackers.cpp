@@ -26,6 +26,8 @@ const char* wordOf(TrackerHealth::State state) {
   switch (state) {
     case TrackerHealth::State::connecting:
       return texts::console::kConnecting;
+    case TrackerHealth::State::untouched:
+      return texts::console::kUntouched;
     case TrackerHealth::State::delivering:
       return texts::console::kDelivering;
     case TrackerHealth::State::silent:
@@ -80,7 +82,7 @@ const ImVec4& lightOfTrackers(const ConsoleFrame& frame) {
 
 void drawTrackers(const ConsoleFrame& frame) {
   if (frame.status.trackers.empty()) {
-    dim(frame.keys == KeysOf::session ? texts::console::kNoTracker : texts::console::kRecordedHead);
+    dim(isLive(frame.keys) ? texts::console::kNoTracker : texts::console::kRecordedHead);
     return;
   }
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg;

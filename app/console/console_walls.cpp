@@ -6,6 +6,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vtk_glew.h>
 
 #include "cave/texts/texts.h"
@@ -145,7 +146,21 @@ std::size_t WallsPanel::columnsFor(const ImVec2& room_px, float label_px) const 
   return best;
 }
 
+/// Says which computers the session does without, and with which walls.
+void WallsPanel::drawMissing() const {
+  for (const MissingNode& node : rig_.missing) {
+    const std::string walls = node.walls.empty()
+                                  ? std::string(texts::console::kNoWalls)
+                                  : fmt::format(texts::console::kMissingWalls, fmt::join(node.walls, ", "));
+    light(kBad);
+    ImGui::SameLine(0.0F, 4.0F);
+    words(fmt::format(texts::console::kMissing, node.name, walls));
+    tip(texts::console::kMissingTip);
+  }
+}
+
 void WallsPanel::draw(const ConsoleFrame& frame) {
+  drawMissing();
   if (!absent_.empty()) {
     ImGui::Checkbox(texts::console::kDrawAbsent, &drawsAbsent_);
     tip(texts::console::kDrawAbsentTip);

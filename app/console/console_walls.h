@@ -29,6 +29,7 @@ class WallsPanel {
  private:
   void drawTile(const ConsoleFrame& frame, const Wall& wall, const ImVec2& size_px);
   void drawAbsent(const ConsoleFrame& frame, const Wall& wall, const ImVec2& from, const ImVec2& to) const;
+  void drawMissing() const;
   std::size_t columnsFor(const ImVec2& room_px, float label_px) const;
 
   Graphics& graphics_;

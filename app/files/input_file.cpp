@@ -4,17 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <system_error>
 
 namespace carom {
 
 namespace {
-
-/// The most that is read: enough for a hundred thousand pucks, and little enough for the memory of the parsed
-/// file.
-constexpr std::size_t kMostBytes = 16 << 20;
-constexpr std::size_t kStep_bytes = 1 << 16;
 
 /// Returns the least number of letters to add, drop, change or swap with a neighbour to make `a` into `b`.
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -37,9 +31,11 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 InputErrors::InputErrors(std::vector<InputError> faults)
     : InputError(faults.front()), faults_(std::move(faults)) {}
 
-LineIndex::LineIndex(std::string_view text) : begins_{0} {
+LineIndex::LineIndex(std::string_view text) {
+  begins_.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
+  begins_.push_back(0);
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\n') begins_.push_back(i + 1);
+    if (text[i] == '\n') begins_.push_back(static_cast<std::uint32_t>(i + 1));
   }
 }
 
@@ -65,34 +61,12 @@ std::optional<double> wholeNumber(std::string_view text) {
   return value;
 }
 
-std::string readText(const std::filesystem::path& file, std::string_view kind) {
-  const auto refuse = [&](const std::string& what) {
-    throw InputErrors({InputError(file.string(), 1, 1, what)});
-  };
-  std::error_code failed;
-  if (!std::filesystem::exists(file, failed)) refuse("there is no such file");
-  if (std::filesystem::is_directory(file, failed)) {
-    refuse(fmt::format("this is a folder, expected {}", kind));
+std::string readText(const std::filesystem::path& file, InputKind kind) {
+  try {
+    return contentOf(file, kind);
+  } catch (const InputError& error) {
+    throw InputErrors({error});
   }
-  std::ifstream in(file, std::ios::binary);
-  std::string text;
-  while (in && text.size() <= kMostBytes) {
-    const std::size_t before = text.size();
-    text.resize(before + kStep_bytes);
-    in.read(text.data() + before, static_cast<std::streamsize>(kStep_bytes));
-    text.resize(before + static_cast<std::size_t>(in.gcount()));
-  }
-  if (!in.is_open() || in.bad()) refuse("the file cannot be read");
-  if (text.size() > kMostBytes) refuse("the file is too large, expected at most 16 MiB");
-  return text;
-}
-
-std::string printable(std::string_view text) {
-  std::string shown(text);
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
-      '?');
-  return shown;
 }
 
 std::optional<std::string_view> nearestWord(std::string_view mistyped, std::span<const std::string> known) {

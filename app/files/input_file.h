@@ -2,6 +2,7 @@
 // Shared by the readers of all formats: a file's text, positions in it, and its faults.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
+#include "engine/base/outside_file.h"
+#include "engine/base/printable.h"
 
 namespace carom {
 
@@ -31,26 +34,21 @@ struct FilePlace {
   int column = 1;
 };
 
-/// An error or an unusual value in a file.
-struct Finding {
-  enum class Kind { warning, error };
-  Kind kind = Kind::warning;
-  FilePlace at;
-  std::string text;
-};
-
-/// Finds the line and column of an offset in a text.
+/// Finds the line and column of an offset in a text of at most 4 GiB.
 class LineIndex {
  public:
   explicit LineIndex(std::string_view text);
   FilePlace at(std::size_t offset) const;
 
  private:
-  std::vector<std::size_t> begins_;
+  std::vector<std::uint32_t> begins_;
 };
 
 /// Bound of all lengths (m), times (s) and the like, so that a file's numbers never overflow when squared.
 inline constexpr double kFurthest = 1e9;
+
+/// Bound of all numbers that must be above zero, so that their fourth powers never vanish.
+inline constexpr double kSmallest = 1e-30;
 
 /// The allowed range of a number.
 struct Range {
@@ -69,12 +67,8 @@ std::string wordsFor(const Range& range, bool whole);
 /// Returns the text as one decimal number, or nothing if it contains anything else.
 std::optional<double> wholeNumber(std::string_view text);
 
-/// Returns the file's text. Throws InputErrors (at 1:1) if the file cannot be read or is over 1 MiB. `kind`
-/// is for the message: "a TOML file".
-std::string readText(const std::filesystem::path& file, std::string_view kind);
-
-/// Returns text from a file without control characters, so that it can be shown on a terminal.
-std::string printable(std::string_view text);
+/// Returns the file's text, as contentOf (engine/base/outside_file.h). Throws InputErrors.
+std::string readText(const std::filesystem::path& file, InputKind kind);
 
 /// Returns the word of `known` nearest to a mistyped one, or nothing if none is near.
 std::optional<std::string_view> nearestWord(std::string_view mistyped, std::span<const std::string> known);

@@ -22,7 +22,16 @@ constexpr Range kFor_s{.least = 5.0, .most = 86400.0};
 fs::path scenarioOf(const fs::path& playlist, const std::string& name) {
   std::error_code failed;
   const fs::path beside = playlist.parent_path() / name;
-  return fs::is_regular_file(beside, failed) ? beside : shippedFile(name, "scenarios");
+  return fs::exists(beside, failed) ? beside : shippedFile(name, "scenarios");
+}
+
+/// Returns why a scenario that is there cannot be one of a playlist's; empty if it can.
+std::string refusalOfGame(const fs::path& playlist, const fs::path& scenario) {
+  const fs::path folder = playlist.parent_path();
+  if (liesBelow(scenario, folder) || liesBelow(scenario, configFolder()))
+    return refusalOf(scenario, InputKind::toml);
+  return fmt::format("this is {}, expected a game below this folder or one that carom list tells",
+                     outsideWords(scenario, folder));
 }
 
 std::string missing(const std::string& name) {
@@ -42,8 +51,12 @@ PlaylistGame readGame(const fs::path& playlist, const TomlTable& table) {
   if (game.note.size() > kNoteLetters)
     table.fault("note", fmt::format("{} bytes, expected at most {}", game.note.size(), kNoteLetters));
   std::error_code failed;
-  if (!fs::is_regular_file(game.scenario, failed)) {
+  if (!fs::exists(game.scenario, failed)) {
     if (!name.empty()) table.fault("scenario", missing(name));
+    return game;
+  }
+  if (const std::string refusal = refusalOfGame(playlist, game.scenario); !refusal.empty()) {
+    table.fault("scenario", fmt::format("'{}': {}", name, refusal));
     return game;
   }
   try {
@@ -64,12 +77,8 @@ Playlist readPlaylist(const fs::path& path) {
   const TomlTable& root = file.root();
   Playlist playlist;
   playlist.title = root.text("title", path.stem().string());
-  const std::vector<TomlTable> tables = root.tables("game");
+  const std::vector<TomlTable> tables = root.tables("game", kMostGames);
   if (tables.empty()) root.fault("game", "there is no game here, expected one [[game]] at least");
-  if (tables.size() > kMostGames) {
-    root.fault("game", fmt::format("{} games, expected at most {}", tables.size(), kMostGames));
-    file.throwFaults();
-  }
   for (const TomlTable& table : tables) {
     PlaylistGame game = readGame(path, table);
     if (numberOf(playlist, game.scenario) < playlist.games.size())

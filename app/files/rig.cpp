@@ -1,5 +1,7 @@
 #include "app/files/rig.h"
 
+#include <algorithm>
+
 namespace carom {
 
 std::vector<Wall> standingWalls(const Rig& rig) { return isHeadset(rig) ? std::vector<Wall>() : rig.walls; }
@@ -11,8 +13,15 @@ RoomGeometry roomGeometryOf(const Rig& rig) {
                     {},
                     isHeadset(rig)};
   for (const ViewerSetup& viewer : rig.viewers)
-    room.viewers.push_back({viewer.name, inverse(viewer.head.eyesFromSensor)});
+    room.viewers.push_back({viewer.name, inverse(viewer.head.eyesFromSensor), viewer.hand.has_value()});
   return room;
+}
+
+int nodesOf(const Rig& rig) {
+  int nodes = 1;
+  for (const Wall& wall : rig.walls) nodes = std::max(nodes, wall.node + 1);
+  for (const NodeSetup& node : rig.nodes) nodes = std::max(nodes, node.rank + node.slots);
+  return nodes;
 }
 
 std::string displayOf(const Rig& rig, int rank) {

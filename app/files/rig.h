@@ -63,9 +63,20 @@ struct NodeSetup {
   int slots = 1;        ///< number of ranks
 };
 
+/// A computer that a session does without.
+struct MissingNode {
+  std::string name;  ///< its host, or "node 2" in a rig without hosts
+  std::vector<std::string> walls;
+};
+
 /// How `carom room` starts the nodes.
 struct StartSetup {
+  /// A range of TCP ports, both ends included.
+  struct Ports {
+    int first = 0, last = 0;
+  };
   std::string network;                   ///< of MPI's messages, such as "10.0.0.0/24"; empty: any
+  std::optional<Ports> ports{};          ///< of MPI; without, any
   std::vector<std::string> environment;  ///< variables of the nodes, as "NAME=VALUE" or "NAME"
 };
 
@@ -84,8 +95,10 @@ struct Rig {
   std::vector<ViewerSetup> viewers{1};  ///< one to kMostViewers
   std::vector<TrackerSetup> trackers;
   std::vector<NodeSetup> nodes;  ///< if empty, every rank uses its default display
+  bool byMouse = false;          ///< mouse and keys move heads and hands: there is a tracker for them alone
   StartSetup start;
-  std::vector<Wall> walls;  ///< at least one; rectangles to 2 mm
+  std::vector<MissingNode> missing{};  ///< not of the file: what rigWithout has left out
+  std::vector<Wall> walls;             ///< at least one; rectangles to 2 mm
   /// If given, the only window of each node; a wall's `window` is then a position inside it.
   std::optional<WindowPlacement> oneWindow;
   /// Of a headset: the board that is fixed in the room and carries what else stands on the front wall. The walls then
@@ -104,6 +117,9 @@ std::vector<Wall> standingWalls(const Rig& rig);
 
 /// Returns the rig's room for the overlays on the walls and the spectator view; in that of a headset stands the board.
 RoomGeometry roomGeometryOf(const Rig& rig);
+
+/// Returns the number of nodes that a rig needs: for all of its walls and all of its [[node]] entries.
+int nodesOf(const Rig& rig);
 
 /// Returns the X display of a rank; empty for its default display.
 std::string displayOf(const Rig& rig, int rank);

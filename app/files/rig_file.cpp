@@ -61,17 +61,17 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     placed.head = placed.eyeSeparation = headset->place();
   }
   std::uint64_t simulated = 0;  // the first simulated person has the seed of one who is alone
-  for (const TomlTable& table : root.tables("tracker")) {
+  for (const TomlTable& table : root.tables("tracker", kMostTrackers)) {
     TrackerSetup& tracker = rig.trackers.emplace_back(readTracker(file, table, unit_m, rig.axes));
     if (tracker.kind == TrackerKind::simulated) tracker.seed = ++simulated;
   }
   if (!isHeadset(rig)) rig.viewers = readViewers(root, rig.trackers, unit_m);
-  const std::vector<TomlTable> viewers = root.tables("viewer");
+  const std::vector<TomlTable> viewers = root.tables("viewer", kMostNamedViewers);
   if (const auto head = viewers.empty() ? root.table("head") : viewers.front()) {
     placed.head = head->place();
     placed.eyeSeparation = head->place("eye_separation");
   }
-  for (const TomlTable& table : root.tables("node")) {
+  for (const TomlTable& table : root.tables("node", kMostRanks)) {
     rig.nodes.push_back(readNode(table));
     placed.nodes.push_back(table.place());
   }
@@ -93,7 +93,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     return placed;
   }
   std::vector<WallText> walls;
-  for (const TomlTable& table : root.tables("wall")) {
+  for (const TomlTable& table : root.tables("wall", kMostWalls)) {
     walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));
     readEyes(table, rig.viewers, walls.back().wall);
     placed.walls.push_back(placesOf(table));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <string_view>
 
 #include "app/files/rig_walls.h"
@@ -29,6 +30,23 @@ std::string plainText(const TomlTable& table, const char* key, const std::string
   return text;
 }
 
+/// Reads "47000-47099". Records a fault if it is no range of ports that every user may open.
+std::optional<StartSetup::Ports> readPorts(const TomlTable& table) {
+  if (!table.has("ports")) return {};
+  constexpr int kLowest = 1024, kHighest = 65535, kLeast = 16;
+  const std::string text = table.text("ports");
+  StartSetup::Ports ports;
+  char more = 0;
+  const bool isRange = std::sscanf(text.c_str(), "%5d-%5d%c", &ports.first, &ports.last, &more) == 2;
+  if (isRange && ports.first >= kLowest && ports.last <= kHighest && ports.last - ports.first + 1 >= kLeast)
+    return ports;
+  table.fault("ports",
+              fmt::format("ports is '{}', expected a range of {} TCP ports at least, from {} to {}, such as "
+                          "'47000-47099'",
+                          text, kLeast, kLowest, kHighest));
+  return {};
+}
+
 }  // namespace
 
 NodeSetup readNode(const TomlTable& table) {
@@ -47,6 +65,7 @@ StartSetup readStart(const TomlTable& table) {
   StartSetup start;
   start.network =
       plainText(table, "network", letters + digits, "-._/,", "networks such as '10.0.0.0/24' or 'eth0'");
+  start.ports = readPorts(table);
   for (const PlacedText& variable : table.texts("environment")) {
     if (!consistsOf(variable.text.substr(0, variable.text.find('=')), letters + "_", digits))
       table.fault(variable.place,

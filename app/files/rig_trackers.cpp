@@ -34,7 +34,8 @@ Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
 /// Reads and checks the source of a tracker's samples.
 std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, TrackerKind kind,
                                  const RoomAxes& axes) {
-  if (kind == TrackerKind::recorded) return file.existingFile(table, "source");
+  if (kind == TrackerKind::recorded)
+    return file.existingFile(table, "source", InputKind::trace, Reach::anywhere);
   if (kind == TrackerKind::simulated) {
     table.refuse("source", "has no meaning for a simulated tracker, expected none");
     return {};

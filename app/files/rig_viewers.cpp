@@ -117,7 +117,7 @@ std::vector<std::string> namesOf(const std::vector<ViewerSetup>& viewers) {
 std::vector<ViewerSetup> readViewers(const TomlTable& root, const std::vector<TrackerSetup>& trackers,
                                      double unit_m) {
   std::vector<ViewerSetup> viewers;
-  const std::vector<TomlTable> tables = root.tables("viewer");
+  const std::vector<TomlTable> tables = root.tables("viewer", kMostNamedViewers);
   for (const TomlTable& table : tables) {
     ViewerSetup viewer = readViewer(table, trackers, unit_m);
     const auto same = std::find_if(viewers.begin(), viewers.end(),

@@ -12,6 +12,9 @@
 
 namespace carom {
 
+/// The most tables [[viewer]] of a file that are read, to say that there are more than kMostViewers.
+inline constexpr std::size_t kMostNamedViewers = 100;
+
 /// Returns the viewers' names, in their order.
 std::vector<std::string> namesOf(const std::vector<ViewerSetup>& viewers);
 

@@ -10,7 +10,9 @@
 #include <string_view>
 
 #include "app/files/toml_values.h"
+#include "cave/process/work_budget.h"
 #include "cave/room/warp_mesh.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -45,7 +47,8 @@ void readWallWindow(const TomlTable& table, bool hasOneWindow, Wall& wall) {
 std::filesystem::path readWallFile(const TomlFile& file, const TomlTable& table, std::string_view key,
                                    std::span<const std::string_view> kinds) {
   if (!table.has(key)) return {};
-  const std::filesystem::path found = file.existingFile(table, key);
+  const InputKind kind = key == "blend" ? InputKind::blend : InputKind::warp;
+  const std::filesystem::path found = file.existingFile(table, key, kind, Reach::anywhere);
   const std::string ending = found.extension().string();
   if (!found.empty() && std::find(kinds.begin(), kinds.end(), ending) == kinds.end()) {
     table.fault(key, fmt::format("{} is '{}', expected a file ending in {}", key, found.filename().string(),
@@ -59,6 +62,16 @@ std::filesystem::path readWallWarp(const TomlFile& file, const TomlTable& table,
   constexpr std::array<std::string_view, 2> kMeshes{".pfm", ".obj"};
   const std::filesystem::path warp = readWallFile(file, table, key, kMeshes);
   if (warp.extension() != ".pfm" && warp.extension() != ".obj") return warp;  // none, or has been reported
+  constexpr std::uintmax_t kMostExamined = 32U << 20U;
+  constexpr double kOfOne_s = 0.5;
+  std::error_code failed;
+  if (hasBudget() &&
+      (std::filesystem::file_size(warp, failed) > kMostExamined || budgetLeft_s() < kOfOne_s)) {
+    log::warn(
+        fmt::format("{}:1:1: was not read here, which would take too long: whether it is whole is not known",
+                    warp.string()));
+    return warp;
+  }
   try {
     readWarp(warp);
   } catch (const std::runtime_error& fault) {

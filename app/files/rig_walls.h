@@ -9,7 +9,9 @@
 
 namespace carom {
 
+/// The most of each in a room. Every two walls are compared with each other.
 inline constexpr int kMostRanks = 4096;
+inline constexpr std::size_t kMostWalls = 512, kMostTrackers = 256;
 
 /// A wall as given in the file, before its corners are checked.
 struct WallText {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/input_file.h"
+#include "app/files/findings.h"
 #include "cave/frame/lesson_plan.h"
 #include "cave/frame/lesson_words.h"
 #include "cave/frame/time_views.h"

@@ -12,11 +12,11 @@
 namespace carom {
 namespace {
 
-std::vector<Leg> readLegs(const TomlTable& body) {
-  std::vector<Leg> legs;
+std::vector<ScriptedLeg> readLegs(const TomlTable& body) {
+  std::vector<ScriptedLeg> legs;
   double last_s = -std::numeric_limits<double>::infinity();
   for (const TomlTable& table : body.tables("leg")) {
-    Leg leg;
+    ScriptedLeg leg;
     if (legs.empty()) {
       table.refuse("from_s",
                    "has no meaning on the first leg, which reaches back to the beginning; expected none");
@@ -45,7 +45,7 @@ Event alongLeg(const Event& event, const Vec3& u, double t_s, double c_m_s) {
 /// Returns the world line of a body whose centre passes `at`, on whichever leg holds that time: the events of
 /// its turns follow from there in both directions. Its angle is 0 there.
 WorldLine scriptedWorldLine(const BodyText& body, double c_m_s) {
-  const std::vector<Leg>& legs = body.legs;
+  const std::vector<ScriptedLeg>& legs = body.legs;
   const Event& at = body.at;
   std::size_t holding = 0;
   while (holding + 1 < legs.size() && legs[holding + 1].from_s <= at.t_s) ++holding;
@@ -85,7 +85,7 @@ WorldLine scriptedWorldLine(const BodyText& body, double c_m_s) {
 
 std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTable& table) {
   if (!table.has("mesh")) return {};
-  return file.existingFile(table, "mesh");
+  return file.existingFile(table, "mesh", InputKind::mesh, Reach::ownFolder);
 }
 
 BodyText readBody(const TomlFile& file, const TomlTable& table) {

@@ -12,7 +12,7 @@
 namespace carom {
 
 /// One leg of a scripted body.
-struct Leg {
+struct ScriptedLeg {
   double from_s = 0.0;  ///< unused for the first leg
   Vec3 u{0.0};
 };
@@ -25,7 +25,7 @@ struct BodyText {
   Event at;
   std::optional<double> appears_s;
   double spin_rad_s = 0.0;
-  std::vector<Leg> legs;
+  std::vector<ScriptedLeg> legs;
 };
 
 /// Returns the mesh file that a puck or body names, if any.

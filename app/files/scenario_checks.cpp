@@ -2,13 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/matrix.hpp>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/files/toml_values.h"
 #include "engine/billiard/setup_check.h"
@@ -43,6 +48,70 @@ bool overlap(const Puck& a, const Puck& b) {
     }
   }
   return contact(0.5 * (low + high)) < 1.0 - kTouching;
+}
+
+/// The bounding squares of pucks in grids: a puck's grid has cells as wide as its square or up to twice as
+/// wide, so that squares that overlap lie in neighbouring cells of the coarser of their grids.
+class Grids {
+ public:
+  explicit Grids(const std::vector<Puck>& pucks) : pucks_(pucks) {}
+
+  /// Calls `f` with the pucks added before whose squares overlap that of `puck`, until it returns true. They
+  /// have been added by falling radius.
+  template <class Function>
+  void add(std::size_t puck, Function f) {
+    const int own = levelOf(pucks_[puck].radius_m);
+    if (levels_.empty() || levels_.back() != own) levels_.push_back(own);
+    for (const int level : levels_)
+      if (findIn(level, puck, f)) break;
+    cells_[cellOf(own, pucks_[puck].position_m)].push_back(puck);
+  }
+
+ private:
+  using Cell = std::array<double, 3>;  // level, column, row
+
+  static int levelOf(double radius_m) { return std::ilogb(2.0 * radius_m) + 1; }
+  static Cell cellOf(int level, const Vec2& place_m) {
+    return {static_cast<double>(level), std::floor(std::ldexp(place_m.x, -level)),
+            std::floor(std::ldexp(place_m.y, -level))};
+  }
+  template <class Function>
+  bool findIn(int level, std::size_t puck, Function f) {
+    const Cell middle = cellOf(level, pucks_[puck].position_m);
+    for (const double column : {-1.0, 0.0, 1.0}) {
+      for (const double row : {-1.0, 0.0, 1.0}) {
+        const auto cell = cells_.find({middle[0], middle[1] + column, middle[2] + row});
+        if (cell == cells_.end()) continue;
+        for (const std::size_t other : cell->second)
+          if (f(other)) return true;
+      }
+    }
+    return false;
+  }
+
+  const std::vector<Puck>& pucks_;
+  std::vector<int> levels_;
+  std::map<Cell, std::vector<std::size_t>> cells_;
+};
+
+/// Returns, for each puck that overlaps others by `meet`, a pair of it and another one, the later one in the
+/// file first.
+template <class Meet>
+std::vector<std::pair<std::size_t, std::size_t>> overlapsOf(const std::vector<Puck>& pucks, Meet meet) {
+  std::vector<std::size_t> byRadius(pucks.size());
+  std::iota(byRadius.begin(), byRadius.end(), std::size_t{0});
+  std::stable_sort(byRadius.begin(), byRadius.end(),
+                   [&](std::size_t i, std::size_t j) { return pucks[i].radius_m > pucks[j].radius_m; });
+  std::vector<std::pair<std::size_t, std::size_t>> overlaps;
+  Grids grids(pucks);
+  for (const std::size_t i : byRadius) {
+    grids.add(i, [&](std::size_t j) {
+      if (!meet(std::min(i, j), std::max(i, j))) return false;
+      overlaps.emplace_back(std::max(i, j), std::min(i, j));
+      return true;
+    });
+  }
+  return overlaps;
 }
 
 /// Returns the distance from the centre to the rim along the board's x and y: sqrt(nᵀSn).
@@ -95,14 +164,15 @@ void checkPlaces(const BilliardSetup& setup, const std::vector<TomlTable>& table
                                     puck.name, "xy"[axis], "xy"[axis], room[axis]));
       }
     }
-    for (std::size_t j = 0; j < i; ++j) {
-      const bool corners = !puck.outline_m.empty() || !setup.pucks[j].outline_m.empty();
-      if (!(corners ? overlapOnBoard(setup.pucks[j], puck, setup.lightSpeed_m_s)
-                    : overlap(setup.pucks[j], puck)))
-        continue;
-      tables[i].fault("position_m", fmt::format("puck '{}' overlaps puck '{}' at t = 0, expected pucks apart",
-                                                puck.name, setup.pucks[j].name));
-    }
+  }
+  const auto meet = [&](std::size_t i, std::size_t j) {
+    const Puck &a = setup.pucks[i], &b = setup.pucks[j];
+    const bool corners = !a.outline_m.empty() || !b.outline_m.empty();
+    return corners ? overlapOnBoard(a, b, setup.lightSpeed_m_s) : overlap(a, b);
+  };
+  for (const auto& [i, j] : overlapsOf(setup.pucks, meet)) {
+    tables[i].fault("position_m", fmt::format("puck '{}' overlaps puck '{}' at t = 0, expected pucks apart",
+                                              setup.pucks[i].name, setup.pucks[j].name));
   }
 }
 
@@ -127,9 +197,9 @@ void checkFriction(const BilliardSetup& setup, const TomlTable& physics) {
 
 void checkPlayable(const BilliardSetup& setup, const TomlTable& root) {
   try {
-    const Billiard trial(setup);
+    checkSetup(setup);
   } catch (const std::invalid_argument& error) {
-    root.fault(FilePlace{}, fmt::format("{}, expected a game that can be played", error.what()));
+    root.fault(FilePlace{}, error.what());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 #include <string_view>
+#include <unordered_map>
 
 #include "app/files/scenario_bodies.h"
 #include "app/files/scenario_captions.h"
@@ -121,16 +122,22 @@ Pulse readPulse(const TomlTable& table) {
 std::vector<Stroke> resolveStrokes(const std::vector<StrokeText>& texts, const std::vector<Puck>& pucks) {
   std::vector<Stroke> strokes;
   std::vector<std::string> names;
-  for (const Puck& puck : pucks) names.push_back(puck.name);
+  std::unordered_map<std::string_view, std::size_t> places;
+  for (const Puck& puck : pucks) {
+    places.emplace(puck.name, names.size());
+    names.push_back(puck.name);
+  }
+  constexpr std::size_t kSearched = 1000;  // names, in which a mistyped one is looked for
+  std::size_t mistyped = 0;
   for (const StrokeText& text : texts) {
     strokes.push_back(text.stroke);
-    const auto found = std::find(names.begin(), names.end(), text.puck);
-    strokes.back().puck = static_cast<std::size_t>(found - names.begin());
-    if (found != names.end()) {
-      checkOffset(text.table, text.stroke, pucks[strokes.back().puck]);
+    if (const auto found = places.find(text.puck); found != places.end()) {
+      strokes.back().puck = found->second;
+      checkOffset(text.table, text.stroke, pucks[found->second]);
       continue;
     }
-    const auto nearest = nearestWord(text.puck, names);
+    const bool isSearched = ++mistyped < kMostFindings && names.size() < kSearched;
+    const auto nearest = isSearched ? nearestWord(text.puck, names) : std::nullopt;
     text.table.fault("puck",
                      fmt::format("there is no puck '{}', expected {}", text.puck,
                                  nearest ? fmt::format("'{}'?", *nearest) : "the name of a [[puck]]"));

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "app/files/findings.h"
 #include "app/files/toml_file.h"
 #include "engine/billiard/billiard_setup.h"
 

@@ -12,10 +12,11 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include "app/files/config_folder.h"
+#include "app/files/findings.h"
+#include "app/files/toml_scan.h"
 
 namespace carom {
 
@@ -45,46 +46,16 @@ std::string_view kindOf(const toml::node& node) {
   }
 }
 
-/// Returns the position of the first non-ASCII character outside quotes and comments, where TOML allows none.
-/// Must run before toml++ 3.3 parses the text: its table of white space has undefined behaviour there.
-std::optional<FilePlace> strayLetter(std::string_view text) {
-  FilePlace place;
-  std::string_view quote;  // delimiter that ends the current string; "\n" in a comment; empty outside both
-  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const std::string_view rest = text.substr(i);
-    std::size_t length = 1;  // bytes of this step, all in one line
-    if (quote.empty()) {
-      if (byte >= 0x80) return place;
-      if (byte == '#') quote = "\n";
-      for (const std::string_view mark : {"\"\"\"", "'''", "\"", "'"}) {
-        if (!quote.empty() || !rest.starts_with(mark)) continue;
-        quote = mark;
-        length = mark.size();
-      }
-    } else if (byte == '\\' && quote[0] == '"' && rest.size() > 1 && rest[1] != '\n') {
-      length = 2;
-    } else if (rest.starts_with(quote)) {
-      length = quote.size();
-      while (quote.size() == 3 && length < 5 && length < rest.size() && rest[length] == quote[0]) ++length;
-      quote = {};
-    } else if (byte == '\n' && quote.size() == 1) {
-      quote = {};
-    }
-    i += length - 1;
-    place.column += (byte & 0xC0) == 0x80 ? 0 : static_cast<int>(length);
-    if (byte == '\n') place = {place.line + 1, 1};
-  }
-  return {};
-}
-
 }  // namespace
 
 struct TomlFile::Document {
   std::filesystem::path file;
   std::filesystem::path searchRoot;  // empty: none
+  std::optional<std::string> kept;
+  std::map<std::filesystem::path, std::filesystem::path>
+      found;  // files that keys name: many pucks may share a mesh
   toml::table root;
-  std::vector<InputError> faults;
+  FindingList faults;
   std::map<const toml::table*, std::shared_ptr<TomlTable::State>> opened;
   std::optional<TomlTable> rootTable;
 };
@@ -95,14 +66,15 @@ struct TomlTable::State {
   FilePlace place;
   std::vector<std::string> asked;
   std::vector<std::string> missing;
-  std::vector<std::string> unknown;  // already reported
+  std::optional<std::size_t>
+      judged;  // number of keys that had been asked for when the unknown ones were noted
 
   const toml::node* find(std::string_view key) {
     if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.emplace_back(key);
     return table.get(key);
   }
   void fault(FilePlace where, std::string message) {
-    document.faults.emplace_back(document.file.string(), where.line, where.column, std::move(message));
+    document.faults.add({Finding::Kind::error, where, std::move(message)});
   }
   void wrong(std::string_view key, const toml::node& node, std::string_view expected) {
     fault(placeOf(node.source()), fmt::format("{} is {}, expected {}", key, kindOf(node), expected));
@@ -134,24 +106,26 @@ std::optional<double> TomlTable::State::numberOf(std::string_view name, const to
   } else if (!within(range, *value)) {
     fault(placeOf(node.source()), fmt::format("{} is {}, expected {}", name, *value, wordsFor(range, whole)));
     value.reset();
+  } else if (range.above && range.least == 0.0 && *value < kSmallest) {
+    fault(placeOf(node.source()), fmt::format("{} is {}, too small to calculate with, expected at least {}",
+                                              name, *value, kSmallest));
+    value.reset();
   }
   return value;
 }
 
 void TomlTable::State::noteUnknownAndMissing() {
-  const auto contains = [](const std::vector<std::string>& keys, std::string_view key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-  };
+  if (missing.empty() && asked.size() == judged) return;  // nothing has been read since the last time
+  judged = asked.size();
   for (auto&& [key, value] : table) {
-    if (contains(asked, key.str()) || contains(unknown, key.str())) continue;
-    const auto nearest = nearestWord(key.str(), asked);
+    if (std::find(asked.begin(), asked.end(), key.str()) != asked.end()) continue;
+    const auto nearest = document.faults.isLong() ? std::nullopt : nearestWord(key.str(), asked);
     const bool absent = nearest && !table.contains(*nearest);
     fault(placeOf(key.source()),
           absent ? fmt::format("unknown key '{}', expected '{}'?", printable(key.str()), *nearest)
                  : fmt::format("unknown key '{}', expected one of {}", printable(key.str()),
                                fmt::join(asked, ", ")));
     if (absent) std::erase(missing, *nearest);
-    unknown.emplace_back(key.str());
   }
   for (const std::string& key : missing) fault(place, fmt::format("{} is missing here", key));
   missing.clear();
@@ -306,7 +280,7 @@ std::optional<TomlTable> TomlTable::requiredTable(std::string_view key) const {
   return table(key);
 }
 
-std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t most) const {
   std::vector<TomlTable> result;
   const toml::node* node = state_->find(key);
   if (!node) return result;
@@ -314,6 +288,12 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   if (!array) {
     state_->wrong(key, *node, fmt::format("tables [[{}]]", key));
     return result;
+  }
+  if (array->size() > most) {
+    const FilePlace at = placeOf((*array)[most].source());
+    throw InputErrors(
+        {InputError(state_->document.file.string(), at.line, at.column,
+                    fmt::format("{} tables [[{}]], expected at most {}", array->size(), key, most))});
   }
   for (const toml::node& element : *array) {
     if (const toml::table* table = element.as_table()) {
@@ -345,11 +325,10 @@ TomlFile::TomlFile(const std::filesystem::path& file, const std::optional<std::s
     : document_(std::make_unique<Document>()) {
   document_->file = file;
   document_->searchRoot = root;
-  const std::string text = kept ? *kept : readText(file, "a TOML file");
-  if (const auto stray = strayLetter(text)) {
-    throw InputErrors({InputError(file.string(), stray->line, stray->column,
-                                  "a letter beyond ASCII, expected it in quotes or in a comment only")});
-  }
+  document_->kept = kept;
+  const std::string text = kept ? *kept : readText(file, InputKind::toml);
+  if (const auto wrong = faultBeforeParsing(text))
+    throw InputErrors({InputError(file.string(), wrong->at.line, wrong->at.column, wrong->text)});
   try {
     document_->root = toml::parse(std::string_view(text), std::string_view(file.native()));
   } catch (const toml::parse_error& error) {
@@ -366,39 +345,57 @@ const TomlTable& TomlFile::root() const { return *document_->rootTable; }
 void TomlFile::throwFaults() const {
   for (const auto& [table, state] : document_->opened) state->noteUnknownAndMissing();
   if (document_->faults.empty()) return;
-  const auto key = [](const InputError& fault) {
-    return std::tuple(fault.line(), fault.column(), std::string_view(fault.message()));
-  };
-  std::vector<InputError>& faults = document_->faults;
-  std::sort(faults.begin(), faults.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
-  faults.erase(std::unique(faults.begin(), faults.end(),
-                           [&](const auto& a, const auto& b) { return key(a) == key(b); }),
-               faults.end());
-  throw InputErrors(document_->faults);
+  std::vector<InputError> faults;
+  for (Finding& fault : toldOf(document_->faults.all()))
+    faults.emplace_back(document_->file.string(), fault.at.line, fault.at.column, std::move(fault.text));
+  throw InputErrors(std::move(faults));
 }
 
-std::filesystem::path TomlFile::existingFile(const TomlTable& table, std::string_view key) const {
-  const std::filesystem::path given = table.text(key);
-  const std::filesystem::path beside = document_->file.parent_path() / given;
-  const std::filesystem::path shipped = configFolder() / given;
-  std::error_code failed;
-  const auto isFile = [&](const std::filesystem::path& file) {
-    return std::filesystem::is_regular_file(file, failed);
-  };
-  if (document_->searchRoot.empty()) {
-    for (const auto& candidate : {beside, shipped})
-      if (isFile(candidate)) return candidate;
-  } else {  // files of another computer: one of this computer's that has the same path is not meant
-    for (const auto& candidate : {beside, shipped}) {
-      const auto below = document_->searchRoot / candidate.lexically_normal().relative_path();
-      if (isFile(below)) return below;
-    }
-    if (isFile(shipped)) return shipped;
+/// Returns the folder below which the files lie that this one may name; empty if it may name any.
+std::optional<std::filesystem::path> TomlFile::folderOfNamed(Reach reach) const {
+  const Document& document = *document_;
+  const std::filesystem::path folder = document.file.parent_path();
+  if (!document.kept) return reach == Reach::anywhere ? std::nullopt : std::optional(folder);
+  // A recorded text is this computer's if it is still in its file.
+  if (!refusalOf(document.file, InputKind::toml).empty()) return configFolder();
+  const bool isHere = reach == Reach::anywhere && contentOf(document.file, InputKind::toml) == *document.kept;
+  return isHere ? std::nullopt : std::optional(folder);
+}
+
+std::filesystem::path TomlFile::handedFile(const std::filesystem::path& given) const {
+  for (const auto& candidate : {document_->file.parent_path() / given, configFolder() / given}) {
+    const auto below = document_->searchRoot / candidate.lexically_normal().relative_path();
+    if (std::filesystem::exists(below) && liesBelow(below, document_->searchRoot)) return below;
   }
-  if (table.has(key) && !given.empty()) {
+  return configFolder() / given;
+}
+
+std::filesystem::path TomlFile::existingFile(const TomlTable& table, std::string_view key, InputKind kind,
+                                             Reach reach) const {
+  const std::filesystem::path given = table.text(key);
+  if (given.empty()) return {};  // has been reported
+  if (const auto known = document_->found.find(given); known != document_->found.end()) return known->second;
+  std::error_code failed;
+  std::filesystem::path file = document_->file.parent_path() / given;
+  if (!document_->searchRoot.empty()) {
+    file = handedFile(given);
+  } else if (!std::filesystem::exists(file, failed)) {
+    file = configFolder() / given;
+  }
+  if (!std::filesystem::exists(file, failed)) {
     table.fault(key, fmt::format("{} '{}' is no file, expected one beside this file or in {}", key,
                                  given.string(), configFolder().string()));
+    return {};
   }
+  const auto folder = document_->searchRoot.empty() ? folderOfNamed(reach) : document_->searchRoot;
+  if (folder && !liesBelow(file, *folder) && !liesBelow(file, configFolder())) {
+    table.fault(key, fmt::format("{} '{}' is {}, expected a file below this folder or in {}", key,
+                                 given.string(), outsideWords(file, *folder), configFolder().string()));
+    return {};
+  }
+  const std::string refusal = refusalOf(file, kind);
+  if (refusal.empty()) return document_->found[given] = file;
+  table.fault(key, fmt::format("{} '{}': {}", key, given.string(), refusal));
   return {};
 }
 

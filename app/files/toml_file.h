@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -73,8 +74,10 @@ class TomlTable {
   std::optional<std::vector<PlacedPoint>> points(std::string_view key, std::size_t count) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::optional<TomlTable> requiredTable(std::string_view key) const;
-  /// Returns an array of tables; empty if the key is absent.
-  std::vector<TomlTable> tables(std::string_view key) const;
+  /// Returns an array of tables; empty if the key is absent. Throws InputErrors if there are more than
+  /// `most`, which are then not read.
+  std::vector<TomlTable> tables(std::string_view key,
+                                std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
   /// Records a fault if the key exists: a known key that is not allowed here.
   void refuse(std::string_view key, const std::string& why) const;
@@ -96,11 +99,16 @@ class TomlTable {
   std::shared_ptr<State> state_;
 };
 
+/// The files that a file may name beside the shipped ones: those below its own folder, all links followed, or
+/// any. A rig is its operator's, who may name any; all else may come from somebody else. A rig in a session
+/// is the operator's only if its file still is what it was.
+enum class Reach { ownFolder, anywhere };
+
 class TomlFile {
  public:
   /// Reads the file or, if given, `kept`, the content that the file once had. Files that it names are looked
-  /// for below `root` first. Throws InputErrors if the file cannot be read (at 1:1), is over 1 MiB or is not
-  /// TOML.
+  /// for below `root` first. Throws InputErrors if the file cannot be read (at 1:1), is too large or nested
+  /// too deep, or is not TOML.
   explicit TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept = {},
                     const std::filesystem::path& root = {});
   ~TomlFile();
@@ -112,12 +120,17 @@ class TomlFile {
   void throwFaults() const;
 
   /// Returns the file that a key names: as given, beside this file, or in the configuration folder. Records a
-  /// fault if it is in none of these.
-  std::filesystem::path existingFile(const TomlTable& table, std::string_view key) const;
+  /// fault if it is in none of these, is out of reach, or is no regular file of a size that its kind may
+  /// have.
+  std::filesystem::path existingFile(const TomlTable& table, std::string_view key, InputKind kind,
+                                     Reach reach) const;
 
  private:
   friend class TomlTable;
   struct Document;
+  std::optional<std::filesystem::path> folderOfNamed(Reach reach) const;
+  /// Returns the file of the node that handed over this one.
+  std::filesystem::path handedFile(const std::filesystem::path& given) const;
   std::unique_ptr<Document> document_;
 };
 

@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,7 +15,10 @@ namespace carom {
 namespace {
 
 /// Keys in the order of DeskControls::held_.
-constexpr std::array kHeldKeys{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_SPACE};
+constexpr std::array kHeldKeys{GLFW_KEY_W,     GLFW_KEY_A,       GLFW_KEY_S,         GLFW_KEY_D,
+                               GLFW_KEY_SPACE, GLFW_KEY_UP,      GLFW_KEY_LEFT,      GLFW_KEY_DOWN,
+                               GLFW_KEY_RIGHT, GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN, GLFW_KEY_DELETE,
+                               GLFW_KEY_END};
 
 /// Gamepad buttons in the order of the answers.
 constexpr std::array kPadButtons{GLFW_GAMEPAD_BUTTON_A, GLFW_GAMEPAD_BUTTON_B, GLFW_GAMEPAD_BUTTON_X,
@@ -56,25 +60,50 @@ void Buttons::set(std::uint32_t down, bool asks) {
 }
 
 void DeskControls::takeKeys(const WindowInput& input) {
+  std::array<bool, kHeldKeys.size()> isDown{};  // now, or for a part of this frame
   for (const KeyInput& key : input.keys) {
     for (std::size_t i = 0; i < kHeldKeys.size(); ++i) {
-      if (key.key == kHeldKeys[i]) held_[i] = key.pressed;
+      if (key.key != kHeldKeys[i]) continue;
+      held_[i] = key.pressed;
+      isDown[i] = isDown[i] || key.pressed;
     }
-    if (key.key == GLFW_KEY_HOME && key.pressed) input_.home = place_ == KeysOf::session;
+    if (key.key == GLFW_KEY_HOME && key.pressed) input_.home = isLive(place_);
   }
-  const auto [w, a, s, d, space] = held_;
+  for (std::size_t i = 0; i < isDown.size(); ++i) isDown[i] = isDown[i] || held_[i];
+  const auto [w, a, s, d, space, up, left, down, right, higher, lower, lookLeft, lookRight] = isDown;
   input_.steer = {double(d) - double(a), double(w) - double(s), 0.0};
-  input_.brake = space && place_ == KeysOf::session;
+  input_.brake = space && isLive(place_);
+  input_.walk = {double(right) - double(left), double(up) - double(down), double(higher) - double(lower)};
+  input_.look = double(lookRight) - double(lookLeft);
+}
+
+/// Goes through the buttons of the front wall with the cross; any other use of the pad ends that.
+void DeskControls::takeCross(const GLFWgamepadstate& pad) {
+  constexpr std::array kCross{GLFW_GAMEPAD_BUTTON_DPAD_LEFT, GLFW_GAMEPAD_BUTTON_DPAD_UP,
+                              GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, GLFW_GAMEPAD_BUTTON_DPAD_DOWN};
+  unsigned down = 0;
+  for (std::size_t i = 0; i < kCross.size(); ++i) {
+    if (pad.buttons[kCross[i]] == GLFW_PRESS) down |= 1U << i;
+  }
+  const unsigned pressed = down & ~std::exchange(cross_, down);
+  if ((pressed & 0b0011U) != 0) input_.padStep = -1;
+  if ((pressed & 0b1100U) != 0) input_.padStep = 1;
+  if (pressed != 0) crossUsed_ = true;
 }
 
 void DeskControls::takePad(const GLFWgamepadstate& pad, bool asks) {
   input_.hasPad = true;
+  takeCross(pad);
   std::uint32_t down = 0;
   for (std::size_t i = 0; i < kPadButtons.size(); ++i) {
     if (pad.buttons[kPadButtons[i]] == GLFW_PRESS) down |= 1U << i;
   }
   if (pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] > 0.0F) down |= 1U << kPadTrigger;  // at rest it is at −1
-  buttons_.set(down, asks);
+  buttons_.set(down, asks && !crossUsed_);
+  const bool isA = down == 1U << kPadA;
+  if (down != 0 && !isA) crossUsed_ = false;
+  if (wasA_ && !isA) crossUsed_ = false;  // it has pressed the button of the wall
+  wasA_ = isA;
   input_.padHeld = buttons_.isHeld(kPadA) || buttons_.isHeld(kPadTrigger);
   input_.brake = input_.brake || buttons_.isHeld(kPadB);
   input_.home = input_.home || buttons_.wasPressed(kPadY);

@@ -1,10 +1,14 @@
 #pragma once
 // The desktop input from GLFW: the mouse over the walls' windows, held keys, and a gamepad.
 //
-//   keys      W A S D steer, Space brakes, Home goes home
+//   keys      W A S D steer, Space brakes, Home goes home; in a dry run the arrows walk, Page Up, Page Down,
+//             Delete and End move the head (app/play/mouse_people.h)
 //   mouse     aims at what it points to; its left button holds the cue, its right button turns the view
 //   gamepad   left stick steers, A or the right trigger holds the cue, the right stick draws it back,
-//             B brakes, Y goes home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4
+//             B brakes, Y goes home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4; the cross
+//             goes through the buttons of the front wall, and A then presses the one it has come to
+//
+// A key or button that is pressed and let go between two frames counts as held in the next one.
 
 #include <array>
 #include <cstdint>
@@ -57,11 +61,15 @@ class DeskControls {
  private:
   void takeKeys(const WindowInput& input);
   void takePad(const GLFWgamepadstate& pad, bool asks);
+  void takeCross(const GLFWgamepadstate& pad);
 
   KeysOf place_;
   DeskInput input_;
-  std::array<bool, 5> held_{};  ///< keys, in the order of kHeldKeys of desk_controls.cpp
+  std::array<bool, 13> held_{};  ///< keys, in the order of kHeldKeys of desk_controls.cpp
   Buttons buttons_;
+  bool wasA_ = false;       ///< A alone was down in the frame before
+  unsigned cross_ = 0;      ///< the directions of the cross that are pressed
+  bool crossUsed_ = false;  ///< it has been since another button was pressed: A is for the front wall
 };
 
 /// The devices of a desk: returns their input in a frame. `asks`: a lesson waits for an answer.

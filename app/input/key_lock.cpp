@@ -21,10 +21,14 @@ char digitOf(int key) {
   return 0;
 }
 
+/// Returns whether a key ends the session.
+bool ends(const KeyInput& key) { return key.key == GLFW_KEY_ESCAPE || key.key == GLFW_KEY_Q; }
+
 }  // namespace
 
 /// Takes a key that is locked or that belongs to the PIN. Returns whether it did.
 bool KeyLock::takes(const KeyInput& key) {
+  if (pin_.empty()) return ends(key);
   const bool isLocked = !isOpen_ && std::find(kLocked.begin(), kLocked.end(), key.key) != kLocked.end();
   if (key.key == GLFW_KEY_F12) {
     if (!key.pressed) return true;
@@ -47,7 +51,7 @@ bool KeyLock::takes(const KeyInput& key) {
 }
 
 const WindowInput& KeyLock::pass(const WindowInput& input) {
-  if (pin_.empty()) return input;
+  if (pin_.empty() && !isUnattended_) return input;
   passed_.keys.clear();
   for (const KeyInput& key : input.keys) {
     if (!takes(key)) passed_.keys.push_back(key);

@@ -21,7 +21,7 @@ constexpr double kLightSpeedSteps = 12.0;  // steps per doubling of the light sp
 constexpr double kScrub_s = 1.0;           // one press of an arrow key in a recording
 constexpr double kMostRate = 16.0;
 
-constexpr unsigned kInSession = 1, kInReplay = 2, kInPatterns = 4;
+constexpr unsigned kInSession = 1 | 8, kInReplay = 2, kInPatterns = 4;  // bits by KeysOf
 constexpr unsigned kEverywhere = kInSession | kInReplay | kInPatterns;
 constexpr unsigned kWithGame = kInSession | kInReplay;
 
@@ -167,18 +167,14 @@ constexpr std::array kKeys{
     Key{GLFW_KEY_K, 0, "K", kInSession, texts::keys::kSensors, turnWalls<&WallControls::trackerCross>},
     Key{GLFW_KEY_J, 0, "J", kInSession, texts::keys::kComfort, turnWalls<&WallControls::comfort>},
     Key{GLFW_KEY_L, 0, "L", kEverywhere, texts::keys::kLatency, turnWalls<&WallControls::latency>},
+    Key{GLFW_KEY_F10, 0, "F10", kWithGame, texts::keys::kConsole,
+        [](const OperatorSettings& now, const Pressed&) -> Command {
+          if (now.console == ConsoleState::none) return TellPerson{texts::message::kNoConsole};
+          return ShowConsole{now.console != ConsoleState::shown};
+        }},
     Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
         [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
 };
-
-constexpr std::array<int, 2> kEndKeys{GLFW_KEY_ESCAPE, GLFW_KEY_Q};
-
-template <std::size_t count>
-bool pressedOneOf(const WindowInput& input, const std::array<int, count>& keys) {
-  return std::any_of(input.keys.begin(), input.keys.end(), [&](const KeyInput& key) {
-    return key.pressed && std::find(keys.begin(), keys.end(), key.key) != keys.end();
-  });
-}
 
 bool means(const Key& key, KeysOf place) { return (key.where & (1U << static_cast<unsigned>(place))) != 0; }
 
@@ -191,9 +187,11 @@ std::optional<int> digitOf(int key) {
 /// Returns the answer for a digit: while a lesson asks, digits have no other meaning.
 std::optional<Command> answerOf(int key, KeysOf place, const OperatorSettings& now) {
   const std::optional<int> digit = digitOf(key);
-  if (!digit || place != KeysOf::session || now.lesson.phase != LessonPhase::asks) return {};
+  if (!digit || !isLive(place) || now.lesson.phase != LessonPhase::asks) return {};
   return ChooseInLesson{*digit};
 }
+
+bool isArrow(int key) { return key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP; }
 
 /// Returns whether somebody who presses this key in a session expects something of it: letters, function keys and
 /// arrows; not those that steer, end, open the lock, or belong to the desktop.
@@ -201,8 +199,7 @@ bool isExpectedToDo(int key) {
   constexpr std::array kOthers{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q};
   const bool isLetter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z &&
                         std::find(kOthers.begin(), kOthers.end(), key) == kOthers.end();
-  return isLetter || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F11) ||
-         (key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP);
+  return isLetter || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F11) || isArrow(key);
 }
 
 std::optional<Command> commandOf(int pressed, const OperatorSettings& now, const Pressed& where) {
@@ -211,14 +208,12 @@ std::optional<Command> commandOf(int pressed, const OperatorSettings& now, const
     if (means(key, where.place) && (pressed == key.key || pressed == key.otherKey))
       return key.command(now, where);
   }
-  if (where.place == KeysOf::session && isExpectedToDo(pressed))
-    return TellPerson{texts::message::kNoSuchKey};
+  const bool walks = where.place == KeysOf::dryRun && isArrow(pressed);
+  if (isLive(where.place) && !walks && isExpectedToDo(pressed)) return TellPerson{texts::message::kNoSuchKey};
   return {};
 }
 
 }  // namespace
-
-bool wantsToEnd(const WindowInput& input) { return input.closeRequested || pressedOneOf(input, kEndKeys); }
 
 Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const OperatorSettings& settings) {
   Commands commands;
@@ -241,7 +236,12 @@ std::vector<KeyLine> keyMap(KeysOf place) {
   for (const Key& key : kKeys) {
     if (means(key, place) && key.does) lines.push_back({key.label, key.does});
   }
-  if (place == KeysOf::session) {
+  if (place == KeysOf::dryRun) {
+    lines.push_back({"← ↑ → ↓", texts::keys::kWalk});
+    lines.push_back({texts::keys::kPageKeys, texts::keys::kHeadHeight});
+    lines.push_back({texts::keys::kLookKeys, texts::keys::kLook});
+  }
+  if (isLive(place)) {
     lines.push_back({"W A S D", texts::keys::kSteer});
     lines.push_back({texts::keys::kSpaceKey, texts::keys::kBrake});
     lines.push_back({texts::keys::kHomeKey, texts::keys::kHome});

@@ -1,6 +1,6 @@
 #pragma once
-// The keyboard commands of a session. They work in all of rank 0's windows; quitting works in any window of
-// any node.
+// The keyboard commands of a session. They work in all of rank 0's windows; ending (app/input/end_question.h) works in
+// any window of any node.
 
 #include <string>
 #include <string_view>
@@ -11,11 +11,12 @@
 
 namespace carom {
 
-/// Returns whether Escape or Q was pressed or a window was closed.
-bool wantsToEnd(const WindowInput& input);
+/// The kind of session in which keys are pressed; some keys work only in certain kinds. In a dry run, which is a
+/// session, keys move the head as well (app/play/mouse_people.h).
+enum class KeysOf { session, replay, patterns, dryRun };
 
-/// The kind of session in which keys are pressed; some keys work only in certain kinds.
-enum class KeysOf { session, replay, patterns };
+/// Returns whether a game is played, and not shown again.
+inline bool isLive(KeysOf place) { return place == KeysOf::session || place == KeysOf::dryRun; }
 
 /// One line of the list of keys.
 struct KeyLine {

@@ -73,7 +73,7 @@ FrameWriter::FrameWriter(SQLite::Database& database)
       event_(database, insertInto("frame_event", "frame" + eventNames().text())) {}
 
 void FrameWriter::write(const FrameRecord& record, const std::string& known, const Vec3& celerity_m_s) {
-  Writing row(frame_);
+  RowWriter row(frame_);
   row("", "number", record.number);
   visitRecord(row, record);
   row("", "known", known);
@@ -83,7 +83,7 @@ void FrameWriter::write(const FrameRecord& record, const std::string& known, con
 }
 
 void FrameWriter::write(std::uint64_t frame, const BodyKnot& knot) {
-  Writing row(knot_);
+  RowWriter row(knot_);
   row("", "frame", frame);
   row("", "body", knot.body);
   visitKnot(row, knot.knot);
@@ -91,7 +91,7 @@ void FrameWriter::write(std::uint64_t frame, const BodyKnot& knot) {
 }
 
 void FrameWriter::write(std::uint64_t frame, const GameEvent& event) {
-  Writing row(event_);
+  RowWriter row(event_);
   row("", "frame", frame);
   visitGameEvent(row, event);
   event_.exec();
@@ -144,19 +144,19 @@ void FrameReader::read(FrameState& state) {
 void FrameReader::readFields(FrameState& state) {
   state.record = FrameRecord();
   state.record.observer.headFromBoard = state.record.boardFromRoom = Lorentz(lightSpeed_m_s_);
-  Reading row(frames());
+  RowReader row(frames());
   row("", "number", state.record.number);
   visitRecord(row, state.record);
   while (knot_.executeStep()) {
     BodyKnot& knot = state.knots.emplace_back();
-    Reading knotRow(knot_);
+    RowReader knotRow(knot_);
     knotRow("", "body", knot.body);
     visitKnot(knotRow, knot.knot);
   }
   event_->reset();
   event_->bind(1, static_cast<std::int64_t>(state.record.number));
   while (event_->executeStep()) {
-    Reading eventRow(*event_);
+    RowReader eventRow(*event_);
     std::uint64_t frame = 0;
     eventRow("", "frame", frame);
     visitGameEvent(eventRow, state.events.emplace_back());

@@ -26,7 +26,7 @@ HeadsetWriter::HeadsetWriter(SQLite::Database& database)
 
 void HeadsetWriter::write(const FrameRecord& record) {
   if (!record.headset.isWorn) return;
-  Writing row(row_);
+  RowWriter row(row_);
   row("", "frame", record.number);
   visitHeadset(row, record.headset);
   row_.exec();
@@ -42,7 +42,7 @@ void HeadsetReader::read(FrameRecord& record) {
   row_->reset();
   row_->bind(1, static_cast<std::int64_t>(record.number));
   if (!row_->executeStep()) return;
-  Reading row(*row_);
+  RowReader row(*row_);
   std::uint64_t frame = 0;
   row("", "frame", frame);
   visitHeadset(row, record.headset);

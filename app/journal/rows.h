@@ -61,9 +61,9 @@ inline std::string selected(SQLite::Database& database, const char* table, const
 }
 
 /// Binds values to a row's parameters in order.
-class Writing {
+class RowWriter {
  public:
-  explicit Writing(SQLite::Statement& row) : row_(row) { row_.tryReset(); }
+  explicit RowWriter(SQLite::Statement& row) : row_(row) { row_.tryReset(); }
 
   /// Writes zero as an integer, which needs no byte, but keeps minus zero. NaN becomes NULL.
   void operator()(Part, Part, double value) {
@@ -90,9 +90,9 @@ class Writing {
 
 /// Reads values from a row's columns in order. Anything that is not a number becomes NaN, which later checks
 /// refuse.
-class Reading {
+class RowReader {
  public:
-  explicit Reading(SQLite::Statement& row) : row_(row) {}
+  explicit RowReader(SQLite::Statement& row) : row_(row) {}
 
   void operator()(Part, Part, double& value) {
     const SQLite::Column column = row_.getColumn(column_++);

@@ -10,9 +10,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/files/input_file.h"
 #include "app/journal/frame_rows.h"
 #include "engine/base/limits.h"
 #include "engine/base/log.h"
+#include "engine/base/outside_file.h"
+#include "engine/base/printable.h"
 
 namespace carom {
 namespace {
@@ -85,8 +88,8 @@ struct SessionFile::Tables {
 
 SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::size_t> game, bool quiet)
     : file_(file) {
-  if (!std::filesystem::exists(file)) refuse(file, "there is no such file");
-  if (std::filesystem::is_directory(file)) refuse(file, "this is a folder, expected a session file");
+  if (const std::string refusal = refusalOf(file, InputKind::session); !refusal.empty())
+    refuse(file, refusal);
   const bool alone = !hasBeside(file);  // opening the database creates an empty one
   try {
     tables_ = std::make_unique<Tables>(file);
@@ -115,12 +118,22 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
     const std::string check = database.execAndGet("PRAGMA quick_check").getString();
     if (check != "ok")
       refuse(file, "it is damaged (" + check + "); sqlite3 FILE .recover may save what is left");
+    // A view or a trigger in the place of a table could compute without end.
+    if (database.execAndGet("SELECT count(*) FROM sqlite_schema WHERE type IN ('view', 'trigger')").getInt() >
+        0)
+      refuse(file, "it has views or triggers, expected what carom cave --session wrote, tables alone");
     games_ = gamesIn(database);
     game_ = game.value_or(games_.size());
     if (game_ < 1 || game_ > games_.size())
       refuse(file, fmt::format("it has {} game{}, expected the number of one of them", games_.size(),
                                games_.size() == 1 ? "" : "s"));
     const SessionGame& chosen = games_[game_ - 1];
+    const double first_m_s =
+        database.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble();
+    for (const double light_m_s : {chosen.lightSpeed_m_s, first_m_s}) {
+      if (light_m_s >= kSmallest && within(kPositive, light_m_s)) continue;
+      refuse(file, fmt::format("light_speed_m_s is {}, expected {}", light_m_s, wordsFor(kPositive, false)));
+    }
     facts_ = {tables_->fact("program"), tables_->fact("rig_file"), chosen.scenario,
               tables_->fact("rig"),     chosen.scenarioText,       chosen.lightSpeed_m_s};
     showOnly(database, chosen);
@@ -131,7 +144,7 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
           static_cast<int>(std::clamp(std::strtol(pixels.c_str(), nullptr, 10), 0L, kMost));
     }
     for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer) {
-      const std::string name = tables_->fact(keyOfViewer(viewer).c_str());
+      const std::string name = printable(tables_->fact(keyOfViewer(viewer).c_str()));
       if (name.empty()) break;
       if (viewer == 0) facts_.viewers.clear();
       facts_.viewers.push_back(name);
@@ -170,6 +183,15 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> SessionFile::frames() con
   return ends;
 }
 
+Scenario SessionFile::scenario() const {
+  Scenario scenario = readScenario(facts_.scenario, facts_.scenarioText);
+  if (scenario.billiard.lightSpeed_m_s != facts_.lightSpeed_m_s) {
+    refuse(file_, fmt::format("light_speed_m_s is {}, expected {} as in its scenario", facts_.lightSpeed_m_s,
+                              scenario.billiard.lightSpeed_m_s));
+  }
+  return scenario;
+}
+
 std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try {
   std::vector<Stroke> strokes;
   const auto ends = frames();
@@ -185,7 +207,7 @@ std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try 
   row.bind(2, static_cast<std::int64_t>(ends->second));
   while (row.executeStep()) {
     const auto frame = static_cast<std::uint64_t>(row.getColumn(0).getInt64());
-    const std::string name = row.getColumn(1).getString();
+    const std::string name = printable(row.getColumn(1).getString());
     const auto number = [&](int column) { return row.getColumn(column).getDouble(); };
     const auto found =
         std::find_if(pucks.begin(), pucks.end(), [&](const Puck& puck) { return puck.name == name; });

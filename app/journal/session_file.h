@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/scenario.h"
 #include "app/journal/journal.h"
 #include "app/journal/session_games.h"
 #include "cave/frame/frame_state.h"
@@ -30,6 +31,9 @@ class SessionFile {
 
   /// Returns the rig of the session and the scenario of the game.
   const SessionFacts& facts() const { return facts_; }
+  /// Returns the scenario of the game. Throws InputErrors if it is wrong, and std::runtime_error if the light
+  /// speed of the session is another than the scenario's.
+  Scenario scenario() const;
   /// Returns the name of a viewer of the records.
   std::string nameOf(std::size_t viewer) const {
     return viewer < facts_.viewers.size() ? facts_.viewers[viewer] : "viewer " + std::to_string(viewer + 1);

@@ -6,6 +6,8 @@
 
 #include <ctime>
 
+#include "engine/base/printable.h"
+
 namespace carom {
 namespace {
 
@@ -23,7 +25,7 @@ SessionGame onlyGame(SQLite::Database& database) {
     return row.executeStep() ? row.getColumn(0).getString() : std::string();
   };
   SessionGame game;
-  game.startedUtc = fact("started_utc");
+  game.startedUtc = printable(fact("started_utc"));
   game.scenario = fact("scenario_file");
   game.scenarioText = fact("scenario");
   game.lightSpeed_m_s =
@@ -41,7 +43,7 @@ std::vector<SessionGame> allGames(SQLite::Database& database) {
     SessionGame& game = games.emplace_back();
     game.firstFrame = row.getColumn(0).getInt64();
     game.firstEvent = row.getColumn(1).getInt64();
-    game.startedUtc = row.getColumn(2).getString();
+    game.startedUtc = printable(row.getColumn(2).getString());
     game.scenario = row.getColumn(3).getString();
     game.scenarioText = row.getColumn(4).getString();
     game.lightSpeed_m_s = row.getColumn(5).getDouble();

@@ -49,7 +49,7 @@ void ViewerWriter::write(const FrameRecord& record, std::span<const HeadWords> h
   for (std::size_t i = 0; i < record.viewers; ++i) {
     const ViewerState& viewer = record.viewer(i);
     const Event& head = viewer.observer.middle.observation;
-    Writing row(viewer_);
+    RowWriter row(viewer_);
     row("", "frame", record.number);
     row("", "name", names_.at(i));
     row("", "t_s", head.t_s);
@@ -61,13 +61,13 @@ void ViewerWriter::write(const FrameRecord& record, std::span<const HeadWords> h
     row("", "known", std::string(toString(heads[i].known)));
     viewer_.exec();
     if (i == 0) continue;
-    Writing other(other_);
+    RowWriter other(other_);
     other("", "frame", record.number);
     other("", "viewer", std::uint64_t{i});
     visitViewer(other, viewer);
     other_.exec();
   }
-  Writing row(platform_);
+  RowWriter row(platform_);
   row("", "frame", record.number);
   row("", "room_s", record.room_s);
   putVector(row, record.boardFromRoom.u());
@@ -90,7 +90,7 @@ void ViewerReader::read(FrameRecord& record) {
   first_.reset();
   first_.bind(1, static_cast<std::int64_t>(record.number));
   if (first_.executeStep()) {
-    Reading row(first_);
+    RowReader row(first_);
     row("", "room_s", record.room_s);
     visitPlace(row, "room_", record.placeInRoom_m);
     row("", "lapse", record.lapse);
@@ -103,7 +103,7 @@ void ViewerReader::read(FrameRecord& record) {
       throw std::runtime_error(fmt::format("more than {} viewers", kMostViewers));
     ViewerState& viewer = record.viewer(record.viewers++);
     viewer.observer.headFromBoard = Lorentz(lightSpeed_m_s_);
-    Reading row(other_);
+    RowReader row(other_);
     std::uint64_t number = 0;
     row("", "frame", number);
     row("", "viewer", number);

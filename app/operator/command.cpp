@@ -65,6 +65,10 @@ struct Apply {
   bool operator()(const SetWalls& c) { return set(settings.walls.*c.option, c.on); }
   bool operator()(const ShowOnWalls& c) { return set(settings.walls.shown, c.shown); }
   bool operator()(const ShowKeys& c) { return set(settings.keysShown, c.on); }
+  bool operator()(const ShowConsole& c) {
+    if (settings.console == ConsoleState::none) return false;
+    return set(settings.console, c.on ? ConsoleState::shown : ConsoleState::waits);
+  }
   bool operator()(const SetEyeSeparation& c) { return set(settings.eyeSeparation_m, c.apart_m); }
   bool operator()(const SetLightSpeed& c) { return set(settings.lightSpeed_m_s, c.speed_m_s); }
   bool operator()(const ChooseInLesson& c) { return choose(settings, c.choice); }
@@ -87,6 +91,7 @@ struct NameOf {
   std::string operator()(const SetWalls& c) { return wallOption(c.option).name; }
   std::string operator()(const ShowOnWalls&) { return "shown"; }
   std::string operator()(const ShowKeys&) { return "keys"; }
+  std::string operator()(const ShowConsole&) { return "console"; }
   std::string operator()(const SetEyeSeparation&) { return "eye separation"; }
   std::string operator()(const SetLightSpeed&) { return "light speed"; }
   std::string operator()(const ChooseInLesson&) { return "lesson"; }
@@ -112,6 +117,7 @@ struct ValueOf {
   }
   std::string operator()(const ShowOnWalls& c) { return kShownNames[static_cast<std::size_t>(c.shown)]; }
   std::string operator()(const ShowKeys& c) { return onOrOff(c.on); }
+  std::string operator()(const ShowConsole& c) { return c.on ? "shown" : "hidden"; }
   std::string operator()(const SetEyeSeparation& c) { return fmt::format("{:.1f} mm", c.apart_m * 1e3); }
   std::string operator()(const SetLightSpeed& c) { return fmt::format("{:.3g} m/s", c.speed_m_s); }
   std::string operator()(const ChooseInLesson&) { return lessonWords(settings); }

@@ -40,6 +40,11 @@ struct ShowKeys {
   bool on;
   bool operator==(const ShowKeys&) const = default;
 };
+/// Shows the operator's console, or has it wait out of sight.
+struct ShowConsole {
+  bool on;
+  bool operator==(const ShowConsole&) const = default;
+};
 struct SetEyeSeparation {
   double apart_m;
   bool operator==(const SetEyeSeparation&) const = default;
@@ -95,9 +100,10 @@ struct Seek {
   bool operator==(const Seek&) const = default;
 };
 
-using Command = std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, SetEyeSeparation,
-                             SetLightSpeed, ChooseInLesson, AdvanceLesson, StartTour, PlayScenario,
-                             WelcomeNextVisitor, ShowBestShot, TellPerson, Pause, SetRate, Seek>;
+using Command =
+    std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, ShowConsole, SetEyeSeparation,
+                 SetLightSpeed, ChooseInLesson, AdvanceLesson, StartTour, PlayScenario, WelcomeNextVisitor,
+                 ShowBestShot, TellPerson, Pause, SetRate, Seek>;
 using Commands = std::vector<Command>;
 
 /// Applies the command to the settings. Returns false if nothing changes: the setting has that value already,

@@ -3,6 +3,7 @@
 // commands (app/operator/command.h) change them; a replay also takes over what was recorded.
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -23,6 +24,9 @@ struct Playback {
   bool operator==(const Playback&) const = default;
 };
 
+/// The operator's console on rank 0: its window may wait out of sight where the screen is too small for it.
+enum class ConsoleState : std::uint8_t { none, waits, shown };
+
 struct OperatorSettings {
   Switches switches;
   WallControls walls;
@@ -34,10 +38,11 @@ struct OperatorSettings {
   double lightSpeed_m_s = 1.42;
   Playback playback;
   LessonState lesson;
-  std::size_t lessonAnswers = 0;             ///< number of answers to its question
-  std::size_t lessonObservers = 0;           ///< number of velocities that it offers
-  std::size_t lessonObserver = 0;            ///< the velocity that was chosen
-  std::size_t lessonExplainedFor = 0;        ///< the velocity with which it explains
+  std::size_t lessonAnswers = 0;       ///< number of answers to its question
+  std::size_t lessonObservers = 0;     ///< number of velocities that it offers
+  std::size_t lessonObserver = 0;      ///< the velocity that was chosen
+  std::size_t lessonExplainedFor = 0;  ///< the velocity with which it explains
+  ConsoleState console = ConsoleState::none;
   bool keysShown = false;                    ///< the list of keys is drawn over the walls of rank 0
   std::string playing;                       ///< scenario file being played
   std::shared_ptr<const Playlist> playlist;  ///< the games that may be played; null: all

@@ -86,8 +86,8 @@ InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double 
   if (desk_.mouse) mouseWas_ = desk_.mouse;
   Hand hand;
   hand.there = desk_.mouse || (mouseWas_ && holder_ == mouse);
-  hand.held = hand.down = desk_.mouseHeld;
-  hand.used_s = mouseUsed_s_;
+  hand.held = hand.down = desk_.mouseHeld && desk_.mouseAims;
+  hand.used_s = desk_.mouseAims ? mouseUsed_s_ : kNever_s;
   if (!hand.there) return hand;
   hand.eye = mouseWas_->eye;
   hand.from_m = observer.of(hand.eye).positionInRoom_m;
@@ -109,7 +109,7 @@ void InputDevices::turn(const Hand& hand) {
 
 InputDevices::Hand InputDevices::padHand(const ObserverView& observer, const Pose& roomFromHead,
                                          double now_s) {
-  if (desk_.padHeld || desk_.padPull != Vec3(0.0)) padUsed_s_ = now_s;
+  if (desk_.padHeld || desk_.padPull != Vec3(0.0) || desk_.padStep != 0) padUsed_s_ = now_s;
   Hand hand;
   hand.there = desk_.hasPad;
   hand.held = hand.down = desk_.padHeld;

@@ -8,7 +8,8 @@
 //   mouse       aims from the eye whose picture it is over; the cue is drawn back by the displacement of the
 //               point on the cloth that the mouse points to; its right button takes hold of the scene and turns
 //               the room about the head
-//   gamepad     aims with the head: from between the eyes, forward; its right stick draws the cue back
+//   gamepad     aims with the head: from between the eyes, forward; its right stick draws the cue back; its cross goes
+//               through the buttons of the front wall
 //   SpaceMouse  steers right, up and forward; its left button brakes, its right one goes home
 //
 // While no device holds the cue, the one used last aims: the mouse while it moves and for kPatience_s after,
@@ -18,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "app/files/rig.h"
 #include "app/hand/hand_input.h"
@@ -41,11 +43,15 @@ class InputDevices {
   /// and no device can take the cue.
   void begin(const DeskInput& desk, bool asks) {
     desk_ = desk;
+    desk_.home = desk_.home || std::exchange(goesHome_, false);
     asks_ = asks;
   }
 
   /// Releases the cue, whichever device holds it, until a button is pressed again.
   void letGo() { holder_.reset(); }
+
+  /// Asks for the way home in the next frame.
+  void goHome() { goesHome_ = true; }
 
   // Returns the platform input; wand and SpaceMouse are as received for the previous frame.
   DriveWish drive() const;
@@ -81,7 +87,7 @@ class InputDevices {
 
   RoomAxes axes_;
   DeskInput desk_;
-  bool asks_ = false;
+  bool asks_ = false, goesHome_ = false;
   Buttons wandButtons_, spaceMouseButtons_;
   bool wandKnown_ = false;
   Vec3 steered_{0.0};            ///< from wand and SpaceMouse, in the room's axes

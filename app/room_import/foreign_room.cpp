@@ -20,16 +20,16 @@ Room foreignRoom(const std::filesystem::path& file, std::string format) {
 }
 
 void addError(Room& room, FilePlace at, std::string text) {
-  room.findings.push_back({Finding::Kind::error, at, std::move(text)});
+  room.findings.add({Finding::Kind::error, at, std::move(text)});
 }
 
 void addWarning(Room& room, FilePlace at, std::string text) {
-  room.findings.push_back({Finding::Kind::warning, at, std::move(text)});
+  room.findings.add({Finding::Kind::warning, at, std::move(text)});
 }
 
 void addUnknownKey(Room& room, FilePlace at, std::string_view key, std::span<const std::string_view> known) {
   const std::vector<std::string> words(known.begin(), known.end());
-  const auto nearest = nearestWord(key, words);
+  const auto nearest = room.findings.isLong() ? std::nullopt : nearestWord(key, words);
   addWarning(room, at,
              nearest
                  ? fmt::format("unknown key '{}' is passed over, expected '{}'?", printable(key), *nearest)

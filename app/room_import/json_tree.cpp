@@ -11,7 +11,7 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kDeepest = 32;
+constexpr std::size_t kDeepest = 32, kMostValues = 100'000, kShown = 40;
 
 /// Iterates over the text and counts in `*read` the characters that any copy has passed, which is where the
 /// parser's newest token ends.
@@ -75,10 +75,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const bool tooLarge = error.id == 406;
     const std::size_t end = std::min(std::max<std::size_t>(position, 1), text_.size() + 1) - 1;
     const FilePlace at = tooLarge ? beginOfToken() : lines_.at(end);
-    fault = {at, tooLarge ? fmt::format("the number {} is too large, expected one that can be counted with",
-                                        printable(token))
-                          : fmt::format("this is no JSON at '{}', expected a value, a comma or a bracket",
-                                        printable(token))};
+    const std::string shown = printable(token.substr(0, kShown));
+    fault = {at, tooLarge
+                     ? fmt::format("the number {} is too large, expected one that can be counted with", shown)
+                     : fmt::format("this is no JSON at '{}', expected a value, a comma or a bracket", shown)};
     return false;
   }
 
@@ -96,6 +96,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool addWhole(double value) { return add({.kind = JsonNode::Kind::whole, .number = value}); }
   bool add(JsonNode node) {
     node.at = beginOfToken();
+    if (++values_ > kMostValues) {
+      fault = {node.at, fmt::format("too many values, expected at most {}", kMostValues)};
+      return false;
+    }
     if (open_ == 0) {
       root = std::move(node);
       return true;
@@ -113,7 +117,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       fault = {beginOfToken(), "values are nested too deep, expected at most 32"};
       return false;
     }
-    add({.kind = kind});
+    if (!add({.kind = kind})) return false;
     if (open_++ > 0) path_.push_back(current().children.size() - 1);
     return true;
   }
@@ -129,7 +133,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   LineIndex lines_;
   std::size_t previousEnd_ = 0;
   std::vector<std::size_t> path_;  // from the root to the open node, as indices among children
-  std::size_t open_ = 0;
+  std::size_t open_ = 0, values_ = 0;
   std::string key_;
   FilePlace keyAt_;
 };
@@ -162,7 +166,7 @@ std::string JsonNode::words() const {
 }
 
 JsonNode readJson(const std::filesystem::path& file) {
-  const std::string text = readText(file, "a JSON file");
+  const std::string text = readText(file, InputKind::json);
   std::size_t read = 0;
   TreeBuilder builder(text, read);
   const bool sound = nlohmann::json::sax_parse(CountingIterator(text.data(), &read),

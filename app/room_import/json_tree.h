@@ -28,7 +28,8 @@ struct JsonNode {
   std::string words() const;
 };
 
-/// Throws InputErrors if the file cannot be read, is not JSON, or is nested over 32 levels deep.
+/// Throws InputErrors if the file cannot be read, is not JSON, is nested over 32 levels deep or has
+/// over 100 000 values.
 JsonNode readJson(const std::filesystem::path& file);
 
 }  // namespace carom

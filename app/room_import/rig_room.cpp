@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "devices/tracker/trace.h"
+#include "app/files/traces.h"
 
 namespace carom {
 
@@ -14,7 +14,8 @@ Viewer eyesAtStart(const Rig& rig, const ViewerSetup& viewer, const FilePlace& a
   const TrackerSetup& tracker = rig.trackers[viewer.head.sensor.tracker];
   const Pose eyesInSensor = inverse(viewer.head.eyesFromSensor);
   if (tracker.kind == TrackerKind::recorded) {
-    const std::vector<TrackerSample> samples = readTrace(tracker.source);
+    constexpr std::uintmax_t kBeginning = 1U << 20U;
+    const std::vector<TrackerSample> samples = readBeginning(tracker.source, kBeginning);
     const auto first = std::find_if(samples.begin(), samples.end(), [&](const TrackerSample& sample) {
       return sample.sensor == viewer.head.sensor.sensor;
     });

@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/files/input_file.h"
+#include "app/files/findings.h"
 #include "app/files/rig.h"
 
 namespace carom {
@@ -43,7 +43,7 @@ struct Room {
   /// precedence.
   std::optional<double> floor_m;
   std::vector<std::string> assumptions;  ///< what the file leaves open and the value assumed
-  std::vector<Finding> findings;         ///< of the reader
+  FindingList findings;                  ///< of the reader
 
   /// Returns whose eyes look at the wall.
   const Viewer& viewerOf(const Wall& wall) const { return viewers.at(wall.viewer); }

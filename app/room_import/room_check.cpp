@@ -138,10 +138,11 @@ std::vector<Finding> judgeRoom(const Room& room) {
     for (std::size_t j = 0; j < i; ++j) judgePair(room.walls[j], room.walls[i], verdict);
   }
   if (!room.hasErrors()) judgeRanks(verdict);
-  std::stable_sort(verdict.findings.begin(), verdict.findings.end(), [](const Finding& a, const Finding& b) {
+  std::vector<Finding> findings = verdict.findings.all();
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
   });
-  return std::move(verdict.findings);
+  return findings;
 }
 
 std::string_view sideOf(const Wall& wall, const RoomAxes& axes) { return lookedAt(wall, axes).name; }

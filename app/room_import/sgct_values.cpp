@@ -1,19 +1,22 @@
 #include "app/room_import/sgct_values.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace carom {
 
 using Kind = JsonNode::Kind;
 
 void noteUnknown(const JsonNode& object, std::span<const std::string_view> known, Room& room) {
+  std::unordered_map<std::string_view, const JsonNode*> last;
+  for (const JsonNode& member : object.children) last[member.key] = &member;
   for (const JsonNode& member : object.children) {
     const bool expected = std::find(known.begin(), known.end(), member.key) != known.end();
     const bool streamed = member.key == "spout" || member.key == "ndi" || member.key == "$schema";
     if (!expected && !streamed) addUnknownKey(room, member.keyAt, member.key, known);
-    if (object.member(member.key) != &member) {
+    if (last[member.key] != &member) {
       addWarning(room, member.keyAt,
-                 fmt::format("{} is given twice; the last counts", printable(member.key)));
+                 fmt::format("key '{}' is given twice; the last counts", printable(member.key)));
     }
   }
 }

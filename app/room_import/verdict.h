@@ -11,11 +11,9 @@ namespace carom {
 
 struct Verdict {
   const Room& room;
-  std::vector<Finding> findings;
+  FindingList findings;
 
-  void warn(FilePlace at, std::string text) {
-    findings.push_back({Finding::Kind::warning, at, std::move(text)});
-  }
+  void warn(FilePlace at, std::string text) { findings.add({Finding::Kind::warning, at, std::move(text)}); }
 };
 
 /// Returns "; 0.21 ft would be 64.0 mm" for the units in which the file's number would be plausible; empty if

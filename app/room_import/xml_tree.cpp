@@ -10,7 +10,7 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kDeepest = 32;
+constexpr std::size_t kDeepest = 32, kMostElements = 100'000;  // with their attributes
 constexpr std::string_view kBlank = " \t\r\n";
 
 /// The state of expat's handlers.
@@ -20,7 +20,7 @@ struct Reading {
   LineIndex lines;
   XmlElement root;
   std::vector<std::size_t> path;  // from the root to the open element, as indices among children
-  std::size_t open = 0;
+  std::size_t open = 0, elements = 0;
   std::string refusal;  // why reading stopped, if expat gave no reason
 
   XmlElement& current() {
@@ -53,6 +53,9 @@ void XMLCALL begin(void* user, const XML_Char* name, const XML_Char** attributes
   if (reading.open >= kDeepest) return reading.refuse("elements are nested too deep, expected at most 32");
   const auto tag = static_cast<std::size_t>(XML_GetCurrentByteIndex(reading.parser));
   XmlElement element{name, reading.lines.at(tag), {}, {}};
+  for (const XML_Char** next = attributes; *next; next += 2) ++reading.elements;
+  if (++reading.elements > kMostElements)
+    return reading.refuse("too many elements and attributes, expected at most 100000");
   for (; *attributes; attributes += 2) element.attributes.push_back({attributes[0], attributes[1], {}, {}});
   placeAttributes(element, reading.text, tag, reading.lines);
   if (reading.open++ == 0) {
@@ -83,10 +86,10 @@ const XmlAttribute* XmlElement::attribute(std::string_view wanted) const {
 }
 
 XmlElement readXml(const std::filesystem::path& file) {
-  const std::string text = readText(file, "an XML file");
+  const std::string text = readText(file, InputKind::xml);
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(XML_ParserCreate("UTF-8"),
                                                                             &XML_ParserFree);
-  Reading reading{parser.get(), text, LineIndex(text), {}, {}, 0, {}};
+  Reading reading{parser.get(), text, LineIndex(text), {}, {}, 0, 0, {}};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), begin, end);
   XML_SetStartDoctypeDeclHandler(parser.get(), beginDoctype);

@@ -28,8 +28,8 @@ struct XmlElement {
 };
 
 /// Returns the root element. Text between elements is ignored. Throws InputErrors if the file cannot be read,
-/// is not XML, is nested over 32 levels deep or declares a document type (whose entities could grow without
-/// limit).
+/// is not XML, is nested over 32 levels deep, has over 100 000 elements and attributes, or declares a
+/// document type (whose entities could grow without limit).
 XmlElement readXml(const std::filesystem::path& file);
 
 }  // namespace carom

@@ -4,7 +4,10 @@
 #include <chrono>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/operator/lesson.h"
+#include "cave/texts/texts.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -68,15 +71,25 @@ void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& d
   acted = acted || mouseMoved || desk.mouseHeld || desk.mouseTurns || desk.padHeld || decision.isHandled ||
           anyPulls(record);
   if (nextGame_.isForNextVisitor) return programme_.welcome();
-  const NextGame next =
-      programme_.look({record.display_s, acted, record.drive.mode == DriveMode::tour, meanPlaceOf(decision)},
-                      settings_.playing);
+  const NextGame next = programme_.look({record.display_s, acted, record.drive.mode == DriveMode::tour,
+                                         meanPlaceOf(decision), settings_.lesson.phase == LessonPhase::asks},
+                                        settings_.playing);
+  askWhetherStillThere(decision);
   const bool isChosen = !nextGame_.file.empty() && !nextGame_.attracts && !awaitsShot_;
   if (next.isForNextVisitor && !isChosen) return obey(WelcomeNextVisitor{}, decision);
   if (!nextGame_.file.empty() || next.file.empty()) return;
   nextGame_ = next;
   awaitsShot_ = !next.attracts;
   if (awaitsShot_) decision.commands.emplace_back(ShowBestShot{true});
+}
+
+/// Counts down on the walls before the visitors are taken to have gone.
+void FrameLeader::askWhetherStillThere(Decision& decision) const {
+  FrameRecord& record = decision.frame.record;
+  const std::optional<int> left_s = programme_.countdown(record.display_s);
+  if (!left_s) return;
+  const Notice asks(fmt::format(texts::message::kStillThere, *left_s));
+  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer) record.viewer(viewer).notice = asks;
 }
 
 /// Ends this game if another was chosen: the walls go dark, after the best shot if the other follows by itself.
@@ -105,7 +118,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const DeskInput desk = desk_ ? desk_(input, choosing) : DeskInput{};
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
   source_.next(times, {obeyed_, desk}, settings_, decision);
-  if (keys_ == KeysOf::session) followProgramme(acted, desk, decision);
+  if (isLive(keys_)) followProgramme(acted, desk, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   fromSource_ = decision.commands.size();
   handed_ = decision.handCommands;

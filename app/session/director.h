@@ -61,6 +61,7 @@ class FrameLeader : public Director {
  private:
   void obey(const Command& command, Decision& decision, std::size_t viewer = 0);
   void followProgramme(bool acted, const DeskInput& desk, Decision& decision);
+  void askWhetherStillThere(Decision& decision) const;
   void choose(NextGame next);
   void endGame(Decision& decision);
 

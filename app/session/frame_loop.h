@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "app/input/end_question.h"
 #include "app/input/key_lock.h"
 #include "app/session/director.h"
 #include "app/session/frame_listener.h"
@@ -26,6 +27,7 @@ struct FrameContext {
   std::vector<View*> views;               ///< in the order of drawing and swapping
   std::vector<FrameListener*> listeners;  ///< in the order of their calls
   KeyLock* keyLock;                       ///< not null; without a PIN all keys work
+  EndQuestion* ending;                    ///< not null
 };
 
 /// Runs frames until the last one or until someone asks to quit. Returns true if someone asked to quit.

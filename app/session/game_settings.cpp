@@ -36,6 +36,7 @@ OperatorSettings settingsOf(const Rig& rig, const Scenario& scenario, const std:
 OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& next, const Rig& rig,
                                 const Scenario& scenario, const Beginning& beginning) {
   OperatorSettings settings = settingsOf(rig, scenario, next.file, beginning);
+  settings.console = before.console;
   if (next.isForNextVisitor || next.attracts) return settings;
   settings.eyeSeparation_m = before.eyeSeparation_m;
   settings.walls = before.walls;

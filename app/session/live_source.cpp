@@ -10,9 +10,8 @@
 
 #include "app/operator/lesson.h"
 #include "app/operator/visitor_choices.h"
+#include "app/operator/wall_commands.h"
 #include "app/viewer/headset_tracker.h"
-#include "cave/overlay/choice_tiles.h"
-#include "cave/overlay/hud_panel.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 #include "engine/spacetime/lorentz.h"
@@ -51,6 +50,13 @@ std::string changesBy(std::span<const Command> commands) {
   return all;
 }
 
+/// Returns the trackers of a rig, or the headset, or those people who are moved by mouse and keys.
+SharedTrackers trackersOf(const Rig& rig, const LiveStart& start, const MousePeople* people) {
+  SharedTrackers trackers = carom::trackersOf(rig, start.sessionStart, start.headset);
+  if (people) trackers.take(rig.viewers.front().head.sensor.tracker, people->tracker());
+  return trackers;
+}
+
 /// Returns where the platform is at board time 0 and how it moves, with this velocity of the lesson: at the
 /// lesson's moment it passes the scenario's position, and what an observer at rest sees ahead is seen ahead, unless
 /// the lesson is about what is now ahead, which no motion turns.
@@ -77,12 +83,14 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       scenario_(scenario),
       world_(world),
       headset_(start.headset),
-      viewers_(rig, scenario, trackersOf(rig, start.sessionStart, start.headset), start.before),
+      people_(rig.byMouse ? std::make_unique<MousePeople>(rig) : nullptr),
+      viewers_(rig, scenario, trackersOf(rig, start, people_.get()), start.before),
       play_(scenario, rig.axes, !start.before, start.struck),
       hands_(rig.viewers.size(), InputDevices(rig.axes)),
       standing_(standingWalls(rig)),
-      roomBoundaries_(rig.viewers.size(), RoomBoundary(standing_)),
-      front_(frontWall(roomGeometryOf(rig))) {
+      roomBoundaries_(rig.viewers.size(), RoomBoundary(standing_)) {
+  for (std::size_t viewer = 0; viewer < rig.viewers.size(); ++viewer)
+    presses_.emplace_back(seenBy(roomGeometryOf(rig), viewer)).play(scenario);
   if (scenario.lesson && !start.before) beginPass(0);
   if (start.before) {
     play_.captions = captionsBegunAt(start.before->observer.properTime_s);
@@ -96,6 +104,7 @@ void LiveSource::playAnew() {
   viewers_.startIn(rig_, scenario_);
   play_ = Play(scenario_, rig_.axes, true);
   for (InputDevices& hand : hands_) hand.letGo();
+  for (WallPresses& presses : presses_) presses.play(scenario_);
   if (scenario_.lesson) beginPass(0);
 }
 
@@ -295,39 +304,46 @@ void LiveSource::sayWhyStill(const OperatorSettings& settings, Decision& decisio
   }
 }
 
-/// Returns the choice on the front wall that the hand points to, unless it holds the cue.
-std::optional<PointedChoice> LiveSource::pointedChoice(const HandInput& hand,
-                                                       const FrameRecord& record) const {
-  const bool isFree = !hand.device.empty() && (!hand.held || hand.pressed);
-  if (!isFree || !front_ || !scenario_.choices || !offersChoicesNow(record)) return std::nullopt;
-  return choiceAt(*front_, record.lesson.phase == LessonPhase::explains, hand.from_m, hand.along);
+/// Does what a button on the front wall is for: returns its command, or has the devices ask for the way home.
+std::optional<Command> LiveSource::press(std::size_t viewer, const WallAction& action,
+                                         const OperatorSettings& settings, Decision& decision) {
+  hands_[viewer].letGo();
+  if (action.kind == WallAction::Kind::home) hands_[viewer].goHome();
+  const std::optional<Command> command = commandOf(action, settings);
+  decision.isHandled = true;
+  return command;
 }
 
 /// Gives the desk's input to the viewer over whose walls the mouse is, and settles who steers: the first who wishes it.
 void LiveSource::begin(const DeskInput& desk, bool asks) {
+  padStep_ = desk.padStep;
   if (desk.mouse) atDesk_ = std::min(desk.mouse->viewer, hands_.size() - 1);
+  DeskInput own = desk;
+  own.mouseAims = !people_;
   for (std::size_t viewer = 0; viewer < hands_.size(); ++viewer)
-    hands_[viewer].begin(viewer == atDesk_ ? desk : DeskInput{}, asks);
+    hands_[viewer].begin(viewer == atDesk_ ? own : DeskInput{}, asks);
   const auto steers = std::find_if(hands_.begin(), hands_.end(),
                                    [](const InputDevices& hand) { return asksForAnything(hand.drive()); });
   if (steers != hands_.end()) steering_ = static_cast<std::size_t>(steers - hands_.begin());
 }
 
 /// Processes a viewer's interaction with the game in this frame. The record's first viewer is the one whose hand it is.
-/// A press on one of the choices is neither a stroke nor an answer.
+/// A press on one of the buttons of the front wall is neither a stroke nor an answer.
 void LiveSource::strike(std::size_t viewer, bool still, const FrameTimes& times,
                         const OperatorSettings& settings, Decision& decision) {
   FrameRecord& record = decision.frame.record;
   InputDevices& devices = hands_[viewer];
   HandInput hand =
       devices.cue(viewers_.hand(viewer), record.observer, viewers_.head(viewer).pose, times.display_s);
-  const std::optional<PointedChoice> pointed = pointedChoice(hand, record);
+  if (viewer == atDesk_) presses_[viewer].aimPad(padStep_, hand);
+  const std::optional<PointedButton> pointed = presses_[viewer].at(hand);
   std::optional<Command> command = devices.lessonCommand();
   if (pointed && hand.pressed) {
-    command = commandOf(pointed->choice, settings);
-    devices.letGo();
+    command = press(viewer, pointed->action, settings, decision);
     hand.held = false;
   }
+  const bool misses = hand.pressed && !command && play_.lesson.phase == LessonPhase::asks;
+  if (misses) sayTo(viewer, texts::message::kAsks, decision);
   if (command) {
     decision.handCommands.push_back({*command, viewer});
     play_.answeredBy = viewer;
@@ -369,6 +385,8 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   FrameTimes times = given;
   if (std::exchange(play_.isNew, false)) times.step_s = 0.0;
   FrameState& frame = decision.frame;
+  for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer)
+    presses_[viewer].follow(viewer == 0 ? frame.record : seenBy(frame.record, viewer));
   FrameRecord& record = frame.record = {};
   record.number = times.number;
   record.display_s = times.display_s;
@@ -376,6 +394,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   carom::putInto(record, settings);
   tellChanges(input.commands, decision);
   begin(input.desk, offersChoices(settings));
+  if (people_) people_->move(input.desk, atDesk_, times.begin_s);
   wish_ = eased(times.step_s);
   decision.isHandled = asksForAnything(wish_);
   advanceLesson(record.lesson = settings.lesson, decision);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,12 +16,13 @@
 #include "app/play/hit_seen.h"
 #include "app/play/input_devices.h"
 #include "app/play/match.h"
+#include "app/play/mouse_people.h"
 #include "app/play/shot_memory.h"
 #include "app/session/frame_source.h"
 #include "app/session/status_message.h"
+#include "app/session/wall_presses.h"
 #include "app/viewer/platform_motion.h"
 #include "app/viewer/viewers.h"
-#include "cave/overlay/choice_tiles.h"
 #include "cave/room/room_boundary.h"
 #include "devices/usb/rumble.h"
 
@@ -92,7 +94,8 @@ class LiveSource : public FrameSource {
   void beginPass(std::size_t observer);
   ObserverViews lessonView(const OperatorSettings& settings, const FrameTimes& times);
   void see(const OperatorSettings& settings, const FrameTimes& times, bool still, Decision& decision);
-  std::optional<PointedChoice> pointedChoice(const HandInput& hand, const FrameRecord& record) const;
+  std::optional<Command> press(std::size_t viewer, const WallAction& action, const OperatorSettings& settings,
+                               Decision& decision);
   void putInto(FrameRecord& record, const ObserverViews& views) const;
   void begin(const DeskInput& desk, bool asks);
   void strike(std::size_t viewer, bool still, const FrameTimes& times, const OperatorSettings& settings,
@@ -115,10 +118,12 @@ class LiveSource : public FrameSource {
   const Scenario& scenario_;
   const World& world_;
   const HeadsetFrame* headset_;
+  std::unique_ptr<MousePeople> people_;  ///< of a dry run
   Viewers viewers_;
   Play play_;
   std::vector<InputDevices> hands_;  ///< of each viewer
   std::size_t atDesk_ = 0;  ///< the viewer to whom mouse and keys belong: over whose walls the mouse was last
+  int padStep_ = 0;         ///< by which the gamepad goes on among the buttons of the front wall
   std::size_t steering_ = 0;  ///< the viewer who steered last
   DriveWish wish_;            ///< of this frame
   double onset_ = 0.0;        ///< share of the steered thrust: it sets in softly
@@ -126,7 +131,7 @@ class LiveSource : public FrameSource {
   Rumble rumble_;
   std::vector<Wall> standing_;                                        ///< the walls that can be left behind
   std::vector<RoomBoundary> roomBoundaries_;                          ///< of each viewer
-  std::optional<Wall> front_;                                         ///< the wall with the choices
+  std::vector<WallPresses> presses_;                                  ///< of each viewer
   std::optional<std::uint64_t> lastFrame_;                            ///< number of the last frame
   std::string pendingMessage_;                                        ///< message still to be shown
   double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< newest head sample, session clock

@@ -1,6 +1,7 @@
 #include "app/session/programme.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/operator/visitor_choices.h"
@@ -51,11 +52,17 @@ std::optional<Programme::Following> Programme::following(double now_s, const std
   return Following{&next, *began_s_ + *playlist_->games[number].for_s - now_s};
 }
 
+std::optional<int> Programme::countdown(double now_s) const {
+  const std::optional<double> left = idle_.left_s(now_s);
+  if (!left || *left > std::min(kCountdown_s, 0.5 * *patience_s_)) return {};
+  return std::max(0, static_cast<int>(std::ceil(*left)));
+}
+
 NextGame Programme::look(const SignsOfLife& signs, const std::string& playing) {
   if (!began_s_) began_s_ = signs.now_s;
   if (!emptyFrom_s_) emptyFrom_s_ = signs.now_s;
   if (signs.watches) idle_.wait(signs.now_s);
-  const bool isGone = idle_.look(signs.now_s, signs.acted, signs.head_m);
+  const bool isGone = idle_.look(signs.now_s, signs.acted, signs.head_m, signs.discusses);
   if (idle_.isSomebodyThere() && std::exchange(isEmpty_, false) && shown_) {
     shown_.reset();
     return {firstGame_, true};

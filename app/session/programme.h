@@ -27,12 +27,15 @@ struct SignsOfLife {
   bool acted = false;    ///< they did anything
   bool watches = false;  ///< something is shown to them, such as a scripted flight
   Vec3 head_m{0.0};
+  bool discusses = false;  ///< a lesson's question stands
 };
 
 class Programme {
  public:
   /// How long a game attracts if the playlist does not say.
   static constexpr double kAttract_s = 75.0;
+  /// For so long before a visitor is taken to have gone they are asked; for half of the patience at most.
+  static constexpr double kCountdown_s = 10.0;
 
   /// `patience_s`: the next visitor is welcomed after so long without a sign of life; empty: never. Without a playlist
   /// the show and the first game attract by turns.
@@ -41,6 +44,8 @@ class Programme {
 
   /// Takes a frame of this game and returns the game that is to follow it now; its file is empty if none is.
   NextGame look(const SignsOfLife& signs, const std::string& playing);
+  /// Returns how many seconds are left to a visitor who is to be asked whether they are still there; empty: none is.
+  std::optional<int> countdown(double now_s) const;
   /// Says that another game begins, which somebody has chosen.
   void begin() { began_s_.reset(); }
   /// Says that the next visitor is welcomed.

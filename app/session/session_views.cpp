@@ -1,14 +1,16 @@
 #include "app/session/session_views.h"
 
 #include "app/input/key_table.h"
+#include "cave/gl/gui.h"
 #include "cave/overlay/latency_overlay.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 
 void WallsView::draw(const FrameRecord& record, const World& world) {
   walls_.draw(record, world);
   const LatencyView* latency = statistics_.view(record);
-  if (latency || director_.settings().keysShown) {
+  if (latency || director_.settings().keysShown || forConsole_) {
     walls_.show([this, latency] { drawOver(latency); });
   } else {
     walls_.show();
@@ -18,6 +20,7 @@ void WallsView::draw(const FrameRecord& record, const World& world) {
 void WallsView::drawOver(const LatencyView* latency) const {
   if (latency) drawLatency(*latency, walls_.drawingTimes());
   if (director_.settings().keysShown) drawKeysOver(keys_);
+  if (forConsole_ && isTilePressed(texts::console::kShow)) forConsole_->emplace_back(ShowConsole{true});
 }
 
 void DrawingEnd::draw(const FrameRecord&, const World&) {

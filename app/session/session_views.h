@@ -14,11 +14,18 @@
 namespace carom {
 
 /// Draws the walls of this node. Overlays the list of keys if the operator wants it, and the latency if the
-/// frame record says so.
+/// frame record says so, and the console's tile.
 class WallsView : public View {
  public:
-  WallsView(DisplayWalls& walls, FrameStatistics& statistics, const Director& director, KeysOf keys)
-      : walls_(walls), statistics_(statistics), director_(director), keys_(keyMap(keys)) {}
+  /// `forConsole`: a tile in the windows shows the operator's console while it waits, and gives its command here; null:
+  /// there is none.
+  WallsView(DisplayWalls& walls, FrameStatistics& statistics, const Director& director, KeysOf keys,
+            Commands* forConsole = nullptr)
+      : walls_(walls),
+        statistics_(statistics),
+        director_(director),
+        keys_(keyMap(keys)),
+        forConsole_(forConsole) {}
 
   void draw(const FrameRecord& record, const World& world) override;
   void swap() override { walls_.swap(); }
@@ -30,6 +37,7 @@ class WallsView : public View {
   FrameStatistics& statistics_;
   const Director& director_;
   std::vector<KeyLine> keys_;
+  Commands* forConsole_;
 };
 
 /// Hands the pictures of both eyes over to the headset.
@@ -49,9 +57,9 @@ class HeadsetView : public View {
 };
 
 /// Draws the spectator view of the room. It must be drawn after the walls because it shows their images.
-class OutsideView : public View {
+class SpectatorWindow : public View {
  public:
-  OutsideView(SpectatorView& room, const DisplayWalls& walls) : room_(room), walls_(walls) {}
+  SpectatorWindow(SpectatorView& room, const DisplayWalls& walls) : room_(room), walls_(walls) {}
 
   void draw(const FrameRecord& record, const World& world) override {
     room_.draw(record, world.histories, walls_);

@@ -1,10 +1,8 @@
 #include "app/session/status_file.h"
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
-
-#include <ctime>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "engine/base/log.h"
@@ -14,17 +12,6 @@ namespace carom {
 namespace {
 
 constexpr std::chrono::seconds kEvery{1};
-constexpr std::size_t kWaiting = 2;  // statuses; further ones are left out until the disk has taken these
-
-nlohmann::ordered_json statusOf(const char* state) {
-  return {{"version", CAROM_VERSION},
-          {"written", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
-          {"state", state}};
-}
-
-std::string linesOf(const nlohmann::ordered_json& status) {
-  return status.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
 
 const char* wordsFor(const WallControls& walls) {
   if (walls.blank) return "black";
@@ -44,7 +31,7 @@ const char* wordsFor(TrackerLamp lamp) {
   return lamp == TrackerLamp::doubtful ? "doubtful" : "bad";
 }
 
-nlohmann::ordered_json nodesOf(const std::vector<LatencyView::Node>& all) {
+nlohmann::ordered_json nodesIn(const std::vector<LatencyView::Node>& all) {
   auto nodes = nlohmann::ordered_json::array();
   for (const LatencyView::Node& node : all) {
     nodes.push_back({{"name", node.name},
@@ -52,6 +39,12 @@ nlohmann::ordered_json nodesOf(const std::vector<LatencyView::Node>& all) {
                      {"frame_lock", kLockStates[static_cast<std::size_t>(node.lock)]}});
   }
   return nodes;
+}
+
+nlohmann::ordered_json missingOf(const std::vector<MissingNode>& all) {
+  auto missing = nlohmann::ordered_json::array();
+  for (const MissingNode& node : all) missing.push_back({{"name", node.name}, {"walls", node.walls}});
+  return missing;
 }
 
 nlohmann::ordered_json trackersOf(const std::vector<TrackerReport>& reports) {
@@ -70,15 +63,12 @@ nlohmann::ordered_json trackersOf(const std::vector<TrackerReport>& reports) {
 
 }  // namespace
 
-StatusFile::StatusFile(std::filesystem::path file)
-    : file_(std::move(file)),
-      writer_(kWaiting, 1, [this](const Moment& moment) { write(textOf(moment)); }),
-      onLeaving_([this] { end(); }) {
-  WholeFile(file_).commit(linesOf(statusOf("starting")));
-}
+StatusFile::StatusFile(std::filesystem::path file, const Cluster& cluster)
+    : cluster_(cluster),
+      writer_(std::move(file), [this] { return text("playing"); }),
+      onLeaving_([this] { end(); }) {}
 
 StatusFile::~StatusFile() {
-  writer_.finish();
   try {
     end();
   } catch (const NotWritten& error) {
@@ -86,10 +76,12 @@ StatusFile::~StatusFile() {
   }
 }
 
-void StatusFile::play(const std::string& rig, const std::string& game, const std::filesystem::path& session) {
-  rig_ = rig;
-  game_ = game;
-  session_ = session.string();
+void StatusFile::play(const Rig& rig, const std::string& game, const std::filesystem::path& session) {
+  const std::scoped_lock hold(mutex_);
+  latest_.rig = rig.title;
+  latest_.missing = rig.missing;
+  latest_.game = game;
+  latest_.session = session.string();
 }
 
 void StatusFile::watch(const FrameSource& source, FrameStatistics& statistics) {
@@ -98,47 +90,50 @@ void StatusFile::watch(const FrameSource& source, FrameStatistics& statistics) {
 }
 
 void StatusFile::shown(const Decision& decision) {
-  const auto now = std::chrono::steady_clock::now();
-  if (now < next_ || writer_.room() == 0) return;
-  next_ = now + kEvery;
+  const auto now = Clock::now();
   const FrameRecord& record = decision.frame.record;
-  Moment moment = writer_.spare();  // whose memory is used again
-  moment.rig = rig_;
-  moment.game = game_;
-  moment.session = session_;
-  moment.frame = record.number;
-  moment.session_s = record.display_s;
-  moment.walls = record.controls;
-  if (statistics_) moment.nodes = statistics_->numbers(record).nodes;
-  if (source_) moment.trackers = source_->status().trackers;
-  writer_.add(std::move(moment));
+  frame_ = record.number;
+  frameAt_ = now.time_since_epoch().count();
+  if (now < next_) return;
+  const std::unique_lock hold(mutex_, std::try_to_lock);
+  if (!hold) return;  // it is being read: the next frame will do
+  next_ = now + kEvery;
+  const bool isFirst = !std::exchange(latest_.hasFrame, true);
+  latest_.session_s = record.display_s;
+  latest_.walls = record.controls;
+  if (statistics_) latest_.nodes = statistics_->numbers(record).nodes;
+  if (source_) latest_.trackers = source_->status().trackers;
+  if (isFirst) writer_.writeSoon();
 }
 
-std::string StatusFile::textOf(const Moment& moment) {
-  nlohmann::ordered_json status = statusOf("playing");
+/// Returns the status in words: `state`, or "starting" before the first frame.
+std::string StatusFile::text(const char* state) {
+  Moment moment;
+  {
+    const std::scoped_lock hold(mutex_);
+    moment = latest_;
+  }
+  const Clock::duration age = Clock::now().time_since_epoch() - Clock::duration(frameAt_);
+  const bool isPlaying = std::string_view(state) == "playing";
+  nlohmann::ordered_json status = statusOf(isPlaying && !moment.hasFrame ? "starting" : state);
+  if (!moment.missing.empty()) status["missing"] = missingOf(moment.missing);
+  if (!moment.hasFrame) return linesOf(status);
   status["rig"] = moment.rig;
   status["game"] = moment.game;
   status["session"] = moment.session;
-  status["frame"] = moment.frame;
+  status["frame"] = frame_.load();
+  status["frame_age_s"] = std::round(10.0 * std::chrono::duration<double>(age).count()) / 10.0;
+  const int late = cluster_.lateRank();
+  if (late >= 0) status["waits_for"] = cluster_.nameOf(late);
   status["session_s"] = moment.session_s;
   status["walls"] = wordsFor(moment.walls);
-  status["nodes"] = nodesOf(moment.nodes);
+  status["nodes"] = nodesIn(moment.nodes);
   status["trackers"] = trackersOf(moment.trackers);
   return linesOf(status);
 }
 
-void StatusFile::write(const std::string& text) try {
-  const std::scoped_lock hold(mutex_);
-  if (!hasEnded_) WholeFile(file_).commit(text);
-} catch (const NotWritten& error) {
-  if (!std::exchange(hasFailed_, true))
-    log::warn(fmt::format("{}: {}. The session goes on.", error.what(), error.reason()));
-}
-
 void StatusFile::end() {
-  const std::scoped_lock hold(mutex_);
-  if (std::exchange(hasEnded_, true)) return;
-  WholeFile(file_).commit(linesOf(statusOf("ended")));
+  writer_.end([this] { return text("ended"); });
 }
 
 }  // namespace carom

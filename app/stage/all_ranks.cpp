@@ -11,11 +11,11 @@ namespace {
 
 /// Logs the error, with the node unless it is rank 0.
 void sayWhy(const Cluster& cluster, const std::exception& error) {
-  const std::string node = cluster.rank() == 0 ? "" : " (node " + std::to_string(cluster.rank()) + ")";
+  const std::string node = cluster.rank() == 0 ? "" : "node " + std::to_string(cluster.rank()) + ": ";
   if (const auto* input = dynamic_cast<const InputErrors*>(&error)) {
-    for (const InputError& fault : input->faults()) log::error(fault.what() + node);
+    for (const InputError& fault : input->faults()) log::error(node + fault.what());
   } else {
-    log::error(error.what() + node);
+    log::error(node + error.what());
   }
 }
 

@@ -16,6 +16,7 @@ constexpr glm::ivec2 kConsole_px{1280, 1000}, kLeastConsole_px{800, 620};
 constexpr glm::ivec2 kOutside_px{1440, 900}, kDiagram_px{1000, 820}, kLeastView_px{320, 220},
     kLeastDiagram_px{480, 320};
 constexpr glm::ivec2 kLeastWall_px{200, 120};
+constexpr double kLeastShare = 0.5;  // of its width that a wall's window keeps beside the console
 
 /// Returns whether the wall has a window of its own that the user may move.
 bool isMovable(const Wall& wall) {
@@ -70,6 +71,27 @@ class Placing {
     if (const auto place = rememberedPlace(name, remembered_, monitors_)) windows_.back().at = place;
   }
 
+  std::size_t count() const { return windows_.size(); }
+
+  /// Returns whether the last of these windows leaves those before it, from the first to this one, their place.
+  bool leavesRoom(std::size_t first, std::span<const ScreenPlace> taken,
+                  std::span<const ScreenPlace> areas) const {
+    const std::vector<std::optional<ScreenPlace>> found = arranged(windows_, taken, areas);
+    for (std::size_t i = 0; i < first && i < found.size(); ++i) {
+      const glm::ivec2& wanted_px = windows_[i].at ? windows_[i].at->size_px : windows_[i].wanted_px;
+      if (!found[i] || found[i]->size_px.x < kLeastShare * wanted_px.x) return false;
+    }
+    return found.back().has_value();
+  }
+
+  /// Takes the last window out again. Returns where it lies over the others.
+  WindowPlacement takeBack(std::span<const ScreenPlace> areas) {
+    const WindowPlacement place = over(windows_.size() - 1, areas);
+    windows_.pop_back();
+    names_.pop_back();
+    return place;
+  }
+
   /// Returns the places, in the order in which the windows were added.
   std::vector<WindowPlacement> places(std::span<const ScreenPlace> taken,
                                       std::span<const ScreenPlace> areas) const {
@@ -80,16 +102,19 @@ class Placing {
         log::warn(fmt::format("There is no room for the window \"{}\" beside the others: it opens over them.",
                               names_[i]));
       }
-      const ScreenPlace& area = areas.front();
-      const glm::ivec2 corner(kEdge_px, kTitle_px);
-      const ScreenPlace over{area.position_px + corner,
-                             glm::min(windows_[i].wanted_px, area.size_px - corner)};
-      result.push_back(placementAt(found[i].value_or(over), monitors_));
+      result.push_back(found[i] ? placementAt(*found[i], monitors_) : over(i, areas));
     }
     return result;
   }
 
  private:
+  WindowPlacement over(std::size_t window, std::span<const ScreenPlace> areas) const {
+    const ScreenPlace& area = areas.front();
+    const glm::ivec2 corner(kEdge_px, kTitle_px);
+    const glm::ivec2 most_px = area.size_px - corner - glm::ivec2(kEdge_px);
+    return placementAt({area.position_px + corner, glm::min(windows_[window].wanted_px, most_px)}, monitors_);
+  }
+
   const std::vector<RememberedWindow>& remembered_;
   std::span<const Monitor> monitors_;
   std::vector<FreeWindow> windows_;
@@ -136,14 +161,22 @@ DeskWindows placeWindows(Rig& rig, std::span<const Wall> walls, const ExtraWindo
     if (wanted) placing.add(name, window);
   };
   if (extra.console && rig.console) taken.push_back(placeOf(*rig.console, monitors));
-  add(extra.console && !rig.console, "console", {kConsole_px, kLeastConsole_px});
+  DeskWindows desk;
+  bool isPlaced = extra.console && !rig.console;
+  add(isPlaced, "console", {kConsole_px, kLeastConsole_px});
+  if (isPlaced && !placing.leavesRoom(moved.size(), taken, areas)) {
+    desk.console = placing.takeBack(areas);
+    desk.consoleWaits = true;
+    isPlaced = false;
+    log::note("There is no room for the console beside the walls: F10 shows it.");
+  }
   add(extra.outside, "outside", {kOutside_px, kLeastView_px});
   add(extra.diagram, "diagram", {kDiagram_px, kLeastDiagram_px});
   const std::vector<WindowPlacement> places = placing.places(taken, areas);
   auto next = places.begin();
   for (Wall* wall : moved) wall->window = *next++;
-  DeskWindows desk;
-  if (extra.console) desk.console = rig.console ? *rig.console : *next++;
+  if (isPlaced) desk.console = *next++;
+  if (extra.console && rig.console) desk.console = *rig.console;
   if (extra.outside) desk.outside = *next++;
   if (extra.diagram) desk.diagram = *next++;
   return desk;

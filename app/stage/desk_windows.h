@@ -23,11 +23,13 @@ struct ExtraWindows {
 /// Where they open; empty for those that do not.
 struct DeskWindows {
   std::optional<WindowPlacement> console, outside, diagram;
+  bool consoleWaits = false;  ///< out of sight: there is no room for it beside the walls
 };
 
 /// Returns where the windows open on these monitors, and moves those of the rig's walls that have a border and stand
 /// alone; `walls` are those that this rank draws. A place that the rig gives to the console goes before the
-/// remembered one. Logs a warning for a window for which there is no room: it opens over the others.
+/// remembered one. The console waits out of sight where it would leave a wall's window less than half of its width.
+/// Logs a warning for another window for which there is no room: it opens over the others.
 DeskWindows placeWindows(Rig& rig, std::span<const Wall> walls, const ExtraWindows& extra,
                          const std::vector<RememberedWindow>& remembered, std::span<const Monitor> monitors,
                          std::span<const ScreenPlace> areas);

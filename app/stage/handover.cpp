@@ -18,41 +18,40 @@
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/mesh/mesh_buffers.h"
+#include "cave/process/subprocess.h"
 #include "cave/process/termination.h"
+#include "cave/process/work_budget.h"
 #include "cave/projection/projector.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytesOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// Returns the files that a rig names: projectors' meshes and pictures, recorded traces.
-std::vector<fs::path> filesOf(const Rig& rig) {
-  std::vector<fs::path> files;
+NamedFiles filesOf(const Rig& rig) {
+  NamedFiles files;
   for (const Wall& wall : rig.walls) {
     for (const fs::path* file :
          {&wall.warp, &wall.blend, &wall.colourWarps[0], &wall.colourWarps[1], &wall.colourWarps[2]}) {
-      if (!file->empty()) files.push_back(*file);
+      if (!file->empty()) files.emplace(*file, file == &wall.blend ? InputKind::blend : InputKind::warp);
     }
   }
   for (const TrackerSetup& tracker : rig.trackers) {
-    if (tracker.kind == TrackerKind::recorded) files.emplace_back(tracker.source);
+    if (tracker.kind == TrackerKind::recorded) files.emplace(tracker.source, InputKind::trace);
   }
   return files;
 }
 
-/// Returns the files that a scenario names: meshes, and the buffers that these name.
-std::vector<fs::path> filesOf(const Scenario& scenario) {
-  std::vector<fs::path> files;
+/// Returns the files that a scenario names: meshes, and the buffers and pictures that these name. All have
+/// been opened by the meshes' reader.
+NamedFiles filesOf(const Scenario& scenario) {
+  NamedFiles files;
   const auto add = [&](const std::optional<fs::path>& mesh) {
-    if (!mesh) return;
-    files.push_back(*mesh);
-    for (const fs::path& buffer : meshBuffers(*mesh, bytesOf(*mesh))) files.push_back(buffer);
+    if (!mesh || !files.emplace(*mesh, InputKind::mesh).second) return;  // many pucks may share a mesh
+    for (const fs::path& part : meshParts(*mesh, contentOf(*mesh, InputKind::mesh)))
+      files.emplace(part, InputKind::meshPart);
   };
   for (const auto& mesh : scenario.puckMeshes)
     if (mesh) add(mesh->file);
@@ -62,7 +61,9 @@ std::vector<fs::path> filesOf(const Scenario& scenario) {
 
 }  // namespace
 
-std::string textOf(const InputFile& input) { return input.kept ? *input.kept : bytesOf(input.file); }
+std::string textOf(const InputFile& input) {
+  return input.kept ? *input.kept : contentOf(input.file, InputKind::toml);
+}
 
 Rig readRig(const InputFile& input) {
   return input.kept ? readRig(input.file, *input.kept, input.root) : readRig(input.file);
@@ -74,10 +75,17 @@ Scenario readScenario(const InputFile& input) {
 
 void openBlends(const InputFile& input, const Rig& rig) {
   std::vector<InputError> faults;
+  std::set<fs::path> opened;
   for (std::size_t i = 0; i < rig.walls.size(); ++i) {
-    if (rig.walls[i].blend.empty()) continue;
+    const fs::path& blend = rig.walls[i].blend;
+    if (blend.empty() || !opened.insert(blend).second) continue;
     try {
-      readBlend(rig.walls[i].blend);
+      readBlend(blend);
+    } catch (const JobTooLarge&) {
+      if (!hasBudget()) throw;
+      log::warn(
+          fmt::format("{}:1:1: is a large picture and was not read here: whether it is whole is not known",
+                      blend.string()));
     } catch (const std::runtime_error& error) {
       const FilePlace at = input.kept ? FilePlace{} : readPlacedRig(input.file).walls[i].blend;
       faults.emplace_back(input.file.string(), at.line, at.column, error.what());
@@ -145,12 +153,14 @@ Handover::~Handover() = default;
 
 Rig Handover::rig(const InputFile& input) {
   Rig rig;
+  NamedFiles named;
   onAllRanks(cluster_, [&] {
     if (cluster_.rank() > 0) return;
     rig = readRig(input);
     openBlends(input, rig);
+    named = filesOf(rig);
   });
-  const InputFile taken = take(input, filesOf(rig));
+  const InputFile taken = take(input, named);
   onAllRanks(cluster_, [&] {
     if (cluster_.rank() > 0) rig = readRig(taken);
   });
@@ -159,12 +169,14 @@ Rig Handover::rig(const InputFile& input) {
 
 Scenario Handover::scenario(const InputFile& input) {
   Scenario scenario;
+  NamedFiles named;
   onAllRanks(cluster_, [&] {
     if (cluster_.rank() > 0) return;
     scenario = readScenario(input);
     openMeshes(scenario);
+    if (cluster_.size() > 1) named = filesOf(scenario);
   });
-  const InputFile taken = take(input, filesOf(scenario));
+  const InputFile taken = take(input, named);
   onAllRanks(cluster_, [&] {
     if (cluster_.rank() == 0) return;
     scenario = readScenario(taken);
@@ -175,21 +187,23 @@ Scenario Handover::scenario(const InputFile& input) {
 
 /// Sends rank 0's input and the files that it names to all ranks. Each lies at its path on rank 0, below a
 /// folder, so that files find each other as they do there.
-InputFile Handover::take(const InputFile& input, const std::vector<fs::path>& named) {
+InputFile Handover::take(const InputFile& input, const NamedFiles& named) {
   if (cluster_.size() == 1) return input;
-  const std::set<fs::path> once(named.begin(), named.end());  // many pucks may share a mesh
-  const std::vector<fs::path> distinct(once.begin(), once.end());
   const bool gives = cluster_.rank() == 0;
-  std::string file = gives ? fs::absolute(input.file).string() : "", text = gives ? textOf(input) : "";
-  std::string count = std::to_string(distinct.size());
+  std::string file, text, count = std::to_string(named.size());
+  std::vector<std::pair<std::string, std::string>> files;
+  onAllRanks(cluster_, [&] {
+    if (!gives) return;
+    file = fs::absolute(input.file).string();
+    text = textOf(input);
+    for (const auto& [name, kind] : named)
+      files.emplace_back(fs::absolute(name).lexically_normal().string(), contentOf(name, kind));
+  });
   cluster_.share(file);
   cluster_.share(text);
   cluster_.share(count);
-  std::vector<std::pair<std::string, std::string>> files(std::stoul(count));
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    auto& [name, content] = files[i];
-    if (gives) name = fs::absolute(distinct[i]).lexically_normal().string();
-    if (gives) content = bytesOf(distinct[i]);
+  files.resize(std::stoul(count));
+  for (auto& [name, content] : files) {
     cluster_.share(name);
     cluster_.share(content);
   }

@@ -3,14 +3,15 @@
 // own.
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "cave/cluster/cluster.h"
+#include "engine/base/outside_file.h"
 
 namespace carom {
 
@@ -22,19 +23,23 @@ struct InputFile {
   std::filesystem::path root{};
 };
 
-/// Returns the content; empty if the file cannot be read.
+/// Returns the content. Throws InputError if the file cannot be read.
 std::string textOf(const InputFile& input);
 
 Rig readRig(const InputFile& input);
 Scenario readScenario(const InputFile& input);
 
 /// Reads the walls' blend images once before a window is opened. Throws InputErrors that give each fault with
-/// its line of the rig.
+/// its line of the rig. Within a budget (cave/process/work_budget.h) warns of those that are too large for
+/// it.
 void openBlends(const InputFile& input, const Rig& rig);
 
 /// Checks that every node runs the same version of the program. Throws NodesDiffer on every rank, naming the
 /// first node that does not.
 void agreeOnVersion(const Cluster& cluster);
+
+/// Files that an input names, each with its kind.
+using NamedFiles = std::map<std::filesystem::path, InputKind>;
 
 /// Rank 0's files on this rank: in a folder of its own, which goes with this object.
 class Handover {
@@ -52,7 +57,7 @@ class Handover {
 
  private:
   class Folder;
-  InputFile take(const InputFile& input, const std::vector<std::filesystem::path>& named);
+  InputFile take(const InputFile& input, const NamedFiles& named);
   void keep(const std::filesystem::path& file, const std::string& content);
 
   const Cluster& cluster_;

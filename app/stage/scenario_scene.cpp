@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "app/files/toml_file.h"
 #include "cave/frame/bodies.h"
 #include "cave/mesh/mesh_file.h"
+#include "cave/mesh/mesh_size.h"
 #include "cave/scene/puck_model.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/base/log.h"
@@ -51,6 +53,31 @@ void checkSpin(const ScriptedBody& body, double c_m_s) {
       body.name, turn_rad_s, rim_m, turn_rad_s * rim_m / c_m_s, c_m_s / rim_m));
 }
 
+/// Returns the mesh files of the scenario, each once.
+std::set<std::string> meshesOf(const Scenario& scenario) {
+  std::set<std::string> paths;
+  for (const auto& mesh : scenario.puckMeshes) paths.insert(mesh ? mesh->file.string() : "");
+  for (const ScriptedBody& body : scenario.bodies) paths.insert(pathOf(body.mesh));
+  paths.erase("");
+  return paths;
+}
+
+/// Warns of a mesh that takes more time or memory than an examination may.
+void warnOfLarge(const std::string& path) {
+  std::error_code failed;
+  const double bytes = static_cast<double>(std::filesystem::file_size(path, failed));
+  const auto faces = facesIn(path);
+  // Measured with VTK 9.1: a triangle of a binary STL takes 1.5 µs and 250 bytes.
+  constexpr double kPerFace_s = 1.5e-6, kPerFace_bytes = 250.0;
+  log::warn(fmt::format(
+      "{}:1:1: is large, {:.0f} MB{}, and was not read here: whether it is whole is not known", path,
+      1e-6 * bytes,
+      faces ? fmt::format(", {} faces: a session takes some {:.1f} s of processor and {:.0f} MB to read it",
+                          *faces, kPerFace_s * static_cast<double>(*faces),
+                          1e-6 * kPerFace_bytes * static_cast<double>(*faces))
+            : std::string(" of a kind that tells its number of faces only when it is read")));
+}
+
 }  // namespace
 
 Tessellation tessellationFor(const Rig& rig, bool inSoftware) {
@@ -83,14 +110,8 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
 }
 
 void openMeshes(const Scenario& scenario) {
-  std::vector<std::string> paths;
-  for (const auto& mesh : scenario.puckMeshes) paths.push_back(mesh ? mesh->file.string() : "");
-  for (const ScriptedBody& body : scenario.bodies) paths.push_back(pathOf(body.mesh));
-  std::sort(paths.begin(), paths.end());
-  paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
   std::vector<InputError> faults;
-  for (const std::string& path : paths) {
-    if (path.empty()) continue;
+  for (const std::string& path : meshesOf(scenario)) {
     constexpr std::uintmax_t kSmall = 8U << 20U;
     std::error_code unknown;
     if (const auto bytes = std::filesystem::file_size(path, unknown); !unknown && bytes > kSmall)
@@ -103,6 +124,29 @@ void openMeshes(const Scenario& scenario) {
   }
   if (!faults.empty()) throw InputErrors(std::move(faults));
   for (const ScriptedBody& body : scenario.bodies) checkSpin(body, scenario.billiard.lightSpeed_m_s);
+}
+
+void examineMeshes(const Scenario& scenario) {
+  constexpr std::uintmax_t kMostExamined = 16U << 20U;
+  std::set<std::string> large;
+  std::vector<InputError> faults;
+  for (const std::string& path : meshesOf(scenario)) {
+    std::error_code failed;
+    try {
+      const bool isSmall = !(std::filesystem::file_size(path, failed) > kMostExamined) || failed;
+      if (isSmall) readMeshFile(path);
+      if (isSmall) continue;
+    } catch (const MeshTooLarge&) {  // is told like a large file
+    } catch (const InputError& fault) {
+      faults.push_back(fault);
+      continue;
+    }
+    large.insert(path);
+    warnOfLarge(path);
+  }
+  if (!faults.empty()) throw InputErrors(std::move(faults));
+  for (const ScriptedBody& body : scenario.bodies)
+    if (!large.contains(pathOf(body.mesh))) checkSpin(body, scenario.billiard.lightSpeed_m_s);
 }
 
 std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks) {

@@ -27,6 +27,10 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation);
 /// std::runtime_error for a told body whose spin would carry a part of it round as fast as light.
 void openMeshes(const Scenario& scenario);
 
+/// Does the same to examine a scenario, with little time and memory: warns of large meshes instead of reading
+/// them, and keeps none.
+void examineMeshes(const Scenario& scenario);
+
 /// Returns the bodies of the scenario's scene. `pucks` are their world lines.
 std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks);
 

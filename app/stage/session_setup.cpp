@@ -11,10 +11,11 @@
 #include "app/files/rig_viewers.h"
 #include "app/files/starting_histories.h"
 #include "app/files/traces.h"
+#include "app/nodes/rig_without.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/frame/pacer.h"
-#include "cave/overlay/hud_panel.h"
+#include "cave/overlay/band_layout.h"
 #include "cave/scene/kept_light.h"
 #include "cave/scene/table_model.h"
 #include "devices/setup/tracker_factory.h"
@@ -52,6 +53,22 @@ void connectHeadset(const Cluster& cluster, SessionSetup& setup) {
                             : "it knows no floor, which is taken to be 1.7 m below the eyes"));
   if (!setup.headset->takesEncoded())
     log::warn("the headset's runtime takes no sRGB pictures: it may show them too bright.");
+}
+
+/// Puts heads and wands for mouse and keys in the place of everybody's trackers, which are then not opened.
+void putMouseInPlaceOfTrackers(Rig& rig) {
+  if (isHeadset(rig))
+    throw std::runtime_error("--by-mouse: this rig is a headset, expected one with walls in a room");
+  TrackerSetup tracker;
+  tracker.name = "mouse and keys";
+  rig.trackers = {tracker};
+  rig.byMouse = true;
+  int sensor = 0;
+  for (ViewerSetup& viewer : rig.viewers) {
+    viewer.head.sensor = {.tracker = 0, .sensor = sensor++};
+    viewer.head.eyesFromSensor = {};
+    viewer.hand = HandSetup{{.tracker = 0, .sensor = sensor++}, {}};
+  }
 }
 
 /// Makes the drive no faster than the game and the room allow.
@@ -115,7 +132,9 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   agreeOnVersion(cluster);
   Handover files(cluster);
   setup.rig = files.rig(options.rig);
+  onAllRanks(cluster, [&] { setup.rig = rigWithout(std::move(setup.rig), options.withoutNodes); });
   if (options.onlyFor) setup.rig = rigFor(std::move(setup.rig), *options.onlyFor);
+  if (options.byMouse) onAllRanks(cluster, [&] { putMouseInPlaceOfTrackers(setup.rig); });
   setup.scenario = files.scenario(options.scenario);
   limitDrive(setup);
   onAllRanks(cluster, [&] {
@@ -147,7 +166,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
       std::any_of(setup.rig.viewers.begin(), setup.rig.viewers.end(), [&](const ViewerSetup& viewer) {
         return isDevice(setup.rig.trackers[viewer.head.sensor.tracker].kind);
       });
-  setup.realTime = !options.simulated || (options.live && tracked);
+  setup.realTime = !options.simulated || (options.live && (tracked || options.byMouse));
   onAllRanks(cluster, [&] {
     setup.recording =
         std::make_unique<Recording>(*setup.graphics, options.recording, cluster, setup.rig, setup.realTime);

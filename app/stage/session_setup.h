@@ -31,8 +31,10 @@ struct SetupOptions {
   ExtraWindows extra;
   /// The viewer for whom alone walls are drawn, "" for the first; without a value, everybody's are.
   std::optional<std::string> onlyFor{};
+  std::vector<int> withoutNodes{};  ///< of the rig, which are left out with their walls
   glm::ivec2 eye_px{
       0};  ///< of a headset that is not there, in a replay: of its recorded pictures; 0: unknown
+  bool byMouse = false;  ///< mouse and keys move heads and wands in the place of the rig's trackers
 };
 
 struct SessionSetup {

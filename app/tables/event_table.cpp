@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/bisection.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -52,12 +53,10 @@ std::optional<Reception> receptionBy(std::span<const HeadAt> head, const Event& 
   if (first == head.begin() || first == head.end()) return std::nullopt;
   const HeadAt &before = first[-1], &after = *first;
   constexpr int kHalvings = 60;  // below rounding
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    const bool arrived = insideBy_m(source, between(before.event, after.event, middle), c_m_s) >= 0.0;
-    (arrived ? high : low) = middle;
-  }
+  const auto isOnTheWay = [&](double share) {
+    return insideBy_m(source, between(before.event, after.event, share), c_m_s) < 0.0;
+  };
+  const double high = bisect({0.0, 1.0}, kHalvings, isOnTheWay).high;
   return Reception{between(before.event, after.event, high).t_s,
                    before.properTime_s + high * (after.properTime_s - before.properTime_s), after.frame};
 }

@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <exception>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <new>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +25,8 @@
 #include "app/room_import/room_check.h"
 #include "app/tools/import.h"
 #include "app/tools/option_values.h"
-#include "cave/overlay/hud_panel.h"
+#include "cave/overlay/band_layout.h"
+#include "cave/process/work_budget.h"
 #include "engine/base/log.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -32,6 +35,8 @@ namespace carom {
 namespace {
 
 enum class FileKind { scenario, rig, playlist, foreignRoom };
+
+constexpr std::size_t kMostTold = 100;  // pucks and bodies, one by one
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* what) {
   throw InputErrors({InputError(path.string(), 1, 1, what)});
@@ -43,9 +48,9 @@ TomlFile openedToml(const std::filesystem::path& path) {
   try {
     return TomlFile(path);
   } catch (const InputError&) {
-    constexpr int kNothing = std::char_traits<char>::eof();
-    if (path.extension() == ".toml" || std::ifstream(path).peek() == kNothing)
-      throw;  // cannot be read at all
+    const bool canBeRead =
+        refusalOf(path, InputKind::toml).empty() && !beginningOf(path, InputKind::toml, 1).empty();
+    if (path.extension() == ".toml" || !canBeRead) throw;
     refuse(path,
            "this is no file of a kind that is known here, expected a .toml of Carom, a .pvx of ParaView or a "
            ".json of SGCT");
@@ -121,11 +126,21 @@ void tellViewer(const Rig& rig, std::size_t viewer) {
   for (const std::string& sight : sightsOf(rig, viewer)) fmt::print("{} {}\n", name, sight);
 }
 
-void tellRig(const std::filesystem::path& path) {
+/// Opens the meshes of all games of a playlist.
+Playlist openPlaylist(const std::filesystem::path& path, const FileOpeners& open) {
+  Playlist playlist = readPlaylist(path);
+  for (const PlaylistGame& game : playlist.games)
+    if (open.meshes) open.meshes(readScenario(game.scenario));
+  return playlist;
+}
+
+void tellRig(const std::filesystem::path& path, const FileOpeners& open) {
+  constexpr std::uintmax_t kMostOfTrace = 16U << 20U;
   const PlacedRig placed = readPlacedRig(path);
   const Rig& rig = placed.rig;
-  openTraces(rig);
-  if (!rig.playlist.empty()) readPlaylist(rig.playlist);
+  openTraces(rig, kMostOfTrace);
+  if (open.blends) open.blends(path, rig);
+  if (!rig.playlist.empty()) openPlaylist(rig.playlist, open);
   const Room room = roomOf(placed, path);
   if (!isHeadset(rig)) printFindings(path, findingsOf(room));
   fmt::print("{}: a rig of {} at {} Hz\n", rig.title, counted(rig.walls.size(), "wall"), rig.display_hz);
@@ -191,9 +206,14 @@ void checkBand(const std::filesystem::path& path, const Lesson& lesson) {
   }
 }
 
-void tellScenario(const std::filesystem::path& path, const std::function<void(const Scenario&)>& openMeshes) {
+/// Says how many more of a kind there are than are told one by one.
+void tellRest(std::size_t all, std::string_view what) {
+  if (all > kMostTold) fmt::print("and {} more {}\n", all - kMostTold, what);
+}
+
+void tellScenario(const std::filesystem::path& path, const FileOpeners& open) {
   const Scenario scenario = readScenario(path);
-  if (openMeshes) openMeshes(scenario);
+  if (open.meshes) open.meshes(scenario);
   printFindings(path, scenario.odd);
   for (const std::string& odd : oddities(scenario)) log::warn(fmt::format("{}: {}", path.string(), odd));
   const BilliardSetup& setup = scenario.billiard;
@@ -205,7 +225,7 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
   } else {
     fmt::print("board: an open plane without cushions\n");
   }
-  for (const Puck& puck : setup.pucks) {
+  for (const Puck& puck : std::span(setup.pucks).first(std::min(setup.pucks.size(), kMostTold))) {
     const double beta = glm::length(puck.beta);
     fmt::print(
         "puck {}: {}radius {:.1f} mm, height {:.1f} mm, {} kg, starts at ({}, {}) mm with {:.4g} c (γ = "
@@ -215,12 +235,15 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
         puck.position_m.y * 1e3, beta, gammaFromU(uFromBeta(Vec3(puck.beta, 0.0))),
         spinText(puck, setup.lightSpeed_m_s));
   }
-  for (const ScriptedBody& body : scenario.bodies) {
+  tellRest(setup.pucks.size(), "pucks");
+  for (const ScriptedBody& body :
+       std::span(scenario.bodies).first(std::min(scenario.bodies.size(), kMostTold))) {
     const std::size_t turns = body.worldLine.knots().size() - 1;
     const double spin_rad_s = body.worldLine.knots().front().spin.omega_rad_s;
     fmt::print("body {}: moves as scripted, turns {}{}\n", body.name, counted(turns, "time"),
                spin_rad_s == 0.0 ? std::string() : fmt::format(", spins at {:.6g} rad/s", spin_rad_s));
   }
+  tellRest(scenario.bodies.size(), "bodies");
   fmt::print("{}\n", counted(setup.strokes.size(), "scripted stroke"));
   if (!setup.flashes.empty()) fmt::print("flashes of light: {}\n", setup.flashes.size());
   if (!scenario.pulses.empty()) fmt::print("scripted light pulses: {}\n", scenario.pulses.size());
@@ -239,9 +262,8 @@ void tellScenario(const std::filesystem::path& path, const std::function<void(co
              p.y * 1e3, p.z * 1e3, glm::length(scenario.observer.beta));
 }
 
-void tellPlaylist(const std::filesystem::path& path, const std::function<void(const Scenario&)>& openMeshes) {
-  const Playlist playlist = readPlaylist(path);
-  for (const PlaylistGame& game : playlist.games) openMeshes(readScenario(game.scenario));
+void tellPlaylist(const std::filesystem::path& path, const FileOpeners& open) {
+  const Playlist playlist = openPlaylist(path, open);
   fmt::print("{}: a playlist of {}\n", playlist.title, counted(playlist.games.size(), "game"));
   for (const PlaylistGame& game : playlist.games) {
     fmt::print("{}: {}{}{}{}\n", game.scenario.stem().string(), game.title, game.isLesson ? ", a lesson" : "",
@@ -252,16 +274,16 @@ void tellPlaylist(const std::filesystem::path& path, const std::function<void(co
 
 }  // namespace
 
-int runCheck(const std::filesystem::path& file, const std::function<void(const Scenario&)>& openMeshes) {
+int runCheck(const std::filesystem::path& file, const FileOpeners& open) {
   switch (kindOf(file)) {
     case FileKind::scenario:
-      tellScenario(file, openMeshes);
+      tellScenario(file, open);
       break;
     case FileKind::rig:
-      tellRig(file);
+      tellRig(file, open);
       break;
     case FileKind::playlist:
-      tellPlaylist(file, openMeshes);
+      tellPlaylist(file, open);
       break;
     case FileKind::foreignRoom:
       return tellForeignRoom(file);
@@ -269,8 +291,7 @@ int runCheck(const std::filesystem::path& file, const std::function<void(const S
   return 0;
 }
 
-void addCheck(CLI::App& app, int& status, const std::function<void(const Scenario&)>& openMeshes,
-              const ShowPattern& showPattern) {
+void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPattern& showPattern) {
   CLI::App* command = app.add_subcommand(
       "check", "Examine a scenario, a room or a playlist and say what is in it and what is suspicious");
   auto file = std::make_shared<std::filesystem::path>();
@@ -292,8 +313,21 @@ void addCheck(CLI::App& app, int& status, const std::function<void(const Scenari
         ->needs(show);
   }
   command->footer("Example:\n  carom check desk");
-  command->callback(
-      [=, &status] { status = *pattern ? showPattern(*file, *capture) : runCheck(*file, openMeshes); });
+  command->callback([=, &status] {
+    if (*pattern) {
+      status = showPattern(*file, *capture);
+      return;
+    }
+    begin(WorkBudget(),
+          fmt::format("{}:1:1: takes more than check may use, 2 s of processor and 300 MB of memory, "
+                      "to be examined, expected a smaller file",
+                      printable(file->string())));
+    try {
+      status = runCheck(*file, open);
+    } catch (const std::bad_alloc&) {
+      std::terminate();  // says that the budget is used up
+    }
+  });
 }
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/files/rig.h"
 #include "app/files/scenario.h"
 
 namespace CLI {
@@ -14,19 +15,23 @@ class App;
 
 namespace carom {
 
+/// Open the files that only a program built with VTK can read, and throw their faults.
+struct FileOpeners {
+  std::function<void(const Scenario&)> meshes{};
+  std::function<void(const std::filesystem::path&, const Rig&)> blends{};
+};
+
 /// Returns the exit status: 1 if a room of another program has errors. Throws InputErrors if the file has
-/// faults. `openMeshes` opens a scenario's meshes and throws their faults; it is empty in a program built
-/// without VTK.
-int runCheck(const std::filesystem::path& file, const std::function<void(const Scenario&)>& openMeshes = {});
+/// faults.
+int runCheck(const std::filesystem::path& file, const FileOpeners& open = {});
 
 /// Shows the test patterns of a rig, or writes them as images to the folder `capture`. Returns the exit
 /// status.
 using ShowPattern =
     std::function<int(const std::filesystem::path& rig, const std::optional<std::filesystem::path>& capture)>;
 
-/// Adds the command to `app`. When it runs, it stores its exit status in `status`. `openMeshes` is as in
-/// runCheck. Without `showPattern` there is no option for it.
-void addCheck(CLI::App& app, int& status, const std::function<void(const Scenario&)>& openMeshes,
-              const ShowPattern& showPattern);
+/// Adds the command to `app`. When it runs, it stores its exit status in `status` and has a budget
+/// (cave/process/work_budget.h). Without `showPattern` there is no option for it.
+void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPattern& showPattern);
 
 }  // namespace carom

@@ -136,18 +136,15 @@ Room readForeignRoom(const std::filesystem::path& file) {
 }
 
 std::vector<Finding> findingsOf(const Room& room) {
-  std::vector<Finding> findings = room.findings;
+  std::vector<Finding> findings = room.findings.all();
   const std::vector<Finding> judged = judgeRoom(room);
   findings.insert(findings.end(), judged.begin(), judged.end());
-  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
-    return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
-  });
   return findings;
 }
 
 bool printFindings(const std::filesystem::path& file, const std::vector<Finding>& findings) {
   bool failed = false;
-  for (const Finding& finding : findings) {
+  for (const Finding& finding : toldOf(findings)) {
     const bool error = finding.kind == Finding::Kind::error;
     failed = failed || error;
     const std::string line =

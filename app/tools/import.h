@@ -18,10 +18,11 @@ bool isForeignRoom(const std::filesystem::path& file);
 /// Reads a file for which isForeignRoom is true. Throws InputErrors if it cannot be read.
 Room readForeignRoom(const std::filesystem::path& file);
 
-/// Returns the findings of the reader and of the geometry checks, in the order of the file's lines.
+/// Returns the findings of the reader and of the geometry checks.
 std::vector<Finding> findingsOf(const Room& room);
 
-/// Writes findings to standard error, as "warning: FILE:L:C: …". Returns whether any is an error.
+/// Writes findings to standard error, as toldOf tells them: "warning: FILE:L:C: …". Returns whether any is an
+/// error.
 bool printFindings(const std::filesystem::path& file, const std::vector<Finding>& findings);
 
 struct ImportOptions {

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <memory>
 
 #include "app/files/config_folder.h"
@@ -52,16 +51,6 @@ void addPlaylist(const std::filesystem::path& file, const std::string& name, Lis
   listed.playlists.push_back(faulty(name, error));
 }
 
-/// Returns the beginning of a file.
-std::string beginningOf(const std::filesystem::path& file) {
-  constexpr std::size_t kMost = 1U << 20U;
-  std::string text(kMost, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
-
 /// Adds a file of a user's folder, if it is a scenario, a rig or a playlist: only a scenario has a light speed, only a
 /// rig has walls, only a playlist has games. Of others, which another program may have written, nothing is said.
 void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
@@ -73,7 +62,8 @@ void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
     return;
   }
   addRig(file, file.string(), as);
-  const std::string text = beginningOf(file);
+  constexpr std::size_t kBeginning = 1U << 20U;
+  const std::string text = beginningOf(file, InputKind::toml, kBeginning);
   if (!as.rigs[0].isFaulty || text.find("[[wall]]") != std::string::npos) {
     listed.rigs.push_back(as.rigs[0]);
   } else if (text.find("[[game]]") != std::string::npos) {
@@ -89,7 +79,8 @@ void print(const char* heading, const std::vector<ListedFile>& files) {
   for (const ListedFile& file : files) width = std::max(width, file.name.size());
   fmt::print("{}\n", heading);
   for (const ListedFile& file : files)
-    fmt::print("  {:{}}  {}{}\n", file.name, width, file.isFaulty ? "error: " : "", file.title);
+    fmt::print("  {:{}}  {}{}\n", printable(file.name), width, file.isFaulty ? "error: " : "",
+               printable(file.title));
 }
 
 int runList() {
@@ -110,7 +101,7 @@ int runList() {
 /// Prints the games of a session: number, start, first and last second on the session clock, title.
 int listGames(const std::filesystem::path& file) {
   const SessionFile session(file);
-  fmt::print("games of {} (carom replay {} --game N)\n", file.string(), file.string());
+  fmt::print("games of {0} (carom replay {0} --game N)\n", printable(file.string()));
   fmt::print("{:>5}  {:20}  {:>17}  {}\n", "game", "started", "session clock", "title");
   std::size_t number = 0;
   for (const SessionGame& game : session.games()) {

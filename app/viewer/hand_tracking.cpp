@@ -11,23 +11,6 @@ namespace {
 constexpr double kButtonsWithin_s = 5.0;  // most devices send their state at once
 constexpr const char* kWithoutWand = "the wand aims at nothing";
 
-void take(const Reading& reading, ButtonState& handles) {
-  if (reading.index < 0) return;
-  const auto index = static_cast<unsigned>(reading.index);
-  if (reading.kind == Reading::Kind::button && index < 32) {
-    const std::uint32_t bit = 1U << index;
-    handles.down = reading.value != 0.0 ? handles.down | bit : handles.down & ~bit;
-  }
-  if (reading.kind == Reading::Kind::axis && index < handles.axes.size())
-    handles.axes[index] = std::clamp(reading.value, -1.0, 1.0);
-}
-
-void takeOf(int sensor, std::span<const Reading> inputs, ButtonState& handles) {
-  for (const Reading& reading : inputs) {
-    if (reading.sensor == sensor) take(reading, handles);
-  }
-}
-
 /// Returns the first SpaceMouse of the rig, or null if there is none.
 const TrackerSetup* spaceMouseOf(const Rig& rig) {
   const auto found = std::find_if(rig.trackers.begin(), rig.trackers.end(), [](const TrackerSetup& tracker) {
@@ -107,16 +90,23 @@ void HandTracking::report(double now_s, const Tracker& headTracker,
 bool HandTracking::isOfTheWand(int sensor) {
   if (otherButtons_ && sensor != buttonsSensor_ && (!buttonsSensor_ || sensor == sensor_)) {
     buttonsSensor_ = sensor;
-    devices_.wand = {};
+    releaseWand();
   }
   return sensor == buttonsSensor_;
 }
 
+/// Releases all buttons: they must be pressed again.
+void HandTracking::releaseWand() {
+  devices_.wand = {};
+  wandChanges_.forget();
+}
+
 void HandTracking::takeButtons(std::span<const Reading> inputs) {
+  wandChanges_.beginFrame(devices_.wand);
   for (const Reading& reading : inputs) {
     if (reading.kind != Reading::Kind::button && reading.kind != Reading::Kind::axis) continue;
     if (!isOfTheWand(reading.sensor)) continue;
-    take(reading, devices_.wand);
+    wandChanges_.take(reading, devices_.wand);
     if (buttons_ != Buttons::came) buttonsTold_ = buttons_ == Buttons::awaited;
     buttons_ = Buttons::came;
   }
@@ -143,7 +133,7 @@ void HandTracking::followWand(double now_s, std::span<const TrackerSample> sampl
   }
   takeButtons(inputs);
   devices_.wandKnown = place_->isKnown(now_s);
-  if (!devices_.wandKnown) devices_.wand = {};  // buttons must be pressed again once it is back
+  if (!devices_.wandKnown) releaseWand();
   devices_.roomFromHand = place_->roomFromSensor() * sensorFromHand_;
 }
 
@@ -155,7 +145,10 @@ void HandTracking::follow(double now_s, std::span<const TrackerSample> samples,
     inputs_.clear();
     trackers_.spaceMouse->poll(now_s, samples_);
     trackers_.spaceMouse->takeInputs(inputs_);
-    takeOf(0, inputs_, devices_.spaceMouse);
+    mouseChanges_.beginFrame(devices_.spaceMouse);
+    for (const Reading& reading : inputs_) {
+      if (reading.sensor == 0) mouseChanges_.take(reading, devices_.spaceMouse);
+    }
   }
 }
 
@@ -187,8 +180,8 @@ std::vector<std::string> HandTracking::look(double now_s, const Tracker& headTra
   if (otherButtons_) {
     const TrackerHealth health = (trackers_.buttons ? *trackers_.buttons : headTracker).health(now_s);
     if (trackers_.buttons) tell(buttonsWatch_->look(now_s, health));
-    if (health.state != TrackerHealth::State::delivering) {
-      devices_.wand = {};
+    if (health.state != TrackerHealth::State::delivering && health.state != TrackerHealth::State::untouched) {
+      releaseWand();
       tracked = false;
     }
   }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/files/rig.h"
+#include "app/viewer/button_changes.h"
 #include "app/viewer/shared_trackers.h"
 #include "devices/monitor/sensor_place.h"
 #include "devices/monitor/tracker_alarm.h"
@@ -21,15 +22,9 @@
 
 namespace carom {
 
-/// Pressed buttons (bit i: button i) and axis values.
-struct ButtonState {
-  std::uint32_t down = 0;
-  std::array<double, 6> axes{};
-};
-
 /// The state of the hand devices at the start of a frame.
 struct HandDevices {
-  bool wandKnown = false;  ///< its pose is recent (kTrackLost_s)
+  bool wandKnown = false;  ///< its pose is recent (kHandLost_s)
   Pose roomFromHand;       ///< wand pose: its origin is the hand, and it points along the rig's forward axis
   ButtonState wand;
   ButtonState spaceMouse;  ///< axes: pushed right, up, back, and turned; each −1 to 1
@@ -73,6 +68,7 @@ class HandTracking {
   void followWand(double now_s, std::span<const TrackerSample> samples, std::span<const Reading> inputs);
   void takeButtons(std::span<const Reading> inputs);
   bool isOfTheWand(int sensor);
+  void releaseWand();
   std::optional<std::string> tellOfButtons(double now_s, bool tracked);
 
   Trackers trackers_;
@@ -83,6 +79,7 @@ class HandTracking {
   bool otherButtons_ = false;         ///< the buttons come from another tracker than the pose
   std::optional<int> buttonsSensor_;  ///< sensor number that sends the buttons; empty until one has
   HandDevices devices_;
+  ButtonChanges wandChanges_, mouseChanges_;
   std::vector<TrackerSample> samples_;
   std::vector<Reading> inputs_;
   std::optional<TrackerAlarm> wandWatch_, buttonsWatch_;

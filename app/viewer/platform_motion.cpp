@@ -12,6 +12,7 @@
 
 #include "cave/frame/hall.h"
 #include "cave/texts/texts.h"
+#include "engine/base/bisection.h"
 #include "engine/base/limits.h"
 #include "engine/spacetime/attitude.h"
 #include "engine/spacetime/lorentz.h"
@@ -43,6 +44,8 @@ Heads headsOnTheWay(const Observers& before, std::span<const Head> heads, double
   return there;
 }
 
+constexpr int kHalvings = 60;  // of a frame: below rounding
+
 }  // namespace
 
 double PlatformMotion::Left::lasts_s(double part, const Vec3& thrust_m_s2) const {
@@ -54,12 +57,8 @@ double PlatformMotion::Left::lasts_s(double part, const Vec3& thrust_m_s2) const
 
 double PlatformMotion::Left::partThatLasts(double for_s, const Vec3& thrust_m_s2) const {
   if (observers.size() == 1) return for_s / frame.platform_s(thrust_m_s2);
-  double least = 0.0, most = share;  // a longer part lasts longer
-  for (int halvings = 0; halvings < 60; ++halvings) {
-    const double middle = 0.5 * (least + most);
-    (lasts_s(middle, thrust_m_s2) < for_s ? least : most) = middle;
-  }
-  return most;
+  const auto isShorter = [&](double part) { return lasts_s(part, thrust_m_s2) < for_s; };
+  return bisect({0.0, share}, kHalvings, isShorter).high;
 }
 
 /// Returns the mean thrust over the rest of a frame. `gain_m_s`: what the room's rapidity, times c, gains in so
@@ -68,11 +67,8 @@ template <typename Gain>
 PlatformMotion::Manoeuvre PlatformMotion::meanOf(const Left& left, const Gain& gain_m_s) {
   constexpr double kEndless_s = std::numeric_limits<double>::infinity();
   constexpr double kLeastLapse = 0.25;  // 1/2 less what observers move in a frame
-  double least_s = 0.0, most_s = left.platform_s() / kLeastLapse;
-  for (int halvings = 0; halvings < 60; ++halvings) {
-    const double middle_s = 0.5 * (least_s + most_s);
-    (left.platform_s(gain_m_s(middle_s) / middle_s) > middle_s ? least_s : most_s) = middle_s;
-  }
+  const auto isShorter = [&](double rest_s) { return left.platform_s(gain_m_s(rest_s) / rest_s) > rest_s; };
+  const double most_s = bisect({0.0, left.platform_s() / kLeastLapse}, kHalvings, isShorter).high;
   return {kEndless_s, most_s > 0.0 ? gain_m_s(most_s) / most_s : Vec3(0.0)};
 }
 

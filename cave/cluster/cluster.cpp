@@ -151,8 +151,8 @@ void Cluster::leave() const {
   carom::leave([] { MPI_Finalize(); });  // MPI_Finalize waits for ever if mpirun was asked to end
 }
 
-void Cluster::abort() const {
-  MPI_Abort(MPI_COMM_WORLD, 1);
+void Cluster::abort(int status) const {
+  MPI_Abort(MPI_COMM_WORLD, status);
   std::abort();
 }
 
@@ -352,11 +352,13 @@ void Cluster::await(std::size_t requests, bool fromAll) const {
              true);
     }
     if (fromAll && late < 0 && frames_ >= kWarmUp && waited_s > kLate_s) {
-      late = awaited;
+      late_ = late = awaited;
       log::note(fmt::format("{} is late: every wall keeps the last whole frame.", nameOf(late)));
     }
   }
-  if (late >= 0) log::note(fmt::format("{} is back after {:.1f} s.", nameOf(late), waited_s));
+  if (late < 0) return;
+  late_ = -1;
+  log::note(fmt::format("{} is back after {:.1f} s.", nameOf(late), waited_s));
 }
 
 bool Cluster::done(std::size_t requests) const {
@@ -405,8 +407,8 @@ void Cluster::giveUp(const std::string& why, bool others) const {
     // What a process that has ended has sent can be lost: it stays until the next rank looks for it.
     std::this_thread::sleep_for(Seconds(kRankZerosTurn_s));
   }
-  if (others) abort();
-  std::_Exit(1);
+  if (others) abort(kNodeLost);
+  std::_Exit(kNodeLost);
 }
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 // ends. When a node dies, those of its machine see it after 0.1 s, and mpirun asks the others to end; one of them
 // says which is gone, after it has closed its files, and all end.
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -29,6 +30,10 @@ class NodesDiffer : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The exit status of a session that ends because a node is gone or hangs, and that can go on; of EX_TEMPFAIL in
+/// sysexits.h.
+inline constexpr int kNodeLost = 75;
+
 class Cluster {
  public:
   /// Starts MPI, and uses every core of the machine unless mpirun was told to bind the process. Create one
@@ -46,7 +51,7 @@ class Cluster {
   [[noreturn]] void leave() const;
 
   /// Ends the job on every node at once, after a fault that only this rank has found.
-  [[noreturn]] void abort() const;
+  [[noreturn]] void abort(int status = 1) const;
 
   /// Returns whether this rank draws `wall`. With fewer ranks than nodes, rank `node mod size` draws for the
   /// node.
@@ -67,6 +72,9 @@ class Cluster {
   /// Returns the name of a rank for messages, such as "node 1 (left)", with its host if there are several:
   /// "node 1 (left) on cave-left".
   std::string nameOf(int rank) const;
+
+  /// Returns, on rank 0, the rank that keeps the others waiting at this moment, or −1. From any thread.
+  int lateRank() const { return late_; }
 
   /// Replaces the text of every rank by rank 0's.
   void share(std::string& text) const;
@@ -119,6 +127,7 @@ class Cluster {
   std::uint64_t drawn_ = 0;   // number of the frame that this rank has drawn
   bool wantsToEnd_ = false;   // whether this rank asked for the end with that frame
   double newest_s_ = std::numeric_limits<double>::quiet_NaN();
+  mutable std::atomic<int> late_ = -1;
   std::vector<std::string> names_;  // of each rank: the names of its walls
   std::unique_ptr<Room> room_;
 };

@@ -31,7 +31,7 @@ std::string propertyOf(Display* display, ::Window window, const char* property) 
   int format = 0;
   unsigned long items = 0, more = 0;
   unsigned char* bytes = nullptr;
-  // The window may be gone, of which Xlib would otherwise end the program.
+  // The window may be gone. Xlib would then end the program.
   const auto before = XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
   const int status = XGetWindowProperty(display, window, atom, 0, 64, False, AnyPropertyType, &type, &format,
                                         &items, &more, &bytes);

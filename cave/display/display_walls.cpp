@@ -179,9 +179,10 @@ void DisplayWalls::drawAids(const FrameRecord& record, std::size_t viewer) {
 /// Draws words and choices over the picture of the front wall.
 void DisplayWalls::drawOnFront(const FrameRecord& record, std::size_t viewer, const Wall& front,
                                const glm::dvec3& eye_m, const RenderTarget& picture) {
-  words_[viewer].draw(front, picture);
-  if (offersChoices_) choices_.draw(front, record, picture);
-  if (hasTable_) home_.draw(rooms_[viewer], front, eye_m, record, picture);
+  const RoomGeometry& room = rooms_[viewer];
+  words_[viewer].draw(front, record, picture);
+  choices_.draw(front, record, offeredIn(room, record, offersChoices_, hasTable_), picture);
+  if (hasTable_) home_.draw(room, front, eye_m, record, picture);
 }
 
 std::optional<PointedWall> DisplayWalls::pointedAt() const {

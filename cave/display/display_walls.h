@@ -135,7 +135,7 @@ class DisplayWalls {
   AlignmentPattern seams_;
   std::array<RoomGeometry, kMostViewers> rooms_;  // as each viewer sees it
   std::optional<Wall> front_;                     // the wall with the HUD panel
-  std::optional<StandingBoard> board_;            // in the place of that wall, for whoever wears a headset
+  std::optional<StandingBoard> board_;            // in the place of that wall, for a headset's wearer
   ComfortOverlay comfort_;
   HomeArrow home_;
   MotionOverlay motion_;

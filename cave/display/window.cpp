@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -43,24 +44,36 @@ struct Window::Hears {
 
   static void close(GLFWwindow* window) { of(window).graphics_.input_.closeRequested = true; }
 
-  /// Takes the position from GLFW, which counts in the desktop's units.
   static void pointer(GLFWwindow* window, double x, double y) {
-    glm::ivec2 size{1};
-    glfwGetWindowSize(window, &size.x, &size.y);
-    const glm::vec2 scale = glm::vec2(of(window).size_px()) / glm::vec2(glm::max(size, 1));
-    of(window).gui_->hear({GuiEvent::Kind::pointer, glm::vec2(x, y) * scale});
+    Window& here = of(window);
+    const glm::dvec2 at_px = here.toPixels(x, y);
+    here.pointer_.move(at_px);
+    if (here.gui_) here.gui_->hear({GuiEvent::Kind::pointer, at_px});
   }
 
   static void left(GLFWwindow* window, int inside) {
+    Window& here = of(window);
     const bool dragging = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-    if (!inside && !dragging) of(window).gui_->hear({GuiEvent::Kind::pointer, {-1e9F, -1e9F}});
+    if (!inside && !dragging && here.gui_) here.gui_->hear({GuiEvent::Kind::pointer, {-1e9F, -1e9F}});
   }
 
   static void button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
     Window& here = of(window);
-    if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS) here.pressedAtPoll_ = here.graphics_.polls_;
-    if (!here.listens_ || button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-    here.gui_->hear({GuiEvent::Kind::button, {}, static_cast<unsigned>(button), action == GLFW_PRESS});
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    const bool down = action == GLFW_PRESS;
+    glm::dvec2 place(0.0);
+    glfwGetCursorPos(window, &place.x, &place.y);
+    const glm::dvec2 at_px = here.toPixels(place.x, place.y);
+    const bool isOver = here.gui_ && (down ? here.listens_ || here.gui_->isClaimed(at_px) : here.overHeld_);
+    if (isOver) {
+      if (!here.listens_) here.gui_->hear({GuiEvent::Kind::pointer, at_px});  // as when a finger comes down
+      here.gui_->hear({GuiEvent::Kind::button, {}, static_cast<unsigned>(button), down});
+      here.overHeld_ = down;
+      return;
+    }
+    if (button == GLFW_MOUSE_BUTTON_MIDDLE) return;
+    const bool isLeft = button == GLFW_MOUSE_BUTTON_LEFT;
+    here.pointer_.change(isLeft ? PointerQueue::Button::left : PointerQueue::Button::right, down, at_px);
   }
 
   static void letter(GLFWwindow* window, unsigned code) {
@@ -98,6 +111,8 @@ Window::Window(Graphics& graphics, const std::string& title, const WindowPlaceme
   glfwSetKeyCallback(window_, Hears::key);
   glfwSetScrollCallback(window_, Hears::scroll);
   glfwSetMouseButtonCallback(window_, Hears::button);
+  glfwSetCursorPosCallback(window_, Hears::pointer);
+  glfwSetCursorEnterCallback(window_, Hears::left);
   glfwSetWindowCloseCallback(window_, Hears::close);
   glfwShowWindow(window_);
   glfwMakeContextCurrent(window_);
@@ -129,11 +144,14 @@ void Window::show(std::span<const Pane> panes, const std::function<void()>& over
     glClear(GL_COLOR_BUFFER_BIT);
   }
   for (const Pane& pane : panes) packer_->draw(pane, size);
-  if (over) {
+  if (over || graphics_.overAll_) {
     if (!gui_) gui_ = std::make_unique<Gui>(kText_px);
     gui_->begin(size);
-    over();
+    if (over) over();
+    if (graphics_.overAll_) graphics_.overAll_();
     gui_->end();
+  } else if (gui_) {
+    gui_->forgetClaims();
   }
   shown_ = placeFence();
   glFlush();
@@ -157,8 +175,6 @@ void Window::listen(float text_px, float heading_px) {
   gui_ = std::make_unique<Gui>(text_px, heading_px);
   listens_ = true;
   glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
-  glfwSetCursorPosCallback(window_, Hears::pointer);
-  glfwSetCursorEnterCallback(window_, Hears::left);
   glfwSetCharCallback(window_, Hears::letter);
 }
 
@@ -189,20 +205,31 @@ glm::ivec2 Window::size_px() const {
 
 bool Window::isDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 
-bool Window::isHeld() const {
-  return glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
-         pressedAtPoll_ == graphics_.polls_;
+void Window::setVisible(bool on) { on ? glfwShowWindow(window_) : glfwHideWindow(window_); }
+
+bool Window::isVisible() const { return glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_TRUE; }
+
+/// Returns a place in pixels of the framebuffer that GLFW gives in the desktop's units.
+glm::dvec2 Window::toPixels(double x, double y) const {
+  glm::ivec2 size{1};
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  return glm::dvec2(x, y) * glm::dvec2(size_px()) / glm::dvec2(glm::max(size, 1));
 }
-bool Window::isTurning() const { return glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS; }
+
+/// Returns the pointer in this frame, which begins with the latest poll.
+const PointerQueue& Window::pointer() const {
+  if (std::exchange(discarded_, graphics_.discarded_) != graphics_.discarded_) pointer_.discard();
+  if (std::exchange(framePoll_, graphics_.polls_) != graphics_.polls_) pointer_.beginFrame();
+  return pointer_;
+}
+
+bool Window::isHeld() const { return pointer().isDown(PointerQueue::Button::left); }
+
+bool Window::isTurning() const { return pointer().isDown(PointerQueue::Button::right); }
 
 std::optional<glm::dvec2> Window::pointer_px() const {
   if (!isHeld() && !isTurning() && !glfwGetWindowAttrib(window_, GLFW_HOVERED)) return std::nullopt;
-  glm::dvec2 place(0.0);
-  glm::ivec2 size(0);
-  glfwGetCursorPos(window_, &place.x, &place.y);  // in the desktop's units
-  glfwGetWindowSize(window_, &size.x, &size.y);
-  if (size.x <= 0 || size.y <= 0) return std::nullopt;
-  return place * glm::dvec2(size_px()) / glm::dvec2(size);
+  return pointer().at();
 }
 
 PointerInput Window::takePointer() {

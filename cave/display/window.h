@@ -16,6 +16,7 @@
 
 #include "cave/cluster/frame_lock.h"
 #include "cave/display/monitors.h"
+#include "cave/display/pointer_queue.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/gui.h"
@@ -43,14 +44,14 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Draws the panes and, in a Gui over them, what `over` draws; `swap` makes them visible. Leaves this
-  /// window's context current.
+  /// Draws the panes and, in a Gui over them, what `over` draws and what every window shows
+  /// (Graphics::setOverAll); `swap` makes them visible. Leaves this window's context current.
   void show(std::span<const Pane> panes, const std::function<void()>& over = {});
 
-  /// Waits until what was shown is drawn. Any context may be current.
+  /// Waits until the shown picture is drawn. Any context may be current.
   void awaitShown() const;
 
-  /// Makes what was shown visible; waits for the display's refresh if `setVsync(true)`.
+  /// Makes the shown picture visible; waits for the display's refresh if `setVsync(true)`.
   void swap();
   void makeCurrent() const;
   static void makeNoneCurrent();  ///< in this thread
@@ -62,6 +63,8 @@ class Window {
   void listen(float text_px, float heading_px);
   bool isPressed() const { return listens_ && gui_->isPressed(); }
   bool isIconified() const;
+  void setVisible(bool on);
+  bool isVisible() const;
 
   ScreenPlace place() const;  ///< where it lies, without its border
 
@@ -73,24 +76,28 @@ class Window {
   /// Returns where the pointer is, in pixels of the framebuffer to the right and down, or none if it is not
   /// over a visible part of the window. While a button is held that was pressed here, it may be anywhere.
   std::optional<glm::dvec2> pointer_px() const;
-  /// Returns whether the left button was pressed here and is down, or was pressed and released since the last frame.
+  /// Returns whether the left button was pressed here and is down in this frame (cave/display/pointer_queue.h).
   bool isHeld() const;
-  bool isTurning() const;  ///< the right button was pressed here and is down
+  bool isTurning() const;  ///< the same of the right button
   /// Returns the pointer's input since the last call; call it once per poll.
   PointerInput takePointer();
   SwapGroupCalls::Drawable drawable() const { return drawable_; }
 
  private:
   struct Hears;  // GLFW callbacks
+  glm::dvec2 toPixels(double x, double y) const;
+  const PointerQueue& pointer() const;
 
   Graphics& graphics_;
   GLFWwindow* window_ = nullptr;
   ScreenPlace place_;
   bool border_ = false;
-  bool listens_ = false;                 // its Gui takes input
-  std::uint64_t pressedAtPoll_ = ~0ULL;  // the poll that brought the last press of the left button
-  glm::dvec2 pointer_px_{0.0};           // at the last takePointer
-  bool dragging_ = false;                // at the last takePointer
+  bool listens_ = false;  // its Gui takes input
+  mutable PointerQueue pointer_;
+  mutable std::uint64_t framePoll_ = 0, discarded_ = 0;  // of Graphics, when the pointer was last asked for
+  bool overHeld_ = false;       // a button was pressed over what lies above the pictures
+  glm::dvec2 pointer_px_{0.0};  // at the last takePointer
+  bool dragging_ = false;       // at the last takePointer
   SwapGroupCalls::Drawable drawable_ = 0;
   std::unique_ptr<StereoPacker> packer_;
   std::unique_ptr<Gui> gui_;  // from its first use on

@@ -117,7 +117,7 @@ std::size_t placed(const Places& places) {
       std::count_if(places.begin(), places.end(), [](const auto& place) { return place.has_value(); }));
 }
 
-/// Returns the places of windows of which each wants this part of its size.
+/// Returns the places of windows that each want this part of their size.
 Places placesAt(double scale, std::span<const FreeWindow> windows, std::vector<Box> obstacles,
                 std::span<const Box> monitors) {
   Places places;

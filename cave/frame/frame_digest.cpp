@@ -1,5 +1,6 @@
 #include "cave/frame/frame_digest.h"
 
+#include <span>
 #include <type_traits>
 
 #include "engine/base/xxh3.h"

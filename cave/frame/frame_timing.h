@@ -58,7 +58,7 @@ class FrameStopwatch {
  public:
   explicit FrameStopwatch(double display_hz) : period_s_(1.0 / display_hz) {}
 
-  void begin();               ///< starts a frame, of which nothing is measured yet
+  void begin();               ///< starts a frame without any measurement
   void mark(FramePart part);  ///< sets `part` to the time since `begin` or the last mark
   void set(FramePart part, double duration_s) { stamps_[part] = static_cast<float>(duration_s); }
   /// Ends the frame with this number, now that it is on the walls: marks `swap` and, from the second frame

@@ -37,8 +37,8 @@ struct HeadsetFrame {
   bool isTracked = false;         ///< so are their directions; else they are those of the frame before
   bool isRecentred = false;       ///< the room's origin has moved since the frame before
   std::array<HeadsetEye, 2> eyes;
-  /// dx/dt of the head by the runtime's own account, if it gives one. Not to be relied on: some runtimes give zero,
-  /// others what was true 35 ms ago.
+  /// dx/dt of the head by the runtime's own account, if it gives one. Not reliable: some runtimes give zero,
+  /// others the velocity of 35 ms ago.
   std::optional<glm::dvec3> runtimeVelocity_m_s;
   std::array<HeadsetHand, 2> hands;  ///< left, right; none is tracked while the session has no focus
   std::size_t aiming = 1;            ///< the hand that holds or aims the cue

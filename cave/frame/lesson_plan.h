@@ -1,6 +1,6 @@
 #pragma once
 // What a lesson shows besides its texts: the part of the game that matters, the velocities that it offers the
-// observer, and what is measured and drawn. Events and places are in the board frame.
+// observer, and the measurements and marks. Events and places are in the board frame.
 
 #include <cstddef>
 #include <cstdint>
@@ -60,7 +60,7 @@ enum class GaugeQuantity : std::uint8_t {
   seenLength,     ///< how long the body looks along its motion, over its length at rest
 };
 
-/// A plate above a body with what is true of it where it is seen.
+/// A plate above a body with its value at the event that is seen.
 struct Gauge {
   std::size_t body = 0;  ///< of the scene
   GaugeQuantity quantity = GaugeQuantity::speed;

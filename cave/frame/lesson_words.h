@@ -26,7 +26,7 @@ enum class LessonPhase : std::uint8_t {
   none,      ///< there is no lesson
   asks,      ///< waits for an answer
   shows,     ///< says what to do and what to look for
-  explains,  ///< explains the number and says what was answered
+  explains,  ///< explains the number and repeats the answer
 };
 
 struct LessonState {

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// Each function throws std::invalid_argument that names the first impossible field and what was expected.
+/// Each function throws std::invalid_argument that names the first impossible field and the expectation.
 /// `gameLightSpeed_m_s`: speed of light in the game that the frame belongs to.
 void expectPossible(const FrameRecord& record, double gameLightSpeed_m_s);
 void expectPossible(const Knot& knot);

@@ -1,5 +1,5 @@
 #pragma once
-// The views of time, drawn over what is seen or beside it.
+// The views of time, drawn over the seen picture or beside it.
 
 #include <array>
 #include <cstdint>

@@ -5,14 +5,14 @@
 
 namespace carom {
 
-/// Sets what a new context has otherwise than its users expect to find it: blending mixes with what is there by
-/// the alpha of what is drawn, and what is as near as what is there passes the depth test.
+/// Sets the OpenGL defaults that this program relies on: blending mixes by the alpha of the new colour, and
+/// fragments as near as the stored depth pass the depth test.
 void enterRestState();
 
 /// From its construction on, drawing goes into all of `framebuffer`, with every test and blending off. Its
 /// destructor leaves the context as its users expect to find it: nothing bound or in use, every test and
 /// blending off, depth written, the functions of blending and of the depth test those of enterRestState. So
-/// nobody needs to ask OpenGL for its state, which would have to wait for the commands given so far. Guards
+/// OpenGL need not be asked for its state, which would wait for the commands given so far. Guards
 /// cannot be nested.
 class GlStateGuard {
  public:
@@ -22,7 +22,7 @@ class GlStateGuard {
   GlStateGuard& operator=(const GlStateGuard&) = delete;
 };
 
-/// Turns alpha blending on for what is drawn from here on. Call it within a GlStateGuard.
+/// Turns alpha blending on for the following draws. Call it within a GlStateGuard.
 void blendOver();
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// How long the graphics card works on a piece of a frame, told some frames later, so that nobody waits for it
-// (OpenGL's timer queries, ARB_timer_query).
+// How long the graphics card works on a piece of a frame, told some frames later, so that the frame does not
+// wait for it (OpenGL's timer queries, ARB_timer_query).
 
 #include <array>
 #include <cstddef>

@@ -23,11 +23,12 @@ constexpr GLuint64 kLongestDrawing_ns = 10'000'000'000;  // a graphics card that
                                 ? fmt::format("no X display: cannot open \"{}\" ({})", display, reason)
                                 : std::string("no X display: the environment variable DISPLAY is not set");
   throw std::runtime_error(where +
-                           "; start one, e.g. with: xvfb-run -a -s \"-screen 0 1920x1200x24\" COMMAND");
+                           "; expected a screen to which this user is logged in, or one that a [[node]] of "
+                           "the rig names by display");
 }
 
-/// Keeps memory that a frame gives back for the next: what draws on the processor asks for some megabytes in every frame,
-/// whose new pages would cost more than what is written to them.
+/// Keeps memory that a frame gives back for the next: drawing on the processor takes some megabytes in every
+/// frame, and new pages for them would cost more than the writing.
 void keepFreedMemory() {
   constexpr int kMostKept = 256 << 20, kLargest = 32 << 20;  // bytes; larger pieces are pages of their own
   mallopt(M_TRIM_THRESHOLD, kMostKept);
@@ -110,6 +111,12 @@ const WindowInput& Graphics::poll() {
   ++polls_;
   glfwPollEvents();
   return input_;
+}
+
+void Graphics::discardInput() {
+  poll();
+  input_.keys.clear();
+  ++discarded_;
 }
 
 std::string Graphics::rendererName() const {

@@ -5,6 +5,7 @@
 // Use from the main thread only.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -51,11 +52,17 @@ class Graphics {
   /// before Window::show.
   void finishDrawing();
 
-  /// Waits until what was drawn before the last finishDrawing is complete.
+  /// Waits until all draws before the last finishDrawing are complete.
   void awaitDrawing() const;
 
   /// Processes the windows' input; call it once per drawn frame. The result is valid until the next call.
   const WindowInput& poll();
+  /// Forgets all input that has come so far, as after a long load.
+  void discardInput();
+
+  /// Sets what every visible window shows over its pictures from now on, in a Gui that takes the pointer where
+  /// something lies (Gui::claim); an empty function: nothing.
+  void setOverAll(const std::function<void()>& overAll) { overAll_ = overAll; }
 
   GLFWwindow* context() const { return context_; }
   /// Returns whether the processor stands in for a graphics card: then samples cost as much as pixels.
@@ -68,7 +75,8 @@ class Graphics {
   bool inSoftware_ = false;
   GlFence drawn_;  // fence behind the last frame's drawing
   WindowInput input_;
-  std::uint64_t polls_ = 0;  // so far
+  std::uint64_t polls_ = 0, discarded_ = 0;  // so far
+  std::function<void()> overAll_;
 };
 
 }  // namespace carom

@@ -121,11 +121,12 @@ void Gui::takeHeard() {
   using Kind = GuiEvent::Kind;
   ImGuiIO& io = ImGui::GetIO();
   pressedKey_.reset();
-  bool changed = false;  // a button or a key has changed
+  bool changed = false, moved = false;  // a button or a key has changed; the pointer has come elsewhere
   const auto waits = [&](const GuiEvent& heard) {
     if (heard.kind == Kind::wheel || heard.kind == Kind::letter) return false;
-    if (changed) return true;
+    if (changed || (moved && heard.kind == Kind::button && heard.down)) return true;
     changed = heard.kind != Kind::pointer;
+    moved = moved || heard.kind == Kind::pointer;
     return false;
   };
   const auto end = std::find_if(events_.begin(), events_.end(), waits);
@@ -159,7 +160,21 @@ void Gui::takeHeard() {
                 keysDown_[GLFW_KEY_LEFT_ALT] || keysDown_[GLFW_KEY_RIGHT_ALT]);
 }
 
+void Gui::claim() {
+  const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  static_cast<Gui*>(ImGui::GetIO().UserData)
+      ->claims_.push_back({{from.x, from.y}, {from.x + size.x, from.y + size.y}});
+}
+
+bool Gui::isClaimed(const glm::vec2& at_px) const {
+  return std::any_of(claims_.begin(), claims_.end(), [&](const Claim& claim) {
+    return at_px.x >= claim.from_px.x && at_px.y >= claim.from_px.y && at_px.x < claim.to_px.x &&
+           at_px.y < claim.to_px.y;
+  });
+}
+
 void Gui::begin(const glm::ivec2& window_px) {
+  claims_.clear();
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(window_px.x), static_cast<float>(window_px.y)};
@@ -183,6 +198,21 @@ void Gui::end() {
 
 bool isKeyPressed(int key) {
   return static_cast<const Gui*>(ImGui::GetIO().UserData)->pressedKey() == static_cast<unsigned>(key);
+}
+
+bool isTilePressed(const char* name) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x - 8.0F, size.y - 8.0F}, ImGuiCond_Always, {1.0F, 1.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0.0F, 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{18.0F, 10.0F});
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  const bool isPressed = ImGui::Button(name);
+  Gui::claim();
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  return isPressed;
 }
 
 void overCorner(const char* name, const std::function<void()>& draw) {

@@ -38,7 +38,8 @@ class Gui {
   Gui& operator=(const Gui&) = delete;
 
   /// Adds input, in the order in which it came. Each frame takes one change of buttons or keys, so that even
-  /// the shortest click is seen.
+  /// the shortest click is seen; a button that goes down waits for the frame after the pointer has come, since some
+  /// widgets take no press before they have been pointed to.
   void hear(const GuiEvent& heard);
   /// Returns whether a field is being filled in or a list is open, so that keys belong to the Gui.
   bool wantsKeys() const { return wantsKeys_; }
@@ -49,6 +50,13 @@ class Gui {
   /// Returns the key, of GLFW, that was pressed for this frame.
   std::optional<unsigned> pressedKey() const { return pressedKey_; }
 
+  /// Keeps the pointer's presses within the window of the Gui that is drawn now from what lies below it. Call it in
+  /// each frame between ImGui::Begin and ImGui::End.
+  static void claim();
+  /// Returns whether a place was claimed in the latest frame. Pixels from the upper left.
+  bool isClaimed(const glm::vec2& at_px) const;
+  void forgetClaims() { claims_.clear(); }
+
   void begin(const glm::ivec2& window_px);
   void end();  ///< draws the frame
 
@@ -58,6 +66,10 @@ class Gui {
   ImGuiContext* context_ = nullptr;
   GlQuery drawn_;
   std::vector<GuiEvent> events_;
+  struct Claim {
+    glm::vec2 from_px, to_px;
+  };
+  std::vector<Claim> claims_;
   std::bitset<512> keysDown_;  // by GLFW's numbers, which end at 348
   std::optional<unsigned> pressedKey_;
   bool wantsKeys_ = false, took_ = false;
@@ -66,6 +78,9 @@ class Gui {
 
 /// Returns whether this key, of GLFW, was pressed for this frame of the Gui that is drawn now.
 bool isKeyPressed(int key);
+
+/// Draws a tile in the window's lower right corner, within a Gui. Returns whether it was pressed.
+bool isTilePressed(const char* name);
 
 /// Draws what `draw` draws, within a Gui, on a dim background in the window's upper left corner; it takes no
 /// input.

@@ -26,7 +26,7 @@ class LineBatch {
   LineBatch();
 
   /// Draws the ribbons in their order, into a picture of this size. Call it within a GlStateGuard, after
-  /// blendOver. If the depth test is on, their own depth applies. What is behind the eye is left out.
+  /// blendOver. If the depth test is on, their own depth applies. Parts behind the eye are left out.
   void draw(std::span<const Ribbon> ribbons, const glm::dmat4& clipFromRoom, const glm::ivec2& size_px);
 
  private:

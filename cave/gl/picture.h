@@ -24,7 +24,7 @@ class RenderTarget {
   /// framebuffer bound.
   void clear();
   void clear(int left_px, int width_px);
-  /// Sets the pixels of `width_px` columns from `left_px` on: numbers of four bytes, of which alpha is the highest, then
+  /// Sets the pixels of `width_px` columns from `left_px` on: numbers of four bytes, alpha in the highest, then
   /// red, green, blue; rows from the bottom up.
   void fill(std::span<const std::uint32_t> pixels, int left_px, int width_px);
   /// Sets its pixels: RGB, rows from the bottom up, as many as the picture has.
@@ -43,7 +43,7 @@ class RenderTarget {
   GlTexture texture_;
   GlRenderbuffer depth_;  // keeps Mesa 22.3's llvmpipe from a fast path that mistakes colours
   GlFramebuffer framebuffer_;
-  mutable bool isBlack_ = false;  // nobody has drawn into it since it was cleared
+  mutable bool isBlack_ = false;  // not drawn into since it was cleared
 };
 
 }  // namespace carom

@@ -19,7 +19,7 @@ HeadsetPacer::HeadsetPacer(Headset& headset, double lived_s, std::uint64_t first
   number_ = firstFrame;
 }
 
-/// Returns a frame in which no time passes for whoever wears the headset: it is taken off, or its session has ended.
+/// Returns a frame in which no time passes for the wearer: the headset is off, or its session has ended.
 FrameTimes HeadsetPacer::idle() {
   const bool isLast = headset_.state() == Headset::State::ended;
   if (isLast) {
@@ -45,8 +45,8 @@ double HeadsetPacer::stepTo(const HeadsetFrame& next) {
   return isRunning_ && !next.isRecentred && step_s <= kLongestStep_s ? step_s : 0.0;
 }
 
-/// Says, the first time, that a frame comes much later than its display wants it. What is loaded at the beginning makes
-/// frames late that tell nothing.
+/// Says, the first time, that a frame comes much later than its display wants it. Loading at the beginning
+/// delays frames, which tells nothing.
 void HeadsetPacer::tellWhenLate(double step_s, const HeadsetFrame& next) {
   constexpr double kPeriods = 5.0;
   const double wanted_s = 1e-9 * static_cast<double>(next.untilNext_ns);

@@ -10,21 +10,20 @@
 namespace carom {
 
 /// The session's clock is the headset's: it advances by the difference of the display times that the runtime predicts,
-/// however long a frame takes. Nobody lives while the headset is taken off, while its room is centred anew, or in a gap
+/// however long a frame takes. Proper time stops while the headset is off, while its room is centred anew, and in a gap
 /// longer than kLongestStep_s. Each frame that it begins must be submitted to the headset before the next.
 class HeadsetPacer : public FramePacer {
  public:
   static constexpr double kLongestStep_s = 0.25;
-  static constexpr double kIdle_s =
-      1.0 / 30.0;  ///< from frame to frame for the others, while nobody wears it
+  static constexpr double kIdle_s = 1.0 / 30.0;  ///< from frame to frame for the others, while it is not worn
 
   /// `lived_s`: the session's clock before the first frame; `firstFrame`: its number.
   HeadsetPacer(Headset& headset, double lived_s, std::uint64_t firstFrame);
 
   FrameTimes next() override;
 
-  /// Returns what the headset says of the frame that `next` began; while nobody wears it, of the one before, as one
-  /// that is neither seen nor tracked.
+  /// Returns the headset's data of the frame that `next` began; while it is not worn, those of the frame before, marked
+  /// neither seen nor tracked.
   const HeadsetFrame& frame() const { return frame_; }
 
  private:

@@ -10,7 +10,7 @@
 namespace carom::openxr {
 
 Instance::Instance() {
-  setenv("XR_LOADER_DEBUG", "none", 0);  // it writes pages about what is said here in a line
+  setenv("XR_LOADER_DEBUG", "none", 0);  // it would write pages where one line says it here
   load();
   const auto offered =
       listOf(infoOf<XrExtensionProperties>(XR_TYPE_EXTENSION_PROPERTIES),

@@ -39,7 +39,7 @@ struct ChunkedMeshes {
 MeshVertex vertexOf(vtkPolyData& mesh, vtkIdType i);
 
 /// The most triangles of a chunk; chunks of larger meshes have at least half as many. Smaller ones leave out
-/// more of what is not seen, and cost more to look at.
+/// more unseen triangles, and cost more to test.
 inline constexpr std::size_t kChunkTriangles = 256;
 
 /// Appends a mesh. Points that no triangle uses are left out. The order depends on the mesh alone.

@@ -35,16 +35,16 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include "cave/mesh/mesh_buffers.h"
 #include "cave/mesh/mesh_text.h"
 #include "cave/mesh/ply_file.h"
 #include "cave/mesh/polygons.h"
 #include "cave/process/subprocess.h"
 #include "engine/base/input_error.h"
+#include "engine/base/outside_file.h"
 
 namespace carom {
 namespace {
-
-constexpr std::uintmax_t kMostBytes = 256U << 20U;
 
 /// Collects VTK's error messages, which would otherwise go to the terminal.
 class Complaints : public vtkOutputWindow {
@@ -108,23 +108,6 @@ vtkSmartPointer<vtkPolyData> readGltf(const std::string& path) {
   return turned->GetOutput();
 }
 
-std::string contentOf(const std::string& path) {
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(path, failed)) {
-    throw InputError(path, 1, 1, "there is no such file, expected a mesh");
-  }
-  const std::uintmax_t size = std::filesystem::file_size(path, failed);
-  if (failed || size > kMostBytes) {
-    throw InputError(path, 1, 1,
-                     fmt::format("is {} MiB large, expected at most {} MiB", size >> 20U, kMostBytes >> 20U));
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::string content(static_cast<std::size_t>(size), '\0');
-  if (!file.read(content.data(), static_cast<std::streamsize>(size)))
-    throw InputError(path, 1, 1, "cannot be read, expected a mesh that can");
-  return content;
-}
-
 /// Coordinates and corners as plain numbers.
 struct Triangles {
   std::vector<float> places_m;        // x, y, z of each point
@@ -183,7 +166,12 @@ using Reader = std::function<vtkSmartPointer<vtkPolyData>(const std::string&)>;
 std::string readApart(const Reader& reader, const std::string& path) {
   vtkNew<Complaints> complaints;
   vtkOutputWindow::SetInstance(complaints);
-  const vtkSmartPointer<vtkPolyData> read = reader(path);
+  vtkSmartPointer<vtkPolyData> read;
+  try {
+    read = reader(path);
+  } catch (const std::length_error&) {  // of a count that no file can hold
+    throw std::runtime_error("it has a count that is wrong, expected a file that is whole");
+  }
   if (!read || read->GetNumberOfPoints() == 0 || read->GetNumberOfPolys() + read->GetNumberOfStrips() == 0) {
     const std::string said = complaints->first();
     throw std::runtime_error((said.empty() ? "holds no surface" : said) + ", expected polygons");
@@ -251,12 +239,21 @@ std::pair<int, int> placeIn(const std::string& message) {
 vtkSmartPointer<vtkPolyData> cutApart(const Reader& reader, const std::string& path) {
   try {
     return surfaceFrom(runInSubprocess([&] { return readApart(reader, path); }));
+  } catch (const JobTooLarge& lost) {
+    throw MeshTooLarge(path, 1, 1, std::string(lost.what()) + ", expected a smaller mesh");
   } catch (const SubprocessFailed& lost) {
     throw InputError(path, 1, 1, std::string(lost.what()) + ", expected a file that is whole");
   } catch (const std::runtime_error& error) {
     const auto [line, column] = placeIn(error.what());
     throw InputError(path, line, column, error.what());
   }
+}
+
+/// Checks the parts of a file that VTK's readers trust.
+void checkContent(const std::string& path, std::string_view ending) {
+  const std::string content = contentOf(path, InputKind::mesh);
+  checkMeshText(path, ending, content);
+  checkMeshParts(path, content);
 }
 
 vtkSmartPointer<vtkPolyData> readNow(const std::string& path) {
@@ -278,10 +275,10 @@ vtkSmartPointer<vtkPolyData> readNow(const std::string& path) {
   }
   vtkSmartPointer<vtkPolyData> surface;
   if (ending == ".ply") {
-    surface = readPly(path, contentOf(path));
+    surface = readPly(path, contentOf(path, InputKind::mesh));
     if (!hasOnlyTriangles(*surface)) surface = cutApart([&](const std::string&) { return surface; }, path);
   } else {
-    checkMeshText(path, ending, contentOf(path));
+    checkContent(path, ending);
     surface = cutApart(known->second, path);
   }
   if (!(surface->GetLength() > 0.0)) {

@@ -6,10 +6,18 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include "engine/base/input_error.h"
+
 namespace carom {
 
 /// The file endings that can be read, for messages.
 inline constexpr const char* kMeshEndings = ".obj, .stl, .ply, .vtk, .vtp, .vtu, .gltf or .glb";
+
+/// A mesh takes more time or memory than its reader may use (cave/process/subprocess.h).
+class MeshTooLarge : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// Returns the surface in a file, whose ending gives the format; z is up (glTF, whose y is up, is turned). It
 /// has points and polygons only: at least one polygon, every corner a point, every coordinate finite, and not

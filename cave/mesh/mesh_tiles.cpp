@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-/// What coarser levels may leave out: a bulge, and light, of which a bright wall shows three steps of 255.
+/// The detail that coarser levels may leave out: a bulge, and light of three steps of 255 on a bright wall.
 constexpr double kBulge_m = 0.0026;
 constexpr double kLightStep = 0.03;
 /// The same for what the painting interpolates, where it does not go along the surface.

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// Returns the triangles of a mesh between points of which no two are equal; those that lose a corner by that are left
-/// out, and so is what is no triangle.
+/// Returns the triangles of a mesh with equal points merged; triangles that lose a corner by that are left out, as are
+/// cells that are not triangles.
 vtkSmartPointer<vtkPolyData> withPointsMerged(vtkPolyData& mesh);
 
 /// Returns the triangles with normals at their points. In each piece that hangs together by edges of just two triangles,

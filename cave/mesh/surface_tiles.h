@@ -56,8 +56,7 @@ struct SurfaceTile {
   TileDetail detail;
 };
 
-/// Returns into how many straight lines a level joins a side of so many cells, each of which is built as it is on the
-/// level 0.
+/// Returns into how many straight lines a level joins a side of this number of cells, each built as on level 0.
 constexpr int segmentsOf(int cells, int level) { return cells >> level > 0 ? cells >> level : 1; }
 
 /// A grid of vertices, row by row: (cells[0] + 1) × (cells[1] + 1) of them.

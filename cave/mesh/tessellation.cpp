@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/bisection.h"
+
 namespace carom {
 namespace {
 
@@ -29,11 +31,7 @@ double bendAt(double chi, double a, double expEta) {
 template <typename F>
 double whereReached(const F& f, double value, double low, double high) {
   constexpr int kSteps = 60;
-  for (int i = 0; i < kSteps; ++i) {
-    const double middle = 0.5 * (low + high);
-    (f(middle) > value ? high : low) = middle;
-  }
-  return low;
+  return bisect({low, high}, kSteps, [&](double x) { return !(f(x) > value); }).low;
 }
 
 /// Returns the smallest angle of a pixel in this corner: across the line of sight it is pitch/distance; along

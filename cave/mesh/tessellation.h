@@ -6,7 +6,7 @@
 // eye, with unit normal N. Light arriving along the null vector k satisfies k·(0, N) = 0; seen from a head
 // that moves through that frame with u = γβ the same vector is (u·N, N'), |N'|² = 1 + (u·N)². The seen edge
 // is thus part of a circle on the head's sky (Penrose 1959, "The apparent shape of a relativistically moving
-// sphere"), of geodesic curvature cot ψ = u·N, while what is drawn between two vertices is the great circle's
+// sphere"), of geodesic curvature cot ψ = u·N, while the drawing between two vertices is the great circle's
 // arc. Seen lengths are 1/D times those of the rest frame (D: Doppler factor), most behind the head, where
 // 1/D → e^η.
 //

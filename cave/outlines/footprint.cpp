@@ -93,7 +93,7 @@ double rightTurn(const Vec2& from, const Vec2& to) {
 std::vector<Vec2> edgeAround(const Cover& cover, const Grid& grid) {
   boost::polygon::polygon_set_data<int> covered;
   for (const Triangle& triangle : cover.onGrid) covered.insert(triangle);
-  covered.clean();  // what is left are the edges between covered and not
+  covered.clean();  // the edges between covered and uncovered remain
   std::multimap<GridPoint, GridPoint> ways;
   for (const auto& [ends, winding] : covered) {
     ways.emplace(ends.first, ends.second);

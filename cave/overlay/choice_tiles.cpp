@@ -1,112 +1,112 @@
 #include "cave/overlay/choice_tiles.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
+#include <utility>
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
-#include "cave/overlay/hud_panel.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
 
-constexpr double kTileWidth = 0.165, kGap = 0.012;        // fractions of the wall's width
-constexpr double kTileHeight = 0.36, kFlatHeight = 0.18;  // fractions of the tile's width
+constexpr double kFlat = 0.27;  // tiles lower than this share of their width have one line
 constexpr PanelPicture::Rgba kNothing{0, 0, 0, 0}, kTile{20, 44, 78, 225}, kPointed{245, 190, 60, 245};
 constexpr glm::vec3 kOnTile(240.0F), kOnPointed(15.0F);
 
-/// Returns whether a tile is one of those at the wall's foot.
-bool isFlat(const glm::ivec2& tile_px) { return tile_px.y < 0.5 * (kTileHeight + kFlatHeight) * tile_px.x; }
+bool isFlat(const glm::ivec2& tile_px) { return tile_px.y < kFlat * tile_px.x; }
 
-/// Returns the width of all tiles and the gaps between them.
-double rowOf_m(double width_m) { return (kChoices * kTileWidth + (kChoices - 1) * kGap) * width_m; }
+/// Returns the name of an action and its key.
+std::pair<texts::Text, texts::Text> wordsOf(const WallAction& action) {
+  switch (action.kind) {
+    case WallAction::Kind::choice:
+      return {texts::kChoices.at(action.number), texts::kChoiceKeys.at(action.number)};
+    case WallAction::Kind::goOn:
+      return {texts::tile::kBestShot, texts::keys::kEnterKey};
+    case WallAction::Kind::home:
+      return {texts::tile::kHome, texts::keys::kHomeKey};
+    case WallAction::Kind::unfreeze:
+      return {texts::tile::kTimeGoesOn, "F"};
+    case WallAction::Kind::keys:
+      return {texts::tile::kKeys, "H"};
+    default:
+      return {"", ""};
+  }
+}
 
 }  // namespace
 
-std::array<Tile, kChoices> tilesOn(const Wall& wall, bool atFoot) {
-  const glm::dvec2 wall_m = sizeOf_m(wall);
-  const glm::dvec2 tile_m = kTileWidth * wall_m.x * glm::dvec2(1.0, atFoot ? kFlatHeight : kTileHeight);
-  const double margin_m = HudPanel::kMargin * wall_m.y;
-  const double left_m =
-      atFoot ? 0.5 * (wall_m.x - rowOf_m(wall_m.x)) : wall_m.x - margin_m - rowOf_m(wall_m.x);
-  const double foot_m = atFoot ? kGap * wall_m.x : HudPanel::top_m(wall, margin_m) - tile_m.y;
-  std::array<Tile, kChoices> tiles;
-  for (std::size_t i = 0; i < kChoices; ++i)
-    tiles[i] = {{left_m + static_cast<double>(i) * (kTileWidth + kGap) * wall_m.x, foot_m}, tile_m};
-  return tiles;
-}
-
-std::optional<PointedChoice> choiceAt(const Wall& front, bool atFoot, const glm::dvec3& from_m,
-                                      const glm::dvec3& along) {
-  const glm::dvec3 normal = normalOf(front);
-  const double far_m = glm::dot(front.lowerLeft_m - from_m, normal) / glm::dot(along, normal);
-  if (!(far_m > 0.0) || !std::isfinite(far_m)) return std::nullopt;
-  const glm::dvec3 onWall_m = from_m + far_m * along;
-  const glm::dvec2 at_m{
-      glm::dot(onWall_m - front.lowerLeft_m, glm::normalize(front.lowerRight_m - front.lowerLeft_m)),
-      glm::dot(onWall_m - front.lowerLeft_m, glm::normalize(front.upperLeft_m - front.lowerLeft_m))};
-  const std::array<Tile, kChoices> tiles = tilesOn(front, atFoot);
-  for (std::size_t i = 0; i < kChoices; ++i) {
-    const glm::dvec2 in_m = at_m - tiles[i].from_m;
-    if (in_m.x >= 0.0 && in_m.y >= 0.0 && in_m.x <= tiles[i].size_m.x && in_m.y <= tiles[i].size_m.y)
-      return PointedChoice{static_cast<Choice>(i), onWall_m};
-  }
-  return std::nullopt;
-}
-
-/// Renders the names and keys as large as the tiles allow.
-void ChoiceTiles::write(const glm::ivec2& tile_px) {
+/// Returns the label of a tile of this size, rendered when it is first needed.
+const ChoiceTiles::Label& ChoiceTiles::labelOf(const WallAction& action, const glm::ivec2& tile_px) {
+  const auto known = std::find_if(labels_.begin(), labels_.end(), [&](const Label& label) {
+    return label.action == action && label.tile_px == tile_px;
+  });
+  if (known != labels_.end()) return *known;
+  constexpr std::size_t kMostLabels = 32;  // of a window whose size has changed many times
+  if (labels_.size() == kMostLabels) labels_.clear();
   const bool flat = isFlat(tile_px);
-  const int name_px = std::max(1, (flat ? 65 : 50) * tile_px.y / 100);
-  const int key_px = std::max(1, (flat ? 40 : 25) * tile_px.y / 100);
-  for (std::size_t i = 0; i < kChoices; ++i) {
-    names_[i] = ink(texts::kChoices[i], name_px);
-    keys_[i] = ink(texts::kChoiceKeys[i], key_px);
+  const auto [name, key] = wordsOf(action);
+  int name_px = std::max(1, (flat ? 65 : 50) * tile_px.y / 100),
+      key_px = std::max(1, (flat ? 40 : 25) * tile_px.y / 100);
+  Label label{action, tile_px, ink(name, name_px), ink(key, key_px)};
+  const int most_px = 92 * tile_px.x / 100;
+  const int wide_px = label.name.size_px.x + (flat ? tile_px.y / 3 + label.key.size_px.x : 0);
+  if (wide_px > most_px) {  // smaller letters
+    label.name = ink(name, std::max(1, name_px * most_px / wide_px));
+    label.key = ink(key, std::max(1, key_px * most_px / wide_px));
   }
-  tile_px_ = tile_px;
+  labels_.push_back(std::move(label));
+  return labels_.back();
 }
 
-void ChoiceTiles::paint(const glm::ivec2& tile_px, int gap_px, std::optional<Choice> pointed) {
-  const int step_px = tile_px.x + gap_px;
-  panel_.begin({static_cast<int>(kChoices) * step_px - gap_px, tile_px.y}, kNothing);
-  for (std::size_t i = 0; i < kChoices; ++i) {
-    const int left_px = static_cast<int>(i) * step_px;
-    const bool isPointed = pointed == static_cast<Choice>(i);
-    panel_.fill({left_px, 0}, tile_px, isPointed ? kPointed : kTile);
-    const auto centred = [&](int width_px) { return left_px + (tile_px.x - width_px) / 2; };
-    const glm::vec3 colour = isPointed ? kOnPointed : kOnTile;
-    if (isFlat(tile_px)) {  // the key stands behind the name
-      const int name_px = names_[i].size_px.x + tile_px.y / 3;
-      const int begin_px = centred(name_px + keys_[i].size_px.x), foot_px = tile_px.y * 27 / 100;
-      panel_.write({begin_px, foot_px}, names_[i], colour);
-      panel_.write({begin_px + name_px, foot_px}, keys_[i], colour);
-    } else {
-      panel_.write({centred(names_[i].size_px.x), tile_px.y * 42 / 100}, names_[i], colour);
-      panel_.write({centred(keys_[i].size_px.x), tile_px.y * 12 / 100}, keys_[i], colour);
-    }
+void ChoiceTiles::paintTile(std::size_t tile, const glm::ivec2& from_px) {
+  const auto& [action, unused, tile_px] = painted_[tile];
+  const bool isPointed = action == pointed_;
+  panel_.fill(from_px, tile_px, isPointed ? kPointed : kTile);
+  const auto centred = [&](int width_px) { return from_px.x + (tile_px.x - width_px) / 2; };
+  const glm::vec3 colour = isPointed ? kOnPointed : kOnTile;
+  const Label& label = labelOf(action, tile_px);
+  if (isFlat(tile_px)) {  // the key stands behind the name
+    const int name_px = label.name.size_px.x + tile_px.y / 3;
+    const int begin_px = centred(name_px + label.key.size_px.x), foot_px = from_px.y + tile_px.y * 27 / 100;
+    panel_.write({begin_px, foot_px}, label.name, colour);
+    panel_.write({begin_px + name_px, foot_px}, label.key, colour);
+  } else {
+    panel_.write({centred(label.name.size_px.x), from_px.y + tile_px.y * 42 / 100}, label.name, colour);
+    panel_.write({centred(label.key.size_px.x), from_px.y + tile_px.y * 12 / 100}, label.key, colour);
   }
+}
+
+void ChoiceTiles::paint() {
+  glm::ivec2 low = painted_.front().from_px, high = low;
+  for (const Painted& tile : painted_) {
+    low = glm::min(low, tile.from_px);
+    high = glm::max(high, tile.from_px + tile.size_px);
+  }
+  corner_px_ = low;
+  panel_.begin(high - low, kNothing);
+  for (std::size_t i = 0; i < painted_.size(); ++i) paintTile(i, painted_[i].from_px - low);
   panel_.upload();
-  pointed_ = pointed;
 }
 
-void ChoiceTiles::draw(const Wall& wall, const FrameRecord& record, const RenderTarget& picture) {
-  if (!offersChoicesNow(record)) return;
-  const bool atFoot = record.lesson.phase == LessonPhase::explains;
+void ChoiceTiles::draw(const Wall& wall, const FrameRecord& record, const OfferedTiles& offered,
+                       const RenderTarget& picture) {
+  tiles_.clear();
+  wanted_.clear();
+  addTiles(wall, record, offered, tiles_);
+  if (tiles_.empty()) return;
   const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);
-  const std::array<Tile, kChoices> tiles = tilesOn(wall, atFoot);
-  const glm::ivec2 tile_px(tiles[0].size_m * pxPerM);
-  const int gap_px = static_cast<int>(kGap * picture.size_px().x);
-  std::optional<PointedChoice> pointed;
-  if (record.hand.shown)
-    pointed = choiceAt(wall, atFoot, record.hand.from_m, record.hand.to_m - record.hand.from_m);
-  const std::optional<Choice> choice = pointed ? std::optional(pointed->choice) : std::nullopt;
-  const bool isNew = tile_px != tile_px_;
-  if (isNew) write(tile_px);
-  if (isNew || choice != pointed_) paint(tile_px, gap_px, choice);
-  panel_.draw(picture, glm::ivec2(tiles[0].from_m * pxPerM), 1.0);
+  for (const WallButton& tile : tiles_)
+    wanted_.push_back(
+        {tile.action, glm::ivec2(tile.place.from_m * pxPerM), glm::ivec2(tile.place.size_m * pxPerM)});
+  pointed_ = pointedByHand(wall, tiles_, record);
+  if (wanted_ != painted_ || pointed_ != paintedPointed_) {
+    painted_ = wanted_;
+    paintedPointed_ = pointed_;
+    paint();
+  }
+  panel_.draw(picture, corner_px_, 1.0);
 }
 
 }  // namespace carom

@@ -11,7 +11,7 @@
 
 #include "cave/gl/gl_program.h"
 #include "cave/gl/gl_state_guard.h"
-#include "cave/overlay/hud_panel.h"
+#include "cave/overlay/hud_text.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
 #include "shaders/shade_frag.h"

@@ -9,7 +9,7 @@
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/overlay/comfort_overlay.h"
-#include "cave/overlay/hud_panel.h"
+#include "cave/overlay/hud_text.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/texts.h"
 
@@ -61,7 +61,7 @@ std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const FrameRecord& r
                    up = glm::normalize(front->upperLeft_m - front->lowerLeft_m);
   const glm::dvec2 way(glm::dot(towards, right), glm::dot(towards, up));
   const bool isBehind = glm::dot(towards, normalOf(*front)) > 0.0;
-  if (isBehind) return glm::dvec2(way.x < 0.0 ? -1.0 : 1.0, 0.0);  // whoever turns round turns sideways
+  if (isBehind) return glm::dvec2(way.x < 0.0 ? -1.0 : 1.0, 0.0);  // to turn round is to turn sideways first
   const double length = glm::length(way);
   return length > 1e-9 ? way / length : glm::dvec2(1.0, 0.0);
 }

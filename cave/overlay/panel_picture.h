@@ -28,7 +28,7 @@ class PanelPicture {
   void fill(const glm::ivec2& from_px, const glm::ivec2& size_px, const Rgba& colour);
   /// Writes a line of text whose foot begins here. `colour`: sRGB, 0 to 255.
   void write(const glm::ivec2& foot_px, const GlyphBitmap& ink, const glm::vec3& colour);
-  /// Makes what was painted drawable.
+  /// Uploads the painted pixels for drawing.
   void upload();
 
   const glm::ivec2& size_px() const { return size_px_; }

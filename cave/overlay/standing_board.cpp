@@ -24,7 +24,7 @@ const RenderTarget& StandingBoard::wiped() const {
   return written_;
 }
 
-// What is written has been multiplied by how much it covers, since it was written over nothing.
+// The writing is premultiplied by its alpha, since it was written over nothing.
 void StandingBoard::draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, const RenderTarget& picture) const {
   const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
   if (!clip) return;

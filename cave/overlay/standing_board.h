@@ -18,7 +18,7 @@ class StandingBoard {
   explicit StandingBoard(const Wall& place);
 
   const Wall& place() const { return place_; }
-  /// Returns what is written on it; `wiped`: after it was wiped clean.
+  /// Returns the writing on it; `wiped`: after it was wiped clean.
   const RenderTarget& written() const { return written_; }
   const RenderTarget& wiped() const;
 

@@ -23,6 +23,7 @@
 
 #include "cave/gl/gl_program.h"
 #include "cave/process/subprocess.h"
+#include "engine/base/outside_file.h"
 #include "shaders/projector_frag.h"
 #include "shaders/projector_vert.h"
 
@@ -126,7 +127,11 @@ std::string blendBytes(const std::filesystem::path& file) {
 
 BlendPicture readBlend(const std::filesystem::path& file) {
   try {
+    if (const std::string refusal = refusalOf(file, InputKind::blend); !refusal.empty())
+      throw std::runtime_error(refusal);
     return blendFrom(runInSubprocess([&] { return blendBytes(file); }));
+  } catch (const JobTooLarge& lost) {
+    throw JobTooLarge(file.string() + ":1:1: " + lost.what() + ", expected a smaller picture");
   } catch (const SubprocessFailed&) {
     throw std::runtime_error(file.string() + ":1:1: is broken, expected the picture whole");
   } catch (const std::runtime_error& error) {

@@ -30,7 +30,7 @@ struct Pane {
 /// context.
 class StereoPacker {
  public:
-  /// `framebuffer`: what is drawn into, and bound for it; 0 is the window.
+  /// `framebuffer`: the target of the draws, bound for them; 0 is the window.
   explicit StereoPacker(unsigned framebuffer = 0);
   ~StereoPacker();
 

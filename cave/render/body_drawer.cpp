@@ -41,7 +41,7 @@ void bindTextures(GLuint colours, GLuint legs) {
 
 void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
 
-/// Returns which shader draws a body with these legs. What is round is drawn as if it did not spin.
+/// Returns which shader draws a body with these legs. A round body is drawn as if it did not spin.
 Legs legsOf(std::span<const GpuLeg> legs, bool round) {
   const bool spins =
       !round && std::any_of(legs.begin(), legs.end(), [](const GpuLeg& leg) { return leg.spin.w > 0.0F; });
@@ -192,7 +192,7 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   return uniforms;
 }
 
-/// With `keepsAlpha`, what is blended leaves the alpha that is there: a shadow has no edge
+/// With `keepsAlpha`, blending leaves the stored alpha: a shadow has no edge
 /// (cave/render/edge_pixels.h).
 void BodyDrawer::setState(bool blend, bool keepsAlpha, bool depthMask, bool clip) {
   if (keepsAlpha != keepsAlpha_) {
@@ -293,7 +293,7 @@ void BodyDrawer::takeSurfaces(std::size_t number, Choice& choice) const {
   take(surfaces_.fineRangeOf(number), choice.fineIndices, ChosenPart::Sort::fine);
 }
 
-/// Appends the surfaces that were chosen for a wall to what is uploaded for the eye.
+/// Appends the surfaces that were chosen for a wall to the eye's upload.
 void BodyDrawer::appendSurfaces(Choice& choice) {
   constexpr std::size_t kVertexWords = sizeof(MeshVertex) / sizeof(std::uint32_t);
   static_assert(sizeof(MeshVertex) % sizeof(std::uint32_t) == 0);

@@ -52,7 +52,7 @@ class BodyDrawer {
   /// What rests on the board and always looks the same from one place, its clocks are not part of it; and all else.
   /// All is drawn by `still` and then `changing`.
   enum class What { still, changing };
-  /// Draws what was chosen, after `upload`.
+  /// Draws the choice, after `upload`.
   void draw(const Choice& choice, What what);
   /// Returns what the picture of the still bodies depends on: while it is the same, so is every pixel of it.
   StillView stillView(const Choice& choice, const glm::ivec2& size_px) const;

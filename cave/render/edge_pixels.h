@@ -3,8 +3,8 @@
 // each pixel at one is mixed with its neighbour as far as the edge covers it.
 //
 // Edges are sought in the tone of a pixel. In the session's pictures that is alpha: there the surfaces are as
-// bright as if each were painted evenly (shaders/surface_frag.glsl), since what is painted on a surface is
-// smooth already.
+// bright as if each were painted evenly (shaders/surface_frag.glsl), since the paint on a surface is smooth
+// already.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ class EdgePixels {
   explicit EdgePixels(Tones tones) : tones_(tones) {}
 
   /// Returns where the pixels of a picture of this size go: alpha, red, green and blue from the highest byte
-  /// down, rows from the bottom up. What is there is of an earlier picture.
+  /// down, rows from the bottom up. Their former content is an earlier picture.
   std::span<std::uint32_t> begin(const glm::ivec2& size_px);
   /// Smooths the picture in that place, and returns it.
   std::span<const std::uint32_t> smooth();

@@ -1,5 +1,5 @@
 #pragma once
-// The bodies at one moment, drawn beside what is seen of them.
+// The bodies at one moment, drawn beside their seen pictures.
 
 #include <span>
 
@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// The bodies at one moment, drawn as ghosts beside what is seen. Each span has as many views as the scene
+/// The bodies at one moment, drawn as ghosts beside the seen picture. Each span has as many views as the scene
 /// has bodies, or none; they are viewed with ViewTime::boardNow and ViewTime::myNow. A body whose view has no
 /// legs has no ghost.
 struct Ghosts {

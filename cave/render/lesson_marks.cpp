@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-/// Computes where the events of a line of simultaneity are drawn: where ghosts show what is now for the observer, at their
+/// Computes where the events of a line of simultaneity are drawn: where ghosts show the observer's now, at their
 /// places in that frame, and otherwise at the places of the board as it is seen.
 class OnSimultaneity {
  public:
@@ -23,7 +23,7 @@ class OnSimultaneity {
         eye_(sight.eye.observation),
         with_(with),
         beta_(beta) {}
-  /// Returns the board time of what is simultaneous at this place of the board.
+  /// Returns the board time of the simultaneous event at this place of the board.
   double at_s(const Vec3& place_m) const {
     return simultaneousAt_s(with_, place_m, beta_, drawnFromBoard_.lightSpeed_m_s());
   }

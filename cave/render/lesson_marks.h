@@ -1,7 +1,7 @@
 #pragma once
 // Draws what a lesson measures (cave/frame/lesson_plan.h) among the bodies. Lines and plates rest on the
 // board, but counters and gauges go with their bodies, and lines of simultaneity are drawn where their events are in the
-// observer's frame if the view "my now" shows what is there.
+// observer's frame if the view "my now" is on.
 
 #include "cave/frame/lesson_plan.h"
 #include "cave/frame/lesson_words.h"

@@ -79,7 +79,7 @@ class MarkDrawer {
   MarkDrawer();
 
   void upload(const MarkBuffer& batch);
-  /// Draws what was uploaded last, plates over everything else. Call it within a GlStateGuard, with depth
+  /// Draws the last upload, plates over everything else. Call it within a GlStateGuard, with depth
   /// test and blending on. `cutAt`: 1 if another picture continues beyond the right border, −1 if beyond the
   /// left one, 0 if neither. Plates that such a border would cut are left out.
   void draw(const glm::mat4& clipFromDrawn, float cutAt = 0.0F) const;

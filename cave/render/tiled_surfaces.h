@@ -1,6 +1,7 @@
 #pragma once
 // Chooses how finely the tiles of what rests are drawn for one eye on one wall: as coarsely as they may be without
 // anything lying farther than half a pixel from where light shows it.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <cstddef>
 #include <cstdint>

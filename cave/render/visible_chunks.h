@@ -4,6 +4,7 @@
 // Each chunk has a sphere around it, which the eye sees within a cap of its sky (engine/light/seen_cap.h); a
 // cap outside the wall's pyramid is not drawn. Shadows lie where no part of their puck is: they have one wide
 // cap.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <array>
 #include <cstddef>
@@ -92,7 +93,7 @@ class VisibleChunks {
   std::span<const std::uint32_t> chosen() const { return chosen_; }
 
  private:
-  /// How a part is seen: the angles by which its coarser meshes are off, and of which of its meshes the caps are known.
+  /// How a part is seen: the angles by which its coarser meshes are off, and the meshes whose caps are known.
   struct PartView {
     std::optional<SeenCaps> seen;
     std::array<double, PartChunks::kMostCoarser> off_rad{};

@@ -19,6 +19,7 @@ struct RoomViewer {
   /// Takes coordinates from the frame of the eyes (the person's right, up and forward along the room's axes)
   /// to that of the head sensor.
   Pose sensorFromEyes;
+  bool hasHand = false;  ///< a tracked hand: they need no keyboard
 };
 
 struct RoomGeometry {

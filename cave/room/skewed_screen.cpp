@@ -23,7 +23,7 @@ constexpr double kSharpest_deg = 60.0, kBluntest_deg = 120.0;
 
 double cross2(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Returns what is wrong with the corners in their plane; empty if they are those of a screen.
+/// Returns the fault of the corners in their plane; empty if they are those of a screen.
 std::string faultOf(const std::array<glm::dvec2, 4>& corners_m) {
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t here = kAround[i], next = kAround[(i + 1) % 4];

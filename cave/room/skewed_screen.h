@@ -27,7 +27,7 @@ inline constexpr double kMostOffPlane_m = 0.02;
 struct AroundScreen {
   glm::dvec3 lowerLeft_m{0.0}, lowerRight_m{0.0}, upperLeft_m{0.0};
   SkewedScreen screen;
-  std::string fault;  ///< if there is one, nothing else holds: what is wrong and what was expected
+  std::string fault;  ///< if there is one, nothing else holds: the fault and the expectation
 };
 
 /// Returns the smallest rectangle around the corners whose horizontal edges run along the mean of the

@@ -5,18 +5,17 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "engine/base/outside_file.h"
+
 namespace carom {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 128U << 20U;
 constexpr float kFarthest =
     16.0F;  // in window or picture widths: anything beyond is in another unit, or not a number
 
@@ -121,7 +120,8 @@ class ObjReader {
   /// Returns the index of a corner, whose number counts from 1. Whether it is among the points is checked at
   /// the end of the file.
   std::uint32_t corner(std::string_view text) {
-    constexpr std::uint32_t kMost = kMostBytes;  // a point takes more than one byte
+    const auto kMost = static_cast<std::uint32_t>(limitOf(InputKind::warp).most_MiB
+                                                  << 20U);  // a point takes more than one byte
     const std::size_t slash = std::min(text.find('/'), text.size());
     const std::string_view vertex = text.substr(0, slash);
     const std::string_view rest = text.substr(std::min(slash + 1, text.size()));
@@ -197,7 +197,7 @@ struct FloatGrid {
 
 /// Reads "PF", columns and rows, and the scale, on one line each, then the grid, which must end the file.
 FloatGrid gridOf(std::string_view content) {
-  constexpr std::size_t kMost = kMostBytes / 12;
+  const std::size_t kMost = (limitOf(InputKind::warp).most_MiB << 20U) / 12;
   Lines lines(content);
   const auto line = [&] {
     if (!lines.next()) fault(lines.lineNumber() + 1, 1, "the header ends early, expected three lines");
@@ -305,15 +305,8 @@ Warp parsePfmWarp(std::string_view content) {
 Warp readWarp(const std::filesystem::path& file) {
   const std::string name = file.string();
   try {
-    std::error_code failed;
-    const std::uintmax_t size = std::filesystem::file_size(file, failed);
-    if (failed) fault(1, 1, fmt::format("cannot be read ({}), expected a mesh that can", failed.message()));
-    if (size > kMostBytes) {
-      fault(1, 1, fmt::format("is {} MiB large, expected at most {} MiB", size >> 20U, kMostBytes >> 20U));
-    }
-    std::ifstream stream(file, std::ios::binary);
-    const std::string content(std::istreambuf_iterator<char>(stream), {});
-    if (!stream) fault(1, 1, "cannot be read, expected a mesh that can");
+    if (const std::string refusal = refusalOf(file, InputKind::warp); !refusal.empty()) fault(1, 1, refusal);
+    const std::string content = contentOf(file, InputKind::warp);
     if (file.extension() == ".obj") return parseObjWarp(content);
     if (file.extension() == ".pfm") return parsePfmWarp(content);
     fault(1, 1, "is of a kind that cannot be read, expected a file ending in .pfm or .obj");

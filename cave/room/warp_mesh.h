@@ -57,7 +57,7 @@ Warp skewWarp(const SkewedScreen& screen);
 Warp parseObjWarp(std::string_view content);
 Warp parsePfmWarp(std::string_view content);
 
-/// Returns the mesh in a file that ends in .obj or .pfm and has at most 128 MiB. Throws std::runtime_error,
+/// Returns the mesh in a file (InputKind::warp) that ends in .obj or .pfm. Throws std::runtime_error,
 /// "FILE:LINE:COLUMN: what is wrong, what was expected".
 Warp readWarp(const std::filesystem::path& file);
 

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kReach_m = 3.0;  // of what darkens a place: linearly less with its distance
 constexpr double kBounced =
-    0.25;  // share of the hall's light that reaches even what is hidden, from other surfaces
+    0.25;  // share of the hall's light that reaches even hidden places, from other surfaces
 constexpr double kLampRadius_m = 0.15;
 constexpr double kOffSurface_m =
     2e-3;  // where rays begin, above the surface, and how far from a lamp they end
@@ -124,7 +124,7 @@ double seenOfLamp(const Obstacles& obstacles, const glm::dvec3& place_m, const g
 
 /// Returns the share of the hall's light that reaches a place: rays are spread as the light of an even sky falls on
 /// a matt surface, by the cosine (Malley's method: evenly over the disc below the hemisphere). Each has a reach of
-/// its own, so that what is in the way counts the less the farther it is.
+/// its own, so that an obstacle counts the less the farther it is.
 double seenOfHall(const Obstacles& obstacles, const glm::dvec3& place_m, const glm::dvec3& normal, int rays) {
   const glm::dvec3 aside = std::abs(normal.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
   const glm::dvec3 u = glm::normalize(glm::cross(aside, normal)), v = glm::cross(normal, u);

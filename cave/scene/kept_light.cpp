@@ -49,7 +49,7 @@ class LightDigest {
   std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state_;
 };
 
-/// Returns a digest of all on which a scene's light depends: what is lit, what throws shadows, lamps.
+/// Returns a digest of all that a scene's light depends on: lit surfaces, occluders, lamps.
 std::string digestOf(const Scene& scene) {
   LightDigest digest;
   for (const glm::dvec3& lamp_m : scene.lamps_m) digest.add(lamp_m);

@@ -24,7 +24,7 @@ std::string joined(std::span<const MeshNote> notes) {
   return named < notes.size() ? text + fmt::format(" and {} more", notes.size() - named) : text;
 }
 
-/// Returns what is to be said of what rests, which is divided for each eye.
+/// Returns the note about the resting parts, which are divided for each eye.
 std::string levelsOf(const MeshNote& note, const Tessellation& tessellation) {
   const double nearest_m =
       std::max(kNearestToSurface_m, kNearestEye_m * note.longestEdge_m / tessellation.edge_m());

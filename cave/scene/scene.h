@@ -55,7 +55,7 @@ struct Scene {
   LessonPlan lesson;
 };
 
-/// Returns how far each body reaches along x, without its shadow: the radius of what is round.
+/// Returns how far each body reaches along x, without its shadow: the radius of a round body.
 std::vector<double> rimsOf(const Scene& scene);
 
 /// Returns a session's message about the division, one line for each kind of objects and one for all. "Exact

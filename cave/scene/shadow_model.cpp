@@ -128,7 +128,7 @@ class ShadowOfOne {
     return {{at, kAboveCloth_m - 0.5 * height_m_}, {fade, light_, height_m_}, {normal, 0.0}};
   }
 
-  /// Adds what is dark, around a centre from which each side is seen: it bends as a puck in a bounce does.
+  /// Adds the dark part, around a centre from which each side is seen: it bends as a puck in a bounce does.
   void addFromCentre() {
     constexpr int kRings = 4;
     for (std::size_t k = 0; k < sides_.size(); ++k) {
@@ -142,7 +142,7 @@ class ShadowOfOne {
     }
   }
 
-  /// Adds what is dark of any outline.
+  /// Adds the dark part of any outline.
   void addInTriangles() {
     std::vector<Vec2> dark;
     std::vector<std::size_t> sideOf;
@@ -160,7 +160,7 @@ class ShadowOfOne {
     const std::vector<std::size_t> triangles = trianglesOf(dark);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
       addTriangle(corner(triangles[i]), corner(triangles[i + 1]), corner(triangles[i + 2]));
-    // A corner of which one side is placed farther than the other: from the last point of the one along it to both.
+    // A corner with one side farther out than the other: from the last point of the one along it to both.
     for (std::size_t k = 0; k < dark.size(); ++k) {
       const std::size_t next = (k + 1) % dark.size();
       if (sideOf[k] != sideOf[next])

@@ -25,7 +25,11 @@ Motion RoomSimultaneity::at(const WorldLine& line) const {
   while (after_s - before_s > kEnough_s) {
     const double middle_s = 0.5 * (before_s + after_s);
     if (middle_s == before_s || middle_s == after_s) break;
-    (roomTime_s(middle_s) < 0.0 ? before_s : after_s) = middle_s;
+    if (roomTime_s(middle_s) < 0.0) {
+      before_s = middle_s;
+    } else {
+      after_s = middle_s;
+    }
   }
   return line.at(after_s);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Where bodies are in the room at one time of the room's own clock: not what is seen, but where they are for
+// Where bodies are in the room at one time of the room's own clock: not their seen places, but those for
 // observers at rest in the room.
 
 #include <optional>

@@ -28,7 +28,7 @@ namespace {
 
 constexpr int kSamples = 4;
 constexpr float kTableCovers = 0.4F;   // the table is drawn transparent, as it is not in the room
-constexpr float kBehindCovers = 0.5F;  // opacity of what is behind a wall
+constexpr float kBehindCovers = 0.5F;  // opacity of things behind a wall
 constexpr glm::vec3 kClock(0.02F);
 constexpr glm::vec4 kFrame(0.88F, 0.91F, 0.95F, 1.0F), kFarFrame(0.75F, 0.82F, 0.92F, 0.45F);
 constexpr glm::vec4 kTableEdge(0.65F, 1.0F, 0.80F, 0.9F);

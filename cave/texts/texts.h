@@ -19,6 +19,12 @@ using Text = const char*;
 inline constexpr std::array<Text, 3> kChoices{"Play", "Lessons", "Show me"};
 inline constexpr std::array<Text, 3> kChoiceKeys{"F7", "F6", "F5"};
 
+// Tiles below them; their keys stand behind the names.
+namespace tile {
+inline constexpr Text kBestShot = "Best shot", kHome = "Back to the table", kTimeGoesOn = "Let time go on";
+inline constexpr Text kKeys = "Keys";
+}  // namespace tile
+
 // The devices that hold the cue, in the order of InputDevices.
 inline constexpr std::array<Text, 3> kDevices{"wand", "mouse", "gamepad"};
 inline constexpr Text kGamepad = kDevices[2];
@@ -26,18 +32,19 @@ inline constexpr Text kGamepad = kDevices[2];
 namespace lesson {
 inline constexpr Text kQuestion = "Question:  ";
 inline constexpr std::array<Text, 4> kAnswerNumbers{"1   ", "2   ", "3   ", "4   "};
-inline constexpr Text kPressOneOfTwo = "press 1 or 2, or a wand button    Enter: skip";
-inline constexpr Text kPressOneOf = "press 1 to {}, or a wand button    Enter: skip";
+inline constexpr Text kChoose = "Choose an answer.";
 inline constexpr Text kReading = "{}: {:.2f} s";
 inline constexpr Text kYouMove = "You move:";
-inline constexpr Text kOtherObserver = "  F{} {}", kPresentObserver = "  [F{} {}]";
+inline constexpr Text kObserver = "{}  F{}";
 inline constexpr Text kYourAnswer = "Your answer:  ";
 inline constexpr Text kRight = "{}. Correct.";
 inline constexpr Text kWrong = "{}. Correct: {}.";
 inline constexpr Text kTryThis = "Try this:  ", kLookFor = "Look for:  ";
-inline constexpr Text kOnwards = "Y: replay    Enter: explanation";
-inline constexpr Text kSlowMotion = "    (slow motion: 1/{:g})";
-inline constexpr Text kBack = "Enter: back to the scene    Y: ask again";
+inline constexpr Text kSlowMotion = "Slow motion: 1/{:g}";
+// Buttons, each with its key.
+inline constexpr Text kSkip = "Skip  Enter", kAgain = "Again  Y", kExplanation = "Explanation  Enter";
+inline constexpr Text kBackToScene = "Scene  Enter", kAskAgain = "Ask again  Y";
+inline constexpr Text kTimeGoesOn = "Let time go on  F", kLeave = "Leave  F7";
 inline constexpr Text kSkipped = "(skipped)";
 }  // namespace lesson
 
@@ -88,6 +95,8 @@ inline constexpr Text kFastest = "No faster here: at {:.3g} c, {:.3g} s pass on 
 inline constexpr Text kHallWall =
     "The drive stops in front of the hall's walls. Home brings you back to the table.";
 inline constexpr Text kLeftRoom = "You have left the room: you are behind its wall '{}'. Step back in.";
+inline constexpr Text kStillThere = "Still there? {}    Move or press to stay.";
+inline constexpr Text kNoConsole = "There is no console. carom cave --console opens one.";
 inline constexpr Text kReadOnly = "A recording cannot be changed: strokes and drive need a live game";
 inline constexpr Text kTurnedOn = "{}: on", kTurnedOff = "{}: off";
 inline constexpr Text kCarom =
@@ -100,14 +109,14 @@ inline constexpr Text kBestShotOf = "The best shot of {}, seen with the same eye
 inline constexpr Text kBackToGame = ". Enter: back to the game", kLastShot = "The game is over. {}";
 inline constexpr Text kNoCarom = "No carom so far: strike a puck so that it touches two others.";
 inline constexpr Text kFrozen = "The view is frozen: F lets time go on.";
-inline constexpr Text kAsks = "Time stands still until you answer, or skip the question (Enter).";
-inline constexpr Text kAnswerFirst = "Answer the question first, or skip it (Enter).";
+inline constexpr Text kAsks = "Time stands still until you choose an answer. Point at it and press.";
+inline constexpr Text kAnswerFirst = "Answer the question first, or skip it.";
 inline constexpr Text kNoVelocities = "F2 to F4 choose a velocity in lessons that offer some.";
 inline constexpr Text kNoSuchKey = "This key does nothing here. H lists the keys.";
 inline constexpr Text kNoLesson = "There is no lesson in today's programme.";
 inline constexpr Text kNoShow = "This show is not in today's programme.";
-inline constexpr Text kWayHome = "table, {} m away   Home: back";
-inline constexpr Text kTimeStands = "Nothing can be struck while time stands still or a lesson replays";
+inline constexpr Text kWayHome = "table, {} m away";
+inline constexpr Text kTimeStands = "Nothing can be struck while time stands still or in a lesson";
 inline constexpr Text kPuckBehind = "The puck is behind your hand: point the other way";
 inline constexpr Text kNoPuck = "There is no puck where you point";
 inline constexpr Text kDeviceLost = "The {} is lost: no stroke";
@@ -122,6 +131,12 @@ inline constexpr Text kOutOfReach = "No stroke: {} can no longer be reached from
 inline constexpr std::array<Text, 3> kCueTaken{
     "The cue is in the wand's hand", "The cue is in the mouse's hand", "The cue is in the gamepad's hand"};
 }  // namespace message
+
+// The question before a session ends.
+namespace ending {
+inline constexpr Text kAgain = "Press Escape again to end.";
+inline constexpr Text kEnd = "End   Escape", kGoOn = "Go on";
+}  // namespace ending
 
 // The scale beside a drawn cue: marks of speed, and the stroke's speed and energy. The wall draws digits, '.',
 // ' ', 'c', 'm' and '^', which is a raised 2.
@@ -204,6 +219,8 @@ inline constexpr Text kEyesApart = "eye separation";
 inline constexpr Text kSensors = "show the tracked sensors";
 inline constexpr Text kLatency = "latency overlay";
 inline constexpr Text kComfort = "comfort: dark edges, resting frame";
+inline constexpr Text kWalk = "walk in the room", kHeadHeight = "head higher, lower";
+inline constexpr Text kLook = "turn head and wand";
 inline constexpr Text kSteer = "steer: forward, left, back, right";
 inline constexpr Text kBrake = "brake";
 inline constexpr Text kHome = "return to the table";
@@ -211,10 +228,12 @@ inline constexpr Text kStrike = "point at a puck, press, draw back, let go: a st
 inline constexpr Text kTurn = "turn the view";
 inline constexpr Text kAnswer = "answer a lesson's question";
 inline constexpr Text kList = "this list";
-inline constexpr Text kQuit = "quit";
+inline constexpr Text kConsole = "the operator's console";
+inline constexpr Text kQuit = "end, pressed twice";
 
 inline constexpr Text kSpaceKey = "Space", kHomeKey = "Home", kEnterKey = "Enter";
 inline constexpr Text kVelocityKeys = "F2 to F4", kAnswerKeys = "1 to 4", kQuitKeys = "Escape Q";
+inline constexpr Text kPageKeys = "Page Up, Page Down", kLookKeys = "Delete, End";
 inline constexpr Text kMouse = "Mouse", kRightButton = "Right button";
 }  // namespace keys
 
@@ -247,6 +266,8 @@ inline constexpr Text kSaidAt = "{:7.1f} s";
 inline constexpr Text kKeys = "Keys";
 inline constexpr Text kKeysWhere = "In this window and in any of this computer's walls.";
 inline constexpr Text kClose = "Close   Escape";
+inline constexpr Text kShow = "Console   F10", kHide = "Game   F10";
+inline constexpr Text kHideTip = "Back to the game, which lies below this window.";
 
 // Clocks and playback.
 inline constexpr Text kClock = "{:7.1f} s", kSeconds = "{:9.2f} s";
@@ -381,7 +402,8 @@ inline constexpr Text kNextGame = "Next: {}, in {:.0f} s";
 inline constexpr Text kBestShot = "Best shot again", kBestShotTip = "On the walls, as the visitor saw it.";
 
 // Trackers.
-inline constexpr Text kConnecting = "being looked for", kDelivering = "delivers", kSilent = "silent";
+inline constexpr Text kConnecting = "being looked for", kDelivering = "delivers", kSilent = "silent",
+                      kUntouched = "no presses yet";
 inline constexpr Text kFailed = "needs help";
 struct Column {
   Text name;
@@ -419,6 +441,11 @@ inline constexpr Text kBlack = "black";
 inline constexpr Text kWallTip = "Wall \"{}\", {} × {} pixels, {}, drawn by {}. Here: {}.";
 inline constexpr Text kForMiddle = "for the point between the eyes";
 inline constexpr Text kForLeftEye = "its left eye's picture, if it has two";
+inline constexpr Text kMissing = "{} is missing: {}";
+inline constexpr Text kMissingWalls = "walls {} are dark", kNoWalls = "no wall is dark";
+inline constexpr Text kMissingTip =
+    "This computer did not answer, or was left out. The other walls play on. Once it answers, 'carom room' "
+    "starts the nodes again with its walls.";
 inline constexpr Text kDrawAbsent = "draw other nodes' walls here, too, once a second";
 inline constexpr Text kDrawAbsentTip =
     "For looking only: small, for one eye. It costs this node a little; the first time, the session stops "

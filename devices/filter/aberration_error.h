@@ -1,5 +1,6 @@
 #pragma once
 // Computes how far an error of the celerity turns what the eye sees.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>

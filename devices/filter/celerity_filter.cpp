@@ -295,10 +295,10 @@ double CelerityFilter::lag_s() const {
 }
 
 // The models that share a stopTau stand side by side, and what follows from a state is linear in it.
-glm::dvec3 CelerityFilter::predictedPosition_m(double ahead_s) const {
-  if (ahead_s == 0.0) return mean_[0];
+CelerityFilter::Course CelerityFilter::predicted(double ahead_s) const {
+  if (ahead_s == 0.0) return {mean_[0], mean_[1]};
   const Decay ahead = decayAfter(ahead_s);
-  glm::dvec3 predicted_m(0.0);
+  Course course;
   for (int i = 0; i < kModels;) {
     const double stopTau_s = kModelTable[i].stopTau_s;
     State state(0.0);
@@ -306,10 +306,12 @@ glm::dvec3 CelerityFilter::predictedPosition_m(double ahead_s) const {
       state += beliefs_[i].probability * beliefs_[i].state;
     }
     const Decay after = stopping(ahead, stopTau_s);
-    predicted_m += state[0] + afterCelerity(after)[0] * state[1] + afterAcceleration(after)[0] * state[2] +
-                   afterDrive(after)[0] * state[3];
+    const glm::dvec4 celerity = afterCelerity(after), acceleration = afterAcceleration(after),
+                     drive = afterDrive(after);
+    course.position_m += state[0] + celerity[0] * state[1] + acceleration[0] * state[2] + drive[0] * state[3];
+    course.celerity_m_s += celerity[1] * state[1] + acceleration[1] * state[2] + drive[1] * state[3];
   }
-  return predicted_m;
+  return course;
 }
 
 double CelerityFilter::predictedSigma_m(double ahead_s) const {

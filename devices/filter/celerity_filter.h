@@ -1,7 +1,8 @@
 #pragma once
 // The celerity of a tracked point from its noisy positions: an interacting-multiple-model Kalman filter
-// (Blom and Bar-Shalom 1988). Each model holds another idea of how vigorously a head moves at present, from
-// standing still to hurrying; every sample tells how likely each is, and the estimate is their mean.
+// (Blom and Bar-Shalom 1988; Bar-Shalom, Li and Kirubarajan 2001, 11.6). Each model holds another idea of how
+// vigorously a head moves at present, from standing still to hurrying; every sample tells how likely each is,
+// and the estimate is their mean.
 //
 // The models' values (celerity_filter.cpp) were found on six simulated heads and on twelve recorded ones (of
 // an OptiTrack, a HoloLens, a Quest 2 and Pro and of TUM's camera), with 0.1 to 2 mm of noise added, at 60
@@ -11,6 +12,7 @@
 //
 // What an error of celerity does to the eye depends on its direction (aberration_error.h), and the estimate
 // needs not know: a mean has the least square error however components are weighted against each other.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <array>
 #include <glm/mat3x3.hpp>
@@ -48,8 +50,15 @@ class CelerityFilter {
   /// each m/s² of constant acceleration. It is the value of the moving models; a still head has no lag.
   double lag_s() const;
 
-  /// Returns where the point will be `ahead_s` after the last position.
-  glm::dvec3 predictedPosition_m(double ahead_s) const;
+  /// Where the point is and how it moves.
+  struct Course {
+    glm::dvec3 position_m{0.0};
+    glm::dvec3 celerity_m_s{0.0};
+  };
+  /// Returns the expected course `ahead_s` after the last position: the mean of the models, which all go on by
+  /// themselves.
+  Course predicted(double ahead_s) const;
+  glm::dvec3 predictedPosition_m(double ahead_s) const { return predicted(ahead_s).position_m; }
 
   /// Returns the standard deviation (one component) of a position measured at that time if the point kept its
   /// celerity.

@@ -15,6 +15,7 @@ constexpr double kFadeIn_s = 0.5;  // in which celerity grows where fadeInFrom a
 constexpr double kRounding_m_s =
     1e-12;  // what remains of the celerity of a head at rest; it would move, and with it
             // every pixel be drawn anew
+constexpr double kFadesBack_s = 0.2;  // in which celerity grows after it has faded
 constexpr double kSlew_rad_s = 3.0;
 constexpr double kTurnMemory_s = 0.03;  // of the orientation filter
 constexpr double kUnknown_m_s = 1.0;    // standard deviation of a celerity nothing is known of
@@ -34,6 +35,22 @@ glm::dquat rotation(const glm::dvec3& vector_rad) {
   const double angle_rad = glm::length(vector_rad);
   if (angle_rad < 1e-12) return glm::normalize(glm::dquat(1.0, 0.5 * vector_rad));
   return glm::angleAxis(angle_rad, vector_rad / angle_rad);
+}
+
+// Which part of the fade is over so long after the last sample.
+double fadedAfter(double ahead_s) { return std::clamp((ahead_s - kTrackCoasts_s) / kTrackFades_s, 0.0, 1.0); }
+
+// Which share of the celerity is left then.
+double leftAfter(double ahead_s) {
+  const double u = fadedAfter(ahead_s);
+  return 1.0 - u * u * (3.0 - 2.0 * u);
+}
+
+// How long a head that goes on as before would take for the way that one takes whose celerity fades by the
+// share 1 − u²(3 − 2u): the integral of that share, u − u³ + u⁴/2 in units of the fade.
+double coasted_s(double ahead_s) {
+  const double u = fadedAfter(ahead_s);
+  return std::min(ahead_s, kTrackCoasts_s) + kTrackFades_s * u * (1.0 - u * u * (1.0 - 0.5 * u));
 }
 
 // A vector made shorter by a length, not below nothing.
@@ -58,7 +75,7 @@ const char* toString(Known known) {
   return "";
 }
 
-HeadFilter::HeadFilter(double trackerSigma_m) : celerity_(trackerSigma_m), judge_(kTrackLost_s) {}
+HeadFilter::HeadFilter(double trackerSigma_m) : celerity_(trackerSigma_m) {}
 
 SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
   const double norm = glm::length(roomFromHead.orientation);
@@ -80,18 +97,21 @@ SampleUse HeadFilter::add(double time_s, const Pose& roomFromHead) {
   }
 
   const double interval_s = time_s - time_s_;
-  const double share = shownShare(time_s);
-  const bool isLongAgo = jump == Jump::elsewhere || interval_s > kTrackPredicted_s;
-  const bool returned = isLongAgo || jump == Jump::shifted;
+  const bool returned = interval_s > kTrackPredicted_s || jump == Jump::elsewhere || jump == Jump::shifted;
   const Pose shown = returned ? shownPose(time_s) : Pose{};
   if (jump == Jump::elsewhere || interval_s > kTrackLost_s) {
+    before_m_s_ = shownCelerity_m_s(time_s);
+    share_ = 0.0;
     start(time_s, measured);
   } else {
+    takeOverFade(time_s);
+    if (interval_s <= kTrackCoasts_s) {
+      share_ = std::min(1.0, share_ + std::min(interval_s, kTrackPredicted_s) / kFadesBack_s);
+    }
     if (jump == Jump::quick) use(doubted_.time_s, doubted_.roomFromHead);
     if (jump == Jump::shifted) celerity_.moveBy(judge_.offset_m());
     use(time_s, measured);
   }
-  share_ = isLongAgo ? share : std::min(1.0, share + interval_s / kTrackFades_s);
   if (returned) {
     returned_s_ = time_s;
     const Pose filtered = filteredPose(time_s);
@@ -127,8 +147,10 @@ void HeadFilter::turn(double interval_s, const glm::dquat& orientation) {
 }
 
 Pose HeadFilter::filteredPose(double time_s) const {
-  const double ahead_s = std::clamp(time_s - time_s_, 0.0, kTrackPredicted_s);
-  return {celerity_.predictedPosition_m(ahead_s), rotation(angularVelocity_rad_s_ * ahead_s) * orientation_};
+  const double ahead_s = std::max(0.0, time_s - time_s_);
+  const double turns_s = std::min(ahead_s, kTrackPredicted_s);
+  return {celerity_.predictedPosition_m(coasted_s(ahead_s)),
+          rotation(angularVelocity_rad_s_ * turns_s) * orientation_};
 }
 
 Pose HeadFilter::shownPose(double time_s) const {
@@ -139,8 +161,20 @@ Pose HeadFilter::shownPose(double time_s) const {
   return {filtered.position_m + offset_m, glm::normalize(rotation(offset_rad) * filtered.orientation)};
 }
 
-double HeadFilter::shownShare(double time_s) const {
-  return share_ * (1.0 - std::clamp((time_s - time_s_ - kTrackPredicted_s) / kTrackFades_s, 0.0, 1.0));
+glm::dvec3 HeadFilter::shownCelerity_m_s(double time_s) const {
+  const double ahead_s = std::max(0.0, time_s - time_s_);
+  const glm::dvec3 expected_m_s =
+      celerity_.predicted(std::max(0.0, ahead_s - kTrackPredicted_s)).celerity_m_s;
+  return leftAfter(ahead_s) * (share_ * expected_m_s + (1.0 - share_) * before_m_s_);
+}
+
+// Of a celerity that has faded to the share l, shown = l (share estimated + (1 − share) before), samples are
+// back: the estimate's share is l share from there on.
+void HeadFilter::takeOverFade(double time_s) {
+  const double left = leftAfter(time_s - time_s_), share = left * share_;
+  if (left == 1.0) return;
+  before_m_s_ *= left * (1.0 - share_) / (1.0 - share);
+  share_ = share;
 }
 
 HeadEstimate HeadFilter::at(double time_s) const {
@@ -152,9 +186,8 @@ HeadEstimate HeadFilter::at(double time_s) const {
     covariance = glm::dmat3(kUnknown_m_s * kUnknown_m_s);
   } else {
     // Errors of the estimate, of what changed since, and of what of it is not shown.
-    const glm::dvec3 estimated_m_s = celerity_.celerity_m_s();
-    head.celerity_m_s = shownShare(time_s) * estimated_m_s;
-    const glm::dvec3 hidden_m_s = estimated_m_s - head.celerity_m_s;
+    head.celerity_m_s = shownCelerity_m_s(time_s);
+    const glm::dvec3 hidden_m_s = celerity_.celerity_m_s() - head.celerity_m_s;
     covariance = celerity_.celerityCovariance_m2_s2() + glm::dmat3(celerity_.celerityChange_m2_s2(ahead_s)) +
                  glm::outerProduct(hidden_m_s, hidden_m_s);
     head.known = ahead_s == 0.0                 ? Known::measured

@@ -2,7 +2,7 @@
 // From tracker samples of the eye midpoint to the two things a session needs of a head:
 //
 //  * where it will be when the light leaves the wall: a pose, lightly filtered and predicted, and
-//  * how fast it moves: its celerity, filtered on its own and never predicted.
+//  * how fast it moves: its celerity, filtered on its own, and predicted only where samples are overdue.
 //
 // A sample's time is the user's own time, so what is estimated is dx/dτ = γv, the celerity, which has no
 // upper limit. An error of celerity turns the whole sky by about δw/c, so this channel must be quiet when
@@ -24,7 +24,7 @@ namespace carom {
 enum class Known {
   measured,   ///< at the time of the newest sample
   predicted,  ///< a little after the newest sample, from its motion
-  held,       ///< samples are overdue: kept where the prediction ended
+  held,       ///< samples are overdue: the head goes on as before, then comes to rest
   lost,       ///< no samples for long, or none yet: kept, and not to be trusted
 };
 
@@ -52,11 +52,28 @@ enum class SampleUse {
 /// Filters the samples of one head. No allocation, the same bits in every run.
 ///
 /// Samples where no head gets are glitches of the tracker and count as loss (jump_judge.h). Where no usable
-/// sample comes, the pose is predicted for 0.1 s and then held, and the celerity fades to zero until 0.3 s
-/// after the last sample. When samples come back, celerity is estimated anew and fades in over 0.2 s, and the
-/// pose slides to the new place at 1 m/s and 3 rad/s, beside the user's own motion. A step of the tracker is
-/// slid over in the same way; the celerity ignores it. Glitches that follow one another for 0.3 s are the
-/// head's new place.
+/// sample comes, because somebody has lifted an arm, the head goes on as its models expect it, by their mean
+/// and covariance, for 0.5 s. A sample that comes back by then is taken by the models as any other: the
+/// longer the gap, the less the estimate counts beside it (the prediction of a Kalman filter over a missing
+/// measurement; Bar-Shalom, Li and Kirubarajan, Estimation with Applications to Tracking and Navigation,
+/// 2001, 5.2 and 11.6). Nothing is begun anew, and nothing fades.
+///
+/// From 0.5 s on the head comes to rest: the share of its celerity that is shown falls as 1 − u²(3 − 2u),
+/// smooth at both ends, and is zero a second after the last sample. The pose goes on at the shown celerity
+/// and stops with it. Samples that return then are taken by the models, too, and the share grows again over
+/// 0.2 s. After a whole second nothing is known of the motion, and celerity is estimated anew and fades in
+/// likewise.
+///
+/// The celerity of a recent sample is not predicted: what it gains by its acceleration counts from 0.1 s
+/// after the sample on. The orientation goes on turning for 0.1 s and stops, since turns of the head are
+/// brief.
+///
+/// When samples come back after more than 0.1 s, the pose slides to the new place at 1 m/s and 3 rad/s,
+/// beside the user's own motion: where the prediction was off by 3 cm, as is usual after 0.3 s, in 30 ms. A
+/// step of the tracker is slid over in the same way; the celerity ignores it. Glitches that follow one
+/// another for 0.3 s are the head's new place, and so is a place to which no head gets from its course within
+/// a gap of over 0.3 s: celerity is estimated anew, and within 0.2 s the estimate takes the place of the
+/// celerity shown before.
 ///
 /// That slide is a motion of the shown pose and none of the celerity. The observer's world line follows it
 /// (engine/spacetime/observer.h) and stays timelike at any light speed: an eye that was put elsewhere instead
@@ -83,8 +100,8 @@ class HeadFilter {
   /// Returns whether a sample has been used.
   bool hasStarted() const { return started_; }
 
-  /// Lets the celerity grow from nothing to its full size over the 0.5 s after this time. From its first samples
-  /// the filter cannot tell noise from motion, so the scene would jump when a session begins.
+  /// Lets the celerity grow from nothing to its full size over the 0.5 s after this time. From its first
+  /// samples the filter cannot tell noise from motion, so the scene would jump when a session begins.
   void fadeInFrom(double time_s) { fadesInFrom_s_ = time_s; }
 
   /// Returns the present estimate of the tracker's noise: standard deviation per axis, metres.
@@ -101,7 +118,8 @@ class HeadFilter {
   void turn(double interval_s, const glm::dquat& orientation);
   Pose filteredPose(double time_s) const;
   Pose shownPose(double time_s) const;
-  double shownShare(double time_s) const;
+  glm::dvec3 shownCelerity_m_s(double time_s) const;
+  void takeOverFade(double time_s);
 
   CelerityFilter celerity_;
   bool started_ = false;
@@ -109,7 +127,8 @@ class HeadFilter {
   double time_s_ = 0.0;                         // of the newest used sample
   glm::dquat orientation_{1.0, 0.0, 0.0, 0.0};  // filtered
   glm::dvec3 angularVelocity_rad_s_{0.0};
-  double share_ = 1.0;  // of the estimated celerity that is shown then
+  double share_ = 1.0;          // of the estimated celerity in the one that is shown
+  glm::dvec3 before_m_s_{0.0};  // the rest: the celerity that was shown when samples came back
   JumpJudge judge_;
   Doubted doubted_;  // the newest doubted sample
 

@@ -19,6 +19,7 @@ constexpr double kLeastJump_m = 0.002;      // smaller jumps are left to the fil
 constexpr double kCertain = 5.0;            // standard deviations of a length that chance does not exceed
 constexpr double kSurprise_s = 0.3;         // over which it is judged how well the course is known
 constexpr double kCourse_s = 0.1;           // for how long it is known at all
+constexpr double kNewPlace_s = 0.3;  // after which doubted samples that go on from each other are the head
 constexpr double kBeside_s = 0.045;  // samples that keep beside it for so long are a step of the tracker
 constexpr int kBeside = 3;           // and so many of them
 
@@ -38,8 +39,11 @@ Jump JumpJudge::judge(const CelerityFilter& head, double time_s, const glm::dvec
 }
 
 Jump JumpJudge::judgeFirst(const CelerityFilter& head, const Sample& sample, double interval_s) {
-  // After a loss the head may be anywhere: nothing is travel then.
-  if (interval_s > lost_s_) return Jump::none;
+  // After a gap the head may be where its course has led it since. Otherwise it may be anywhere.
+  if (interval_s > kNewPlace_s) {
+    const double reach_m = tolerance_m(head, kNewPlace_s, std::min(interval_s, kTrackLost_s));
+    return glm::length(sample.offCourse_m) <= reach_m ? Jump::none : Jump::elsewhere;
+  }
   const bool isFast = !isTravel(used_m_, sample.position_m, interval_s, head.trackerSigma_m());
   const double off_m = glm::length(sample.offCourse_m);
   const bool isOff = head.isTrackerSigmaKnown() && !(off_m <= tolerance_m(head, interval_s, interval_s));
@@ -56,7 +60,7 @@ Jump JumpJudge::judgeFirst(const CelerityFilter& head, const Sample& sample, dou
 
 Jump JumpJudge::judgeNext(const CelerityFilter& head, const Sample& sample, double interval_s) {
   const double off_m = glm::length(sample.offCourse_m);
-  const bool isCourseKnown = interval_s <= lost_s_;
+  const bool isCourseKnown = interval_s <= kNewPlace_s;
   const double within_m = tolerance_m(head, sample.time_s - last_.time_s, 0.0);
   if (isCourseKnown && off_m <= within_m) return Jump::none;
 
@@ -72,7 +76,7 @@ Jump JumpJudge::judgeNext(const CelerityFilter& head, const Sample& sample, doub
     const double reach_m = 0.5 * (kVigour_m_s2 - kStartle_m_s2) * known_s * known_s;
     if (off_m <= reach_m + tolerance_m(head, known_s, interval_s)) return Jump::none;
   }
-  return sample.time_s - travels_s_ >= lost_s_ ? Jump::elsewhere : Jump::doubted;
+  return sample.time_s - travels_s_ >= kNewPlace_s ? Jump::elsewhere : Jump::doubted;
 }
 
 // Whether the doubted samples travel, keep beside the course, or move as a head might.

@@ -13,7 +13,7 @@ enum class Jump {
   doubted,    ///< where a head cannot get: not to be used, or not yet
   quick,      ///< the head; the doubted sample before was the head, too: both are to be used
   shifted,    ///< the head, which the tracker shows beside its place before: see offset_m()
-  elsewhere,  ///< a place to which doubted samples have led for long: nothing is known of the motion
+  elsewhere,  ///< the head, out of reach or after many doubts: nothing is known of its motion
 };
 
 /// Judges samples by the head's course, as its filter foresees it. A head that stands reaches 15 m/s² within
@@ -26,12 +26,14 @@ enum class Jump {
 ///  * beside the course by always the same, for 45 ms: a step of the tracker. The head goes on as it did;
 ///  * anything else, from place to place at below 12 m/s, for long: the head's new place.
 ///
+/// After a gap of over 0.3 s a sample is believed at once. It is the head on its course where a head that
+/// left it with 15 m/s² for 0.3 s might be, and otherwise the head elsewhere: a tracker that was set up anew
+/// meanwhile.
+///
 /// So one sample that is 5 mm off at 60 Hz leaves no trace, nor a step of half a metre, spread over several
 /// samples or not. No allocation, the same bits in every run.
 class JumpJudge {
  public:
-  explicit JumpJudge(double lost_s) : lost_s_(lost_s) {}
-
   /// Returns the kind of the next sample. Its time is after that of the last one that was judged or used.
   Jump judge(const CelerityFilter& head, double time_s, const glm::dvec3& position_m);
 
@@ -57,7 +59,6 @@ class JumpJudge {
   void follow(const Sample& sample, double within_m, double sigma_m);
   double tolerance_m(const CelerityFilter& head, double startled_s, double course_s) const;
 
-  double lost_s_;
   glm::dvec3 used_m_{0.0};    // where the newest used sample was
   double surprise_m2_ = 0.0;  // how far used samples were off the course of late: variance of a coordinate
 

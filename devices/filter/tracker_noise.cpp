@@ -24,8 +24,42 @@ constexpr double kChance = 1.3;
 constexpr double kMostColour = 4.0;
 // Beyond this spacing quick shakes of the head show a little: nothing is extrapolated from what it shows.
 constexpr double kExtrapolated_s = 0.03;
+constexpr double kBlock_s = 0.1;  // of the means that show how long errors last
+// The steps of means over half a second, in units of their fifth differences, as variances: of white noise 1,
+// of errors that last for 50 ms 2, of a head that moves many.
+constexpr double kCourseOfStill = 4.0;
+constexpr double kColourByChance = 1.7;  // what two seconds of white noise hardly ever show
+// Errors of 1 mm that last for 100 ms, at 60 Hz. Those that last longer are not told from a head's sway.
+constexpr double kMostStillColour = 36.0;
+constexpr double kMostRounding_m = 0.002;  // coarser steps are judged as jumps (jump_judge.h)
+constexpr int kAgreeing = 16;              // as many on end are no chance
+constexpr double kMostMultiple = 16.0;     // of squares; the next ones lie too close together to tell
+constexpr double kMultipleWithin = 0.02;
 
 }  // namespace
+
+void TrackerNoise::Rounding::add(const glm::dvec3& position_m) {
+  const glm::dvec3 step_m = position_m - last_m_;
+  const double square_m2 = glm::dot(step_m, step_m);
+  const bool isFirst = !hasLast_;
+  last_m_ = position_m;
+  hasLast_ = true;
+  if (isFirst) return;
+  if (square_m2 == 0.0 || square_m2_ == 0.0) {
+    ++agreeing_;
+    square_m2_ = std::max(square_m2, square_m2_);
+    return;
+  }
+  const double multiple = std::max(square_m2, square_m2_) / std::min(square_m2, square_m2_);
+  if (square_m2 > square_m2_ && multiple > kMostMultiple) return;
+  agreeing_ = std::abs(multiple - std::round(multiple)) <= kMultipleWithin ? agreeing_ + 1 : 0;
+  square_m2_ = agreeing_ > 0 ? std::min(square_m2, square_m2_) : square_m2;
+}
+
+double TrackerNoise::Rounding::step_m() const {
+  const double step_m = std::sqrt(square_m2_);
+  return agreeing_ >= kAgreeing && step_m <= kMostRounding_m ? step_m : 0.0;
+}
 
 bool TrackerNoise::Spacing::take(double time_s, const glm::dvec3& position_m) {
   if (count_ > 0 && time_s - times_s_.back() < least_s_) return false;
@@ -79,12 +113,13 @@ TrackerNoise::TrackerNoise(double sigma_m)
     : near_(kNear_s, sigma_m * sigma_m, kFirstWeight), sigma_m_(sigma_m) {}
 
 void TrackerNoise::interrupt() {
-  for (Spacing* spacing : {&all_, &near_, &far_}) spacing->interrupt();
+  for (Spacing* spacing : {&all_, &near_, &far_, &means_}) spacing->interrupt();
+  block_ = {};
 }
 
 void TrackerNoise::doubt() {
   near_.doubt(kFirstWeight);
-  for (Spacing* spacing : {&all_, &far_}) spacing->doubt(0.0);
+  for (Spacing* spacing : {&all_, &far_, &means_}) spacing->doubt(0.0);
   estimate();
 }
 
@@ -94,6 +129,8 @@ void TrackerNoise::add(double time_s, const glm::dvec3& position_m) {
       spacing->learn();
     }
   }
+  rounding_.add(position_m);
+  addToBlock(time_s, position_m);
   if (!near_.take(time_s, position_m)) return;
   const double interval_s = near_.interval_s();
   const double recentShare = -std::expm1(-interval_s / kRecent_s);
@@ -114,7 +151,35 @@ void TrackerNoise::estimate() {
   };
   double colour = lowEnd(far_, near_);
   if (all_.interval_s() < kNear_s) colour *= lowEnd(near_, all_);
-  sigma_m_ = std::sqrt(near_.variance_m2() * std::min(colour, kMostColour));
+  colour = std::max(std::min(colour, kMostColour), stillColour_);
+  const double rounding_m2 = rounding_.step_m() * rounding_.step_m() / 12.0;
+  sigma_m_ = std::sqrt(std::max(near_.variance_m2() * colour, rounding_m2));
+}
+
+void TrackerNoise::addToBlock(double time_s, const glm::dvec3& position_m) {
+  if (block_.count > 0 && time_s >= block_.begin_s + kBlock_s) {
+    const double perCount = 1.0 / block_.count;
+    if (means_.take(perCount * block_.sum_s, perCount * block_.sum_m)) learnColour();
+    block_ = {};
+  }
+  if (block_.count == 0) block_.begin_s = time_s;
+  ++block_.count;
+  block_.sum_s += time_s;
+  block_.sum_m += position_m;
+}
+
+// A mean over n samples of white noise of variance σ² has the variance σ²/n: n times what the means show is
+// the variance of white noise that has as much power at their low frequencies.
+void TrackerNoise::learnColour() {
+  const double recentShare = -std::expm1(-means_.interval_s() / kRecent_s);
+  recentMeans_m2_ += recentShare * (means_.noise_m2() - recentMeans_m2_);
+  recentCourse_m2_ += recentShare * (means_.spread_m2() - recentCourse_m2_);
+  if (recentCourse_m2_ > kCourseOfStill * recentMeans_m2_) return;
+  means_.learn();
+  if (!means_.isKnown() || !near_.isKnown() || !all_.isFull()) return;
+  const double samples = means_.interval_s() / all_.interval_s();
+  const double ratio = samples * means_.variance_m2() / std::max(near_.variance_m2(), kLeastVariance_m2);
+  stillColour_ = std::clamp(ratio / kColourByChance, 1.0, kMostStillColour);
 }
 
 bool TrackerNoise::isStill() const {

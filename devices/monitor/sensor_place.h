@@ -30,8 +30,8 @@ class SensorPlace {
     counted_ = 0;
   }
   const Pose& roomFromSensor() const { return roomFromSensor_; }
-  /// Whether a pose has arrived within kTrackLost_s.
-  bool isKnown(double now_s) const { return told_s_ && now_s - *told_s_ <= kTrackLost_s; }
+  /// Whether a pose has arrived within kHandLost_s.
+  bool isKnown(double now_s) const { return told_s_ && now_s - *told_s_ <= kHandLost_s; }
 
   double newest_s() const { return newest_s_; }  ///< time of the newest sample; NaN: none yet
   double rate_hz() const { return rate_hz_; }    ///< of samples, about the last second; NaN at first

@@ -19,7 +19,7 @@ void SensorStatistics::add(const TrackerSample& sample) {
     const double interval_s = sample.time_s - times_s_.back();
     const bool isDropout = usual_s_ > 0.0 && interval_s > kDropout * usual_s_;
     if (isDropout) ++dropouts_;
-    // A dropout moves the usual interval no further than what is still usual: a slower rate is learnt too.
+    // A dropout moves the usual interval no further than the longest usual one: a slower rate is learnt too.
     const double counted_s = isDropout ? kDropout * usual_s_ : interval_s;
     usual_s_ = usual_s_ > 0.0 ? usual_s_ + kUsualShare * (counted_s - usual_s_) : interval_s;
   }

@@ -13,6 +13,10 @@ constexpr double kLookEvery_s = 0.25;
 constexpr std::size_t kMostSensors = 16;  // that a line can list
 constexpr std::size_t kMostMessages = 4;  // of one trouble: a connection may fail in many ways in turn
 
+bool isWell(const TrackerHealth& health) {
+  return health.state == TrackerHealth::State::delivering || health.state == TrackerHealth::State::untouched;
+}
+
 }  // namespace
 
 TrackerAlarm::TrackerAlarm(std::string name, std::optional<int> sensor, std::string withoutIt)
@@ -37,11 +41,10 @@ void TrackerAlarm::see(double now_s, std::span<const TrackerSample> samples) {
 
 std::optional<std::string> TrackerAlarm::look(double now_s, const TrackerHealth& health) {
   due_s_ = now_s + kLookEvery_s;
-  if (health.state == TrackerHealth::State::delivering) well_s_ = now_s;
+  if (isWell(health)) well_s_ = now_s;
   const Trouble trouble = troubleOf(now_s, health);
   if (trouble == told_) {
-    const bool mayTell = trouble == Trouble::connecting ||
-                         (trouble == Trouble::none && health.state == TrackerHealth::State::delivering);
+    const bool mayTell = trouble == Trouble::connecting || (trouble == Trouble::none && isWell(health));
     if (!mayTell || !isNew(health)) return {};
     return told(trouble == Trouble::none ? health.message : line(trouble, health));
   }
@@ -77,6 +80,7 @@ TrackerAlarm::Trouble TrackerAlarm::troubleOf(double now_s, const TrackerHealth&
     case TrackerHealth::State::silent:
       if (!sensor_) return Trouble::none;
       return now_s - seen_s_ >= kSilent_s ? Trouble::silent : told_;
+    case TrackerHealth::State::untouched:
     case TrackerHealth::State::delivering:
       break;
   }

@@ -15,7 +15,7 @@ namespace carom {
 class TrackerAlarm {
  public:
   /// `name` is the tracker's name in the rig, and `sensor` the sensor that the rig uses; none if it uses only
-  /// the buttons, which are silent while nobody touches them. `withoutIt` says in the message what happens to
+  /// the buttons, which are silent until they are touched. `withoutIt` says in the message what happens to
   /// the part of the person that the tracker follows.
   TrackerAlarm(std::string name, std::optional<int> sensor, std::string withoutIt = "the head is held");
 
@@ -49,7 +49,7 @@ class TrackerAlarm {
   double due_s_ = 0.0;
   Trouble told_ = Trouble::none;
   std::vector<std::string> messages_;    // that have been told since it was last well
-  std::optional<double> missedSince_s_;  // the wanted sensor had been seen, and then came what was told
+  std::optional<double> missedSince_s_;  // the wanted sensor had been seen; then came the fault that was told
 };
 
 }  // namespace carom

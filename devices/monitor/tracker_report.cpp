@@ -20,6 +20,7 @@ TrackerLamp lampOf(const TrackerReport& report) {
     case TrackerHealth::State::silent:
     case TrackerHealth::State::connecting:
       return TrackerLamp::doubtful;
+    case TrackerHealth::State::untouched:
     case TrackerHealth::State::delivering:
       break;
   }

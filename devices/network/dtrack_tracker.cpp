@@ -65,6 +65,7 @@ void listen(const DtrackSource& source, DeviceSink& sink, const std::stop_token&
   FrameGaps gaps;
   std::vector<std::uint8_t> bytes(kMostDatagram);
   std::vector<Reading> readings;
+  bool remarked = false;  // on lines that cannot be read
   while (!stop.stop_requested()) {
     if (!waitReadable({&socket}, kLookAtStop)) continue;
     Ipv4 sender;
@@ -75,7 +76,12 @@ void listen(const DtrackSource& source, DeviceSink& sink, const std::stop_token&
     readings.clear();
     const std::uint64_t refused = decoder.refused();
     const bool understood = decoder.decode({bytes.data(), *count}, readings);
-    if (!understood || decoder.refused() != refused) sink.refused();
+    const bool isRefused = decoder.refused() != refused;
+    if (!understood || isRefused) sink.refused();
+    if (isRefused != remarked && (isRefused || !readings.empty())) {
+      remarked = isRefused;
+      sink.remark(isRefused ? decoder.whyRefused() : "");
+    }
     if (decoder.frame()) sink.missed(gaps.follow(*decoder.frame()));
     if (!readings.empty()) sink.deliver(readings, arrival);
   }

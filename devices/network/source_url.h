@@ -20,7 +20,7 @@ struct SourceUrl {
 };
 
 /// Reads `text`. The port is `defaultPort` if the text gives none. Throws std::invalid_argument, which says
-/// what is wrong and what was expected, such as `example`.
+/// the fault and the expectation, such as `example`.
 SourceUrl readSourceUrl(std::string_view text, std::string_view scheme, std::uint16_t defaultPort,
                         std::span<const std::string_view> optionKeys, std::string_view example);
 

@@ -102,17 +102,35 @@ class Session {
     pinged_ = now;
   }
 
-  /// A name that the server does not have is the most usual mistake.
+  /// Returns the names of the server's other senders that have answered, or those that have not.
+  std::string namesOf(bool answered) const {
+    constexpr int kMostListed = 16;
+    std::string names;
+    int listed = 0;
+    for (const auto& sender : decoder_.namedSenders()) {
+      if (sender.name == source_.sender || sender.heard != answered) continue;
+      if (++listed > kMostListed) return names + ", and more";
+      names += (names.empty() ? "" : ", ") + shownName(sender.name);
+    }
+    return names;
+  }
+
+  /// A name that the server does not have is the most usual mistake. A server names what its earlier clients
+  /// asked for as well as its devices: these alone answer a ping.
   void remarkOnSender() {
     if (remarked_ || !described_ || !decoder_.spoke() || decoder_.senderHeard()) return;
     if (decoder_.senderNamed() && Clock::now() - *described_ < kAnswerWithin) return;
+    if (!probed_) {
+      socket_.send(vrpnPings(decoder_.namedSenders()));
+      probed_ = Clock::now();
+    }
+    if (Clock::now() - *probed_ < kNamesWithin) return;
     remarked_ = true;
     const std::string server = "the server at " + toString(source_.server);
-    std::string names;
-    for (const std::string& name : decoder_.senderNames()) {
-      if (name != source_.sender) names += (names.empty() ? "" : ", ") + name;
-    }
-    if (names.empty()) names = "nothing";
+    std::string names = namesOf(true);
+    if (names.empty()) names = "nothing that answers";
+    const std::string others = namesOf(false);
+    if (!others.empty()) names += "; it names without an answer: " + others;
     sink_.remark(decoder_.senderNamed() ? server + " names a '" + source_.sender +
                                               "', but no such device answers; beside it there is: " + names
                                         : server + " has no '" + source_.sender + "', it has: " + names);
@@ -126,7 +144,7 @@ class Session {
   std::array<std::uint8_t, VrpnDecoder::kMostBytes> bytes_{};
   std::vector<Reading> readings_;
   Clock::time_point heard_ = Clock::now(), greeted_ = heard_, pinged_ = heard_;
-  std::optional<Clock::time_point> described_;
+  std::optional<Clock::time_point> described_, probed_;
   bool remarked_ = false;
 };
 

@@ -37,6 +37,26 @@ std::optional<glm::dquat> rotationOf(const std::array<double, 9>& r) {
   return glm::normalize(glm::quat_cast(m));
 }
 
+/// Returns whether a digit, a comma and a digit follow each other. DTRACK separates numbers by spaces alone.
+bool hasDecimalComma(std::string_view line) {
+  const auto isDigit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (line[i] == ',' && isDigit(i - 1) && isDigit(i + 1)) return true;
+  }
+  return false;
+}
+
+/// Returns in words why a line cannot be read.
+std::string faultOf(std::string_view line) {
+  std::string shown(line.substr(0, 40));
+  for (char& c : shown) c = c >= ' ' && c <= '~' ? c : '?';
+  const std::string beginning =
+      "a line of its datagrams cannot be read, '" + shown + (line.size() > 40 ? "…'" : "'");
+  if (!hasDecimalComma(line)) return beginning + ", expected one as in DTRACK's manual";
+  return beginning +
+         ": its numbers have decimal commas, expected points: correct the sender's language settings";
+}
+
 }  // namespace
 
 /// The rest of a line. Numbers are read the same in every locale.
@@ -62,7 +82,7 @@ class DtrackDecoder::Line {
     return value;
   }
 
-  /// A bracketed list of finite numbers, of which those beyond `numbers` are passed over. How many were kept;
+  /// Reads a bracketed list of finite numbers; those beyond `numbers` are passed over. Returns the number kept;
   /// none where there is no such list.
   std::optional<std::size_t> block(std::span<double> numbers) {
     if (!take('[')) return {};
@@ -152,7 +172,11 @@ bool DtrackDecoder::decode(std::span<const std::uint8_t> datagram, std::vector<R
   const std::size_t first = readings.size();
   while (!text.empty()) {
     const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
-    if (length > 0 && !readLine(text.substr(0, length), readings)) ++refused_;
+    const std::string_view line = text.substr(0, length);
+    if (length > 0 && !readLine(line, readings)) {
+      ++refused_;
+      whyRefused_ = faultOf(line);
+    }
     text.remove_prefix(std::min(length + 1, text.size()));
   }
   appendLost(readings);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,8 @@ class DtrackDecoder {
   /// The frame's number, if the last datagram gave one.
   std::optional<std::uint32_t> frame() const { return frame_; }
   std::uint64_t refused() const { return refused_; }  ///< lines that could not be read, so far
+  /// Returns why the last refused line could not be read, for people; empty if none was.
+  const std::string& whyRefused() const { return whyRefused_; }
 
  private:
   class Line;
@@ -42,6 +45,7 @@ class DtrackDecoder {
 
   std::optional<std::uint32_t> frame_;
   std::uint64_t refused_ = 0;
+  std::string whyRefused_;
 
   // Contents of this datagram.
   std::optional<double> sent_s_;

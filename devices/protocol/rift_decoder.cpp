@@ -10,7 +10,7 @@ namespace {
 constexpr double kUnit = 1e-4;       // m/s² and rad/s in a step of the sensors' numbers
 constexpr double kSpacing_s = 1e-3;  // between samples of one report
 
-/// Three signed numbers of 21 bits, highest bit first, in 64 bits of which the last is not used.
+/// Three signed numbers of 21 bits, highest bit first, in 64 bits; the last bit is not used.
 glm::dvec3 unpack(std::uint64_t bits) {
   const auto number = [bits](int shift) {  // into the highest bits, then down again with the sign
     return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> 43);

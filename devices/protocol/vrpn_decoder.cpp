@@ -18,7 +18,7 @@ constexpr std::size_t kHeader = 24;
 constexpr std::size_t kMostRecord = 65536;  // VRPN's own buffers hold 64000
 constexpr std::string_view kMagic = "vrpn: ver. 07.";
 constexpr std::string_view kOurCookie = "vrpn: ver. 07.38  0";
-constexpr std::size_t kMostNames = 16;
+constexpr std::size_t kLongestName = 100;              // VRPN's own limit
 constexpr std::string_view kControl = "VRPN Control";  // the connection itself, no device
 constexpr std::int32_t kSenderDescription = -1;
 constexpr std::int32_t kTypeDescription = -2;
@@ -107,18 +107,11 @@ bool takeChannels(WireReader& wire, Reading reading, std::vector<Reading>& readi
   return true;
 }
 
-/// Printable and short, for messages.
-std::string shown(std::string_view name) {
-  std::string result(name.substr(0, 40));
-  for (char& c : result) c = c >= ' ' && c <= '~' ? c : '?';
-  return result;
-}
-
 void append(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-/// A record of ours. Its time is left at zero: nobody reads it.
+/// Appends a record of our own. Its time stays zero: servers do not read it.
 void appendRecord(std::vector<std::uint8_t>& bytes, std::int32_t sender, std::int32_t type,
                   std::span<const std::uint8_t> payload) {
   append(bytes, static_cast<std::uint32_t>(kHeader + payload.size()));
@@ -157,7 +150,7 @@ void VrpnDecoder::decode(std::span<const std::uint8_t> bytes, std::vector<Readin
   held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(std::exchange(used_, 0)));
 }
 
-/// Takes one record off what is held; false where it has not all come yet.
+/// Takes one record from the buffer; returns false if it is not complete yet.
 bool VrpnDecoder::takeRecord(std::vector<Reading>& readings) {
   const auto held = std::span<const std::uint8_t>(held_).subspan(used_);
   if (!greeted_) {
@@ -188,7 +181,7 @@ bool VrpnDecoder::takeRecord(std::vector<Reading>& readings) {
 /// Versions that agree up to their last point understand each other.
 void VrpnDecoder::greet(std::string_view cookie) {
   if (!cookie.starts_with(kMagic)) {
-    throw std::runtime_error("it begins with '" + shown(cookie) + "', expected '" + std::string(kMagic) +
+    throw std::runtime_error("it begins with '" + shownName(cookie) + "', expected '" + std::string(kMagic) +
                              "…' of a VRPN server");
   }
   greeted_ = true;
@@ -218,8 +211,8 @@ void VrpnDecoder::describe(const Header& header, std::span<const std::uint8_t> p
     senders_[id] = name == sender_;
     if (!namesCount_) return;
     if (senders_[id]) senderNamed_ = true;
-    if (name == kControl || senderNames_.size() > kMostNames) return;
-    senderNames_.push_back(senderNames_.size() == kMostNames ? "and more" : shown(name));
+    if (name == kControl || named_.size() == kMostNamed) return;
+    named_.push_back({header.sender, std::string(name.substr(0, kLongestName))});
   }
 }
 
@@ -232,6 +225,7 @@ bool VrpnDecoder::understand(const Header& header, std::span<const std::uint8_t>
   }
   const auto isId = [](std::int32_t id) { return id >= 0 && static_cast<std::size_t>(id) < kMostIds; };
   if (!isId(header.type) || !isId(header.sender)) return true;  // logs and the like
+  for (NamedSender& named : named_) named.heard = named.heard || named.id == header.sender;
   if (!senders_[static_cast<std::size_t>(header.sender)]) return true;
   senderHeard_ = true;
   WireReader wire(payload, std::endian::big);
@@ -262,6 +256,12 @@ bool VrpnDecoder::understand(const Header& header, std::span<const std::uint8_t>
   return understood;
 }
 
+std::string shownName(std::string_view name) {
+  std::string result(name.substr(0, 40));
+  for (char& c : result) c = c >= ' ' && c <= '~' ? c : '?';
+  return result;
+}
+
 std::vector<std::uint8_t> vrpnGreeting() {
   std::vector<std::uint8_t> bytes(kCookie);
   std::copy(kOurCookie.begin(), kOurCookie.end(), bytes.begin());
@@ -279,6 +279,16 @@ std::vector<std::uint8_t> vrpnDescription(std::string_view sender) {
 std::vector<std::uint8_t> vrpnPing() {
   std::vector<std::uint8_t> bytes;
   appendRecord(bytes, kOurSender, kOurPing, {});
+  return bytes;
+}
+
+std::vector<std::uint8_t> vrpnPings(std::span<const VrpnDecoder::NamedSender> senders) {
+  std::vector<std::uint8_t> bytes;
+  std::int32_t id = kOurSender;
+  for (const VrpnDecoder::NamedSender& sender : senders) {
+    appendName(bytes, ++id, kSenderDescription, sender.name);
+    appendRecord(bytes, id, kOurPing, {});
+  }
   return bytes;
 }
 

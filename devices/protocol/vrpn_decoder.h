@@ -25,7 +25,7 @@ class VrpnDecoder {
 
   /// Takes the next bytes, at most 8 KiB at a time, and appends what the sender said: poses, velocities,
   /// buttons (sensor 0) and analog channels (axes of sensor 0, clamped to −1 … 1). Throws std::runtime_error,
-  /// which says what is wrong, if the stream cannot be followed: another version of the protocol, or a record
+  /// which says why, if the stream cannot be followed: another version of the protocol, or a record
   /// of impossible length.
   void decode(std::span<const std::uint8_t> bytes, std::vector<Reading>& readings);
 
@@ -37,8 +37,15 @@ class VrpnDecoder {
   bool senderNamed() const { return senderNamed_; }
   /// Whether anything has arrived from the sender, even an answer to a ping; then there is such a device.
   bool senderHeard() const { return senderHeard_; }
-  /// Returns the names of the senders that the server has named of its own accord, the first few of them.
-  const std::vector<std::string>& senderNames() const { return senderNames_; }
+  /// A sender that the server has named of its own accord.
+  struct NamedSender {
+    std::int32_t id = 0;
+    std::string name;
+    bool heard = false;  ///< as senderHeard()
+  };
+  static constexpr std::size_t kMostNamed = 64;
+  /// Returns the first of them, at most kMostNamed.
+  const std::vector<NamedSender>& namedSenders() const { return named_; }
   /// Must be called when `vrpnDescription` is sent: names that arrive from then on may be echoes of it and no
   /// longer count. What their senders say is still read.
   void ignoreNames() { namesCount_ = false; }
@@ -63,7 +70,7 @@ class VrpnDecoder {
   std::string sender_;
   std::bitset<kMostIds> senders_;  // ids that bear our sender's name
   std::array<Type, kMostIds> types_{};
-  std::vector<std::string> senderNames_;
+  std::vector<NamedSender> named_;
   bool namesCount_ = true, senderNamed_ = false, senderHeard_ = false;
   std::vector<std::uint8_t> held_;  // the beginning of a record
   std::size_t used_ = 0;            // of it
@@ -72,10 +79,15 @@ class VrpnDecoder {
   int pings_ = 0;
 };
 
+/// Returns a sender's name for a message: printable and short.
+std::string shownName(std::string_view name);
+
 /// Returns what a client sends first: its cookie.
 std::vector<std::uint8_t> vrpnGreeting();
 /// Returns what it sends next: the names under which it will ping `sender`.
 std::vector<std::uint8_t> vrpnDescription(std::string_view sender);
+/// Returns pings to some senders, each under a name of its own, for use after that description.
+std::vector<std::uint8_t> vrpnPings(std::span<const VrpnDecoder::NamedSender> senders);
 /// Return a ping, and the answer to one, for use after that description.
 std::vector<std::uint8_t> vrpnPing();
 std::vector<std::uint8_t> vrpnPong();

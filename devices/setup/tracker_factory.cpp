@@ -90,7 +90,7 @@ std::unique_ptr<Tracker> createTracker(const TrackerSetup& setup, const RoomAxes
   if (!saysNothingAtRest) {
     return std::make_unique<DeviceTracker>(std::move(transport), sessionStart);
   }
-  // It may say nothing while nobody touches it.
+  // It may send nothing until it is touched.
   constexpr double kNeverSilent_s = std::numeric_limits<double>::infinity();
   return std::make_unique<DeviceTracker>(std::move(transport), sessionStart, kNeverSilent_s);
 }

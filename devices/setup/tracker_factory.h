@@ -15,7 +15,7 @@ namespace carom {
 bool isDevice(TrackerKind kind);
 
 /// Returns the transport that listens to the device with that source. Throws std::invalid_argument, which
-/// says what is wrong and what was expected, if the source does not name a device of this kind.
+/// says the fault and the expectation, if the source does not name a device of this kind.
 Transport createTransport(TrackerKind kind, const std::string& source, const RoomAxes& axes);
 
 /// Creates the tracker that a rig names. The session's clock reads zero at `sessionStart`. Throws InputError

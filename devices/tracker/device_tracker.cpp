@@ -79,6 +79,7 @@ struct DeviceTracker::Shared final : DeviceSink {
   void listen(const std::stop_token& stopToken, const Transport& transport);
 
   enum class Link { down, up, failed };
+  TrackerHealth::State stateAt(double now_s) const;  // with the mutex
   void become(Link how, const std::string& why) {
     const std::lock_guard lock(messageMutex);
     link = how;
@@ -100,7 +101,7 @@ struct DeviceTracker::Shared final : DeviceSink {
   // Written by the transport's thread, read by anyone.
   std::atomic<std::uint64_t> samples{0}, gaps{0}, late{0}, refusedCount{0}, overflowed{0}, reconnections{0};
   std::atomic<double> newestArrival_s{-1.0};
-  std::atomic<bool> clockStands{false};
+  std::atomic<bool> clockStands{false}, hasPoses{false};
   mutable std::mutex messageMutex;
   Link link = Link::down;  // with the mutex
   std::string message;     // with the mutex
@@ -152,6 +153,7 @@ void DeviceTracker::Shared::deliver(std::span<const Reading> readings,
   const double arrival_s = since_s(sessionStart, arrival);
   if (!readings.empty()) newestArrival_s = arrival_s;
   for (Reading reading : readings) {
+    if (reading.kind == Reading::Kind::pose || reading.kind == Reading::Kind::lost) hasPoses = true;
     if (reading.kind == Reading::Kind::pose) judgeStamp(reading, arrival_s);
     const double made = made_s(reading, arrival_s);
     const double delay_s = arrival_s - made;
@@ -163,6 +165,18 @@ void DeviceTracker::Shared::deliver(std::span<const Reading> readings,
     }
     push(reading);
   }
+}
+
+/// The state by what has come and when. A connection with a remark and without a reading has no such device.
+TrackerHealth::State DeviceTracker::Shared::stateAt(double now_s) const {
+  using State = TrackerHealth::State;
+  if (link == Link::failed) return State::failed;
+  if (link == Link::down) return State::connecting;
+  const bool speaksWhenUsed = std::isinf(silence_s);
+  const double arrival_s = newestArrival_s;
+  if (arrival_s < 0.0) return speaksWhenUsed && message.empty() ? State::untouched : State::connecting;
+  const bool maySayNothing = speaksWhenUsed || !hasPoses;
+  return maySayNothing || now_s - arrival_s <= silence_s ? State::delivering : State::silent;
 }
 
 void DeviceTracker::Shared::push(const Reading& reading) {
@@ -224,7 +238,6 @@ void DeviceTracker::takeInputs(std::vector<Reading>& inputs) {
 }
 
 TrackerHealth DeviceTracker::health(double now_s) const {
-  using State = TrackerHealth::State;
   TrackerHealth health;
   health.samples = shared_->samples;
   health.gaps = shared_->gaps;
@@ -232,28 +245,13 @@ TrackerHealth DeviceTracker::health(double now_s) const {
   health.refused = shared_->refusedCount;
   health.overflowed = shared_->overflowed;
   health.reconnections = shared_->reconnections;
-  const double newestArrival_s = shared_->newestArrival_s;
   const std::lock_guard lock(shared_->messageMutex);
   health.message = shared_->message;
-  switch (shared_->link) {
-    case Shared::Link::failed:
-      health.state = State::failed;
-      break;
-    case Shared::Link::down:
-      health.state = State::connecting;
-      break;
-    case Shared::Link::up:
-      health.connected = true;
-      if (health.message.empty() && shared_->clockStands) {
-        health.message =
-            "its messages carry the same time again and again; each is taken to be of the moment when it "
-            "came";
-      }
-      health.state = std::isinf(shared_->silence_s)                 ? State::delivering
-                     : newestArrival_s < 0.0                        ? State::connecting
-                     : now_s - newestArrival_s > shared_->silence_s ? State::silent
-                                                                    : State::delivering;
-      break;
+  health.state = shared_->stateAt(now_s);
+  health.connected = shared_->link == Shared::Link::up;
+  if (health.connected && health.message.empty() && shared_->clockStands) {
+    health.message =
+        "its messages carry the same time again and again; each is taken to be of the moment when it came";
   }
   return health;
 }

@@ -24,7 +24,7 @@ class DeviceSink {
   virtual void connected() = 0;
   virtual void remark(const std::string& /*what*/) {}     ///< connected, but something needs to be known
   virtual void disconnected(const std::string& why) = 0;  ///< the transport will try again
-  virtual void failed(const std::string& why) = 0;        ///< needs help: what is wrong and what to do
+  virtual void failed(const std::string& why) = 0;        ///< needs help: the fault and its remedy
   virtual void refused() = 0;                             ///< a packet could not be read
   virtual void missed(std::uint64_t packets) = 0;         ///< packets that the device numbered never arrived
 
@@ -44,7 +44,8 @@ class DeviceTracker : public Tracker {
  public:
   /// The session's clock reads zero at `sessionStart`. The tracker counts as silent after `silence_s` without
   /// any reading, be it a pose, a button or an axis; infinite for a device that sends only while it is used,
-  /// which then counts as delivering while it is connected.
+  /// which counts as untouched until its first reading and as delivering from then on. A device that has sent
+  /// buttons or axes and never a pose is such a device, too.
   DeviceTracker(Transport transport, std::chrono::steady_clock::time_point sessionStart,
                 double silence_s = 0.25);
   ~DeviceTracker() override;  ///< stops the thread within 0.3 s

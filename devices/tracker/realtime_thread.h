@@ -11,7 +11,7 @@ enum class Promptness {
   realTime,  ///< SCHED_RR at its lowest priority: before every thread that is not real-time
 };
 
-/// Asks for `realTime` for the calling thread, then for `nicer`, and returns what was granted. If both are
+/// Asks for `realTime` for the calling thread, then for `nicer`, and returns the granted one. If both are
 /// refused, the thread continues as it is, and a sample may wait some milliseconds on a machine whose cores
 /// are all busy. A thread that is already real-time is not changed. Threads that it starts do not inherit the
 /// scheduling. An ordinary user is granted what /etc/security/limits.conf says (`rtprio` of 1 or more, `nice`

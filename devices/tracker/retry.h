@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// Thrown when a device cannot be used without help: what is wrong and what to do.
+/// Thrown when a device cannot be used without help: the fault and its remedy.
 class NeedsHelp : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

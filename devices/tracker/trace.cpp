@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "engine/base/input_error.h"
+#include "engine/base/outside_file.h"
 
 namespace carom {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr std::string_view kPositionHeader = "time_s,x_m,y_m,z_m";
 constexpr std::string_view kPoseHeader = "time_s,x_m,y_m,z_m,qx,qy,qz,qw";
 
-// Bounds against what is no trace at all.
+// Bounds against files that are no traces.
 constexpr std::size_t kLongestLine = 1024;    // bytes; a row needs about 200
 constexpr std::size_t kMostRows = 4'000'000;  // eighteen hours at 60 Hz
 constexpr double kFarthest_m = 1e6;
@@ -149,14 +150,9 @@ TrackerSample readRow(std::string_view line, std::size_t columns, const Lines& l
 
 std::vector<TrackerSample> readTrace(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status))
-    throw InputError(name, 1, 1, "there is no such file, expected a trace");
-  if (std::filesystem::is_directory(status))
-    throw InputError(name, 1, 1, "this is a folder, expected a trace");
+  if (const std::string refusal = refusalOf(file, InputKind::trace); !refusal.empty())
+    throw InputError(name, 1, 1, refusal);
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(name, 1, 1, "the file cannot be opened for reading");
   return readTrace(in, name);
 }
 

@@ -33,6 +33,7 @@ struct TrackerSamples {
 struct TrackerHealth {
   enum class State {
     connecting,  ///< nothing has arrived yet, or the device is being looked for again
+    untouched,   ///< connected to a device that sends only while it is used: nothing was pressed yet
     delivering,  ///< samples, buttons or axes arrive
     silent,      ///< connected, but they are overdue
     failed,      ///< it cannot work without help: `message` says which
@@ -44,11 +45,11 @@ struct TrackerHealth {
   std::uint64_t gaps = 0;        ///< samples that the device numbered and that never arrived
   std::uint64_t late = 0;        ///< arrived after a later one (dropped), or after over 50 ms (counted)
   std::uint64_t refused = 0;     ///< packets that could not be read
-  std::uint64_t overflowed = 0;  ///< readings lost because nobody polled
+  std::uint64_t overflowed = 0;  ///< readings lost because they were not polled
   std::uint64_t reconnections = 0;
 };
 
-/// Returns the name for people: "connecting", "delivering", "silent" or "failed".
+/// Returns the name for people: "connecting", "no presses yet", "delivering", "silent" or "failed".
 const char* toString(TrackerHealth::State state);
 
 /// A source of samples. A tracker that waits for a device does so on a thread of its own and keeps what

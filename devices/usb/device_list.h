@@ -13,7 +13,7 @@ struct ListedDevice {
   std::string source;   ///< the `source` for a rig: "0f44:ff12"
   std::string serial;   ///< empty if it has none or cannot be asked
   std::string place;    ///< "USB 1-3, /dev/bus/usb/001/003" or "/dev/hidraw0"
-  std::string problem;  ///< what is wrong and what to do; empty if it can be used
+  std::string problem;  ///< the fault and its remedy; empty if it can be used
 };
 
 /// Returns the devices on USB and HID, in order of place.

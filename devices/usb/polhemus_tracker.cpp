@@ -163,7 +163,7 @@ class Polhemus {
            DeviceSink& sink)
       : address_(address), model_(model), stop_(stop), sink_(sink), context_(openUsb()) {}
 
-  /// Finds it, uses it until it is gone or a stop is asked for. Throws what is in the way.
+  /// Finds the device and uses it until it is gone or a stop is asked for. Throws if that is impossible.
   void run() {
     if (!context_) throw NeedsHelp("this system has no USB");
     find();
@@ -252,7 +252,7 @@ class Polhemus {
     return result == LIBUSB_SUCCESS && sent == size;
   }
 
-  /// Reads what is left until nothing comes any more.
+  /// Reads and drops pending data until nothing more comes.
   void drain(std::uint8_t endpoint) {
     std::array<unsigned char, 1024> bytes;
     const bool interrupt = model_.dataByInterrupt && endpoint == model_.dataEndpoint;

@@ -75,7 +75,7 @@ std::vector<std::uint8_t> rumbleReport(const HidEntry& pad, std::uint8_t strengt
   return report;
 }
 
-/// What is wished, and the thread that sees to it.
+/// The wished strength, and the thread that sets it.
 struct Rumble::Hand {
   std::mutex mutex;
   std::condition_variable_any changed;

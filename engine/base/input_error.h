@@ -1,5 +1,5 @@
 #pragma once
-// The exception that every file reader throws: what is wrong with an input file, and where.
+// The exception that every file reader throws: the fault of an input file, and its place.
 
 #include <stdexcept>
 #include <string>
@@ -9,7 +9,7 @@ namespace carom {
 
 /// A fault in an input file. `what()` is "FILE:LINE:COLUMN: MESSAGE"; programs print it behind "error: ".
 /// Lines and columns count from 1, columns in bytes; a fault of the file as a whole (missing, unreadable)
-/// is at 1:1. The message says what is wrong and what was expected.
+/// is at 1:1. The message says the fault and the expectation.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string file, int line, int column, std::string message)

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
-#include <memory_resource>
 #include <new>
 #include <vector>
 
@@ -42,15 +41,6 @@ struct LargePageAllocator {
   bool operator==(const LargePageAllocator<U>&) const {
     return true;
   }
-};
-
-/// The same for containers that are told where to allocate.
-class LargePageResource : public std::pmr::memory_resource {
-  void* do_allocate(std::size_t bytes, std::size_t alignment) override {
-    return allocateInLargePages(bytes, alignment);
-  }
-  void do_deallocate(void* memory, std::size_t, std::size_t) override { std::free(memory); }
-  bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 };
 
 /// An array in large pages.

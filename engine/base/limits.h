@@ -36,9 +36,12 @@ inline constexpr double kGlitchOfSeveral_m_s = 3.0;
 /// The most observers whose heads are tracked in one room.
 inline constexpr std::size_t kMostViewers = 4;
 
-/// When no sample comes, a tracked pose is predicted for so long; then its celerity fades to zero. After both
-/// it counts as lost.
-inline constexpr double kTrackPredicted_s = 0.1, kTrackFades_s = 0.2;
-inline constexpr double kTrackLost_s = kTrackPredicted_s + kTrackFades_s;
+/// When no sample of the head comes, its pose is predicted for so long, and is then overdue. It goes on until
+/// kTrackCoasts_s, comes to rest smoothly in the kTrackFades_s after that, and is lost then.
+inline constexpr double kTrackPredicted_s = 0.1, kTrackCoasts_s = 0.5, kTrackFades_s = 0.5;
+inline constexpr double kTrackLost_s = kTrackCoasts_s + kTrackFades_s;
+
+/// A hand without samples for so long is lost: a hand is quick, and a button must not stay pressed.
+inline constexpr double kHandLost_s = 0.3;
 
 }  // namespace carom

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/base/printable.h"
+
 namespace carom::log {
 namespace {
 
@@ -24,9 +26,10 @@ Log& theLog() {
   return *log;
 }
 
+/// Names and texts from outside may have control characters, which would change what the terminal shows.
 void say(Level level, std::string_view line) {
   const std::scoped_lock hold(theLog().mutex);
-  theLog().sink(level, line);
+  theLog().sink(level, printable(line, "\n\t"));
 }
 
 }  // namespace

@@ -32,8 +32,11 @@ double rootOfIncreasing(const Function& f, double guess, double step = 1e-3) {
     next = std::clamp(next, middle - most, middle + most);
     if (!(next > low && next < high)) next = middle;
     const double there = f(next);
-    (there > 0.0 ? high : low) = next;
-    (there > 0.0 ? atHigh : atLow) = there;
+    if (there > 0.0) {
+      high = next, atHigh = there;
+    } else {
+      low = next, atLow = there;
+    }
     allowed *= 0.5;
   }
 }

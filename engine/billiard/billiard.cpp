@@ -90,7 +90,7 @@ double Billiard::arrivalOnKnownLegs_s(const Stroke& stroke) const {
   if (!stroke.from_m) return stroke.at_s;
   const double c = setup_.lightSpeed_m_s;
   const Vec21 hand{stroke.at_s * c, stroke.from_m->x, stroke.from_m->y};
-  const std::span<const Knot> knots = worldLines()[stroke.puck].knots();
+  const Knots knots = worldLines()[stroke.puck].knots();
   double t_s = 0.0;
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const Knot& knot = knots[k];
@@ -153,7 +153,7 @@ void Billiard::rewind(double t_s) {
 void Billiard::noteChanges(const std::vector<std::vector<Knot>>& before) {
   double changed_s = truncatedFrom_s_.value_or(std::numeric_limits<double>::infinity());
   for (std::size_t puck = 0; puck < before.size(); ++puck) {
-    const std::span<const Knot> now = worldLines()[puck].knots();
+    const Knots now = worldLines()[puck].knots();
     const std::vector<Knot>& then = before[puck];
     std::size_t k = 0;
     while (k < now.size() && k < then.size() && sameKnot(now[k], then[k])) ++k;
@@ -167,7 +167,7 @@ Changes Billiard::takeChanges() {
   Changes changes;
   changes.truncatedFrom_s = std::exchange(truncatedFrom_s_, std::nullopt);
   for (std::size_t puck = 0; puck < reported_.size(); ++puck) {
-    const std::span<const Knot> knots = worldLines()[puck].knots();
+    const Knots knots = worldLines()[puck].knots();
     const std::size_t forgotten = history_->legs(puck) - knots.size();
     std::size_t first = std::max<std::size_t>(reported_[puck], forgotten + 1) - forgotten;
     if (changes.truncatedFrom_s) {

@@ -1,6 +1,7 @@
 #pragma once
 // The carom billiard: pucks gliding on the board, colliding with each other and with the cushions,
 // found ahead of time and delivered as knots of world lines.
+// Theory: app/doc/physics.md, The frame of a contact; Jams.
 
 #include <cstddef>
 #include <cstdint>

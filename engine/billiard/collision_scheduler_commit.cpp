@@ -29,7 +29,8 @@ RimRules withRestitution(RimRules rims, double restitution) {
 
 }  // namespace
 
-// By the momenta that are decided.
+// By the momenta that are decided. Whether discs recede does not depend on their masses, and so not on what the cloth
+// has left of their spins: by P = m1 u1 + m2 u2,   p1·k = m1 m2 ((n·u1) (U·u2) − (n·u2) (U·u1))/(U·P).
 bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairContact& contact,
                                   const PredictedEvent& a, const std::array<double, 2>& touchAt) const {
   const bool braked = brake_ != 0.0;
@@ -39,11 +40,8 @@ bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairConta
     const int i = who[k];
     const Leg leg = lastLeg(i);
     u[k] = braked ? momentAt(leg, touchAt[k]).u : leg.u;
-    double j = lastTurning(i).j;
-    if (slowing_ > 0.0 && j != 0.0)
-      j = turningAt(i, momentAt(leg, std::max(k == 0 ? a.ownTime : a.otherTime, leg.start.t)).properTime).j;
-    mass[k] = massOf(i, j);
-    spin[k] = j;
+    spin[k] = lastTurning(i).j;
+    mass[k] = massOf(i, spin[k]);
   }
   if (hasCorners(who[0], who[1])) {
     const auto kick = cornerKick(who, contact, u, spin, 1.0);

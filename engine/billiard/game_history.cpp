@@ -8,13 +8,13 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kFewPucks = 256;  // whose world lines' ends lie in the caches
-// Memory that is used for the first time costs as much as a third of a collision. Of many pucks there is room from the
-// start for about what a session keeps that forgets what is past. The list of events has addresses for more, so that it
-// need not be moved.
-constexpr std::size_t kEventsPerPuck = 16, kLegsPerPuck = 48;
-constexpr std::size_t kMostEvents = std::size_t{1} << 20, kMostLegs = std::size_t{1} << 22;
-constexpr std::size_t kAddresses = 4;                       // for so many times the events
-constexpr std::size_t kNewLegs = 256, kNewLegsPerPuck = 4;  // of more pucks, at most so many legs wait
+// Memory that is used for the first time costs time. Of many pucks it is taken in advance for about four collisions a
+// puck: so many events, and bytes of knots. The list of events has addresses for what a session keeps that forgets what is
+// past, so that it need not be moved.
+constexpr std::size_t kBoughtEvents = 4, kBoughtBytes = 1100;
+constexpr std::size_t kAddressesPerPuck = 32, kMostAddresses = std::size_t{1} << 24;
+// Of more pucks, at most so many legs wait.
+constexpr std::size_t kNewLegs = 256, kNewLegsPerPuck = 1;
 
 Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }
 
@@ -25,7 +25,10 @@ GameHistory::GameHistory(const BilliardSetup& setup)
       friction_m_s2_(setup.rules.friction_m_s2),
       slowing_1_s_(setup.rules.spinDeceleration_m_s2 / setup.lightSpeed_m_s),
       forgottenLegs_(setup.pucks.size(), 0) {
+  buyMemory(setup.pucks.size());
   lines_.reserve(setup.pucks.size());
+  shapes_.reserve(setup.pucks.size());
+  bodies_.reserve(setup.pucks.size());
   for (const Puck& puck : setup.pucks) {
     const double height_m = 0.5 * puck.height_m;
     shapes_.push_back({height_m, puck.radius_m});
@@ -42,15 +45,13 @@ GameHistory::GameHistory(const BilliardSetup& setup)
     lines_.emplace_back(first, c_m_s_, std::hypot(puck.radius_m, height_m),
                         -std::numeric_limits<double>::infinity(), &knots_);
   }
-  makeRoom();
 }
 
-void GameHistory::makeRoom() {
-  if (lines_.size() <= kFewPucks) return;
-  for (WorldLine& line : lines_) line.reserve(std::min(kLegsPerPuck, kMostLegs / lines_.size()));
-  const std::size_t events = std::min(kMostEvents, kEventsPerPuck * lines_.size());
-  events_.reserve(kAddresses * events);
-  events_.resize(events);
+void GameHistory::buyMemory(std::size_t pucks) {
+  if (pucks <= kFewPucks) return;
+  knots_.buy(kBoughtBytes * pucks);
+  events_.reserve(std::min(std::max(kMostAddresses, kBoughtEvents * pucks), kAddressesPerPuck * pucks));
+  events_.resize(kBoughtEvents * pucks);
   events_.clear();
 }
 

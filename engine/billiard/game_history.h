@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/block_pool.h"
 #include "engine/base/large_pages.h"
 #include "engine/base/prefetch.h"
 #include "engine/billiard/billiard_setup.h"
@@ -76,7 +77,6 @@ class GameHistory {
   std::span<const GameEvent> events() const { return events_; }
 
  private:
-  static constexpr std::size_t kMostPooled = std::size_t{1} << 16;  // bytes of one line
   struct NewLeg {
     Vec21 start, signal;
     Vec2 u;
@@ -89,7 +89,7 @@ class GameHistory {
     double height_m = 0.0;  // of the centre
     double radius_m = 0.0;
   };
-  void makeRoom();
+  void buyMemory(std::size_t pucks);
   /// Appends the added legs to the world lines.
   void complete();
   void append(const NewLeg& leg);
@@ -105,9 +105,7 @@ class GameHistory {
   double slowing_1_s_;  // of the rims' γβ
   LargeArray<Shape> shapes_;
   std::vector<SpinningBody> bodies_;  // by puck, for those that spin
-  LargePageResource largePages_;
-  std::pmr::unsynchronized_pool_resource knots_{{0, kMostPooled},
-                                                &largePages_};  // the memory of the world lines
+  BlockPool knots_;                   // the memory of the world lines
   LargeArray<WorldLine> lines_;
   LargeArray<NewLeg> newLegs_;  // legs that are not in the lines yet, in the order in which they were added
   std::vector<std::uint32_t> byPuck_;  // scratch: their places, by puck

@@ -192,7 +192,11 @@ bool overlapOnBoard(const Puck& a, const Puck& b, double c_m_s) {
   double low = 0.0, high = 1.0;
   for (int step = 0; step < 120; ++step) {
     const double left = low + 0.382 * (high - low), right = low + 0.618 * (high - low);
-    (contact(left) < contact(right) ? low : high) = contact(left) < contact(right) ? left : right;
+    if (contact(left) < contact(right)) {
+      low = left;
+    } else {
+      high = right;
+    }
   }
   return contact(0.5 * (low + high)) < 1.0 - kTouching;
 }

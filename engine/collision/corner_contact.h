@@ -19,6 +19,7 @@
 // of U, or, of two that begin at board time 0, after board time 0. Bodies that overlap by then and approach
 // are in contact at that moment, without delay.
 // Bodies that have not parted since an earlier contact: see earlier_contact.h.
+// Theory: app/doc/physics.md, Polygons.
 
 #include <limits>
 #include <optional>

@@ -12,6 +12,7 @@
 // The signal from the end of a long side can come after the centre has crossed the cushion. Then the contact is
 // that of the point of the outline straight ahead of the centre, along K, which comes there later, but of which the
 // centre hears before it is there itself: so no centre leaves the table.
+// Theory: app/doc/physics.md, Polygons.
 
 #include <optional>
 #include <vector>

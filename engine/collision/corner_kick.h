@@ -12,6 +12,7 @@
 // H lacks is heat, shared in proportion to the energies in that frame, which each body radiates in its own
 // rest frame: it keeps its velocity. A cushion rests on the board and takes no energy: H is the energy of
 // the one body there. The levers of two discs vanish, and it is the kick of kick.h.
+// Theory: app/doc/physics.md, Polygons.
 
 #include <array>
 #include <optional>

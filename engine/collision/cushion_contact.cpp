@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/bisection.h"
+
 namespace carom {
 
 namespace {
@@ -27,14 +29,11 @@ std::optional<double> brakedContact(const Leg& leg, double radius, const Cushion
     const LegState m = momentAt(leg, t);
     return cushion.inside(m.x) - distanceAtContact(m.u, cushion.towards(m.u), radius, convention);
   };
-  double low = leg.start.t, high = restsAt(leg);
+  const double low = leg.start.t, high = restsAt(leg);
   if (!(clearance(high) < 0.0)) return std::nullopt;
   if (clearance(low) <= 0.0) return low;
-  while (true) {
-    const double middle = 0.5 * (low + high);
-    if (!(middle > low && middle < high)) return high;
-    (clearance(middle) > 0.0 ? low : high) = middle;
-  }
+  constexpr int kHalvings = 2200;  // to the last bit, from the largest number to the least
+  return bisect({low, high}, kHalvings, [&](double t) { return clearance(t) > 0.0; }).high;
 }
 
 Vec21 besideCentre(const Vec21& x, const CushionPlane& cushion) {

@@ -9,6 +9,7 @@
 // at y = R (sqrt(1 + u_n²) − u_n): always inside.
 // Convention "contact": when the contracted rim touches on the board, y = R sqrt(1 − β_n²), at the ellipse's
 // foremost point, X + R (n − β β_n)/sqrt(1 − β_n²).
+// Theory: app/doc/physics.md, The frame of a contact.
 
 #include <optional>
 

@@ -8,6 +8,7 @@
 // m² + (1−e²) (p1·k)²/(−k·k): heat, which it radiates in its rest frame, keeping its velocity and its nominal
 // mass. Puck with cushion: radial in the puck's rest frame; v_t' = v_t and v_n' = −e v_n for every e. The
 // cushion takes momentum and no energy, so m'² = m² (1 + (1−e²) u_n²).
+// Theory: app/doc/physics.md, Kick.
 
 #include <array>
 #include <optional>

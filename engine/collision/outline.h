@@ -1,5 +1,6 @@
 #pragma once
 // The outline of a puck with corners: a simple polygon in the puck's rest frame, in the board's axes.
+// Theory: app/doc/physics.md, Polygons.
 
 #include <array>
 #include <cstddef>

@@ -13,6 +13,7 @@
 //
 // Own proper time of puck i from X_i to the contact: (Δt'_i)/γ' by the equal-speed frame's simultaneity
 // (Δt'_1 = Δt', Δt'_2 = Δt' − a), and u_i·(C − X_i) by its own: the signal from C is at its centre R_i later.
+// Theory: app/doc/physics.md, The frame of a contact.
 
 #include <array>
 #include <optional>

@@ -18,7 +18,11 @@ double increasingRoot(double low, double high, Function f) {
   double t = low;
   for (int step = 0; step < 200; ++step) {
     const auto [value, slope] = f(t);
-    (value <= 0.0 ? low : high) = t;
+    if (value <= 0.0) {
+      low = t;
+    } else {
+      high = t;
+    }
     double next = t - value / slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (next == t || next <= low || next >= high) return t;

@@ -2,6 +2,7 @@
 // One leg of a puck's centre in the board's plane, c = 1: straight flight, or a glide that friction slows
 // with constant proper deceleration until it rests. The same motion as `motionOnLeg` of world_line.h, in
 // the units of the collision physics.
+// Theory: app/doc/physics.md, Friction.
 
 #include <limits>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/portable_math.h"
 
@@ -79,13 +78,12 @@ class Pressed {
         widest_(portableAsin(std::min(1.0, std::sqrt(rest_ + along_ * along_) / energy_))),
         fine_(0x1p-30 * (std::abs(angle_) + std::abs(j) / energy_)) {}
 
-  /// The angle δ by which that impulse turns it: sin δ = sin χ' cos χ − cos χ' sin χ.
+  /// The angle δ by which that impulse turns it: sin δ = sin χ' cos χ − cos χ' sin χ. It is below a right angle: as
+  /// E |δ| = |j' − j| ≤ M(j') + M(j) ≤ E (cos χ' + cos χ) ≤ 2 E cos(δ/2), |δ| < 1.48.
   double turnedBy(double impulse) const {
     const double risen = impulse / energy_, to = sin_ + risen;
     const double toCos = std::sqrt(std::max(cos_ * cos_ - risen * (2.0 * sin_ + risen), 0.0));
-    const double delta = portableAsin(std::min(std::max(to * cos_ - toCos * sin_, -1.0), 1.0));
-    const bool beyondRight = cos_ * toCos + sin_ * to < 0.0;
-    return beyondRight ? std::copysign(std::numbers::pi, delta) - delta : delta;
+    return portableAsin(std::min(std::max(to * cos_ - toCos * sin_, -1.0), 1.0));
   }
   /// m' after that impulse: m'² = m² + (1−e²) p_n² − (p_t'² − p_t²), with m its mass before.
   double massAfter(double impulse) const {

@@ -18,6 +18,7 @@
 // A cushion is such a wall at rest on the board. Two pucks press on one wall from both sides: in their
 // centre-of-mass frame it rests along the normal and slides along it at the speed w at which both get the
 // same tangential impulse.
+// Theory: app/doc/physics.md, Spin.
 
 #include <array>
 #include <optional>

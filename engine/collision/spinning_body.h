@@ -8,6 +8,7 @@
 //     j = J/(R c)      M(j) = (1−k) m + sqrt((k m)² + j²)      f = ωR/c = j/sqrt((k m)² + j²)      dM/dj = f
 // M is the mass that moves, p = M u. The rim's rapidity is asinh(j/(k m)), so every J has a rim slower than
 // light. For slow rims the moment of inertia is k m R².
+// Theory: app/doc/physics.md, Spin.
 
 #include <algorithm>
 #include <cmath>

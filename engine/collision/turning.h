@@ -1,5 +1,6 @@
 #pragma once
 // How a puck turns about its axis while it follows a leg. c = 1.
+// Theory: app/doc/physics.md, Spin.
 
 #include "engine/collision/spinning_body.h"
 #include "engine/spacetime/world_line.h"

@@ -22,7 +22,7 @@ double exponentOf(double wavelength_nm) {
   return kPlanckSecond_nm_K / (wavelength_nm * kReferenceTemperature_K);
 }
 
-/// What is seen of a white surface in the reference light, per step of the spectrum.
+/// Returns the seen light of a white surface in the reference light, per step of the spectrum.
 Vec3 seenOfReference(double wavelength_nm) {
   return seenPerRadiance(wavelength_nm) * blackBodyRadiance(wavelength_nm, kReferenceTemperature_K) *
          kVisibleStep_nm;
@@ -45,7 +45,7 @@ double fitHeat(int i) {
   return kFitColdest * std::pow(kFitHottest / kFitColdest, static_cast<double>(i) / (kFitCount - 1));
 }
 
-/// Brightening at one wavelength, of which x = hc/(λkT), over all heats of the fit, as weighed.
+/// Brightening at one wavelength, with x = hc/(λkT), over all heats of the fit, as weighed.
 FitColumn fitColumn(double x, const FitColumn& weights) {
   FitColumn column{};
   for (int i = 0; i < kFitCount; ++i) column[i] = weights[i] * brightening(x, fitHeat(i));

@@ -22,6 +22,7 @@
 // with c_k(λ) fitted for all heats: black bodies differ smoothly, and six numbers tell them apart. Then
 //   matrix = Σ_k (light in band k) N_k(D_h),   N_k = ∫ s(λ) B(λ, T) c_k(λ) ρ(D_h λ) dλ,
 // where lamps add up in the first factor and N_k is a table of one variable.
+// Theory: app/doc/physics.md, Colour.
 
 #include <array>
 #include <vector>

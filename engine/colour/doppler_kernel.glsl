@@ -1,6 +1,6 @@
 // Colours of shifted light, once: this text is compiled as GLSL in the vertex shader and as C++ (over GLM) in
-// engine/colour/doppler_colour.h, where the equations stand. Whoever includes it provides the types real, vec2,
-// vec3, vec4, mat3, KERNEL (what a function definition begins with), the type COLOUR_TABLE by which the texels
+// engine/colour/doppler_colour.h, where the equations stand. The including source provides the types real, vec2,
+// vec3, vec4, mat3, KERNEL (the beginning of a function definition), the type COLOUR_TABLE by which the texels
 // of a ColourTable are reached and, afterwards, the function colourTexel.
 
 /// ν_B/ν_A of light that travels along the unit vector `ray` of frame A, where B moves with (γ, u): the light's

@@ -9,6 +9,7 @@
 // factor e^x, where equal solid angles of the head's sky hold e^(−x) dx, |x| ≤ η (from D = 1/(γ(1 − βμ))). So
 //   mean = ∫ g(e^x) e^(−x) dx / ∫ e^(−x) dx,   g(D) = brightness of white at D / at rest.
 // For searchlight alone, g = D⁴, mean = γ²(1 + β²/3): the energy density of isotropic light, as it must be.
+// Theory: app/doc/physics.md, Colour.
 
 #include "engine/spacetime/event.h"
 

@@ -5,6 +5,7 @@
 // reflects and what a lamp sends must be known far outside the visible. Here both are smooth functions of
 // every wavelength. Wavelengths are in nanometres (in vacuum), spectra per nanometre; colours are linear sRGB
 // (IEC 61966-2-1, white = 1, 1, 1), and may lie outside the screen's gamut (components below 0).
+// Theory: app/doc/physics.md, Colour.
 
 #include <glm/mat3x3.hpp>
 

@@ -1,7 +1,7 @@
 // The emission solve, once: this text and the four before it (leg_kernel, spin_kernel, glide_kernel and
 // turning_kernel.glsl, in this order) are compiled as GLSL in the vertex shader and as C++ (over GLM) in engine/light/emission_kernel.h.
-// Whoever includes them provides the types real, vec2, vec3, vec4, mat4, the type LEGS by which legs are reached,
-// KERNEL (what a function definition begins with), INOUT(type) (a parameter that is changed), UNROLLED (what a
+// The including source provides the types real, vec2, vec3, vec4, mat4, the type LEGS by which legs are reached,
+// KERNEL (the beginning of a function definition), INOUT(type) (a parameter that is changed), UNROLLED (what a
 // loop begins with that is to be written out), the numbers MAX_PIECES and CATCH_UP_SPEED and, afterwards, the
 // function legAt.
 //
@@ -15,6 +15,7 @@
 //   contracted false: at each board time a vertex is at the centre's place + d: it turns with the centre;
 //   both false:       the plane is the board's; then no frame is needed: the leg's is the board's, moved to the
 //                     centre.
+// Theory: app/doc/physics.md, Emission; Bounce and catching up.
 
 LegView legAt(LEGS legs, int i);
 

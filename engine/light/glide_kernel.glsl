@@ -3,6 +3,7 @@
 //   u = u_o − a s   (before the turn u_turn, after the stop 0)     centre: ∫ u/γ ds     vertex: d∥/γ from it
 // (uncontracted: d∥)
 // with ∫ u/γ ds from r to o = (γ_o − γ_r)/a = (r − o)(u_o + u_r)/(γ_o + γ_r), which does not cancel.
+// Theory: app/doc/physics.md, Friction.
 
 KERNEL real gammaOf(real u) { return sqrt(real(1) + u * u); }
 
@@ -83,9 +84,9 @@ KERNEL real glideCrossing(LegView leg, vec3 d, vec4 signal) {
   return s;
 }
 
-/// Where one that set out at `start` at catchUpSpeed in the frame of the turn meets it. What is ahead of it there
-/// grows with s, but hardly where friction has slowed the leg much: a step that would leave what is known to be
-/// before and after the meeting goes half of the way instead.
+/// Where one that set out at `start` at catchUpSpeed in the frame of the turn meets it. Its lead there grows
+/// with s, but hardly where friction has slowed the leg much: a step that would leave the known bounds of the
+/// meeting goes half of the way instead.
 KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   // u of the turn's rest frame in this one

@@ -72,8 +72,8 @@ KERNEL vec4 emissionOn(Piece piece, LegView leg) {
   return along(piece, product / (b + root));
 }
 
-/// Where a piece crosses the plane of the moment that is shown: m·(start + s (1, w)) = 0. What is slower than
-/// light crosses it once, upwards: m·(1, w) > 0.
+/// Where a piece crosses the plane of the moment that is shown: m·(start + s (1, w)) = 0. Anything slower
+/// than light crosses it once, upwards: m·(1, w) > 0.
 KERNEL vec4 momentOn(Piece piece, LegView leg) {
   real now = dot(leg.toMoment, piece.start);
   return along(piece, -now / dot(leg.toMoment, vec4(real(1), piece.velocity)));

@@ -25,7 +25,7 @@ struct ViewQuery {
   double headTime_s(const Event& event) const { return (headFromBoard * (event - observation)).dt_s; }
 };
 
-/// Nothing is seen with light at a moment; and what is there for the head is contracted.
+/// At a moment there is no retardation; bodies at the head's moment are contracted.
 ViewQuery viewQueryOf(const Event& observation, const Lorentz& headFromBoard, Switches switches,
                       ViewTime moment) {
   if (moment == ViewTime::seen && !switches.retardation) moment = ViewTime::boardNow;
@@ -98,7 +98,7 @@ bool allJoined(const WorldLine& line, std::size_t leg, const Motion& centre, boo
     return centre.event.t_s - spread_s >= knot.turn.t_s;
   }
   // In the body's rest frame the earliest light that the eye receives left at most R/c before the centre's;
-  // and what is simultaneous in any frame is there at most R/c apart.
+  // and events of it that are simultaneous in some frame are at most R/c apart there.
   const double earliest_s = centre.properTime_s - knot.properTime_s - radius_s;
   return earliest_s >= line.settled_s(leg) && (isLast || line.settlesBeforeNext(leg));
 }
@@ -115,8 +115,7 @@ std::size_t firstLeg(const WorldLine& line, std::size_t last, const ViewQuery& a
 /// Had friction stopped the body before any event of its points on the leg of `knots[leg]` that matters, if
 /// it is the first that is looked at? Those that are shown differ from the centre's by at most R/c where the
 /// body rests, and all that later signal has to do with comes after that.
-bool restsForGood(std::span<const Knot> knots, std::size_t leg, const Motion& centre, double radius_s,
-                  double c_m_s) {
+bool restsForGood(Knots knots, std::size_t leg, const Motion& centre, double radius_s, double c_m_s) {
   const Knot& knot = knots[leg];
   const double rests_s = knot.turn.t_s + glm::length(knot.u) * c_m_s / knot.deceleration_m_s2;
   return centre.event.t_s - radius_s >= rests_s &&

@@ -4,6 +4,7 @@
 //
 // The equations are solved in the rest frame of each leg (engine/light/emission_kernel.glsl has them). This
 // module turns a world line into the few numbers for each leg that the solve needs, in double.
+// Theory: app/doc/physics.md, Emission.
 
 #include <optional>
 #include <vector>

@@ -60,7 +60,7 @@ template <bool kDetails>
   }
 }
 
-/// The kernel for a single leg on which the body spins, with so many steps.
+/// The kernel for a single leg on which the body spins, with kSteps steps.
 template <bool kDetails, int kSteps>
 [[gnu::always_inline]] inline void onOneSpinningLeg(FloatLeg leg, CAROM_ARRAYS) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -8,6 +8,7 @@
 //
 // A solve is a pure function of its spans and starts no thread: a caller that has several bodies knows best
 // how to distribute them. Any slice of a mesh gives the same bits as the whole, on every instruction set.
+// Theory: app/doc/physics.md, Emission.
 
 #include <cstddef>
 #include <span>

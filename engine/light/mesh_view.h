@@ -39,7 +39,7 @@ class MeshView {
   virtual std::optional<Emission> emission(std::size_t vertex) const = 0;
 };
 
-/// The view of a rigid body: a world line and the intrinsic places of the vertices, both of which must
+/// The view of a rigid body: a world line and the intrinsic places of the vertices, which must both
 /// outlive the view.
 class RigidMeshView final : public MeshView {
  public:

@@ -236,7 +236,11 @@ std::size_t RingView::lastBefore(std::size_t vertex) const {
   std::size_t after = ring_.sampleCount();
   while (after - before > 1) {
     const std::size_t middle = (before + after) / 2;
-    (fAt(middle, vertex) >= 0.0 ? before : after) = middle;
+    if (fAt(middle, vertex) >= 0.0) {
+      before = middle;
+    } else {
+      after = middle;
+    }
   }
   return before;
 }
@@ -290,7 +294,11 @@ void RingView::properTimes(std::size_t first, std::span<const float> boardTime_m
     std::size_t after = ring_.sampleCount();
     while (after - before > 1) {
       const std::size_t middle = (before + after) / 2;
-      (ring_.eventOf(middle, vertex).t_s - observation_.t_s <= t_s ? before : after) = middle;
+      if (ring_.eventOf(middle, vertex).t_s - observation_.t_s <= t_s) {
+        before = middle;
+      } else {
+        after = middle;
+      }
     }
     const Way way = wayFrom(before, vertex);
     properTime_s[i] = way.properTime_s + way.properTimeStep_s * ((t_s - way.start.dt_s) / way.step.dt_s);

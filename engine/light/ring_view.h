@@ -1,5 +1,6 @@
 #pragma once
 // The view of a sampled history (engine/light/vertex_ring.h) by one eye.
+// Theory: app/doc/physics.md, Sampled histories.
 
 #include <cstddef>
 #include <cstdint>

@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-/// Returns the whole transform of displacements of which a leg has the rows of the three places. With
+/// Returns the whole transform of displacements; a leg has its rows of the three places. With
 /// g = diag(−1, 1, 1, 1), Lᵀ g L = g gives the row of the time: T₀² = 1 + Σ Xk₀², T₀ Tᵢ = Σ Xk₀ Xkᵢ.
 glm::dmat4 seenFromLeg(const LegView& leg) {
   const glm::dvec4 &x = leg.toSeenX, &y = leg.toSeenY, &z = leg.toSeenZ;
@@ -76,7 +76,7 @@ SphericalCap SeenCaps::of(const Vec3& middle_m, double radius_m) const {
 }
 
 // A displacement (c t, x) of the leg's frame has the time γ c t − u·x in the head's. At a moment, drawn places are a
-// linear map of the body's in which nothing is longer: the distance is what is drawn, and nothing bends.
+// linear map of the body's in which nothing is longer: the drawn distance is the distance, and nothing bends.
 std::optional<SeenCaps::RestView> SeenCaps::restView() const {
   if (!contracted_ || leg_.spin.w > 0.0) return std::nullopt;
   if (kind_ == Kind::moment)

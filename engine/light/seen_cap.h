@@ -1,5 +1,6 @@
 #pragma once
 // In which directions an eye can see the parts of a body, without solving for any of their points.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <optional>
 

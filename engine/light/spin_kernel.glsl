@@ -1,6 +1,6 @@
 // A body that spins turns its points about its z, in the leg's frame, by the centre's own time:
 //   x(s) = Rot(ω s/c) d0,  d0 = Rot(its angle at the origin) d
-// The angle at the origin was folded in double: what is left for a vertex is small.
+// The angle at the origin was folded in double: the rest for a vertex is small.
 
 /// cos a and sin a, |a| ≤ 1.2, within 1e-8.
 KERNEL vec2 cosSinNear(real a) {
@@ -58,7 +58,7 @@ KERNEL real spinAngle(LegView leg, real s) {
   return leg.spin.x * ((r - o) * (hO + h) / (gammaO + gamma) + (s - r) * h / gamma + o * hO / gammaO);
 }
 
-/// The velocity, over c, of what is at x at own time s: ω/c ẑ × x.
+/// The velocity, over c, of the point at x at own time s: ω/c ẑ × x.
 KERNEL vec3 spinVelocity(LegView leg, vec3 x, real s) { return spinRate(leg, s) * vec3(-x.y, x.x, real(0)); }
 
 /// The vertex's place at own time s.
@@ -76,8 +76,8 @@ KERNEL vec3 carriedAlong(LegView leg, vec4 event, vec3 direction) {
 ///   g(s) = s + q/(D + l) = 0,  D = sqrt(l² + q) the distance of the vertex,
 ///   q = p² − 2 (A cos a − B sin a),  a = ω s/c,  A = e·p,  B = e_x p_y − e_y p_x
 /// It rises: its slope 1 + ω/c (B cos a + A sin a)/D is 1 − n·w with n towards the eye. So there is one
-/// root, and |s| ≤ |p|. Halley's steps; one that would leave what is known to be before and after the root
-/// goes half of the way instead. What is known has to hold its ends, or a last step from there would be
+/// root, and |s| ≤ |p|. Halley's steps; one that would leave the known bounds of the root goes
+/// half of the way instead. The bounds must include their ends, or a last step from there would be
 /// thrown away.
 KERNEL vec4 spinEmission(LegView leg, vec3 d, int steps) {
   vec3 height = vec3(real(0), real(0), d.z);

@@ -1,5 +1,5 @@
 #pragma once
-// The five effects of relativity on what is seen, each of which can be switched off to see what it does.
+// The five effects of relativity on the picture. Each can be switched off to show its part.
 
 #include <array>
 #include <cstdint>

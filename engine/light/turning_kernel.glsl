@@ -56,8 +56,8 @@ KERNEL vec4 turningFlow(LegView leg, vec3 d, real sigma) {
   return glideFlow(leg, x, s, true) * flow + vec4(-uO * place, w + n * (gammaOf(uO) * place - along_w));
 }
 
-/// The number of steps of the searches below: Newton's; one that would leave what is known to be before and after
-/// the root goes half of the way instead.
+/// The number of steps of the searches below: Newton's; one that would leave the known bounds of the root goes
+/// half of the way instead.
 KERNEL int turningSteps() { return 14; }
 
 /// The bounds of σ − s for whatever is simultaneous with the centre at s in any frame, or reaches it by light.

@@ -369,7 +369,7 @@ struct LegFrame {
 };
 
 std::vector<LegFrame> framesFrom(const WorldLine& line, std::size_t from) {
-  const std::span<const Knot> knots = line.knots();
+  const Knots knots = line.knots();
   std::vector<LegFrame> frames;
   for (std::size_t i = from; i < knots.size(); ++i) {
     const double end_s = (i + 1 < knots.size() ? knots[i + 1] : knots[i]).turn.t_s;
@@ -412,7 +412,7 @@ double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
 // The last leg is joined (|x_N| + b + R)/w after A.
 double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m();
-  const std::span<const Knot> knots = line.knots();
+  const Knots knots = line.knots();
   const Knot& knot = knots.back();
   const std::vector<LegFrame> legs = framesFrom(line, from);
   const std::size_t count = legs.size();
@@ -456,7 +456,7 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
 double followedJoining_s(const WorldLine& line, std::size_t from, int around) {
   const int halfWay = around / 3;
   const double c_m_s = line.lightSpeed_m_s();
-  const std::span<const Knot> knots = line.knots();
+  const Knots knots = line.knots();
   const Knot& last = knots.back();
   const Lorentz bodyFromBoard = Lorentz::boost(-last.u, c_m_s);
   double longest_s = 0.0;
@@ -480,10 +480,10 @@ double joinedAfter_s(const WorldLine& line) {
   // The bound costs the square of the number of legs: in a pile of pucks that press on one another hundreds
   // can come before any is joined by all points.
   constexpr std::size_t kManyLegs = 32;
-  // Of faster bodies a few points can lag behind all others, so many times longer that no number of them
+  // Of faster bodies a few points can lag behind all others, for so much longer that no number of samples
   // shows it.
   constexpr double kFollowed_beta = 0.95;
-  const std::span<const Knot> knots = line.knots();
+  const Knots knots = line.knots();
   std::size_t from = knots.size() - 1;
   while (from > 0 && !(from + 1 < knots.size() && line.settlesBeforeNext(from))) --from;
   if (knots.size() - from > kManyLegs) return 3.0 * followedJoining_s(line, from, 12);

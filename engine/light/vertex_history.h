@@ -1,6 +1,7 @@
 #pragma once
 // The whole world line of one body-fixed point with its bounces, in the board frame, as a list of pieces. It
 // is continuous and slower than light. For single points; meshes use the emission kernel.
+// Theory: app/doc/physics.md, Bounce and catching up.
 
 #include <optional>
 #include <vector>

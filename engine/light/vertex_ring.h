@@ -6,6 +6,7 @@
 //
 // Rows are samples of the whole mesh and are kept in float from an anchor event in double, so nothing is lost
 // after hours. Memory is fixed when the ring is made. Board frame throughout.
+// Theory: app/doc/physics.md, Sampled histories.
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,6 @@
 #pragma once
 // How a room is turned, apart from its motion.
+// Theory: app/doc/physics.md, The platform.
 
 #include <glm/gtc/quaternion.hpp>
 

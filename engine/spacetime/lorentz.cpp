@@ -7,8 +7,6 @@
 
 namespace carom {
 
-double gammaFromU(const Vec3& u) { return std::sqrt(1.0 + glm::dot(u, u)); }
-
 Vec3 betaFromU(const Vec3& u) { return u / gammaFromU(u); }
 
 Vec3 uFromBeta(const Vec3& beta) { return beta / std::sqrt(1.0 - glm::dot(beta, beta)); }

@@ -4,6 +4,8 @@
 // Velocities are carried as u = γβ (celerity over c): unlike β it has no upper limit, keeps its
 // precision as β → 1, and u, γ = sqrt(1+u²) are together the four-velocity (γ, u).
 
+#include <cmath>
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
@@ -12,7 +14,7 @@
 namespace carom {
 
 /// γ = sqrt(1 + u²) = cosh η, of u = γβ = sinh η.
-double gammaFromU(const Vec3& u);
+inline double gammaFromU(const Vec3& u) { return std::sqrt(1.0 + glm::dot(u, u)); }
 /// β = u/γ.
 Vec3 betaFromU(const Vec3& u);
 /// u = β/sqrt(1 − β²); needs |β| < 1.

@@ -1,6 +1,7 @@
 #pragma once
 // Spacetime of the board's plane in 2+1 dimensions, for the collision physics alone: (c t, x, y), all in
 // metres, metric (+,−,−). A four-velocity is (γ, γβx, γβy).
+// Theory: app/doc/physics.md, Notation and sources.
 
 #include <cmath>
 

@@ -98,8 +98,8 @@ Observers::Steps Observers::stepsTo(double dt_s, std::span<const Head> heads, co
 /// Returns the own time that somebody who is ahead must at least live in a step of so much of the fastest's.
 static double leastOwnTime_s(double lived_s, double ahead_s) { return std::max(0.0, lived_s - ahead_s); }
 
-// dT = max over the observers of hypot(dt, |dx|/c)/N. Where the thrust changes within a frame, whoever has lived more
-// than dt so far has so much less to live in the rest of it: over a whole frame the fastest lives dt.
+// dT = max over the observers of hypot(dt, |dx|/c)/N. Where the thrust changes within a frame, an observer who has lived
+// more than dt so far lives less in the rest of it: over a whole frame the fastest lives dt.
 double Observers::roomTimeOf_s(const Steps& steps, double lived_s) const {
   double most_s = 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
@@ -116,8 +116,8 @@ double Observers::roomTimeOf_s(double dt_s, std::span<const Head> heads, double 
   return roomTimeOf_s(stepsTo(dt_s, heads, thrust_m_s2, steering, {}), pace * dt_s);
 }
 
-// dτ = sqrt((N dT)² − |dx|²/c²), which is dt for whoever determines dT, and longer for everybody else. Celerity is
-// motion per own time, of which the frame so far has had dt and what the observer is ahead.
+// dτ = sqrt((N dT)² − |dx|²/c²), which is dt for the observer who determines dT, and longer for the others. Celerity is
+// motion per own time; of this the frame so far has had dt and the observer's lead.
 void Observers::live(const Steps& steps, double roomTime_s, double lived_s) {
   livedOfFrame_s_ += lived_s;
   for (std::size_t i = 0; i < size_; ++i) {

@@ -4,8 +4,9 @@
 //
 // A single observer's clock is their proper time τ. A tracked step dx made in dτ is a celerity, which has no
 // upper limit: room time advances by dT = sqrt(dτ² + |dx|²/c²), so the world line is timelike whatever the
-// observer does. Several observers share the room's time: whoever moves fastest needs most of it, and the clocks
+// observer does. Several observers share the room's time: the one who moves fastest needs most of it, and the clocks
 // of the others run ahead. All their presents are simultaneous in the room, so none is ever in another's past.
+// Theory: app/doc/physics.md, The celerity clock; The platform.
 
 #include <array>
 #include <cstddef>
@@ -63,7 +64,7 @@ class Observers {
   /// `thrust_m_s2`: the proper acceleration that the room has meanwhile, felt at the head of observer `steering`,
   /// in the room's axes and the board's seconds; it must not exceed
   /// strongestThrust_m_s2 with the farthest observer's distance. Exact for a head at rest in the room: then its world line is a
-  /// hyperbola, of which a step's chord is that of its middle's velocity. `turn`: of the room, afterwards.
+  /// hyperbola, and the chord of a step is along its middle's velocity. `turn`: of the room, afterwards.
   void step(double dt_s, std::span<const Head> heads, double pace = 1.0, const Vec3& thrust_m_s2 = Vec3(0.0),
             std::size_t steering = 0, const RoomTurn& turn = {});
   void step(double dt_s, const Head& head, double pace = 1.0, const Vec3& thrust_m_s2 = Vec3(0.0)) {

@@ -8,6 +8,7 @@
 //   N·S = n·a − cos α ≥ 0    (metric −+++)
 // holds in every frame or in none. In another frame S becomes (s₀, s), so that the cap there has the axis
 // s/|s| and cos α' = −s₀/|s|. Since S·S = sin²α stays too, sin α' = sin α/|s|.
+// Theory: app/doc/physics.md, Aberration and cells.
 
 #include <glm/mat4x4.hpp>
 
@@ -15,7 +16,7 @@
 
 namespace carom {
 
-/// Directions within an angle α of an axis, and how near what is seen there can be.
+/// Directions within an angle α of an axis, and the least distance of anything seen there.
 struct SphericalCap {
   Vec3 axis{0.0, 0.0, 1.0};  ///< unit vector, from the eye
   double cosine = -1.0;      ///< of α; −1: all directions

@@ -9,32 +9,42 @@
 
 namespace carom {
 
-// Inertial: r = r0 + β c (t − t0), τ = τ0 + (t − t0)/γ.
+namespace {
+
 // Constant proper deceleration a: celerity w falls linearly in board time, w = w0 − a (t − t0), until rest;
 // the distance is c² (γ0 − γ)/a and the proper time c (η0 − η)/a, with w = c sinh η  (hyperbolic motion).
-Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s) {
-  const double dt_s = t_s - knot.turn.t_s;
-  const double gamma0 = gammaFromU(knot.u);
-  if (knot.deceleration_m_s2 == 0.0 || dt_s <= 0.0) {
-    return {{t_s, knot.turn.r_m + knot.u * (c_m_s * dt_s / gamma0)},
-            knot.u,
-            knot.properTime_s + dt_s / gamma0,
-            0};
-  }
-  const double a = knot.deceleration_m_s2 / c_m_s;  // of u, per second
-  const double u0 = glm::length(knot.u);
-  if (u0 == 0.0) return {{t_s, knot.turn.r_m}, knot.u, knot.properTime_s + dt_s, 0};
+Motion glide(Event turn, Vec3 u, double turnProperTime_s, double deceleration_m_s2, double t_s,
+             double c_m_s) {
+  const double dt_s = t_s - turn.t_s;
+  const double gamma0 = gammaFromU(u);
+  const double a = deceleration_m_s2 / c_m_s;  // of u, per second
+  const double u0 = glm::length(u);
+  if (u0 == 0.0) return {{t_s, turn.r_m}, u, turnProperTime_s + dt_s, 0};
   const bool rests = dt_s >= u0 / a;
   const double glide_s = rests ? u0 / a : dt_s;
   const double u1 = rests ? 0.0 : u0 - a * glide_s;
   const double gamma1 = std::sqrt(1.0 + u1 * u1);
-  const Vec3 direction = knot.u / u0;
+  const Vec3 direction = u / u0;
   // γ0 − γ1 = (u0² − u1²)/(γ0 + γ1) and η0 − η1 = asinh((u0² − u1²)/(u0 γ1 + u1 γ0)) do not cancel.
   const double distance_m = c_m_s * glide_s * (u0 + u1) / (gamma0 + gamma1);
   const double rapidityLost = portableAsinh(a * glide_s * (u0 + u1) / (u0 * gamma1 + u1 * gamma0));
   const double properTime_s = rapidityLost / a + (dt_s - glide_s);
-  return {{t_s, knot.turn.r_m + direction * distance_m}, direction * u1, knot.properTime_s + properTime_s, 0};
+  return {{t_s, turn.r_m + direction * distance_m}, direction * u1, turnProperTime_s + properTime_s, 0};
 }
+
+// Inertial: r = r0 + β c (t − t0), τ = τ0 + (t − t0)/γ. Inline: only what it needs of the knot is then made.
+[[gnu::always_inline]] inline Motion motionFrom(const Knot& knot, double t_s, double c_m_s) {
+  const double dt_s = t_s - knot.turn.t_s;
+  if (knot.deceleration_m_s2 != 0.0 && !(dt_s <= 0.0))
+    return glide(knot.turn, knot.u, knot.properTime_s, knot.deceleration_m_s2, t_s, c_m_s);
+  const double gamma0 = gammaFromU(knot.u);
+  return {
+      {t_s, knot.turn.r_m + knot.u * (c_m_s * dt_s / gamma0)}, knot.u, knot.properTime_s + dt_s / gamma0, 0};
+}
+
+}  // namespace
+
+Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s) { return motionFrom(knot, t_s, c_m_s); }
 
 double rimUAfter(const Spin& spin, double own_s) {
   if (spin.slowing_1_s == 0.0 || !(own_s > 0.0)) return spin.rim_u;
@@ -60,12 +70,10 @@ double angleAfter(const Spin& spin, double own_s) {
 
 WorldLine::WorldLine(const Knot& first, double c_m_s, double radius_m, double appears_s,
                      std::pmr::memory_resource* memory)
-    : knots_({first}, memory),
-      settling_({{-std::numeric_limits<double>::infinity(), radius_m, true, radius_m}}, memory),
-      c_m_s_(c_m_s),
+    : c_m_s_(c_m_s),
       radius_m_(radius_m),
-      appears_s_(appears_s),
-      origin_(first) {}
+      knots_(first, {-std::numeric_limits<double>::infinity(), radius_m, true}, memory),
+      appears_s_(appears_s) {}
 
 namespace {
 
@@ -86,10 +94,8 @@ RestFrameSplit inRestFrame(const Vec3& u, const Displacement& d, double c_m_s) {
 // signal (t_n, x_n) arrives: t_A = t_n + |x − x_n|, so |t_A| ≤ |t_n + |x_n|| + ρ. Seen from the new leg's
 // rest frame, which moves at relative rapidity η, both coordinates of A are at most e^η times the larger of
 // the two bounds; from there the point needs at most (|x_A| + R)/kCatchUpSpeed.
-WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before) const {
-  const std::size_t last = knots_.size() - 1;
+Settling WorldLine::settlingOf(const Knot& next, const Motion& before, double radiusThen_m) const {
   const RestFrameSplit signal = inRestFrame(before.u, next.signal - next.turn, c_m_s_);
-  const double radiusThen_m = settling_[last].reachAtNext_m;
   const double reachOld_m = std::abs(signal.time_m + signal.distance_m) + radiusThen_m;
   const double gammaRelative =
       std::max(1.0, gammaFromU(before.u) * gammaFromU(next.u) - glm::dot(before.u, next.u));
@@ -97,43 +103,36 @@ WorldLine::Settling WorldLine::settlingOf(const Knot& next, const Motion& before
   const double reach_m = std::max(radius_m_, expEta * reachOld_m);
   const double join_s = (reach_m + (reach_m + radius_m_) / kCatchUpSpeed) / c_m_s_;
   // Friction moves the goal by less than the way to it while R a < c²/2.
-  return {next.deceleration_m_s2 > 0.0 ? 2.0 * join_s : join_s, reach_m, true, radius_m_};
+  return {next.deceleration_m_s2 > 0.0 ? 2.0 * join_s : join_s, reach_m, true};
 }
 
-void WorldLine::noteNext(const Knot& next) {
+double WorldLine::noteNext(const Knot& last, const Knot& next) {
   // In the body's rest frame the centre's clock, when it sees the signal made, is at most |x_n|/c ahead of
   // it.
-  const Knot& last = knots_.back();
   const Motion then = motionOnLeg(last, next.signal.t_s, c_m_s_);
   const RestFrameSplit signal = inRestFrame(then.u, next.signal - then.event, c_m_s_);
   const double age_s = then.properTime_s - last.properTime_s - signal.distance_m / c_m_s_;
   // A point that has not joined by then would do so by after_s, moving slower than light all the way.
-  const double left_m = c_m_s_ * (settling_.back().after_s - age_s);
-  settling_.back().beforeNext = !(left_m > 0.0);
-  settling_.back().reachAtNext_m =
-      left_m > 0.0 ? std::min(settling_.back().reach_m, radius_m_ + left_m) : radius_m_;
-}
-
-void WorldLine::reserve(std::size_t knots) {
-  knots_.reserve(knots);
-  settling_.reserve(knots);
+  Settling& settling = knots_.lastSettling();
+  const double left_m = c_m_s_ * (settling.after_s - age_s);
+  settling.beforeNext = !(left_m > 0.0);
+  return left_m > 0.0 ? std::min(settling.reach_m, radius_m_ + left_m) : radius_m_;
 }
 
 void WorldLine::append(const Knot& knot) {
-  const Knot& last = knots_.back();
+  const Knot last = knots_.back();
   const Motion expected = motionOnLeg(last, knot.turn.t_s, c_m_s_);
   const double size_m = glm::length(knot.turn.r_m) + c_m_s_ * std::abs(knot.turn.t_s) + 1.0;
   const bool later = knot.turn.t_s >= last.turn.t_s;
   const bool onLeg = glm::length(knot.turn.r_m - expected.event.r_m) <= 1e-9 * size_m;
   if (!later) throw std::invalid_argument("WorldLine::append: the turn lies before the last one");
   if (!onLeg) throw std::invalid_argument("WorldLine::append: the turn does not lie on the leg it ends");
-  noteNext(knot);
-  settling_.push_back(settlingOf(knot, expected));
-  knots_.push_back(knot);
+  const double radiusThen_m = noteNext(last, knot);
+  knots_.push_back(knot, settlingOf(knot, expected, radiusThen_m));
 }
 
 void WorldLine::settlesAfter(double after_s) {
-  Settling& last = settling_.back();
+  Settling& last = knots_.lastSettling();
   if (!(after_s < last.after_s)) return;
   last.after_s = after_s;
   // They join slower than light.
@@ -141,34 +140,44 @@ void WorldLine::settlesAfter(double after_s) {
 }
 
 void WorldLine::truncateFrom(double t_s) {
-  if (forgotten_ && knots_.front().turn.t_s >= t_s) *this = WorldLine(origin_, c_m_s_, radius_m_, appears_s_);
-  const auto firstGone = std::partition_point(knots_.begin() + 1, knots_.end(),
-                                              [t_s](const Knot& knot) { return knot.turn.t_s < t_s; });
-  keepFirst(static_cast<std::size_t>(firstGone - knots_.begin()));
+  if (forgotten_ && knots_.turn_s(0) >= t_s)
+    *this = WorldLine(knots_.origin(), c_m_s_, radius_m_, appears_s_);
+  std::size_t kept = knots_.size();
+  while (kept > 1 && !(knots_.turn_s(kept - 1) < t_s)) --kept;
+  keepFirst(kept);
 }
 
 void WorldLine::keepFirst(std::size_t knots) {
   if (knots >= knots_.size()) return;
-  knots_.erase(knots_.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, knots)), knots_.end());
-  settling_.resize(knots_.size());
-  settling_.back().beforeNext = true;
+  knots_.keepFirst(knots);
+  knots_.lastSettling().beforeNext = true;
 }
 
 std::size_t WorldLine::forgetBefore(double t_s) {
-  const auto ended = std::find_if(knots_.begin() + 1, knots_.end(),
-                                  [t_s](const Knot& knot) { return knot.turn.t_s > t_s; }) -
-                     knots_.begin() - 1;
-  knots_.erase(knots_.begin(), knots_.begin() + ended);
-  settling_.erase(settling_.begin(), settling_.begin() + ended);
-  forgotten_ = forgotten_ || ended > 0;
-  return static_cast<std::size_t>(ended);
+  std::size_t ended = 0;
+  while (ended + 1 < knots_.size() && !(knots_.turn_s(ended + 1) > t_s)) ++ended;
+  if (ended == 0) return 0;
+  knots_.dropFirst(ended);
+  forgotten_ = true;
+  return ended;
+}
+
+std::size_t WorldLine::legAt(double t_s) const {
+  std::size_t leg = 0;
+  for (std::size_t after = knots_.size(); after - leg > 1;) {
+    const std::size_t middle = leg + (after - leg) / 2;
+    if (t_s < knots_.turn_s(middle)) {
+      after = middle;
+    } else {
+      leg = middle;
+    }
+  }
+  return leg;
 }
 
 Motion WorldLine::at(double t_s) const {
-  const auto after = std::upper_bound(knots_.begin() + 1, knots_.end(), t_s,
-                                      [](double t, const Knot& knot) { return t < knot.turn.t_s; });
-  const auto leg = static_cast<std::size_t>(after - knots_.begin()) - 1;
-  Motion motion = motionOnLeg(knots_[leg], t_s, c_m_s_);
+  const std::size_t leg = legAt(t_s);
+  Motion motion = motionFrom(knots_[leg], t_s, c_m_s_);
   motion.leg = leg;
   return motion;
 }

@@ -1,15 +1,16 @@
 #pragma once
 // The world line of a body's centre, as knots: between two knots the motion is exact, so a bounce costs
 // one knot and a straight flight of any length costs nothing.
+// Theory: app/doc/physics.md, Friction.
 
 #include <cstddef>
 #include <limits>
 #include <memory_resource>
-#include <span>
-#include <vector>
 
 #include "engine/base/prefetch.h"
 #include "engine/spacetime/event.h"
+#include "engine/spacetime/knot.h"
+#include "engine/spacetime/knot_store.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -18,32 +19,6 @@ namespace carom {
 /// leg. A point that goes round on that leg faster than at 0.8 c catches up at (1 + its speed)/2.
 inline constexpr double kCatchUpSpeed = 0.9;
 
-/// How a body turns about its own z, in the rest frame of its centre; anticlockwise seen from above.
-///
-/// Where the cloth slows it, its rim's celerity u (γβ) falls linearly in the centre's own time, |u| = |u0| − ν τ
-/// until it is 0, and so do the angular momentum and u's share of c/R in the angle: with Γ = sqrt(1 + u²),
-///     φ = φ0 + (c/R) (Γ0 − Γ)/ν = φ0 + ω0 (Γ0/u0) τ (u0 + u)/(Γ0 + Γ),      ω = (c/R) u/Γ
-struct Spin {
-  double angle_rad = 0.0;    ///< at the turn with which the leg begins, in that leg's axes
-  double omega_rad_s = 0.0;  ///< there, by the centre's own clock
-  double rim_u = 0.0;        ///< γβ of the rim there, with the sign of ω; needed where the cloth slows it
-  double slowing_1_s = 0.0;  ///< ν; 0: it turns uniformly
-
-  bool operator==(const Spin&) const = default;
-};
-
-/// The beginning of a leg of motion. Board frame.
-struct Knot {
-  Event turn;                      ///< the centre's event from which the leg's motion holds
-  Vec3 u{0.0};                     ///< γβ at the turn
-  double properTime_s = 0.0;       ///< the centre's own clock at the turn
-  Event signal;                    ///< the event whose signal, at light speed, makes the body's points turn
-  double deceleration_m_s2 = 0.0;  ///< constant proper deceleration from here until rest (friction)
-  Spin spin{};
-};
-
-/// Returns whether a body has ever turned by the leg of this knot.
-inline bool spins(const Knot& knot) { return knot.spin.omega_rad_s != 0.0 || knot.spin.angle_rad != 0.0; }
 // The spin `own_s` after the turn, by the centre's own clock. Before the turn it is uniform.
 /// Returns the angle, from −π to π.
 double angleAfter(const Spin& spin, double own_s);
@@ -72,19 +47,13 @@ class WorldLine {
             double appears_s = -std::numeric_limits<double>::infinity(),
             std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
-  /// Makes room for so many knots, so that none moves until there are more.
-  void reserve(std::size_t knots);
-
   /// Adds a leg. The turn must not lie before the last one and must lie on the leg it ends, within 1e-9
   /// of the coordinates' size; throws std::invalid_argument otherwise.
   void append(const Knot& knot);
 
   /// Prefetches from memory what `fetchEnd` reads; `fetchEnd` what `append` reads and writes.
-  void fetch() const { prefetch(this, sizeof(knots_) + sizeof(settling_)); }
-  void fetchEnd() const {
-    prefetch(&knots_.back(), 2 * sizeof(Knot));
-    prefetch(&settling_.back(), 2 * sizeof(Settling));
-  }
+  void fetch() const { prefetch(this), knots_.fetch(); }
+  void fetchEnd() const { knots_.fetchEnd(); }
 
   /// Lowers the bound of when all points have joined the last leg, where a better one is known (joinedAfter_s
   /// of vertex_history.h). The bounds that the line itself computes grow with every turn that comes before
@@ -104,36 +73,31 @@ class WorldLine {
   /// Returns the centre's motion at board time `t_s`.
   Motion at(double t_s) const;
 
-  std::span<const Knot> knots() const { return knots_; }
+  Knots knots() const { return Knots(knots_); }
 
   /// Returns an upper bound of the time after a knot's turn, by the centre's own clock, at which every point
   /// within the radius has joined the leg that begins there.
-  double settled_s(std::size_t knot) const { return settling_[knot].after_s; }
+  double settled_s(std::size_t knot) const { return knots_.settling(knot).after_s; }
   /// Returns whether all points had joined this leg when the signal that ends it was made; true for the last
   /// leg.
-  bool settlesBeforeNext(std::size_t knot) const { return settling_[knot].beforeNext; }
+  bool settlesBeforeNext(std::size_t knot) const { return knots_.settling(knot).beforeNext; }
 
   double radius_m() const { return radius_m_; }
   double appears_s() const { return appears_s_; }
   double lightSpeed_m_s() const { return c_m_s_; }
 
  private:
-  struct Settling {
-    double after_s = 0.0;
-    double reach_m = 0.0;  // how far from the centre a point can be until then, in the leg's rest frame
-    bool beforeNext = true;
-    double reachAtNext_m = 0.0;  // the same when the signal that ends this leg is made
-  };
-  Settling settlingOf(const Knot& next, const Motion& before) const;
-  void noteNext(const Knot& next);
+  Settling settlingOf(const Knot& next, const Motion& before, double radiusThen_m) const;
+  // Notes whether all points have joined the last leg when the signal of the next is made. Returns how far from the
+  // centre a point can be then, in the leg's rest frame.
+  double noteNext(const Knot& last, const Knot& next);
+  std::size_t legAt(double t_s) const;
 
-  std::pmr::vector<Knot> knots_;
-  std::pmr::vector<Settling> settling_;
   double c_m_s_;
   double radius_m_;
+  KnotStore knots_;
   double appears_s_;
-  bool forgotten_ = false;  // legs before knots_.front()
-  Knot origin_;
+  bool forgotten_ = false;  // legs before the first knot
 };
 
 }  // namespace carom

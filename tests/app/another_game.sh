@@ -31,7 +31,7 @@ press y front
 for _ in $(seq 100); do grep -q 'game.toml:1:' "$out/stderr" && break; sleep 0.1; done
 grep -q 'error: .*game.toml:1:' "$out/stderr" || fail "a faulty scenario was not refused"
 await 2 $(($(frames) + 20))
-press Escape front
+end_session front
 wait "$job" || fail "the session did not end well"
 job=
 

@@ -62,7 +62,7 @@ await "a key" "$(newest clocks)" on
 click $again
 await "the game from its beginning, as another one of the same file" \
   'SELECT count(*) = 2 AND (SELECT max(number) FROM frame) > max(first_frame) + 5 FROM game' 1
-xdotool key Escape
+xdotool key Escape Escape
 wait "$job" || fail "the session did not end well"
 job=
 [ "$(rows 'PRAGMA integrity_check')" = ok ] || fail "the session file is not whole"

@@ -501,7 +501,7 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
   EXPECT_EQ(saidOf(stillGame(), pulled(1, {0, 0, 0.2}, true)),
             "The puck is behind your hand: point the other way");
   EXPECT_EQ(saidOf(stillGame(), pulled(1, {0, 0, 0.2}), true),
-            "Nothing can be struck while time stands still or a lesson replays");
+            "Nothing can be struck while time stands still or in a lesson");
   EXPECT_EQ(saidOf(stillGame(),
                    [](std::uint64_t frame, const ObserverView&, const Game&) {
                      return HandInput{"mouse", {0, 1.6, 0}, {0, 1, 0}, Eye::middle, frame > 5, Vec3(0.0)};

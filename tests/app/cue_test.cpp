@@ -65,7 +65,7 @@ TEST(Cue, WhatCannotBeIsRefusedOnceAndInWords) {
   };
   EXPECT_EQ(refusalOf(kNothing, false), "There is no puck where you point");
   EXPECT_EQ(refusalOf(behind, false), "The puck is behind your hand: point the other way");
-  EXPECT_EQ(refusalOf(on(0), true), "Nothing can be struck while time stands still or a lesson replays");
+  EXPECT_EQ(refusalOf(on(0), true), "Nothing can be struck while time stands still or in a lesson");
 }
 
 TEST(Cue, ADeviceThatIsLostMidStrokeCancelsIt) {

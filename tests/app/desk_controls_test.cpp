@@ -47,6 +47,19 @@ TEST_F(DeskTest, HeldKeysSteerUntilTheyAreLetGo) {
   EXPECT_FALSE(type({{GLFW_KEY_SPACE, false}}).brake);
 }
 
+TEST_F(DeskTest, ArrowsAndPagesMoveAHeadAndDeleteAndEndTurnIt) {
+  EXPECT_EQ(type({{GLFW_KEY_UP, true}, {GLFW_KEY_LEFT, true}}).walk, Vec3(-1, 1, 0));
+  EXPECT_EQ(type({{GLFW_KEY_UP, false}, {GLFW_KEY_RIGHT, true}, {GLFW_KEY_PAGE_UP, true}}).walk,
+            Vec3(0, 0, 1));
+  EXPECT_EQ(type({{GLFW_KEY_LEFT, false}, {GLFW_KEY_DOWN, true}, {GLFW_KEY_PAGE_UP, false}}).walk,
+            Vec3(1, -1, 0));
+  EXPECT_EQ(type({{GLFW_KEY_PAGE_DOWN, true}}).walk, Vec3(1, -1, -1));
+  EXPECT_EQ(type({}).steer, Vec3(0.0)) << "they drive nothing";
+  EXPECT_EQ(type({{GLFW_KEY_END, true}}).look, 1.0);
+  EXPECT_EQ(type({{GLFW_KEY_DELETE, true}}).look, 0.0);
+  EXPECT_EQ(type({{GLFW_KEY_END, false}}).look, -1.0);
+}
+
 TEST_F(DeskTest, HomeIsAskedForOnce) {
   EXPECT_TRUE(type({{GLFW_KEY_HOME, true}}).home);
   EXPECT_FALSE(type({}).home);
@@ -60,8 +73,45 @@ TEST_F(DeskTest, InAReplaySpaceAndHomeMeanSomethingElse) {
   EXPECT_EQ(input.steer, Vec3(0, 1, 0));
 }
 
-TEST_F(DeskTest, AKeyThatWasTappedBetweenFramesIsNotStuck) {
-  EXPECT_EQ(type({{GLFW_KEY_W, true}, {GLFW_KEY_W, false}}).steer, Vec3(0.0));
+TEST_F(DeskTest, AKeyThatWasTappedBetweenFramesCountsForOneAndIsNotStuck) {
+  EXPECT_EQ(type({{GLFW_KEY_W, true}, {GLFW_KEY_W, false}}).steer, Vec3(0, 1, 0));
+  EXPECT_EQ(type({}).steer, Vec3(0.0));
+  EXPECT_TRUE(type({{GLFW_KEY_SPACE, true}, {GLFW_KEY_SPACE, false}}).brake);
+  EXPECT_FALSE(type({}).brake);
+}
+
+// The cross goes through the buttons on the wall. Then A presses the one it has come to, and is no answer.
+TEST_F(DeskTest, ThePadsCrossStepsAndAThenPressesAndDoesNotAnswer) {
+  for (const auto& [button, step] : {std::pair{GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, 1},
+                                     {GLFW_GAMEPAD_BUTTON_DPAD_LEFT, -1},
+                                     {GLFW_GAMEPAD_BUTTON_DPAD_DOWN, 1},
+                                     {GLFW_GAMEPAD_BUTTON_DPAD_UP, -1}}) {
+    press(button);
+    EXPECT_EQ(play(true).padStep, step);
+    EXPECT_EQ(play(true).padStep, 0) << "once";
+    letGo();
+    play(true);
+  }
+  press(GLFW_GAMEPAD_BUTTON_A);
+  DeskInput input = play(true);
+  EXPECT_EQ(input.answer, 0);
+  EXPECT_TRUE(input.padHeld) << "a press on the wall";
+  letGo();
+  play(true);
+  press(GLFW_GAMEPAD_BUTTON_A);
+  EXPECT_EQ(play(true).answer, 1) << "without the cross it answers again";
+  letGo();
+  play(true);
+  press(GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+  play(true);
+  letGo();
+  play(true);
+  press(GLFW_GAMEPAD_BUTTON_B);
+  EXPECT_EQ(play(true).answer, 0);
+  letGo();
+  play(true);
+  press(GLFW_GAMEPAD_BUTTON_B);
+  EXPECT_EQ(play(true).answer, 2) << "another button ends the way through the wall's";
 }
 
 TEST_F(DeskTest, ThePadsSticksHaveADeadMiddleAndReachTheirEnds) {

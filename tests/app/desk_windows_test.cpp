@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <glm/vector_relational.hpp>
@@ -105,11 +107,42 @@ TEST(DeskWindows, AWindowWithoutRoomIsSaidAndOpensOverTheOthers) {
   rig.walls[0].window.fullscreen = true;
   const test::LogLines log;
   const DeskWindows desk =
-      placeWindows(rig, rig.walls, {true, false, false}, {}, {kMonitors.data(), 1}, {kAreas.data(), 1});
-  ASSERT_TRUE(desk.console);
-  EXPECT_TRUE(remember("console", placeOf(*desk.console, kMonitors), kMonitors));
+      placeWindows(rig, rig.walls, {false, true, false}, {}, {kMonitors.data(), 1}, {kAreas.data(), 1});
+  ASSERT_TRUE(desk.outside);
+  EXPECT_TRUE(remember("outside", placeOf(*desk.outside, kMonitors), kMonitors));
   ASSERT_EQ(log.said().size(), 1U);
-  EXPECT_NE(log.said()[0].find("no room for the window \"console\""), std::string::npos) << log.said()[0];
+  EXPECT_NE(log.said()[0].find("no room for the window \"outside\""), std::string::npos) << log.said()[0];
+}
+
+/// The desk of one wall of 1280 × 720 with a console, on a screen of this size.
+std::pair<WindowPlacement, DeskWindows> deskOn(glm::ivec2 screen_px) {
+  Rig rig;
+  rig.walls = {wallAt("screen", 0, {6, 34}, true)};
+  rig.walls[0].window.size_px = {1280, 720};
+  const std::vector<Monitor> monitors{{"screen", {0, 0}, screen_px}};
+  const std::vector<ScreenPlace> areas{{{0, 0}, screen_px}};
+  const DeskWindows desk = placeWindows(rig, rig.walls, {true, false, false}, {}, monitors, areas);
+  return {rig.walls[0].window, desk};
+}
+
+TEST(DeskWindows, TheConsoleWaitsWhereItWouldTakeTheGamesPlace) {
+  const test::LogLines log;
+  for (const glm::ivec2 screen_px : {glm::ivec2(1280, 720), {1366, 768}, {1024, 768}}) {
+    const auto [wall, desk] = deskOn(screen_px);
+    EXPECT_TRUE(desk.consoleWaits) << screen_px.x;
+    ASSERT_TRUE(desk.console) << screen_px.x;
+    EXPECT_GT(wall.size_px.x, 0.9 * std::min(1280, screen_px.x)) << "the game has the screen";
+    const glm::ivec2 end_px = desk.console->position_px + desk.console->size_px;
+    EXPECT_TRUE(glm::all(glm::lessThanEqual(end_px, screen_px))) << screen_px.x;
+  }
+  for (const glm::ivec2 screen_px : {glm::ivec2(1920, 1080), {1920, 1200}, {2560, 1440}}) {
+    const auto [wall, desk] = deskOn(screen_px);
+    EXPECT_FALSE(desk.consoleWaits) << screen_px.x;
+    ASSERT_TRUE(desk.console) << screen_px.x;
+    EXPECT_FALSE(meet(wall, *desk.console)) << screen_px.x;
+    EXPECT_GE(wall.size_px.x, 640) << screen_px.x;
+  }
+  EXPECT_EQ(log.said().size(), 3U);
 }
 
 }  // namespace

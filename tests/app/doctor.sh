@@ -32,6 +32,32 @@ mpirun --allow-run-as-root --oversubscribe -n 4 "$carom" doctor "$config/rigs/fo
 grep -q "^MPI .*, 4 nodes$" "$work/said" || fail "it does not say that there are four nodes: $(cat "$work/said")"
 [ "$(grep -c "^OpenGL" "$work/said")" = 1 ] || fail "it says more than once what is the same on all nodes: $(cat "$work/said")"
 
+# A room with a tracker that is silent, a node that answers late, and a disk that is nearly full. Node 2 stops itself again
+# and again. (A file system of its own size needs the right to mount one.)
+sed 's/^kind = .*/kind = "vrpn"/; s/^source = .*/source = "Head@tcp:\/\/127.0.0.1:9"/' "$config/rigs/four-walls-cluster.toml" >"$work/room.toml"
+cat >"$work/node" <<'NODE'
+if [ "$OMPI_COMM_WORLD_RANK" = 2 ]; then
+  (while kill -STOP $$ 2>/dev/null; do sleep 0.06; kill -CONT $$; sleep 0.02; done) &
+fi
+exec "$@"
+NODE
+mkdir "$work/disk"
+room=(mpirun --allow-run-as-root --oversubscribe -n 4 bash "$work/node" "$carom" doctor "$work/room.toml" --no-window --folder "$work/disk")
+small=1
+unshare --user --map-root-user --mount bash -c 'mount -t tmpfs -o size=100m none "$0" && exec "$@"' "$work/disk" "${room[@]}" >"$work/said" 2>"$work/errors" ||
+  { small=; "${room[@]}" >"$work/said" 2>"$work/errors" || fail "of a room with faults: $(cat "$work/errors")"; }
+[ -n "$small" ] || echo "skipped: a disk that is nearly full, which cannot be mounted here"
+expect() { grep -qE "$1" "$work/errors" || fail "of a room with faults, expected '$1': $(cat "$work/errors")"; }
+expect '^warning: tracker .* is silent: nothing came within [0-9]+ s'
+expect '^warning: node 2 \(right\) is slow to answer: messages take [0-9.]+ ms there and back, at times [0-9.]+, expected 1.7 and at times 4.2 ms at most'
+[ -z "$small" ] || expect '^warning: [0-9]+ MiB are free in .*/disk, enough for [0-9]+ minutes of session, expected 8 hours at least'
+grep -qE '^files +the rig.s 0 warp meshes' "$work/said" || fail "it says nothing of the files: $(cat "$work/said")"
+
+sed 's/^pixels = .*/&\nblend = "none.png"/' "$config/rigs/play.toml" >"$work/blend.toml"
+! "$carom" doctor "$work/blend.toml" >"$work/said" 2>"$work/errors" || fail "a rig without its blend picture was found well"
+grep -qE '^error: .*blend.toml:[0-9]+:[0-9]+: .*none.png' "$work/errors" || fail "of a blend picture: $(cat "$work/errors")"
+grep -q "^disk " "$work/said" || fail "without a blend picture it says nothing of the rest"
+
 ! env -u DISPLAY "$carom" doctor >"$work/said" 2>"$work/errors" || fail "without a display it found all well"
 grep -q "^error: no X display: " "$work/errors" || fail "without a display it said: $(cat "$work/errors")"
 grep -q "^disk " "$work/said" || fail "without a display it says nothing of the rest"

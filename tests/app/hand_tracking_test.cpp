@@ -30,6 +30,32 @@ TEST(HandTracking, TheHeadsTrackerMayFollowTheWandToo) {
   EXPECT_FALSE(tracking.devices().wandKnown);
 }
 
+// A press that is over before the next frame, as where frames are slow, and two of them.
+TEST(HandTracking, APressShorterThanAFrameIsAPress) {
+  HandTracking::Trackers trackers;
+  FedTracker* wand = new FedTracker;
+  trackers.wand.reset(wand);
+  const Rig rig = rigWith(TrackerKind::dtrack);
+  HandTracking tracking(rig, rig.viewers.front(), std::move(trackers));
+  wand->fed = {at(3, {0, 1, 0})};
+  double now_s = 0.0;
+  const auto down = [&] {
+    tracking.follow(now_s += 0.1, {}, {});
+    return tracking.devices().wand.down;
+  };
+  EXPECT_EQ(down(), 0u);
+  for (int i = 0; i < 2; ++i) {
+    wand->press(0, true, 3);
+    wand->press(0, false, 3);
+  }
+  wand->press(2, true, 3);
+  EXPECT_EQ(down(), 0b101u) << "another button does not wait";
+  EXPECT_EQ(down(), 0b100u);
+  EXPECT_EQ(down(), 0b101u);
+  EXPECT_EQ(down(), 0b100u);
+  EXPECT_EQ(down(), 0b100u);
+}
+
 TEST(HandTracking, ReportsRateAndAge) {
   HandTracking::Trackers trackers;
   FedTracker* wand = new FedTracker;

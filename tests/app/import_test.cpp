@@ -104,8 +104,7 @@ TEST(Import, RefusesWhatIsNoRoomOrNoRig) {
 }
 
 TEST(Import, FourRoomsOfOtherPrograms) {
-  const std::filesystem::path rooms = CAROM_SHARED_DIR "/data/rooms";
-  if (!std::filesystem::exists(rooms)) GTEST_SKIP() << "the room files of other programs are not here";
+  const std::filesystem::path rooms = CAROM_TESTS_DIR "/data/rooms";
   const TemporaryFolder folder;
   const std::string typo = rooms / "ParaView__Examples__left_right_floor.pvx";
   const auto refused = runCarom(folder, {"import", typo, "-o", folder / "typo.toml"});

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "cave/texts/texts.h"
 #include "fed_tracker.h"
 
 namespace carom {
@@ -62,6 +63,26 @@ void expectNear(const glm::dvec3& a, const glm::dvec3& b, double within = 1e-12)
   EXPECT_NEAR(a.x, b.x, within);
   EXPECT_NEAR(a.y, b.y, within);
   EXPECT_NEAR(a.z, b.z, within);
+}
+
+// In a dry run the mouse moves the wand and is no device of its own; its right button turns the room all the same.
+TEST_F(HandsTest, AMouseThatMovesTheWandDoesNotAim) {
+  pointTo(-0.6, -2.0);
+  frame();
+  pointTo(-0.5, -2.0);
+  EXPECT_EQ(frame().device, texts::kDevices[1]) << "the mouse, which has moved";
+  desk_.mouseAims = false;
+  pointTo(-0.3, -2.0);
+  desk_.mouseHeld = true;
+  const HandInput hand = frame();
+  EXPECT_EQ(hand.device, texts::kDevices[0]) << "the wand";
+  EXPECT_FALSE(hand.held);
+  desk_.mouseHeld = false;
+  desk_.mouseTurns = true;
+  frame();
+  pointTo(0.7, -1.0);
+  frame();
+  EXPECT_NE(hands_.drive().turn_rad, 0.0);
 }
 
 // What the mouse took hold of stays under it: after the room has turned, the place on the board is in the

@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "app/input/keys.h"
+#include "app/input/end_question.h"
 
 namespace carom {
 namespace {
@@ -38,6 +38,11 @@ class KeyLockTest : public testing::Test {
     WindowInput input = typed(keys);
     input.closeRequested = close;
     return wantsToEnd(lock_.pass(input));
+  }
+  /// Whether the question is answered by this input, after a first press.
+  static bool wantsToEnd(const WindowInput& input) {
+    EndQuestion question;
+    return question.take(input) || question.take(input);
   }
 
   using Keys = std::vector<int>;
@@ -76,6 +81,17 @@ TEST_F(KeyLockTest, WithoutAPinNothingIsLocked) {
   KeyLock open;
   EXPECT_EQ(pressedOf(open.pass(typed({GLFW_KEY_F12, GLFW_KEY_ESCAPE}))),
             (Keys{GLFW_KEY_F12, GLFW_KEY_ESCAPE}));
+}
+
+TEST_F(KeyLockTest, WhatRunsUnattendedIsNotEndedByAVisitor) {
+  lock_ = KeyLock({}, true);
+  EXPECT_EQ(passed({GLFW_KEY_ESCAPE, GLFW_KEY_T, GLFW_KEY_Q, GLFW_KEY_F12, GLFW_KEY_2}),
+            (Keys{GLFW_KEY_T, GLFW_KEY_F12, GLFW_KEY_2}));
+  EXPECT_FALSE(ends({GLFW_KEY_ESCAPE}));
+  EXPECT_FALSE(ends({}, true)) << "the window's close button";
+  lock_ = KeyLock("2718", true);
+  passed({GLFW_KEY_F12, GLFW_KEY_2, GLFW_KEY_7, GLFW_KEY_1, GLFW_KEY_8, GLFW_KEY_ENTER});
+  EXPECT_TRUE(ends({GLFW_KEY_ESCAPE})) << "the PIN opens it";
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-constexpr std::array kPlaces{KeysOf::session, KeysOf::replay, KeysOf::patterns};
+constexpr std::array kPlaces{KeysOf::session, KeysOf::replay, KeysOf::patterns, KeysOf::dryRun};
 
 WindowInput pressing(int key) { return {{{key, true}, {key, false}}, false}; }
 
@@ -164,6 +164,16 @@ TEST(Keys, AKeyThatDoesNothingSaysSoUnlessItSteersOrIsTheDesktops) {
   EXPECT_EQ(commandsOf(GLFW_KEY_F2, {}), Commands{TellPerson{texts::message::kNoVelocities}});
 }
 
+TEST(Keys, F10ShowsTheConsoleAndHidesIt) {
+  OperatorSettings settings;
+  EXPECT_EQ(commandsOf(GLFW_KEY_F10, settings), Commands{TellPerson{texts::message::kNoConsole}});
+  settings.console = ConsoleState::waits;
+  EXPECT_EQ(press(GLFW_KEY_F10, settings), 1);
+  EXPECT_EQ(settings.console, ConsoleState::shown);
+  EXPECT_EQ(press(GLFW_KEY_F10, settings, KeysOf::replay), 1);
+  EXPECT_EQ(settings.console, ConsoleState::waits);
+}
+
 TEST(Keys, WhileALessonAsksDigitsAnswerAndDoNothingElse) {
   for (const int digit : {0, 1, 2, 3, 4, 9}) {
     OperatorSettings settings;
@@ -224,6 +234,21 @@ TEST(Keys, EveryCommandIsSaidInWords) {
         "playback rate: 2", "playback: from 11.00 s"}) {
     EXPECT_TRUE(said.contains(words)) << words;
   }
+}
+
+// A dry run has all keys of a session. Those that walk are no mistake there, and are listed.
+TEST(Keys, InADryRunTheArrowsWalkAndTheOthersAreThoseOfASession) {
+  const OperatorSettings settings;
+  const Commands noSuchKey{TellPerson{texts::message::kNoSuchKey}};
+  for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
+    const bool isArrow = key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP;
+    EXPECT_EQ(commandsOf(key, settings, KeysOf::dryRun),
+              isArrow ? Commands{} : commandsOf(key, settings, KeysOf::session))
+        << key;
+    if (!isArrow) continue;
+    EXPECT_EQ(commandsOf(key, settings, KeysOf::session), noSuchKey);
+  }
+  EXPECT_EQ(keyMap(KeysOf::dryRun).size(), keyMap(KeysOf::session).size() + 3);
 }
 
 TEST(Keys, TheMapNamesEveryKeyOnce) {

@@ -9,7 +9,8 @@
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "cave/gl/glyph_bitmap.h"
-#include "cave/overlay/hud_panel.h"
+#include "cave/overlay/band_layout.h"
+#include "cave/overlay/panel_place.h"
 
 namespace carom {
 namespace {
@@ -41,13 +42,33 @@ TEST(LessonLetters, FitIntoTheBandOfEveryShippedRig) {
   }
 }
 
+/// Expects that the band's buttons lie within it, none on another, and that the last one is the way out.
+void expectApart(const Wall& front, const std::vector<HudLine>& lines, const std::string& where) {
+  BandLayout layout;
+  layOut(front, front.pixels, lines, layout);
+  ASSERT_FALSE(layout.buttons.empty()) << where;
+  EXPECT_EQ(layout.buttons.back().action, actionOf(Choice::play)) << where;
+  for (std::size_t i = 0; i < layout.buttons.size(); ++i) {
+    const BandPart& a = layout.buttons[i].part;
+    EXPECT_TRUE(a.from_px.x >= 0 && a.from_px.y >= 0 && a.from_px.x + a.size_px.x <= layout.size_px.x &&
+                a.from_px.y + a.size_px.y <= layout.size_px.y)
+        << where << " " << i;
+    for (std::size_t j = 0; j < i; ++j) {
+      const BandPart& b = layout.buttons[j].part;
+      EXPECT_TRUE(a.from_px.x >= b.from_px.x + b.size_px.x || b.from_px.x >= a.from_px.x + a.size_px.x ||
+                  a.from_px.y >= b.from_px.y + b.size_px.y || b.from_px.y >= a.from_px.y + a.size_px.y)
+          << where << ": " << i << " covers " << j;
+    }
+  }
+}
+
 // As wide as they are written, lines fit beside the band's margins, so that their letters need not shrink.
 TEST(LessonLetters, LinesAreNoWiderThanTheBand) {
   constexpr int kHeight_px = 30;
   constexpr double kCapital = 0.72;  // of the nominal height
   for (const char* name : {"/rigs/play.toml", "/rigs/desk.toml"}) {
     const Wall front = frontWall(roomGeometryOf(readRig(std::string(CAROM_CONFIG_DIR) + name))).value();
-    const double wide_px = kCapital * kHeight_px / HudPanel::kBandCapital * front.pixels.x / front.pixels.y;
+    const double wide_px = kCapital * kHeight_px / PanelPlace::kBandCapital * front.pixels.x / front.pixels.y;
     for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
       const Scenario scenario = readScenario(entry.path());
       if (!scenario.lesson) continue;
@@ -60,7 +81,11 @@ TEST(LessonLetters, LinesAreNoWiderThanTheBand) {
           const double indent_px = line.setIn ? 1.6 * kHeight_px : 0.0;
           EXPECT_LE(ink(line.text, kHeight_px).size_px.x + indent_px + 2.5 * kHeight_px, wide_px)
               << entry.path() << name << ": " << line.text;
+          for (const HudChip& chip : line.chips)
+            EXPECT_LE(ink(chip.text, kHeight_px).size_px.x + 0.5 * kHeight_px, kHeight_px * widthOf(chip))
+                << entry.path() << name << ": " << chip.text;
         }
+        expectApart(front, lines, entry.path().stem().string() + name);
       }
     }
   }

@@ -56,7 +56,7 @@ expect 3 "SELECT count(DISTINCT t_s) FROM frame" 1 "board times while it asks an
 press Return screen
 await 3 "SELECT count(*) = 1 FROM answer WHERE answer = '(skipped)'"
 more_frames 3
-press Escape screen
+end_session screen
 wait "$job" || fail "the session did not end well"
 job=
 

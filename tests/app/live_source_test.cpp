@@ -16,6 +16,7 @@
 #include "app/operator/visitor_choices.h"
 #include "app/session/recorded_source.h"
 #include "app/session/session_listeners.h"
+#include "cave/overlay/wall_buttons.h"
 #include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 #include "temporary_folder.h"

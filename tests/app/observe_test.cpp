@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/program.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -15,8 +16,8 @@ namespace {
 using nlohmann::json;
 using test::answerOf;
 using test::exact;
+using test::exactCases;
 using test::runCarom;
-using test::sharedCases;
 using test::TemporaryFolder;
 
 std::string vectorText(const json& v, double scale) {
@@ -98,11 +99,10 @@ void checkSeen(const json& testCase, const json& point) {
 }
 
 TEST(Observe, SeesWhatExactCasesSay) {
-  const json cases = sharedCases("emission.json");
-  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const json cases = exactCases("emission.json");
   const TemporaryFolder folder;
   int seen = 0, unseen = 0;
-  for (const json& testCase : cases["cases"]) {
+  for (const json& testCase : cases) {
     if (!isTold(testCase)) continue;
     SCOPED_TRACE(testCase["id"].get<std::string>() + " " + testCase["input"]["group"].get<std::string>());
     const json& input = testCase["input"];
@@ -143,10 +143,9 @@ std::string spinningScenarioOf(const json& input) {
 
 // The event of emission, the place, the velocity and the Doppler factor are the point's own.
 TEST(Observe, SeesPointsOfSpinningBodiesWhereExactCasesSay) {
-  const json cases = sharedCases("spin_emission.json");
-  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const json cases = exactCases("spin_emission.json");
   const TemporaryFolder folder;
-  for (const json& testCase : cases["cases"]) {
+  for (const json& testCase : cases) {
     SCOPED_TRACE(testCase["id"].get<std::string>());
     const json &input = testCase["input"], &expected = testCase["expected"], &tolerance = testCase["tol"];
     const json &eye = input["observer"], &xi = input["xi"];

@@ -12,11 +12,11 @@ DESTDIR=$work cmake --install "$build" --component program --prefix /usr >"$work
 carom=$work/usr/bin/carom
 share=$work/usr/share/carom
 for file in bin/carom share/carom/rig.schema.json share/carom/rigs/desk.toml share/carom/traces/walk.csv \
-  lib/udev/rules.d/70-carom.rules lib/systemd/user/carom.service share/applications/carom.desktop share/man/man1/carom.1.gz share/doc/carom/copyright share/doc/carom/README.md \
-  share/carom/models/train.obj; do
+  lib/udev/rules.d/70-carom.rules lib/systemd/user/carom.service lib/systemd/user/carom-room.service share/applications/carom.desktop share/man/man1/carom.1.gz share/doc/carom/copyright share/doc/carom/README.md \
+  share/carom/models/train.obj share/carom/walls/xinitrc share/carom/walls/carom-walls@.service; do
   [ -s "$work/usr/$file" ] || fail "$file is not installed"
 done
-for page in "$(dirname "$0")"/../../app/doc/*.md "$(dirname "$0")"/../../app/pictures/*.png; do
+for page in "$(dirname "$0")"/../../app/doc/*.md "$(dirname "$0")"/../../app/doc/*.html "$(dirname "$0")"/../../app/pictures/*.png; do
   page=share/doc/carom/app/$(basename "$(dirname "$page")")/$(basename "$page")
   [ -s "$work/usr/$page" ] || fail "$page is not installed"
 done

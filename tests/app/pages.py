@@ -1,14 +1,19 @@
 """pages.py ROOT: every link in README.md and in the pages of app/doc leads to a page, a heading or a picture that is there,
-also where they are installed (config/package.cmake), and README.md links to every page."""
+also where they are installed (config/package.cmake), README.md links to every page, and the sections of app/doc/physics.md and
+the headers that they name agree: each such header has a line "Theory: app/doc/physics.md, SECTION; SECTION.". The
+card to print is well formed and has two sides; every command and option that it and the page of the first day name is in the
+manual page."""
 
+import html.parser
 import pathlib
 import re
 import sys
 
-root = pathlib.Path(sys.argv[1])
+root = pathlib.Path(sys.argv[1]).resolve()
 readme = root / "README.md"
-pages = [readme, *sorted((root / "app/doc").glob("*.md"))]
-installed = {*pages, *(root / "app/pictures").glob("*.png")}
+pages = [readme, root / "CONTRIBUTING.md", root / "CHANGELOG.md", *sorted((root / "app/doc").glob("*.md"))]
+card = root / "app/doc/card.html"
+installed = {*pages, card, *(root / "app/pictures").glob("*.png"), *(root / "app/doc/figures").glob("*.svg")}
 failed = False
 
 
@@ -45,5 +50,74 @@ for page in pages:
 for page in pages[1:]:
     if page not in linked:
         fail(f"{readme} has no link to {page}")
-print(f"{len(pages)} pages")
+if card not in linked:
+    fail(f"{readme} has no link to {card}")
+
+
+class Card(html.parser.HTMLParser):
+    """Its open elements, its sides and what stands in code."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.sides, self.codes = [], 0, []
+
+    def handle_starttag(self, tag, attributes):
+        self.sides += tag == "section"
+        if tag == "code":
+            self.codes.append("")
+        if tag not in ("meta", "br"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            fail(f"{card}:{self.getpos()[0]}: </{tag}> closes nothing")
+
+    def handle_data(self, data):
+        if "code" in self.open:
+            self.codes[-1] += data
+
+
+parsed = Card()
+parsed.feed(card.read_text())
+if parsed.open or parsed.sides != 2:
+    fail(f"{card}: open at the end: {parsed.open}; {parsed.sides} sides, expected 2")
+
+# Commands, with the options that follow them, against the manual page.
+manual = (root / "app/doc/carom.1").read_text().replace("\\-", "-")
+parts = {part.split()[1].strip('"'): part for part in re.split(r"(?m)^\.SS \"?", manual)[1:]}
+first_day = (root / "app/doc/first-day.md").read_text()
+codes = parsed.codes + re.findall(r"(?m)`([^`\n]+)`", first_day) + re.findall(r"(?m)^carom .*$", first_day)
+commands = 0
+for code in codes:
+    for command, rest in re.findall(r"\bcarom ([a-z]+)\b([^;|&]*)", code):
+        commands += 1
+        if command not in parts:
+            fail(f"'{code}': {command} is no command of the manual page")
+            continue
+        known = parts[command] + (parts["cave"] if command == "room" else "")
+        for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", re.split(r"   |\s--\s", rest)[0]):
+            if not re.search(re.escape(option) + r"(?![a-z-])", known):
+                fail(f"'{code}': the manual page knows no {option} of {command}")
+if commands < 25:
+    fail(f"only {commands} commands are named by the first day and the card")
+# The page of physics and the headers name each other.
+named = set()  # (header, section) by the page
+for section in re.split(r"(?m)^## ", (root / "app/doc/physics.md").read_text())[1:]:
+    title = section.splitlines()[0]
+    for header in re.findall(r"`((?:engine|cave|devices)/[\w/]+\.(?:h|glsl))`", section):
+        named.add((header, title))
+told = set()  # by the headers
+for folder in ("engine", "cave", "devices", "app"):
+    for header in (root / folder).rglob("*"):
+        if header.suffix in (".h", ".glsl"):
+            line = re.search(r"(?m)^// Theory: app/doc/physics\.md, (.*)\.$", header.read_text())
+            if line:
+                told |= {(str(header.relative_to(root)), title) for title in line[1].split("; ")}
+for header, title in sorted(named - told):
+    fail(f"app/doc/physics.md, {title}, names {header}, which has no line: // Theory: app/doc/physics.md, {title}.")
+for header, title in sorted(told - named):
+    fail(f"{header} names the section {title} of app/doc/physics.md, which does not name it")
+if len(named) < 20:
+    fail("app/doc/physics.md names too few headers")
+print(f"{len(pages)} pages, {commands} commands, {len(named)} sections named by headers")
 sys.exit(1 if failed or len(pages) < 3 else 0)

@@ -131,6 +131,7 @@ with open(out / "stderr", "w") as errors:
     wait_until("a collision", lambda: query("SELECT * FROM event WHERE kind = 'puck-puck'"))
     time.sleep(2.0)
     screenshot("4-collided")
+    press("Escape", "Carom: screen")  # which asks
     press("Escape", "Carom: screen")
     if session.wait(timeout=240) != 0:
         fail("the session did not end well")
@@ -159,6 +160,7 @@ with open(out / "stderr", "w") as errors:
         wait_until(what, lambda: what in (out / "stderr").read_text())
         time.sleep(0.5)
     screenshot("6-gone-back")
+    press("Escape", "Carom: screen")  # which asks
     press("Escape", "Carom: screen")
     if session.wait(timeout=240) != 0:
         fail("the replay did not end well")

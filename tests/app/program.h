@@ -50,10 +50,4 @@ inline nlohmann::json answerOf(const TemporaryFolder& folder, const std::string&
   return result.status == 0 ? nlohmann::json::parse(result.out) : nlohmann::json();
 }
 
-/// The cases kept beside a working checkout; null, with the test skipped by the caller, where they are not.
-inline nlohmann::json sharedCases(const std::string& name) {
-  std::ifstream file(std::string(CAROM_SHARED_DIR) + "/cases/" + name);
-  return file ? nlohmann::json::parse(file) : nlohmann::json();
-}
-
 }  // namespace carom::test

@@ -29,6 +29,52 @@ std::vector<std::string> played(Programme& programme, std::string playing, int s
 
 using Lines = std::vector<std::string>;
 
+/// Returns "SECOND COUNT" where the countdown changes, and "SECOND gone", for a visitor who acts at 0 s alone;
+/// `discussedUntil_s`: a question stands until then, from the beginning.
+Lines countedDown(double patience_s, double discussedUntil_s) {
+  Programme programme("first.toml", nullptr, patience_s);
+  Lines lines;
+  std::optional<int> before;
+  for (int tenth = 0; tenth < 5000; ++tenth) {
+    const double now_s = 0.1 * tenth;
+    const NextGame next =
+        programme.look({now_s, tenth == 0, false, Vec3(0.0), now_s < discussedUntil_s}, "lesson.toml");
+    const std::optional<int> left = programme.countdown(now_s);
+    if (left && left != before) lines.push_back(std::to_string(tenth / 10) + " " + std::to_string(*left));
+    before = left;
+    if (!next.isForNextVisitor) continue;
+    lines.push_back(std::to_string(tenth / 10) + " gone");
+    break;
+  }
+  return lines;
+}
+
+TEST(Programme, CountsDownBeforeItSendsAVisitorAway) {
+  EXPECT_EQ(countedDown(60.0, 0.0), (Lines{"50 10", "51 9", "52 8", "53 7", "54 6", "55 5", "56 4", "57 3",
+                                           "58 2", "59 1", "60 gone"}));
+  EXPECT_EQ(countedDown(6.0, 0.0), (Lines{"3 3", "4 2", "5 1", "6 gone"})) << "half of a short patience";
+}
+
+TEST(Programme, WaitsFiveTimesAsLongWhileAQuestionStands) {
+  const Lines whole = countedDown(15.0, 1000.0);
+  ASSERT_FALSE(whole.empty());
+  EXPECT_EQ(whole.front(), "67 8");
+  EXPECT_EQ(whole.back(), "75 gone");
+  EXPECT_EQ(countedDown(15.0, 40.0).back(), "55 gone")
+      << "the patience of a game begins when the question goes";
+}
+
+TEST(Programme, ASignOfLifeEndsTheCountdown) {
+  Programme programme("first.toml", nullptr, 20.0);
+  for (int second = 0; second <= 15; ++second)
+    programme.look({1.0 * second, second == 0, false, Vec3(0.0)}, "a");
+  EXPECT_EQ(programme.countdown(15.0), 5);
+  programme.look({16.0, false, false, Vec3(0.1, 0.0, 0.0)}, "a");
+  EXPECT_FALSE(programme.countdown(16.0));
+  programme.look({16.1, true, false, Vec3(0.1, 0.0, 0.0)}, "a");
+  EXPECT_FALSE(programme.countdown(16.1));
+}
+
 PlaylistGame game(const std::string& name, std::optional<double> for_s = {}, bool attracts = false) {
   PlaylistGame game;
   game.scenario = name + ".toml";

@@ -77,7 +77,7 @@ for key in 4 p n f f t t t bracketleft plus; do
     sleep 0.05
   done
 done
-xdotool key --window "$window" q
+xdotool key --window "$window" q q
 wait "$job" || fail "a session with keys: $(cat "$out/stderr")"
 job=
 kinds=$(rows keys "SELECT count(DISTINCT what) FROM input")

@@ -16,12 +16,8 @@ cat >"$out/corner.pvx" <<'EOF'
 </pvx>
 EOF
 rooms=("$out/corner.pvx")
-shared=$(dirname "$config")/../shared/data/rooms
-if [ -d "$shared" ]; then
-  rooms+=("$shared/ParaView__Examples__trivial.pvx" "$shared/sgct-docs__projectionplane.json" "$shared/sgct__config__3DTV.json")
-else
-  echo "the room files of other programs are not here: those are skipped"
-fi
+foreign=$(dirname "$config")/tests/data/rooms
+rooms+=("$foreign/ParaView__Examples__trivial.pvx" "$foreign/sgct-docs__projectionplane.json" "$foreign/sgct__config__3DTV.json")
 for room in "${rooms[@]}"; do
   "$carom" import "$room" -o "$out/$(basename "$room").toml" 2>"$out/said" || { cat "$out/said"; exit 1; }
 done

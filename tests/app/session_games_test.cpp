@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/journal/journal.h"
 #include "app/journal/session_file.h"
@@ -129,6 +133,56 @@ TEST_F(SessionGames, TheNewestGoesOn) {
   SessionFile session(file_);
   EXPECT_EQ(session.games().size(), 2u);
   EXPECT_EQ(*session.frames(), (std::pair<std::uint64_t, std::uint64_t>(10, 15)));
+}
+
+/// What is said of a session file of two games after a change to it.
+std::string saidAfter(const std::filesystem::path& file, const std::string& change) {
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(change);
+  try {
+    SessionFile session(file);
+    return session.games().front().startedUtc;
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(AlteredSession, IsRefusedOrCleanedBeforeAnybodyPlaysIt) {
+  const TemporaryFolder folder;
+  const auto file = folder / "game.db", altered = folder / "altered.db";
+  play(file, 1, 0, 3);
+  play(file, 2, 4, 6);
+  const std::vector<std::pair<const char*, const char*>> changes{
+      {"UPDATE game SET light_speed_m_s = 0", "light_speed_m_s is 0, expected a number above 0 up to 1e+09"},
+      {"UPDATE game SET light_speed_m_s = 1e-320", "light_speed_m_s is "},
+      {"UPDATE game SET light_speed_m_s = 1e300", "light_speed_m_s is 1e+300, expected"},
+      {"UPDATE game SET light_speed_m_s = 'fast'", "light_speed_m_s is 0, expected"},
+      {"UPDATE session SET value = 0 WHERE key = 'light_speed_m_s'", "light_speed_m_s is 0, expected"},
+      {"CREATE VIEW endless AS SELECT 1", "it has views or triggers"},
+      {"CREATE TRIGGER more AFTER INSERT ON frame BEGIN SELECT 1; END", "it has views or triggers"},
+      {"UPDATE game SET started_utc = '2026' || char(27) || '[31m' || char(10) || char(155)", "2026?[31m??"}};
+  for (const auto& [change, said] : changes) {
+    std::filesystem::copy_file(file, altered, std::filesystem::copy_options::overwrite_existing);
+    const std::string what = saidAfter(altered, change);
+    EXPECT_NE(what.find(said), std::string::npos) << change << ": " << what;
+  }
+}
+
+TEST(AlteredSession, HasTheLightSpeedOfItsScenario) {
+  const TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  SessionFacts facts = factsOf(1);
+  facts.scenarioText = "light_speed_m_s = 1.42\n";
+  { Journal(file, facts, false).add(frameOf(0), head(), {}); }
+  EXPECT_EQ(SessionFile(file).scenario().billiard.lightSpeed_m_s, 1.42);
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("UPDATE game SET light_speed_m_s = 2");
+  try {
+    SessionFile(file).scenario();
+    FAIL() << "was taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("light_speed_m_s is 2, expected 1.42 as in its scenario"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

@@ -16,3 +16,7 @@ fail() {
 press() { # KEY WALL. Not checked: a window that a key closes is gone before the key is let go
   xdotool key --window "$(xdotool search --name "Carom: $2" | head -1)" "$1" 2>/dev/null || true
 }
+end_session() { # WALL: Escape asks, and ends when it is pressed again
+  press Escape "$1"
+  press Escape "$1"
+}

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/program.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -16,8 +17,8 @@ namespace {
 using nlohmann::json;
 using test::answerOf;
 using test::exact;
+using test::exactCases;
 using test::runCarom;
-using test::sharedCases;
 using test::TemporaryFolder;
 
 std::string outlineText(const json& corners) {
@@ -70,11 +71,10 @@ void checkKick(const json& collision, const json& kick, const json& tolerance, d
 // A game takes the contact that is the first in the frame of equal speeds. Where the case asks for that of another
 // frame, the game's is the same or earlier in its own.
 TEST(SimulateCorners, BodiesMeetAsExactCasesSay) {
-  const json cases = sharedCases("polygon_contacts.json");
-  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const json cases = exactCases("polygon_contacts.json");
   const TemporaryFolder folder;
   int same = 0;
-  for (const json& testCase : cases["cases"]) {
+  for (const json& testCase : cases) {
     SCOPED_TRACE(testCase["id"].get<std::string>() + " " + testCase["input"]["group"].get<std::string>());
     const json &input = testCase["input"], &expected = testCase["expected"], &tolerance = testCase["tol"];
     const json found = answerOf(folder, "simulate", caseText(input), {"--until", exact(input["until"])});
@@ -311,7 +311,7 @@ TEST(SimulateCorners, CheckSaysWhyAMeshGivesNoOutline) {
       {"outline_m = [[0, 0], [1, 0], [0, 1]]\noutline = 3\n", ":8:11:", "beside outline_m"},
       {"mesh = \"two.obj\"\noutline = \"mesh\"\nspin_rad_s = 100\n", ":2:1:", "radius_m is missing"},
       {"radius_m = 0\nmesh = \"two.obj\"\noutline = \"mesh\"\n", ":7:12:", "radius_m is 0, expected"},
-      {"radius_m = 1e-90\nmesh = \"two.obj\"\noutline = \"mesh\"\n", ":7:12:", "too near to each other"},
+      {"radius_m = 1e-90\nmesh = \"two.obj\"\noutline = \"mesh\"\n", ":7:12:", "too small to calculate with"},
       {"radius_m = 1\nmesh = \"none.obj\"\noutline = \"mesh\"\n", ":8:8:", "none.obj"},
       {"mesh = \"none.obj\"\noutline = \"mesh\"\n", ":7:8:", "none.obj"},
       {"radius_m = 1\nmesh = \"nan.obj\"\noutline = \"mesh\"\n", ":8:8:", "nan.obj:3:3: 'nan' is wrong"},

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/program.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 using nlohmann::json;
 using test::answerOf;
 using test::exact;
+using test::exactCases;
 using test::runCarom;
-using test::sharedCases;
 using test::TemporaryFolder;
 
 std::string puckText(const std::string& name, const json& puck, double c, double x_m, double y_m) {
@@ -63,10 +64,9 @@ void checkTurn(const json& turn, const json& puck, const json& v, const json& J,
 }
 
 TEST(SimulateSpin, RoughRimsKickAsExactCasesSay) {
-  const json cases = sharedCases("spin_collisions.json");
-  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const json cases = exactCases("spin_collisions.json");
   const TemporaryFolder folder;
-  for (const json& testCase : cases["cases"]) {
+  for (const json& testCase : cases) {
     SCOPED_TRACE(testCase["id"].get<std::string>() + " " + testCase["input"]["group"].get<std::string>());
     const json &input = testCase["input"], &expected = testCase["expected"], &tolerance = testCase["tol"];
     const bool cushion = input["kind"] == "cushion";

@@ -10,6 +10,7 @@
 
 #include "app/files/scenario.h"
 #include "app/program.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -17,8 +18,8 @@ namespace {
 using nlohmann::json;
 using test::answerOf;
 using test::exact;
+using test::exactCases;
 using test::runCarom;
-using test::sharedCases;
 using test::TemporaryFolder;
 
 const std::string kThreePucks = CAROM_CONFIG_DIR "/scenarios/three-pucks.toml";
@@ -89,11 +90,10 @@ void checkPair(const json& testCase, const json& found, const json& velocitiesAf
 }
 
 TEST(Simulate, PucksCollideAsExactCasesSay) {
-  const json cases = sharedCases("puck_collisions.json");
-  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const json cases = exactCases("puck_collisions.json");
   const TemporaryFolder folder;
   int hits = 0;
-  for (const json& testCase : cases["cases"]) {
+  for (const json& testCase : cases) {
     SCOPED_TRACE(testCase["id"].get<std::string>() + " " + testCase["input"]["group"].get<std::string>());
     const std::string status = testCase["expected"]["status"];
     if (status == "overlap_at_t0") {
@@ -147,10 +147,9 @@ CushionSetup beforeCushion(const json& input, const std::string& wall, double re
 }
 
 TEST(Simulate, CushionsThrowBackAsExactCasesSay) {
-  const json cases = sharedCases("puck_cushion.json");
-  if (cases.is_null()) GTEST_SKIP() << "the exact cases are not beside this checkout";
+  const json cases = exactCases("puck_cushion.json");
   const TemporaryFolder folder;
-  for (const json& testCase : cases["cases"]) {
+  for (const json& testCase : cases) {
     const json& input = testCase["input"];
     const double tolerance = testCase["tol_abs"], c = input["c"];
     for (const auto& [wall, expected] : testCase["expected"]["walls"].items()) {
@@ -274,11 +273,10 @@ json scattered(const TemporaryFolder& folder, double beta, double offset, bool c
 double angleOf(const json& beta) { return std::atan2(beta[1].get<double>(), beta[0].get<double>()); }
 
 TEST(Simulate, ScattersAsKnown) {
-  const json cases = sharedCases("known_results.json");
-  if (cases.is_null()) GTEST_SKIP() << "the known results are not beside this checkout";
+  const json cases = exactCases("known_results.json");
   const TemporaryFolder folder;
   int count = 0;
-  for (const json& testCase : cases["cases"]) {
+  for (const json& testCase : cases) {
     if (testCase["kind"] != "scatter") continue;
     SCOPED_TRACE(testCase["id"].get<std::string>());
     const json& expected = testCase["expected"];

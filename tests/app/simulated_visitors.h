@@ -1,12 +1,14 @@
 #pragma once
-// Visitors who come, play and leave, in simulated time: keys, mouse and drive at random, from a seed. Everything is as
-// in `carom cave --unattended`, without its pictures: settings, programme, games, session files.
+// Visitors who come, play and leave, in simulated time: keys, mouse and drive at random, from a seed; some press Escape,
+// and some discuss a question for minutes without touching anything. Everything is as in `carom cave --unattended`,
+// without its pictures: settings, programme, games, session files, the lock of the keys.
 
 #include <GLFW/glfw3.h>
 #include <dirent.h>
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -18,6 +20,8 @@
 #include "app/files/config_folder.h"
 #include "app/files/starting_histories.h"
 #include "app/hand/ray_picking.h"
+#include "app/input/end_question.h"
+#include "app/input/key_lock.h"
 #include "app/journal/journal.h"
 #include "app/operator/visitor_choices.h"
 #include "app/session/director.h"
@@ -76,6 +80,11 @@ class SimulatedVisitors {
   std::size_t games() const { return games_; }
   std::size_t strokes() const { return strokes_; }
   std::size_t attractions() const { return attractions_; }
+  std::size_t escapes() const { return escapes_; }          ///< presses of Escape or Q
+  std::size_t ends() const { return ends_; }                ///< times that they ended the session
+  std::size_t discussions() const { return discussions_; }  ///< of more than the patience
+  std::size_t thrownOut() const { return thrownOut_; }      ///< in the middle of a discussion
+  std::size_t countdowns() const { return countdowns_; }    ///< seconds that were counted down
   std::filesystem::path file() const { return folder_ / "visit.db"; }
   double now_s() const { return decision_.frame.record.display_s; }
 
@@ -90,7 +99,14 @@ class SimulatedVisitors {
       if (pressed_) input.keys = {{*pressed_, true}, {*pressed_, false}};
       pressed_.reset();
     }
-    leader_->decide(times, input, decision_);
+    for (const KeyInput& key : input.keys)
+      escapes_ += key.pressed && (key.key == GLFW_KEY_ESCAPE || key.key == GLFW_KEY_Q) ? 1 : 0;
+    const WindowInput& passed = lock_.pass(input);
+    ends_ += ending_.take(passed) ? 1 : 0;
+    const Notice before = decision_.frame.record.notice;
+    leader_->decide(times, passed, decision_);
+    const Notice& said = decision_.frame.record.notice;
+    countdowns_ += said != before && said.words().starts_with("Still there") ? 1 : 0;
     strokes_ += decision_.strokes.size();
     applyFrame(decision_.frame, world_);
     journal_.shown(decision_);
@@ -109,6 +125,14 @@ class SimulatedVisitors {
       return;
     }
     if (now_s < changes_s_) return;
+    if (discusses()) {
+      mood_ = Mood::looks;
+      changes_s_ = now_s + random_.in(1.1, 4.5) * kPatience_s;
+      leaves_s_ = std::max(leaves_s_, changes_s_ + 5.0);
+      discussedUntil_s_ = changes_s_;
+      ++discussions_;
+      return;
+    }
     changes_s_ = now_s + random_.in(0.3, 2.0);
     mood_ = mood_ == Mood::aims ? Mood::draws : random_.in(0.0, 1.0) < 0.6 ? Mood::aims : Mood::drives;
     if (mood_ == Mood::aims) puck_ = static_cast<std::size_t>(random_.in(0.0, 0.999 * pucks()));
@@ -116,12 +140,18 @@ class SimulatedVisitors {
     turn_rad_ = random_.in(-std::numbers::pi, std::numbers::pi);
     if (random_.in(0.0, 1.0) > 0.4) return;
     constexpr std::array kKeys{
-        GLFW_KEY_1, GLFW_KEY_2,  GLFW_KEY_3,  GLFW_KEY_4,  GLFW_KEY_5,     GLFW_KEY_N,
-        GLFW_KEY_M, GLFW_KEY_P,  GLFW_KEY_E,  GLFW_KEY_C,  GLFW_KEY_U,     GLFW_KEY_V,
-        GLFW_KEY_F, GLFW_KEY_H,  GLFW_KEY_B,  GLFW_KEY_X,  GLFW_KEY_EQUAL, GLFW_KEY_K,
-        GLFW_KEY_J, GLFW_KEY_T,  GLFW_KEY_Y,  GLFW_KEY_F5, GLFW_KEY_F6,    GLFW_KEY_F7,
-        GLFW_KEY_G, GLFW_KEY_F2, GLFW_KEY_F3, GLFW_KEY_Z,  GLFW_KEY_ENTER, GLFW_KEY_RIGHT_BRACKET};
+        GLFW_KEY_1, GLFW_KEY_2,      GLFW_KEY_3,  GLFW_KEY_4,  GLFW_KEY_5,     GLFW_KEY_N,
+        GLFW_KEY_M, GLFW_KEY_P,      GLFW_KEY_E,  GLFW_KEY_C,  GLFW_KEY_U,     GLFW_KEY_V,
+        GLFW_KEY_F, GLFW_KEY_H,      GLFW_KEY_B,  GLFW_KEY_X,  GLFW_KEY_EQUAL, GLFW_KEY_K,
+        GLFW_KEY_J, GLFW_KEY_T,      GLFW_KEY_Y,  GLFW_KEY_F5, GLFW_KEY_F6,    GLFW_KEY_F7,
+        GLFW_KEY_G, GLFW_KEY_F2,     GLFW_KEY_F3, GLFW_KEY_Z,  GLFW_KEY_ENTER, GLFW_KEY_RIGHT_BRACKET,
+        GLFW_KEY_Q, GLFW_KEY_ESCAPE, GLFW_KEY_F6};
     pressed_ = kKeys[static_cast<std::size_t>(random_.in(0.0, 0.999 * kKeys.size()))];
+  }
+
+  /// Decides whether the visitors stand before a question now and discuss it.
+  bool discusses() {
+    return leader_->settings().lesson.phase == LessonPhase::asks && random_.in(0.0, 1.0) < 0.3;
   }
 
   double pucks() const { return static_cast<double>(scenario_.billiard.pucks.size()); }
@@ -148,6 +178,7 @@ class SimulatedVisitors {
   void begin(const NextGame& next) {
     ASSERT_FALSE(next.file.empty());
     ++games_;
+    thrownOut_ += next.isForNextVisitor && now_s() < discussedUntil_s_ ? 1 : 0;
     attractions_ += next.attracts ? 1 : 0;
     scenario_ = readScenario(next.file);
     world_ = {startingHistories(scenario_), {}};
@@ -190,10 +221,14 @@ class SimulatedVisitors {
   std::unique_ptr<LiveSource> source_;
   std::unique_ptr<FrameLeader> leader_;
   JournalListener journal_;
+  KeyLock lock_{"", true};
+  EndQuestion ending_;
   Decision decision_;
   RayPicking aim_;
   bool isFirstFrame_ = true, isWelcome_ = true;
   std::size_t games_ = 0, strokes_ = 0, attractions_ = 0;
+  std::size_t escapes_ = 0, ends_ = 0, discussions_ = 0, thrownOut_ = 0, countdowns_ = 0;
+  double discussedUntil_s_ = -1.0;
   Mood mood_ = Mood::away;
   double comes_s_ = 0.0, leaves_s_ = -1.0, changes_s_ = 0.0, pull_m_ = 0.0, turn_rad_ = 0.0;
   std::size_t puck_ = 0;

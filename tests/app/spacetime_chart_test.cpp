@@ -5,8 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "app/report/chart_file.h"
+#include "app/temporary_folder.h"
+#include "cave/mesh/vtk_messages.h"
 #include "engine/billiard/billiard.h"
+#include "log_lines.h"
 
 namespace carom {
 namespace {
@@ -92,6 +97,24 @@ TEST(SpacetimeChart, HasTheWorldLineAndTheNowOfEverybodyInTheRoom) {
   EXPECT_EQ(named("ben"), 1);
   EXPECT_EQ(named("ben: line of simultaneity"), 1);
   EXPECT_EQ(named("my line of simultaneity"), 1);
+}
+
+TEST(SpacetimeChart, LinesOfOnePointAndOfNoneAreWrittenWithoutAComplaint) {
+  const test::TemporaryFolder folder;
+  const test::LogLines lines;
+  sendVtkMessagesToLog();
+  Chart chart;
+  chart.title = "one frame";
+  for (const std::size_t points : {0U, 1U, 2U}) {
+    ChartLine& line = chart.lines.emplace_back();
+    line.name = "line" + std::to_string(points);
+    for (std::size_t i = 0; i < points; ++i) line.points.emplace_back(0.1 * static_cast<double>(i), 0.5);
+  }
+  testing::internal::CaptureStderr();
+  writeChart(chart, folder / "chart.svg");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_TRUE(lines.said().empty()) << lines.said().front();
+  EXPECT_NE(test::contentOf(folder / "chart.svg").find("<svg"), std::string::npos);
 }
 
 }  // namespace

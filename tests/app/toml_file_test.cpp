@@ -111,7 +111,7 @@ TEST(TomlFile, RefusesWhatIsNoToml) {
     EXPECT_EQ(faults[0].substr(0, place.size()), place) << text << faults[0];
   }
   EXPECT_EQ(faultsOf(std::string(17 << 20, '\n'), nothing),
-            Faults{"1:1 the file is too large, expected at most 16 MiB"});
+            Faults{"1:1 the file is too large, 17 MiB, expected at most 16 MiB"});
 }
 
 TEST(TomlFile, RefusesMissingFilesAndFolders) {
@@ -120,9 +120,72 @@ TEST(TomlFile, RefusesMissingFilesAndFolders) {
   EXPECT_THROW(TomlFile(folder / "."), InputErrors);
 }
 
-TEST(TomlFile, SurvivesDeepNesting) {
-  const auto faults = faultsOf("a = " + std::string(100000, '['), [](const TomlFile&, const TomlTable&) {});
-  EXPECT_EQ(faults.size(), 1u);
+/// Returns `text` `count` times.
+std::string repeated(const std::string& text, std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+TEST(TomlFile, RefusesDeepNestingBeforeTheParserRecurses) {
+  const auto nothing = [](const TomlFile&, const TomlTable&) {};
+  constexpr std::size_t kDeep = 200'000;
+  const std::vector<std::pair<std::string, const char*>> cases{
+      {"[" + repeated("a.", kDeep) + "a]\n", "1:67 "},
+      {"[[" + repeated("a . ", kDeep) + "a]]\n", ""},
+      {repeated("a.", kDeep) + "a = 1\n", ""},
+      {repeated("\"a\".", kDeep) + "a = 1\n", ""},
+      {"a = " + repeated("[", kDeep), "1:37 "},
+      {"a = " + repeated("{a=", kDeep), ""},
+      {"a = {" + repeated("a.", kDeep) + "a = 1}\n", ""},
+      {"a = " + repeated("[{a.a=", kDeep), ""}};
+  for (const auto& [text, place] : cases) {
+    const auto faults = faultsOf(text, nothing);
+    ASSERT_EQ(faults.size(), 1u) << text.substr(0, 20);
+    EXPECT_EQ(faults[0].find(place), 0u) << faults[0];
+    EXPECT_NE(faults[0].find("values are nested too deep, expected at most 32"), std::string::npos)
+        << faults[0];
+  }
+}
+
+TEST(TomlFile, TakesDotsAndBracketsThatNestNothing) {
+  const auto read = [](const TomlFile&, const TomlTable& root) {
+    root.texts("a");
+    root.text("b");
+    root.number("c", {});
+  };
+  const std::string dots(300, '.'), brackets(300, '[');
+  EXPECT_EQ(faultsOf("a = ['" + dots + "', \"" + brackets + "\"] # " + dots + brackets + "\nb = \"\"\"\n" +
+                         dots + brackets + "\"\"\"\nc = 1.5\n",
+                     read),
+            Faults{});
+  EXPECT_EQ(faultsOf("a = [" + repeated("'x.y', ", 1000) + "]\nb = 'b'\nc = 1\n", read), Faults{});
+}
+
+TEST(TomlFile, RefusesMoreValuesThanItsParserHasMemoryFor) {
+  const auto faults =
+      faultsOf("a = [" + repeated("1,", 3'500'000) + "]\n", [](const TomlFile&, const TomlTable&) {});
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].find("too many values, expected at most 3000000"), std::string::npos) << faults[0];
+}
+
+TEST(TomlFile, ThreeThousandUnknownKeysAreOneFault) {
+  std::string text;
+  for (int i = 0; i < 3000; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  const auto faults =
+      faultsOf(text, [](const TomlFile&, const TomlTable& root) { root.number("length_m", {}, 1.0); });
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].find("1:1 3000 keys: unknown key 'key0', expected one of length_m (also in lines"), 0u)
+      << faults[0];
+}
+
+TEST(TomlFile, RefusesNumbersTooSmallToCalculateWith) {
+  EXPECT_EQ(faultsOf("c = 5e-324\nr = 1e-29\n",
+                     [](const TomlFile&, const TomlTable& root) {
+                       root.number("c", kPositive);
+                       root.number("r", kPositive);
+                     }),
+            Faults{"1:5 c is 5e-324, too small to calculate with, expected at least 1e-30"});
 }
 
 TEST(NearestWord, ForgivesSlipsOnly) {

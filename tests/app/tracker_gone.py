@@ -12,7 +12,7 @@ import time
 RATE_HZ = 120.0
 BEFORE_S, SILENT_S, AFTER_S = 3.0, 10.0, 4.0  # a silence is told of after 5 s, however busy the machine is
 WALK_M_S = 0.5
-FADED_S = 0.3  # devices/filter/head_filter.h: celerity is zero so long after the last sample
+FADED_S = 1.0  # devices/filter/head_filter.h: celerity is zero so long after the last sample
 SLIDE_M_S = 1.0  # there: how fast the shown pose comes over to where samples go on
 LIGHT_M_S = 1.42
 

@@ -20,6 +20,8 @@ TEST(Visitors, ThreeComePlayAndLeaveAndNobodyFindsAnothersState) {
   }
   EXPECT_GT(room.games(), 3U);
   EXPECT_GT(room.strokes(), 0U);
+  EXPECT_EQ(room.ends(), 0U) << "Escape is locked";
+  EXPECT_EQ(room.thrownOut(), 0U) << "of " << room.discussions() << " discussions";
   EXPECT_LE(found[3].handles, found[1].handles);
   // The last game is under way: its first frames may still wait to be written.
   const std::size_t written = SessionFile(room.file()).games().size();

@@ -52,7 +52,7 @@ for key in F6 F7 F6 F8; do
   await_frames $game 5
   picture "3-$key"
 done
-press Escape screen
+end_session screen
 wait "$job" || fail "the session did not end well"
 job=
 second=$(sql "SELECT first_frame FROM game ORDER BY first_frame LIMIT 1 OFFSET 1")

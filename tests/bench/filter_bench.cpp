@@ -1,5 +1,6 @@
 // Prints how well velocity filters do on a recorded head: RMS error of a component, of the walking parts
-// apart, lag, noise at rest, and the time a sample takes, at 60, 120 and 240 Hz.
+// apart, lag, noise at rest, and the time a sample takes, at 60, 120 and 240 Hz. Then with other noises,
+// after gaps, and at rest under noise that lasts.
 
 #include <algorithm>
 #include <array>
@@ -8,7 +9,10 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "devices/filter/head_filter.h"
+#include "devices/gap_score.h"
+#include "devices/lasting_noise.h"
 #include "devices/recorded_head.h"
+#include "devices/simulated_heads.h"
 #include "devices/velocity_peers.h"
 
 namespace {
@@ -63,12 +67,69 @@ void printNoises() {
   }
 }
 
+// The 0.3 s after samples were missing, on recorded and simulated heads.
+void printGaps() {
+  constexpr int kSeeds = 3, kRate_hz = 60;
+  constexpr std::array<double, 4> kGaps_s = {0.1, 0.2, 0.3, 0.5};
+  std::vector<SimulatedHead> heads = simulatedHeads(kRate_hz);
+  for (const NoisyHead& head : noisyHeads()) {
+    if (head.rate_hz == kRate_hz && head.noise_m == kTrackerNoise_m && !head.isRested)
+      heads.push_back({head.recording, head.path});
+  }
+  std::printf("RMS mm/s in the 0.3 s after a gap, 0.3 mm, 60 Hz, mean of %d seeds: carom, 4 Singer, ratio\n",
+              kSeeds);
+  std::printf("  %-22s", "");
+  for (const double gap_s : kGaps_s) std::printf("            %4.0f ms", 1e3 * gap_s);
+  std::printf("\n");
+  std::array<std::vector<double>, kGaps_s.size()> ratios;
+  for (const SimulatedHead& head : heads) {
+    std::printf("  %-22s", head.name.c_str());
+    for (std::size_t i = 0; i < kGaps_s.size(); ++i) {
+      const GapScore own = gapScoreOf(head.path, kGaps_s[i], ours, kSeeds);
+      const GapScore peer = gapScoreOf(
+          head.path, kGaps_s[i], [] { return fourSingers(kTrackerNoise_m); }, kSeeds);
+      ratios[i].push_back(own.error_m_s / peer.error_m_s);
+      std::printf("  %5.1f %5.1f %5.2f", 1e3 * own.error_m_s, 1e3 * peer.error_m_s, ratios[i].back());
+    }
+    std::printf("\n");
+  }
+  std::printf("  %-22s", "median, worst");
+  for (std::vector<double>& each : ratios) {
+    std::sort(each.begin(), each.end());
+    std::printf("  %11.2f %5.2f", each[each.size() / 2], each.back());
+  }
+  std::printf("\n");
+}
+
+void printLastingNoise() {
+  std::printf("RMS mm/s at rest, noise of 1 mm that lasts for so long, after 5 s, carom and 4 Singer\n");
+  for (const double rate_hz : {30.0, 60.0, 120.0, 240.0}) {
+    std::printf("  %3.0f Hz", rate_hz);
+    for (const double tau_s : {0.02, 0.05, 0.1}) {
+      const auto rest = [&](const FilterMaker& make) {
+        double mean_m_s = 0.0;
+        for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u}) {
+          LastingNoise noise(seed, 0.001, tau_s, rate_hz);
+          mean_m_s +=
+              restOf_m_s(make(), rate_hz, [&noise] { return glm::dvec3(0.5, 1.7, -0.3) + noise(); }) / 5.0;
+        }
+        return 1e3 * mean_m_s;
+      };
+      std::printf("   %3.0f ms %6.2f %6.2f", 1e3 * tau_s, rest(ours),
+                  rest([] { return fourSingers(0.001); }));
+    }
+    std::printf("\n");
+  }
+}
+
 }  // namespace
 
 int main() {
+  printGaps();
+  printLastingNoise();
   const auto path = recordedHead(2000, 8000);
   if (!path) {
-    std::puts("no recording of a head in " CAROM_SHARED_DIR ": nothing to measure");
+    std::puts("no recording of a head in " CAROM_SHARED_DIR ": the rest is not measured");
     return 0;
   }
   struct Entry {

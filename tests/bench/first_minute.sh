@@ -47,7 +47,7 @@ xdotool mouseup 3
 picture 30
 xdotool key --window "$window" F5
 picture 60
-xdotool key --window "$window" Escape
+xdotool key --window "$window" Escape Escape
 wait "$job" || true
 for game in "$out/visit.db"; do
   echo "$(basename "$game"): $(sqlite3 "$game" "SELECT count(*) || ' frames, ' || (SELECT count(*) FROM stroke) ||

@@ -8,6 +8,7 @@
 #include "engine/collision/rim_friction.h"
 #include "engine/gas.h"
 #include "engine/random_world.h"
+#include "resident_bytes.h"
 
 namespace carom {
 namespace {
@@ -63,16 +64,30 @@ void collisionFrame(benchmark::State& state) {
       static_cast<double>(collisions) / static_cast<double>(state.iterations());
 }
 
+// Counts the memory that a gas holds at its start and when 4 N collisions were played, which is not in the time.
 void gas(benchmark::State& state) {
   const int count = static_cast<int>(state.range(0));
   const double coverage = static_cast<double>(state.range(1)) * 1e-4;
+  const std::size_t without = test::residentBytes();
+  const auto bytesAPuck = [&] {
+    const std::size_t now = test::residentBytes();
+    return static_cast<double>(now - std::min(now, without)) / count;
+  };
   Billiard billiard(test::gasSetup(count, coverage, 2.5, 1));
+  state.counters["bytes_a_puck"] = bytesAPuck();
+  double afterFour = 0.0;
+  const auto noteFour = [&] {
+    const bool passed = billiard.events().size() >= static_cast<std::size_t>(4 * count);
+    if (passed && afterFour == 0.0) afterFour = bytesAPuck();
+    return passed;
+  };
   double t_s = 0.0;
   while (billiard.events().size() < static_cast<std::size_t>(2 * count)) billiard.advanceTo(t_s += 0.01);
   billiard.worldLines();  // legs from before that still wait are not in the time
   std::size_t collisions = 0;
   for (auto _ : state) {
     state.PauseTiming();
+    noteFour();
     billiard.forgetBefore(t_s);
     const std::size_t before = billiard.events().size();
     state.ResumeTiming();
@@ -83,6 +98,8 @@ void gas(benchmark::State& state) {
   }
   state.counters["collisions_a_second"] =
       benchmark::Counter(static_cast<double>(collisions), benchmark::Counter::kIsRate);
+  while (afterFour == 0.0 && !noteFour()) billiard.advanceTo(t_s += 0.01), billiard.worldLines();
+  state.counters["bytes_a_puck_after_4"] = afterFour;
 }
 
 // Kicks of pucks up to 0.9 c and rims up to 0.9 c that never slide; the argument is the tangential
@@ -175,6 +192,7 @@ BENCHMARK(gas)
     ->Args({1000, 1000})
     ->Args({10000, 1000})
     ->Args({100000, 1000})
+    ->Args({1000000, 1000})
     ->Args({1000, 25});
 
 }  // namespace

@@ -28,6 +28,10 @@ TEST(Visitors, AnHour) {
   }
   fmt::print("{} games, {} strokes, {} games to attract people, {:.0f} s\n", room.games(), room.strokes(),
              room.attractions(), room.now_s());
+  fmt::print("{} presses of Escape or Q, {} ends; {} discussions, {} thrown out of one; {} s counted down\n",
+             room.escapes(), room.ends(), room.discussions(), room.thrownOut(), room.countdowns());
+  EXPECT_EQ(room.ends(), 0U);
+  EXPECT_EQ(room.thrownOut(), 0U);
   ASSERT_EQ(found.size(), visitors + 1);
   // The first few visitors fill what is kept: the parser's tables, the allocator's lists.
   const std::size_t settled = visitors / 3;

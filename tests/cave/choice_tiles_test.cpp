@@ -1,13 +1,14 @@
-// The choices on the front wall: every ray to a tile finds it, and none of them covers another or the panel of words.
-#include "cave/overlay/choice_tiles.h"
+// The buttons on the front wall: every ray to one finds it, and none of them covers another or the panel of words.
+#include "cave/overlay/wall_buttons.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
-#include "cave/overlay/hud_panel.h"
+#include "cave/overlay/panel_place.h"
 #include "cave/room/off_axis.h"
 #include "engine/random_world.h"
 
@@ -37,16 +38,19 @@ TEST(ChoiceTiles, ARayFromAnywhereInFrontFindsTheTileThatItMeets) {
     const glm::dvec3 onWall_m = wall.lowerLeft_m + at_m.x * right + at_m.y * up;
     const glm::dvec3 eye_m = onWall_m + random.in(0.2, 3.0) * normalOf(wall) + random.in(-2.0, 2.0) * right;
     const auto tiles = tilesOn(wall, atFoot);
+    std::vector<WallButton> buttons;
+    for (std::size_t i = 0; i < kChoices; ++i)
+      buttons.push_back({actionOf(static_cast<Choice>(i)), tiles[i]});
     std::optional<Choice> expected;
     for (std::size_t i = 0; i < kChoices; ++i) {
       const glm::dvec2 in = (at_m - tiles[i].from_m) / tiles[i].size_m;
       if (in.x >= 0.0 && in.x <= 1.0 && in.y >= 0.0 && in.y <= 1.0) expected = static_cast<Choice>(i);
     }
-    const auto found = choiceAt(wall, atFoot, eye_m, random.in(0.1, 2.0) * (onWall_m - eye_m));
+    const auto found = buttonAt(wall, buttons, eye_m, random.in(0.1, 2.0) * (onWall_m - eye_m));
     ASSERT_EQ(found.has_value(), expected.has_value());
-    EXPECT_FALSE(choiceAt(wall, atFoot, eye_m, eye_m - onWall_m)) << "the ray goes away from the wall";
+    EXPECT_FALSE(buttonAt(wall, buttons, eye_m, eye_m - onWall_m)) << "the ray goes away from the wall";
     if (!found) continue;
-    EXPECT_EQ(found->choice, *expected);
+    EXPECT_EQ(found->action, actionOf(*expected));
     EXPECT_LT(glm::distance(found->onWall_m, onWall_m), 1e-9);
   }
 }
@@ -66,7 +70,7 @@ TEST(ChoiceTiles, TheyAreOnTheWallSideBySideAndRightOfTheWords) {
         EXPECT_GT(tiles[i].from_m.x, free_m);
       }
       // The panel of words begins at the margin and is at most so wide.
-      const double wordsEnd_m = HudPanel::kMargin * wall_m.y + HudPanel::kMostOfWidth * wall_m.x;
+      const double wordsEnd_m = PanelPlace::kMargin * wall_m.y + PanelPlace::kMostOfWidth * wall_m.x;
       if (atFoot || wall_m.y > wall_m.x) continue;
       EXPECT_GT(tiles[0].from_m.x, wordsEnd_m - 1e-9);
     }
@@ -88,6 +92,59 @@ TEST(ChoiceTiles, AreOfferedOnlyBetweenDeeds) {
     record.lesson.phase = phase;
     EXPECT_EQ(offersChoicesNow(record), offered);
   }
+}
+
+/// The kinds of the tiles that are offered.
+std::vector<WallAction::Kind> kindsOf(const FrameRecord& record, const OfferedTiles& offered) {
+  Wall wall;
+  wall.lowerLeft_m = {-1.0, 0.0, -1.0};
+  wall.lowerRight_m = {1.0, 0.0, -1.0};
+  wall.upperLeft_m = {-1.0, 2.0, -1.0};
+  wall.pixels = {800, 800};
+  std::vector<WallButton> tiles;
+  addTiles(wall, record, offered, tiles);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    EXPECT_GE(tiles[i].place.from_m.y, 0.0);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Tile &a = tiles[i].place, &b = tiles[j].place;
+      const bool apart = a.from_m.x >= b.from_m.x + b.size_m.x || b.from_m.x >= a.from_m.x + a.size_m.x ||
+                         a.from_m.y >= b.from_m.y + b.size_m.y || b.from_m.y >= a.from_m.y + a.size_m.y;
+      EXPECT_TRUE(apart) << i << " and " << j;
+    }
+  }
+  std::vector<WallAction::Kind> kinds;
+  for (const WallButton& tile : tiles) kinds.push_back(tile.action.kind);
+  return kinds;
+}
+
+TEST(ChoiceTiles, WhatKeysDoIsOfferedWhereItDoesSomething) {
+  using Kind = WallAction::Kind;
+  using Kinds = std::vector<Kind>;
+  const Kinds three(3, Kind::choice);
+  const auto with = [&](Kinds more) {
+    more.insert(more.begin(), three.begin(), three.end());
+    return more;
+  };
+  FrameRecord record;
+  record.boardFromRoom = Lorentz(1.42);
+  EXPECT_EQ(kindsOf(record, {true, false, false}), three);
+  EXPECT_EQ(kindsOf(record, {true, true, false}), with({Kind::keys}));
+  EXPECT_EQ(kindsOf(record, {false, true, false}), Kinds{});
+  EXPECT_EQ(kindsOf(record, {false, true, true}), Kinds{Kind::home});
+  record.score.caroms = 1;
+  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::home, Kind::keys}));
+  record.drive.mode = DriveMode::home;
+  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::keys})) << "under way already";
+  record.drive.mode = DriveMode::free;
+  record.views.frozen = 1;
+  EXPECT_EQ(kindsOf(record, {true, true, true}), (Kinds{Kind::goOn, Kind::unfreeze}));
+  record.hand.pulling = 1;
+  EXPECT_EQ(kindsOf(record, {true, true, true}), Kinds{});
+  record = {};
+  record.lesson.phase = LessonPhase::explains;
+  EXPECT_EQ(kindsOf(record, {true, true, true}), three);
+  record.lesson.phase = LessonPhase::shows;
+  EXPECT_EQ(kindsOf(record, {true, true, true}), Kinds{});
 }
 
 }  // namespace

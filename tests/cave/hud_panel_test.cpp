@@ -9,6 +9,7 @@
 #include "cave/display/display_walls.h"
 #include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
+#include "cave/overlay/panel_place.h"
 
 namespace carom {
 namespace {
@@ -37,12 +38,20 @@ FrameRecord recordAt(double display_s) {
   return record;
 }
 
-std::vector<std::string> said(const FrameRecord& record) {
-  std::vector<HudLine> lines;
-  describe(record, {}, {}, {}, kLineLetters, lines);
+/// Returns each line's text with its chips in brackets, the chosen one with a star.
+std::vector<std::string> textsOf(const std::vector<HudLine>& lines) {
   std::vector<std::string> texts;
-  for (const HudLine& line : lines) texts.push_back(line.text);
+  for (const HudLine& line : lines) {
+    texts.push_back(line.text);
+    for (const HudChip& chip : line.chips) texts.back() += "[" + chip.text + (chip.isOn ? " *]" : "]");
+  }
   return texts;
+}
+
+std::vector<std::string> said(const FrameRecord& record, const LessonWords& lesson = {}) {
+  std::vector<HudLine> lines;
+  describe(record, lesson, {}, {}, kLineLetters, lines);
+  return textsOf(lines);
 }
 
 TEST(HudPanel, EachReadsTheOthersClocksScoresAndTurns) {
@@ -97,14 +106,6 @@ const LessonWords kLesson{
     "Watch your clock.",
     "10.3 s and 8 s."};
 
-std::vector<std::string> said(const FrameRecord& record, const LessonWords& lesson) {
-  std::vector<HudLine> lines;
-  describe(record, lesson, {}, {}, kLineLetters, lines);
-  std::vector<std::string> texts;
-  for (const HudLine& line : lines) texts.push_back(line.text);
-  return texts;
-}
-
 TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   FrameRecord record = recordAt(1.0);
   record.lesson.phase = LessonPhase::asks;
@@ -112,7 +113,12 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
             (std::vector<std::string>{"Question:  Two twins part and meet",
                                       "again. Who of them is then the older", "one, and why?", "1   Neither",
                                       "2   The one who stayed at home, as seen", "from where they meet",
-                                      "3   The traveller", "press 1 to 3, or a wand button    Enter: skip"}));
+                                      "3   The traveller", "Choose an answer.[Skip  Enter]", "[Leave  F7]"}));
+  std::vector<HudLine> lines;
+  describe(record, kLesson, {}, {}, kLineLetters, lines);
+  for (const auto& [line, answer] : {std::pair{3U, 1}, {4U, 2}, {5U, 2}, {6U, 3}})
+    EXPECT_EQ(lines[line].row, (WallAction{WallAction::Kind::choose, static_cast<std::uint8_t>(answer)}));
+  EXPECT_FALSE(lines[2].isRow() || lines[7].isRow());
 }
 
 TEST(HudPanel, ANumberKeepsItsUnitAndALongWordIsWhole) {
@@ -125,7 +131,7 @@ TEST(HudPanel, ANumberKeepsItsUnitAndALongWordIsWhole) {
       said(record, lesson),
       (std::vector<std::string>{"Try this:  It goes along there at a", "speed of 0.75 c until it is at the",
                                 "far end, 2.84 m away.", "Look for:  " + std::string(60, 'w'), "ends",
-                                "Y: replay    Enter: explanation"}));
+                                "[Again  Y][Explanation  Enter]", "[Leave  F7]"}));
   lesson.todo = "It goes away and then at 0.75 c";
   EXPECT_EQ(said(record, lesson)[0], "Try this:  It goes away and then at");
   EXPECT_EQ(said(record, lesson)[1], "0.75 c");
@@ -161,10 +167,15 @@ TEST(HudPanel, TellWhatIsMeasuredAndWhichVelocitiesThereAre) {
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[1].text, "Your clock: 12.36 s    From hit to hit: 1.15 s");
   EXPECT_TRUE(lines[1].urgent);
-  EXPECT_EQ(lines[2].text, "You move:  F2 at rest  [F3 0.5 c to the right]");
+  EXPECT_EQ(textsOf(lines)[2], "You move:[at rest  F2][0.5 c to the right  F3 *]");
+  EXPECT_EQ(lines[2].chips[1].action, (WallAction{WallAction::Kind::choose, 2}));
   record.lesson.phase = LessonPhase::shows;
   describe(record, kLesson, plan, {}, 90, lines);
-  EXPECT_EQ(lines.back().text, "Y: replay    Enter: explanation    (slow motion: 1/4)");
+  EXPECT_EQ(textsOf(lines).back(), "[Again  Y][Explanation  Enter][Leave  F7]");
+  EXPECT_EQ(lines[2].text.find("Slow motion: 1/4    Your clock:"), 0U) << lines[2].text;
+  record.views.frozen = 1;
+  describe(record, kLesson, plan, {}, 120, lines);
+  EXPECT_EQ(textsOf(lines).back(), "[Again  Y][Explanation  Enter][Let time go on  F][Leave  F7]");
 }
 
 TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
@@ -172,16 +183,16 @@ TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
   record.lesson = {LessonPhase::shows, 1};
   EXPECT_EQ(said(record, kLesson),
             (std::vector<std::string>{"Try this:  Press G and go.", "Look for:  Watch your clock.",
-                                      "Y: replay    Enter: explanation"}));
+                                      "[Again  Y][Explanation  Enter]", "[Leave  F7]"}));
   record.lesson.phase = LessonPhase::explains;
   EXPECT_EQ(said(record, kLesson),
             (std::vector<std::string>{"10.3 s and 8 s.", "Your answer:  Neither. Correct: The one",
                                       "who stayed at home, as seen from", "where they meet.",
-                                      "Enter: back to the scene    Y: ask again"}));
+                                      "[Scene  Enter][Ask again  Y]", "[Leave  F7]"}));
   record.lesson.answer = 2;
   EXPECT_EQ(said(record, kLesson)[2], "home, as seen from where they meet.");
   record.lesson.answer = 0;
-  EXPECT_EQ(said(record, kLesson).size(), 2u) << "skipped: the number alone";
+  EXPECT_EQ(said(record, kLesson).size(), 3u) << "skipped: the number alone";
 }
 
 TEST(HudPanel, BeginWithWhatJustHappenedAndLetItStandOut) {
@@ -256,8 +267,8 @@ TEST_F(DrawnWords, CapitalsAreFourCentimetresHigh) {
   }
   EXPECT_NEAR(highest - lowest + 1, 0.04 * 300.0, 1.0);  // 300 pixels a metre
   // The panel hangs from 2.2 m: two letters' heights of it with one line.
-  EXPECT_LT(highest, HudPanel::kHighest_m * 300.0);
-  EXPECT_GT(lowest, (HudPanel::kHighest_m - 0.15) * 300.0);
+  EXPECT_LT(highest, PanelPlace::kHighest_m * 300.0);
+  EXPECT_GT(lowest, (PanelPlace::kHighest_m - 0.15) * 300.0);
 }
 
 /// The height of the least high line of the picture, from run to run of bright rows.
@@ -317,7 +328,7 @@ TEST_F(DrawnWords, TheBandOfALessonHasLettersOfAFortiethOfTheHeight) {
           if (pixel[0] + pixel[1] + pixel[2] > 0) low = std::min(low, y);
         }
       }
-      EXPECT_GE(low, HudPanel::kLowest_m / 3.0 * size_px.y - 1.0) << "the game has its place below";
+      EXPECT_GE(low, PanelPlace::kLowest_m / 3.0 * size_px.y - 1.0) << "the game has its place below";
     }
   }
 }
@@ -363,9 +374,9 @@ TEST_F(DrawnWords, LeaveTheGameItsPlace) {
   for (const std::size_t count : {std::size_t{1}, std::size_t{10}, lines.size()}) {
     const Box box = boxOf(drawn({lines.begin(), lines.begin() + static_cast<long>(count)}));
     ASSERT_GT(box.right, box.left);
-    EXPECT_LE(box.right - box.left + 1, HudPanel::kMostOfWidth * 900) << count;
-    EXPECT_LE(box.high - box.low + 1, HudPanel::kMostOfHeight * 900) << count;
-    EXPECT_LE(box.high, HudPanel::kHighest_m * 300.0);
+    EXPECT_LE(box.right - box.left + 1, PanelPlace::kMostOfWidth * 900) << count;
+    EXPECT_LE(box.high - box.low + 1, PanelPlace::kMostOfHeight * 900) << count;
+    EXPECT_LE(box.high, PanelPlace::kHighest_m * 300.0);
   }
 }
 

@@ -259,6 +259,23 @@ TEST(DeviceTracker, ButtonsAndAxesAreLife) {
                           start, 60.0);
     EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).state == State::delivering; }));
     EXPECT_EQ(tracker.health(since_s(start)).samples, 0u);
+    EXPECT_EQ(tracker.health(since_s(start) + 120.0).state, State::delivering)
+        << "nobody has pressed anything since";
+  }
+}
+
+// A device that tells of poses, if only that it sees none, sends without end: its silence is a fault.
+TEST(DeviceTracker, OneThatTellsOfPosesIsSilentWhenItSaysNothing) {
+  const auto start = Clock::now();
+  for (const auto kind : {Reading::Kind::pose, Reading::Kind::lost}) {
+    DeviceTracker tracker(once([&](DeviceSink& sink) {
+                            sink.connected();
+                            Reading reading;
+                            reading.kind = kind;
+                            sink.deliver({&reading, 1}, Clock::now());
+                          }),
+                          start, 60.0);
+    EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).state == State::delivering; }));
     EXPECT_EQ(tracker.health(since_s(start) + 120.0).state, State::silent);
   }
 }
@@ -273,8 +290,8 @@ TEST(DeviceTracker, OneThatSpeaksOnlyWhileItIsUsedIsNeverSilent) {
         sink.disconnected("pulled out");
       },
       start, std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).state == State::delivering; }));
-  EXPECT_EQ(tracker.health(1e6).state, State::delivering);
+  EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).state == State::untouched; }));
+  EXPECT_EQ(tracker.health(1e6).state, State::untouched);
   pulledOut = true;
   EXPECT_TRUE(comesTrue([&] { return tracker.health(since_s(start)).state == State::connecting; }));
 }

@@ -93,6 +93,29 @@ TEST(DtrackTracker, CountsGapsAndWhatItCannotRead) {
   EXPECT_TRUE(head.comesTrue([&] { return head.health().refused == 2; }));
 }
 
+// A controller, or a program in its place, that writes numbers as its language does.
+TEST(DtrackTracker, SaysWhyLinesCannotBeRead) {
+  const std::uint16_t port = freePort();
+  Watched head(transportAt(port));
+  Controller controller(head, port);
+  ASSERT_TRUE(head.comesTrue([&] { return controller.send(1), head.samples.size() > 0; }));
+  const Bytes commas =
+      test::bytesOf("fr 900\r\n6dcal 1\r\n6d 1 [0 1,000][0,000 1700,000 0,000][1 0 0 0 1 0 0 0 1]\r\n");
+  controller.socket.sendTo(commas, port);
+  ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
+  EXPECT_EQ(
+      head.health().message,
+      "a line of its datagrams cannot be read, '6d 1 [0 1,000][0,000 1700,000 0,000][1 0…': its numbers "
+      "have decimal commas, expected points: correct the sender's language settings");
+  EXPECT_EQ(head.health().refused, 1u);
+  controller.number = 901;
+  ASSERT_TRUE(head.comesTrue([&] { return controller.send(1), head.health().message.empty(); }));
+  controller.socket.sendTo(test::bytesOf("fr 990\r\n6d one\r\n"), port);
+  ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
+  EXPECT_EQ(head.health().message,
+            "a line of its datagrams cannot be read, '6d one', expected one as in DTRACK's manual");
+}
+
 TEST(DtrackTracker, ListensToTheConfiguredSenderAlone) {
   const std::uint16_t port = freePort();
   Watched head(transportAt(port, "?from=127.0.0.2"));

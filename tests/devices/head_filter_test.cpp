@@ -86,7 +86,8 @@ TEST(HeadFilter, SaysHowThePoseIsKnown) {
   EXPECT_EQ(walker.filter.at(last_s).known, Known::measured);
   EXPECT_EQ(walker.filter.at(last_s + 0.03).known, Known::predicted);
   EXPECT_EQ(walker.filter.at(last_s + 0.15).known, Known::held);
-  EXPECT_EQ(walker.filter.at(last_s + 0.5).known, Known::lost);
+  EXPECT_EQ(walker.filter.at(last_s + 0.95).known, Known::held);
+  EXPECT_EQ(walker.filter.at(last_s + 1.05).known, Known::lost);
 }
 
 TEST(HeadFilter, PredictsThePoseButNotTheCelerity) {
@@ -298,48 +299,6 @@ TEST(HeadFilter, NonsenseIsNeverTakenForAPlace) {
   const HeadEstimate head = walker.filter.at(400 * kFrame_s);
   EXPECT_EQ(head.known, Known::lost);
   EXPECT_TRUE(glm::distance(head.pose.position_m, stand(0)) < 0.01);
-}
-
-// Walking at 1 m/s, samples stop for a while: celerity fades to zero within 0.3 s of the last sample; when
-// they return, neither pose nor celerity jumps, and both are right again soon.
-TEST(HeadFilter, LossAndReturnAreSmooth) {
-  for (const int missing : {10, 18, 60, 300}) {
-    Walker walker(moveUnseen);
-    walker.sample(0, 180);
-    const double last_s = 179 * kFrame_s;
-    glm::dvec3 shown = walker.filter.at(last_s).pose.position_m;
-    glm::dvec3 celerity = walker.filter.at(last_s).celerity_m_s;
-    for (int i = 180; i < 180 + missing + 480; ++i) {
-      if (i >= 180 + missing) {
-        ASSERT_EQ(walker.sample(i * kFrame_s), SampleUse::used);
-      }
-      const HeadEstimate head = walker.filter.at(i * kFrame_s);
-      const double sinceLast_s = i * kFrame_s - last_s;
-      if (i < 180 + missing && sinceLast_s >= 0.3) {
-        ASSERT_EQ(head.celerity_m_s, glm::dvec3(0.0));
-      }
-      // The user's own walk, the slewing and a little of the filter's settling.
-      ASSERT_TRUE(glm::distance(head.pose.position_m, shown) < (1.0 + kSlew_m_s + 0.3) * kFrame_s)
-          << missing << " missing, frame " << i;
-      // Full celerity in no less than 0.2 s.
-      ASSERT_TRUE(glm::distance(head.celerity_m_s, celerity) < 1.2 * kFrame_s / 0.2)
-          << missing << " missing, frame " << i;
-      shown = head.pose.position_m;
-      celerity = head.celerity_m_s;
-    }
-    const double end_s = (180 + missing + 479) * kFrame_s;
-    EXPECT_NEAR(celerity.x, 1.0, 0.02);
-    EXPECT_NEAR(shown.x, end_s, 0.001) << missing;
-  }
-}
-
-TEST(HeadFilter, TheErrorOfAFadingCelerityIsStated) {
-  Walker walker(moveUnseen);
-  walker.sample(0, 180);
-  for (const double after_s : {0.12, 0.2, 0.29, 1.0}) {
-    const HeadEstimate head = walker.filter.at(179 * kFrame_s + after_s);
-    EXPECT_GT(head.sigma_m_s, 0.9 * std::abs(1.0 - head.celerity_m_s.x)) << after_s;
-  }
 }
 
 TEST(HeadFilter, TheSameSamplesGiveTheSameBits) {

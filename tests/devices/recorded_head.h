@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,11 @@ struct Path {
 
 inline constexpr double kTrackerNoise_m = 0.0003;
 
-/// The rows of a recording, empty if it is absent: times and positions, of columns t, x, y, z, … or
-/// t, t_receive, seq, x, y, z, ….
+/// Returns the rows of a recording: times and positions, of columns t, x, y, z, … or
+/// t, t_receive, seq, x, y, z, …. Throws if the file cannot be read.
 inline std::vector<TrackerSample> recordedRows(const std::string& file) {
   std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot read " + file);
   std::vector<TrackerSample> rows;
   std::size_t columns = 0;
   for (std::string line; std::getline(in, line);) {
@@ -64,7 +66,7 @@ inline std::vector<TrackerSample> recordedRows(const std::string& file) {
 /// three rows to each side.
 inline std::optional<Path> recordedHead(std::size_t first, std::size_t end) {
   Path all;
-  for (const TrackerSample& row : recordedRows(CAROM_SHARED_DIR "/data/tracking/optitrack_head_120hz.csv")) {
+  for (const TrackerSample& row : recordedRows(CAROM_TESTS_DIR "/data/tracking/optitrack_head_120hz.csv")) {
     all.times_s.push_back(row.time_s);
     all.positions_m.push_back(row.pose.position_m);
   }

@@ -29,7 +29,6 @@ struct Limit {
 // once.
 TEST(RecordedHead, CelerityIsFoundWithinTheLimits) {
   const auto path = recordedHead(2000, 8000);
-  if (!path) GTEST_SKIP() << "no recording in " CAROM_SHARED_DIR;
   for (const Limit limit : test::someOf({Limit{60, 0.0088, 0.011, 0.0004}, Limit{120, 0.0080, 0.010, 0.0004},
                                          Limit{240, 0.0071, 0.009, 0.0004}})) {
     const FilterScore score = scoreOf(resampled(*path, limit.rate_hz), limit.rate_hz, headFilter());
@@ -42,7 +41,6 @@ TEST(RecordedHead, CelerityIsFoundWithinTheLimits) {
 // The stated standard deviation and lag against what the recording shows.
 TEST(RecordedHead, StatedErrorAndLagAreThoseSeen) {
   const auto path = recordedHead(2000, 8000);
-  if (!path) GTEST_SKIP() << "no recording in " CAROM_SHARED_DIR;
   for (const int rate_hz : test::someOf({60, 120, 240})) {
     double variance = 0.0, lag_s = 0.0;
     int count = 0;
@@ -68,7 +66,6 @@ TEST(RecordedHead, StatedErrorAndLagAreThoseSeen) {
 // of which two are told the noise.
 TEST(RecordedHead, NoiseIsLearntInMotion) {
   std::vector<NoisyHead> heads = noisyHeads();
-  if (heads.empty()) GTEST_SKIP() << "no recordings in " CAROM_SHARED_DIR;
   heads.resize(test::casesOf(heads.size()));
   for (const NoisyHead& head : heads) {
     const NoisyScore score = noisyScoreOf(head, headFilter(), 1);

@@ -248,7 +248,7 @@ struct NoisyHead {
 inline std::vector<NoisyHead> noisyHeads() {
   std::vector<NoisyHead> heads;
   for (const char* recording : {"optitrack_head_120hz", "tum_fr1_xyz"}) {
-    const std::string file = std::string(CAROM_SHARED_DIR "/data/tracking/") + recording + ".csv";
+    const std::string file = std::string(CAROM_TESTS_DIR "/data/tracking/") + recording + ".csv";
     const std::vector<TrackerSample> rows = recordedRows(file);
     if (rows.empty()) continue;
     for (const int rate_hz : {60, 120}) {

@@ -5,6 +5,7 @@
 // pings are answered by devices alone.
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -62,32 +63,39 @@ class VrpnServer {
       const std::size_t length = word(0);
       const auto type = static_cast<std::int32_t>(word(16));
       if (length < 24 || at + length > said.size()) break;
+      const auto sender = static_cast<std::int32_t>(word(12));
       if (type == VrpnSender::kSenderName)
-        keep({said.begin() + static_cast<long>(at) + 28, said.begin() + static_cast<long>(at + length) - 1},
+        keep(sender,
+             {said.begin() + static_cast<long>(at) + 28, said.begin() + static_cast<long>(at + length) - 1},
              answer);
       const bool isPing = type == 0;  // as the client describes it
-      if (isPing && wanted_ == device_)
+      if (isPing && senders_[sender] == device_)
         VrpnSender::add(answer, VrpnSender::record(1, VrpnSender::kPong, {}, 0.0));
       at += (length + 7) / 8 * 8;
     }
     if (!answer.empty()) client.send(answer);
   }
 
-  /// The name that the last client has named.
+  /// The name that the last client has named first.
   const std::string& wanted() const { return wanted_; }
 
  private:
   static constexpr int kFirstKept = 2;
 
-  void keep(std::string name, Bytes& answer) {
-    wanted_ = std::move(name);
-    if (wanted_ == device_ || std::find(kept_.begin(), kept_.end(), wanted_) != kept_.end()) return;
-    kept_.push_back(wanted_);
+  void keep(int sender, const std::string& name, Bytes& answer) {
+    if (sender == 0) {
+      senders_.clear();
+      wanted_ = name;
+    }
+    senders_[sender] = name;
+    if (name == device_ || std::find(kept_.begin(), kept_.end(), name) != kept_.end()) return;
+    kept_.push_back(name);
     VrpnSender::add(answer, VrpnSender::name(kFirstKept + static_cast<int>(kept_.size()) - 1,
-                                             VrpnSender::kSenderName, wanted_));
+                                             VrpnSender::kSenderName, name));
   }
 
   std::string device_, wanted_;
+  std::map<int, std::string> senders_;  // by the client's numbers
   PeerSocket listener_;
   std::vector<std::string> kept_;
 };

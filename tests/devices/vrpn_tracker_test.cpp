@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "devices/network_peer.h"
@@ -20,6 +21,7 @@ using Server = test::VrpnServer;
 using test::Watched;
 using State = TrackerHealth::State;
 
+constexpr double kNeverSilent_s = std::numeric_limits<double>::infinity();
 constexpr double kServerAhead_s = 1.8e9;  // the server counts from 1970
 
 Transport transportTo(const Server& server) { return vrpnTransport(readVrpnSource(server.source())); }
@@ -133,6 +135,14 @@ TEST(VrpnTracker, PingsWhenNothingComesAndAnswersPings) {
   EXPECT_EQ((*pong)[19], 1) << "… and vrpn_Base pong_message";
 }
 
+/// Lets the server answer its client until the tracker has a message.
+bool saysSomething(Server& server, const PeerSocket& client, Watched& head) {
+  return head.comesTrue([&] {
+    if (client.isReadable(0)) server.hear(client);
+    return !head.health().message.empty();
+  });
+}
+
 // A server names back what is named to it, and to every later client: no name is a proof of a device.
 TEST(VrpnTracker, SaysWhichSendersThereAre) {
   Server server("Tracker0");
@@ -140,7 +150,7 @@ TEST(VrpnTracker, SaysWhichSendersThereAre) {
     Watched head(transportTo(server));
     const PeerSocket client = server.meet();
     EXPECT_EQ(server.wanted(), "Head");
-    ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
+    ASSERT_TRUE(saysSomething(server, client, head));
     EXPECT_EQ(head.health().message, "the server at 127.0.0.1:" + std::to_string(server.port()) +
                                          " has no 'Head', it has: Tracker0");
     EXPECT_EQ(head.health().state, State::connecting);
@@ -148,10 +158,33 @@ TEST(VrpnTracker, SaysWhichSendersThereAre) {
   }
   Watched head(transportTo(server));
   const PeerSocket client = server.meet();  // which names a Head now
-  ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
+  ASSERT_TRUE(saysSomething(server, client, head));
   EXPECT_EQ(head.health().message,
             "the server at 127.0.0.1:" + std::to_string(server.port()) +
                 " names a 'Head', but no such device answers; beside it there is: Tracker0");
+  Watched box(vrpnTransport(readVrpnSource(server.source("Buttons9"))), kNeverSilent_s);
+  const PeerSocket another = server.meet();
+  ASSERT_TRUE(saysSomething(server, another, box));
+  EXPECT_EQ(box.health().message,
+            "the server at 127.0.0.1:" + std::to_string(server.port()) +
+                " has no 'Buttons9', it has: Tracker0; it names without an answer: Head");
+  EXPECT_EQ(box.health().state, State::connecting) << "also of a device that sends only while it is used";
+}
+
+// A box of buttons is silent by nature.
+TEST(VrpnTracker, AButtonBoxIsUntouchedAndThenDelivers) {
+  Server server("Buttons0");
+  for (const double silence_s : {kNeverSilent_s, 0.05}) {
+    Watched box(vrpnTransport(readVrpnSource(server.source("Buttons0"))), silence_s);
+    const PeerSocket client = server.meet();
+    const State first = silence_s == kNeverSilent_s ? State::untouched : State::connecting;
+    ASSERT_TRUE(box.comesTrue([&] { return box.health().connected; }));
+    EXPECT_EQ(box.health().state, first);
+    client.send(VrpnSender::button(2, true, kServerAhead_s + box.now_s()));
+    ASSERT_TRUE(box.comesTo(State::delivering));
+    std::this_thread::sleep_for(test::milliseconds(200));
+    EXPECT_EQ(box.health().state, State::delivering) << "it has sent no pose, so it may say nothing";
+  }
 }
 
 // One that answers pings is there, and so is one that speaks under a name that came late.

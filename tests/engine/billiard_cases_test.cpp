@@ -4,23 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "engine/billiard/billiard.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
 
 using Json = nlohmann::json;
-
-std::optional<Json> cases(const std::string& name) {
-  const std::filesystem::path path = std::filesystem::path(CAROM_SHARED_DIR) / "cases" / name;
-  std::ifstream file(path);
-  if (!file) return std::nullopt;
-  return Json::parse(file)["cases"];
-}
 
 Vec2 pair(const Json& json) { return {json[0].get<double>(), json[1].get<double>()}; }
 
@@ -53,9 +45,8 @@ BilliardSetup pairSetup(const Json& input, CollisionEvent convention) {
 }
 
 TEST(BilliardCases, twoPucks) {
-  const auto all = cases("puck_collisions.json");
-  if (!all) GTEST_SKIP() << "no shared cases here";
-  for (const Json& one : *all) {
+  const Json all = test::exactCases("puck_collisions.json");
+  for (const Json& one : all) {
     SCOPED_TRACE(one["id"].get<std::string>());
     const double tolerance = one["tol_abs"];
     const Json& expected = one["expected"];
@@ -94,9 +85,8 @@ TEST(BilliardCases, twoPucks) {
 }
 
 TEST(BilliardCases, twoPucksWithRestitution) {
-  const auto all = cases("puck_collisions.json");
-  if (!all) GTEST_SKIP() << "no shared cases here";
-  for (const Json& one : *all) {
+  const Json all = test::exactCases("puck_collisions.json");
+  for (const Json& one : all) {
     if (one["expected"]["status"] != "hit") continue;
     SCOPED_TRACE(one["id"].get<std::string>());
     for (const Json& restitution : one["expected"]["restitution_cov"]) {
@@ -115,10 +105,9 @@ TEST(BilliardCases, twoPucksWithRestitution) {
 
 // The file's table is [0, Lx] × [0, Ly].
 TEST(BilliardCases, cushions) {
-  const auto all = cases("puck_cushion.json");
-  if (!all) GTEST_SKIP() << "no shared cases here";
+  const Json all = test::exactCases("puck_cushion.json");
   const char* const walls[] = {"right", "left", "top", "bottom"};
-  for (const Json& one : *all) {
+  for (const Json& one : all) {
     SCOPED_TRACE(one["id"].get<std::string>());
     const Json& input = one["input"];
     const double tolerance = one["tol_abs"];
@@ -163,9 +152,8 @@ TEST(BilliardCases, cushions) {
 // A puck hits an equal one at rest with impact parameter b: angles from the incoming direction, and the
 // velocities in the frame where it comes along x.
 TEST(BilliardCases, scatter) {
-  const auto all = cases("known_results.json");
-  if (!all) GTEST_SKIP() << "no shared cases here";
-  for (const Json& one : *all) {
+  const Json all = test::exactCases("known_results.json");
+  for (const Json& one : all) {
     if (one["kind"] != "scatter") continue;
     SCOPED_TRACE(one["id"].get<std::string>());
     const Json &input = one["input"], &expected = one["expected"];

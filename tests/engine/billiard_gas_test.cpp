@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "engine/balance.h"
 #include "engine/billiard/billiard.h"
 #include "engine/gas.h"
+#include "exact_cases.h"
 #include "sanitized.h"
 
 namespace carom {
@@ -83,11 +82,7 @@ TEST(BilliardGas, thermalisesToJuettner) {
 
 // The law itself against tabulated values.
 TEST(BilliardGas, juettnerLawOfTheTest) {
-  const std::filesystem::path path = std::filesystem::path(CAROM_SHARED_DIR) / "cases" / "gas.json";
-  std::ifstream file(path);
-  if (!file) GTEST_SKIP() << "no shared cases here";
-  const nlohmann::json shared = nlohmann::json::parse(file);
-  for (const auto& one : shared["cases"]) {
+  for (const nlohmann::json& one : test::exactCases("gas.json")) {
     const double T = one["input"]["T_over_m"];
     EXPECT_NEAR(juettnerTemperature(one["expected"]["mean_E"]), T, 1e-12);
     for (const auto& point : one["expected"]["cdf_at_E"]) {

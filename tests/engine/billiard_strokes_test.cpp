@@ -32,7 +32,7 @@ TEST(BilliardStroke, actsWhereItsLightArrives) {
     return std::abs(glm::length(path) - setup.lightSpeed_m_s * (knot.turn.t_s - stroke.at_s)) < kRounding &&
            knot.signal.r_m == knot.turn.r_m;
   };
-  const std::span<const Knot> knots = with.worldLines()[1].knots();
+  const Knots knots = with.worldLines()[1].knots();
   const auto knot = std::find_if(knots.begin(), knots.end(), struck);
   ASSERT_NE(knot, knots.end());
   const Motion before = motionOnLeg(*(knot - 1), knot->turn.t_s, setup.lightSpeed_m_s);
@@ -250,7 +250,7 @@ TEST(BilliardStroke, changesAreEnoughToFollowStrokesOfTheSetup) {
     }
     for (const Changes::NewKnot& added : changes.knots) copy[added.puck].append(added.knot);
     for (std::size_t i = 0; i < copy.size(); ++i) {
-      const std::span<const Knot> here = copy[i].knots(), there = billiard.worldLines()[i].knots();
+      const Knots here = copy[i].knots(), there = billiard.worldLines()[i].knots();
       ASSERT_EQ(here.size(), there.size()) << "frame " << frame << " puck " << i;
       ASSERT_EQ(here.back().turn.r_m, there.back().turn.r_m) << "frame " << frame << " puck " << i;
     }

@@ -99,7 +99,7 @@ struct CheckedLeg {
   }
 };
 
-inline CheckedLeg legFrom(std::span<const Knot> knots, std::size_t k, double c_m_s) {
+inline CheckedLeg legFrom(Knots knots, std::size_t k, double c_m_s) {
   CheckedLeg leg;
   leg.start = fourFrom(knots[k].turn, c_m_s);
   leg.u = velocityFrom(knots[k].u);

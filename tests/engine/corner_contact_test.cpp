@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -14,6 +12,7 @@
 #include "engine/collision/corner_cushion.h"
 #include "engine/collision/corner_kick.h"
 #include "engine/sampled_body.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -99,10 +98,7 @@ void expectCase(const Json& one) {
 }
 
 TEST(CornerContact, ExactCases) {
-  const std::filesystem::path path = std::filesystem::path(CAROM_SHARED_DIR) / "cases/polygon_contacts.json";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the cases are not here: " << path;
-  const Json cases = Json::parse(std::ifstream(path));
-  for (const Json& one : cases["cases"]) expectCase(one);
+  for (const Json& one : test::exactCases("polygon_contacts.json")) expectCase(one);
 }
 
 // ---- The slow reference: sampled_body.h.
@@ -384,6 +380,71 @@ TEST(CornerContact, ManyCornersMeetACushionAsADiscDoes) {
     EXPECT_WITHIN(found->contact.turn.x.t, disc->turn.x.t, 1e-4);
     EXPECT_WITHIN(found->contact.event.y, disc->event.y, 2e-3);
   }
+}
+
+// What touches at board time 0 has been there before, and is no contact; a moment later it is one. In numbers without
+// rounding: at u = 3/4, γ = 5/4 a corner 5/32 ahead of its centre is 1/8 ahead on the board.
+TEST(CornerContact, NothingTouchesAtBoardTimeZero) {
+  constexpr double kAhead = 0.15625, kOnBoard = 0.125;
+  const Vec21 u{1.25, -0.75, 0.0};
+  const Outline square(rectangle(0.125, 0.125));
+  const Outline diamond(std::vector<Vec2>{{kAhead, 0.0}, {0.0, kAhead}, {-kAhead, 0.0}, {0.0, -kAhead}});
+  const Outline triangle(std::vector<Vec2>{{kAhead, 0.0625}, {-0.0625, 0.0625}, {-0.0625, -0.0625}});
+  const CushionPlane plane{0, 1.0, 0.5};
+  for (const double gap : {0.0, 0x1p-20}) {  // in metres of light
+    SCOPED_TRACE(gap);
+    const double away = kOnBoard + 0.6 * gap;
+    const ShapedFlight still = flight({0.0, 0.0}, {0.0, 0.0}, square);
+    const ShapedFlight comes{{0.0, 0.0625 + away, 0.0}, u, kAhead, &diamond, 0.0, 0.0};
+    const auto found = findCornerContact(still, comes);
+    ASSERT_TRUE(found);  // if not of this corner, later of the square's corners
+    EXPECT_EQ(std::abs(found->contact.event.t - gap) < 1e-15, gap > 0.0) << found->contact.event.t;
+    // At a cushion the contact is then that of the place straight ahead of the centre, which comes later.
+    const ShapedFlight falls{
+        {0.0, 0.5 - away, 0.0}, {1.25, 0.75, 0.0}, triangle.radius(), &triangle, 0.0, 0.0};
+    const auto touch = findCornerContact(falls, 0.0, plane, TurnConvention::signalAtCentre);
+    ASSERT_TRUE(touch);
+    EXPECT_EQ(std::abs(touch->contact.event.y - 0.0625) < 1e-12, gap > 0.0) << touch->contact.event.y;
+  }
+}
+
+// Corner on corner: it lies on the end of two sides, and rounding must not let it pass between them.
+TEST(CornerContact, CornersThatMeetExactlyDoNotPassBetweenTheSides) {
+  RandomPairs random(6);
+  for (int n = 0; n < 2000; ++n) {
+    SCOPED_TRACE("seed 6, pair " + std::to_string(n));
+    const double angle = random.uniform(0.0, 2.0 * M_PI), radius = random.uniform(0.02, 0.06),
+                 speed = random.uniform(0.1, 0.95);
+    const int corners = 3 + n % 5;
+    const Vec2 way{std::cos(angle), std::sin(angle)};
+    const Outline one(regular(corners, radius, angle)), other(regular(corners, radius, angle + M_PI));
+    const double apart = random.uniform(0.2, 0.5);
+    const auto found =
+        findCornerContact(flight(-apart * way, speed * way, one), flight(apart * way, -speed * way, other));
+    ASSERT_TRUE(found);
+    const Vec21& C = found->contact.event;
+    EXPECT_WITHIN(C.t, (apart - radius * std::sqrt(1.0 - speed * speed)) / speed, 1e-12);
+    EXPECT_WITHIN(std::hypot(C.x, C.y), 0.0, 1e-13);
+  }
+}
+
+// Corner on corner, in numbers without rounding: of all that happens at once the first body's corner counts, on the side
+// of the second that comes first in its outline.
+TEST(CornerContact, OfEqualPiercingsTheFirstCounts) {
+  const Vec2 east{0.125, 0.0}, north{0.0, 0.125}, west{-0.125, 0.0}, south{0.0, -0.125};
+  const Outline diamond(std::vector<Vec2>{east, north, west, south}),
+      turned(std::vector<Vec2>{north, west, south, east});
+  const auto normalOf = [](const Outline& first, const Outline& second) {
+    const auto found =
+        findCornerContact(flight({-0.5, 0.0}, {0.6, 0.0}, first), flight({0.5, 0.0}, {-0.6, 0.0}, second));
+    EXPECT_TRUE(found && !found->sideOnSide);
+    return found ? Vec2{found->contact.n.x, found->contact.n.y} : Vec2{0.0};
+  };
+  // The second's sides at its western corner: from north to west before that from west to south.
+  EXPECT_LT(normalOf(diamond, diamond).y, -0.1);
+  EXPECT_LT(normalOf(turned, diamond).y, -0.1);
+  const Outline fromWest(std::vector<Vec2>{west, south, east, north});  // its first side leads to the south
+  EXPECT_GT(normalOf(diamond, fromWest).y, 0.1);
 }
 
 }  // namespace

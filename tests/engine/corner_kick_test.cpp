@@ -5,11 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
+
+#include <glm/vec2.hpp>
 
 #include "engine/collision/corner_kick.h"
 
 namespace carom {
 namespace {
+
+using Vec2 = glm::dvec2;
 
 // Written so that NaN fails.
 #define EXPECT_WITHIN(value, expected, tolerance)            \
@@ -191,6 +196,43 @@ TEST(CornerKick, HeatKeepsItsDigitsWhereLightIsFast) {
     const double heat = kick->centres.heat[0] + kick->centres.heat[1];
     EXPECT_WITHIN(heat / newton, 1.0, 10.0 * beta * beta + 1e-13) << c;
   }
+}
+
+// What slides gets the tangential impulse μ times the normal one, whatever the restitution; less only where less makes the
+// sides stick or, with tangential restitution, turn back as they should: as much as without a limit.
+TEST(CornerKick, SlidingImpulseIsCoulombsShareOfTheNormalOne) {
+  constexpr double kSlow = 1e-5;
+  std::mt19937_64 random(4);
+  int slid = 0, stuck = 0;
+  for (int n = 0; n < 1000; ++n) {
+    SCOPED_TRACE("seed 4, pair " + std::to_string(n));
+    Drawn made = drawn(random);
+    for (LeveredBody& body : made.bodies) {
+      body.puck.j *= kSlow;
+      body.puck.u = fourVelocity(body.puck.u.x * kSlow, body.puck.u.y * kSlow);
+    }
+    made.U = {1.0, 0.0, 0.0};
+    made.rules.friction = 0.02 + 0.5 * made.rules.tangentialRestitution;
+    const Vec2 k{made.n.x, made.n.y}, t{-k.y, k.x};
+    const auto impulseOf = [&](const RimRules& rules) {
+      const auto kick = kickCorners(made.U, made.n, made.bodies, rules);
+      if (!kick) return Vec2{0.0};
+      const LeveredBody& body = made.bodies[0];
+      const Vec21 q =
+          momentum(body, kick->centres.u[0], kick->j[0]) - momentum(body, body.puck.u, body.puck.j);
+      return Vec2{k.x * q.x + k.y * q.y, t.x * q.x + t.y * q.y};
+    };
+    RimRules unlimited = made.rules;
+    unlimited.friction = 1e9;
+    const Vec2 given = impulseOf(made.rules), wanted = impulseOf(unlimited);
+    if (given.x == 0.0) continue;
+    const double limit = made.rules.friction * std::abs(given.x);
+    EXPECT_WITHIN(given.x, wanted.x, 1e-4 * std::abs(wanted.x));
+    EXPECT_WITHIN(std::abs(given.y), std::min(limit, std::abs(wanted.y)), 1e-4 * std::abs(given.x));
+    ++(std::abs(wanted.y) > limit ? slid : stuck);
+  }
+  EXPECT_GT(slid, 100);
+  EXPECT_GT(stuck, 50);
 }
 
 }  // namespace

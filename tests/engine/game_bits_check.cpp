@@ -90,7 +90,7 @@ class SameBits {
   }
 
   // Up to the time that both have played to.
-  bool sameKnots(std::span<const Knot> a, std::span<const Knot> b, const char* how, const Mirror& mirror) {
+  bool sameKnots(Knots a, Knots b, const char* how, const Mirror& mirror) {
     for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
       const bool here = k < a.size() && a[k].turn.t_s <= until_s_,
                  there = k < b.size() && b[k].turn.t_s <= until_s_;

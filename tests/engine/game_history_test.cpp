@@ -104,6 +104,7 @@ TEST(GameHistory, EventsAreNumberedChangedAndForgotten) {
   EXPECT_EQ(met.kind, EventKind::puckPuck);
   EXPECT_NEAR(met.at.t_s, 1.0, 1e-15);
   EXPECT_EQ(met.at.r_m.x, 0.3);
+  EXPECT_EQ(met.at.r_m.z, 0.5 * setup.pucks[1].height_m) << "as high as the centre that turns";
   ASSERT_EQ(met.turns.size(), 1u);
   EXPECT_NEAR(met.turns[0].event.t_s, 2.0, 1e-15);
   EXPECT_NEAR(met.turns[0].betaBefore.x, 0.6, 1e-15);  // u = 0.75 is β = 0.6
@@ -127,6 +128,13 @@ TEST(GameHistory, EventsAreNumberedChangedAndForgotten) {
   history.noteChange({4.26, 0.0, 0.0});
   EXPECT_NEAR(history.takeChangedFrom_s(), 2.0, 1e-15);
   EXPECT_EQ(history.takeChangedFrom_s(), kInfinity);
+
+  history.forgetBefore(1.5);
+  EXPECT_EQ(history.forgottenEvents(), 0u) << "the turn of the first is to come";
+  history.forgetBefore(2.5);
+  EXPECT_EQ(history.forgottenEvents(), 2u);
+  EXPECT_EQ(history.eventCount(), 3u) << "counted from the start of the game";
+  EXPECT_EQ(history.events()[0].which, 3u);
 }
 
 }  // namespace

@@ -214,7 +214,7 @@ void GameRecord::findKnots(const Billiard& billiard) {
       if (events[e].turns.size() == 2)
         part.partner = static_cast<int>(events[e].turns[&turn == events[e].turns.begin() ? 1 : 0].puck);
       part.idle = events[e].cushion && events[e].heat_j == 0.0 && turn.betaBefore == turn.betaAfter;
-      const std::span<const Knot> knots = billiard.worldLines()[turn.puck].knots();
+      const Knots knots = billiard.worldLines()[turn.puck].knots();
       for (std::size_t k = 1; k < knots.size() && part.knot == 0 && !part.idle; ++k) {
         if (partOfKnot[turn.puck][k] >= 0 || !isSameTurn(turn, knots[k])) continue;
         part.knot = k, part.leg = k - 1;

@@ -231,7 +231,7 @@ constexpr std::size_t kMostTurns = 512;
 
 void expectProgress(const Billiard& billiard, const BilliardSetup& setup) {
   for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
-    const std::span<const Knot> knots = billiard.worldLines()[i].knots();
+    const Knots knots = billiard.worldLines()[i].knots();
     const double crossing_s = setup.pucks[i].radius_m / setup.lightSpeed_m_s;
     for (std::size_t k = kMostTurns; k < knots.size(); ++k) {
       ASSERT_TRUE(knots[k].turn.t_s - knots[k - kMostTurns].turn.t_s > crossing_s)

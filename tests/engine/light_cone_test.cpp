@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
 #include "sanitized.h"
@@ -81,6 +83,44 @@ TEST(LightCone, KernelMatchesTheWholeHistory) {
     ASSERT_LT(glm::length(seenByKernel(line, offset_m, eye, headFromBoard) - seen->seen.dr_m), 1e-8)
         << "case " << i;
   }
+}
+
+// The line knows to the last digit when the last of some points joins its leg. An eye looks just after the centre has shown
+// this moment: of the points behind the centre it still sees the earlier leg.
+TEST(LightCone, AnEarlierLegIsLookedAtUntilTheLightOfAllItsPointsIsThere) {
+  test::Random random(14);
+  int early = 0;
+  for (int i = 0; i < 400; ++i) {
+    CASE(random, i);
+    const double radius_m = random.in(0.02, 0.3);
+    WorldLine line = randomWorldLine(random, kC_m_s, radius_m, 1, 0.5, 0.8);
+    const Knot& last = line.knots().back();
+    const Lorentz boardFromBody = Lorentz::boost(last.u, kC_m_s), bodyFromBoard = boardFromBody.inverse();
+    std::vector<Vec3> offsets_m;
+    std::vector<double> joined_s;
+    for (int point = 0; point < 60; ++point) {
+      offsets_m.push_back(random.direction() * radius_m);
+      const Event joined = vertexHistory(line, offsets_m.back()).back().start;
+      joined_s.push_back((bodyFromBoard * (joined - last.turn)).dt_s);
+    }
+    const double all_s = *std::max_element(joined_s.begin(), joined_s.end()) * (1.0 + 1e-12);
+    line.settlesAfter(all_s);
+    ASSERT_EQ(line.settled_s(1), all_s);
+    // The eye and the centre's emission in the rest frame of the leg.
+    const double shown_s = all_s + random.in(0.0, 1.0) * radius_m / kC_m_s;
+    const Vec3 way_m = random.direction() * random.in(1.0, 3.0);
+    const double sees_s = shown_s + glm::length(way_m) / kC_m_s;
+    const Event eye = last.turn + boardFromBody * Displacement{sees_s, way_m};
+    const Lorentz headFromBoard = Lorentz::boost(random.u(0.9), kC_m_s);
+    for (std::size_t point = 0; point < offsets_m.size(); ++point) {
+      const auto seen = emission(line, offsets_m[point], eye, headFromBoard);
+      ASSERT_TRUE(seen);
+      if ((bodyFromBoard * (seen->event - last.turn)).dt_s < joined_s[point]) ++early;
+      const Vec3 byKernel = seenByKernel(line, offsets_m[point], eye, headFromBoard);
+      ASSERT_LT(glm::length(byKernel - seen->seen.dr_m), 1e-8) << "point " << point;
+    }
+  }
+  EXPECT_GT(early, 300);
 }
 
 // Under friction, bounces far enough apart that signal comes in turn; R a < c²/2.

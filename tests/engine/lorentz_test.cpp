@@ -44,6 +44,9 @@ TEST(Lorentz, CollinearRapiditiesAdd) {
   const auto along = [](double eta) { return Lorentz::boost({std::sinh(eta), 0.0, 0.0}, kC_m_s); };
   const Vec3 u = (along(0.7) * along(1.1)).u();
   EXPECT_NEAR(u.x, std::sinh(1.8), 1e-12);
+  const Vec3 oblique = Lorentz::fromRapidity({0.9, 0.0, 1.2}, kC_m_s).u();  // of size 1.5
+  EXPECT_NEAR(oblique.x, 0.6 * std::sinh(1.5), 1e-12);
+  EXPECT_NEAR(oblique.z, 0.8 * std::sinh(1.5), 1e-12);
 }
 
 // Perpendicular boosts leave a turn of the axes: tan(ε/2) = sin θ/(cos θ + D), D² =

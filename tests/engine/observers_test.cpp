@@ -74,6 +74,12 @@ TEST(Observers, EyesAreSimultaneousForTheHead) {
   const Displacement inHead = view.headFromBoard * (view.right.observation - view.left.observation);
   EXPECT_NEAR(inHead.dt_s, 0.0, 1e-14);
   EXPECT_NEAR(inHead.dr_m.x, 0.064, 1e-14);
+  // Of who walks in the room, too.
+  const Observers walking(boardFromRoom, kOrigin, headAt(Vec3(0.0), {0.7, 0.2, -0.3}));
+  const ObserverView seen = walking.view(0.064);
+  const Displacement walker = seen.headFromBoard * (seen.right.observation - seen.left.observation);
+  EXPECT_NEAR(walker.dt_s, 0.0, 1e-14);
+  EXPECT_NEAR(walker.dr_m.x, 0.064, 1e-14);
 }
 
 // The walk in the room, boosted by the platform: velocities add as relativity says, w' = γ_w γ_V (…).
@@ -220,7 +226,8 @@ TEST(Observers, WhoMovesLeastAgesMost) {
 // Where the thrust turns round within a frame, now the one's, now the other's clock runs slower.
 TEST(Observers, OverAFrameOfSeveralThrustsTheFastestLivesTheDisplaysTime) {
   constexpr double kFrame_s = 1.0 / 60.0, kThrust_m_s2 = 0.5 * kC_m_s * kC_m_s;
-  std::array<Head, 2> heads{headAt({0.0, 1.7, 0.0}), headAt({1.0, 1.7, 0.0})};
+  std::array<Head, 2> heads{headAt({0.0, 1.7, 0.0}, {0.0, 0.0, 0.4}),
+                            headAt({1.0, 1.7, 0.0}, {0.0, 0.0, 1.2})};
   Observers observers(Lorentz(kC_m_s), kOrigin, heads);
   for (int frame = 0; frame < 60; ++frame) {
     const std::array<double, 2> before_s{observers.properTime_s(0), observers.properTime_s(1)};
@@ -235,6 +242,11 @@ TEST(Observers, OverAFrameOfSeveralThrustsTheFastestLivesTheDisplaysTime) {
     for (std::size_t i = 0; i < 2; ++i) {
       const double own_s = observers.properTime_s(i) - before_s[i];
       least_s = std::min(least_s, own_s);
+      // The head's celerity is its motion per display time, in the own time of the whole frame; and the lapse that is told
+      // is the one with which this own time follows from the room's time.
+      EXPECT_NEAR(observers[i].head.celerity_m_s.z, heads[i].celerity_m_s.z * kFrame_s / own_s, 1e-12);
+      const double way_m = (i == 0 ? 0.4 : 1.2) * kFrame_s, room_s = observers.room_s() - before.room_s();
+      EXPECT_NEAR(observers[i].lapse * room_s, std::hypot(own_s, way_m / kC_m_s), 1e-14);
       const Displacement chord = observers.headEvent(i) - before.headEvent(i);
       EXPECT_GT(interval_m2(chord, kC_m_s), 0.0);
       EXPECT_NEAR(std::sqrt(interval_m2(chord, kC_m_s)) / kC_m_s, own_s, 0.02 * own_s);

@@ -40,8 +40,9 @@ TEST(PortableMath, sineAndCosineAreAsGoodAsTheCLibrarys) {
     if (i % 4 == 2) x *= 1e6;
     if (i % 4 == 3) x = std::round(6e5 * uniform()) * 1.5707963267948966 + (i % 8 == 3 ? 0.0 : 1e-9 * x);
     const auto [sine, cosine] = portableSinCos(x);
-    EXPECT_TRUE(ulps(sine, std::sin(static_cast<long double>(x))) <= 1.0) << x;
-    EXPECT_TRUE(ulps(cosine, std::cos(static_cast<long double>(x))) <= 1.0) << x;
+    // Half a unit is the rounding of the result. With a term less, or without the tail of the reduced angle, it is more.
+    EXPECT_TRUE(ulps(sine, std::sin(static_cast<long double>(x))) <= 0.8) << x;
+    EXPECT_TRUE(ulps(cosine, std::cos(static_cast<long double>(x))) <= 0.8) << x;
     EXPECT_EQ(portableSinCos(-x).sin, -sine);
     EXPECT_EQ(portableSinCos(-x).cos, cosine);
   }
@@ -57,14 +58,19 @@ TEST(PortableMath, sineAndCosineAreAsGoodAsTheCLibrarys) {
 }
 
 TEST(PortableMath, arcSineIsAsGoodAsTheCLibrarys) {
+  constexpr int kCases = 400000;
   std::mt19937_64 random(3);
-  for (int i = 0; i < 400000; ++i) {
+  double sum = 0.0;
+  for (int i = 0; i < kCases; ++i) {
     double x = 2.0 * static_cast<double>(random() >> 11) * 0x1.0p-53 - 1.0;
     if (i % 3 == 1) x *= std::exp2(-static_cast<double>(i % 40));
     if (i % 3 == 2) x = 1.0 - std::abs(x) * std::exp2(-static_cast<double>(i % 50));
-    EXPECT_TRUE(ulps(portableAsin(x), std::asin(static_cast<long double>(x))) <= 2.0) << x;
+    const double error = ulps(portableAsin(x), std::asin(static_cast<long double>(x)));
+    EXPECT_TRUE(error <= 2.0) << x;
+    sum += error;
     EXPECT_EQ(portableAsin(-x), -portableAsin(x));
   }
+  EXPECT_LT(sum / kCases, 0.27) << "a quarter of a unit is the rounding of the results";
   EXPECT_EQ(portableAsin(1.0), 1.5707963267948966);
   EXPECT_TRUE(std::isnan(portableAsin(1.0000001)));
   EXPECT_TRUE(std::isnan(portableAsin(NAN)));

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
+#include "engine/billiard/billiard.h"
 #include "engine/collision/kick.h"
 #include "engine/random_world.h"
 #include "reference/pair_reference.h"
@@ -94,6 +97,9 @@ TEST(PuckContact, agreesWithSlowReference) {
     for (int k = 0; k < 2; ++k) {
       const Disc& disc = pair.discs[k];
       EXPECT_TRUE(distance(disc.start + disc.u * contact.signal[k], slow->turnAtSignal[k]) <= tolerance);
+      // Its own moment of the contact is R before the signal, by its own clock.
+      const double own = static_cast<double>(slow->turnAtSignal[k].t) - disc.u.t * disc.radius;
+      EXPECT_TRUE(std::abs(fast->ownTime[k] - own) <= tolerance) << fast->ownTime[k] - own;
       EXPECT_TRUE(distance(disc.start + disc.u * contact.simultaneous[k], slow->turnAtContact[k]) <=
                   tolerance);
       const reference::Point after{1, slow->after[k][0], slow->after[k][1]};
@@ -102,6 +108,88 @@ TEST(PuckContact, agreesWithSlowReference) {
     if (HasFailure()) return;
   }
   EXPECT_GT(hits, kPairs / 4);
+}
+
+// Of flights that both begin at board time 0, contacts after it count and contacts before it do not, even where the signal
+// is still on its way to both centres. On the board the discs are apart at 0.
+TEST(PuckContact, NothingIsKickedByAContactBeforeBoardTimeZero) {
+  Random random(7);
+  int before = 0, after = 0;
+  for (int i = 0; i < 6000; ++i) {
+    CASE(random, i);
+    BilliardSetup setup;
+    setup.lightSpeed_m_s = 1.0;
+    std::array<reference::ReferencePuck, 2> slow;
+    for (int k = 0; k < 2; ++k) {
+      const double angle = random.in(0.0, 2.0 * std::numbers::pi), beta = random.in(0.5, 0.95);
+      const Vec2 way{beta * std::cos(angle), beta * std::sin(angle)};
+      const Vec2 place{random.in(-0.12, 0.12), random.in(-0.12, 0.12)};
+      setup.pucks.push_back({k == 0 ? "a" : "b", 0.1, 0.02, 1.0, place, way});
+      slow[k] = {{0, place.x, place.y}, way.x, way.y, 0.1, 1};
+    }
+    // The engine's own contact tells which of them are worth the slow search.
+    std::array<Disc, 2> discs;
+    for (int k = 0; k < 2; ++k) {
+      const Vec2 beta = setup.pucks[k].beta, u = beta / std::sqrt(1.0 - glm::dot(beta, beta));
+      discs[k] = {
+          {0.0, setup.pucks[k].position_m.x, setup.pucks[k].position_m.y}, fourVelocity(u.x, u.y), 0.1, 0.0};
+    }
+    if (!(std::abs(contactOf(discs[0], discs[1], false).event.t) < 0.1)) continue;
+    const auto contact = reference::slowContact(slow[0], slow[1]);
+    if (!contact || !(std::abs(contact->contact.t) < 0.1L) || std::abs(contact->contact.t) < 1e-6L) continue;
+    if (!(contact->turnAtSignal[0].t > 1e-6L && contact->turnAtSignal[1].t > 1e-6L)) continue;
+    std::optional<Billiard> billiard;
+    try {
+      billiard.emplace(setup);
+    } catch (const std::invalid_argument&) {
+      continue;  // they overlap on the board
+    }
+    billiard->advanceTo(1.0);
+    SCOPED_TRACE(testing::Message() << "contact at " << contact->contact.t << " s");
+    EXPECT_EQ(billiard->events().size(), contact->contact.t > 0 ? 1u : 0u);
+    ++(contact->contact.t > 0 ? after : before);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(before, 5);
+  EXPECT_GT(after, 5);
+}
+
+// Discs that overlap and approach as the later flight begins are kicked at that moment of the frame of equal speeds: here
+// found by boosts of that frame. Where turns wait for light, a moment counts as R before the turn on the puck's own clock.
+TEST(PuckContact, WithoutDelayEachHasItsOwnMomentInTheFrameOfEqualSpeeds) {
+  Random random(8);
+  int met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    CASE(random, i);
+    Pair pair = randomPair(random);
+    for (Disc& disc : pair.discs)
+      disc.start = {random.in(20.0, 20.5), random.in(-0.3, 0.3), random.in(-0.3, 0.3)};
+    const Vec21 sum = pair.discs[0].u + pair.discs[1].u;
+    const double vx = sum.x / sum.t, vy = sum.y / sum.t;
+    std::array<double, 2> moment;  // in the frame
+    for (int k = 0; k < 2; ++k) {
+      const Vec21& x = pair.discs[k].start;
+      moment[k] = static_cast<double>(reference::boosted({x.t, x.x, x.y}, vx, vy).t);
+    }
+    const double later = std::max(moment[0], moment[1]);
+    for (const auto convention : {TurnConvention::signalAtCentre, TurnConvention::simultaneousWithContact}) {
+      const auto found = findMeeting(pair.discs[0], pair.discs[1], convention);
+      if (!found || !found->withoutDelay) continue;
+      ++met;
+      for (int k = 0; k < 2; ++k) {
+        const Disc& disc = pair.discs[k];
+        const Vec21 next = disc.start + disc.u;  // a metre of own time later
+        const double rate =
+            static_cast<double>(reference::boosted({next.t, next.x, next.y}, vx, vy).t) - moment[k];
+        const double own = (later - moment[k]) / rate;
+        const double early = convention == TurnConvention::signalAtCentre ? disc.radius : 0.0;
+        EXPECT_NEAR(found->ownTime[k], disc.start.t + disc.u.t * (own - early), 1e-10 * disc.u.t)
+            << "puck " << k;
+      }
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(met, 2000);
 }
 
 }  // namespace

@@ -45,6 +45,18 @@ TEST(PuckLeg, movesAsTheWorldLineDoes) {
 }
 
 // Each solver's answer, put back into what it was to solve.
+// γβ falls by the friction in a unit of board time: a moment before it rests a puck creeps, and it does not move after.
+TEST(PuckLeg, restsWhenFrictionHasTakenAllOfItsCelerity) {
+  for (const double u : {1e-3, 0.75, 10.0}) {
+    const Leg leg{{3.0, 0.1, 0.2}, fourVelocity(0.6 * u, 0.8 * u), 0.0, 0.25};
+    EXPECT_NEAR(restsAt(leg), 3.0 + u / 0.25, 1e-14 * u);
+    const LegState creeps = momentAt(leg, restsAt(leg) - 1e-6), rests = momentAt(leg, restsAt(leg) + 1.0);
+    EXPECT_NEAR(creeps.u.x, 0.6 * 0.25e-6, 1e-14);
+    EXPECT_EQ(rests.u.t, 1.0);
+    EXPECT_NEAR(rests.x.x, creeps.x.x, 1e-12);
+  }
+}
+
 TEST(PuckLeg, solversSolve) {
   Random random;
   for (int i = 0; i < 1000; ++i) {

@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/collision/puck_contact.h"
 #include "engine/collision/rim_friction.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -93,38 +92,7 @@ void expectCase(const Json& one) {
 }
 
 TEST(RimFrictionCases, allOfTheOracle) {
-  std::ifstream file(std::filesystem::path(CAROM_SHARED_DIR) / "cases" / "spin_collisions.json");
-  if (!file) GTEST_SKIP() << "no shared cases here";
-  const Json all = Json::parse(file)["cases"];
-  ASSERT_FALSE(all.empty());
-  for (const Json& one : all) expectCase(one);
-}
-
-// Some of them, for where the file is not: a slide limited by Coulomb's law, a superball, and two pucks of
-// different size, one nearly at rest and spinning.
-TEST(RimFrictionCases, someOfTheOracle) {
-  for (const Json& one : Json::parse(R"([
-  {"id": "superball",
-   "input": {"kind": "cushion", "c": 1.42, "normal": [1.0, 0.0], "puck": {"m": 0.2, "R": 0.0305, "k":
-     0.5, "v": [0.71, 1.136], "J": 0.0}, "e_n": 1.0, "e_t": 1.0, "mu": null},
-   "expected": {"v": [-0.71, 0.421022176542881], "J": -0.0163563753235305, "omega": -45.0063262868781,
-     "mass": 0.490673384086294, "heat": 6.68191177523049e-52},
-   "tol": {"v": 1e-12, "J": 1e-12, "omega": 3.2e-12, "mass": 1e-12, "heat": 1e-12}},
-  {"id": "limited slide",
-   "input": {"kind": "cushion", "c": 1.42, "normal": [1.0, 0.0], "puck": {"m": 0.2, "R": 0.0305, "k":
-     0.5, "v": [0.3, 0.9], "J": -0.008662}, "e_n": 0.7, "e_t": 0.5, "mu": 0.2},
-   "expected": {"v": [-0.21, 1.002], "J": -0.00683761181890836, "omega": -39.3312275846662, "mass":
-     0.286881908821045, "heat": 0.0144962607878775},
-   "tol": {"v": 1e-12, "J": 1e-12, "omega": 4e-12, "mass": 1e-12, "heat": 1e-12}},
-  {"id": "pair",
-   "input": {"kind": "pair", "c": 1.42, "pucks": [{"m": 0.2, "R": 0.0305, "k": 0.5, "v": [-0.00681,
-     1.23883], "J": 0.00043564, "r": [0.0, 0.0]}, {"m": 0.2, "R": 0.04, "k": 0.5, "v": [-0.0038, 3e-05],
-     "J": -0.00606768, "r": [0.016833065, 0.500042376]}], "e_n": 0.9, "e_t": 0.5, "mu": null},
-   "expected": {"v": [[-0.546564624585825, 0.155119636802474], [0.30621895041651, 1.13098294209223]],
-     "J": [0.00165185696265327, -0.00422531138007661], "omega": [16.5913304346409, -21.1885072594347],
-     "mass": [0.20702655505716, 0.224634528530649], "heat": [0.0130521875937272, 0.0106199837840625]},
-   "tol": {"v": 1e-12, "J": 1e-12, "omega": 4.1e-12, "mass": 1e-12, "heat": 1e-12}}])"))
-    expectCase(one);
+  for (const Json& one : test::exactCases("spin_collisions.json")) expectCase(one);
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -16,6 +14,7 @@
 #include "engine/light/vertex_history.h"
 #include "engine/meshes.h"
 #include "engine/random_world.h"
+#include "exact_cases.h"
 
 namespace carom {
 namespace {
@@ -41,11 +40,7 @@ void expectWithin(const Vec3& value, const Json& expected, double tolerance, con
 }
 
 TEST(SpinEmission, allOfTheOracle) {
-  std::ifstream file(std::filesystem::path(CAROM_SHARED_DIR) / "cases" / "spin_emission.json");
-  if (!file) GTEST_SKIP() << "no shared cases here";
-  const Json all = Json::parse(file)["cases"];
-  ASSERT_FALSE(all.empty());
-  for (const Json& one : all) {
+  for (const Json& one : test::exactCases("spin_emission.json")) {
     SCOPED_TRACE(one["id"].get<std::string>());
     const Json &input = one["input"], &expected = one["expected"], &tol = one["tol"];
     const double c_m_s = input["c"];
@@ -187,6 +182,33 @@ TEST(SpinEmission, TheKernelFindsWhatBisectionFinds) {
   }
   RecordProperty("worst_of_distance_double", testing::PrintToString(worstDouble));
   RecordProperty("worst_of_distance_float", testing::PrintToString(worstFloat));
+}
+
+// Points of the rim of the fastest bodies. Some one in 400 of these is not found by six steps, nor by twice as many, where
+// the rim comes at the eye; by the few steps that are enough up to 0.99 c three times as many would be missed.
+TEST(SpinEmission, SixStepsFindAllButFewPointsOfTheFastestRims) {
+  test::Random random(16);
+  int missed = 0;
+  constexpr int kCases = 20000;
+  for (int i = 0; i < kCases; ++i) {
+    CASE(random, i);
+    const double radius_m = random.in(0.02, 0.3);
+    const double rim = std::copysign(random.in(0.99, 0.999), random.in(-1.0, 1.0));
+    const Spin spin{random.in(-3.0, 3.0), rim * kC_m_s / radius_m};
+    const WorldLine line = spinningLine({}, Vec3(0.0), spin, kC_m_s, radius_m);
+    const double around = random.in(0.0, 2.0 * std::numbers::pi);
+    const Vec3 d_m = radius_m * Vec3(std::cos(around), std::sin(around), 0.0);
+    const double away_m = radius_m * std::pow(10.0, random.in(0.0, 2.0));
+    const Event eye{random.in(0.0, 1.0), random.direction() * away_m};
+    const auto exact = emission(line, d_m, eye, Lorentz(kC_m_s));
+    ASSERT_TRUE(exact);
+    BodyView view;
+    viewBody(line, eye, Lorentz(kC_m_s), view);
+    const auto found = kernel::solveEmission(view.legs.data(), 1, d_m);
+    const double error_m = glm::length(kernel::seenFromEye(view.legs[0], found.event) - exact->seen.dr_m);
+    if (!(error_m <= 1e-7 * glm::length(exact->seen.dr_m))) ++missed;
+  }
+  EXPECT_LT(missed, kCases / 250);
 }
 
 // Turned the other way and seen in a mirror, a body looks the same.

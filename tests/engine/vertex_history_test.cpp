@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/billiard/billiard.h"
+#include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -65,6 +66,42 @@ TEST(VertexHistory, GlidingPointsMoveAsTheirPlacesDo) {
       ASSERT_NEAR(tick_s / (2.0 * h_s), std::sqrt(1.0 - glm::dot(beta, beta)), 1e-3);
     }
   }
+}
+
+// The same where the cloth slows the spin, at times the body as well. The Doppler factor for an eye at rest on the board is
+// how fast it sees the point's clock go.
+TEST(VertexHistory, PointsWhoseSpinTheClothSlowsMoveAsTheirPlacesDo) {
+  test::Random random(13);
+  const double h_s = 1e-4;
+  int slowed = 0;
+  for (int i = 0; i < 80; ++i) {
+    CASE(random, i);
+    const double radius_m = random.in(0.05, 0.2), friction_m_s2 = i % 3 == 0 ? random.in(0.01, 0.5) : 0.0;
+    const WorldLine straight = randomWorldLine(random, kC_m_s, radius_m, 1, 1.0, 0.8, friction_m_s2);
+    const WorldLine line = spun(random, straight, 0.95, random.in(0.2, 3.0), 0.3);
+    const Vec3 offset_m = random.inBall(radius_m);
+    const VertexPiece piece = vertexHistory(line, offset_m).back();
+    const double t_s = piece.start.t_s + random.in(0.05, 1.5);
+    const auto placeIn = [&](double after_s) { return placeAt(piece, t_s + after_s, kC_m_s); };
+    const auto clockIn = [&](double after_s) { return properTimeAt(piece, t_s + after_s, kC_m_s); };
+    const Vec3 beta = (placeIn(h_s) - placeIn(-h_s)) / (2.0 * h_s * kC_m_s);
+    EXPECT_LT(glm::length(beta - betaFromU(uAt(piece, t_s, kC_m_s))),
+              1e-3);  // a kink may lie within the step
+    EXPECT_NEAR((clockIn(h_s) - clockIn(-h_s)) / (2.0 * h_s), std::sqrt(1.0 - glm::dot(beta, beta)), 1e-3);
+
+    const Event place{t_s, placeIn(0.0)};
+    const Vec3 way_m = random.direction() * random.in(0.5, 3.0);
+    const auto seenAt = [&](double after_s) {
+      const Event eye{t_s + glm::length(way_m) / kC_m_s + after_s, place.r_m + way_m};
+      return *emission(line, offset_m, eye, Lorentz(kC_m_s));
+    };
+    const double clock_s = seenAt(h_s).properTime_s - seenAt(-h_s).properTime_s;
+    EXPECT_NEAR(clock_s / (2.0 * h_s) / seenAt(0.0).doppler, 1.0, 1e-3);
+    const Knot& last = line.knots().back();
+    const double own_s = line.at(t_s).properTime_s - last.properTime_s, now = omegaAfter(last.spin, own_s);
+    if (now != 0.0 && std::abs(now / last.spin.omega_rad_s) < 0.9) ++slowed;
+  }
+  EXPECT_GT(slowed, 12);
 }
 
 TEST(VertexHistory, TheCentreFollowsItsKnots) {

@@ -235,6 +235,12 @@ TEST(VertexRing, TrimsOnlyWhatNoEyeWillLookAtAgain) {
       fromAll.look(back, Lorentz(kC_m_s));
       fromTrimmed.look(back, Lorentz(kC_m_s));
       ASSERT_TRUE(test::seeOnThreads(fromAll, 1) == test::seeOnThreads(fromTrimmed, 1)) << "frame " << n;
+      // What is left begins with a sample that the eye sees of every vertex, however far it steps back.
+      for (std::size_t vertex = 0; vertex < swarm.size() && trimmed.sampleCount() < all.sampleCount();
+           ++vertex) {
+        const Displacement way = eye - trimmed.eventOf(0, vertex);
+        ASSERT_GE(kC_m_s * way.dt_s - glm::length(way.dr_m), kEyeStepsBack_m - 1e-6) << "frame " << n;
+      }
     }
     most = std::max(most, trimmed.sampleCount());
   }

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstddef>
-#include <functional>
+#include <cstring>
 #include <memory_resource>
+#include <vector>
 
 #include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
@@ -36,28 +36,90 @@ TEST(WorldLine, RefusesJumpsAndTimeGoingBack) {
   EXPECT_EQ(line.knots().size(), 1U);
 }
 
-// In a memory of a few kilobytes and no other: within the room that was made nothing is allocated, and a copy is on its
-// own.
+/// Counts what lies in it.
+class CountedMemory : public std::pmr::memory_resource {
+ public:
+  std::size_t bytes = 0, allocations = 0;
+
+ private:
+  void* do_allocate(std::size_t size, std::size_t alignment) override {
+    bytes += size, ++allocations;
+    return std::pmr::new_delete_resource()->allocate(size, alignment);
+  }
+  void do_deallocate(void* memory, std::size_t size, std::size_t alignment) override {
+    bytes -= size;
+    std::pmr::new_delete_resource()->deallocate(memory, size, alignment);
+  }
+  bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
+};
+
+// A copy is on its own, and what is copied or moved into a line lies in the memory of that line.
 TEST(WorldLine, KnotsLieInTheMemoryThatWasGiven) {
   test::Random random(8);
   const WorldLine whole = randomWorldLine(random, kC_m_s, 0.1, 10, 1.0, 0.9);
-  std::array<std::byte, 4096> room;
-  std::pmr::monotonic_buffer_resource memory(room.data(), room.size(), std::pmr::null_memory_resource());
-  const auto isInRoom = [&](const WorldLine& line) {
-    const auto* const knot = reinterpret_cast<const std::byte*>(line.knots().data());
-    return !std::less<>()(knot, room.data()) && std::less<>()(knot, room.data() + room.size());
-  };
-  WorldLine line(whole.knots()[0], kC_m_s, 0.1, -1.0, &memory);
-  line.reserve(10);
-  const Knot* const first = line.knots().data();
-  for (std::size_t i = 1; i < 10; ++i) line.append(whole.knots()[i]);
-  EXPECT_EQ(line.knots().data(), first);
-  EXPECT_TRUE(isInRoom(line));
-  WorldLine copy = line;
-  EXPECT_FALSE(isInRoom(copy));
-  copy.append(whole.knots()[10]);
-  EXPECT_EQ(copy.knots()[9].turn.t_s, line.knots()[9].turn.t_s);
-  EXPECT_EQ(copy.settled_s(10), whole.settled_s(10));
+  CountedMemory memory, other;
+  {
+    WorldLine line(whole.knots()[0], kC_m_s, 0.1, -1.0, &memory);
+    for (std::size_t i = 1; i < 10; ++i) line.append(whole.knots()[i]);
+    const std::size_t bytes = memory.bytes;
+    EXPECT_GT(bytes, 9 * sizeof(Knot) / 2);
+    WorldLine copy = line;
+    EXPECT_EQ(memory.bytes, bytes);
+    copy.append(whole.knots()[10]);
+    EXPECT_EQ(copy.knots()[9].turn.t_s, line.knots()[9].turn.t_s);
+    EXPECT_EQ(copy.settled_s(10), whole.settled_s(10));
+    WorldLine elsewhere(whole.knots()[0], kC_m_s, 0.1, -1.0, &other);
+    elsewhere = WorldLine(line);
+    EXPECT_GT(other.bytes, 9 * sizeof(Knot) / 2);
+    EXPECT_EQ(elsewhere.knots().size(), 10U);
+    WorldLine moved = std::move(line);
+    EXPECT_EQ(memory.bytes, bytes);
+    EXPECT_EQ(moved.knots()[9].u, whole.knots()[9].u);
+  }
+  EXPECT_EQ(memory.bytes, 0U);
+  EXPECT_EQ(other.bytes, 0U);
+}
+
+// A knot takes 100 bytes while heights, friction and spin are the same throughout, and its value is what was given.
+TEST(WorldLine, KnotsAreKeptWithoutLossAndSmall) {
+  test::Random random(11);
+  for (const bool spins : {false, true}) {
+    CountedMemory memory;
+    Knot next{{0.0, {0.0, 0.0, 0.25}}, Vec3(0.0), 0.0, {0.0, {0.0, 0.0, 0.25}}, 0.0};
+    WorldLine line(next, kC_m_s, 0.1, -1.0, &memory);
+    std::vector<Knot> given{next};
+    for (int i = 1; i < 1000; ++i) {
+      const Motion turn = line.at(next.turn.t_s + random.in(0.1, 1.0));
+      const Vec3 beta = random.inBall(0.9);
+      next = {turn.event, uFromBeta({beta.x, beta.y, 0.0}), turn.properTime_s, turn.event, 0.0};
+      if (spins && i >= 500)
+        next.u.z = -0.0, next.spin = {random.in(-1.0, 1.0), random.in(-1.0, 1.0), 0.25, 0.5};
+      if (spins && i == 700) next.deceleration_m_s2 = 0.125;
+      line.append(next), given.push_back(next);
+    }
+    ASSERT_EQ(line.knots().size(), given.size());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      CASE(random, static_cast<int>(i));
+      const Knot kept = line.knots()[i];
+      EXPECT_EQ(std::memcmp(&kept, &given[i], sizeof(Knot)), 0);
+    }
+    EXPECT_LT(memory.bytes, (spins ? 240U : 110U) * given.size());
+  }
+}
+
+// What is forgotten makes room for what comes: a line that keeps its length takes no more memory.
+TEST(WorldLine, ForgettingMakesRoom) {
+  CountedMemory memory;
+  WorldLine line({{0.0, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s, 0.0, 0.0, &memory);
+  std::size_t allocations = 0;
+  for (int i = 1; i < 200; ++i) {
+    line.append({{1.0 * i, Vec3(0.0)}, Vec3(0.0), 1.0 * i, {1.0 * i, Vec3(0.0)}, 0.0});
+    line.forgetBefore(i - 9.5);
+    if (i == 30) allocations = memory.allocations;
+  }
+  EXPECT_EQ(memory.allocations, allocations);
+  EXPECT_EQ(line.knots().size(), 11U);
+  EXPECT_EQ(line.at(195.0).properTime_s, 195.0);
 }
 
 TEST(WorldLine, TruncationForgetsTheFuture) {
@@ -96,6 +158,27 @@ TEST(WorldLine, FrictionLegMatchesNumericalIntegration) {
     EXPECT_NEAR(motion.properTime_s, tau_s, 1e-9) << dt_s;
     EXPECT_NEAR(motion.u.y, std::max(0.0, 1.5 - a_m_s2 / kC_m_s * dt_s), 1e-12) << dt_s;
   }
+  // Before its turn the leg is continued without friction.
+  const Motion earlier = motionOnLeg(knot, 0.0, kC_m_s);
+  EXPECT_EQ(earlier.u.y, 1.5);
+  EXPECT_NEAR(earlier.event.r_m.y, -kC_m_s * 1.5 / std::sqrt(3.25), 1e-15);
+  EXPECT_NEAR(earlier.properTime_s, 3.0 - 1.0 / std::sqrt(3.25), 1e-15);
+}
+
+TEST(WorldLine, AnglesLieWithinHalfATurn) {
+  test::Random random(15);
+  for (int i = 0; i < 1000; ++i) {
+    CASE(random, i);
+    const double rim = random.in(-0.99, 0.99);
+    Spin spin{random.in(-3.0, 3.0), 40.0 * rim, rim / std::sqrt(1.0 - rim * rim), 0.0};
+    if (i % 2 == 0) spin.slowing_1_s = random.in(0.01, 1.0);
+    const double own_s = random.in(-100.0, 1000.0), angle_rad = angleAfter(spin, own_s);
+    EXPECT_LE(std::abs(angle_rad), M_PI);
+    if (spin.slowing_1_s == 0.0) {
+      EXPECT_NEAR(std::remainder(spin.angle_rad + spin.omega_rad_s * own_s - angle_rad, 2.0 * M_PI), 0.0,
+                  1e-10);
+    }
+  }
 }
 
 // The bound against what points really do.
@@ -112,6 +195,32 @@ TEST(WorldLine, EveryPointHasJoinedItsLegWhenItIsSettled) {
       // The last piece begins where the point joins the last leg.
       const Displacement joined = Lorentz::boost(-last.u, kC_m_s) * (history.back().start - last.turn);
       ASSERT_LE(joined.dt_s, line.settled_s(line.knots().size() - 1)) << "case " << i << " point " << k;
+    }
+  }
+}
+
+// A body that is slowed by a blow from behind, and then by friction that all but tears it apart: its points chase what
+// brakes away from them, longer than without friction, and have joined when both bounds say so.
+TEST(WorldLine, GlidingPointsHaveJoinedTheirLegWhenItIsSettled) {
+  const double radius_m = 0.05;
+  for (const double pull : {0.25, 0.4, 0.499}) {  // R a, over c²
+    for (const double beta : {0.6, 0.8}) {
+      SCOPED_TRACE(testing::Message() << "R a = " << pull << " c², then " << beta << " c");
+      const double friction_m_s2 = pull * kC_m_s * kC_m_s / radius_m;
+      WorldLine line({{0.0, Vec3(0.0)}, uFromBeta({0.899, 0.0, 0.0}), 0.0, {}, friction_m_s2}, kC_m_s,
+                     radius_m);
+      const Motion turn = line.at(1e-4);
+      line.append({turn.event, uFromBeta({beta, 0.0, 0.0}), turn.properTime_s, turn.event, friction_m_s2});
+      const Lorentz bodyFromBoard = Lorentz::boost(-line.knots()[1].u, kC_m_s);
+      const double bound_s = joinedAfter_s(line);
+      for (int point = 0; point < 24; ++point) {
+        const double around = 2.0 * M_PI * point / 24;
+        const Event joined =
+            vertexHistory(line, radius_m * Vec3(std::cos(around), std::sin(around), 0.0)).back().start;
+        const double joined_s = (bodyFromBoard * (joined - turn.event)).dt_s;
+        EXPECT_LE(joined_s, line.settled_s(1)) << "point " << point;
+        EXPECT_LE(joined_s, bound_s) << "point " << point;
+      }
     }
   }
 }

@@ -19,7 +19,7 @@ inline void expectSound(const Room& room) {
     expect(wall.wall.node >= 0, "ranks count from 0");
     expect(!wordsFor(wall, room).empty(), "walls can be told in words");
   }
-  for (const auto& findings : {room.findings, judgeRoom(room)}) {
+  for (const auto& findings : {room.findings.all(), judgeRoom(room)}) {
     for (const Finding& finding : findings) {
       expect(finding.at.line >= 1 && finding.at.column >= 1, "findings have a place");
     }

@@ -1,6 +1,6 @@
 // Puts the picture where the projector's mesh says.
 #version 150
-uniform vec2 mirror;  // -1 along what is mirrored, else 1
+uniform vec2 mirror;  // -1 along a mirrored axis, else 1
 in vec2 inWindow;     // 0 … 1 from the lower left
 in vec2 inPicture;    // the same
 in float weight;      // of the place in the picture, between the points

@@ -82,7 +82,7 @@ Sight sightOf(vec3 d) {
   return Sight((drawnFromBody * vec4(carriedAlong(leg, vec4(0.0), d), 1.0)).xyz, 1.0, vec3(0.0), kRests);
 }
 #else
-/// γ, γβ of what is at x of a spinning body at this own time of the leg, in the leg's frame.
+/// γ, γβ of the point at x of a spinning body at this own time of the leg, in the leg's frame.
 vec4 turningOf(LegView leg, vec3 x, float own) {
   if (leg.spin.w == 0.0) return kRests;
   vec3 w = spinVelocity(leg, x, own);
@@ -131,8 +131,8 @@ float dopplerIntoVertex(Sight sight, vec3 ray) {
   return doppler * dopplerInto(sight.turning.x, sight.turning.yzw, aberratedInto(sight.gamma, sight.u, ray));
 }
 
-/// The normal of the surface in the rest frame of the vertex: steeper along the way, of which what is at rest there
-/// is longer.
+/// The normal of the surface in the rest frame of the vertex: steeper along the motion, which is
+/// longer in that frame.
 vec3 normalInVertexFrame(Sight sight) {
   vec3 normal = normalInLeg;
   if (sight.turning.x > 1.0)
@@ -213,8 +213,8 @@ void lightUp(Sight sight) {
 #endif
 
 #if defined(SHADOW) && defined(SPINS)
-/// The share of the way from the axis at which a place of the shadow lies in its body. What is farther out, by the reach of
-/// its light's shadow (cave/scene/shadow_model.cpp), is none of the body: if it turned with it, it could outrun light, or
+/// The share of the way from the axis at which a place of the shadow lies in its body. Places farther out, by the reach of
+/// its light's shadow (cave/scene/shadow_model.cpp), are not of the body: if it turned with it, it could outrun light, or
 /// come late after a bounce.
 float shareInBody(vec3 d) {
   float radius = max(length(d.xy), 1e-6);

@@ -22,7 +22,7 @@ bool leftOut() {
 
 void main() {
   gl_Position = clipFromDrawn * vec4(drawn_m * 0.998, 1.0);  // before what it lies on
-  if (leftOut()) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // beyond what is drawn
+  if (leftOut()) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside the clip volume
   colourHere = ink;
   place = on;
   style = what;

@@ -22,7 +22,7 @@ out vec4 pixel;
 struct Painted {
   vec3 reflects;  // share of the light, linear
   vec3 shines;    // light of its own
-  float cover;    // 1: hides what is behind
+  float cover;    // 1: opaque
 };
 
 /// The size of this pixel in x's unit: edges are drawn about that wide. Divisions by it, as all of them, cost llvmpipe

@@ -1,10 +1,11 @@
-#include "app/commands/mpirun_line.h"
+#include "app/nodes/mpirun_line.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -21,13 +22,6 @@ bool isOption(const std::string& argument, std::string_view option) {
 }
 
 }  // namespace
-
-int nodesOf(const Rig& rig) {
-  int nodes = 1;
-  for (const Wall& wall : rig.walls) nodes = std::max(nodes, wall.node + 1);
-  for (const NodeSetup& node : rig.nodes) nodes = std::max(nodes, node.rank + node.slots);
-  return nodes;
-}
 
 std::vector<std::string> hostsOf(const Rig& rig) {
   std::vector<std::string> hosts;
@@ -70,6 +64,18 @@ std::vector<std::string> mpirunLine(const Rig& rig, const std::string& program,
   if (!rig.start.network.empty()) {
     for (const char* channel : {"btl_tcp_if_include", "oob_tcp_if_include"})
       words.insert(words.end(), {"--mca", channel, rig.start.network});
+  }
+  if (const auto& ports = rig.start.ports) {
+    const std::string first = std::to_string(ports->first),
+                      count = std::to_string(ports->last - ports->first + 1);
+    const std::string range = fmt::format("{}-{}", ports->first, ports->last);
+    for (const auto& [parameter, value] : {std::pair("btl_tcp_port_min_v4", first),
+                                           {"btl_tcp_port_range_v4", count},
+                                           {"btl_tcp_port_min_v6", first},
+                                           {"btl_tcp_port_range_v6", count},
+                                           {"oob_tcp_dynamic_ipv4_ports", range},
+                                           {"oob_tcp_dynamic_ipv6_ports", range}})
+      words.insert(words.end(), {"--mca", parameter, value});
   }
   for (const std::string& variable : rig.start.environment) words.insert(words.end(), {"-x", variable});
   words.push_back(program);

@@ -8,11 +8,9 @@
 
 namespace carom {
 
-/// Returns the number of nodes that a rig needs: for all of its walls and all of its [[node]] entries.
-int nodesOf(const Rig& rig);
-
 /// Returns the host of each node; this machine ("localhost") for all if the rig names none. Throws
-/// std::runtime_error if it names hosts for some nodes only, or if other nodes stand between those of one host.
+/// std::runtime_error if it names hosts for some nodes only, or if other nodes stand between those of one
+/// host.
 std::vector<std::string> hostsOf(const Rig& rig);
 
 /// Returns the words of the line that runs `program` with `arguments` on every node, in one form for all

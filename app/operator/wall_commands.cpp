@@ -1,0 +1,28 @@
+#include "app/operator/wall_commands.h"
+
+#include "app/operator/visitor_choices.h"
+
+namespace carom {
+
+std::optional<Command> commandOf(const WallAction& action, const OperatorSettings& settings) {
+  switch (action.kind) {
+    case WallAction::Kind::none:
+    case WallAction::Kind::home:
+      break;
+    case WallAction::Kind::choice:
+      return commandOf(static_cast<Choice>(action.number), settings);
+    case WallAction::Kind::choose:
+      return ChooseInLesson{action.number};
+    case WallAction::Kind::goOn:
+      return AdvanceLesson{};
+    case WallAction::Kind::again:
+      return PlayScenario{settings.playing};
+    case WallAction::Kind::unfreeze:
+      return SetView{&TimeViews::frozen, false};
+    case WallAction::Kind::keys:
+      return ShowKeys{!settings.keysShown};
+  }
+  return {};
+}
+
+}  // namespace carom

@@ -1,0 +1,15 @@
+#pragma once
+// What the buttons on the front wall command.
+
+#include <optional>
+
+#include "app/operator/command.h"
+#include "cave/frame/wall_action.h"
+
+namespace carom {
+
+/// Returns the command of a button. None for the way home, which is no command but a wish of the drive, and
+/// for the ground between buttons.
+std::optional<Command> commandOf(const WallAction& action, const OperatorSettings& settings);
+
+}  // namespace carom

@@ -1,0 +1,31 @@
+#pragma once
+// What a press on a button of the front wall asks for.
+
+#include <cstdint>
+
+#include "cave/frame/choice.h"
+
+namespace carom {
+
+struct WallAction {
+  enum class Kind : std::uint8_t {
+    none,      ///< nothing: the ground between buttons
+    choice,    ///< `number` is that of a Choice
+    choose,    ///< an answer or a velocity of the lesson, counted from 1 by `number`
+    goOn,      ///< as Enter: skip, explanation, back to the scene, best shot
+    again,     ///< as Y
+    home,      ///< as Home
+    unfreeze,  ///< as F in a frozen view
+    keys,      ///< as H
+  };
+  Kind kind = Kind::none;
+  std::uint8_t number = 0;
+
+  bool operator==(const WallAction&) const = default;
+};
+
+constexpr WallAction actionOf(Choice choice) {
+  return {WallAction::Kind::choice, static_cast<std::uint8_t>(choice)};
+}
+
+}  // namespace carom

@@ -1,0 +1,344 @@
+#include "cave/overlay/hud_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "cave/frame/clock_time.h"
+#include "cave/frame/lesson_readings.h"
+#include "cave/gl/view_colours.h"
+#include "cave/overlay/motion_overlay.h"
+#include "cave/room/off_axis.h"
+#include "cave/texts/texts.h"
+#include "engine/spacetime/lorentz.h"
+
+namespace carom {
+namespace {
+
+using Kind = WallAction::Kind;
+
+constexpr std::size_t kIndentLetters = 3;  // as wide as the indent of a line
+constexpr glm::vec3 kSeenMark(0.92F);
+
+/// Builds the lines, one after the other, in memory that is reused.
+class Lines {
+ public:
+  Lines(std::vector<HudLine>& lines, std::size_t letters) : lines_(lines), letters_(letters) {}
+  ~Lines() { lines_.resize(count_); }
+  Lines(const Lines&) = delete;
+  Lines& operator=(const Lines&) = delete;
+
+  template <typename... Values>
+  void add(const std::optional<glm::vec3>& mark, fmt::format_string<Values...> words, Values&&... values) {
+    if (count_ == lines_.size()) lines_.emplace_back();
+    HudLine& line = lines_[count_++];
+    line.mark = mark;
+    line.urgent = line.setIn = false;
+    line.row = {};
+    line.chips.clear();
+    line.text.clear();
+    fmt::format_to(std::back_inserter(line.text), words, std::forward<Values>(values)...);
+  }
+
+  /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented. With
+  /// a `row` they are a button.
+  void wrap(std::string_view words, std::string_view first = {}, bool urgent = false, WallAction row = {}) {
+    for (bool begins = true; !words.empty(); begins = false) {
+      const std::size_t taken = first.empty() ? 0 : begins ? first.size() : kIndentLetters;
+      const std::size_t bytes = fitting(words, letters_ - std::min(taken, letters_ - 1));
+      add({}, "{}{}", begins ? first : std::string_view(), words.substr(0, bytes));
+      lines_[count_ - 1].urgent = urgent;
+      lines_[count_ - 1].row = row;
+      lines_[count_ - 1].setIn = !begins && !first.empty();
+      words.remove_prefix(std::min(words.size(), bytes + 1));  // including the space
+    }
+  }
+
+  /// Adds a line that begins with these words and goes on with chips; more lines if the chips need them.
+  void addChips(std::string_view words, std::span<const HudChip> chips) {
+    add({}, "{}", words);
+    for (const HudChip& chip : chips) {
+      if (!chipFits(lines_[count_ - 1], chip, letters_)) add({}, "");
+      lines_[count_ - 1].chips.push_back(chip);
+    }
+  }
+
+ private:
+  /// Returns whether a space stands before a unit, as in "0.6 c" and "2.84 m".
+  static bool beforeUnit(std::string_view words, std::size_t space) {
+    const auto letter = [&](std::size_t at) {
+      return at < words.size() && words[at] >= 'a' && words[at] <= 'z';
+    };
+    return space > 0 && words[space - 1] >= '0' && words[space - 1] <= '9' && letter(space + 1) &&
+           !letter(space + 2);
+  }
+
+  /// Returns how many bytes of whole words have at most this many letters; if the first word has more, its
+  /// bytes alone.
+  static std::size_t fitting(std::string_view words, std::size_t most) {
+    std::size_t letters = 0, fits = 0;
+    for (std::size_t i = 0; i <= words.size(); ++i) {
+      const bool ends = i == words.size() || (words[i] == ' ' && !beforeUnit(words, i));
+      if (ends && (letters <= most || fits == 0)) fits = i;
+      if (ends && letters >= most) break;
+      if (ends || (static_cast<unsigned char>(words[i]) & 0xC0U) != 0x80U) ++letters;
+    }
+    return fits;
+  }
+
+  std::vector<HudLine>& lines_;
+  std::size_t letters_;
+  std::size_t count_ = 0;
+};
+
+void addLight(const FrameRecord& record, Lines& lines) {
+  lines.add({}, texts::legend::kLight, record.lightSpeed_m_s);
+}
+
+using Viewers = std::span<const RoomViewer>;
+
+void addScore(const FrameRecord& record, Viewers viewers, Lines& lines) {
+  const std::size_t count = std::min<std::size_t>(record.viewers, viewers.size());
+  bool played = false;
+  for (std::size_t i = 0; i < count; ++i) played = played || record.viewer(i).score.strokes > 0;
+  if (!played) return;
+  if (count < 2) return lines.add({}, texts::legend::kScore, record.score.caroms, record.score.strokes);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Score& score = record.viewer(i).score;
+    lines.add({}, texts::legend::kScoreOf, i == 0 ? std::string_view(texts::legend::kMe) : viewers[i].name,
+              score.caroms, score.strokes);
+  }
+  if (record.hasTurn) lines.add({}, "{}", texts::legend::kYourTurn);
+  for (std::size_t i = 1; i < count; ++i) {
+    if (record.viewer(i).hasTurn) lines.add({}, texts::legend::kTheirTurn, viewers[i].name);
+  }
+}
+
+/// Adds the clocks of the others in the room, all of whose presents are simultaneous there.
+void addOtherClocks(const FrameRecord& record, Viewers viewers, Lines& lines) {
+  constexpr double kShown_s = 0.05;  // of one decimal
+  for (std::size_t i = 1; i < std::min<std::size_t>(record.viewers, viewers.size()); ++i) {
+    const double own_s = record.viewer(i).observer.properTime_s;
+    const double older_s = own_s - record.observer.properTime_s;
+    if (std::abs(older_s) < kShown_s) {
+      lines.add({}, texts::legend::kAsOld, viewers[i].name, shownTime_s(own_s));
+    } else {
+      const texts::Text words = older_s > 0.0 ? texts::legend::kOlder : texts::legend::kYounger;
+      lines.add({}, "{}",
+                fmt::format(fmt::runtime(words), viewers[i].name, shownTime_s(own_s), std::abs(older_s)));
+    }
+  }
+}
+
+void addClocks(const FrameRecord& record, Viewers viewers, Lines& lines) {
+  const Vec3 u = record.observer.headFromBoard.inverse().u();
+  lines.add({}, texts::legend::kMyTime, shownTime_s(record.observer.properTime_s));
+  addOtherClocks(record, viewers, lines);
+  lines.add({}, texts::legend::kMySpeed, glm::length(betaFromU(u)), gammaFromU(u));
+  addLight(record, lines);
+}
+
+/// Adds the others' clocks to a lesson that shows the clocks.
+void addTwins(const FrameRecord& record, Viewers viewers, Lines& lines) {
+  if (record.views.clocks) addOtherClocks(record, viewers, lines);
+}
+
+HudChip chip(Kind kind, std::string words, std::uint8_t number = 0) {
+  return {{kind, number}, std::move(words)};
+}
+
+/// Adds what to press, and at the right, always, the way out.
+void addButtons(const FrameRecord& record, std::string_view words, std::vector<HudChip> chips, Lines& lines) {
+  if (record.views.frozen) chips.push_back(chip(Kind::unfreeze, texts::lesson::kTimeGoesOn));
+  HudChip leave{actionOf(Choice::play), texts::lesson::kLeave};
+  leave.atRight = true;
+  chips.push_back(leave);
+  lines.addChips(words, chips);
+}
+
+void addQuestion(const FrameRecord& record, const LessonWords& lesson, Lines& lines) {
+  lines.wrap(lesson.question, texts::lesson::kQuestion);
+  constexpr auto& kNumbers = texts::lesson::kAnswerNumbers;
+  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i)
+    lines.wrap(lesson.answers[i], kNumbers[i], false, {Kind::choose, static_cast<std::uint8_t>(i + 1)});
+  addButtons(record, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, lines);
+}
+
+/// Adds the readings of the stopwatches in one line, behind other words.
+void addReadings(const FrameRecord& record, const LessonPlan& plan, std::string readings, Lines& lines) {
+  for (const Stopwatch& watch : plan.stopwatches) {
+    if (!readings.empty()) readings += "    ";
+    readings += fmt::format(texts::lesson::kReading, watch.name,
+                            reading_s(watch, {record.observer, record.boardFromRoom, record.lesson.phase}));
+  }
+  lines.wrap(readings, {}, true);
+}
+
+/// Adds the velocities that the lesson offers.
+void addObservers(const FrameRecord& record, const LessonPlan& plan, Lines& lines) {
+  if (plan.observers.empty()) return;
+  const auto present = observerOf(plan, record.boardFromRoom);
+  std::vector<HudChip> offered;
+  for (std::size_t i = 0; i < plan.observers.size(); ++i) {
+    offered.push_back(chip(Kind::choose, fmt::format(texts::lesson::kObserver, plan.observers[i].name, i + 2),
+                           static_cast<std::uint8_t>(i + 1)));
+    offered.back().isOn = present == i;
+  }
+  lines.addChips(texts::lesson::kYouMove, offered);
+}
+
+void addAnswer(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
+  if (answer == 0 || answer > lesson.answers.size()) return;
+  const std::string& given = lesson.answers[answer - 1U];
+  const std::string words = answer - 1U == lesson.right
+                                ? fmt::format(texts::lesson::kRight, given)
+                                : fmt::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
+  lines.wrap(words, texts::lesson::kYourAnswer);
+}
+
+/// Returns how the lesson's pace is told, or nothing.
+std::string paceWords(const LessonPlan& plan) {
+  const double slowness = plan.interval.slowness;
+  return slowness > 1.0 ? fmt::format(texts::lesson::kSlowMotion, slowness) : "";
+}
+
+/// Adds the lesson's text for its phase, and how to continue.
+void addLesson(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
+               Lines& lines) {
+  switch (record.lesson.phase) {
+    case LessonPhase::none:
+      return;
+    case LessonPhase::asks:
+      return addQuestion(record, lesson, lines);
+    case LessonPhase::shows:
+      lines.wrap(lesson.todo, texts::lesson::kTryThis);
+      lines.wrap(lesson.notice, texts::lesson::kLookFor);
+      addReadings(record, plan, paceWords(plan), lines);
+      addTwins(record, viewers, lines);
+      addObservers(record, plan, lines);
+      return addButtons(
+          record, {},
+          {chip(Kind::again, texts::lesson::kAgain), chip(Kind::goOn, texts::lesson::kExplanation)}, lines);
+    case LessonPhase::explains:
+      lines.wrap(lesson.number);
+      addAnswer(lesson, record.lesson.answer, lines);
+      addReadings(record, plan, {}, lines);
+      addObservers(record, plan, lines);
+      return addButtons(
+          record, {},
+          {chip(Kind::goOn, texts::lesson::kBackToScene), chip(Kind::again, texts::lesson::kAskAgain)},
+          lines);
+  }
+}
+
+/// Adds the numbers behind the motion overlay on the floor (cave/overlay/motion_overlay.h), but not while a caption
+/// says what to look for during a scripted flight.
+void addDrive(const FrameRecord& record, Lines& lines) {
+  const bool isTold = record.drive.mode == DriveMode::tour && !record.notice.words().empty();
+  if (!isDriven(record) || isTold) return;
+  const Vec3 u = record.boardFromRoom.u();
+  const double gamma = gammaFromU(u);
+  lines.add(kMotionColour, texts::legend::kPlatform, glm::length(betaFromU(u)), gamma);
+  lines.add(kSeenMark, texts::legend::kLightRing);
+  lines.add(kContractedColour, texts::legend::kContracted, 1.0 / gamma);
+  const DriveView& drive = record.drive;
+  if (drive.thrust == Vec3(0.0) && drive.mode == DriveMode::free && !drive.atLimit) return;
+  lines.add(drive.atLimit ? kLimitColour : kThrustColour, texts::legend::kThrust,
+            100.0 * glm::length(drive.thrust),
+            texts::legend::kDriveModes[static_cast<std::size_t>(drive.mode)]);
+}
+
+/// Adds the effects that are off, and those that are on without being so at the beginning.
+void addEffects(const Switches& switches, Lines& lines) {
+  constexpr Switches kUsual;
+  std::string off, on;
+  for (std::size_t i = 0; i < kNamedSwitches.size(); ++i) {
+    const auto value = kNamedSwitches[i].value;
+    if (switches.*value == kUsual.*value) continue;
+    std::string& all = switches.*value ? on : off;
+    all += (all.empty() ? "" : ", ") + std::string(texts::keys::kEffects[i]);
+  }
+  if (!off.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOff, off));
+  if (!on.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOn, on));
+}
+
+void addViews(const FrameRecord& record, Viewers viewers, Lines& lines) {
+  const TimeViews& views = record.views;
+  if (views.boardNow || views.myNow || views.split) lines.add(kSeenMark, texts::legend::kSeen);
+  if (views.boardNow) lines.add(kBoardNowColour, texts::legend::kBoardNow);
+  if (views.myNow) lines.add(kMyNowColour, texts::legend::kMyNow);
+  if (views.split && views.beside == kNoSwitches) {
+    lines.add({}, texts::legend::kEinsteinNewton);
+  } else if (views.split) {
+    lines.add({}, texts::legend::kChosenOtherwise);
+  }
+  if (views.paths) lines.add({}, texts::legend::kPaths);
+  if (views.events) {
+    lines.add(kEventColour, texts::legend::kEvents);
+    lines.add(kFlashColour, texts::legend::kFlash);
+  }
+  if (views.ruler) lines.add({}, texts::legend::kRuler);
+  if (views.angles) lines.add({}, texts::legend::kAngles);
+  if (views.frozen) lines.add({}, texts::legend::kFrozen);
+  if (views.clocks) {
+    lines.add({}, texts::legend::kClocks);
+    addClocks(record, viewers, lines);
+  }
+}
+
+}  // namespace
+
+std::optional<Wall> frontWall(const RoomGeometry& room) {
+  for (const Wall& wall : room.walls) {
+    if (-glm::dot(normalOf(wall), room.forward) > std::sqrt(0.5)) return wall;
+  }
+  return std::nullopt;
+}
+
+void describe(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
+              std::size_t letters, std::vector<HudLine>& words) {
+  Lines lines(words, letters);
+  lines.wrap(record.notice.words(), {}, true);
+  addLesson(record, lesson, plan, viewers, lines);
+  if (record.lesson.phase == LessonPhase::none) {
+    addScore(record, viewers, lines);
+    addEffects(record.switches, lines);
+    addViews(record, viewers, lines);
+    addDrive(record, lines);
+  }
+  if (record.controls.trackerCross) lines.add({}, texts::legend::kNearerBar);
+}
+
+void HudText::setWall(const Wall& wall, std::span<const RoomViewer> viewers) {
+  bandLetters_ = bandLetters(wall);
+  viewers_.assign(viewers.begin(), viewers.end());
+}
+
+void HudText::setLesson(const LessonWords& words, const LessonPlan& plan) {
+  lesson_ = words;
+  plan_ = plan;
+  tenths_s_ = -1;
+}
+
+bool HudText::follow(const FrameRecord& record) {
+  const auto tenths_s = static_cast<std::int64_t>(std::floor(10.0 * record.display_s));
+  if (tenths_s == tenths_s_ && record.views == views_ && record.controls == controls_ &&
+      record.lesson == lessonState_ && record.notice == notice_) {
+    return false;
+  }
+  tenths_s_ = tenths_s;
+  views_ = record.views;
+  controls_ = record.controls;
+  lessonState_ = record.lesson;
+  notice_ = record.notice;
+  isBand_ = record.lesson.phase != LessonPhase::none;
+  describe(record, lesson_, plan_, viewers_, isBand_ ? bandLetters_ : kLineLetters, lines_);
+  return true;
+}
+
+}  // namespace carom

@@ -1,0 +1,61 @@
+#pragma once
+// The words of the panel on the front wall (cave/overlay/hud_panel.h) as lines, and the buttons among them.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cave/frame/frame_state.h"
+#include "cave/frame/lesson_plan.h"
+#include "cave/overlay/hud_line.h"
+#include "cave/room/room_geometry.h"
+#include "cave/room/wall.h"
+
+namespace carom {
+
+/// Returns the first wall that a person faces, within 45°, when looking forward, or none if the room has no
+/// such wall.
+std::optional<Wall> frontWall(const RoomGeometry& room);
+
+/// Fills `lines`, whose memory is reused, with the session's text, in lines of `letters`: what was just
+/// refused or has happened; the lesson's texts for the record's phase, or without a lesson the views of time
+/// that are on, each with the colour it is drawn in; with `clocks`, the person's own clock, their speed on
+/// the board and the speed of light; with the tracker crosses, what the stereo check
+/// (cave/overlay/room_overlay.h) should look like. The text depends on the record and the scenario alone, so
+/// all nodes write the same. `lines` is empty if there is no text. `viewers` are those of the record, in its order;
+/// where there are several, the score is each one's, and the clocks compare theirs with that of the first.
+void describe(const FrameRecord& record, const LessonWords& words, const LessonPlan& plan,
+              std::span<const RoomViewer> viewers, std::size_t letters, std::vector<HudLine>& lines);
+
+/// Follows the frames and keeps the lines up to date.
+class HudText {
+ public:
+  /// Sets the wall that shows them, and the viewers in the order of the records to follow.
+  void setWall(const Wall& wall, std::span<const RoomViewer> viewers);
+  /// Sets the game's lesson.
+  void setLesson(const LessonWords& words, const LessonPlan& plan);
+
+  /// Updates the lines ten times a second, and whenever the text about the views, the lesson or the latest notice
+  /// changes. Returns whether it did.
+  bool follow(const FrameRecord& record);
+
+  const std::vector<HudLine>& lines() const { return lines_; }
+  bool isBand() const { return isBand_; }  ///< a lesson speaks
+
+ private:
+  std::vector<HudLine> lines_;
+  TimeViews views_;        ///< the views that were last described
+  WallControls controls_;  ///< the controls that were last described
+  LessonState lessonState_;
+  Notice notice_;
+  LessonWords lesson_;
+  LessonPlan plan_;
+  std::vector<RoomViewer> viewers_;
+  std::size_t bandLetters_ = kLineLetters;
+  bool isBand_ = false;
+  std::int64_t tenths_s_ = -1;  ///< time of the last description, in tenths
+};
+
+}  // namespace carom

@@ -1,0 +1,105 @@
+#include "cave/overlay/wall_buttons.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "cave/overlay/home_arrow.h"
+#include "cave/overlay/motion_overlay.h"
+#include "cave/overlay/panel_place.h"
+#include "cave/room/off_axis.h"
+
+namespace carom {
+namespace {
+
+constexpr double kTileWidth = 0.165, kGap = 0.012;        // fractions of the wall's width
+constexpr double kTileHeight = 0.36, kFlatHeight = 0.18;  // fractions of the tile's width
+
+/// Returns the width of all tiles and the gaps between them.
+double rowOf_m(double width_m) { return (kChoices * kTileWidth + (kChoices - 1) * kGap) * width_m; }
+
+/// Returns unit vectors along a wall's lower and left edge.
+std::array<glm::dvec3, 2> edgesOf(const Wall& wall) {
+  return {glm::normalize(wall.lowerRight_m - wall.lowerLeft_m),
+          glm::normalize(wall.upperLeft_m - wall.lowerLeft_m)};
+}
+
+/// Returns the flat place below a tile.
+Tile below(const Tile& tile, const Wall& wall) {
+  const double width_m = tile.size_m.x, high_m = kFlatHeight * width_m;
+  return {{tile.from_m.x, tile.from_m.y - kGap * sizeOf_m(wall).x - high_m}, {width_m, high_m}};
+}
+
+}  // namespace
+
+std::array<Tile, kChoices> tilesOn(const Wall& wall, bool atFoot) {
+  const glm::dvec2 wall_m = sizeOf_m(wall);
+  const glm::dvec2 tile_m = kTileWidth * wall_m.x * glm::dvec2(1.0, atFoot ? kFlatHeight : kTileHeight);
+  const double margin_m = PanelPlace::kMargin * wall_m.y;
+  const double left_m =
+      atFoot ? 0.5 * (wall_m.x - rowOf_m(wall_m.x)) : wall_m.x - margin_m - rowOf_m(wall_m.x);
+  const double foot_m = atFoot ? kGap * wall_m.x : PanelPlace::top_m(wall, margin_m) - tile_m.y;
+  std::array<Tile, kChoices> tiles;
+  for (std::size_t i = 0; i < kChoices; ++i)
+    tiles[i] = {{left_m + static_cast<double>(i) * (kTileWidth + kGap) * wall_m.x, foot_m}, tile_m};
+  return tiles;
+}
+
+OfferedTiles offeredIn(const RoomGeometry& room, const FrameRecord& record, bool choices, bool hasTable) {
+  return {choices, !room.viewers.front().hasHand, hasTable && wayHome(room, record).has_value()};
+}
+
+void addTiles(const Wall& wall, const FrameRecord& record, const OfferedTiles& offered,
+              std::vector<WallButton>& buttons) {
+  using Kind = WallAction::Kind;
+  const bool isLesson = record.lesson.phase != LessonPhase::none;
+  if (offered.choices && offersChoicesNow(record)) {
+    const std::array<Tile, kChoices> tiles = tilesOn(wall, isLesson);
+    for (std::size_t i = 0; i < kChoices; ++i)
+      buttons.push_back({actionOf(static_cast<Choice>(i)), tiles[i]});
+  }
+  if (isLesson || record.hand.pulling) return;  // a lesson's band has buttons of its own
+  const std::array<Tile, kChoices> above = tilesOn(wall, false);
+  const auto add = [&](std::size_t column, Kind kind) {
+    buttons.push_back({{kind, 0}, below(above[column], wall)});
+  };
+  if (record.score.caroms > 0) add(0, Kind::goOn);
+  const bool isFree = record.drive.mode == DriveMode::free || record.drive.mode == DriveMode::braking;
+  if (record.views.frozen) {
+    add(1, Kind::unfreeze);
+  } else if (isFree && (offered.isAstray || isDriven(record))) {
+    add(1, Kind::home);
+  }
+  if (offered.choices && offered.keys && offersChoicesNow(record)) add(2, Kind::keys);
+}
+
+std::optional<PointedButton> buttonAt(const Wall& front, std::span<const WallButton> buttons,
+                                      const glm::dvec3& from_m, const glm::dvec3& along) {
+  const glm::dvec3 normal = normalOf(front);
+  const double far_m = glm::dot(front.lowerLeft_m - from_m, normal) / glm::dot(along, normal);
+  if (!(far_m > 0.0) || !std::isfinite(far_m)) return std::nullopt;
+  const glm::dvec3 onWall_m = from_m + far_m * along;
+  const auto [right, up] = edgesOf(front);
+  const glm::dvec2 at_m{glm::dot(onWall_m - front.lowerLeft_m, right),
+                        glm::dot(onWall_m - front.lowerLeft_m, up)};
+  for (const WallButton& button : buttons) {
+    const glm::dvec2 in_m = at_m - button.place.from_m;
+    if (in_m.x >= 0.0 && in_m.y >= 0.0 && in_m.x <= button.place.size_m.x && in_m.y <= button.place.size_m.y)
+      return PointedButton{button.action, onWall_m};
+  }
+  return std::nullopt;
+}
+
+WallAction pointedByHand(const Wall& front, std::span<const WallButton> buttons, const FrameRecord& record) {
+  if (!record.hand.shown) return {};
+  const auto pointed = buttonAt(front, buttons, record.hand.from_m, record.hand.to_m - record.hand.from_m);
+  return pointed ? pointed->action : WallAction{};
+}
+
+glm::dvec3 middleOf(const Wall& wall, const Tile& tile) {
+  const auto [right, up] = edgesOf(wall);
+  const glm::dvec2 middle_m = tile.from_m + 0.5 * tile.size_m;
+  return wall.lowerLeft_m + middle_m.x * right + middle_m.y * up;
+}
+
+}  // namespace carom

@@ -1,0 +1,361 @@
+#include "engine/soft/soft_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+constexpr double kStepShare = 0.3;   // of the time in which light crosses a triangle
+constexpr double kFastest = 0.999;   // a node beyond this cannot be followed
+constexpr double kLeastArea = 1e-4;  // of a triangle, of its relaxed area
+constexpr int kInversions = 3;       // of v = (π + L(v) τ v)/E, each from the last v
+
+/// The deformation of a triangle, in its own frame.
+struct Deformation {
+  double xx, xy, yx, yy;  // F'
+  double area;            // D
+  double sum, least;      // of the principal stretches
+};
+
+[[gnu::always_inline]] inline Deformation deformationOf(double xx, double xy, double yx, double yy) {
+  const double area = xx * yy - xy * yx;
+  const double squares = xx * xx + xy * xy + yx * yx + yy * yy;
+  const double apart = squares - 2.0 * area;
+  const double sum = std::sqrt(squares + 2.0 * area);
+  return {xx, xy, yx, yy, area, sum, 0.5 * (sum - std::sqrt(apart > 0.0 ? apart : 0.0))};
+}
+
+/// What the loop over triangles reads and writes.
+struct Arrays {
+  std::size_t count;
+  const int *n0, *n1, *n2;
+  const double *b0x, *b0y, *b1x, *b1y, *b2x, *b2y, *mass, *altitude;
+  const double *x, *y, *vx, *vy;
+  double a, z;
+  double *f0x, *f0y, *f1x, *f1y, *f2x, *f2y, *sxx, *sxy, *syy;
+};
+
+/// The equations of soft_body.h, one triangle after the other, in vectors where the processor has them.
+[[gnu::always_inline]] inline void forcesOn(const Arrays& in) {
+#pragma GCC ivdep
+  for (std::size_t t = 0; t < in.count; ++t) {
+    const int i = in.n0[t], j = in.n1[t], k = in.n2[t];
+    const double b0x = in.b0x[t], b0y = in.b0y[t], b1x = in.b1x[t], b1y = in.b1y[t], b2x = in.b2x[t],
+                 b2y = in.b2y[t];
+    const double v0x = in.vx[i], v0y = in.vy[i], v1x = in.vx[j], v1y = in.vy[j], v2x = in.vx[k],
+                 v2y = in.vy[k];
+    const double vx = (v0x + v1x + v2x) * (1.0 / 3.0), vy = (v0y + v1y + v2y) * (1.0 / 3.0);
+    const double gamma = 1.0 / std::sqrt(1.0 - vx * vx - vy * vy);
+    const double stretch = gamma * gamma / (gamma + 1.0);
+    // F, and L⁻¹ applied to its columns.
+    const double x0 = in.x[i], x1 = in.x[j], x2 = in.x[k], y0 = in.y[i], y1 = in.y[j], y2 = in.y[k];
+    double fxx = x0 * b0x + x1 * b1x + x2 * b2x, fxy = x0 * b0y + x1 * b1y + x2 * b2y;
+    double fyx = y0 * b0x + y1 * b1x + y2 * b2x, fyy = y0 * b0y + y1 * b1y + y2 * b2y;
+    const double alongX = stretch * (vx * fxx + vy * fyx), alongY = stretch * (vx * fxy + vy * fyy);
+    const Deformation f =
+        deformationOf(fxx + alongX * vx, fxy + alongY * vx, fyx + alongX * vy, fyy + alongY * vy);
+    const double inverse = 1.0 / f.area;
+    const double s = in.a * (1.0 + inverse) / (2.0 * f.sum);
+    const double q = s - 0.5 * in.a * f.sum * inverse * inverse;
+    // Rate of strain: d = sym (γ L⁻¹ G F'⁻¹).
+    const double gxx = v0x * b0x + v1x * b1x + v2x * b2x, gxy = v0x * b0y + v1x * b1y + v2x * b2y;
+    const double gyx = v0y * b0x + v1y * b1x + v2y * b2x, gyy = v0y * b0y + v1y * b1y + v2y * b2y;
+    const double rateX = stretch * (vx * gxx + vy * gyx), rateY = stretch * (vx * gxy + vy * gyy);
+    const double hxx = gxx + rateX * vx, hxy = gxy + rateY * vx, hyx = gyx + rateX * vy,
+                 hyy = gyy + rateY * vy;
+    const double scale = gamma * inverse;
+    const double dxx = scale * (hxx * f.yy - hxy * f.yx), dyy = scale * (hyy * f.xx - hyx * f.xy);
+    const double dxy = 0.5 * scale * ((hxy * f.xx - hxx * f.xy) + (hyx * f.yy - hyy * f.yx));
+    const double size = std::sqrt(dxx * dxx + dyy * dyy + 2.0 * dxy * dxy);
+    const double local = std::sqrt(in.a * inverse / (1.0 - in.a + in.a * inverse));
+    const double across = in.altitude[t] * f.least;
+    const double nu = across * (in.z * local + across * size) * inverse;
+    // P = s F' + q cof F' + ν d F'⁻ᵀ.
+    const double pxx = s * f.xx + q * f.yy + nu * (dxx * f.yy - dxy * f.xy);
+    const double pxy = s * f.xy - q * f.yx + nu * (dxy * f.xx - dxx * f.yx);
+    const double pyx = s * f.yx - q * f.xy + nu * (dxy * f.yy - dyy * f.xy);
+    const double pyy = s * f.yy + q * f.xx + nu * (dyy * f.xx - dxy * f.yx);
+    const double third = in.mass[t] * (1.0 / 3.0);
+    in.sxx[t] = third * (pxx * f.xx + pxy * f.xy);
+    in.sxy[t] = third * (pxx * f.yx + pxy * f.yy);
+    in.syy[t] = third * (pyx * f.yx + pyy * f.yy);
+    // f = −(m/γ) L⁻¹ P B.
+    const double pushX = stretch * (vx * pxx + vy * pyx), pushY = stretch * (vx * pxy + vy * pyy);
+    const double weight = -in.mass[t] / gamma;
+    const double qxx = weight * (pxx + pushX * vx), qxy = weight * (pxy + pushY * vx);
+    const double qyx = weight * (pyx + pushX * vy), qyy = weight * (pyy + pushY * vy);
+    const double f0x = qxx * b0x + qxy * b0y, f0y = qyx * b0x + qyy * b0y;
+    const double f1x = qxx * b1x + qxy * b1y, f1y = qyx * b1x + qyy * b1y;
+    in.f0x[t] = f0x;
+    in.f0y[t] = f0y;
+    in.f1x[t] = f1x;
+    in.f1y[t] = f1y;
+    in.f2x[t] = -(f0x + f1x);
+    in.f2y[t] = -(f0y + f1y);
+  }
+}
+
+void forcesBaseline(const Arrays& in) { forcesOn(in); }
+CAROM_AVX2 void forcesAvx2(const Arrays& in) { forcesOn(in); }
+CAROM_AVX512 void forcesAvx512(const Arrays& in) { forcesOn(in); }
+
+/// γ/(γ+1) of a velocity: L(v) d = d − this (v·d) v.
+inline double contraction(double vx, double vy) {
+  const double root = std::sqrt(1.0 - vx * vx - vy * vy);  // 1/γ
+  return 1.0 / (1.0 + root);
+}
+
+}  // namespace
+
+double SoftTotals::restMass() const { return std::sqrt(dot(momentum, momentum)); }
+
+SoftBody::SoftBody(std::shared_ptr<const SoftMesh> mesh, const SoftMaterial& material, double mass,
+                   const glm::dvec2& centre, const Vec21& u, InstructionSet instructions)
+    : mesh_(std::move(mesh)), material_(material), mass_(mass), instructions_(instructions) {
+  for (const SoftMesh::Triangle& triangle : mesh_->triangles()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangles_.node[k].push_back(triangle.nodes[k]);
+      triangles_.gradientX[k].push_back(triangle.gradients[k].x);
+      triangles_.gradientY[k].push_back(triangle.gradients[k].y);
+    }
+    triangles_.mass.push_back(mass * triangle.share);
+    triangles_.altitude.push_back(triangle.altitude);
+  }
+  const std::size_t count = triangles_.mass.size(), nodes = mesh_->places().size();
+  for (std::size_t k = 0; k < 3; ++k) triangles_.forceX[k].resize(count), triangles_.forceY[k].resize(count);
+  triangles_.stressXX.resize(count), triangles_.stressXY.resize(count), triangles_.stressYY.resize(count);
+
+  const double vx = u.x / u.t, vy = u.y / u.t, share = contraction(vx, vy);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const glm::dvec2 d = mesh_->places()[i];
+    const double along = share * (vx * d.x + vy * d.y), energy = mass * mesh_->nodeShare(i) * u.t;
+    state_.x.push_back(centre.x + d.x - along * vx);
+    state_.y.push_back(centre.y + d.y - along * vy);
+    state_.px.push_back(energy * vx);
+    state_.py.push_back(energy * vy);
+    state_.e.push_back(energy);
+    state_.vx.push_back(vx);
+    state_.vy.push_back(vy);
+  }
+  tried_ = state_;
+  for (std::vector<double>* each :
+       {&middleX_, &middleY_, &forceX_, &forceY_, &stressXX_, &stressXY_, &stressYY_, &pushX_, &pushY_}) {
+    each->resize(nodes);
+  }
+  gatherForces(state_.vx, state_.vy);
+}
+
+void SoftBody::gatherForces(const std::vector<double>& vx, const std::vector<double>& vy) {
+  Triangles& t = triangles_;
+  const Arrays in{t.mass.size(),
+                  t.node[0].data(),
+                  t.node[1].data(),
+                  t.node[2].data(),
+                  t.gradientX[0].data(),
+                  t.gradientY[0].data(),
+                  t.gradientX[1].data(),
+                  t.gradientY[1].data(),
+                  t.gradientX[2].data(),
+                  t.gradientY[2].data(),
+                  t.mass.data(),
+                  t.altitude.data(),
+                  state_.x.data(),
+                  state_.y.data(),
+                  vx.data(),
+                  vy.data(),
+                  material_.soundSpeed * material_.soundSpeed,
+                  material_.viscosity,
+                  t.forceX[0].data(),
+                  t.forceY[0].data(),
+                  t.forceX[1].data(),
+                  t.forceY[1].data(),
+                  t.forceX[2].data(),
+                  t.forceY[2].data(),
+                  t.stressXX.data(),
+                  t.stressXY.data(),
+                  t.stressYY.data()};
+  switch (instructions_) {
+    case InstructionSet::avx512:
+      forcesAvx512(in);
+      break;
+    case InstructionSet::avx2:
+      forcesAvx2(in);
+      break;
+    case InstructionSet::baseline:
+      forcesBaseline(in);
+  }
+  for (std::size_t i = 0; i < size(); ++i) {
+    double fx = pushX_[i], fy = pushY_[i], xx = 0.0, xy = 0.0, yy = 0.0;
+    for (const SoftMesh::Corner& corner : mesh_->cornersOf(i)) {
+      const auto c = static_cast<std::size_t>(corner.triangle), k = static_cast<std::size_t>(corner.corner);
+      fx += t.forceX[k][c];
+      fy += t.forceY[k][c];
+      xx += t.stressXX[c];
+      xy += t.stressXY[c];
+      yy += t.stressYY[c];
+    }
+    forceX_[i] = fx;
+    forceY_[i] = fy;
+    stressXX_[i] = xx;
+    stressXY_[i] = xy;
+    stressYY_[i] = yy;
+  }
+}
+
+void SoftBody::invert(const std::vector<double>& px, const std::vector<double>& py,
+                      const std::vector<double>& e, std::vector<double>& vx, std::vector<double>& vy) const {
+  const std::size_t count = size();
+  for (std::size_t i = 0; i < count; ++i) {
+    double x = vx[i], y = vy[i];
+    for (int k = 0; k < kInversions; ++k) {
+      const double wx = stressXX_[i] * x + stressXY_[i] * y, wy = stressXY_[i] * x + stressYY_[i] * y;
+      const double along = contraction(x, y) * (x * wx + y * wy);
+      const double nextX = (px[i] + wx - along * x) / e[i], nextY = (py[i] + wy - along * y) / e[i];
+      x = nextX;
+      y = nextY;
+    }
+    vx[i] = x;
+    vy[i] = y;
+  }
+}
+
+double SoftBody::longestStep() const {
+  double least = std::numeric_limits<double>::infinity();
+  const Triangles& t = triangles_;
+  for (std::size_t c = 0; c < t.mass.size(); ++c) {
+    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto i = static_cast<std::size_t>(t.node[k][c]);
+      xx += state_.x[i] * t.gradientX[k][c];
+      xy += state_.x[i] * t.gradientY[k][c];
+      yx += state_.y[i] * t.gradientX[k][c];
+      yy += state_.y[i] * t.gradientY[k][c];
+    }
+    const double across = t.altitude[c] * deformationOf(xx, xy, yx, yy).least;
+    least = across < least ? across : least;
+  }
+  return kStepShare * least;
+}
+
+void SoftBody::drift(double dt) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    state_.x[i] += dt * state_.vx[i];
+    state_.y[i] += dt * state_.vy[i];
+  }
+}
+
+void SoftBody::tryStep(double dt, bool middle) {
+  gatherForces(middle ? middleX_ : state_.vx, middle ? middleY_ : state_.vy);
+  for (std::size_t i = 0; i < size(); ++i) {
+    tried_.px[i] = state_.px[i] + dt * forceX_[i];
+    tried_.py[i] = state_.py[i] + dt * forceY_[i];
+    tried_.e[i] = state_.e[i];
+  }
+  invert(tried_.px, tried_.py, tried_.e, tried_.vx, tried_.vy);
+}
+
+void SoftBody::setMiddle() {
+  for (std::size_t i = 0; i < size(); ++i) {
+    middleX_[i] = 0.5 * (state_.vx[i] + tried_.vx[i]);
+    middleY_[i] = 0.5 * (state_.vy[i] + tried_.vy[i]);
+  }
+}
+
+void SoftBody::commit(double dt) {
+  const Triangles& t = triangles_;
+  for (std::size_t c = 0; c < t.mass.size(); ++c) {
+    std::array<double, 3> power;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto i = static_cast<std::size_t>(t.node[k][c]);
+      power[k] = t.forceX[k][c] * middleX_[i] + t.forceY[k][c] * middleY_[i];
+    }
+    const double third = (power[0] + power[1] + power[2]) * (1.0 / 3.0);
+    for (std::size_t k = 0; k < 3; ++k)
+      tried_.e[static_cast<std::size_t>(t.node[k][c])] += dt * (power[k] - third);
+  }
+  for (std::size_t i = 0; i < size(); ++i)
+    state_.e[i] = tried_.e[i] + dt * (pushX_[i] * middleX_[i] + pushY_[i] * middleY_[i]);
+  state_.px = tried_.px;
+  state_.py = tried_.py;
+  invert(state_.px, state_.py, state_.e, tried_.vx, tried_.vy);
+  state_.vx = tried_.vx;
+  state_.vy = tried_.vy;
+}
+
+glm::dvec2 SoftBody::stressMomentum(std::size_t i, const glm::dvec2& v) const {
+  const double x = v.x, y = v.y;
+  const double wx = stressXX_[i] * x + stressXY_[i] * y, wy = stressXY_[i] * x + stressYY_[i] * y;
+  const double along = contraction(x, y) * (x * wx + y * wy);
+  return {wx - along * x, wy - along * y};
+}
+
+void SoftBody::push(std::size_t node, const glm::dvec2& force) {
+  pushX_[node] += force.x;
+  pushY_[node] += force.y;
+}
+
+void SoftBody::endPushes() {
+  std::fill(pushX_.begin(), pushX_.end(), 0.0);
+  std::fill(pushY_.begin(), pushY_.end(), 0.0);
+}
+
+double SoftBody::elasticEnergy(std::size_t triangle, double& area) const {
+  const Triangles& t = triangles_;
+  double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0, vx = 0.0, vy = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(t.node[k][triangle]);
+    xx += state_.x[i] * t.gradientX[k][triangle];
+    xy += state_.x[i] * t.gradientY[k][triangle];
+    yx += state_.y[i] * t.gradientX[k][triangle];
+    yy += state_.y[i] * t.gradientY[k][triangle];
+    vx += state_.vx[i] / 3.0;
+    vy += state_.vy[i] / 3.0;
+  }
+  const double gamma = 1.0 / std::sqrt(1.0 - vx * vx - vy * vy), stretch = gamma * gamma / (gamma + 1.0);
+  const double alongX = stretch * (vx * xx + vy * yx), alongY = stretch * (vx * xy + vy * yy);
+  const Deformation f = deformationOf(xx + alongX * vx, xy + alongY * vx, yx + alongX * vy, yy + alongY * vy);
+  area = f.area;
+  const double a = material_.soundSpeed * material_.soundSpeed;
+  return 0.5 * a * (f.sum * (1.0 + 1.0 / f.area) - 4.0) * t.mass[triangle];
+}
+
+double SoftBody::heatOf(std::size_t i, double elastic) const {
+  const double x = state_.vx[i], y = state_.vy[i];
+  const double stress = x * (stressXX_[i] * x + stressXY_[i] * y) + y * (stressXY_[i] * x + stressYY_[i] * y);
+  return state_.e[i] * std::sqrt(1.0 - x * x - y * y) + stress - mass_ * mesh_->nodeShare(i) - elastic;
+}
+
+SoftTotals SoftBody::totals() const {
+  SoftTotals totals;
+  double elastic = 0.0, area = 0.0;
+  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) elastic += elasticEnergy(c, area);
+  for (std::size_t i = 0; i < size(); ++i) {
+    totals.momentum = totals.momentum + Vec21{state_.e[i], state_.px[i], state_.py[i]};
+    totals.centre += state_.e[i] * place(i);
+    totals.heat += heatOf(i, 0.0);
+  }
+  totals.centre /= totals.momentum.t;
+  totals.elastic = elastic;
+  totals.heat -= elastic;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const glm::dvec2 arm = place(i) - totals.centre;
+    totals.spin += arm.x * state_.py[i] - arm.y * state_.px[i];
+  }
+  return totals;
+}
+
+bool SoftBody::isSound() const {
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!(state_.vx[i] * state_.vx[i] + state_.vy[i] * state_.vy[i] < kFastest * kFastest)) return false;
+  }
+  double area = 0.0;
+  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) {
+    elasticEnergy(c, area);
+    if (!(area > kLeastArea)) return false;
+  }
+  return true;
+}
+
+}  // namespace carom

@@ -1,0 +1,82 @@
+#pragma once
+// Advances soft bodies that may touch one another, the cushions, or told bodies that hold them. c = 1, metres, board frame.
+//
+// A step is the midpoint rule, with contacts in both of its stages:
+//     x += ½dt v;   π* = π + dt f(x, v), contacts;   v̄ = ½(v + v*);   π += dt f(x, v̄), contacts;   v̄ = ½(v + v')
+//     E += dt (power at v̄);   v = v(π, E);   x += ½dt v
+// A contact lets no node go farther in (restitution 0 of the single node); the body's own waves throw it back. A cushion takes
+// momentum and no energy. Node i of one hull, inside the other's hull beside its edge (j, k) with the weights w of the nearest
+// point and the edge's outward normal n, takes λ n while they approach, with
+//     E_e = 1/(w_j²/E_j + w_k²/E_k)    V = (E_i v_i + E_e v_e)/(E_i + E_e)    λ = E_i (V − v_i)/(1 − V²)
+// and the energies λ μ of it, μ the mean of the normal velocities at the beginning of the step and after the contact, such that
+// their sum is 0. Frictionless contact along the board-frame normal with the energy λ V is covariant.
+
+#include <span>
+#include <vector>
+
+#include "engine/soft/soft_body.h"
+
+namespace carom {
+
+/// A straight cushion, which soft bodies do not cross: the half plane normal · x <= offset is free.
+struct SoftCushion {
+  glm::dvec2 normal{1.0, 0.0};
+  double offset = 0.0;
+};
+
+/// Nodes that a told body carries along: their velocity during the next steps.
+struct HeldSide {
+  std::size_t body = 0;
+  std::vector<int> nodes;
+  glm::dvec2 velocity{0.0};
+};
+
+class SoftGroup {
+ public:
+  /// `bodies` are the group's in the order of their names, and outlive it.
+  SoftGroup(std::vector<SoftBody*> bodies, std::vector<SoftCushion> cushions)
+      : bodies_(std::move(bodies)),
+        cushions_(std::move(cushions)),
+        impulses_(cushions_.size()),
+        before_(bodies_.size()) {}
+
+  /// Makes one step, of at most `most`. Returns its length. A step that cannot be followed is undone and tried again with half its
+  /// length, down to a sixteenth; then throws std::runtime_error.
+  double step(double most);
+  /// Steps until that much time has passed.
+  void advance(double duration);
+
+  std::vector<HeldSide>& held() { return held_; }
+  /// Returns the momentum that the bodies have received from a cushion so far.
+  const glm::dvec2& impulseOf(std::size_t cushion) const { return impulses_[cushion]; }
+  /// Returns whether a node touched a cushion, or another body, in the last step.
+  bool touchesCushion(std::size_t cushion) const { return touched_.empty() ? false : touched_[cushion]; }
+  bool touchesBody() const { return !touches_.empty(); }
+
+ private:
+  /// A node inside another body, and the nearest edge there.
+  struct Touch {
+    std::size_t body = 0, node = 0;
+    std::size_t other = 0, edgeFrom = 0, edgeTo = 0;
+    double shareFrom = 0.0, shareTo = 0.0;
+    glm::dvec2 normal{0.0};
+  };
+
+  bool tryStep(double dt);
+  void findTouches();
+  void findTouches(std::size_t body, std::size_t other);
+  void meetCushions(bool counts);
+  bool meet(const Touch& touch);
+  void hold();
+
+  std::vector<SoftBody*> bodies_;
+  std::vector<SoftCushion> cushions_;
+  std::vector<glm::dvec2> impulses_;
+  std::vector<bool> touched_;
+  std::vector<HeldSide> held_;
+  std::vector<Touch> touches_;
+  std::vector<SoftBody::State> before_;  // the step that is made, to undo it
+  std::vector<glm::dvec2> impulsesBefore_;
+};
+
+}  // namespace carom

@@ -1,0 +1,96 @@
+// Input of a Gui: every click counts, however short it is and whatever was pointed to before it.
+#include "cave/gl/gui.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "cave/gl/graphics.h"
+
+namespace carom {
+namespace {
+
+using Kind = GuiEvent::Kind;
+
+class GuiTest : public testing::Test {
+ protected:
+  /// A frame with three tabs and a button; notes which tab is open, and presses of the button.
+  void frame() {
+    gui_.begin({600, 300});
+    ImGui::SetNextWindowPos({0.0F, 0.0F});
+    ImGui::SetNextWindowSize({600.0F, 300.0F});
+    ImGui::Begin("window", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    if (ImGui::Button("button", {100.0F, 40.0F})) ++presses_;
+    button_ = middleOfItem();
+    if (ImGui::BeginTabBar("tabs")) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::string name = "tab " + std::to_string(i);
+        if (ImGui::BeginTabItem(name.c_str())) {
+          open_ = i;
+          ImGui::EndTabItem();
+        }
+        tabs_[i] = middleOfItem();
+      }
+      ImGui::EndTabBar();
+    }
+    if (claims_) Gui::claim();
+    ImGui::End();
+    gui_.end();
+  }
+  static glm::vec2 middleOfItem() {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    return {0.5F * (low.x + high.x), 0.5F * (low.y + high.y)};
+  }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) frame();
+  }
+  /// The pointer comes, and the button is pressed and let go, all between two frames.
+  void click(const glm::vec2& at) {
+    gui_.hear({Kind::pointer, at});
+    gui_.hear({Kind::button, {}, 0, true});
+    gui_.hear({Kind::button, {}, 0, false});
+  }
+
+  Graphics graphics_;
+  Gui gui_{16.0F};
+  glm::vec2 button_{0.0F}, tabs_[3]{};
+  std::size_t open_ = 0;
+  int presses_ = 0;
+  bool claims_ = false;
+};
+
+TEST_F(GuiTest, AClickWithinAFrameOpensATabWhateverWasPointedToBefore) {
+  frames(3);
+  ASSERT_EQ(open_, 0U);
+  for (const std::size_t tab : {2U, 1U, 0U, 2U, 0U, 1U}) {
+    gui_.hear({Kind::pointer, button_});
+    frames(2);
+    click(tabs_[tab]);
+    frames(5);
+    EXPECT_EQ(open_, tab);
+  }
+  EXPECT_EQ(presses_, 0);
+}
+
+TEST_F(GuiTest, ClicksWithinAFrameAreAsManyPresses) {
+  frames(3);
+  for (int i = 0; i < 3; ++i) click(button_);
+  frames(12);
+  EXPECT_EQ(presses_, 3);
+}
+
+TEST_F(GuiTest, WhatIsClaimedIsKnownBetweenFrames) {
+  frames(2);
+  EXPECT_FALSE(gui_.isClaimed({10.0F, 10.0F}));
+  claims_ = true;
+  frame();
+  EXPECT_TRUE(gui_.isClaimed({10.0F, 10.0F}));
+  EXPECT_FALSE(gui_.isClaimed({700.0F, 10.0F}));
+  gui_.forgetClaims();
+  EXPECT_FALSE(gui_.isClaimed({10.0F, 10.0F}));
+}
+
+}  // namespace
+}  // namespace carom
