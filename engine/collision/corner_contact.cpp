@@ -10,9 +10,6 @@ namespace carom {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// Steps of the search for the parting: the first one, of the radii, over the speeds; how they grow; and how many.
-constexpr double kPartingStep = 0.02, kPartingGrowth = 1.2;
-constexpr int kPartingSteps = 30;
 constexpr double kResumed = 1e-9;  // of the radii: what comes so soon after a contact is that contact
 
 bool haveCorners(const ShapedFlight& first, const ShapedFlight& second) {
@@ -38,26 +35,6 @@ ContactWindow windowOf(const ShapedFlight& first, const ShapedFlight& second, co
   return window;
 }
 
-// From when on bodies that have not parted since an earlier contact will have done so on these flights, found in steps
-// that grow; infinity if they do not, or had done so already.
-double partingTime(const ShapedFlight& first, const ShapedFlight& second, const ContactWindow& window,
-                   const EarlierContact& earlier) {
-  const double size = first.radius + second.radius, sum = dot(first.u, second.u);
-  const double fastest = std::sqrt(2.0 * std::max(0.0, sum - 1.0) / (sum + 1.0)) +
-                         std::abs(first.turning) * first.radius + std::abs(second.turning) * second.radius;
-  double step = kPartingStep * size / fastest;
-  if (!(step < kNever)) return kNever;
-  ContactWindow then = window;
-  then.strictly = false;
-  const Vec21 U = equalSpeedFrame(first.u, second.u);
-  if (passageOfCorners(first, second, U, then, earlier) == Passage::apart) return kNever;
-  for (int steps = 0; steps < kPartingSteps; ++steps, step *= kPartingGrowth) {
-    then.from += step;
-    if (passageOfCorners(first, second, U, then, earlier) == Passage::apart) return then.from;
-  }
-  return kNever;
-}
-
 // What bodies know of an earlier contact ends where they have parted.
 std::optional<FoundContact> findFirst(const ShapedFlight& first, const ShapedFlight& second,
                                       const Vec21& order, const ContactWindow& window,
@@ -65,7 +42,9 @@ std::optional<FoundContact> findFirst(const ShapedFlight& first, const ShapedFli
   if (!haveCorners(first, second)) return findRimContact(first, second, order, window, earlier);
   const std::optional<FoundContact> found = findPiercing(first, second, order, window, earlier);
   if (earlier == nullptr || (found && (found->withoutDelay || found->lookAgain))) return found;
-  const double parted = partingTime(first, second, window, *earlier);
+  const Vec21 U = equalSpeedFrame(first.u, second.u);
+  const double parted =
+      partingOfCorners(first, second, U, window, *earlier, found ? found->time : kNever);
   if (parted == kNever || (found && found->time <= parted)) return found;
   ContactWindow after = window;
   after.from = parted, after.strictly = false;

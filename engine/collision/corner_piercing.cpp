@@ -22,6 +22,9 @@ constexpr double kTie = 1e-9;         // of the radii: piercings as near to each
 constexpr double kSameNormal = 1e-6;  // the angle between their sides
 constexpr double kDeeper = 1e-2;  // of the radii: so much deeper goes a corner that slides in the other body
 constexpr double kFront = 0.1;    // the cosine of the angle between sides that look the same way
+// Steps of the search for the parting: the first one, of the radii, over the speeds; how they grow; and how many.
+constexpr double kPartingStep = 0.02, kPartingGrowth = 1.2;
+constexpr int kPartingSteps = 30;
 constexpr double kEnd = 1e-12;    // of a side's length: by so much it reaches beyond its corners
 
 /// A quantity that is linear in the offset of a corner and in its own time.
@@ -30,6 +33,12 @@ struct Linear {
   double operator()(const Vec2& offset, double s) const {
     return at0 + perX * offset.x + perY * offset.y + perS * s;
   }
+};
+
+/// Where a corner is in the axes that turn with b, and how these lie then.
+struct Spot {
+  Vec2 place;
+  SinCos ofB;
 };
 
 /// A corner as it lies to b: `Outline::Clearance`, and whether it has come through b and is behind it.
@@ -45,6 +54,7 @@ class Corners {
   Corners(const ShapedFlight& a, const ShapedFlight& b, const Vec21& origin, const Vec21& U,
           const ContactWindow& window, bool aIsFirst)
       : a_(a), b_(b), window_(window), axesOfA_(a.u), axesOfB_(b.u), aIsFirst_(aIsFirst) {
+    ofA_ = portableSinCos(a.angle), ofB_ = portableSinCos(b.angle);
     const Vec21 d = a.start - b.start;
     place_ = axesOfB_.place(d);
     perX_ = axesOfB_.place(axesOfA_.x), perY_ = axesOfB_.place(axesOfA_.y), perS_ = axesOfB_.place(a.u);
@@ -56,6 +66,8 @@ class Corners {
 
   /// The same bodies at an earlier contact, since which they have not parted.
   void remember(const Corners& earlier, const EarlierContact& contact);
+  /// Finds how the corners have come from there by `window.from`.
+  void lookBack();
   Passage passage() const { return passage_; }
   /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to where the
   /// other was at the earlier contact, or only such as look away.
@@ -83,29 +95,23 @@ class Corners {
     return {time_(offset, s), a_.start + axesOfA_(offset) + a_.u * s, aIsFirst_ ? n * -1.0 : n};
   }
   double startOf(const Vec2& corner) const;
-  /// In the axes that turn with b.
-  Vec2 placeInB(const Vec2& corner, double s) const;
-  Lie lieOf(std::size_t corner, const Vec2& place, double s) const;
-  Lie lieAt(std::size_t corner, double s) const { return lieOf(corner, placeInB(cornerOf(corner), s), s); }
+  Spot spotOf(const Vec2& corner, double s) const;
+  Lie lieOf(std::size_t corner, const Spot& spot) const;
+  Lie lieAt(std::size_t corner, double s) const { return lieOf(corner, spotOf(cornerOf(corner), s)); }
   /// Likewise; a corner that has come in, or is through, as it lies to the side by which it came.
-  Lie keptOut(std::size_t corner, const Vec2& place, double s) const;
-  Lie keptOutAt(std::size_t corner, double s) const {
-    return keptOut(corner, placeInB(cornerOf(corner), s), s);
-  }
+  Lie keptOut(std::size_t corner, const Spot& spot) const;
+  Lie keptOutAt(std::size_t corner, double s) const { return keptOut(corner, spotOf(cornerOf(corner), s)); }
   double outsideOf(std::size_t side, const Vec2& place) const {
     const Outline::Side& of = b_.outline->sides()[side];
     return glm::dot(of.normal, place) - of.offset;
   }
   double outsideOf(std::size_t side, std::size_t corner, double s) const {
-    return outsideOf(side, placeInB(cornerOf(corner), s));
+    return outsideOf(side, spotOf(cornerOf(corner), s).place);
   }
-  /// The side of b to which a corner that is known by its way belongs at its own time s.
-  std::optional<std::size_t> entranceOf(std::size_t corner, const Vec2& place, double s) const;
-  double angleOfB(const Vec2& corner, double s) const;
+  /// The side of b to which a corner that is known by its way belongs.
+  std::optional<std::size_t> entranceOf(std::size_t corner, const Spot& spot) const;
   /// The way out of b on which a was at the earlier contact, in the axes that turn with b.
-  Vec2 outwards(std::size_t corner, double s) const {
-    return turnedBack(outwards_, portableSinCos(angleOfB(cornerOf(corner), s)));
-  }
+  Vec2 outwards(const Spot& spot) const { return turnedBack(outwards_, spot.ofB); }
   /// Whether what belongs to one side comes to another from behind.
   bool looksAway(std::size_t side, std::size_t entrance) const {
     const double along = glm::dot(b_.outline->sides()[side].normal, b_.outline->sides()[entrance].normal);
@@ -126,12 +132,14 @@ class Corners {
   const ShapedFlight &a_, &b_;
   const ContactWindow& window_;
   RestAxes axesOfA_, axesOfB_;
+  SinCos ofA_, ofB_;  // of their angles as their flights begin
   bool aIsFirst_;
   Vec2 place_, perX_, perY_, perS_;
   Linear ownTimeOfB_, time_, windowTime_;
   double size_;
   // Of each corner at the earlier contact its place in the axes that turn with b; none without such a contact.
   std::vector<Vec2> cameFrom_;
+  std::vector<Spot> spots_;  // and at `window.from`
   std::vector<char> hasEntered_;
   Vec2 outwards_{0.0};
   bool behind_ = false;               // convex, and through each other since
@@ -203,7 +211,7 @@ void Corners::pierceStraight(std::optional<FoundContact>& best) const {
       if (!(along >= 0.0 && along <= entry.length)) continue;
       if (!window_.holds(window0 + windowTime_.perS * s)) continue;
       if (isKnownByItsWay(c)) {
-        const auto entrance = entranceOf(c, z + w * s, s);
+        const auto entrance = entranceOf(c, {z + w * s, ofB});
         if (entrance && looksAway(entry.side, *entrance)) continue;
       }
       earliest = time;
@@ -218,7 +226,7 @@ void Corners::overlapStraight(double& deepest, std::optional<FoundContact>& best
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const Vec2 offset = turned(cornerOf(c), ofA);
     const double s = (window_.from - windowTime_(offset, 0.0)) / windowTime_.perS;
-    const Lie there = keptOut(c, turnedBack(placeOf(offset, s), ofB), s);
+    const Lie there = keptOut(c, {turnedBack(placeOf(offset, s), ofB), ofB});
     if (there.through || !(there.outside <= kCornerTouches * size_) || !(there.outside < deepest)) continue;
     const Vec2& normal = b_.outline->sides()[there.side].normal;
     if (!(-glm::dot(normal, w) > kLeastClosing)) continue;
@@ -242,37 +250,41 @@ double Corners::startOf(const Vec2& corner) const {
   return s;
 }
 
-Vec2 Corners::placeInB(const Vec2& corner, double s) const {
-  const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
-  const double angle = b_.angle + b_.turning * ownTimeOfB_(offset, s);
-  return turnedBack(placeOf(offset, s), portableSinCos(angle));
+Spot Corners::spotOf(const Vec2& corner, double s) const {
+  const Vec2 offset = turned(corner, a_.turning == 0.0 ? ofA_ : portableSinCos(a_.angle + a_.turning * s));
+  const SinCos ofB =
+      b_.turning == 0.0 ? ofB_ : portableSinCos(b_.angle + b_.turning * ownTimeOfB_(offset, s));
+  return {turnedBack(placeOf(offset, s), ofB), ofB};
 }
 
 void Corners::remember(const Corners& earlier, const EarlierContact& contact) {
-  const std::size_t count = a_.outline->corners().size();
-  for (std::size_t k = 0; k < count; ++k)
-    cameFrom_.push_back(earlier.placeInB(cornerOf(k), earlier.startOf(cornerOf(k))));
-  Passage farthest = Passage::apart;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vec2 place = placeInB(cornerOf(k), startOf(cornerOf(k)));
-    hasEntered_.push_back(b_.outline->entranceOf(cameFrom_[k], place).has_value());
-    if (!hasEntered_[k]) continue;
-    const bool inside = b_.outline->clearanceOf(place).outside <= 0.0;
-    farthest = std::max(farthest, inside ? Passage::inside : Passage::through);
-  }
-  passage_ = farthest;
+  for (const Vec2& corner : a_.outline->corners())
+    cameFrom_.push_back(earlier.spotOf(corner, earlier.startOf(corner)).place);
   outwards_ = axesOfB_.place(contact.n) * (aIsFirst_ ? -1.0 : 1.0);
   outwards_ /= glm::length(outwards_);
+}
+
+void Corners::lookBack() {
+  const std::size_t count = cameFrom_.size();
+  spots_.clear(), hasEntered_.clear();
+  passage_ = Passage::apart;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Spot spot = spotOf(cornerOf(k), startOf(cornerOf(k)));
+    spots_.push_back(spot);
+    hasEntered_.push_back(b_.outline->entranceOf(cameFrom_[k], spot.place).has_value());
+    if (!hasEntered_[k]) continue;
+    const bool inside = b_.outline->clearanceOf(spot.place).outside <= 0.0;
+    passage_ = std::max(passage_, inside ? Passage::inside : Passage::through);
+  }
 }
 
 Passage Corners::passageOfConvex() const {
   Passage passage = Passage::inside;
   for (const Outline::Side& side : b_.outline->sides()) {
     double least = kNever, along = 1.0;
-    for (std::size_t k = 0; k < a_.outline->corners().size(); ++k) {
-      const double s = startOf(cornerOf(k));
-      const double outside = glm::dot(side.normal, placeInB(cornerOf(k), s)) - side.offset;
-      if (outside < least) least = outside, along = glm::dot(side.normal, outwards(k, s));
+    for (const Spot& spot : spots_) {
+      const double outside = glm::dot(side.normal, spot.place) - side.offset;
+      if (outside < least) least = outside, along = glm::dot(side.normal, outwards(spot));
     }
     if (!(least >= -kCornerTouches * size_)) continue;
     if (along > -kFront) return Passage::apart;
@@ -281,15 +293,10 @@ Passage Corners::passageOfConvex() const {
   return passage;
 }
 
-double Corners::angleOfB(const Vec2& corner, double s) const {
-  const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
-  return b_.angle + b_.turning * ownTimeOfB_(offset, s);
-}
-
 // Bodies that have come through each other are free to turn there. They belong where they were on the board.
-std::optional<std::size_t> Corners::entranceOf(std::size_t corner, const Vec2& place, double s) const {
-  if (!behind_) return b_.outline->entranceOf(cameFrom_[corner], place);
-  const Vec2 front = outwards(corner, s);
+std::optional<std::size_t> Corners::entranceOf(std::size_t corner, const Spot& spot) const {
+  if (!behind_) return b_.outline->entranceOf(cameFrom_[corner], spot.place);
+  const Vec2 front = outwards(spot);
   const std::span<const Outline::Side> sides = b_.outline->sides();
   std::size_t entrance = 0;
   for (std::size_t k = 1; k < sides.size(); ++k)
@@ -297,25 +304,25 @@ std::optional<std::size_t> Corners::entranceOf(std::size_t corner, const Vec2& p
   return entrance;
 }
 
-Lie Corners::lieOf(std::size_t corner, const Vec2& place, double s) const {
-  const Outline::Clearance there = b_.outline->clearanceOf(place);
+Lie Corners::lieOf(std::size_t corner, const Spot& spot) const {
+  const Outline::Clearance there = b_.outline->clearanceOf(spot.place);
   const Lie nearest{there.outside, there.side};
   if (!isKnownByItsWay(corner)) return nearest;
-  const auto entrance = entranceOf(corner, place, s);
+  const auto entrance = entranceOf(corner, spot);
   if (!entrance) return nearest;
   const bool away = looksAway(there.side, *entrance);
   if (there.outside > 0.0) return {there.outside, there.side, away || !behind_};
   if (!away) return nearest;
   const Outline::Side& side = b_.outline->sides()[*entrance];
-  return {glm::dot(side.normal, place) - side.offset, *entrance};
+  return {glm::dot(side.normal, spot.place) - side.offset, *entrance};
 }
 
-Lie Corners::keptOut(std::size_t corner, const Vec2& place, double s) const {
+Lie Corners::keptOut(std::size_t corner, const Spot& spot) const {
   if (passage_ != Passage::apart && hasEntered_[corner]) {
-    const auto entrance = entranceOf(corner, place, s);
-    if (entrance) return {outsideOf(*entrance, place), *entrance};
+    const auto entrance = entranceOf(corner, spot);
+    if (entrance) return {outsideOf(*entrance, spot.place), *entrance};
   }
-  return lieOf(corner, place, s);
+  return lieOf(corner, spot);
 }
 
 FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) const {
@@ -424,9 +431,14 @@ struct BothCorners {
     const ContactWindow then = windowAt(*earlier);
     ofFirst.remember({one, other, one.start, then.frame, then, true}, *earlier);
     ofSecond.remember({other, one, one.start, then.frame, then, false}, *earlier);
+    lookBack(first.outline->isConvex() && second.outline->isConvex(), earlier->behind);
+  }
+
+  /// Finds how the two have come from the earlier contact by `window.from`.
+  void lookBack(bool convex, bool haveBeenBehind) {
+    ofFirst.lookBack(), ofSecond.lookBack();
     Passage passage = std::max(ofFirst.passage(), ofSecond.passage());
-    const bool convex = first.outline->isConvex() && second.outline->isConvex();
-    if (convex && (passage != Passage::apart || earlier->behind)) {
+    if (convex && (passage != Passage::apart || haveBeenBehind)) {
       const Passage bySecond = ofFirst.passageOfConvex(), byFirst = ofSecond.passageOfConvex();
       const bool apart = bySecond == Passage::apart || byFirst == Passage::apart;
       passage = apart ? Passage::apart : std::max(bySecond, byFirst);
@@ -515,6 +527,26 @@ void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, con
 Passage passageOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
                          const ContactWindow& window, const EarlierContact& earlier) {
   return BothCorners(first, second, U, window, &earlier).ofFirst.passage();
+}
+
+double partingOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                        const ContactWindow& window, const EarlierContact& earlier, double until) {
+  const double size = first.radius + second.radius, sum = dot(first.u, second.u);
+  const double fastest = std::sqrt(2.0 * std::max(0.0, sum - 1.0) / (sum + 1.0)) +
+                         std::abs(first.turning) * first.radius + std::abs(second.turning) * second.radius;
+  double step = kPartingStep * size / fastest;
+  if (!(step < kNever)) return kNever;
+  ContactWindow then = window;
+  then.strictly = false;
+  const bool convex = first.outline->isConvex() && second.outline->isConvex();
+  BothCorners corners(first, second, U, then, &earlier);
+  if (corners.ofFirst.passage() == Passage::apart) return kNever;
+  for (int steps = 0; steps < kPartingSteps && then.from < until; ++steps, step *= kPartingGrowth) {
+    then.from += step;
+    corners.lookBack(convex, earlier.behind);
+    if (corners.ofFirst.passage() == Passage::apart) return then.from;
+  }
+  return kNever;
 }
 
 }  // namespace carom

@@ -83,6 +83,10 @@ std::optional<FoundContact> findRimContact(const ShapedFlight& first, const Shap
 /// Where the corners of each body are to the other, or the centre of a disc, at the time `window.from`.
 Passage passageOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
                          const ContactWindow& window, const EarlierContact& earlier);
+/// Returns from when on bodies with corners that have not parted since an earlier contact will have done so on these
+/// flights, found in steps that grow, until about a time; infinity if they do not, or had done so already.
+double partingOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                        const ContactWindow& window, const EarlierContact& earlier, double until);
 Passage passageOfDisc(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
                       const ContactWindow& window, const EarlierContact& earlier);
 
