@@ -1,6 +1,6 @@
 #pragma once
-// What a viewer's hand finds on the front wall: the buttons as the viewer sees them, and those that a gamepad goes
-// through with its cross, since it points to nothing.
+// What a viewer's hand finds on the front wall: the buttons as the viewer sees them, and those that a gamepad
+// goes through with its cross, since it points to nothing.
 
 #include <cstddef>
 #include <optional>
@@ -25,10 +25,12 @@ class WallPresses {
   /// Takes the frame that the viewer sees, who is the first in its record.
   void follow(const FrameRecord& shown);
 
-  /// Goes on by so many buttons from the one that the gamepad has chosen, and points the gamepad's hand there.
+  /// Goes on by so many buttons from the one that the gamepad has chosen, and points the gamepad's hand
+  /// there.
   void aimPad(int steps, HandInput& hand);
 
-  /// Returns the button to which the hand points, unless it holds the cue. A press takes the gamepad's choice back.
+  /// Returns the button to which the hand points, unless it holds the cue. A press takes the gamepad's choice
+  /// back.
   std::optional<PointedButton> at(const HandInput& hand);
 
  private:

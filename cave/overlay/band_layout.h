@@ -1,6 +1,7 @@
 #pragma once
-// Where the lines and buttons of a lesson's band lie on the front wall. Computed from the numbers of letters and lines
-// alone, not from the letters' shapes, so that a node without the wall's picture finds the same places.
+// Where the lines and buttons of a lesson's band lie on the front wall. Computed from the numbers of letters
+// and lines alone, not from the letters' shapes, so that a node without the wall's picture finds the same
+// places.
 //
 //   +--------------------------------------------------+
 //   | Question:  Two twins part and meet again ...     |
@@ -43,8 +44,8 @@ struct BandLayout {
 void layOut(const Wall& wall, const glm::ivec2& picture_px, std::span<const HudLine> lines,
             BandLayout& layout);
 
-/// Returns where the lower left corner of a band so high lies on the picture: its lower edge at the height of the eyes,
-/// or lower if it would reach beyond the wall.
+/// Returns where the lower left corner of a band so high lies on the picture: its lower edge at the height of
+/// the eyes, or lower if it would reach beyond the wall.
 glm::ivec2 bandCorner_px(const Wall& wall, const glm::dvec2& pxPerM, int high_px);
 
 /// Appends the band's buttons, and below them in order the band itself, which does nothing.

@@ -45,8 +45,8 @@ class Lines {
     fmt::format_to(std::back_inserter(line.text), words, std::forward<Values>(values)...);
   }
 
-  /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented. With
-  /// a `row` they are a button.
+  /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented.
+  /// With a `row` they are a button.
   void wrap(std::string_view words, std::string_view first = {}, bool urgent = false, WallAction row = {}) {
     for (bool begins = true; !words.empty(); begins = false) {
       const std::size_t taken = first.empty() ? 0 : begins ? first.size() : kIndentLetters;
@@ -236,8 +236,8 @@ void addLesson(const FrameRecord& record, const LessonWords& lesson, const Lesso
   }
 }
 
-/// Adds the numbers behind the motion overlay on the floor (cave/overlay/motion_overlay.h), but not while a caption
-/// says what to look for during a scripted flight.
+/// Adds the numbers behind the motion overlay on the floor (cave/overlay/motion_overlay.h), but not while a
+/// caption says what to look for during a scripted flight.
 void addDrive(const FrameRecord& record, Lines& lines) {
   const bool isTold = record.drive.mode == DriveMode::tour && !record.notice.words().empty();
   if (!isDriven(record) || isTold) return;

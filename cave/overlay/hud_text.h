@@ -24,8 +24,9 @@ std::optional<Wall> frontWall(const RoomGeometry& room);
 /// that are on, each with the colour it is drawn in; with `clocks`, the person's own clock, their speed on
 /// the board and the speed of light; with the tracker crosses, what the stereo check
 /// (cave/overlay/room_overlay.h) should look like. The text depends on the record and the scenario alone, so
-/// all nodes write the same. `lines` is empty if there is no text. `viewers` are those of the record, in its order;
-/// where there are several, the score is each one's, and the clocks compare theirs with that of the first.
+/// all nodes write the same. `lines` is empty if there is no text. `viewers` are those of the record, in its
+/// order; where there are several, the score is each one's, and the clocks compare theirs with that of the
+/// first.
 void describe(const FrameRecord& record, const LessonWords& words, const LessonPlan& plan,
               std::span<const RoomViewer> viewers, std::size_t letters, std::vector<HudLine>& lines);
 
@@ -37,8 +38,8 @@ class HudText {
   /// Sets the game's lesson.
   void setLesson(const LessonWords& words, const LessonPlan& plan);
 
-  /// Updates the lines ten times a second, and whenever the text about the views, the lesson or the latest notice
-  /// changes. Returns whether it did.
+  /// Updates the lines ten times a second, and whenever the text about the views, the lesson or the latest
+  /// notice changes. Returns whether it did.
   bool follow(const FrameRecord& record);
 
   const std::vector<HudLine>& lines() const { return lines_; }

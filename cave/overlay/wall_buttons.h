@@ -1,7 +1,8 @@
 #pragma once
-// The buttons on the front wall, for mouse, touch, wand and gamepad: the three choices, what else a game names, and
-// the buttons of a lesson's band (cave/overlay/band_layout.h). They lie in the wall's plane, so both eyes see them at
-// the same place. A node that draws the wall and the one that is asked where a ray points compute the same places.
+// The buttons on the front wall, for mouse, touch, wand and gamepad: the three choices, what else a game
+// names, and the buttons of a lesson's band (cave/overlay/band_layout.h). They lie in the wall's plane, so
+// both eyes see them at the same place. A node that draws the wall and the one that is asked where a ray
+// points compute the same places.
 
 #include <array>
 #include <optional>
@@ -29,8 +30,8 @@ struct WallButton {
   Tile place;
 };
 
-/// Returns the places of the three choices on a wall, in their order. `atFoot`: flat, at its foot, where they cover
-/// little of a game that is explained.
+/// Returns the places of the three choices on a wall, in their order. `atFoot`: flat, at its foot, where they
+/// cover little of a game that is explained.
 std::array<Tile, kChoices> tilesOn(const Wall& wall, bool atFoot);
 
 /// What decides which tiles a game offers, besides the frame's record.
@@ -43,8 +44,8 @@ struct OfferedTiles {
 /// Returns what a room offers; `hasTable`: the game has one to come home to.
 OfferedTiles offeredIn(const RoomGeometry& room, const FrameRecord& record, bool choices, bool hasTable);
 
-/// Appends the tiles on a wall in this frame: the three choices, and below them flat ones for what the keys Enter,
-/// Home, F and H do, where there is something for them to do.
+/// Appends the tiles on a wall in this frame: the three choices, and below them flat ones for what the keys
+/// Enter, Home, F and H do, where there is something for them to do.
 void addTiles(const Wall& wall, const FrameRecord& record, const OfferedTiles& offered,
               std::vector<WallButton>& buttons);
 

@@ -130,6 +130,7 @@ class SimulatedVisitors {
       changes_s_ = now_s + random_.in(1.1, 4.5) * kPatience_s;
       leaves_s_ = std::max(leaves_s_, changes_s_ + 5.0);
       discussedUntil_s_ = changes_s_;
+      discussed_ = games_;
       ++discussions_;
       return;
     }
@@ -151,7 +152,9 @@ class SimulatedVisitors {
 
   /// Decides whether the visitors stand before a question now and discuss it.
   bool discusses() {
-    return leader_->settings().lesson.phase == LessonPhase::asks && random_.in(0.0, 1.0) < 0.3;
+    // One discussion a game, and by somebody who has done something since they came.
+    const bool isNew = discussed_ != games_ && mood_ != Mood::away;
+    return isNew && leader_->settings().lesson.phase == LessonPhase::asks && random_.in(0.0, 1.0) < 0.3;
   }
 
   double pucks() const { return static_cast<double>(scenario_.billiard.pucks.size()); }
@@ -178,7 +181,8 @@ class SimulatedVisitors {
   void begin(const NextGame& next) {
     ASSERT_FALSE(next.file.empty());
     ++games_;
-    thrownOut_ += next.isForNextVisitor && now_s() < discussedUntil_s_ ? 1 : 0;
+    const bool stood = leader_->settings().lesson.phase == LessonPhase::asks;  // the question, to the end
+    thrownOut_ += next.isForNextVisitor && stood && now_s() < discussedUntil_s_ ? 1 : 0;
     attractions_ += next.attracts ? 1 : 0;
     scenario_ = readScenario(next.file);
     world_ = {startingHistories(scenario_), {}};
@@ -229,6 +233,7 @@ class SimulatedVisitors {
   std::size_t games_ = 0, strokes_ = 0, attractions_ = 0;
   std::size_t escapes_ = 0, ends_ = 0, discussions_ = 0, thrownOut_ = 0, countdowns_ = 0;
   double discussedUntil_s_ = -1.0;
+  std::optional<std::size_t> discussed_;  ///< the number of the game whose question was discussed last
   Mood mood_ = Mood::away;
   double comes_s_ = 0.0, leaves_s_ = -1.0, changes_s_ = 0.0, pull_m_ = 0.0, turn_rad_ = 0.0;
   std::size_t puck_ = 0;

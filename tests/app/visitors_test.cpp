@@ -12,7 +12,7 @@ TEST(Visitors, ThreeComePlayAndLeaveAndNobodyFindsAnothersState) {
   const test::LogLines log;
   const test::TemporaryFolder folder;
   test::SimulatedVisitors room(7, folder / "");
-  const std::vector<test::Found> found = room.run(3, 900.0);
+  const std::vector<test::Found> found = room.run(3, 4000.0);
   ASSERT_EQ(found.size(), 4U) << "after " << room.now_s() << " s and " << room.games() << " games";
   for (const test::Found& each : found) {
     SCOPED_TRACE(each.at_s);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <sstream>
 #include <string>
 
@@ -69,7 +68,9 @@ Books booksOf(const Billiard& billiard, const BilliardSetup& setup, std::size_t 
   };
   Books books;
   books.motion = carried(puck.beta, puck.spin_kg_m2_s);
-  for (const Knot& knot : billiard.worldLines()[which].knots().subspan(1)) {
+  const Knots knots = billiard.worldLines()[which].knots();
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    const Knot knot = knots[k];
     const GameEvent* made = nullptr;
     const Turn* turn = nullptr;
     for (const GameEvent& event : billiard.events()) {
@@ -246,8 +247,7 @@ TEST(StrokeBooks, AStrokeJustAfterWhatIsForgottenPlaysTheSameGame) {
       whole.strike(stroke), forgetful.strike(stroke);
       ++strokes;
       for (std::size_t puck = 0; puck < setup.pucks.size(); ++puck) {
-        const std::span<const Knot> all = whole.worldLines()[puck].knots(),
-                                    kept = forgetful.worldLines()[puck].knots();
+        const Knots all = whole.worldLines()[puck].knots(), kept = forgetful.worldLines()[puck].knots();
         ASSERT_LE(kept.size(), all.size());
         ASSERT_LE(kept[0].turn.t_s, std::max(forgotten_s, all[0].turn.t_s))
             << "needed at " << forgotten_s << " s";
