@@ -348,7 +348,8 @@ std::optional<Corners::Advanced> Corners::advance(std::size_t corner, double s, 
   for (int step = 0; s < last; ++step) {
     if (step == kMostSteps) return Advanced{s, true};
     const bool inside = here.outside <= 0.0;
-    const double next = s + steps.next(here.outside);
+    const bool slides = inside && isKnownByItsWay(corner);
+    const double next = s + (slides ? 0.5 * kDeeper * size_ / fastest : steps.next(here.outside));
     const Lie there = lieAt(corner, next);
     const bool comparable = there.side == here.side || !isKnownByItsWay(corner);
     shallowest = inside && comparable ? std::max(shallowest, there.outside) : there.outside;
