@@ -175,8 +175,7 @@ void keepEarlier(std::optional<FoundContact>& best, const FoundContact& found) {
 
 // With b's angle turned into its axes, each side towards which the corners move is pierced at most once by each.
 void Corners::pierceStraight(std::optional<FoundContact>& best) const {
-  const SinCos ofA = portableSinCos(a_.angle), ofB = portableSinCos(b_.angle);
-  const Vec2 w = turnedBack(perS_, ofB);
+  const Vec2 w = turnedBack(perS_, ofB_);
   struct Entry {
     Vec2 normal, along;
     double offset, perSpeed, from, length, drift;
@@ -200,7 +199,7 @@ void Corners::pierceStraight(std::optional<FoundContact>& best) const {
   }
   double earliest = best ? best->time : kNever;
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
-    const Vec2 offset = turned(cornerOf(c), ofA), z = turnedBack(placeOf(offset, 0.0), ofB);
+    const Vec2 offset = turned(cornerOf(c), ofA_), z = turnedBack(placeOf(offset, 0.0), ofB_);
     const double time0 = time_(offset, 0.0), window0 = windowTime_(offset, 0.0);
     for (std::size_t k = 0; k < count; ++k) {
       const Entry& entry = entries[k];
@@ -211,27 +210,26 @@ void Corners::pierceStraight(std::optional<FoundContact>& best) const {
       if (!(along >= 0.0 && along <= entry.length)) continue;
       if (!window_.holds(window0 + windowTime_.perS * s)) continue;
       if (isKnownByItsWay(c)) {
-        const auto entrance = entranceOf(c, {z + w * s, ofB});
+        const auto entrance = entranceOf(c, {z + w * s, ofB_});
         if (entrance && looksAway(entry.side, *entrance)) continue;
       }
       earliest = time;
-      best = contact(offset, s, turned(entry.normal, ofB));
+      best = contact(offset, s, turned(entry.normal, ofB_));
     }
   }
 }
 
 void Corners::overlapStraight(double& deepest, std::optional<FoundContact>& best) const {
-  const SinCos ofA = portableSinCos(a_.angle), ofB = portableSinCos(b_.angle);
-  const Vec2 w = turnedBack(perS_, ofB);
+  const Vec2 w = turnedBack(perS_, ofB_);
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
-    const Vec2 offset = turned(cornerOf(c), ofA);
+    const Vec2 offset = turned(cornerOf(c), ofA_);
     const double s = (window_.from - windowTime_(offset, 0.0)) / windowTime_.perS;
-    const Lie there = keptOut(c, {turnedBack(placeOf(offset, s), ofB), ofB});
+    const Lie there = keptOut(c, {turnedBack(placeOf(offset, s), ofB_), ofB_});
     if (there.through || !(there.outside <= kCornerTouches * size_) || !(there.outside < deepest)) continue;
     const Vec2& normal = b_.outline->sides()[there.side].normal;
     if (!(-glm::dot(normal, w) > kLeastClosing)) continue;
     deepest = there.outside;
-    best = contact(offset, s, turned(normal, ofB));
+    best = contact(offset, s, turned(normal, ofB_));
     best->withoutDelay = true;
   }
 }
