@@ -43,8 +43,7 @@ std::optional<FoundContact> findFirst(const ShapedFlight& first, const ShapedFli
   const std::optional<FoundContact> found = findPiercing(first, second, order, window, earlier);
   if (earlier == nullptr || (found && (found->withoutDelay || found->lookAgain))) return found;
   const Vec21 U = equalSpeedFrame(first.u, second.u);
-  const double parted =
-      partingOfCorners(first, second, U, window, *earlier, found ? found->time : kNever);
+  const double parted = partingOfCorners(first, second, U, window, *earlier, found ? found->time : kNever);
   if (parted == kNever || (found && found->time <= parted)) return found;
   ContactWindow after = window;
   after.from = parted, after.strictly = false;

@@ -25,7 +25,7 @@ constexpr double kFront = 0.1;    // the cosine of the angle between sides that 
 // Steps of the search for the parting: the first one, of the radii, over the speeds; how they grow; and how many.
 constexpr double kPartingStep = 0.02, kPartingGrowth = 1.2;
 constexpr int kPartingSteps = 30;
-constexpr double kEnd = 1e-12;    // of a side's length: by so much it reaches beyond its corners
+constexpr double kEnd = 1e-12;  // of a side's length: by so much it reaches beyond its corners
 
 /// A quantity that is linear in the offset of a corner and in its own time.
 struct Linear {
@@ -280,12 +280,17 @@ Passage Corners::passageOfConvex() const {
   Passage passage = Passage::inside;
   for (const Outline::Side& side : b_.outline->sides()) {
     double least = kNever, along = 1.0;
+    bool isFar = false;
     for (const Spot& spot : spots_) {
       const double outside = glm::dot(side.normal, spot.place) - side.offset;
-      if (outside < least) least = outside, along = glm::dot(side.normal, outwards(spot));
+      if (!(outside < least)) continue;
+      const Vec2 front = outwards(spot);
+      least = outside, along = glm::dot(side.normal, front);
+      isFar = glm::dot(spot.place, front) < -b_.radius;
     }
     if (!(least >= -kCornerTouches * size_)) continue;
-    if (along > -kFront) return Passage::apart;
+    // What is far behind is outside of sides that are turned a little, too.
+    if (along > -kFront && !isFar) return Passage::apart;
     passage = Passage::through;
   }
   return passage;
