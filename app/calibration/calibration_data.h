@@ -1,5 +1,5 @@
 #pragma once
-// What a calibration is made of: what shall be touched and sighted, and what was.
+// The data of a calibration: the points to be touched and sighted, and those that were.
 
 #include <array>
 #include <optional>
@@ -43,18 +43,18 @@ inline constexpr std::array<const char*, 2> kSightFiles{"sight-left.csv", "sight
 
 /// Returns the limits within which a tool is at rest, with so much noise of the tracker.
 RestLimits toolLimits(double noise_m);
-/// Returns those within which a head is: nobody stands as still as a hand on a wall.
+/// Returns those within which a head is: people stand less still than a hand on a wall.
 RestLimits headLimits();
 
 /// Returns the tip of the tool: its sensor's own place, if it was not turned.
 glm::dvec3 tipOf(const CalibrationData& data);
 
-/// Reads the recordings of a calibration, in each of which the points are the rests, in the order of the
+/// Reads the recordings of a calibration, whose points are the rests, in the order of the
 /// plan. Throws InputError if a file cannot be read, InputErrors if its rests are not as many as the points.
 CalibrationData readCalibration(const std::filesystem::path& folder, const CalibrationPlan& plan);
 
 /// Guides a person through the plan, with words on standard output. Points that were skipped are not in the
-/// result; after an early end the rest is not. What was taken is written to `folder`, if one is given. Throws
+/// result; after an early end the rest is not. Taken points are written to `folder`, if one is given. Throws
 /// std::runtime_error if it cannot be written.
 CalibrationData takeCalibration(const Rig& rig, const CalibrationPlan& plan,
                                 const std::optional<std::filesystem::path>& folder);

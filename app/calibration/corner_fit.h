@@ -1,5 +1,5 @@
 #pragma once
-// Where a tracker is in the room, from corners that were touched with its sensor, and what is wrong with the
+// Where a tracker is in the room, from corners that were touched with its sensor, and the faults of the
 // touches if they do not fit.
 
 #include <span>

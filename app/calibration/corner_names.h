@@ -26,7 +26,7 @@ std::vector<NamedCorner> cornersOf(const Rig& rig);
 std::string wordsFor(const NamedCorner& corner);
 
 /// Returns the corners that `names` lists, with commas between them. Throws std::invalid_argument, which
-/// names what is no corner of the rig and those that there are.
+/// names the unknown corner and those of the rig.
 std::vector<NamedCorner> chosenCorners(const std::vector<NamedCorner>& corners, std::string_view names);
 
 }  // namespace carom

@@ -42,7 +42,7 @@ void showView(const std::string& name, TimeViews& views) {
   throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
 }
 
-/// Adds the rig and the game. What is left out depends on whether somebody watches, which is known when the
+/// Adds the rig and the game. The defaults depend on whether somebody watches, which is known when the
 /// command runs.
 void addRigAndScenario(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   command
@@ -57,7 +57,7 @@ void addRigAndScenario(CLI::App& command, const std::shared_ptr<CaveOptions>& op
       ->transform(shipped({"scenarios"}));
 }
 
-/// Adds what is on when the session begins: effects, views of time, the phase of a lesson.
+/// Adds the options of the beginning: effects, views of time, the phase of a lesson.
 void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   command
       .add_option_function<std::vector<std::string>>(

@@ -119,7 +119,7 @@ Before whatWas(const std::filesystem::path& file) {
   return before;
 }
 
-/// Returns what is on when the session begins.
+/// Returns the settings with which the session begins.
 Beginning beginningOf(const CaveOptions& options) {
   return {options.switches, options.views, options.lesson, !options.frames, options.games};
 }

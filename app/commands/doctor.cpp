@@ -220,7 +220,7 @@ void lookAtRoom(const Cluster& cluster, const Rig* rig, const DoctorOptions& opt
   if (rig && cluster.size() > 1 && cluster.rank() == 0) judgePorts(*rig, ranksHere(), report);
   if (rig && cluster.rank() == 0) {
     tried(report, [&] { judgeFiles(*rig, report); });
-    tried(report, [&] { poses_hz = judgeTrackers(*rig, report); });
+    if (!options.byMouse) tried(report, [&] { poses_hz = judgeTrackers(*rig, report); });
   }
   if (cluster.rank() == 0) judgeDisk(options.folder, rig, poses_hz, report);
   if (rig) judgeLinks(cluster, *rig, report);
@@ -240,7 +240,7 @@ NodeHealth unpacked(const std::string& text) {
   return report;
 }
 
-/// Prints the facts of all nodes, kind by kind: once what is the same on every node.
+/// Prints the facts of all nodes, kind by kind: once where all nodes have the same.
 void printFacts(const Cluster& cluster, const std::vector<NodeHealth>& nodes) {
   std::vector<std::string> kinds;
   for (const NodeHealth& node : nodes) {
@@ -356,6 +356,8 @@ void addDoctor(CLI::App& app, int& status) {
       ->transform(shipped({"rigs"}));
   command->add_flag("--findings", options->findings, "Say only what is wrong or suspicious");
   command->add_flag("--no-window", options->noWindow, "Do not judge the displays: nothing is to be shown");
+  command->add_flag("--by-mouse", options->byMouse,
+                    "Do not judge the trackers: mouse and keys take their place");
   command->add_option("--folder", options->folder, "Folder of the session files, whose disk is judged")
       ->type_name("DIR")
       ->capture_default_str();

@@ -16,6 +16,7 @@ struct DoctorOptions {
   std::vector<int> withoutNodes;       ///< of the rig, whose computers are missing
   bool findings = false;               ///< print no facts
   bool noWindow = false;               ///< judge no displays
+  bool byMouse = false;                ///< mouse and keys move heads and wands: the trackers are not judged
   std::filesystem::path folder = ".";  ///< of the session files
 };
 

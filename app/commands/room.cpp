@@ -107,6 +107,7 @@ std::vector<std::string> doctorArguments(const RoomOptions& options, const RoomS
   if (session) {
     arguments.emplace_back("--findings");
     if (session->options().noWindow) arguments.emplace_back("--no-window");
+    if (session->options().byMouse) arguments.emplace_back("--by-mouse");
     const std::filesystem::path folder = session->file().parent_path();
     if (!folder.empty()) arguments.push_back(fmt::format("--folder={}", folder.string()));
   }

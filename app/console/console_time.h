@@ -17,7 +17,7 @@ class SessionClocks {
   /// `viewers`: the names of the records' viewers.
   explicit SessionClocks(std::vector<std::string> viewers) : viewers_(std::move(viewers)) {}
 
-  /// Takes over the clocks of a frame, of which the viewers' paces are the means over half a second.
+  /// Takes over the clocks of a frame, with the viewers' paces as means over half a second.
   void follow(const FrameRecord& record);
 
   /// Draws the clocks in lines of this width.

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong or unusual in a file, in as few lines as tell it: a file with one mistake on each of its
+// The faults and oddities of a file, in as few lines as tell them: a file with one mistake on each of its
 // lines would otherwise print more than anybody can read.
 
 #include <cstddef>

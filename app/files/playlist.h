@@ -12,7 +12,7 @@ struct PlaylistGame {
   std::filesystem::path scenario;  ///< an existing file that can be played
   std::string title;               ///< the scenario's
   bool isLesson = false;
-  bool attracts = false;        ///< played by itself while nobody is there
+  bool attracts = false;        ///< played by itself while the room is empty
   std::optional<double> for_s;  ///< after so long the next game begins; empty: when somebody chooses one
   std::string note;             ///< for the person at the console
 };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr glm::ivec2 kEye_px{1024, 1024};  // until the headset tells
 
-/// Reads the corners and the pixels of the board; what is not given is as in the shipped rig.
+/// Reads the corners and the pixels of the board; the rest is as in the shipped rig.
 Wall readBoard(const TomlTable& headset, double unit_m) {
   constexpr Range kPixels{.least = 1.0, .most = 4096.0};
   Wall board;

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// Reads a text of at most so many letters; a longer one is a fault.
+/// Reads a text of at most `most` letters; a longer one is a fault.
 std::string readWords(const TomlTable& table, std::string_view key, std::size_t most);
 
 /// Reads the key `views`: the names of time views. The others are off.

@@ -15,7 +15,7 @@ namespace carom {
 /// the radius stays 0.
 void readShape(const TomlTable& table, Puck& puck, std::optional<PuckMesh>& mesh);
 
-/// Returns what is unusual about the outline of a puck.
+/// Returns findings about an unusual outline of a puck.
 std::vector<Finding> oddOutline(const TomlTable& table, const Puck& puck,
                                 const std::optional<PuckMesh>& mesh);
 

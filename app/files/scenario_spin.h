@@ -15,7 +15,7 @@ double readSpin(const TomlTable& table, const Puck& puck, double c_m_s);
 /// Records a fault if a stroke passes beside the puck.
 void checkOffset(const TomlTable& table, const Stroke& stroke, const Puck& puck);
 
-/// Return what is unusual about the spin of a puck, which has a mesh or not, and about friction.
+/// Return findings about an unusual spin of a puck, which has a mesh or not, and about friction.
 std::vector<Finding> oddSpin(const TomlTable& table, const Puck& puck, bool hasMesh, double c_m_s);
 std::vector<Finding> oddFriction(const TomlTable& physics, const PhysicsRules& rules);
 

@@ -17,7 +17,7 @@ class KeyLock {
   explicit KeyLock(std::string pin = {}, bool isUnattended = false)
       : pin_(std::move(pin)), isUnattended_(isUnattended) {}
 
-  /// Returns the input without what is locked, and without what is typed to open the lock. The result is valid until
+  /// Returns the input without locked keys, and without those typed to open the lock. The result is valid until
   /// the next call.
   const WindowInput& pass(const WindowInput& input);
 

@@ -144,7 +144,7 @@ void visitRecord(Visit& visit, Record& record) {
   visit("", "fade", record.fade);
 }
 
-/// Visits what is stored of a viewer after the first.
+/// Visits the stored fields of a viewer after the first.
 template <typename Visit, typename Viewer>
 void visitViewer(Visit& visit, Viewer& viewer) {
   auto& observer = viewer.observer;
@@ -171,7 +171,7 @@ void visitViewer(Visit& visit, Viewer& viewer) {
   visit("", "has_turn", viewer.hasTurn);
 }
 
-/// Visits what is stored of a headset.
+/// Visits the stored fields of a headset.
 template <typename Visit, typename Headset>
 void visitHeadset(Visit& visit, Headset& headset) {
   visitPlace(visit, "velocity_", headset.runtimeVelocity_m_s);

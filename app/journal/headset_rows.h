@@ -1,6 +1,6 @@
 #pragma once
 // The rows of the headset in a session file: its eyes in each frame, and the runtime's own account of the head's
-// velocity. The table is empty where nobody wore one, and is missing in older files.
+// velocity. The table is empty where none was worn, and is missing in older files.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -26,7 +26,7 @@ class HeadsetReader {
  public:
   explicit HeadsetReader(SQLite::Database& database);
 
-  /// Adds what is stored of a frame's headset to its record.
+  /// Adds the stored headset of a frame to its record.
   void read(FrameRecord& record);
 
  private:

@@ -60,7 +60,7 @@
 //       Samples of the heads' trackers.
 //   latency(display_s, frame, node, part, frames, median_s, p99_s, most_s, jitter_s)
 //       Real-time sessions, once per second for each node and part of a frame (cave/frame/frame_timing.h):
-//       statistics over the last second's frames, of which `frame` is the newest. `late` is by how much an
+//       statistics over the last second's frames; `frame` is the newest of them. `late` is by how much an
 //       interval between swaps exceeded the display's period. About 100 bytes per row, at most eight rows per
 //       node and second.
 // Numbers in frame, knot and frame_event are stored exactly: zero as an integer, NaN as NULL. `PRAGMA
@@ -110,7 +110,7 @@ class Journal {
   /// are not written. May be called from any thread, also while another adds or closes.
   void close();
 
-  /// Adds a frame: what was drawn, how each viewer's head was known, the trackers' samples for it, and the
+  /// Adds a frame: its record, how each viewer's head was known, the trackers' samples for it, and the
   /// strokes by hand. Never blocks.
   void add(const FrameState& state, std::span<const HeadEstimate> heads,
            std::span<const TrackerSamples> samples, std::span<const HandStroke> strokes = {});

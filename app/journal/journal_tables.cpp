@@ -177,7 +177,7 @@ void JournalTables::addSpinsOfTurns() {
     database_.exec(fmt::format("ALTER TABLE {} REAL NOT NULL DEFAULT 0", column));
 }
 
-/// Adds the tables and columns of the viewers, of whom there was one, and the version.
+/// Adds the tables and columns of the viewers (there was one), and the version.
 void JournalTables::addViewers() {
   for (const char* table : {"sample ADD COLUMN tracker", "stroke ADD COLUMN viewer",
                             "input ADD COLUMN viewer", "answer ADD COLUMN viewer"})

@@ -21,7 +21,7 @@ namespace carom {
 LessonState advance(const LessonState& state, std::size_t answers, int answer, bool onwards);
 
 /// Sets up the scenario's lesson, if there is one: adds its views to those that are on, and starts with its
-/// question if `asks`. Sessions of a fixed number of frames pass false: nobody would answer, and they would
+/// question if `asks`. Sessions of a fixed number of frames pass false: they have no one to answer, and they would
 /// show nothing but the question.
 void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings);
 
@@ -29,7 +29,7 @@ void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings
 /// observer, if it has any.
 bool offersChoices(const OperatorSettings& settings);
 
-/// Gives the observer the velocity of which the number speaks, if the lesson explains it.
+/// Gives the observer the velocity that the number is about, if the lesson explains it.
 void explainInMotion(OperatorSettings& settings);
 
 /// Goes on to the lesson's next phase. Returns whether that changes the settings.

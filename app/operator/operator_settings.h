@@ -1,6 +1,6 @@
 #pragma once
 // The operator's settings. Rank 0 holds them; what other ranks need travels in the frame record. Only
-// commands (app/operator/command.h) change them; a replay also takes over what was recorded.
+// commands (app/operator/command.h) change them; a replay also takes over the recorded ones.
 
 #include <cstddef>
 #include <cstdint>

@@ -14,7 +14,7 @@ namespace carom {
 
 class CaromScore {
  public:
-  /// `before`: what was played in this game before it was continued.
+  /// `before`: the score of this game before it was continued.
   explicit CaromScore(const Score& before = {}) : score_(before) {}
 
   /// Begins a shot: this puck was struck by hand, and the stroke arrives at this board time.

@@ -35,7 +35,7 @@ class Game {
   /// Simulates the game up to board time `t_s` or later.
   void playTo(double t_s) { billiard_.advanceTo(t_s); }
 
-  /// Strikes a puck by hand (Billiard::strike). What was simulated after the stroke's arrival is computed
+  /// Strikes a puck by hand (Billiard::strike). The simulation after the stroke's arrival is computed
   /// again, and the next frame says so. Returns the arrival event. Throws std::invalid_argument if the stroke
   /// is impossible.
   Event strike(const Stroke& stroke);

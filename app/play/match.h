@@ -1,8 +1,8 @@
 #pragma once
 // Carom between the people in one room: each one's score, and whose turn it is.
 //
-// A stroke passes the turn to the next; whoever then sees their own shot become a carom has the turn again, unless
-// somebody has struck meanwhile. Nobody is kept from striking out of turn: a stroke is a turn taken, so that a visitor
+// A stroke passes the turn to the next; one who then sees their own shot become a carom has the turn again, unless
+// somebody has struck meanwhile. Striking out of turn is allowed: a stroke is a turn taken, so that a visitor
 // who has left the room stops no game.
 
 #include <array>

@@ -37,7 +37,7 @@ class ShotMemory {
   }
   /// Keeps a frame of the shot under way, if there is one.
   void see(const ShotView& view);
-  /// Says that the shot was just seen to be a carom, off so many cushions. It is the best if none had more.
+  /// Says that the shot was just seen to be a carom, off `cushions` cushions. It is the best if none had more.
   void carom(std::size_t cushions, double now_s) {
     cushions_ = cushions;
     caromAt_s_ = now_s;

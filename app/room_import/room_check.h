@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// Returns what is unusual about the room, in the order of its file, without the room's own findings.
+/// Returns findings about an unusual room, in the order of its file, without the room's own findings.
 std::vector<Finding> judgeRoom(const Room& room);
 
 /// Returns a description of the wall: "front: 3.048 × 3.048 m (10 ft), 840 px/m, 1.52 m ahead".

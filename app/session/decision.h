@@ -1,5 +1,5 @@
 #pragma once
-// Rank 0's decision about one frame: the record that every rank draws, and what is reported about the frame.
+// Rank 0's decision about one frame: the record that every rank draws, and the report about the frame.
 
 #include <array>
 #include <limits>

@@ -13,7 +13,7 @@
 
 namespace carom {
 
-/// What is on when a session begins, beyond what its rig and scenario say.
+/// The settings with which a session begins, beyond those of its rig and scenario.
 struct Beginning {
   Switches switches;
   TimeViews views;

@@ -58,8 +58,8 @@ SharedTrackers trackersOf(const Rig& rig, const LiveStart& start, const MousePeo
 }
 
 /// Returns where the platform is at board time 0 and how it moves, with this velocity of the lesson: at the
-/// lesson's moment it passes the scenario's position, and what an observer at rest sees ahead is seen ahead, unless
-/// the lesson is about what is now ahead, which no motion turns.
+/// lesson's moment it passes the scenario's position, and the view ahead of an observer at rest stays ahead, unless
+/// the lesson is about the present there, which no motion turns.
 ObserverStart startOf(const Scenario& scenario, std::size_t observer) {
   ObserverStart start = scenario.observer;
   const LessonPlan& plan = scenario.lesson->plan;
@@ -108,8 +108,8 @@ void LiveSource::playAnew() {
   if (scenario_.lesson) beginPass(0);
 }
 
-/// Starts the observer, with this velocity of the lesson, where the lesson begins. The game stays: nobody can
-/// strike in a lesson, so it is the same in every pass.
+/// Starts the observer, with this velocity of the lesson, where the lesson begins. The game stays: pucks cannot
+/// be struck in a lesson, so it is the same in every pass.
 void LiveSource::beginPass(std::size_t observer) {
   const LessonPlan& plan = scenario_.lesson->plan;
   viewers_.startAt(rig_, scenario_, startOf(scenario_, observer), plan.interval.from_s);
@@ -130,7 +130,7 @@ ObserverViews LiveSource::lessonView(const OperatorSettings& settings, const Fra
   if (changes || isOver || (goesTo && explains != play_.explained)) {
     beginPass(settings.lessonObserver);
     if (explains && !interval.keepsClocks) viewers_.runTo(interval.moment_s, play_.drive);
-    play_.drive.news();  // of a way that nobody has seen
+    play_.drive.news();  // of a way that was not shown
   }
   play_.explained = explains;
   if (!explains && !play_.passEnded_s && viewers_.board_s() >= interval.until_s)
@@ -219,7 +219,7 @@ void LiveSource::tellChanges(std::span<const Command> commands, Decision& decisi
   }
 }
 
-/// Counts a carom when whoever struck sees it, and says so; tells who saw a hit first.
+/// Counts a carom when the one who struck sees it, and says so; tells who saw a hit first.
 void LiveSource::count(Decision& decision) {
   FrameRecord& record = decision.frame.record;
   const double c_m_s = scenario_.billiard.lightSpeed_m_s;
@@ -261,7 +261,7 @@ void LiveSource::tellWhoSawFirst(std::span<const HitSeen::Seen> seen, Decision& 
   }
 }
 
-/// Says whose best shot is shown again; everybody sees it as whoever struck saw it.
+/// Says whose best shot is shown again; all see it as the one who struck saw it.
 void LiveSource::tellWhoseShot(bool isEnd, Decision& decision) {
   const std::size_t cushions = play_.shots.bestCushions();
   const std::string& striker = rig_.viewers[play_.striker].name;

@@ -1,6 +1,6 @@
 #pragma once
 // Which game follows by itself: the playlist's next one after its time, the first one when a visitor has gone, and
-// one after the other to attract people while nobody is there.
+// one after the other to attract people while the room is empty.
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@ namespace carom {
 struct NextGame {
   std::string file;               ///< scenario; empty: none was requested
   bool isForNextVisitor = false;  ///< all settings are as the session began
-  bool attracts = false;          ///< nobody is there: it is not recorded
+  bool attracts = false;          ///< the room is empty: it is not recorded
   bool afresh = false;            ///< it begins with its own settings, even if it is the same game
   std::string recordTo{};         ///< session file from now on; empty: as before
 };
@@ -66,7 +66,7 @@ class Programme {
   std::optional<double> patience_s_;
   std::vector<PlaylistGame> attracting_;
   IdleWatch idle_;
-  bool isEmpty_ = true;  ///< nobody has given a sign of life since the last visitor
+  bool isEmpty_ = true;  ///< no sign of life since the last visitor
   std::optional<double> emptyFrom_s_;
   std::string numbered_;  ///< the scenario whose number in the playlist is `number_`
   std::size_t number_ = 0;

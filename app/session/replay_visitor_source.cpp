@@ -116,7 +116,7 @@ ObserverView ReplayVisitorSource::look(const OperatorSettings& settings, const F
   return *sight_;
 }
 
-/// Returns whether the trace ends, or whether the next frame but one might show what was not recorded.
+/// Returns whether the trace ends, or whether the next frame but one might show more than was recorded.
 bool ReplayVisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
   const double seen_s = latestSeen_s(view), step_s = seen_s - seen_s_.value_or(seen_s);
   seen_s_ = seen_s;

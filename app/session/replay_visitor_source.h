@@ -31,8 +31,8 @@ struct Visitor {
 class ReplayVisitorSource : public FrameSource {
  public:
   /// Starts a visit. The first frame brings the complete game, because the visitor's board time is
-  /// independent of the recorded one. The frames end with the trace, or before the visitor would see what was
-  /// not recorded. `start` is where the clock of the frames' times reads zero; `headset` is the newest frame of
+  /// independent of the recorded one. The frames end with the trace, or before the visitor would see more than was
+  /// recorded. `start` is where the clock of the frames' times reads zero; `headset` is the newest frame of
   /// the visitor's headset, or null. Throws InputError if the trace is invalid.
   ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor, RecordedGame game,
                       std::chrono::steady_clock::time_point start, const HeadsetFrame* headset = nullptr);
@@ -62,7 +62,7 @@ class ReplayVisitorSource : public FrameSource {
   RecordedGame game_;
   double roomTime_s_ = 0.0;       ///< of the head in the previous frame
   double display_s_ = 0.0;        ///< of the previous frame
-  bool heldBack_ = false;         ///< the last frame would have shown what was not recorded
+  bool heldBack_ = false;         ///< the last frame would have shown more than was recorded
   std::optional<double> seen_s_;  ///< latest board time seen in the previous frame
   std::optional<double> goTo_s_;  ///< time the operator seeks, session clock
   ReadOnlyNotice readOnly_;

@@ -76,7 +76,7 @@ class SoundsListener : public FrameListener {
   const World& world_;
 };
 
-/// Prints the number of frames so far to standard error, for runs that nobody watches.
+/// Prints the number of frames so far to standard error, for runs without a watcher.
 class ProgressListener : public FrameListener {
  public:
   explicit ProgressListener(const FrameSource& source) : source_(source) {}

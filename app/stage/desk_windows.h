@@ -41,7 +41,7 @@ std::filesystem::path windowMemory();
 /// another rig, or another place in the same one, is another window.
 std::string memoryName(const Wall& wall);
 
-/// Returns what is remembered of a window that lies here; nothing if it is on no monitor.
+/// Returns the remembered place of a window that lies here; nothing if it is on no monitor.
 std::optional<RememberedWindow> remember(const std::string& name, const ScreenPlace& place,
                                          std::span<const Monitor> monitors);
 

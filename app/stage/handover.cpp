@@ -105,7 +105,7 @@ class Handover::Folder {
     for (;;) {
       path_ = newFolder();
       lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-      flock(lock_, LOCK_EX);  // where /tmp knows no locks, nobody else removes the folder either
+      flock(lock_, LOCK_EX);  // where /tmp knows no locks, no other process removes the folder either
       if (fs::exists(path_)) break;
       if (lock_ >= 0) close(lock_);  // another process removed it before it was locked
     }

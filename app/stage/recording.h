@@ -51,7 +51,7 @@ class Recording {
   void take(const DisplayWalls& walls, const SpectatorView* outside, const FrameRecord& record);
 
   /// Starts a movie of this node's walls while the session runs, or pictures of all its walls and eyes in one frame, and
-  /// ends the movie; that takes a moment. What is made already goes on. Logs a fault: the session goes on.
+  /// ends the movie; that takes a moment. A movie that is being made goes on. Logs a fault: the session goes on.
   void startMovie(const std::filesystem::path& file);
   void endMovie();
   void takePictures(const std::filesystem::path& folder);

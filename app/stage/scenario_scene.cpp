@@ -36,7 +36,7 @@ double rimOf(vtkPolyData& mesh) {
   return rim_m;
 }
 
-/// Throws std::runtime_error if the body's spin would carry a part of what is drawn of it round as fast as light.
+/// Throws std::runtime_error if the body's spin would carry a part of its picture round as fast as light.
 void checkSpin(const ScriptedBody& body, double c_m_s) {
   const double turn_rad_s = std::abs(body.worldLine.knots().front().spin.omega_rad_s);
   if (turn_rad_s == 0.0) return;
@@ -67,7 +67,7 @@ void warnOfLarge(const std::string& path) {
   std::error_code failed;
   const double bytes = static_cast<double>(std::filesystem::file_size(path, failed));
   const auto faces = facesIn(path);
-  // Measured with VTK 9.1: a triangle of a binary STL takes 1.5 µs and 250 bytes.
+  // About, with VTK 9.1: a triangle of a binary STL takes 1.5 µs and 250 bytes.
   constexpr double kPerFace_s = 1.5e-6, kPerFace_bytes = 250.0;
   log::warn(fmt::format(
       "{}:1:1: is large, {:.0f} MB{}, and was not read here: whether it is whole is not known", path,

@@ -186,7 +186,7 @@ std::string namesOf(const std::vector<HeldAt>& all) {
   return fmt::format("{}", fmt::join(names, ","));
 }
 
-/// Says with which command the same comes from what was recorded: of points that were taken, not of those that were
+/// Says which command gives the same from the recording: of points that were taken, not of those that were
 /// skipped. Eyes that were sighted at different corners cannot be named in one command.
 void tellHowToRedo(const CalibrateOptions& options, const CalibrationData& data) {
   if (!options.record || data.touched.empty()) return;

@@ -23,7 +23,7 @@ struct CalibrateOptions {
   std::optional<std::filesystem::path> record;  ///< folder for them
 };
 
-/// Takes or reads the points, judges them, prints what was found on standard output and faults on standard
+/// Takes or reads the points, judges them, prints the results on standard output and faults on standard
 /// error. Returns the exit status: 1 if there is a fault; then no lines are printed for what it concerns.
 /// Throws InputError for an invalid rig or recording.
 int runCalibrate(const CalibrateOptions& options);

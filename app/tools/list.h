@@ -14,7 +14,7 @@ namespace carom {
 /// One file of the list.
 struct ListedFile {
   std::string name;   ///< as a command takes it: the bare name of a shipped file, otherwise its path
-  std::string title;  ///< what is wrong with it, if it cannot be read
+  std::string title;  ///< its fault, if it cannot be read
   bool isFaulty = false;
 };
 

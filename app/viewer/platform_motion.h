@@ -83,7 +83,7 @@ class PlatformMotion {
       return before.roomTimeOf_s(person_s, heads, pace, thrust_m_s2, steering);
     }
   };
-  /// The rest of a frame, of which the observers have lived the part before it.
+  /// The rest of a frame; the observers have lived the part before it.
   struct Left {
     const Frame& frame;
     const Observers& observers;
@@ -94,7 +94,7 @@ class PlatformMotion {
     double person_s() const { return share * frame.person_s; }
     /// Returns how long a part of the frame, which begins here, lasts; for one observer it is in proportion.
     double lasts_s(double part, const Vec3& thrust_m_s2) const;
-    /// Returns the part of the frame that lasts so long, less than what is left.
+    /// Returns the part of the frame that lasts `for_s`, less than the rest.
     double partThatLasts(double for_s, const Vec3& thrust_m_s2) const;
   };
 

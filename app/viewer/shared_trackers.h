@@ -25,7 +25,7 @@ class SharedTrackers {
   /// recorded trace is invalid.
   std::unique_ptr<Tracker> follow(std::size_t tracker);
 
-  /// Takes this tracker in the place of one of the rig's, which nobody follows yet.
+  /// Takes this tracker in the place of one of the rig's, which is not followed yet.
   void take(std::size_t tracker, std::unique_ptr<Tracker> opened);
 
  private:

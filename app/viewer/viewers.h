@@ -31,7 +31,7 @@ class Viewers {
   Viewers(const Rig& rig, const Scenario& scenario, std::chrono::steady_clock::time_point sessionStart,
           const std::optional<FrameRecord>& before = {})
       : Viewers(rig, scenario, SharedTrackers(rig, sessionStart), before) {}
-  /// Does the same with trackers that nobody follows yet.
+  /// Does the same with trackers that are not followed yet.
   Viewers(const Rig& rig, const Scenario& scenario, SharedTrackers trackers,
           const std::optional<FrameRecord>& before = {});
 

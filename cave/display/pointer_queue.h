@@ -2,7 +2,7 @@
 // The pointer over a window from frame to frame: no press is lost, however short it is and however long a
 // frame takes. A frame takes at most one change of a button, at the place where it happened. A button that is
 // let go elsewhere than where it was pressed is let go in the frame after the one that brought the pointer
-// there, so that what is drawn with it is seen as drawn.
+// there, so that marks drawn with it are seen as drawn.
 
 #include <cstddef>
 #include <vector>
@@ -23,7 +23,7 @@ class PointerQueue {
     }
   }
   void change(Button button, bool down, const glm::dvec2& at) {
-    if (events_.size() >= kMostEvents) discard();  // nobody asks for them
+    if (events_.size() >= kMostEvents) discard();  // they are not asked for
     events_.push_back({at, button, down, false});
   }
 

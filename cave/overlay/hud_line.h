@@ -17,7 +17,7 @@ namespace carom {
 struct HudChip {
   WallAction action;
   std::string text;
-  bool isOn = false;     ///< it is what is chosen now
+  bool isOn = false;     ///< it is the present choice
   bool atRight = false;  ///< it stands at the line's right end
 
   bool operator==(const HudChip&) const = default;

@@ -49,7 +49,7 @@ constexpr double kTrust = 0.36;
 
 constexpr double kLeastSigma_m = 0.00001;
 constexpr double kMostSigma_m = 0.01;
-constexpr double kFirstCelerity_m_s = 0.5;  // standard deviation of what is not known at the start
+constexpr double kFirstCelerity_m_s = 0.5;  // standard deviation at the start, when it is not known
 
 // 1 − exp(−t/tau), exact for t ≪ tau.
 double decayed(double time_s, double tau_s) { return -std::expm1(-time_s / tau_s); }
@@ -76,7 +76,7 @@ glm::dvec4 afterCelerity(const Decay& after) {
   return {after.stopTau_s * after.celerity, 1.0 - after.celerity, 0.0, 0.0};
 }
 
-// The same after a unit acceleration of which the share d decays with τ: (τ(t − τd), τd, 1 − d, 0); where
+// The same after a unit acceleration that decays with τ, d being its decayed share: (τ(t − τd), τd, 1 − d, 0); where
 // celerity dies out, with D = 1 − exp(−t/T) and k = Tτ/(T − τ): (k(TD − τd), k(d − D), 1 − d, 0).
 glm::dvec4 afterDecaying(double tau_s, double d, const Decay& after) {
   if (after.stopTau_s == kNever) return {tau_s * (after.time_s - tau_s * d), tau_s * d, 1.0 - d, 0.0};

@@ -4,7 +4,7 @@
 //  * where it will be when the light leaves the wall: a pose, lightly filtered and predicted, and
 //  * how fast it moves: its celerity, filtered on its own, and predicted only where samples are overdue.
 //
-// A sample's time is the user's own time, so what is estimated is dx/dτ = γv, the celerity, which has no
+// A sample's time is the user's own time, so the estimate is dx/dτ = γv, the celerity, which has no
 // upper limit. An error of celerity turns the whole sky by about δw/c, so this channel must be quiet when
 // the user is still and quick when they move: an interacting-multiple-model Kalman filter
 // (celerity_filter.h).

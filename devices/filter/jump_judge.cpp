@@ -14,14 +14,14 @@ constexpr double kStartle_m_s2 = 15.0;      // a standing head hardly ever leave
 constexpr double kMost_m_s2 = 40.0;         // nor any head its course
 constexpr double kVigour_m_s2 = 20.0;       // for longer than an interval or two
 constexpr double kQuick_m_s = 0.8;          // after a jump: what moves faster off the course is none of it
-constexpr int kMoves = 3;                   // and so many samples must move
+constexpr int kMoves = 3;                   // samples that must move
 constexpr double kLeastJump_m = 0.002;      // smaller jumps are left to the filter
 constexpr double kCertain = 5.0;            // standard deviations of a length that chance does not exceed
 constexpr double kSurprise_s = 0.3;         // over which it is judged how well the course is known
 constexpr double kCourse_s = 0.1;           // for how long it is known at all
 constexpr double kNewPlace_s = 0.3;  // after which doubted samples that go on from each other are the head
 constexpr double kBeside_s = 0.045;  // samples that keep beside it for so long are a step of the tracker
-constexpr int kBeside = 3;           // and so many of them
+constexpr int kBeside = 3;           // the least number of them
 
 // Whether a head gets from one place to another in that time, beyond what noise can do.
 bool isTravel(const glm::dvec3& from_m, const glm::dvec3& to_m, double interval_s, double sigma_m) {

@@ -14,9 +14,9 @@ constexpr glm::dvec3 kUp{0.0, 1.0, 0.0};
 // left.
 constexpr double kP_1_s = 0.3;
 constexpr double kI_1_s2 = 0.02;
-// The direction of what is felt means less the further its size is from gravity: nothing from 20 % on.
+// The felt direction means less the further its size is from gravity: nothing from 20 % on.
 constexpr double kOtherwise = 0.2;
-constexpr double kLongestStep_s = 0.1;       // what was missed for longer is not guessed
+constexpr double kLongestStep_s = 0.1;       // longer gaps are not guessed
 constexpr double kGreatestBias_rad_s = 0.2;  // no gyroscope that works has more
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }

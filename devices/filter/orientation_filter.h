@@ -16,7 +16,7 @@ namespace carom {
 class OrientationFilter {
  public:
   /// Takes a sample, `interval_s` after the last one: the rate of turn and the felt acceleration in the
-  /// sensor's axes, of which y is up when it is level. Numbers that are not finite change nothing.
+  /// sensor's axes; y is up when it is level. Numbers that are not finite change nothing.
   void update(double interval_s, const glm::dvec3& rate_rad_s, const glm::dvec3& acceleration_m_s2);
 
   /// levelFromSensor: y is up. Identity until an acceleration has shown which way up is.

@@ -45,7 +45,7 @@ TEST(TrackerReport, LampAndWordsAgreeWhateverTheFramesTake) {
       EXPECT_EQ(lampOf(report), known ? TrackerLamp::well : TrackerLamp::doubtful);
       EXPECT_EQ(words.find("drawing is slow") == std::string::npos, known);
       // Where it is shown at rest no number stands for its speed.
-      EXPECT_EQ(words.find("m/s") == std::string::npos, report.shownAfter_s > 0.3);
+      EXPECT_EQ(words.find("m/s") == std::string::npos, report.shownAfter_s > kTrackLost_s);
     }
   }
 }

@@ -84,13 +84,14 @@ TEST_F(SharedTracker, WhoStandsIsHeldWhenLostAndHisClockGoesOn) {
 // Lost while she walks, Anna is held and stands for the clocks: both age alike.
 TEST_F(SharedTracker, WhoWalksIsHeldWhenLostAndBothClocksGoOnAlike) {
   constexpr double kWalk_m_s = 0.6;
+  constexpr int kHidden = 60, kRests = kHidden + static_cast<int>(kTrackLost_s / kStep_s) + 2;  // frames
   double held_m = 0.0;
   for (int frame = 0; frame < 240; ++frame) {
     feed(kWalk_m_s * frame * kStep_s, 0.5);
-    if (frame >= 60) lose(0);
+    if (frame >= kHidden) lose(0);
     step();
-    if (frame == 90) held_m = place_m(kAnna);
-    if (frame <= 90) continue;
+    if (frame == kRests) held_m = place_m(kAnna);
+    if (frame <= kRests) continue;
     ASSERT_EQ(place_m(kAnna), held_m) << "frame " << frame;
     ASSERT_NEAR(gained_s_[kAnna], kStep_s, kRounding_s) << "frame " << frame;
     ASSERT_NEAR(gained_s_[kBen], kStep_s, kRounding_s) << "frame " << frame;

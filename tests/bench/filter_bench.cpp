@@ -127,11 +127,7 @@ void printLastingNoise() {
 int main() {
   printGaps();
   printLastingNoise();
-  const auto path = recordedHead(2000, 8000);
-  if (!path) {
-    std::puts("no recording of a head in " CAROM_SHARED_DIR ": the rest is not measured");
-    return 0;
-  }
+  const Path path = recordedHead(2000, 8000);
   struct Entry {
     const char* name;
     std::function<FilterMaker(int rate_hz)> make;
@@ -145,7 +141,7 @@ int main() {
   }};
   constexpr int kSeeds = 20;
   for (const int rate_hz : {60, 120, 240}) {
-    const Path head = resampled(*path, rate_hz);
+    const Path head = resampled(path, rate_hz);
     const std::vector<bool> walking = walkingParts(head);
     const auto walked = std::count(walking.begin(), walking.end(), true);
     std::printf("%d Hz, mean of %d seeds (walking: %.0f %% of the time)\n", rate_hz, kSeeds,

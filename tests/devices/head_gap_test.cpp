@@ -34,12 +34,12 @@ FilterMaker headFilter() {
   };
 }
 
-// The simulated heads, and the recorded ones that are there.
+// The simulated heads, and the recorded ones.
 std::vector<SimulatedHead> headsAt(int rate_hz) {
   std::vector<SimulatedHead> heads = simulatedHeads(rate_hz);
   for (const char* recording : {"optitrack_head_120hz", "tum_fr1_xyz"}) {
-    const auto rows = recordedRows(std::string(CAROM_SHARED_DIR "/data/tracking/") + recording + ".csv");
-    if (!rows.empty()) heads.push_back({recording, smoothed(rows, rate_hz, 60.0)});
+    const auto rows = recordedRows(std::string(CAROM_TESTS_DIR "/data/tracking/") + recording + ".csv");
+    heads.push_back({recording, smoothed(rows, rate_hz, 60.0)});
   }
   heads.resize(test::casesOf(heads.size()));
   return heads;

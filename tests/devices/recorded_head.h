@@ -9,7 +9,6 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -62,15 +61,15 @@ inline std::vector<TrackerSample> recordedRows(const std::string& file) {
   return rows;
 }
 
-/// Rows [first, end) of the 120 Hz recording, none if it is absent. True velocity: central difference over
+/// Returns rows [first, end) of the 120 Hz recording. True velocity: central difference over
 /// three rows to each side.
-inline std::optional<Path> recordedHead(std::size_t first, std::size_t end) {
+inline Path recordedHead(std::size_t first, std::size_t end) {
   Path all;
   for (const TrackerSample& row : recordedRows(CAROM_TESTS_DIR "/data/tracking/optitrack_head_120hz.csv")) {
     all.times_s.push_back(row.time_s);
     all.positions_m.push_back(row.pose.position_m);
   }
-  if (all.times_s.size() < end + 3) return std::nullopt;
+  if (all.times_s.size() < end + 3) throw std::runtime_error("the recording is too short");
   Path path;
   for (std::size_t i = std::max<std::size_t>(first, 3); i < end; ++i) {
     path.times_s.push_back(all.times_s[i]);

@@ -28,10 +28,10 @@ struct Limit {
 // At least as good as the best filter known for such data (four Singer models) in error, lag and rest at
 // once.
 TEST(RecordedHead, CelerityIsFoundWithinTheLimits) {
-  const auto path = recordedHead(2000, 8000);
+  const Path path = recordedHead(2000, 8000);
   for (const Limit limit : test::someOf({Limit{60, 0.0088, 0.011, 0.0004}, Limit{120, 0.0080, 0.010, 0.0004},
                                          Limit{240, 0.0071, 0.009, 0.0004}})) {
-    const FilterScore score = scoreOf(resampled(*path, limit.rate_hz), limit.rate_hz, headFilter());
+    const FilterScore score = scoreOf(resampled(path, limit.rate_hz), limit.rate_hz, headFilter());
     EXPECT_LE(score.error_m_s, limit.error_m_s) << limit.rate_hz << " Hz";
     EXPECT_LE(score.lag_s, limit.lag_s) << limit.rate_hz << " Hz";
     EXPECT_LE(score.rest_m_s, limit.rest_m_s) << limit.rate_hz << " Hz";
@@ -40,7 +40,7 @@ TEST(RecordedHead, CelerityIsFoundWithinTheLimits) {
 
 // The stated standard deviation and lag against what the recording shows.
 TEST(RecordedHead, StatedErrorAndLagAreThoseSeen) {
-  const auto path = recordedHead(2000, 8000);
+  const Path path = recordedHead(2000, 8000);
   for (const int rate_hz : test::someOf({60, 120, 240})) {
     double variance = 0.0, lag_s = 0.0;
     int count = 0;
@@ -55,7 +55,7 @@ TEST(RecordedHead, StatedErrorAndLagAreThoseSeen) {
         return head.celerity_m_s;
       };
     };
-    const FilterScore score = scoreOf(resampled(*path, rate_hz), rate_hz, watched);
+    const FilterScore score = scoreOf(resampled(path, rate_hz), rate_hz, watched);
     EXPECT_LT(score.error_m_s, std::sqrt(variance / count)) << rate_hz << " Hz";
     EXPECT_GT(score.error_m_s, 0.5 * std::sqrt(variance / count)) << rate_hz << " Hz";
     EXPECT_NEAR(lag_s / count, score.lag_s, 0.006) << rate_hz << " Hz";

@@ -244,13 +244,12 @@ struct NoisyHead {
   Path path;
 };
 
-/// The recordings there are, at 60 and 120 Hz with noise of 0.3 to 2 mm.
+/// The recordings, at 60 and 120 Hz with noise of 0.3 to 2 mm.
 inline std::vector<NoisyHead> noisyHeads() {
   std::vector<NoisyHead> heads;
   for (const char* recording : {"optitrack_head_120hz", "tum_fr1_xyz"}) {
     const std::string file = std::string(CAROM_TESTS_DIR "/data/tracking/") + recording + ".csv";
     const std::vector<TrackerSample> rows = recordedRows(file);
-    if (rows.empty()) continue;
     for (const int rate_hz : {60, 120}) {
       const Path path = smoothed(rows, rate_hz, 60.0);
       for (const double noise_m : {0.0003, 0.001, 0.002}) {
