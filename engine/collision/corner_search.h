@@ -40,6 +40,8 @@ inline ContactWindow windowAt(const EarlierContact& earlier) {
   return window;
 }
 
+/// The angle between sides that look the same way.
+constexpr double kSameNormal = 1e-6;
 /// Slower than this, bodies that overlap do not approach.
 constexpr double kLeastClosing = 1e-9;
 /// Of the radii: what touches for less grazes.
@@ -76,6 +78,8 @@ constexpr double kCornerTouches = 1e-11;
 std::optional<FoundContact> findPiercing(const ShapedFlight& first, const ShapedFlight& second,
                                          const Vec21& U, const ContactWindow& window,
                                          const EarlierContact* earlier);
+/// Moves a piercing at which sides come to lie on each other to the middle of what touches at this time, and marks it.
+void settleTie(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, FoundContact& best);
 /// Of a disc and a body with corners, in either order.
 std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
                                            const Vec21& U, const ContactWindow& window,
