@@ -69,7 +69,12 @@ class GameHistory;
 /// * A body with corners and another that have come together remember that contact until they have parted. Thin ones
 ///   can be deep in each other, or behind each other, when light has told their centres: until they are back, only
 ///   those sides kick from which they came (earlier_contact.h). Where a third one turns one of them while they are
-///   behind each other, they stay there.
+///   behind each other, they stay there. While a contact's signal is on its way, other corners of the pair still meet
+///   on the old legs: such a contact is one with a signal of its own, by the momenta that are decided, and its kick
+///   takes in all places at which the two are in or through each other by then, until they recede at all of them. One
+///   that is heard of before the first waits for it. Corners that are through the other body as a leg begins, and go
+///   on, are kicked at once, without delay. At a bounce a body keeps its angle in the board's axes.
+/// * No contact of a pair can be played backwards, in either convention.
 /// * Of a puck whose last 64 kicks, cushions' among them, fell within a millionth of that time, kicks are
 ///   perfectly plastic until it has been left in peace for as long: so between two cushions.
 ///   A disc that comes to a cushion slower than 1e-18 c stops: rough ones would turn it in their corner without end.

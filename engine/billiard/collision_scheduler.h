@@ -225,9 +225,26 @@ class CollisionScheduler {
     // For the signal of a cushion: the leg touched that cushion itself, and the signal of this came first.
     std::optional<CushionContact> touchedBefore;
   };
+  // What a contact comes to, in one or several kicks.
+  struct PairOutcome {
+    SpinningPairKick kick;
+    double restitution = 1.0;
+    std::array<Vec21, 2> radiated;
+
+    PairOutcome(const SpinningPairKick& first, double e) : kick(first), restitution(e) {
+      for (int k = 0; k < 2; ++k) radiated[k] = first.centres.u[k] * first.centres.heat[k];
+    }
+    void add(const SpinningPairKick& next) {
+      for (int k = 0; k < 2; ++k) {
+        radiated[k] = radiated[k] + next.centres.u[k] * next.centres.heat[k];
+        kick.centres.heat[k] += next.centres.heat[k];
+        kick.centres.u[k] = next.centres.u[k], kick.j[k] = next.j[k];
+      }
+    }
+  };
   double collide(int first, int second, const PredictedEvent& a, GameHistory& history);
   void commitKick(const std::array<int, 2>& who, const PairContact& contact,
-                  const std::array<LegState, 2>& turn, const SpinningPairKick& found, const PredictedEvent& a,
+                  const std::array<LegState, 2>& turn, const PairOutcome& outcome, const PredictedEvent& a,
                   GameHistory& history);
   void bounce(int i, const PredictedEvent& a, GameHistory& history);
   void strike(int i, int stroke, GameHistory& history);
@@ -290,6 +307,15 @@ class CollisionScheduler {
   std::optional<CornerContact> cornersMeet(int first, int second) const;
   ShapedFlight followedFlight(int i) const { return shapedFlight(i, flightOf(i), spins_[i].turning); }
   const EarlierContact* earlierContact(int first, int second) const;
+  bool haveOutlines(int first, int second) const {
+    return outlines_ != nullptr && outlineOf(first) != nullptr && outlineOf(second) != nullptr;
+  }
+  // Whether the last contact of either is with the other, at another place, and its signal on its way.
+  bool isStruckAgain(int i, int other) const {
+    return haveOutlines(i, other) && outlooks_[i].lastPartner == other && outlooks_[other].lastPartner == i &&
+           !pucks_[i].decided.empty() && !pucks_[other].decided.empty();
+  }
+  void kickOtherPlaces(const std::array<int, 2>& who, const PairContact& contact, PairOutcome& outcome) const;
   void noteTogether(const std::array<int, 2>& who, const PairContact& contact);
   void forgetParted(int i);
   bool haveParted(int first, int second, EarlierContact& earlier) const;

@@ -101,16 +101,21 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
   PairContact contact = corners ? corners->contact : contactOf(flight(0), flight(1), a.withoutDelay);
 
   const bool waits = !pucks_[first].decided.empty() || !pucks_[second].decided.empty();
-  const double until = corners && !waits ? corners->time : kNever;
+  const bool polygons = haveOutlines(first, second);
+  const double time = corners ? corners->time : kNever;
+  const double until = !waits || polygons ? time : kNever;
   if (receding(who, contact, a, touchAt) && !(corners && approachElsewhere(who, a, contact))) return until;
   const bool simultaneous = a.withoutDelay || convention_ == TurnConvention::simultaneousWithContact;
+  const bool again = isStruckAgain(first, second);
   std::array<LegState, 2> turn;
   for (int k = 0; k < 2; ++k) {
     const LegState onFollowedLeg = turnOnFollowedLeg(who[k], k, contact, simultaneous);
     const Place place =
         placeTurn(who[k], simultaneous ? onFollowedLeg.x : contact.event, -1, onFollowedLeg, history);
-    if (place.tooLate) return kNever;
-    turn[k] = place.turn;
+    if (place.tooLate && !again) return kNever;
+    // What is heard of a second place before the first waits for it.
+    const Leg last = lastLeg(who[k]);
+    turn[k] = place.tooLate ? LegState{last.start, last.u, last.properTime} : place.turn;
   }
   if (isPressed(first, turn[0].x.t) && isPressed(second, turn[1].x.t)) {
     if (!corners && !discsStayElastic()) return settle(who, contact, turn, history), kNever;
@@ -125,14 +130,17 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
   if (!found) return until;
   const bool jammed = pucks_[first].jammed || pucks_[second].jammed;
   if (e == 0.0 && found->centres.closing < kStill && jammed) return kNever;
-  commitKick(who, contact, turn, *found, a, history);
+  PairOutcome outcome(*found, e);
+  if (corners && !a.withoutDelay) kickOtherPlaces(who, contact, outcome);
+  commitKick(who, contact, turn, outcome, a, history);
   if (corners && corners->sideOnSide) history.noteSideOnSide();
-  return kNever;
+  return polygons ? time : kNever;
 }
 
 void CollisionScheduler::commitKick(const std::array<int, 2>& who, const PairContact& contact,
-                                    const std::array<LegState, 2>& turn, const SpinningPairKick& found,
+                                    const std::array<LegState, 2>& turn, const PairOutcome& outcome,
                                     const PredictedEvent& a, GameHistory& history) {
+  const SpinningPairKick& found = outcome.kick;
   const PairKick& kick = found.centres;
   const double heat = kick.heat[0] + kick.heat[1];
   const std::uint64_t collision =
@@ -152,7 +160,7 @@ void CollisionScheduler::commitKick(const std::array<int, 2>& who, const PairCon
     decided.signal = a.withoutDelay ? turn[k].x : contact.event;
     decided.event = collision;
     decided.heat = kick.heat[k];
-    decided.radiated = kick.u[k] * kick.heat[k];
+    decided.radiated = outcome.radiated[k];
     const unsigned followed = outlooks_[i].legNumber;
     decide(i, decided, turn[k], history);
     if (outlooks_[i].legNumber == followed) noteDecided(i, k == 0 ? a.ownTime : a.otherTime);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kTouching = 1e-6;  // of the radii: nearer than this is touching
 constexpr double kRebound = 0.25;   // of inelastic bodies in a jam: so it ends after few kicks
+constexpr int kKicksOfABlow = 16;   // at places where bodies lie on each other when they meet at another
 constexpr int kJamsToRest = 64;     // without peace, after which a body moves on with what it touches
 
 }  // namespace
@@ -37,8 +38,9 @@ ShapedFlight CollisionScheduler::shapedFlight(int i, const Leg& leg, const Turni
 
 std::optional<CornerContact> CollisionScheduler::cornersMeet(int first, int second) const {
   const HandledContact* const last = dealtWith(first, second);
+  const bool waits = !pucks_[first].decided.empty() || !pucks_[second].decided.empty();
   return findCornerContact(followedFlight(first), followedFlight(second),
-                           last == nullptr ? -kNever : last->until, earlierContact(first, second));
+                           last == nullptr ? -kNever : last->until, earlierContact(first, second), waits);
 }
 
 const EarlierContact* CollisionScheduler::earlierContact(int first, int second) const {
@@ -50,9 +52,16 @@ const EarlierContact* CollisionScheduler::earlierContact(int first, int second) 
 
 // On the legs that both follow.
 void CollisionScheduler::noteTogether(const std::array<int, 2>& who, const PairContact& contact) {
-  if (earlierContact(who[0], who[1]) != nullptr) return;
   const EarlierContact now{{followedFlight(who[0]), followedFlight(who[1])}, contact.event, contact.n, false};
   const std::array<unsigned, 2> legs{outlooks_[who[0]].legNumber, outlooks_[who[1]].legNumber};
+  if (const EarlierContact* const earlier = earlierContact(who[0], who[1])) {
+    const double time = dot(contact.U, contact.event - now.flights[0].start);
+    if (!haveOutlines(who[0], who[1]) ||
+        passageSince(*earlier, now.flights[0], now.flights[1], time) != Passage::apart)
+      return;
+    for (int k = 0; k < 2; ++k)
+      std::erase_if(pucks_[who[k]].unparted, [&](const Unparted& one) { return one.other == who[1 - k]; });
+  }
   for (int k = 0; k < 2; ++k) pucks_[who[k]].unparted.push_back({who[1 - k], now, legs});
 }
 
@@ -123,6 +132,32 @@ bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const 
     contact = here;
   }
   return fastest > kResting;
+}
+
+// Bodies that have not parted lie in each other at other places as well: until they recede at all of them by the
+// momenta that are decided, the blow goes on there.
+void CollisionScheduler::kickOtherPlaces(const std::array<int, 2>& who, const PairContact& contact,
+                                         PairOutcome& outcome) const {
+  const EarlierContact* const earlier = earlierContact(who[0], who[1]);
+  if (earlier == nullptr || !haveOutlines(who[0], who[1])) return;
+  const ShapedFlight first = followedFlight(who[0]), second = followedFlight(who[1]);
+  std::vector<TouchedPlace> places =
+      placesKeptOut(first, second, dot(contact.U, contact.event - first.start), *earlier);
+  places.push_back({contact.event, contact.n});
+  const double e = std::max(kRebound, outcome.restitution);
+  for (int kicks = 0; kicks < kKicksOfABlow; ++kicks) {
+    double fastest = kResting;
+    std::optional<SpinningPairKick> next;
+    SpinningPairKick& kick = outcome.kick;
+    for (const TouchedPlace& place : places) {
+      PairContact here = contact;
+      here.event = place.event, here.n = place.n;
+      const auto found = cornerKick(who, here, kick.centres.u, kick.j, e);
+      if (found && found->centres.closing > fastest) fastest = found->centres.closing, next = found;
+    }
+    if (!next) return;
+    outcome.add(*next);
+  }
 }
 
 // The contact of a leg with a cushion.

@@ -192,9 +192,10 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   const int first = std::min(i, other), second = std::max(i, other);
   const std::optional<Meeting> meeting = meetingOf(first, second);
   if (!meeting) return;
-  const double own = meeting->ownTime[i == first ? 0 : 1], theirs = meeting->ownTime[i == first ? 1 : 0];
+  double own = meeting->ownTime[i == first ? 0 : 1], theirs = meeting->ownTime[i == first ? 1 : 0];
   const Outlook &player = outlooks_[i], &partner = outlooks_[other];
   if (own >= discs_[i].turnsAt || theirs >= discs_[other].turnsAt) return;  // found again on the leg after
+  if (isStruckAgain(i, other)) own = std::max(own, decidedAt(i)), theirs = std::max(theirs, decidedAt(other));
   if (own < decidedAt(i) || theirs < decidedAt(other)) return;  // what came after it is decided already
   const bool mine = isEarlier(own, other, best), also = isEarlier(theirs, i, partner.next);
   if (!mine && !also) return;

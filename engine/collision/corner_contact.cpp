@@ -9,6 +9,7 @@ namespace carom {
 
 namespace {
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kResumed = 1e-9;  // of the radii: what comes so soon after a contact is that contact
 
 bool haveCorners(const ShapedFlight& first, const ShapedFlight& second) {
@@ -34,11 +35,25 @@ ContactWindow windowOf(const ShapedFlight& first, const ShapedFlight& second, co
   return window;
 }
 
+// What bodies know of an earlier contact ends where they have parted.
+std::optional<FoundContact> findFirst(const ShapedFlight& first, const ShapedFlight& second,
+                                      const Vec21& order, const ContactWindow& window,
+                                      const EarlierContact* earlier) {
+  if (!haveCorners(first, second)) return findRimContact(first, second, order, window, earlier);
+  const std::optional<FoundContact> found = findPiercing(first, second, order, window, earlier);
+  if (earlier == nullptr || (found && (found->withoutDelay || found->lookAgain))) return found;
+  const Vec21 U = equalSpeedFrame(first.u, second.u);
+  const double parted = partingOfCorners(first, second, U, window, *earlier, found ? found->time : kNever);
+  if (parted == kNever || (found && found->time <= parted)) return found;
+  ContactWindow after = window;
+  after.from = parted, after.strictly = false;
+  return findPiercing(first, second, order, after, nullptr);
+}
+
 std::optional<CornerContact> findContact(const ShapedFlight& first, const ShapedFlight& second,
                                          const Vec21& order, const ContactWindow& window,
                                          const EarlierContact* earlier) {
-  const auto find = haveCorners(first, second) ? findPiercing : findRimContact;
-  const std::optional<FoundContact> found = find(first, second, order, window, earlier);
+  const std::optional<FoundContact> found = findFirst(first, second, order, window, earlier);
   if (!found) return std::nullopt;
 
   CornerContact contact;
@@ -64,14 +79,14 @@ std::optional<CornerContact> findContact(const ShapedFlight& first, const Shaped
 }  // namespace
 
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               double after, const EarlierContact* earlier) {
+                                               double after, const EarlierContact* earlier, bool onlyNew) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
-  if (after == -std::numeric_limits<double>::infinity()) return findCornerContact(first, second, U, earlier);
-  ContactWindow window;
-  window.frame = U;
-  window.origin = first.start;
-  window.from = after + kResumed * (first.radius + second.radius);
+  const bool begins = after == -std::numeric_limits<double>::infinity();
+  if (begins && !(onlyNew && earlier != nullptr)) return findCornerContact(first, second, U, earlier);
+  ContactWindow window = windowFromBoth(first, second, U);
+  if (!begins) window.from = after + kResumed * (first.radius + second.radius);
   window.resumed = true;
+  window.onlyNew = onlyNew;
   return findContact(first, second, U, window, earlier);
 }
 
@@ -84,6 +99,27 @@ Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, c
   const Vec21 U = equalSpeedFrame(first.u, second.u);
   const auto passage = haveCorners(first, second) ? passageOfCorners : passageOfDisc;
   return passage(first, second, U, windowFromBoth(first, second, U), earlier);
+}
+
+Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second,
+                     double time) {
+  const Vec21 U = equalSpeedFrame(first.u, second.u);
+  ContactWindow window;
+  window.frame = U, window.origin = first.start, window.from = time;
+  const auto passage = haveCorners(first, second) ? passageOfCorners : passageOfDisc;
+  return passage(first, second, U, window, earlier);
+}
+
+std::vector<TouchedPlace> placesKeptOut(const ShapedFlight& first, const ShapedFlight& second, double time,
+                                        const EarlierContact& earlier) {
+  const Vec21 U = equalSpeedFrame(first.u, second.u);
+  ContactWindow window;
+  window.frame = U, window.origin = first.start, window.from = time;
+  std::vector<FoundContact> found;
+  addPiercedPlaces(first, second, U, window, 0.0, &earlier, found);
+  std::vector<TouchedPlace> places;
+  for (const FoundContact& one : found) places.push_back({one.event, one.normal});
+  return places;
 }
 
 std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within,

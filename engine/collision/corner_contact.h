@@ -46,14 +46,16 @@ struct CornerContact {
 /// `after`, the time of a contact of these flights, the next one: of a corner that comes in, or goes deeper, later.
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
                                                double after = -std::numeric_limits<double>::infinity(),
-                                               const EarlierContact* earlier = nullptr);
+                                               const EarlierContact* earlier = nullptr, bool onlyNew = false);
 /// Returns the contact that is the first in the frame of the four-velocity `order`.
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
                                                const Vec21& order, const EarlierContact* earlier = nullptr);
 
 /// Returns how two bodies have come from an earlier contact by the moment at which the later flight begins, in the
-/// frame of equal speeds.
+/// frame of equal speeds; or by a time of this frame, from the first one's start on.
 Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second);
+Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second,
+                     double time);
 
 /// A place at which two bodies touch: PairContact's C and n.
 struct TouchedPlace {
@@ -63,6 +65,11 @@ struct TouchedPlace {
 /// What is nearer than `within` touches.
 std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within,
                                         const EarlierContact* earlier = nullptr);
+
+/// Returns the places at which two bodies with corners that have not parted since an earlier contact are in or through
+/// each other at a time of the frame of equal speeds, from the first one's start on.
+std::vector<TouchedPlace> placesKeptOut(const ShapedFlight& first, const ShapedFlight& second, double time,
+                                        const EarlierContact& earlier);
 
 /// Returns the moments of the contact by which the game orders its events: so long before each centre's turn
 /// as light needs to cross the body's radius, or the turn where this does not wait for the signal.

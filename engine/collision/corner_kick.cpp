@@ -38,6 +38,8 @@ class Collision {
     for (int i = 0; i < count_; ++i) sum += bodies_[i].energy(at.alpha, at.beta);
     return sum;
   }
+  /// H(0) − H(at), as the fall along the impulse: where light is fast, the difference would be rounding.
+  double lostBy(const Impulse& at) const { return -rise({0.0, 0.0}, at.alpha, at.beta, 1.0); }
   /// How fast the bodies close along k where they touch: the slope of H along α.
   double closing() const { return rise({0.0, 0.0}, 1.0, 0.0, 0.0); }
 
@@ -121,8 +123,7 @@ double leverOf(const LeveredBody& body, const Vec21& along) {
 // Elastic kicks without friction have none but rounding.
 double heatPerEnergy(const Collision& collision, const Impulse& q, const RimRules& rules) {
   if (rules.restitution == 1.0 && q.beta == 0.0) return 0.0;
-  const double before = collision.energy({}), now = collision.energy(q);
-  return std::max(0.0, before - now) / now;
+  return std::max(0.0, collision.lostBy(q)) / collision.energy(q);
 }
 
 }  // namespace

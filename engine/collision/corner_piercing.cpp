@@ -18,10 +18,12 @@ namespace {
 using Vec2 = glm::dvec2;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kTie = 1e-9;         // of the radii: piercings as near to each other in time are one
-constexpr double kSameNormal = 1e-6;  // the angle between their sides
-constexpr double kFront = 0.1;        // the cosine of the angle between sides that look the same way
-constexpr double kEnd = 1e-12;        // of a side's length: by so much it reaches beyond its corners
+constexpr double kDeeper = 1e-2;  // of the radii: so much deeper goes a corner that slides in the other body
+constexpr double kFront = 0.1;    // the cosine of the angle between sides that look the same way
+// Steps of the search for the parting: the first one, of the radii, over the speeds; how they grow; and how many.
+constexpr double kPartingStep = 0.02, kPartingGrowth = 1.2;
+constexpr int kPartingSteps = 30;
+constexpr double kEnd = 1e-12;  // of a side's length: by so much it reaches beyond its corners
 
 /// A quantity that is linear in the offset of a corner and in its own time.
 struct Linear {
@@ -29,6 +31,12 @@ struct Linear {
   double operator()(const Vec2& offset, double s) const {
     return at0 + perX * offset.x + perY * offset.y + perS * s;
   }
+};
+
+/// Where a corner is in the axes that turn with b, and how these lie then.
+struct Spot {
+  Vec2 place;
+  SinCos ofB;
 };
 
 /// A corner as it lies to b: `Outline::Clearance`, and whether it has come through b and is behind it.
@@ -44,6 +52,7 @@ class Corners {
   Corners(const ShapedFlight& a, const ShapedFlight& b, const Vec21& origin, const Vec21& U,
           const ContactWindow& window, bool aIsFirst)
       : a_(a), b_(b), window_(window), axesOfA_(a.u), axesOfB_(b.u), aIsFirst_(aIsFirst) {
+    ofA_ = portableSinCos(a.angle), ofB_ = portableSinCos(b.angle);
     const Vec21 d = a.start - b.start;
     place_ = axesOfB_.place(d);
     perX_ = axesOfB_.place(axesOfA_.x), perY_ = axesOfB_.place(axesOfA_.y), perS_ = axesOfB_.place(a.u);
@@ -55,6 +64,8 @@ class Corners {
 
   /// The same bodies at an earlier contact, since which they have not parted.
   void remember(const Corners& earlier, const EarlierContact& contact);
+  /// Finds how the corners have come from there by `window.from`.
+  void lookBack();
   Passage passage() const { return passage_; }
   /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to where the
   /// other was at the earlier contact, or only such as look away.
@@ -82,17 +93,23 @@ class Corners {
     return {time_(offset, s), a_.start + axesOfA_(offset) + a_.u * s, aIsFirst_ ? n * -1.0 : n};
   }
   double startOf(const Vec2& corner) const;
-  /// In the axes that turn with b.
-  Vec2 placeInB(const Vec2& corner, double s) const;
-  Lie lieOf(std::size_t corner, const Vec2& place, double s) const;
-  Lie lieAt(std::size_t corner, double s) const { return lieOf(corner, placeInB(cornerOf(corner), s), s); }
-  /// The side of b to which a corner that is known by its way belongs at its own time s.
-  std::optional<std::size_t> entranceOf(std::size_t corner, const Vec2& place, double s) const;
-  double angleOfB(const Vec2& corner, double s) const;
-  /// The way out of b on which a was at the earlier contact, in the axes that turn with b.
-  Vec2 outwards(std::size_t corner, double s) const {
-    return turnedBack(outwards_, portableSinCos(angleOfB(cornerOf(corner), s)));
+  Spot spotOf(const Vec2& corner, double s) const;
+  Lie lieOf(std::size_t corner, const Spot& spot) const;
+  Lie lieAt(std::size_t corner, double s) const { return lieOf(corner, spotOf(cornerOf(corner), s)); }
+  /// Likewise; a corner that has come in, or is through, as it lies to the side by which it came.
+  Lie keptOut(std::size_t corner, const Spot& spot) const;
+  Lie keptOutAt(std::size_t corner, double s) const { return keptOut(corner, spotOf(cornerOf(corner), s)); }
+  double outsideOf(std::size_t side, const Vec2& place) const {
+    const Outline::Side& of = b_.outline->sides()[side];
+    return glm::dot(of.normal, place) - of.offset;
   }
+  double outsideOf(std::size_t side, std::size_t corner, double s) const {
+    return outsideOf(side, spotOf(cornerOf(corner), s).place);
+  }
+  /// The side of b to which a corner that is known by its way belongs.
+  std::optional<std::size_t> entranceOf(std::size_t corner, const Spot& spot) const;
+  /// The way out of b on which a was at the earlier contact, in the axes that turn with b.
+  Vec2 outwards(const Spot& spot) const { return turnedBack(outwards_, spot.ofB); }
   /// Whether what belongs to one side comes to another from behind.
   bool looksAway(std::size_t side, std::size_t entrance) const {
     const double along = glm::dot(b_.outline->sides()[side].normal, b_.outline->sides()[entrance].normal);
@@ -113,39 +130,18 @@ class Corners {
   const ShapedFlight &a_, &b_;
   const ContactWindow& window_;
   RestAxes axesOfA_, axesOfB_;
+  SinCos ofA_, ofB_;  // of their angles as their flights begin
   bool aIsFirst_;
   Vec2 place_, perX_, perY_, perS_;
   Linear ownTimeOfB_, time_, windowTime_;
   double size_;
   // Of each corner at the earlier contact its place in the axes that turn with b; none without such a contact.
   std::vector<Vec2> cameFrom_;
+  std::vector<Spot> spots_;  // and at `window.from`
   std::vector<char> hasEntered_;
   Vec2 outwards_{0.0};
   bool behind_ = false;               // convex, and through each other since
   Passage passage_ = Passage::apart;  // of all corners of both
-};
-
-/// Whether two contacts at one time are on sides that lie on each other.
-bool sameSide(const FoundContact& one, const FoundContact& other, const Vec21& U) {
-  const auto inFrame = [&](const Vec21& n) {
-    const Vec21 flat = n - U * dot(n, U);
-    return flat * (1.0 / std::sqrt(-dot(flat, flat)));
-  };
-  const Vec21 apart = inFrame(one.normal) - inFrame(other.normal);
-  return -dot(apart, apart) < kSameNormal * kSameNormal;
-}
-
-/// The ends of what touches where sides lie on each other.
-struct Tie {
-  Vec21 U, along;
-  double low = kNever, high = -kNever;
-  Vec21 ends[2];
-
-  void add(const Vec21& event) {
-    const double at = -dot(event, along);
-    if (at < low) low = at, ends[0] = event;
-    if (at > high) high = at, ends[1] = event;
-  }
 };
 
 void keepEarlier(std::optional<FoundContact>& best, const FoundContact& found) {
@@ -154,8 +150,7 @@ void keepEarlier(std::optional<FoundContact>& best, const FoundContact& found) {
 
 // With b's angle turned into its axes, each side towards which the corners move is pierced at most once by each.
 void Corners::pierceStraight(std::optional<FoundContact>& best) const {
-  const SinCos ofA = portableSinCos(a_.angle), ofB = portableSinCos(b_.angle);
-  const Vec2 w = turnedBack(perS_, ofB);
+  const Vec2 w = turnedBack(perS_, ofB_);
   struct Entry {
     Vec2 normal, along;
     double offset, perSpeed, from, length, drift;
@@ -179,7 +174,7 @@ void Corners::pierceStraight(std::optional<FoundContact>& best) const {
   }
   double earliest = best ? best->time : kNever;
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
-    const Vec2 offset = turned(cornerOf(c), ofA), z = turnedBack(placeOf(offset, 0.0), ofB);
+    const Vec2 offset = turned(cornerOf(c), ofA_), z = turnedBack(placeOf(offset, 0.0), ofB_);
     const double time0 = time_(offset, 0.0), window0 = windowTime_(offset, 0.0);
     for (std::size_t k = 0; k < count; ++k) {
       const Entry& entry = entries[k];
@@ -190,27 +185,26 @@ void Corners::pierceStraight(std::optional<FoundContact>& best) const {
       if (!(along >= 0.0 && along <= entry.length)) continue;
       if (!window_.holds(window0 + windowTime_.perS * s)) continue;
       if (isKnownByItsWay(c)) {
-        const auto entrance = entranceOf(c, z + w * s, s);
+        const auto entrance = entranceOf(c, {z + w * s, ofB_});
         if (entrance && looksAway(entry.side, *entrance)) continue;
       }
       earliest = time;
-      best = contact(offset, s, turned(entry.normal, ofB));
+      best = contact(offset, s, turned(entry.normal, ofB_));
     }
   }
 }
 
 void Corners::overlapStraight(double& deepest, std::optional<FoundContact>& best) const {
-  const SinCos ofA = portableSinCos(a_.angle), ofB = portableSinCos(b_.angle);
-  const Vec2 w = turnedBack(perS_, ofB);
+  const Vec2 w = turnedBack(perS_, ofB_);
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
-    const Vec2 offset = turned(cornerOf(c), ofA);
+    const Vec2 offset = turned(cornerOf(c), ofA_);
     const double s = (window_.from - windowTime_(offset, 0.0)) / windowTime_.perS;
-    const Lie there = lieOf(c, turnedBack(placeOf(offset, s), ofB), s);
+    const Lie there = keptOut(c, {turnedBack(placeOf(offset, s), ofB_), ofB_});
     if (there.through || !(there.outside <= kCornerTouches * size_) || !(there.outside < deepest)) continue;
     const Vec2& normal = b_.outline->sides()[there.side].normal;
     if (!(-glm::dot(normal, w) > kLeastClosing)) continue;
     deepest = there.outside;
-    best = contact(offset, s, turned(normal, ofB));
+    best = contact(offset, s, turned(normal, ofB_));
     best->withoutDelay = true;
   }
 }
@@ -229,54 +223,58 @@ double Corners::startOf(const Vec2& corner) const {
   return s;
 }
 
-Vec2 Corners::placeInB(const Vec2& corner, double s) const {
-  const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
-  const double angle = b_.angle + b_.turning * ownTimeOfB_(offset, s);
-  return turnedBack(placeOf(offset, s), portableSinCos(angle));
+Spot Corners::spotOf(const Vec2& corner, double s) const {
+  const Vec2 offset = turned(corner, a_.turning == 0.0 ? ofA_ : portableSinCos(a_.angle + a_.turning * s));
+  const SinCos ofB =
+      b_.turning == 0.0 ? ofB_ : portableSinCos(b_.angle + b_.turning * ownTimeOfB_(offset, s));
+  return {turnedBack(placeOf(offset, s), ofB), ofB};
 }
 
 void Corners::remember(const Corners& earlier, const EarlierContact& contact) {
-  const std::size_t count = a_.outline->corners().size();
-  for (std::size_t k = 0; k < count; ++k)
-    cameFrom_.push_back(earlier.placeInB(cornerOf(k), earlier.startOf(cornerOf(k))));
-  Passage farthest = Passage::apart;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vec2 place = placeInB(cornerOf(k), startOf(cornerOf(k)));
-    hasEntered_.push_back(b_.outline->entranceOf(cameFrom_[k], place).has_value());
-    if (!hasEntered_[k]) continue;
-    const bool inside = b_.outline->clearanceOf(place).outside <= 0.0;
-    farthest = std::max(farthest, inside ? Passage::inside : Passage::through);
-  }
-  passage_ = farthest;
+  for (const Vec2& corner : a_.outline->corners())
+    cameFrom_.push_back(earlier.spotOf(corner, earlier.startOf(corner)).place);
   outwards_ = axesOfB_.place(contact.n) * (aIsFirst_ ? -1.0 : 1.0);
   outwards_ /= glm::length(outwards_);
+}
+
+void Corners::lookBack() {
+  const std::size_t count = cameFrom_.size();
+  spots_.clear(), hasEntered_.clear();
+  passage_ = Passage::apart;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Spot spot = spotOf(cornerOf(k), startOf(cornerOf(k)));
+    spots_.push_back(spot);
+    hasEntered_.push_back(b_.outline->entranceOf(cameFrom_[k], spot.place).has_value());
+    if (!hasEntered_[k]) continue;
+    const bool inside = b_.outline->clearanceOf(spot.place).outside <= 0.0;
+    passage_ = std::max(passage_, inside ? Passage::inside : Passage::through);
+  }
 }
 
 Passage Corners::passageOfConvex() const {
   Passage passage = Passage::inside;
   for (const Outline::Side& side : b_.outline->sides()) {
     double least = kNever, along = 1.0;
-    for (std::size_t k = 0; k < a_.outline->corners().size(); ++k) {
-      const double s = startOf(cornerOf(k));
-      const double outside = glm::dot(side.normal, placeInB(cornerOf(k), s)) - side.offset;
-      if (outside < least) least = outside, along = glm::dot(side.normal, outwards(k, s));
+    bool isFar = false;
+    for (const Spot& spot : spots_) {
+      const double outside = glm::dot(side.normal, spot.place) - side.offset;
+      if (!(outside < least)) continue;
+      const Vec2 front = outwards(spot);
+      least = outside, along = glm::dot(side.normal, front);
+      isFar = glm::dot(spot.place, front) < -b_.radius;
     }
     if (!(least >= -kCornerTouches * size_)) continue;
-    if (along > -kFront) return Passage::apart;
+    // What is far behind is outside of sides that are turned a little, too.
+    if (along > -kFront && !isFar) return Passage::apart;
     passage = Passage::through;
   }
   return passage;
 }
 
-double Corners::angleOfB(const Vec2& corner, double s) const {
-  const Vec2 offset = turned(corner, portableSinCos(a_.angle + a_.turning * s));
-  return b_.angle + b_.turning * ownTimeOfB_(offset, s);
-}
-
 // Bodies that have come through each other are free to turn there. They belong where they were on the board.
-std::optional<std::size_t> Corners::entranceOf(std::size_t corner, const Vec2& place, double s) const {
-  if (!behind_) return b_.outline->entranceOf(cameFrom_[corner], place);
-  const Vec2 front = outwards(corner, s);
+std::optional<std::size_t> Corners::entranceOf(std::size_t corner, const Spot& spot) const {
+  if (!behind_) return b_.outline->entranceOf(cameFrom_[corner], spot.place);
+  const Vec2 front = outwards(spot);
   const std::span<const Outline::Side> sides = b_.outline->sides();
   std::size_t entrance = 0;
   for (std::size_t k = 1; k < sides.size(); ++k)
@@ -284,17 +282,25 @@ std::optional<std::size_t> Corners::entranceOf(std::size_t corner, const Vec2& p
   return entrance;
 }
 
-Lie Corners::lieOf(std::size_t corner, const Vec2& place, double s) const {
-  const Outline::Clearance there = b_.outline->clearanceOf(place);
+Lie Corners::lieOf(std::size_t corner, const Spot& spot) const {
+  const Outline::Clearance there = b_.outline->clearanceOf(spot.place);
   const Lie nearest{there.outside, there.side};
   if (!isKnownByItsWay(corner)) return nearest;
-  const auto entrance = entranceOf(corner, place, s);
+  const auto entrance = entranceOf(corner, spot);
   if (!entrance) return nearest;
   const bool away = looksAway(there.side, *entrance);
   if (there.outside > 0.0) return {there.outside, there.side, away || !behind_};
   if (!away) return nearest;
   const Outline::Side& side = b_.outline->sides()[*entrance];
-  return {glm::dot(side.normal, place) - side.offset, *entrance};
+  return {glm::dot(side.normal, spot.place) - side.offset, *entrance};
+}
+
+Lie Corners::keptOut(std::size_t corner, const Spot& spot) const {
+  if (passage_ != Passage::apart && hasEntered_[corner]) {
+    const auto entrance = entranceOf(corner, spot);
+    if (entrance) return {outsideOf(*entrance, spot.place), *entrance};
+  }
+  return lieOf(corner, spot);
 }
 
 FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) const {
@@ -316,14 +322,18 @@ std::optional<Corners::Advanced> Corners::advance(std::size_t corner, double s, 
       (before - time_.at0 + size_ * (std::abs(time_.perX) + std::abs(time_.perY))) / time_.perS;
   const double last = std::min(end, latest);
   Lie here = lieAt(corner, s);
+  double shallowest = here.outside;
   for (int step = 0; s < last; ++step) {
     if (step == kMostSteps) return Advanced{s, true};
     const bool inside = here.outside <= 0.0;
-    const double next = s + steps.next(here.outside);
+    const bool slides = inside && isKnownByItsWay(corner);
+    const double next = s + (slides ? 0.5 * kDeeper * size_ / fastest : steps.next(here.outside));
     const Lie there = lieAt(corner, next);
     const bool comparable = there.side == here.side || !isKnownByItsWay(corner);
-    if (inside && comparable && there.outside <= 0.0 &&
-        there.outside < here.outside - kLeastClosing * (next - s))
+    shallowest = inside && comparable ? std::max(shallowest, there.outside) : there.outside;
+    const double slack = isKnownByItsWay(corner) ? kDeeper * size_ : kLeastClosing * (next - s);
+    if (inside && comparable && !window_.onlyNew && there.outside <= 0.0 && there.outside < here.outside &&
+        there.outside < shallowest - slack)
       return Advanced{next};  // deeper again
     if (!inside && there.outside <= 0.0 && !here.through) {
       const auto depth = [&](double at) { return -lieAt(corner, at).outside; };
@@ -341,22 +351,25 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
   const double root2 = half * half - speed2 * apart2;
   double begin = -kNever, end = kNever;
   if (speed2 > 0.0) {
-    if (root2 < 0.0) return;
+    if (root2 < 0.0 && passage_ == Passage::apart) return;
     const double margin = std::sqrt(speed2) / ownTimeOfB_.perS * a_.radius;
-    begin = (-half - std::sqrt(root2)) / speed2 - margin, end = (-half + std::sqrt(root2)) / speed2 + margin;
-  } else if (apart2 > 0.0) {
+    const double root = std::sqrt(std::max(0.0, root2));
+    begin = (-half - root) / speed2 - margin, end = (-half + root) / speed2 + margin;
+  } else if (apart2 > 0.0 && passage_ == Passage::apart) {
     return;
   }
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const Vec2& corner = cornerOf(c);
     const double start = startOf(corner);
-    if (start > end) continue;
-    double s = std::max(begin, start);
+    const bool entered = passage_ != Passage::apart && hasEntered_[c];
+    if (start > end && !entered) continue;
+    double s = entered ? start : std::max(begin, start);
     if (s == start && !window_.strictly && !window_.resumed) {
-      const Lie there = lieAt(c, s);
+      const Lie there = keptOutAt(c, s);
       const double soon = kLeastStep * size_;
       if (!there.through && there.outside <= kCornerTouches * size_) {
-        const double closing = (there.outside - lieAt(c, s + soon).outside) / soon;
+        const double later = entered ? outsideOf(there.side, c, s + soon) : lieAt(c, s + soon).outside;
+        const double closing = (there.outside - later) / soon;
         if (closing > kLeastClosing) {
           if (!(there.outside < deepest)) continue;
           deepest = there.outside;
@@ -379,7 +392,7 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
 void Corners::addTouching(double within, std::vector<FoundContact>& places) const {
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const double s = startOf(cornerOf(c));
-    const Lie there = lieAt(c, s);
+    const Lie there = keptOutAt(c, s);
     if (!there.through && there.outside <= within) places.push_back(contactAt(cornerOf(c), s, there.side));
   }
 }
@@ -397,15 +410,19 @@ struct BothCorners {
     const ContactWindow then = windowAt(*earlier);
     ofFirst.remember({one, other, one.start, then.frame, then, true}, *earlier);
     ofSecond.remember({other, one, one.start, then.frame, then, false}, *earlier);
+    lookBack(first.outline->isConvex() && second.outline->isConvex(), earlier->behind);
+  }
+
+  /// Finds how the two have come from the earlier contact by `window.from`.
+  void lookBack(bool convex, bool haveBeenBehind) {
+    ofFirst.lookBack(), ofSecond.lookBack();
     Passage passage = std::max(ofFirst.passage(), ofSecond.passage());
-    const bool convex = first.outline->isConvex() && second.outline->isConvex();
-    if (convex && (passage != Passage::apart || earlier->behind)) {
+    if (convex && (passage != Passage::apart || haveBeenBehind)) {
       const Passage bySecond = ofFirst.passageOfConvex(), byFirst = ofSecond.passageOfConvex();
       const bool apart = bySecond == Passage::apart || byFirst == Passage::apart;
       passage = apart ? Passage::apart : std::max(bySecond, byFirst);
     }
-    const bool behind =
-        convex && (passage == Passage::through || (earlier->behind && passage != Passage::apart));
+    const bool behind = convex && passage != Passage::apart;
     ofFirst.setPassage(passage, behind), ofSecond.setPassage(passage, behind);
   }
 };
@@ -418,38 +435,6 @@ bool mayOverlap(const ShapedFlight& first, const ShapedFlight& second, const Vec
   const Vec21 apart = placeAt(second) - placeAt(first);
   const double reach = (first.radius + second.radius) * (1.0 + kCornerTouches);
   return -dot(apart, apart) <= reach * reach;
-}
-
-// All piercings at the time of the first, on sides that lie on each other.
-void settleTie(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, FoundContact& best) {
-  const double tolerance = kTie * (first.radius + second.radius);
-  Tie tie;
-  tie.U = U;
-  tie.along = cross(best.normal, U);
-  const auto collect = [&](const ShapedFlight& a, const ShapedFlight& b, bool aIsFirst) {
-    const RestAxes axesOfA(a.u), axesOfB(b.u);
-    const SinCos ofA = portableSinCos(a.angle), ofB = portableSinCos(b.angle);
-    for (const Vec2& corner : a.outline->corners()) {
-      const Vec21 from = a.start + axesOfA(turned(corner, ofA));
-      const double s = (best.time - dot(U, from - first.start)) / dot(U, a.u);
-      const Vec21 event = from + a.u * s;
-      const Vec2 z = turnedBack(axesOfB.place(event - b.start), ofB);
-      for (const Outline::Side& side : b.outline->sides()) {
-        const double along = glm::dot(side.along, z - side.from);
-        if (std::abs(glm::dot(side.normal, z) - side.offset) > tolerance || along < -tolerance ||
-            along > side.length + tolerance)
-          continue;
-        FoundContact here = best;
-        here.normal = axesOfB(turned(side.normal, ofB)) * (aIsFirst ? -1.0 : 1.0);
-        if (sameSide(best, here, U)) tie.add(event);
-      }
-    }
-  };
-  collect(first, second, true);
-  collect(second, first, false);
-  if (!(tie.high - tie.low > tolerance)) return;
-  best.event = (tie.ends[0] + tie.ends[1]) * 0.5;
-  best.sideOnSide = true;
 }
 
 }  // namespace
@@ -465,7 +450,8 @@ std::optional<FoundContact> findPiercing(const ShapedFlight& first, const Shaped
     ofSecond.pierceTurning(deepest, best);
     return best;
   }
-  if (!window.strictly && !window.resumed && mayOverlap(first, second, U, window.from)) {
+  const bool come = ofFirst.passage() != Passage::apart;
+  if (!window.strictly && !window.resumed && (come || mayOverlap(first, second, U, window.from))) {
     ofFirst.overlapStraight(deepest, best);
     ofSecond.overlapStraight(deepest, best);
   }
@@ -488,6 +474,26 @@ void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, con
 Passage passageOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
                          const ContactWindow& window, const EarlierContact& earlier) {
   return BothCorners(first, second, U, window, &earlier).ofFirst.passage();
+}
+
+double partingOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                        const ContactWindow& window, const EarlierContact& earlier, double until) {
+  const double size = first.radius + second.radius, sum = dot(first.u, second.u);
+  const double fastest = std::sqrt(2.0 * std::max(0.0, sum - 1.0) / (sum + 1.0)) +
+                         std::abs(first.turning) * first.radius + std::abs(second.turning) * second.radius;
+  double step = kPartingStep * size / fastest;
+  if (!(step < kNever)) return kNever;
+  ContactWindow then = window;
+  then.strictly = false;
+  const bool convex = first.outline->isConvex() && second.outline->isConvex();
+  BothCorners corners(first, second, U, then, &earlier);
+  if (corners.ofFirst.passage() == Passage::apart) return kNever;
+  for (int steps = 0; steps < kPartingSteps && then.from < until; ++steps, step *= kPartingGrowth) {
+    then.from += step;
+    corners.lookBack(convex, earlier.behind);
+    if (corners.ofFirst.passage() == Passage::apart) return then.from;
+  }
+  return kNever;
 }
 
 }  // namespace carom

@@ -15,6 +15,7 @@ struct ContactWindow {
   double from = 0.0;
   bool strictly = false;  ///< both flights begin at board time 0, when nothing is in contact
   bool resumed = false;   ///< what touches already at `from` has been dealt with
+  bool onlyNew = false;   ///< and what goes deeper after that
 
   double timeOf(const Vec21& event) const { return dot(frame, event - origin); }
   bool holds(double time) const { return strictly ? time > from : time >= from; }
@@ -39,6 +40,8 @@ inline ContactWindow windowAt(const EarlierContact& earlier) {
   return window;
 }
 
+/// The angle between sides that look the same way.
+constexpr double kSameNormal = 1e-6;
 /// Slower than this, bodies that overlap do not approach.
 constexpr double kLeastClosing = 1e-9;
 /// Of the radii: what touches for less grazes.
@@ -75,6 +78,8 @@ constexpr double kCornerTouches = 1e-11;
 std::optional<FoundContact> findPiercing(const ShapedFlight& first, const ShapedFlight& second,
                                          const Vec21& U, const ContactWindow& window,
                                          const EarlierContact* earlier);
+/// Moves a piercing at which sides come to lie on each other to the middle of what touches at this time, and marks it.
+void settleTie(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, FoundContact& best);
 /// Of a disc and a body with corners, in either order.
 std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
                                            const Vec21& U, const ContactWindow& window,
@@ -82,6 +87,10 @@ std::optional<FoundContact> findRimContact(const ShapedFlight& first, const Shap
 /// Where the corners of each body are to the other, or the centre of a disc, at the time `window.from`.
 Passage passageOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
                          const ContactWindow& window, const EarlierContact& earlier);
+/// Returns from when on bodies with corners that have not parted since an earlier contact will have done so on these
+/// flights, found in steps that grow, until about a time; infinity if they do not, or had done so already.
+double partingOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
+                        const ContactWindow& window, const EarlierContact& earlier, double until);
 Passage passageOfDisc(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
                       const ContactWindow& window, const EarlierContact& earlier);
 

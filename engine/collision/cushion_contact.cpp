@@ -9,6 +9,10 @@ namespace carom {
 
 namespace {
 
+// Of the radius. A signal that has less than this to go is there already: where rounding decided, a game and its image
+// by an exchange of x and y would differ by a kick's delay. Turns so close to each other are one turn elsewhere, too.
+constexpr double kThere = 1e-9;
+
 // Distance of the centre from the cushion at its own moment of the contact.
 double distanceAtContact(const Vec21& u, double un, double radius, TurnConvention convention) {
   if (convention == TurnConvention::signalAtCentre) return radius * std::sqrt(1.0 + un * un);
@@ -63,7 +67,7 @@ std::optional<CushionContact> findContact(const Leg& leg, double radius, const C
   CushionContact contact;
 
   const double atTurn = delayed ? radius / (std::sqrt(1.0 + un * un) + un) : atContact;
-  if (!(y > atTurn)) {  // the signal is there already
+  if (!(y > atTurn + kThere * radius)) {  // the signal is there already
     contact.withoutDelay = true;
     contact.ownTime = leg.start.t - (delayed ? leg.u.t * radius : 0.0);
     contact.turn = {leg.start, leg.u, leg.properTime};

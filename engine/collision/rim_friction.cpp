@@ -71,7 +71,9 @@ class Pressed {
         along_(p.along()),
         sin_(along_ / energy_),
         cos_(std::sqrt(p.plus * p.minus) / energy_),
-        rest_(square(restMass(body, j)) + (1.0 - restitution * restitution) * p.across * p.across),
+        mass_(restMass(body, j)),
+        lost_((1.0 - restitution * restitution) * p.across * p.across),
+        rest_(square(mass_) + lost_),
         angle_(portableAsin(sin_)),
         widest_(portableAsin(std::min(1.0, std::sqrt(rest_ + along_ * along_) / energy_))),
         fine_(0x1p-30 * (std::abs(angle_) + std::abs(j) / energy_)) {}
@@ -88,6 +90,11 @@ class Pressed {
     return std::sqrt(std::max(rest_ - impulse * (2.0 * along_ + impulse), 0.0));
   }
   double spinAfter(double delta) const { return j_ + energy_ * delta; }
+  /// The heat m' − M(j'): that of the normal impulse, sqrt(M² + (1−e²) p_n²) − M, and what sliding adds to it. As a
+  /// difference of masses it would be rounding where light is fast; below 0 by rounding alone.
+  double heatAfter(double delta) const {
+    return std::max(lost_ / (std::sqrt(rest_) + mass_) - energy_ * delta * gainAt(delta).value, 0.0);
+  }
 
   /// Angles δ at which the rim rests and at which no energy is lost.
   struct Angles {
@@ -153,7 +160,9 @@ class Pressed {
   double energy_;
   double along_;      // p_t
   double sin_, cos_;  // of χ
-  double rest_;       // m² + (1−e²) p_n²
+  double mass_;       // M(j)
+  double lost_;       // (1−e²) p_n²
+  double rest_;       // M² + (1−e²) p_n²
   double angle_;      // χ
   double widest_;     // |χ'| at which m' is 0
   double fine_;       // a Newton step below this leaves no error
@@ -224,15 +233,12 @@ double limited(double impulse, double limit) { return std::min(std::max(impulse,
 
 /// What a puck is after the impulse that the wall gives it.
 struct AfterWall {
-  double mass, j;
+  double mass, j, heat;
 };
 
 AfterWall afterWall(const Pressed& puck, double impulse) {
-  return {puck.massAfter(impulse), puck.spinAfter(puck.turnedBy(impulse))};
-}
-
-double heatOf(const SpinningBody& body, const AfterWall& after) {
-  return std::max(after.mass - restMass(body, after.j), 0.0);  // below 0 by rounding alone
+  const double delta = puck.turnedBy(impulse);
+  return {puck.massAfter(impulse), puck.spinAfter(delta), puck.heatAfter(delta)};
 }
 
 }  // namespace
@@ -269,7 +275,7 @@ std::optional<SpinningPairKick> kickSpinningPair(const Vec21& U, const Vec21& n,
     const AfterWall after = afterWall(pressed[i], impulse);
     const Vec21 momentum = i == 0 ? p[0] + q : p[1] - q;
     kick.centres.u[i] = fourVelocity(momentum.x / after.mass, momentum.y / after.mass);
-    kick.centres.heat[i] = heatOf(pucks[i].body, after);
+    kick.centres.heat[i] = after.heat;
     kick.j[i] = after.j;
   }
   return kick;
@@ -293,7 +299,7 @@ std::optional<SpinningCushionKick> kickSpinningOffCushion(const CushionPlane& cu
   const double towards = cushion.sign * -rules.restitution * across / after.mass;
   const double aside = cushion.sign * (along + impulse) / after.mass;
   const Vec21 u = cushion.axis == 0 ? fourVelocity(towards, aside) : fourVelocity(-aside, towards);
-  return SpinningCushionKick{{u, heatOf(puck.body, after)}, after.j};
+  return SpinningCushionKick{{u, after.heat}, after.j};
 }
 
 }  // namespace carom

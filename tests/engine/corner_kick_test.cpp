@@ -176,6 +176,28 @@ TEST(CornerKick, RoughSidesStickAtLowSpeedAsNewtonHasIt) {
   EXPECT_WITHIN(vt - slides->centre.u.x, 0.01 * (slides->centre.u.y + vn), 1e-9 * vt);
 }
 
+// In one frame with light faster and faster: the heat over c² is what Newton's bodies lose, to (v/c)² and rounding. A
+// difference of masses would have only rounding left.
+TEST(CornerKick, HeatKeepsItsDigitsWhereLightIsFast) {
+  for (const double c : {1e4, 1e6, 1e7, 1e8}) {
+    const double beta = 1.0 / c, mass = 0.2, radius = 0.06, lever = 0.05, e = 0.5;
+    const SpinningBody material{mass, 0.3 * mass};
+    std::array<LeveredBody, 2> bodies;
+    for (int i = 0; i < 2; ++i) {
+      bodies[i].puck = {material, 0.0, fourVelocity(i == 0 ? beta : -beta, 0.0)};
+      bodies[i].radius = radius;
+      bodies[i].lever = {0.0, i == 0 ? 0.02 : -0.02, i == 0 ? lever : -lever};
+    }
+    const auto kick = kickCorners({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, bodies, RimRules{e});
+    ASSERT_TRUE(kick);
+    // (1 − e²)/2 μ w², w = 2 v the closing speed and 1/μ = 2 (1/m + lever²/(k m R²)).
+    const double perImpulse = 2.0 * (1.0 + lever * lever / (0.3 * radius * radius)) / mass;
+    const double newton = 0.5 * (1.0 - e * e) * 4.0 * beta * beta / perImpulse;
+    const double heat = kick->centres.heat[0] + kick->centres.heat[1];
+    EXPECT_WITHIN(heat / newton, 1.0, 10.0 * beta * beta + 1e-13) << c;
+  }
+}
+
 // What slides gets the tangential impulse μ times the normal one, whatever the restitution; less only where less makes the
 // sides stick or, with tangential restitution, turn back as they should: as much as without a limit.
 TEST(CornerKick, SlidingImpulseIsCoulombsShareOfTheNormalOne) {

@@ -151,5 +151,22 @@ TEST(CushionContact, ThereIsNoneForWhoGoesAway) {
   }
 }
 
+// A disc that begins a leg where it would turn, as one does that a cushion and a heavy disc squeeze: on which side of that
+// place rounding puts it decides nothing, along x as along y.
+TEST(CushionContact, RoundingDoesNotDecideWhetherTheSignalIsThere) {
+  constexpr double kRadius = 0.03, kTowards = 0.75;
+  const double atTurn = kRadius / (std::sqrt(1.0 + kTowards * kTowards) + kTowards);
+  for (const int axis : {0, 1}) {
+    for (const double beyond : {-1e-13, 0.0, 1e-13, 1e-6}) {
+      const double place = 1.0 - atTurn * (1.0 + beyond);
+      const Leg leg{axis == 0 ? Vec21{0.0, place, 0.2} : Vec21{0.0, 0.2, place},
+                    axis == 0 ? fourVelocity(kTowards, 0.3) : fourVelocity(0.3, kTowards)};
+      const auto contact = findContact(leg, kRadius, {axis, 1.0, 1.0}, TurnConvention::signalAtCentre);
+      ASSERT_TRUE(contact);
+      EXPECT_EQ(contact->withoutDelay, beyond < 1e-9) << axis << ' ' << beyond;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -275,5 +275,30 @@ TEST(RimFriction, HasTheseBits) {
   EXPECT_EQ(blow->j[1], -0x1.e91d1fb74049cp-6);
 }
 
+// The heat over c² is what Newton's disc loses, to v/c and rounding: for a rim that sticks to a cushion,
+// (1 − e²)/2 m v_n² + k/(1 + k)/2 m v_t². A difference of masses would have only rounding
+// left. Momenta along the wall are kept as E ± p, so that their digits end at 1e-16 of m c.
+TEST(RimFriction, HeatKeepsItsDigitsWhereLightIsFast) {
+  constexpr double kMass = 0.2, kShare = 0.5, kRestitution = 0.7;
+  for (const double c : {1e4, 1e6, 1e7, 1e8}) {
+    const double across = 1.0 / c, along = 0.8 / c;
+    const SpinningPuck puck{{kMass, kShare * kMass}, 0.0, fourVelocity(across, along)};
+    const auto kick = kickSpinningOffCushion({0, 1.0, 0.0}, puck, {kRestitution, 1e3, 0.0});
+    ASSERT_TRUE(kick);
+    const double newton =
+        0.5 * kMass *
+        ((1.0 - kRestitution * kRestitution) * across * across + kShare / (1.0 + kShare) * along * along);
+    EXPECT_TRUE(std::abs(kick->centre.heat / newton - 1.0) <= 10.0 * across * across + 1e-15 * c)
+        << c << ": " << kick->centre.heat << " instead of " << newton;
+    const SpinningPuck other{{kMass, kShare * kMass}, 0.0, fourVelocity(-across, -along)};
+    const auto pair =
+        kickSpinningPair({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {puck, other}, {kRestitution, 1e3, 0.0});
+    ASSERT_TRUE(pair);
+    for (const double heat : pair->centres.heat)
+      EXPECT_TRUE(std::abs(heat / newton - 1.0) <= 10.0 * across * across + 1e-15 * c)
+          << c << ": " << heat << " instead of " << newton;
+  }
+}
+
 }  // namespace
 }  // namespace carom
