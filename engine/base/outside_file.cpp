@@ -16,7 +16,7 @@ namespace carom {
 namespace {
 
 /// In the order of InputKind. A TOML file of 16 MiB holds a hundred thousand pucks, a trace of 512 MiB
-/// eighteen hours at 60 Hz; a session of a day has some 10 GiB, of which no reader keeps more than one frame.
+/// eighteen hours at 60 Hz; a session of a day has some 10 GiB; no reader keeps more than one frame of it.
 constexpr std::array<InputLimit, 9> kInputLimits{{{"a TOML file", 16},
                                                   {"a JSON file", 16},
                                                   {"an XML file", 16},
@@ -42,7 +42,7 @@ class OpenedFile {
   std::string refusalBySize() const { return bytes_ > most() ? tooLarge(bytes_) : ""; }
 
   /// Reads at most `most` bytes. Some files have another length than they say, such as those in /proc: the
-  /// largest size is that of what is read.
+  /// largest size is that of the part that is read.
   std::string read(std::uintmax_t most) {
     std::string content;
     constexpr std::size_t kStep_bytes = 1 << 20;

@@ -22,7 +22,7 @@ struct InputLimit {
 /// Returns the limits of a kind.
 const InputLimit& limitOf(InputKind kind);
 
-/// Returns why the file is not opened and what was expected, in words that can follow "FILE:1:1: "; empty if it
+/// Returns why the file is not opened and the expectation, in words that can follow "FILE:1:1: "; empty if it
 /// is a regular file that can be read and is not too large. Never waits for anybody to write into the file.
 std::string refusalOf(const std::filesystem::path& file, InputKind kind);
 

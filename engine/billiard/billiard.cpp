@@ -76,7 +76,7 @@ void Billiard::keepSnapshot() {
   const double present = snapshots_.back().game.clock();
   std::size_t spare = 0;
   double least = std::numeric_limits<double>::infinity();
-  // What was forgotten cannot be played again: the first point after that stays.
+  // A forgotten time cannot be played again: the first point after that stays.
   for (std::size_t i = forgottenBefore_s_ > 0.0 ? 1 : 0; i + 1 < snapshots_.size(); ++i) {
     const double earlier = i == 0 ? 0.0 : snapshots_[i - 1].game.clock();
     const double gap = (snapshots_[i + 1].game.clock() - earlier) / (present - earlier);

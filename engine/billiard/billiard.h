@@ -48,15 +48,15 @@ class GameHistory;
 ///   or 1e-6 of the hardest of the blows where all are slower than light by far, get one and the same
 ///   velocity: they move on together, bit for bit, and their gap does not change. This bound doubles with
 ///   every fourth such turn that one of the meeting pair has had since it was last in peace, up to c or the
-///   hardest blow: so what is pressed again and again becomes one body.
-///   Momentum is that of all; what energy is over is heat. Up to this 64th kick, and between pucks of which
+///   hardest blow: so pucks that are pressed again and again become one body.
+///   Momentum is that of all; the rest of the energy is heat. Up to this 64th kick, and between pucks if
 ///   one is not pressed, every blow is one as ever. What closes slower than the bound is left alone where it
 ///   closes at less than a thousandth of its relative speed, so that the straight flights pass at most a
 ///   millionth of R1 + R2 (half of the square of that share) inside each other, or where the whole relative
 ///   speed is below a millionth of the bound: at first 1e-12 c, rounding, 5 nm in an hour at 1.42 m/s; at
 ///   most 1e-6 c, a millionth of R in the time after which a puck in peace is no more pressed. Elastic pucks
 ///   between elastic cushions are never pressed. `jams` tells where.
-/// * What is pressed keeps its spin: rims in a jam neither slip nor roll on each other.
+/// * A pressed puck keeps its spin: rims in a jam neither slip nor roll on each other.
 /// * Bodies with corners lie on each other, and on cushions, at several places. Elastic ones can be pressed as
 ///   well, and elastic discs beside them; a kick without delay counts as 16. Where such a body meets another
 ///   without delay, both pressed, or a cushion, all kicks between it and all pressed pucks that touch it, in a
@@ -95,10 +95,10 @@ class Billiard {
   Billiard& operator=(Billiard&&) noexcept;
 
   /// Commits every event whose contact or first turn is at or before board time `t_s`, and perhaps some that
-  /// are a little later. What is committed does not depend on the steps in which one advances.
+  /// are a little later. The commitments do not depend on the steps in which one advances.
   void advanceTo(double t_s);
 
-  /// Adds a stroke. What was computed at or after its arrival is discarded and computed anew, up to the same
+  /// Adds a stroke. Everything at or after its arrival is discarded and computed anew, up to the same
   /// board time. What does not depend on the stroke keeps its bits: everything outside the future of the
   /// arrival but for what follows from turns that do not wait for light, those of kicks without delay and
   /// those simultaneous with a contact in the equal-speed frame. Such a turn can lie outside by about the

@@ -45,7 +45,7 @@ struct PhysicsRules {
   double cushionRestitution = 1.0;
   double friction_m_s2 = 0.0;
   CollisionEvent collisionEvent = CollisionEvent::centre;
-  // Coulomb's coefficients between rims and at cushions, and what is left of the speed at which rims slip
+  // Coulomb's coefficients between rims and at cushions, and the share that is left of the speed at which rims slip
   // (engine/collision/rim_friction.h). Infinite: rims never slide.
   double puckFriction = 0.0, cushionFriction = 0.0;
   double tangentialRestitution = 0.0;

@@ -124,7 +124,7 @@ class CollisionScheduler {
     EarlierContact contact;        // the puck with the smaller number first
     std::array<unsigned, 2> legs;  // on which they were last found not to have parted
   };
-  // The rest of a puck's state: a cache line that every collision needs, and what is seldom needed.
+  // The rest of a puck's state: a cache line that every collision needs, and seldom needed parts.
   struct alignas(64) PuckState {
     std::vector<CommittedLeg> decided;
     double properTime = 0.0;  // when the leg began

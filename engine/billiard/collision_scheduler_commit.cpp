@@ -1,4 +1,4 @@
-// What comes of a predicted event: turns, kicks, and what is then certain.
+// Commits predicted events: turns, kicks, and their certain consequences.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace carom {
 
 namespace {
 
-// Two turns closer than this, in metres of light, are one: what is left of a cancellation when a corner's two
+// Two turns closer than this, in metres of light, are one: the rest of a cancellation when a corner's two
 // kicks arrive together.
 double sameTurn_m(double radius) { return 1e-9 * radius; }
 
@@ -113,7 +113,7 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
     const Place place =
         placeTurn(who[k], simultaneous ? onFollowedLeg.x : contact.event, -1, onFollowedLeg, history);
     if (place.tooLate && !again) return kNever;
-    // What is heard of a second place before the first waits for it.
+    // News of a second place that comes before the first waits for it.
     const Leg last = lastLeg(who[k]);
     turn[k] = place.tooLate ? LegState{last.start, last.u, last.properTime} : place.turn;
   }
@@ -178,7 +178,7 @@ void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& his
   std::size_t foundOn = legsBegun(i);
   if (!player.decided.empty()) {
     if (contact->withoutDelay) return;
-    // What is decided already has turned the puck off this cushion.
+    // A decided leg has turned the puck off this cushion already.
     if (outlineOf(i) == nullptr && !(cushions_[a.with].towards(lastLeg(i).u) > 0.0)) return;
     const Place place = placeTurn(i, contact->event, a.with, contact->turn, history);
     if (place.tooLate) return;

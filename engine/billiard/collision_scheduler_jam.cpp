@@ -14,8 +14,8 @@ constexpr double kSlow = 1e-6;       // of light speed, or of the hardest blow: 
 constexpr double kTouching = 1e-6;   // of R1 + R2: nearer than this is touching
 constexpr double kGrazing = 1e-3;    // closing over relative speed: they pass, a millionth of R1 + R2 deep
 constexpr double kStill = 1e-6;      // of that again: rounding
-constexpr int kBlowsByPressed = 16;  // the kick of a pressed puck counts as so many
-constexpr int kJamsToDouble = 4;     // turns in a jam until what is slow is twice as fast
+constexpr int kBlowsByPressed = 16;  // the number that the kick of a pressed puck counts
+constexpr int kJamsToDouble = 4;     // turns in a jam until the bound of slowness doubles
 constexpr double kMostLeft = 1e-3;   // of the hardest blow: what closes faster is kicked
 constexpr int kSweeps = 10000;
 constexpr int kSweepsWithCorners = 300;  // after which bodies that are wedged move on together
@@ -91,7 +91,7 @@ void CollisionScheduler::settle(const std::array<int, 2>& who, const PairContact
   commitJam(contact.event, history);
 }
 
-// What is slower than this moves on together.
+// Slower members move on together.
 double CollisionScheduler::slowIn(std::span<const int> who, double hardest) const {
   int jams = 0;
   for (const int i : who) jams = std::max(jams, pucks_[i].jams);
@@ -237,7 +237,7 @@ bool CollisionScheduler::relax(double slow) {
 
 // Those that touch and move relative to each other slower than `slow` get one velocity, that of their total
 // momentum. Of member i heat m_i (γ_i − 1) in the frame of this velocity: Σ (m_i + heat_i) u = Σ m_i u_i. Bodies with
-// corners do so only where all do, and lose their spins, the energy of which becomes heat as well.
+// corners do so only where all do, and lose their spins, whose energy becomes heat as well.
 void CollisionScheduler::moveOnTogether(double slow) {
   const bool all = slow == kNever;
   for (bool changed = true; changed;) {

@@ -5,7 +5,7 @@
 // The soonest are a short sorted list, so that one can look ahead. Further items due today are in a four-way heap.
 // Four siblings fill one cache line, and the least of them is found without a branch. Where there are many items,
 // those due later are only listed under their day: a calendar (R. Brown, 1988, Calendar queues). When the soonest become
-// few, the next day's items are sorted and follow them; only what is due that day and is given its time afterwards goes
+// few, the next day's items are sorted and follow them; only an item that is due that day and is given its time afterwards goes
 // through the heap. An item that is given another time stays on the list of its old day, and is left out there when that
 // day comes. When the calendar ends, a new one begins, for which all items are looked through once.
 
@@ -21,7 +21,7 @@ namespace carom {
 class DueQueue {
  public:
   DueQueue() = default;
-  /// Makes a queue of `items` items, none of which is ever due at first.
+  /// Makes a queue of `items` items; at first none is ever due.
   explicit DueQueue(int items)
       : lastDay_(std::max(kFewestDays, items / kADay) - 1),
         today_(lastDay_),
@@ -77,8 +77,8 @@ class DueQueue {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr double kLatest = std::numeric_limits<double>::max();
   static constexpr int kNone = -1;
-  static constexpr int kFew = 256;                     // so many are all in the heap
-  static constexpr int kFewestDays = 256, kADay = 64;  // about so many items are due on each
+  static constexpr int kFew = 256;                     // items, all in the heap
+  static constexpr int kFewestDays = 256, kADay = 64;  // the usual number of items due on each
 
   struct Item {
     double due = kNever;
@@ -141,7 +141,7 @@ class DueQueue {
     }
   }
 
-  // The heap holds what is due up to this day. What is due after the calendar's end has the day after the last, what is
+  // The heap holds items due up to this day. An item due after the calendar's end has the day after the last, what is
   // never due a day after that.
   int dayOf(double time) const {
     if (time == kNever) return lastDay_ + 2;
@@ -168,7 +168,7 @@ class DueQueue {
     }
     return true;
   }
-  // Adds what is due after all of the soonest and of the heap.
+  // Adds an item that is due after all of the soonest and of the heap.
   void addLast(const Entry& entry) {
     if (end_ - begin_ >= kMostSoon) return place(newSlot(), entry);
     makeRoom();

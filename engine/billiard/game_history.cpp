@@ -13,7 +13,7 @@ constexpr std::size_t kFewPucks = 256;  // whose world lines' ends lie in the ca
 // past, so that it need not be moved.
 constexpr std::size_t kBoughtEvents = 4, kBoughtBytes = 1100;
 constexpr std::size_t kAddressesPerPuck = 32, kMostAddresses = std::size_t{1} << 24;
-// Of more pucks, at most so many legs wait.
+// Of more pucks, at most this number of legs wait.
 constexpr std::size_t kNewLegs = 256, kNewLegsPerPuck = 1;
 
 Vec2 betaOf(const Vec21& u) { return {u.x / u.t, u.y / u.t}; }

@@ -191,7 +191,7 @@ Disc flightAt(const BrakedDisc& disc, double t) {
   return {m.x, m.u, disc.radius, 0.0};
 }
 
-// Times are counted from shortly before the later start, so that what is found, and how exactly, does not
+// Times are counted from shortly before the later start, so that the result, and its accuracy, does not
 // depend on the age of the game.
 std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const BrakedDisc& second,
                                                TurnConvention convention) {
@@ -209,7 +209,7 @@ std::optional<BrakedMeeting> findBrakedMeeting(const BrakedDisc& first, const Br
     double& touch = found->touchAt[k];
     const bool begins = touch == (k == 0 ? one : two).leg.start.t;
     touch = begins ? starts[k] : touch + origin;
-    // What is simultaneous with the later start must not come after it by rounding.
+    // A moment simultaneous with the later start must not come after it by rounding.
     const double hair = 8.0 * std::numeric_limits<double>::epsilon() * begin;
     if (found->meeting.withoutDelay && !begins) touch = std::max(starts[k], touch - hair);
   }

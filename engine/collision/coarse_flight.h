@@ -1,5 +1,5 @@
 #pragma once
-// Straight flights in single precision, as a first test of which discs may meet: it needs 16 bytes of the
+// Straight flights in single precision, as a first test whether discs may meet: it needs 16 bytes of the
 // other disc, excludes most, and never one that `findMeeting` would find to meet.
 //
 // With velocities v (over c) and D the way from the first centre to the second at one board time, the

@@ -1,5 +1,5 @@
 #pragma once
-// Finds where and when two gliding bodies touch of which at least one has corners. c = 1.
+// Finds where and when two gliding bodies touch, if at least one has corners. c = 1.
 //
 // Two bodies with corners: a corner's world line pierces a side of the other. This is an event on which all
 // frames agree; they disagree on which of several piercings is the first. Here that is decided, as for two
@@ -42,7 +42,7 @@ struct CornerContact {
   double time = 0.0;  ///< in the frame of U, from the first one's start on
 };
 
-/// Returns the first contact of two flights, of which at least one has an outline; none if they do not meet. With
+/// Returns the first contact of two flights, at least one with an outline; none if they do not meet. With
 /// `after`, the time of a contact of these flights, the next one: of a corner that comes in, or goes deeper, later.
 std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
                                                double after = -std::numeric_limits<double>::infinity(),
@@ -62,7 +62,7 @@ struct TouchedPlace {
   Vec21 event, n;
 };
 /// Returns all places at which two bodies touch or overlap as the later flight begins, in the frame of equal speeds.
-/// What is nearer than `within` touches.
+/// Places nearer than `within` touch.
 std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within,
                                         const EarlierContact* earlier = nullptr);
 

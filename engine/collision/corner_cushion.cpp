@@ -97,7 +97,7 @@ class Approach {
     return flight_.start + axes_(k_ * (ahead(s) / glm::length(k_))) + flight_.u * s;
   }
 
-  /// From how soon on a corner that turns can be there: what is left of its way falls at most as
+  /// From how soon on a corner that turns can be there: the rest of its way falls at most as
   ///     clearance − closing δ − K δ²/2,   K = Ω² reach
   double soonest(const Vec2& corner, double s, double clearance) const {
     const double most = flight_.turning * flight_.turning * reach_, speed = closing(corner, s);

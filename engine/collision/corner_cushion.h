@@ -10,8 +10,8 @@
 // touch in their middle.
 //
 // The signal from the end of a long side can come after the centre has crossed the cushion. Then the contact is
-// that of the point of the outline straight ahead of the centre, along K, which comes there later, but of which the
-// centre hears before it is there itself: so no centre leaves the table.
+// that of the point of the outline straight ahead of the centre, along K, which comes there later, but whose signal
+// reaches the centre before it is there itself: so no centre leaves the table.
 // Theory: app/doc/physics.md, Polygons.
 
 #include <optional>
@@ -29,7 +29,7 @@ struct CornerCushionContact {
 };
 
 /// Returns the contact of a flight with a cushion; none if no corner comes to it. `properTime` is that of the
-/// start. A body of which a corner is beyond the cushion as the leg begins, and goes on, touches it then, without
+/// start. A body with a corner beyond the cushion as the leg begins, and goes on, touches it then, without
 /// delay.
 std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight, double properTime,
                                                       const CushionPlane& cushion, TurnConvention convention);

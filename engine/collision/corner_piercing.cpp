@@ -264,7 +264,7 @@ Passage Corners::passageOfConvex() const {
       isFar = glm::dot(spot.place, front) < -b_.radius;
     }
     if (!(least >= -kCornerTouches * size_)) continue;
-    // What is far behind is outside of sides that are turned a little, too.
+    // A body far behind is outside of sides that are turned a little, too.
     if (along > -kFront && !isFar) return Passage::apart;
     passage = Passage::through;
   }

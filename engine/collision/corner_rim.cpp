@@ -93,7 +93,7 @@ class StretchedFrame {
   }
   /// Where the body starts, from the disc's centre at a time of the frame.
   Vec2 startAt(double time) const { return stretched(axes_.place(body_.start - centreAt(time))); }
-  /// A point of a side at a time of the frame: its place from the disc's centre, of which `start` is known, and the
+  /// A point of a side at a time of the frame: its place from the disc's centre, whose `start` is known, and the
   /// first two derivatives by its share. With w the offset from the body's centre in its axes, e half the side
   /// there, s the point's own time, and t = b + a·w + γ s for all points,
   ///     w' = e + Ω s' w⟂     w'' = 2 Ω s' e⟂ − (Ω s')² w + Ω s'' w⟂     s' = −a·e/t_s     s'' = −a·(…)/t_s
@@ -319,7 +319,7 @@ std::vector<Nearest> nearPoints(const StretchedFrame& frame, double time, double
   return points;
 }
 
-// Without spin the stretched corners move uniformly: the first side of which the centre comes to be R outside
+// Without spin the stretched corners move uniformly: the first side that the centre comes to be R outside of
 // opposite one of its points, or the first corner that comes to be R away.
 std::optional<FoundContact> touchStraight(const StretchedFrame& frame, const ContactWindow& window,
                                           bool discIsFirst) {

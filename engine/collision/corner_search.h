@@ -48,10 +48,10 @@ constexpr double kLeastClosing = 1e-9;
 constexpr double kLeastStep = 1e-6;
 /// Likewise of what slides in another, or stays near it for long.
 constexpr double kSlideStep = 1e-3;
-/// A search ends after so many steps, to be continued from there.
+/// A search ends after this number of steps, to be continued from there.
 constexpr int kMostSteps = 4096;
 
-/// The steps of a search, of a length in which what is outside cannot come nearer than it is, or the least one. This
+/// The steps of a search, of a length in which a body outside cannot come nearer than it is, or the least one. This
 /// grows where it is taken again and again.
 class AdvancingSteps {
  public:
@@ -71,7 +71,7 @@ class AdvancingSteps {
   double fastest_, fine_, coarse_;
   double least_ = fine_;
 };
-/// Of the radii: what is nearer touches, after rounding.
+/// Relative to the radii: nearer places touch, after rounding.
 constexpr double kCornerTouches = 1e-11;
 
 /// Of two bodies with corners.

@@ -1,5 +1,5 @@
 #pragma once
-// What is known of a pair from the contact at which it came together. c = 1.
+// The memory of a pair: the contact at which it came together. c = 1.
 //
 // Light needs time from a contact to the centres, so that bodies go into each other before they turn, and thin ones
 // can come out behind each other: they must go back. Until they have parted, a corner (the centre of a disc) that is

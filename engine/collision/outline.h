@@ -16,10 +16,10 @@ namespace carom {
 constexpr std::size_t kLeastCorners = 3;
 constexpr std::size_t kMostCorners = 256;
 
-/// What is wrong with the corners of an outline.
+/// The fault of the corners of an outline.
 struct OutlineFault {
-  std::size_t corner = 0;  ///< the first corner, counted from 0, of which it is wrong
-  std::string what;        ///< and what was expected
+  std::size_t corner = 0;  ///< the first corner, counted from 0, that is wrong
+  std::string what;        ///< and the expectation
 };
 
 /// Returns why these corners are no outline: too few or too many, no numbers, two in one place, sides that
@@ -29,7 +29,7 @@ std::optional<OutlineFault> faultOf(std::span<const glm::dvec2> corners);
 /// Returns whether the line from a to b and the one from c to d, which have no end in common, cross or touch.
 bool sidesMeet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
 
-/// Returns whether an outline is convex at a corner: what is nearest to it is outside. At a dent it is inside.
+/// Returns whether an outline is convex at a corner: a point nearest to it is outside. At a dent it is inside.
 bool turnsLeft(std::span<const glm::dvec2> corners, std::size_t corner);
 
 /// Returns whether a side is nearer to a point than another, by the squares of the distances and by how far the point is in
@@ -54,7 +54,7 @@ class Outline {
     double length = 0.0;
   };
 
-  /// Takes corners of which `faultOf` says nothing.
+  /// Takes corners without a fault (`faultOf`).
   explicit Outline(std::span<const glm::dvec2> corners);
 
   std::span<const glm::dvec2> corners() const { return corners_; }

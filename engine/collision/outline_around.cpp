@@ -92,7 +92,7 @@ class Shrinking {
     return true;
   }
 
-  /// A bound for the distance from the ring along a straight line, with the distances of its ends: what is halfway is
+  /// A bound for the distance from the ring along a straight line, with the distances of its ends: the middle is
   /// farther than an end by half of the way at most.
   double farthestOn(const Vec2& a, double fromA, const Vec2& b, double fromB) const {
     const double known = std::max(fromA, fromB), bound = 0.5 * (fromA + fromB + glm::length(b - a));

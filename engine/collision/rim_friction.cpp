@@ -16,7 +16,7 @@ struct Sloped {
 };
 
 /// Returns the root between `low` and `high` of a function that rises, by Newton's steps; a step that would
-/// leave what is known to be below and above the root goes half of the way instead. Such steps square the
+/// leave the known bounds of the root goes half of the way instead. Such steps square the
 /// error: after one of less than `fine` none is left.
 template <typename Function>
 double rootBetween(const Function& f, double low, double high, double guess, double fine) {

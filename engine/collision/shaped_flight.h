@@ -24,7 +24,7 @@ Vec21 equalSpeedFrame(const Vec21& u1, const Vec21& u2);
 /// Returns where the corners are on the board at board time `t`.
 std::vector<glm::dvec2> cornersOnBoard(const ShapedFlight& flight, double t);
 
-/// Returns whether two bodies, of which at least one has corners, overlap on the board at board time `t` by
+/// Returns whether two bodies, at least one with corners, overlap on the board at board time `t` by
 /// more than a millionth of a millionth of their radii.
 bool overlapOnBoard(const ShapedFlight& first, const ShapedFlight& second, double t);
 

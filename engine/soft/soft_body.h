@@ -14,6 +14,7 @@
 //     dE_i/dt = Σ_c (f_ic·v_i − ⅓ Σ_j f_jc·v_j)        τ_i = Σ_c (m_c/3) P F'ᵀ
 //     v = (π + L(v) τ v)/E,  three steps of this fixed point, L(v) d = d − γ/(γ+1) (v·d) v
 // Sound is slower than light by the material; contraction is a consequence and not an input.
+// Theory: app/doc/physics.md, Soft bodies.
 
 #include <array>
 #include <memory>

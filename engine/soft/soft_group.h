@@ -10,6 +10,7 @@
 //     E_e = 1/(w_j²/E_j + w_k²/E_k)    V = (E_i v_i + E_e v_e)/(E_i + E_e)    λ = E_i (V − v_i)/(1 − V²)
 // and the energies λ μ of it, μ the mean of the normal velocities at the beginning of the step and after the contact, such that
 // their sum is 0. Frictionless contact along the board-frame normal with the energy λ V is covariant.
+// Theory: app/doc/physics.md, Soft bodies.
 
 #include <span>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
 // The triangles of a soft body at rest: a disc of rings, or a rectangle of squares. Metres, from the body's centre.
+// Theory: app/doc/physics.md, Soft bodies.
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 #pragma once
-// The knots of which world lines consist: each is the beginning of a leg of motion.
+// The knots that make up world lines: each is the beginning of a leg of motion.
 
 #include "engine/spacetime/event.h"
 
