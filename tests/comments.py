@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """comments.py ROOT: checks that comments read as plain English. Of the comment lines of each top folder at most 0.3 % may have a
-turn of phrase that a field engineer would not write (ODD), and none may be longer than 110 columns. Prints each such line with --all,
-and the share of each folder."""
+turn of phrase that a field engineer would not write (ODD). Prints the share of each folder and its lines over 110 columns; with
+--all each such line."""
 
 import pathlib
 import re
