@@ -12,12 +12,7 @@ constexpr double kFastest = 0.999;   // a node beyond this cannot be followed
 constexpr double kLeastArea = 1e-4;  // of a triangle, of its relaxed area
 constexpr int kInversions = 3;       // of v = (π + L(v) τ v)/E, each from the last v
 
-/// The deformation of a triangle, in its own frame.
-struct Deformation {
-  double xx, xy, yx, yy;  // F'
-  double area;            // D
-  double sum, least;      // of the principal stretches
-};
+using Deformation = SoftBodyDeformation;
 
 [[gnu::always_inline]] inline Deformation deformationOf(double xx, double xy, double yx, double yy) {
   const double area = xx * yy - xy * yx;
@@ -221,19 +216,27 @@ void SoftBody::invert(const std::vector<double>& px, const std::vector<double>& 
   }
 }
 
+/// F of a triangle by the places, seen from a frame that moves with this velocity: L⁻¹ F.
+SoftBodyDeformation SoftBody::deformationAt(std::size_t triangle, double vx, double vy) const {
+  const Triangles& t = triangles_;
+  double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(t.node[k][triangle]);
+    xx += state_.x[i] * t.gradientX[k][triangle];
+    xy += state_.x[i] * t.gradientY[k][triangle];
+    yx += state_.y[i] * t.gradientX[k][triangle];
+    yy += state_.y[i] * t.gradientY[k][triangle];
+  }
+  const double gamma = 1.0 / std::sqrt(1.0 - vx * vx - vy * vy), stretch = gamma * gamma / (gamma + 1.0);
+  const double alongX = stretch * (vx * xx + vy * yx), alongY = stretch * (vx * xy + vy * yy);
+  return deformationOf(xx + alongX * vx, xy + alongY * vx, yx + alongX * vy, yy + alongY * vy);
+}
+
 double SoftBody::longestStep() const {
   double least = std::numeric_limits<double>::infinity();
   const Triangles& t = triangles_;
   for (std::size_t c = 0; c < t.mass.size(); ++c) {
-    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto i = static_cast<std::size_t>(t.node[k][c]);
-      xx += state_.x[i] * t.gradientX[k][c];
-      xy += state_.x[i] * t.gradientY[k][c];
-      yx += state_.y[i] * t.gradientX[k][c];
-      yy += state_.y[i] * t.gradientY[k][c];
-    }
-    const double across = t.altitude[c] * deformationOf(xx, xy, yx, yy).least;
+    const double across = t.altitude[c] * deformationAt(c, 0.0, 0.0).least;
     least = across < least ? across : least;
   }
   return kStepShare * least;
@@ -301,40 +304,36 @@ void SoftBody::endPushes() {
   std::fill(pushY_.begin(), pushY_.end(), 0.0);
 }
 
-double SoftBody::elasticEnergy(std::size_t triangle, double& area) const {
-  const Triangles& t = triangles_;
-  double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0, vx = 0.0, vy = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto i = static_cast<std::size_t>(t.node[k][triangle]);
-    xx += state_.x[i] * t.gradientX[k][triangle];
-    xy += state_.x[i] * t.gradientY[k][triangle];
-    yx += state_.y[i] * t.gradientX[k][triangle];
-    yy += state_.y[i] * t.gradientY[k][triangle];
+SoftBodyDeformation SoftBody::ownDeformation(std::size_t triangle) const {
+  double vx = 0.0, vy = 0.0;
+  for (const std::vector<int>& nodes : triangles_.node) {
+    const auto i = static_cast<std::size_t>(nodes[triangle]);
     vx += state_.vx[i] / 3.0;
     vy += state_.vy[i] / 3.0;
   }
-  const double gamma = 1.0 / std::sqrt(1.0 - vx * vx - vy * vy), stretch = gamma * gamma / (gamma + 1.0);
-  const double alongX = stretch * (vx * xx + vy * yx), alongY = stretch * (vx * xy + vy * yy);
-  const Deformation f = deformationOf(xx + alongX * vx, xy + alongY * vx, yx + alongX * vy, yy + alongY * vy);
-  area = f.area;
-  const double a = material_.soundSpeed * material_.soundSpeed;
-  return 0.5 * a * (f.sum * (1.0 + 1.0 / f.area) - 4.0) * t.mass[triangle];
+  return deformationAt(triangle, vx, vy);
 }
 
-double SoftBody::heatOf(std::size_t i, double elastic) const {
+double SoftBody::elasticEnergy(std::size_t triangle) const {
+  const Deformation f = ownDeformation(triangle);
+  const double a = material_.soundSpeed * material_.soundSpeed;
+  return 0.5 * a * (f.sum * (1.0 + 1.0 / f.area) - 4.0) * triangles_.mass[triangle];
+}
+
+double SoftBody::heatAndStretchOf(std::size_t i) const {
   const double x = state_.vx[i], y = state_.vy[i];
   const double stress = x * (stressXX_[i] * x + stressXY_[i] * y) + y * (stressXY_[i] * x + stressYY_[i] * y);
-  return state_.e[i] * std::sqrt(1.0 - x * x - y * y) + stress - mass_ * mesh_->nodeShare(i) - elastic;
+  return state_.e[i] * std::sqrt(1.0 - x * x - y * y) + stress - mass_ * mesh_->nodeShare(i);
 }
 
 SoftTotals SoftBody::totals() const {
   SoftTotals totals;
-  double elastic = 0.0, area = 0.0;
-  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) elastic += elasticEnergy(c, area);
+  double elastic = 0.0;
+  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) elastic += elasticEnergy(c);
   for (std::size_t i = 0; i < size(); ++i) {
     totals.momentum = totals.momentum + Vec21{state_.e[i], state_.px[i], state_.py[i]};
     totals.centre += state_.e[i] * place(i);
-    totals.heat += heatOf(i, 0.0);
+    totals.heat += heatAndStretchOf(i);
   }
   totals.centre /= totals.momentum.t;
   totals.elastic = elastic;
@@ -350,10 +349,8 @@ bool SoftBody::isSound() const {
   for (std::size_t i = 0; i < size(); ++i) {
     if (!(state_.vx[i] * state_.vx[i] + state_.vy[i] * state_.vy[i] < kFastest * kFastest)) return false;
   }
-  double area = 0.0;
   for (std::size_t c = 0; c < triangles_.mass.size(); ++c) {
-    elasticEnergy(c, area);
-    if (!(area > kLeastArea)) return false;
+    if (!(ownDeformation(c).area > kLeastArea)) return false;
   }
   return true;
 }

@@ -43,6 +43,13 @@ struct SoftTotals {
   double restMass() const;  ///< sqrt(E² − P²)
 };
 
+/// The deformation of a triangle in one frame.
+struct SoftBodyDeformation {
+  double xx, xy, yx, yy;  ///< F'
+  double area;            ///< D, of the relaxed area
+  double sum, least;      ///< of the principal stretches
+};
+
 /// The state of a soft body between two steps, and one step of it without contacts. SoftGroup advances bodies.
 class SoftBody {
  public:
@@ -99,10 +106,13 @@ class SoftBody {
  private:
   void invert(const std::vector<double>& px, const std::vector<double>& py, const std::vector<double>& e,
               std::vector<double>& vx, std::vector<double>& vy) const;
-  /// Returns the energy of a triangle's stretch, in its own frame; sets the ratio of its area to the relaxed one.
-  double elasticEnergy(std::size_t triangle, double& area) const;
-  /// Returns the energy of a node in its own frame beyond its mass and this much of stretch.
-  double heatOf(std::size_t node, double elastic) const;
+  SoftBodyDeformation deformationAt(std::size_t triangle, double vx, double vy) const;
+  /// Returns the deformation of a triangle in its own frame.
+  SoftBodyDeformation ownDeformation(std::size_t triangle) const;
+  /// Returns the energy of a triangle's stretch, in its own frame.
+  double elasticEnergy(std::size_t triangle) const;
+  /// Returns the energy of a node in its own frame beyond its mass: heat, and its share of the stretch.
+  double heatAndStretchOf(std::size_t node) const;
   void gatherForces(const std::vector<double>& vx, const std::vector<double>& vy);
 
   /// The mesh as the loop over triangles reads it, and what that loop gives.
