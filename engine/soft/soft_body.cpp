@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/geometric.hpp>
+
 namespace carom {
 namespace {
 
@@ -133,6 +135,7 @@ SoftBody::SoftBody(std::shared_ptr<const SoftMesh> mesh, const SoftMaterial& mat
     state_.e.push_back(energy);
     state_.vx.push_back(vx);
     state_.vy.push_back(vy);
+    state_.clock.push_back(0.0);
   }
   tried_ = state_;
   for (std::vector<double>* each :
@@ -232,14 +235,108 @@ SoftBodyDeformation SoftBody::deformationAt(std::size_t triangle, double vx, dou
   return deformationOf(xx + alongX * vx, xy + alongY * vx, yx + alongX * vy, yy + alongY * vy);
 }
 
-double SoftBody::longestStep() const {
-  double least = std::numeric_limits<double>::infinity();
-  const Triangles& t = triangles_;
-  for (std::size_t c = 0; c < t.mass.size(); ++c) {
-    const double across = t.altitude[c] * deformationAt(c, 0.0, 0.0).least;
-    least = across < least ? across : least;
+glm::dvec2 SoftBody::meanVelocity() const {
+  glm::dvec2 momentum(0.0);
+  double energy = 0.0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    momentum += glm::dvec2(state_.px[i], state_.py[i]);
+    energy += state_.e[i];
   }
-  return kStepShare * least;
+  return momentum / energy;
+}
+
+glm::dvec2 SoftBody::centre() const {
+  glm::dvec2 sum(0.0);
+  double energy = 0.0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    sum += state_.e[i] * place(i);
+    energy += state_.e[i];
+  }
+  return sum / energy;
+}
+
+double SoftBody::unrest() const {
+  const glm::dvec2 V = meanVelocity();
+  const double gammaV = 1.0 / std::sqrt(1.0 - glm::dot(V, V));
+  double energy = 0.0;
+  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) energy += elasticEnergy(ownDeformation(c), c);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const glm::dvec2 v = velocity(i);
+    // γ(w) = γ(v) γ(V) (1 − v·V), and w² = 1 − 1/γ².
+    const double gammaW = gammaV * (1.0 - glm::dot(v, V)) / std::sqrt(1.0 - glm::dot(v, v));
+    energy += 0.5 * mass_ * mesh_->nodeShare(i) * (1.0 - 1.0 / (gammaW * gammaW));
+  }
+  return energy / mass_;
+}
+
+double SoftBody::reachFrom(const glm::dvec2& from) const {
+  double farthest2 = 0.0;
+  for (const int node : mesh_->hull()) {
+    const glm::dvec2 arm = place(static_cast<std::size_t>(node)) - from;
+    farthest2 = std::max(farthest2, glm::dot(arm, arm));
+  }
+  return std::sqrt(farthest2);
+}
+
+glm::dvec2 SoftBody::place(const SoftMesh::Inside& inside) const {
+  glm::dvec2 sum(0.0);
+  for (std::size_t k = 0; k < 3; ++k) sum += inside.shares[k] * place(inside.nodes[k]);
+  return sum;
+}
+
+glm::dvec2 SoftBody::velocity(const SoftMesh::Inside& inside) const {
+  glm::dvec2 sum(0.0);
+  for (std::size_t k = 0; k < 3; ++k) sum += inside.shares[k] * velocity(inside.nodes[k]);
+  return sum;
+}
+
+double SoftBody::clock(const SoftMesh::Inside& inside) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) sum += inside.shares[k] * state_.clock[inside.nodes[k]];
+  return sum;
+}
+
+void SoftBody::setClocks(double clock) { std::fill(state_.clock.begin(), state_.clock.end(), clock); }
+
+// The rotation that brings the relaxed places nearest to the places in the body's own frame: tan φ = Σ m X ×
+// y / Σ m X · y.
+glm::dvec2 SoftBody::turned() const {
+  const glm::dvec2 V = meanVelocity();
+  const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(V, V)), stretch = gamma * gamma / (gamma + 1.0);
+  const glm::dvec2 centre = this->centre();
+  double along = 0.0, across = 0.0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const glm::dvec2 X = mesh_->places()[i], d = place(i) - centre, y = d + stretch * glm::dot(V, d) * V;
+    along += mesh_->nodeShare(i) * glm::dot(X, y);
+    across += mesh_->nodeShare(i) * (X.x * y.y - X.y * y.x);
+  }
+  return glm::dvec2(along, across) / std::sqrt(along * along + across * across);
+}
+
+void SoftBody::coast(double duration) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double x = state_.vx[i], y = state_.vy[i];
+    state_.x[i] += duration * x;
+    state_.y[i] += duration * y;
+    state_.clock[i] += duration * std::sqrt(1.0 - x * x - y * y);
+  }
+}
+
+void SoftBody::settle() {
+  const glm::dvec2 axis = turned();
+  const SoftTotals sums = totals();
+  const glm::dvec2 V(sums.momentum.x / sums.momentum.t, sums.momentum.y / sums.momentum.t);
+  const double share = contraction(V.x, V.y);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const glm::dvec2 X = mesh_->places()[i], d(axis.x * X.x - axis.y * X.y, axis.y * X.x + axis.x * X.y);
+    const glm::dvec2 place = sums.centre + d - share * glm::dot(V, d) * V;
+    const double part = mesh_->nodeShare(i);
+    state_.x[i] = place.x, state_.y[i] = place.y;
+    state_.e[i] = part * sums.momentum.t;
+    state_.px[i] = part * sums.momentum.x, state_.py[i] = part * sums.momentum.y;
+    state_.vx[i] = V.x, state_.vy[i] = V.y;
+  }
+  gatherForces(state_.vx, state_.vy);
 }
 
 void SoftBody::drift(double dt) {
@@ -251,6 +348,7 @@ void SoftBody::drift(double dt) {
 
 void SoftBody::tryStep(double dt, bool middle) {
   gatherForces(middle ? middleX_ : state_.vx, middle ? middleY_ : state_.vy);
+  if (!middle) tried_.vx = state_.vx, tried_.vy = state_.vy;
   for (std::size_t i = 0; i < size(); ++i) {
     tried_.px[i] = state_.px[i] + dt * forceX_[i];
     tried_.py[i] = state_.py[i] + dt * forceY_[i];
@@ -278,8 +376,16 @@ void SoftBody::commit(double dt) {
     for (std::size_t k = 0; k < 3; ++k)
       tried_.e[static_cast<std::size_t>(t.node[k][c])] += dt * (power[k] - third);
   }
-  for (std::size_t i = 0; i < size(); ++i)
-    state_.e[i] = tried_.e[i] + dt * (pushX_[i] * middleX_[i] + pushY_[i] * middleY_[i]);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double x = middleX_[i], y = middleY_[i];
+    state_.e[i] = tried_.e[i];
+    state_.clock[i] += dt * std::sqrt(1.0 - x * x - y * y);
+  }
+  for (std::size_t i = 0; isPushed_ && i < size(); ++i) {
+    const double work = dt * (pushX_[i] * middleX_[i] + pushY_[i] * middleY_[i]);
+    state_.e[i] += work;
+    state_.pushed = state_.pushed + Vec21{work, dt * pushX_[i], dt * pushY_[i]};
+  }
   state_.px = tried_.px;
   state_.py = tried_.py;
   invert(state_.px, state_.py, state_.e, tried_.vx, tried_.vy);
@@ -297,9 +403,12 @@ glm::dvec2 SoftBody::stressMomentum(std::size_t i, const glm::dvec2& v) const {
 void SoftBody::push(std::size_t node, const glm::dvec2& force) {
   pushX_[node] += force.x;
   pushY_[node] += force.y;
+  isPushed_ = true;
 }
 
 void SoftBody::endPushes() {
+  if (!isPushed_) return;
+  isPushed_ = false;
   std::fill(pushX_.begin(), pushX_.end(), 0.0);
   std::fill(pushY_.begin(), pushY_.end(), 0.0);
 }
@@ -314,8 +423,7 @@ SoftBodyDeformation SoftBody::ownDeformation(std::size_t triangle) const {
   return deformationAt(triangle, vx, vy);
 }
 
-double SoftBody::elasticEnergy(std::size_t triangle) const {
-  const Deformation f = ownDeformation(triangle);
+double SoftBody::elasticEnergy(const SoftBodyDeformation& f, std::size_t triangle) const {
   const double a = material_.soundSpeed * material_.soundSpeed;
   return 0.5 * a * (f.sum * (1.0 + 1.0 / f.area) - 4.0) * triangles_.mass[triangle];
 }
@@ -329,7 +437,7 @@ double SoftBody::heatAndStretchOf(std::size_t i) const {
 SoftTotals SoftBody::totals() const {
   SoftTotals totals;
   double elastic = 0.0;
-  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) elastic += elasticEnergy(c);
+  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) elastic += elasticEnergy(ownDeformation(c), c);
   for (std::size_t i = 0; i < size(); ++i) {
     totals.momentum = totals.momentum + Vec21{state_.e[i], state_.px[i], state_.py[i]};
     totals.centre += state_.e[i] * place(i);
@@ -345,14 +453,22 @@ SoftTotals SoftBody::totals() const {
   return totals;
 }
 
-bool SoftBody::isSound() const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (!(state_.vx[i] * state_.vx[i] + state_.vy[i] * state_.vy[i] < kFastest * kFastest)) return false;
-  }
+SoftSurvey SoftBody::survey() const {
+  SoftSurvey survey{true, std::numeric_limits<double>::infinity(), 0.0};
   for (std::size_t c = 0; c < triangles_.mass.size(); ++c) {
-    if (!(ownDeformation(c).area > kLeastArea)) return false;
+    const Deformation f = ownDeformation(c);
+    const double across = triangles_.altitude[c] * deformationAt(c, 0.0, 0.0).least;
+    survey.longestStep = across < survey.longestStep ? across : survey.longestStep;
+    survey.isSound = survey.isSound && f.area > kLeastArea;
+    survey.heat -= elasticEnergy(f, c);
   }
-  return true;
+  survey.longestStep *= kStepShare;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double speed2 = state_.vx[i] * state_.vx[i] + state_.vy[i] * state_.vy[i];
+    survey.isSound = survey.isSound && speed2 < kFastest * kFastest;
+    survey.heat += heatAndStretchOf(i);
+  }
+  return survey;
 }
 
 }  // namespace carom

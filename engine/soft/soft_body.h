@@ -1,13 +1,16 @@
 #pragma once
-// A body whose vertices move by their own equations: relativistic hyperelasticity on triangles. c = 1, metres, board frame.
+// A body whose vertices move by their own equations: relativistic hyperelasticity on triangles. c = 1,
+// metres, board frame.
 //
-// The rest energy of a piece of matter depends on its own-frame stretch alone (Carter and Quintana 1972; Beig and Schmidt 2003).
-// With the principal stretches λ1, λ2 of a triangle, in its own frame, and a = (sound speed of relaxed matter)²,
+// The rest energy of a piece of matter depends on its own-frame stretch alone (Carter and Quintana 1972; Beig
+// and Schmidt 2003). With the principal stretches λ1, λ2 of a triangle, in its own frame, and a = (sound
+// speed of relaxed matter)²,
 //     W = (a/2)(λ1 + 1/λ1 − 2) + (a/2)(λ2 + 1/λ2 − 2) = (a/2)(I (1 + 1/D) − 4)      per rest mass
 //     F' = L⁻¹ F,  F = Σ x_i ⊗ B_i,  D = det F',  I = λ1 + λ2 = sqrt(|F'|² + 2D),  L⁻¹ d = d + γ²/(γ+1) (v·d) v
 //     P = dW/dF' = s F' + q cof F',   s = a (1 + 1/D)/(2I),   q = s − a I/(2D²)
-// with B_i the gradients of the corners' shares and v the triangle's mean velocity. A viscous stress in the same frame settles
-// ringing and makes shocks: with l = γ L⁻¹ (Σ v_i ⊗ B_i) F'⁻¹, d = sym l, h the triangle's altitude and λ the lesser stretch,
+// with B_i the gradients of the corners' shares and v the triangle's mean velocity. A viscous stress in the
+// same frame settles ringing and makes shocks: with l = γ L⁻¹ (Σ v_i ⊗ B_i) F'⁻¹, d = sym l, h the triangle's
+// altitude and λ the lesser stretch,
 //     P += ν d F'⁻ᵀ,   ν = h λ (z c_loc + h λ |d|),   c_loc² = (a/D)/(1 − a + a/D)
 // Everything is in the energies E_i and momenta π_i of the nodes, so that totals are telescoping sums:
 //     f_ic = −(m_c/γ) L⁻¹ P B_i,   Σ_i f_ic = 0        dπ_i/dt = Σ_c f_ic
@@ -33,6 +36,14 @@ struct SoftMaterial {
 };
 inline constexpr double kStiffestSound = 0.7;
 
+/// What a step is checked by (engine/soft/soft_group.h).
+struct SoftSurvey {
+  bool isSound = false;  ///< no node near light speed, no triangle turned over
+  double longestStep =
+      0.0;            ///< 0.3 of the least time in which light crosses a triangle, as the board sees it
+  double heat = 0.0;  ///< as in SoftTotals
+};
+
 /// Sums over a body, on the board's slice of simultaneity.
 struct SoftTotals {
   Vec21 momentum;           ///< (E, P)
@@ -50,10 +61,12 @@ struct SoftBodyDeformation {
   double sum, least;      ///< of the principal stretches
 };
 
-/// The state of a soft body between two steps, and one step of it without contacts. SoftGroup advances bodies.
+/// The state of a soft body between two steps, and one step of it without contacts. SoftGroup advances
+/// bodies.
 class SoftBody {
  public:
-  /// Makes a relaxed, contracted body of this rest mass (kg) whose centre is at `centre` with the four-velocity `u`.
+  /// Makes a relaxed, contracted body of this rest mass (kg) whose centre is at `centre` with the
+  /// four-velocity `u`.
   SoftBody(std::shared_ptr<const SoftMesh> mesh, const SoftMaterial& material, double mass,
            const glm::dvec2& centre, const Vec21& u, InstructionSet instructions = bestInstructionSet());
 
@@ -65,14 +78,38 @@ class SoftBody {
   glm::dvec2 velocity(std::size_t node) const { return {state_.vx[node], state_.vy[node]}; }
   SoftTotals totals() const;
 
-  /// Returns the longest step that the state allows: 0.3 of the least time in which sound at light speed crosses a triangle, as
-  /// the board sees it.
-  double longestStep() const;
+  SoftSurvey survey() const;
+  /// Computes the stresses by the state alone: `survey` and `totals` read them, and steps leave those of
+  /// their middles.
+  void refresh() { gatherForces(state_.vx, state_.vy); }
+  glm::dvec2 centre() const;  ///< of energy
+  /// Returns the mean velocity P/E.
+  glm::dvec2 meanVelocity() const;
+  /// Returns the energy, over the mass, of what moves the nodes beside their mean velocity: stretches, and
+  /// ½ Σ m_i w_i² with w_i the node's speed in the frame of P/E.
+  double unrest() const;
+  /// Returns how far the farthest node is from a place.
+  double reachFrom(const glm::dvec2& place) const;
+  /// A place of the relaxed body as it is now.
+  glm::dvec2 place(const SoftMesh::Inside& inside) const;
+  glm::dvec2 velocity(const SoftMesh::Inside& inside) const;
+  /// Returns the own clock of a place; every node's shows 0 where the body was made.
+  double clock(const SoftMesh::Inside& inside) const;
+  void setClocks(double clock);
+  /// Returns how the body is turned against its relaxed places: (cos, sin) of the angle that fits best in its
+  /// own frame.
+  glm::dvec2 turned() const;
+
+  /// Flies on freely, for as long as its nodes keep their velocities: exact for a relaxed body.
+  void coast(double duration);
+  /// Makes the body relaxed, turned as it is, with the same energy, momentum and centre of energy: what else
+  /// it has of energy becomes heat, spread evenly.
+  void settle();
 
   /// The parts of a step, in their order (soft_group.cpp). All nodes drift with their velocities.
   void drift(double dt);
-  /// Computes the forces at the places and the velocities of the start (`middle` false) or of the middle of the step, and the
-  /// momenta and velocities with which the step would end.
+  /// Computes the forces at the places and the velocities of the start (`middle` false) or of the middle of
+  /// the step, and the momenta and velocities with which the step would end.
   void tryStep(double dt, bool middle);
   /// Takes the mean of the velocities at the start and at the end as those of the middle.
   void setMiddle();
@@ -95,13 +132,13 @@ class SoftBody {
   void push(std::size_t node, const glm::dvec2& force);
   void endPushes();
 
-  /// Whether the state can be followed: no node near light speed, no triangle turned over.
-  bool isSound() const;
   struct State {
     std::vector<double> x, y, px, py, e, vx, vy;
+    std::vector<double> clock;  ///< own time of the nodes
+    Vec21 pushed;               ///< energy and momentum that outer forces have given
   };
   const State& state() const { return state_; }
-  void restore(const State& state) { state_ = state; }
+  void restore(const State& state) { state_ = state; }  ///< the stresses stay
 
  private:
   void invert(const std::vector<double>& px, const std::vector<double>& py, const std::vector<double>& e,
@@ -110,7 +147,7 @@ class SoftBody {
   /// Returns the deformation of a triangle in its own frame.
   SoftBodyDeformation ownDeformation(std::size_t triangle) const;
   /// Returns the energy of a triangle's stretch, in its own frame.
-  double elasticEnergy(std::size_t triangle) const;
+  double elasticEnergy(const SoftBodyDeformation& f, std::size_t triangle) const;
   /// Returns the energy of a node in its own frame beyond its mass: heat, and its share of the stretch.
   double heatAndStretchOf(std::size_t node) const;
   void gatherForces(const std::vector<double>& vx, const std::vector<double>& vy);
@@ -134,6 +171,7 @@ class SoftBody {
   std::vector<double> forceX_, forceY_;    // on the nodes
   std::vector<double> stressXX_, stressXY_, stressYY_;
   std::vector<double> pushX_, pushY_;
+  bool isPushed_ = false;
 };
 
 }  // namespace carom

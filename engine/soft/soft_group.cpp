@@ -10,8 +10,9 @@
 namespace carom {
 namespace {
 
-constexpr int kPasses = 4;    // over the touches of a stage
-constexpr int kHalvings = 4;  // of a step that cannot be followed
+constexpr int kPasses = 4;         // over the touches of a stage
+constexpr int kHalvings = 4;       // of a step that cannot be followed
+constexpr double kCooling = 1e-3;  // of a body's mass, by which its heat must not fall in a step
 
 /// The box around a hull.
 struct Box {
@@ -56,7 +57,7 @@ void SoftGroup::findTouches(std::size_t body, std::size_t other) {
   for (const int node : own.mesh().hull()) {
     const glm::dvec2 place = own.place(static_cast<std::size_t>(node));
     if (!box.holds(place) || !holds(its, place)) continue;
-    Touch touch{body, static_cast<std::size_t>(node), other, 0, 0, 0.0, 0.0, {}};
+    Touch touch{body, static_cast<std::size_t>(node), other, 0, 0, 0.0, 0.0, 0.0, {}};
     double least = std::numeric_limits<double>::infinity();
     auto from = static_cast<std::size_t>(hull.back());
     for (const int next : hull) {
@@ -70,6 +71,7 @@ void SoftGroup::findTouches(std::size_t body, std::size_t other) {
         touch.edgeFrom = from, touch.edgeTo = to;
         touch.shareFrom = 1.0 - share, touch.shareTo = share;
         touch.normal = glm::dvec2(along.y, -along.x) / glm::length(along);
+        touch.depth = std::sqrt(distance2);
       }
       from = to;
     }
@@ -86,14 +88,34 @@ void SoftGroup::findTouches() {
   }
 }
 
+SoftExchange& SoftGroup::exchange(std::size_t body, std::size_t other, std::size_t cushion) {
+  for (SoftExchange& known : exchanges_) {
+    if (known.body == body && known.other == other && known.cushion == cushion) return known;
+  }
+  return exchanges_.emplace_back(SoftExchange{body, other, cushion, {}, -1.0, {}});
+}
+
+namespace {
+
+/// Notes a node that is `depth` beyond a surface in the middle of a step and went there at `speed`, if it was
+/// the first.
+void noteArrival(SoftExchange& exchange, double dt, double depth, double speed, const glm::dvec2& surface) {
+  const double since = 0.5 * dt + (speed > 0.0 ? std::min(depth / speed, dt) : 0.0);
+  if (since > exchange.since) exchange.since = since, exchange.place = surface;
+}
+
+}  // namespace
+
 /// Takes the part of the velocities that goes on into a cushion. `counts`: in the stage that holds.
-void SoftGroup::meetCushions(bool counts) {
+void SoftGroup::meetCushions(double dt, bool counts) {
   for (std::size_t k = 0; k < cushions_.size(); ++k) {
     const SoftCushion& cushion = cushions_[k];
-    for (SoftBody* body : bodies_) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      SoftBody* body = bodies_[b];
       for (const int node : body->mesh().hull()) {
         const auto i = static_cast<std::size_t>(node);
-        if (glm::dot(cushion.normal, body->place(i)) <= cushion.offset) continue;
+        const double depth = glm::dot(cushion.normal, body->place(i)) - cushion.offset;
+        if (depth <= 0.0) continue;
         const SoftBody::Trial trial = body->trial(i);
         const double into = trial.ux * cushion.normal.x + trial.uy * cushion.normal.y;
         if (!(into > 0.0)) continue;
@@ -105,14 +127,19 @@ void SoftGroup::meetCushions(bool counts) {
         trial.py += impulse.y;
         trial.ux = after.x;
         trial.uy = after.y;
-        if (counts) impulses_[k] += impulse, touched_[k] = true;
+        if (!counts) continue;
+        impulses_[k] += impulse;
+        SoftExchange& noted = exchange(b, SoftExchange::kNone, k);
+        noted.impulse += impulse;
+        noteArrival(noted, dt, depth, glm::dot(body->velocity(i), cushion.normal),
+                    body->place(i) - depth * cushion.normal);
       }
     }
   }
 }
 
 /// Exchanges momentum and energy at a touch. Returns whether the two approached.
-bool SoftGroup::meet(const Touch& touch) {
+bool SoftGroup::meet(const Touch& touch, double dt, bool counts) {
   SoftBody &own = *bodies_[touch.body], &its = *bodies_[touch.other];
   const glm::dvec2& n = touch.normal;
   const SoftBody::Trial i = own.trial(touch.node), j = its.trial(touch.edgeFrom), k = its.trial(touch.edgeTo);
@@ -125,7 +152,8 @@ bool SoftGroup::meet(const Touch& touch) {
   const double lambda = i.e * (V - ownSpeed) / (1.0 - V * V);
   const double changeJ = wj * (edgeEnergy / j.e) * (V - edgeSpeed),
                changeK = wk * (edgeEnergy / k.e) * (V - edgeSpeed);
-  // Mean normal velocities, from the beginning of the step: with the candidate's, a lasting contact would heat its nodes.
+  // Mean normal velocities, from the beginning of the step: with the candidate's, a lasting contact would
+  // heat its nodes.
   const double muI = 0.5 * (glm::dot(own.velocity(touch.node), n) + V);
   const double muJ = 0.5 * (glm::dot(its.velocity(touch.edgeFrom), n) + (j.ux * n.x + j.uy * n.y) + changeJ);
   const double muK = 0.5 * (glm::dot(its.velocity(touch.edgeTo), n) + (k.ux * n.x + k.uy * n.y) + changeK);
@@ -137,14 +165,24 @@ bool SoftGroup::meet(const Touch& touch) {
     trial.ux += change * n.x;
     trial.uy += change * n.y;
   };
+  if (counts) {
+    const bool inOrder = touch.body < touch.other;
+    SoftExchange& noted =
+        exchange(inOrder ? touch.body : touch.other, inOrder ? touch.other : touch.body, SoftExchange::kNone);
+    noted.impulse += (inOrder ? lambda : -lambda) * n;
+    const double closing = glm::dot(
+        wj * its.velocity(touch.edgeFrom) + wk * its.velocity(touch.edgeTo) - own.velocity(touch.node), n);
+    noteArrival(noted, dt, touch.depth, closing, own.place(touch.node) + touch.depth * n);
+  }
   take(i, lambda, lambda * muI + rest, V - ownSpeed);
   take(j, -wj * lambda, -wj * lambda * muJ + wj * rest, changeJ);
   take(k, -wk * lambda, -wk * lambda * muK + wk * rest, changeK);
   return true;
 }
 
-/// Gives the held nodes the velocity V of the told body: λ = (E V − L τ v − π)/(1 − V²) along each axis, E += λ·V.
-void SoftGroup::hold() {
+/// Gives the held nodes the velocity V of the told body: λ = (E V − L τ v − π)/(1 − V²) along each axis, E +=
+/// λ·V.
+void SoftGroup::hold(bool counts) {
   for (const HeldSide& side : held_) {
     SoftBody& body = *bodies_[side.body];
     for (const int node : side.nodes) {
@@ -159,50 +197,66 @@ void SoftGroup::hold() {
       trial.px += impulse.x;
       trial.py += impulse.y;
       trial.e += glm::dot(impulse, V);
+      if (counts) given_ = given_ + Vec21{glm::dot(impulse, V), impulse.x, impulse.y};
       trial.ux = V.x;
       trial.uy = V.y;
     }
   }
 }
 
+void SoftGroup::carryHeld() {
+  for (const HeldSide& side : held_) {
+    for (const int node : side.nodes)
+      bodies_[side.body]->carry(static_cast<std::size_t>(node), side.velocity);
+  }
+}
+
 bool SoftGroup::tryStep(double dt) {
+  exchanges_.clear();
+  carryHeld();
   for (SoftBody* body : bodies_) body->drift(0.5 * dt);
   findTouches();
   for (const bool middle : {false, true}) {
     for (SoftBody* body : bodies_) body->tryStep(dt, middle);
-    meetCushions(middle);
+    meetCushions(dt, middle);
     for (int pass = 0; pass < kPasses; ++pass) {
       bool approached = false;
-      for (const Touch& touch : touches_) approached = meet(touch) || approached;
+      for (const Touch& touch : touches_) approached = meet(touch, dt, middle) || approached;
       if (!approached) break;
     }
-    hold();
+    hold(middle);
     for (SoftBody* body : bodies_) body->setMiddle();
   }
   for (SoftBody* body : bodies_) {
     body->commit(dt);
   }
-  for (const HeldSide& side : held_) {
-    for (const int node : side.nodes)
-      bodies_[side.body]->carry(static_cast<std::size_t>(node), side.velocity);
-  }
+  carryHeld();
   for (SoftBody* body : bodies_) body->drift(0.5 * dt);
-  return std::all_of(bodies_.begin(), bodies_.end(), [](const SoftBody* body) { return body->isSound(); });
+  nextSurveys_.clear();
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    nextSurveys_.push_back(bodies_[k]->survey());
+    const SoftSurvey& survey = nextSurveys_.back();
+    failed_ = k;
+    if (!(survey.isSound && survey.heat >= surveys_[k].heat - kCooling * bodies_[k]->mass())) return false;
+  }
+  std::swap(surveys_, nextSurveys_);
+  return true;
 }
 
 double SoftGroup::step(double most) {
   double dt = most;
-  for (const SoftBody* body : bodies_) dt = std::min(dt, body->longestStep());
+  for (const SoftSurvey& survey : surveys_) dt = std::min(dt, survey.longestStep);
   for (std::size_t k = 0; k < bodies_.size(); ++k) before_[k] = bodies_[k]->state();
   impulsesBefore_ = impulses_;
+  givenBefore_ = given_;
   for (int halving = 0; halving <= kHalvings; ++halving) {
-    touched_.assign(cushions_.size(), false);
     if (tryStep(dt)) return dt;
     for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k]->restore(before_[k]);
     impulses_ = impulsesBefore_;
+    given_ = givenBefore_;
     dt *= 0.5;
   }
-  throw std::runtime_error("a soft body cannot be followed");
+  throw SoftStepFailure(failed_);
 }
 
 void SoftGroup::advance(double duration) {

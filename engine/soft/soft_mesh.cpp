@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -11,7 +12,8 @@
 namespace carom {
 namespace {
 
-/// The gradients of the three corners' shares: the side opposite to a corner, turned inwards, over twice the area.
+/// The gradients of the three corners' shares: the side opposite to a corner, turned inwards, over twice the
+/// area.
 SoftMesh::Triangle triangleOf(const std::array<int, 3>& nodes, std::span<const glm::dvec2> places) {
   SoftMesh::Triangle triangle;
   triangle.nodes = nodes;
@@ -54,6 +56,23 @@ SoftMesh::SoftMesh(std::vector<glm::dvec2> places, const std::vector<std::array<
     firstCorner_.push_back(corners_.size());
   }
   for (const glm::dvec2& place : places_) reach_m_ = std::max(reach_m_, glm::length(place));
+}
+
+SoftMesh::Inside SoftMesh::locate(const glm::dvec2& place) const {
+  Inside best;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const Triangle& triangle : triangles_) {
+    Inside inside;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The share of a corner is 1 there and falls along its gradient.
+      inside.nodes[k] = static_cast<std::size_t>(triangle.nodes[k]);
+      inside.shares[k] = 1.0 + glm::dot(triangle.gradients[k], place - places_[inside.nodes[k]]);
+      least = std::min(least, inside.shares[k]);
+    }
+    if (least > deepest) deepest = least, best = inside;
+  }
+  return best;
 }
 
 SoftMesh softDisc(double radius_m, int cells) {

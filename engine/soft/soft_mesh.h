@@ -1,5 +1,6 @@
 #pragma once
-// The triangles of a soft body at rest: a disc of rings, or a rectangle of squares. Metres, from the body's centre.
+// The triangles of a soft body at rest: a disc of rings, or a rectangle of squares. Metres, from the body's
+// centre.
 // Theory: app/doc/physics.md, Soft bodies.
 
 #include <array>
@@ -42,7 +43,14 @@ class SoftMesh {
     return std::span(corners_).subspan(firstCorner_[node], firstCorner_[node + 1] - firstCorner_[node]);
   }
   double nodeShare(std::size_t node) const { return nodeShares_[node]; }  ///< of the body's mass
-  double reach_m() const { return reach_m_; }                             ///< of the farthest node
+  /// A place of the relaxed body as the mean of three nodes, by shares that sum to 1.
+  struct Inside {
+    std::array<std::size_t, 3> nodes{};
+    std::array<double, 3> shares{};
+  };
+  /// Returns where a place is; one between the hull and the round rim belongs to the nearest triangle.
+  Inside locate(const glm::dvec2& place) const;
+  double reach_m() const { return reach_m_; }  ///< of the farthest node
 
  private:
   std::vector<glm::dvec2> places_;
@@ -57,8 +65,8 @@ class SoftMesh {
 /// Returns a disc: a centre and `cells` rings; ring k has 6 k nodes. In all 6 cells² triangles.
 SoftMesh softDisc(double radius_m, int cells);
 
-/// Returns a rectangle around the origin: squares with `cells` of them along the longer half extent, and all diagonals the same
-/// way: alternating ones would give neighbours of mass ratio 2 under equal forces.
+/// Returns a rectangle around the origin: squares with `cells` of them along the longer half extent, and all
+/// diagonals the same way: alternating ones would give neighbours of mass ratio 2 under equal forces.
 SoftMesh softRectangle(const glm::dvec2& halfExtents_m, int cells);
 
 }  // namespace carom

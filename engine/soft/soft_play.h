@@ -1,0 +1,176 @@
+#pragma once
+// Plays all soft bodies of a table, in slices of board time beside a game of rigid pucks. c = 1, metres,
+// board frame.
+//
+// A relaxed body in free flight is exact and costs nothing: it is asleep. It wakes at the start of the slice
+// in which the circle around it meets a cushion, a stroke, a turn of the told body that holds it, or the
+// circle of another body, and sleeps again when it has been left alone for 2R/c_s (c_s the speed of sound in
+// the relaxed body), its elastic energy and the motion of its nodes beside its mean motion are below 1e-5 of
+// its mass, and its spin below 1e-6 M R: the rest of its energy is heat then. Bodies within reach of each
+// other take common steps; others do not know of each other.
+//
+// A stroke p pushes the half of a body that faces it for T = 2R/c_s: node i takes the force w_i p/T, with
+//     w_i = m_i max(0, −X_i·p̂) / Σ m_j max(0, −X_j·p̂)        X_i its relaxed place from the centre, as the body is turned
+// from the moment at which the light of the hand has reached the node; without a place of the hand all nodes
+// at once.
+// Theory: app/doc/physics.md, Soft bodies.
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/soft/soft_body.h"
+#include "engine/soft/soft_group.h"
+
+namespace carom {
+
+/// A side of a rectangle that moves as a told body does.
+struct SoftHold {
+  /// The told body's motion from a time on, in the order of time; before the first it moves as the soft body.
+  struct Turn {
+    double time = 0.0;
+    glm::dvec2 velocity{0.0};
+  };
+  bool isPlusX = false;  ///< the side +x; otherwise −x
+  std::vector<Turn> turns;
+};
+
+/// A body as it comes into the play: relaxed.
+struct SoftEntry {
+  std::string name;
+  std::shared_ptr<const SoftMesh> mesh;
+  SoftMaterial material;
+  double mass = 0.0;
+  glm::dvec2 centre{0.0};
+  Vec21 u{1.0, 0.0, 0.0};
+  double clock = 0.0;
+  std::vector<SoftHold> holds{};
+};
+
+struct SoftStroke {
+  std::size_t body = 0;
+  Vec21 hand;           ///< its event; without a place only the time counts
+  double height = 0.0;  ///< of the hand above the board's plane of centres
+  bool hasPlace = false;
+  glm::dvec2 momentum{0.0};
+};
+
+/// A rigid body near by, at the start of a slice.
+struct RigidNeighbour {
+  glm::dvec2 place{0.0};
+  double radius = 0.0;
+};
+
+/// Touches of two bodies, or of a body and a cushion, less than 2R/c_s apart: one collision.
+struct SoftCollision {
+  std::size_t body = 0;
+  std::size_t other = SoftExchange::kNone;    ///< the other body
+  std::size_t cushion = SoftExchange::kNone;  ///< or the cushion
+  Vec21 contact;                              ///< the first touch
+  double lastTouch = 0.0;                     ///< the end of the last step in which they touched
+  bool isOver = false;                        ///< they have not touched for 2R/c_s
+  glm::dvec2 impulse{0.0};                    ///< received by `body`
+  double heatBefore = 0.0, heatAfter = 0.0;   ///< of both bodies, at the contact and at the last touch
+  double heat() const { return heatAfter - heatBefore; }
+};
+
+/// What the play exchanges with the rest of the world.
+struct SoftAccounts {
+  Vec21 motion;           ///< of the bodies
+  glm::dvec2 taken{0.0};  ///< momentum, by the cushions
+  Vec21 givenByStrokes;
+  Vec21 givenByHolders;
+  double heat = 0.0;  ///< Σ (rest mass − cold mass)
+};
+
+/// A body that could not be followed and goes on in its mean motion.
+struct SoftFrozen {
+  std::size_t body = 0;
+  double time = 0.0;
+};
+
+class SoftPlay {
+ public:
+  static constexpr double kSlice = 0.005;  ///< of board time
+
+  explicit SoftPlay(std::vector<SoftCushion> cushions);
+  ~SoftPlay();
+  SoftPlay(SoftPlay&&) noexcept;
+  SoftPlay& operator=(SoftPlay&&) noexcept;
+
+  /// Adds a body, asleep, at the present time. Returns its number; numbers follow the order in which bodies
+  /// come.
+  std::size_t add(const SoftEntry& entry);
+  void addStroke(const SoftStroke& stroke);
+
+  /// Returns the present: a multiple of kSlice.
+  double time() const;
+  /// Returns which of these rigid bodies come within reach of a soft one in the next slice. They want to be
+  /// added.
+  std::vector<std::size_t> reached(std::span<const RigidNeighbour> rigid) const;
+  /// Plays the next slice, or its part until `until`, after which nothing more can be played.
+  void playSlice(double until = std::numeric_limits<double>::infinity());
+
+  // Of a body, at the present.
+  std::size_t size() const;
+  const std::string& name(std::size_t body) const;
+  const SoftBody& body(std::size_t body) const;
+  bool isAwake(std::size_t body) const;
+  /// The energy's centre with its mean velocity, momentum and heat.
+  SoftTotals totals(std::size_t body) const;
+  glm::dvec2 place(std::size_t body, const SoftMesh::Inside& inside) const;
+  glm::dvec2 velocity(std::size_t body, const SoftMesh::Inside& inside) const;
+  double clock(std::size_t body, const SoftMesh::Inside& inside) const;
+
+  /// The collisions, in the order of their first touches as the play found them, since its beginning.
+  std::span<const SoftCollision> collisions() const;
+  std::span<const SoftFrozen> frozen() const;
+  SoftAccounts accounts() const;
+  /// Returns when a stroke began to push, by its number in the order of addition.
+  std::optional<double> strokeBegan(std::size_t stroke) const;
+
+  /// Calls `stepped` with the number of a body and the time after every step of it, when it wakes, when it
+  /// falls asleep, and at the end of a slice.
+  void watch(std::function<void(std::size_t body, double time)> stepped);
+
+  /// A point of the play to which it can return.
+  struct Snapshot;
+  std::shared_ptr<const Snapshot> snapshot() const;
+  void restore(const Snapshot& snapshot);
+
+ private:
+  struct Player;
+  struct Push;
+  struct Present;
+  struct Cluster;
+
+  glm::dvec2 centreOf(const Player& player) const;
+  void wakeAll(double end);
+  bool mustWake(const Player& player, double end) const;
+  bool meetsAnother(const Player& player) const;
+  void wake(Player& player);
+  void fallAsleep(Player& player, bool atOnce);
+  void restTheQuiet();
+  bool isPushedBefore(const Player& player, double end) const;
+  std::vector<std::vector<std::size_t>> clusters() const;
+  void play(const std::vector<std::size_t>& members, double end);
+  double nextCut(const Cluster& cluster, double end) const;
+  void setHolds(Cluster& cluster);
+  void setPushes(Cluster& cluster);
+  void begin(Push& push, double time);
+  void note(const Cluster& cluster);
+  void book(const Cluster& cluster);
+  void freeze(Player& player, double time);
+  void endCollisions();
+  void tell(std::size_t body) const;
+
+  std::vector<SoftCushion> cushions_;
+  std::unique_ptr<Present> now_;
+  std::function<void(std::size_t, double)> stepped_;
+};
+
+}  // namespace carom
