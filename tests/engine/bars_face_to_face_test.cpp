@@ -6,49 +6,19 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "engine/billiard/billiard.h"
-#include "engine/collision/outline.h"
-#include "engine/corner_games.h"
 #include "engine/newton_bodies.h"
+#include "engine/two_bars.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-
-/// How two bars meet.
-struct Meeting {
-  double thick_m, beta, restitution;
-  bool atContact;  // the convention
-  double mostTilt_rad, mostBeside_m;
-};
-
-BilliardSetup twoBars(const Meeting& meeting, unsigned seed) {
-  std::mt19937_64 random(seed);
-  const auto uniform = [&](double most) {
-    return std::uniform_real_distribution<double>(-most, most)(random);
-  };
-  BilliardSetup setup;
-  setup.lightSpeed_m_s = kC_m_s;
-  setup.rules.puckRestitution = meeting.restitution;
-  setup.rules.collisionEvent = meeting.atContact ? CollisionEvent::contact : CollisionEvent::centre;
-  for (const double side : {-1.0, 1.0}) {
-    std::vector<Vec2> corners = test::rectangle(meeting.thick_m, 0.12);
-    const double tilt = uniform(meeting.mostTilt_rad), c = std::cos(tilt), s = std::sin(tilt);
-    for (Vec2& p : corners) p = {p.x * c - p.y * s, p.x * s + p.y * c};
-    Puck bar = test::bodyOf(side < 0.0 ? "left" : "right", corners);
-    bar.inertia = momentsOf(corners).inertia;
-    bar.position_m = {0.15 * side, uniform(0.5 * meeting.mostBeside_m)};
-    bar.beta = {-side * meeting.beta, 0.0};
-    setup.pucks.push_back(bar);
-  }
-  return setup;
-}
+using test::Meeting;
+using test::twoBars;
 
 struct Row {
   int behind = 0;
@@ -121,7 +91,7 @@ TEST(BarsFaceToFace, SlowOnesEndAsNewtonsDo) {
         }
         const int blows = test::playNewton(bodies, 1.0, kUntil_m);
         Billiard game(setup);
-        game.advanceTo(kUntil_m / kC_m_s);
+        game.advanceTo(kUntil_m / setup.lightSpeed_m_s);
         EXPECT_EQ(blows == 0, game.events().empty());
         if (blows == 0 || game.events().empty()) continue;
         const Vec2 apart = lastBeta(game, 1) - lastBeta(game, 0);

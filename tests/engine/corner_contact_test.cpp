@@ -297,6 +297,22 @@ TEST(CornerContact, SquaresFaceToFaceTieInTheMiddle) {
   EXPECT_WITHIN(std::abs(there->contact.event.y), 0.03, 1e-15);
 }
 
+// The face of a square comes to a face half as long and, with its upper corner, to a slope above that. The slope is
+// later by less than what counts as one time, so that the face is the first.
+TEST(CornerContact, WhatTouchesAnotherSideAtThatTimeDoesNotMoveTheMiddle) {
+  constexpr double kLater = 2e-11;
+  const Outline square(rectangle(0.08, 0.08));
+  const std::vector<Vec2> corners{{-0.04, -0.04},         {0.08, -0.04},          {0.08, 0.06},
+                                  {-0.06 + kLater, 0.06}, {-0.02 + kLater, 0.02}, {-0.04, 0.0}};
+  ASSERT_FALSE(faultOf(corners));
+  const Outline notched(corners);
+  const auto found =
+      findCornerContact(flight({-0.5, 0.0}, {0.6, 0.0}, square), flight({0.5, 0.0}, {-0.6, 0.0}, notched));
+  ASSERT_TRUE(found && found->sideOnSide);
+  EXPECT_WITHIN(found->contact.event.x, 0.0, 1e-12);
+  EXPECT_WITHIN(found->contact.event.y, -0.02, 1e-12);
+}
+
 TEST(CornerContact, OverlappingBodiesThatApproachTouchAtOnce) {
   const Outline square(rectangle(0.08, 0.08));
   ShapedFlight left = flight({0.0, 0.0}, {0.3, 0.0}, square),
