@@ -2,8 +2,8 @@
 """Breaks the code on purpose, one small change at a time, and tells which changes no test notices.
 
 tests/mutations/*.toml lists the changes: for each source file the tests of its subject, and for each change the old
-text, the new text and what it breaks. Each change is compiled alone, into a copy of the test program of its subject;
-then those tests run until the first that fails. The tree is only read: a changed file lies in a folder of its own
+text, the new text and what it breaks. Each change is compiled alone, into copies of the test programs that hold these
+tests; then they run until the first that fails. The tree is only read: a changed file lies in a folder of its own
 under the build folder, and only the objects that contain it are compiled anew.
 
 A survivor needs a test, or code that nothing depends on is removed, or the change is argued to be equivalent: then
@@ -14,6 +14,7 @@ Do not edit sources while it runs.
 
 import argparse
 import concurrent.futures
+import fnmatch
 import hashlib
 import json
 import os
@@ -37,7 +38,6 @@ SECONDS_TO_COMPILE = 600
 @dataclass(frozen=True)
 class Mutation:
     path: str
-    program: str
     tests: str  # a filter of GoogleTest
     old: str
     new: str
@@ -75,20 +75,21 @@ def listed():
             for change in file["mutation"]:
                 if unknown := change.keys() - KEYS:
                     sys.exit(f"{table}: a change of {file['path']} has the key {unknown.pop()!r}: expected {sorted(KEYS)}")
-                mutations.append(Mutation(path=file["path"], program=file["program"],
-                                          **{"tests": file["tests"], **change}))
+                mutations.append(Mutation(path=file["path"], **{"tests": file["tests"], **change}))
     return mutations
 
 
 class Build:
     """A build folder of the unchanged tree, and what it takes to compile one change."""
 
-    def __init__(self, folder, programs):
+    def __init__(self, folder, mutations):
         self.folder = folder
         if not (folder / "build.ninja").exists():
             self.run(["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                       "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"])
+        programs = self.programs({mutation.path.split("/")[0] for mutation in mutations})
         self.run(["cmake", "--build", folder, "--target", *programs])
+        self.tests = {program: self.tests_of(program) for program in programs}
         self.launcher = [ccache] if (ccache := shutil.which("ccache")) else []
         commands = json.loads((folder / "compile_commands.json").read_text())
         compilers = [(shlex.split(entry["command"]), entry["file"]) for entry in commands]
@@ -100,6 +101,29 @@ class Build:
     def run(command):
         if subprocess.run(command).returncode != 0:
             sys.exit("the unchanged tree does not build")
+
+    def programs(self, tops):
+        """Returns the test programs of these top folders that need no display."""
+        targets = re.findall(r"^bin/(\w+): ", self.ninja("-t", "targets", "all"), re.MULTILINE)
+        return sorted(t for t in targets if re.fullmatch(f"({'|'.join(tops)})_[a-z_]+_test", t) and "_drawn_" not in t)
+
+    def tests_of(self, program):
+        """Returns the names of the tests in a program, suite and test."""
+        suite, tests = "", []
+        for line in subprocess.run([self.folder / "bin" / program, "--gtest_list_tests"],
+                                   capture_output=True, text=True, check=True).stdout.splitlines():
+            name = line.split("#")[0].strip()
+            if line.startswith(" "):
+                tests.append(suite + name)
+            else:
+                suite = name
+        return tests
+
+    def programs_with(self, tests):
+        """Returns the programs that hold tests of a filter of GoogleTest, which may have no '-'."""
+        patterns = tests.split(":")
+        return [program for program, names in self.tests.items()
+                if any(fnmatch.fnmatchcase(name, pattern) for name in names for pattern in patterns)]
 
     def ninja(self, *arguments):
         return subprocess.run(["ninja", "-C", self.folder, *arguments], capture_output=True, text=True, check=True).stdout
@@ -122,19 +146,20 @@ class Build:
         target = re.search(r"/([^/]+)\.dir/", output)
         return output in link or any(token.endswith(f"/lib{target[1]}.a") for token in link)
 
-    def make(self, mutation, limit_s=SECONDS_TO_COMPILE):
-        """Returns the program with the change, or None if it does not compile."""
+    def make(self, mutation, unchanged, limit_s=SECONDS_TO_COMPILE):
+        """Returns an unchanged program with the change; None if it does not compile, and the unchanged one if nothing in
+        it contains the file."""
         own = self.folder / "mutants" / mutation.name()
         changed = own / mutation.path
         changed.parent.mkdir(parents=True, exist_ok=True)
         changed.write_text(mutation.changed())
-        link = list(self.links[mutation.program])
+        link = list(self.links[unchanged])
         outputs = [o for o in self.objects.get(str(ROOT / mutation.path), []) if self.is_part_of(link, o)]
         if not outputs:
-            raise ValueError(f"{mutation.path} is not in {mutation.program}")
+            return self.folder / "bin" / unchanged
         for k, output in enumerate(outputs):
             command, source = self.commands[output]
-            made = str(own / f"{k}.o")
+            made = str(own / f"{unchanged}.{k}.o")
             command = [str(changed) if part == source and Path(source) == ROOT / mutation.path else
                        made if part == output else part for part in command]
             command[1:1] = [f"-I{own}"]
@@ -145,8 +170,8 @@ class Build:
                 link[link.index(output)] = made
             else:  # before the library that has the unchanged object, which is then not needed
                 link.insert(next(i for i, part in enumerate(link) if part.endswith(".a")), made)
-        program = own / mutation.program
-        link[link.index(f"bin/{mutation.program}")] = str(program)
+        program = own / unchanged
+        link[link.index(f"bin/{unchanged}")] = str(program)
         if subprocess.run(link, cwd=self.folder, capture_output=True).returncode != 0:
             return None
         return program
@@ -177,8 +202,8 @@ class Trial:
 
     def measure(self, mutations):
         """Runs all the tests once for the unchanged code, which must pass them. What takes as long as all is endless."""
-        for program in {m.program for m in mutations}:
-            tests = ":".join(sorted({m.tests for m in mutations if m.program == program}))
+        tests = ":".join(sorted({m.tests for m in mutations}))
+        for program in self.build.programs_with(tests):
             begin = time.monotonic()
             path = self.build.folder / "bin" / program
             shards = [self.pool.submit(failure_of, path, tests, 3600, k, self.jobs) for k in range(self.jobs)]
@@ -188,11 +213,17 @@ class Trial:
 
     def verdict(self, mutation):
         """Returns the kind of the outcome and a sentence."""
+        failed = None
+        programs = self.build.programs_with(mutation.tests)
+        if not programs:
+            return "error", f"no test has a name like {mutation.tests}"
         try:
-            program = self.build.make(mutation)
-            if program is None:
-                return "error", "does not compile"
-            failed = failure_of(program, mutation.tests, self.limits_s[mutation.program])
+            for unchanged in programs:
+                program = self.build.make(mutation, unchanged)
+                if program is None:
+                    return "error", f"{unchanged} does not compile with it"
+                if failed := failure_of(program, mutation.tests, self.limits_s[unchanged]):
+                    break
         except ValueError as error:
             return "error", str(error)
         finally:
@@ -227,7 +258,7 @@ def main():
     if arguments.list:
         return print(f"{len(mutations)} changes")
 
-    trial = Trial(Build(arguments.build.resolve(), sorted({m.program for m in mutations})), arguments.jobs)
+    trial = Trial(Build(arguments.build.resolve(), mutations), arguments.jobs)
     trial.measure(mutations)
     outcomes = {"killed": [], "equivalent": [], "survivor": [], "error": []}
     begun = {trial.pool.submit(trial.verdict, mutation): mutation for mutation in mutations}

@@ -1,6 +1,7 @@
 """structure.py ROOT: checks that no header includes itself through others, that the dependencies between
 rooms (the folders with a carom_room in their CMakeLists.txt) have no circle, that a room includes only
-from rooms that it uses, that no type is defined twice, that app/doc/figures/modules.svg shows these rooms, that no folder holds more than 28 modules, and that every source file has the
+from rooms that it uses, that no type is defined twice, that app/doc/figures/modules.svg shows these rooms, that no folder holds more than 28 modules or files of tests,
+and that every source file has the
 format of .clang-format. Prints a line for each folder and one for each of the rules."""
 
 import pathlib
@@ -112,6 +113,17 @@ for folder in sorted(files_of, key=lambda folder: (-len(files_of[folder]), folde
     print(f"{len(files_of[folder]):3} modules in {folder}")
     if len(files_of[folder]) > MOST_MODULES:
         fail(f"{folder} holds {len(files_of[folder])} modules, expected {MOST_MODULES} at most")
+
+# The tests of a module lie in the folder of its name.
+tested = {}
+for file in (root / "tests").rglob("*_test.cpp"):
+    tested.setdefault(str(file.parent.relative_to(root / "tests")), set()).add(file.stem.removesuffix("_test"))
+for folder in [*uses, *ROOMS]:
+    count = sum(file.is_file() for file in (root / "tests" / folder).glob("*"))
+    if count > MOST_MODULES:
+        fail(f"tests/{folder} holds {count} files, expected {MOST_MODULES} at most")
+namesakes = sum(len(names & tested.get(folder, set())) for folder, names in files_of.items())
+print(f"files {sum(map(len, files_of.values()))}, with a test file of their name {namesakes}")
 
 formatter = shutil.which("clang-format-14") or shutil.which("clang-format")
 version = subprocess.run([formatter, "--version"], capture_output=True, text=True).stdout if formatter else ""

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/tools/manual_page.h"
 #include "app/tools/trouble_table.h"
 
 namespace carom {
@@ -67,6 +68,10 @@ void addHelp(CLI::App& app, int& status) {
     const auto isNamed = [&](const CLI::App* other) {
       return words.size() == 1 && other->get_name() == words[0];
     };
+    if (words == std::vector<std::string>{"--manual"}) {  // for the build, which makes carom(1) of it
+      fmt::print("{}", manualOfCommands(app));
+      return;
+    }
     const auto named = app.get_subcommands(isNamed);
     if (words.empty()) {  // App::help would be that of this command
       fmt::print("{}", app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal));

@@ -5,8 +5,8 @@
 
 #include <cstdlib>
 
-#include "simulated_visitors.h"
-#include "temporary_folder.h"
+#include "app/simulated_visitors.h"
+#include "app/temporary_folder.h"
 
 namespace carom {
 namespace {

@@ -1,0 +1,284 @@
+#include "app/journal/session_file.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <limits>
+#include <random>
+
+#include "app/journal/journal.h"
+#include "app/journal_frames.h"
+#include "app/temporary_folder.h"
+#include "cave/frame/record_rules.h"
+#include "log_lines.h"
+
+namespace carom {
+namespace {
+
+using namespace test;
+
+std::string refusalOf(const std::filesystem::path& file) {
+  try {
+    SessionFile session(file);
+    return "accepted";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(SessionFile, SaysWhatIsWrongWithAFile) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  {
+    Journal journal(file, kFacts, false);
+    for (std::uint64_t number = 0; number < 300; ++number) journal.add(frameOf(number), head(), {});
+  }
+  EXPECT_NE(refusalOf(folder / "none.db").find("no such file"), std::string::npos);
+
+  EXPECT_NE(refusalOf(folder / "").find("a folder"), std::string::npos) << refusalOf(folder / "");
+
+  const auto text = folder / "text.db";
+  std::ofstream(text) << std::string(5000, 'x');
+  EXPECT_NE(refusalOf(text).find("no session file"), std::string::npos) << refusalOf(text);
+
+  const auto foreign = folder / "foreign.db";
+  SQLite::Database(foreign.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("CREATE TABLE frame(number)");
+  EXPECT_NE(refusalOf(foreign).find("another program's"), std::string::npos) << refusalOf(foreign);
+
+  const auto empty = folder / "empty.db";
+  SQLite::Database(empty.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("PRAGMA journal_mode = WAL");
+  EXPECT_NE(refusalOf(empty).find("is in empty.db-wal, expected beside it"), std::string::npos)
+      << refusalOf(empty);
+
+  const auto newer = folder / "newer.db";
+  std::filesystem::copy_file(file, newer);
+  SQLite::Database(newer.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 99");
+  EXPECT_NE(refusalOf(newer).find("newer carom wrote it (version 99"), std::string::npos) << refusalOf(newer);
+
+  const auto older = folder / "older.db";
+  std::filesystem::copy_file(file, older);
+  SQLite::Database(older.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1");
+  EXPECT_NE(refusalOf(older).find("an older carom wrote it (version 1"), std::string::npos)
+      << refusalOf(older);
+  EXPECT_THROW(Journal(older, kFacts, true), std::runtime_error);
+
+  const auto odd = folder / "odd.db";
+  std::filesystem::copy_file(file, odd);
+  SQLite::Database(odd.string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE frame_event SET turns = 3 WHERE frame = 8");
+  SessionFile oddSession(odd);
+  FrameState state;
+  for (int frame = 0; frame < 8; ++frame) ASSERT_TRUE(oddSession.next(state));
+  try {
+    oddSession.next(state);
+    ADD_FAILURE() << "an event of three turns was read";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("frame 8"), std::string::npos) << error.what();
+  }
+
+  const auto locked = folder / "locked.db";
+  std::filesystem::copy_file(file, locked);
+  SQLite::Database holder(locked.string(), SQLite::OPEN_READWRITE);
+  holder.exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; CREATE TABLE mine(x)");
+  EXPECT_NE(refusalOf(locked).find("locked"), std::string::npos) << refusalOf(locked);
+}
+
+// Closing takes the file out of WAL mode; a process that is killed then leaves its notes in FILE-journal.
+TEST(SessionFile, IsReadWhereTheWriterWasKilledInTheMiddle) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  {
+    Journal journal(file, kFacts, false);
+    for (std::uint64_t number = 0; number < 300; ++number) journal.add(frameOf(number), head(), {});
+  }
+  const pid_t writer = fork();
+  if (writer == 0) {
+    SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+    database.exec("PRAGMA cache_size = 1");  // so that changed pages go to the file before the end
+    database.exec("BEGIN IMMEDIATE; DELETE FROM frame WHERE number > 100; DELETE FROM session");
+    _exit(0);
+  }
+  int status = -1;
+  waitpid(writer, &status, 0);
+  ASSERT_EQ(status, 0);
+  ASSERT_TRUE(std::filesystem::exists(folder / "game.db-journal")) << "nothing was left in the middle";
+  const SessionFile session(file);
+  EXPECT_EQ(session.frames(), std::pair(std::uint64_t{0}, std::uint64_t{299}));
+  EXPECT_EQ(session.facts().program, kFacts.program);
+}
+
+TEST(SessionFile, FindsTheFrameOfATime) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  std::mt19937 random(11);
+  std::vector<FrameState> frames;
+  {
+    Journal journal(file, kFacts, false);
+    for (std::uint64_t number = 7; number < 400; number += 1 + random() % 3) {  // with gaps
+      frames.push_back(frameOf(number));
+      journal.add(frames.back(), head(), {});
+    }
+  }
+  const SessionFile session(file);
+  EXPECT_EQ(session.frames(), (std::pair<std::uint64_t, std::uint64_t>(7, frames.back().record.number)));
+  for (int run = 0; run < 500; ++run) {
+    double time_s = std::uniform_real_distribution<>(-1.0, 8.0)(random);
+    if (run % 2 == 0) time_s = frames[random() % frames.size()].record.display_s;
+    std::uint64_t expected = 7;  // by going through all
+    for (const FrameState& frame : frames)
+      if (frame.record.display_s <= time_s) expected = frame.record.number;
+    ASSERT_EQ(session.frameAt(time_s), expected) << "seed 11, run " << run << ", " << time_s << " s";
+  }
+}
+
+TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  struct Damage {
+    const char* said;
+    void (*make)(FrameState&);
+  };
+  const std::vector<Damage> damages{
+      {"controls.shown is 9", [](FrameState& s) { s.record.controls.shown = static_cast<Shown>(9); }},
+      {"controls.blank is 2", [](FrameState& s) { s.record.controls.blank = 2; }},
+      {"tracked.handKnown is 2", [](FrameState& s) { s.record.tracked.handKnown = 2; }},
+      {"last is 7", [](FrameState& s) { s.record.last = 7; }},
+      {"display_s is nan", [](FrameState& s) { s.record.display_s = kNan; }},
+      {"lightSpeed_m_s is nan", [](FrameState& s) { s.record.lightSpeed_m_s = kNan; }},
+      {"lightSpeed_m_s is 0", [](FrameState& s) { s.record.lightSpeed_m_s = 0.0; }},
+      {"lightSpeed_m_s is 1e+300", [](FrameState& s) { s.record.lightSpeed_m_s = 1e300; }},
+      {"truncateFrom_s", [](FrameState& s) { s.record.truncateFrom_s = kNan; }},
+      {"the head's frame is",
+       [](FrameState& s) {
+         s.record.observer.headFromBoard = Lorentz::boost({kNan, 0.0, 0.0}, 1.42);
+       }},
+      {"an eye's event", [](FrameState& s) { s.record.observer.right.observation.r_m.z = kNan; }},
+      {"an eye's place", [](FrameState& s) { s.record.observer.middle.positionInRoom_m.x = kNan; }},
+      {"that an eye sees from", [](FrameState& s) { s.record.observer.left.seenFromInRoom_m.y = kNan; }},
+      {"proper time", [](FrameState& s) { s.record.observer.properTime_s = kNan; }},
+      {"the room's frame is none",
+       [](FrameState& s) {
+         s.record.boardFromRoom = Lorentz::rotation({1.0, 1.0, 0.0, 0.0}, 1.42);
+       }},
+      {"hand.pulling is 2", [](FrameState& s) { s.record.hand.pulling = 2; }},
+      {"the hand is", [](FrameState& s) { s.record.hand.to_m.y = kNan; }},
+      {"the stroke is", [](FrameState& s) { s.record.hand.u = kNan; }},
+      {"drive.mode", [](FrameState& s) { s.record.drive.mode = static_cast<DriveMode>(4); }},
+      {"lesson is", [](FrameState& s) { s.record.lesson.phase = static_cast<LessonPhase>(4); }},
+      {"lesson is", [](FrameState& s) { s.record.lesson.answer = 5; }},
+      {"head sensor", [](FrameState& s) { s.record.tracked.roomFromHeadSensor.orientation.w = kNan; }},
+      {"the hand's", [](FrameState& s) { s.record.tracked.roomFromHand.position_m.y = kNan; }},
+      {"a knot's turn", [](FrameState& s) { s.knots[0].knot.turn.t_s = kNan; }},
+      {"a knot's u", [](FrameState& s) { s.knots[1].knot.u.y = kNan; }},
+      {"a knot's proper time", [](FrameState& s) { s.knots[1].knot.properTime_s = kNan; }},
+      {"a knot's signal", [](FrameState& s) { s.knots[1].knot.signal.r_m.x = kNan; }},
+      {"a knot's deceleration", [](FrameState& s) { s.knots[1].knot.deceleration_m_s2 = kNan; }}};
+  TemporaryFolder folder;
+  for (const Damage& damage : damages) {
+    SCOPED_TRACE(damage.said);
+    const auto file = folder / "game.db";
+    {
+      Journal journal(file, kFacts, false);
+      FrameState damaged = frameOf(3);
+      damage.make(damaged);
+      journal.add(frameOf(0), head(), {});
+      journal.add(damaged, head(), {});
+    }
+    SessionFile session(file);
+    FrameState state;
+    ASSERT_TRUE(session.next(state));
+    try {
+      session.next(state);
+      ADD_FAILURE() << "accepted";
+    } catch (const std::runtime_error& error) {
+      for (const std::string& part :
+           {std::string("game.db"), std::string("frame 3"), std::string(damage.said)})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+    std::filesystem::remove(file);
+  }
+}
+
+/// What is said of the first frame of a file that is one.
+std::string refusalOfFirst(const std::filesystem::path& file) {
+  SessionFile session(file);
+  FrameState state;
+  try {
+    session.next(state);
+    return "accepted";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(SessionFile, AColumnThatCannotBeIsRefusedWithFileFrameAndField) {
+  const std::vector<std::pair<const char*, const char*>> damages{
+      {"switches is 64, expected 0 to 31", "frame SET switches = 64"},
+      {"views is 512, expected 0 to 511", "frame SET views = 512"},
+      {"beside is 32, expected 0 to 31", "frame SET beside = 32"},
+      {"blank is 300, expected a whole number up to 255", "frame SET blank = 300"},
+      {"shown is -1, expected", "frame SET shown = -1"},
+      {"lesson_phase is two, expected", "frame SET lesson_phase = 'two'"},
+      {"pucks is , expected", "frame SET pucks = NULL"},
+      {"notice is of 130 bytes, expected at most 119", "frame SET notice = printf('%130s', 'late')"},
+      {"display_s is nan", "frame SET display_s = 'soon'"},
+      {"display_s is inf", "frame SET display_s = 1e999"},
+      {"the head's frame is none", "frame SET head_from_board_xt = NULL"},
+      {"the room's frame is none", "frame SET board_from_room_yz = 1e300"},
+      {"a knot's signal is nan", "knot SET signal_x_m = x'00'"},
+      {"body is 1.5, expected a whole number", "knot SET body = 1.5"},
+      {"an event of a kind that there is not", "frame_event SET kind = 5"},
+      {"an event at a cushion that there is not", "frame_event SET cushion = 5"},
+      {"an event's heat is nan", "frame_event SET heat_j = NULL"},
+      {"no such event can be", "frame_event SET turns = 3"},
+      {"no such event can be", "frame_event SET without_delay = 2"},
+      {"an event turns puck 2, expected one of 2", "frame_event SET first_puck = 2"},
+      {"a turn's velocities is nan", "frame_event SET first_beta_after_y = NULL"}};
+  TemporaryFolder folder;
+  const auto whole = folder / "whole.db", file = folder / "game.db";
+  { Journal(whole, kFacts, false).add(frameOf(12), head(), {}); }
+  EXPECT_EQ(refusalOfFirst(whole), "accepted");
+  for (const auto& [said, sql] : damages) {
+    std::filesystem::copy_file(whole, file, std::filesystem::copy_options::overwrite_existing);
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(std::string("UPDATE ") + sql);
+    const std::string refusal = refusalOfFirst(file);
+    EXPECT_NE(refusal.find(std::string("game.db: frame 12: ") + said), std::string::npos)
+        << sql << ": " << refusal;
+  }
+}
+
+TEST(SessionFile, DamagedBytesAreFoundOrReadAsTheyWereNeverACrash) {
+  TemporaryFolder folder;
+  const auto file = folder / "game.db";
+  {
+    Journal journal(file, kFacts, false);
+    for (std::uint64_t number = 0; number < 60; ++number) journal.add(frameOf(number), head(), {});
+  }
+  std::ifstream in(file, std::ios::binary);
+  const std::string whole((std::istreambuf_iterator<char>(in)), {});
+  std::mt19937 random(9);
+  int refused = 0;
+  for (int run = 0; run < 300; ++run) {
+    std::string bytes = whole;
+    for (int i = 0; i < 20; ++i) bytes[random() % bytes.size()] = static_cast<char>(random());
+    if (run % 3 == 0) bytes.resize(random() % bytes.size());
+    const auto damaged = folder / "damaged.db";
+    std::ofstream(damaged, std::ios::binary | std::ios::trunc) << bytes;
+    try {
+      SessionFile session(damaged);
+      FrameState state;
+      for (int frames = 0; frames < 1000 && session.next(state); ++frames) {
+      }
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100) << "most damage hits what SQLite checks";
+}
+
+}  // namespace
+}  // namespace carom

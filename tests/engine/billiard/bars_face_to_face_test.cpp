@@ -1,0 +1,108 @@
+// Bars of 12 cm that meet face to face, or anyhow: they part on the side on which they touched, and slow ones end as
+// Newton's rigid bodies do. More pairs, up to 0.99 c, as a table: CAROM_PAIRS=200 build/release/bin/engine_billiard_test
+// --gtest_filter=BarsFaceToFace.*
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "engine/billiard/billiard.h"
+#include "engine/newton_bodies.h"
+#include "engine/two_bars.h"
+
+namespace carom {
+namespace {
+
+using test::Meeting;
+using test::twoBars;
+
+struct Row {
+  int behind = 0;
+  std::size_t kicks = 0, most = 0, withoutDelay = 0;
+};
+
+Row playRow(const Meeting& meeting, int pairs) {
+  constexpr double kUntil_s = 2000.0;
+  Row row;
+  for (int n = 0; n < pairs; ++n) {
+    Billiard game(twoBars(meeting, static_cast<unsigned>(n)));
+    game.advanceTo(kUntil_s);
+    const auto x = [&](int i) { return game.worldLines()[i].at(kUntil_s).event.r_m.x; };
+    if (!(x(0) < x(1))) ++row.behind;
+    row.kicks += game.events().size(), row.most = std::max(row.most, game.events().size());
+    for (const GameEvent& event : game.events()) row.withoutDelay += event.withoutDelay;
+  }
+  return row;
+}
+
+TEST(BarsFaceToFace, NoneEndsBehindTheOther) {
+  const char* const asked = std::getenv("CAROM_PAIRS");
+  const int pairs = asked != nullptr ? std::atoi(asked) : 4;
+  std::vector<double> speeds{0.02, 0.1, 0.3, 0.5, 0.7, 0.95, 0.99};
+  if (asked != nullptr) speeds = {0.02, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 0.95, 0.97, 0.99};
+  for (const double restitution : {1.0, 0.5}) {
+    for (const bool atContact : {false, true}) {
+      for (const double thick_m : {0.001, 0.003, 0.01, 0.03}) {
+        for (const double beta : speeds) {
+          SCOPED_TRACE(testing::Message() << thick_m << " m at " << beta << " c, e = " << restitution
+                                          << (atContact ? ", contact" : ", centre"));
+          const Row row = playRow({thick_m, beta, restitution, atContact, 3.0 * M_PI / 180.0, 0.006}, pairs);
+          // Near the speed of light, a few spin so fast that they pass beside each other on their way back.
+          EXPECT_LE(row.behind, beta < 0.95 ? 0 : pairs / 20);
+          EXPECT_LE(row.kicks, 10u * static_cast<std::size_t>(pairs));
+          if (asked == nullptr) continue;
+          std::printf("e %.1f %s %2.0f mm %.2f c: %3d behind, %4.1f kicks, at most %zu, without delay %zu\n",
+                      restitution, atContact ? "contact" : "centre", thick_m * 1e3, beta, row.behind,
+                      static_cast<double>(row.kicks) / pairs, row.most, row.withoutDelay);
+          std::fflush(stdout);
+        }
+      }
+    }
+  }
+}
+
+Vec2 lastBeta(const Billiard& game, int i) {
+  const Vec2 u = game.worldLines()[i].knots().back().u;
+  return u / std::sqrt(1.0 + glm::dot(u, u));
+}
+
+// Anyhow tilted, at 0.02 c: on the side on which Newton's bars end, to 60°. Where turns do not wait for light, with their
+// velocities, to three tenths of the speed: the shapes at each blow differ by v²/c².
+TEST(BarsFaceToFace, SlowOnesEndAsNewtonsDo) {
+  constexpr double kBeta = 0.02, kUntil_m = 40.0;
+  const char* const asked = std::getenv("CAROM_PAIRS");
+  const int pairs = asked != nullptr ? std::atoi(asked) : 12;
+  for (const bool atContact : {false, true}) {
+    for (const double thick_m : {0.001, 0.01, 0.03}) {
+      for (int n = 0; n < pairs; ++n) {
+        SCOPED_TRACE(testing::Message()
+                     << thick_m << " m, seed " << n << (atContact ? ", contact" : ", centre"));
+        const BilliardSetup setup =
+            twoBars({thick_m, kBeta, 1.0, atContact, M_PI, 0.12}, static_cast<unsigned>(n));
+        std::array<test::NewtonBody, 2> bodies;
+        for (int i = 0; i < 2; ++i) {
+          const Puck& bar = setup.pucks[i];
+          bodies[i] = {bar.outline_m, bar.mass_kg, bar.inertia * bar.mass_kg * bar.radius_m * bar.radius_m,
+                       bar.position_m, bar.beta};
+        }
+        const int blows = test::playNewton(bodies, 1.0, kUntil_m);
+        Billiard game(setup);
+        game.advanceTo(kUntil_m / setup.lightSpeed_m_s);
+        EXPECT_EQ(blows == 0, game.events().empty());
+        if (blows == 0 || game.events().empty()) continue;
+        const Vec2 apart = lastBeta(game, 1) - lastBeta(game, 0);
+        const Vec2 newton = bodies[1].velocity - bodies[0].velocity;
+        EXPECT_GT(glm::dot(apart, newton), 0.5 * glm::length(apart) * glm::length(newton));
+        if (!atContact) continue;
+        EXPECT_LT(glm::length(apart - newton), 0.3 * kBeta);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom
