@@ -42,8 +42,8 @@ std::string paragraph(const std::string& description) {
 std::string ofOption(const CLI::Option& option) {
   const std::string name = escaped("--" + option.get_lnames().front());
   const std::string value = escaped(valueOf(option));
-  const std::string head = value.empty() ? fmt::format(".TP\n.B {}\n", name)
-                                         : fmt::format(".TP\n.BI {} \" {}\"\n", name, value);
+  const std::string head =
+      value.empty() ? fmt::format(".TP\n.B {}\n", name) : fmt::format(".TP\n.BI {} \" {}\"\n", name, value);
   return head + paragraph(option.get_description());
 }
 
@@ -51,9 +51,9 @@ std::string ofCommand(const CLI::App& command) {
   std::string usage = command.get_name(), positionals, options;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional()) {
-      usage += fmt::format(option->get_required() ? " {}" : " [{}]", option->get_name(true));
-      positionals += fmt::format(".TP\n.I {}\n", escaped(option->get_name(true))) +
-                     paragraph(option->get_description());
+      const std::string name = option->get_name(true);
+      usage += option->get_required() ? " " + name : " [" + name + "]";
+      positionals += fmt::format(".TP\n.I {}\n", escaped(name)) + paragraph(option->get_description());
     } else if (option->get_lnames().front().find("help") != 0) {
       options += ofOption(*option);
     }

@@ -1,4 +1,4 @@
-"""pages.py ROOT: every link in README.md and in the pages of app/doc leads to a page, a heading or a picture that is there,
+"""pages.py ROOT MANUAL: every link in README.md and in the pages of app/doc leads to a page, a heading or a picture that is there,
 also where they are installed (config/package.cmake), README.md links to every page, and the sections of app/doc/physics.md and
 the headers that they name agree: each such header has a line "Theory: app/doc/physics.md, SECTION; SECTION.". The
 card to print is well formed and has two sides; every command and option that it and the page of the first day name is in the
@@ -83,7 +83,7 @@ if parsed.open or parsed.sides != 2:
     fail(f"{card}: open at the end: {parsed.open}; {parsed.sides} sides, expected 2")
 
 # Commands, with the options that follow them, against the manual page.
-manual = (root / "app/doc/carom.1").read_text().replace("\\-", "-")
+manual = pathlib.Path(sys.argv[2]).read_text().replace("\\-", "-")
 parts = {part.split()[1].strip('"'): part for part in re.split(r"(?m)^\.SS \"?", manual)[1:]}
 first_day = (root / "app/doc/first-day.md").read_text()
 codes = parsed.codes + re.findall(r"(?m)`([^`\n]+)`", first_day) + re.findall(r"(?m)^carom .*$", first_day)

@@ -1,6 +1,6 @@
 // What a wall leaves out is nothing that it would show: every shipped rig and scenario, seen by random heads.
 //
-// More heads by hand: CAROM_HEADS=10000 CAROM_PICTURES=200 tests/with_display build/release/bin/culling_test
+// More heads by hand: CAROM_HEADS=10000 CAROM_PICTURES=200 tests/with_display build/release/bin/app_stage_drawn_test
 #include <gtest/gtest.h>
 
 #include <algorithm>

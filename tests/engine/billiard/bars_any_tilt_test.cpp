@@ -1,5 +1,5 @@
 // Bars of 12 cm that meet at any tilt and offset: on which side they end. A table of more pairs:
-// CAROM_PAIRS=200 build/release/bin/engine_test --gtest_filter=BarsAnyTilt.*
+// CAROM_PAIRS=200 build/release/bin/engine_billiard_test --gtest_filter=BarsAnyTilt.*
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "engine/pair_passage.h"
-#include "engine/two_bars.h"
+#include "engine/billiard/pair_passage.h"
+#include "engine/billiard/two_bars.h"
 
 namespace carom {
 namespace {

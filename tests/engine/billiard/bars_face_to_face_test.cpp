@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 
 #include "engine/billiard/billiard.h"
-#include "engine/newton_bodies.h"
-#include "engine/two_bars.h"
+#include "engine/billiard/newton_bodies.h"
+#include "engine/billiard/two_bars.h"
 
 namespace carom {
 namespace {
