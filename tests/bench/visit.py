@@ -76,18 +76,20 @@ def screenshot(name):
 
 
 def boxes(raw, is_of):
-    """The rectangles of a colour, from the top, then from the left: a row without a letter, and down at its left edge."""
+    """The rectangles of a colour in the wall's window, from the top, then from the left: a row without a letter, and down
+    at its left edge."""
+    left, top, wide, high = window()
 
     def matches(x, y):
         at = 3 * (width * y + x)
         return is_of(raw[at], raw[at + 1], raw[at + 2])
 
     found = []
-    for y in range(0, height, 2):
-        x = 0
-        while x < width:
+    for y in range(top, min(top + high, height), 2):
+        x = left
+        while x < min(left + wide, width):
             begin = x
-            while x < width and matches(x, y):
+            while x < min(left + wide, width) and matches(x, y):
                 x += 1
             known = any(b[0] < x and begin < b[2] and b[1] <= y <= b[3] + 2 for b in found)
             if x - begin >= 40 and not known:

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <utf8cpp/utf8.h>
 
+#include <filesystem>
+#include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -90,6 +94,33 @@ TEST_F(GuiTest, WhatIsClaimedIsKnownBetweenFrames) {
   EXPECT_FALSE(gui_.isClaimed({700.0F, 10.0F}));
   gui_.forgetClaims();
   EXPECT_FALSE(gui_.isClaimed({10.0F, 10.0F}));
+}
+
+/// Returns the characters of a file beyond ASCII.
+std::set<char32_t> lettersOf(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::set<char32_t> letters;
+  for (auto at = text.begin(); at != text.end();) {
+    const char32_t letter = utf8::next(at, text.end());
+    if (letter > 0x7f) letters.insert(letter);
+  }
+  return letters;
+}
+
+TEST(GuiLetters, EveryLetterOfTheTextsAndTheGamesCanBeDrawn) {
+  const Graphics graphics;
+  Gui gui(16.0F);
+  gui.begin({100, 100});
+  gui.end();
+  std::set<char32_t> letters = lettersOf(CAROM_TESTS_DIR "/../cave/texts/texts.h");
+  for (const auto& file : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios"))
+    letters.merge(lettersOf(file.path()));
+  EXPECT_TRUE(letters.contains(U'γ') && letters.contains(U'−'));
+  const ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
+  for (const char32_t letter : letters)
+    EXPECT_NE(font->FindGlyphNoFallback(static_cast<ImWchar>(letter)), nullptr)
+        << "U+" << std::hex << static_cast<unsigned>(letter);
 }
 
 }  // namespace
