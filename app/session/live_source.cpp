@@ -130,7 +130,7 @@ ObserverViews LiveSource::lessonView(const OperatorSettings& settings, const Fra
   if (changes || isOver || (goesTo && explains != play_.explained)) {
     beginPass(settings.lessonObserver);
     if (explains && !interval.keepsClocks) viewers_.runTo(interval.moment_s, play_.drive);
-    play_.drive.news();  // of a way that was not shown
+    play_.drive.takeNotice();  // of a way that was not shown
   }
   play_.explained = explains;
   if (!explains && !play_.passEnded_s && viewers_.board_s() >= interval.until_s)
@@ -419,7 +419,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   for (const Command& command : input.commands) {
     if (const auto* tells = std::get_if<TellPerson>(&command)) say(tells->words, decision);
   }
-  sayTo(steering_, play_.drive.news().words(), decision);
+  sayTo(steering_, play_.drive.takeNotice().words(), decision);
   for (std::size_t viewer = 0; viewer < viewers_.size(); ++viewer) {
     if (const Wall* left = roomBoundaries_[viewer].look(viewers_.head(viewer).pose.position_m))
       sayTo(viewer, fmt::format(texts::message::kLeftRoom, left->name), decision);

@@ -132,7 +132,7 @@ void PlatformMotion::sayOnce(bool& said, std::string_view words) {
   said = true;
 }
 
-void PlatformMotion::obey(const DriveWish& wish) {
+void PlatformMotion::apply(const DriveWish& wish) {
   const bool steers = glm::length(wish.steer) > kMeant;
   steered_ = steered_ || steers;
   if (view_.mode == DriveMode::tour && (wish.home || wish.brake || steers))
@@ -146,12 +146,12 @@ void PlatformMotion::obey(const DriveWish& wish) {
   }
 }
 
-void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, std::span<const Head> heads,
-                          Observers& observers, std::size_t steering) {
+void PlatformMotion::advance(const DriveWish& wish, double dtau_s, double pace, std::span<const Head> heads,
+                             Observers& observers, std::size_t steering) {
   steering_ = steering;
   strongest_m_s2_ = strongestThrust_m_s2(c_m_s_, observers.farthestFrom_m(steering));
   if (setsOut_) begin(observers);
-  obey(wish);
+  apply(wish);
   view_.atLimit = 0;
   observers.beginFrame();
   const Observers before = observers;
@@ -159,10 +159,10 @@ void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, std
   if (turns && wish.turn_rad != 0.0) observers.turn({wish.turn_rad, up_}, steering);
   const Frame frame{before, heads, dtau_s, pace, steering};
   Vec3 gained_m_s(0.0);
-  double lived = 0.0;  // fraction of the frame
-  for (int count = 0; lived < 1.0 && count < kMostStretches; ++count) {
-    const Heads here = headsOnTheWay(before, heads, lived);
-    const Left left{frame, observers, 1.0 - lived};
+  double elapsed = 0.0;  // fraction of the frame
+  for (int count = 0; elapsed < 1.0 && count < kMostStretches; ++count) {
+    const Heads here = headsOnTheWay(before, heads, elapsed);
+    const Left left{frame, observers, 1.0 - elapsed};
     const Manoeuvre stretch = next(wish, observers, here[steering].roomFromHead.position_m, left);
     if (view_.mode == DriveMode::tour && stretch.thrust_m_s2 != Vec3(0.0) && !std::exchange(thrusts_, true)) {
       setOutBy_ = steering;
@@ -170,16 +170,16 @@ void PlatformMotion::live(const DriveWish& wish, double dtau_s, double pace, std
       setOutOwn_s_ = observers.properTime_s(steering);
     }
     const double until = stretch.for_s < left.platform_s(stretch.thrust_m_s2)
-                             ? lived + left.partThatLasts(stretch.for_s, stretch.thrust_m_s2)
+                             ? elapsed + left.partThatLasts(stretch.for_s, stretch.thrust_m_s2)
                              : 1.0;
-    const double lasts_s = left.lasts_s(until - lived, stretch.thrust_m_s2);
+    const double lasts_s = left.lasts_s(until - elapsed, stretch.thrust_m_s2);
     const Heads there = headsOnTheWay(before, heads, until);
-    observers.step((until - lived) * dtau_s, std::span(there).first(heads.size()), pace, stretch.thrust_m_s2,
-                   steering, {stretch.turn_rad, stretch.turnAxisInRoom});
+    observers.step((until - elapsed) * dtau_s, std::span(there).first(heads.size()), pace,
+                   stretch.thrust_m_s2, steering, {stretch.turn_rad, stretch.turnAxisInRoom});
     gained_m_s += stretch.thrust_m_s2 * lasts_s;
-    lived = until;
+    elapsed = until;
   }
-  if (lived < 1.0) observers.step((1.0 - lived) * dtau_s, heads, pace, Vec3(0.0), steering);
+  if (elapsed < 1.0) observers.step((1.0 - elapsed) * dtau_s, heads, pace, Vec3(0.0), steering);
   if (view_.mode == DriveMode::tour && push_ == way_.size()) endTour(observers);
   const bool far = steered_ && glm::length(glm::dvec2(observers.headEvent(steering).r_m)) > kFar_m;
   if (far && view_.mode == DriveMode::free) sayOnce(saidFar_, texts::message::kFarFromTable);

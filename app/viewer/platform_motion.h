@@ -50,12 +50,12 @@ class PlatformMotion {
 
   /// Advances the observers by dτ of the fastest while their tracked heads move to `heads`, as in
   /// Observers::step. The platform follows the wish of observer `steering`, or else its current manoeuvre.
-  void live(const DriveWish& wish, double dtau_s, double pace, std::span<const Head> heads,
-            Observers& observers, std::size_t steering = 0);
+  void advance(const DriveWish& wish, double dtau_s, double pace, std::span<const Head> heads,
+               Observers& observers, std::size_t steering = 0);
 
   const DriveView& view() const { return view_; }  ///< of the last frame; thrust is the mean over it
   /// Returns and clears the message since the last call; empty if there is none.
-  Notice news() { return std::exchange(notice_, {}); }
+  Notice takeNotice() { return std::exchange(notice_, {}); }
 
  private:
   /// A constant thrust, or a turn about the head, of duration `for_s`.
@@ -98,7 +98,7 @@ class PlatformMotion {
     double partThatLasts(double for_s, const Vec3& thrust_m_s2) const;
   };
 
-  void obey(const DriveWish& wish);
+  void apply(const DriveWish& wish);
   void begin(const Observers& observers);
   void endTour(const Observers& observers);
   Manoeuvre next(const DriveWish& wish, const Observers& observers, const Vec3& headInRoom_m,

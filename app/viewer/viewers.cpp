@@ -108,7 +108,7 @@ ObserverViews Viewers::at(const FrameTimes& times, double eyeSeparation_m, doubl
 ObserverViews Viewers::at(const FrameTimes& times, double eyeSeparation_m, double pace, const DriveWish& wish,
                           PlatformMotion& drive, std::size_t steering) {
   track(times);
-  drive.live(wish, times.step_s, pace, used(heads()), observers_, steering);
+  drive.advance(wish, times.step_s, pace, used(heads()), observers_, steering);
   return views(eyeSeparation_m);
 }
 
@@ -116,7 +116,7 @@ ObserverViews Viewers::slowView(const FrameTimes& times, double eyeSeparation_m,
                                 const DriveWish& wish, PlatformMotion& drive, std::size_t steering) {
   const Heads before = headsAtRest();
   track(times);
-  drive.live(wish, step_s, pace, used(before), observers_, steering);
+  drive.advance(wish, step_s, pace, used(before), observers_, steering);
   observers_.moveUnseen(0.0, used(heads()));
   return views(eyeSeparation_m);
 }
@@ -126,7 +126,7 @@ void Viewers::runTo(double board_s, PlatformMotion& drive) {
   const Heads heads = headsAtRest();
   for (double left_s = board_s - this->board_s(); left_s > kThere_s; left_s = board_s - this->board_s()) {
     const double step_s = std::min(kStep_s, left_s / gammaFromU(observers_.boardFromRoom().u()));
-    drive.live({}, step_s, 1.0, used(heads), observers_);
+    drive.advance({}, step_s, 1.0, used(heads), observers_);
   }
 }
 

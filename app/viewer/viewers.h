@@ -36,7 +36,7 @@ class Viewers {
           const std::optional<FrameRecord>& before = {});
 
   /// Puts the eyes of the first viewer where a headset has them, for the views from now on. The first time, before
-  /// anybody has lived, the head is put there as well. Returns what the frame's record keeps of it.
+  /// time has passed for anybody, the head is put there as well. Returns what the frame's record keeps of it.
   HeadsetState putOn(const HeadsetFrame& frame);
 
   /// Restarts in the initial state of another scenario, with proper time zero. The trackers continue.

@@ -36,7 +36,7 @@ class GameHistory;
 /// * A pair that has collided does not collide again until one of the two has had another event.
 /// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
 ///   without delay: the pair at the later of the two starts in the equal-speed frame, and its signal starts
-///   at each centre. Such a kick does not wait for light, so a row of touching pucks passes a blow on faster
+///   at each centre. Such a kick does not wait for light, so a row of touching pucks passes an impact on faster
 ///   than light; `GameEvent::withoutDelay` marks it.
 /// * Pucks that touch can collide without end in a finite time where they or the cushions are inelastic. A
 ///   puck that others have kicked 64 times within the time that light needs to cross its radius is pressed,
@@ -45,12 +45,12 @@ class GameHistory;
 ///   perfectly plastic kicks, of each other and of the cushions that they touch, until none closes on
 ///   another; it takes no time, and each then turns once, simultaneously in the pair's equal-speed frame with
 ///   the turn of the puck through which it was reached. Those whose speeds then differ by less than 1e-6 c,
-///   or 1e-6 of the hardest of the blows where all are slower than light by far, get one and the same
+///   or 1e-6 of the hardest of the impacts where all are slower than light by far, get one and the same
 ///   velocity: they move on together, bit for bit, and their gap does not change. This bound doubles with
 ///   every fourth such turn that one of the meeting pair has had since it was last in peace, up to c or the
-///   hardest blow: so pucks that are pressed again and again become one body.
+///   hardest impact: so pucks that are pressed again and again become one body.
 ///   Momentum is that of all; the rest of the energy is heat. Up to this 64th kick, and between pucks if
-///   one is not pressed, every blow is one as ever. What closes slower than the bound is left alone where it
+///   one is not pressed, every impact is one as ever. What closes slower than the bound is left alone where it
 ///   closes at less than a thousandth of its relative speed, so that the straight flights pass at most a
 ///   millionth of R1 + R2 (half of the square of that share) inside each other, or where the whole relative
 ///   speed is below a millionth of the bound: at first 1e-12 c, rounding, 5 nm in an hour at 1.42 m/s; at
@@ -68,7 +68,7 @@ class GameHistory;
 ///   approaches; a pair of bodies that turn can meet again on the same legs where nothing came of a contact.
 /// * A body with corners and another that have come together remember that contact until they have parted. Thin ones
 ///   can be deep in each other, or behind each other, when light has told their centres: until they are back, only
-///   those sides kick from which they came (earlier_contact.h). Where a third one turns one of them while they are
+///   those sides kick from which they came (persistent_contact.h). Where a third one turns one of them while they are
 ///   behind each other, they stay there. While a contact's signal is on its way, other corners of the pair still meet
 ///   on the old legs: such a contact is one with a signal of its own, by the momenta that are decided, and its kick
 ///   takes in all places at which the two are in or through each other by then, until they recede at all of them. One

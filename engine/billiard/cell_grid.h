@@ -12,7 +12,7 @@
 
 #include "engine/base/large_pages.h"
 #include "engine/base/prefetch.h"
-#include "engine/collision/coarse_flight.h"
+#include "engine/collision/disc_cull.h"
 
 namespace carom {
 

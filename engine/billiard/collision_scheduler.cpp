@@ -41,21 +41,21 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
       slowing_(setup.rules.spinDeceleration_m_s2 / (c_m_s_ * c_m_s_)),
       turns_(setup.rules.puckFriction > 0.0 || setup.rules.cushionFriction > 0.0),
       cushions_(cushionsOf(setup.board)),
-      outlooks_(setup.pucks.size()),
+      predictions_(setup.pucks.size()),
       queue_(static_cast<int>(setup.pucks.size())),
       inJam_(setup.pucks.size(), 0) {
   double lowX = kNever, lowY = kNever, highX = -kNever, highY = -kNever;
   for (const std::size_t file : byName(setup.pucks)) {
     const Puck& puck = setup.pucks[file];
     const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta));
-    PuckState player;
+    PuckState state;
     const Vec21 start{0.0, puck.position_m.x, puck.position_m.y};
     const Vec21 u = fourVelocity(gamma * puck.beta.x, gamma * puck.beta.y);
-    player.mass = puck.mass_kg;
-    player.height = 0.5 * puck.height_m;
-    player.file = static_cast<unsigned>(file);
+    state.mass = puck.mass_kg;
+    state.height = 0.5 * puck.height_m;
+    state.file = static_cast<unsigned>(file);
     discs_.push_back({start, u, puck.radius_m, kNever});
-    pucks_.push_back(player);
+    pucks_.push_back(state);
     spins_.push_back(
         {{puck.mass_kg, puck.inertia * puck.mass_kg}, {puck.spin_kg_m2_s / (puck.radius_m * c_m_s_), 0.0}});
     turns_ = turns_ || puck.spin_kg_m2_s != 0.0;
@@ -83,21 +83,21 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
 void CollisionScheduler::addStroke(const Stroke& stroke) { predict(storeStroke(stroke)); }
 
 int CollisionScheduler::storeStroke(const Stroke& stroke) {
-  const auto player =
+  const auto puck =
       std::find_if(pucks_.begin(), pucks_.end(), [&](const PuckState& p) { return p.file == stroke.puck; });
   PuckStroke own;
   own.hand.t = stroke.at_s * c_m_s_;
   own.fromHand = stroke.from_m.has_value();
   if (stroke.from_m) {
     own.hand.x = stroke.from_m->x, own.hand.y = stroke.from_m->y;
-    own.height = stroke.from_m->z - player->height;
+    own.height = stroke.from_m->z - puck->height;
   }
   own.px = stroke.momentum_kg_m_s.x / c_m_s_, own.py = stroke.momentum_kg_m_s.y / c_m_s_;
   own.offset = stroke.offset_m;
   turns_ = turns_ || stroke.offset_m != 0.0;
-  player->strokes.push_back(static_cast<int>(strokes_.size()));
+  puck->strokes.push_back(static_cast<int>(strokes_.size()));
   strokes_.push_back(own);
-  return static_cast<int>(player - pucks_.begin());
+  return static_cast<int>(puck - pucks_.begin());
 }
 
 bool CollisionScheduler::playUntil(double limit, std::size_t events, GameHistory& history) {
@@ -125,7 +125,7 @@ void CollisionScheduler::flashUntil(double limit, GameHistory& history) {
 bool CollisionScheduler::hasDeferredBefore(double limit) {
   while (deferred_.size() > deferredLater_) {
     const int i = deferred_.back();
-    const PredictedEvent& next = outlooks_[i].next;
+    const PredictedEvent& next = predictions_[i].next;
     if (queue_.due(i) <= next.due()) {
       deferred_.pop_back();
     } else if (next.ownTime <= limit || next.otherTime <= limit) {
@@ -142,14 +142,14 @@ bool CollisionScheduler::hasDeferredBefore(double limit) {
 void CollisionScheduler::prefetchUpcoming() {
   constexpr int kOwn = DueQueue::kSoon, kOthers = 11;  // events ahead
   const auto fetch = [&](int i) {
-    prefetch(&outlooks_[i]);
+    prefetch(&predictions_[i]);
     prefetch(&discs_[i]);
     cells_.fetchCellOf(i);
     queue_.fetch(i);
   };
   queue_.lookAhead(0, kOwn, fetch);
   queue_.lookAhead(1, kOthers, [&](int i) {
-    const Outlook& own = outlooks_[i];
+    const Prediction& own = predictions_[i];
     const int cell = cells_.cellOf(i), axis = leavesFirst(i);
     if (own.leavesCell < own.next.ownTime) {
       cells_.fetch(cell);
@@ -161,7 +161,7 @@ void CollisionScheduler::prefetchUpcoming() {
     if (cells_.cellOf(other) != cell) cells_.fetchNear(cells_.cellOf(other));
     for (const int puck : {i, other}) {
       fetchState(puck);
-      if (const int dependent = outlooks_[puck].firstDependent; dependent >= 0) fetch(dependent);
+      if (const int dependent = predictions_[puck].firstDependent; dependent >= 0) fetch(dependent);
     }
   });
 }
@@ -170,10 +170,10 @@ void CollisionScheduler::step(GameHistory& history) {
   const int i = queue_.first();
   clock_ = std::max(clock_, queue_.firstDue());
   moveEpoch();
-  members_.clear();
+  jamBodies_.clear();
   if (pucks_.size() > kPucksInCache && ++steps_ % kStepsAtOnce == 0) prefetchUpcoming();
-  const PredictedEvent predicted = outlooks_[i].next;
-  if (outlooks_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
+  const PredictedEvent predicted = predictions_[i].next;
+  if (predictions_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
   switch (predicted.kind) {
     case Kind::none:
       return;
@@ -197,9 +197,9 @@ void CollisionScheduler::step(GameHistory& history) {
 
 // A contact happens when it is the next thing in both pucks' own time.
 void CollisionScheduler::meet(int i, GameHistory& history) {
-  const PredictedEvent a = outlooks_[i].next;
+  const PredictedEvent a = predictions_[i].next;
   const int j = a.with;
-  const PredictedEvent& theirs = outlooks_[j].next;
+  const PredictedEvent& theirs = predictions_[j].next;
   const bool mutual = theirs.kind == Kind::pair && theirs.with == i;
   if (!mutual && theirs.ownTime < a.otherTime && !waitsForItself(i)) {
     queue_.setDue(i, std::nextafter(std::max(queue_.due(i), queue_.due(j)), kNever));
@@ -207,17 +207,17 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
     return;
   }
   if (pucks_.size() > kPucksInCache) {
-    for (const int dependent : {outlooks_[i].firstDependent, outlooks_[j].firstDependent}) {
+    for (const int dependent : {predictions_[i].firstDependent, predictions_[j].firstDependent}) {
       if (dependent >= 0) cells_.fetchNear(cells_.cellOf(dependent));
     }
   }
   const bool inOrder = i < j;
   PredictedEvent ordered = a;
   if (!inOrder) std::swap(ordered.ownTime, ordered.otherTime);
-  const unsigned legs[2] = {outlooks_[i].legNumber, outlooks_[j].legNumber};
+  const unsigned legs[2] = {predictions_[i].legNumber, predictions_[j].legNumber};
   const double until = collide(inOrder ? i : j, inOrder ? j : i, ordered, history);
-  if (outlooks_[i].legNumber == legs[0]) noteMet(i, {j, legs[1], until});
-  if (outlooks_[j].legNumber == legs[1]) noteMet(j, {i, legs[0], until});
+  if (predictions_[i].legNumber == legs[0]) noteMet(i, {j, legs[1], until});
+  if (predictions_[j].legNumber == legs[1]) noteMet(j, {i, legs[0], until});
   if (cellsTooSmall_) return predictAll();
   predictBoth(i, j);
   predictDependents(i);
@@ -227,7 +227,7 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
 
 // Those of a jam besides the one or two by which it was found.
 void CollisionScheduler::predictMembers(int i, int j) {
-  for (const Member& member : members_) {
+  for (const JamBody& member : jamBodies_) {
     if (member.puck == i || member.puck == j) continue;
     predict(member.puck);
     predictDependents(member.puck);
@@ -237,12 +237,12 @@ void CollisionScheduler::predictMembers(int i, int j) {
 // Do the pucks that this one waits for wait, in the end, for it? Then no order is right, and the first due
 // goes.
 bool CollisionScheduler::waitsForItself(int i) const {
-  int at = outlooks_[i].next.with;
+  int at = predictions_[i].next.with;
   for (std::size_t steps = 0; steps <= pucks_.size(); ++steps) {
-    const PredictedEvent& a = outlooks_[at].next;
+    const PredictedEvent& a = predictions_[at].next;
     if (a.kind != Kind::pair) return false;
     if (a.with == i) return true;
-    const PredictedEvent& theirs = outlooks_[a.with].next;
+    const PredictedEvent& theirs = predictions_[a.with].next;
     if (theirs.kind == Kind::pair && theirs.with == at) return false;
     at = a.with;
   }
@@ -254,7 +254,7 @@ void CollisionScheduler::changeCell(int i, int axis) {
   const int into = cells_.beside(cells_.cellOf(i), axis, way);
   cells_.move(i, into, coarseFlightOf(i));
   findCellExit(i);
-  const PredictedEvent& before = outlooks_[i].next;
+  const PredictedEvent& before = predictions_[i].next;
   PredictedEvent best = before;
   cells_.findAhead(into, axis, way, found_);
   considerPairs(i, 0, sortOut(i, 0), best);
@@ -278,11 +278,11 @@ Ledger CollisionScheduler::ledger() const {
 
 void CollisionScheduler::restore(GameHistory& history) const {
   for (std::size_t i = 0; i < pucks_.size(); ++i) {
-    const PuckState& player = pucks_[i];
-    history.keepLegs(player.file, legsBegun(static_cast<int>(i)));
-    for (const CommittedLeg& decided : player.decided) {
-      history.addLeg(player.file, decided.leg, decided.turning, decided.signal);
-      history.changeTurn(decided.event, player.file,
+    const PuckState& puck = pucks_[i];
+    history.keepLegs(puck.file, legsBegun(static_cast<int>(i)));
+    for (const CommittedLeg& decided : puck.decided) {
+      history.addLeg(puck.file, decided.leg, decided.turning, decided.signal);
+      history.changeTurn(decided.event, puck.file,
                          {decided.leg.start, decided.uBefore, decided.leg.properTime}, decided.leg.u,
                          {decided.jBefore, decided.turning.j});
       noteBounce(decided, history);

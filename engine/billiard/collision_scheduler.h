@@ -47,18 +47,18 @@ class CollisionScheduler {
   std::span<const JamNote> jams() const { return jams_; }
 
   /// What a puck does, by its place in the setup.
-  struct Followed {
+  struct CurrentLeg {
     double since = 0.0;  ///< board time at which the leg began that it follows
     Vec21 u;
     bool awaitsTurn = false;  ///< which is decided and has not come
   };
-  std::vector<Followed> followed() const;
+  std::vector<CurrentLeg> currentLegs() const;
   /// Two bodies that have come together and not parted since: their places in the setup, and the contact.
-  struct Together {
+  struct PersistentPair {
     std::array<std::size_t, 2> pucks;
-    EarlierContact since;
+    PersistentContact since;
   };
-  std::vector<Together> together() const;
+  std::vector<PersistentPair> persistentPairs() const;
 
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -106,7 +106,7 @@ class CollisionScheduler {
     double until;  // bodies with corners that turn: the time of the contact in their frame; else for good
   };
   // What, besides its disc, the predictions of a puck and of its neighbours read and write: one cache line.
-  struct alignas(64) Outlook {
+  struct alignas(64) Prediction {
     PredictedEvent next;
     double leavesCell = kNever;  // when its centre leaves its cell
     unsigned legNumber = 0;      // legs begun before the one that it follows
@@ -119,9 +119,9 @@ class CollisionScheduler {
     bool hasDecided = false;                       // `PuckState::decidedAt` is not -kNever
   };
   // The contact at which a body with corners and another came together, while they have not parted since.
-  struct Unparted {
+  struct PersistentPartner {
     int other;
-    EarlierContact contact;        // the puck with the smaller number first
+    PersistentContact contact;     // the puck with the smaller number first
     std::array<unsigned, 2> legs;  // on which they were last found not to have parted
   };
   // The rest of a puck's state: a cache line that every collision needs, and seldom needed parts.
@@ -134,17 +134,17 @@ class CollisionScheduler {
     unsigned short kicksInRun = 0;
     bool jammed = false;
 
-    // The current run of blows by other pucks, and the hardest of them, as a celerity.
-    alignas(64) double blowsBegan = -kNever;
-    double lastBlow = -kNever, hardestBlow = 0.0;
-    int blows = 0, jams = 0;   // since other pucks last left it alone; `jams` counts its turns in jams
-    double height = 0.0;       // of the centre
-    std::vector<int> strokes;  // those still to come
+    // The current run of impacts by other pucks, and the hardest of them, as a celerity.
+    alignas(64) double impactsBegan = -kNever;
+    double lastImpact = -kNever, hardestImpact = 0.0;
+    int impacts = 0, jams = 0;  // since other pucks last left it alone; `jams` counts its turns in jams
+    double height = 0.0;        // of the centre
+    std::vector<int> strokes;   // those still to come
 
     alignas(64) double decidedAt = -kNever;  // own moment of the last contact that was decided on this leg
     std::vector<HandledContact>
         met;  // pucks whose contact with this leg is dealt with, and the number of their leg
-    std::vector<Unparted> unparted;
+    std::vector<PersistentPartner> partners;
   };
   // The spin of a puck on the leg that it follows, and what it depends on.
   struct PuckSpin {
@@ -197,24 +197,24 @@ class CollisionScheduler {
   static bool isEarlier(double ownTime, int with, const PredictedEvent& than);
   std::optional<Meeting> meetingOf(int first, int second) const;
   const HandledContact* dealtWith(int i, int other) const;
-  double decidedAt(int i) const { return outlooks_[i].hasDecided ? pucks_[i].decidedAt : -kNever; }
-  void noteDecided(int i, double at) { pucks_[i].decidedAt = at, outlooks_[i].hasDecided = true; }
+  double decidedAt(int i) const { return predictions_[i].hasDecided ? pucks_[i].decidedAt : -kNever; }
+  void noteDecided(int i, double at) { pucks_[i].decidedAt = at, predictions_[i].hasDecided = true; }
   void noteMet(int i, const HandledContact& contact);
   void findCellExit(int i);
   double leavesCell(int i, int axis) const;
   void fetchState(int i) const {
     prefetch(&pucks_[i]);
-    if (canPress_) prefetch(&pucks_[i].blowsBegan);
+    if (canPress_) prefetch(&pucks_[i].impactsBegan);
   }
   int wayAlong(int i, int axis) const { return (axis == 0 ? discs_[i].u.x : discs_[i].u.y) > 0.0 ? 1 : -1; }
   // Returns the axis along which the puck's centre leaves its cell first.
-  int leavesFirst(int i) const { return outlooks_[i].leavesAlongY ? 1 : 0; }
+  int leavesFirst(int i) const { return predictions_[i].leavesAlongY ? 1 : 0; }
   void schedule(int i);
   void predictDependents(int of);
   void setPredictedEvent(int i, const PredictedEvent& a);
   // Whether the other puck has decided something since that makes it void.
   bool isVoid(const PredictedEvent& a) const {
-    return a.kind == Kind::pair && (outlooks_[a.with].legNumber != a.otherLeg ||
+    return a.kind == Kind::pair && (predictions_[a.with].legNumber != a.otherLeg ||
                                     a.otherTime >= discs_[a.with].turnsAt || a.otherTime < decidedAt(a.with));
   }
 
@@ -284,7 +284,7 @@ class CollisionScheduler {
   double restitution(int i, double usual, double turnTime);
   // Returns the number of the last leg decided, counted from the start of the game.
   std::size_t lastLegNumber(int i) const { return legsBegun(i) + pucks_[i].decided.size(); }
-  std::size_t legsBegun(int i) const { return outlooks_[i].legNumber + std::size_t{1}; }
+  std::size_t legsBegun(int i) const { return predictions_[i].legNumber + std::size_t{1}; }
   // Returns the leg that the puck follows, for what does not ask for the puck's own clock.
   Leg flightOf(int i) const { return {discs_[i].start, discs_[i].u, 0.0, brake_}; }
   // Returns the leg that the puck follows.
@@ -303,22 +303,23 @@ class CollisionScheduler {
     return outlines_ != nullptr && (outlineOf(first) != nullptr || outlineOf(second) != nullptr);
   }
   void takeOutlines(const BilliardSetup& setup);
-  ShapedFlight shapedFlight(int i, const Leg& leg, const Turning& turning) const;
+  MovingShape movingShape(int i, const Leg& leg, const Turning& turning) const;
   std::optional<CornerContact> cornersMeet(int first, int second) const;
-  ShapedFlight followedFlight(int i) const { return shapedFlight(i, flightOf(i), spins_[i].turning); }
-  const EarlierContact* earlierContact(int first, int second) const;
+  MovingShape followedFlight(int i) const { return movingShape(i, flightOf(i), spins_[i].turning); }
+  const PersistentContact* persistentContact(int first, int second) const;
   bool haveOutlines(int first, int second) const {
     return outlines_ != nullptr && outlineOf(first) != nullptr && outlineOf(second) != nullptr;
   }
   // Whether the last contact of either is with the other, at another place, and its signal on its way.
   bool isStruckAgain(int i, int other) const {
-    return haveOutlines(i, other) && outlooks_[i].lastPartner == other && outlooks_[other].lastPartner == i &&
-           !pucks_[i].decided.empty() && !pucks_[other].decided.empty();
+    return haveOutlines(i, other) && predictions_[i].lastPartner == other &&
+           predictions_[other].lastPartner == i && !pucks_[i].decided.empty() &&
+           !pucks_[other].decided.empty();
   }
   void kickOtherPlaces(const std::array<int, 2>& who, const PairContact& contact, PairOutcome& outcome) const;
-  void noteTogether(const std::array<int, 2>& who, const PairContact& contact);
+  void notePersistentPair(const std::array<int, 2>& who, const PairContact& contact);
   void forgetParted(int i);
-  bool haveParted(int first, int second, EarlierContact& earlier) const;
+  bool haveParted(int first, int second, PersistentContact& earlier) const;
   bool approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a, PairContact& contact) const;
   std::optional<CushionContact> touchOf(int i, const Leg& leg, const Turning& turning, int cushion) const;
   std::optional<CushionContact> followedTouchOf(int i, int cushion) const;
@@ -332,7 +333,7 @@ class CollisionScheduler {
   bool discsStayElastic() const { return outlines_ != nullptr && puckRestitution_ == 1.0; }
 
   // collision_scheduler_jam.cpp: what happens to pucks that press on one another
-  struct Member {
+  struct JamBody {
     int puck = 0;
     LegState turn;  // before
     Turning turning;
@@ -345,11 +346,11 @@ class CollisionScheduler {
     int body = 0;           // the first member of the group with which it moves on
     int changed = 0;        // number of the last sweep that changed it
   };
-  struct Press {
+  struct JamContact {
     int first = 0, second = 0;         // places among the members
     std::vector<TouchedPlace> places;  // of bodies with corners
   };
-  void noteBlow(int i, double turnTime, double closing, bool manifold);
+  void noteImpact(int i, double turnTime, double closing, bool manifold);
   bool isPressed(int i, double t) const;
   void settle(const std::array<int, 2>& who, const PairContact& contact, const std::array<LegState, 2>& turn,
               GameHistory& history);
@@ -357,23 +358,23 @@ class CollisionScheduler {
                      const Vec21& U, GameHistory& history);
   double slowIn(std::span<const int> who, double hardest) const;
   void gatherJam(const Vec21& U, double earliest);
-  bool touch(const Member& one, const Member& other) const;
+  bool touch(const JamBody& one, const JamBody& other) const;
   std::optional<LegState> joinsAt(int i, const Vec21& touched, const Vec21& U, double earliest) const;
-  static void kicked(Member& member, const Vec21& u, double heat);
-  Member memberOf(int i, const LegState& turn) const;
+  static void kicked(JamBody& member, const Vec21& u, double heat);
+  JamBody jamBodyOf(int i, const LegState& turn) const;
   bool relax(double slow);
-  bool partDiscs(Member& one, Member& two, double slow) const;
+  bool partDiscs(JamBody& one, JamBody& two, double slow) const;
   void moveOnTogether(double slow);
   void moveBody(int body);
-  void leaveCushions(Member& member, double slow);
+  void leaveCushions(JamBody& member, double slow);
   bool commitJam(const Vec21& touch, GameHistory& history);
   // with corners (collision_scheduler_corners.cpp)
-  ShapedFlight shapedFlight(const Member& member) const;
-  std::vector<TouchedPlace> placesOf(const Member& one, const Member& other) const;
-  bool partCorners(Member& one, Member& two, std::span<const TouchedPlace> places) const;
-  bool isTouched(const Member& member, const CushionPlane& cushion) const;
-  void partFromCushions(Member& member) const;
-  void turned(Member& member, double j) const { member.j = j, member.mass = massOf(member.puck, j); }
+  MovingShape movingShape(const JamBody& member) const;
+  std::vector<TouchedPlace> placesOf(const JamBody& one, const JamBody& other) const;
+  bool partCorners(JamBody& one, JamBody& two, std::span<const TouchedPlace> places) const;
+  bool isTouched(const JamBody& member, const CushionPlane& cushion) const;
+  void partFromCushions(JamBody& member) const;
+  void turned(JamBody& member, double j) const { member.j = j, member.mass = massOf(member.puck, j); }
 
   // Fixed by the setup.
   double c_m_s_;
@@ -395,16 +396,16 @@ class CollisionScheduler {
 
   // The state of the game, by puck.
   LargeArray<Disc> discs_;  // the legs being followed; the search for partners reads them
-  LargeArray<Outlook> outlooks_;
+  LargeArray<Prediction> predictions_;
   LargeArray<PuckState> pucks_;
   std::vector<PuckSpin> spins_;
   DueQueue queue_;
   CellGrid cells_;
-  double epoch_ = 0.0;            // the board time of the flights in the cells
-  FoundFlights found_;            // scratch: neighbours
-  std::vector<int> near_, void_;  // scratch
-  std::vector<Member> members_;   // scratch: the jam that is being settled
-  std::vector<Press> presses_;
+  double epoch_ = 0.0;              // the board time of the flights in the cells
+  FoundFlights found_;              // scratch: neighbours
+  std::vector<int> near_, void_;    // scratch
+  std::vector<JamBody> jamBodies_;  // scratch: the jam that is being settled
+  std::vector<JamContact> jamContacts_;
   std::vector<char> inJam_;        // by puck
   std::size_t flashed_ = 0;        // number of flashes listed so far
   std::vector<int> deferred_;      // pucks whose event waits until others have had theirs

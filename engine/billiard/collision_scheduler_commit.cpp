@@ -97,7 +97,7 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
   const auto flight = [&](int k) { return braked ? flightAt(disc(k), touchAt[k]) : discs_[who[k]]; };
   const std::optional<CornerContact> corners =
       hasCorners(first, second) ? cornersMeet(first, second) : std::nullopt;
-  if (corners && corners->lookAgain) return corners->time;
+  if (corners && corners->unfinished) return corners->time;
   PairContact contact = corners ? corners->contact : contactOf(flight(0), flight(1), a.withoutDelay);
 
   const bool waits = !pucks_[first].decided.empty() || !pucks_[second].decided.empty();
@@ -146,7 +146,7 @@ void CollisionScheduler::commitKick(const std::array<int, 2>& who, const PairCon
   const std::uint64_t collision =
       history.addCollision(std::nullopt, contact.event, a.withoutDelay, heat * c_m_s_ * c_m_s_);
   accounts_.heat += heat;
-  if (hasCorners(who[0], who[1])) noteTogether(who, contact);
+  if (hasCorners(who[0], who[1])) notePersistentPair(who, contact);
   const bool lies = a.withoutDelay && hasCorners(who[0], who[1]);
   const std::array<bool, 2> byMany{lies || isPressed(who[1], turn[1].x.t),
                                    lies || isPressed(who[0], turn[0].x.t)};
@@ -161,22 +161,22 @@ void CollisionScheduler::commitKick(const std::array<int, 2>& who, const PairCon
     decided.event = collision;
     decided.heat = kick.heat[k];
     decided.radiated = outcome.radiated[k];
-    const unsigned followed = outlooks_[i].legNumber;
+    const unsigned followed = predictions_[i].legNumber;
     decide(i, decided, turn[k], history);
-    if (outlooks_[i].legNumber == followed) noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
+    if (predictions_[i].legNumber == followed) noteDecided(i, k == 0 ? a.ownTime : a.otherTime);
     noteKick(i, turn[k].x);
-    noteBlow(i, turn[k].x.t, kick.closing, byMany[k]);
-    outlooks_[i].lastPartner = who[1 - k];
+    noteImpact(i, turn[k].x.t, kick.closing, byMany[k]);
+    predictions_[i].lastPartner = who[1 - k];
   }
 }
 
 void CollisionScheduler::bounce(int i, const PredictedEvent& a, GameHistory& history) {
-  PuckState& player = pucks_[i];
-  outlooks_[i].metCushions |= static_cast<unsigned char>(1u << a.with);
+  PuckState& puck = pucks_[i];
+  predictions_[i].metCushions |= static_cast<unsigned char>(1u << a.with);
   std::optional<CushionContact> contact = followedTouchOf(i, a.with);
   if (!contact) return;
   std::size_t foundOn = legsBegun(i);
-  if (!player.decided.empty()) {
+  if (!puck.decided.empty()) {
     if (contact->withoutDelay) return;
     // A decided leg has turned the puck off this cushion already.
     if (outlineOf(i) == nullptr && !(cushions_[a.with].towards(lastLeg(i).u) > 0.0)) return;
@@ -224,7 +224,7 @@ std::optional<Vec21> CollisionScheduler::cornerBefore(int cushion, const Cushion
 // Commits the kick of a cushion at contact.turn, on the last leg decided.
 void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, std::size_t foundOn,
                                   GameHistory& history) {
-  PuckState& player = pucks_[i];
+  PuckState& puck = pucks_[i];
   const double e = restitution(i, cushionRestitution_, contact.turn.x.t);
   const Turning turning = turningAt(i, contact.turn.properTime);
   std::optional<SpinningCushionKick> found =
@@ -242,7 +242,7 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   decided.event = history.addCollision(static_cast<Cushion>(cushion), contact.event, contact.withoutDelay,
                                        kick->heat * c_m_s_ * c_m_s_);
   if (liesOnCushion(i, cushion, contact)) history.noteSideOnSide();
-  history.addTurn(decided.event, player.file, contact.turn, kick->u, {turning.j, found->j});
+  history.addTurn(decided.event, puck.file, contact.turn, kick->u, {turning.j, found->j});
   decided.leg = {contact.turn.x, kick->u, contact.turn.properTime, brake_};
   decided.turning = {found->j, turning.angle};
   decided.signal = contact.withoutDelay ? contact.turn.x : contact.event;
@@ -255,8 +255,8 @@ void CollisionScheduler::bounceAt(int i, int cushion, CushionContact contact, st
   decided.taken = contact.turn.u * massOf(i, turning.j) - kick->u * (massOf(i, found->j) + kick->heat);
   decide(i, decided, contact.turn, history);
   noteKick(i, contact.turn.x);
-  if (outlineOf(i) != nullptr) noteBlow(i, contact.turn.x.t, kick->closing, contact.withoutDelay);
-  outlooks_[i].lastPartner = -1;
+  if (outlineOf(i) != nullptr) noteImpact(i, contact.turn.x.t, kick->closing, contact.withoutDelay);
+  predictions_[i].lastPartner = -1;
 }
 
 LegState CollisionScheduler::turnOnFollowedLeg(int i, int which, const PairContact& contact,
@@ -275,9 +275,9 @@ LegState CollisionScheduler::turnOnFollowedLeg(int i, int which, const PairConta
 // the caller knows.
 CollisionScheduler::Place CollisionScheduler::placeTurn(int i, const Vec21& signal, int cushion,
                                                         const LegState& onFollowedLeg, GameHistory& history) {
-  const PuckState& player = pucks_[i];
-  if (player.decided.empty()) return {onFollowedLeg, false, {}};
-  if (onFollowedLeg.x.t < player.decided.front().leg.start.t - sameTurn_m(discs_[i].radius) * discs_[i].u.t) {
+  const PuckState& puck = pucks_[i];
+  if (puck.decided.empty()) return {onFollowedLeg, false, {}};
+  if (onFollowedLeg.x.t < puck.decided.front().leg.start.t - sameTurn_m(discs_[i].radius) * discs_[i].u.t) {
     return {onFollowedLeg, true, {}};
   }
   return whereSignalArrives(i, signal, cushion, history);
@@ -314,7 +314,7 @@ CollisionScheduler::Place CollisionScheduler::whereSignalArrives(int i, const Ve
 
 void CollisionScheduler::decide(int i, const CommittedLeg& given, const LegState& turn,
                                 GameHistory& history) {
-  PuckState& player = pucks_[i];
+  PuckState& puck = pucks_[i];
   CommittedLeg decided = given;
   const double jBegan = lastTurning(i).j, j = turningAt(i, turn.properTime).j;
   decided.uBefore = turn.u;
@@ -324,40 +324,40 @@ void CollisionScheduler::decide(int i, const CommittedLeg& given, const LegState
   accounts_.radiated = accounts_.radiated + decided.radiated;
   accounts_.taken = accounts_.taken + decided.taken;
   accounts_.braked = accounts_.braked + decided.braked;
-  history.addLeg(player.file, decided.leg, decided.turning, decided.signal);
+  history.addLeg(puck.file, decided.leg, decided.turning, decided.signal);
   rollbackWindow_ = std::max(rollbackWindow_, 4.0 * decided.leg.u.t * discs_[i].radius);
   if (convention_ == TurnConvention::signalAtCentre && decided.leg.u.t > gammaBound_) cellsTooSmall_ = true;
 
-  const bool atOnce = player.decided.empty() && (turn.x.t <= discs_[i].start.t || decided.atOnce ||
-                                                 convention_ == TurnConvention::simultaneousWithContact);
+  const bool atOnce = puck.decided.empty() && (turn.x.t <= discs_[i].start.t || decided.atOnce ||
+                                               convention_ == TurnConvention::simultaneousWithContact);
   if (atOnce) {
     beginLeg(i, decided.leg, decided.turning);
   } else {
-    player.decided.push_back(decided);
-    discs_[i].turnsAt = player.decided.front().leg.start.t;
+    puck.decided.push_back(decided);
+    discs_[i].turnsAt = puck.decided.front().leg.start.t;
   }
 }
 
 void CollisionScheduler::beginLeg(int i, const Leg& leg, const Turning& turning) {
-  PuckState& player = pucks_[i];
+  PuckState& puck = pucks_[i];
   if (turns_) spins_[i].turning = turning;
-  player.properTime = leg.properTime;
-  Outlook& own = outlooks_[i];
+  puck.properTime = leg.properTime;
+  Prediction& own = predictions_[i];
   ++own.legNumber;
   own.metCushions = 0;
   own.hasDecided = false;
-  if (own.hasMet) player.met.clear(), own.hasMet = false;
+  if (own.hasMet) puck.met.clear(), own.hasMet = false;
   discs_[i].start = leg.start;
   discs_[i].u = leg.u;
-  discs_[i].turnsAt = player.decided.empty() ? kNever : player.decided.front().leg.start.t;
+  discs_[i].turnsAt = puck.decided.empty() ? kNever : puck.decided.front().leg.start.t;
   if (usesCells()) cells_.change(i, coarseFlightOf(i));
 }
 
 void CollisionScheduler::beginCommitted(int i) {
-  PuckState& player = pucks_[i];
-  const Leg leg = player.decided.front().leg;
-  const Turning turning = player.decided.front().turning;
-  player.decided.erase(player.decided.begin());
+  PuckState& puck = pucks_[i];
+  const Leg leg = puck.decided.front().leg;
+  const Turning turning = puck.decided.front().turning;
+  puck.decided.erase(puck.decided.begin());
   beginLeg(i, leg, turning);
 }
 
@@ -366,22 +366,22 @@ void CollisionScheduler::beginCommitted(int i) {
 // touched the cushion before. A cushion that the stroke keeps the puck from, or drives it away from, does
 // nothing.
 void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
-  PuckState& player = pucks_[i];
+  PuckState& puck = pucks_[i];
   const PuckStroke& s = strokes_[stroke];
   const auto sum = [&] {
     return accounts_.radiated + accounts_.taken + accounts_.braked +
            lastLeg(i).u * massOf(i, lastTurning(i).j);
   };
   const Vec21 before = sum();
-  std::erase(player.strokes, stroke);
-  std::vector<CommittedLeg> onTheirWay = std::move(player.decided);
-  player.decided.clear();
+  std::erase(puck.strokes, stroke);
+  std::vector<CommittedLeg> onTheirWay = std::move(puck.decided);
+  puck.decided.clear();
   for (const CommittedLeg& old : onTheirWay) {
     accounts_.radiated = accounts_.radiated - old.radiated;
     accounts_.taken = accounts_.taken - old.taken;
     accounts_.braked = accounts_.braked - old.braked;
   }
-  history.keepLegs(player.file, legsBegun(i));
+  history.keepLegs(puck.file, legsBegun(i));
 
   const Leg followed = legOf(i);
   LegState struck = s.fromHand ? signalArrives(followed, s.hand, s.height) : momentAt(followed, s.hand.t);
@@ -397,10 +397,10 @@ void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
   decided.signal = struck.x;
   decided.atOnce = true;
   decided.event = history.addStroke(static_cast<std::uint32_t>(stroke), s.fromHand ? s.hand : struck.x,
-                                    player.height + (s.fromHand ? s.height : 0.0));
-  history.addTurn(decided.event, player.file, struck, u, {turning.j, j});
+                                    puck.height + (s.fromHand ? s.height : 0.0));
+  history.addTurn(decided.event, puck.file, struck, u, {turning.j, j});
   decide(i, decided, struck, history);
-  outlooks_[i].lastPartner = -1;
+  predictions_[i].lastPartner = -1;
 
   while (!onTheirWay.empty()) {
     const Leg leg = lastLeg(i);
@@ -414,7 +414,7 @@ void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
       accounts_.heat -= old.heat;
       history.changeBounce(old.event, old.contact, true, 0.0);
       const double kept = lastTurning(i).j;
-      history.changeTurn(old.event, player.file, {leg.start, leg.u, leg.properTime}, leg.u, {kept, kept});
+      history.changeTurn(old.event, puck.file, {leg.start, leg.u, leg.properTime}, leg.u, {kept, kept});
     } else {
       placeAnew(i, old, history);
     }
@@ -424,7 +424,7 @@ void CollisionScheduler::strike(int i, int stroke, GameHistory& history) {
 
 // A kick on its way acts on the last leg decided, which is not the one that it was found for.
 void CollisionScheduler::placeAnew(int i, CommittedLeg kick, GameHistory& history) {
-  PuckState& player = pucks_[i];
+  PuckState& puck = pucks_[i];
   Place place = whereSignalArrives(i, kick.signal, kick.cushion, history);
   const Leg leg = lastLeg(i);
   if (place.tooLate) place.turn = {leg.start, leg.u, leg.properTime};
@@ -453,7 +453,7 @@ void CollisionScheduler::placeAnew(int i, CommittedLeg kick, GameHistory& histor
   kick.radiated = kick.leg.u * kick.heat;
   accounts_.heat += kick.heat - oldHeat;
   noteBounce(kick, history);
-  history.changeTurn(kick.event, player.file, turn, kick.leg.u, {turning.j, kick.turning.j});
+  history.changeTurn(kick.event, puck.file, turn, kick.leg.u, {turning.j, kick.turning.j});
   decide(i, kick, turn, history);
 }
 
@@ -477,23 +477,23 @@ void CollisionScheduler::noteBounce(const CommittedLeg& decided, GameHistory& hi
 }
 
 double CollisionScheduler::restitution(int i, double usual, double turnTime) {
-  PuckState& player = pucks_[i];
+  PuckState& puck = pucks_[i];
   const double window = kJamPerRadius * discs_[i].radius;
-  if (player.jammed && turnTime - player.lastKick > window) player.jammed = false, player.kicksInRun = 0;
-  return player.jammed ? 0.0 : usual;
+  if (puck.jammed && turnTime - puck.lastKick > window) puck.jammed = false, puck.kicksInRun = 0;
+  return puck.jammed ? 0.0 : usual;
 }
 
 void CollisionScheduler::noteKick(int i, const Vec21& turn) {
-  PuckState& player = pucks_[i];
-  player.lastKick = turn.t;
-  if (player.jammed) return;
-  if (player.kicksInRun == 0 || turn.t - player.runBegan > kJamPerRadius * discs_[i].radius) {
-    player.runBegan = turn.t;
-    player.kicksInRun = 0;
+  PuckState& puck = pucks_[i];
+  puck.lastKick = turn.t;
+  if (puck.jammed) return;
+  if (puck.kicksInRun == 0 || turn.t - puck.runBegan > kJamPerRadius * discs_[i].radius) {
+    puck.runBegan = turn.t;
+    puck.kicksInRun = 0;
   }
-  if (++player.kicksInRun < kKicksOfAJam) return;
-  player.jammed = true;
-  jams_.push_back({player.file, {turn.t / c_m_s_, {turn.x, turn.y, player.height}}});
+  if (++puck.kicksInRun < kKicksOfAJam) return;
+  puck.jammed = true;
+  jams_.push_back({puck.file, {turn.t / c_m_s_, {turn.x, turn.y, puck.height}}});
 }
 
 }  // namespace carom

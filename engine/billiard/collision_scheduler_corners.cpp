@@ -10,10 +10,10 @@ namespace carom {
 
 namespace {
 
-constexpr double kTouching = 1e-6;  // of the radii: nearer than this is touching
-constexpr double kRebound = 0.25;   // of inelastic bodies in a jam: so it ends after few kicks
-constexpr int kKicksOfABlow = 16;   // at places where bodies lie on each other when they meet at another
-constexpr int kJamsToRest = 64;     // without peace, after which a body moves on with what it touches
+constexpr double kTouching = 1e-6;    // of the radii: nearer than this is touching
+constexpr double kRebound = 0.25;     // of inelastic bodies in a jam: so it ends after few kicks
+constexpr int kKicksOfAnImpact = 16;  // at places where bodies lie on each other when they meet at another
+constexpr int kJamsToRest = 64;       // without peace, after which a body moves on with what it touches
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void CollisionScheduler::takeOutlines(const BilliardSetup& setup) {
   turns_ = canPress_ = true;
 }
 
-ShapedFlight CollisionScheduler::shapedFlight(int i, const Leg& leg, const Turning& turning) const {
+MovingShape CollisionScheduler::movingShape(int i, const Leg& leg, const Turning& turning) const {
   const double radius = discs_[i].radius;
   return {leg.start, leg.u, radius, outlineOf(i), turning.angle, rimBeta(spins_[i].body, turning.j) / radius};
 }
@@ -40,40 +40,42 @@ std::optional<CornerContact> CollisionScheduler::cornersMeet(int first, int seco
   const HandledContact* const last = dealtWith(first, second);
   const bool waits = !pucks_[first].decided.empty() || !pucks_[second].decided.empty();
   return findCornerContact(followedFlight(first), followedFlight(second),
-                           last == nullptr ? -kNever : last->until, earlierContact(first, second), waits);
+                           last == nullptr ? -kNever : last->until, persistentContact(first, second), waits);
 }
 
-const EarlierContact* CollisionScheduler::earlierContact(int first, int second) const {
-  const std::vector<Unparted>& unparted = pucks_[first].unparted;
-  const auto found = std::find_if(unparted.begin(), unparted.end(),
-                                  [second](const Unparted& one) { return one.other == second; });
-  return found == unparted.end() ? nullptr : &found->contact;
+const PersistentContact* CollisionScheduler::persistentContact(int first, int second) const {
+  const std::vector<PersistentPartner>& partners = pucks_[first].partners;
+  const auto found = std::find_if(partners.begin(), partners.end(),
+                                  [second](const PersistentPartner& one) { return one.other == second; });
+  return found == partners.end() ? nullptr : &found->contact;
 }
 
 // On the legs that both follow.
-void CollisionScheduler::noteTogether(const std::array<int, 2>& who, const PairContact& contact) {
-  const EarlierContact now{{followedFlight(who[0]), followedFlight(who[1])}, contact.event, contact.n, false};
-  const std::array<unsigned, 2> legs{outlooks_[who[0]].legNumber, outlooks_[who[1]].legNumber};
-  if (const EarlierContact* const earlier = earlierContact(who[0], who[1])) {
+void CollisionScheduler::notePersistentPair(const std::array<int, 2>& who, const PairContact& contact) {
+  const PersistentContact now{
+      {followedFlight(who[0]), followedFlight(who[1])}, contact.event, contact.n, false};
+  const std::array<unsigned, 2> legs{predictions_[who[0]].legNumber, predictions_[who[1]].legNumber};
+  if (const PersistentContact* const earlier = persistentContact(who[0], who[1])) {
     const double time = dot(contact.U, contact.event - now.flights[0].start);
     if (!haveOutlines(who[0], who[1]) ||
-        passageSince(*earlier, now.flights[0], now.flights[1], time) != Passage::apart)
+        penetrationSince(*earlier, now.flights[0], now.flights[1], time) != PenetrationState::apart)
       return;
     for (int k = 0; k < 2; ++k)
-      std::erase_if(pucks_[who[k]].unparted, [&](const Unparted& one) { return one.other == who[1 - k]; });
+      std::erase_if(pucks_[who[k]].partners,
+                    [&](const PersistentPartner& one) { return one.other == who[1 - k]; });
   }
-  for (int k = 0; k < 2; ++k) pucks_[who[k]].unparted.push_back({who[1 - k], now, legs});
+  for (int k = 0; k < 2; ++k) pucks_[who[k]].partners.push_back({who[1 - k], now, legs});
 }
 
 // A pair is looked at once on each pair of legs.
 void CollisionScheduler::forgetParted(int i) {
-  std::erase_if(pucks_[i].unparted, [&](Unparted& one) {
+  std::erase_if(pucks_[i].partners, [&](PersistentPartner& one) {
     const int first = std::min(i, one.other), second = std::max(i, one.other);
-    const std::array<unsigned, 2> legs{outlooks_[first].legNumber, outlooks_[second].legNumber};
+    const std::array<unsigned, 2> legs{predictions_[first].legNumber, predictions_[second].legNumber};
     if (legs == one.legs) return false;
-    std::vector<Unparted>& theirs = pucks_[one.other].unparted;
+    std::vector<PersistentPartner>& theirs = pucks_[one.other].partners;
     const auto same =
-        std::find_if(theirs.begin(), theirs.end(), [i](const Unparted& x) { return x.other == i; });
+        std::find_if(theirs.begin(), theirs.end(), [i](const PersistentPartner& x) { return x.other == i; });
     const bool parted = haveParted(first, second, one.contact);
     same->contact.behind = one.contact.behind;
     one.legs = same->legs = legs;
@@ -83,29 +85,30 @@ void CollisionScheduler::forgetParted(int i) {
 }
 
 // Those that something else has turned while they were behind each other stay there.
-bool CollisionScheduler::haveParted(int first, int second, EarlierContact& earlier) const {
-  const ShapedFlight one = followedFlight(first), other = followedFlight(second);
+bool CollisionScheduler::haveParted(int first, int second, PersistentContact& earlier) const {
+  const MovingShape one = followedFlight(first), other = followedFlight(second);
   const Vec21 U = equalSpeedFrame(one.u, other.u);
   const double since = std::max(dot(U, one.start - earlier.event), dot(U, other.start - earlier.event));
   if (!(since > 0.0)) return false;
-  const Passage passage = passageSince(earlier, one, other);
-  earlier.behind = earlier.behind || passage == Passage::through;
-  const bool undisturbed = outlooks_[first].lastPartner == second && outlooks_[second].lastPartner == first;
-  return passage == Passage::apart || (passage == Passage::through && !undisturbed);
+  const PenetrationState penetration = penetrationSince(earlier, one, other);
+  earlier.behind = earlier.behind || penetration == PenetrationState::through;
+  const bool undisturbed =
+      predictions_[first].lastPartner == second && predictions_[second].lastPartner == first;
+  return penetration == PenetrationState::apart || (penetration == PenetrationState::through && !undisturbed);
 }
 
-std::vector<CollisionScheduler::Followed> CollisionScheduler::followed() const {
-  std::vector<Followed> all(pucks_.size());
+std::vector<CollisionScheduler::CurrentLeg> CollisionScheduler::currentLegs() const {
+  std::vector<CurrentLeg> all(pucks_.size());
   for (std::size_t i = 0; i < pucks_.size(); ++i)
     all[pucks_[i].file] = {discs_[i].start.t, discs_[i].u, !pucks_[i].decided.empty()};
   return all;
 }
 
-std::vector<CollisionScheduler::Together> CollisionScheduler::together() const {
-  std::vector<Together> pairs;
+std::vector<CollisionScheduler::PersistentPair> CollisionScheduler::persistentPairs() const {
+  std::vector<PersistentPair> pairs;
   for (std::size_t i = 0; i < pucks_.size(); ++i) {
     const int first = static_cast<int>(i);
-    for (const Unparted& one : pucks_[i].unparted) {
+    for (const PersistentPartner& one : pucks_[i].partners) {
       if (one.other < first) continue;
       pairs.push_back({{pucks_[i].file, pucks_[static_cast<std::size_t>(one.other)].file}, one.contact});
     }
@@ -123,7 +126,7 @@ bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const 
   const double radii = discs_[who[0]].radius + discs_[who[1]].radius;
   double fastest = kResting;
   for (const TouchedPlace& place : touchedPlaces(followedFlight(who[0]), followedFlight(who[1]),
-                                                 kTouching * radii, earlierContact(who[0], who[1]))) {
+                                                 kTouching * radii, persistentContact(who[0], who[1]))) {
     PairContact here = contact;
     here.event = place.event, here.n = place.n;
     const auto kick = cornerKick(who, here, u, j, 1.0);
@@ -135,17 +138,17 @@ bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const 
 }
 
 // Bodies that have not parted lie in each other at other places as well: until they recede at all of them by the
-// momenta that are decided, the blow goes on there.
+// momenta that are decided, the impact goes on there.
 void CollisionScheduler::kickOtherPlaces(const std::array<int, 2>& who, const PairContact& contact,
                                          PairOutcome& outcome) const {
-  const EarlierContact* const earlier = earlierContact(who[0], who[1]);
+  const PersistentContact* const earlier = persistentContact(who[0], who[1]);
   if (earlier == nullptr || !haveOutlines(who[0], who[1])) return;
-  const ShapedFlight first = followedFlight(who[0]), second = followedFlight(who[1]);
+  const MovingShape first = followedFlight(who[0]), second = followedFlight(who[1]);
   std::vector<TouchedPlace> places =
       placesKeptOut(first, second, dot(contact.U, contact.event - first.start), *earlier);
   places.push_back({contact.event, contact.n});
   const double e = std::max(kRebound, outcome.restitution);
-  for (int kicks = 0; kicks < kKicksOfABlow; ++kicks) {
+  for (int kicks = 0; kicks < kKicksOfAnImpact; ++kicks) {
     double fastest = kResting;
     std::optional<SpinningPairKick> next;
     SpinningPairKick& kick = outcome.kick;
@@ -165,7 +168,7 @@ std::optional<CushionContact> CollisionScheduler::touchOf(int i, const Leg& leg,
                                                           int cushion) const {
   if (outlineOf(i) == nullptr) return findContact(leg, discs_[i].radius, cushions_[cushion], convention_);
   const auto found =
-      findCornerContact(shapedFlight(i, leg, turning), leg.properTime, cushions_[cushion], convention_);
+      findCornerContact(movingShape(i, leg, turning), leg.properTime, cushions_[cushion], convention_);
   if (!found) return std::nullopt;
   return found->contact;
 }
@@ -185,7 +188,7 @@ bool CollisionScheduler::isKickedBy(int i, int cushion, const CushionContact& co
 // With two corners at once.
 bool CollisionScheduler::liesOnCushion(int i, int cushion, const CushionContact& contact) const {
   if (outlineOf(i) == nullptr || contact.withoutDelay) return false;
-  const auto found = findCornerContact(shapedFlight(i, legOf(i), spins_[i].turning), pucks_[i].properTime,
+  const auto found = findCornerContact(movingShape(i, legOf(i), spins_[i].turning), pucks_[i].properTime,
                                        cushions_[cushion], convention_);
   return found && found->sideOnSide;
 }
@@ -213,20 +216,20 @@ std::optional<SpinningPairKick> CollisionScheduler::cornerKick(const std::array<
   return kickCorners(contact.U, contact.n, bodies, rules);
 }
 
-ShapedFlight CollisionScheduler::shapedFlight(const Member& member) const {
-  return shapedFlight(member.puck, {member.turn.x, member.u, 0.0, 0.0}, {member.j, member.turning.angle});
+MovingShape CollisionScheduler::movingShape(const JamBody& member) const {
+  return movingShape(member.puck, {member.turn.x, member.u, 0.0, 0.0}, {member.j, member.turning.angle});
 }
 
-std::vector<TouchedPlace> CollisionScheduler::placesOf(const Member& one, const Member& other) const {
+std::vector<TouchedPlace> CollisionScheduler::placesOf(const JamBody& one, const JamBody& other) const {
   if (other.puck < one.puck) return placesOf(other, one);
-  const ShapedFlight first = shapedFlight(one), second = shapedFlight(other);
+  const MovingShape first = movingShape(one), second = movingShape(other);
   return touchedPlaces(first, second, kTouching * (first.radius + second.radius),
-                       earlierContact(one.puck, other.puck));
+                       persistentContact(one.puck, other.puck));
 }
 
 // A kick without friction at that of the places where two members touch at which they close fastest. Returns whether
 // they close.
-bool CollisionScheduler::partCorners(Member& one, Member& two, std::span<const TouchedPlace> places) const {
+bool CollisionScheduler::partCorners(JamBody& one, JamBody& two, std::span<const TouchedPlace> places) const {
   const RimRules rules{puckRestitution_ < 1.0 ? kRebound : 1.0};
   const Vec21 U = equalSpeedFrame(one.u, two.u);
   std::optional<SpinningPairKick> fastest;
@@ -243,16 +246,16 @@ bool CollisionScheduler::partCorners(Member& one, Member& two, std::span<const T
   return true;
 }
 
-bool CollisionScheduler::isTouched(const Member& member, const CushionPlane& cushion) const {
-  return !touchedPlaces(shapedFlight(member), cushion, kTouching * discs_[member.puck].radius).empty();
+bool CollisionScheduler::isTouched(const JamBody& member, const CushionPlane& cushion) const {
+  return !touchedPlaces(movingShape(member), cushion, kTouching * discs_[member.puck].radius).empty();
 }
 
 // Likewise from each cushion that a member touches.
-void CollisionScheduler::partFromCushions(Member& member) const {
+void CollisionScheduler::partFromCushions(JamBody& member) const {
   const RimRules rules{cushionRestitution_ < 1.0 ? kRebound : 1.0};
   for (std::size_t k = 0; k < cushions_.size(); ++k) {
     if ((member.cushions >> k & 1u) == 0) continue;
-    const ShapedFlight flight = shapedFlight(member);
+    const MovingShape flight = movingShape(member);
     const Vec21 momentum = member.u * member.mass;
     std::optional<SpinningCushionKick> fastest;
     for (const Vec21& place : touchedPlaces(flight, cushions_[k], kTouching * flight.radius)) {
@@ -271,12 +274,12 @@ void CollisionScheduler::partFromCushions(Member& member) const {
 // kick sending others together. All such kicks are taken at once. Returns whether there are any.
 bool CollisionScheduler::settleCorners(std::span<const int> who, std::span<const LegState> turn,
                                        const Vec21& touch, const Vec21& U, GameHistory& history) {
-  members_.clear();
+  jamBodies_.clear();
   double earliest = kNever, hardest = 0.0;
   for (std::size_t k = 0; k < who.size(); ++k) {
-    members_.push_back(memberOf(who[k], turn[k]));
+    jamBodies_.push_back(jamBodyOf(who[k], turn[k]));
     earliest = std::min(earliest, turn[k].x.t);
-    hardest = std::max(hardest, pucks_[who[k]].hardestBlow);
+    hardest = std::max(hardest, pucks_[who[k]].hardestImpact);
   }
   gatherJam(U, earliest);
   const double slow = slowIn(who, hardest);

@@ -9,14 +9,14 @@ namespace carom {
 
 namespace {
 
-constexpr int kBlowsOfAJam = 64;
-constexpr double kSlow = 1e-6;       // of light speed, or of the hardest blow: slower than this is together
-constexpr double kTouching = 1e-6;   // of R1 + R2: nearer than this is touching
-constexpr double kGrazing = 1e-3;    // closing over relative speed: they pass, a millionth of R1 + R2 deep
-constexpr double kStill = 1e-6;      // of that again: rounding
-constexpr int kBlowsByPressed = 16;  // the number that the kick of a pressed puck counts
-constexpr int kJamsToDouble = 4;     // turns in a jam until the bound of slowness doubles
-constexpr double kMostLeft = 1e-3;   // of the hardest blow: what closes faster is kicked
+constexpr int kImpactsOfAJam = 64;
+constexpr double kSlow = 1e-6;      // of light speed, or of the hardest impact: slower than this is together
+constexpr double kTouching = 1e-6;  // of R1 + R2: nearer than this is touching
+constexpr double kGrazing = 1e-3;   // closing over relative speed: they pass, a millionth of R1 + R2 deep
+constexpr double kStill = 1e-6;     // of that again: rounding
+constexpr int kImpactsByPressed = 16;  // the number that the kick of a pressed puck counts
+constexpr int kJamsToDouble = 4;       // turns in a jam until the bound of slowness doubles
+constexpr double kMostLeft = 1e-3;     // of the hardest impact: what closes faster is kicked
 constexpr int kSweeps = 10000;
 constexpr int kSweepsWithCorners = 300;  // after which bodies that are wedged move on together
 
@@ -47,22 +47,22 @@ double relative2(const Vec21& u1, const Vec21& u2) {
 }  // namespace
 
 // Of many at once, by what presses or lies on the puck.
-void CollisionScheduler::noteBlow(int i, double turnTime, double closing, bool manifold) {
+void CollisionScheduler::noteImpact(int i, double turnTime, double closing, bool manifold) {
   if (!canPress_) return;
-  PuckState& player = pucks_[i];
+  PuckState& puck = pucks_[i];
   const double radius = discs_[i].radius;
-  const bool peace = turnTime - player.lastBlow > radius;
-  const bool newRun = player.blows < kBlowsOfAJam && turnTime - player.blowsBegan > radius;
+  const bool peace = turnTime - puck.lastImpact > radius;
+  const bool newRun = puck.impacts < kImpactsOfAJam && turnTime - puck.impactsBegan > radius;
   if (peace || newRun)
-    player.blowsBegan = turnTime, player.blows = 0, player.jams = 0, player.hardestBlow = 0.0;
-  player.blows += manifold ? kBlowsByPressed : 1;
-  player.lastBlow = std::max(player.lastBlow, turnTime);
-  player.hardestBlow = std::max(player.hardestBlow, closing);
+    puck.impactsBegan = turnTime, puck.impacts = 0, puck.jams = 0, puck.hardestImpact = 0.0;
+  puck.impacts += manifold ? kImpactsByPressed : 1;
+  puck.lastImpact = std::max(puck.lastImpact, turnTime);
+  puck.hardestImpact = std::max(puck.hardestImpact, closing);
 }
 
 bool CollisionScheduler::isPressed(int i, double t) const {
-  const PuckState& player = pucks_[i];
-  return canPress_ && player.blows >= kBlowsOfAJam && !(t - player.lastBlow > discs_[i].radius);
+  const PuckState& puck = pucks_[i];
+  return canPress_ && puck.impacts >= kImpactsOfAJam && !(t - puck.lastImpact > discs_[i].radius);
 }
 
 // The kick of two pressed pucks: together with all pressed pucks that touch them, in a chain, they come to
@@ -74,20 +74,20 @@ void CollisionScheduler::settle(const std::array<int, 2>& who, const PairContact
   const std::optional<PairKick> kick = kickPair(contact.U, contact.n, {turn[0].u, turn[1].u}, mass, 0.0);
   if (!kick) return;
   double hardest = kick->closing;
-  for (const int i : who) hardest = std::max(hardest, pucks_[i].hardestBlow);
-  const double blow = std::min(1.0, hardest), slow = slowIn(who, hardest);
+  for (const int i : who) hardest = std::max(hardest, pucks_[i].hardestImpact);
+  const double impact = std::min(1.0, hardest), slow = slowIn(who, hardest);
   const double relative = std::sqrt(relative2(turn[0].u, turn[1].u));
   if (kick->closing < slow && (relative <= kStill * slow || kick->closing < kGrazing * relative)) return;
-  for (const int i : who) pucks_[i].hardestBlow = hardest;
-  members_.clear();
-  for (int k = 0; k < 2; ++k) members_.push_back(memberOf(who[k], turn[k]));
+  for (const int i : who) pucks_[i].hardestImpact = hardest;
+  jamBodies_.clear();
+  for (int k = 0; k < 2; ++k) jamBodies_.push_back(jamBodyOf(who[k], turn[k]));
   gatherJam(contact.U, std::min(turn[0].x.t, turn[1].x.t));
-  for (Member& member : members_) {
+  for (JamBody& member : jamBodies_) {
     for (int k = 0; k < 2; ++k) {
       if (member.puck == who[k]) kicked(member, kick->u[k], kick->heat[k]);
     }
   }
-  moveOnTogether(relax(0.125 * std::min(slow, kMostLeft * blow)) || outlines_ == nullptr ? slow : kNever);
+  moveOnTogether(relax(0.125 * std::min(slow, kMostLeft * impact)) || outlines_ == nullptr ? slow : kNever);
   commitJam(contact.event, history);
 }
 
@@ -98,14 +98,14 @@ double CollisionScheduler::slowIn(std::span<const int> who, double hardest) cons
   return std::min(1.0, hardest) * std::min(1.0, std::ldexp(kSlow, jams / kJamsToDouble));
 }
 
-void CollisionScheduler::kicked(Member& member, const Vec21& u, double heat) {
+void CollisionScheduler::kicked(JamBody& member, const Vec21& u, double heat) {
   member.u = u;
   member.heat += heat;
   member.radiated = member.radiated + u * heat;
 }
 
-CollisionScheduler::Member CollisionScheduler::memberOf(int i, const LegState& turn) const {
-  Member member;
+CollisionScheduler::JamBody CollisionScheduler::jamBodyOf(int i, const LegState& turn) const {
+  JamBody member;
   member.puck = i;
   member.turn = turn;
   member.turning = turningAt(i, turn.properTime);
@@ -127,7 +127,7 @@ std::optional<LegState> CollisionScheduler::joinsAt(int i, const Vec21& touched,
   LegState turn = simultaneousWith(leg, touched, U);
   if (turn.x.t < earliest) turn = momentAt(leg, earliest);
   if (turn.x.t < leg.start.t) turn = {leg.start, leg.u, leg.properTime};
-  const PredictedEvent& next = outlooks_[i].next;
+  const PredictedEvent& next = predictions_[i].next;
   if (next.kind == Kind::cushion && next.ownTime < turn.x.t) return std::nullopt;
   for (const int stroke : pucks_[i].strokes) {
     const PuckStroke& s = strokes_[stroke];
@@ -141,7 +141,7 @@ std::optional<LegState> CollisionScheduler::joinsAt(int i, const Vec21& touched,
   return turn;
 }
 
-bool CollisionScheduler::touch(const Member& one, const Member& other) const {
+bool CollisionScheduler::touch(const JamBody& one, const JamBody& other) const {
   const double radii = discs_[one.puck].radius + discs_[other.puck].radius, reach = radii * (1.0 + kTouching);
   const Vec21 n = poseOf(one.turn.x, one.turn.u, other.turn.x, other.turn.u).n;
   if (!(-dot(n, n) <= reach * reach)) return false;
@@ -150,41 +150,41 @@ bool CollisionScheduler::touch(const Member& one, const Member& other) const {
 
 // Adds all pressed pucks that touch the members, in a chain.
 void CollisionScheduler::gatherJam(const Vec21& U, double earliest) {
-  for (const Member& member : members_) inJam_[member.puck] = true;
-  for (std::size_t m = 0; m < members_.size(); ++m) {
-    const int found = cells_.findNear(cells_.cellOf(members_[m].puck), 1, near_.data());
+  for (const JamBody& member : jamBodies_) inJam_[member.puck] = true;
+  for (std::size_t m = 0; m < jamBodies_.size(); ++m) {
+    const int found = cells_.findNear(cells_.cellOf(jamBodies_[m].puck), 1, near_.data());
     std::sort(near_.begin(), near_.begin() + found);
     for (int k = 0; k < found; ++k) {
       const int other = near_[k];
       if (!isPressed(other, earliest) || inJam_[other]) continue;
-      const std::optional<LegState> at = joinsAt(other, members_[m].turn.x, U, earliest);
+      const std::optional<LegState> at = joinsAt(other, jamBodies_[m].turn.x, U, earliest);
       if (!at) continue;
-      const Member member = memberOf(other, *at);
-      if (!touch(members_[m], member)) continue;
+      const JamBody member = jamBodyOf(other, *at);
+      if (!touch(jamBodies_[m], member)) continue;
       inJam_[other] = true;
-      members_.push_back(member);
+      jamBodies_.push_back(member);
     }
   }
-  for (const Member& member : members_) inJam_[member.puck] = false;
-  std::sort(members_.begin(), members_.end(),
-            [](const Member& x, const Member& y) { return x.puck < y.puck; });
-  presses_.clear();
-  const int count = static_cast<int>(members_.size());
+  for (const JamBody& member : jamBodies_) inJam_[member.puck] = false;
+  std::sort(jamBodies_.begin(), jamBodies_.end(),
+            [](const JamBody& x, const JamBody& y) { return x.puck < y.puck; });
+  jamContacts_.clear();
+  const int count = static_cast<int>(jamBodies_.size());
   for (int i = 0; i < count; ++i) {
-    members_[i].body = i;
-    const Vec21& x = members_[i].turn.x;
+    jamBodies_[i].body = i;
+    const Vec21& x = jamBodies_[i].turn.x;
     for (int j = i + 1; j < count; ++j) {
-      const Vec21& y = members_[j].turn.x;
+      const Vec21& y = jamBodies_[j].turn.x;
       if (std::abs(x.x - y.x) > 8.0 * largestRadius_ || std::abs(x.y - y.y) > 8.0 * largestRadius_) continue;
-      if (!touch(members_[i], members_[j])) continue;
-      presses_.push_back({i, j, {}});
-      if (hasCorners(members_[i].puck, members_[j].puck))
-        presses_.back().places = placesOf(members_[i], members_[j]);
+      if (!touch(jamBodies_[i], jamBodies_[j])) continue;
+      jamContacts_.push_back({i, j, {}});
+      if (hasCorners(jamBodies_[i].puck, jamBodies_[j].puck))
+        jamContacts_.back().places = placesOf(jamBodies_[i], jamBodies_[j]);
     }
   }
 }
 
-void CollisionScheduler::leaveCushions(Member& member, double slow) {
+void CollisionScheduler::leaveCushions(JamBody& member, double slow) {
   for (std::size_t cushion = 0; cushion < cushions_.size(); ++cushion) {
     if ((member.cushions >> cushion & 1u) == 0 || !(cushions_[cushion].towards(member.u) > slow)) continue;
     const double mass = member.mass;
@@ -196,7 +196,7 @@ void CollisionScheduler::leaveCushions(Member& member, double slow) {
   }
 }
 
-bool CollisionScheduler::partDiscs(Member& one, Member& two, double slow) const {
+bool CollisionScheduler::partDiscs(JamBody& one, JamBody& two, double slow) const {
   const Pose pose = poseOf(one.turn.x, one.u, two.turn.x, two.u);
   const double restitution = discsStayElastic() ? 1.0 : 0.0;
   const std::optional<PairKick> kick =
@@ -213,16 +213,16 @@ bool CollisionScheduler::relax(double slow) {
   const int sweeps = outlines_ == nullptr ? kSweeps : kSweepsWithCorners;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     bool settled = true;
-    for (std::size_t k = 0; k < presses_.size(); ++k) {
-      const Press& press = presses_[sweep % 2 == 0 ? k : presses_.size() - 1 - k];
-      Member &one = members_[press.first], &two = members_[press.second];
+    for (std::size_t k = 0; k < jamContacts_.size(); ++k) {
+      const JamContact& press = jamContacts_[sweep % 2 == 0 ? k : jamContacts_.size() - 1 - k];
+      JamBody &one = jamBodies_[press.first], &two = jamBodies_[press.second];
       if (one.changed < sweep - 1 && two.changed < sweep - 1) continue;
       if (!(hasCorners(one.puck, two.puck) ? partCorners(one, two, press.places) : partDiscs(one, two, slow)))
         continue;
       settled = false;
       one.changed = two.changed = sweep;
     }
-    for (Member& member : members_) {
+    for (JamBody& member : jamBodies_) {
       const Vec21 before = member.u;
       const double j = member.j;
       if (member.cushions == 0) continue;
@@ -242,8 +242,8 @@ void CollisionScheduler::moveOnTogether(double slow) {
   const bool all = slow == kNever;
   for (bool changed = true; changed;) {
     changed = false;
-    for (const Press& press : presses_) {
-      Member &one = members_[press.first], &two = members_[press.second];
+    for (const JamContact& press : jamContacts_) {
+      JamBody &one = jamBodies_[press.first], &two = jamBodies_[press.second];
       if (one.body == two.body || (!all && hasCorners(one.puck, two.puck))) continue;
       if (!(relative2(one.u, two.u) < slow * slow)) continue;
       const int body = std::min(one.body, two.body);
@@ -251,9 +251,9 @@ void CollisionScheduler::moveOnTogether(double slow) {
       changed = true;
     }
   }
-  for (std::size_t first = 0; first < members_.size(); ++first) {
-    if (members_[first].body != static_cast<int>(first)) continue;
-    if (!all && outlineOf(members_[first].puck) != nullptr) continue;
+  for (std::size_t first = 0; first < jamBodies_.size(); ++first) {
+    if (jamBodies_[first].body != static_cast<int>(first)) continue;
+    if (!all && outlineOf(jamBodies_[first].puck) != nullptr) continue;
     moveBody(static_cast<int>(first));
   }
 }
@@ -262,15 +262,15 @@ void CollisionScheduler::moveBody(int body) {
   Vec21 sum;
   unsigned cushions = 0;
   bool differ = false;
-  for (const Member& member : members_) {
+  for (const JamBody& member : jamBodies_) {
     if (member.body != body) continue;
-    differ = differ || member.u.x != members_[body].u.x || member.u.y != members_[body].u.y;
+    differ = differ || member.u.x != jamBodies_[body].u.x || member.u.y != jamBodies_[body].u.y;
     sum = sum + member.u * member.mass;
     cushions |= member.cushions;
   }
   const double perMass = 1.0 / std::sqrt(dot(sum, sum));
-  const Vec21 u = differ ? fourVelocity(sum.x * perMass, sum.y * perMass) : members_[body].u;
-  for (Member& member : members_) {
+  const Vec21 u = differ ? fourVelocity(sum.x * perMass, sum.y * perMass) : jamBodies_[body].u;
+  for (JamBody& member : jamBodies_) {
     if (member.body != body) continue;
     double heat = 0.5 * member.mass * relative2(member.u, u);
     if (outlineOf(member.puck) != nullptr)
@@ -283,16 +283,16 @@ void CollisionScheduler::moveBody(int body) {
 
 // Returns whether anything has changed.
 bool CollisionScheduler::commitJam(const Vec21& touch, GameHistory& history) {
-  std::erase_if(members_, [](const Member& m) {
+  std::erase_if(jamBodies_, [](const JamBody& m) {
     return m.heat == 0.0 && m.u.x == m.turn.u.x && m.u.y == m.turn.u.y && m.j == m.turning.j;
   });
-  if (members_.empty()) return false;
+  if (jamBodies_.empty()) return false;
   double heat = 0.0;
   double hardest = 0.0;
-  for (const Member& member : members_) hardest = std::max(hardest, pucks_[member.puck].hardestBlow);
-  for (const Member& member : members_) {
+  for (const JamBody& member : jamBodies_) hardest = std::max(hardest, pucks_[member.puck].hardestImpact);
+  for (const JamBody& member : jamBodies_) {
     const int i = member.puck;
-    PuckState& player = pucks_[i];
+    PuckState& puck = pucks_[i];
     CommittedLeg decided;
     decided.leg = {member.turn.x, member.u, member.turn.properTime, brake_};
     decided.turning = {member.j, member.turning.angle};
@@ -301,22 +301,22 @@ bool CollisionScheduler::commitJam(const Vec21& touch, GameHistory& history) {
     decided.heat = member.heat;
     decided.radiated = member.radiated;
     decided.taken = member.taken;
-    history.addTurn(decided.event, player.file, member.turn, member.u, {member.turning.j, member.j});
+    history.addTurn(decided.event, puck.file, member.turn, member.u, {member.turning.j, member.j});
     accounts_.heat += member.heat;
     heat += member.heat;
     const double delay =
         convention_ == TurnConvention::signalAtCentre ? member.turn.u.t * discs_[i].radius : 0.0;
     noteDecided(i, std::max(decidedAt(i), member.turn.x.t - delay));
     decide(i, decided, member.turn, history);
-    player.lastBlow = std::max(player.lastBlow, member.turn.x.t);
-    player.hardestBlow = std::max(player.hardestBlow, hardest);
-    ++player.jams;
-    outlooks_[i].lastPartner = -1;
+    puck.lastImpact = std::max(puck.lastImpact, member.turn.x.t);
+    puck.hardestImpact = std::max(puck.hardestImpact, hardest);
+    ++puck.jams;
+    predictions_[i].lastPartner = -1;
   }
-  const PuckState& first = pucks_[members_.front().puck];
+  const PuckState& first = pucks_[jamBodies_.front().puck];
   jams_.push_back({first.file,
                    {touch.t / c_m_s_, {touch.x, touch.y, first.height}},
-                   members_.size(),
+                   jamBodies_.size(),
                    heat * c_m_s_ * c_m_s_});
   return true;
 }

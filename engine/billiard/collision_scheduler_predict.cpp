@@ -86,7 +86,7 @@ void CollisionScheduler::predictAmong(int i, int begin, int end) {
 // Writes the pucks that this one may meet to near_ from `begin` on. Returns their end.
 int CollisionScheduler::findCandidates(int i, int begin) {
   // A puck that was waited for is behind the others: those it can meet may be farther off by now.
-  const double behind = std::max(0.0, clock_ - std::max(outlooks_[i].next.ownTime, discs_[i].start.t));
+  const double behind = std::max(0.0, clock_ - std::max(predictions_[i].next.ownTime, discs_[i].start.t));
   const double reachInCells = (pairReach_ + 2.0 * behind) / cells_.cellEdge();
   const int reach = reachInCells <= 1.0 ? 1 : static_cast<int>(std::min(std::ceil(reachInCells), 4096.0));
   cells_.findNear(enterCell(i), reach, found_);
@@ -112,24 +112,24 @@ void CollisionScheduler::moveEpoch() {
 
 void CollisionScheduler::findCellExit(int i) {
   const double alongX = leavesCell(i, 0), alongY = leavesCell(i, 1);
-  Outlook& own = outlooks_[i];
+  Prediction& own = predictions_[i];
   own.leavesAlongY = alongY < alongX;
   own.leavesCell = own.leavesAlongY ? alongY : alongX;
 }
 
 void CollisionScheduler::setPredictedEvent(int i, const PredictedEvent& a) {
-  Outlook& own = outlooks_[i];
+  Prediction& own = predictions_[i];
   if (own.next.kind == Kind::pair) {  // leave the list of the other
-    (own.dependentBefore < 0 ? outlooks_[own.next.with].firstDependent
-                             : outlooks_[own.dependentBefore].nextDependent) = own.nextDependent;
-    if (own.nextDependent >= 0) outlooks_[own.nextDependent].dependentBefore = own.dependentBefore;
+    (own.dependentBefore < 0 ? predictions_[own.next.with].firstDependent
+                             : predictions_[own.dependentBefore].nextDependent) = own.nextDependent;
+    if (own.nextDependent >= 0) predictions_[own.nextDependent].dependentBefore = own.dependentBefore;
   }
   own.next = a;
   if (a.kind == Kind::pair) {
-    int& first = outlooks_[a.with].firstDependent;
+    int& first = predictions_[a.with].firstDependent;
     own.dependentBefore = -1;
     own.nextDependent = first;
-    if (first >= 0) outlooks_[first].dependentBefore = i;
+    if (first >= 0) predictions_[first].dependentBefore = i;
     first = i;
   }
   schedule(i);
@@ -138,12 +138,12 @@ void CollisionScheduler::setPredictedEvent(int i, const PredictedEvent& a) {
 // Those that counted on meeting this puck look for something else if that has become void.
 void CollisionScheduler::predictDependents(int of) {
   void_.clear();
-  for (int i = outlooks_[of].firstDependent; i >= 0; i = outlooks_[i].nextDependent) {
-    if (isVoid(outlooks_[i].next)) void_.push_back(i);
+  for (int i = predictions_[of].firstDependent; i >= 0; i = predictions_[i].nextDependent) {
+    if (isVoid(predictions_[i].next)) void_.push_back(i);
   }
   std::sort(void_.begin(), void_.end());
   for (const int i : void_) {
-    if (isVoid(outlooks_[i].next)) predict(i);
+    if (isVoid(predictions_[i].next)) predict(i);
   }
 }
 
@@ -158,7 +158,7 @@ int CollisionScheduler::sortOut(int i, int begin) {
   int* const near = near_.data();
   const int* const items = found_.items.data();
   const bool all = !excludesDiscs();
-  const CoarseMeeting coarse(discs_[i], largestRadius_, convention_, epoch_);
+  const DiscCull coarse(discs_[i], largestRadius_, convention_, epoch_);
   int kept = begin;
   for (int first = 0; first < found_.count; first += FoundFlights::kRoom) {
     std::array<int, FoundFlights::kRoom> may;
@@ -174,7 +174,7 @@ int CollisionScheduler::sortOut(int i, int begin) {
   }
   for (int k = begin; k < kept; ++k) {
     prefetch(&discs_[near[k]]);
-    prefetch(&outlooks_[near[k]]);
+    prefetch(&predictions_[near[k]]);
     queue_.fetch(near[k]);
   }
   return kept;
@@ -193,7 +193,7 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   const std::optional<Meeting> meeting = meetingOf(first, second);
   if (!meeting) return;
   double own = meeting->ownTime[i == first ? 0 : 1], theirs = meeting->ownTime[i == first ? 1 : 0];
-  const Outlook &player = outlooks_[i], &partner = outlooks_[other];
+  const Prediction &puck = predictions_[i], &partner = predictions_[other];
   if (own >= discs_[i].turnsAt || theirs >= discs_[other].turnsAt) return;  // found again on the leg after
   if (isStruckAgain(i, other)) own = std::max(own, decidedAt(i)), theirs = std::max(theirs, decidedAt(other));
   if (own < decidedAt(i) || theirs < decidedAt(other)) return;  // what came after it is decided already
@@ -201,14 +201,14 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
   if (!mine && !also) return;
   // Discs that have just collided part; bodies that turn may meet with other corners.
   if (!hasCorners(i, other)) {
-    if (player.lastPartner == other && partner.lastPartner == i) return;
+    if (puck.lastPartner == other && partner.lastPartner == i) return;
     if (dealtWith(i, other) != nullptr) return;
   }
   PredictedEvent a;
   a.kind = Kind::pair;
   a.withoutDelay = meeting->withoutDelay;
   if (also) {
-    a.with = i, a.otherLeg = player.legNumber, a.ownTime = theirs, a.otherTime = own;
+    a.with = i, a.otherLeg = puck.legNumber, a.ownTime = theirs, a.otherTime = own;
     setPredictedEvent(other, a);
   }
   if (mine) {
@@ -219,17 +219,17 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
 
 // The last contact of the legs that both follow, if it has been dealt with.
 const CollisionScheduler::HandledContact* CollisionScheduler::dealtWith(int i, int other) const {
-  if (!outlooks_[i].hasMet) return nullptr;
+  if (!predictions_[i].hasMet) return nullptr;
   const std::vector<HandledContact>& met = pucks_[i].met;
   const auto found = std::find_if(met.rbegin(), met.rend(), [&](const HandledContact& contact) {
-    return contact.puck == other && contact.leg == outlooks_[other].legNumber;
+    return contact.puck == other && contact.leg == predictions_[other].legNumber;
   });
   return found == met.rend() ? nullptr : &*found;
 }
 
 void CollisionScheduler::noteMet(int i, const HandledContact& contact) {
   pucks_[i].met.push_back(contact);
-  outlooks_[i].hasMet = true;
+  predictions_[i].hasMet = true;
 }
 
 std::optional<Meeting> CollisionScheduler::meetingOf(int first, int second) const {
@@ -255,7 +255,7 @@ void CollisionScheduler::considerCushions(int i, PredictedEvent& best) const {
   for (int cushion = 0; cushion < static_cast<int>(cushions_.size()); ++cushion) {
     const CushionPlane& plane = cushions_[cushion];
     if (cells_.canLeave(cell, plane.axis, plane.sign > 0.0 ? 1 : -1)) continue;
-    if ((outlooks_[i].metCushions >> cushion & 1u) != 0) continue;
+    if ((predictions_[i].metCushions >> cushion & 1u) != 0) continue;
     if (!(plane.towards(discs_[i].u) > 0.0) && outlineOf(i) == nullptr) continue;
     considerCushion(i, cushion, best);
   }
@@ -303,8 +303,8 @@ double CollisionScheduler::leavesCell(int i, int axis) const {
 }
 
 void CollisionScheduler::schedule(int i) {
-  const PredictedEvent& a = outlooks_[i].next;
-  const double leaves = outlooks_[i].leavesCell;
+  const PredictedEvent& a = predictions_[i].next;
+  const double leaves = predictions_[i].leavesCell;
   queue_.setDue(i, leaves < a.ownTime ? leaves : a.due());
 }
 

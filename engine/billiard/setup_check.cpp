@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "engine/collision/shaped_flight.h"
+#include "engine/collision/moving_shape.h"
 #include "engine/collision/spinning_body.h"
 
 namespace carom {
@@ -66,7 +66,7 @@ void checkSpin(const Puck& puck, double c_m_s) {
 /// A puck as it is at board time 0, c = 1.
 struct Start {
   std::optional<Outline> outline;
-  ShapedFlight flight;
+  MovingShape flight;
 
   Start(const Puck& puck, double c_m_s) {
     if (!puck.outline_m.empty()) outline.emplace(puck.outline_m);

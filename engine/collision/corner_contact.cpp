@@ -12,12 +12,12 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kResumed = 1e-9;  // of the radii: what comes so soon after a contact is that contact
 
-bool haveCorners(const ShapedFlight& first, const ShapedFlight& second) {
+bool haveCorners(const MovingShape& first, const MovingShape& second) {
   return first.outline != nullptr && second.outline != nullptr;
 }
 
 // From when both flights have begun.
-ContactWindow windowFromBoth(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U) {
+ContactWindow windowFromBoth(const MovingShape& first, const MovingShape& second, const Vec21& U) {
   ContactWindow window;
   window.frame = U;
   window.origin = first.start;
@@ -25,7 +25,7 @@ ContactWindow windowFromBoth(const ShapedFlight& first, const ShapedFlight& seco
   return window;
 }
 
-ContactWindow windowOf(const ShapedFlight& first, const ShapedFlight& second, const Vec21& order) {
+ContactWindow windowOf(const MovingShape& first, const MovingShape& second, const Vec21& order) {
   const bool bothFirst = first.start.t == 0.0 && second.start.t == 0.0;
   if (!bothFirst) return windowFromBoth(first, second, order);
   ContactWindow window;
@@ -36,12 +36,11 @@ ContactWindow windowOf(const ShapedFlight& first, const ShapedFlight& second, co
 }
 
 // What bodies know of an earlier contact ends where they have parted.
-std::optional<FoundContact> findFirst(const ShapedFlight& first, const ShapedFlight& second,
-                                      const Vec21& order, const ContactWindow& window,
-                                      const EarlierContact* earlier) {
+std::optional<FoundContact> findFirst(const MovingShape& first, const MovingShape& second, const Vec21& order,
+                                      const ContactWindow& window, const PersistentContact* earlier) {
   if (!haveCorners(first, second)) return findRimContact(first, second, order, window, earlier);
   const std::optional<FoundContact> found = findPiercing(first, second, order, window, earlier);
-  if (earlier == nullptr || (found && (found->withoutDelay || found->lookAgain))) return found;
+  if (earlier == nullptr || (found && (found->withoutDelay || found->unfinished))) return found;
   const Vec21 U = equalSpeedFrame(first.u, second.u);
   const double parted = partingOfCorners(first, second, U, window, *earlier, found ? found->time : kNever);
   if (parted == kNever || (found && found->time <= parted)) return found;
@@ -50,21 +49,21 @@ std::optional<FoundContact> findFirst(const ShapedFlight& first, const ShapedFli
   return findPiercing(first, second, order, after, nullptr);
 }
 
-std::optional<CornerContact> findContact(const ShapedFlight& first, const ShapedFlight& second,
+std::optional<CornerContact> findContact(const MovingShape& first, const MovingShape& second,
                                          const Vec21& order, const ContactWindow& window,
-                                         const EarlierContact* earlier) {
+                                         const PersistentContact* earlier) {
   const std::optional<FoundContact> found = findFirst(first, second, order, window, earlier);
   if (!found) return std::nullopt;
 
   CornerContact contact;
   contact.withoutDelay = found->withoutDelay;
   contact.sideOnSide = found->sideOnSide;
-  contact.lookAgain = found->lookAgain;
+  contact.unfinished = found->unfinished;
   contact.time = found->time;
   contact.contact.event = found->event;
   contact.contact.U = order;
   contact.contact.n = found->normal;
-  const ShapedFlight* const flights[]{&first, &second};
+  const MovingShape* const flights[]{&first, &second};
   for (int i = 0; i < 2; ++i) {
     const Vec21 way = found->event - flights[i]->start;
     const Vec21& u = flights[i]->u;
@@ -78,8 +77,8 @@ std::optional<CornerContact> findContact(const ShapedFlight& first, const Shaped
 
 }  // namespace
 
-std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               double after, const EarlierContact* earlier, bool onlyNew) {
+std::optional<CornerContact> findCornerContact(const MovingShape& first, const MovingShape& second,
+                                               double after, const PersistentContact* earlier, bool onlyNew) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
   const bool begins = after == -std::numeric_limits<double>::infinity();
   if (begins && !(onlyNew && earlier != nullptr)) return findCornerContact(first, second, U, earlier);
@@ -90,28 +89,29 @@ std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const 
   return findContact(first, second, U, window, earlier);
 }
 
-std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               const Vec21& order, const EarlierContact* earlier) {
+std::optional<CornerContact> findCornerContact(const MovingShape& first, const MovingShape& second,
+                                               const Vec21& order, const PersistentContact* earlier) {
   return findContact(first, second, order, windowOf(first, second, order), earlier);
 }
 
-Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second) {
+PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,
+                                  const MovingShape& second) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
-  const auto passage = haveCorners(first, second) ? passageOfCorners : passageOfDisc;
-  return passage(first, second, U, windowFromBoth(first, second, U), earlier);
+  const auto penetration = haveCorners(first, second) ? penetrationOfCorners : penetrationOfDisc;
+  return penetration(first, second, U, windowFromBoth(first, second, U), earlier);
 }
 
-Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second,
-                     double time) {
+PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,
+                                  const MovingShape& second, double time) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
   ContactWindow window;
   window.frame = U, window.origin = first.start, window.from = time;
-  const auto passage = haveCorners(first, second) ? passageOfCorners : passageOfDisc;
-  return passage(first, second, U, window, earlier);
+  const auto penetration = haveCorners(first, second) ? penetrationOfCorners : penetrationOfDisc;
+  return penetration(first, second, U, window, earlier);
 }
 
-std::vector<TouchedPlace> placesKeptOut(const ShapedFlight& first, const ShapedFlight& second, double time,
-                                        const EarlierContact& earlier) {
+std::vector<TouchedPlace> placesKeptOut(const MovingShape& first, const MovingShape& second, double time,
+                                        const PersistentContact& earlier) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
   ContactWindow window;
   window.frame = U, window.origin = first.start, window.from = time;
@@ -122,8 +122,8 @@ std::vector<TouchedPlace> placesKeptOut(const ShapedFlight& first, const ShapedF
   return places;
 }
 
-std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within,
-                                        const EarlierContact* earlier) {
+std::vector<TouchedPlace> touchedPlaces(const MovingShape& first, const MovingShape& second, double within,
+                                        const PersistentContact* earlier) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
   std::vector<FoundContact> found;
   const auto add = haveCorners(first, second) ? addPiercedPlaces : addRimPlaces;
@@ -133,10 +133,10 @@ std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedF
   return places;
 }
 
-Meeting meetingOf(const ShapedFlight& first, const ShapedFlight& second, const CornerContact& found,
+Meeting meetingOf(const MovingShape& first, const MovingShape& second, const CornerContact& found,
                   TurnConvention convention) {
   const bool delayed = convention == TurnConvention::signalAtCentre;
-  const auto moment = [&](const ShapedFlight& flight, int i) {
+  const auto moment = [&](const MovingShape& flight, int i) {
     const double turn =
         delayed && !found.withoutDelay ? found.contact.signal[i] : found.contact.simultaneous[i];
     return flight.start.t + flight.u.t * (delayed ? turn - flight.radius : turn);

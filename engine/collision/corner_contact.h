@@ -18,16 +18,16 @@
 // A flight holds from its start on: a contact counts from the moment on at which both have begun, in the frame
 // of U, or, of two that begin at board time 0, after board time 0. Bodies that overlap by then and approach
 // are in contact at that moment, without delay.
-// Bodies that have not parted since an earlier contact: see earlier_contact.h.
+// Bodies that have not parted since an earlier contact: see persistent_contact.h.
 // Theory: app/doc/physics.md, Polygons.
 
 #include <limits>
 #include <optional>
 #include <vector>
 
-#include "engine/collision/earlier_contact.h"
+#include "engine/collision/moving_shape.h"
+#include "engine/collision/persistent_contact.h"
 #include "engine/collision/puck_contact.h"
-#include "engine/collision/shaped_flight.h"
 
 namespace carom {
 
@@ -38,24 +38,27 @@ struct CornerContact {
   /// A side lies on a side: several piercings happen at one time. The contact is in their middle.
   bool sideOnSide = false;
   /// No contact, but how far the search has come: there is none before, and it goes on `after` this time.
-  bool lookAgain = false;
+  bool unfinished = false;
   double time = 0.0;  ///< in the frame of U, from the first one's start on
 };
 
 /// Returns the first contact of two flights, at least one with an outline; none if they do not meet. With
 /// `after`, the time of a contact of these flights, the next one: of a corner that comes in, or goes deeper, later.
-std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
+std::optional<CornerContact> findCornerContact(const MovingShape& first, const MovingShape& second,
                                                double after = -std::numeric_limits<double>::infinity(),
-                                               const EarlierContact* earlier = nullptr, bool onlyNew = false);
+                                               const PersistentContact* earlier = nullptr,
+                                               bool onlyNew = false);
 /// Returns the contact that is the first in the frame of the four-velocity `order`.
-std::optional<CornerContact> findCornerContact(const ShapedFlight& first, const ShapedFlight& second,
-                                               const Vec21& order, const EarlierContact* earlier = nullptr);
+std::optional<CornerContact> findCornerContact(const MovingShape& first, const MovingShape& second,
+                                               const Vec21& order,
+                                               const PersistentContact* earlier = nullptr);
 
 /// Returns how two bodies have come from an earlier contact by the moment at which the later flight begins, in the
 /// frame of equal speeds; or by a time of this frame, from the first one's start on.
-Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second);
-Passage passageSince(const EarlierContact& earlier, const ShapedFlight& first, const ShapedFlight& second,
-                     double time);
+PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,
+                                  const MovingShape& second);
+PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,
+                                  const MovingShape& second, double time);
 
 /// A place at which two bodies touch: PairContact's C and n.
 struct TouchedPlace {
@@ -63,17 +66,17 @@ struct TouchedPlace {
 };
 /// Returns all places at which two bodies touch or overlap as the later flight begins, in the frame of equal speeds.
 /// Places nearer than `within` touch.
-std::vector<TouchedPlace> touchedPlaces(const ShapedFlight& first, const ShapedFlight& second, double within,
-                                        const EarlierContact* earlier = nullptr);
+std::vector<TouchedPlace> touchedPlaces(const MovingShape& first, const MovingShape& second, double within,
+                                        const PersistentContact* earlier = nullptr);
 
 /// Returns the places at which two bodies with corners that have not parted since an earlier contact are in or through
 /// each other at a time of the frame of equal speeds, from the first one's start on.
-std::vector<TouchedPlace> placesKeptOut(const ShapedFlight& first, const ShapedFlight& second, double time,
-                                        const EarlierContact& earlier);
+std::vector<TouchedPlace> placesKeptOut(const MovingShape& first, const MovingShape& second, double time,
+                                        const PersistentContact& earlier);
 
 /// Returns the moments of the contact by which the game orders its events: so long before each centre's turn
 /// as light needs to cross the body's radius, or the turn where this does not wait for the signal.
-Meeting meetingOf(const ShapedFlight& first, const ShapedFlight& second, const CornerContact& found,
+Meeting meetingOf(const MovingShape& first, const MovingShape& second, const CornerContact& found,
                   TurnConvention convention);
 
 }  // namespace carom

@@ -17,8 +17,8 @@ namespace {
 using Vec2 = glm::dvec2;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kTie = 1e-9;        // of the radius
-constexpr double kLeastStep = 1e-6;  // of the radius
+constexpr double kSimultaneous = 1e-9;  // of the radius
+constexpr double kLeastStep = 1e-6;     // of the radius
 
 Vec21 normalOf(const CushionPlane& cushion) {
   return cushion.axis == 0 ? Vec21{0.0, cushion.sign, 0.0} : Vec21{0.0, 0.0, cushion.sign};
@@ -27,7 +27,7 @@ Vec21 normalOf(const CushionPlane& cushion) {
 /// The corners of a body that moves towards a cushion.
 class Approach {
  public:
-  Approach(const ShapedFlight& flight, const CushionPlane& cushion)
+  Approach(const MovingShape& flight, const CushionPlane& cushion)
       : flight_(flight),
         axes_(flight.u),
         towards_(cushion.towards(flight.u)),
@@ -128,7 +128,7 @@ class Approach {
     return std::nullopt;
   }
 
-  const ShapedFlight& flight_;
+  const MovingShape& flight_;
   RestAxes axes_;
   double towards_, away_;
   Vec2 k_;
@@ -143,7 +143,7 @@ struct Touch {
 };
 
 // A contact as the leg begins, and the turn with it.
-CornerCushionContact atOnce(const ShapedFlight& flight, double properTime, const Vec21& event, bool delayed) {
+CornerCushionContact atOnce(const MovingShape& flight, double properTime, const Vec21& event, bool delayed) {
   CornerCushionContact touch;
   touch.contact.withoutDelay = true;
   touch.contact.turn = {flight.start, flight.u, properTime};
@@ -153,7 +153,7 @@ CornerCushionContact atOnce(const ShapedFlight& flight, double properTime, const
 }
 
 // The deepest corner that is beyond the cushion and goes on.
-std::optional<CornerCushionContact> touchesAtOnce(const ShapedFlight& flight, double properTime,
+std::optional<CornerCushionContact> touchesAtOnce(const MovingShape& flight, double properTime,
                                                   const Approach& approach, bool delayed) {
   double deepest = kCornerTouches * flight.radius;
   const Vec2* found = nullptr;
@@ -167,7 +167,7 @@ std::optional<CornerCushionContact> touchesAtOnce(const ShapedFlight& flight, do
 }
 
 // The contact of an event at the cushion, heard of at the centre or, without delay, simultaneous with it.
-CornerCushionContact contactAt(const ShapedFlight& flight, double properTime, const CushionPlane& cushion,
+CornerCushionContact contactAt(const MovingShape& flight, double properTime, const CushionPlane& cushion,
                                Vec21 event, bool delayed) {
   (cushion.axis == 0 ? event.x : event.y) = cushion.sign * cushion.distance;
   const Vec21 way = event - flight.start;
@@ -183,14 +183,14 @@ CornerCushionContact contactAt(const ShapedFlight& flight, double properTime, co
 }
 
 // A body at its first place has been there before board time 0, and nothing touched it.
-double earliest(const ShapedFlight& flight) { return flight.start.t == 0.0 ? -flight.radius : 0.0; }
+double earliest(const MovingShape& flight) { return flight.start.t == 0.0 ? -flight.radius : 0.0; }
 
 // The earliest corner; of several, the middle.
-std::optional<CornerCushionContact> firstCorner(const ShapedFlight& flight, double properTime,
+std::optional<CornerCushionContact> firstCorner(const MovingShape& flight, double properTime,
                                                 const CushionPlane& cushion, const Approach& approach,
                                                 bool delayed) {
   const bool first = flight.start.t == 0.0;
-  const double from = earliest(flight), tolerance = kTie * flight.radius;
+  const double from = earliest(flight), tolerance = kSimultaneous * flight.radius;
   Touch best;
   for (const Vec2& corner : flight.outline->corners()) {
     const auto s = approach.reached(corner, from, delayed ? best.order : kNever);
@@ -217,7 +217,7 @@ std::optional<CornerCushionContact> firstCorner(const ShapedFlight& flight, doub
 
 }  // namespace
 
-std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight, double properTime,
+std::optional<CornerCushionContact> findCornerContact(const MovingShape& flight, double properTime,
                                                       const CushionPlane& cushion,
                                                       TurnConvention convention) {
   const Approach approach(flight, cushion);
@@ -236,7 +236,7 @@ std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight
   return now;
 }
 
-std::vector<Vec21> touchedPlaces(const ShapedFlight& flight, const CushionPlane& cushion, double within) {
+std::vector<Vec21> touchedPlaces(const MovingShape& flight, const CushionPlane& cushion, double within) {
   const Approach approach(flight, cushion);
   std::vector<Vec21> places;
   for (const Vec2& corner : flight.outline->corners())

@@ -31,10 +31,10 @@ struct CornerCushionContact {
 /// Returns the contact of a flight with a cushion; none if no corner comes to it. `properTime` is that of the
 /// start. A body with a corner beyond the cushion as the leg begins, and goes on, touches it then, without
 /// delay.
-std::optional<CornerCushionContact> findCornerContact(const ShapedFlight& flight, double properTime,
+std::optional<CornerCushionContact> findCornerContact(const MovingShape& flight, double properTime,
                                                       const CushionPlane& cushion, TurnConvention convention);
 
 /// Returns the corners that touch a cushion, nearer than `within`, or are beyond it as the leg begins.
-std::vector<Vec21> touchedPlaces(const ShapedFlight& flight, const CushionPlane& cushion, double within);
+std::vector<Vec21> touchedPlaces(const MovingShape& flight, const CushionPlane& cushion, double within);
 
 }  // namespace carom

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/collision/earlier_contact.h"
+#include "engine/collision/persistent_contact.h"
 
 namespace carom {
 
@@ -28,11 +28,11 @@ struct FoundContact {
   Vec21 normal;  ///< from the first body to the second, to within a multiple of U
   bool withoutDelay = false;
   bool sideOnSide = false;
-  bool lookAgain = false;  ///< no contact: CornerContact's
+  bool unfinished = false;  ///< no contact: CornerContact's
 };
 
 /// Returns the window that begins at an earlier contact: when both bodies were there.
-inline ContactWindow windowAt(const EarlierContact& earlier) {
+inline ContactWindow windowAt(const PersistentContact& earlier) {
   ContactWindow window;
   window.frame = equalSpeedFrame(earlier.flights[0].u, earlier.flights[1].u);
   window.origin = earlier.flights[0].start;
@@ -75,31 +75,31 @@ class AdvancingSteps {
 constexpr double kCornerTouches = 1e-11;
 
 /// Of two bodies with corners.
-std::optional<FoundContact> findPiercing(const ShapedFlight& first, const ShapedFlight& second,
-                                         const Vec21& U, const ContactWindow& window,
-                                         const EarlierContact* earlier);
+std::optional<FoundContact> findPiercing(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                                         const ContactWindow& window, const PersistentContact* earlier);
 /// Moves a piercing at which sides come to lie on each other to the middle of what touches at this time, and marks it.
-void settleTie(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, FoundContact& best);
+void settleSimultaneous(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                        FoundContact& best);
 /// Of a disc and a body with corners, in either order.
-std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
+std::optional<FoundContact> findRimContact(const MovingShape& first, const MovingShape& second,
                                            const Vec21& U, const ContactWindow& window,
-                                           const EarlierContact* earlier);
+                                           const PersistentContact* earlier);
 /// Where the corners of each body are to the other, or the centre of a disc, at the time `window.from`.
-Passage passageOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                         const ContactWindow& window, const EarlierContact& earlier);
+PenetrationState penetrationOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                                      const ContactWindow& window, const PersistentContact& earlier);
 /// Returns from when on bodies with corners that have not parted since an earlier contact will have done so on these
 /// flights, found in steps that grow, until about a time; infinity if they do not, or had done so already.
-double partingOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                        const ContactWindow& window, const EarlierContact& earlier, double until);
-Passage passageOfDisc(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                      const ContactWindow& window, const EarlierContact& earlier);
+double partingOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                        const ContactWindow& window, const PersistentContact& earlier, double until);
+PenetrationState penetrationOfDisc(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                                   const ContactWindow& window, const PersistentContact& earlier);
 
 /// Adds all places at which two bodies touch, nearer than `within`, or overlap at the time `window.from`.
-void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                      const ContactWindow& window, double within, const EarlierContact* earlier,
+void addPiercedPlaces(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                      const ContactWindow& window, double within, const PersistentContact* earlier,
                       std::vector<FoundContact>& places);
-void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                  const ContactWindow& window, double within, const EarlierContact* earlier,
+void addRimPlaces(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                  const ContactWindow& window, double within, const PersistentContact* earlier,
                   std::vector<FoundContact>& places);
 
 }  // namespace carom

@@ -96,15 +96,15 @@ Observers::Steps Observers::stepsTo(double dt_s, std::span<const Head> heads, co
 }
 
 /// Returns the own time that somebody who is ahead must at least live in a step of so much of the fastest's.
-static double leastOwnTime_s(double lived_s, double ahead_s) { return std::max(0.0, lived_s - ahead_s); }
+static double leastOwnTime_s(double elapsed_s, double ahead_s) { return std::max(0.0, elapsed_s - ahead_s); }
 
 // dT = max over the observers of hypot(dt, |dx|/c)/N. Where the thrust changes within a frame, an observer who has lived
 // more than dt so far lives less in the rest of it: over a whole frame the fastest lives dt.
-double Observers::roomTimeOf_s(const Steps& steps, double lived_s) const {
+double Observers::roomTimeOf_s(const Steps& steps, double elapsed_s) const {
   double most_s = 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
     const double way_m = glm::length(steps[i].inRoom_m + steps[i].carried_m);
-    most_s = std::max(most_s, std::hypot(leastOwnTime_s(lived_s, steps[i].ahead_s),
+    most_s = std::max(most_s, std::hypot(leastOwnTime_s(elapsed_s, steps[i].ahead_s),
                                          way_m / boardFromRoom_.lightSpeed_m_s()) /
                                   steps[i].lapse);
   }
@@ -118,16 +118,16 @@ double Observers::roomTimeOf_s(double dt_s, std::span<const Head> heads, double 
 
 // dτ = sqrt((N dT)² − |dx|²/c²), which is dt for the observer who determines dT, and longer for the others. Celerity is
 // motion per own time; of this the frame so far has had dt and the observer's lead.
-void Observers::live(const Steps& steps, double roomTime_s, double lived_s) {
-  livedOfFrame_s_ += lived_s;
+void Observers::advance(const Steps& steps, double roomTime_s, double elapsed_s) {
+  livedOfFrame_s_ += elapsed_s;
   for (std::size_t i = 0; i < size_; ++i) {
     const Step& step = steps[i];
     const double way_s = glm::length(step.inRoom_m + step.carried_m) / boardFromRoom_.lightSpeed_m_s();
-    const double least_s = leastOwnTime_s(lived_s, step.ahead_s);
+    const double least_s = leastOwnTime_s(elapsed_s, step.ahead_s);
     double own_s = least_s;
     if (const double here_s = step.lapse * roomTime_s; std::hypot(least_s, way_s) / step.lapse < roomTime_s)
       own_s = std::max(least_s, std::sqrt((here_s - way_s) * (here_s + way_s)));
-    ahead_s_[i] = std::max(0.0, step.ahead_s + (own_s - lived_s));
+    ahead_s_[i] = std::max(0.0, step.ahead_s + (own_s - elapsed_s));
     observers_[i].properTime_s += own_s;
     observers_[i].head.celerity_m_s /= livedOfFrame_s_ > 0.0 ? 1.0 + ahead_s_[i] / livedOfFrame_s_ : 1.0;
     observers_[i].placeInRoom_m += step.inRoom_m;
@@ -142,9 +142,9 @@ void Observers::live(const Steps& steps, double roomTime_s, double lived_s) {
 void Observers::step(double dt_s, std::span<const Head> heads, double pace, const Vec3& thrust_m_s2,
                      std::size_t steering, const RoomTurn& turn) {
   const double c_m_s = boardFromRoom_.lightSpeed_m_s();
-  const double lived_s = pace * dt_s;
+  const double elapsed_s = pace * dt_s;
   const Steps steps = stepsTo(dt_s, heads, thrust_m_s2, steering, turn);
-  const double roomTime_s = roomTimeOf_s(steps, lived_s);
+  const double roomTime_s = roomTimeOf_s(steps, elapsed_s);
   const Vec3& step_m = steps[steering].inRoom_m;
   const Vec3 rapidity = thrust_m_s2 * (roomTime_s / c_m_s);
   Event& steered = observers_[steering].headEvent;
@@ -158,7 +158,7 @@ void Observers::step(double dt_s, std::span<const Head> heads, double pace, cons
   }
   for (std::size_t i = 0; i < size_; ++i)
     observers_[i].head = {heads[i].roomFromHead, heads[i].celerity_m_s / pace};
-  live(steps, roomTime_s, lived_s);
+  advance(steps, roomTime_s, elapsed_s);
   carried_m_ = {};
   if (turn.angle_rad != 0.0) rotate(rotationOf(turn));
   placeOthers(steering);

@@ -112,8 +112,8 @@ class Observers {
 
   Steps stepsTo(double dt_s, std::span<const Head> heads, const Vec3& thrust_m_s2, std::size_t steering,
                 const RoomTurn& turn) const;
-  double roomTimeOf_s(const Steps& steps, double lived_s) const;
-  void live(const Steps& steps, double roomTime_s, double lived_s);
+  double roomTimeOf_s(const Steps& steps, double elapsed_s) const;
+  void advance(const Steps& steps, double roomTime_s, double elapsed_s);
   void rotate(const glm::dquat& turned);
   void placeOthers(std::size_t steering);
   void reportLapses();

@@ -140,15 +140,15 @@ void cornerContact(benchmark::State& state) {
   test::Random random(1);
   const auto body = [&](double side) {
     const double beta = random.in(0.1, 0.9), u = beta / std::sqrt(1.0 - beta * beta);
-    ShapedFlight flight{{0.0, 0.5 * side, random.in(-0.05, 0.05)},
-                        fourVelocity(-side * u, 0.0),
-                        outline.radius(),
-                        &outline,
-                        random.in(0.0, 6.0)};
+    MovingShape flight{{0.0, 0.5 * side, random.in(-0.05, 0.05)},
+                       fourVelocity(-side * u, 0.0),
+                       outline.radius(),
+                       &outline,
+                       random.in(0.0, 6.0)};
     if (state.range(1) != 0) flight.turning = random.in(-0.5, 0.5) / outline.radius();
     return flight;
   };
-  std::vector<std::array<ShapedFlight, 2>> pairs;
+  std::vector<std::array<MovingShape, 2>> pairs;
   for (int i = 0; i < 256; ++i) pairs.push_back({body(-1.0), body(1.0)});
   std::size_t i = 0, met = 0;
   for (auto _ : state) {

@@ -61,15 +61,15 @@ std::vector<PlayedLeg> legsOf(const BilliardSetup& setup, const Billiard& game, 
   return legs;
 }
 
-ShapedFlight flightOn(const PlayedLeg& leg, const std::optional<Outline>& outline) {
+MovingShape flightOn(const PlayedLeg& leg, const std::optional<Outline>& outline) {
   const SampledBody& body = leg.body;
   return {body.start, leg.u, body.radius, outline ? &*outline : nullptr, body.angle, body.turning};
 }
 
 /// Returns how fast two bodies that touch as the later leg begins close by the law of the kick, where they do so
 /// fastest; 0 if nowhere. By the sides that count since an earlier contact.
-double closingByLaw(const PlayedLeg& one, const PlayedLeg& other, const std::array<ShapedFlight, 2>& flights,
-                    const EarlierContact* earlier) {
+double closingByLaw(const PlayedLeg& one, const PlayedLeg& other, const std::array<MovingShape, 2>& flights,
+                    const PersistentContact* earlier) {
   const std::array<const PlayedLeg*, 2> legs{&one, &other};
   double fastest = 0.0;
   for (const TouchedPlace& place : touchedPlaces(flights[0], flights[1], 0.0, earlier)) {
@@ -125,8 +125,8 @@ class ApproachCheck {
  private:
   /// What the game knows at one time.
   struct Instant {
-    std::vector<CollisionScheduler::Followed> followed;
-    std::vector<CollisionScheduler::Together> together;
+    std::vector<CollisionScheduler::CurrentLeg> followed;
+    std::vector<CollisionScheduler::PersistentPair> together;
   };
   // Plays the game again, from one beginning of a leg, or event, to the next.
   void playAgain() {
@@ -141,7 +141,7 @@ class ApproachCheck {
       bool played = false;
       while (!played) {
         played = game.playUntil(time, history.eventCount() + 1, history);
-        instants_.push_back({game.followed(), game.together()});
+        instants_.push_back({game.currentLegs(), game.persistentPairs()});
       }
     }
   }
@@ -166,13 +166,13 @@ class ApproachCheck {
     }
     return nullptr;
   }
-  static std::optional<EarlierContact> earlierOf(const Instant& instant,
-                                                 const std::array<std::size_t, 2>& who) {
-    for (const CollisionScheduler::Together& pair : instant.together) {
-      const EarlierContact& of = pair.since;
+  static std::optional<PersistentContact> earlierOf(const Instant& instant,
+                                                    const std::array<std::size_t, 2>& who) {
+    for (const CollisionScheduler::PersistentPair& pair : instant.together) {
+      const PersistentContact& of = pair.since;
       if (pair.pucks == who) return of;
       if (pair.pucks == std::array{who[1], who[0]})
-        return EarlierContact{{of.flights[1], of.flights[0]}, of.event, of.n * -1.0, of.behind};
+        return PersistentContact{{of.flights[1], of.flights[0]}, of.event, of.n * -1.0, of.behind};
     }
     return std::nullopt;
   }
@@ -204,9 +204,9 @@ class ApproachCheck {
     if (depth < -1e-10) return 0.0;
     ++tally_.touching;
     const double deeper = (overlapAt(one.body, other.body, frame, begin + soon) - depth) / soon;
-    const std::array<ShapedFlight, 2> flights{flightOn(one, outlines_[who[0]]),
-                                              flightOn(other, outlines_[who[1]])};
-    const std::optional<EarlierContact> earlier = earlierOf(*instant, who);
+    const std::array<MovingShape, 2> flights{flightOn(one, outlines_[who[0]]),
+                                             flightOn(other, outlines_[who[1]])};
+    const std::optional<PersistentContact> earlier = earlierOf(*instant, who);
     const double byLaw = closingByLaw(one, other, flights, earlier ? &*earlier : nullptr);
     if (earlier) ++tally_.inEachOther;
     // Where they turn, the law of the kick and the distance can differ in the sign of what is nearly at rest.

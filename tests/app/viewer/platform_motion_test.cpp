@@ -44,11 +44,11 @@ class Ride {
 
   /// A frame. What must hold of every one: the head's world line is timelike and does not jump, board time
   /// grows, the thrust is no stronger than the strongest.
-  void live(const DriveWish& wish = {}) {
+  void advance(const DriveWish& wish = {}) {
     const Event before = observer.headEvent();
     lived_s_ += period_s_;
     const Head head{{walk_(lived_s_), {1, 0, 0, 0}}, Vec3(0.0)};
-    drive.live(wish, period_s_, pace_, {&head, 1}, observer);
+    drive.advance(wish, period_s_, pace_, {&head, 1}, observer);
     const Event after = observer.headEvent();
     const double dt_s = after.t_s - before.t_s, dr_m = glm::distance(after.r_m, before.r_m);
     ASSERT_GE(dt_s, pace_ * period_s_ * (1.0 - 1e-9));
@@ -119,7 +119,7 @@ TEST(PlatformMotion, ATourIsTheSumOfItsHyperbolae) {
       Ride ride(scenario, standing, hz, pace);
       const Event start = ride.observer.headEvent();
       for (int frame = 1; frame <= 7.0 * hz / pace; ++frame) {
-        ride.live();
+        ride.advance();
         Line line;
         double tau_s = pace * frame / hz;
         double at_s = 0.0;
@@ -146,11 +146,11 @@ TEST(PlatformMotion, ATourEndsAtRestUnderAWalkingHead) {
       platform({}, {{0.0, 2.0, {0.0, -0.9, 0.0}}, {2.0, 4.0, {0.0, 0.9, 0.0}}, {6.0, 2.0, {0.0, -0.9, 0.0}}}),
       walking);
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);  // it waits to be asked
-  ride.live();
+  ride.advance();
   ride.drive.setOut();
   double fastest_u = 0.0;
   for (int frame = 0; frame < 8 * 60 + 2; ++frame) {
-    ride.live();
+    ride.advance();
     fastest_u = std::max(fastest_u, ride.speed_u());
   }
   EXPECT_GT(fastest_u, 1.5);
@@ -162,24 +162,24 @@ TEST(PlatformMotion, ATourEndsAtRestUnderAWalkingHead) {
 TEST(PlatformMotion, SteeringTakesOver) {
   Ride ride(platform({}, {{0.0, 5.0, {0.0, 0.5, 0.0}}}), standing);
   ride.drive.setOut();
-  ride.live();
+  ride.advance();
   EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
-  ride.live({.steer = {0.01, 0.0, 0.0}});  // a device's noise
+  ride.advance({.steer = {0.01, 0.0, 0.0}});  // a device's noise
   EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
-  EXPECT_TRUE(ride.drive.news().words().empty());
-  ride.live({.steer = {0.5, 0.0, 0.0}});
+  EXPECT_TRUE(ride.drive.takeNotice().words().empty());
+  ride.advance({.steer = {0.5, 0.0, 0.0}});
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
   EXPECT_EQ(ride.drive.view().thrust, Vec3(0.5, 0.0, 0.0));
-  EXPECT_FALSE(ride.drive.news().words().empty());
-  ride.live({.home = true});
+  EXPECT_FALSE(ride.drive.takeNotice().words().empty());
+  ride.advance({.home = true});
   EXPECT_EQ(ride.drive.view().mode, DriveMode::home);
-  ride.live({.steer = {0.0, 0.0, -0.5}});
+  ride.advance({.steer = {0.0, 0.0, -0.5}});
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
 
   Ride untold(platform(), standing);
   untold.drive.setOut();
-  untold.live();
-  EXPECT_EQ(untold.drive.news().words(), "This game has no scripted flight.");
+  untold.advance();
+  EXPECT_EQ(untold.drive.takeNotice().words(), "This game has no scripted flight.");
   EXPECT_EQ(untold.drive.view().mode, DriveMode::free);
 }
 
@@ -188,37 +188,37 @@ TEST(PlatformMotion, ATourBeginsAtRestOnceAndSaysHowItEnded) {
   Ride ride(
       platform({}, {{0.0, 1.0, {0.0, -0.9, 0.0}}, {1.0, 2.0, {0.0, 0.9, 0.0}}, {3.0, 1.0, {0.0, -0.9, 0.0}}}),
       standing);
-  ride.live({.steer = {1.0, 0.0, 0.0}});
-  ride.drive.news();
+  ride.advance({.steer = {1.0, 0.0, 0.0}});
+  ride.drive.takeNotice();
   ride.drive.setOut();
-  ride.live();
+  ride.advance();
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
-  EXPECT_EQ(ride.drive.news().words(),
+  EXPECT_EQ(ride.drive.takeNotice().words(),
             "The scripted flight begins at rest: brake (Space) or return to the table (Home) first.");
-  for (int frame = 0; frame < 60; ++frame) ride.live({.brake = true});
+  for (int frame = 0; frame < 60; ++frame) ride.advance({.brake = true});
   const double board_s = ride.observer.headEvent().t_s;
   ride.drive.setOut();
-  ride.live();
+  ride.advance();
   EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
   ride.drive.setOut();
-  ride.live();
-  EXPECT_EQ(ride.drive.news().words(), "The scripted flight is under way already.");
-  for (int frame = 0; frame < 4 * 60; ++frame) ride.live();
+  ride.advance();
+  EXPECT_EQ(ride.drive.takeNotice().words(), "The scripted flight is under way already.");
+  for (int frame = 0; frame < 4 * 60; ++frame) ride.advance();
   EXPECT_LT(ride.speed_u(), 1e-12);
   const double phi = 0.9 / 1.42, tour_s = 4.0 * std::sinh(phi) / phi;
   EXPECT_LT(ride.observer.headEvent().t_s, board_s + tour_s + 0.1);
-  EXPECT_EQ(ride.drive.news().words(),
+  EXPECT_EQ(ride.drive.takeNotice().words(),
             fmt::format("Flight finished: {:.1f} s on the table's clocks, 4.0 s on yours.", tour_s));
 }
 
 TEST(PlatformMotion, WhoSteersFarAwayIsToldOnceOfTheWayHome) {
   Ride ride(platform(), standing);
-  ride.live({.steer = {0.0, 0.0, -0.9}});
-  EXPECT_TRUE(ride.drive.news().words().empty());
+  ride.advance({.steer = {0.0, 0.0, -0.9}});
+  EXPECT_TRUE(ride.drive.takeNotice().words().empty());
   int told = 0;
   for (int frame = 0; frame < 12 * 60; ++frame) {
-    ride.live({.steer = {0.0, 0.0, frame < 3 * 60 ? -0.9 : 0.0}});
-    told += ride.drive.news().words().starts_with("You have left the table far behind") ? 1 : 0;
+    ride.advance({.steer = {0.0, 0.0, frame < 3 * 60 ? -0.9 : 0.0}});
+    told += ride.drive.takeNotice().words().starts_with("You have left the table far behind") ? 1 : 0;
   }
   EXPECT_GT(glm::length(ride.observer.headEvent().r_m), 10.0);
   EXPECT_EQ(told, 1);
@@ -235,8 +235,9 @@ TEST(PlatformMotion, TheDriveStopsInFrontOfTheHallsWalls) {
     int told = 0;
     double fastest_u = 0.0;
     for (int frame = 0; frame < 40 * 60; ++frame) {
-      ride.live({.steer = {0.9 * std::cos(angle_rad), 0.0, 0.9 * std::sin(angle_rad)}});
-      told += ride.drive.news().words().starts_with("The drive stops in front of the hall's walls") ? 1 : 0;
+      ride.advance({.steer = {0.9 * std::cos(angle_rad), 0.0, 0.9 * std::sin(angle_rad)}});
+      told +=
+          ride.drive.takeNotice().words().starts_with("The drive stops in front of the hall's walls") ? 1 : 0;
       fastest_u = std::max(fastest_u, ride.speed_u());
       const Vec3 at_m = ride.observer.headEvent().r_m;
       ASSERT_LE(std::abs(at_m.x), 7.0) << "direction " << direction << ", frame " << frame;
@@ -256,7 +257,7 @@ TEST(PlatformMotion, ACoastingRoomStopsInFrontOfTheHallsWalls) {
     scenario.billiard.board = Board{2.84, 1.42};
     Ride ride(scenario, standing);
     for (int frame = 0; frame < 30 * 60; ++frame) {
-      ride.live({.steer = {frame < push_s * 60 ? 0.9 : 0.0, 0.0, 0.0}});
+      ride.advance({.steer = {frame < push_s * 60 ? 0.9 : 0.0, 0.0, 0.0}});
       ASSERT_LE(std::abs(ride.observer.headEvent().r_m.x), 7.0)
           << "after " << push_s << " s, frame " << frame;
     }
@@ -269,7 +270,7 @@ TEST(PlatformMotion, IsNoFasterThanTheGameSays) {
   Scenario scenario = platform();
   scenario.most_u = 0.75;  // 0.6 c
   Ride ride(scenario, standing);
-  for (int frame = 0; frame < 10 * 60; ++frame) ride.live({.steer = {0.3, 0.0, -0.9}});
+  for (int frame = 0; frame < 10 * 60; ++frame) ride.advance({.steer = {0.3, 0.0, -0.9}});
   EXPECT_LE(ride.speed_u(), 0.75);
   EXPECT_GT(ride.speed_u(), 0.98 * 0.75);
 }
@@ -279,8 +280,8 @@ TEST(PlatformMotion, TurnsAboutTheHead) {
   for (const double beta : {0.0, 0.6}) {
     Ride turned(platform({.beta = {beta, 0.0, 0.0}}), standing),
         still(platform({.beta = {beta, 0.0, 0.0}}), standing);
-    turned.live({.turn_rad = 0.3});
-    still.live();
+    turned.advance({.turn_rad = 0.3});
+    still.advance();
     EXPECT_LT(glm::distance(turned.observer.headEvent().r_m, still.observer.headEvent().r_m), 1e-12);
     EXPECT_NEAR(turned.speed_u(), still.speed_u(), 1e-12);
     // What lay ahead, −z, lies 0.3 rad to the right now.
@@ -293,21 +294,21 @@ TEST(PlatformMotion, TurnsAboutTheHead) {
 
 TEST(PlatformMotion, NoMoreThanTheStrongestThrustAndItSaysSoOnce) {
   Ride ride(platform(), standing);
-  ride.live({.steer = {0.0, 0.0, -1.0}});
+  ride.advance({.steer = {0.0, 0.0, -1.0}});
   EXPECT_EQ(ride.drive.view().atLimit, 0);
-  ride.live({.steer = {1.0, 0.0, -1.0}});
+  ride.advance({.steer = {1.0, 0.0, -1.0}});
   EXPECT_EQ(ride.drive.view().atLimit, 1);
   EXPECT_NEAR(glm::length(ride.drive.view().thrust), 1.0, 1e-12);
-  EXPECT_NE(ride.drive.news().words().find("2 m behind"), std::string_view::npos);
-  ride.live({.steer = {1.0, 0.0, -1.0}});
-  EXPECT_TRUE(ride.drive.news().words().empty());
+  EXPECT_NE(ride.drive.takeNotice().words().find("2 m behind"), std::string_view::npos);
+  ride.advance({.steer = {1.0, 0.0, -1.0}});
+  EXPECT_TRUE(ride.drive.takeNotice().words().empty());
   EXPECT_NEAR(strongestThrust_m_s2(kC_m_s) * 1.0, kC_m_s * kC_m_s / 2.0, 1e-15);  // times a metre
 }
 
 // Held for an hour, the stick makes nobody so fast that the game could not keep up.
 TEST(PlatformMotion, MakesNobodyTooFast) {
   Ride ride(platform(), standing);
-  for (int frame = 0; frame < 60 * 60; ++frame) ride.live({.steer = {0.3, 0.0, -0.9}});
+  for (int frame = 0; frame < 60 * 60; ++frame) ride.advance({.steer = {0.3, 0.0, -0.9}});
   EXPECT_LE(ride.speed_u(), kMostPlatformU);
   EXPECT_GT(ride.speed_u(), 0.98 * kMostPlatformU);
   EXPECT_EQ(ride.drive.view().atLimit, 1);
@@ -316,7 +317,7 @@ TEST(PlatformMotion, MakesNobodyTooFast) {
   Ride born(platform({.beta = {0.9999, 0.0, 0.0}}),
             standing);  // faster than it could become: it may slow down
   const double before_u = born.speed_u();
-  for (int frame = 0; frame < 60; ++frame) born.live({.steer = {0.0, 0.0, 1.0}, .brake = frame > 30});
+  for (int frame = 0; frame < 60; ++frame) born.advance({.steer = {0.0, 0.0, 1.0}, .brake = frame > 30});
   EXPECT_LT(born.speed_u(), before_u);
 }
 
@@ -334,12 +335,12 @@ TEST_P(Seeded, BrakingEndsAtRestAndStays) {
     const ObserverStart start{.facing_rad = random.in(-4.0, 4.0), .beta = random.inBall(0.97)};
     SCOPED_TRACE(testing::Message() << "β " << start.beta.x << ' ' << start.beta.y << ' ' << start.beta.z);
     Ride ride(platform(start), walk, random.in(20.0, 120.0));
-    for (int frame = 0; frame < 50; ++frame) ride.live(seededWish(random));
+    for (int frame = 0; frame < 50; ++frame) ride.advance(seededWish(random));
     const double needs_s = std::asinh(ride.speed_u()) * kC_m_s / strongestThrust_m_s2(kC_m_s);
     const double began_s = ride.observer.properTime_s();
     double last_u = ride.speed_u();
     while (ride.speed_u() > 1e-12 && ride.observer.properTime_s() < began_s + 20.0) {
-      ride.live({.brake = true});
+      ride.advance({.brake = true});
       EXPECT_EQ(ride.drive.view().mode, DriveMode::braking);
       ASSERT_LT(ride.speed_u(), last_u);
       last_u = ride.speed_u();
@@ -349,7 +350,7 @@ TEST_P(Seeded, BrakingEndsAtRestAndStays) {
     }
     const Lorentz rests = ride.observer.boardFromRoom();
     for (int frame = 0; frame < 20; ++frame) {
-      ride.live({.brake = true});
+      ride.advance({.brake = true});
       EXPECT_EQ(ride.drive.view().thrust, Vec3(0.0));
       EXPECT_EQ(ride.observer.boardFromRoom().matrix(), rests.matrix());
     }
@@ -367,11 +368,11 @@ TEST_P(Seeded, HomeIsWhereItStartedAtRestAsItStood) {
     DriveWish wish;
     for (int frame = 0; frame < 400; ++frame) {
       if (frame % 25 == 0) wish = seededWish(random);
-      ride.live(wish);
+      ride.advance(wish);
     }
-    ride.live({.home = true});
+    ride.advance({.home = true});
     int frames = 0;
-    while (ride.drive.view().mode == DriveMode::home && ++frames < 40000) ride.live();
+    while (ride.drive.view().mode == DriveMode::home && ++frames < 40000) ride.advance();
     SCOPED_TRACE(testing::Message() << "after " << frames << " frames");
     EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
     EXPECT_LT(ride.speed_u(), 1e-12);
@@ -388,14 +389,14 @@ INSTANTIATE_TEST_SUITE_P(PlatformMotion, Seeded, testing::Range(0, 12));
 TEST(PlatformMotion, TheWayHomeIsTheShortestThatTheDriveCanDo) {
   Ride ride(platform(), standing);
   const double a_m_s2 = strongestThrust_m_s2(kC_m_s);
-  for (int frame = 0; frame < 120; ++frame) ride.live({.steer = {0.0, 0.0, -1.0}});
-  while (ride.speed_u() > 1e-12) ride.live({.brake = true});
+  for (int frame = 0; frame < 120; ++frame) ride.advance({.steer = {0.0, 0.0, -1.0}});
+  while (ride.speed_u() > 1e-12) ride.advance({.brake = true});
   const double away_m = glm::distance(ride.floor_m(), ObserverStart{}.position_m);
   ASSERT_GT(away_m, 2.0);
   const double needs_s = 2.0 * kC_m_s / a_m_s2 * std::acosh(1.0 + a_m_s2 * 0.5 * away_m / (kC_m_s * kC_m_s));
   const double began_s = ride.observer.properTime_s();
-  ride.live({.home = true});
-  while (ride.drive.view().mode == DriveMode::home) ride.live();
+  ride.advance({.home = true});
+  while (ride.drive.view().mode == DriveMode::home) ride.advance();
   EXPECT_NEAR(ride.observer.properTime_s() - began_s, needs_s, 1.5 / 60.0);
 }
 
@@ -405,23 +406,23 @@ TEST(PlatformMotion, HomeUndoesTheTurnOfSidewaysThrust) {
   Ride ride(platform(), standing);
   for (int frame = 0; frame < 400; ++frame) {
     const double angle_rad = 2.0 * std::numbers::pi * frame / 200.0;
-    ride.live({.steer = {std::cos(angle_rad), 0.0, std::sin(angle_rad)}});
+    ride.advance({.steer = {std::cos(angle_rad), 0.0, std::sin(angle_rad)}});
   }
-  while (ride.speed_u() > 1e-12) ride.live({.brake = true});
+  while (ride.speed_u() > 1e-12) ride.advance({.brake = true});
   const Lorentz home = startingRoom({}, kAxes, kC_m_s);
   const double turned_rad = turnBetween_rad(home, ride.observer.boardFromRoom());
   ASSERT_GT(turned_rad, 0.2);
-  ride.live({.home = true});
+  ride.advance({.home = true});
   double last_rad = turnBetween_rad(home, ride.observer.boardFromRoom());
   ASSERT_LT(last_rad, turned_rad);
   while (last_rad > 1e-8) {
-    ride.live();
+    ride.advance();
     const double rad = turnBetween_rad(home, ride.observer.boardFromRoom());
     ASSERT_LT(rad, last_rad);
     ASSERT_LT(last_rad - rad, std::numbers::pi / 6.0 / 60.0 + 1e-9);
     last_rad = rad;
   }
-  while (ride.drive.view().mode == DriveMode::home) ride.live();
+  while (ride.drive.view().mode == DriveMode::home) ride.advance();
   EXPECT_LT(glm::distance(ride.floor_m(), ObserverStart{}.position_m), 1e-3);
 }
 
@@ -435,7 +436,7 @@ TEST(PlatformMotion, BoardTimeGrowsWhateverHandsAndFeetDo) {
       wish = {.steer = random.inBall(1.2), .brake = random.in(0.0, 1.0) < 0.3};
       wish.home = random.in(0.0, 1.0) < 0.1;
     }
-    ride.live(wish);
+    ride.advance(wish);
   }
 }
 

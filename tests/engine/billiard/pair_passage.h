@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 
 #include "engine/billiard/billiard.h"
+#include "engine/collision/moving_shape.h"
 #include "engine/collision/outline.h"
-#include "engine/collision/shaped_flight.h"
 
 namespace carom::test {
 
@@ -82,12 +82,12 @@ inline std::vector<BoardOverlap> overlapsOnBoard(const Billiard& game, const Bil
         const Motion motion = game.worldLines()[i].at(t / c);
         const Knot knot = game.worldLines()[i].knots()[motion.leg];
         const Vec21 start{knot.turn.t_s * c, knot.turn.r_m.x, knot.turn.r_m.y};
-        const ShapedFlight flight{start,
-                                  fourVelocity(knot.u.x, knot.u.y),
-                                  outlines[i]->radius(),
-                                  &*outlines[i],
-                                  knot.spin.angle_rad,
-                                  knot.spin.omega_rad_s / c};
+        const MovingShape flight{start,
+                                 fourVelocity(knot.u.x, knot.u.y),
+                                 outlines[i]->radius(),
+                                 &*outlines[i],
+                                 knot.spin.angle_rad,
+                                 knot.spin.omega_rad_s / c};
         corners[i] = cornersOnBoard(flight, t);
         angles[i] = knot.spin.angle_rad + knot.spin.omega_rad_s * (motion.properTime_s - knot.properTime_s);
       }

@@ -45,7 +45,7 @@ std::vector<Vec2> rectangle(double length, double width) {
           {-0.5 * length, 0.5 * width}};
 }
 
-ShapedFlight flight(const Vec2& place, const Vec2& beta, const Outline& outline, double turning = 0.0) {
+MovingShape flight(const Vec2& place, const Vec2& beta, const Outline& outline, double turning = 0.0) {
   return {{0.0, place.x, place.y}, fourVelocityOf(beta), outline.radius(), &outline, 0.0, turning};
 }
 
@@ -60,7 +60,7 @@ void expectCase(const Json& one) {
     ASSERT_FALSE(faultOf(corners)) << faultOf(corners)->what;
     outlines.emplace_back(corners);
   }
-  std::array<ShapedFlight, 2> flights;
+  std::array<MovingShape, 2> flights;
   std::array<LeveredBody, 2> bodies;
   for (int i = 0; i < 2; ++i) {
     const Json& body = input["bodies"][i];
@@ -211,13 +211,13 @@ void expectRandomPairs(unsigned seed, int count, bool withDisc, double spinning)
     const bool spins = random.uniform(0.0, 1.0) < spinning;
     const double turning1 = spins ? random.uniform(-0.99, 0.99) / outline1.radius() : 0.0;
     const double turning2 = spins && !withDisc ? random.uniform(-0.99, 0.99) / radius2 : 0.0;
-    ShapedFlight first = flight(place1, beta1, outline1, turning1);
-    ShapedFlight second{{0.0, place2.x, place2.y},
-                        fourVelocityOf(beta2),
-                        radius2,
-                        withDisc ? nullptr : &*outline2,
-                        0.0,
-                        turning2};
+    MovingShape first = flight(place1, beta1, outline1, turning1);
+    MovingShape second{{0.0, place2.x, place2.y},
+                       fourVelocityOf(beta2),
+                       radius2,
+                       withDisc ? nullptr : &*outline2,
+                       0.0,
+                       turning2};
     const Pair pair{{corners1, first.start, beta1, turning1, outline1.radius()},
                     {corners2, second.start, beta2, turning2, radius2},
                     frameOf(beta1, beta2)};
@@ -246,10 +246,10 @@ TEST(CornerContact, ManyCornersTouchAsADiscDoes) {
     const Outline many(regular(64, kRadius));
     const Vec2 beta1 = random.beta(), beta2 = random.beta();
     const auto [place1, place2] = random.placesFor(beta1, beta2);
-    const ShapedFlight first = flight(place1, beta1, many), second = flight(place2, beta2, many);
+    const MovingShape first = flight(place1, beta1, many), second = flight(place2, beta2, many);
     const Disc disc1{first.start, first.u, kRadius}, disc2{second.start, second.u, kRadius};
     const auto meeting = findMeeting(disc1, disc2, TurnConvention::signalAtCentre);
-    const ShapedFlight rim{second.start, second.u, kRadius, nullptr, 0.0, 0.0};
+    const MovingShape rim{second.start, second.u, kRadius, nullptr, 0.0, 0.0};
     const auto found = findCornerContact(first, second), withRim = findCornerContact(first, rim);
     const double b = std::abs(dot(cross(first.u, second.u), second.start - first.start)) /
                      std::sqrt(std::pow(dot(first.u, second.u), 2) - 1.0);
@@ -268,8 +268,8 @@ TEST(CornerContact, ManyCornersTouchAsADiscDoes) {
 
 TEST(CornerContact, SquaresFaceToFaceTieInTheMiddle) {
   const Outline square(rectangle(0.08, 0.08));
-  const ShapedFlight left = flight({-0.5, 0.01}, {0.6, 0.0}, square);
-  const ShapedFlight right = flight({0.5, -0.01}, {-0.6, 0.0}, square);
+  const MovingShape left = flight({-0.5, 0.01}, {0.6, 0.0}, square);
+  const MovingShape right = flight({0.5, -0.01}, {-0.6, 0.0}, square);
   const auto found = findCornerContact(left, right);
   ASSERT_TRUE(found && found->sideOnSide);
   EXPECT_WITHIN(found->contact.event.x, 0.0, 1e-15);
@@ -281,7 +281,7 @@ TEST(CornerContact, SquaresFaceToFaceTieInTheMiddle) {
   ASSERT_TRUE(aligned && aligned->sideOnSide);
   std::array<LeveredBody, 2> bodies;
   for (int i = 0; i < 2; ++i) {
-    const ShapedFlight& one = i == 0 ? left : right;
+    const MovingShape& one = i == 0 ? left : right;
     bodies[i] = {{{0.2, 0.1}, 0.0, one.u},
                  square.radius(),
                  aligned->contact.event - Vec21{0.0, i == 0 ? -0.5 : 0.5, 0.0}};
@@ -315,8 +315,8 @@ TEST(CornerContact, WhatTouchesAnotherSideAtThatTimeDoesNotMoveTheMiddle) {
 
 TEST(CornerContact, OverlappingBodiesThatApproachTouchAtOnce) {
   const Outline square(rectangle(0.08, 0.08));
-  ShapedFlight left = flight({0.0, 0.0}, {0.3, 0.0}, square),
-               right = flight({0.075, 0.03}, {-0.3, 0.0}, square);
+  MovingShape left = flight({0.0, 0.0}, {0.3, 0.0}, square),
+              right = flight({0.075, 0.03}, {-0.3, 0.0}, square);
   left.start.t = right.start.t = 1.0;
   const auto found = findCornerContact(left, right);
   ASSERT_TRUE(found && found->withoutDelay);
@@ -328,10 +328,10 @@ TEST(CornerContact, OverlappingBodiesThatApproachTouchAtOnce) {
 
 TEST(CornerContact, TurningBarsThatRestBesideEachOtherMeet) {
   const Outline bar(rectangle(0.12, 0.02));
-  const ShapedFlight still = flight({0.0, 0.0}, {0.0, 0.0}, bar);
-  const ShapedFlight turns = flight({0.09, 0.0}, {0.0, 0.0}, bar, 3.0);
+  const MovingShape still = flight({0.0, 0.0}, {0.0, 0.0}, bar);
+  const MovingShape turns = flight({0.09, 0.0}, {0.0, 0.0}, bar, 3.0);
   ASSERT_FALSE(findCornerContact(still, flight({0.13, 0.0}, {0.0, 0.0}, bar, 3.0)));
-  ShapedFlight upright = turns;
+  MovingShape upright = turns;
   upright.angle = M_PI / 2;
   const auto found = findCornerContact(still, upright);
   ASSERT_TRUE(found);
@@ -352,7 +352,7 @@ TEST(CornerContact, CushionsAsSampled) {
     const double turning = n % 2 == 0 ? 0.0 : random.uniform(-0.9, 0.9) / outline.radius();
     const Vec2 place{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)};
     const CushionPlane plane{n % 4 < 2 ? 0 : 1, random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0, 0.4};
-    const ShapedFlight body = flight(place, beta, outline, turning);
+    const MovingShape body = flight(place, beta, outline, turning);
     const auto found = findCornerContact(body, 0.0, plane, TurnConvention::signalAtCentre);
     const double speed = plane.sign * (plane.axis == 0 ? beta.x : beta.y);
     ASSERT_TRUE(found || !(speed > 0.05));
@@ -387,7 +387,7 @@ TEST(CornerContact, CushionsAsSampled) {
 TEST(CornerContact, ManyCornersMeetACushionAsADiscDoes) {
   const Outline many(regular(256, 0.03));
   const CushionPlane plane{0, 1.0, 0.5};
-  const ShapedFlight body = flight({0.0, 0.0}, {0.8, 0.3}, many);
+  const MovingShape body = flight({0.0, 0.0}, {0.8, 0.3}, many);
   for (const TurnConvention convention :
        {TurnConvention::signalAtCentre, TurnConvention::simultaneousWithContact}) {
     const auto disc = findContact({body.start, body.u, 0.0, 0.0}, 0.03, plane, convention);
@@ -410,13 +410,13 @@ TEST(CornerContact, NothingTouchesAtBoardTimeZero) {
   for (const double gap : {0.0, 0x1p-20}) {  // in metres of light
     SCOPED_TRACE(gap);
     const double away = kOnBoard + 0.6 * gap;
-    const ShapedFlight still = flight({0.0, 0.0}, {0.0, 0.0}, square);
-    const ShapedFlight comes{{0.0, 0.0625 + away, 0.0}, u, kAhead, &diamond, 0.0, 0.0};
+    const MovingShape still = flight({0.0, 0.0}, {0.0, 0.0}, square);
+    const MovingShape comes{{0.0, 0.0625 + away, 0.0}, u, kAhead, &diamond, 0.0, 0.0};
     const auto found = findCornerContact(still, comes);
     ASSERT_TRUE(found);  // if not of this corner, later of the square's corners
     EXPECT_EQ(std::abs(found->contact.event.t - gap) < 1e-15, gap > 0.0) << found->contact.event.t;
     // At a cushion the contact is then that of the place straight ahead of the centre, which comes later.
-    const ShapedFlight falls{
+    const MovingShape falls{
         {0.0, 0.5 - away, 0.0}, {1.25, 0.75, 0.0}, triangle.radius(), &triangle, 0.0, 0.0};
     const auto touch = findCornerContact(falls, 0.0, plane, TurnConvention::signalAtCentre);
     ASSERT_TRUE(touch);

@@ -49,7 +49,7 @@ using Places = std::array<Vec2, kMostCorners>;
 /// The disc and the body in the frame of U, around the disc's centre and stretched so that the disc is a circle.
 class StretchedFrame {
  public:
-  StretchedFrame(const ShapedFlight& disc, const ShapedFlight& body, const Vec21& origin, const Vec21& U)
+  StretchedFrame(const MovingShape& disc, const MovingShape& body, const Vec21& origin, const Vec21& U)
       : disc_(disc),
         body_(body),
         U_(U),
@@ -77,7 +77,7 @@ class StretchedFrame {
   const Vec2& velocity() const { return velocity_; }
   double radius() const { return disc_.radius; }
   double reach() const { return reach_; }
-  const ShapedFlight& body() const { return body_; }
+  const MovingShape& body() const { return body_; }
 
   /// The disc's centre at a time of the frame.
   Vec21 centreAt(double time) const { return disc_.start + disc_.u * ((time - discTime_) / gammaOfDisc_); }
@@ -129,9 +129,9 @@ class StretchedFrame {
     return body_.outline->entranceOf(*cameFrom_, centreInBody(time));
   }
   bool isInside(double time) const { return body_.outline->clearanceOf(centreInBody(time)).outside <= 0.0; }
-  Passage passage(double time) const {
-    if (!entrance(time)) return Passage::apart;
-    return isInside(time) ? Passage::inside : Passage::through;
+  PenetrationState penetration(double time) const {
+    if (!entrance(time)) return PenetrationState::apart;
+    return isInside(time) ? PenetrationState::inside : PenetrationState::through;
   }
   /// How fast the gap can close.
   double fastest() const {
@@ -192,7 +192,7 @@ class StretchedFrame {
     return 0.125 * gammaOfDisc_ * beside * (1.0 + f * a / slope);
   }
 
-  const ShapedFlight &disc_, &body_;
+  const MovingShape &disc_, &body_;
   Vec21 U_;
   RestAxes axes_, axesOfBody_;
   double discTime_, bodyTime_;
@@ -367,14 +367,14 @@ std::optional<FoundContact> touchTurning(const StretchedFrame& frame, const Cont
   AdvancingSteps steps(frame.reach(), fastest);
   double time = start, gap = gapAt(frame, time);
   bool inside = gap <= 0.0;
-  const auto found = [&](double at, bool lookAgain) {
+  const auto found = [&](double at, bool unfinished) {
     Places places;
     const Vec2 towards = nearestOfTurning(frame, at, frame.cornersAt(at, places)).towards;
     FoundContact contact = frame.contact(at, towards, towards * R, discIsFirst);
-    contact.lookAgain = lookAgain;
+    contact.unfinished = unfinished;
     return contact;
   };
-  bool behind = frame.passage(time) == Passage::through;  // then it touches nothing
+  bool behind = frame.penetration(time) == PenetrationState::through;  // then it touches nothing
   for (int step = 0; time < end; ++step) {
     if (step == kMostSteps) return found(time, true);
     const double next = time + steps.next(gap);
@@ -388,9 +388,11 @@ std::optional<FoundContact> touchTurning(const StretchedFrame& frame, const Cont
     }
     if (touches && !behind) {
       const FoundContact contact = found(at, false);
-      if (window.holds(window.timeOf(contact.event)) && frame.passage(at) != Passage::through) return contact;
+      if (window.holds(window.timeOf(contact.event)) && frame.penetration(at) != PenetrationState::through)
+        return contact;
     }
-    time = next, gap = there, inside = there <= 0.0, behind = frame.passage(time) == Passage::through;
+    time = next, gap = there, inside = there <= 0.0,
+    behind = frame.penetration(time) == PenetrationState::through;
   }
   return std::nullopt;
 }
@@ -414,9 +416,9 @@ std::optional<FoundContact> overlapNow(const StretchedFrame& frame, double time,
   return found;
 }
 
-StretchedFrame frameOf(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                       const EarlierContact* earlier) {
-  const auto of = [](const ShapedFlight& one, const ShapedFlight& other, const Vec21& order) {
+StretchedFrame frameOf(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                       const PersistentContact* earlier) {
+  const auto of = [](const MovingShape& one, const MovingShape& other, const Vec21& order) {
     const bool oneIsDisc = one.outline == nullptr;
     return StretchedFrame(oneIsDisc ? one : other, oneIsDisc ? other : one, one.start, order);
   };
@@ -429,12 +431,12 @@ StretchedFrame frameOf(const ShapedFlight& first, const ShapedFlight& second, co
 
 }  // namespace
 
-std::optional<FoundContact> findRimContact(const ShapedFlight& first, const ShapedFlight& second,
+std::optional<FoundContact> findRimContact(const MovingShape& first, const MovingShape& second,
                                            const Vec21& U, const ContactWindow& window,
-                                           const EarlierContact* earlier) {
+                                           const PersistentContact* earlier) {
   const bool discIsFirst = first.outline == nullptr;
   StretchedFrame frame = frameOf(first, second, U, earlier);
-  const ShapedFlight& body = frame.body();
+  const MovingShape& body = frame.body();
   const auto [begin, end] = frame.overlapTimes();
   if (!(begin <= end)) return std::nullopt;
   if (window.strictly) {
@@ -452,8 +454,8 @@ std::optional<FoundContact> findRimContact(const ShapedFlight& first, const Shap
   return touchTurning(frame, window, discIsFirst, std::max(begin, window.from), end);
 }
 
-void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                  const ContactWindow& window, double within, const EarlierContact* earlier,
+void addRimPlaces(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                  const ContactWindow& window, double within, const PersistentContact* earlier,
                   std::vector<FoundContact>& places) {
   const bool discIsFirst = first.outline == nullptr;
   StretchedFrame frame = frameOf(first, second, U, earlier);
@@ -463,9 +465,9 @@ void addRimPlaces(const ShapedFlight& first, const ShapedFlight& second, const V
   }
 }
 
-Passage passageOfDisc(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                      const ContactWindow& window, const EarlierContact& earlier) {
-  return frameOf(first, second, U, &earlier).passage(window.from);
+PenetrationState penetrationOfDisc(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                                   const ContactWindow& window, const PersistentContact& earlier) {
+  return frameOf(first, second, U, &earlier).penetration(window.from);
 }
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-#include "engine/collision/coarse_flight.h"
+#include "engine/collision/disc_cull.h"
 
 #include <cmath>
 #include <numbers>
@@ -40,7 +40,7 @@ Share shareOfPairs(TurnConvention convention, double slowest) {
     const Disc first = randomDisc(random, now, slowest), second = randomDisc(random, now, slowest);
     const CoarseFlight other = coarseFlight(second, epoch);
     const bool coarsely =
-        CoarseMeeting(first, 0.01, convention, epoch).mayMeet(other.x, other.y, other.vx, other.vy);
+        DiscCull(first, 0.01, convention, epoch).mayMeet(other.x, other.y, other.vx, other.vy);
     const bool meet = findMeeting(first, second, convention).has_value();
     EXPECT_TRUE(coarsely || !meet) << testing::PrintToString(random);
     share.meet += meet ? 1 : 0;
@@ -53,7 +53,7 @@ Share shareOfPairs(TurnConvention convention, double slowest) {
 // The coarse test never excludes a pair that meets, and excludes most of what the exact one does: besides what
 // rounding leaves open, the pairs that have passed one another since the first's flight began, and those that
 // the largest radius would let touch.
-TEST(CoarseMeeting, ExcludesNoPairThatMeets) {
+TEST(DiscCull, ExcludesNoPairThatMeets) {
   for (const TurnConvention convention :
        {TurnConvention::simultaneousWithContact, TurnConvention::signalAtCentre}) {
     for (const double slowest : {1e-4, 0.1}) {
@@ -67,12 +67,12 @@ TEST(CoarseMeeting, ExcludesNoPairThatMeets) {
 }
 
 // A board of metres, the radius a centimetre: what is sure to pass at a distance of a few radii is excluded.
-TEST(CoarseMeeting, ExcludesFlightsSideBySide) {
+TEST(DiscCull, ExcludesFlightsSideBySide) {
   const Disc first{{5.0, 1.0, 2.0}, fourVelocity(0.5, 0.0), 0.01, 0.0};
   for (const double aside : {0.0, 0.0199, 0.0201, 0.03, -0.0201, -0.0199}) {
     const Disc second{{6.0, 2.0, 2.0 + aside}, fourVelocity(-2.0, 0.0), 0.01, 0.0};
     const CoarseFlight other = coarseFlight(second, 3.0);
-    const CoarseMeeting coarse(first, 0.01, TurnConvention::simultaneousWithContact, 3.0);
+    const DiscCull coarse(first, 0.01, TurnConvention::simultaneousWithContact, 3.0);
     EXPECT_EQ(coarse.mayMeet(other.x, other.y, other.vx, other.vy), std::abs(aside) < 0.02) << aside;
   }
 }

@@ -31,10 +31,10 @@ inline CoarseFlight coarseFlight(const Disc& disc, double epoch) {
 }
 
 /// Tests many flights against one disc.
-class CoarseMeeting {
+class DiscCull {
  public:
   /// `largestRadius` bounds the radii of the others; `epoch` is the board time of their flights.
-  CoarseMeeting(const Disc& disc, double largestRadius, TurnConvention convention, double epoch)
+  DiscCull(const Disc& disc, double largestRadius, TurnConvention convention, double epoch)
       : own_(coarseFlight(disc, disc.start.t)),
         sinceEpoch_(static_cast<float>(disc.start.t - epoch)),
         reach2_(static_cast<float>((disc.radius + largestRadius) * (disc.radius + largestRadius)) *

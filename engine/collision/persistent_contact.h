@@ -13,19 +13,19 @@
 
 #include <array>
 
-#include "engine/collision/shaped_flight.h"
+#include "engine/collision/moving_shape.h"
 
 namespace carom {
 
 /// Two flights and the contact at which they came together.
-struct EarlierContact {
-  std::array<ShapedFlight, 2> flights;
+struct PersistentContact {
+  std::array<MovingShape, 2> flights;
   Vec21 event, n;       ///< PairContact's C and n
   bool behind = false;  ///< they have been found to be through each other since
 };
 
 /// How two bodies have come from an earlier contact: apart; some corners, or the centre of a disc, into the other;
 /// or some through it.
-enum class Passage { apart, inside, through };
+enum class PenetrationState { apart, inside, through };
 
 }  // namespace carom

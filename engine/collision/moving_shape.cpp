@@ -1,4 +1,4 @@
-#include "engine/collision/shaped_flight.h"
+#include "engine/collision/moving_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ Vec21 equalSpeedFrame(const Vec21& u1, const Vec21& u2) {
 }
 
 // Newton's steps for the own time at which the corner's event has the board time t.
-std::vector<Vec2> cornersOnBoard(const ShapedFlight& flight, double t) {
+std::vector<Vec2> cornersOnBoard(const MovingShape& flight, double t) {
   const RestAxes axes(flight.u);
   std::vector<Vec2> places;
   for (const Vec2& corner : flight.outline->corners()) {
@@ -70,14 +70,14 @@ std::vector<Vec2> cornersOnBoard(const ShapedFlight& flight, double t) {
 }
 
 // A disc is a circle once the board is stretched along its velocity.
-bool overlapOnBoard(const ShapedFlight& first, const ShapedFlight& second, double t) {
+bool overlapOnBoard(const MovingShape& first, const MovingShape& second, double t) {
   const double least = kTouching * (first.radius + second.radius);
   if (first.outline != nullptr && second.outline != nullptr) {
     const std::vector<Vec2> one = cornersOnBoard(first, t), other = cornersOnBoard(second, t);
     return sidesCross(one, other, least) || anyInside(one, other, least) || anyInside(other, one, least);
   }
-  const ShapedFlight &disc = first.outline == nullptr ? first : second,
-                     &body = first.outline == nullptr ? second : first;
+  const MovingShape &disc = first.outline == nullptr ? first : second,
+                    &body = first.outline == nullptr ? second : first;
   const double s = (t - disc.start.t) / disc.u.t;
   const Vec2 centre{disc.start.x + disc.u.x * s, disc.start.y + disc.u.y * s};
   const Vec2 u{disc.u.x, disc.u.y};

@@ -15,7 +15,7 @@ namespace {
 using Vec2 = glm::dvec2;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kTie = 1e-9;  // of the radii: piercings as near to each other in time are one
+constexpr double kSimultaneous = 1e-9;  // of the radii: piercings as near to each other in time are one
 
 /// Whether two contacts at one time are on sides that lie on each other.
 bool sameSide(const FoundContact& one, const FoundContact& other, const Vec21& U) {
@@ -28,7 +28,7 @@ bool sameSide(const FoundContact& one, const FoundContact& other, const Vec21& U
 }
 
 /// The ends of what touches where sides lie on each other.
-struct Tie {
+struct SimultaneousContacts {
   Vec21 U, along;
   double low = kNever, high = -kNever;
   Vec21 ends[2];
@@ -42,12 +42,13 @@ struct Tie {
 
 }  // namespace
 
-void settleTie(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, FoundContact& best) {
-  const double tolerance = kTie * (first.radius + second.radius);
-  Tie tie;
-  tie.U = U;
-  tie.along = cross(best.normal, U);
-  const auto collect = [&](const ShapedFlight& a, const ShapedFlight& b, bool aIsFirst) {
+void settleSimultaneous(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                        FoundContact& best) {
+  const double tolerance = kSimultaneous * (first.radius + second.radius);
+  SimultaneousContacts contacts;
+  contacts.U = U;
+  contacts.along = cross(best.normal, U);
+  const auto collect = [&](const MovingShape& a, const MovingShape& b, bool aIsFirst) {
     const RestAxes axesOfA(a.u), axesOfB(b.u);
     const SinCos ofA = portableSinCos(a.angle), ofB = portableSinCos(b.angle);
     for (const Vec2& corner : a.outline->corners()) {
@@ -62,14 +63,14 @@ void settleTie(const ShapedFlight& first, const ShapedFlight& second, const Vec2
           continue;
         FoundContact here = best;
         here.normal = axesOfB(turned(side.normal, ofB)) * (aIsFirst ? -1.0 : 1.0);
-        if (sameSide(best, here, U)) tie.add(event);
+        if (sameSide(best, here, U)) contacts.add(event);
       }
     }
   };
   collect(first, second, true);
   collect(second, first, false);
-  if (!(tie.high - tie.low > tolerance)) return;
-  best.event = (tie.ends[0] + tie.ends[1]) * 0.5;
+  if (!(contacts.high - contacts.low > tolerance)) return;
+  best.event = (contacts.ends[0] + contacts.ends[1]) * 0.5;
   best.sideOnSide = true;
 }
 

@@ -9,7 +9,7 @@
 namespace carom {
 
 /// A body in straight flight that turns uniformly.
-struct ShapedFlight {
+struct MovingShape {
   Vec21 start;
   Vec21 u{1.0, 0.0, 0.0};
   double radius = 0.0;               ///< of the disc, or of the farthest corner
@@ -22,10 +22,10 @@ struct ShapedFlight {
 Vec21 equalSpeedFrame(const Vec21& u1, const Vec21& u2);
 
 /// Returns where the corners are on the board at board time `t`.
-std::vector<glm::dvec2> cornersOnBoard(const ShapedFlight& flight, double t);
+std::vector<glm::dvec2> cornersOnBoard(const MovingShape& flight, double t);
 
 /// Returns whether two bodies, at least one with corners, overlap on the board at board time `t` by
 /// more than a millionth of a millionth of their radii.
-bool overlapOnBoard(const ShapedFlight& first, const ShapedFlight& second, double t);
+bool overlapOnBoard(const MovingShape& first, const MovingShape& second, double t);
 
 }  // namespace carom

@@ -40,7 +40,7 @@ struct Spot {
 };
 
 /// A corner as it lies to b: `Outline::Clearance`, and whether it has come through b and is behind it.
-struct Lie {
+struct CornerPosition {
   double outside;
   std::size_t side;
   bool through = false;
@@ -49,7 +49,7 @@ struct Lie {
 /// Corners of one body, a, as another, b, meets them.
 class Corners {
  public:
-  Corners(const ShapedFlight& a, const ShapedFlight& b, const Vec21& origin, const Vec21& U,
+  Corners(const MovingShape& a, const MovingShape& b, const Vec21& origin, const Vec21& U,
           const ContactWindow& window, bool aIsFirst)
       : a_(a), b_(b), window_(window), axesOfA_(a.u), axesOfB_(b.u), aIsFirst_(aIsFirst) {
     ofA_ = portableSinCos(a.angle), ofB_ = portableSinCos(b.angle);
@@ -63,14 +63,14 @@ class Corners {
   }
 
   /// The same bodies at an earlier contact, since which they have not parted.
-  void remember(const Corners& earlier, const EarlierContact& contact);
+  void remember(const Corners& earlier, const PersistentContact& contact);
   /// Finds how the corners have come from there by `window.from`.
   void lookBack();
-  Passage passage() const { return passage_; }
+  PenetrationState penetration() const { return penetration_; }
   /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to where the
   /// other was at the earlier contact, or only such as look away.
-  Passage passageOfConvex() const;
-  void setPassage(Passage of, bool behind) { passage_ = of, behind_ = behind; }
+  PenetrationState penetrationOfConvex() const;
+  void setPenetration(PenetrationState of, bool behind) { penetration_ = of, behind_ = behind; }
 
   /// Bodies without spin: keeps the earliest piercing in `best`.
   void pierceStraight(std::optional<FoundContact>& best) const;
@@ -94,11 +94,15 @@ class Corners {
   }
   double startOf(const Vec2& corner) const;
   Spot spotOf(const Vec2& corner, double s) const;
-  Lie lieOf(std::size_t corner, const Spot& spot) const;
-  Lie lieAt(std::size_t corner, double s) const { return lieOf(corner, spotOf(cornerOf(corner), s)); }
+  CornerPosition positionOf(std::size_t corner, const Spot& spot) const;
+  CornerPosition positionAt(std::size_t corner, double s) const {
+    return positionOf(corner, spotOf(cornerOf(corner), s));
+  }
   /// Likewise; a corner that has come in, or is through, as it lies to the side by which it came.
-  Lie keptOut(std::size_t corner, const Spot& spot) const;
-  Lie keptOutAt(std::size_t corner, double s) const { return keptOut(corner, spotOf(cornerOf(corner), s)); }
+  CornerPosition keptOut(std::size_t corner, const Spot& spot) const;
+  CornerPosition keptOutAt(std::size_t corner, double s) const {
+    return keptOut(corner, spotOf(cornerOf(corner), s));
+  }
   double outsideOf(std::size_t side, const Vec2& place) const {
     const Outline::Side& of = b_.outline->sides()[side];
     return glm::dot(of.normal, place) - of.offset;
@@ -116,18 +120,19 @@ class Corners {
     return along < (behind_ ? kFront : -kSameNormal);
   }
   bool isKnownByItsWay(std::size_t corner) const {
-    return behind_ || passage_ == Passage::through || (passage_ == Passage::inside && hasEntered_[corner]);
+    return behind_ || penetration_ == PenetrationState::through ||
+           (penetration_ == PenetrationState::inside && hasEntered_[corner]);
   }
   const Vec2& cornerOf(std::size_t k) const { return a_.outline->corners()[k]; }
   FoundContact contactAt(const Vec2& corner, double s, std::size_t side) const;
   /// Where a search along a corner's way ends.
-  struct Advanced {
+  struct SearchResult {
     double s;
-    bool lookAgain = false;
+    bool unfinished = false;
   };
-  std::optional<Advanced> advance(std::size_t corner, double s, double end, double before) const;
+  std::optional<SearchResult> advance(std::size_t corner, double s, double end, double before) const;
 
-  const ShapedFlight &a_, &b_;
+  const MovingShape &a_, &b_;
   const ContactWindow& window_;
   RestAxes axesOfA_, axesOfB_;
   SinCos ofA_, ofB_;  // of their angles as their flights begin
@@ -140,8 +145,8 @@ class Corners {
   std::vector<Spot> spots_;  // and at `window.from`
   std::vector<char> hasEntered_;
   Vec2 outwards_{0.0};
-  bool behind_ = false;               // convex, and through each other since
-  Passage passage_ = Passage::apart;  // of all corners of both
+  bool behind_ = false;                                     // convex, and through each other since
+  PenetrationState penetration_ = PenetrationState::apart;  // of all corners of both
 };
 
 void keepEarlier(std::optional<FoundContact>& best, const FoundContact& found) {
@@ -199,7 +204,7 @@ void Corners::overlapStraight(double& deepest, std::optional<FoundContact>& best
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const Vec2 offset = turned(cornerOf(c), ofA_);
     const double s = (window_.from - windowTime_(offset, 0.0)) / windowTime_.perS;
-    const Lie there = keptOut(c, {turnedBack(placeOf(offset, s), ofB_), ofB_});
+    const CornerPosition there = keptOut(c, {turnedBack(placeOf(offset, s), ofB_), ofB_});
     if (there.through || !(there.outside <= kCornerTouches * size_) || !(there.outside < deepest)) continue;
     const Vec2& normal = b_.outline->sides()[there.side].normal;
     if (!(-glm::dot(normal, w) > kLeastClosing)) continue;
@@ -230,7 +235,7 @@ Spot Corners::spotOf(const Vec2& corner, double s) const {
   return {turnedBack(placeOf(offset, s), ofB), ofB};
 }
 
-void Corners::remember(const Corners& earlier, const EarlierContact& contact) {
+void Corners::remember(const Corners& earlier, const PersistentContact& contact) {
   for (const Vec2& corner : a_.outline->corners())
     cameFrom_.push_back(earlier.spotOf(corner, earlier.startOf(corner)).place);
   outwards_ = axesOfB_.place(contact.n) * (aIsFirst_ ? -1.0 : 1.0);
@@ -240,19 +245,19 @@ void Corners::remember(const Corners& earlier, const EarlierContact& contact) {
 void Corners::lookBack() {
   const std::size_t count = cameFrom_.size();
   spots_.clear(), hasEntered_.clear();
-  passage_ = Passage::apart;
+  penetration_ = PenetrationState::apart;
   for (std::size_t k = 0; k < count; ++k) {
     const Spot spot = spotOf(cornerOf(k), startOf(cornerOf(k)));
     spots_.push_back(spot);
     hasEntered_.push_back(b_.outline->entranceOf(cameFrom_[k], spot.place).has_value());
     if (!hasEntered_[k]) continue;
     const bool inside = b_.outline->clearanceOf(spot.place).outside <= 0.0;
-    passage_ = std::max(passage_, inside ? Passage::inside : Passage::through);
+    penetration_ = std::max(penetration_, inside ? PenetrationState::inside : PenetrationState::through);
   }
 }
 
-Passage Corners::passageOfConvex() const {
-  Passage passage = Passage::inside;
+PenetrationState Corners::penetrationOfConvex() const {
+  PenetrationState penetration = PenetrationState::inside;
   for (const Outline::Side& side : b_.outline->sides()) {
     double least = kNever, along = 1.0;
     bool isFar = false;
@@ -265,10 +270,10 @@ Passage Corners::passageOfConvex() const {
     }
     if (!(least >= -kCornerTouches * size_)) continue;
     // A body far behind is outside of sides that are turned a little, too.
-    if (along > -kFront && !isFar) return Passage::apart;
-    passage = Passage::through;
+    if (along > -kFront && !isFar) return PenetrationState::apart;
+    penetration = PenetrationState::through;
   }
-  return passage;
+  return penetration;
 }
 
 // Bodies that have come through each other are free to turn there. They belong where they were on the board.
@@ -282,9 +287,9 @@ std::optional<std::size_t> Corners::entranceOf(std::size_t corner, const Spot& s
   return entrance;
 }
 
-Lie Corners::lieOf(std::size_t corner, const Spot& spot) const {
+CornerPosition Corners::positionOf(std::size_t corner, const Spot& spot) const {
   const Outline::Clearance there = b_.outline->clearanceOf(spot.place);
-  const Lie nearest{there.outside, there.side};
+  const CornerPosition nearest{there.outside, there.side};
   if (!isKnownByItsWay(corner)) return nearest;
   const auto entrance = entranceOf(corner, spot);
   if (!entrance) return nearest;
@@ -295,12 +300,12 @@ Lie Corners::lieOf(std::size_t corner, const Spot& spot) const {
   return {glm::dot(side.normal, spot.place) - side.offset, *entrance};
 }
 
-Lie Corners::keptOut(std::size_t corner, const Spot& spot) const {
-  if (passage_ != Passage::apart && hasEntered_[corner]) {
+CornerPosition Corners::keptOut(std::size_t corner, const Spot& spot) const {
+  if (penetration_ != PenetrationState::apart && hasEntered_[corner]) {
     const auto entrance = entranceOf(corner, spot);
     if (entrance) return {outsideOf(*entrance, spot.place), *entrance};
   }
-  return lieOf(corner, spot);
+  return positionOf(corner, spot);
 }
 
 FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) const {
@@ -311,8 +316,8 @@ FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) 
 
 /// The own time at which a corner is outside no more, or goes deeper, from s on and no later than `end` and, in the
 /// frame of U, `before`.
-std::optional<Corners::Advanced> Corners::advance(std::size_t corner, double s, double end,
-                                                  double before) const {
+std::optional<Corners::SearchResult> Corners::advance(std::size_t corner, double s, double end,
+                                                      double before) const {
   const double gamma = ownTimeOfB_.perS, beta = glm::length(perS_) / gamma;
   const double ofA = std::abs(a_.turning) * a_.radius, ofB = std::abs(b_.turning) * b_.radius;
   const double fastest = gamma * (1.0 + beta * ofA) * (std::min(1.0, beta + ofA) + ofB);
@@ -321,23 +326,23 @@ std::optional<Corners::Advanced> Corners::advance(std::size_t corner, double s, 
   const double latest =
       (before - time_.at0 + size_ * (std::abs(time_.perX) + std::abs(time_.perY))) / time_.perS;
   const double last = std::min(end, latest);
-  Lie here = lieAt(corner, s);
+  CornerPosition here = positionAt(corner, s);
   double shallowest = here.outside;
   for (int step = 0; s < last; ++step) {
-    if (step == kMostSteps) return Advanced{s, true};
+    if (step == kMostSteps) return SearchResult{s, true};
     const bool inside = here.outside <= 0.0;
     const bool slides = inside && isKnownByItsWay(corner);
     const double next = s + (slides ? 0.5 * kDeeper * size_ / fastest : steps.next(here.outside));
-    const Lie there = lieAt(corner, next);
+    const CornerPosition there = positionAt(corner, next);
     const bool comparable = there.side == here.side || !isKnownByItsWay(corner);
     shallowest = inside && comparable ? std::max(shallowest, there.outside) : there.outside;
     const double slack = isKnownByItsWay(corner) ? kDeeper * size_ : kLeastClosing * (next - s);
     if (inside && comparable && !window_.onlyNew && there.outside <= 0.0 && there.outside < here.outside &&
         there.outside < shallowest - slack)
-      return Advanced{next};  // deeper again
+      return SearchResult{next};  // deeper again
     if (!inside && there.outside <= 0.0 && !here.through) {
-      const auto depth = [&](double at) { return -lieAt(corner, at).outside; };
-      return Advanced{rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s))};
+      const auto depth = [&](double at) { return -positionAt(corner, at).outside; };
+      return SearchResult{rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s))};
     }
     s = next, here = there;
   }
@@ -351,24 +356,24 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
   const double root2 = half * half - speed2 * apart2;
   double begin = -kNever, end = kNever;
   if (speed2 > 0.0) {
-    if (root2 < 0.0 && passage_ == Passage::apart) return;
+    if (root2 < 0.0 && penetration_ == PenetrationState::apart) return;
     const double margin = std::sqrt(speed2) / ownTimeOfB_.perS * a_.radius;
     const double root = std::sqrt(std::max(0.0, root2));
     begin = (-half - root) / speed2 - margin, end = (-half + root) / speed2 + margin;
-  } else if (apart2 > 0.0 && passage_ == Passage::apart) {
+  } else if (apart2 > 0.0 && penetration_ == PenetrationState::apart) {
     return;
   }
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const Vec2& corner = cornerOf(c);
     const double start = startOf(corner);
-    const bool entered = passage_ != Passage::apart && hasEntered_[c];
+    const bool entered = penetration_ != PenetrationState::apart && hasEntered_[c];
     if (start > end && !entered) continue;
     double s = entered ? start : std::max(begin, start);
     if (s == start && !window_.strictly && !window_.resumed) {
-      const Lie there = keptOutAt(c, s);
+      const CornerPosition there = keptOutAt(c, s);
       const double soon = kLeastStep * size_;
       if (!there.through && there.outside <= kCornerTouches * size_) {
-        const double later = entered ? outsideOf(there.side, c, s + soon) : lieAt(c, s + soon).outside;
+        const double later = entered ? outsideOf(there.side, c, s + soon) : positionAt(c, s + soon).outside;
         const double closing = (there.outside - later) / soon;
         if (closing > kLeastClosing) {
           if (!(there.outside < deepest)) continue;
@@ -381,10 +386,10 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
       }
     }
     if (best && best->withoutDelay) continue;
-    const std::optional<Advanced> found = advance(c, s, end, best ? best->time : kNever);
+    const std::optional<SearchResult> found = advance(c, s, end, best ? best->time : kNever);
     if (!found) continue;
-    FoundContact contact = contactAt(corner, found->s, lieAt(c, found->s).side);
-    contact.lookAgain = found->lookAgain;
+    FoundContact contact = contactAt(corner, found->s, positionAt(c, found->s).side);
+    contact.unfinished = found->unfinished;
     keepEarlier(best, contact);
   }
 }
@@ -392,7 +397,7 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
 void Corners::addTouching(double within, std::vector<FoundContact>& places) const {
   for (std::size_t c = 0; c < a_.outline->corners().size(); ++c) {
     const double s = startOf(cornerOf(c));
-    const Lie there = keptOutAt(c, s);
+    const CornerPosition there = keptOutAt(c, s);
     if (!there.through && there.outside <= within) places.push_back(contactAt(cornerOf(c), s, there.side));
   }
 }
@@ -401,8 +406,8 @@ void Corners::addTouching(double within, std::vector<FoundContact>& places) cons
 struct BothCorners {
   Corners ofFirst, ofSecond;
 
-  BothCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-              const ContactWindow& window, const EarlierContact* earlier)
+  BothCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
+              const ContactWindow& window, const PersistentContact* earlier)
       : ofFirst(first, second, first.start, U, window, true),
         ofSecond(second, first, first.start, U, window, false) {
     if (earlier == nullptr) return;
@@ -416,20 +421,21 @@ struct BothCorners {
   /// Finds how the two have come from the earlier contact by `window.from`.
   void lookBack(bool convex, bool haveBeenBehind) {
     ofFirst.lookBack(), ofSecond.lookBack();
-    Passage passage = std::max(ofFirst.passage(), ofSecond.passage());
-    if (convex && (passage != Passage::apart || haveBeenBehind)) {
-      const Passage bySecond = ofFirst.passageOfConvex(), byFirst = ofSecond.passageOfConvex();
-      const bool apart = bySecond == Passage::apart || byFirst == Passage::apart;
-      passage = apart ? Passage::apart : std::max(bySecond, byFirst);
+    PenetrationState penetration = std::max(ofFirst.penetration(), ofSecond.penetration());
+    if (convex && (penetration != PenetrationState::apart || haveBeenBehind)) {
+      const PenetrationState bySecond = ofFirst.penetrationOfConvex(),
+                             byFirst = ofSecond.penetrationOfConvex();
+      const bool apart = bySecond == PenetrationState::apart || byFirst == PenetrationState::apart;
+      penetration = apart ? PenetrationState::apart : std::max(bySecond, byFirst);
     }
-    const bool behind = convex && passage != Passage::apart;
-    ofFirst.setPassage(passage, behind), ofSecond.setPassage(passage, behind);
+    const bool behind = convex && penetration != PenetrationState::apart;
+    ofFirst.setPenetration(penetration, behind), ofSecond.setPenetration(penetration, behind);
   }
 };
 
 // The centres are no farther apart than R1 + R2 as the later flight begins.
-bool mayOverlap(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U, double from) {
-  const auto placeAt = [&](const ShapedFlight& flight) {
+bool mayOverlap(const MovingShape& first, const MovingShape& second, const Vec21& U, double from) {
+  const auto placeAt = [&](const MovingShape& flight) {
     return flight.start + flight.u * ((from - dot(U, flight.start - first.start)) / dot(U, flight.u));
   };
   const Vec21 apart = placeAt(second) - placeAt(first);
@@ -439,9 +445,8 @@ bool mayOverlap(const ShapedFlight& first, const ShapedFlight& second, const Vec
 
 }  // namespace
 
-std::optional<FoundContact> findPiercing(const ShapedFlight& first, const ShapedFlight& second,
-                                         const Vec21& U, const ContactWindow& window,
-                                         const EarlierContact* earlier) {
+std::optional<FoundContact> findPiercing(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                                         const ContactWindow& window, const PersistentContact* earlier) {
   const auto [ofFirst, ofSecond] = BothCorners(first, second, U, window, earlier);
   std::optional<FoundContact> best;
   double deepest = kNever;
@@ -450,7 +455,7 @@ std::optional<FoundContact> findPiercing(const ShapedFlight& first, const Shaped
     ofSecond.pierceTurning(deepest, best);
     return best;
   }
-  const bool come = ofFirst.passage() != Passage::apart;
+  const bool come = ofFirst.penetration() != PenetrationState::apart;
   if (!window.strictly && !window.resumed && (come || mayOverlap(first, second, U, window.from))) {
     ofFirst.overlapStraight(deepest, best);
     ofSecond.overlapStraight(deepest, best);
@@ -459,25 +464,25 @@ std::optional<FoundContact> findPiercing(const ShapedFlight& first, const Shaped
     ofFirst.pierceStraight(best);
     ofSecond.pierceStraight(best);
   }
-  if (best) settleTie(first, second, U, *best);
+  if (best) settleSimultaneous(first, second, U, *best);
   return best;
 }
 
-void addPiercedPlaces(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                      const ContactWindow& window, double within, const EarlierContact* earlier,
+void addPiercedPlaces(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                      const ContactWindow& window, double within, const PersistentContact* earlier,
                       std::vector<FoundContact>& places) {
   const BothCorners corners(first, second, U, window, earlier);
   corners.ofFirst.addTouching(within, places);
   corners.ofSecond.addTouching(within, places);
 }
 
-Passage passageOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                         const ContactWindow& window, const EarlierContact& earlier) {
-  return BothCorners(first, second, U, window, &earlier).ofFirst.passage();
+PenetrationState penetrationOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                                      const ContactWindow& window, const PersistentContact& earlier) {
+  return BothCorners(first, second, U, window, &earlier).ofFirst.penetration();
 }
 
-double partingOfCorners(const ShapedFlight& first, const ShapedFlight& second, const Vec21& U,
-                        const ContactWindow& window, const EarlierContact& earlier, double until) {
+double partingOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
+                        const ContactWindow& window, const PersistentContact& earlier, double until) {
   const double size = first.radius + second.radius, sum = dot(first.u, second.u);
   const double fastest = std::sqrt(2.0 * std::max(0.0, sum - 1.0) / (sum + 1.0)) +
                          std::abs(first.turning) * first.radius + std::abs(second.turning) * second.radius;
@@ -487,11 +492,11 @@ double partingOfCorners(const ShapedFlight& first, const ShapedFlight& second, c
   then.strictly = false;
   const bool convex = first.outline->isConvex() && second.outline->isConvex();
   BothCorners corners(first, second, U, then, &earlier);
-  if (corners.ofFirst.passage() == Passage::apart) return kNever;
+  if (corners.ofFirst.penetration() == PenetrationState::apart) return kNever;
   for (int steps = 0; steps < kPartingSteps && then.from < until; ++steps, step *= kPartingGrowth) {
     then.from += step;
     corners.lookBack(convex, earlier.behind);
-    if (corners.ofFirst.passage() == Passage::apart) return then.from;
+    if (corners.ofFirst.penetration() == PenetrationState::apart) return then.from;
   }
   return kNever;
 }
