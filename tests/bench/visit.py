@@ -159,6 +159,9 @@ def click(box):
     stick.pressed = 1
     time.sleep(0.1)
     stick.pressed = 0
+    wait_frames(3)
+    left, top, wide, high = window()
+    stick.point(left + wide // 2, top + 2 * high // 3)  # where nothing that is pointed to takes another colour
 
 
 def do(*what):
