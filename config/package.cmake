@@ -8,6 +8,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 install(TARGETS carom COMPONENT program DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY config/ COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}/carom
   PATTERN build EXCLUDE PATTERN install-packages EXCLUDE PATTERN packages.txt EXCLUDE PATTERN "*.cmake" EXCLUDE
+  PATTERN "*.schema.json" EXCLUDE
   PATTERN udev EXCLUDE PATTERN desktop EXCLUDE PATTERN systemd EXCLUDE)
 install(FILES config/udev/70-carom.rules COMPONENT program DESTINATION lib/udev/rules.d)
 install(FILES config/desktop/carom.desktop COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
@@ -51,4 +52,4 @@ set(CPACK_DEBIAN_ENGINE_PACKAGE_DEPENDS "libglm-dev")
 include(CPack)
 
 add_custom_target(deb COMMAND ${CMAKE_CPACK_COMMAND} WORKING_DIRECTORY ${CMAKE_BINARY_DIR} USES_TERMINAL)
-add_dependencies(deb carom man)
+add_dependencies(deb carom man schemas)

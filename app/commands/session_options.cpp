@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/files/rig_walls.h"
+#include "app/file_keys/rig_keys.h"
 #include "cave/capture/movie.h"
 #include "engine/base/log.h"
 

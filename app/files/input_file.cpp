@@ -44,15 +44,6 @@ FilePlace LineIndex::at(std::size_t offset) const {
   return {static_cast<int>(next - begins_.begin()), static_cast<int>(offset - *std::prev(next)) + 1};
 }
 
-bool within(const Range& range, double value) {
-  return (range.above ? value > range.least : value >= range.least) && value <= range.most;
-}
-
-std::string wordsFor(const Range& range, bool whole) {
-  return fmt::format("{} {} {:g} {} {:g}", whole ? "a whole number" : "a number",
-                     range.above ? "above" : "from", range.least, range.above ? "up to" : "to", range.most);
-}
-
 std::optional<double> wholeNumber(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0.0;

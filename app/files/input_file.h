@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/file_keys/file_key.h"
 #include "engine/base/input_error.h"
 #include "engine/base/outside_file.h"
 #include "engine/base/printable.h"
@@ -43,26 +43,6 @@ class LineIndex {
  private:
   std::vector<std::uint32_t> begins_;
 };
-
-/// Bound of all lengths (m), times (s) and the like, so that a file's numbers never overflow when squared.
-inline constexpr double kFurthest = 1e9;
-
-/// Bound of all numbers that must be above zero, so that their fourth powers never vanish.
-inline constexpr double kSmallest = 1e-30;
-
-/// The allowed range of a number.
-struct Range {
-  double least = -kFurthest;
-  double most = kFurthest;
-  bool above = false;  ///< `least` itself is excluded
-};
-inline constexpr Range kPositive{.least = 0.0, .above = true};
-inline constexpr Range kNotNegative{.least = 0.0};
-inline constexpr Range kUnlimited{.least = 0.0, .most = std::numeric_limits<double>::infinity()};
-
-bool within(const Range& range, double value);
-/// Returns a description of the range: "a number from 0 to 1".
-std::string wordsFor(const Range& range, bool whole);
 
 /// Returns the text as one decimal number, or nothing if it contains anything else.
 std::optional<double> wholeNumber(std::string_view text);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/file_keys/playlist_keys.h"
 #include "app/files/config_folder.h"
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
@@ -13,9 +14,6 @@ namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kMostGames = 100, kNoteLetters = 400;
-constexpr Range kFor_s{.least = 5.0, .most = 86400.0};
 
 /// Returns the scenario that a playlist names: a shipped one by its bare name, or a file, beside the playlist if it
 /// is there.
@@ -45,11 +43,11 @@ PlaylistGame readGame(const fs::path& playlist, const TomlTable& table) {
   PlaylistGame game;
   const std::string name = table.text("scenario");
   game.scenario = scenarioOf(playlist, name);
-  game.attracts = table.flag("attract", false);
-  if (table.has("for_s")) game.for_s = table.number("for_s", kFor_s);
+  game.attracts = table.flag("attract");
+  if (table.has("for_s")) game.for_s = table.number("for_s");
   game.note = table.text("note", "");
-  if (game.note.size() > kNoteLetters)
-    table.fault("note", fmt::format("{} bytes, expected at most {}", game.note.size(), kNoteLetters));
+  if (const std::size_t most = table.declared("note").letters; game.note.size() > most)
+    table.fault("note", fmt::format("{} bytes, expected at most {}", game.note.size(), most));
   std::error_code failed;
   if (!fs::exists(game.scenario, failed)) {
     if (!name.empty()) table.fault("scenario", missing(name));
@@ -73,11 +71,11 @@ PlaylistGame readGame(const fs::path& playlist, const TomlTable& table) {
 }  // namespace
 
 Playlist readPlaylist(const fs::path& path) {
-  const TomlFile file(path);
+  const TomlFile file(path, playlistKeys());
   const TomlTable& root = file.root();
   Playlist playlist;
   playlist.title = root.text("title", path.stem().string());
-  const std::vector<TomlTable> tables = root.tables("game", kMostGames);
+  const std::vector<TomlTable> tables = root.tables("game");
   if (tables.empty()) root.fault("game", "there is no game here, expected one [[game]] at least");
   for (const TomlTable& table : tables) {
     PlaylistGame game = readGame(path, table);

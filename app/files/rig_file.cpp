@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
+#include "app/file_keys/rig_keys.h"
 #include "app/files/config_folder.h"
 #include "app/files/rig_checks.h"
 #include "app/files/rig_headset.h"
@@ -19,17 +19,15 @@ namespace carom {
 namespace {
 
 double readUnit_m(const TomlTable& root) {
-  // An unknown unit falls back to the first, the smallest.
-  constexpr std::array<std::string_view, 5> kNames{"mm", "cm", "in", "ft", "m"};
+  // In the order of the declared units. An unknown one falls back to the first, the smallest.
   constexpr std::array<double, 5> kMetres{1e-3, 1e-2, 0.0254, 0.3048, 1.0};
-  return kMetres[root.choice("unit", kNames)];
+  return kMetres[root.choice("unit")];
 }
 
 RoomAxes readAxes(const TomlTable& root) {
-  constexpr std::array<std::string_view, 2> kNames{"x-right y-up z-back", "x-right y-forward z-up"};
   const std::array<RoomAxes, 2> axes{RoomAxes{.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}},
                                      RoomAxes{.right = {1, 0, 0}, .up = {0, 0, 1}, .forward = {0, 1, 0}}};
-  return axes[root.choice("axes", kNames)];
+  return axes[root.choice("axes")];
 }
 
 bool isOfAHead(std::size_t tracker, const Rig& rig) {
@@ -52,16 +50,15 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   Rig& rig = placed.rig;
   rig.title = root.text("title", path.stem().string());
   rig.axes = readAxes(root);
-  constexpr Range kDisplay_hz{.least = 1.0, .most = 1000.0};
-  rig.display_hz = root.number("display_hz", kDisplay_hz, rig.display_hz);
-  rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock", kFrameLocks, 0));
+  rig.display_hz = root.number("display_hz");
+  rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock"));
   rig.playlist = playlistOf(path, root.text("playlist", ""));
   if (const auto headset = root.table("headset")) {
     readHeadset(root, *headset, unit_m, rig);
     placed.head = placed.eyeSeparation = headset->place();
   }
   std::uint64_t simulated = 0;  // the first simulated person has the seed of one who is alone
-  for (const TomlTable& table : root.tables("tracker", kMostTrackers)) {
+  for (const TomlTable& table : root.tables("tracker")) {
     TrackerSetup& tracker = rig.trackers.emplace_back(readTracker(file, table, unit_m, rig.axes));
     if (tracker.kind == TrackerKind::simulated) tracker.seed = ++simulated;
   }
@@ -71,18 +68,18 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     placed.head = head->place();
     placed.eyeSeparation = head->place("eye_separation");
   }
-  for (const TomlTable& table : root.tables("node", kMostRanks)) {
+  for (const TomlTable& table : root.tables("node")) {
     rig.nodes.push_back(readNode(table));
     placed.nodes.push_back(table.place());
   }
   if (const auto comfort = root.table("comfort")) {
     rig.comfort.most_u = readMost_u(*comfort);
-    rig.comfort.aids = comfort->flag("aids", false);
+    rig.comfort.aids = comfort->flag("aids");
   }
   if (const auto start = root.table("start")) rig.start = readStart(*start);
-  if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window, false);
+  if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
   if (const auto console = root.table("console")) {
-    if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window, true);
+    if (const auto window = console->requiredTable("window")) rig.console = readWindow(*window);
   }
 
   if (isHeadset(rig)) {
@@ -93,7 +90,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     return placed;
   }
   std::vector<WallText> walls;
-  for (const TomlTable& table : root.tables("wall", kMostWalls)) {
+  for (const TomlTable& table : root.tables("wall")) {
     walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));
     readEyes(table, rig.viewers, walls.back().wall);
     placed.walls.push_back(placesOf(table));
@@ -121,9 +118,11 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
 Rig readRig(const std::filesystem::path& path) { return readPlacedRig(path).rig; }
 
 Rig readRig(const std::filesystem::path& path, const std::string& kept, const std::filesystem::path& root) {
-  return readPlacedRig(TomlFile(path, kept, root), path).rig;
+  return readPlacedRig(TomlFile(path, rigKeys(), kept, root), path).rig;
 }
 
-PlacedRig readPlacedRig(const std::filesystem::path& path) { return readPlacedRig(TomlFile(path), path); }
+PlacedRig readPlacedRig(const std::filesystem::path& path) {
+  return readPlacedRig(TomlFile(path, rigKeys()), path);
+}
 
 }  // namespace carom

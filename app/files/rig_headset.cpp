@@ -16,17 +16,16 @@ constexpr glm::ivec2 kEye_px{1024, 1024};  // until the headset tells
 
 /// Reads the corners and the pixels of the board; the rest is as in the shipped rig.
 Wall readBoard(const TomlTable& headset, double unit_m) {
-  constexpr Range kPixels{.least = 1.0, .most = 4096.0};
   Wall board;
   board.name = "board";
   const auto place = [&](const TomlTable& table, std::string_view key) {
-    return toVec3(table.numbers<3>(key, {})) * unit_m;
+    return toVec3(table.numbers<3>(key)) * unit_m;
   };
   if (const auto table = headset.requiredTable("board")) {
     board.lowerLeft_m = place(*table, "lower_left");
     board.lowerRight_m = place(*table, "lower_right");
     board.upperLeft_m = place(*table, "upper_left");
-    const auto pixels = table->wholeNumbers<2>("pixels", kPixels, {{1280.0, 800.0}});
+    const auto pixels = table->numbers<2>("pixels");
     board.pixels = {static_cast<int>(pixels[0]), static_cast<int>(pixels[1])};
     const ThreeCorners corners{{board.lowerRight_m, board.lowerLeft_m, board.upperLeft_m},
                                {"lower_right", "lower_left", "upper_left"}};

@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <string_view>
 
-#include "app/files/rig_walls.h"
-
 namespace carom {
 namespace {
 
@@ -51,10 +49,10 @@ std::optional<StartSetup::Ports> readPorts(const TomlTable& table) {
 
 NodeSetup readNode(const TomlTable& table) {
   const std::string names = std::string(kLetters) + std::string(kDigits);
-  NodeSetup node{.rank = table.integer("rank", 0, kMostRanks),
+  NodeSetup node{.rank = table.integer("rank"),
                  .display = table.text("display", ""),
                  .host = plainText(table, "host", names, "-._", "a computer's name or IPv4 address"),
-                 .slots = table.integer("slots", 1, kMostRanks, 1)};
+                 .slots = table.integer("slots")};
   if (node.display.empty() && node.host.empty())
     table.fault(table.place(), "this node has neither a display nor a host, expected one of them at least");
   return node;

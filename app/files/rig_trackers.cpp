@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <glm/trigonometric.hpp>
 #include <stdexcept>
 
@@ -15,20 +14,16 @@
 namespace carom {
 namespace {
 
-constexpr int kMostSensors = 65535;
-
 /// Reads { translation, rotation_deg }: rotations about the fixed x, then y, then z axis, then the
 /// translation.
 Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
   const auto table = parent.table(key);
   if (!table) return {};
-  constexpr Range kTurn{.least = -360.0, .most = 360.0};
-  const std::array<double, 3> none{0.0, 0.0, 0.0};
-  const glm::dvec3 turn_rad = glm::radians(toVec3(table->numbers<3>("rotation_deg", kTurn, none)));
+  const glm::dvec3 turn_rad = glm::radians(toVec3(table->numbers<3>("rotation_deg")));
   const glm::dquat aboutX = glm::angleAxis(turn_rad.x, glm::dvec3(1, 0, 0));
   const glm::dquat aboutY = glm::angleAxis(turn_rad.y, glm::dvec3(0, 1, 0));
   const glm::dquat aboutZ = glm::angleAxis(turn_rad.z, glm::dvec3(0, 0, 1));
-  return {toVec3(table->numbers<3>("translation", {}, none)) * unit_m, aboutZ * aboutY * aboutX};
+  return {toVec3(table->numbers<3>("translation")) * unit_m, aboutZ * aboutY * aboutX};
 }
 
 /// Reads and checks the source of a tracker's samples.
@@ -53,7 +48,7 @@ std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, T
 
 /// Reads whether the session starts DTRACK, for which the source must name the controller.
 bool readStart(const TomlTable& table, const std::filesystem::path& source) {
-  const bool start = table.flag("start", false);
+  const bool start = table.flag("start");
   try {
     if (!start || source.empty() || readDtrackSource(source.string()).controller) return start;
   } catch (const std::invalid_argument&) {
@@ -84,8 +79,7 @@ std::size_t readTrackerName(const TomlTable& table, std::string_view key,
 
 /// Reads `tracker` and `sensor` of the head or the hand.
 SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>& trackers) {
-  return {.tracker = readTrackerName(table, "tracker", trackers),
-          .sensor = table.integer("sensor", 0, kMostSensors, 0)};
+  return {.tracker = readTrackerName(table, "tracker", trackers), .sensor = table.integer("sensor")};
 }
 
 }  // namespace
@@ -93,11 +87,10 @@ SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>&
 TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m, const RoomAxes& axes) {
   TrackerSetup tracker;
   tracker.name = table.text("name");
-  tracker.kind = static_cast<TrackerKind>(table.choice("kind", std::span(kTrackerKinds).first(8)));
+  tracker.kind = static_cast<TrackerKind>(table.choice("kind"));
   tracker.source = readSource(file, table, tracker.kind, axes);
-  constexpr std::array<std::string_view, 3> kPersons{"moves", "still", "walks"};
   if (tracker.kind == TrackerKind::simulated) {
-    tracker.person = static_cast<SimulatedMotion>(table.choice("person", kPersons, 0));
+    tracker.person = static_cast<SimulatedMotion>(table.choice("person"));
   } else {
     table.refuse("person", "has a meaning for a simulated tracker alone, expected none");
   }
@@ -106,8 +99,7 @@ TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double un
   } else {
     table.refuse("start", "has a meaning for dtrack alone, expected none");
   }
-  constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
-  tracker.latency_s = table.number("latency_ms", kLatency_ms, 0.0) * 1e-3;
+  tracker.latency_s = table.number("latency_ms") * 1e-3;
   tracker.roomFromTracker = readPose(table, "room_from_tracker", unit_m);
   return tracker;
 }
@@ -136,8 +128,8 @@ HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trac
       trackers[head.sensor.tracker].kind == TrackerKind::spaceMouse) {
     table.fault("tracker", "a spacemouse sends no poses, expected a tracker that does");
   }
-  const Range range{.least = 0.0, .most = kWidestEyes_m / unit_m};
-  head.eyeSeparation_m = table.number("eye_separation", range, head.eyeSeparation_m / unit_m) * unit_m;
+  head.eyeSeparation_m =
+      table.numberOr("eye_separation", head.eyeSeparation_m / unit_m, kWidestEyes_m / unit_m) * unit_m;
   head.eyesFromSensor = readPose(table, "eyes_from_sensor", unit_m);
   return head;
 }

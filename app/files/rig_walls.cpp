@@ -17,27 +17,16 @@
 namespace carom {
 namespace {
 
-constexpr int kMostPixels = 16384;  // largest texture size of common GPUs
-constexpr Range kPlace_px{.least = -65536.0, .most = 65536.0};
-constexpr Range kSize_px{.least = 1.0, .most = kMostPixels};
-
-/// In the order of StereoMode and of Flip.
-constexpr std::array<std::string_view, 10> kStereoModes{
-    "mono",       "left",     "right",      "quad-buffer",  "side-by-side",
-    "top-bottom", "anaglyph", "interlaced", "checkerboard", "anaglyph-grey"};
-constexpr std::array<std::string_view, 4> kFlips{"none", "horizontal", "vertical", "both"};
-
 glm::ivec2 toPixels(const std::array<double, 2>& a) {
   return {static_cast<int>(a[0]), static_cast<int>(a[1])};
 }
 
 /// Reads a wall's window and, if it is shared, the wall's part of it.
 void readWallWindow(const TomlTable& table, bool hasOneWindow, Wall& wall) {
-  wall.window = readWindow(table, false);
+  wall.window = readWindow(table);
   const auto part = table.table("viewport");
   if (!part) return;
-  wall.viewport = Viewport{toPixels(part->wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
-                           toPixels(part->wholeNumbers<2>("size", kSize_px))};
+  wall.viewport = Viewport{toPixels(part->numbers<2>("position")), toPixels(part->numbers<2>("size"))};
   if (hasOneWindow)
     table.fault("viewport", "a place inside the one window has no viewport of its own, expected none");
 }
@@ -98,10 +87,8 @@ void readColourWarps(const TomlFile& file, const TomlTable& table, Wall& wall) {
 
 /// Reads how bright each colour of the projector's white is and how its light follows the code.
 void readColours(const TomlTable& table, Wall& wall) {
-  constexpr Range kGain{.least = 0.0, .most = 1.0, .above = true};
-  constexpr Range kGamma{.least = 1.0, .most = 4.0};
-  wall.gain = toVec3(table.numbers<3>("gain", kGain, {{1.0, 1.0, 1.0}}));
-  if (table.has("gamma")) wall.gamma = toVec3(table.numbers<3>("gamma", kGamma));
+  wall.gain = toVec3(table.numbers<3>("gain"));
+  if (table.has("gamma")) wall.gamma = toVec3(table.numbers<3>("gamma"));
   const double weakest = std::min({wall.gain.x, wall.gain.y, wall.gain.z});
   if (weakest > wall.blackLevel) return;
   table.fault("gain",
@@ -112,26 +99,24 @@ void readColours(const TomlTable& table, Wall& wall) {
 /// Reads the settings of the projector, between the image and the screen.
 void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
   constexpr std::array<std::string_view, 5> kPictures{".png", ".jpg", ".jpeg", ".tif", ".tiff"};
-  constexpr Range kLevel{.least = 0.0, .most = 1.0};
-  constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
   wall.warp = readWallWarp(file, table, "warp");
   readColourWarps(file, table, wall);
   wall.blend = readWallFile(file, table, "blend", kPictures);
-  wall.blackLevel = table.number("black_level", kLevel, 0.0);
+  wall.blackLevel = table.number("black_level");
   readColours(table, wall);
-  wall.flip = static_cast<Flip>(table.choice("flip", kFlips, 0));
-  wall.displayLatency_s = table.number("display_latency_ms", kLatency_ms, 0.0) * 1e-3;
+  wall.flip = static_cast<Flip>(table.choice("flip"));
+  wall.displayLatency_s = table.number("display_latency_ms") * 1e-3;
 }
 
 }  // namespace
 
-WindowPlacement readWindow(const TomlTable& table, bool border) {
-  WindowPlacement window{.position_px = toPixels(table.wholeNumbers<2>("position", kPlace_px, {{0.0, 0.0}})),
-                         .size_px = toPixels(table.wholeNumbers<2>("size", kSize_px)),
-                         .fullscreen = table.flag("fullscreen", false),
-                         .border = table.flag("border", border)};
+WindowPlacement readWindow(const TomlTable& table) {
+  WindowPlacement window{.position_px = toPixels(table.numbers<2>("position")),
+                         .size_px = toPixels(table.numbers<2>("size")),
+                         .fullscreen = table.flag("fullscreen"),
+                         .border = table.flag("border")};
   if (table.isNumber("monitor") || !table.has("monitor")) {
-    window.monitor = table.integer("monitor", 0, 63, 0);
+    window.monitor = table.integer("monitor");
   } else {
     for (PlacedText& name : table.oneOrMoreTexts("monitor")) window.monitorNames.push_back(name.text);
     if (window.monitorNames.empty())
@@ -141,21 +126,20 @@ WindowPlacement readWindow(const TomlTable& table, bool border) {
 }
 
 WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow) {
-  constexpr Range kPixels{.least = 1.0, .most = kMostPixels};
   Wall wall;
   wall.name = table.text("name");
-  wall.lowerLeft_m = toVec3(table.numbers<3>("lower_left", {})) * unit_m;
-  wall.lowerRight_m = toVec3(table.numbers<3>("lower_right", {})) * unit_m;
-  wall.upperLeft_m = toVec3(table.numbers<3>("upper_left", {})) * unit_m;
+  wall.lowerLeft_m = toVec3(table.numbers<3>("lower_left")) * unit_m;
+  wall.lowerRight_m = toVec3(table.numbers<3>("lower_right")) * unit_m;
+  wall.upperLeft_m = toVec3(table.numbers<3>("upper_left")) * unit_m;
   std::optional<glm::dvec3> upperRight_m;
-  if (table.has("upper_right")) upperRight_m = toVec3(table.numbers<3>("upper_right", {})) * unit_m;
-  const bool skewed = table.flag("skewed", false);
+  if (table.has("upper_right")) upperRight_m = toVec3(table.numbers<3>("upper_right")) * unit_m;
+  const bool skewed = table.flag("skewed");
   if (skewed && !upperRight_m) {
     table.fault("skewed", "a skewed wall needs all four corners, expected upper_right beside it");
   }
-  wall.pixels = toPixels(table.wholeNumbers<2>("pixels", kPixels));
-  wall.node = table.integer("node", 0, kMostRanks, 0);
-  wall.stereo = static_cast<StereoMode>(table.choice("stereo", kStereoModes, 0));
+  wall.pixels = toPixels(table.numbers<2>("pixels"));
+  wall.node = table.integer("node");
+  wall.stereo = static_cast<StereoMode>(table.choice("stereo"));
   wall.window.size_px = wall.pixels;
   const auto window = hasOneWindow ? table.requiredTable("window") : table.table("window");
   if (window) readWallWindow(*window, hasOneWindow, wall);

@@ -4,14 +4,11 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "app/file_keys/rig_keys.h"
 #include "app/files/rig.h"
 #include "app/files/toml_file.h"
 
 namespace carom {
-
-/// The most of each in a room. Every two walls are compared with each other.
-inline constexpr int kMostRanks = 4096;
-inline constexpr std::size_t kMostWalls = 512, kMostTrackers = 256;
 
 /// A wall as given in the file, before its corners are checked.
 struct WallText {
@@ -27,8 +24,7 @@ void straighten(WallText& text);
 
 WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow);
 
-/// `border`: whether the window has a border if the table does not say.
-WindowPlacement readWindow(const TomlTable& table, bool border);
+WindowPlacement readWindow(const TomlTable& table);
 
 /// Returns the positions in the file of everything that is checked of a wall.
 WallPlaces placesOf(const TomlTable& table);

@@ -52,12 +52,7 @@ struct Pulse {
   std::vector<Vec3> path_m;  ///< at least two points; board frame
 };
 
-/// A lesson. Its texts are shown in a band of a wall (cave/overlay/hud_panel.h), so they are short: the
-/// constants limit the letters of the question and of what to do and to look for, of an answer, and of the
-/// explanation.
 struct Lesson {
-  static constexpr std::size_t kTextLetters = 160, kAnswerLetters = 70, kNumberLetters = 230;
-
   LessonWords words;
   LessonPlan plan;
   TimeViews views;  ///< that are on when it begins
@@ -66,8 +61,6 @@ struct Lesson {
 /// A sentence shown in the room while the observer's proper time in this game is in its interval, with the
 /// time views that belong to it.
 struct Caption {
-  static constexpr std::size_t kLetters = 110;
-
   double from_s = 0.0, for_s = 0.0;
   std::string text;
   std::string handText;  ///< for viewers with a tracked hand, which has no keys

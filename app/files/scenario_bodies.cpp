@@ -21,14 +21,14 @@ std::vector<ScriptedLeg> readLegs(const TomlTable& body) {
       table.refuse("from_s",
                    "has no meaning on the first leg, which reaches back to the beginning; expected none");
     } else {
-      leg.from_s = table.number("from_s", {});
+      leg.from_s = table.number("from_s");
       if (table.has("from_s") && !(leg.from_s > last_s)) {
         table.fault("from_s", fmt::format("from_s is {}, expected a time after the leg before it, above {}",
                                           leg.from_s, last_s));
       }
       last_s = leg.from_s;
     }
-    const Vec3 beta = toVec3(table.numbers<3>("beta", {}));
+    const Vec3 beta = toVec3(table.numbers<3>("beta"));
     checkSpeed(table, beta);
     leg.u = glm::dot(beta, beta) < 1.0 ? uFromBeta(beta) : Vec3(0.0);
     legs.push_back(leg);
@@ -91,10 +91,10 @@ std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTa
 BodyText readBody(const TomlFile& file, const TomlTable& table) {
   BodyText body{table, table.text("name"), readMesh(file, table), {}, {}, 0.0, {}};
   if (const auto at = table.requiredTable("at")) {
-    body.at = {at->number("t_s", {}), toVec3(at->numbers<3>("r_m", {}))};
+    body.at = {at->number("t_s"), toVec3(at->numbers<3>("r_m"))};
   }
-  if (table.has("appears_s")) body.appears_s = table.number("appears_s", {});
-  if (table.has("spin_rad_s")) body.spin_rad_s = table.number("spin_rad_s", {}, 0.0);
+  if (table.has("appears_s")) body.appears_s = table.number("appears_s");
+  body.spin_rad_s = table.number("spin_rad_s");
   body.legs = readLegs(table);
   return body;
 }

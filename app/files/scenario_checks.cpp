@@ -180,7 +180,7 @@ void checkFriction(const BilliardSetup& setup, const TomlTable& physics) {
   const double most_m2_s2 = 0.5 * setup.lightSpeed_m_s * setup.lightSpeed_m_s;
   for (const Puck& puck : setup.pucks) {
     for (const char* key : {"friction_m_s2", "spin_deceleration_m_s2"}) {
-      if (puck.outline_m.empty() || !physics.has(key) || physics.number(key, {}, 0.0) == 0.0) continue;
+      if (puck.outline_m.empty() || !physics.has(key) || physics.number(key) == 0.0) continue;
       physics.fault(
           key, fmt::format("{} slows puck '{}', which has corners, expected 0 in a game with outline_m", key,
                            puck.name));

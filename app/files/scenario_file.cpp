@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <numbers>
 #include <string_view>
 #include <unordered_map>
 
+#include "app/file_keys/scenario_keys.h"
 #include "app/files/scenario_bodies.h"
 #include "app/files/scenario_captions.h"
 #include "app/files/scenario_checks.h"
@@ -23,57 +23,48 @@ namespace carom {
 
 namespace {
 
-constexpr double kDefaultPuckHeight_m = 0.02;
-
 Vec2 readBeta2(const TomlTable& table) {
-  const Vec2 beta = toVec2(table.numbers<2>("beta", {}));
+  const Vec2 beta = toVec2(table.numbers<2>("beta"));
   checkSpeed(table, beta);
   return beta;
 }
 
 Board readBoard(const TomlTable& table) {
-  return {.length_m = table.number("length_m", kPositive), .width_m = table.number("width_m", kPositive)};
+  return {.length_m = table.number("length_m"), .width_m = table.number("width_m")};
 }
 
 PhysicsRules readRules(const TomlTable& table) {
-  constexpr Range kRestitution{.least = 0.0, .most = 1.0};
-  constexpr std::array<std::string_view, 2> kEvents{"centre", "contact"};  // in the order of CollisionEvent
   PhysicsRules rules;
-  rules.puckRestitution = table.number("puck_restitution", kRestitution, rules.puckRestitution);
-  rules.cushionRestitution = table.number("cushion_restitution", kRestitution, rules.cushionRestitution);
-  rules.friction_m_s2 = table.number("friction_m_s2", kNotNegative, rules.friction_m_s2);
-  rules.puckFriction = table.number("puck_friction", kUnlimited, rules.puckFriction);
-  rules.cushionFriction = table.number("cushion_friction", kUnlimited, rules.cushionFriction);
-  rules.tangentialRestitution =
-      table.number("tangential_restitution", kRestitution, rules.tangentialRestitution);
-  rules.spinDeceleration_m_s2 =
-      table.number("spin_deceleration_m_s2", kNotNegative, rules.spinDeceleration_m_s2);
-  rules.collisionEvent = static_cast<CollisionEvent>(table.choice("collision_event", kEvents, 0));
+  rules.puckRestitution = table.number("puck_restitution");
+  rules.cushionRestitution = table.number("cushion_restitution");
+  rules.friction_m_s2 = table.number("friction_m_s2");
+  rules.puckFriction = table.number("puck_friction");
+  rules.cushionFriction = table.number("cushion_friction");
+  rules.tangentialRestitution = table.number("tangential_restitution");
+  rules.spinDeceleration_m_s2 = table.number("spin_deceleration_m_s2");
+  rules.collisionEvent = static_cast<CollisionEvent>(table.choice("collision_event"));
   return rules;
 }
 
 ObserverStart readObserver(const TomlTable& table) {
   constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-  const ObserverStart start;
-  const auto& p = start.position_m;
   ObserverStart observer;
-  observer.position_m = toVec3(table.numbers<3>("position_m", {}, {{p.x, p.y, p.z}}));
-  observer.facing_rad = table.number("facing_deg", {}, start.facing_rad / kRadPerDeg) * kRadPerDeg;
-  observer.beta = toVec3(table.numbers<3>("beta", {}, {{0.0, 0.0, 0.0}}));
+  observer.position_m = toVec3(table.numbers<3>("position_m"));
+  observer.facing_rad = table.number("facing_deg") * kRadPerDeg;
+  observer.beta = toVec3(table.numbers<3>("beta"));
   if (table.has("beta")) checkSpeed(table, observer.beta);
   return observer;
 }
 
 Puck readPuck(const TomlTable& table, double c_m_s, std::optional<PuckMesh>& mesh) {
-  constexpr Range kShare{.least = 0.0, .most = 1.0, .above = true};
   Puck puck;
   puck.name = table.text("name");
   readShape(table, puck, mesh);
-  puck.height_m = table.number("height_m", kPositive, kDefaultPuckHeight_m);
-  puck.mass_kg = table.number("mass_kg", kPositive);
-  puck.position_m = toVec2(table.numbers<2>("position_m", {}));
+  puck.height_m = table.number("height_m");
+  puck.mass_kg = table.number("mass_kg");
+  puck.position_m = toVec2(table.numbers<2>("position_m"));
   puck.beta = readBeta2(table);
-  puck.inertia = table.number("inertia", kShare, puck.inertia);
+  puck.inertia = table.number("inertia");
   if (puck.inertia < kLeastInertia) {
     table.fault("inertia", fmt::format("inertia is {}, expected at least {}", puck.inertia, kLeastInertia));
     puck.inertia = kLeastInertia;
@@ -91,21 +82,21 @@ struct StrokeText {
 
 StrokeText readStroke(const TomlTable& table) {
   StrokeText text{.table = table, .puck = table.text("puck"), .stroke = {}};
-  text.stroke.at_s = table.number("at_s", kNotNegative);
-  if (table.has("from_m")) text.stroke.from_m = toVec3(table.numbers<3>("from_m", {}));
-  text.stroke.momentum_kg_m_s = toVec2(table.numbers<2>("momentum_kg_m_s", {}));
-  text.stroke.offset_m = table.number("offset_m", {}, 0.0);
+  text.stroke.at_s = table.number("at_s");
+  if (table.has("from_m")) text.stroke.from_m = toVec3(table.numbers<3>("from_m"));
+  text.stroke.momentum_kg_m_s = toVec2(table.numbers<2>("momentum_kg_m_s"));
+  text.stroke.offset_m = table.number("offset_m");
   return text;
 }
 
 Flash readFlash(const TomlTable& table, std::size_t index) {
   return {table.text("name", fmt::format("flash {}", index + 1)),
-          {table.number("at_s", kNotNegative), toVec3(table.numbers<3>("r_m", {}))}};
+          {table.number("at_s"), toVec3(table.numbers<3>("r_m"))}};
 }
 
 Pulse readPulse(const TomlTable& table) {
-  Pulse pulse{.name = table.text("name"), .at_s = table.number("at_s", {}), .path_m = {}};
-  const auto places = table.points("path_m", 3);
+  Pulse pulse{.name = table.text("name"), .at_s = table.number("at_s"), .path_m = {}};
+  const auto places = table.points("path_m");
   if (!places) return pulse;
   for (const PlacedPoint& place : *places) pulse.path_m.push_back({place.at[0], place.at[1], place.at[2]});
   if (pulse.path_m.size() < 2) {
@@ -149,7 +140,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   const TomlTable& root = file.root();
   Scenario scenario;
   scenario.title = root.text("title", name);
-  scenario.billiard.lightSpeed_m_s = root.number("light_speed_m_s", kPositive);
+  scenario.billiard.lightSpeed_m_s = root.number("light_speed_m_s");
   if (const auto board = root.table("board")) scenario.billiard.board = readBoard(*board);
   const auto physics = root.table("physics");
   if (physics) scenario.billiard.rules = readRules(*physics);
@@ -215,12 +206,12 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
 }  // namespace
 
 Scenario readScenario(const std::filesystem::path& path) {
-  return readScenario(TomlFile(path), path.stem().string());
+  return readScenario(TomlFile(path, scenarioKeys()), path.stem().string());
 }
 
 Scenario readScenario(const std::filesystem::path& path, const std::string& kept,
                       const std::filesystem::path& root) {
-  return readScenario(TomlFile(path, kept, root), path.stem().string());
+  return readScenario(TomlFile(path, scenarioKeys(), kept, root), path.stem().string());
 }
 
 }  // namespace carom

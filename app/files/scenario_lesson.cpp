@@ -24,16 +24,15 @@ void checkLength(const TomlTable& table, FilePlace place, std::string_view name,
                                  letters, most));
 }
 
-constexpr std::size_t kFewestAnswers = 2;
-
 std::vector<std::string> readAnswers(const TomlTable& table) {
+  const FileKey& declared = table.declared("answers");
   std::vector<std::string> answers;
   for (const PlacedText& answer : table.texts("answers")) {
     checkLength(table, answer.place, fmt::format("answers[{}]", answers.size()), answer.text,
-                Lesson::kAnswerLetters);
+                declared.letters);
     answers.push_back(answer.text);
   }
-  if (answers.size() < kFewestAnswers || answers.size() > kMostAnswers) {
+  if (answers.size() < declared.fewest || answers.size() > declared.most) {
     table.fault("answers",
                 fmt::format("a lesson has {} answer{} here, expected answers = [...] with two to four",
                             answers.size(), answers.size() == 1 ? "" : "s"));
@@ -43,9 +42,9 @@ std::vector<std::string> readAnswers(const TomlTable& table) {
 
 }  // namespace
 
-std::string readWords(const TomlTable& table, std::string_view key, std::size_t most) {
+std::string readWords(const TomlTable& table, std::string_view key) {
   std::string text = table.text(key);
-  checkLength(table, table.place(key), key, text, most);
+  checkLength(table, table.place(key), key, text, table.declared(key).letters);
   return text;
 }
 
@@ -72,14 +71,15 @@ Lesson readLesson(const TomlTable& table, const std::string& title, const Lesson
   Lesson lesson;
   LessonWords& words = lesson.words;
   words.title = title;
-  words.question = readWords(table, "question", Lesson::kTextLetters);
+  words.question = readWords(table, "question");
   words.answers = readAnswers(table);
-  const bool offered = words.answers.size() >= kFewestAnswers && words.answers.size() <= kMostAnswers;
+  const FileKey& declared = table.declared("answers");
+  const bool offered = words.answers.size() >= declared.fewest && words.answers.size() <= declared.most;
   const std::size_t answers = offered ? words.answers.size() : kMostAnswers;
-  words.right = static_cast<std::size_t>(table.integer("right", 1, static_cast<int>(answers)) - 1);
-  words.todo = readWords(table, "todo", Lesson::kTextLetters);
-  words.notice = readWords(table, "notice", Lesson::kTextLetters);
-  words.number = readWords(table, "number", Lesson::kNumberLetters);
+  words.right = static_cast<std::size_t>(table.integer("right", static_cast<int>(answers)) - 1);
+  words.todo = readWords(table, "todo");
+  words.notice = readWords(table, "notice");
+  words.number = readWords(table, "number");
   lesson.views = readViews(table);
   lesson.plan = readLessonPlan(table, game);
   return lesson;

@@ -10,8 +10,8 @@
 
 namespace carom {
 
-/// Reads a text of at most `most` letters; a longer one is a fault.
-std::string readWords(const TomlTable& table, std::string_view key, std::size_t most);
+/// Reads a text; one with more letters than declared is a fault.
+std::string readWords(const TomlTable& table, std::string_view key);
 
 /// Reads the key `views`: the names of time views. The others are off.
 TimeViews readViews(const TomlTable& table);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "app/files/toml_values.h"
@@ -13,18 +12,16 @@
 namespace carom {
 namespace {
 
-constexpr double kLongest_s = 60.0;  // of an interval: a lesson is watched again and again
-constexpr double kSlowest = 100.0;
-constexpr std::size_t kMostObservers = kMostAnswers - 1;  // the wand's last button goes on
-constexpr double kWithoutBoard_m = 1.5;                   // half the length of a line on an open plane
+constexpr double kLongest_s = 60.0;      // of an interval: a lesson is watched again and again
+constexpr double kWithoutBoard_m = 1.5;  // half the length of a line on an open plane
 
 LessonInterval readInterval(const TomlTable& lesson) {
   LessonInterval interval;
-  interval.from_s = lesson.number("from_s", kNotNegative);
-  interval.until_s = lesson.number("until_s", kPositive);
-  interval.moment_s = lesson.number("moment_s", kNotNegative);
-  interval.keepsClocks = lesson.flag("keeps_clocks", false);
-  interval.slowness = lesson.number("slowness", {.least = 1.0, .most = kSlowest}, 1.0);
+  interval.from_s = lesson.number("from_s");
+  interval.until_s = lesson.number("until_s");
+  interval.moment_s = lesson.number("moment_s");
+  interval.keepsClocks = lesson.flag("keeps_clocks");
+  interval.slowness = lesson.number("slowness");
   // A time that is absent or wrong in itself has been reported, and stands as the largest that there is.
   const auto isTime = [](double time_s) { return time_s < kNotNegative.most; };
   if (!isTime(interval.from_s) || !isTime(interval.until_s) || !isTime(interval.moment_s)) return interval;
@@ -50,9 +47,10 @@ void refuseName(const TomlTable& table, std::string_view key, std::string_view k
 
 /// Reads lesson drawings of one kind.
 template <typename Read>
-auto readAll(const TomlTable& lesson, std::string_view key, std::size_t most, const Read& read) {
+auto readAll(const TomlTable& lesson, std::string_view key, const Read& read) {
+  const std::size_t most = lesson.declared(key).most;
   std::vector<decltype(read(lesson))> all;
-  for (const TomlTable& table : lesson.tables(key)) all.push_back(read(table));
+  for (const TomlTable& table : lesson.tables(key, kAnyNumber)) all.push_back(read(table));
   if (all.size() > most)
     lesson.fault(key, fmt::format("a lesson has {} tables [[lesson.{}]] here, expected {} at most",
                                   all.size(), key, most));
@@ -67,19 +65,17 @@ class PlanReader {
   LessonObserver observer(const TomlTable& table) const { return {table.text("name"), readBeta(table)}; }
 
   Stopwatch stopwatch(const TomlTable& table) const {
-    constexpr std::array<std::string_view, 4> kClocks{"frame", "room", "mine",
-                                                      "seen"};  // as in StopwatchClock
     Stopwatch watch;
     watch.name = table.text("name");
-    watch.clock = static_cast<StopwatchClock>(table.choice("clock", kClocks, 0));
+    watch.clock = static_cast<StopwatchClock>(table.choice("clock"));
     watch.starts = {interval_.from_s, Vec3(0.0)};
-    if (table.has("stands_m")) watch.stands_m = toVec3(table.numbers<3>("stands_m", {}));
-    if (watch.clock == StopwatchClock::seen) watch.seen_m = toVec3(table.numbers<3>("place_m", {}));
+    if (table.has("stands_m")) watch.stands_m = toVec3(table.numbers<3>("stands_m"));
+    if (watch.clock == StopwatchClock::seen) watch.seen_m = toVec3(table.numbers<3>("place_m"));
     if (watch.clock == StopwatchClock::seen || watch.clock == StopwatchClock::mine) return watch;
     if (watch.clock == StopwatchClock::frame && table.has("beta")) watch.beta = readBeta(table);
     if (table.has("starts")) watch.starts = flash(table, "starts");
     if (table.has("stops")) watch.stops = flash(table, "stops");
-    watch.stopsWhenSeen = table.flag("stops_when_seen", false);
+    watch.stopsWhenSeen = table.flag("stops_when_seen");
     return watch;
   }
 
@@ -95,29 +91,26 @@ class PlanReader {
   }
 
   Gauge gauge(const TomlTable& table) const {
-    constexpr std::array<std::string_view, 4> kQuantities{"speed", "apparent speed", "gamma",
-                                                          "seen length"};  // as in GaugeQuantity
-    return {body(table), static_cast<GaugeQuantity>(table.choice("shows", kQuantities, 0))};
+    return {body(table), static_cast<GaugeQuantity>(table.choice("shows"))};
   }
 
   ClothLine line(const TomlTable& table) const {
-    return {toVec3(table.numbers<3>("from_m", {})), toVec3(table.numbers<3>("to_m", {}))};
+    return {toVec3(table.numbers<3>("from_m")), toVec3(table.numbers<3>("to_m"))};
   }
 
   SimultaneityLine simultaneous(const TomlTable& table) const {
     SimultaneityLine line;
     line.with = flash(table, "with");
     if (table.has("beta")) line.beta = readBeta(table);
-    line.to_m = game_.billiard.board ? 0.5 * game_.billiard.board->length_m : kWithoutBoard_m;
-    line.from_m = -line.to_m;
-    if (table.has("from_m")) line.from_m = table.number("from_m", {});
-    if (table.has("to_m")) line.to_m = table.number("to_m", {});
+    const double end_m = game_.billiard.board ? 0.5 * game_.billiard.board->length_m : kWithoutBoard_m;
+    line.from_m = table.numberOr("from_m", -end_m);
+    line.to_m = table.numberOr("to_m", end_m);
     return line;
   }
 
  private:
   static Vec3 readBeta(const TomlTable& table) {
-    const Vec3 beta = toVec3(table.numbers<3>("beta", {}));
+    const Vec3 beta = toVec3(table.numbers<3>("beta"));
     checkSpeed(table, beta);
     return beta;
   }
@@ -164,20 +157,16 @@ LessonPlan readLessonPlan(const TomlTable& lesson, const LessonGame& game) {
   LessonPlan plan;
   plan.interval = readInterval(lesson);
   const PlanReader read(game, plan.interval);
-  plan.observers = readAll(lesson, "observer", kMostObservers,
-                           [&](const TomlTable& table) { return read.observer(table); });
+  plan.observers = readAll(lesson, "observer", [&](const TomlTable& table) { return read.observer(table); });
   const int most = static_cast<int>(std::max<std::size_t>(plan.observers.size(), 1));
-  plan.explainedFor = static_cast<std::size_t>(lesson.integer("explained_for", 1, most, 1) - 1);
-  plan.stopwatches = readAll(lesson, "stopwatch", kMostLessonDrawings,
-                             [&](const TomlTable& table) { return read.stopwatch(table); });
-  plan.counters = readAll(lesson, "counter", kMostLessonDrawings,
-                          [&](const TomlTable& table) { return read.counter(table); });
-  plan.gauges = readAll(lesson, "gauge", kMostLessonDrawings,
-                        [&](const TomlTable& table) { return read.gauge(table); });
-  plan.lines =
-      readAll(lesson, "line", kMostLessonDrawings, [&](const TomlTable& table) { return read.line(table); });
-  plan.simultaneous = readAll(lesson, "simultaneous", kMostLessonDrawings,
-                              [&](const TomlTable& table) { return read.simultaneous(table); });
+  plan.explainedFor = static_cast<std::size_t>(lesson.integer("explained_for", most) - 1);
+  plan.stopwatches =
+      readAll(lesson, "stopwatch", [&](const TomlTable& table) { return read.stopwatch(table); });
+  plan.counters = readAll(lesson, "counter", [&](const TomlTable& table) { return read.counter(table); });
+  plan.gauges = readAll(lesson, "gauge", [&](const TomlTable& table) { return read.gauge(table); });
+  plan.lines = readAll(lesson, "line", [&](const TomlTable& table) { return read.line(table); });
+  plan.simultaneous =
+      readAll(lesson, "simultaneous", [&](const TomlTable& table) { return read.simultaneous(table); });
   return plan;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>
@@ -35,7 +34,7 @@ void setOutline(const TomlTable& table, std::string_view key, Puck& puck,
 }
 
 void takeCorners(const TomlTable& table, Puck& puck) {
-  const auto points = table.points("outline_m", 2);
+  const auto points = table.points("outline_m");
   if (!points) return;
   std::vector<Vec2> corners_m;
   for (const PlacedPoint& point : *points) {
@@ -80,7 +79,6 @@ void takeFootprint(const TomlTable& table, const Footprint& footprint, Puck& puc
 }  // namespace
 
 void readShape(const TomlTable& table, Puck& puck, std::optional<PuckMesh>& mesh) {
-  constexpr std::array<std::string_view, 1> kOutlines{"mesh"};
   if (table.has("outline_m")) {
     table.refuse("outline", "stands beside outline_m, expected one of them");
     table.refuse(
@@ -91,10 +89,10 @@ void readShape(const TomlTable& table, Puck& puck, std::optional<PuckMesh>& mesh
     return;
   }
   std::optional<Footprint> footprint;
-  if (table.choice("outline", kOutlines, kOutlines.size()) == 0) footprint = readFootprint(table, puck, mesh);
+  if (table.choice("outline", 1) == 0) footprint = readFootprint(table, puck, mesh);
   const bool outlineIsWrong = table.has("outline") && !footprint;
   if (outlineIsWrong && !table.has("radius_m")) return;  // the size of a shape that there is none of
-  puck.radius_m = table.rightNumber("radius_m", kPositive).value_or(0.0);
+  puck.radius_m = table.rightNumber("radius_m").value_or(0.0);
   if (footprint && puck.radius_m > 0.0) takeFootprint(table, *footprint, puck, *mesh);
 }
 

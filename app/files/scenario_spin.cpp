@@ -24,7 +24,7 @@ std::string rimOf(const Puck& puck) {
 }
 
 double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
-  const double omega_rad_s = table.number("spin_rad_s", {}, 0.0), rim = omega_rad_s * puck.radius_m / c_m_s;
+  const double omega_rad_s = table.number("spin_rad_s"), rim = omega_rad_s * puck.radius_m / c_m_s;
   const double most_rad_s = c_m_s / puck.radius_m;
   if (puck.radius_m == 0.0) return 0.0;  // why it is unknown has been said
   if (std::abs(rim) < 1.0) {
@@ -38,7 +38,7 @@ double spinOfRate(const TomlTable& table, const Puck& puck, double c_m_s) {
 }
 
 double angularMomentum(const TomlTable& table, const Puck& puck, double c_m_s) {
-  const double spin_kg_m2_s = table.number("spin_kg_m2_s", {}, 0.0);
+  const double spin_kg_m2_s = table.number("spin_kg_m2_s");
   if (puck.radius_m == 0.0) return 0.0;
   if (slowerThanLight(rimUOf(puck, spin_kg_m2_s, c_m_s))) return spin_kg_m2_s;
   constexpr double kMost_u = 1e7;  // a rim with that celerity differs from light by 5e-15

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -20,9 +19,9 @@ std::vector<ThrustLeg> readTour(const TomlTable& tour, double c_m_s) {
   const double most_m_s2 = strongestThrust_m_s2(c_m_s);
   double free_s = 0.0;  // end of the previous leg
   for (const TomlTable& table : tour.tables("leg")) {
-    const ThrustLeg leg{.from_s = table.number("from_s", kNotNegative, free_s),
-                        .for_s = table.number("for_s", kPositive),
-                        .thrust_m_s2 = toVec3(table.numbers<3>("thrust_m_s2", {}))};
+    const ThrustLeg leg{.from_s = table.numberOr("from_s", free_s),
+                        .for_s = table.number("for_s"),
+                        .thrust_m_s2 = toVec3(table.numbers<3>("thrust_m_s2"))};
     if (leg.from_s < free_s) {
       table.fault("from_s", fmt::format("from_s is {}, expected a time after the leg before it, {} or above",
                                         leg.from_s, free_s));
@@ -42,10 +41,7 @@ std::vector<ThrustLeg> readTour(const TomlTable& tour, double c_m_s) {
   return legs;
 }
 
-bool readTourAtOnce(const TomlTable& tour) {
-  constexpr std::array<std::string_view, 2> kStarts{"asked", "at once"};
-  return tour.choice("starts", kStarts, 0) == 1;
-}
+bool readTourAtOnce(const TomlTable& tour) { return tour.choice("starts") == 1; }
 
 /// Checks the speed at the ends of the legs: along a leg of constant thrust |γβ| is largest at one of them.
 void checkTourSpeed(const std::vector<ThrustLeg>& legs, const ObserverStart& start, const TomlTable& tour,

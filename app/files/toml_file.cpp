@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "app/files/config_folder.h"
@@ -46,6 +47,13 @@ std::string_view kindOf(const toml::node& node) {
   }
 }
 
+/// Returns the declared value of a key that is left out.
+template <class T>
+std::optional<T> fallbackOf(const FileKey& declared) {
+  if (declared.fallback.empty()) return {};
+  return static_cast<T>(declared.fallback.front());
+}
+
 }  // namespace
 
 struct TomlFile::Document {
@@ -63,13 +71,26 @@ struct TomlFile::Document {
 struct TomlTable::State {
   TomlFile::Document& document;
   const toml::table& table;
+  const FileKey& keys;  // the declaration
   FilePlace place;
   std::vector<std::string> asked;
   std::vector<std::string> missing;
   std::optional<std::size_t>
       judged;  // number of keys that had been asked for when the unknown ones were noted
 
+  const FileKey& declared(std::string_view key) const {
+    const FileKey* found = findKey(keys, key);
+    if (!found) throw std::logic_error(fmt::format("the key {} of {} is not declared", key, keys.name));
+    return *found;
+  }
+  const FileKey& declared(std::string_view key, std::initializer_list<FileKey::Type> types) const {
+    const FileKey& found = declared(key);
+    if (std::find(types.begin(), types.end(), found.type) == types.end())
+      throw std::logic_error(fmt::format("the key {} of {} is declared as another type", key, keys.name));
+    return found;
+  }
   const toml::node* find(std::string_view key) {
+    declared(key);
     if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.emplace_back(key);
     return table.get(key);
   }
@@ -86,10 +107,16 @@ struct TomlTable::State {
     if (!node && !optional && !noted) missing.emplace_back(key);
     return node;
   }
-  static std::shared_ptr<State> open(TomlFile::Document& document, const toml::table& table) {
+  static std::shared_ptr<State> open(TomlFile::Document& document, const toml::table& table,
+                                     const FileKey& keys) {
     auto& state = document.opened[&table];
-    if (!state) state = std::make_shared<State>(State{document, table, placeOf(table.source()), {}, {}, {}});
+    if (!state)
+      state = std::make_shared<State>(State{document, table, keys, placeOf(table.source()), {}, {}, {}});
     return state;
+  }
+  /// Returns the table that the node of a key is.
+  TomlTable inner(std::string_view key, const toml::table& value) const {
+    return TomlTable(open(document, value, declared(key)));
   }
   std::optional<double> numberOf(std::string_view name, const toml::node& node, const Range& range,
                                  bool whole);
@@ -131,6 +158,8 @@ void TomlTable::State::noteUnknownAndMissing() {
   missing.clear();
 }
 
+const FileKey& TomlTable::declared(std::string_view key) const { return state_->declared(key); }
+
 bool TomlTable::has(std::string_view key) const { return state_->find(key) != nullptr; }
 
 bool TomlTable::isNumber(std::string_view key) const {
@@ -138,24 +167,76 @@ bool TomlTable::isNumber(std::string_view key) const {
   return node && node->is_number();
 }
 
-std::optional<double> TomlTable::rightNumber(std::string_view key, const Range& range) const {
+double TomlTable::number(std::string_view key) const {
+  const FileKey& declared = state_->declared(key, {FileKey::Type::number});
+  return readNumber(key, declared.range, fallbackOf<double>(declared));
+}
+
+double TomlTable::numberOr(std::string_view key, double fallback, std::optional<double> most) const {
+  Range range = state_->declared(key, {FileKey::Type::number}).range;
+  range.most = most.value_or(range.most);
+  return readNumber(key, range, fallback);
+}
+
+std::optional<double> TomlTable::rightNumber(std::string_view key) const {
+  const Range& range = state_->declared(key, {FileKey::Type::number}).range;
   const toml::node* node = state_->ask(key, false);
   return node ? state_->numberOf(key, *node, range, false) : std::nullopt;
 }
 
-double TomlTable::number(std::string_view key, const Range& range, std::optional<double> fallback) const {
-  if (fallback && !has(key)) return *fallback;
-  return rightNumber(key, range).value_or(fallback.value_or(range.most));
+int TomlTable::integer(std::string_view key, std::optional<int> most) const {
+  const FileKey& declared = state_->declared(key, {FileKey::Type::whole, FileKey::Type::monitors});
+  Range range = declared.range;
+  if (most) range.most = *most;
+  const toml::node* node = state_->ask(key, !declared.fallback.empty());
+  const auto value = node ? state_->numberOf(key, *node, range, true) : std::nullopt;
+  return static_cast<int>(value.value_or(fallbackOf<double>(declared).value_or(range.least)));
 }
 
-int TomlTable::integer(std::string_view key, int least, int most, std::optional<int> fallback) const {
+std::size_t TomlTable::choice(std::string_view key, std::optional<std::size_t> fallback) const {
+  const FileKey& declared = state_->declared(key, {FileKey::Type::choice});
+  const std::vector<std::string_view>& names = declared.choices;
+  if (!fallback) fallback = fallbackOf<std::size_t>(declared);
   const toml::node* node = state_->ask(key, fallback.has_value());
-  const Range range{static_cast<double>(least), static_cast<double>(most)};
-  const auto value = node ? state_->numberOf(key, *node, range, true) : std::nullopt;
-  return value ? static_cast<int>(*value) : fallback.value_or(least);
+  if (!node) return fallback.value_or(0);
+  const auto* value = node->as_string();
+  const auto found = value ? std::find(names.begin(), names.end(), value->get()) : names.end();
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string given = value ? fmt::format("'{}'", printable(value->get())) : std::string(kindOf(*node));
+  state_->fault(placeOf(node->source()),
+                fmt::format("{} is {}, expected '{}'", key, given, fmt::join(names, "' or '")));
+  return fallback.value_or(0);
+}
+
+void TomlTable::readNumbers(std::string_view key, std::span<double> result) const {
+  const FileKey& declared = state_->declared(key, {FileKey::Type::numbers, FileKey::Type::wholes});
+  if (declared.count != result.size())
+    throw std::logic_error(fmt::format("the key {} is declared as {} numbers", key, declared.count));
+  std::copy(declared.fallback.begin(), declared.fallback.end(), result.begin());
+  const toml::node* node = state_->ask(key, !declared.fallback.empty());
+  if (!node) return;
+  const toml::array* array = node->as_array();
+  if (!array) return state_->wrong(key, *node, fmt::format("an array of {} numbers", result.size()));
+  if (array->size() != result.size()) {
+    return state_->fault(placeOf(node->source()), fmt::format("{} has {} values, expected {} numbers", key,
+                                                              array->size(), result.size()));
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const auto value = state_->numberOf(fmt::format("{}[{}]", key, i), (*array)[i], declared.range,
+                                        declared.type == FileKey::Type::wholes);
+    if (value) result[i] = *value;
+  }
+}
+
+double TomlTable::readNumber(std::string_view key, const Range& range, std::optional<double> fallback) const {
+  if (fallback && !has(key)) return *fallback;
+  const toml::node* node = state_->ask(key, false);
+  const auto value = node ? state_->numberOf(key, *node, range, false) : std::nullopt;
+  return value.value_or(fallback.value_or(range.most));
 }
 
 bool TomlTable::flag(std::string_view key, std::optional<bool> fallback) const {
+  if (!fallback) fallback = fallbackOf<bool>(state_->declared(key, {FileKey::Type::flag}));
   const toml::node* node = state_->ask(key, fallback.has_value());
   if (!node) return fallback.value_or(false);
   if (const auto* value = node->as_boolean()) return value->get();
@@ -164,6 +245,7 @@ bool TomlTable::flag(std::string_view key, std::optional<bool> fallback) const {
 }
 
 std::string TomlTable::text(std::string_view key, std::optional<std::string> fallback) const {
+  state_->declared(key, {FileKey::Type::text, FileKey::Type::monitors});
   const toml::node* node = state_->ask(key, fallback.has_value());
   if (!node) return fallback.value_or("");
   const auto* value = node->as_string();
@@ -176,36 +258,8 @@ std::string TomlTable::text(std::string_view key, std::optional<std::string> fal
   return fallback.value_or("");
 }
 
-std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> names,
-                              std::optional<std::size_t> fallback) const {
-  const toml::node* node = state_->ask(key, fallback.has_value());
-  if (!node) return fallback.value_or(0);
-  const auto* value = node->as_string();
-  const auto found = value ? std::find(names.begin(), names.end(), value->get()) : names.end();
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  const std::string given = value ? fmt::format("'{}'", printable(value->get())) : std::string(kindOf(*node));
-  state_->fault(placeOf(node->source()),
-                fmt::format("{} is {}, expected '{}'", key, given, fmt::join(names, "' or '")));
-  return fallback.value_or(0);
-}
-
-void TomlTable::readNumbers(std::string_view key, const Range& range, bool optional, bool whole,
-                            std::span<double> result) const {
-  const toml::node* node = state_->ask(key, optional);
-  if (!node) return;
-  const toml::array* array = node->as_array();
-  if (!array) return state_->wrong(key, *node, fmt::format("an array of {} numbers", result.size()));
-  if (array->size() != result.size()) {
-    return state_->fault(placeOf(node->source()), fmt::format("{} has {} values, expected {} numbers", key,
-                                                              array->size(), result.size()));
-  }
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const auto value = state_->numberOf(fmt::format("{}[{}]", key, i), (*array)[i], range, whole);
-    if (value) result[i] = *value;
-  }
-}
-
 std::vector<PlacedText> TomlTable::texts(std::string_view key) const {
+  state_->declared(key, {FileKey::Type::texts, FileKey::Type::monitors});
   std::vector<PlacedText> result;
   const toml::node* node = state_->find(key);
   if (!node) return result;
@@ -233,7 +287,8 @@ std::vector<PlacedText> TomlTable::oneOrMoreTexts(std::string_view key) const {
   return {{text(key), placeOf(node->source())}};
 }
 
-std::optional<std::vector<PlacedPoint>> TomlTable::points(std::string_view key, std::size_t count) const {
+std::optional<std::vector<PlacedPoint>> TomlTable::points(std::string_view key) const {
+  const std::size_t count = state_->declared(key, {FileKey::Type::points}).count;
   const toml::node* node = state_->ask(key, false);
   if (!node) return {};
   const char* axes = count == 2 ? "[x, y]" : "[x, y, z]";
@@ -268,9 +323,10 @@ std::optional<std::vector<PlacedPoint>> TomlTable::points(std::string_view key, 
 }
 
 std::optional<TomlTable> TomlTable::table(std::string_view key) const {
+  state_->declared(key, {FileKey::Type::table});
   const toml::node* node = state_->find(key);
   if (!node) return {};
-  if (const toml::table* table = node->as_table()) return TomlTable(State::open(state_->document, *table));
+  if (const toml::table* table = node->as_table()) return state_->inner(key, *table);
   state_->wrong(key, *node, fmt::format("one table [{}]", key));
   return {};
 }
@@ -280,7 +336,8 @@ std::optional<TomlTable> TomlTable::requiredTable(std::string_view key) const {
   return table(key);
 }
 
-std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t most) const {
+std::vector<TomlTable> TomlTable::tables(std::string_view key, std::optional<std::size_t> allowed) const {
+  const std::size_t most = allowed.value_or(state_->declared(key, {FileKey::Type::tables}).most);
   std::vector<TomlTable> result;
   const toml::node* node = state_->find(key);
   if (!node) return result;
@@ -297,7 +354,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t most)
   }
   for (const toml::node& element : *array) {
     if (const toml::table* table = element.as_table()) {
-      result.push_back(TomlTable(State::open(state_->document, *table)));
+      result.push_back(state_->inner(key, *table));
     } else {
       state_->wrong(key, element, fmt::format("tables [[{}]]", key));
     }
@@ -320,8 +377,8 @@ void TomlTable::fault(FilePlace where, std::string message) const {
   state_->fault(where, std::move(message));
 }
 
-TomlFile::TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept,
-                   const std::filesystem::path& root)
+TomlFile::TomlFile(const std::filesystem::path& file, const FileKey& keys,
+                   const std::optional<std::string>& kept, const std::filesystem::path& root)
     : document_(std::make_unique<Document>()) {
   document_->file = file;
   document_->searchRoot = root;
@@ -335,12 +392,14 @@ TomlFile::TomlFile(const std::filesystem::path& file, const std::optional<std::s
     const FilePlace where = placeOf(error.source());
     throw InputErrors({InputError(file.string(), where.line, where.column, printable(error.description()))});
   }
-  document_->rootTable = TomlTable(TomlTable::State::open(*document_, document_->root));
+  document_->rootTable = TomlTable(TomlTable::State::open(*document_, document_->root, keys));
 }
 
 TomlFile::~TomlFile() = default;
 
 const TomlTable& TomlFile::root() const { return *document_->rootTable; }
+
+bool TomlFile::contains(std::string_view key) const { return document_->root.contains(key); }
 
 void TomlFile::throwFaults() const {
   for (const auto& [table, state] : document_->opened) state->noteUnknownAndMissing();

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/file_keys/file_key.h"
 #include "app/files/input_file.h"
 
 namespace carom {
@@ -29,39 +29,36 @@ struct PlacedPoint {
   FilePlace place;
 };
 
-/// One table of a file. Each reading function takes one key. If its value is wrong, a fault is recorded and a
-/// substitute returned (the fallback if there is one), so that reading continues. A key without fallback is
-/// required. Keys that were never read are faults. Values must not be used before TomlFile::throwFaults has
-/// returned. The TomlFile must outlive its tables.
+/// One table of a file, whose keys are declared (app/file_keys/file_key.h). Each reading function takes one key and
+/// throws std::logic_error if no such key of such a type is declared. If its value is wrong, a fault is recorded and
+/// a substitute returned (the declared value of a key that is left out, if there is one), so that reading continues.
+/// A key without such a value is required. Keys that were never read are faults. Values must not be used before
+/// TomlFile::throwFaults has returned. The TomlFile must outlive its tables.
 class TomlTable {
  public:
+  /// Returns the declaration of a key.
+  const FileKey& declared(std::string_view key) const;
   /// Returns whether the key exists; counts as reading it.
   bool has(std::string_view key) const;
   /// Returns whether the key's value is a number; counts as reading it.
   bool isNumber(std::string_view key) const;
 
-  double number(std::string_view key, const Range& range, std::optional<double> fallback = {}) const;
+  double number(std::string_view key) const;
+  /// Reads a number that is `fallback` where it is left out, and at most `most` if that is given.
+  double numberOr(std::string_view key, double fallback, std::optional<double> most = {}) const;
   /// Returns a required number; none if it is absent or wrong.
-  std::optional<double> rightNumber(std::string_view key, const Range& range) const;
-  int integer(std::string_view key, int least, int most, std::optional<int> fallback = {}) const;
+  std::optional<double> rightNumber(std::string_view key) const;
+  /// Reads a whole number that is at most `most` if that is given.
+  int integer(std::string_view key, std::optional<int> most = {}) const;
   bool flag(std::string_view key, std::optional<bool> fallback = {}) const;
   std::string text(std::string_view key, std::optional<std::string> fallback = {}) const;
-  /// Returns the index of the text among `names`.
-  std::size_t choice(std::string_view key, std::span<const std::string_view> names,
-                     std::optional<std::size_t> fallback = {}) const;
+  /// Returns the index of the text among the declared choices; `fallback`, if given, where there is none.
+  std::size_t choice(std::string_view key, std::optional<std::size_t> fallback = {}) const;
+  /// Reads an array of numbers, whole ones if they are declared so.
   template <std::size_t N>
-  std::array<double, N> numbers(std::string_view key, const Range& range,
-                                std::optional<std::array<double, N>> fallback = {}) const {
-    std::array<double, N> result = fallback.value_or(std::array<double, N>{});
-    readNumbers(key, range, fallback.has_value(), false, result);
-    return result;
-  }
-  /// Does the same for whole numbers.
-  template <std::size_t N>
-  std::array<double, N> wholeNumbers(std::string_view key, const Range& range,
-                                     std::optional<std::array<double, N>> fallback = {}) const {
-    std::array<double, N> result = fallback.value_or(std::array<double, N>{});
-    readNumbers(key, range, fallback.has_value(), true, result);
+  std::array<double, N> numbers(std::string_view key) const {
+    std::array<double, N> result{};
+    readNumbers(key, result);
     return result;
   }
   /// Returns an array of strings, each with its position; empty if the key is absent or its value is not such
@@ -69,15 +66,13 @@ class TomlTable {
   std::vector<PlacedText> texts(std::string_view key) const;
   /// Returns the same of a key whose value may also be a single string.
   std::vector<PlacedText> oneOrMoreTexts(std::string_view key) const;
-  /// Returns an array of points, each of `count` coordinates; required. None if the key is absent or not an array of
-  /// such points.
-  std::optional<std::vector<PlacedPoint>> points(std::string_view key, std::size_t count) const;
+  /// Returns an array of points; required. None if the key is absent or not an array of points.
+  std::optional<std::vector<PlacedPoint>> points(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::optional<TomlTable> requiredTable(std::string_view key) const;
-  /// Returns an array of tables; empty if the key is absent. Throws InputErrors if there are more than
-  /// `most`, which are then not read.
-  std::vector<TomlTable> tables(std::string_view key,
-                                std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+  /// Returns an array of tables; empty if the key is absent. Throws InputErrors if there are more than `most`, by
+  /// default those declared, which are then not read.
+  std::vector<TomlTable> tables(std::string_view key, std::optional<std::size_t> most = {}) const;
 
   /// Records a fault if the key exists: a known key that is not allowed here.
   void refuse(std::string_view key, const std::string& why) const;
@@ -93,9 +88,9 @@ class TomlTable {
  private:
   friend class TomlFile;
   struct State;
+  void readNumbers(std::string_view key, std::span<double> result) const;
   explicit TomlTable(std::shared_ptr<State> state) : state_(std::move(state)) {}
-  void readNumbers(std::string_view key, const Range& range, bool optional, bool whole,
-                   std::span<double> result) const;
+  double readNumber(std::string_view key, const Range& range, std::optional<double> fallback) const;
   std::shared_ptr<State> state_;
 };
 
@@ -106,16 +101,18 @@ enum class Reach { ownFolder, anywhere };
 
 class TomlFile {
  public:
-  /// Reads the file or, if given, `kept`, the content that the file once had. Files that it names are looked
-  /// for below `root` first. Throws InputErrors if the file cannot be read (at 1:1), is too large or nested
-  /// too deep, or is not TOML.
-  explicit TomlFile(const std::filesystem::path& file, const std::optional<std::string>& kept = {},
-                    const std::filesystem::path& root = {});
+  /// Reads the file or, if given, `kept`, the content that the file once had. `keys`: those of its root; they must
+  /// outlive this. Files that it names are looked for below `root` first. Throws InputErrors if the file cannot be
+  /// read (at 1:1), is too large or nested too deep, or is not TOML.
+  TomlFile(const std::filesystem::path& file, const FileKey& keys,
+           const std::optional<std::string>& kept = {}, const std::filesystem::path& root = {});
   ~TomlFile();
   TomlFile(const TomlFile&) = delete;
   TomlFile& operator=(const TomlFile&) = delete;
 
   const TomlTable& root() const;
+  /// Returns whether the root has a key, declared or not; does not count as reading it.
+  bool contains(std::string_view key) const;
   /// Throws InputErrors if there is any fault so far, including keys that were never read.
   void throwFaults() const;
 

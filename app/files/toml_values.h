@@ -23,7 +23,7 @@ inline glm::dvec3 toVec3(const std::array<double, 3>& a) { return {a[0], a[1], a
 /// Returns γβ of the fastest that the drive makes a room, by the key fastest_beta.
 inline double readMost_u(const TomlTable& table) {
   const double most = kMostPlatformU / std::hypot(1.0, kMostPlatformU);
-  const double beta = table.number("fastest_beta", {.least = 0.0, .most = most, .above = true}, most);
+  const double beta = table.number("fastest_beta");
   return beta < most ? beta / std::sqrt(1.0 - beta * beta) : kMostPlatformU;
 }
 

@@ -18,20 +18,31 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostWindows = 32, kMostLetters = 200;
-constexpr Range kPlace_px{.least = 0.0, .most = 32767.0};  // X11 counts in 16 bits
-constexpr Range kSize_px{.least = 100.0, .most = 32767.0};
+
+/// Returns the keys of the file, which the program alone writes.
+const FileKey& windowKeys() {
+  using namespace declare;
+  constexpr Range kPlace_px{.least = 0.0, .most = 32767.0};  // X11 counts in 16 bits
+  constexpr Range kSize_px{.least = 100.0, .most = 32767.0};
+  static const FileKey keys =
+      table("windows", "where windows lay",
+            {tables("window", "one of them",
+                    {required(text("name", "its title")), required(text("monitor", "its name")),
+                     required(wholes("position", 2, kPlace_px, "on the monitor")),
+                     required(wholes("size", 2, kSize_px, "width and height"))})});
+  return keys;
+}
 
 std::array<int, 2> pixels(const std::array<double, 2>& numbers) {
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1])};
 }
 
 std::vector<RememberedWindow> windowsIn(const fs::path& path) {
-  const TomlFile file(path);
+  const TomlFile file(path, windowKeys());
   std::vector<RememberedWindow> windows;
   for (const TomlTable& table : file.root().tables("window")) {
-    RememberedWindow window{table.text("name"), table.text("monitor"),
-                            pixels(table.wholeNumbers<2>("position", kPlace_px)),
-                            pixels(table.wholeNumbers<2>("size", kSize_px))};
+    RememberedWindow window{table.text("name"), table.text("monitor"), pixels(table.numbers<2>("position")),
+                            pixels(table.numbers<2>("size"))};
     if (window.name.size() > kMostLetters) table.fault("name", "a name that is too long");
     windows.push_back(std::move(window));
   }

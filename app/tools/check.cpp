@@ -45,8 +45,9 @@ constexpr std::size_t kMostTold = 100;  // pucks and bodies, one by one
 /// Opens a TOML file. If a file without that extension cannot be parsed, throws a message about the known
 /// file kinds instead of the parser's.
 TomlFile openedToml(const std::filesystem::path& path) {
+  static const FileKey kAnyFile;
   try {
-    return TomlFile(path);
+    return TomlFile(path, kAnyFile);
   } catch (const InputError&) {
     const bool canBeRead =
         refusalOf(path, InputKind::toml).empty() && !beginningOf(path, InputKind::toml, 1).empty();
@@ -63,12 +64,12 @@ FileKind kindOf(const std::filesystem::path& path) {
   const TomlFile file = openedToml(path);
   for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke",
                           "flash", "pulse", "lesson", "tour"}) {
-    if (file.root().has(key)) return FileKind::scenario;
+    if (file.contains(key)) return FileKind::scenario;
   }
   for (const char* key : {"wall", "unit", "axes", "head", "tracker", "one_window", "display_hz"}) {
-    if (file.root().has(key)) return FileKind::rig;
+    if (file.contains(key)) return FileKind::rig;
   }
-  if (file.root().has("game")) return FileKind::playlist;
+  if (file.contains("game")) return FileKind::playlist;
   refuse(path,
          "this is neither a scenario, a rig nor a playlist, expected light_speed_m_s of a scenario, [[wall]] "
          "of a "

@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "app/file_keys/key_schema.h"
+#include "app/file_keys/playlist_keys.h"
+#include "app/file_keys/rig_keys.h"
+#include "app/file_keys/scenario_keys.h"
 #include "app/tools/manual_page.h"
 #include "app/tools/trouble_table.h"
 
@@ -54,16 +58,30 @@ int explain(const std::string& words) {
   return found.empty() ? 1 : 0;
 }
 
+/// Adds an option that prints the keys of a kind of file in a form.
+void addKeys(CLI::App& command, const char* option, const char* help, std::string (*form)(const FileKey&)) {
+  const auto print = [form](const std::string& kind) {
+    fmt::print("{}", form(kind == "rig" ? rigKeys() : kind == "scenario" ? scenarioKeys() : playlistKeys()));
+  };
+  command.add_option_function<std::string>(option, print, help)
+      ->check(CLI::IsMember({"playlist", "rig", "scenario"}))
+      ->type_name("KIND");
+}
+
 }  // namespace
 
 void addHelp(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "help", "Explain a message of the program and what helps; without one, list the commands");
   command->prefix_command();
+  addKeys(*command, "--keys", "List the keys of a kind of file: playlist, rig or scenario", pageOf);
+  addKeys(*command, "--schema",
+          "Print the JSON Schema of such files, by which editors complete and check them", schemaOf);
   command->footer(
       "Examples:\n  carom help \"node 2 (left) is late: every wall keeps the last whole frame.\"\n"
-      "  carom help one wall is black\n  carom help simulate");
+      "  carom help one wall is black\n  carom help simulate\n  carom help --keys rig");
   command->callback([command, &app, &status] {
+    if (command->count("--keys") + command->count("--schema") > 0) return;
     const std::vector<std::string> words = command->remaining();
     const auto isNamed = [&](const CLI::App* other) {
       return words.size() == 1 && other->get_name() == words[0];

@@ -1,6 +1,8 @@
-"""Every shipped scenario, rig and playlist fits the JSON Schema that its first line names."""
+"""schema_test.py CONFIG SCHEMAS: every shipped scenario, rig and playlist fits the JSON Schema that its first line names; the
+schemas are those that the build has made."""
 
 import pathlib
+import re
 import sys
 import tomllib
 
@@ -12,7 +14,7 @@ except ImportError:
 
 import json
 
-config = pathlib.Path(sys.argv[1])
+config, schemas = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 files = sorted(config.glob("scenarios/*.toml")) + sorted(config.glob("rigs/*.toml"))
 files += sorted(config.glob("playlists/*.toml"))
 assert files, "no shipped files found"
@@ -20,7 +22,7 @@ for file in files:
     text = file.read_text()
     first = text.splitlines()[0]
     assert first.startswith("#:schema "), f"{file}: the first line names no schema"
-    schema = json.loads((file.parent / first.removeprefix("#:schema ")).read_text())
+    schema = json.loads((schemas / first.removeprefix("#:schema ../")).read_text())
     jsonschema.Draft7Validator.check_schema(schema)
     jsonschema.validate(tomllib.loads(text), schema, cls=jsonschema.Draft7Validator)
     misspelt = tomllib.loads(text) | {"titel": "x"}
@@ -29,7 +31,7 @@ for file in files:
 
 # What no shipped rig has: the keys of a wall's projector, right and wrong.
 rig = tomllib.loads((config / "rigs/desk.toml").read_text())
-schema = jsonschema.Draft7Validator(json.loads((config / "rig.schema.json").read_text()))
+schema = jsonschema.Draft7Validator(json.loads((schemas / "rig.schema.json").read_text()))
 for values, right in [
     ({"warp": "a.pfm", "blend": "b.png", "black_level": 0.1, "flip": "both", "display_latency_ms": 5}, True),
     ({"warp": "a.txt"}, False),
@@ -64,7 +66,7 @@ print("the keys of a window are judged rightly")
 
 game = tomllib.loads((config / "scenarios/three-pucks.toml").read_text())
 puck = {"name": "a", "mass_kg": 1, "position_m": [0, 0], "beta": [0, 0]}
-scenario = jsonschema.Draft7Validator(json.loads((config / "scenario.schema.json").read_text()))
+scenario = jsonschema.Draft7Validator(json.loads((schemas / "scenario.schema.json").read_text()))
 for keys, right in [
     ({"radius_m": 0.1}, True),
     ({"outline_m": [[0, 0], [1, 0], [0, 1]]}, True),
@@ -93,3 +95,39 @@ for start, right in [
 ]:
     assert schema.is_valid(rig | {"start": start}) == right, f"the schema judges [start] {start} wrongly"
 print("the keys of nodes and their start are judged rightly")
+
+rig_keys, scenario_keys, playlist_keys = (
+    json.loads((schemas / f"{kind}.schema.json").read_text()) for kind in ["rig", "scenario", "playlist"]
+)
+
+
+def names_in(schema):
+    """Returns the names of all keys in a schema."""
+    inner = schema.values() if isinstance(schema, dict) else schema if isinstance(schema, list) else []
+    own = set(schema.get("properties", {})) if isinstance(schema, dict) else set()
+    return own.union(*map(names_in, inner))
+
+
+# Each key in an example of a page is one that there is; and these are the defaults, where an example says so.
+for page, names in [
+    ("rigs.md", names_in(rig_keys)),
+    ("scenarios.md", names_in(scenario_keys)),
+    ("teachers.md", names_in(scenario_keys)),
+    ("operators.md", names_in([rig_keys, playlist_keys])),
+]:
+    text = (config.parent / "app/doc" / page).read_text()
+    given = set()
+    for example in re.findall(r"(?ms)^```toml\n(.*?)^```$", text):
+        code = re.sub(r'"[^"\n]*"', '""', re.sub(r"(?m)#.*$", "", example))
+        given |= set(re.findall(r"(?m)(?:^|[{,])\s*(\w+) =", code)) | set(re.findall(r"(?m)^\[+(?:\w+\.)*(\w+)\]", code))
+    assert given, f"{page} has no example"
+    assert given <= names, f"{page}: its examples have keys that there are not: {sorted(given - names)}"
+    print(f"the {len(given)} keys in examples of {page} are there")
+
+example = re.search(r"(?ms)^\[physics\].*?$(.*?)\n\n", (config.parent / "app/doc/scenarios.md").read_text())[1]
+defaults = scenario_keys["properties"]["physics"]["properties"]
+assert tomllib.loads(example) == {name: key["default"] for name, key in defaults.items()}, "other defaults of [physics]"
+example = re.search(r"(?ms)^\[observer\]$(.*?)^```", (config.parent / "app/doc/scenarios.md").read_text())[1]
+for name, key in scenario_keys["properties"]["observer"]["properties"].items():
+    assert name in ("beta", "fastest_beta") or tomllib.loads(example)[name] == key["default"], f"another default of {name}"
+print("the defaults of [physics] and [observer] are those that scenarios.md gives")

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/file_keys/lesson_keys.h"
 #include "app/files/toml_file.h"
 #include "app/input_faults.h"
 #include "app/temporary_folder.h"
@@ -102,7 +103,7 @@ TEST(LessonFile, IsRead) {
 
 TEST(LessonFile, LettersAreCountedNotBytes) {
   std::string letters;
-  for (std::size_t i = 0; i < Lesson::kTextLetters; ++i) letters += "γ";
+  for (std::size_t i = 0; i < kLessonTextLetters; ++i) letters += "γ";
   std::string text = kHead + kLesson;
   text.replace(text.find("Go."), 3, letters);
   EXPECT_EQ(read(text).lesson->words.todo, letters);
@@ -259,13 +260,13 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"no answers", "answers = [\"Neither\", \"Who stayed\"]\n", "", 3, 1, "0 answers here"},
         Change{"an answer that is none", R"("Neither")", "7", 5, 12, "answers[0] is a whole number"},
         Change{"an empty answer", R"("Neither")", "\"\"", 5, 12, "answers[0] is empty"},
-        Change{"an answer too long", "Who stayed", std::string(Lesson::kAnswerLetters + 1, 'w'), 5, 23,
+        Change{"an answer too long", "Who stayed", std::string(kAnswerLetters + 1, 'w'), 5, 23,
                "answers[1] has 71 letters, expected 70 at most"},
         Change{"right beyond the answers", "right = 2", "right = 3", 6, 9, "right is 3, expected"},
         Change{"right before them", "right = 2", "right = 0", 6, 9, "right is 0, expected"},
-        Change{"a question too long", "Who is older?", std::string(Lesson::kTextLetters + 1, 'w'), 4, 12,
+        Change{"a question too long", "Who is older?", std::string(kLessonTextLetters + 1, 'w'), 4, 12,
                "question has 161 letters, expected 160 at most"},
-        Change{"a number too long", "10 s", std::string(Lesson::kNumberLetters, 'w'), 9, 10,
+        Change{"a number too long", "10 s", std::string(kLessonNumberLetters, 'w'), 9, 10,
                "number has 239 letters"},
         Change{"a view mistyped", "\"clocks\"", "\"clock\"", 10, 10,
                "there is no view 'clock', expected 'clocks'?"},
