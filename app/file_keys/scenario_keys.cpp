@@ -119,9 +119,10 @@ FileKey puck() {
 }
 
 FileKey body() {
-  FileKey leg = tables("leg", "a straight part of its way; the first reaches back to the beginning",
-                       {required(number("from_s", {}, "board time at which the centre turns")),
-                        required(numbers("beta", 3, {}, kBeta))});
+  FileKey leg =
+      tables("leg", "a straight part of its way; the first reaches back to the beginning",
+             {required(number("from_s", {}, "board time at which the centre turns; the first leg has none")),
+              required(numbers("beta", 3, {}, kBeta))});
   leg.notInFirst = "from_s";
   return tables("body", "moves as told, collides with nothing",
                 {required(text("name", "unique")), text("mesh", kMesh),
