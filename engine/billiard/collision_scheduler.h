@@ -15,6 +15,7 @@
 #include "engine/billiard/cell_grid.h"
 #include "engine/billiard/due_queue.h"
 #include "engine/billiard/game_history.h"
+#include "engine/billiard/jam_solver.h"
 #include "engine/collision/corner_contact.h"
 #include "engine/collision/corner_kick.h"
 #include "engine/collision/cushion_contact.h"
@@ -63,8 +64,6 @@ class CollisionScheduler {
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr std::size_t kPucksWithoutCells = 32;
-  // Of light speed: bodies with corners that lie on each other and move slower than this rest.
-  static constexpr double kResting = 1e-10;
 
   enum class Kind : unsigned char { none, turn, stroke, cushion, pair };  // in the order of equal times
   // The next event of a puck.
@@ -333,23 +332,6 @@ class CollisionScheduler {
   bool discsStayElastic() const { return outlines_ != nullptr && puckRestitution_ == 1.0; }
 
   // collision_scheduler_jam.cpp: what happens to pucks that press on one another
-  struct JamBody {
-    int puck = 0;
-    LegState turn;  // before
-    Turning turning;
-    double j = 0.0;     // after
-    double mass = 0.0;  // with this spin
-    Vec21 u;
-    double heat = 0.0;
-    Vec21 radiated, taken;
-    unsigned cushions = 0;  // that it touches, one bit each
-    int body = 0;           // the first member of the group with which it moves on
-    int changed = 0;        // number of the last sweep that changed it
-  };
-  struct JamContact {
-    int first = 0, second = 0;         // places among the members
-    std::vector<TouchedPlace> places;  // of bodies with corners
-  };
   void noteImpact(int i, double turnTime, double closing, bool manifold);
   bool isPressed(int i, double t) const;
   void settle(const std::array<int, 2>& who, const PairContact& contact, const std::array<LegState, 2>& turn,
@@ -360,21 +342,13 @@ class CollisionScheduler {
   void gatherJam(const Vec21& U, double earliest);
   bool touch(const JamBody& one, const JamBody& other) const;
   std::optional<LegState> joinsAt(int i, const Vec21& touched, const Vec21& U, double earliest) const;
-  static void kicked(JamBody& member, const Vec21& u, double heat);
   JamBody jamBodyOf(int i, const LegState& turn) const;
-  bool relax(double slow);
-  bool partDiscs(JamBody& one, JamBody& two, double slow) const;
-  void moveOnTogether(double slow);
-  void moveBody(int body);
-  void leaveCushions(JamBody& member, double slow);
+  JamSolver jamSolver() {
+    return {
+        {puckRestitution_, cushionRestitution_, outlines_ != nullptr}, cushions_, jamBodies_, jamContacts_};
+  }
   bool commitJam(const Vec21& touch, GameHistory& history);
-  // with corners (collision_scheduler_corners.cpp)
-  MovingShape movingShape(const JamBody& member) const;
   std::vector<TouchedPlace> placesOf(const JamBody& one, const JamBody& other) const;
-  bool partCorners(JamBody& one, JamBody& two, std::span<const TouchedPlace> places) const;
-  bool isTouched(const JamBody& member, const CushionPlane& cushion) const;
-  void partFromCushions(JamBody& member) const;
-  void turned(JamBody& member, double j) const { member.j = j, member.mass = massOf(member.puck, j); }
 
   // Fixed by the setup.
   double c_m_s_;

@@ -10,8 +10,6 @@ namespace carom {
 
 namespace {
 
-constexpr double kTouching = 1e-6;    // of the radii: nearer than this is touching
-constexpr double kRebound = 0.25;     // of inelastic bodies in a jam: so it ends after few kicks
 constexpr int kKicksOfAnImpact = 16;  // at places where bodies lie on each other when they meet at another
 constexpr int kJamsToRest = 64;       // without peace, after which a body moves on with what it touches
 
@@ -126,7 +124,7 @@ bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const 
   const double radii = discs_[who[0]].radius + discs_[who[1]].radius;
   double fastest = kResting;
   for (const TouchedPlace& place : touchedPlaces(followedFlight(who[0]), followedFlight(who[1]),
-                                                 kTouching * radii, persistentContact(who[0], who[1]))) {
+                                                 kJamTouching * radii, persistentContact(who[0], who[1]))) {
     PairContact here = contact;
     here.event = place.event, here.n = place.n;
     const auto kick = cornerKick(who, here, u, j, 1.0);
@@ -147,7 +145,7 @@ void CollisionScheduler::kickOtherPlaces(const std::array<int, 2>& who, const Pa
   std::vector<TouchedPlace> places =
       placesKeptOut(first, second, dot(contact.U, contact.event - first.start), *earlier);
   places.push_back({contact.event, contact.n});
-  const double e = std::max(kRebound, outcome.restitution);
+  const double e = std::max(kJamRebound, outcome.restitution);
   for (int kicks = 0; kicks < kKicksOfAnImpact; ++kicks) {
     double fastest = kResting;
     std::optional<SpinningPairKick> next;
@@ -216,58 +214,11 @@ std::optional<SpinningPairKick> CollisionScheduler::cornerKick(const std::array<
   return kickCorners(contact.U, contact.n, bodies, rules);
 }
 
-MovingShape CollisionScheduler::movingShape(const JamBody& member) const {
-  return movingShape(member.puck, {member.turn.x, member.u, 0.0, 0.0}, {member.j, member.turning.angle});
-}
-
 std::vector<TouchedPlace> CollisionScheduler::placesOf(const JamBody& one, const JamBody& other) const {
   if (other.puck < one.puck) return placesOf(other, one);
-  const MovingShape first = movingShape(one), second = movingShape(other);
-  return touchedPlaces(first, second, kTouching * (first.radius + second.radius),
+  const MovingShape first = one.shape(), second = other.shape();
+  return touchedPlaces(first, second, kJamTouching * (first.radius + second.radius),
                        persistentContact(one.puck, other.puck));
-}
-
-// A kick without friction at that of the places where two members touch at which they close fastest. Returns whether
-// they close.
-bool CollisionScheduler::partCorners(JamBody& one, JamBody& two, std::span<const TouchedPlace> places) const {
-  const RimRules rules{puckRestitution_ < 1.0 ? kRebound : 1.0};
-  const Vec21 U = equalSpeedFrame(one.u, two.u);
-  std::optional<SpinningPairKick> fastest;
-  for (const TouchedPlace& place : places) {
-    const std::array<LeveredBody, 2> bodies{levered(one.puck, place.event, {one.turn.x, one.u, 0.0}, one.j),
-                                            levered(two.puck, place.event, {two.turn.x, two.u, 0.0}, two.j)};
-    const auto kick = kickCorners(U, place.n, bodies, rules);
-    if (kick && kick->centres.closing > (fastest ? fastest->centres.closing : kResting)) fastest = kick;
-  }
-  if (!fastest) return false;
-  turned(one, fastest->j[0]), turned(two, fastest->j[1]);
-  kicked(one, fastest->centres.u[0], fastest->centres.heat[0]);
-  kicked(two, fastest->centres.u[1], fastest->centres.heat[1]);
-  return true;
-}
-
-bool CollisionScheduler::isTouched(const JamBody& member, const CushionPlane& cushion) const {
-  return !touchedPlaces(movingShape(member), cushion, kTouching * discs_[member.puck].radius).empty();
-}
-
-// Likewise from each cushion that a member touches.
-void CollisionScheduler::partFromCushions(JamBody& member) const {
-  const RimRules rules{cushionRestitution_ < 1.0 ? kRebound : 1.0};
-  for (std::size_t k = 0; k < cushions_.size(); ++k) {
-    if ((member.cushions >> k & 1u) == 0) continue;
-    const MovingShape flight = movingShape(member);
-    const Vec21 momentum = member.u * member.mass;
-    std::optional<SpinningCushionKick> fastest;
-    for (const Vec21& place : touchedPlaces(flight, cushions_[k], kTouching * flight.radius)) {
-      const LeveredBody body = levered(member.puck, place, {member.turn.x, member.u, 0.0}, member.j);
-      const auto kick = kickCornerOffCushion(cushions_[k], body, rules);
-      if (kick && kick->centre.closing > (fastest ? fastest->centre.closing : kResting)) fastest = kick;
-    }
-    if (!fastest) continue;
-    turned(member, fastest->j);
-    kicked(member, fastest->centre.u, fastest->centre.heat);
-    member.taken = member.taken + (momentum - member.u * (member.mass + fastest->centre.heat));
-  }
 }
 
 // Bodies with corners that lie on each other or on a cushion would be kicked at one place after the other, each
@@ -284,7 +235,8 @@ bool CollisionScheduler::settleCorners(std::span<const int> who, std::span<const
   gatherJam(U, earliest);
   const double slow = slowIn(who, hardest);
   const bool again = pucks_[who[0]].jams >= kJamsToRest;
-  moveOnTogether(relax(0.125 * slow) && !again ? slow : kNever);
+  JamSolver solver = jamSolver();
+  solver.moveOnTogether(solver.relax(0.125 * slow) && !again ? slow : kNever);
   return commitJam(touch, history);
 }
 
