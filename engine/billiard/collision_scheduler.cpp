@@ -155,7 +155,7 @@ void CollisionScheduler::prefetchUpcoming() {
       cells_.fetch(cell);
       return cells_.fetchAhead(cells_.beside(cell, axis, wayAlong(i, axis)), axis, wayAlong(i, axis));
     }
-    const int other = own.next.kind == Kind::pair ? own.next.with : i;
+    const int other = own.next.kind == PredictedKind::pair ? own.next.with : i;
     if (other < i) return;
     cells_.fetchNear(cell);
     if (cells_.cellOf(other) != cell) cells_.fetchNear(cells_.cellOf(other));
@@ -175,18 +175,18 @@ void CollisionScheduler::step(GameHistory& history) {
   const PredictedEvent predicted = predictions_[i].next;
   if (predictions_[i].leavesCell < predicted.ownTime) return changeCell(i, leavesFirst(i));
   switch (predicted.kind) {
-    case Kind::none:
+    case PredictedKind::none:
       return;
-    case Kind::turn:
+    case PredictedKind::turn:
       beginCommitted(i);
       break;
-    case Kind::stroke:
+    case PredictedKind::stroke:
       strike(i, predicted.with, history);
       break;
-    case Kind::cushion:
+    case PredictedKind::cushion:
       bounce(i, predicted, history);
       break;
-    case Kind::pair:
+    case PredictedKind::pair:
       return meet(i, history);
   }
   if (cellsTooSmall_) return predictAll();
@@ -200,7 +200,7 @@ void CollisionScheduler::meet(int i, GameHistory& history) {
   const PredictedEvent a = predictions_[i].next;
   const int j = a.with;
   const PredictedEvent& theirs = predictions_[j].next;
-  const bool mutual = theirs.kind == Kind::pair && theirs.with == i;
+  const bool mutual = theirs.kind == PredictedKind::pair && theirs.with == i;
   if (!mutual && theirs.ownTime < a.otherTime && !waitsForItself(i)) {
     queue_.setDue(i, std::nextafter(std::max(queue_.due(i), queue_.due(j)), kNever));
     deferred_.push_back(i);
@@ -240,10 +240,10 @@ bool CollisionScheduler::waitsForItself(int i) const {
   int at = predictions_[i].next.with;
   for (std::size_t steps = 0; steps <= pucks_.size(); ++steps) {
     const PredictedEvent& a = predictions_[at].next;
-    if (a.kind != Kind::pair) return false;
+    if (a.kind != PredictedKind::pair) return false;
     if (a.with == i) return true;
     const PredictedEvent& theirs = predictions_[a.with].next;
-    if (theirs.kind == Kind::pair && theirs.with == at) return false;
+    if (theirs.kind == PredictedKind::pair && theirs.with == at) return false;
     at = a.with;
   }
   return true;

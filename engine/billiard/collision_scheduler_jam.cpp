@@ -101,7 +101,7 @@ std::optional<LegState> CollisionScheduler::joinsAt(int i, const Vec21& touched,
   if (turn.x.t < earliest) turn = momentAt(leg, earliest);
   if (turn.x.t < leg.start.t) turn = {leg.start, leg.u, leg.properTime};
   const PredictedEvent& next = predictions_[i].next;
-  if (next.kind == Kind::cushion && next.ownTime < turn.x.t) return std::nullopt;
+  if (next.kind == PredictedKind::cushion && next.ownTime < turn.x.t) return std::nullopt;
   for (const int stroke : pucks_[i].strokes) {
     const PuckStroke& s = strokes_[stroke];
     const double arrival = s.fromHand ? signalArrives(leg, s.hand, s.height).x.t : s.hand.t;

@@ -68,7 +68,7 @@ void CollisionScheduler::predictAmong(int i, int begin, int end) {
   if (outlines_ != nullptr) forgetParted(i);
   PredictedEvent best;
   if (discs_[i].turnsAt < kNever) {
-    best.kind = Kind::turn;
+    best.kind = PredictedKind::turn;
     best.ownTime = discs_[i].turnsAt;
   }
   if (!strokes_.empty()) considerStrokes(i, best);
@@ -119,13 +119,13 @@ void CollisionScheduler::findCellExit(int i) {
 
 void CollisionScheduler::setPredictedEvent(int i, const PredictedEvent& a) {
   Prediction& own = predictions_[i];
-  if (own.next.kind == Kind::pair) {  // leave the list of the other
+  if (own.next.kind == PredictedKind::pair) {  // leave the list of the other
     (own.dependentBefore < 0 ? predictions_[own.next.with].firstDependent
                              : predictions_[own.dependentBefore].nextDependent) = own.nextDependent;
     if (own.nextDependent >= 0) predictions_[own.nextDependent].dependentBefore = own.dependentBefore;
   }
   own.next = a;
-  if (a.kind == Kind::pair) {
+  if (a.kind == PredictedKind::pair) {
     int& first = predictions_[a.with].firstDependent;
     own.dependentBefore = -1;
     own.nextDependent = first;
@@ -149,7 +149,8 @@ void CollisionScheduler::predictDependents(int of) {
 
 // The earlier of two predicted events of one puck; equal times go by kind, then by name.
 bool CollisionScheduler::isEarlier(double ownTime, int with, const PredictedEvent& than) {
-  return ownTime < than.ownTime || (ownTime == than.ownTime && than.kind == Kind::pair && with < than.with);
+  return ownTime < than.ownTime ||
+         (ownTime == than.ownTime && than.kind == PredictedKind::pair && with < than.with);
 }
 
 // Writes those of found_ to near_ from `begin` on that the coarse flights do not exclude, without a branch, and
@@ -205,7 +206,7 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
     if (dealtWith(i, other) != nullptr) return;
   }
   PredictedEvent a;
-  a.kind = Kind::pair;
+  a.kind = PredictedKind::pair;
   a.withoutDelay = meeting->withoutDelay;
   if (also) {
     a.with = i, a.otherLeg = puck.legNumber, a.ownTime = theirs, a.otherTime = own;
@@ -218,7 +219,7 @@ void CollisionScheduler::considerPair(int i, int other, PredictedEvent& best) {
 }
 
 // The last contact of the legs that both follow, if it has been dealt with.
-const CollisionScheduler::HandledContact* CollisionScheduler::dealtWith(int i, int other) const {
+const HandledContact* CollisionScheduler::dealtWith(int i, int other) const {
   if (!predictions_[i].hasMet) return nullptr;
   const std::vector<HandledContact>& met = pucks_[i].met;
   const auto found = std::find_if(met.rbegin(), met.rend(), [&](const HandledContact& contact) {
@@ -272,9 +273,9 @@ void CollisionScheduler::considerCushion(int i, int cushion, PredictedEvent& bes
   if (!contact) return;
   const double own = contact->ownTime;
   if (own >= discs_[i].turnsAt || own > best.ownTime) return;
-  if (own == best.ownTime && best.kind <= Kind::cushion) return;
+  if (own == best.ownTime && best.kind <= PredictedKind::cushion) return;
   best = {};
-  best.kind = Kind::cushion;
+  best.kind = PredictedKind::cushion;
   best.withoutDelay = contact->withoutDelay;
   best.with = cushion;
   best.ownTime = own;
@@ -288,7 +289,7 @@ void CollisionScheduler::considerStrokes(int i, PredictedEvent& best) const {
     const double own = std::max(arrival, leg.start.t);
     if (own >= discs_[i].turnsAt || own >= best.ownTime) continue;
     best = {};
-    best.kind = Kind::stroke;
+    best.kind = PredictedKind::stroke;
     best.with = stroke;
     best.ownTime = own;
   }
