@@ -20,6 +20,7 @@
 #include "app/files/input_file.h"
 #include "app/stage/handover.h"
 #include "app/stage/scenario_scene.h"
+#include "app/tools/answers.h"
 #include "app/tools/calibrate.h"
 #include "app/tools/check.h"
 #include "app/tools/filter.h"
@@ -78,6 +79,7 @@ void addCommands(CLI::App& app, int& status) {
   addEvents(app, status);
   addDiagram(app, status);
   addExport(app, status);
+  addAnswers(app, status);
   addList(app, status);
   addCheck(app, status, kOpeners, kShowPattern);
   addSimulate(app, status);

@@ -238,6 +238,35 @@ std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try 
   refuse(file_, error);
 }
 
+std::vector<GivenAnswer> SessionFile::answers() const try {
+  std::vector<GivenAnswer> answers;
+  const auto ends = frames();
+  if (!ends) return answers;
+  // The question stands from the frame after the newest one in another phase, or in the game's first frame.
+  SQLite::Statement row(tables_->database,
+                        "SELECT frame, lesson, question, answer, viewer, (SELECT display_s FROM frame WHERE "
+                        "number = frame) - (SELECT "
+                        "display_s FROM frame WHERE number > coalesce((SELECT number FROM frame WHERE number "
+                        "< answer.frame AND "
+                        "lesson_phase <> ?3 ORDER BY number DESC LIMIT 1), -1) ORDER BY number LIMIT 1), 1 + "
+                        "(SELECT count(*) FROM "
+                        "input WHERE what = 'visitor' AND input.frame <= answer.frame) FROM answer WHERE "
+                        "frame BETWEEN ?1 AND ?2 "
+                        "ORDER BY frame, rowid");
+  row.bind(1, static_cast<std::int64_t>(ends->first));
+  row.bind(2, static_cast<std::int64_t>(ends->second));
+  row.bind(3, static_cast<int>(LessonPhase::asks));
+  const auto words = [&row](int column) { return printable(row.getColumn(column).getString()); };
+  while (row.executeStep()) {
+    answers.push_back({static_cast<std::uint64_t>(row.getColumn(0).getInt64()), words(1), words(2), words(3),
+                       words(4), row.getColumn(5).getDouble(),
+                       static_cast<std::size_t>(row.getColumn(6).getInt64())});
+  }
+  return answers;
+} catch (const SQLite::Exception& error) {
+  refuse(file_, error);
+}
+
 bool SessionFile::next(FrameState& state) try {
   const std::optional<std::uint64_t> number = tables_->frames->step();
   if (!number) return false;

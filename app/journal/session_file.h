@@ -17,6 +17,15 @@
 
 namespace carom {
 
+/// A visitor's answer to a lesson's question.
+struct GivenAnswer {
+  std::uint64_t frame = 0;  ///< in which it was given
+  std::string lesson, question, answer, viewer;
+  double seconds = 0.0;  ///< on the session clock, since the question was asked
+  std::size_t group =
+      1;  ///< which visitors of the session, counted from 1: the next ones were welcomed meanwhile
+};
+
 /// One game of a recorded session, frame by frame. May be opened while the session is still being written.
 class SessionFile {
  public:
@@ -49,6 +58,9 @@ class SessionFile {
   /// Returns the strokes by hand in the order of the frames. `pucks` are the scenario's. Throws
   /// std::runtime_error with file and frame for a stroke that is impossible in this scenario.
   std::vector<Stroke> strokes(std::span<const Puck> pucks) const;
+
+  /// Returns the answers that were given in the game, in the order of the frames.
+  std::vector<GivenAnswer> answers() const;
 
   /// Reads the next frame in the order of their numbers, with its knots. Returns false after the last. Throws
   /// std::runtime_error with file and frame if the file is damaged there.

@@ -1,0 +1,32 @@
+#pragma once
+// `carom answers`: what visitors answered to the questions of lessons, with what is right.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace carom {
+
+/// One row of the table.
+struct AnswerRow {
+  std::string lesson, question, answer;
+  std::optional<bool> isRight;  ///< none if the game's lesson has no such answer
+  std::size_t attempt = 1;      ///< of this group and viewer at this question, from 1
+  double seconds = 0.0;         ///< from the question to the answer
+  std::string viewer;
+  std::size_t group = 1;  ///< visitors who came together, counted from 1 through all files
+  std::uint64_t frame = 0;
+};
+
+/// Returns the answers of session files, in their order. Throws std::runtime_error if one cannot be read.
+std::vector<AnswerRow> answersOf(const std::vector<std::filesystem::path>& files);
+
+/// Adds the command to `app`. When it runs, it stores its exit status in `status`.
+void addAnswers(CLI::App& app, int& status);
+
+}  // namespace carom
