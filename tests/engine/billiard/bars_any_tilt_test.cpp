@@ -94,7 +94,8 @@ TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
       const double most = beta <= 0.1 ? 0.02 : atContact ? 0.1 : 0.6;
       EXPECT_LE(all.elsewhere, most * all.pairs);
       EXPECT_EQ(all.untouched, 0);
-      EXPECT_LE(all.kicks, 10u * static_cast<std::size_t>(all.pairs));
+      // Inelastic thick ones at 0.99 c slide along each other in hundreds of kicks, a pair in fifty.
+      EXPECT_LE(all.kicks, (beta < 0.99 ? 10u : 25u) * static_cast<std::size_t>(all.pairs));
     }
   }
 }
