@@ -1,6 +1,7 @@
 """structure.py ROOT: checks that no header includes itself through others, that the dependencies between
 rooms (the folders with a carom_room in their CMakeLists.txt) have no circle, that a room includes only
-from rooms that it uses, that no type is defined twice, that app/doc/figures/modules.svg shows these rooms, that no folder holds more than 28 modules or files of tests,
+from rooms that it uses, that no type is defined twice, that no class has more than 15 members
+or 12 private functions but those named here with a reason, that app/doc/figures/modules.svg shows these rooms, that no folder holds more than 28 modules or files of tests,
 and that every source file has the
 format of .clang-format. Prints a line for each folder and one for each of the rules."""
 
@@ -13,6 +14,29 @@ import sys
 import modules
 
 MOST_MODULES = 28
+MOST_MEMBERS, MOST_PRIVATE = 15, 12
+# The classes that are larger, and why.
+LARGE = {
+    "BodyDrawer": "buffers, programs and uniforms of one pass of drawing",
+    "CellGrid": "a data structure: the operations on one table of cells",
+    "CollisionScheduler": "is being split",
+    "Console": "the panels of one window",
+    "Corners": "the state of one search for a contact of corners",
+    "DueQueue": "a data structure: the operations on one heap",
+    "HandActions": "the actions that OpenXR wants by name",
+    "HandTracking": "wand, buttons and SpaceMouse, each with its watch",
+    "HeadTracking": "the stations of one sample: tracker, place, filter, alarm, hand",
+    "InputDevices": "the state of each device that can hold the cue",
+    "Movie": "the state of one encoder of libav",
+    "PlatformMotion": "home, tour, way and what was said of one platform",
+    "Recording": "what one session can record",
+    "ReplayVisitorSource": "a visit: where it is and where it may go",
+    "SimulatedTracker": "the phases of one simulated walk",
+    "SoftBody": "the arrays of one mesh",
+    "SoftPlay": "is being written",
+    "StretchedFrame": "the terms of one equation",
+    "Window": "what GLFW keeps of one window",
+}
 ROOMS = ["app", "cave", "devices", "engine"]
 root = pathlib.Path(sys.argv[1])
 files = [file for room in ROOMS for file in (root / room).rglob("*") if file.suffix in (".h", ".cpp", ".glsl")]
@@ -104,6 +128,67 @@ twice = {name: places for name, places in defined.items() if len(places) > 1}
 for name, places in sorted(twice.items()):
     fail(f"the type {name} is defined in", " and in ".join(sorted(places)))
 print(f"types {len(defined)}, defined twice {len(twice)}")
+
+
+
+def bodies(text):
+    """Returns the name and the body of each class in a source."""
+    text = re.sub(r'"(?:[^"\\\n]|\\.)*"', '""', re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.DOTALL))
+    found = []
+    for match in re.finditer(r"\bclass (\w+(?:::\w+)*)(?: final)?(?: :[^;{]*)? ?\{", text):
+        if re.search(r"enum\s*$", text[: match.start()]):
+            continue
+        depth, end = 1, match.end()
+        while depth:
+            depth += {"{": 1, "}": -1}.get(text[end], 0)
+            end += 1
+        found.append((match.group(1), text[match.end() : end - 1]))
+    return found
+
+
+def size_of(body):
+    """Returns the number of a class's members and of its private functions."""
+    flat, depth = [], 0
+    for letter in body:
+        depth -= letter == "}"
+        if depth == 0:
+            flat.append(letter)
+        depth += letter == "{"
+    flat = re.sub(r"\b(public|private|protected)\s*:", r";@\1;", "".join(flat))
+    members = private = 0
+    access = "private"
+    for statement in re.sub(r"\{\}(?!\s*[;,])", "{};", flat).split(";"):
+        statement = " ".join(statement.split())
+        if statement.startswith("@"):
+            access = statement[1:]
+            continue
+        for _ in range(3):
+            statement = re.sub(r"<[^<>]*>", "", statement)
+        if re.match(r"(friend|using|typedef|static_assert|static constexpr|inline static)\b", statement) or not statement:
+            continue
+        head = statement.split("=")[0]
+        if re.match(r"(template )?(struct|class|enum)\b", head):
+            members += len(re.findall(r"\{\} \w", head))
+        elif "(" in head:
+            private += access == "private"
+        else:
+            members += 1 + head.count(",")
+    return members, private
+
+
+sizes = {}
+for file in files:
+    if file.suffix in (".h", ".cpp"):
+        for name, body in bodies(file.read_text()):
+            sizes[name] = max(sizes.get(name, (0, 0)), size_of(body))
+large = {name for name, (members, private) in sizes.items() if members > MOST_MEMBERS or private > MOST_PRIVATE}
+for name in sorted(large):
+    print(f"{sizes[name][0]:3} members, {sizes[name][1]:2} private functions in {name}: {LARGE.get(name, 'FAILED')}")
+for name in sorted(large - LARGE.keys()):
+    fail(f"{name} has more than {MOST_MEMBERS} members or {MOST_PRIVATE} private functions")
+for name in sorted(LARGE.keys() - large):
+    print(f"{name} is no longer large: take it from the list")
+print(f"classes {len(sizes)}, large {len(large)}")
 
 files_of = {}
 for file in files:

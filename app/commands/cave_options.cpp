@@ -14,6 +14,15 @@
 namespace carom {
 namespace {
 
+/// Returns the names of rows, separated by commas and the last one by `last`.
+template <typename Rows>
+std::string namesIn(const Rows& rows, const char* last) {
+  std::string names;
+  for (const auto& row : rows)
+    names += (names.empty() ? "" : &row == &rows.back() ? last : ", ") + std::string(row.name);
+  return names;
+}
+
 /// Sets a switch as "NAME=on" or "NAME=off" says.
 void turnSwitch(const std::string& text, Switches& switches) {
   for (const NamedSwitch& s : kNamedSwitches) {
@@ -23,23 +32,19 @@ void turnSwitch(const std::string& text, Switches& switches) {
       return;
     }
   }
-  throw CLI::ValidationError(
-      "--switch", fmt::format("'{}' is wrong, expected retardation, contraction, aberration, colour or "
-                              "searchlight, then =on or =off",
-                              text));
+  throw CLI::ValidationError("--switch", fmt::format("'{}' is wrong, expected {}, then =on or =off", text,
+                                                     namesIn(kNamedSwitches, " or ")));
 }
 
 /// Turns a time view on.
 void showView(const std::string& name, TimeViews& views) {
-  std::string names;
   for (const NamedView& view : kNamedViews) {
-    if (name == view.name) {
-      views.*view.value = 1;
-      return;
-    }
-    names += (names.empty() ? "" : ", ") + std::string(view.name);
+    if (name != view.name) continue;
+    views.*view.value = 1;
+    return;
   }
-  throw CLI::ValidationError("--view", fmt::format("'{}' is wrong, expected one of {}", name, names));
+  throw CLI::ValidationError(
+      "--view", fmt::format("'{}' is wrong, expected one of {}", name, namesIn(kNamedViews, ", ")));
 }
 
 /// Adds the rig and the game. The defaults depend on whether somebody watches, which is known when the
@@ -65,8 +70,9 @@ void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options
           [options](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) turnSwitch(text, options->switches);
           },
-          "Begin with this effect on or off: retardation, contraction, aberration (on), colour, searchlight "
-          "(off). May be given several times. Keys 1 to 5 turn them later")
+          fmt::format("Begin with this effect on or off: {} (at first the first three are on). May be given "
+                      "several times. Keys 1 to 5 turn them later",
+                      namesIn(kNamedSwitches, ", ")))
       ->type_name("NAME=on|off")
       ->allow_extra_args(false);
   command
@@ -75,8 +81,8 @@ void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options
           [options](const std::vector<std::string>& names) {
             for (const std::string& name : names) showView(name, options->views);
           },
-          "A view of time to begin with: board-now, my-now, paths, events, clocks, ruler, angles, split, "
-          "frozen. May be given several times. Keys turn them later")
+          fmt::format("A view of time to begin with: {}. May be given several times. Keys turn them later",
+                      namesIn(kNamedViews, ", ")))
       ->type_name("NAME")
       ->allow_extra_args(false);
   command

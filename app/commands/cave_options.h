@@ -11,8 +11,8 @@
 #include "app/files/playlist.h"
 #include "app/stage/desk_windows.h"
 #include "app/stage/recording.h"
-#include "cave/frame/lesson_words.h"
-#include "cave/frame/time_views.h"
+#include "cave/record/lesson_words.h"
+#include "cave/record/time_views.h"
 #include "engine/light/switches.h"
 
 namespace CLI {

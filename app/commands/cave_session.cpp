@@ -109,12 +109,14 @@ Before whatWas(const std::filesystem::path& file) {
   while (session.next(state)) {
     before.last = state.record;
     const bool isLesson = state.record.lesson.phase != LessonPhase::none;
-    const auto seenAt_s = [](const FrameRecord& record) { return record.observer.middle.observation.t_s; };
+    const auto seenAt_s = [](const FrameRecord& record) {
+      return record.viewers.front().observer.middle.observation.t_s;
+    };
     if (!latest || isLesson || seenAt_s(state.record) >= seenAt_s(*latest)) latest = state.record;
   }
   if (!latest) return before;
-  for (std::size_t viewer = 0; viewer < latest->viewers; ++viewer)
-    before.last->viewer(viewer).observer = latest->viewer(viewer).observer;
+  for (std::size_t viewer = 0; viewer < latest->viewerCount; ++viewer)
+    before.last->viewers[viewer].observer = latest->viewers[viewer].observer;
   before.last->boardFromRoom = latest->boardFromRoom;
   return before;
 }
@@ -137,7 +139,7 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
   settings.views = before.last->views;
   settings.views.frozen = 0;
   settings.lightSpeed_m_s = before.last->lightSpeed_m_s;
-  const ObserverView& observer = before.last->observer;
+  const ObserverView& observer = before.last->viewers.front().observer;
   // Rounded to a tenth of a micrometre, which restores the value without its rounding errors.
   settings.eyeSeparation_m =
       std::round(glm::distance(observer.left.positionInRoom_m, observer.right.positionInRoom_m) * 1e7) / 1e7;
@@ -147,10 +149,10 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
 /// Rank 0's objects for all games of the session.
 struct LivePlay {
   LivePlay(const SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
-           const Before& before, LiveStart start)
+           const Before& before, const LiveStart& start)
       : clock(clockOf(setup, options, start.sessionStart)),
-        pace(paceOf(setup, *clock, livedOf_s(start), start.firstFrame())),
-        source(setup.rig, setup.scenario, setup.world, (start.headset = pace.worn, start)),
+        pacer(pacerFor(setup, *clock, livedOf_s(start), start.firstFrame())),
+        source(setup.rig, setup.scenario, setup.world, start),
         leader(source, keysOf(options), firstSettings(setup, options, inputs.scenario.file.string(), before),
                devicesOf(setup.realTime ? setup.walls.get() : nullptr, keysOf(options)), options.unattended_s,
                options.scenario.string()),
@@ -162,7 +164,7 @@ struct LivePlay {
   static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
 
   std::unique_ptr<Clock> clock;
-  Pace pace;
+  std::unique_ptr<FramePacer> pacer;
   LiveSource source;
   FrameLeader leader;
   std::unique_ptr<Sounds> sounds;
@@ -258,9 +260,9 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
     frames.context().keyLock = &lock;
     return runFrames(frames.context());
   }
-  const LeaderParts lead{play->source,   play->leader,       windows,        play->sounds.get(),
-                         &play->journal, play->status.get(), play->pace.worn};
-  SessionFrames frames(cluster, setup, *play->pace.pacer, &lead, keys);
+  const LeaderParts lead{play->source,       play->leader,   windows,
+                         play->sounds.get(), &play->journal, play->status.get()};
+  SessionFrames frames(cluster, setup, *play->pacer, &lead, keys);
   frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());
   if (setup.realTime) frames.statistics().sayHowItWent();

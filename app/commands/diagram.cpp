@@ -44,7 +44,7 @@ DiagramSubject subjectOf(const DiagramOptions& options) {
   DiagramSubject subject = subjectOf(scenario);
   World world{startingHistories(scenario), {}};
   for (FrameState state; session.next(state);) {
-    const Event& here = state.record.observer.middle.observation;
+    const Event& here = state.record.viewers.front().observer.middle.observation;
     if (options.until_s && here.t_s > *options.until_s) break;
     session.apply(state, world);
     follow(subject, state.record, session.facts().viewers);

@@ -67,8 +67,8 @@ Subject recorded(const EventsOptions& options) {
   for (FrameState state; session.next(state);) {
     session.apply(state, world);
     for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
-      if (viewer >= state.record.viewers) break;
-      const ObserverView& observer = state.record.viewer(viewer).observer;
+      if (viewer >= state.record.viewerCount) break;
+      const ObserverView& observer = state.record.viewers[viewer].observer;
       subject.heads[viewer].push_back(
           {state.record.number, observer.middle.observation, observer.properTime_s});
     }

@@ -97,12 +97,12 @@ struct Recorded {
   std::vector<PointEmission> centres;  ///< of the same bodies
 };
 
-using TakeFrame = std::function<void(const FrameRecord&)>;
+using TakeFrame = std::function<void(const SeenFrame&)>;
 
 void eachFrameSeen(Recorded& recorded, const std::string& as, const TakeFrame& take) {
   const std::size_t viewer = as.empty() ? 0 : recorded.session.viewerNamed(as);
   recorded.session.goTo(0);
-  for (FrameState frame; recorded.session.next(frame);) take(seenBy(frame.record, viewer));
+  for (FrameState frame; recorded.session.next(frame);) take({frame.record, viewer});
 }
 
 void eachFrameOf(const std::filesystem::path& observer, const Recorded& recorded, const TakeFrame& take) {
@@ -138,12 +138,12 @@ constexpr const char* kColumns =
     "m,"
     "emission_y_m,emission_z_m,seen_x_m,seen_y_m,seen_z_m,distance_m,doppler,body_proper_time_s\n";
 
-std::string rowsOf(const Recorded& recorded, const FrameRecord& frame, const Observation& eye) {
+std::string rowsOf(const Recorded& recorded, const SeenFrame& frame, const Observation& eye) {
   std::string csv;
   const Vec3 &r = eye.event.r_m, &beta = eye.beta;
-  const std::string observer =
-      fmt::format("{},", frame.number) + csvNumbers({frame.display_s, frame.observer.properTime_s,
-                                                     eye.event.t_s, r.x, r.y, r.z, beta.x, beta.y, beta.z});
+  const std::string observer = fmt::format("{},", frame.record.number) +
+                               csvNumbers({frame.record.display_s, frame.self.observer.properTime_s,
+                                           eye.event.t_s, r.x, r.y, r.z, beta.x, beta.y, beta.z});
   for (std::size_t i = 0; i < recorded.names.size(); ++i) {
     const auto light = recorded.centres[i].seenAt(eye.event, eye.headFromBoard);
     csv += observer + csvField(recorded.names[i]) + (light ? ",seen," : ",unseen,,,,,,,,,,\n");
@@ -213,13 +213,13 @@ int runExport(const ExportOptions& options) {
   }
   std::uint64_t frames = 0;
   Progress progress;
-  const auto take = [&](const FrameRecord& frame) {
-    if (frame.number % options.every != 0) return;
-    const Observation eye(frame.observer);
+  const auto take = [&](const SeenFrame& frame) {
+    if (frame.record.number % options.every != 0) return;
+    const Observation eye(frame.self.observer);
     if (csv) csv->add(rowsOf(recorded, frame, eye));
-    if (series) series->add(frame, eye);
+    if (series) series->add(frame.record, eye);
     ++frames;
-    progress.at(frame.number);
+    progress.at(frame.record.number);
   };
   if (options.observer) {
     eachFrameOf(*options.observer, recorded, take);

@@ -47,7 +47,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
 /// The frame source, with its clock and pacer.
 struct Frames {
   std::unique_ptr<Clock> clock;
-  Pace pace;
+  std::unique_ptr<FramePacer> pacer;
   std::unique_ptr<FrameSource> source;
 };
 
@@ -63,16 +63,16 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
   }
   const Rig& rig = setup.rig;
   if (game) {
-    frames.pace = paceOf(setup, *frames.clock);
+    frames.pacer = pacerFor(setup, *frames.clock);
     const Visitor visitor{options.observer, options.beta, setup.realTime && !options.observer, options.from_m,
                           options.facing_rad};
-    frames.source = std::make_unique<ReplayVisitorSource>(rig, setup.scenario, visitor, std::move(*game),
-                                                          start, frames.pace.worn);
+    frames.source =
+        std::make_unique<ReplayVisitorSource>(rig, setup.scenario, visitor, std::move(*game), start);
   } else {
     const std::size_t viewer = options.as.empty() ? 0 : session.viewerNamed(options.as);
     frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(setup), rig.display_hz,
                                                      options.at_s, viewer);
-    frames.pace.pacer = std::make_unique<RecordingPacer>(*frames.clock);
+    frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   return frames;
 }
@@ -86,8 +86,8 @@ void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows,
   FrameLeader leader(*frames.source, KeysOf::replay, settings,
                      devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::replay));
   const auto sounds = soundsFor(setup, options.silent || options.noWindow);
-  const LeaderParts lead{*frames.source, leader, windows, sounds.get(), nullptr, nullptr, frames.pace.worn};
-  runFrames(SessionFrames(cluster, setup, *frames.pace.pacer, &lead, KeysOf::replay).context());
+  const LeaderParts lead{*frames.source, leader, windows, sounds.get(), nullptr, nullptr};
+  runFrames(SessionFrames(cluster, setup, *frames.pacer, &lead, KeysOf::replay).context());
 }
 
 void replay(Cluster& cluster, const ReplayOptions& options) {

@@ -53,15 +53,12 @@ std::unique_ptr<Sounds> soundsFor(const SessionSetup& setup, bool silent) {
   return std::make_unique<Sounds>(SoundAxes{axes.right, axes.up, axes.forward});
 }
 
-Pace paceOf(const SessionSetup& setup, Clock& clock, double lived_s, std::uint64_t firstFrame) {
-  if (setup.headset) {
-    auto pacer = std::make_unique<HeadsetPacer>(*setup.headset, lived_s, firstFrame);
-    const HeadsetFrame* worn = &pacer->frame();
-    return {std::move(pacer), worn};
-  }
+std::unique_ptr<FramePacer> pacerFor(const SessionSetup& setup, Clock& clock, double lived_s,
+                                     std::uint64_t firstFrame) {
+  if (setup.headset) return std::make_unique<HeadsetPacer>(*setup.headset, lived_s, firstFrame);
   clock.sleepUntil(lived_s);
-  return {std::make_unique<Pacer>(clock, setup.rig.display_hz, setup.rig.displayLatency_s, setup.swapsWait,
-                                  firstFrame)};
+  return std::make_unique<Pacer>(clock, setup.rig.display_hz, setup.rig.displayLatency_s, setup.swapsWait,
+                                 firstFrame);
 }
 
 namespace {
@@ -85,7 +82,7 @@ SessionFrames::SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& 
                statistics_, {&walls_},       {&statistics_}, &noLock_, &ending_} {
   if (setup.headset) {
     context_.views.insert(context_.views.begin(), &headset_.emplace(*setup.headset, *setup.walls));
-    if (lead && lead->worn) context_.listeners.push_back(&haptics_.emplace(*setup.headset, *lead->worn));
+    if (lead) context_.listeners.push_back(&haptics_.emplace(*setup.headset));
   }
   if (setup.outside) context_.views.push_back(&outside_.emplace(*setup.outside, *setup.walls));
   if (lead && lead->windows.diagram) context_.views.push_back(lead->windows.diagram.get());

@@ -38,22 +38,18 @@ struct LeaderParts {
   const FrameSource& source;
   FrameLeader& leader;
   OperatorWindows& windows;
-  Sounds* sounds;                      ///< null if silent
-  JournalListener* journal;            ///< null if the session is not recorded
-  StatusFile* status;                  ///< null if there is none
-  const HeadsetFrame* worn = nullptr;  ///< of a headset's newest frame; null if there is none
+  Sounds* sounds;            ///< null if silent
+  JournalListener* journal;  ///< null if the session is not recorded
+  StatusFile* status;        ///< null if there is none
 };
 
 /// Opens the audio output of the system. Returns null in simulated time or if `silent`.
 std::unique_ptr<Sounds> soundsFor(const SessionSetup& setup, bool silent);
 
-/// When frames begin: as the rig's displays want them or, with a headset, as that does.
-struct Pace {
-  std::unique_ptr<FramePacer> pacer;
-  const HeadsetFrame* worn = nullptr;  ///< a headset's newest frame; null if there is none
-};
-/// `lived_s`: the session's clock before the first frame, whose number is `firstFrame`.
-Pace paceOf(const SessionSetup& setup, Clock& clock, double lived_s = 0.0, std::uint64_t firstFrame = 0);
+/// Returns the pacer of a session: frames begin as the rig's displays want them or, with a headset, as that
+/// does. `lived_s`: the session's clock before the first frame, whose number is `firstFrame`.
+std::unique_ptr<FramePacer> pacerFor(const SessionSetup& setup, Clock& clock, double lived_s = 0.0,
+                                     std::uint64_t firstFrame = 0);
 
 class SessionFrames {
  public:

@@ -85,7 +85,7 @@ void Console::say(const std::string& line) {
 
 void Console::show(const ConsoleFrame& frame) {
   now_s_ = frame.record.display_s;
-  if (const std::string_view notice = frame.record.notice.words(); notice != notice_) {
+  if (const std::string_view notice = frame.record.viewers.front().notice.words(); notice != notice_) {
     notice_ = notice;
     if (!notice.empty()) say(notice_);
   }

@@ -24,8 +24,7 @@ EffectsPanel::EffectsPanel(KeysOf keys) : keys_(keys) {
     switchKeys_[i] = fmt::format("{} {}", keyFor(keys, name).keys, keyFor(keys, "beside: " + name).keys);
   }
   for (std::size_t i = 0; i < kNamedViews.size(); ++i) {
-    views_[i] = keyFor(keys, kNamedViews[i].name);
-    if (views_[i].does.empty()) views_[i].does = kNamedViews[i].name;
+    viewKeys_[i] = keyFor(keys, kNamedViews[i].name).keys;
   }
 }
 
@@ -53,12 +52,12 @@ void EffectsPanel::drawSwitches(const ConsoleFrame& frame) const {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    words(texts::keys::kEffects[i]);
-    tip(texts::console::kEffectTips[i]);
+    words(effect.words);
+    tip(effect.tip);
     ImGui::TableNextColumn();
     const bool on = settings.switches.*effect.value, beside = settings.views.beside.*effect.value;
     if (tick("##here", on)) frame.commands.emplace_back(SetSwitch{effect.value, false, !on});
-    tip(texts::console::kEffectTips[i]);
+    tip(effect.tip);
     ImGui::TableNextColumn();
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, settings.views.split ? 1.0F : 0.45F);
     if (tick("##beside", beside)) frame.commands.emplace_back(SetSwitch{effect.value, true, !beside});
@@ -101,11 +100,11 @@ void EffectsPanel::drawLight(const ConsoleFrame& frame, double usual_m_s) {
 void EffectsPanel::drawViews(const ConsoleFrame& frame) const {
   heading(texts::console::kViews);
   for (std::size_t i = 0; i < kNamedViews.size(); ++i) {
-    const auto view = kNamedViews[i].value;
-    const bool on = frame.settings.views.*view;
-    if (tick(views_[i].does.c_str(), on)) frame.commands.emplace_back(SetView{view, !on});
-    tip(texts::console::kViewTips[i]);
-    drawKey(views_[i].keys);
+    const NamedView& view = kNamedViews[i];
+    const bool on = frame.settings.views.*view.value;
+    if (tick(view.words, on)) frame.commands.emplace_back(SetView{view.value, !on});
+    tip(view.tip);
+    drawKey(viewKeys_[i]);
   }
 }
 

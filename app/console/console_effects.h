@@ -23,7 +23,7 @@ class EffectsPanel {
 
   KeysOf keys_;
   std::array<std::string, kNamedSwitches.size()> switchKeys_;  ///< of the left and right half
-  std::array<KeyLine, kNamedViews.size()> views_;
+  std::array<std::string, kNamedViews.size()> viewKeys_;
   PatientSlider light_, eyes_;
 };
 

@@ -48,14 +48,14 @@ void EventsPanel::follow(const World& world) {
 
 /// Finds the events that have happened by now, by the board's clocks or in the viewer's own frame.
 void EventsPanel::find(const FrameRecord& record) {
-  const Event& here = record.observer.middle.observation;
+  const Event& here = record.viewers.front().observer.middle.observation;
   rows_.clear();
   for (const GameEvent& event : events_) {
     const Displacement ago = event.at - here;
-    const double mine_s = (record.observer.headFromBoard * ago).dt_s;
+    const double mine_s = (record.viewers.front().observer.headFromBoard * ago).dt_s;
     if ((mine_ ? mine_s : ago.dt_s) > 0.0) continue;
     const bool seen = ago.dt_s < 0.0 && interval_m2(ago, c_m_s_) >= 0.0;
-    rows_.push_back({&event, event.at.t_s, record.observer.properTime_s + mine_s, seen});
+    rows_.push_back({&event, event.at.t_s, record.viewers.front().observer.properTime_s + mine_s, seen});
   }
   std::stable_sort(rows_.begin(), rows_.end(), [this](const Row& a, const Row& b) {
     return mine_ ? a.mine_s > b.mine_s : a.board_s > b.board_s;

@@ -12,8 +12,8 @@
 #include "app/session/programme.h"
 #include "app/stage/recording.h"
 #include "cave/display/display_walls.h"
-#include "cave/frame/frame_state.h"
 #include "cave/overlay/latency_overlay.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 

@@ -59,8 +59,8 @@ void SessionClocks::follow(const FrameRecord& record) {
   constexpr double kMean_s = 0.5;
   const double past_s = record.display_s - from_.display_s;
   if (past_s >= 0.0 && past_s < kMean_s) return;
-  for (std::size_t i = 0; i < record.viewers; ++i) {
-    const double own_s = record.viewer(i).observer.properTime_s;
+  for (std::size_t i = 0; i < record.viewerCount; ++i) {
+    const double own_s = record.viewers[i].observer.properTime_s;
     paces_[i] = past_s > 0.0 ? (own_s - from_.own_s[i]) / past_s : 0.0;
     from_.own_s[i] = own_s;
   }
@@ -71,18 +71,18 @@ void SessionClocks::draw(const ConsoleFrame& frame, float width_px) const {
   Clocks clocks(width_px);
   const FrameRecord& record = frame.record;
   const double platform = glm::length(betaFromU(record.boardFromRoom.u()));
-  const double person = glm::length(betaFromU(record.observer.headFromBoard.inverse().u()));
+  const double person = glm::length(betaFromU(record.viewers.front().observer.headFromBoard.inverse().u()));
   clocks.draw(texts::console::kSession, shown(record.display_s), texts::console::kSessionTip);
-  if (record.viewers == 1)
-    clocks.draw(texts::console::kProperTime, shown(record.observer.properTime_s),
+  if (record.viewerCount == 1)
+    clocks.draw(texts::console::kProperTime, shown(record.viewers.front().observer.properTime_s),
                 texts::console::kProperTimeTip);
-  for (std::size_t i = 0; i < std::min<std::size_t>(record.viewers, viewers_.size()) && record.viewers > 1;
-       ++i)
+  for (std::size_t i = 0;
+       i < std::min<std::size_t>(record.viewerCount, viewers_.size()) && record.viewerCount > 1; ++i)
     clocks.draw(viewers_[i].c_str(),
-                fmt::format(texts::console::kOwnTimeAndPace, shown(record.viewer(i).observer.properTime_s),
+                fmt::format(texts::console::kOwnTimeAndPace, shown(record.viewers[i].observer.properTime_s),
                             paces_[i]),
                 texts::console::kOwnTimeTip);
-  clocks.draw(texts::console::kTableTime, shown(record.observer.middle.observation.t_s),
+  clocks.draw(texts::console::kTableTime, shown(record.viewers.front().observer.middle.observation.t_s),
               texts::console::kTableTimeTip);
   clocks.draw(texts::console::kRoomSpeed,
               platform < 1e-9 ? texts::console::kAtRest : fmt::format(texts::console::kSpeed3, platform),

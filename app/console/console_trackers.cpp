@@ -107,7 +107,7 @@ void drawTrackers(const ConsoleFrame& frame) {
         "%s", fmt::format(texts::console::kTrackerMessage, report.name, report.health.message).c_str());
     ImGui::PopStyleColor();
   }
-  for (const TrackerReport& report : frame.status.trackers) drawHead(report, frame.record.viewers > 1);
+  for (const TrackerReport& report : frame.status.trackers) drawHead(report, frame.record.viewerCount > 1);
 }
 
 }  // namespace carom::console

@@ -4,7 +4,7 @@
 #include "app/console/live_diagram.h"
 #include "app/session/view.h"
 #include "cave/display/window.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 

@@ -156,7 +156,7 @@ void LiveDiagram::play(const Scenario& scenario) {
 }
 
 void LiveDiagram::follow(const FrameRecord& record) {
-  const Event& here = record.observer.middle.observation;
+  const Event& here = record.viewers.front().observer.middle.observation;
   carom::follow(subject_, record, viewers_);
   const auto isOld = [&](const Event& event) { return event.t_s < here.t_s - kKept_s; };
   std::erase_if(subject_.mine, isOld);
@@ -164,7 +164,7 @@ void LiveDiagram::follow(const FrameRecord& record) {
 }
 
 void LiveDiagram::make(const FrameRecord& record, const World& world) {
-  const Event& here = record.observer.middle.observation;
+  const Event& here = record.viewers.front().observer.middle.observation;
   if (subject_.mine.empty()) return;
   subject_.lines.assign(world.histories.begin() + 1, world.histories.end());
   subject_.events = world.events;

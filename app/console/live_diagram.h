@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/report/spacetime_chart.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 struct ImDrawList;
 

@@ -1,8 +1,8 @@
 #include "app/file_keys/lesson_keys.h"
 
 #include "cave/frame/lesson_plan.h"
-#include "cave/frame/lesson_words.h"
-#include "cave/frame/time_views.h"
+#include "cave/record/lesson_words.h"
+#include "cave/record/time_views.h"
 
 namespace carom {
 namespace {
@@ -41,7 +41,7 @@ FileKey stopwatch() {
 }  // namespace
 
 FileKey viewsKey(std::string_view sentence) {
-  FileKey views = texts("views", sentence);
+  FileKey views = declare::texts("views", sentence);
   for (const NamedView& view : kNamedViews) views.choices.emplace_back(view.name);
   return views;
 }
@@ -51,8 +51,8 @@ FileKey lessonKeys() {
   return table(
       "lesson", "a question before the game, the part of the game that answers it, and the number behind it",
       {words("question", "asked before anything of the answer is seen"),
-       required(
-           ofSize(2, kMostAnswers, ofLetters(kAnswerLetters, texts("answers", "from which one chooses")))),
+       required(ofSize(2, kMostAnswers,
+                       ofLetters(kAnswerLetters, declare::texts("answers", "from which one chooses")))),
        required(whole("right", 1, static_cast<int>(kMostAnswers), "which of the answers, from 1")),
        words("todo", "what to do"), words("notice", "what to look for"),
        words("number", "what comes out, and why", kLessonNumberLetters),

@@ -2,7 +2,7 @@
 
 #include "app/file_keys/common_keys.h"
 #include "cave/room/wall.h"
-#include "devices/setup/tracker_setup.h"
+#include "devices/setup/tracker_factory.h"
 
 namespace carom {
 namespace {
@@ -102,7 +102,7 @@ FileKey tracker() {
       0, kMostTrackers,
       tables("tracker", "a device that says where heads and hands are, or what stands for one",
              {required(text("name", "unique")),
-              required(choice("kind", std::span(kTrackerKinds).first(8), "the device or its protocol")),
+              required(choice("kind", trackerNamesInRigs(), "the device or its protocol")),
               choice("person", {"moves", "still", "walks"},
                      "of a simulated tracker: someone who stands, shifts and walks about, who does not move "
                      "at all, or "

@@ -39,7 +39,10 @@ std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, T
   const std::string source = table.text("source");
   if (source.empty()) return {};  // has been reported
   try {
-    createTransport(kind, source, axes);
+    TrackerSetup setup;
+    setup.kind = kind;
+    setup.source = source;
+    rowOf(kind).make(setup, axes);
   } catch (const std::invalid_argument& wrong) {
     table.fault("source", wrong.what());
   }
@@ -87,7 +90,7 @@ SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>&
 TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m, const RoomAxes& axes) {
   TrackerSetup tracker;
   tracker.name = table.text("name");
-  tracker.kind = static_cast<TrackerKind>(table.choice("kind"));
+  tracker.kind = trackerRows()[table.choice("kind")].kind;
   tracker.source = readSource(file, table, tracker.kind, axes);
   if (tracker.kind == TrackerKind::simulated) {
     tracker.person = static_cast<SimulatedMotion>(table.choice("person"));

@@ -8,9 +8,9 @@
 
 #include "app/files/findings.h"
 #include "cave/frame/lesson_plan.h"
-#include "cave/frame/lesson_words.h"
-#include "cave/frame/time_views.h"
 #include "cave/outlines/footprint.h"
+#include "cave/record/lesson_words.h"
+#include "cave/record/time_views.h"
 #include "engine/base/limits.h"
 #include "engine/billiard/billiard.h"
 #include "engine/spacetime/event.h"
@@ -80,7 +80,7 @@ struct Scenario {
   std::vector<Caption> captions;  ///< in the order of time, without overlap
   std::optional<Lesson> lesson;
   std::vector<Finding> odd;  ///< values that can be played but are unusual
-  bool choices = false;      ///< the front wall offers the visitor's choices (cave/frame/choice.h)
+  bool choices = false;      ///< the front wall offers the visitor's choices (cave/record/choice.h)
 };
 
 /// Reads and checks the whole file. Throws InputErrors (app/files/toml_file.h) with the position of every

@@ -7,7 +7,7 @@
 
 #include "app/files/toml_values.h"
 #include "cave/frame/bodies.h"
-#include "cave/frame/lesson_words.h"
+#include "cave/record/lesson_words.h"
 
 namespace carom {
 namespace {

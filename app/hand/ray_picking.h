@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "engine/light/light_cone.h"
 #include "engine/spacetime/observer.h"
 #include "engine/spacetime/world_line.h"

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/display/display_walls.h"
-#include "cave/frame/lesson_words.h"
+#include "cave/record/lesson_words.h"
 
 namespace carom {
 namespace {

@@ -32,18 +32,21 @@ struct Pressed {
 
 bool isOff(std::uint8_t value) { return value == 0; }
 
-template <std::uint8_t Switches::*effect>
+template <std::size_t row>
 Command turnSwitch(const OperatorSettings& now, const Pressed&) {
+  const auto effect = kNamedSwitches[row].value;
   return SetSwitch{effect, false, isOff(now.switches.*effect)};
 }
 
-template <std::uint8_t Switches::*effect>
+template <std::size_t row>
 Command turnBeside(const OperatorSettings& now, const Pressed&) {
+  const auto effect = kNamedSwitches[row].value;
   return SetSwitch{effect, true, isOff(now.views.beside.*effect)};
 }
 
-template <std::uint8_t TimeViews::*view>
+template <std::size_t row>
 Command turnView(const OperatorSettings& now, const Pressed&) {
+  const auto view = kNamedViews[row].value;
   return SetView{view, isOff(now.views.*view)};
 }
 
@@ -92,34 +95,34 @@ Command choose(const OperatorSettings& now, const Pressed&) {
 }
 
 struct Key {
-  int key;       // GLFW key code
-  int otherKey;  // second key with the same effect; 0 if none
-  const char* label;
+  int key;            // GLFW key code
+  int otherKey;       // second key with the same effect; 0 if none
+  const char* label;  // null: the letter or digit itself
   unsigned where;
   const char* does;  // null if described by the previous line
   Command (*command)(const OperatorSettings&, const Pressed&);
 };
 
-constexpr std::array kKeys{
-    Key{GLFW_KEY_1, 0, "1", kWithGame, texts::keys::kRetardation, turnSwitch<&Switches::retardation>},
-    Key{GLFW_KEY_2, 0, "2", kWithGame, texts::keys::kContraction, turnSwitch<&Switches::contraction>},
-    Key{GLFW_KEY_3, 0, "3", kWithGame, texts::keys::kAberration, turnSwitch<&Switches::aberration>},
-    Key{GLFW_KEY_4, 0, "4", kWithGame, texts::keys::kColour, turnSwitch<&Switches::colour>},
-    Key{GLFW_KEY_5, 0, "5", kWithGame, texts::keys::kSearchlight, turnSwitch<&Switches::searchlight>},
-    Key{GLFW_KEY_N, 0, "N", kWithGame, texts::keys::kBoardNow, turnView<&TimeViews::boardNow>},
-    Key{GLFW_KEY_M, 0, "M", kWithGame, texts::keys::kMyNow, turnView<&TimeViews::myNow>},
-    Key{GLFW_KEY_P, 0, "P", kWithGame, texts::keys::kPaths, turnView<&TimeViews::paths>},
-    Key{GLFW_KEY_E, 0, "E", kWithGame, texts::keys::kEvents, turnView<&TimeViews::events>},
-    Key{GLFW_KEY_C, 0, "C", kWithGame, texts::keys::kClocks, turnView<&TimeViews::clocks>},
-    Key{GLFW_KEY_U, 0, "U", kWithGame, texts::keys::kRuler, turnView<&TimeViews::ruler>},
-    Key{GLFW_KEY_O, 0, "O", kWithGame, texts::keys::kAngles, turnView<&TimeViews::angles>},
-    Key{GLFW_KEY_V, 0, "V", kWithGame, texts::keys::kSplit, turnView<&TimeViews::split>},
-    Key{GLFW_KEY_6, 0, "6", kWithGame, texts::keys::kRightRetardation, turnBeside<&Switches::retardation>},
-    Key{GLFW_KEY_7, 0, "7", kWithGame, texts::keys::kRightContraction, turnBeside<&Switches::contraction>},
-    Key{GLFW_KEY_8, 0, "8", kWithGame, texts::keys::kRightAberration, turnBeside<&Switches::aberration>},
-    Key{GLFW_KEY_9, 0, "9", kWithGame, texts::keys::kRightColour, turnBeside<&Switches::colour>},
-    Key{GLFW_KEY_0, 0, "0", kWithGame, texts::keys::kRightSearchlight, turnBeside<&Switches::searchlight>},
-    Key{GLFW_KEY_F, 0, "F", kWithGame, texts::keys::kFreeze, turnView<&TimeViews::frozen>},
+// GLFW's numbers of letters and digits are theirs. Effects and views of time have their keys in their rows.
+template <std::size_t... row>
+constexpr auto effectKeys(std::index_sequence<row...>) {
+  return std::array{
+      Key{kNamedSwitches[row].key, 0, {}, kWithGame, kNamedSwitches[row].words, turnSwitch<row>}...};
+}
+template <std::size_t... row>
+constexpr auto rightEffectKeys(std::index_sequence<row...>) {
+  return std::array{Key{
+      kNamedSwitches[row].rightKey, 0, {}, kWithGame, kNamedSwitches[row].rightWords, turnBeside<row>}...};
+}
+template <std::size_t... row>
+constexpr auto viewKeys(std::index_sequence<row...>) {
+  return std::array{Key{kNamedViews[row].key, 0, {}, kWithGame, kNamedViews[row].words, turnView<row>}...};
+}
+constexpr auto kEffectKeys = effectKeys(std::make_index_sequence<kNamedSwitches.size()>());
+constexpr auto kRightKeys = rightEffectKeys(std::make_index_sequence<kNamedSwitches.size()>());
+constexpr auto kViewKeys = viewKeys(std::make_index_sequence<kNamedViews.size()>());
+
+constexpr std::array kOtherKeys{
     Key{GLFW_KEY_LEFT_BRACKET, 0, "[ ]", kInSession, texts::keys::kLight, setLightSpeed<-1>},
     Key{GLFW_KEY_RIGHT_BRACKET, 0, "]", kInSession, nullptr, setLightSpeed<1>},
     Key{GLFW_KEY_SPACE, 0, texts::keys::kSpaceKey, kInReplay, texts::keys::kPause,
@@ -175,6 +178,19 @@ constexpr std::array kKeys{
     Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
         [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
 };
+
+/// The keys in the order in which they are listed.
+const std::vector<Key> kKeys = [] {
+  std::vector<Key> keys(kEffectKeys.begin(), kEffectKeys.end());
+  keys.insert(keys.end(), kViewKeys.begin(), kViewKeys.end());
+  keys.insert(keys.end(), kRightKeys.begin(), kRightKeys.end());
+  keys.insert(keys.end(), kOtherKeys.begin(), kOtherKeys.end());
+  return keys;
+}();
+
+std::string labelOf(const Key& key) {
+  return key.label ? std::string(key.label) : std::string(1, static_cast<char>(key.key));
+}
 
 bool means(const Key& key, KeysOf place) { return (key.where & (1U << static_cast<unsigned>(place))) != 0; }
 
@@ -234,7 +250,7 @@ Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const 
 std::vector<KeyLine> keyMap(KeysOf place) {
   std::vector<KeyLine> lines;
   for (const Key& key : kKeys) {
-    if (means(key, place) && key.does) lines.push_back({key.label, key.does});
+    if (means(key, place) && key.does) lines.push_back({labelOf(key), key.does});
   }
   if (place == KeysOf::dryRun) {
     lines.push_back({"← ↑ → ↓", texts::keys::kWalk});
@@ -258,7 +274,7 @@ KeyLine keyFor(KeysOf place, std::string_view what) {
   const OperatorSettings any;
   for (const Key& key : kKeys) {
     if (means(key, place) && key.does && nameOf(key.command(any, {place, 0.0})) == what)
-      return {key.label, key.does};
+      return {labelOf(key), key.does};
   }
   return {};
 }

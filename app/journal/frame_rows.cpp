@@ -2,26 +2,97 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "app/journal/frame_columns.h"
 #include "app/journal/rows.h"
 #include "app/journal/version_3.h"
-#include "cave/frame/record_rules.h"
+#include "cave/record/record_rules.h"
 
 namespace carom {
 namespace {
 
 Names frameNames() {
-  return namesOf<FrameRecord>([](Names& names, const FrameRecord& record) { visitRecord(names, record); });
+  Names names;
+  const FrameRecord any;
+  putFrame(names, any);
+  return names;
 }
-Names knotNames() {
-  return namesOf<Knot>([](Names& names, const Knot& knot) { visitKnot(names, knot); });
-}
-Names eventNames() {
-  return namesOf<GameEvent>([](Names& names, const GameEvent& event) { visitGameEvent(names, event); });
+
+/// Returns the same names in the order of the table's columns: those of the first files of this version, by
+/// the beginnings of their names, and then all later ones.
+Names columnsInOrder() {
+  constexpr const char* kFirst[]{"display_s",
+                                 "proper_time_s",
+                                 "t_s",
+                                 "x_m",
+                                 "y_m",
+                                 "z_m",
+                                 "switches",
+                                 "views",
+                                 "beside",
+                                 "truncate_from_s",
+                                 "pucks",
+                                 "events_kept",
+                                 "last",
+                                 "light_speed_m_s",
+                                 "left_t_s",
+                                 "left_x_m",
+                                 "left_y_m",
+                                 "left_z_m",
+                                 "right_t_s",
+                                 "right_x_m",
+                                 "right_y_m",
+                                 "right_z_m",
+                                 "left_in_room_",
+                                 "right_in_room_",
+                                 "middle_in_room_",
+                                 "left_seen_from_",
+                                 "right_seen_from_",
+                                 "middle_seen_from_",
+                                 "head_from_board_",
+                                 "board_from_room_",
+                                 "shown",
+                                 "blank",
+                                 "eyes_swapped",
+                                 "tracker_cross",
+                                 "latency",
+                                 "head_known",
+                                 "head_sensor_",
+                                 "hand_known",
+                                 "hand_",
+                                 "cue_shown",
+                                 "cue_pulling",
+                                 "cue_target",
+                                 "cue_from_",
+                                 "cue_to_",
+                                 "cue_target_",
+                                 "cue_towards_",
+                                 "cue_u",
+                                 "thrust_",
+                                 "drive_mode",
+                                 "drive_at_limit",
+                                 "lesson_phase",
+                                 "lesson_answer",
+                                 "notice",
+                                 "cue_offset_m",
+                                 "comfort",
+                                 "caroms",
+                                 "strokes",
+                                 "fade"};
+  const auto place = [&](const std::string& name) {
+    return std::find_if(std::begin(kFirst), std::end(kFirst), [&](std::string_view first) {
+      return first.back() == '_' ? name.starts_with(first) : name == first;
+    });
+  };
+  Names names = frameNames();
+  std::stable_sort(names.all.begin(), names.all.end(),
+                   [&](const std::string& a, const std::string& b) { return place(a) < place(b); });
+  return names;
 }
 
 std::string framesOf(SQLite::Database& database, int version, const char* which) {
@@ -35,7 +106,7 @@ const char* changingOf(int version) {
 }
 std::string knotsOf(SQLite::Database& database, int version) {
   return fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid",
-                     version == kVersion3 ? ", knot" : selected(database, "knot", knotNames()));
+                     version == kVersion3 ? ", knot" : selected(database, "knot", namesOf<Knot>()));
 }
 
 std::span<const std::byte> bytesOf(const SQLite::Column& column) {
@@ -51,12 +122,12 @@ std::string frameTables() {
       "CREATE TABLE knot(frame INTEGER, body INTEGER{});\n"
       "CREATE INDEX knot_of_frame ON knot(frame);\n"
       "CREATE TABLE frame_event(frame INTEGER{}, PRIMARY KEY(frame, number)) WITHOUT ROWID;\n",
-      frameNames().text(), knotNames().text(), eventNames().text());
+      columnsInOrder().text(), namesOf<Knot>().text(), namesOf<GameEvent>().text());
 }
 
 void addColumns(SQLite::Database& database) {
   const std::pair<const char*, Names> tables[]{
-      {"frame", frameNames()}, {"knot", knotNames()}, {"frame_event", eventNames()}};
+      {"frame", frameNames()}, {"knot", namesOf<Knot>()}, {"frame_event", namesOf<GameEvent>()}};
   for (const auto& [table, names] : tables) {
     const std::set<std::string> columns = columnsOf(database, table);
     for (const std::string& name : names.all) {
@@ -69,31 +140,30 @@ void addColumns(SQLite::Database& database) {
 FrameWriter::FrameWriter(SQLite::Database& database)
     : frame_(database, insertInto("frame", "number" + frameNames().text() +
                                                ", known, celerity_x_m_s, celerity_y_m_s, celerity_z_m_s")),
-      knot_(database, insertInto("knot", "frame, body" + knotNames().text())),
-      event_(database, insertInto("frame_event", "frame" + eventNames().text())) {}
+      knot_(database, insertInto("knot", "frame, body" + namesOf<Knot>().text())),
+      event_(database, insertInto("frame_event", "frame" + namesOf<GameEvent>().text())) {}
 
 void FrameWriter::write(const FrameRecord& record, const std::string& known, const Vec3& celerity_m_s) {
   RowWriter row(frame_);
-  row("", "number", record.number);
-  visitRecord(row, record);
-  row("", "known", known);
-  for (const auto& [axis, name] : {std::pair(0, "x_m_s"), {1, "y_m_s"}, {2, "z_m_s"}})
-    row("celerity_", name, celerity_m_s[axis]);
+  row("number", record.number);
+  putFrame(row, record);
+  row("known", known);
+  for (int axis = 0; axis < 3; ++axis) row("celerity", celerity_m_s[axis]);
   frame_.exec();
 }
 
 void FrameWriter::write(std::uint64_t frame, const BodyKnot& knot) {
   RowWriter row(knot_);
-  row("", "frame", frame);
-  row("", "body", knot.body);
-  visitKnot(row, knot.knot);
+  row("frame", frame);
+  row("body", knot.body);
+  putColumns(row, knot.knot);
   knot_.exec();
 }
 
 void FrameWriter::write(std::uint64_t frame, const GameEvent& event) {
   RowWriter row(event_);
-  row("", "frame", frame);
-  visitGameEvent(row, event);
+  row("frame", frame);
+  putColumns(row, event);
   event_.exec();
 }
 
@@ -105,7 +175,7 @@ FrameReader::FrameReader(SQLite::Database& database, int version, double lightSp
       knot_(database, knotsOf(database, version)) {
   if (version != kVersion3)
     event_.emplace(database, fmt::format("SELECT frame{} FROM frame_event WHERE frame = ? ORDER BY number",
-                                         selected(database, "frame_event", eventNames())));
+                                         selected(database, "frame_event", namesOf<GameEvent>())));
   if (version > kVersion6) viewers_.emplace(database, lightSpeed_m_s);
   if (version > kVersion6) headset_.emplace(database);
   goTo(0);
@@ -130,8 +200,9 @@ void FrameReader::read(FrameState& state) {
   knot_.bind(1, number);
   version_ == kVersion3 ? readVersion3(state) : readFields(state);
   // As it was while there was one viewer.
-  state.record.placeInRoom_m = state.record.observer.middle.positionInRoom_m;
-  state.record.room_s = state.record.observer.properTime_s;
+  ViewerState& own = state.record.viewers.front();
+  own.placeInRoom_m = own.observer.middle.positionInRoom_m;
+  state.record.room_s = own.observer.properTime_s;
   if (viewers_) viewers_->read(state.record);
   if (headset_) headset_->read(state.record);
   if (state.record.number != static_cast<std::uint64_t>(number))
@@ -143,23 +214,24 @@ void FrameReader::read(FrameState& state) {
 
 void FrameReader::readFields(FrameState& state) {
   state.record = FrameRecord();
-  state.record.observer.headFromBoard = state.record.boardFromRoom = Lorentz(lightSpeed_m_s_);
+  state.record.boardFromRoom = Lorentz(lightSpeed_m_s_);
+  state.record.viewers.front().observer.headFromBoard = Lorentz(lightSpeed_m_s_);
   RowReader row(frames());
-  row("", "number", state.record.number);
-  visitRecord(row, state.record);
+  row("number", state.record.number);
+  putFrame(row, state.record);
   while (knot_.executeStep()) {
     BodyKnot& knot = state.knots.emplace_back();
     RowReader knotRow(knot_);
-    knotRow("", "body", knot.body);
-    visitKnot(knotRow, knot.knot);
+    knotRow("body", knot.body);
+    putColumns(knotRow, knot.knot);
   }
   event_->reset();
   event_->bind(1, static_cast<std::int64_t>(state.record.number));
   while (event_->executeStep()) {
     RowReader eventRow(*event_);
     std::uint64_t frame = 0;
-    eventRow("", "frame", frame);
-    visitGameEvent(eventRow, state.events.emplace_back());
+    eventRow("frame", frame);
+    putColumns(eventRow, state.events.emplace_back());
   }
 }
 

@@ -8,7 +8,7 @@
 
 #include "app/journal/headset_rows.h"
 #include "app/journal/viewer_rows.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 

@@ -8,33 +8,29 @@
 namespace carom {
 namespace {
 
-Names headsetNames() {
-  return namesOf<HeadsetState>(
-      [](Names& names, const HeadsetState& headset) { visitHeadset(names, headset); });
-}
-
 SQLite::Database& created(SQLite::Database& database) {
-  database.exec(
-      fmt::format("CREATE TABLE IF NOT EXISTS headset(frame INTEGER PRIMARY KEY{})", headsetNames().text()));
+  database.exec(fmt::format("CREATE TABLE IF NOT EXISTS headset(frame INTEGER PRIMARY KEY{})",
+                            namesOf<HeadsetState>().text()));
   return database;
 }
 
 }  // namespace
 
 HeadsetWriter::HeadsetWriter(SQLite::Database& database)
-    : row_(created(database), insertInto("headset", "frame" + headsetNames().text())) {}
+    : row_(created(database), insertInto("headset", "frame" + namesOf<HeadsetState>().text())) {}
 
 void HeadsetWriter::write(const FrameRecord& record) {
   if (!record.headset.isWorn) return;
   RowWriter row(row_);
-  row("", "frame", record.number);
-  visitHeadset(row, record.headset);
+  row("frame", record.number);
+  putColumns(row, record.headset);
   row_.exec();
 }
 
 HeadsetReader::HeadsetReader(SQLite::Database& database) {
   if (!database.tableExists("headset")) return;
-  row_.emplace(database, fmt::format("SELECT frame{} FROM headset WHERE frame = ?", headsetNames().text()));
+  row_.emplace(database,
+               fmt::format("SELECT frame{} FROM headset WHERE frame = ?", namesOf<HeadsetState>().text()));
 }
 
 void HeadsetReader::read(FrameRecord& record) {
@@ -44,8 +40,8 @@ void HeadsetReader::read(FrameRecord& record) {
   if (!row_->executeStep()) return;
   RowReader row(*row_);
   std::uint64_t frame = 0;
-  row("", "frame", frame);
-  visitHeadset(row, record.headset);
+  row("frame", frame);
+  putColumns(row, record.headset);
   record.headset.isWorn = 1;
 }
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 

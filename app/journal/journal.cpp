@@ -160,7 +160,7 @@ void Journal::add(const FrameState& state, std::span<const HeadEstimate> heads,
   }
   for (const BodyKnot& knot : state.knots) waiting.knots.push_back({state.record.number, knot});
   Batch::Frame& frame = waiting.frames.emplace_back(Batch::Frame{state.record, {}, state.events.size()});
-  for (std::size_t i = 0; i < std::min<std::size_t>(heads.size(), state.record.viewers); ++i)
+  for (std::size_t i = 0; i < std::min<std::size_t>(heads.size(), state.record.viewerCount); ++i)
     frame.heads[i] = {heads[i].known, heads[i].celerity_m_s};
   waiting.events.insert(waiting.events.end(), state.events.begin(), state.events.end());
   for (const HandStroke& stroke : strokes) waiting.strokes.push_back({state.record.number, stroke});

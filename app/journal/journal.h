@@ -10,7 +10,7 @@
 //       first_event up to the next game's. The first game is also that of the table session.
 //   frame(number, display_s, proper_time_s, t_s, x_m, y_m, z_m, switches, views, beside, truncate_from_s, …,
 //         known, celerity_x_m_s …)
-//       One row per frame: each field of its record (cave/frame/frame_state.h) in its own column
+//       One row per frame: each field of its record (cave/record/frame_state.h) in its own column
 //       (app/journal/frame_columns.h), and how the head was known. t_s … z_m: the event at which the point
 //       between the eyes received the frame's light. switches: the sum of the bits retardation 1,
 //       contraction 2, aberration 4, colour 8, searchlight 16; beside: the same for the right half if views
@@ -77,8 +77,8 @@
 
 #include "app/journal/journal_news.h"
 #include "app/journal/session_facts.h"
-#include "cave/frame/frame_state.h"
 #include "cave/frame/frame_timing.h"
+#include "cave/record/frame_state.h"
 #include "devices/filter/head_filter.h"
 #include "devices/tracker/tracker.h"
 #include "engine/billiard/billiard.h"

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/journal/frame_columns.h"
-#include "cave/frame/notice.h"
+#include "cave/record/notice.h"
 
 namespace carom {
 
@@ -25,8 +25,8 @@ struct Names {
   std::vector<std::string> all;
 
   template <typename Value>
-  void operator()(Part prefix, Part name, const Value&) {
-    all.push_back(fmt::format("{}{}", prefix, name));
+  void operator()(const ColumnName& name, const Value&) {
+    all.push_back(name.text());
   }
   /// Returns the names, each after a comma.
   std::string text() const {
@@ -36,11 +36,12 @@ struct Names {
   }
 };
 
-/// Returns the names of the columns that `visit(row, record)` names, in its order.
-template <typename Record, typename Visit>
-Names namesOf(Visit visit) {
+/// Returns the names of the columns of a viewer after the first, of a headset, a knot or an event.
+template <typename Part>
+Names namesOf() {
   Names names;
-  visit(names, Record());
+  const Part any{};
+  putColumns(names, any);
   return names;
 }
 
@@ -66,7 +67,7 @@ class RowWriter {
   explicit RowWriter(SQLite::Statement& row) : row_(row) { row_.tryReset(); }
 
   /// Writes zero as an integer, which needs no byte, but keeps minus zero. NaN becomes NULL.
-  void operator()(Part, Part, double value) {
+  void operator()(const ColumnName&, double value) {
     if (value == 0.0 && !std::signbit(value)) {
       row_.bind(parameter_++, 0);
     } else {
@@ -74,14 +75,14 @@ class RowWriter {
     }
   }
   template <std::unsigned_integral Whole>
-  void operator()(Part, Part, Whole value) {
+  void operator()(const ColumnName&, Whole value) {
     row_.bind(parameter_++, static_cast<std::int64_t>(value));
   }
   template <typename Choice>
   requires std::is_enum_v<Choice>
-  void operator()(Part, Part, Choice value) { row_.bind(parameter_++, static_cast<int>(value)); }
-  void operator()(Part, Part, const Notice& notice) { (*this)("", "", std::string(notice.words())); }
-  void operator()(Part, Part, const std::string& text) { row_.bind(parameter_++, text); }
+  void operator()(const ColumnName&, Choice value) { row_.bind(parameter_++, static_cast<int>(value)); }
+  void operator()(const ColumnName&, const Notice& notice) { (*this)("", std::string(notice.words())); }
+  void operator()(const ColumnName&, const std::string& text) { row_.bind(parameter_++, text); }
 
  private:
   SQLite::Statement& row_;
@@ -94,34 +95,34 @@ class RowReader {
  public:
   explicit RowReader(SQLite::Statement& row) : row_(row) {}
 
-  void operator()(Part, Part, double& value) {
+  void operator()(const ColumnName&, double& value) {
     const SQLite::Column column = row_.getColumn(column_++);
     value = column.isFloat() || column.isInteger() ? column.getDouble()
                                                    : std::numeric_limits<double>::quiet_NaN();
   }
   template <std::unsigned_integral Whole>
-  void operator()(Part prefix, Part name, Whole& value) {
+  void operator()(const ColumnName& name, Whole& value) {
     const SQLite::Column column = row_.getColumn(column_++);
     const std::int64_t stored = column.getInt64();
     value = static_cast<Whole>(stored);
     if (!column.isInteger() || static_cast<std::int64_t>(value) != stored) {
-      throw std::runtime_error(fmt::format("{}{} is {}, expected a whole number up to {}", prefix, name,
+      throw std::runtime_error(fmt::format("{} is {}, expected a whole number up to {}", name.text(),
                                            column.getString(), std::numeric_limits<Whole>::max()));
     }
   }
   template <typename Choice>
   requires std::is_enum_v<Choice>
-  void operator()(Part prefix, Part name, Choice& value) {
+  void operator()(const ColumnName& name, Choice& value) {
     std::underlying_type_t<Choice> number{};
-    (*this)(prefix, name, number);
+    (*this)(name, number);
     value = static_cast<Choice>(number);
   }
-  void operator()(Part, Part name, Notice& notice) {
+  void operator()(const ColumnName& name, Notice& notice) {
     const std::string words = row_.getColumn(column_++).getString();
     notice = Notice(words);
     if (notice.words() != words)
-      throw std::runtime_error(fmt::format("{} is of {} bytes, expected at most {} and none zero", name,
-                                           words.size(), notice.text.size() - 1));
+      throw std::runtime_error(fmt::format("{} is of {} bytes, expected at most {} and none zero",
+                                           name.text(), words.size(), notice.text.size() - 1));
   }
 
  private:

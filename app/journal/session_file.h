@@ -12,7 +12,7 @@
 #include "app/files/scenario.h"
 #include "app/journal/journal.h"
 #include "app/journal/session_games.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "engine/billiard/billiard.h"
 
 namespace carom {

@@ -117,9 +117,10 @@ void readHand(Bytes& in, HandView& hand, DriveView& drive) {
 FrameRecord frameOf(std::span<const std::byte> bytes) {
   Bytes in(bytes, kFrameBytes);
   FrameRecord record;
+  ViewerState& viewer = record.viewers.front();
   record.number = in.count();
   record.display_s = in.number();
-  readObserver(in, record.observer);
+  readObserver(in, viewer.observer);
   record.boardFromRoom = in.transform();
   record.truncateFrom_s = in.number();
   record.pucks = in.count();
@@ -130,15 +131,15 @@ FrameRecord frameOf(std::span<const std::byte> bytes) {
   record.switches = in.switches();
   readControls(in, record.controls);
   readViews(in, record.views);
-  record.tracked.roomFromHeadSensor = in.pose();
-  record.tracked.roomFromHand = in.pose();
-  record.tracked.headKnown = in.byte();
-  record.tracked.handKnown = in.byte();
+  viewer.tracked.roomFromHeadSensor = in.pose();
+  viewer.tracked.roomFromHand = in.pose();
+  viewer.tracked.headKnown = in.byte();
+  viewer.tracked.handKnown = in.byte();
   in.skip(6);
-  readHand(in, record.hand, record.drive);
+  readHand(in, viewer.hand, record.drive);
   record.lesson.phase = static_cast<LessonPhase>(in.byte());
   record.lesson.answer = in.byte();
-  record.notice.text = in.next<std::array<char, 120>>();
+  viewer.notice.text = in.next<std::array<char, 120>>();
   return record;
 }
 

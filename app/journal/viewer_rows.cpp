@@ -14,13 +14,9 @@
 namespace carom {
 namespace {
 
-Names viewerNames() {
-  return namesOf<ViewerState>([](Names& names, const ViewerState& viewer) { visitViewer(names, viewer); });
-}
-
-template <typename Row>
-void putVector(Row& row, const Vec3& v) {
-  for (int axis = 0; axis < 3; ++axis) row("", "", v[axis]);
+template <typename Row, typename Vector>
+void putVector(Row& row, Vector& v) {
+  for (int axis = 0; axis < 3; ++axis) row("", v[axis]);
 }
 
 }  // namespace
@@ -36,43 +32,44 @@ std::string viewerTables() {
       "REAL, qy REAL, qz REAL, thrust_x_m_s2 REAL, thrust_y_m_s2 REAL, thrust_z_m_s2 REAL);\n"
       "CREATE TABLE other_viewer(frame INTEGER, viewer INTEGER{}, PRIMARY KEY(frame, viewer)) WITHOUT "
       "ROWID;\n",
-      viewerNames().text());
+      namesOf<ViewerState>().text());
 }
 
 ViewerWriter::ViewerWriter(SQLite::Database& database, std::vector<std::string> names)
     : names_(std::move(names)),
       viewer_(database, "INSERT OR REPLACE INTO viewer VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
       platform_(database, "INSERT OR REPLACE INTO platform VALUES(?,?,?,?,?,?,?,?,?,?,?,?)"),
-      other_(database, insertInto("other_viewer", "frame, viewer" + viewerNames().text())) {}
+      other_(database, insertInto("other_viewer", "frame, viewer" + namesOf<ViewerState>().text())) {}
 
 void ViewerWriter::write(const FrameRecord& record, std::span<const HeadWords> heads) {
-  for (std::size_t i = 0; i < record.viewers; ++i) {
-    const ViewerState& viewer = record.viewer(i);
+  for (std::size_t i = 0; i < record.viewerCount; ++i) {
+    const ViewerState& viewer = record.viewers[i];
     const Event& head = viewer.observer.middle.observation;
     RowWriter row(viewer_);
-    row("", "frame", record.number);
-    row("", "name", names_.at(i));
-    row("", "t_s", head.t_s);
+    row("frame", record.number);
+    row("name", names_.at(i));
+    row("t_s", head.t_s);
     putVector(row, head.r_m);
-    row("", "proper_time_s", viewer.observer.properTime_s);
+    row("proper_time_s", viewer.observer.properTime_s);
     putVector(row, viewer.placeInRoom_m);
-    row("", "lapse", viewer.lapse);
+    row("lapse", viewer.lapse);
     putVector(row, heads[i].celerity_m_s);
-    row("", "known", std::string(toString(heads[i].known)));
+    row("known", std::string(toString(heads[i].known)));
     viewer_.exec();
     if (i == 0) continue;
     RowWriter other(other_);
-    other("", "frame", record.number);
-    other("", "viewer", std::uint64_t{i});
-    visitViewer(other, viewer);
+    other("frame", record.number);
+    other("viewer", std::uint64_t{i});
+    putColumns(other, viewer);
     other_.exec();
   }
   RowWriter row(platform_);
-  row("", "frame", record.number);
-  row("", "room_s", record.room_s);
-  putVector(row, record.boardFromRoom.u());
+  row("frame", record.number);
+  row("room_s", record.room_s);
+  const Vec3 u = record.boardFromRoom.u();
+  putVector(row, u);
   const glm::dquat attitude = attitudeOf(record.boardFromRoom);
-  for (const double component : {attitude.w, attitude.x, attitude.y, attitude.z}) row("", "", component);
+  for (const double component : {attitude.w, attitude.x, attitude.y, attitude.z}) row("", component);
   putVector(row, record.drive.thrust_m_s2);
   platform_.exec();
 }
@@ -81,36 +78,39 @@ ViewerReader::ViewerReader(SQLite::Database& database, double lightSpeed_m_s)
     : lightSpeed_m_s_(lightSpeed_m_s),
       first_(
           database,
-          "SELECT room_s, room_x_m, room_y_m, room_z_m, lapse FROM platform JOIN viewer USING(frame) WHERE "
-          "frame = ? AND name = (SELECT value FROM session WHERE key = 'viewer')"),
+          "SELECT room_s, thrust_x_m_s2, thrust_y_m_s2, thrust_z_m_s2, room_x_m, room_y_m, room_z_m, lapse "
+          "FROM platform JOIN viewer USING(frame) WHERE frame = ? AND name = "
+          "(SELECT value FROM session WHERE key = 'viewer')"),
       other_(database, fmt::format("SELECT frame, viewer{} FROM other_viewer WHERE frame = ? ORDER BY viewer",
-                                   viewerNames().text())) {}
+                                   namesOf<ViewerState>().text())) {}
 
 void ViewerReader::read(FrameRecord& record) {
+  ViewerState& own = record.viewers.front();
   first_.reset();
   first_.bind(1, static_cast<std::int64_t>(record.number));
   if (first_.executeStep()) {
     RowReader row(first_);
-    row("", "room_s", record.room_s);
-    visitPlace(row, "room_", record.placeInRoom_m);
-    row("", "lapse", record.lapse);
+    row("room_s", record.room_s);
+    putVector(row, record.drive.thrust_m_s2);
+    putVector(row, own.placeInRoom_m);
+    row("lapse", own.lapse);
   }
   bool anotherPlays = false;
   other_.reset();
   other_.bind(1, static_cast<std::int64_t>(record.number));
   while (other_.executeStep()) {
-    if (record.viewers == kMostViewers)
+    if (record.viewerCount == kMostViewers)
       throw std::runtime_error(fmt::format("more than {} viewers", kMostViewers));
-    ViewerState& viewer = record.viewer(record.viewers++);
+    ViewerState& viewer = record.viewers[record.viewerCount++];
     viewer.observer.headFromBoard = Lorentz(lightSpeed_m_s_);
     RowReader row(other_);
     std::uint64_t number = 0;
-    row("", "frame", number);
-    row("", "viewer", number);
-    visitViewer(row, viewer);
+    row("frame", number);
+    row("viewer", number);
+    putColumns(row, viewer);
     anotherPlays = anotherPlays || viewer.hasTurn != 0;
   }
-  record.hasTurn = record.viewers > 1 && !anotherPlays ? 1 : 0;
+  own.hasTurn = record.viewerCount > 1 && !anotherPlays ? 1 : 0;
 }
 
 }  // namespace carom

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "devices/filter/head_filter.h"
 
 namespace carom {

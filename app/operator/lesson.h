@@ -11,7 +11,7 @@
 
 #include "app/files/scenario.h"
 #include "app/operator/operator_settings.h"
-#include "cave/frame/lesson_words.h"
+#include "cave/record/lesson_words.h"
 
 namespace carom {
 

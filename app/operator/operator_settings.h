@@ -8,10 +8,10 @@
 #include <string>
 
 #include "app/files/playlist.h"
-#include "cave/frame/frame_state.h"
-#include "cave/frame/lesson_words.h"
-#include "cave/frame/time_views.h"
-#include "cave/frame/wall_controls.h"
+#include "cave/record/frame_state.h"
+#include "cave/record/lesson_words.h"
+#include "cave/record/time_views.h"
+#include "cave/record/wall_controls.h"
 #include "engine/light/switches.h"
 
 namespace carom {

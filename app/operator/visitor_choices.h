@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/operator/command.h"
-#include "cave/frame/choice.h"
+#include "cave/record/choice.h"
 
 namespace carom {
 

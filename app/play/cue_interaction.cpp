@@ -13,12 +13,12 @@
 
 namespace carom {
 
-Event handEvent(const Vec3& handInRoom_m, const FrameRecord& record) {
-  const Lorentz& boardFromRoom = record.boardFromRoom;
-  const EyeView& head = record.observer.middle;
+Event handEvent(const Vec3& handInRoom_m, const SeenFrame& seen) {
+  const Lorentz& boardFromRoom = seen.record.boardFromRoom;
+  const EyeView& head = seen.self.observer.middle;
   Event hand = head.observation + boardFromRoom * Displacement{0.0, handInRoom_m - head.seenFromInRoom_m};
-  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer) {
-    for (const EyeView& eye : record.viewer(viewer).observer.all()) {
+  for (const ViewerState& viewer : seen.record.present()) {
+    for (const EyeView& eye : viewer.observer.all()) {
       const double light_s = glm::distance(hand.r_m, eye.observation.r_m) / boardFromRoom.lightSpeed_m_s();
       hand.t_s = std::max(hand.t_s, eye.observation.t_s - light_s);
     }
@@ -39,32 +39,35 @@ std::string sideText(double offset_m) {
 }  // namespace
 
 CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, Game& game,
-                                             FrameRecord& record) {
+                                             FrameRecord& record, std::size_t viewer) {
+  ViewerState& own = record.viewers[viewer];
+  const SeenFrame seen(record, viewer);
   PickResult pointed;
   if (!hand.device.empty()) {
-    game.playTo(latestObservation_s(record.observer));  // as far as the eyes see
-    pointed = aim_.at({hand.from_m, hand.along}, game.pucks(), {record.observer, hand.eye, record.switches},
+    game.playTo(latestObservation_s(own.observer));  // as far as the eyes see
+    pointed = aim_.at({hand.from_m, hand.along}, game.pucks(), {own.observer, hand.eye, record.switches},
                       record.boardFromRoom);
   }
   const bool held = cue_.target().has_value();
   const Cue::Outcome cue = cue_.step(hand, pointed, still);
   if (!held && cue_.target()) {
     aside_m_ = pointed.end_m -
-               aim_.seenInRoom_m(game.pucks()[*cue_.target()], {record.observer, hand.eye, record.switches});
+               aim_.seenInRoom_m(game.pucks()[*cue_.target()], {own.observer, hand.eye, record.switches});
   }
-  record.hand = viewOf(hand, pointed, game, record);
-  if (cue.letGo) return strike(*cue.letGo, hand, game, record);
+  own.hand = viewOf(hand, pointed, game, seen);
+  if (cue.letGo) return strike(*cue.letGo, hand, game, seen);
   return {{}, {}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
 }
 
-void CueInteraction::offer(std::size_t puck, const Game& game, FrameRecord& record) {
-  HandView& hand = record.hand;
+void CueInteraction::offer(std::size_t puck, const Game& game, FrameRecord& record, std::size_t viewer) {
+  const ObserverView& observer = record.viewers[viewer].observer;
+  HandView& hand = record.viewers[viewer].hand;
   if (hand.target != 0) return;
   hand.target = kRestingBody + 1 + puck;
-  hand.target_m = aim_.seenInRoom_m(game.pucks()[puck], {record.observer, Eye::middle, record.switches});
+  hand.target_m = aim_.seenInRoom_m(game.pucks()[puck], {observer, Eye::middle, record.switches});
   if (hand.shown) return;
   hand.shown = 1;
-  hand.from_m = record.observer.middle.positionInRoom_m;
+  hand.from_m = observer.middle.positionInRoom_m;
   hand.to_m = hand.target_m;
 }
 
@@ -78,7 +81,7 @@ double CueInteraction::offset_m(const Vec2& u, std::size_t target, const Lorentz
 /// Returns the hand's view. While the cue is held, its ray ends where the target is seen, wherever the hand
 /// points.
 HandView CueInteraction::viewOf(const HandInput& hand, const PickResult& pointed, const Game& game,
-                                const FrameRecord& record) {
+                                const SeenFrame& seen) {
   HandView view;
   view.shown = !hand.device.empty();
   if (!view.shown) return view;
@@ -87,31 +90,32 @@ HandView CueInteraction::viewOf(const HandInput& hand, const PickResult& pointed
   const auto target = cue_.target() ? cue_.target() : pointed.puck;
   if (!target) return view;
   view.target = kRestingBody + 1 + *target;
-  view.target_m = aim_.seenInRoom_m(game.pucks()[*target], {record.observer, hand.eye, record.switches});
+  view.target_m =
+      aim_.seenInRoom_m(game.pucks()[*target], {seen.self.observer, hand.eye, seen.record.switches});
   if (!cue_.target()) return view;
-  const CueStroke stroke = strokeOf(cue_.pull_m(), record.boardFromRoom);
+  const CueStroke stroke = strokeOf(cue_.pull_m(), seen.record.boardFromRoom);
   view.pulling = 1;
   view.to_m = view.target_m;
   view.towards = stroke.towards;
   view.u = glm::length(stroke.u);
-  view.offset_m = offset_m(stroke.u, *cue_.target(), record.boardFromRoom);
+  view.offset_m = offset_m(stroke.u, *cue_.target(), seen.record.boardFromRoom);
   return view;
 }
 
 CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput& hand, Game& game,
-                                               const FrameRecord& record) const {
+                                               const SeenFrame& seen) const {
   const Puck& target = scenario_->billiard.pucks[puck];
   const double c_m_s = scenario_->billiard.lightSpeed_m_s;
-  const Vec2 u = strokeOf(cue_.pull_m(), record.boardFromRoom).u;
+  const Vec2 u = strokeOf(cue_.pull_m(), seen.record.boardFromRoom).u;
   if (u == Vec2(0.0)) return {{}, {}, texts::message::kLetGo};
-  const Event from = handEvent(hand.from_m, record);
+  const Event from = handEvent(hand.from_m, seen);
   if (from.t_s < 0.0) return {{}, {}, texts::message::kBeforeGame};
   const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u,
-                      offset_m(u, puck, record.boardFromRoom)};
+                      offset_m(u, puck, seen.record.boardFromRoom)};
   try {
     const Event arrival = game.strike(stroke);
-    const double pace = record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
-    const double after_s = (record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
+    const double pace = seen.record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
+    const double after_s = (seen.record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
     return {stroke, arrival.t_s,
             fmt::format(texts::message::kStroke, target.name, glm::length(stroke.momentum_kg_m_s),
                         sideText(stroke.offset_m), costOf(glm::length(u)), after_s)};

@@ -9,15 +9,15 @@
 #include "app/hand/hand_input.h"
 #include "app/hand/ray_picking.h"
 #include "app/play/game.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 
 /// Returns the board event at which a hand acts: the hand's position in the room at the head's time there, or
-/// later if an eye of any viewer has already received light from there (the eyes are simultaneous for their head, which
-/// may move in the room): then the last event there whose light an eye has received. So no event that any eye has
-/// seen lies in its future. The hand is that of the record's first viewer.
-Event handEvent(const Vec3& handInRoom_m, const FrameRecord& record);
+/// later if an eye of any viewer has already received light from there (the eyes are simultaneous for their
+/// head, which may move in the room): then the last event there whose light an eye has received. So no event
+/// that any eye has seen lies in its future. The hand is that of the viewer who sees the frame.
+Event handEvent(const Vec3& handInRoom_m, const SeenFrame& seen);
 
 class CueInteraction {
  public:
@@ -30,21 +30,20 @@ class CueInteraction {
     std::string said;              ///< message to the viewer; empty if none
   };
 
-  /// Processes one frame. Must be called after the record has its observer, switches and light speed, and
-  /// before the game's knots of this frame are taken. Fills record.hand, and strikes the puck when a stroke
-  /// is released. `still` means that the viewer's time is frozen.
-  Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record);
+  /// Processes one frame for the hand of a viewer. Must be called after the record has its observer, switches
+  /// and light speed, and before the game's knots of this frame are taken. Fills the viewer's hand in it, and
+  /// strikes the puck when a stroke is released. `still` means that the viewer's time is frozen.
+  Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record, std::size_t viewer = 0);
 
   /// Rings a puck that the viewer may strike, in the record, unless the hand points to one.
-  void offer(std::size_t puck, const Game& game, FrameRecord& record);
+  void offer(std::size_t puck, const Game& game, FrameRecord& record, std::size_t viewer = 0);
 
  private:
-  /// Returns how far to the right of the target's centre a stroke of `u` strikes; 0 where the target is round and all
-  /// rims are smooth, so that a spin would show nowhere.
+  /// Returns how far to the right of the target's centre a stroke of `u` strikes; 0 where the target is round
+  /// and all rims are smooth, so that a spin would show nowhere.
   double offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const;
-  HandView viewOf(const HandInput& hand, const PickResult& pointed, const Game& game,
-                  const FrameRecord& record);
-  Outcome strike(std::size_t puck, const HandInput& hand, Game& game, const FrameRecord& record) const;
+  HandView viewOf(const HandInput& hand, const PickResult& pointed, const Game& game, const SeenFrame& seen);
+  Outcome strike(std::size_t puck, const HandInput& hand, Game& game, const SeenFrame& seen) const;
 
   const Scenario* scenario_;
   RayPicking aim_;

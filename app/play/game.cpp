@@ -31,9 +31,9 @@ double latestObservation_s(const ObserverView& observer) {
 }
 
 double latestObservation_s(const FrameRecord& record) {
-  double latest_s = latestObservation_s(record.observer);
-  for (std::size_t viewer = 1; viewer < record.viewers; ++viewer)
-    latest_s = std::max(latest_s, latestObservation_s(record.viewer(viewer).observer));
+  double latest_s = -std::numeric_limits<double>::infinity();
+  for (const ViewerState& viewer : record.present())
+    latest_s = std::max(latest_s, latestObservation_s(viewer.observer));
   return latest_s;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/files/scenario.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "engine/billiard/billiard.h"
 
 namespace carom {

@@ -35,8 +35,8 @@ std::optional<std::span<const HitSeen::Seen>> HitSeen::look(std::span<const Game
   if (!shot_->hit) return {};
   const Event& hit = *shot_->hit;
   const double c_m_s = record.boardFromRoom.lightSpeed_m_s();
-  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer) {
-    const Event& eye = record.viewer(viewer).observer.middle.observation;
+  for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
+    const Event& eye = record.viewers[viewer].observer.middle.observation;
     const double left_s = hit.t_s + glm::distance(hit.r_m, eye.r_m) / c_m_s - eye.t_s;
     const double before_s = begins ? left_s : before_s_[viewer];
     before_s_[viewer] = left_s;
@@ -46,7 +46,7 @@ std::optional<std::span<const HitSeen::Seen>> HitSeen::look(std::span<const Game
     const double share = before_s > left_s ? before_s / (before_s - left_s) : 1.0;
     seen_[count_++] = {viewer, roomBefore_s + std::clamp(share, 0.0, 1.0) * (room_s - roomBefore_s)};
   }
-  if (count_ < record.viewers) return {};
+  if (count_ < record.viewerCount) return {};
   shot_.reset();
   std::sort(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(count_),
             [](const Seen& a, const Seen& b) { return a.room_s < b.room_s; });

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "engine/billiard/game_event.h"
 
 namespace carom {

@@ -3,9 +3,9 @@
 namespace carom {
 
 Match::Match(const FrameRecord& before) {
-  for (std::size_t viewer = 0; viewer < before.viewers; ++viewer) {
-    scores_[viewer] = CaromScore(before.viewer(viewer).score);
-    if (before.viewer(viewer).hasTurn) turn_ = viewer;
+  for (std::size_t viewer = 0; viewer < before.viewerCount; ++viewer) {
+    scores_[viewer] = CaromScore(before.viewers[viewer].score);
+    if (before.viewers[viewer].hasTurn) turn_ = viewer;
   }
 }
 
@@ -23,9 +23,9 @@ std::optional<std::size_t> Match::look(std::size_t viewer, std::span<const GameE
 }
 
 void Match::putInto(FrameRecord& record) const {
-  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer) {
-    record.viewer(viewer).score = scores_[viewer].score();
-    record.viewer(viewer).hasTurn = record.viewers > 1 && viewer == turn_ ? 1 : 0;
+  for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
+    record.viewers[viewer].score = scores_[viewer].score();
+    record.viewers[viewer].hasTurn = record.viewerCount > 1 && viewer == turn_ ? 1 : 0;
   }
 }
 

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "app/play/carom_score.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 

@@ -219,11 +219,11 @@ void follow(DiagramSubject& subject, const FrameRecord& record, std::span<const 
   const auto betaOf = [](const ViewerState& viewer) {
     return betaFromU(viewer.observer.headFromBoard.inverse().u());
   };
-  continueLine(subject.mine, subject.c_m_s, record.observer.middle.observation);
-  subject.beta = betaOf(record);
-  subject.others.resize(record.viewers - 1);
+  continueLine(subject.mine, subject.c_m_s, record.viewers.front().observer.middle.observation);
+  subject.beta = betaOf(record.viewers.front());
+  subject.others.resize(record.viewerCount - 1);
   for (std::size_t i = 0; i < subject.others.size(); ++i) {
-    const ViewerState& viewer = record.viewer(i + 1);
+    const ViewerState& viewer = record.viewers[i + 1];
     OtherObserver& other = subject.others[i];
     other.name = i + 1 < names.size() ? names[i + 1] : "";
     other.beta = betaOf(viewer);

@@ -10,7 +10,7 @@
 
 #include "app/files/scenario.h"
 #include "app/report/chart_file.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "engine/billiard/game_event.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/world_line.h"

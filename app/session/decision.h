@@ -8,7 +8,7 @@
 
 #include "app/journal/journal_news.h"
 #include "app/operator/command.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "devices/filter/head_filter.h"
 #include "devices/tracker/tracker.h"
 #include "engine/billiard/billiard.h"

@@ -47,17 +47,16 @@ namespace {
 /// Returns the middle between the viewers' heads: it moves when one of them does.
 Vec3 meanPlaceOf(const Decision& decision) {
   Vec3 sum_m(0.0);
-  for (std::size_t viewer = 0; viewer < decision.frame.record.viewers; ++viewer)
+  for (std::size_t viewer = 0; viewer < decision.frame.record.viewerCount; ++viewer)
     sum_m += decision.heads[viewer].pose.position_m;
-  return sum_m / static_cast<double>(decision.frame.record.viewers);
+  return sum_m / static_cast<double>(decision.frame.record.viewerCount);
 }
 
 /// Returns whether one of the viewers draws the cue.
 bool anyPulls(const FrameRecord& record) {
-  bool any = false;
-  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
-    any |= record.viewer(viewer).hand.pulling != 0;
-  return any;
+  const auto viewers = record.present();
+  return std::any_of(viewers.begin(), viewers.end(),
+                     [](const ViewerState& viewer) { return viewer.hand.pulling != 0; });
 }
 
 }  // namespace
@@ -89,7 +88,7 @@ void FrameLeader::askWhetherStillThere(Decision& decision) const {
   const std::optional<int> left_s = programme_.countdown(record.display_s);
   if (!left_s) return;
   const Notice asks(fmt::format(texts::message::kStillThere, *left_s));
-  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer) record.viewer(viewer).notice = asks;
+  for (ViewerState& viewer : record.present()) viewer.notice = asks;
 }
 
 /// Ends this game if another was chosen: the walls go dark, after the best shot if the other follows by itself.

@@ -17,8 +17,8 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart,
   FrameState frame;
   const auto look = [&] {
     game.pucks = game.news.record.pucks = frame.record.pucks;
-    for (std::size_t viewer = 0; viewer < frame.record.viewers; ++viewer) {
-      for (const EyeView& eye : frame.record.viewer(viewer).observer.all())
+    for (const ViewerState& viewer : frame.record.present()) {
+      for (const EyeView& eye : viewer.observer.all())
         game.known_s = std::max(game.known_s, eye.observation.t_s);
     }
   };
@@ -129,11 +129,11 @@ void RecordedSource::next(const FrameTimes& times, const FrameInput& input, Oper
   }
   decision.frame = shown_;
   FrameRecord& record = decision.frame.record;
-  record = seenBy(shown_.record, viewer_);
+  std::swap(record.viewers.front(), record.viewers[viewer_]);  // the walls are those of this viewer
   record.last = ends_ && moves && !more_;
   keepChanges(input.commands, settings, record);
   readOnly_.handled(input.desk, times.begin_s);
-  for (std::size_t i = 0; i < record.viewers; ++i) readOnly_.tell(times.begin_s, record.viewer(i).notice);
+  for (ViewerState& viewer : record.present()) readOnly_.tell(times.begin_s, viewer.notice);
   begun_ = true;
 }
 
@@ -156,8 +156,8 @@ void RecordedSource::freeze(FrameRecord& record, bool wasFrozen) {
   if (!record.views.frozen || wasFrozen) return frozen_.reset();
   const bool begins = !frozen_;
   if (begins) frozen_.emplace();
-  for (std::size_t i = 0; i < record.viewers; ++i) {
-    ObserverView& observer = record.viewer(i).observer;
+  for (std::size_t i = 0; i < record.viewerCount; ++i) {
+    ObserverView& observer = record.viewers[i].observer;
     if (begins) (*frozen_)[i] = observer;
     observer = frozenViewAt((*frozen_)[i], observer);
   }

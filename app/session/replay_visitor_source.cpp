@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/viewer/headset_tracker.h"
 #include "devices/tracker/trace.h"
 #include "engine/base/log.h"
 #include "engine/light/light_cone.h"
@@ -59,11 +58,8 @@ std::optional<double> lengthOf_s(const Visitor& visitor) {
 }  // namespace
 
 ReplayVisitorSource::ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor,
-                                         RecordedGame game, std::chrono::steady_clock::time_point start,
-                                         const HeadsetFrame* headset)
-    : headset_(headset),
-      viewers_(rigOf(rig, visitor), scenarioOf(scenario, visitor),
-               trackersOf(rigOf(rig, visitor), start, headset)),
+                                         RecordedGame game, std::chrono::steady_clock::time_point start)
+    : viewers_(rigOf(rig, visitor), scenarioOf(scenario, visitor), start),
       roomFromBoard_(
           startingRoom(scenarioOf(scenario, visitor).observer, rig.axes, scenario.billiard.lightSpeed_m_s)
               .inverse()),
@@ -72,7 +68,7 @@ ReplayVisitorSource::ReplayVisitorSource(const Rig& rig, const Scenario& scenari
       lightSpeed_m_s_(scenario.billiard.lightSpeed_m_s),
       end_s_(lengthOf_s(visitor)),
       mayStay_(visitor.mayStay),
-      hasHeadset_(isHeadset(rig)),
+      hasTracedHeadset_(isHeadset(rig) && visitor.trace),
       game_(std::move(game)) {}
 
 double ReplayVisitorSource::roomTimeOf_s(const ObserverView& view) const {
@@ -135,17 +131,17 @@ void ReplayVisitorSource::next(const FrameTimes& times, const FrameInput& input,
   FrameRecord& record = decision.frame.record;
   record.number = times.number;
   record.pucks = game_.pucks;
-  if (headset_) record.headset = viewers_.putOn(*headset_);
-  record.observer = look(settings, times);
-  if (hasHeadset_ && !headset_)
-    record.headset = wornBy(viewers_.head(0).pose, record.observer, game_.headset);
+  record.headset = viewers_.putOn(times.headset);
+  record.viewers.front().observer = look(settings, times);
+  if (hasTracedHeadset_)
+    record.headset = wornBy(viewers_.head(0).pose, record.viewers.front().observer, game_.headset);
   record.display_s = display_s_ = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
-  record.last = times.isLast || isLast(times, record.observer);
+  record.last = times.isLast || isLast(times, record.viewers.front().observer);
   putInto(record, settings);
   viewers_.putInto(record);
   decision.alarms = viewers_.takeAlarms();
-  readOnly_.tell(display_s_, record.notice);
+  readOnly_.tell(display_s_, record.viewers.front().notice);
 }
 
 }  // namespace carom

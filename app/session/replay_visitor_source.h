@@ -31,11 +31,11 @@ struct Visitor {
 class ReplayVisitorSource : public FrameSource {
  public:
   /// Starts a visit. The first frame brings the complete game, because the visitor's board time is
-  /// independent of the recorded one. The frames end with the trace, or before the visitor would see more than was
-  /// recorded. `start` is where the clock of the frames' times reads zero; `headset` is the newest frame of
-  /// the visitor's headset, or null. Throws InputError if the trace is invalid.
+  /// independent of the recorded one. The frames end with the trace, or before the visitor would see more
+  /// than was recorded. `start` is where the clock of the frames' times reads zero. Throws InputError if the
+  /// trace is invalid.
   ReplayVisitorSource(const Rig& rig, const Scenario& scenario, const Visitor& visitor, RecordedGame game,
-                      std::chrono::steady_clock::time_point start, const HeadsetFrame* headset = nullptr);
+                      std::chrono::steady_clock::time_point start);
 
   /// Decides the frame. Display times advance even if the operator pauses or changes the rate of the game. At
   /// any rate other than the visitor's own, the head's motion has no relativistic effect: it could exceed the
@@ -50,7 +50,6 @@ class ReplayVisitorSource : public FrameSource {
   double latestSeen_s(const ObserverView& view) const;
   bool isLast(const FrameTimes& times, const ObserverView& view);
 
-  const HeadsetFrame* headset_;
   Viewers viewers_;
   Lorentz roomFromBoard_;
   Event origin_;  ///< of the room at room time 0
@@ -58,7 +57,7 @@ class ReplayVisitorSource : public FrameSource {
   double lightSpeed_m_s_;
   std::optional<double> end_s_;  ///< duration of the trace
   bool mayStay_;
-  bool hasHeadset_;  ///< the walls hang on the head, be it that of a trace
+  bool hasTracedHeadset_;  ///< the walls hang on the head of a trace
   RecordedGame game_;
   double roomTime_s_ = 0.0;       ///< of the head in the previous frame
   double display_s_ = 0.0;        ///< of the previous frame

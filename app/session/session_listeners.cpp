@@ -34,12 +34,11 @@ void JournalListener::shown(const Decision& decision) {
 
 void HapticListener::shown(const Decision& decision) {
   constexpr double kKnock_s = 0.05, kFrame_s = 0.02, kTremble = 0.4;  // of the strength of a knock
-  const HandView& hand = decision.frame.record.hand;
-  const int aiming = static_cast<int>(frame_.aiming);
+  const HandView& hand = decision.frame.record.viewers.front().hand;
   if (!decision.strokes.empty()) {
-    headset_.knock(aiming, 1.0, kKnock_s);
+    headset_.knock(1.0, kKnock_s);
   } else if (hand.pulling) {
-    headset_.knock(aiming, kTremble * costOf(hand.u) / costOf(kStrongestU), kFrame_s);
+    headset_.knock(kTremble * costOf(hand.u) / costOf(kStrongestU), kFrame_s);
   }
 }
 

@@ -55,13 +55,12 @@ class RecordingListener : public FrameListener {
 /// Lets the controller of a headset be felt: it trembles as the cue is drawn back, and knocks with the stroke.
 class HapticListener : public FrameListener {
  public:
-  HapticListener(Headset& headset, const HeadsetFrame& frame) : headset_(headset), frame_(frame) {}
+  explicit HapticListener(Headset& headset) : headset_(headset) {}
 
   void shown(const Decision& decision) override;
 
  private:
   Headset& headset_;
-  const HeadsetFrame& frame_;
 };
 
 /// Plays the game's sounds.

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string_view>
 
-#include "cave/frame/notice.h"
+#include "cave/record/notice.h"
 #include "engine/base/log.h"
 
 namespace carom {

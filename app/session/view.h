@@ -1,7 +1,7 @@
 #pragma once
 // The interface of everything that draws and shows each frame.
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 

@@ -28,7 +28,7 @@ void WallPresses::play(const Scenario& scenario) {
   chosen_.reset();
 }
 
-void WallPresses::follow(const FrameRecord& shown) {
+void WallPresses::follow(const SeenFrame& shown) {
   if (!front_) return;
   if (text_.follow(shown)) {
     band_.clear();

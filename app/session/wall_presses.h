@@ -22,10 +22,10 @@ class WallPresses {
   /// Begins another game.
   void play(const Scenario& scenario);
 
-  /// Takes the frame that the viewer sees, who is the first in its record.
-  void follow(const FrameRecord& shown);
+  /// Takes the frame as the viewer sees it.
+  void follow(const SeenFrame& shown);
 
-  /// Goes on by so many buttons from the one that the gamepad has chosen, and points the gamepad's hand
+  /// Goes on by this number of buttons from the one that the gamepad has chosen, and points the gamepad's hand
   /// there.
   void aimPad(int steps, HandInput& hand);
 

@@ -1,5 +1,5 @@
 #pragma once
-// `carom answers`: what visitors answered to the questions of lessons, with what is right.
+// `carom answers`: the answers of visitors to the questions of lessons, and the right ones.
 
 #include <filesystem>
 #include <optional>

@@ -5,12 +5,22 @@
 #include "engine/base/log.h"
 
 namespace carom {
+namespace {
+
+/// Returns the tracker of a head, which a headset is itself.
+std::unique_ptr<Tracker> trackerOf(TrackerKind kind, std::size_t tracker, SharedTrackers& trackers) {
+  if (kind == TrackerKind::headset) return std::make_unique<HeadsetTracker>();
+  return trackers.follow(tracker);
+}
+
+}  // namespace
+
 HeadTracking::HeadTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& trackers)
     : setup_(viewer.head),
       roomFromTracker_(rig.trackers[setup_.sensor.tracker].roomFromTracker),
       latency_s_(rig.trackers[setup_.sensor.tracker].latency_s),
-      tracker_(trackers.follow(setup_.sensor.tracker)),
-      isHeadset_(rig.trackers[setup_.sensor.tracker].kind == TrackerKind::headset),
+      tracker_(trackerOf(rig.trackers[setup_.sensor.tracker].kind, setup_.sensor.tracker, trackers)),
+      headset_(dynamic_cast<HeadsetTracker*>(tracker_.get())),
       watch_(rig.trackers[setup_.sensor.tracker].name, setup_.sensor.sensor),
       headPlace_(setup_.sensor.sensor, roomFromTracker_),
       hand_(rig, viewer, trackers),
@@ -43,6 +53,7 @@ std::vector<TrackerReport> HeadTracking::reports(const HeadEstimate& head) const
 HeadEstimate HeadTracking::at(const FrameTimes& times) {
   samples_.clear();
   inputs_.clear();
+  if (headset_) headset_->take(times.headset);
   tracker_->poll(times.begin_s, samples_);
   tracker_->takeInputs(inputs_);
   watch_.see(times.begin_s, samples_);
@@ -56,18 +67,18 @@ HeadEstimate HeadTracking::at(const FrameTimes& times) {
   if (hand_.isDue(begin_s_)) {
     for (const std::string& line : hand_.look(begin_s_, *tracker_)) alarms_.push_back(line);
   }
-  if (isHeadset_ && times.step_s == 0.0) filter_ = HeadFilter();
+  if (headset_ && times.step_s == 0.0) filter_ = HeadFilter();
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
   for (const TrackerSample& sample : samples_) {
     if (sample.sensor != setup_.sensor.sensor) continue;
     if (!filter_.hasStarted()) filter_.fadeInFrom(times.display_s);
     const Pose roomFromHead = roomFromTracker_ * sample.pose * sensorFromEyes;
     filter_.add(sample.time_s - latency_s_, roomFromHead);
-    if (isHeadset_) worn_ = roomFromHead;
+    if (headset_) given_ = roomFromHead;
   }
   HeadEstimate head = filter_.at(times.display_s);
   if (!filter_.hasStarted()) head.pose = standing_;
-  if (worn_) head.pose = *worn_;
+  if (given_) head.pose = *given_;
   return head;
 }
 

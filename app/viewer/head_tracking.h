@@ -10,9 +10,10 @@
 
 #include "app/files/rig.h"
 #include "app/viewer/hand_tracking.h"
+#include "app/viewer/headset_tracker.h"
 #include "app/viewer/shared_trackers.h"
-#include "cave/frame/frame_state.h"
 #include "cave/frame/pacer.h"
+#include "cave/record/frame_state.h"
 #include "devices/filter/head_filter.h"
 #include "devices/monitor/sensor_place.h"
 #include "devices/monitor/tracker_alarm.h"
@@ -27,9 +28,10 @@ class HeadTracking {
   /// Follows the trackers of one of the rig's viewers. Throws InputError if a recorded trace is invalid.
   HeadTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& trackers);
 
-  /// Takes all samples up to the start of the frame and returns the head predicted for its display time. A headset has
-  /// predicted it already: its pose stays as it is, from which it shifts the picture as the head goes on moving, and the
-  /// celerity alone is filtered, anew where no time passes.
+  /// Takes all samples up to the start of the frame and returns the head predicted for its display time. A
+  /// headset gives the head, with the times, as predicted already: its pose stays as it is, from which it
+  /// shifts the picture as the head goes on moving, and the celerity alone is filtered, anew where no time
+  /// passes.
   HeadEstimate at(const FrameTimes& times);
 
   /// Returns and clears the messages since the last call: that the tracker of head or hand has failed for
@@ -54,10 +56,10 @@ class HeadTracking {
   Pose roomFromTracker_;
   double latency_s_;
   std::unique_ptr<Tracker> tracker_;
-  bool isHeadset_;
+  HeadsetTracker* headset_;  // the same, if it is one; else null
   TrackerAlarm watch_;
   HeadFilter filter_;
-  std::optional<Pose> worn_;  // of a headset: as it last told it
+  std::optional<Pose> given_;  // of a headset: the head as it last told it
   std::vector<TrackerSample> samples_;
   SensorPlace headPlace_;
   std::vector<Reading> inputs_;

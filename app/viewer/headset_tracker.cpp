@@ -39,12 +39,4 @@ TrackerHealth HeadsetTracker::health(double) const {
   return health;
 }
 
-SharedTrackers trackersOf(const Rig& rig, std::chrono::steady_clock::time_point sessionStart,
-                          const HeadsetFrame* headset) {
-  SharedTrackers trackers(rig, sessionStart);
-  if (headset)
-    trackers.take(rig.viewers.front().head.sensor.tracker, std::make_unique<HeadsetTracker>(*headset));
-  return trackers;
-}
-
 }  // namespace carom

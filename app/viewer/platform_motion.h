@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "app/files/scenario.h"
-#include "cave/frame/hand_view.h"
-#include "cave/frame/notice.h"
+#include "cave/record/hand_view.h"
+#include "cave/record/notice.h"
 #include "engine/spacetime/lorentz.h"
 #include "engine/spacetime/observers.h"
 

@@ -59,8 +59,8 @@ Observers Viewers::startOf(const Rig& rig, const Scenario& scenario,
   }
   std::array<OneObserver, kMostViewers> observers;
   for (std::size_t i = 0; i < trackings_.size(); ++i) {
-    const ObserverView& last = before->viewer(i).observer;
-    observers[i] = {last.middle.observation, before->viewer(i).placeInRoom_m, now[i], last.properTime_s};
+    const ObserverView& last = before->viewers[i].observer;
+    observers[i] = {last.middle.observation, before->viewers[i].placeInRoom_m, now[i], last.properTime_s};
   }
   return Observers(before->boardFromRoom, before->room_s, std::span(observers).first(trackings_.size()));
 }
@@ -75,19 +75,19 @@ void Viewers::startAt(const Rig& rig, const Scenario& scenario, const ObserverSt
   observers_.moveUnseen((board_s - observers_.headEvent().t_s) / gammaFromU(room.u()), used(now));
 }
 
-HeadsetState Viewers::putOn(const HeadsetFrame& frame) {
-  HeadsetState state;
-  if (frame.isTracked) {
-    const Pose head = headBetween(frame.eyes);
+const HeadsetState& Viewers::putOn(const std::optional<HeadsetFrame>& headset) {
+  if (headset && headset->isTracked) {
+    const Pose head = headBetween(headset->eyes);
     if (!worn_m_ && observers_.properTime_s() == 0.0) observers_.moveUnseen(0.0, Head{head, Vec3(0.0)});
-    worn_m_ = {frame.eyes[0].roomFromEye.position_m - head.position_m,
-               frame.eyes[1].roomFromEye.position_m - head.position_m};
+    worn_m_ = {headset->eyes[0].roomFromEye.position_m - head.position_m,
+               headset->eyes[1].roomFromEye.position_m - head.position_m};
   }
-  state.isWorn = worn_m_ ? 1 : 0;
-  state.eyes = frame.eyes;
-  state.velocityKnown = frame.runtimeVelocity_m_s ? 1 : 0;
-  state.runtimeVelocity_m_s = frame.runtimeVelocity_m_s.value_or(Vec3(0.0));
-  return state;
+  if (headset) worn_.eyes = headset->eyes;
+  const std::optional<Vec3> velocity_m_s = headset ? headset->runtimeVelocity_m_s : std::nullopt;
+  worn_.isWorn = worn_m_ ? 1 : 0;
+  worn_.velocityKnown = velocity_m_s ? 1 : 0;
+  worn_.runtimeVelocity_m_s = velocity_m_s.value_or(Vec3(0.0));
+  return worn_;
 }
 
 ObserverViews Viewers::views(double eyeSeparation_m) const {
@@ -177,11 +177,11 @@ std::vector<std::string> Viewers::takeAlarms() {
 }
 
 void Viewers::putInto(FrameRecord& record) const {
-  record.viewers = size();
+  record.viewerCount = size();
   record.boardFromRoom = observers_.boardFromRoom();
   record.room_s = observers_.room_s();
   for (std::size_t i = 0; i < size(); ++i) {
-    ViewerState& viewer = record.viewer(i);
+    ViewerState& viewer = record.viewers[i];
     viewer.tracked = tracked(i);
     viewer.placeInRoom_m = observers_[i].placeInRoom_m;
     viewer.lapse = observers_[i].lapse;

@@ -14,8 +14,8 @@
 #include "app/viewer/head_tracking.h"
 #include "app/viewer/platform_motion.h"
 #include "app/viewer/shared_trackers.h"
-#include "cave/frame/frame_state.h"
 #include "cave/frame/pacer.h"
+#include "cave/record/frame_state.h"
 #include "engine/spacetime/observers.h"
 
 namespace carom {
@@ -35,9 +35,10 @@ class Viewers {
   Viewers(const Rig& rig, const Scenario& scenario, SharedTrackers trackers,
           const std::optional<FrameRecord>& before = {});
 
-  /// Puts the eyes of the first viewer where a headset has them, for the views from now on. The first time, before
-  /// time has passed for anybody, the head is put there as well. Returns what the frame's record keeps of it.
-  HeadsetState putOn(const HeadsetFrame& frame);
+  /// Puts the eyes of the first viewer where the headset has them, if one is worn, for the views from now on.
+  /// The first time, before time has passed for anybody, the head is put there as well. Returns what the frame's record
+  /// keeps of it.
+  const HeadsetState& putOn(const std::optional<HeadsetFrame>& headset);
 
   /// Restarts in the initial state of another scenario, with proper time zero. The trackers continue.
   void startIn(const Rig& rig, const Scenario& scenario);
@@ -62,8 +63,8 @@ class Viewers {
   /// Lives on until board time `board_s` of the first, with the heads at rest in the room.
   void runTo(double board_s, PlatformMotion& drive);
 
-  /// Frozen mode: each view stays at one observation event while the head moves. `sight` are the views at those
-  /// events.
+  /// Frozen mode: each view stays at one observation event while the head moves. `sight` are the views at
+  /// those events.
   ObserverViews frozenView(const ObserverViews& sight, const FrameTimes& times, double eyeSeparation_m);
 
   /// Returns the views when the room's time is advanced, or set back, by `roomTime_s`. The heads' motion has
@@ -106,6 +107,7 @@ class Viewers {
   std::array<double, kMostViewers> eyeSeparations_m_{};  ///< as in the rig
   /// Of a headset: from the head to the left and the right eye, in the room's axes.
   std::optional<std::array<Vec3, 2>> worn_m_;
+  HeadsetState worn_;                                 ///< as it was last worn
   std::array<std::size_t, kMostViewers> trackers_{};  ///< of the heads, indices of the rig's trackers
   std::array<HeadEstimate, kMostViewers> heads_;
   Observers observers_;

@@ -152,10 +152,10 @@ Sounds::~Sounds() = default;
 void Sounds::shown(const FrameRecord& record, const std::vector<GameEvent>& events) {
   if (!device_) return;
   if (device_->before) {
-    heardBetween(*device_->before, record.observer, record.switches, events, device_->heard);
+    heardBetween(*device_->before, record.viewers.front().observer, record.switches, events, device_->heard);
     for (const Heard& event : device_->heard) device_->play(event);
   }
-  device_->before = record.observer;
+  device_->before = record.viewers.front().observer;
 }
 
 }  // namespace carom

@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "engine/billiard/game_event.h"
 
 namespace carom {

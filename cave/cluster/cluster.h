@@ -17,9 +17,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cave/frame/frame_digest.h"
-#include "cave/frame/frame_state.h"
 #include "cave/frame/frame_timing.h"
+#include "cave/record/frame_digest.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/wall.h"
 
 namespace carom {

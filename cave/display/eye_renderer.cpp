@@ -1,5 +1,6 @@
 #include "cave/display/eye_renderer.h"
 
+#include <algorithm>
 #include <array>
 
 #include <vtk_glew.h>
@@ -69,8 +70,9 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
   const TimeViews& views = record.views;
   const Ghosts ghosts = viewGhosts(switches, record, world, observer, eye);
   renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts);
-  marked_ = views.paths || views.events || views.clocks || views.boardNow || views.myNow || views.ruler ||
-            views.angles || !scene_.pulses.empty() || record.lesson.phase != LessonPhase::none;
+  marked_ = !scene_.pulses.empty() || record.lesson.phase != LessonPhase::none ||
+            std::any_of(kNamedViews.begin(), kNamedViews.end(),
+                        [&](const NamedView& view) { return view.isMark && views.*view.value; });
   if (!marked_) return;
   graphics_.makeCurrent();
   if (!marks_) marks_ = std::make_unique<SpacetimeMarks>(scene_);

@@ -1,15 +1,15 @@
 #pragma once
 // A session as one eye sees it on its walls: the bodies, and the views of time that are turned on
-// (cave/frame/time_views.h).
+// (cave/record/time_views.h).
 
 #include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "cave/frame/frame_state.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
+#include "cave/record/frame_state.h"
 #include "cave/render/spacetime_marks.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/wall.h"

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "cave/frame/frame_state.h"
 #include "cave/frame/lesson_plan.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 

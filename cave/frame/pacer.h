@@ -5,7 +5,10 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+
+#include "cave/record/headset_frame.h"
 
 namespace carom {
 
@@ -16,6 +19,7 @@ struct FrameTimes {
   double display_s = 0.0;  ///< when the photons leave the wall
   double step_s = 0.0;     ///< display time since the previous frame: the person has lived that long
   bool isLast = false;     ///< no more frames can be shown
+  std::optional<HeadsetFrame> headset = {};  ///< that is worn, for the moment of display
 };
 
 /// A clock that a pacer reads and waits on.

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "cave/frame/choice.h"
+#include "cave/record/choice.h"
 
 namespace carom {
 

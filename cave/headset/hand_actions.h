@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
-#include "cave/frame/headset_frame.h"
 #include "cave/headset/bare_hands.h"
 #include "cave/headset/openxr.h"
+#include "cave/record/headset_frame.h"
 
 namespace carom::openxr {
 

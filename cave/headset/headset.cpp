@@ -146,7 +146,8 @@ struct Headset::Session {
   XrSpace room = XR_NULL_HANDLE, head = XR_NULL_HANDLE;
 
   State state = State::idle;
-  bool isBegun = false;  // a frame, which must be ended
+  bool isBegun = false;    // a frame, which must be ended
+  std::size_t aiming = 1;  ///< the hand that holds or aims the cue
   std::string whyEnded;
   XrTime recentredFrom = 0;  // 0: not since the last frame
   XrFrameState waited = infoOf<XrFrameState>(XR_TYPE_FRAME_STATE);
@@ -291,6 +292,7 @@ std::optional<HeadsetFrame> Headset::nextFrame() {
       session.recentredFrom != 0 && session.waited.predictedDisplayTime >= session.recentredFrom;
   if (frame.isRecentred) session.recentredFrom = 0;
   session.locate(frame);
+  frame.aiming = session.aiming = aimingHand(session.aiming, frame.hands);
   return frame;
 }
 
@@ -303,8 +305,8 @@ void Headset::submit(const std::array<unsigned, 2>* pictures) {
   session.end(all);
 }
 
-void Headset::knock(int hand, double strength, double duration_s) {
-  session_->hands.knock(hand, strength, duration_s);
+void Headset::knock(double strength, double duration_s) {
+  session_->hands.knock(static_cast<int>(session_->aiming), strength, duration_s);
 }
 
 void Headset::askToEnd() {

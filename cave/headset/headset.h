@@ -11,8 +11,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "cave/frame/headset_frame.h"
 #include "cave/gl/graphics.h"
+#include "cave/record/headset_frame.h"
 
 namespace carom {
 
@@ -42,8 +42,8 @@ class Headset {
   /// null, or for a frame that is not seen, the frame ends without pictures. Does nothing where no frame was begun.
   void submit(const std::array<unsigned, 2>* pictures);
 
-  /// Lets the hand's controller vibrate.
-  void knock(int hand, double strength, double duration_s);
+  /// Lets the controller of the hand that aims vibrate.
+  void knock(double strength, double duration_s);
 
   /// Asks the runtime to end the session: frames go on until the state is `ended`.
   void askToEnd();

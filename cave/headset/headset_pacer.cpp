@@ -27,9 +27,7 @@ FrameTimes HeadsetPacer::idle() {
   } else if (isRunning_) {
     log::note("The headset is taken off: time stands still.");
   }
-  isRunning_ = frame_.isSeen = frame_.isTracked = frame_.isRecentred = false;
-  frame_.hands = {};
-  frame_.runtimeVelocity_m_s.reset();
+  isRunning_ = false;
   std::this_thread::sleep_for(std::chrono::duration<double>(kIdle_s));
   display_s_ += kIdle_s;
   return {number_++, display_s_, display_s_, 0.0, isLast};
@@ -37,7 +35,7 @@ FrameTimes HeadsetPacer::idle() {
 
 /// Advances the session's clock to the next frame, and returns how long its wearer has lived since the one before.
 double HeadsetPacer::stepTo(const HeadsetFrame& next) {
-  const std::int64_t step_ns = isRunning_ ? next.display_ns - frame_.display_ns : next.untilNext_ns;
+  const std::int64_t step_ns = isRunning_ ? next.display_ns - display_ns_ : next.untilNext_ns;
   const double step_s = 1e-9 * static_cast<double>(step_ns);
   if (!(step_s > 0.0)) return 0.0;
   display_s_ += step_s;
@@ -60,10 +58,10 @@ void HeadsetPacer::tellWhenLate(double step_s, const HeadsetFrame& next) {
 }
 
 /// Says once, when everything has had time to come, what the headset lacks.
-void HeadsetPacer::tell() {
-  hasVelocity_ = hasVelocity_ || frame_.runtimeVelocity_m_s;
-  hasHands_ = hasHands_ || frame_.hands[0].isTracked || frame_.hands[1].isTracked;
-  hasPosition_ = hasPosition_ || frame_.hasPosition;
+void HeadsetPacer::tell(const HeadsetFrame& frame) {
+  hasVelocity_ = hasVelocity_ || frame.runtimeVelocity_m_s;
+  hasHands_ = hasHands_ || frame.hands[0].isTracked || frame.hands[1].isTracked;
+  hasPosition_ = hasPosition_ || frame.hasPosition;
   if (told_ > kFramesUntilTold || ++told_ != kFramesUntilTold) return;
   if (!hasPosition_)
     log::warn(
@@ -74,15 +72,14 @@ void HeadsetPacer::tell() {
 
 FrameTimes HeadsetPacer::next() {
   headset_.poll();
-  std::optional<HeadsetFrame> next = headset_.nextFrame();
+  const std::optional<HeadsetFrame> next = headset_.nextFrame();
   if (!next) return idle();
-  next->aiming = aimingHand(frame_.aiming, next->hands);
   if (!isRunning_ && wasWorn_) log::note("The headset is worn again: time goes on.");
   const double step_s = stepTo(*next);
-  frame_ = *next;
+  display_ns_ = next->display_ns;
   isRunning_ = wasWorn_ = true;
-  tell();
-  return {number_++, display_s_, display_s_, step_s};
+  tell(*next);
+  return {number_++, display_s_, display_s_, step_s, false, next};
 }
 
 }  // namespace carom

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "cave/frame/headset_frame.h"
 #include "cave/frame/pacer.h"
 #include "cave/headset/headset.h"
+#include "cave/record/headset_frame.h"
 
 namespace carom {
 
@@ -20,20 +20,17 @@ class HeadsetPacer : public FramePacer {
   /// `lived_s`: the session's clock before the first frame; `firstFrame`: its number.
   HeadsetPacer(Headset& headset, double lived_s, std::uint64_t firstFrame);
 
+  /// Returns the next frame with the headset's data; without them while it is not worn.
   FrameTimes next() override;
-
-  /// Returns the headset's data of the frame that `next` began; while it is not worn, those of the frame before, marked
-  /// neither seen nor tracked.
-  const HeadsetFrame& frame() const { return frame_; }
 
  private:
   FrameTimes idle();
   double stepTo(const HeadsetFrame& next);
   void tellWhenLate(double step_s, const HeadsetFrame& next);
-  void tell();
+  void tell(const HeadsetFrame& frame);
 
   Headset& headset_;
-  HeadsetFrame frame_;
+  std::int64_t display_ns_ = 0;  ///< of the runtime's clock: of the headset's newest frame
   double display_s_;
   bool isRunning_ = false;  ///< the frame before was one of the headset's
   bool wasWorn_ = false;    ///< there has been one

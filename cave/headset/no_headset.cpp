@@ -22,7 +22,7 @@ Headset::State Headset::poll() { return State::ended; }
 Headset::State Headset::state() const { return State::ended; }
 std::optional<HeadsetFrame> Headset::nextFrame() { return {}; }
 void Headset::submit(const std::array<unsigned, 2>*) {}
-void Headset::knock(int, double, double) {}
+void Headset::knock(double, double) {}
 void Headset::askToEnd() {}
 glm::ivec2 Headset::pixels() const { return {}; }
 const std::string& Headset::runtime() const { return session_->none; }

@@ -90,17 +90,17 @@ void ChoiceTiles::paint() {
   panel_.upload();
 }
 
-void ChoiceTiles::draw(const Wall& wall, const FrameRecord& record, const OfferedTiles& offered,
+void ChoiceTiles::draw(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offered,
                        const RenderTarget& picture) {
   tiles_.clear();
   wanted_.clear();
-  addTiles(wall, record, offered, tiles_);
+  addTiles(wall, seen, offered, tiles_);
   if (tiles_.empty()) return;
   const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);
   for (const WallButton& tile : tiles_)
     wanted_.push_back(
         {tile.action, glm::ivec2(tile.place.from_m * pxPerM), glm::ivec2(tile.place.size_m * pxPerM)});
-  pointed_ = pointedByHand(wall, tiles_, record);
+  pointed_ = pointedByHand(wall, tiles_, seen);
   if (wanted_ != painted_ || pointed_ != paintedPointed_) {
     painted_ = wanted_;
     paintedPointed_ = pointed_;

@@ -7,11 +7,11 @@
 
 #include <glm/vec2.hpp>
 
-#include "cave/frame/frame_state.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/picture.h"
 #include "cave/overlay/panel_picture.h"
 #include "cave/overlay/wall_buttons.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/wall.h"
 
 namespace carom {
@@ -22,7 +22,7 @@ class ChoiceTiles {
   ChoiceTiles() = default;
 
   /// Draws the tiles over the picture of the front wall; the one that the record's hand points to is bright.
-  void draw(const Wall& wall, const FrameRecord& record, const OfferedTiles& offered,
+  void draw(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offered,
             const RenderTarget& picture);
 
  private:

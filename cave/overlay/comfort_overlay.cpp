@@ -25,37 +25,37 @@ constexpr int kParts = 4;  // of a wall's edges, between the lines of the restin
 
 }  // namespace
 
-double shadeOf(const FrameRecord& record) {
-  if (!record.controls.comfort) return 0.0;
-  const double beta = glm::length(betaFromU(platformInRoom_u(record)));
+double shadeOf(const SeenFrame& seen) {
+  if (!seen.record.controls.comfort) return 0.0;
+  const double beta = glm::length(betaFromU(platformInRoom_u(seen)));
   return std::clamp(beta / ComfortOverlay::kFullBeta, 0.0, 1.0);
 }
 
-glm::dvec3 sightOf(const RoomGeometry& room, const FrameRecord& record) {
-  if (record.tracked.headKnown && (room.isHeadset || room.walls.size() > 1))
-    return (record.tracked.roomFromHeadSensor * room.viewers.front().sensorFromEyes).orientation *
+glm::dvec3 sightOf(const RoomGeometry& room, const SeenFrame& seen) {
+  if (seen.self.tracked.headKnown && (room.isHeadset || room.walls.size() > 1))
+    return (seen.self.tracked.roomFromHeadSensor * room.viewers.front().sensorFromEyes).orientation *
            room.forward;
   const std::optional<Wall> front = frontWall(room);
   if (!front) return room.forward;
   const glm::dvec3 middle_m = 0.5 * (front->lowerRight_m + front->upperLeft_m);
-  return glm::normalize(middle_m - record.observer.middle.positionInRoom_m);
+  return glm::normalize(middle_m - seen.self.observer.middle.positionInRoom_m);
 }
 
 ComfortOverlay::ComfortOverlay()
     : program_(makeProgram("dark edges", shaders::shade_vert, shaders::shade_frag)) {}
 
 void ComfortOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
-                          const FrameRecord& record, const RenderTarget& picture) {
-  const double dark = shadeOf(record);
+                          const SeenFrame& seen, const RenderTarget& picture) {
+  const double dark = shadeOf(seen);
   if (!(dark > 0.0)) return;
-  shade(wall, eyeInRoom_m, sightOf(room, record), dark, 0.0, picture);
+  shade(wall, eyeInRoom_m, sightOf(room, seen), dark, 0.0, picture);
   drawFrame(room, wall, eyeInRoom_m, dark, picture);
 }
 
-void ComfortOverlay::fade(const Wall& wall, const FrameRecord& record, const RenderTarget& picture) const {
-  if (!(record.fade > 0.0)) return;
+void ComfortOverlay::fade(const Wall& wall, const SeenFrame& seen, const RenderTarget& picture) const {
+  if (!(seen.record.fade > 0.0)) return;
   const glm::dvec3 before_m = wall.lowerLeft_m + normalOf(wall);
-  shade(wall, before_m, normalOf(wall), 0.0, record.fade, picture);
+  shade(wall, before_m, normalOf(wall), 0.0, seen.record.fade, picture);
 }
 
 /// Draws the shade over the whole wall: at no shade, the clear cone holds every direction.

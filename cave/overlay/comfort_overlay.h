@@ -9,10 +9,10 @@
 
 #include <glm/vec3.hpp>
 
-#include "cave/frame/frame_state.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/gl/line_batch.h"
 #include "cave/gl/picture.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 
@@ -20,11 +20,11 @@ namespace carom {
 
 /// Returns how much of the edges of sight is darkened: 0 at rest, 1 from kFullBeta on. Nothing unless the record asks
 /// for it.
-double shadeOf(const FrameRecord& record);
+double shadeOf(const SeenFrame& seen);
 
 /// Returns the direction in which the person looks: that of the tracked head or, where none is known or there is a
 /// single wall, to the middle of the front wall.
-glm::dvec3 sightOf(const RoomGeometry& room, const FrameRecord& record);
+glm::dvec3 sightOf(const RoomGeometry& room, const SeenFrame& seen);
 
 class ComfortOverlay {
  public:
@@ -38,11 +38,11 @@ class ComfortOverlay {
 
   /// Draws the dark edges and the resting frame over the picture of a wall for an eye in the room; costs nothing if
   /// there is nothing to draw.
-  void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
-            const FrameRecord& record, const RenderTarget& picture);
+  void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m, const SeenFrame& seen,
+            const RenderTarget& picture);
 
   /// Blackens the whole picture as far as the record says.
-  void fade(const Wall& wall, const FrameRecord& record, const RenderTarget& picture) const;
+  void fade(const Wall& wall, const SeenFrame& seen, const RenderTarget& picture) const;
 
  private:
   void shade(const Wall& wall, const glm::dvec3& eyeInRoom_m, const glm::dvec3& sight, double shade,

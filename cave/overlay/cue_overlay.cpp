@@ -226,12 +226,12 @@ void CueOverlay::addScale(const HandView& hand, const FacingPlane& target) {
 }
 
 void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
-                      const FrameRecord& record, const RenderTarget& picture) {
-  const HandView& hand = record.hand;
+                      const SeenFrame& seen, const RenderTarget& picture) {
+  const HandView& hand = seen.self.hand;
   if (!hand.shown) return;
   const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
   if (!clip) return;
-  const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
+  const glm::dvec3& eyes_m = seen.self.observer.middle.positionInRoom_m;
   marks_.clear();
   const FacingPlane target = facing(hand.target_m, eyes_m, room);
   if (hand.pulling && hand.towards != glm::dvec3(0.0)) addCue(hand, room);

@@ -1,6 +1,6 @@
 #pragma once
 // Shows what a hand does, drawn over the pictures of the walls in the room's own frame
-// (cave/frame/hand_view.h): the ray that it points with, a ring around the puck that it aims at and, while
+// (cave/record/hand_view.h): the ray that it points with, a ring around the puck that it aims at and, while
 // the cue is drawn back, the cue behind the puck, an arrow in the direction of the stroke, and a scale of its
 // cost.
 //
@@ -15,9 +15,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "cave/frame/frame_state.h"
 #include "cave/gl/line_batch.h"
 #include "cave/gl/picture.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 
@@ -57,8 +57,8 @@ class CueOverlay {
 
   /// Draws over the picture of `wall` for an eye in the room; costs nothing if no hand aims. The drawing
   /// context must be current here, and when this object is created and destroyed.
-  void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
-            const FrameRecord& record, const RenderTarget& picture);
+  void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m, const SeenFrame& seen,
+            const RenderTarget& picture);
 
  private:
   void addLine(const glm::dvec3& from_m, const glm::dvec3& to_m, double halfWidth_m, const glm::vec4& colour);

@@ -34,26 +34,27 @@ bool shows(const Wall& wall, const glm::dvec3& eye_m, const glm::dvec3& towards)
 
 }  // namespace
 
-SeenTable seenTable(const FrameRecord& record) {
-  const Event& eye = record.observer.middle.observation;
+SeenTable seenTable(const SeenFrame& seen) {
+  const Event& eye = seen.self.observer.middle.observation;
   const double far_m = glm::length(eye.r_m);
   // The light's way as an event: it leaves the table at r = 0, far/c before it arrives.
-  const glm::dmat4 roomFromBoard = record.boardFromRoom.inverse().matrix();
+  const glm::dmat4 roomFromBoard = seen.record.boardFromRoom.inverse().matrix();
   const glm::dvec4 way = roomFromBoard * glm::dvec4(-far_m, -eye.r_m.x, -eye.r_m.y, -eye.r_m.z);
   const glm::dvec3 inRoom_m(way.y, way.z, way.w);
   const double seen_m = glm::length(inRoom_m);
   return {seen_m > 0.0 ? inRoom_m / seen_m : glm::dvec3(0.0), far_m};
 }
 
-std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const FrameRecord& record) {
+std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const SeenFrame& seen) {
   const std::optional<Wall> front = frontWall(room);
   // A lesson and a scripted flight take their observers where they want them.
-  const bool isFree = record.drive.mode != DriveMode::tour && record.lesson.phase == LessonPhase::none;
+  const bool isFree =
+      seen.record.drive.mode != DriveMode::tour && seen.record.lesson.phase == LessonPhase::none;
   if (!front || !isFree) return {};
-  const glm::dvec3 eye_m = record.observer.middle.positionInRoom_m;
-  const glm::dvec3 towards = seenTable(record).towards;
+  const glm::dvec3 eye_m = seen.self.observer.middle.positionInRoom_m;
+  const glm::dvec3 towards = seenTable(seen).towards;
   const bool isSeen = room.isHeadset
-                          ? glm::dot(sightOf(room, record), towards) > kSeenByHead
+                          ? glm::dot(sightOf(room, seen), towards) > kSeenByHead
                           : std::any_of(room.walls.begin(), room.walls.end(),
                                         [&](const Wall& wall) { return shows(wall, eye_m, towards); });
   if (isSeen || !(glm::length(towards) > 0.0)) return {};
@@ -67,8 +68,8 @@ std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const FrameRecord& r
 }
 
 void HomeArrow::draw(const RoomGeometry& room, const Wall& front, const glm::dvec3& eyeInRoom_m,
-                     const FrameRecord& record, const RenderTarget& picture) {
-  const std::optional<glm::dvec2> way = wayHome(room, record);
+                     const SeenFrame& seen, const RenderTarget& picture) {
+  const std::optional<glm::dvec2> way = wayHome(room, seen);
   const std::optional<glm::dmat4> clip = way ? clipFromRoom(front, eyeInRoom_m) : std::nullopt;
   if (!clip) return;
   const glm::dvec2 size_m = sizeOf_m(front);
@@ -94,7 +95,7 @@ void HomeArrow::draw(const RoomGeometry& room, const Wall& front, const glm::dve
     ribbons_.draw(lines_, *clip, picture.size_px());
   }
   const int height_px = std::max(8, static_cast<int>(kLetters * picture.size_px().y));
-  const long distance_m = std::lround(seenTable(record).distance_m);
+  const long distance_m = std::lround(seenTable(seen).distance_m);
   if (height_px != height_px_ || distance_m != distance_m_) {
     height_px_ = height_px;
     distance_m_ = distance_m;

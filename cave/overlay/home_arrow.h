@@ -7,10 +7,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "cave/frame/frame_state.h"
 #include "cave/gl/line_batch.h"
 #include "cave/gl/picture.h"
 #include "cave/overlay/panel_picture.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 
@@ -24,12 +24,12 @@ struct SeenTable {
 
 /// Returns where the point between the eyes sees the middle of the table, which rests on the board at its origin:
 /// its light left it at the board time t − |r|/c, and the room has its own directions.
-SeenTable seenTable(const FrameRecord& record);
+SeenTable seenTable(const SeenFrame& seen);
 
 /// Returns which way to turn to have the table in sight, in the front wall's plane: a unit vector to the right and
 /// up. None while one of the walls shows the table's middle, while a scripted flight or a lesson places the room, or
 /// if the room has no front wall.
-std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const FrameRecord& record);
+std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const SeenFrame& seen);
 
 class HomeArrow {
  public:
@@ -37,8 +37,8 @@ class HomeArrow {
   HomeArrow() = default;
 
   /// Draws the arrow over the picture of the front wall, if one is needed.
-  void draw(const RoomGeometry& room, const Wall& front, const glm::dvec3& eyeInRoom_m,
-            const FrameRecord& record, const RenderTarget& picture);
+  void draw(const RoomGeometry& room, const Wall& front, const glm::dvec3& eyeInRoom_m, const SeenFrame& seen,
+            const RenderTarget& picture);
 
  private:
   LineBatch ribbons_;

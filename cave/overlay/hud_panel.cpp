@@ -42,8 +42,8 @@ void HudPanel::set(const std::vector<HudLine>& lines) {
   }
 }
 
-void HudPanel::follow(const FrameRecord& record) {
-  if (!text_.follow(record)) return;
+void HudPanel::follow(const SeenFrame& seen) {
+  if (!text_.follow(seen)) return;
   if (text_.isBand() != band_) written_ = false;
   band_ = text_.isBand();
   set(text_.lines());
@@ -158,8 +158,8 @@ void HudPanel::paintBand() {
   panel_.upload();
 }
 
-void HudPanel::draw(const Wall& wall, const FrameRecord& record, const RenderTarget& picture) {
-  draw(wall, band_ ? pointedByHand(wall, buttons_, record) : WallAction{}, picture);
+void HudPanel::draw(const Wall& wall, const SeenFrame& seen, const RenderTarget& picture) {
+  draw(wall, band_ ? pointedByHand(wall, buttons_, seen) : WallAction{}, picture);
 }
 
 void HudPanel::draw(const Wall& wall, const RenderTarget& picture) { draw(wall, WallAction{}, picture); }

@@ -12,12 +12,12 @@
 
 #include <glm/vec2.hpp>
 
-#include "cave/frame/frame_state.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/picture.h"
 #include "cave/overlay/band_layout.h"
 #include "cave/overlay/hud_text.h"
 #include "cave/overlay/panel_picture.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/wall.h"
 
 namespace carom {
@@ -38,10 +38,10 @@ class HudPanel {
   void setLesson(const LessonWords& words, const LessonPlan& plan) { text_.setLesson(words, plan); }
 
   /// Updates the panel from the frame.
-  void follow(const FrameRecord& record);
+  void follow(const SeenFrame& seen);
 
   /// Draws the panel over the picture of the front wall. The button that the hand of this record points to is bright.
-  void draw(const Wall& wall, const FrameRecord& record, const RenderTarget& picture);
+  void draw(const Wall& wall, const SeenFrame& seen, const RenderTarget& picture);
   /// Draws it without a hand.
   void draw(const Wall& wall, const RenderTarget& picture);
 

@@ -96,35 +96,35 @@ class Lines {
   std::size_t count_ = 0;
 };
 
-void addLight(const FrameRecord& record, Lines& lines) {
-  lines.add({}, texts::legend::kLight, record.lightSpeed_m_s);
+void addLight(const SeenFrame& seen, Lines& lines) {
+  lines.add({}, texts::legend::kLight, seen.record.lightSpeed_m_s);
 }
 
 using Viewers = std::span<const RoomViewer>;
 
-void addScore(const FrameRecord& record, Viewers viewers, Lines& lines) {
-  const std::size_t count = std::min<std::size_t>(record.viewers, viewers.size());
+void addScore(const SeenFrame& seen, Viewers viewers, Lines& lines) {
+  const std::size_t count = std::min<std::size_t>(seen.record.viewerCount, viewers.size());
   bool played = false;
-  for (std::size_t i = 0; i < count; ++i) played = played || record.viewer(i).score.strokes > 0;
+  for (std::size_t i = 0; i < count; ++i) played = played || seen.inOrder(i).score.strokes > 0;
   if (!played) return;
-  if (count < 2) return lines.add({}, texts::legend::kScore, record.score.caroms, record.score.strokes);
+  if (count < 2) return lines.add({}, texts::legend::kScore, seen.self.score.caroms, seen.self.score.strokes);
   for (std::size_t i = 0; i < count; ++i) {
-    const Score& score = record.viewer(i).score;
+    const Score& score = seen.inOrder(i).score;
     lines.add({}, texts::legend::kScoreOf, i == 0 ? std::string_view(texts::legend::kMe) : viewers[i].name,
               score.caroms, score.strokes);
   }
-  if (record.hasTurn) lines.add({}, "{}", texts::legend::kYourTurn);
+  if (seen.self.hasTurn) lines.add({}, "{}", texts::legend::kYourTurn);
   for (std::size_t i = 1; i < count; ++i) {
-    if (record.viewer(i).hasTurn) lines.add({}, texts::legend::kTheirTurn, viewers[i].name);
+    if (seen.inOrder(i).hasTurn) lines.add({}, texts::legend::kTheirTurn, viewers[i].name);
   }
 }
 
 /// Adds the clocks of the others in the room, all of whose presents are simultaneous there.
-void addOtherClocks(const FrameRecord& record, Viewers viewers, Lines& lines) {
+void addOtherClocks(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   constexpr double kShown_s = 0.05;  // of one decimal
-  for (std::size_t i = 1; i < std::min<std::size_t>(record.viewers, viewers.size()); ++i) {
-    const double own_s = record.viewer(i).observer.properTime_s;
-    const double older_s = own_s - record.observer.properTime_s;
+  for (std::size_t i = 1; i < std::min<std::size_t>(seen.record.viewerCount, viewers.size()); ++i) {
+    const double own_s = seen.inOrder(i).observer.properTime_s;
+    const double older_s = own_s - seen.self.observer.properTime_s;
     if (std::abs(older_s) < kShown_s) {
       lines.add({}, texts::legend::kAsOld, viewers[i].name, shownTime_s(own_s));
     } else {
@@ -135,17 +135,17 @@ void addOtherClocks(const FrameRecord& record, Viewers viewers, Lines& lines) {
   }
 }
 
-void addClocks(const FrameRecord& record, Viewers viewers, Lines& lines) {
-  const Vec3 u = record.observer.headFromBoard.inverse().u();
-  lines.add({}, texts::legend::kMyTime, shownTime_s(record.observer.properTime_s));
-  addOtherClocks(record, viewers, lines);
+void addClocks(const SeenFrame& seen, Viewers viewers, Lines& lines) {
+  const Vec3 u = seen.self.observer.headFromBoard.inverse().u();
+  lines.add({}, texts::legend::kMyTime, shownTime_s(seen.self.observer.properTime_s));
+  addOtherClocks(seen, viewers, lines);
   lines.add({}, texts::legend::kMySpeed, glm::length(betaFromU(u)), gammaFromU(u));
-  addLight(record, lines);
+  addLight(seen, lines);
 }
 
 /// Adds the others' clocks to a lesson that shows the clocks.
-void addTwins(const FrameRecord& record, Viewers viewers, Lines& lines) {
-  if (record.views.clocks) addOtherClocks(record, viewers, lines);
+void addTwins(const SeenFrame& seen, Viewers viewers, Lines& lines) {
+  if (seen.record.views.clocks) addOtherClocks(seen, viewers, lines);
 }
 
 HudChip chip(Kind kind, std::string words, std::uint8_t number = 0) {
@@ -153,36 +153,37 @@ HudChip chip(Kind kind, std::string words, std::uint8_t number = 0) {
 }
 
 /// Adds what to press, and at the right, always, the way out.
-void addButtons(const FrameRecord& record, std::string_view words, std::vector<HudChip> chips, Lines& lines) {
-  if (record.views.frozen) chips.push_back(chip(Kind::unfreeze, texts::lesson::kTimeGoesOn));
+void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudChip> chips, Lines& lines) {
+  if (seen.record.views.frozen) chips.push_back(chip(Kind::unfreeze, texts::lesson::kTimeGoesOn));
   HudChip leave{actionOf(Choice::play), texts::lesson::kLeave};
   leave.atRight = true;
   chips.push_back(leave);
   lines.addChips(words, chips);
 }
 
-void addQuestion(const FrameRecord& record, const LessonWords& lesson, Lines& lines) {
+void addQuestion(const SeenFrame& seen, const LessonWords& lesson, Lines& lines) {
   lines.wrap(lesson.question, texts::lesson::kQuestion);
   constexpr auto& kNumbers = texts::lesson::kAnswerNumbers;
   for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i)
     lines.wrap(lesson.answers[i], kNumbers[i], false, {Kind::choose, static_cast<std::uint8_t>(i + 1)});
-  addButtons(record, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, lines);
+  addButtons(seen, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, lines);
 }
 
 /// Adds the readings of the stopwatches in one line, behind other words.
-void addReadings(const FrameRecord& record, const LessonPlan& plan, std::string readings, Lines& lines) {
+void addReadings(const SeenFrame& seen, const LessonPlan& plan, std::string readings, Lines& lines) {
   for (const Stopwatch& watch : plan.stopwatches) {
     if (!readings.empty()) readings += "    ";
-    readings += fmt::format(texts::lesson::kReading, watch.name,
-                            reading_s(watch, {record.observer, record.boardFromRoom, record.lesson.phase}));
+    readings += fmt::format(
+        texts::lesson::kReading, watch.name,
+        reading_s(watch, {seen.self.observer, seen.record.boardFromRoom, seen.record.lesson.phase}));
   }
   lines.wrap(readings, {}, true);
 }
 
 /// Adds the velocities that the lesson offers.
-void addObservers(const FrameRecord& record, const LessonPlan& plan, Lines& lines) {
+void addObservers(const SeenFrame& seen, const LessonPlan& plan, Lines& lines) {
   if (plan.observers.empty()) return;
-  const auto present = observerOf(plan, record.boardFromRoom);
+  const auto present = observerOf(plan, seen.record.boardFromRoom);
   std::vector<HudChip> offered;
   for (std::size_t i = 0; i < plan.observers.size(); ++i) {
     offered.push_back(chip(Kind::choose, fmt::format(texts::lesson::kObserver, plan.observers[i].name, i + 2),
@@ -208,29 +209,29 @@ std::string paceWords(const LessonPlan& plan) {
 }
 
 /// Adds the lesson's text for its phase, and how to continue.
-void addLesson(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
+void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
                Lines& lines) {
-  switch (record.lesson.phase) {
+  switch (seen.record.lesson.phase) {
     case LessonPhase::none:
       return;
     case LessonPhase::asks:
-      return addQuestion(record, lesson, lines);
+      return addQuestion(seen, lesson, lines);
     case LessonPhase::shows:
       lines.wrap(lesson.todo, texts::lesson::kTryThis);
       lines.wrap(lesson.notice, texts::lesson::kLookFor);
-      addReadings(record, plan, paceWords(plan), lines);
-      addTwins(record, viewers, lines);
-      addObservers(record, plan, lines);
+      addReadings(seen, plan, paceWords(plan), lines);
+      addTwins(seen, viewers, lines);
+      addObservers(seen, plan, lines);
       return addButtons(
-          record, {},
-          {chip(Kind::again, texts::lesson::kAgain), chip(Kind::goOn, texts::lesson::kExplanation)}, lines);
+          seen, {}, {chip(Kind::again, texts::lesson::kAgain), chip(Kind::goOn, texts::lesson::kExplanation)},
+          lines);
     case LessonPhase::explains:
       lines.wrap(lesson.number);
-      addAnswer(lesson, record.lesson.answer, lines);
-      addReadings(record, plan, {}, lines);
-      addObservers(record, plan, lines);
+      addAnswer(lesson, seen.record.lesson.answer, lines);
+      addReadings(seen, plan, {}, lines);
+      addObservers(seen, plan, lines);
       return addButtons(
-          record, {},
+          seen, {},
           {chip(Kind::goOn, texts::lesson::kBackToScene), chip(Kind::again, texts::lesson::kAskAgain)},
           lines);
   }
@@ -238,15 +239,15 @@ void addLesson(const FrameRecord& record, const LessonWords& lesson, const Lesso
 
 /// Adds the numbers behind the motion overlay on the floor (cave/overlay/motion_overlay.h), but not while a
 /// caption says what to look for during a scripted flight.
-void addDrive(const FrameRecord& record, Lines& lines) {
-  const bool isTold = record.drive.mode == DriveMode::tour && !record.notice.words().empty();
-  if (!isDriven(record) || isTold) return;
-  const Vec3 u = record.boardFromRoom.u();
+void addDrive(const SeenFrame& seen, Lines& lines) {
+  const bool isTold = seen.record.drive.mode == DriveMode::tour && !seen.self.notice.words().empty();
+  if (!isDriven(seen) || isTold) return;
+  const Vec3 u = seen.record.boardFromRoom.u();
   const double gamma = gammaFromU(u);
   lines.add(kMotionColour, texts::legend::kPlatform, glm::length(betaFromU(u)), gamma);
   lines.add(kSeenMark, texts::legend::kLightRing);
   lines.add(kContractedColour, texts::legend::kContracted, 1.0 / gamma);
-  const DriveView& drive = record.drive;
+  const DriveView& drive = seen.record.drive;
   if (drive.thrust == Vec3(0.0) && drive.mode == DriveMode::free && !drive.atLimit) return;
   lines.add(drive.atLimit ? kLimitColour : kThrustColour, texts::legend::kThrust,
             100.0 * glm::length(drive.thrust),
@@ -257,18 +258,18 @@ void addDrive(const FrameRecord& record, Lines& lines) {
 void addEffects(const Switches& switches, Lines& lines) {
   constexpr Switches kUsual;
   std::string off, on;
-  for (std::size_t i = 0; i < kNamedSwitches.size(); ++i) {
-    const auto value = kNamedSwitches[i].value;
-    if (switches.*value == kUsual.*value) continue;
-    std::string& all = switches.*value ? on : off;
-    all += (all.empty() ? "" : ", ") + std::string(texts::keys::kEffects[i]);
+  for (const NamedSwitch& effect : kNamedSwitches) {
+    const bool isOn = switches.*effect.value != 0;
+    if (isOn == (kUsual.*effect.value != 0)) continue;
+    std::string& all = isOn ? on : off;
+    all += (all.empty() ? "" : ", ") + std::string(effect.words);
   }
   if (!off.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOff, off));
   if (!on.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOn, on));
 }
 
-void addViews(const FrameRecord& record, Viewers viewers, Lines& lines) {
-  const TimeViews& views = record.views;
+void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
+  const TimeViews& views = seen.record.views;
   if (views.boardNow || views.myNow || views.split) lines.add(kSeenMark, texts::legend::kSeen);
   if (views.boardNow) lines.add(kBoardNowColour, texts::legend::kBoardNow);
   if (views.myNow) lines.add(kMyNowColour, texts::legend::kMyNow);
@@ -277,17 +278,16 @@ void addViews(const FrameRecord& record, Viewers viewers, Lines& lines) {
   } else if (views.split) {
     lines.add({}, texts::legend::kChosenOtherwise);
   }
-  if (views.paths) lines.add({}, texts::legend::kPaths);
-  if (views.events) {
-    lines.add(kEventColour, texts::legend::kEvents);
-    lines.add(kFlashColour, texts::legend::kFlash);
+  for (const NamedView& view : kNamedViews) {
+    if (!view.legend || !(views.*view.value)) continue;
+    const bool isEvents = view.value == &TimeViews::events;
+    lines.add(isEvents ? std::optional(kEventColour) : std::nullopt, "{}", view.legend);
+    if (isEvents) lines.add(kFlashColour, texts::legend::kFlash);
   }
-  if (views.ruler) lines.add({}, texts::legend::kRuler);
-  if (views.angles) lines.add({}, texts::legend::kAngles);
   if (views.frozen) lines.add({}, texts::legend::kFrozen);
   if (views.clocks) {
     lines.add({}, texts::legend::kClocks);
-    addClocks(record, viewers, lines);
+    addClocks(seen, viewers, lines);
   }
 }
 
@@ -300,18 +300,18 @@ std::optional<Wall> frontWall(const RoomGeometry& room) {
   return std::nullopt;
 }
 
-void describe(const FrameRecord& record, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
+void describe(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
               std::size_t letters, std::vector<HudLine>& words) {
   Lines lines(words, letters);
-  lines.wrap(record.notice.words(), {}, true);
-  addLesson(record, lesson, plan, viewers, lines);
-  if (record.lesson.phase == LessonPhase::none) {
-    addScore(record, viewers, lines);
-    addEffects(record.switches, lines);
-    addViews(record, viewers, lines);
-    addDrive(record, lines);
+  lines.wrap(seen.self.notice.words(), {}, true);
+  addLesson(seen, lesson, plan, viewers, lines);
+  if (seen.record.lesson.phase == LessonPhase::none) {
+    addScore(seen, viewers, lines);
+    addEffects(seen.record.switches, lines);
+    addViews(seen, viewers, lines);
+    addDrive(seen, lines);
   }
-  if (record.controls.trackerCross) lines.add({}, texts::legend::kNearerBar);
+  if (seen.record.controls.trackerCross) lines.add({}, texts::legend::kNearerBar);
 }
 
 void HudText::setWall(const Wall& wall, std::span<const RoomViewer> viewers) {
@@ -325,19 +325,19 @@ void HudText::setLesson(const LessonWords& words, const LessonPlan& plan) {
   tenths_s_ = -1;
 }
 
-bool HudText::follow(const FrameRecord& record) {
-  const auto tenths_s = static_cast<std::int64_t>(std::floor(10.0 * record.display_s));
-  if (tenths_s == tenths_s_ && record.views == views_ && record.controls == controls_ &&
-      record.lesson == lessonState_ && record.notice == notice_) {
+bool HudText::follow(const SeenFrame& seen) {
+  const auto tenths_s = static_cast<std::int64_t>(std::floor(10.0 * seen.record.display_s));
+  if (tenths_s == tenths_s_ && seen.record.views == views_ && seen.record.controls == controls_ &&
+      seen.record.lesson == lessonState_ && seen.self.notice == notice_) {
     return false;
   }
   tenths_s_ = tenths_s;
-  views_ = record.views;
-  controls_ = record.controls;
-  lessonState_ = record.lesson;
-  notice_ = record.notice;
-  isBand_ = record.lesson.phase != LessonPhase::none;
-  describe(record, lesson_, plan_, viewers_, isBand_ ? bandLetters_ : kLineLetters, lines_);
+  views_ = seen.record.views;
+  controls_ = seen.record.controls;
+  lessonState_ = seen.record.lesson;
+  notice_ = seen.self.notice;
+  isBand_ = seen.record.lesson.phase != LessonPhase::none;
+  describe(seen, lesson_, plan_, viewers_, isBand_ ? bandLetters_ : kLineLetters, lines_);
   return true;
 }
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "cave/frame/frame_state.h"
 #include "cave/frame/lesson_plan.h"
 #include "cave/overlay/hud_line.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 
@@ -27,7 +27,7 @@ std::optional<Wall> frontWall(const RoomGeometry& room);
 /// all nodes write the same. `lines` is empty if there is no text. `viewers` are those of the record, in its
 /// order; where there are several, the score is each one's, and the clocks compare theirs with that of the
 /// first.
-void describe(const FrameRecord& record, const LessonWords& words, const LessonPlan& plan,
+void describe(const SeenFrame& seen, const LessonWords& words, const LessonPlan& plan,
               std::span<const RoomViewer> viewers, std::size_t letters, std::vector<HudLine>& lines);
 
 /// Follows the frames and keeps the lines up to date.
@@ -40,7 +40,7 @@ class HudText {
 
   /// Updates the lines ten times a second, and whenever the text about the views, the lesson or the latest
   /// notice changes. Returns whether it did.
-  bool follow(const FrameRecord& record);
+  bool follow(const SeenFrame& seen);
 
   const std::vector<HudLine>& lines() const { return lines_; }
   bool isBand() const { return isBand_; }  ///< a lesson speaks

@@ -48,10 +48,10 @@ bool hasFloor(const RoomGeometry& room) {
 
 }  // namespace
 
-glm::dvec3 platformInRoom_u(const FrameRecord& record) { return -record.boardFromRoom.inverse().u(); }
+glm::dvec3 platformInRoom_u(const SeenFrame& seen) { return -seen.record.boardFromRoom.inverse().u(); }
 
-bool isDriven(const FrameRecord& record) {
-  return glm::length(record.boardFromRoom.u()) > kMoves_u || record.drive.thrust != Vec3(0.0);
+bool isDriven(const SeenFrame& seen) {
+  return glm::length(seen.record.boardFromRoom.u()) > kMoves_u || seen.record.drive.thrust != Vec3(0.0);
 }
 
 double MotionOverlay::radius_m(const RoomGeometry& room) { return hasFloor(room) ? kRadius_m : kSmall_m; }
@@ -88,9 +88,9 @@ void MotionOverlay::addArrow(const RoomGeometry& room, const glm::dvec3& from_m,
 }
 
 /// Adds the lines. L(v)d = d + (1/γ − 1)(d·v̂)v̂ gives the board's circle in the room.
-void MotionOverlay::add(const RoomGeometry& room, const FrameRecord& record) {
+void MotionOverlay::add(const RoomGeometry& room, const SeenFrame& seen) {
   const glm::dvec3 middle = middle_m(room), right = glm::cross(room.forward, room.up);
-  const glm::dvec3 u = platformInRoom_u(record);
+  const glm::dvec3 u = platformInRoom_u(seen);
   const double gamma = gammaFromU(u), size = glm::length(u), around_m = radius_m(room);
   const double thick = around_m / kRadius_m;
   const glm::dvec3 along = size > 0.0 ? u / size : glm::dvec3(0.0);
@@ -108,17 +108,17 @@ void MotionOverlay::add(const RoomGeometry& room, const FrameRecord& record) {
             kContractedColour);
   }
   addArrow(room, middle, around_m * betaFromU(u), thick * kMotion_m, kMotionColour);
-  addArrow(room, middle, around_m * record.drive.thrust, thick * kThrust_m,
-           record.drive.atLimit ? kLimitColour : kThrustColour);
+  addArrow(room, middle, around_m * seen.record.drive.thrust, thick * kThrust_m,
+           seen.record.drive.atLimit ? kLimitColour : kThrustColour);
 }
 
 void MotionOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
-                         const FrameRecord& record, const RenderTarget& picture) {
-  if (room.walls.empty() || !isDriven(record)) return;
+                         const SeenFrame& seen, const RenderTarget& picture) {
+  if (room.walls.empty() || !isDriven(seen)) return;
   const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
   if (!clip) return;
   lines_.clear();
-  add(room, record);
+  add(room, seen);
   const std::size_t count = lines_.size();  // first the dark borders, below the lines
   lines_.resize(2 * count);
   for (std::size_t i = 0; i < count; ++i) {

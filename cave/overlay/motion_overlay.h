@@ -11,18 +11,18 @@
 
 #include <glm/vec3.hpp>
 
-#include "cave/frame/frame_state.h"
 #include "cave/gl/line_batch.h"
 #include "cave/gl/picture.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 
 namespace carom {
 
 /// Returns γβ of the platform on the board, in the room's axes.
-glm::dvec3 platformInRoom_u(const FrameRecord& record);
+glm::dvec3 platformInRoom_u(const SeenFrame& seen);
 /// Returns whether the platform moves or is driven.
-bool isDriven(const FrameRecord& record);
+bool isDriven(const SeenFrame& seen);
 
 class MotionOverlay {
  public:
@@ -37,11 +37,11 @@ class MotionOverlay {
 
   /// Draws over the picture of `wall` for an eye in the room; costs nothing if there is nothing to draw. The
   /// drawing context must be current here, and when this object is created and destroyed.
-  void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
-            const FrameRecord& record, const RenderTarget& picture);
+  void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m, const SeenFrame& seen,
+            const RenderTarget& picture);
 
  private:
-  void add(const RoomGeometry& room, const FrameRecord& record);
+  void add(const RoomGeometry& room, const SeenFrame& seen);
   void addLine(const glm::dvec3& from_m, const glm::dvec3& to_m, double halfWidth_m, const glm::vec3& colour);
   void addArrow(const RoomGeometry& room, const glm::dvec3& from_m, const glm::dvec3& along_m,
                 double halfWidth_m, const glm::vec3& colour);

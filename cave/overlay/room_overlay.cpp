@@ -53,16 +53,15 @@ RoomOverlay::RoomOverlay()
 }
 
 void RoomOverlay::draw(const RoomGeometry& room, const Wall& wall, bool isFront,
-                       const glm::dvec3& eyeInRoom_m, const FrameRecord& record,
-                       const RenderTarget& picture) {
-  if (!wall.onHead) drawGrid(wall, record, picture);
-  if (record.controls.trackerCross) drawMarks(room, wall, isFront, eyeInRoom_m, record, picture);
+                       const glm::dvec3& eyeInRoom_m, const SeenFrame& seen, const RenderTarget& picture) {
+  if (!wall.onHead) drawGrid(wall, seen, picture);
+  if (seen.record.controls.trackerCross) drawMarks(room, wall, isFront, eyeInRoom_m, seen, picture);
 }
 
 /// Draws the grid in the wall's plane, where every eye sees it at the same place of the picture.
-void RoomOverlay::drawGrid(const Wall& wall, const FrameRecord& record, const RenderTarget& picture) const {
-  std::array<glm::vec3, 2> warnings{warningOf(wall, record.observer.middle.positionInRoom_m), {}};
-  if (record.tracked.handKnown) warnings[1] = warningOf(wall, record.tracked.roomFromHand.position_m);
+void RoomOverlay::drawGrid(const Wall& wall, const SeenFrame& seen, const RenderTarget& picture) const {
+  std::array<glm::vec3, 2> warnings{warningOf(wall, seen.self.observer.middle.positionInRoom_m), {}};
+  if (seen.self.tracked.handKnown) warnings[1] = warningOf(wall, seen.self.tracked.roomFromHand.position_m);
   if (!(std::max(warnings[0].z, warnings[1].z) > 0.0F)) return;
   const GlStateGuard state(picture.framebuffer(), picture.size_px());
   blendOver();
@@ -101,12 +100,12 @@ void RoomOverlay::addBars(const Wall& wall, const glm::dvec3& eyes_m) {
 }
 
 void RoomOverlay::drawMarks(const RoomGeometry& room, const Wall& wall, bool isFront,
-                            const glm::dvec3& eyeInRoom_m, const FrameRecord& record,
+                            const glm::dvec3& eyeInRoom_m, const SeenFrame& seen,
                             const RenderTarget& picture) {
   const std::optional<glm::dmat4> clip = clipFromRoom(wall, eyeInRoom_m);
   if (!clip) return;
-  const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
-  const Tracked& tracked = record.tracked;
+  const glm::dvec3& eyes_m = seen.self.observer.middle.positionInRoom_m;
+  const Tracked& tracked = seen.self.tracked;
   marks_.clear();
   if (isFront) addBars(wall, eyes_m);
   if (tracked.headKnown) {

@@ -18,10 +18,10 @@
 
 #include <glm/vec3.hpp>
 
-#include "cave/frame/frame_state.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/gl/line_batch.h"
 #include "cave/gl/picture.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 
@@ -54,12 +54,12 @@ class RoomOverlay {
   /// Draws over the picture of `wall` for an eye in the room; costs nothing if there is nothing to draw.
   /// `isFront`: the wall shows the stereo check.
   void draw(const RoomGeometry& room, const Wall& wall, bool isFront, const glm::dvec3& eyeInRoom_m,
-            const FrameRecord& record, const RenderTarget& picture);
+            const SeenFrame& seen, const RenderTarget& picture);
 
  private:
-  void drawGrid(const Wall& wall, const FrameRecord& record, const RenderTarget& picture) const;
+  void drawGrid(const Wall& wall, const SeenFrame& seen, const RenderTarget& picture) const;
   void drawMarks(const RoomGeometry& room, const Wall& wall, bool isFront, const glm::dvec3& eyeInRoom_m,
-                 const FrameRecord& record, const RenderTarget& picture);
+                 const SeenFrame& seen, const RenderTarget& picture);
   void addCross(const Pose& roomFromCross);
   void addBars(const Wall& wall, const glm::dvec3& eyes_m);
 

@@ -45,32 +45,33 @@ std::array<Tile, kChoices> tilesOn(const Wall& wall, bool atFoot) {
   return tiles;
 }
 
-OfferedTiles offeredIn(const RoomGeometry& room, const FrameRecord& record, bool choices, bool hasTable) {
-  return {choices, !room.viewers.front().hasHand, hasTable && wayHome(room, record).has_value()};
+OfferedTiles offeredIn(const RoomGeometry& room, const SeenFrame& seen, bool choices, bool hasTable) {
+  return {choices, !room.viewers.front().hasHand, hasTable && wayHome(room, seen).has_value()};
 }
 
-void addTiles(const Wall& wall, const FrameRecord& record, const OfferedTiles& offered,
+void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offered,
               std::vector<WallButton>& buttons) {
   using Kind = WallAction::Kind;
-  const bool isLesson = record.lesson.phase != LessonPhase::none;
-  if (offered.choices && offersChoicesNow(record)) {
+  const bool isLesson = seen.record.lesson.phase != LessonPhase::none;
+  if (offered.choices && offersChoicesNow(seen)) {
     const std::array<Tile, kChoices> tiles = tilesOn(wall, isLesson);
     for (std::size_t i = 0; i < kChoices; ++i)
       buttons.push_back({actionOf(static_cast<Choice>(i)), tiles[i]});
   }
-  if (isLesson || record.hand.pulling) return;  // a lesson's band has buttons of its own
+  if (isLesson || seen.self.hand.pulling) return;  // a lesson's band has buttons of its own
   const std::array<Tile, kChoices> above = tilesOn(wall, false);
   const auto add = [&](std::size_t column, Kind kind) {
     buttons.push_back({{kind, 0}, below(above[column], wall)});
   };
-  if (record.score.caroms > 0) add(0, Kind::goOn);
-  const bool isFree = record.drive.mode == DriveMode::free || record.drive.mode == DriveMode::braking;
-  if (record.views.frozen) {
+  if (seen.self.score.caroms > 0) add(0, Kind::goOn);
+  const bool isFree =
+      seen.record.drive.mode == DriveMode::free || seen.record.drive.mode == DriveMode::braking;
+  if (seen.record.views.frozen) {
     add(1, Kind::unfreeze);
-  } else if (isFree && (offered.isAstray || isDriven(record))) {
+  } else if (isFree && (offered.isAstray || isDriven(seen))) {
     add(1, Kind::home);
   }
-  if (offered.choices && offered.keys && offersChoicesNow(record)) add(2, Kind::keys);
+  if (offered.choices && offered.keys && offersChoicesNow(seen)) add(2, Kind::keys);
 }
 
 std::optional<PointedButton> buttonAt(const Wall& front, std::span<const WallButton> buttons,
@@ -90,9 +91,10 @@ std::optional<PointedButton> buttonAt(const Wall& front, std::span<const WallBut
   return std::nullopt;
 }
 
-WallAction pointedByHand(const Wall& front, std::span<const WallButton> buttons, const FrameRecord& record) {
-  if (!record.hand.shown) return {};
-  const auto pointed = buttonAt(front, buttons, record.hand.from_m, record.hand.to_m - record.hand.from_m);
+WallAction pointedByHand(const Wall& front, std::span<const WallButton> buttons, const SeenFrame& seen) {
+  if (!seen.self.hand.shown) return {};
+  const auto pointed =
+      buttonAt(front, buttons, seen.self.hand.from_m, seen.self.hand.to_m - seen.self.hand.from_m);
   return pointed ? pointed->action : WallAction{};
 }
 

@@ -12,9 +12,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "cave/frame/choice.h"
-#include "cave/frame/frame_state.h"
 #include "cave/frame/wall_action.h"
+#include "cave/record/choice.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
 
@@ -42,11 +42,11 @@ struct OfferedTiles {
 };
 
 /// Returns what a room offers; `hasTable`: the game has one to come home to.
-OfferedTiles offeredIn(const RoomGeometry& room, const FrameRecord& record, bool choices, bool hasTable);
+OfferedTiles offeredIn(const RoomGeometry& room, const SeenFrame& seen, bool choices, bool hasTable);
 
 /// Appends the tiles on a wall in this frame: the three choices, and below them flat ones for what the keys
 /// Enter, Home, F and H do, where there is something for them to do.
-void addTiles(const Wall& wall, const FrameRecord& record, const OfferedTiles& offered,
+void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offered,
               std::vector<WallButton>& buttons);
 
 /// A button that a ray points to, and where the ray meets the wall.
@@ -59,7 +59,7 @@ std::optional<PointedButton> buttonAt(const Wall& front, std::span<const WallBut
                                       const glm::dvec3& from_m, const glm::dvec3& along);
 
 /// Returns the button to which the hand of the record points, or no action.
-WallAction pointedByHand(const Wall& front, std::span<const WallButton> buttons, const FrameRecord& record);
+WallAction pointedByHand(const Wall& front, std::span<const WallButton> buttons, const SeenFrame& seen);
 
 /// Returns the middle of a place on a wall. Room frame.
 glm::dvec3 middleOf(const Wall& wall, const Tile& tile);

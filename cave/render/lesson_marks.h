@@ -4,7 +4,7 @@
 // observer's frame if the view "my now" is on.
 
 #include "cave/frame/lesson_plan.h"
-#include "cave/frame/lesson_words.h"
+#include "cave/record/lesson_words.h"
 #include "cave/render/mark_context.h"
 
 namespace carom {

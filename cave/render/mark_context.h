@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <span>
 
-#include "cave/frame/lesson_words.h"
-#include "cave/frame/time_views.h"
+#include "cave/record/lesson_words.h"
+#include "cave/record/time_views.h"
 #include "cave/render/ghosts.h"
 #include "cave/render/mark_buffer.h"
 #include "engine/billiard/game_event.h"

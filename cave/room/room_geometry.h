@@ -31,7 +31,7 @@ struct RoomGeometry {
 };
 
 /// Returns the room with another viewer in the first's place, and the other way round, as the frame's record that
-/// this viewer sees (cave/frame/frame_state.h).
+/// this viewer sees (cave/record/frame_state.h).
 inline RoomGeometry seenBy(RoomGeometry room, std::size_t viewer) {
   std::swap(room.viewers.front(), room.viewers.at(viewer));
   return room;

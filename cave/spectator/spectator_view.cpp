@@ -129,8 +129,8 @@ void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const SceneP
 }
 
 void SpectatorView::Drawing::drawViewers(const FrameRecord& record) const {
-  for (std::size_t i = 0; i < std::min<std::size_t>(record.viewers, room.viewers.size()); ++i) {
-    const ViewerPlaces places = viewerPlaces(seenBy(record, i), rooms[i], surfaces.floor_m());
+  for (std::size_t i = 0; i < std::min<std::size_t>(record.viewerCount, room.viewers.size()); ++i) {
+    const ViewerPlaces places = viewerPlaces({record, i}, rooms[i], surfaces.floor_m());
     for (const Solid& part : head) solids.draw(part, places.roomFromHead);
     if (places.roomFromCoat) solids.draw(coats[i], *places.roomFromCoat);
     if (places.roomFromWand) solids.draw(wand, *places.roomFromWand);
@@ -174,13 +174,13 @@ void SpectatorView::Drawing::drawLines(const FrameRecord& record,
                                        const std::optional<glm::dmat4>& roomFromTable) {
   constexpr double kEdge_m = 0.005;
   std::array<glm::dvec3, kMostViewers> heads_m;
-  for (std::size_t viewer = 0; viewer < record.viewers; ++viewer)
-    heads_m[viewer] = record.viewer(viewer).observer.middle.positionInRoom_m;
+  for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer)
+    heads_m[viewer] = record.viewers[viewer].observer.middle.positionInRoom_m;
   lines.clear();
   for (const Wall& wall : surfaces.walls())
-    outline(wall, std::span(heads_m).first(room.isHeadset ? 0 : record.viewers));
-  const std::array<glm::dvec3, 2> eyes_m{record.observer.left.positionInRoom_m,
-                                         record.observer.right.positionInRoom_m};
+    outline(wall, std::span(heads_m).first(room.isHeadset ? 0 : record.viewerCount));
+  const ObserverView& first = record.viewers.front().observer;
+  const std::array<glm::dvec3, 2> eyes_m{first.left.positionInRoom_m, first.right.positionInRoom_m};
   for (std::size_t eye = 0; eye < 2 && isWorn; ++eye) outline(hung[eye], std::span(eyes_m).subspan(eye, 1));
   const std::size_t ofRoom = lines.size();
   const auto inRoom_m = [&](const glm::dvec3& onBoard_m) {
@@ -228,7 +228,7 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   if (!d.picture || d.picture->size_px() != d.size_px) d.picture = std::make_unique<RenderTarget>(d.size_px);
   d.view = {d.camera.clipFromRoom(d.size_px), d.camera.place_m(), d.size_px};
   d.putOn(record.headset);
-  const EyeView& middle = record.observer.middle;
+  const EyeView& middle = record.viewers.front().observer.middle;
   const RoomSimultaneity moment(record.boardFromRoom, middle.observation, middle.seenFromInRoom_m);
 
   d.target.forgetViewport();

@@ -12,7 +12,7 @@
 #include "cave/capture/capture.h"
 #include "cave/display/display_walls.h"
 #include "cave/display/window.h"
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/scene/scene.h"
 #include "engine/spacetime/lorentz.h"

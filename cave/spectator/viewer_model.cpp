@@ -87,11 +87,11 @@ ViewerModel makeViewerModel() {
   return model;
 }
 
-ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomGeometry& room, double floor_m) {
+ViewerPlaces viewerPlaces(const SeenFrame& seen, const RoomGeometry& room, double floor_m) {
   const glm::dmat4 roomFromViewer(
       glm::dmat3(glm::cross(room.forward, room.up), room.forward, room.up));  // right, forward, up
-  const Tracked& tracked = record.tracked;
-  const glm::dvec3& eyes_m = record.observer.middle.positionInRoom_m;
+  const Tracked& tracked = seen.self.tracked;
+  const glm::dvec3& eyes_m = seen.self.observer.middle.positionInRoom_m;
   Pose roomFromHead{eyes_m, {1.0, 0.0, 0.0, 0.0}};
   if (tracked.headKnown)
     roomFromHead.orientation = (tracked.roomFromHeadSensor * room.viewers.front().sensorFromEyes).orientation;

@@ -10,7 +10,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 
 namespace carom {
@@ -37,6 +37,6 @@ struct ViewerPlaces {
   std::optional<glm::dmat4> roomFromWand;  ///< none while the hand is not tracked
 };
 /// Returns the places of the first viewer's figure. `floor_m`: the floor's height along the room's up.
-ViewerPlaces viewerPlaces(const FrameRecord& record, const RoomGeometry& room, double floor_m);
+ViewerPlaces viewerPlaces(const SeenFrame& seen, const RoomGeometry& room, double floor_m);
 
 }  // namespace carom

@@ -193,10 +193,6 @@ inline constexpr Text kRightContraction = "right half: contraction";
 inline constexpr Text kRightAberration = "right half: aberration";
 inline constexpr Text kRightColour = "right half: Doppler colour";
 inline constexpr Text kRightSearchlight = "right half: beaming";
-/// In the order of kNamedSwitches.
-inline constexpr std::array<Text, 5> kEffects{kRetardation, kContraction, kAberration, kColour, kSearchlight};
-inline constexpr std::array<Text, 5> kRightEffects{kRightRetardation, kRightContraction, kRightAberration,
-                                                   kRightColour, kRightSearchlight};
 inline constexpr Text kFreeze = "freeze the view and walk around it";
 inline constexpr Text kLight = "slower and faster light";
 inline constexpr Text kPause = "pause";
@@ -295,29 +291,38 @@ inline constexpr Text kContinue = "Continue", kPause = "Pause", kPauseTip = "Spa
 inline constexpr Text kEnd = "End", kRate = "speed", kBackwards = "backwards";
 inline constexpr Text kPlaceTip = "Drag to where you want to be in the session.";
 
-// Effects, light, views, walls. Tips in the order of kNamedSwitches and kNamedViews.
+// Effects, light, views, walls.
 inline constexpr Text kEffects = "Effects of relativity";
-inline constexpr std::array<Text, 5> kEffectTips{
+inline constexpr Text kRetardationTip =
     "Light delay: things are seen where they were when their light left them. Off: they are drawn where they "
     "are now, "
-    "and all clocks agree.",
-    "What moves is shorter along its motion. Off: it keeps the shape that it has at rest.",
+    "and all clocks agree.";
+inline constexpr Text kContractionTip =
+    "What moves is shorter along its motion. Off: it keeps the shape that it has at rest.";
+inline constexpr Text kAberrationTip =
     "For a moving observer, directions swing towards where the observer goes. Off: your own motion does not "
-    "show.",
+    "show.";
+inline constexpr Text kColourTip =
     "Doppler effect: light from what approaches is bluer, from what recedes redder, ultraviolet and infrared "
     "included. "
-    "Off: surfaces keep their colours.",
-    "Beaming: light from ahead is brighter for a moving observer. Off: brightness keeps."};
-inline constexpr std::array<Text, 9> kViewTips{
-    "Striped ghosts where things are now, in the table's frame: their light is still on its way.",
-    "Crossed ghosts where things are now, in your frame. It is another now as soon as you move.",
-    "The paths of the pucks over the cloth: solid = already seen, dashed = still to come.",
-    "A numbered flag at each event, from the moment you see it; and the light of a flash on its way.",
-    "Each puck's proper time as you see it; your proper time, your speed, the speed of light.",
-    "The right half of every wall without relativity, or with what is ticked under \"right\".",
-    "Time stands still: walk around what you see at this moment.",
-    "A metre on the cloth, with light travelling along it.",
-    "The angles between the outgoing paths of two pucks that met."};
+    "Off: surfaces keep their colours.";
+inline constexpr Text kSearchlightTip =
+    "Beaming: light from ahead is brighter for a moving observer. Off: brightness keeps.";
+inline constexpr Text kBoardNowTip =
+    "Striped ghosts where things are now, in the table's frame: their light is still on its way.";
+inline constexpr Text kMyNowTip =
+    "Crossed ghosts where things are now, in your frame. It is another now as soon as you move.";
+inline constexpr Text kPathsTip =
+    "The paths of the pucks over the cloth: solid = already seen, dashed = still to come.";
+inline constexpr Text kEventsTip =
+    "A numbered flag at each event, from the moment you see it; and the light of a flash on its way.";
+inline constexpr Text kClocksTip =
+    "Each puck's proper time as you see it; your proper time, your speed, the speed of light.";
+inline constexpr Text kSplitTip =
+    "The right half of every wall without relativity, or with what is ticked under \"right\".";
+inline constexpr Text kFrozenTip = "Time stands still: walk around what you see at this moment.";
+inline constexpr Text kRulerTip = "A metre on the cloth, with light travelling along it.";
+inline constexpr Text kAnglesTip = "The angles between the outgoing paths of two pucks that met.";
 inline constexpr Text kOn = "on", kLeft = "left", kRight = "right", kKeyColumn = "keys";
 inline constexpr Text kRightTip =
     "For the right half of every wall, when it is drawn otherwise (\"Newton beside Einstein\").";

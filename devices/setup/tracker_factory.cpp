@@ -1,5 +1,7 @@
 #include "devices/setup/tracker_factory.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -39,31 +41,57 @@ class UnfollowedHeadset : public Tracker {
   }
 };
 
+Transport makeVrpn(const TrackerSetup& setup, const RoomAxes&) {
+  return vrpnTransport(readVrpnSource(setup.source.string()));
+}
+Transport makeDtrack(const TrackerSetup& setup, const RoomAxes&) {
+  DtrackSource source = readDtrackSource(setup.source.string());
+  source.start = setup.start;
+  return dtrackTransport(source);
+}
+Transport makeNatnet(const TrackerSetup& setup, const RoomAxes&) {
+  return natnetTransport(readNatnetSource(setup.source.string()));
+}
+Transport makePolhemus(const TrackerSetup& setup, const RoomAxes&) {
+  return polhemusTransport(usbAddress(setup.source.string()));
+}
+Transport makeHidImu(const TrackerSetup& setup, const RoomAxes& axes) {
+  return hidImuTransport(usbAddress(setup.source.string()), axes.up * kStandingEyes_m, axes);
+}
+Transport makeSpaceMouse(const TrackerSetup& setup, const RoomAxes&) {
+  return spaceMouseTransport(setup.source.empty() ? std::nullopt
+                                                  : std::optional(usbAddress(setup.source.string())));
+}
+
+constexpr std::array kRows{TrackerRow{TrackerKind::simulated, "simulated", true, nullptr},
+                           TrackerRow{TrackerKind::recorded, "recorded", true, nullptr},
+                           TrackerRow{TrackerKind::vrpn, "vrpn", true, makeVrpn},
+                           TrackerRow{TrackerKind::dtrack, "dtrack", true, makeDtrack},
+                           TrackerRow{TrackerKind::natnet, "natnet", true, makeNatnet},
+                           TrackerRow{TrackerKind::polhemusUsb, "polhemus-usb", true, makePolhemus},
+                           TrackerRow{TrackerKind::hidImu, "hid-imu", true, makeHidImu},
+                           TrackerRow{TrackerKind::spaceMouse, "spacemouse", true, makeSpaceMouse},
+                           TrackerRow{TrackerKind::headset, "headset", false, nullptr}};
+
 }  // namespace
 
 bool isDevice(TrackerKind kind) { return kind != TrackerKind::simulated && kind != TrackerKind::recorded; }
 
-Transport createTransport(TrackerKind kind, const std::string& source, const RoomAxes& axes) {
-  switch (kind) {
-    case TrackerKind::vrpn:
-      return vrpnTransport(readVrpnSource(source));
-    case TrackerKind::dtrack:
-      return dtrackTransport(readDtrackSource(source));
-    case TrackerKind::natnet:
-      return natnetTransport(readNatnetSource(source));
-    case TrackerKind::polhemusUsb:
-      return polhemusTransport(usbAddress(source));
-    case TrackerKind::hidImu:
-      return hidImuTransport(usbAddress(source), axes.up * kStandingEyes_m, axes);
-    case TrackerKind::spaceMouse:
-      return spaceMouseTransport(source.empty() ? std::nullopt : std::optional(usbAddress(source)));
-    case TrackerKind::simulated:
-    case TrackerKind::recorded:
-    case TrackerKind::headset:
-      break;
+std::span<const TrackerRow> trackerRows() { return kRows; }
+
+std::vector<std::string_view> trackerNamesInRigs() {
+  std::vector<std::string_view> names;
+  for (const TrackerRow& row : kRows) {
+    if (row.isInRigs) names.push_back(row.name);
   }
-  throw std::logic_error("createTransport: this tracker is no device");
+  return names;
 }
+
+const TrackerRow& rowOf(TrackerKind kind) {
+  return *std::find_if(kRows.begin(), kRows.end(), [&](const TrackerRow& row) { return row.kind == kind; });
+}
+
+std::string_view toString(TrackerKind kind) { return rowOf(kind).name; }
 
 std::unique_ptr<Tracker> createTracker(const TrackerSetup& setup, const RoomAxes& axes,
                                        std::chrono::steady_clock::time_point sessionStart) {
@@ -77,14 +105,7 @@ std::unique_ptr<Tracker> createTracker(const TrackerSetup& setup, const RoomAxes
     return std::make_unique<SimulatedTracker>(person);
   }
   if (setup.kind == TrackerKind::headset) return std::make_unique<UnfollowedHeadset>();
-  Transport transport;
-  if (setup.kind == TrackerKind::dtrack) {
-    DtrackSource source = readDtrackSource(setup.source.string());
-    source.start = setup.start;
-    transport = dtrackTransport(source);
-  } else {
-    transport = createTransport(setup.kind, setup.source.string(), axes);
-  }
+  Transport transport = rowOf(setup.kind).make(setup, axes);
   const bool saysNothingAtRest =
       setup.kind == TrackerKind::spaceMouse || (setup.kind == TrackerKind::vrpn && setup.buttonsAlone);
   if (!saysNothingAtRest) {

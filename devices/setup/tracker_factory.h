@@ -3,7 +3,9 @@
 
 #include <chrono>
 #include <memory>
-#include <string>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "devices/setup/tracker_setup.h"
 #include "devices/tracker/device_tracker.h"
@@ -14,9 +16,20 @@ namespace carom {
 /// Whether the kind is a device, whose samples arrive in real time and differ in every run.
 bool isDevice(TrackerKind kind);
 
-/// Returns the transport that listens to the device with that source. Throws std::invalid_argument, which
-/// says the fault and the expectation, if the source does not name a device of this kind.
-Transport createTransport(TrackerKind kind, const std::string& source, const RoomAxes& axes);
+/// A kind of tracker, registered: a new kind is a row of trackerRows().
+struct TrackerRow {
+  TrackerKind kind;
+  std::string_view name;  ///< in rig files
+  bool isInRigs;          ///< a [[tracker]] may be of this kind
+  /// Returns the transport that listens to the device that the setup's source names. Throws
+  /// std::invalid_argument, which says the fault and the expectation, if it names none of this kind. Null:
+  /// the kind has no transport.
+  Transport (*make)(const TrackerSetup& setup, const RoomAxes& axes);
+};
+/// Returns all kinds; those that a rig may name come first.
+std::span<const TrackerRow> trackerRows();
+std::vector<std::string_view> trackerNamesInRigs();
+const TrackerRow& rowOf(TrackerKind kind);
 
 /// Creates the tracker that a rig names. The session's clock reads zero at `sessionStart`. Throws InputError
 /// if its trace is at fault. A device that is not there is looked for, and its health says so.

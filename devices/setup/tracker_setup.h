@@ -1,8 +1,6 @@
 #pragma once
 // The description of one tracker in a rig file.
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -24,10 +22,8 @@ enum class TrackerKind {
   headset,     ///< in rigs of a headset alone, which a session follows itself (app/viewer/headset_tracker.h)
 };
 
-/// The names in rig files, in the order of TrackerKind.
-inline constexpr std::array<std::string_view, 9> kTrackerKinds{
-    "simulated", "recorded", "vrpn", "dtrack", "natnet", "polhemus-usb", "hid-imu", "spacemouse", "headset"};
-inline std::string_view toString(TrackerKind kind) { return kTrackerKinds[static_cast<std::size_t>(kind)]; }
+/// Returns the name in rig files.
+std::string_view toString(TrackerKind kind);
 
 /// The height of the eyes above the floor until a tracker has delivered.
 inline constexpr double kStandingEyes_m = 1.7;

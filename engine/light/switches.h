@@ -1,7 +1,6 @@
 #pragma once
 // The five effects of relativity on the picture. Each can be switched off to show its part.
 
-#include <array>
 #include <cstdint>
 
 namespace carom {
@@ -19,15 +18,5 @@ struct Switches {
 
 /// All off: no vertex needs more than a matrix.
 inline constexpr Switches kNoSwitches{0, 0, 0, 0, 0};
-
-struct NamedSwitch {
-  const char* name;
-  std::uint8_t Switches::*value;
-};
-inline constexpr std::array<NamedSwitch, 5> kNamedSwitches{{{"retardation", &Switches::retardation},
-                                                            {"contraction", &Switches::contraction},
-                                                            {"aberration", &Switches::aberration},
-                                                            {"colour", &Switches::colour},
-                                                            {"searchlight", &Switches::searchlight}}};
 
 }  // namespace carom

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/journal/journal.h"
-#include "cave/frame/frame_digest.h"
+#include "cave/record/frame_digest.h"
 
 namespace carom::test {
 
@@ -38,16 +38,18 @@ inline FrameState frameOf(std::uint64_t number) {
   state.record.number = number;
   state.record.display_s = x / 6.0;
   state.record.lightSpeed_m_s = kFacts.lightSpeed_m_s;
-  state.record.observer.headFromBoard = Lorentz::boost({x, -x, 0.3}, 1.42);
+  state.record.viewers[0].observer.headFromBoard = Lorentz::boost({x, -x, 0.3}, 1.42);
   state.record.boardFromRoom = Lorentz::boost({-x, 0.2, 0.0}, 1.42);
-  state.record.observer.properTime_s = x / 7.0;
-  ObserverView& observer = state.record.observer;
+  state.record.viewers[0].observer.properTime_s = x / 7.0;
+  ObserverView& observer = state.record.viewers[0].observer;
   observer.left = observer.right = observer.middle = {{x, {x / 3.0, -0.0, 1.7}}, {0.032, 1.7, x}};
+  state.record.viewers[0].placeInRoom_m = observer.middle.positionInRoom_m;
+  state.record.room_s = observer.properTime_s;
   state.record.switches.colour = number % 2;
-  state.record.hand.offset_m = 0.01 * x;
+  state.record.viewers[0].hand.offset_m = 0.01 * x;
   state.record.controls.comfort = number % 2;
   state.record.fade = 0.25 * static_cast<double>(number % 4);
-  state.record.score = {number / 5, number / 3};
+  state.record.viewers[0].score = {number / 5, number / 3};
   state.record.pucks = 2;
   state.record.eventsKept = (number + 3) / 4;
   if (number % 4 == 0) state.events.push_back(eventOf(number / 4, x));

@@ -103,9 +103,9 @@ class SimulatedVisitors {
       escapes_ += key.pressed && (key.key == GLFW_KEY_ESCAPE || key.key == GLFW_KEY_Q) ? 1 : 0;
     const WindowInput& passed = lock_.pass(input);
     ends_ += ending_.take(passed) ? 1 : 0;
-    const Notice before = decision_.frame.record.notice;
+    const Notice before = decision_.frame.record.viewers[0].notice;
     leader_->decide(times, passed, decision_);
-    const Notice& said = decision_.frame.record.notice;
+    const Notice& said = decision_.frame.record.viewers[0].notice;
     countdowns_ += said != before && said.words().starts_with("Still there") ? 1 : 0;
     strokes_ += decision_.strokes.size();
     applyFrame(decision_.frame, world_);
@@ -167,9 +167,9 @@ class SimulatedVisitors {
     const FrameRecord& before = decision_.frame.record;
     if (mood_ != Mood::aims && mood_ != Mood::draws) return desk;
     if (puck_ >= scenario_.billiard.pucks.size()) return desk;
-    const EyeView& eye = before.observer.middle;
+    const EyeView& eye = before.viewers[0].observer.middle;
     Vec3 along = aim_.seenInRoom_m(world_.histories[kFirstPuck + puck_],
-                                   {before.observer, Eye::middle, before.switches}) -
+                                   {before.viewers[0].observer, Eye::middle, before.switches}) -
                  eye.positionInRoom_m;
     if (mood_ == Mood::draws) along += pull_m_ * Vec3(std::cos(turn_rad_), 0.0, std::sin(turn_rad_));
     desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(along), Eye::middle};
@@ -245,23 +245,25 @@ class SimulatedVisitors {
 inline void expectNothingOfOthers(const Found& found, const Found& first) {
   EXPECT_EQ(found.settings, first.settings);
   const FrameRecord &here = found.record, &there = first.record;
-  EXPECT_EQ(here.observer.middle.observation.t_s, there.observer.middle.observation.t_s);
+  EXPECT_EQ(here.viewers[0].observer.middle.observation.t_s,
+            there.viewers[0].observer.middle.observation.t_s);
   // The tracker goes on, and with it the rounding of where the head is.
   constexpr double kRounding_m = 1e-9;
-  EXPECT_LT(glm::distance(here.observer.middle.observation.r_m, there.observer.middle.observation.r_m),
+  EXPECT_LT(glm::distance(here.viewers[0].observer.middle.observation.r_m,
+                          there.viewers[0].observer.middle.observation.r_m),
             kRounding_m);
-  EXPECT_EQ(here.observer.properTime_s, there.observer.properTime_s);
+  EXPECT_EQ(here.viewers[0].observer.properTime_s, there.viewers[0].observer.properTime_s);
   EXPECT_EQ(here.boardFromRoom.matrix(), there.boardFromRoom.matrix());
   EXPECT_EQ(here.switches, there.switches);
   EXPECT_EQ(here.views, there.views);
   EXPECT_EQ(here.controls, there.controls);
   EXPECT_EQ(here.lightSpeed_m_s, there.lightSpeed_m_s);
   EXPECT_EQ(here.lesson, there.lesson);
-  EXPECT_EQ(here.score, there.score);
-  EXPECT_EQ(here.notice.words(), there.notice.words());
+  EXPECT_EQ(here.viewers[0].score, there.viewers[0].score);
+  EXPECT_EQ(here.viewers[0].notice.words(), there.viewers[0].notice.words());
   EXPECT_EQ(here.drive.mode, there.drive.mode);
   EXPECT_EQ(here.drive.thrust, there.drive.thrust);
-  EXPECT_EQ(here.hand.pulling, there.hand.pulling);
+  EXPECT_EQ(here.viewers[0].hand.pulling, there.viewers[0].hand.pulling);
   EXPECT_EQ(found.knots, first.knots);
   EXPECT_EQ(found.events, first.events);
 }

@@ -16,7 +16,7 @@ using namespace carom;
 FrameState frameOf(std::uint64_t number) {
   FrameState state;
   state.record.number = number;
-  state.record.observer.headFromBoard = Lorentz::boost({0.1, 0.2, 0.3}, 1.42);
+  state.record.viewers[0].observer.headFromBoard = Lorentz::boost({0.1, 0.2, 0.3}, 1.42);
   const double t_s = static_cast<double>(number + 1) / 60.0;
   if (number % 10 == 0) state.knots.push_back({1, {{t_s, Vec3(0.0)}, Vec3(0.0), t_s, {}, 0.0}});
   return state;

@@ -49,10 +49,10 @@ int main() {
       state.record.number = static_cast<std::uint64_t>(number);
       state.record.display_s = time_s;
       state.record.lightSpeed_m_s = c_m_s;
-      state.record.observer = observer.view(0.064);
+      state.record.viewers[0].observer = observer.view(0.064);
       state.record.boardFromRoom = observer.boardFromRoom();
       state.record.pucks = billiard.worldLines().size();
-      state.record.tracked = {head.roomFromHead, {}, 1, 0};
+      state.record.viewers[0].tracked = {head.roomFromHead, {}, 1, 0};
       billiard.advanceTo(observer.headEvent().t_s);
       const Changes changes = billiard.takeChanges();
       for (const Changes::NewKnot& knot : changes.knots) state.knots.push_back({1 + knot.puck, knot.knot});

@@ -87,7 +87,7 @@ TEST_P(Twins, WhoComesBackIsYounger) {
   bool toured = false;
   while (session.next(state)) {
     ++count;
-    const ObserverView& person = state.record.observer;
+    const ObserverView& person = state.record.viewers[0].observer;
     const Event& event = person.middle.observation;
     ASSERT_NEAR(person.properTime_s, static_cast<double>(state.record.number) / hz, kExact);
     const Expected expected = expectedAt(person.properTime_s);
@@ -101,11 +101,11 @@ TEST_P(Twins, WhoComesBackIsYounger) {
   EXPECT_TRUE(toured);
   EXPECT_EQ(state.record.drive.mode, DriveMode::free);
   EXPECT_LT(glm::length(state.record.boardFromRoom.u()), 1e-12);
-  const double home_s = state.record.observer.middle.observation.t_s;
+  const double home_s = state.record.viewers[0].observer.middle.observation.t_s;
   const double k = kThrust_m_s2 / kC_m_s;
-  EXPECT_NEAR(home_s - state.record.observer.properTime_s, 4.0 * (std::sinh(k * kOff_s) / k - kOff_s),
-              kExact);
-  EXPECT_GT(home_s - state.record.observer.properTime_s, 2.3);
+  EXPECT_NEAR(home_s - state.record.viewers[0].observer.properTime_s,
+              4.0 * (std::sinh(k * kOff_s) / k - kOff_s), kExact);
+  EXPECT_GT(home_s - state.record.viewers[0].observer.properTime_s, 2.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Twins, Twins, testing::Values(60.0, 23.7), [](const auto& rate) {

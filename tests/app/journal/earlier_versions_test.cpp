@@ -31,9 +31,9 @@ FrameState plainFrameOf(std::uint64_t number, int version) {
   if (version >= kVersion6) return state;
   state.record.fade = 0.0;
   state.record.controls.comfort = 0;
-  state.record.score = {};
+  state.record.viewers[0].score = {};
   if (version > kVersion4) return state;
-  state.record.hand.offset_m = 0.0;
+  state.record.viewers[0].hand.offset_m = 0.0;
   for (BodyKnot& knot : state.knots) knot.knot.spin = {};
   for (GameEvent& event : state.events) {
     for (Turn& turn : event.turns) turn.spinBefore_kg_m2_s = turn.spinAfter_kg_m2_s = 0.0;

@@ -56,15 +56,15 @@ TEST(Journal, SeveralViewersAreReadWithTheSameBits) {
     for (std::uint64_t number = 0; number < 100; ++number) {
       FrameState& frame = written.emplace_back(frameOf(number));
       FrameRecord& record = frame.record;
-      record.viewers = 3;
-      record.hasTurn = 1;
+      record.viewerCount = 3;
+      record.viewers[0].hasTurn = 1;
       record.room_s = 0.3 * static_cast<double>(number);
       for (std::size_t i = 0; i < 3; ++i) {
         const FrameRecord other = frameOf(number + 10 * i).record;
-        if (i > 0) record.others[i - 1] = other;
-        record.viewer(i).placeInRoom_m = {0.1, static_cast<double>(i), -0.3};
-        record.viewer(i).lapse = 0.5 + 0.1 * static_cast<double>(i);
-        record.viewer(i).notice = Notice("seen by " + facts.viewers[i]);
+        if (i > 0) record.viewers[i] = other.viewers[0];
+        record.viewers[i].placeInRoom_m = {0.1, static_cast<double>(i), -0.3};
+        record.viewers[i].lapse = 0.5 + 0.1 * static_cast<double>(i);
+        record.viewers[i].notice = Notice("seen by " + facts.viewers[i]);
       }
       journal.add(frame, std::vector<HeadEstimate>(3), {});
     }
@@ -74,8 +74,8 @@ TEST(Journal, SeveralViewersAreReadWithTheSameBits) {
   for (const FrameState& expected : written) {
     ASSERT_TRUE(session.next(state));
     ASSERT_TRUE(sameBits(state, expected)) << "frame " << expected.record.number;
-    ASSERT_EQ(state.record.placeInRoom_m, expected.record.placeInRoom_m);
-    ASSERT_EQ(state.record.lapse, expected.record.lapse);
+    ASSERT_EQ(state.record.viewers[0].placeInRoom_m, expected.record.viewers[0].placeInRoom_m);
+    ASSERT_EQ(state.record.viewers[0].lapse, expected.record.viewers[0].lapse);
     ASSERT_EQ(state.record.room_s, expected.record.room_s);
   }
   SQLite::Database database(file.string());
@@ -174,7 +174,8 @@ TEST(Journal, EventsThatAStrokeTookBackAreGoneFromTheTableButNotFromTheFrames) {
     FrameState state;
     state.record.number = number;
     state.record.lightSpeed_m_s = kFacts.lightSpeed_m_s;
-    state.record.observer.headFromBoard = state.record.boardFromRoom = Lorentz(kFacts.lightSpeed_m_s);
+    state.record.viewers[0].observer.headFromBoard = state.record.boardFromRoom =
+        Lorentz(kFacts.lightSpeed_m_s);
     state.record.pucks = 2;
     state.record.eventsKept = kept;
     state.events = std::move(events);

@@ -12,7 +12,7 @@
 #include "app/journal/journal.h"
 #include "app/journal_frames.h"
 #include "app/temporary_folder.h"
-#include "cave/frame/record_rules.h"
+#include "cave/record/record_rules.h"
 #include "log_lines.h"
 
 namespace carom {
@@ -143,40 +143,46 @@ TEST(SessionFile, ARecordThatCannotBeIsRefusedWithFileFrameAndField) {
     void (*make)(FrameState&);
   };
   const std::vector<Damage> damages{
-      {"controls.shown is 9", [](FrameState& s) { s.record.controls.shown = static_cast<Shown>(9); }},
-      {"controls.blank is 2", [](FrameState& s) { s.record.controls.blank = 2; }},
-      {"tracked.handKnown is 2", [](FrameState& s) { s.record.tracked.handKnown = 2; }},
+      {"shown is 9", [](FrameState& s) { s.record.controls.shown = static_cast<Shown>(9); }},
+      {"blank is 2", [](FrameState& s) { s.record.controls.blank = 2; }},
+      {"hand_known is 2", [](FrameState& s) { s.record.viewers[0].tracked.handKnown = 2; }},
       {"last is 7", [](FrameState& s) { s.record.last = 7; }},
       {"display_s is nan", [](FrameState& s) { s.record.display_s = kNan; }},
-      {"lightSpeed_m_s is nan", [](FrameState& s) { s.record.lightSpeed_m_s = kNan; }},
-      {"lightSpeed_m_s is 0", [](FrameState& s) { s.record.lightSpeed_m_s = 0.0; }},
-      {"lightSpeed_m_s is 1e+300", [](FrameState& s) { s.record.lightSpeed_m_s = 1e300; }},
-      {"truncateFrom_s", [](FrameState& s) { s.record.truncateFrom_s = kNan; }},
-      {"the head's frame is",
+      {"light_speed_m_s is nan", [](FrameState& s) { s.record.lightSpeed_m_s = kNan; }},
+      {"light_speed_m_s is 0", [](FrameState& s) { s.record.lightSpeed_m_s = 0.0; }},
+      {"light_speed_m_s is 1e+300", [](FrameState& s) { s.record.lightSpeed_m_s = 1e300; }},
+      {"truncate_from_s is nan, expected a number", [](FrameState& s) { s.record.truncateFrom_s = kNan; }},
+      {"head_from_board_ is no Lorentz transform",
        [](FrameState& s) {
-         s.record.observer.headFromBoard = Lorentz::boost({kNan, 0.0, 0.0}, 1.42);
+         s.record.viewers[0].observer.headFromBoard = Lorentz::boost({kNan, 0.0, 0.0}, 1.42);
        }},
-      {"an eye's event", [](FrameState& s) { s.record.observer.right.observation.r_m.z = kNan; }},
-      {"an eye's place", [](FrameState& s) { s.record.observer.middle.positionInRoom_m.x = kNan; }},
-      {"that an eye sees from", [](FrameState& s) { s.record.observer.left.seenFromInRoom_m.y = kNan; }},
-      {"proper time", [](FrameState& s) { s.record.observer.properTime_s = kNan; }},
-      {"the room's frame is none",
+      {"right_z_m is nan, expected a finite number",
+       [](FrameState& s) { s.record.viewers[0].observer.right.observation.r_m.z = kNan; }},
+      {"middle_in_room_x_m is nan",
+       [](FrameState& s) { s.record.viewers[0].observer.middle.positionInRoom_m.x = kNan; }},
+      {"left_seen_from_y_m is nan",
+       [](FrameState& s) { s.record.viewers[0].observer.left.seenFromInRoom_m.y = kNan; }},
+      {"proper_time_s is nan", [](FrameState& s) { s.record.viewers[0].observer.properTime_s = kNan; }},
+      {"board_from_room_ is no Lorentz transform",
        [](FrameState& s) {
          s.record.boardFromRoom = Lorentz::rotation({1.0, 1.0, 0.0, 0.0}, 1.42);
        }},
-      {"hand.pulling is 2", [](FrameState& s) { s.record.hand.pulling = 2; }},
-      {"the hand is", [](FrameState& s) { s.record.hand.to_m.y = kNan; }},
-      {"the stroke is", [](FrameState& s) { s.record.hand.u = kNan; }},
-      {"drive.mode", [](FrameState& s) { s.record.drive.mode = static_cast<DriveMode>(4); }},
-      {"lesson is", [](FrameState& s) { s.record.lesson.phase = static_cast<LessonPhase>(4); }},
-      {"lesson is", [](FrameState& s) { s.record.lesson.answer = 5; }},
-      {"head sensor", [](FrameState& s) { s.record.tracked.roomFromHeadSensor.orientation.w = kNan; }},
-      {"the hand's", [](FrameState& s) { s.record.tracked.roomFromHand.position_m.y = kNan; }},
-      {"a knot's turn", [](FrameState& s) { s.knots[0].knot.turn.t_s = kNan; }},
-      {"a knot's u", [](FrameState& s) { s.knots[1].knot.u.y = kNan; }},
-      {"a knot's proper time", [](FrameState& s) { s.knots[1].knot.properTime_s = kNan; }},
-      {"a knot's signal", [](FrameState& s) { s.knots[1].knot.signal.r_m.x = kNan; }},
-      {"a knot's deceleration", [](FrameState& s) { s.knots[1].knot.deceleration_m_s2 = kNan; }}};
+      {"cue_pulling is 2, expected 0 to 1", [](FrameState& s) { s.record.viewers[0].hand.pulling = 2; }},
+      {"cue_to_y_m is nan", [](FrameState& s) { s.record.viewers[0].hand.to_m.y = kNan; }},
+      {"cue_u is nan", [](FrameState& s) { s.record.viewers[0].hand.u = kNan; }},
+      {"drive_mode is 4, expected 0 to 3",
+       [](FrameState& s) { s.record.drive.mode = static_cast<DriveMode>(4); }},
+      {"lesson_phase is 4", [](FrameState& s) { s.record.lesson.phase = static_cast<LessonPhase>(4); }},
+      {"lesson_answer is 5", [](FrameState& s) { s.record.lesson.answer = 5; }},
+      {"head_sensor_qw is nan",
+       [](FrameState& s) { s.record.viewers[0].tracked.roomFromHeadSensor.orientation.w = kNan; }},
+      {"hand_y_m is nan",
+       [](FrameState& s) { s.record.viewers[0].tracked.roomFromHand.position_m.y = kNan; }},
+      {"a knot's t_s", [](FrameState& s) { s.knots[0].knot.turn.t_s = kNan; }},
+      {"a knot's u_y", [](FrameState& s) { s.knots[1].knot.u.y = kNan; }},
+      {"a knot's proper_time_s", [](FrameState& s) { s.knots[1].knot.properTime_s = kNan; }},
+      {"a knot's signal_x_m", [](FrameState& s) { s.knots[1].knot.signal.r_m.x = kNan; }},
+      {"a knot's deceleration_m_s2", [](FrameState& s) { s.knots[1].knot.deceleration_m_s2 = kNan; }}};
   TemporaryFolder folder;
   for (const Damage& damage : damages) {
     SCOPED_TRACE(damage.said);
@@ -227,17 +233,17 @@ TEST(SessionFile, AColumnThatCannotBeIsRefusedWithFileFrameAndField) {
       {"notice is of 130 bytes, expected at most 119", "frame SET notice = printf('%130s', 'late')"},
       {"display_s is nan", "frame SET display_s = 'soon'"},
       {"display_s is inf", "frame SET display_s = 1e999"},
-      {"the head's frame is none", "frame SET head_from_board_xt = NULL"},
-      {"the room's frame is none", "frame SET board_from_room_yz = 1e300"},
-      {"a knot's signal is nan", "knot SET signal_x_m = x'00'"},
+      {"head_from_board_ is no Lorentz transform", "frame SET head_from_board_xt = NULL"},
+      {"board_from_room_ is no Lorentz transform", "frame SET board_from_room_yz = 1e300"},
+      {"a knot's signal_x_m is nan", "knot SET signal_x_m = x'00'"},
       {"body is 1.5, expected a whole number", "knot SET body = 1.5"},
-      {"an event of a kind that there is not", "frame_event SET kind = 5"},
-      {"an event at a cushion that there is not", "frame_event SET cushion = 5"},
-      {"an event's heat is nan", "frame_event SET heat_j = NULL"},
+      {"an event's kind is 5, expected 0 to 4", "frame_event SET kind = 5"},
+      {"an event's cushion is 4, expected 0 to 3", "frame_event SET cushion = 5"},
+      {"an event's heat_j is nan", "frame_event SET heat_j = NULL"},
       {"no such event can be", "frame_event SET turns = 3"},
       {"no such event can be", "frame_event SET without_delay = 2"},
       {"an event turns puck 2, expected one of 2", "frame_event SET first_puck = 2"},
-      {"a turn's velocities is nan", "frame_event SET first_beta_after_y = NULL"}};
+      {"an event's beta_after_y is nan", "frame_event SET first_beta_after_y = NULL"}};
   TemporaryFolder folder;
   const auto whole = folder / "whole.db", file = folder / "game.db";
   { Journal(whole, kFacts, false).add(frameOf(12), head(), {}); }

@@ -11,8 +11,8 @@
 #include "app/journal/session_file.h"
 #include "app/journal_frames.h"
 #include "app/temporary_folder.h"
-#include "cave/frame/frame_digest.h"
-#include "cave/frame/record_rules.h"
+#include "cave/record/frame_digest.h"
+#include "cave/record/record_rules.h"
 #include "log_lines.h"
 
 namespace carom {
@@ -33,13 +33,13 @@ std::array<std::uint64_t, FrameDigest::kFields.size()> digestsOf(const std::file
   return digests;
 }
 
-// A session of twenty frames, two knots and three events, and its digests, by the program that wrote version
-// 3 last. Earlier files of that version lack the column of delays.
+// A session of twenty frames, two knots and three events, by the program that wrote version 3 last, and its digests.
+// The program whose digests covered fewer fields read the same from it: carom export gave the same bytes. Earlier files of that version lack the column of delays.
 TEST(Version3, AFileOfVersion3IsReadAndGoneOnWithAndHasTheSameDigests) {
   constexpr int kFrames = 20;
   constexpr std::array<std::uint64_t, FrameDigest::kFields.size()> kDigests{
-      0x7bc6398e0441ce66, 0xd755289c3fb679ab, 0x8bfe3daf19946736, 0xc6e5478020b927f0, 0x943b3fbae892afe2,
-      0x1b1862d38202954f, 0x905fd5898a5e2f90, 0x0000000000000000, 0x04e451a8e04c9c68};
+      0x7bc6398e0441ce66, 0xd755289c3fb679ab, 0x295a8a85bfac7d47, 0x619ff81dcf11d808, 0x67264c3c5a75d9b9,
+      0xadf725af024dc4d7, 0x26ab3ac2261bf8ff, 0x0000000000000000, 0x04e451a8e04c9c68};
   TemporaryFolder folder;
   for (const bool hasDelays : {true, false}) {
     SCOPED_TRACE(hasDelays);
@@ -56,9 +56,10 @@ TEST(Version3, AFileOfVersion3IsReadAndGoneOnWithAndHasTheSameDigests) {
       EXPECT_EQ(digestsOf(file, kFrames)[field], kDigests[field]) << FrameDigest::kFields[field];
     SessionFile old(file);
     for (FrameState state; old.next(state);) {
-      EXPECT_EQ(state.record.room_s, state.record.observer.properTime_s)
+      EXPECT_EQ(state.record.room_s, state.record.viewers[0].observer.properTime_s)
           << "the room's time was the only viewer's";
-      EXPECT_EQ(state.record.placeInRoom_m, state.record.observer.middle.positionInRoom_m);
+      EXPECT_EQ(state.record.viewers[0].placeInRoom_m,
+                state.record.viewers[0].observer.middle.positionInRoom_m);
     }
     FrameState later = frameOf(kFrames);
     later.record.eventsKept = 3;

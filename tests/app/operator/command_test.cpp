@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <string>
 #include <vector>
+
+#include "app/temporary_folder.h"
 
 namespace carom {
 namespace {
@@ -94,6 +99,20 @@ TEST(Command, TheLastOrderOfAFrameCounts) {
   EXPECT_EQ(lastOf<Seek>(commands)->session_s, 2.0);
   EXPECT_TRUE(lastOf<StartTour>(commands));
   EXPECT_FALSE(lastOf<SetRate>(commands));
+}
+
+// The page of players is written by hand beside the rows.
+TEST(NamedViews, AreAllOnThePageWithTheirKeys) {
+  const std::string page = test::contentOf(CAROM_TESTS_DIR "/../app/doc/playing.md");
+  for (const NamedView& view : kNamedViews)
+    EXPECT_NE(page.find(fmt::format("\n| {} | `{}` |", view.key, view.name)), std::string::npos) << view.name;
+}
+
+TEST(NamedSwitches, AreAllOnThePageWithTheirKeys) {
+  const std::string page = test::contentOf(CAROM_TESTS_DIR "/../app/doc/playing.md");
+  for (const NamedSwitch& effect : kNamedSwitches)
+    EXPECT_NE(page.find(fmt::format("\n| {} | {}", effect.key, effect.name)), std::string::npos)
+        << effect.name;
 }
 
 }  // namespace

@@ -24,7 +24,7 @@
 #include "app/session/replay_visitor_source.h"
 #include "app/temporary_folder.h"
 #include "app/viewer/viewers.h"
-#include "cave/frame/frame_digest.h"
+#include "cave/record/frame_digest.h"
 #include "engine/light/light_cone.h"
 #include "engine/random_world.h"
 
@@ -108,15 +108,15 @@ class Lived {
     for (FrameState state; number_ < first + frames; ++number_) {
       const FrameTimes times = pacer.next();
       FrameRecord& record = state.record = {};
-      record.observer = person.at(times, 0.064)[0];
+      record.viewers[0].observer = person.at(times, 0.064)[0];
       record.boardFromRoom = person.boardFromRoom();
       record.lightSpeed_m_s = c_m_s();
       record.switches = switches;
       const CueInteraction::Outcome outcome =
-          play.step(hand(number_, record.observer, game), still, game, record);
+          play.step(hand(number_, record.viewers[0].observer, game), still, game, record);
       if (!outcome.said.empty()) said.push_back(outcome.said);
-      if (myNow) game.playToNowOf(record.observer);
-      game.advance(latestObservation_s(record.observer), state);
+      if (myNow) game.playToNowOf(record.viewers[0].observer);
+      game.advance(latestObservation_s(record.viewers[0].observer), state);
       record.number = number_;
       record.display_s = static_cast<double>(number_ + 1) / kHz;
       record.views.myNow = myNow;
@@ -210,7 +210,7 @@ TEST(CueInteraction, NoStrokeChangesWhatWasSeen) {
       session.apply(frame, world);
       for (const WorldLine& line : world.histories) after += line.knots().size();
       takenBack += before + frame.knots.size() - after;
-      const ObserverView& observer = frame.record.observer;
+      const ObserverView& observer = frame.record.viewers[0].observer;
       const auto then = lightOf(world.histories, whole.pucks, observer);
       const auto inTheEnd = lightOf(whole.world.histories, whole.pucks, observer);
       compared += then.size();
@@ -385,8 +385,8 @@ TEST(CueInteraction, ARecordingWithStrokesIsSeenAgain) {
     applyFrame(frame, world);
     visitPacer.awaitTick(0.0);
     visitPacer.swapped();
-    EXPECT_EQ(differences(lightOf(world.histories, 3, frame.record.observer),
-                          lightOf(whole.world.histories, 3, frame.record.observer)),
+    EXPECT_EQ(differences(lightOf(world.histories, 3, frame.record.viewers[0].observer),
+                          lightOf(whole.world.histories, 3, frame.record.viewers[0].observer)),
               0u);
   }
 }
@@ -414,7 +414,7 @@ TEST(CueInteraction, ARecordingSaysThatItCannotBeChanged) {
       from->next(paced->next(), {{}, input}, settings, decision);
       paced->awaitTick(decision.stay_s);
       paced->swapped();
-      return std::string(frame.record.notice.words());
+      return std::string(frame.record.viewers[0].notice.words());
     };
     EXPECT_EQ(said({}), "");
     EXPECT_EQ(said(away), "") << "over no wall";
@@ -461,7 +461,7 @@ TEST(CueInteraction, AStrokeGivesItsMomentumWhenItsLightArrivesAndSaysSo) {
   EXPECT_NEAR(stroke.momentum_kg_m_s.y, 0.2 * 1.42 * u, 1e-15);
   // The room stands on the board: its origin at (0, −1.6, −0.75), its −z along +y.
   EXPECT_LT(glm::distance(*stroke.from_m, Vec3(0.2, -1.6 + 0.3, -0.75 + 1.2)), 1e-12);
-  EXPECT_EQ(stroke.at_s, lived.states[135].record.observer.middle.observation.t_s);
+  EXPECT_EQ(stroke.at_s, lived.states[135].record.viewers[0].observer.middle.observation.t_s);
   const double light_s = glm::distance(*stroke.from_m, Vec3(0.48, -0.017, 0.01)) / 1.42;
   SessionFile session(lived.file);
   const RecordedGame whole = wholeGame(session, lived.atStart);
@@ -474,7 +474,7 @@ TEST(CueInteraction, AStrokeGivesItsMomentumWhenItsLightArrivesAndSaysSo) {
                         std::hypot(1.0, u) - 1.0, light_s));
   EXPECT_LT(lived.said[0].size(), Notice().text.size());
   // What the room shows: aimed, held, drawn back, let go.
-  const auto handAt = [&](std::size_t frame) { return lived.states[frame].record.hand; };
+  const auto handAt = [&](std::size_t frame) { return lived.states[frame].record.viewers[0].hand; };
   EXPECT_EQ(handAt(129).target, 3u);
   EXPECT_EQ(handAt(129).pulling, 0);
   EXPECT_EQ(handAt(132).pulling, 1);
@@ -555,7 +555,7 @@ TEST(CueInteraction, NoEyeHasSeenWhatAHandDoes) {
     const Vec3 hand_m = atEye ? view.of(i % 4 == 0 ? Eye::left : Eye::right).positionInRoom_m
                               : head.roomFromHead.position_m + random.inBox(0.8);
     FrameRecord record;
-    record.observer = view;
+    record.viewers[0].observer = view;
     record.boardFromRoom = boardFromRoom;
     const Event hand = handEvent(hand_m, record);
     for (const EyeView& eye : view.all()) {

@@ -76,12 +76,12 @@ TEST(SpacetimeChart, HasTheWorldLineAndTheNowOfEverybodyInTheRoom) {
   DiagramSubject subject;
   subject.c_m_s = 1.42;
   FrameRecord record;
-  record.viewers = 2;
+  record.viewerCount = 2;
   const std::vector<std::string> names{"anna", "ben"};
   for (const double t_s : {0.0, 1.0, 2.0}) {
     for (std::size_t viewer = 0; viewer < 2; ++viewer) {
-      record.viewer(viewer).observer.middle.observation = {t_s, Vec3(static_cast<double>(viewer), 0.0, 0.0)};
-      record.viewer(viewer).observer.headFromBoard = Lorentz(1.42);
+      record.viewers[viewer].observer.middle.observation = {t_s, Vec3(static_cast<double>(viewer), 0.0, 0.0)};
+      record.viewers[viewer].observer.headFromBoard = Lorentz(1.42);
     }
     follow(subject, record, names);
   }

@@ -48,7 +48,9 @@ class LessonPass : public testing::Test {
     applyFrame(decision_.frame, world_);
     return decision_.frame.record;
   }
-  static double board_s(const FrameRecord& record) { return record.observer.middle.observation.t_s; }
+  static double board_s(const FrameRecord& record) {
+    return record.viewers[0].observer.middle.observation.t_s;
+  }
 
   const TemporaryFolder folder_;
   const Rig rig_;
@@ -104,12 +106,12 @@ TEST_F(LessonPass, HoldsItsMomentWheneverItIsAskedToExplain) {
 
 TEST_F(LessonPass, ObserversOfAllVelocitiesMeetAtTheMoment) {
   settings_.lesson.phase = LessonPhase::explains;
-  const Vec3 place_m = next().observer.middle.observation.r_m;
+  const Vec3 place_m = next().viewers[0].observer.middle.observation.r_m;
   for (const std::size_t observer : {1U, 2U, 0U}) {
     settings_.lessonObserver = observer;
     const FrameRecord& record = next();
     EXPECT_NEAR(board_s(record), interval_.moment_s, kExact);
-    EXPECT_NEAR(glm::distance(record.observer.middle.observation.r_m, place_m), 0.0, kExact);
+    EXPECT_NEAR(glm::distance(record.viewers[0].observer.middle.observation.r_m, place_m), 0.0, kExact);
     const Vec3 beta = betaFromU(record.boardFromRoom.u());
     EXPECT_NEAR(glm::distance(beta, scenario_.lesson->plan.observers[observer].beta), 0.0, kExact);
   }
@@ -152,10 +154,10 @@ TEST_F(LessonPass, AnEffectIsAnnouncedOneFrameBeforeItChanges) {
   apply(off, settings_);
   const FrameRecord announced = next(std::span(&off, 1));
   EXPECT_EQ(announced.switches.retardation, 1);
-  EXPECT_EQ(announced.notice.words(), "light delay (retardation): off");
+  EXPECT_EQ(announced.viewers[0].notice.words(), "light delay (retardation): off");
   const FrameRecord changed = next();
   EXPECT_EQ(changed.switches.retardation, 0);
-  EXPECT_EQ(changed.notice.words(), announced.notice.words());
+  EXPECT_EQ(changed.viewers[0].notice.words(), announced.viewers[0].notice.words());
 }
 
 // The pucks' histories do not depend on how often the game was begun again.
@@ -192,7 +194,7 @@ TEST_F(WalkingPass, WalkingDoesNotHurryTheSlowedTime) {
     EXPECT_NEAR(board_s(record) - before_s, 1.0 / kHz / interval_.slowness, kExact);
     EXPECT_EQ(record.lightSpeed_m_s, scenario_.billiard.lightSpeed_m_s);
     before_s = board_s(record);
-    x_m = std::max(x_m, record.observer.middle.observation.r_m.x);
+    x_m = std::max(x_m, record.viewers[0].observer.middle.observation.r_m.x);
   }
   EXPECT_GT(x_m, 0.2) << "they have walked";
 }

@@ -43,10 +43,11 @@ class Mouse {
       const double angle_rad = random_.in(-std::numbers::pi, std::numbers::pi);
       pull_m_ = Vec3(std::cos(angle_rad), 0.0, std::sin(angle_rad)) * random_.in(0.05, 0.6);
     }
-    const EyeView& eye = before.observer.middle;
+    const EyeView& eye = before.viewers[0].observer.middle;
     if (phase <= kPress) {
-      along_ = aim_.seenInRoom_m(histories[puck_], {before.observer, Eye::middle, before.switches}) -
-               eye.positionInRoom_m;
+      along_ =
+          aim_.seenInRoom_m(histories[puck_], {before.viewers[0].observer, Eye::middle, before.switches}) -
+          eye.positionInRoom_m;
     } else {
       const double toCloth = -eye.observation.r_m.z / along_.y;  // the room stands upright
       along_ += pull_m_ / toCloth / static_cast<double>(kLetGo - kPress - 1);
@@ -146,8 +147,8 @@ void expectThatNothingSeenHasChanged(SessionFile& session, std::span<const World
   for (FrameState frame; session.next(frame);) {
     session.apply(frame, world);
     for (std::size_t puck = 1; puck <= whole.pucks; ++puck) {
-      for (const EyeView& eye : frame.record.observer.all()) {
-        const Lorentz& head = frame.record.observer.headFromBoard;
+      for (const EyeView& eye : frame.record.viewers[0].observer.all()) {
+        const Lorentz& head = frame.record.viewers[0].observer.headFromBoard;
         const auto then = emission(world.histories[puck], Vec3(0.0), eye.observation, head);
         const auto inTheEnd = emission(whole.world.histories[puck], Vec3(0.0), eye.observation, head);
         ASSERT_TRUE(same(then.value().event, inTheEnd.value().event)) << "frame " << frame.record.number;
@@ -199,9 +200,9 @@ TEST_F(LiveSession, NoStrokeChangesWhatWasSeen) {
     session.goTo(static_cast<std::uint64_t>(first) - 1);
     FrameState frame;
     session.next(frame);
-    EXPECT_EQ(frame.record.notice.words(), "");
+    EXPECT_EQ(frame.record.viewers[0].notice.words(), "");
     session.next(frame);
-    EXPECT_EQ(frame.record.notice.words(),
+    EXPECT_EQ(frame.record.viewers[0].notice.words(),
               database.execAndGet("SELECT value FROM input WHERE what = 'notice' ORDER BY frame LIMIT 1")
                   .getString());
   }
@@ -240,9 +241,10 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
   };
   const auto aimed = [&](bool held) {
     RayPicking aim;
-    const EyeView& eye = state.record.observer.middle;
+    const EyeView& eye = state.record.viewers[0].observer.middle;
     const Vec3 way_m =
-        aim.seenInRoom_m(world.histories[1], {state.record.observer, Eye::middle, {}}) - eye.positionInRoom_m;
+        aim.seenInRoom_m(world.histories[1], {state.record.viewers[0].observer, Eye::middle, {}}) -
+        eye.positionInRoom_m;
     DeskInput desk;
     desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(way_m), Eye::middle};
     desk.mouseHeld = held;
@@ -253,8 +255,8 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
   const FrameRecord first = state.record;
   frame({}, {StartTour{}});  // which this game has not: that is said
   for (int i = 0; i < 29; ++i) frame(aimed(i > 19));
-  ASSERT_EQ(state.record.hand.pulling, 1);
-  ASSERT_NE(state.record.notice.words(), "");
+  ASSERT_EQ(state.record.viewers[0].hand.pulling, 1);
+  ASSERT_NE(state.record.viewers[0].notice.words(), "");
 
   settings = {};
   world = {atStart_, {}};
@@ -263,15 +265,16 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
   for (int i = 0; i < 10; ++i) {
     frame(aimed(true));
     if (i == 0) {
-      EXPECT_EQ(state.record.observer.properTime_s, first.observer.properTime_s);
-      EXPECT_NEAR(state.record.observer.middle.observation.t_s, first.observer.middle.observation.t_s, 0.5);
+      EXPECT_EQ(state.record.viewers[0].observer.properTime_s, first.viewers[0].observer.properTime_s);
+      EXPECT_NEAR(state.record.viewers[0].observer.middle.observation.t_s,
+                  first.viewers[0].observer.middle.observation.t_s, 0.5);
     }
-    ASSERT_EQ(state.record.hand.pulling, 0) << "the cue is still held, frame " << i;
-    ASSERT_EQ(state.record.notice.words(), "") << "frame " << i;
+    ASSERT_EQ(state.record.viewers[0].hand.pulling, 0) << "the cue is still held, frame " << i;
+    ASSERT_EQ(state.record.viewers[0].notice.words(), "") << "frame " << i;
   }
   frame(aimed(false));
   frame(aimed(true));
-  EXPECT_EQ(state.record.hand.pulling, 1);
+  EXPECT_EQ(state.record.viewers[0].hand.pulling, 1);
   testing::internal::GetCapturedStderr();
 }
 
@@ -317,23 +320,23 @@ TEST_F(LiveSession, APressOnAChoiceIsACommandAndNoStroke) {
     frame(front.lowerLeft_m, false);
     frame(middleOf(choice), false);  // it moves, so the mouse aims
     EXPECT_EQ(command(), "");
-    EXPECT_LT(glm::distance(decision.frame.record.hand.to_m, middleOf(choice)), 1e-9);
+    EXPECT_LT(glm::distance(decision.frame.record.viewers[0].hand.to_m, middleOf(choice)), 1e-9);
     frame(middleOf(choice), true);
     EXPECT_EQ(command(), file);
     frame(middleOf(choice), true);
     EXPECT_EQ(command(), "") << "a press is one command";
-    EXPECT_EQ(decision.frame.record.hand.pulling, 0);
+    EXPECT_EQ(decision.frame.record.viewers[0].hand.pulling, 0);
     frame(middleOf(choice), false);
     EXPECT_TRUE(decision.strokes.empty());
   }
   RayPicking aim;
   const FrameRecord& record = decision.frame.record;
-  const Vec3 puck_m = aim.seenInRoom_m(world.histories[1], {record.observer, Eye::middle, {}});
+  const Vec3 puck_m = aim.seenInRoom_m(world.histories[1], {record.viewers[0].observer, Eye::middle, {}});
   for (const bool held : {false, true, true}) frame(puck_m, held);
   frame(puck_m + Vec3(0.0, -0.2, 0.0), true);
-  ASSERT_EQ(record.hand.pulling, 1);
+  ASSERT_EQ(record.viewers[0].hand.pulling, 1);
   frame(middleOf(Choice::play), true);
-  EXPECT_EQ(record.hand.pulling, 1) << "the cue stays in the hand";
+  EXPECT_EQ(record.viewers[0].hand.pulling, 1) << "the cue stays in the hand";
   frame(middleOf(Choice::play), false);
   EXPECT_EQ(decision.strokes.size(), 1U);
   EXPECT_EQ(command(), "");

@@ -15,7 +15,7 @@
 #include "app/session/replay_visitor_source.h"
 #include "app/temporary_folder.h"
 #include "app/viewer/viewers.h"
-#include "cave/frame/frame_digest.h"
+#include "cave/record/frame_digest.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/light_cone.h"
 
@@ -129,14 +129,14 @@ class ReplaySources : public testing::Test {
     while (lived_.size() < kFrames) {
       const FrameTimes times = pacer.next();
       FrameState& frame = lived_.emplace_back();
-      frame.record.observer = person.at(times, 0.064)[0];
+      frame.record.viewers[0].observer = person.at(times, 0.064)[0];
       frame.record.number = times.number;
       frame.record.display_s = times.display_s;
       frame.record.boardFromRoom = person.boardFromRoom();
       frame.record.lightSpeed_m_s = c_m_s();
       frame.record.switches.colour = times.number >= 30 && times.number < 60;
-      frame.record.tracked = person.tracked();
-      game.advance(latest_s(frame.record.observer), frame);
+      frame.record.viewers[0].tracked = person.tracked();
+      game.advance(latest_s(frame.record.viewers[0].observer), frame);
       journal.add(frame, {&person.head(), 1}, std::vector<TrackerSamples>{{0, person.samples()}});
       pacer.awaitTick(0.0);
       pacer.swapped();
@@ -147,7 +147,7 @@ class ReplaySources : public testing::Test {
   std::vector<Event> livedLight(std::uint64_t number) const {
     World world{atStart_, {}};
     for (std::uint64_t i = 0; i <= number; ++i) applyFrame(lived_[i], world);
-    return lightOf(world.histories, lived_[number].record.observer);
+    return lightOf(world.histories, lived_[number].record.viewers[0].observer);
   }
 
   double c_m_s() const { return scenario_.billiard.lightSpeed_m_s; }
@@ -224,7 +224,8 @@ TEST_F(ReplaySources, BegunInTheMiddleEveryFrameComesAsItWasAtItsTime) {
     const FrameRecord& record = seen.next();
     ASSERT_EQ(record.number, number);
     EXPECT_EQ(record.last, number + 1 == kFrames ? 1u : 0u);
-    ASSERT_TRUE(sameBits(record.observer, lived_[number].record.observer)) << "frame " << number;
+    ASSERT_TRUE(sameBits(record.viewers[0].observer, lived_[number].record.viewers[0].observer))
+        << "frame " << number;
     expectSameGame(seen.world, known);
   }
 }
@@ -301,9 +302,10 @@ TEST_F(ReplaySources, GoneThroughToAndFroTheRightFramesComeAndSeeTheSame) {
       const FrameRecord& record = show.next();
       ASSERT_EQ(record.number, number);
       EXPECT_EQ(record.last, 0u);
-      ASSERT_TRUE(sameBits(record.observer, lived_[number].record.observer)) << "frame " << number;
+      ASSERT_TRUE(sameBits(record.viewers[0].observer, lived_[number].record.viewers[0].observer))
+          << "frame " << number;
       EXPECT_EQ(record.switches, lived_[number].record.switches);
-      expectSame(lightOf(show.world.histories, record.observer), livedLight(number), c_m_s());
+      expectSame(lightOf(show.world.histories, record.viewers[0].observer), livedLight(number), c_m_s());
       if (!first) {
         EXPECT_NEAR(clock.now_s() - before_s, step.periods * kPeriod_s, 1e-9) << "frame " << number;
       }
@@ -348,14 +350,15 @@ TEST_F(ReplaySources, AFrozenSightIsWalkedRoundAndEachFreezingTakesItsOwn) {
     for (std::uint64_t number = begin; number < begin + 8; ++number) {
       const FrameRecord& record = show.next();
       ASSERT_EQ(record.number, number);
-      for (const EyeView& eye : record.observer.all()) {
-        EXPECT_EQ(eye.observation.t_s, lived_[begin].record.observer.middle.observation.t_s);
+      for (const EyeView& eye : record.viewers[0].observer.all()) {
+        EXPECT_EQ(eye.observation.t_s, lived_[begin].record.viewers[0].observer.middle.observation.t_s);
       }
-      EXPECT_EQ(record.observer.left.positionInRoom_m, lived_[number].record.observer.left.positionInRoom_m);
+      EXPECT_EQ(record.viewers[0].observer.left.positionInRoom_m,
+                lived_[number].record.viewers[0].observer.left.positionInRoom_m);
     }
     show.command(SetView{&TimeViews::frozen, false});
     const FrameRecord& record = show.next();
-    EXPECT_TRUE(sameBits(record.observer, lived_[record.number].record.observer));
+    EXPECT_TRUE(sameBits(record.viewers[0].observer, lived_[record.number].record.viewers[0].observer));
   }
 }
 
@@ -376,12 +379,14 @@ TEST_F(ReplaySources, AVisitorSeesTheGameAsSomeoneWhoLivesThere) {
     while (!show.frame.record.last) {
       const FrameRecord& record = show.next();
       const FrameTimes times = pacer.next();
-      ASSERT_TRUE(sameBits(record.observer, person.at(times, rig_.viewers.front().head.eyeSeparation_m)[0]))
+      ASSERT_TRUE(sameBits(record.viewers[0].observer,
+                           person.at(times, rig_.viewers.front().head.eyeSeparation_m)[0]))
           << "frame " << frames;
       ASSERT_EQ(record.display_s, times.display_s);
       pacer.awaitTick(0.0);
       pacer.swapped();
-      expectSame(lightOf(show.world.histories, record.observer), lightOf(truth_, record.observer), c_m_s());
+      expectSame(lightOf(show.world.histories, record.viewers[0].observer),
+                 lightOf(truth_, record.viewers[0].observer), c_m_s());
       ++frames;
     }
     EXPECT_NEAR(static_cast<double>(frames), 3.0 * kHz, 2.0) << "as long as the trace";
@@ -405,11 +410,12 @@ TEST_F(ReplaySources, AVisitorsRoomTimeGoesAsTheOperatorWishes) {
     Show show(source, pacer, atStart_);
     ObserverStart start = scenario_.observer;
     start.beta = beta;
-    const auto now_s = [&] { return roomTime_s(show.frame.record.observer, start, c_m_s()); };
+    const auto now_s = [&] { return roomTime_s(show.frame.record.viewers[0].observer, start, c_m_s()); };
     const auto play = [&](int frames) {
       for (int i = 0; i < frames; ++i) {
         const FrameRecord& record = show.next();
-        expectSame(lightOf(show.world.histories, record.observer), lightOf(truth_, record.observer), c_m_s());
+        expectSame(lightOf(show.world.histories, record.viewers[0].observer),
+                   lightOf(truth_, record.viewers[0].observer), c_m_s());
       }
     };
     play(40);
@@ -419,7 +425,9 @@ TEST_F(ReplaySources, AVisitorsRoomTimeGoesAsTheOperatorWishes) {
       show.command(SetRate{rate});
       play(12);
       EXPECT_NEAR(now_s() - before_s, 12 * rate * kPeriod_s, 1e-12) << rate;
-      EXPECT_LT(glm::distance(betaFromU(show.frame.record.observer.headFromBoard.inverse().u()), beta), 1e-14)
+      EXPECT_LT(
+          glm::distance(betaFromU(show.frame.record.viewers[0].observer.headFromBoard.inverse().u()), beta),
+          1e-14)
           << "their own motion is not seen";
       before_s = now_s();
     }
@@ -454,7 +462,8 @@ TEST_F(ReplaySources, NobodySeesWhatWasNotRecorded) {
   std::uint64_t frames = 0;
   for (; !show.frame.record.last; ++frames) {
     const FrameRecord& record = show.next();
-    expectSame(lightOf(show.world.histories, record.observer), lightOf(truth_, record.observer), c_m_s());
+    expectSame(lightOf(show.world.histories, record.viewers[0].observer),
+               lightOf(truth_, record.viewers[0].observer), c_m_s());
     ASSERT_LT(frames, 9.0 * kHz);
   }
   EXPECT_GT(frames, kFrames) << "what is far is seen late";
@@ -466,17 +475,18 @@ TEST_F(ReplaySources, NobodySeesWhatWasNotRecorded) {
   Show stay(staying, stayingPacer, atStart_);
   double end_s = 0.0;
   for (int i = 0; i < 8 * 60 - 2; ++i) {
-    end_s = stay.next().observer.middle.observation.t_s;
+    end_s = stay.next().viewers[0].observer.middle.observation.t_s;
     if (i % 40 == 0)
-      expectSame(lightOf(stay.world.histories, stay.frame.record.observer),
-                 lightOf(truth_, stay.frame.record.observer), c_m_s());
+      expectSame(lightOf(stay.world.histories, stay.frame.record.viewers[0].observer),
+                 lightOf(truth_, stay.frame.record.viewers[0].observer), c_m_s());
   }
   EXPECT_FALSE(stay.frame.record.last);
-  EXPECT_EQ(stay.next().observer.middle.observation.t_s, end_s) << "time stands still";
+  EXPECT_EQ(stay.next().viewers[0].observer.middle.observation.t_s, end_s) << "time stands still";
   stay.goTo(stay.frame.record.display_s + 1.0);
-  EXPECT_NEAR(stay.next().observer.middle.observation.t_s, end_s, 1e-12) << "there is nothing to go on to";
+  EXPECT_NEAR(stay.next().viewers[0].observer.middle.observation.t_s, end_s, 1e-12)
+      << "there is nothing to go on to";
   stay.goTo(stay.frame.record.display_s - 1.0);
-  EXPECT_NEAR(stay.next().observer.middle.observation.t_s, end_s - 1.0, 1e-12);
+  EXPECT_NEAR(stay.next().viewers[0].observer.middle.observation.t_s, end_s - 1.0, 1e-12);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ class TwoHands : public GameForTwo {
       turn_rad_ = random_.in(-std::numbers::pi, std::numbers::pi);
     }
     DeskInput desk;
-    const ObserverView& observer = before.viewer(viewer_).observer;
+    const ObserverView& observer = before.viewers[viewer_].observer;
     const EyeView& eye = observer.middle;
     if (frame <= kDrawsFrom) {
       aimed_m_ =
@@ -137,8 +137,8 @@ TEST(TwoHands, NinetyStrokesChangeNothingThatEitherHadSeen) {
   std::size_t changes = 0, looks = 0;
   const auto check = [&](const FrameRecord& before, const World& known, const World& world) {
     ++changes;
-    for (std::size_t viewer = 0; viewer < before.viewers; ++viewer) {
-      const ObserverView& observer = before.viewer(viewer).observer;
+    for (std::size_t viewer = 0; viewer < before.viewerCount; ++viewer) {
+      const ObserverView& observer = before.viewers[viewer].observer;
       for (const EyeView& eye : observer.all()) {
         for (std::size_t puck = kFirstPuck; puck < kFirstPuck + room.pucks(); ++puck) {
           for (const double side : {-1.0, 0.0, 1.0}) {
@@ -157,10 +157,10 @@ TEST(TwoHands, NinetyStrokesChangeNothingThatEitherHadSeen) {
   EXPECT_GE(changes, 30U) << "strokes that change what was known but not seen";
   EXPECT_EQ(looks, changes * 2 * 3 * 3 * 3);
   const FrameRecord& record = room.record();
-  ASSERT_EQ(record.viewers, 2U);
-  EXPECT_EQ(record.viewer(0).score.strokes, room.strokes()[0]);
-  EXPECT_EQ(record.viewer(1).score.strokes, room.strokes()[1]);
-  EXPECT_EQ(record.viewer(0).hasTurn + record.viewer(1).hasTurn, 1);
+  ASSERT_EQ(record.viewerCount, 2U);
+  EXPECT_EQ(record.viewers[0].score.strokes, room.strokes()[0]);
+  EXPECT_EQ(record.viewers[1].score.strokes, room.strokes()[1]);
+  EXPECT_EQ(record.viewers[0].hasTurn + record.viewers[1].hasTurn, 1);
 }
 
 // Two heads at rest 1 m and 2 m from a hit see it 1 m of light apart.
@@ -173,13 +173,13 @@ TEST(TwoHands, WhoIsNearerSeesAHitFirst) {
   event.at = {2.0, Vec3(0.0)};
   event.turns.push_back(Turn());
   FrameRecord record;
-  record.viewers = 2;
+  record.viewerCount = 2;
   record.boardFromRoom = Lorentz(c_m_s);
   std::optional<std::span<const HitSeen::Seen>> told;
   for (int frame = 0; frame < 100 && !told; ++frame) {
     record.room_s = frame * kStep_s;
-    record.viewer(0).observer.middle.observation = {record.room_s, Vec3(2.0, 0.0, 0.0)};
-    record.viewer(1).observer.middle.observation = {record.room_s, Vec3(0.0, 1.0, 0.0)};
+    record.viewers[0].observer.middle.observation = {record.room_s, Vec3(2.0, 0.0, 0.0)};
+    record.viewers[1].observer.middle.observation = {record.room_s, Vec3(0.0, 1.0, 0.0)};
     told = hit.look({&event, 1}, record);
   }
   ASSERT_TRUE(told);
@@ -219,12 +219,12 @@ TEST(TwoHands, TheThrustIsThatOfWhoeverSteers) {
     TwoAtRest two(CAROM_CONFIG_DIR "/scenarios/table.toml");
     FrameRecord record = two.frame();
     DeskInput desk;
-    desk.mouse = PointedWall{record.viewer(steers).observer.middle.positionInRoom_m + Vec3(0, 0, -1),
+    desk.mouse = PointedWall{record.viewers[steers].observer.middle.positionInRoom_m + Vec3(0, 0, -1),
                              Eye::middle, steers};
     desk.steer = Vec3(1, 0, 0);
     for (int i = 0; i < 20; ++i) record = two.frame(desk);
-    EXPECT_EQ(record.viewer(steers).lapse, 1.0) << steers;
-    EXPECT_GT((record.viewer(1 - steers).lapse - 1.0) * (steers == 0 ? 1.0 : -1.0), 1e-3) << steers;
+    EXPECT_EQ(record.viewers[steers].lapse, 1.0) << steers;
+    EXPECT_GT((record.viewers[1 - steers].lapse - 1.0) * (steers == 0 ? 1.0 : -1.0), 1e-3) << steers;
   }
 }
 
@@ -233,8 +233,8 @@ TEST(TwoHands, EverybodyReadsTheCaptions) {
   std::size_t captions = 0;
   for (int i = 0; i < 400; ++i) {
     const FrameRecord& record = two.frame();
-    EXPECT_EQ(record.viewer(1).notice.words(), record.viewer(0).notice.words()) << i;
-    captions += record.viewer(0).notice.words().empty() ? 0 : 1;
+    EXPECT_EQ(record.viewers[1].notice.words(), record.viewers[0].notice.words()) << i;
+    captions += record.viewers[0].notice.words().empty() ? 0 : 1;
   }
   EXPECT_GT(captions, 0U);
 }
@@ -243,8 +243,8 @@ TEST(TwoHands, WhoeverHasAWandReadsWhatAWandDoes) {
   TwoAtRest two(CAROM_CONFIG_DIR "/scenarios/welcome.toml", true);
   two.frame();
   const FrameRecord& record = two.frame();
-  EXPECT_EQ(record.viewer(0).notice.words().find("trigger"), std::string::npos);
-  EXPECT_NE(record.viewer(1).notice.words().find("trigger"), std::string::npos);
+  EXPECT_EQ(record.viewers[0].notice.words().find("trigger"), std::string::npos);
+  EXPECT_NE(record.viewers[1].notice.words().find("trigger"), std::string::npos);
 }
 
 }  // namespace

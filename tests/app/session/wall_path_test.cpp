@@ -135,7 +135,8 @@ void walk(Session& session, const Press& press) {
   PRESSED(goOn, phase() == LessonPhase::explains);
   PRESSED(goOn, phase() == LessonPhase::shows);
   const double shown_s = session.record().display_s;
-  PRESSED(again, session.record().observer.properTime_s < 0.1 && session.record().display_s > shown_s + 0.5);
+  PRESSED(again, session.record().viewers[0].observer.properTime_s < 0.1 &&
+                     session.record().display_s > shown_s + 0.5);
   EXPECT_EQ(phase(), LessonPhase::shows);
   ASSERT_TRUE(session.await([&] { return isShown("comes-and-goes"); }));
   PRESSED(goOn, phase() == LessonPhase::explains);
@@ -186,7 +187,7 @@ TEST(WallPath, ByGamepadAlone) {
   walk(session, [](Session& here, const Vec3& place_m) {
     DeskInput pad;
     pad.hasPad = true;
-    const auto isThere = [&] { return glm::distance(here.record().hand.to_m, place_m) < 1e-6; };
+    const auto isThere = [&] { return glm::distance(here.record().viewers[0].hand.to_m, place_m) < 1e-6; };
     for (int steps = 0; steps < 12 && !isThere(); ++steps) {
       pad.padStep = 1;
       here.frame(pad);
@@ -266,7 +267,7 @@ TEST(WallPath, ByWandAlone) {
   Session session(rig, std::make_unique<SteadyClock>(begun), start);
   Flystick stick(port);
   walk(session, [&](Session& here, const Vec3& place_m) {
-    const auto aims = [&] { return glm::distance(here.record().hand.to_m, place_m) < 1e-3; };
+    const auto aims = [&] { return glm::distance(here.record().viewers[0].hand.to_m, place_m) < 1e-3; };
     for (int i = 0; i < 600 && !aims(); ++i) {
       stick.send(place_m, false);
       here.frame();
@@ -291,7 +292,7 @@ TEST(WallPath, APressBesideTheAnswersSaysHowToAnswer) {
   const Wall& wall = session.wall();
   const Vec3 table_m = 0.5 * (wall.lowerLeft_m + wall.lowerRight_m) + Vec3(0.0, 0.2, 0.0);
   session.frame(mouseAt(table_m, true));
-  EXPECT_EQ(session.record().notice.words(), texts::message::kAsks);
+  EXPECT_EQ(session.record().viewers[0].notice.words(), texts::message::kAsks);
   EXPECT_EQ(session.settings().lesson.phase, LessonPhase::asks);
 }
 

@@ -189,7 +189,7 @@ class ReferenceRig {
     auto shown = std::make_unique<DisplayWalls>(graphics_, scene_, scenario_.billiard.lightSpeed_m_s, walls,
                                                 std::nullopt, false);
     shown->setRoom(roomGeometryOf(rig_));
-    shown->setTable(scenario_.billiard.board.has_value());
+    shown->overlays().setTable(scenario_.billiard.board.has_value());
     return shown;
   }
 
@@ -232,8 +232,11 @@ void expectLived(const std::vector<FrameState>& frames, const std::vector<double
   ASSERT_EQ(frames.size(), steps_s.size());
   for (std::size_t i = 1; i < frames.size(); ++i) {
     const FrameRecord &before = frames[i - 1].record, &now = frames[i].record;
-    EXPECT_NEAR(now.observer.properTime_s - before.observer.properTime_s, steps_s[i], 1e-12) << i;
-    const Event from = before.observer.middle.observation, to = now.observer.middle.observation;
+    EXPECT_NEAR(now.viewers[0].observer.properTime_s - before.viewers[0].observer.properTime_s, steps_s[i],
+                1e-12)
+        << i;
+    const Event from = before.viewers[0].observer.middle.observation,
+                to = now.viewers[0].observer.middle.observation;
     const double dt_s = to.t_s - from.t_s, way_m = glm::distance(to.r_m, from.r_m);
     if (i == 1) continue;
     const bool isTimelike = steps_s[i] > 0.0 ? way_m < 1.42 * dt_s : way_m == 0.0 && dt_s == 0.0;
@@ -294,7 +297,9 @@ void expectSameAsRig(const std::vector<Scripted>& script, const std::vector<Fram
     const FrameRecord& record = frames[frame].record;
     EXPECT_EQ(record.headset.isWorn, 1) << i;
     if (script[i].flags == 15) {
-      EXPECT_LT(glm::distance(record.observer.middle.positionInRoom_m, Vec3(script[i].head_m)), 1e-6) << i;
+      EXPECT_LT(glm::distance(record.viewers[0].observer.middle.positionInRoom_m, Vec3(script[i].head_m)),
+                1e-6)
+          << i;
     }
     ASSERT_EQ(seen[i].layers, script[i].isShown) << i;
     if (!seen[i].isWhole) continue;
@@ -349,7 +354,7 @@ TEST_F(HeadsetSession, EveryFrameIsWhatARigWithTheSameWallsAndEyesShows) {
   steps_s.insert(steps_s.end(), after_s.begin(), after_s.end());
   frames = framesIn(database());
   expectLived(frames, steps_s);
-  EXPECT_NEAR(frames.back().record.observer.properTime_s,
+  EXPECT_NEAR(frames.back().record.viewers[0].observer.properTime_s,
               std::accumulate(steps_s.begin(), steps_s.end(), 0.0), 1e-9);
 
   const std::string again = (folder_ / "again").string();
@@ -379,7 +384,7 @@ TEST_F(HeadsetSession, WhatARuntimeLacksOrDoesWrongIsSaidAndTheSessionGoesOn) {
   expectLived(frames, livedIn(script));
   EXPECT_EQ(frames.back().record.headset.velocityKnown, 0);
   for (const FrameState& frame : frames)
-    EXPECT_NEAR(frame.record.observer.middle.positionInRoom_m.y, 1.7, 1e-6) << frame.record.number;
+    EXPECT_NEAR(frame.record.viewers[0].observer.middle.positionInRoom_m.y, 1.7, 1e-6) << frame.record.number;
 }
 
 TEST_F(HeadsetSession, BareHandsStrikeAsControllersDo) {

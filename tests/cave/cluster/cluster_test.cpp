@@ -25,7 +25,8 @@ FrameState frameWithKnots(std::uint64_t number) {
   FrameState state;
   state.record.number = number;
   state.record.display_s = static_cast<double>(number) / 60.0;
-  state.record.observer.headFromBoard = Lorentz::boost({0.1 * static_cast<double>(number), 0.0, 0.3}, 1.42);
+  state.record.viewers[0].observer.headFromBoard =
+      Lorentz::boost({0.1 * static_cast<double>(number), 0.0, 0.3}, 1.42);
   for (std::uint64_t i = 0; i < number; ++i) {
     const double t_s = 100.0 * static_cast<double>(number) + static_cast<double>(i);
     state.knots.push_back({0, {{t_s, Vec3(0.0)}, Vec3(0.0), t_s, {}, 0.0}});
@@ -49,7 +50,8 @@ TEST(Cluster, EveryRankHoldsRankZerosRecordAndKnots) {
     const FrameState expected = frameWithKnots(number);
     expectedKnots += number;
     ASSERT_EQ(state.record.number, number);
-    ASSERT_EQ(state.record.observer.headFromBoard.matrix(), expected.record.observer.headFromBoard.matrix());
+    ASSERT_EQ(state.record.viewers[0].observer.headFromBoard.matrix(),
+              expected.record.viewers[0].observer.headFromBoard.matrix());
     applyFrame(state, world);
     ASSERT_EQ(world.histories[0].knots().size(), expectedKnots);
     ASSERT_EQ(world.events.size(), number);
@@ -102,12 +104,12 @@ TEST(Cluster, ADifferenceAnywhereIsNamed) {
       {"display time", [](State& s, World&) { nudge(s.record.display_s); }},
       {"observer",
        [](State& s, World&) {
-         s.record.observer.headFromBoard = Lorentz::boost({0.1, 0.0, 0.3}, 1.42);
+         s.record.viewers[0].observer.headFromBoard = Lorentz::boost({0.1, 0.0, 0.3}, 1.42);
        }},
-      {"observer", [](State& s, World&) { nudge(s.record.observer.properTime_s); }},
-      {"observer", [](State& s, World&) { nudge(s.record.observer.left.observation.t_s); }},
-      {"observer", [](State& s, World&) { nudge(s.record.observer.right.observation.r_m.y); }},
-      {"observer", [](State& s, World&) { nudge(s.record.observer.middle.positionInRoom_m.z); }},
+      {"observer", [](State& s, World&) { nudge(s.record.viewers[0].observer.properTime_s); }},
+      {"observer", [](State& s, World&) { nudge(s.record.viewers[0].observer.left.observation.t_s); }},
+      {"observer", [](State& s, World&) { nudge(s.record.viewers[0].observer.right.observation.r_m.y); }},
+      {"observer", [](State& s, World&) { nudge(s.record.viewers[0].observer.middle.positionInRoom_m.z); }},
       {"switches", [](State& s, World&) { s.record.switches.aberration ^= 1; }},
       {"switches", [](State& s, World&) { s.record.controls.blank ^= 1; }},
       {"switches", [](State& s, World&) { nudge(s.record.lightSpeed_m_s); }},

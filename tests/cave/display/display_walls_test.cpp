@@ -55,10 +55,10 @@ class Shown {
     FrameRecord record;
     record.number = number_++;
     record.lightSpeed_m_s = kC_m_s;
-    record.observer.headFromBoard = Lorentz(kC_m_s);
-    record.observer.left = eye(seeing.left);
-    record.observer.right = eye(seeing.right);
-    record.observer.middle = eye(seeing.mono);
+    record.viewers[0].observer.headFromBoard = Lorentz(kC_m_s);
+    record.viewers[0].observer.left = eye(seeing.left);
+    record.viewers[0].observer.right = eye(seeing.right);
+    record.viewers[0].observer.middle = eye(seeing.mono);
     walls_.draw(record, world_);
     walls_.show();
     Pixels pixels{std::vector<std::uint8_t>(4 * kSize_px * kSize_px)};

@@ -360,8 +360,9 @@ TEST_F(GlCallsTest, ASessionAsksForNoStateOnceItRuns) {
   record.views = {1, 1, 1, 1, 1, 1, 1, 1, 0};
   for (int frame = 0; frame < 4; ++frame) {
     record.number = static_cast<std::uint64_t>(frame);
-    record.observer.headFromBoard = Lorentz::boost({0.0, 0.1 * frame, 0.0}, kC_m_s);
-    for (EyeView* eye : {&record.observer.left, &record.observer.middle, &record.observer.right})
+    record.viewers[0].observer.headFromBoard = Lorentz::boost({0.0, 0.1 * frame, 0.0}, kC_m_s);
+    for (EyeView* eye : {&record.viewers[0].observer.left, &record.viewers[0].observer.middle,
+                         &record.viewers[0].observer.right})
       *eye = {{0.1 * frame, {0.0, -1.6, 0.85}}, {0.0, 0.0, 1.6}};
     calls().take();
     shown.draw(record, world);

@@ -277,7 +277,7 @@ TEST_F(HeadsetTest, ATriggerIsHeldUntilItIsWellReleased) {
     ASSERT_TRUE(next);
     frame = *next;
   }
-  headset.knock(1, 0.5, 0.02);
+  headset.knock(0.5, 0.02);
   EXPECT_EQ(runtime_.knocks, (std::vector<std::pair<int, float>>{{1, 0.5F}}));
 }
 

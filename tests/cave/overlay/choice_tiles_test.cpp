@@ -80,9 +80,9 @@ TEST(ChoiceTiles, TheyAreOnTheWallSideBySideAndRightOfTheWords) {
 TEST(ChoiceTiles, AreOfferedOnlyBetweenDeeds) {
   FrameRecord record;
   EXPECT_TRUE(offersChoicesNow(record));
-  record.hand.pulling = 1;
+  record.viewers[0].hand.pulling = 1;
   EXPECT_FALSE(offersChoicesNow(record)) << "a stroke is drawn back";
-  record.hand.pulling = 0;
+  record.viewers[0].hand.pulling = 0;
   record.drive.thrust = {0.0, 0.5, 0.0};
   EXPECT_FALSE(offersChoicesNow(record)) << "the platform is driven";
   record.drive.mode = DriveMode::tour;
@@ -131,14 +131,14 @@ TEST(ChoiceTiles, WhatKeysDoIsOfferedWhereItDoesSomething) {
   EXPECT_EQ(kindsOf(record, {true, true, false}), with({Kind::keys}));
   EXPECT_EQ(kindsOf(record, {false, true, false}), Kinds{});
   EXPECT_EQ(kindsOf(record, {false, true, true}), Kinds{Kind::home});
-  record.score.caroms = 1;
+  record.viewers[0].score.caroms = 1;
   EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::home, Kind::keys}));
   record.drive.mode = DriveMode::home;
   EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::keys})) << "under way already";
   record.drive.mode = DriveMode::free;
   record.views.frozen = 1;
   EXPECT_EQ(kindsOf(record, {true, true, true}), (Kinds{Kind::goOn, Kind::unfreeze}));
-  record.hand.pulling = 1;
+  record.viewers[0].hand.pulling = 1;
   EXPECT_EQ(kindsOf(record, {true, true, true}), Kinds{});
   record = {};
   record.lesson.phase = LessonPhase::explains;

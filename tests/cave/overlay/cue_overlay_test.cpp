@@ -30,9 +30,10 @@ Wall frontWall() {
 /// A wand that has a puck on the table drawn back for, towards the right and away.
 FrameRecord pulling(double beta) {
   FrameRecord record;
-  for (EyeView* eye : {&record.observer.left, &record.observer.right, &record.observer.middle})
+  for (EyeView* eye : {&record.viewers[0].observer.left, &record.viewers[0].observer.right,
+                       &record.viewers[0].observer.middle})
     eye->positionInRoom_m = kEyes_m;
-  HandView& hand = record.hand;
+  HandView& hand = record.viewers[0].hand;
   hand.shown = hand.pulling = 1;
   hand.target = 1;
   hand.from_m = {0.4, 1.1, 0.0};
@@ -76,73 +77,79 @@ class CueOverlayPicture : public testing::Test {
 
 TEST_F(CueOverlayPicture, WithoutAHandNothingIsDrawn) {
   FrameRecord record = pulling(0.8);
-  record.hand.shown = 0;
+  record.viewers[0].hand.shown = 0;
   EXPECT_EQ(lit(drawn(record)), 0);
 }
 
 TEST_F(CueOverlayPicture, TheRayEndsWhereItPointsForEachEye) {
   FrameRecord record = pulling(0.8);
-  record.hand.pulling = 0;
-  record.hand.target = 0;
+  record.viewers[0].hand.pulling = 0;
+  record.viewers[0].hand.target = 0;
   for (const double aside_m : {-0.032, 0.032}) {
     eye_m_ = kEyes_m + glm::dvec3(aside_m, 0.0, 0.0);
     const Image idle = drawn(record);
-    const glm::dvec3 way_m = record.hand.to_m - record.hand.from_m;
+    const glm::dvec3 way_m = record.viewers[0].hand.to_m - record.viewers[0].hand.from_m;
     for (const double share : {0.3, 0.6, 0.9}) {
-      EXPECT_GT(at(idle, record.hand.from_m + share * way_m)[2], 70) << share;
-      EXPECT_LT(at(idle, record.hand.from_m + share * way_m + glm::dvec3(0.0, 0.05, 0.0))[2], 5) << share;
+      EXPECT_GT(at(idle, record.viewers[0].hand.from_m + share * way_m)[2], 70) << share;
+      EXPECT_LT(at(idle, record.viewers[0].hand.from_m + share * way_m + glm::dvec3(0.0, 0.05, 0.0))[2], 5)
+          << share;
     }
-    EXPECT_GT(at(idle, record.hand.to_m)[2], 70);
-    EXPECT_EQ(at(idle, record.hand.from_m + 1.1 * way_m), (Rgb{0, 0, 0})) << "beyond its end";
+    EXPECT_GT(at(idle, record.viewers[0].hand.to_m)[2], 70);
+    EXPECT_EQ(at(idle, record.viewers[0].hand.from_m + 1.1 * way_m), (Rgb{0, 0, 0})) << "beyond its end";
   }
 }
 
 TEST_F(CueOverlayPicture, AimedAtAPuckTheRayIsBrighterAndTheTargetRinged) {
   FrameRecord record = pulling(0.8);
-  record.hand.pulling = 0;
-  const auto onRay = [&] { return at(drawn(record), 0.5 * (record.hand.from_m + record.hand.to_m)); };
-  record.hand.target = 0;
+  record.viewers[0].hand.pulling = 0;
+  const auto onRay = [&] {
+    return at(drawn(record), 0.5 * (record.viewers[0].hand.from_m + record.viewers[0].hand.to_m));
+  };
+  record.viewers[0].hand.target = 0;
   const Rgb idle = onRay();
   const long idleLit = lit(drawn(record));
-  record.hand.target = 1;
+  record.viewers[0].hand.target = 1;
   EXPECT_GT(onRay()[0], idle[0] + 80);
   EXPECT_GT(lit(drawn(record)), idleLit + 300);
   const Image image = drawn(record);
-  const FacingPlane plane = facing(record.hand.target_m, kEyes_m, room_);
+  const FacingPlane plane = facing(record.viewers[0].hand.target_m, kEyes_m, room_);
   for (int i = 0; i < 8; ++i) {
     const double angle = 0.1 + i;
     const glm::dvec3 ring_m = std::cos(angle) * plane.right + std::sin(angle) * plane.up;
-    EXPECT_GT(at(image, record.hand.target_m + CueOverlay::kRing_m * ring_m)[0], 120) << i;
+    EXPECT_GT(at(image, record.viewers[0].hand.target_m + CueOverlay::kRing_m * ring_m)[0], 120) << i;
   }
 }
 
 TEST_F(CueOverlayPicture, ALargePuckIsWithinItsRingAndBeforeItsCue) {
   const double rim_m = 0.2;
   FrameRecord record = pulling(0.6);
-  const auto behind = [&](double by_m) { return record.hand.target_m - by_m * record.hand.towards; };
-  const double small_m = CueOverlay::kRim_m + CueOverlay::kDrawn_m * record.hand.u;
+  const auto behind = [&](double by_m) {
+    return record.viewers[0].hand.target_m - by_m * record.viewers[0].hand.towards;
+  };
+  const double small_m = CueOverlay::kRim_m + CueOverlay::kDrawn_m * record.viewers[0].hand.u;
   EXPECT_GT(at(drawn(record), behind(small_m + 0.05))[0], 150) << "the cue at a small puck";
   aids_.setRims({0.0, rim_m});
   EXPECT_LT(at(drawn(record), behind(small_m + 0.05))[0], 60) << "the large puck is there";
   EXPECT_GT(at(drawn(record), behind(small_m + rim_m))[0], 150);
-  record.hand.pulling = 0;
+  record.viewers[0].hand.pulling = 0;
   const Image image = drawn(record);
-  const FacingPlane plane = facing(record.hand.target_m, kEyes_m, room_);
+  const FacingPlane plane = facing(record.viewers[0].hand.target_m, kEyes_m, room_);
   for (int i = 0; i < 8; ++i) {
     const double angle = 0.1 + i;
     const glm::dvec3 ring_m = std::cos(angle) * plane.right + std::sin(angle) * plane.up;
-    EXPECT_GT(at(image, record.hand.target_m + (rim_m + CueOverlay::kBeside_m) * ring_m)[0], 120) << i;
+    EXPECT_GT(at(image, record.viewers[0].hand.target_m + (rim_m + CueOverlay::kBeside_m) * ring_m)[0], 120)
+        << i;
   }
 }
 
 TEST_F(CueOverlayPicture, OnesOwnRayIsAPoint) {
   FrameRecord record = pulling(0.8);
-  record.hand.pulling = 0;
-  record.hand.target = 0;
-  record.hand.from_m = kEyes_m + glm::dvec3(0.032, 0.0, 0.0);
+  record.viewers[0].hand.pulling = 0;
+  record.viewers[0].hand.target = 0;
+  record.viewers[0].hand.from_m = kEyes_m + glm::dvec3(0.032, 0.0, 0.0);
   eye_m_ = kEyes_m - glm::dvec3(0.032, 0.0, 0.0);
   const Image image = drawn(record);
-  EXPECT_GT(at(image, record.hand.to_m)[2], 70);
+  EXPECT_GT(at(image, record.viewers[0].hand.to_m)[2], 70);
   EXPECT_LT(lit(image), 3 * 200);
 }
 
@@ -150,8 +157,10 @@ TEST_F(CueOverlayPicture, TheCueIsBehindThePuckAsFarAsItIsPulled) {
   for (const double beta : {0.6, 0.8, 0.9}) {
     const FrameRecord record = pulling(beta);
     const Image image = drawn(record);
-    const double tip_m = CueOverlay::kRim_m + CueOverlay::kDrawn_m * record.hand.u;
-    const auto behind = [&](double by_m) { return record.hand.target_m - by_m * record.hand.towards; };
+    const double tip_m = CueOverlay::kRim_m + CueOverlay::kDrawn_m * record.viewers[0].hand.u;
+    const auto behind = [&](double by_m) {
+      return record.viewers[0].hand.target_m - by_m * record.viewers[0].hand.towards;
+    };
     const Rgb wood = at(image, behind(tip_m + 0.3));
     EXPECT_GT(wood[0], 150) << beta;
     EXPECT_GT(wood[0], wood[2] + 60) << beta;
@@ -161,20 +170,20 @@ TEST_F(CueOverlayPicture, TheCueIsBehindThePuckAsFarAsItIsPulled) {
 
 TEST_F(CueOverlayPicture, ACueThatIsNotYetDrawnBackGoesNowhere) {
   FrameRecord record = pulling(0.0);
-  record.hand.towards = glm::dvec3(0.0);
+  record.viewers[0].hand.towards = glm::dvec3(0.0);
   const long without = lit(drawn(record));
-  record.hand.towards = {0.0, 0.0, -1.0};
+  record.viewers[0].hand.towards = {0.0, 0.0, -1.0};
   const Image touching = drawn(record);
   EXPECT_GT(lit(touching), without + 300) << "the cue";
-  EXPECT_LT(at(touching, record.hand.target_m + glm::dvec3(0.0, 0.0, -0.15))[1], 40) << "no arrow";
+  EXPECT_LT(at(touching, record.viewers[0].hand.target_m + glm::dvec3(0.0, 0.0, -0.15))[1], 40) << "no arrow";
 }
 
 TEST_F(CueOverlayPicture, TheScalesHeightIsTheCost) {
   for (const double beta : {-0.5, 0.5, 0.8, 0.9, 0.95}) {  // below 0: to the left
     FrameRecord record = pulling(std::abs(beta));
-    record.hand.towards.x = std::copysign(record.hand.towards.x, beta);
+    record.viewers[0].hand.towards.x = std::copysign(record.viewers[0].hand.towards.x, beta);
     const Image image = drawn(record);
-    const FacingPlane plane = facing(record.hand.target_m, kEyes_m, room_);
+    const FacingPlane plane = facing(record.viewers[0].hand.target_m, kEyes_m, room_);
     const double cost = 1.0 / std::sqrt(1.0 - beta * beta) - 1.0;
     EXPECT_NEAR(CueOverlay::heightOf(cost), CueOverlay::kPerCost * cost, 1e-12);
     const auto bar = [&](double of) {

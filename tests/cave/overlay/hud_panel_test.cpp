@@ -29,12 +29,12 @@ Wall frontOf(const char* name, StereoMode stereo) {
 
 FrameRecord recordAt(double display_s) {
   FrameRecord record;
-  record.display_s = record.observer.properTime_s = display_s;
+  record.display_s = record.viewers[0].observer.properTime_s = display_s;
   record.lightSpeed_m_s = kC_m_s;
-  record.observer.headFromBoard = Lorentz::boost(uFromBeta({0.0, 0.6, 0.0}), kC_m_s).inverse();
-  record.observer.left = {{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 1.7, 0.0}};
-  record.observer.right = {{0.0, {0.03, 0.0, 0.0}}, {0.03, 1.7, 0.0}};
-  record.observer.middle = {{}, {0.0, 1.7, 0.0}};
+  record.viewers[0].observer.headFromBoard = Lorentz::boost(uFromBeta({0.0, 0.6, 0.0}), kC_m_s).inverse();
+  record.viewers[0].observer.left = {{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 1.7, 0.0}};
+  record.viewers[0].observer.right = {{0.0, {0.03, 0.0, 0.0}}, {0.03, 1.7, 0.0}};
+  record.viewers[0].observer.middle = {{}, {0.0, 1.7, 0.0}};
   return record;
 }
 
@@ -57,19 +57,19 @@ std::vector<std::string> said(const FrameRecord& record, const LessonWords& less
 TEST(HudPanel, EachReadsTheOthersClocksScoresAndTurns) {
   const std::vector<RoomViewer> viewers{{"anna", {}}, {"ben", {}}};
   FrameRecord record;
-  record.viewers = 2;
+  record.viewerCount = 2;
   record.views.clocks = 1;
-  record.observer.headFromBoard = record.viewer(1).observer.headFromBoard = Lorentz(1.42);
-  record.observer.properTime_s = 10.0;
-  record.viewer(1).observer.properTime_s = 11.3;
-  record.score = {1, 3};
-  record.viewer(1).score = {0, 2};
-  record.viewer(1).hasTurn = 1;
+  record.viewers[0].observer.headFromBoard = record.viewers[1].observer.headFromBoard = Lorentz(1.42);
+  record.viewers[0].observer.properTime_s = 10.0;
+  record.viewers[1].observer.properTime_s = 11.3;
+  record.viewers[0].score = {1, 3};
+  record.viewers[1].score = {0, 2};
+  record.viewers[1].hasTurn = 1;
   const auto reads = [&](std::size_t viewer, const std::string& words) {
     std::vector<RoomViewer> seen = viewers;
     std::swap(seen.front(), seen[viewer]);
     std::vector<HudLine> lines;
-    describe(seenBy(record, viewer), {}, {}, seen, kLineLetters, lines);
+    describe({record, viewer}, {}, {}, seen, kLineLetters, lines);
     return std::any_of(lines.begin(), lines.end(), [&](const HudLine& line) { return line.text == words; });
   };
   EXPECT_TRUE(reads(0, "ben: 11.3 s, older than you by 1.3 s"));
@@ -199,7 +199,7 @@ TEST(HudPanel, BeginWithWhatJustHappenedAndLetItStandOut) {
   FrameRecord record = recordAt(1.0);
   std::string words;
   for (int i = 0; i < 59; ++i) words += i % 7 == 6 ? " " : "γ";  // 110 bytes
-  record.notice = Notice(words);
+  record.viewers[0].notice = Notice(words);
   record.views.paths = 1;
   std::vector<HudLine> lines;
   describe(record, {}, {}, {}, kLineLetters, lines);
@@ -222,7 +222,7 @@ TEST(HudPanel, ACaptionDuringAScriptedFlightSpeaksAlone) {
   record.boardFromRoom = Lorentz::boost({0.75, 0.0, 0.0}, record.boardFromRoom.lightSpeed_m_s());
   record.drive.mode = DriveMode::tour;
   EXPECT_GT(said(record).size(), 2U) << "speed and contraction";
-  record.notice = Notice("Watch the hall.");
+  record.viewers[0].notice = Notice("Watch the hall.");
   EXPECT_EQ(said(record), std::vector<std::string>{"Watch the hall."});
   record.drive.mode = DriveMode::free;
   EXPECT_GT(said(record).size(), 2U);

@@ -56,7 +56,7 @@ class RoomOverlayPicture : public testing::Test {
   /// The head there; no sensor known.
   static FrameRecord headAt(const glm::dvec3& place_m) {
     FrameRecord record;
-    record.observer.middle.positionInRoom_m = place_m;
+    record.viewers[0].observer.middle.positionInRoom_m = place_m;
     return record;
   }
 
@@ -87,9 +87,9 @@ TEST_F(RoomOverlayPicture, TheGridComesWithTheHeadAndWithTheHand) {
   EXPECT_EQ(brightest(drawn(headAt(place(-0.7, 1.0, 0.05)))), 0);
 
   FrameRecord record = headAt(place(1.5, 1.0, 1.4));
-  record.tracked.roomFromHand.position_m = place(0.6, 0.5, 0.2);
+  record.viewers[0].tracked.roomFromHand.position_m = place(0.6, 0.5, 0.2);
   EXPECT_EQ(brightest(drawn(record)), 0) << "a hand that no tracker knows";
-  record.tracked.handKnown = 1;
+  record.viewers[0].tracked.handKnown = 1;
   const Image image = drawn(record);
   EXPECT_GT(brightest(image), full - 2);
   EXPECT_EQ(at(image, {500.0, 300.0}), (Rgb{0, 0, 0})) << "1.9 m from the hand";
@@ -111,17 +111,18 @@ TEST_F(RoomOverlayPicture, TheGridsLinesAreTenCentimetresApartOnTheWall) {
 
 TEST_F(RoomOverlayPicture, CrossesSitOnTheSensors) {
   FrameRecord record = headAt(place(1.5, 1.0, 1.5));
-  record.tracked.handKnown = record.tracked.headKnown = 1;
+  record.viewers[0].tracked.handKnown = record.viewers[0].tracked.headKnown = 1;
   const glm::dquat turned = glm::normalize(glm::dquat(0.9, 0.2, -0.3, 0.1));
-  record.tracked.roomFromHand = {place(0.8, 0.7, 0.6), turned};
-  record.tracked.roomFromHeadSensor = {place(2.2, 1.3, 0.4), turned};
+  record.viewers[0].tracked.roomFromHand = {place(0.8, 0.7, 0.6), turned};
+  record.viewers[0].tracked.roomFromHeadSensor = {place(2.2, 1.3, 0.4), turned};
   EXPECT_EQ(brightest(drawn(record)), 0) << "not asked for";
   record.controls.trackerCross = 1;
   room_.forward = {0.0, 0.0, -1.0};
   for (const double aside_m : {-0.032, 0.032}) {  // for each eye
     eye_m_ = place(1.2 + aside_m, 1.1, 1.4);
     const Image image = drawn(record);
-    for (const Pose& sensor : {record.tracked.roomFromHand, record.tracked.roomFromHeadSensor}) {
+    for (const Pose& sensor :
+         {record.viewers[0].tracked.roomFromHand, record.viewers[0].tracked.roomFromHeadSensor}) {
       for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 on_m(0.0);
         on_m[axis] = 0.085;  // near the arm's end, where no other covers it
@@ -140,8 +141,8 @@ TEST_F(RoomOverlayPicture, CrossesSitOnTheSensors) {
 
 TEST_F(RoomOverlayPicture, OneCrossIsBeforeTheEyes) {
   FrameRecord record = headAt(place(1.5, 1.0, 1.5));
-  record.controls.trackerCross = record.tracked.headKnown = 1;
-  record.tracked.roomFromHeadSensor.position_m = place(1.5, 1.0, 1.6);
+  record.controls.trackerCross = record.viewers[0].tracked.headKnown = 1;
+  record.viewers[0].tracked.roomFromHeadSensor.position_m = place(1.5, 1.0, 1.6);
   const glm::dvec3 towards = glm::normalize(place(1.7, 1.1, 0.0) - place(1.5, 1.0, 1.5));
   room_.forward = towards;
   eye_m_ = place(1.5, 1.0, 1.5);

@@ -37,8 +37,8 @@ FrameRecord recordAt(const Vec3& eye_m, const Vec3& beta) {
   FrameRecord record;
   record.boardFromRoom =
       startingRoom(start, {.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}}, kC_m_s);
-  record.observer.middle.observation = {3.0, eye_m};
-  record.observer.middle.positionInRoom_m = {0.0, 1.6, 0.0};
+  record.viewers[0].observer.middle.observation = {3.0, eye_m};
+  record.viewers[0].observer.middle.positionInRoom_m = {0.0, 1.6, 0.0};
   return record;
 }
 
@@ -116,8 +116,9 @@ TEST(ComfortOverlay, SightIsTheHeadsOrToTheOnlyWall) {
   EXPECT_NEAR(glm::distance(sightOf(oneWall(), record), toMiddle), 0.0, 1e-12);
   RoomGeometry room = oneWall();
   room.walls.push_back(wall({-1.0, 0.0, 1.0}, {-1.0, 0.0, -1.0}, {-1.0, 2.3, 1.0}));
-  record.tracked.headKnown = 1;
-  record.tracked.roomFromHeadSensor.orientation = glm::angleAxis(0.5 * std::numbers::pi, glm::dvec3(0, 1, 0));
+  record.viewers[0].tracked.headKnown = 1;
+  record.viewers[0].tracked.roomFromHeadSensor.orientation =
+      glm::angleAxis(0.5 * std::numbers::pi, glm::dvec3(0, 1, 0));
   EXPECT_NEAR(glm::distance(sightOf(room, record), glm::dvec3(-1.0, 0.0, 0.0)), 0.0, 1e-12);
 }
 

@@ -40,7 +40,7 @@ RoomGeometry threeWalls() {
 class Outside : public testing::Test {
  protected:
   Outside() {
-    record_.observer.middle.positionInRoom_m = {1.2, 1.7, 1.2};  // not before what is looked at
+    record_.viewers[0].observer.middle.positionInRoom_m = {1.2, 1.7, 1.2};  // not before what is looked at
     record_.controls.shown = Shown::calibrationPattern;
   }
 
@@ -101,7 +101,8 @@ TEST_F(Outside, APuckIsWhereItIsNowInTheRoom) {
   const Image without = drawn();
   const glm::dvec3 place_m(-0.4, 0.6, -0.2);
   world_.histories[1] = WorldLine({{0.0, place_m}, {}, 0.0, {}, 0.0}, kC_m_s);
-  record_.observer.middle.seenFromInRoom_m = record_.observer.middle.observation.r_m = {1.2, 1.7, 1.2};
+  record_.viewers[0].observer.middle.seenFromInRoom_m =
+      record_.viewers[0].observer.middle.observation.r_m = {1.2, 1.7, 1.2};
   const Image with = drawn();
   EXPECT_NE(at(with, place_m), at(without, place_m));
   const glm::dvec3 beside_m = place_m + glm::dvec3(0.0, 0.4, 0.0);

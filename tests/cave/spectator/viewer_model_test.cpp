@@ -34,7 +34,7 @@ void expectNear(const glm::dvec3& is, const glm::dvec3& expected) {
 
 FrameRecord recordOf(const glm::dvec3& eyes_m) {
   FrameRecord record;
-  record.observer.middle.positionInRoom_m = eyes_m;
+  record.viewers[0].observer.middle.positionInRoom_m = eyes_m;
   return record;
 }
 
@@ -51,9 +51,9 @@ TEST(ViewerModel, WithoutTrackersItLooksForwardAndStandsUnderItsHead) {
 
 TEST(ViewerModel, ATurnedHeadTurnsTheHeadAndOnlyShiftsTheCoat) {
   FrameRecord record = recordOf({0.0, 0.0, 1.4});
-  record.tracked.headKnown = 1;
+  record.viewers[0].tracked.headKnown = 1;
   const glm::dquat left = glm::angleAxis(0.5 * M_PI, glm::dvec3(0.0, 0.0, 1.0));
-  record.tracked.roomFromHeadSensor = {{9.0, 9.0, 9.0}, left};
+  record.viewers[0].tracked.roomFromHeadSensor = {{9.0, 9.0, 9.0}, left};
   const ViewerPlaces places = viewerPlaces(record, turnedRoom(), kFloor_m);
   expectNear(at(places.roomFromHead, {0.0, 1.0, 0.0}), {0.0, 1.0, 1.4});
   expectNear(at(*places.roomFromCoat, {0.0, 0.0, 0.0}), {0.0, -0.09, kFloor_m});
@@ -67,8 +67,8 @@ TEST(ViewerModel, EyesNearTheFloorHaveNoCoat) {
 
 TEST(ViewerModel, ATrackedHandHoldsTheWand) {
   FrameRecord record = recordOf({0.0, 0.0, 1.4});
-  record.tracked.handKnown = 1;
-  record.tracked.roomFromHand = {{0.3, -0.2, 1.0}, {1.0, 0.0, 0.0, 0.0}};
+  record.viewers[0].tracked.handKnown = 1;
+  record.viewers[0].tracked.roomFromHand = {{0.3, -0.2, 1.0}, {1.0, 0.0, 0.0, 0.0}};
   const ViewerPlaces places = viewerPlaces(record, turnedRoom(), kFloor_m);
   ASSERT_TRUE(places.roomFromWand);
   expectNear(at(*places.roomFromWand, {0.0, 0.0, 0.0}), {0.3, -0.2, 1.0});

@@ -19,10 +19,10 @@ class Controls : public testing::Test {
     FrameRecord record;
     record.display_s = display_s;
     record.controls = controls;
-    record.observer.headFromBoard = Lorentz(kC_m_s);
-    record.observer.left = {{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 0.0, 0.0}, {-0.03, 0.0, 0.0}};
-    record.observer.right = {{0.0, {0.03, 0.0, 0.0}}, {0.03, 0.0, 0.0}, {0.03, 0.0, 0.0}};
-    record.observer.middle = {};
+    record.viewers[0].observer.headFromBoard = Lorentz(kC_m_s);
+    record.viewers[0].observer.left = {{0.0, {-0.03, 0.0, 0.0}}, {-0.03, 0.0, 0.0}, {-0.03, 0.0, 0.0}};
+    record.viewers[0].observer.right = {{0.0, {0.03, 0.0, 0.0}}, {0.03, 0.0, 0.0}, {0.03, 0.0, 0.0}};
+    record.viewers[0].observer.middle = {};
     walls_.draw(record, world_);
     Capture capture(folder_ / "", WhenFull::wait);
     walls_.capture(capture, 0);

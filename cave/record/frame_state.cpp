@@ -1,10 +1,9 @@
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <stdexcept>
-#include <utility>
 
 #include "engine/light/vertex_history.h"
 
@@ -29,12 +28,6 @@ void applyEvents(const FrameState& state, std::vector<GameEvent>& events) {
 }
 
 }  // namespace
-
-FrameRecord seenBy(const FrameRecord& record, std::size_t viewer) {
-  FrameRecord seen = record;
-  if (viewer > 0) std::swap(seen.viewer(0), seen.viewer(viewer));
-  return seen;
-}
 
 void applyFrame(const FrameState& state, World& world) {
   const std::span<WorldLine> histories = world.histories;

@@ -6,15 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <vector>
 
-#include "cave/frame/hand_view.h"
-#include "cave/frame/headset_frame.h"
-#include "cave/frame/lesson_words.h"
-#include "cave/frame/notice.h"
-#include "cave/frame/time_views.h"
-#include "cave/frame/wall_controls.h"
+#include "cave/record/hand_view.h"
+#include "cave/record/headset_frame.h"
+#include "cave/record/lesson_words.h"
+#include "cave/record/notice.h"
+#include "cave/record/time_views.h"
+#include "cave/record/wall_controls.h"
 #include "engine/base/limits.h"
 #include "engine/base/pose.h"
 #include "engine/billiard/game_event.h"
@@ -55,10 +56,9 @@ struct ViewerState {
   std::uint8_t hasTurn = 0;  ///< 1: of several who play, it is this one's turn
 };
 
-/// Its own ViewerState is that of the first viewer, or of the one through whose eyes it is drawn (seenBy).
-struct FrameRecord : ViewerState {
-  std::uint64_t viewers = 1;                         ///< number of viewers, 1 to kMostViewers
-  std::array<ViewerState, kMostViewers - 1> others;  ///< of the viewers after the first
+struct FrameRecord {
+  std::uint64_t viewerCount = 1;  ///< number of viewers, 1 to kMostViewers
+  std::array<ViewerState, kMostViewers> viewers;
   std::uint64_t number = 0;
   double display_s = 0.0;      ///< session clock: when the light of this frame leaves the walls
   Lorentz boardFromRoom{1.0};  ///< the room's attitude and motion
@@ -84,17 +84,31 @@ struct FrameRecord : ViewerState {
   HeadsetState headset;
   double fade = 0.0;  ///< how black the walls are: 1 is wholly, as when a game begins
 
-  const ViewerState& viewer(std::size_t index) const {
-    return index == 0 ? static_cast<const ViewerState&>(*this) : others[index - 1];
-  }
-  ViewerState& viewer(std::size_t index) {
-    return index == 0 ? static_cast<ViewerState&>(*this) : others[index - 1];
+  /// The viewers in the room.
+  std::span<const ViewerState> present() const { return std::span(viewers).first(viewerCount); }
+  std::span<ViewerState> present() { return std::span(viewers).first(viewerCount); }
+};
+
+/// A frame's record as one of the viewers sees it. It refers to the record, which must outlive it.
+struct SeenFrame {
+  // Implicit: a record alone is seen by its first viewer.
+  SeenFrame(const FrameRecord& frame, std::size_t seer = 0)  // NOLINT(google-explicit-constructor)
+      : SeenFrame(frame, seer, frame.viewers[seer]) {}
+  /// `state` stands in for the viewer's own.
+  SeenFrame(const FrameRecord& frame, std::size_t seer, const ViewerState& state)
+      : record(frame), viewer(seer), self(state) {}
+
+  const FrameRecord& record;
+  std::size_t viewer;
+  const ViewerState& self;  ///< of the viewer
+
+  /// Returns the state of a viewer in the order of RoomGeometry's seenBy (cave/room/room_geometry.h): the one who sees
+  /// comes first, and the first viewer in that one's place.
+  const ViewerState& inOrder(std::size_t index) const {
+    return index == 0 ? self : record.viewers[index == viewer ? 0 : index];
   }
 };
 
-/// Returns the record as another viewer sees it: their state is in the place of the first viewer's, and the
-/// other way round.
-FrameRecord seenBy(const FrameRecord& record, std::size_t viewer);
 static_assert(std::is_trivially_copyable_v<FrameRecord> && std::is_trivially_copyable_v<BodyKnot> &&
               std::is_trivially_copyable_v<GameEvent>);
 

@@ -43,12 +43,12 @@ class TimeViewsTest : public testing::Test {
     graphics_.makeCurrent();
     RenderTarget picture(wall.pixels);
     const std::array<PicturedWall, 1> walls{{{&wall, &picture}}};
-    view.draw(record, world, record.observer, eye, walls);
+    view.draw(record, world, record.viewers[0].observer, eye, walls);
     graphics_.makeCurrent();
     return readBack(picture);
   }
   Image draw(EyeRenderer& view, const FrameRecord& record, const World& world, const Wall& wall) {
-    return draw(view, record, world, record.observer.middle, wall);
+    return draw(view, record, world, record.viewers[0].observer.middle, wall);
   }
 
   Graphics graphics_;
@@ -109,13 +109,13 @@ TEST_F(TimeViewsTest, AFrozenSightIsWalkedRound) {
     const Lorentz headFromBoard = Lorentz::boost(random.u(0.8), kC_m_s);
     const Vec3 from_m(0.2, -0.1, 1.6), to_m = from_m + random.inBox(0.5);
     FrameRecord record;
-    record.observer = observerAt(eye, headFromBoard, from_m, 0.0);
+    record.viewers[0].observer = observerAt(eye, headFromBoard, from_m, 0.0);
     record.views.frozen = 1;
     const Vec3 centre_m = from_m + emission(line, Vec3(0.0), eye, headFromBoard)->seen.dr_m;
     const Wall wall = test::wallTowards(to_m, centre_m - to_m, kPicture_px);
     // Both eyes are frozen at one event and see one thing, each from its place.
     for (const double side : {-0.032, 0.032}) {
-      EyeView& walked = side < 0.0 ? record.observer.left : record.observer.right;
+      EyeView& walked = side < 0.0 ? record.viewers[0].observer.left : record.viewers[0].observer.right;
       walked.positionInRoom_m = to_m + Vec3(side, 0.0, 0.0);
       const std::optional<glm::dmat4> clip = clipFromRoom(wall, walked.positionInRoom_m);
       ASSERT_TRUE(clip);
@@ -205,7 +205,7 @@ TEST_F(TimeViewsTest, WhatAlwaysGoesAlongHasNoGhost) {
   };
   FrameRecord record;
   record.boardFromRoom = Lorentz::boost(u, kC_m_s);
-  record.observer = observerAt({0.1, Vec3(0.0)}, record.boardFromRoom.inverse(), Vec3(0.0));
+  record.viewers[0].observer = observerAt({0.1, Vec3(0.0)}, record.boardFromRoom.inverse(), Vec3(0.0));
   const auto hasGhost = [&](const Vec3& its_u, bool mine, std::uint64_t pucks) {
     const WorldLine line = lineWith(its_u);
     const Wall wall = test::wallTowards(Vec3(0.0), {0.0, 1.0, 0.0}, kPicture_px);
@@ -232,10 +232,10 @@ TEST_F(TimeViewsTest, TheBoardsMomentIsOneForBothEyes) {
   EyeRenderer view(graphics_, scene, kC_m_s);
   const Lorentz headFromBoard = Lorentz::boost(uFromBeta({-0.8, 0.0, 0.0}), kC_m_s);
   FrameRecord record;
-  record.observer = observerAt({0.1, Vec3(0.0)}, headFromBoard, Vec3(0.0));
+  record.viewers[0].observer = observerAt({0.1, Vec3(0.0)}, headFromBoard, Vec3(0.0));
   record.views.boardNow = 1;
   const Vec3 centre_m = line.at(0.1).event.r_m;
-  for (const EyeView& eye : record.observer.all()) {
+  for (const EyeView& eye : record.viewers[0].observer.all()) {
     const Vec3 way_m = centre_m - eye.observation.r_m;
     const Vec3 seen_m = (headFromBoard * Displacement{-glm::length(way_m) / kC_m_s, way_m}).dr_m;
     const Wall wall = test::wallTowards(eye.positionInRoom_m, seen_m, kPicture_px);
@@ -262,7 +262,7 @@ TEST_F(TimeViewsTest, ASplitWallShowsTwoStatesOfTheSwitches) {
   const World world{{restingWorldLine(kC_m_s)}, {}};
   EyeRenderer view(graphics_, scene, kC_m_s);
   FrameRecord record;
-  record.observer =
+  record.viewers[0].observer =
       observerAt({3.0, {0.0, -1.6, 0.9}}, Lorentz::boost(uFromBeta({0.5, 0.3, 0.0}), kC_m_s), {0, 0, 1.65});
   for (const int width : {320, 241}) {
     const Wall wall = test::wallTowards({0, 0, 1.65}, {0, 1, -0.3}, {width, 200});

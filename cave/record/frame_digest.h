@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <string>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 
-/// Digests of the data from which a node draws a frame, one for each field. If they differ between nodes,
+/// Digests of the data from which a node draws a frame, one for each section of the record and for each list. If they differ between nodes,
 /// something is wrong.
 struct FrameDigest {
   static constexpr std::array<const char*, 9> kFields = {"frame number", "display time",   "observer",

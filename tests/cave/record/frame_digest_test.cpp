@@ -1,5 +1,5 @@
 // Whether nodes that show different things are found out.
-#include "cave/frame/frame_digest.h"
+#include "cave/record/frame_digest.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 #include "engine/billiard/game_event.h"
 #include "engine/spacetime/world_line.h"
 

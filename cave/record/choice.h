@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cave/frame/frame_state.h"
+#include "cave/record/frame_state.h"
 
 namespace carom {
 
@@ -13,10 +13,11 @@ inline constexpr std::size_t kChoices = 3;
 
 /// Returns whether a game that offers the choices offers them in this frame: not in a lesson before it explains,
 /// and not while a stroke is drawn back or the platform is driven by hand.
-inline bool offersChoicesNow(const FrameRecord& record) {
+inline bool offersChoicesNow(const SeenFrame& seen) {
+  const FrameRecord& record = seen.record;
   const LessonPhase phase = record.lesson.phase;
   const bool isSteered = record.drive.mode != DriveMode::tour && record.drive.thrust != Vec3(0.0);
-  return (phase == LessonPhase::none || phase == LessonPhase::explains) && !record.hand.pulling &&
+  return (phase == LessonPhase::none || phase == LessonPhase::explains) && !seen.self.hand.pulling &&
          !isSteered && !record.views.frozen;
 }
 

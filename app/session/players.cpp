@@ -1,0 +1,90 @@
+#include "app/session/players.h"
+
+#include "app/operator/wall_commands.h"
+#include "cave/texts/texts.h"
+
+namespace carom {
+
+Players::Players(const Scenario& scenario, const std::optional<FrameRecord>& before)
+    : scenario_(&scenario), cues_(kMostViewers, CueInteraction(scenario)) {
+  if (before) match_ = Match(*before);
+}
+
+void Players::showBestShot(std::span<const Command> commands, bool isInterrupted,
+                           Announcements& announcements, Decision& decision) {
+  const double now_s = decision.frame.record.display_s;
+  const ShowBestShot* const asked = lastOf<ShowBestShot>(commands);
+  const bool isAsked = asked && (!asked->isEnd || shots_.hasBest());
+  if (!replay_.look(shots_, now_s, (isAsked && !asked->isEnd) || isInterrupted)) {
+    if (isAsked && shots_.hasBest()) {
+      replay_.begin(now_s, asked->isEnd);
+      announcements.tellWhoseShot(striker_, shots_.bestCushions(), asked->isEnd, decision);
+    } else if (isAsked) {
+      announcements.say(texts::message::kNoCarom, decision);
+    }
+  }
+  decision.showsShot = replay_.isOn();
+}
+
+void Players::act(const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs, Game& game,
+                  Announcements& announcements, Decision& decision) {
+  match_.putInto(decision.frame.record);
+  for (std::size_t viewer = 0; viewer < viewers.size(); ++viewer)
+    act(viewer, rules, viewers, inputs, game, announcements, decision);
+  match_.putInto(decision.frame.record);
+}
+
+/// Does so for one hand. A press on one of the buttons of the front wall is neither a stroke nor an answer.
+void Players::act(std::size_t viewer, const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs,
+                  Game& game, Announcements& announcements, Decision& decision) {
+  FrameRecord& record = decision.frame.record;
+  ViewerState& own = record.viewers[viewer];
+  auto [hand, pointed, command] = inputs.act(viewer, viewers, own.observer, record.display_s);
+  if (pointed && hand.pressed) {
+    inputs.letGo(viewer, pointed->action.kind == WallAction::Kind::home);
+    command = commandOf(pointed->action, rules.settings);
+    decision.isHandled = true;
+    hand.held = false;
+  }
+  if (hand.pressed && !command && rules.asks) announcements.sayTo(viewer, texts::message::kAsks, decision);
+  if (command) {
+    decision.handCommands.push_back({*command, viewer});
+    answeredBy_ = viewer;
+    decision.isHandled = true;
+  }
+  const CueInteraction::Outcome outcome = cues_[viewer].step(hand, !rules.mayStrike, game, record, viewer);
+  const bool isNew = scenario_->choices && scenario_->tour.empty() && own.score.strokes == 0;
+  if (isNew && rules.mayStrike) cues_[viewer].offer(0, game, record, viewer);
+  if (pointed && !own.hand.pulling) {
+    own.hand.to_m = pointed->onWall_m;
+    own.hand.target = 0;
+  }
+  if (outcome.stroke) struck(viewer, outcome, decision);
+  inputs.feel(viewer, hand, own.hand, outcome.stroke.has_value());
+  announcements.sayTo(viewer, outcome.said, decision);
+}
+
+void Players::struck(std::size_t viewer, const CueInteraction::Outcome& outcome, Decision& decision) {
+  decision.strokes.push_back({*outcome.stroke, viewer});
+  match_.struck(viewer, decision.frame.record.viewerCount, outcome.stroke->puck, outcome.arrives_s);
+  hit_.struck(outcome.stroke->puck, outcome.arrives_s);
+  striker_ = viewer;
+  shots_.struck();
+}
+
+void Players::see(std::span<const GameEvent> events, Announcements& announcements, Decision& decision) {
+  FrameRecord& record = decision.frame.record;
+  shots_.see({record.viewers[striker_].observer, record.boardFromRoom, record.display_s});
+  if (const auto seen = hit_.look(events, record); seen && seen->size() > 1)
+    announcements.tellWhoSawFirst(*seen, decision);
+  for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
+    const Event& eye = record.viewers[viewer].observer.middle.observation;
+    const auto cushions = match_.look(viewer, events, eye, scenario_->billiard.lightSpeed_m_s);
+    if (!cushions) continue;
+    if (viewer == striker_) shots_.carom(*cushions, record.display_s);
+    announcements.tellCarom(viewer, *cushions, decision);
+  }
+  match_.putInto(record);
+}
+
+}  // namespace carom

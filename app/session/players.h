@@ -1,0 +1,74 @@
+#pragma once
+// The people in the room as players: their cues, their match, who has seen what, and the shots that are kept.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/files/rig.h"
+#include "app/files/scenario.h"
+#include "app/operator/command.h"
+#include "app/play/cue_interaction.h"
+#include "app/play/game.h"
+#include "app/play/hit_seen.h"
+#include "app/play/match.h"
+#include "app/play/shot_memory.h"
+#include "app/session/announcements.h"
+#include "app/session/decision.h"
+#include "app/session/player_inputs.h"
+
+namespace carom {
+
+/// What decides what the hands can do in a frame.
+struct HandRules {
+  const OperatorSettings& settings;
+  bool asks = false;  ///< a lesson waits for an answer
+  bool mayStrike =
+      false;  ///< time passes, and the game is not that of a lesson, which is played again and again
+};
+
+class Players {
+ public:
+  /// With `before`, the match goes on from that frame of an earlier session. `scenario` must outlive this
+  /// object.
+  Players(const Scenario& scenario, const std::optional<FrameRecord>& before);
+
+  /// Begins to show the best shot again, or ends it; anything that a person does (`isInterrupted`) ends it as
+  /// well.
+  void showBestShot(std::span<const Command> commands, bool isInterrupted, Announcements& announcements,
+                    Decision& decision);
+  /// Returns the view of the best shot while it is shown again, or null.
+  const ShotView* shot(double display_s) const { return replay_.view(shots_, display_s); }
+
+  /// Lets each hand act on the game: strokes, presses on buttons, answers.
+  void act(const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs, Game& game,
+           Announcements& announcements, Decision& decision);
+
+  /// Looks at what each viewer sees of the events in a frame in which time passes: counts a carom when the
+  /// one who struck sees it, and says so; tells who saw a hit first.
+  void see(std::span<const GameEvent> events, Announcements& announcements, Decision& decision);
+
+  /// Returns the earliest view that may be shown again, or that of the one who struck last.
+  const ObserverView& earliest(const FrameRecord& record) {
+    return shots_.earliest(record.viewers[striker_].observer, record.display_s);
+  }
+
+  std::size_t answeredBy() const { return answeredBy_; }  ///< the viewer whose hand gave the last command
+
+ private:
+  void act(std::size_t viewer, const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs,
+           Game& game, Announcements& announcements, Decision& decision);
+  void struck(std::size_t viewer, const CueInteraction::Outcome& outcome, Decision& decision);
+
+  const Scenario* scenario_;
+  std::vector<CueInteraction> cues_;  ///< of each viewer
+  Match match_;
+  HitSeen hit_;
+  std::size_t striker_ = 0;  ///< the viewer who struck last, whose shot is kept
+  ShotMemory shots_;
+  ShotReplay replay_;
+  std::size_t answeredBy_ = 0;
+};
+
+}  // namespace carom
