@@ -94,7 +94,7 @@ TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
       const double most = beta <= 0.1 ? 0.02 : atContact ? 0.1 : 0.6;
       EXPECT_LE(all.elsewhere, most * all.pairs);
       EXPECT_EQ(all.untouched, 0);
-      // Inelastic thick ones at 0.99 c slide along each other in hundreds of kicks, a pair in fifty.
+      // Some thick ones at 0.99 c slide along each other in hundreds of kicks: 19 a pair in the mean of 800.
       EXPECT_LE(all.kicks, (beta < 0.99 ? 10u : 25u) * static_cast<std::size_t>(all.pairs));
     }
   }
