@@ -44,7 +44,7 @@ struct FileKey {
     flag,
     text,
     choice,    ///< one of several texts
-    numbers,   ///< an array of so many numbers
+    numbers,   ///< an array of a fixed count of numbers
     wholes,    ///< the same of whole numbers
     texts,     ///< an array of texts
     points,    ///< an array of points
@@ -52,7 +52,7 @@ struct FileKey {
     table,
     tables,  ///< an array of tables
   };
-  /// Keys of a table of which the ones are there and the others are not.
+  /// Some keys of a table are there and others are not.
   struct Combination {
     std::vector<std::string_view> with, without;
   };

@@ -39,7 +39,7 @@ class FindingList {
   const Finding& back() const { return kept_.back(); }
   auto begin() const { return kept_.begin(); }
   auto end() const { return kept_.end(); }
-  /// Returns whether there are so many findings that another one needs no helpful words.
+  /// Returns whether further findings need no helpful words.
   bool isLong() const { return kept_.size() >= kMostFindings; }
 
  private:

@@ -106,7 +106,7 @@ void addLine(vtkChartXY& chart, const Chart& what, const ChartLine& line) {
   x->SetName("x");
   y->SetName(line.name.c_str());
   std::vector<glm::dvec2> points = visible(what, line);
-  // A line of which nothing is seen keeps its name in the legend. VTK skips NaN and complains of no points.
+  // A line that is not seen keeps its name in the legend. VTK skips NaN and complains of no points.
   if (points.empty()) points.assign(2, glm::dvec2(std::numeric_limits<double>::quiet_NaN()));
   for (const glm::dvec2& point : points) {
     x->InsertNextValue(point.x);

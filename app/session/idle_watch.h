@@ -34,7 +34,7 @@ class IdleWatch {
     return true;
   }
 
-  /// Returns for how long the patience lasts without a further sign of life; empty: nobody is there.
+  /// Returns for how long the patience lasts without a further sign of life; empty: the room is empty.
   std::optional<double> left_s(double now_s) const {
     if (!patience_s_ || !latest_s_) return {};
     return (discusses_ ? kDiscusses : 1.0) * *patience_s_ - (now_s - *latest_s_);
