@@ -68,8 +68,10 @@ void FrameWriter::write(std::uint64_t frame, const GameEvent& event) {
 FrameReader::FrameReader(SQLite::Database& database, double lightSpeed_m_s)
     : lightSpeed_m_s_(lightSpeed_m_s),
       frame_(database, framesOf("")),
-      change_(database, framesOf("AND number IN (SELECT frame FROM knot UNION SELECT frame FROM frame_event)")),
-      knot_(database, fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid", namesOf<Knot>().text())),
+      change_(database,
+              framesOf("AND number IN (SELECT frame FROM knot UNION SELECT frame FROM frame_event)")),
+      knot_(database,
+            fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid", namesOf<Knot>().text())),
       event_(database, fmt::format("SELECT frame{} FROM frame_event WHERE frame = ? ORDER BY number",
                                    namesOf<GameEvent>().text())),
       viewers_(database, lightSpeed_m_s),

@@ -190,13 +190,10 @@ std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try 
   std::vector<Stroke> strokes;
   const auto ends = frames();
   if (!ends) return strokes;
-  const bool hasOffsets = tables_->database.execAndGet("PRAGMA user_version").getInt() > kVersion4;
   SQLite::Statement row(
       tables_->database,
-      fmt::format(
-          "SELECT frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, {} FROM stroke "
-          "WHERE frame BETWEEN ? AND ? ORDER BY frame, rowid",
-          hasOffsets ? "offset_m" : "0.0"));
+      "SELECT frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m FROM stroke "
+      "WHERE frame BETWEEN ? AND ? ORDER BY frame, rowid");
   row.bind(1, static_cast<std::int64_t>(ends->first));
   row.bind(2, static_cast<std::int64_t>(ends->second));
   while (row.executeStep()) {

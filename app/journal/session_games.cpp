@@ -75,7 +75,8 @@ void addFirstGame(SQLite::Database& database, const SessionFacts& facts) {
 
 void addGame(SQLite::Database& database, const SessionFacts& facts) {
   add(database,
-      "(SELECT coalesce(max(number), 0) + 1 FROM frame), (SELECT coalesce(max(number) + 1, 0) FROM event)", facts);
+      "(SELECT coalesce(max(number), 0) + 1 FROM frame), (SELECT coalesce(max(number) + 1, 0) FROM event)",
+      facts);
 }
 
 void removeEmptyGames(SQLite::Database& database) {
