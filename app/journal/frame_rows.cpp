@@ -2,15 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
 #include <stdexcept>
-#include <string_view>
-#include <utility>
 
 #include "app/journal/frame_columns.h"
 #include "app/journal/rows.h"
-#include "app/journal/version_3.h"
 #include "cave/record/record_rules.h"
 
 namespace carom {
@@ -23,94 +18,9 @@ Names frameNames() {
   return names;
 }
 
-/// Returns the same names in the order of the table's columns: those of the first files of this version, by
-/// the beginnings of their names, and then all later ones.
-Names columnsInOrder() {
-  constexpr const char* kFirst[]{"display_s",
-                                 "proper_time_s",
-                                 "t_s",
-                                 "x_m",
-                                 "y_m",
-                                 "z_m",
-                                 "switches",
-                                 "views",
-                                 "beside",
-                                 "truncate_from_s",
-                                 "pucks",
-                                 "events_kept",
-                                 "last",
-                                 "light_speed_m_s",
-                                 "left_t_s",
-                                 "left_x_m",
-                                 "left_y_m",
-                                 "left_z_m",
-                                 "right_t_s",
-                                 "right_x_m",
-                                 "right_y_m",
-                                 "right_z_m",
-                                 "left_in_room_",
-                                 "right_in_room_",
-                                 "middle_in_room_",
-                                 "left_seen_from_",
-                                 "right_seen_from_",
-                                 "middle_seen_from_",
-                                 "head_from_board_",
-                                 "board_from_room_",
-                                 "shown",
-                                 "blank",
-                                 "eyes_swapped",
-                                 "tracker_cross",
-                                 "latency",
-                                 "head_known",
-                                 "head_sensor_",
-                                 "hand_known",
-                                 "hand_",
-                                 "cue_shown",
-                                 "cue_pulling",
-                                 "cue_target",
-                                 "cue_from_",
-                                 "cue_to_",
-                                 "cue_target_",
-                                 "cue_towards_",
-                                 "cue_u",
-                                 "thrust_",
-                                 "drive_mode",
-                                 "drive_at_limit",
-                                 "lesson_phase",
-                                 "lesson_answer",
-                                 "notice",
-                                 "cue_offset_m",
-                                 "comfort",
-                                 "caroms",
-                                 "strokes",
-                                 "fade"};
-  const auto place = [&](const std::string& name) {
-    return std::find_if(std::begin(kFirst), std::end(kFirst), [&](std::string_view first) {
-      return first.back() == '_' ? name.starts_with(first) : name == first;
-    });
-  };
-  Names names = frameNames();
-  std::stable_sort(names.all.begin(), names.all.end(),
-                   [&](const std::string& a, const std::string& b) { return place(a) < place(b); });
-  return names;
-}
-
-std::string framesOf(SQLite::Database& database, int version, const char* which) {
-  return fmt::format("SELECT number{} FROM frame WHERE number >= ? {} ORDER BY number",
-                     version == kVersion3 ? ", record, events" : selected(database, "frame", frameNames()),
+std::string framesOf(const char* which) {
+  return fmt::format("SELECT number{} FROM frame WHERE number >= ? {} ORDER BY number", frameNames().text(),
                      which);
-}
-const char* changingOf(int version) {
-  return version == kVersion3 ? ""
-                              : "AND number IN (SELECT frame FROM knot UNION SELECT frame FROM frame_event)";
-}
-std::string knotsOf(SQLite::Database& database, int version) {
-  return fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid",
-                     version == kVersion3 ? ", knot" : selected(database, "knot", namesOf<Knot>()));
-}
-
-std::span<const std::byte> bytesOf(const SQLite::Column& column) {
-  return {static_cast<const std::byte*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
 }
 
 }  // namespace
@@ -122,19 +32,7 @@ std::string frameTables() {
       "CREATE TABLE knot(frame INTEGER, body INTEGER{});\n"
       "CREATE INDEX knot_of_frame ON knot(frame);\n"
       "CREATE TABLE frame_event(frame INTEGER{}, PRIMARY KEY(frame, number)) WITHOUT ROWID;\n",
-      columnsInOrder().text(), namesOf<Knot>().text(), namesOf<GameEvent>().text());
-}
-
-void addColumns(SQLite::Database& database) {
-  const std::pair<const char*, Names> tables[]{
-      {"frame", frameNames()}, {"knot", namesOf<Knot>()}, {"frame_event", namesOf<GameEvent>()}};
-  for (const auto& [table, names] : tables) {
-    const std::set<std::string> columns = columnsOf(database, table);
-    for (const std::string& name : names.all) {
-      if (!columns.contains(name))
-        database.exec(fmt::format("ALTER TABLE {} ADD COLUMN {} DEFAULT 0", table, name));
-    }
-  }
+      frameNames().text(), namesOf<Knot>().text(), namesOf<GameEvent>().text());
 }
 
 FrameWriter::FrameWriter(SQLite::Database& database)
@@ -167,17 +65,17 @@ void FrameWriter::write(std::uint64_t frame, const GameEvent& event) {
   event_.exec();
 }
 
-FrameReader::FrameReader(SQLite::Database& database, int version, double lightSpeed_m_s)
-    : version_(version),
-      lightSpeed_m_s_(lightSpeed_m_s),
-      frame_(database, framesOf(database, version, "")),
-      change_(database, framesOf(database, version, changingOf(version))),
-      knot_(database, knotsOf(database, version)) {
-  if (version != kVersion3)
-    event_.emplace(database, fmt::format("SELECT frame{} FROM frame_event WHERE frame = ? ORDER BY number",
-                                         selected(database, "frame_event", namesOf<GameEvent>())));
-  if (version > kVersion6) viewers_.emplace(database, lightSpeed_m_s);
-  if (version > kVersion6) headset_.emplace(database);
+FrameReader::FrameReader(SQLite::Database& database, double lightSpeed_m_s)
+    : lightSpeed_m_s_(lightSpeed_m_s),
+      frame_(database, framesOf("")),
+      change_(database,
+              framesOf("AND number IN (SELECT frame FROM knot UNION SELECT frame FROM frame_event)")),
+      knot_(database,
+            fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid", namesOf<Knot>().text())),
+      event_(database, fmt::format("SELECT frame{} FROM frame_event WHERE frame = ? ORDER BY number",
+                                   namesOf<GameEvent>().text())),
+      viewers_(database, lightSpeed_m_s),
+      headset_(database) {
   goTo(0);
 }
 
@@ -198,13 +96,9 @@ void FrameReader::read(FrameState& state) {
   state.events.clear();
   knot_.reset();
   knot_.bind(1, number);
-  version_ == kVersion3 ? readVersion3(state) : readFields(state);
-  // As it was while there was one viewer.
-  ViewerState& own = state.record.viewers.front();
-  own.placeInRoom_m = own.observer.middle.positionInRoom_m;
-  state.record.room_s = own.observer.properTime_s;
-  if (viewers_) viewers_->read(state.record);
-  if (headset_) headset_->read(state.record);
+  readFields(state);
+  viewers_.read(state.record);
+  headset_.read(state.record);
   if (state.record.number != static_cast<std::uint64_t>(number))
     throw std::runtime_error(fmt::format("its record is of frame {}", state.record.number));
   expectPossible(state.record, lightSpeed_m_s_);
@@ -225,23 +119,13 @@ void FrameReader::readFields(FrameState& state) {
     knotRow("body", knot.body);
     putColumns(knotRow, knot.knot);
   }
-  event_->reset();
-  event_->bind(1, static_cast<std::int64_t>(state.record.number));
-  while (event_->executeStep()) {
-    RowReader eventRow(*event_);
+  event_.reset();
+  event_.bind(1, static_cast<std::int64_t>(state.record.number));
+  while (event_.executeStep()) {
+    RowReader eventRow(event_);
     std::uint64_t frame = 0;
     eventRow("frame", frame);
     putColumns(eventRow, state.events.emplace_back());
-  }
-}
-
-void FrameReader::readVersion3(FrameState& state) {
-  state.record = version3::frameOf(bytesOf(frames().getColumn(1)));
-  state.record.forgetBefore_s = FrameRecord().forgetBefore_s;
-  state.events = version3::eventsOf(bytesOf(frames().getColumn(2)));
-  while (knot_.executeStep()) {
-    state.knots.push_back({static_cast<std::uint64_t>(knot_.getColumn(0).getInt64()),
-                           version3::knotOf(bytesOf(knot_.getColumn(1)))});
   }
 }
 

@@ -12,24 +12,8 @@
 
 namespace carom {
 
-/// The newest version of the tables that stores frames, knots and events as raw bytes
-/// (app/journal/version_3.h).
-inline constexpr int kVersion3 = 3;
-/// The version before the columns that tell of spins; in its files these are read as 0.
-inline constexpr int kVersion4 = 4;
-
 /// Returns the SQL statements that create the tables frame, knot and frame_event.
 std::string frameTables();
-
-/// The version before the columns of the score and of comfort; in its files, too, these are read as 0.
-inline constexpr int kVersion5 = 5;
-/// The version before the tables of several games and several viewers.
-inline constexpr int kVersion6 = 6;
-/// The version before the columns that tell of sides on sides; in its files these are read as 0.
-inline constexpr int kVersion7 = 7;
-
-/// Adds the columns that a file of version 4 to 7 lacks, with 0 in every row.
-void addColumns(SQLite::Database& database);
 
 /// Writes the three tables.
 class FrameWriter {
@@ -49,12 +33,12 @@ class FrameWriter {
 /// Reads frames in the order of their numbers.
 class FrameReader {
  public:
-  /// Reads tables of a version from kVersion3 on. `lightSpeed_m_s` is that of the game.
-  FrameReader(SQLite::Database& database, int version, double lightSpeed_m_s);
+  /// `lightSpeed_m_s` is that of the game.
+  FrameReader(SQLite::Database& database, double lightSpeed_m_s);
 
   /// Makes the next frame the first whose number is at least `number`. Initially it is the first frame. With
   /// `changesOnly`, the frames are from then on those alone that change the game: those with knots or events,
-  /// as a frame that removes some has others in their place. Of version 3, they are all.
+  /// as a frame that removes some has others in their place.
   void goTo(std::uint64_t number, bool changesOnly = false);
   /// Returns the number of the frame that `read` will read, or nothing after the last.
   std::optional<std::uint64_t> step();
@@ -64,17 +48,14 @@ class FrameReader {
 
  private:
   void readFields(FrameState& state);
-  void readVersion3(FrameState& state);
 
   SQLite::Statement& frames() { return changesOnly_ ? change_ : frame_; }
 
-  int version_;
   double lightSpeed_m_s_;
   bool changesOnly_ = false;
-  SQLite::Statement frame_, change_, knot_;
-  std::optional<ViewerReader> viewers_;  ///< not before version 7
-  std::optional<HeadsetReader> headset_;
-  std::optional<SQLite::Statement> event_;  ///< not in version 3, which stores events with the frame
+  SQLite::Statement frame_, change_, knot_, event_;
+  ViewerReader viewers_;
+  HeadsetReader headset_;
 };
 
 }  // namespace carom

@@ -56,11 +56,6 @@ struct Journal::Writer {
          std::chrono::milliseconds every)
       : file(path), intoFileEvery(every), lock(path, goOn), tables(path) {
     if (!goOn) tables.make(facts);
-    if (const int version = tables.version(); version < kJournalVersion) {
-      log::note(fmt::format("The session file {} is of version {} and becomes one of version {}.",
-                            file.string(), version, kJournalVersion));
-      tables.convert();
-    }
     tables.begin(facts);
     thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
   }

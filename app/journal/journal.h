@@ -64,9 +64,7 @@
 //       interval between swaps exceeded the display's period. About 100 bytes per row, at most eight rows per
 //       node and second.
 // Numbers in frame, knot and frame_event are stored exactly: zero as an integer, NaN as NULL. `PRAGMA
-// user_version` is the version of this list. Files of version 3, which stored records as raw bytes, and of
-// versions 4 to 7, which did not know of spins, of the score, of several games, of several viewers and of pucks
-// with corners, can be read, and are converted to this version when the session is continued.
+// user_version` is the version of this list; files of other versions are refused.
 
 #include <chrono>
 #include <filesystem>

@@ -88,7 +88,7 @@ void JournalTables::make(const SessionFacts& facts) {
   database_.exec(frameTables());
   database_.exec(viewerTables());
   database_.exec(fmt::format("PRAGMA application_id = {}", kJournalId));
-  setVersion();
+  database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion));
   SQLite::Statement row(database_, "INSERT INTO session VALUES(?, ?)");
   put(row, "program", facts.program);
   put(row, "started_utc", utcNow());
@@ -102,106 +102,21 @@ void JournalTables::make(const SessionFacts& facts) {
   for (const std::size_t axis : {0, 1}) {
     if (facts.eyePixels[axis] > 0) put(row, kKeysOfEyePixels[axis], facts.eyePixels[axis]);
   }
-  addGames(database_);
+  addFirstGame(database_, facts);
   transaction.commit();
 }
-
-int JournalTables::version() { return database_.execAndGet("PRAGMA user_version").getInt(); }
 
 void JournalTables::refuse(const std::string& what) const {
   throw std::runtime_error(fmt::format("session file {}: {}", database_.getFilename(), what));
-}
-
-// A second connection reads the old tables until the transaction ends.
-void JournalTables::convert() {
-  if (version() >= kVersion4) {
-    SQLite::Transaction transaction(database_);
-    addColumns(database_);
-    if (version() == kVersion4) addSpinsOfTurns();
-    if (version() < kVersion7) {
-      addGames(database_);
-      addViewers();
-    }
-    addSidesOnSides();
-    setVersion();
-    transaction.commit();
-    return;
-  }
-  if (version() != kVersion3)
-    refuse(fmt::format("version {} of the tables, expected version {} to {}", version(), kVersion3,
-                       kJournalVersion));
-  SQLite::Database before(database_.getFilename(), SQLite::OPEN_READONLY, kBusy_ms);
-  const double c_m_s =
-      before.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble();
-  FrameReader reader(before, kVersion3, c_m_s);
-  SQLite::Statement head(before,
-                         "SELECT known, celerity_x_m_s, celerity_y_m_s, celerity_z_m_s FROM frame WHERE "
-                         "number >= 0 ORDER BY number");
-  const bool hasDelays =
-      before.execAndGet("SELECT count(*) FROM pragma_table_info('event') WHERE name = 'without_delay'")
-          .getInt() > 0;
-  FrameState state;
-  std::optional<std::uint64_t> number = reader.step();
-  SQLite::Transaction transaction(database_);
-  database_.exec("DROP TABLE frame; DROP TABLE knot");
-  database_.exec(frameTables());
-  if (!hasDelays) database_.exec("ALTER TABLE event ADD COLUMN without_delay INTEGER NOT NULL DEFAULT 0");
-  FrameWriter writer(database_);
-  try {
-    for (; number && head.executeStep(); number = reader.step()) {
-      reader.read(state);
-      const auto component = [&head](int column) { return head.getColumn(column).getDouble(); };
-      writer.write(state.record, head.getColumn(0).getString(), {component(1), component(2), component(3)});
-      for (const BodyKnot& knot : state.knots) writer.write(*number, knot);
-      for (const GameEvent& event : state.events) writer.write(*number, event);
-    }
-  } catch (const SQLite::Exception&) {
-    throw;
-  } catch (const std::exception& error) {
-    refuse(fmt::format("frame {}: {}", *number, error.what()));
-  }
-  addSpinsOfTurns();
-  addGames(database_);
-  addViewers();
-  addSidesOnSides();
-  setVersion();
-  transaction.commit();
-}
-
-void JournalTables::setVersion() { database_.exec(fmt::format("PRAGMA user_version = {}", kJournalVersion)); }
-
-/// Adds the columns of spins to the tables that the program does not read back in full.
-void JournalTables::addSpinsOfTurns() {
-  for (const char* column : {"turn ADD COLUMN spin_before_kg_m2_s", "turn ADD COLUMN spin_after_kg_m2_s",
-                             "stroke ADD COLUMN offset_m"})
-    database_.exec(fmt::format("ALTER TABLE {} REAL NOT NULL DEFAULT 0", column));
-}
-
-/// Adds the tables and columns of the viewers (there was one), and the version.
-void JournalTables::addViewers() {
-  for (const char* table : {"sample ADD COLUMN tracker", "stroke ADD COLUMN viewer",
-                            "input ADD COLUMN viewer", "answer ADD COLUMN viewer"})
-    database_.exec(fmt::format("ALTER TABLE {} TEXT", table));
-  database_.exec(viewerTables());
-  database_.exec(
-      "INSERT INTO viewer SELECT number, 'viewer', t_s, x_m, y_m, z_m, proper_time_s, middle_in_room_x_m, "
-      "middle_in_room_y_m, middle_in_room_z_m, 1, celerity_x_m_s, celerity_y_m_s, celerity_z_m_s, known FROM "
-      "frame "
-      "WHERE number >= 0");
-  database_.exec("INSERT OR REPLACE INTO session VALUES('viewer', 'viewer')");
-}
-
-/// Adds the column of sides on sides to the table that the program does not read back.
-void JournalTables::addSidesOnSides() {
-  database_.exec("ALTER TABLE event ADD COLUMN side_on_side INTEGER NOT NULL DEFAULT 0");
 }
 
 void JournalTables::begin(const SessionFacts& facts) {
   pucks_ = facts.pucks;
   viewers_ = facts.viewers;
   trackers_ = facts.trackers;
-  if (version() != kJournalVersion)
-    refuse(fmt::format("version {} of the tables, expected version {}", version(), kJournalVersion));
+  const int version = database_.execAndGet("PRAGMA user_version").getInt();
+  if (version != kJournalVersion)
+    refuse(fmt::format("version {} of the tables, expected version {}", version, kJournalVersion));
   frames_.emplace(database_);
   viewerRows_.emplace(database_, viewers_);
   headsetRows_.emplace(database_);

@@ -70,10 +70,6 @@ class JournalTables {
 
   /// Creates the tables of a new file.
   void make(const SessionFacts& facts);
-  int version();
-  /// Converts a file of version 3 to 7 to this version. Throws std::runtime_error, and leaves the file as it was,
-  /// if it is older still or damaged.
-  void convert();
   /// Records that a run of the program begins to write, for the first time or again, or another game. Throws
   /// std::runtime_error if the file has another version.
   void begin(const SessionFacts& facts);
@@ -85,10 +81,6 @@ class JournalTables {
   void close();
 
  private:
-  void addSpinsOfTurns();
-  void addViewers();
-  void addSidesOnSides();
-  void setVersion();
   void writeFrames(const Batch& batch);
   void list(std::span<const GameEvent> brought, std::uint64_t kept);
   void writeInputs(const Batch& batch);

@@ -9,7 +9,6 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -43,22 +42,6 @@ Names namesOf() {
   const Part any{};
   putColumns(names, any);
   return names;
-}
-
-inline std::set<std::string> columnsOf(SQLite::Database& database, const char* table) {
-  std::set<std::string> columns;
-  SQLite::Statement row(database, "SELECT name FROM pragma_table_info(?)");
-  row.bind(1, table);
-  while (row.executeStep()) columns.insert(row.getColumn(0).getString());
-  return columns;
-}
-
-/// Returns the names, each after a comma; 0 in the place of those that the table lacks.
-inline std::string selected(SQLite::Database& database, const char* table, const Names& names) {
-  const std::set<std::string> columns = columnsOf(database, table);
-  std::string text;
-  for (const std::string& name : names.all) text += ", " + (columns.contains(name) ? name : "0");
-  return text;
 }
 
 /// Binds values to a row's parameters in order.
@@ -130,7 +113,7 @@ class RowReader {
   int column_ = 0;
 };
 
-/// `columns`, separated by commas, in the order in which they are written: an older file has them in another.
+/// Returns the statement that writes a row, of `columns` separated by commas.
 inline std::string insertInto(const char* table, const std::string& columns) {
   std::string text = fmt::format("INSERT OR REPLACE INTO {}({}) VALUES(?", table, columns);
   for (const char letter : columns) text += letter == ',' ? ",?" : "";

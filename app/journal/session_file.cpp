@@ -68,8 +68,8 @@ void takeBackUnfinished(const std::filesystem::path& file) {
 struct SessionFile::Tables {
   explicit Tables(const std::filesystem::path& file)
       : database((takeBackUnfinished(file), file.string()), SQLite::OPEN_READONLY, kBusy_ms) {}
-  void prepare(int version, double lightSpeed_m_s) {
-    frames.emplace(database, version, lightSpeed_m_s);
+  void prepare(double lightSpeed_m_s) {
+    frames.emplace(database, lightSpeed_m_s);
     // Two key lookups; both in one SELECT would read every row.
     ends.emplace(database,
                  "SELECT (SELECT min(number) FROM frame WHERE number >= 0), (SELECT max(number) FROM frame)");
@@ -105,15 +105,9 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
       refuse(file, "this is another program's database, expected what carom cave --session wrote");
     }
     const int version = database.execAndGet("PRAGMA user_version").getInt();
-    if (version > kJournalVersion) {
-      refuse(file,
-             fmt::format("a newer carom wrote it (version {} of the tables), expected at most version {}",
-                         version, kJournalVersion));
-    }
-    if (version < kVersion3) {
-      refuse(file,
-             fmt::format("an older carom wrote it (version {} of the tables), expected version {} to {}",
-                         version, kVersion3, kJournalVersion));
+    if (version != kJournalVersion) {
+      refuse(file, fmt::format("{} carom wrote it (version {} of the tables), expected version {}",
+                               version > kJournalVersion ? "a newer" : "an older", version, kJournalVersion));
     }
     const std::string check = database.execAndGet("PRAGMA quick_check").getString();
     if (check != "ok")
@@ -156,7 +150,7 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
           "its last minute is missing.",
           file.string(), besideOf(file).filename().string()));
     }
-    tables_->prepare(version, facts_.lightSpeed_m_s);
+    tables_->prepare(facts_.lightSpeed_m_s);
   } catch (const SQLite::Exception& error) {
     refuse(file, error);
   }
@@ -196,13 +190,10 @@ std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try 
   std::vector<Stroke> strokes;
   const auto ends = frames();
   if (!ends) return strokes;
-  const bool hasOffsets = tables_->database.execAndGet("PRAGMA user_version").getInt() > kVersion4;
   SQLite::Statement row(
       tables_->database,
-      fmt::format(
-          "SELECT frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, {} FROM stroke "
-          "WHERE frame BETWEEN ? AND ? ORDER BY frame, rowid",
-          hasOffsets ? "offset_m" : "0.0"));
+      "SELECT frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m FROM stroke "
+      "WHERE frame BETWEEN ? AND ? ORDER BY frame, rowid");
   row.bind(1, static_cast<std::int64_t>(ends->first));
   row.bind(2, static_cast<std::int64_t>(ends->second));
   while (row.executeStep()) {

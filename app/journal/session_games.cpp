@@ -18,23 +18,7 @@ std::string endOf(const std::string& firstFrame) {
       firstFrame);
 }
 
-SessionGame onlyGame(SQLite::Database& database) {
-  const auto fact = [&database](const char* key) {
-    SQLite::Statement row(database, "SELECT value FROM session WHERE key = ?");
-    row.bind(1, key);
-    return row.executeStep() ? row.getColumn(0).getString() : std::string();
-  };
-  SessionGame game;
-  game.startedUtc = printable(fact("started_utc"));
-  game.scenario = fact("scenario_file");
-  game.scenarioText = fact("scenario");
-  game.lightSpeed_m_s =
-      database.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble();
-  return game;
-}
-
 std::vector<SessionGame> allGames(SQLite::Database& database) {
-  if (!database.tableExists("game")) return {onlyGame(database)};
   std::vector<SessionGame> games;
   SQLite::Statement row(database,
                         "SELECT first_frame, first_event, started_utc, scenario_file, scenario, "
@@ -70,30 +54,29 @@ void findSpans(SQLite::Database& database, std::vector<SessionGame>& games) {
   }
 }
 
-}  // namespace
-
-void addGames(SQLite::Database& database) {
-  database.exec(
-      "CREATE TABLE game(first_frame INTEGER PRIMARY KEY, first_event INTEGER, started_utc TEXT, "
-      "scenario_file TEXT, scenario TEXT, light_speed_m_s REAL)");
-  const SessionGame game = onlyGame(database);
-  SQLite::Statement row(database, "INSERT INTO game VALUES(0, 0, ?, ?, ?, ?)");
-  row.bind(1, game.startedUtc);
-  row.bind(2, game.scenario.string());
-  row.bind(3, game.scenarioText);
-  row.bind(4, game.lightSpeed_m_s);
-  row.exec();
-}
-
-void addGame(SQLite::Database& database, const SessionFacts& facts) {
-  SQLite::Statement row(database,
-                        "INSERT INTO game VALUES((SELECT coalesce(max(number), 0) + 1 FROM frame), (SELECT "
-                        "coalesce(max(number) + 1, 0) FROM event), ?, ?, ?, ?)");
+/// `firsts`: the numbers of its first frame and event, in SQL.
+void add(SQLite::Database& database, const char* firsts, const SessionFacts& facts) {
+  SQLite::Statement row(database, fmt::format("INSERT INTO game VALUES({}, ?, ?, ?, ?)", firsts));
   row.bind(1, fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))));
   row.bind(2, std::filesystem::absolute(facts.scenario).string());
   row.bind(3, facts.scenarioText);
   row.bind(4, facts.lightSpeed_m_s);
   row.exec();
+}
+
+}  // namespace
+
+void addFirstGame(SQLite::Database& database, const SessionFacts& facts) {
+  database.exec(
+      "CREATE TABLE game(first_frame INTEGER PRIMARY KEY, first_event INTEGER, started_utc TEXT, "
+      "scenario_file TEXT, scenario TEXT, light_speed_m_s REAL)");
+  add(database, "0, 0", facts);
+}
+
+void addGame(SQLite::Database& database, const SessionFacts& facts) {
+  add(database,
+      "(SELECT coalesce(max(number), 0) + 1 FROM frame), (SELECT coalesce(max(number) + 1, 0) FROM event)",
+      facts);
 }
 
 void removeEmptyGames(SQLite::Database& database) {
@@ -113,12 +96,11 @@ std::vector<SessionGame> gamesIn(SQLite::Database& database) {
   std::vector<SessionGame> shown;
   for (const SessionGame& game : games)
     if (game.hasFrames) shown.push_back(game);
-  if (shown.empty()) shown.push_back(games.empty() ? onlyGame(database) : games.front());
+  if (shown.empty() && !games.empty()) shown.push_back(games.front());
   return shown;
 }
 
 void showOnly(SQLite::Database& database, const SessionGame& game) {
-  if (!database.tableExists("game")) return;
   const std::string first = std::to_string(game.firstFrame);
   database.exec(
       fmt::format("CREATE TEMP VIEW frame AS SELECT * FROM main.frame WHERE number >= {} AND number < {}",

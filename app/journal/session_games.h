@@ -25,8 +25,8 @@ struct SessionGame {
   bool hasFrames = false;
 };
 
-/// Adds the table to a file that has none, with its only game: that of the table session.
-void addGames(SQLite::Database& database);
+/// Creates the table, with the first game.
+void addFirstGame(SQLite::Database& database, const SessionFacts& facts);
 
 /// Adds a game whose frames and events are those after the ones in the file.
 void addGame(SQLite::Database& database, const SessionFacts& facts);
@@ -37,7 +37,7 @@ void removeEmptyGames(SQLite::Database& database);
 /// Returns the number of the newest game's first event.
 std::uint64_t firstEventOfNewest(SQLite::Database& database);
 
-/// Returns the games that have frames, or the first if none has. A file without the table has one.
+/// Returns the games that have frames, or the first if none has.
 std::vector<SessionGame> gamesIn(SQLite::Database& database);
 
 /// Makes `frame`, in SQL of this connection, mean the frames of this game alone, also while more are written.

@@ -185,8 +185,8 @@ TEST(RecordFields, TheSessionFileKeepsEachField) {
   }
 }
 
-// The tables of version 8 as the first program that wrote it made them. New columns come after them.
-TEST(RecordFields, TheTablesHaveTheirColumnsInTheOrderOfEarlierFiles) {
+// People's queries name these columns: a change of them is another version of the tables.
+TEST(RecordFields, TheTablesHaveTheColumnsOfTheirVersion) {
   const TemporaryFolder folder;
   { Journal journal(folder / "game.db", factsForTwo(), false); }
   SQLite::Database database((folder / "game.db").string());
