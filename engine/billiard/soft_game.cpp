@@ -1,5 +1,7 @@
 #include "engine/billiard/soft_game.h"
 
+#include "engine/billiard/soft_puck_mesh.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

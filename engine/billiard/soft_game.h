@@ -22,9 +22,6 @@
 
 namespace carom {
 
-/// Returns the mesh of a soft puck.
-SoftMesh softMeshOf(const Puck& puck);
-
 class SoftGame {
  public:
   /// Takes the soft pucks of the setup out of the rigid game.
