@@ -14,8 +14,10 @@ namespace {
 const char* whatOf(const GameEvent& event) {
   switch (event.kind) {
     case EventKind::puckPuck:
+    case EventKind::softSoft:
       return texts::console::kMeet;
     case EventKind::puckCushion:
+    case EventKind::softCushion:
       return texts::console::kMeetsCushion;
     case EventKind::stroke:
       return texts::console::kIsStruck;

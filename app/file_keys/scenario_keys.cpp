@@ -6,6 +6,8 @@
 #include "app/file_keys/lesson_keys.h"
 #include "engine/billiard/billiard_setup.h"
 #include "engine/collision/outline.h"
+#include "engine/soft/soft_body.h"
+#include "engine/soft/soft_mesh.h"
 #include "engine/spacetime/observer.h"
 
 namespace carom {
@@ -47,6 +49,9 @@ FileKey physics() {
                        rules.tangentialRestitution),
                 number("spin_deceleration_m_s2", kNotNegative, "of the rim of a spinning puck, by the cloth",
                        rules.spinDeceleration_m_s2),
+                number("stiff_sound_speed", {.least = 0.05, .most = kStiffestSound},
+                       "over c, in a rigid puck that has become soft because a soft one came near",
+                       rules.stiffSoundSpeed),
                 choice("collision_event", {"centre", "contact"},
                        "centre: a puck turns when the news of the contact reaches its centre; contact: with "
                        "the contact, in the "
@@ -84,6 +89,20 @@ FileKey tour() {
                              "light_speed_m_s squared by 2 m, and light_speed_m_s in a second"))})))});
 }
 
+FileKey soft() {
+  const SoftMatter matter;
+  return table("soft", "of a disc or a rectangle: matter that gives way and conducts sound",
+               {number("sound_speed", {.least = 0.0, .most = kStiffestSound, .above = true},
+                       "over c, in the relaxed puck", matter.soundSpeed),
+                whole("cells", kFewestSoftCells, kMostSoftCells,
+                      "edges of triangles along the longest half extent", matter.cells),
+                number("viscosity", {.least = 0.05, .most = 1.0},
+                       "settles ringing; scales with the triangles", matter.viscosity),
+                tables("held", "sides of a rectangle that move as the centre of a body does",
+                       {required(choice("side", {"-x", "+x"}, "which side")),
+                        required(text("by", "name of a [[body]] with legs"))})});
+}
+
 FileKey puck() {
   constexpr Range kInertia{.least = 0.0, .most = 1.0, .above = true};
   constexpr double kHeight_m = 0.02;
@@ -110,7 +129,7 @@ FileKey puck() {
               0.0),
        number("spin_kg_m2_s", {}, "instead of spin_rad_s: angular momentum in the rest frame of its centre",
               0.0),
-       text("mesh", kMesh)});
+       soft(), text("mesh", kMesh)});
   keys.rules = {{{.with = {"radius_m"}, .without = {"outline_m", "outline"}},
                  {.with = {"radius_m", "outline", "mesh"}, .without = {"outline_m"}},
                  {.with = {"outline_m"}, .without = {"radius_m", "outline"}}},
@@ -124,15 +143,22 @@ FileKey body() {
              {required(number("from_s", {}, "board time at which the centre turns; the first leg has none")),
               required(numbers("beta", 3, {}, kBeta))});
   leg.notInFirst = "from_s";
-  return tables("body", "moves as told, collides with nothing",
-                {required(text("name", "unique")), text("mesh", kMesh),
-                 required(table("at", "an event its centre passes through, on whichever leg holds t_s",
-                                {required(number("t_s", {}, "board time")),
-                                 required(place("r_m", "place on the board"))})),
-                 number("appears_s", {}, "board time before which it does not exist"),
-                 number("spin_rad_s", {},
-                        "by its own clock, anticlockwise from above; its angle is 0 at the event `at`", 0.0),
-                 required(ofSize(1, kAnyNumber, leg))});
+  FileKey keys = tables(
+      "body", "moves as told, collides with nothing",
+      {required(text("name", "unique")), text("mesh", kMesh),
+       text("history",
+            "instead of at and leg: a table t_s,x0_m,y0_m,z0_m,x1_m,… with a row a board time; the vertices "
+            "move "
+            "straight and evenly between rows"),
+       (table("at", "an event its centre passes through, on whichever leg holds t_s",
+              {required(number("t_s", {}, "board time")), required(place("r_m", "place on the board"))})),
+       number("appears_s", {}, "board time before which it does not exist"),
+       number("spin_rad_s", {},
+              "by its own clock, anticlockwise from above; its angle is 0 at the event `at`", 0.0),
+       ofSize(1, kAnyNumber, leg)});
+  keys.rules = {{{.with = {"at", "leg"}, .without = {"history"}},
+                 {.with = {"history"}, .without = {"at", "leg", "appears_s", "spin_rad_s"}}}};
+  return keys;
 }
 
 FileKey stroke() {

@@ -13,6 +13,7 @@
 #include "cave/record/time_views.h"
 #include "engine/base/limits.h"
 #include "engine/billiard/billiard.h"
+#include "engine/light/sampled_history.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/observer.h"
 #include "engine/spacetime/world_line.h"
@@ -33,6 +34,12 @@ struct ScriptedBody {
   /// 0 at `appears_s` if the file gives it, otherwise at board time 0.
   WorldLine worldLine;
   std::optional<std::filesystem::path> mesh;  ///< existing file; in metres, in the body's rest frame
+};
+
+/// A body that moves and deforms as told, and collides with nothing; rooms do not draw it yet.
+struct ToldBody {
+  std::string name;
+  SampledHistory history;
 };
 
 /// One leg of the tour. Times are on the platform's clock (app/viewer/platform_motion.h), from the start of
@@ -72,6 +79,7 @@ struct Scenario {
   BilliardSetup billiard;                           ///< checked to be playable
   std::vector<std::optional<PuckMesh>> puckMeshes;  ///< one for each puck
   std::vector<ScriptedBody> bodies;
+  std::vector<ToldBody> told;
   ObserverStart observer;
   std::vector<ThrustLeg> tour;     ///< in the order of time, without overlap
   bool tourAtOnce = false;         ///< the tour starts with the game; otherwise when requested

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "app/files/toml_values.h"
 #include "engine/spacetime/lorentz.h"
@@ -81,6 +84,114 @@ WorldLine scriptedWorldLine(const BodyText& body, double c_m_s) {
   return line;
 }
 
+/// The table of a history, and its faults.
+class HistoryText {
+ public:
+  HistoryText(const std::filesystem::path& file, double c_m_s)
+      : file_(file.string()), c_m_s_(c_m_s), text_(readText(file, InputKind::trace)) {}
+
+  void read() {
+    std::size_t begin = 0;
+    for (line_ = 1; begin < text_.size() && faults_.size() < kMostFindings; ++line_) {
+      const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+      std::string_view row = std::string_view(text_).substr(begin, end - begin);
+      if (row.ends_with('\r')) row.remove_suffix(1);
+      begin = end + 1;
+      if (line_ == 1) {
+        readHeader(row);
+      } else if (!row.empty() || begin < text_.size()) {
+        readRow(row);
+      }
+    }
+    if (faults_.empty() && times_s.size() < 2)
+      fault(1, fmt::format("the history has {}, expected two rows at least",
+                           times_s.empty() ? "no row" : "one row"));
+    if (!faults_.empty()) throw InputErrors(std::move(faults_));
+  }
+
+  std::vector<double> times_s;
+  std::vector<Vec3> places_m;
+
+ private:
+  void fault(std::size_t column, std::string what) {
+    faults_.emplace_back(file_, line_, static_cast<int>(column), std::move(what));
+  }
+
+  void readHeader(std::string_view row) {
+    std::string expected = "t_s";
+    for (vertices_ = 0; expected.size() < row.size(); ++vertices_)
+      expected += fmt::format(",x{0}_m,y{0}_m,z{0}_m", vertices_);
+    if (row == expected && vertices_ > 0) return;
+    const auto differs = std::mismatch(row.begin(), row.end(), expected.begin(), expected.end()).first;
+    fault(static_cast<std::size_t>(differs - row.begin()) + 1,
+          "the first line does not name the columns, expected t_s,x0_m,y0_m,z0_m,x1_m,… with three for each "
+          "vertex");
+    throw InputErrors(std::move(faults_));
+  }
+
+  void readRow(std::string_view row) {
+    std::vector<double> numbers;
+    std::vector<std::size_t> columns;
+    const std::size_t wanted = 1 + 3 * vertices_;
+    for (std::size_t begin = 0; begin <= row.size() && numbers.size() <= wanted;) {
+      const std::size_t end = std::min(row.find(',', begin), row.size());
+      const std::optional<double> number = wholeNumber(row.substr(begin, end - begin));
+      if (!number || !(std::abs(*number) <= kFurthest)) {
+        return fault(
+            begin + 1,
+            fmt::format("'{}' is no number from -1e9 to 1e9, expected one",
+                        printable(std::string(row.substr(begin, std::min<std::size_t>(end - begin, 40))))));
+      }
+      numbers.push_back(*number);
+      columns.push_back(begin + 1);
+      begin = end + 1;
+    }
+    if (numbers.size() != wanted)
+      return fault(
+          1, fmt::format("the row has {} numbers, expected {}: a time and three for each of {} vertices",
+                         numbers.size() > wanted ? "more than " + std::to_string(wanted)
+                                                 : std::to_string(numbers.size()),
+                         wanted, vertices_));
+    if (!times_s.empty() && !(numbers[0] > times_s.back()))
+      return fault(1, fmt::format("t_s is {} after {}, expected rows in the order of time", numbers[0],
+                                  times_s.back()));
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      const Vec3 place_m(numbers[3 * v + 1], numbers[3 * v + 2], numbers[3 * v + 3]);
+      if (!times_s.empty()) checkSpeedOf(v, place_m, numbers[0], columns[3 * v + 1]);
+      row_.push_back(place_m);
+    }
+    places_m.insert(places_m.end(), row_.begin(), row_.end());
+    row_.clear();
+    times_s.push_back(numbers[0]);
+  }
+
+  void checkSpeedOf(std::size_t vertex, const Vec3& place_m, double t_s, std::size_t column) {
+    const Vec3 before_m = places_m[places_m.size() - vertices_ + vertex];
+    const double speed = glm::length(place_m - before_m) / (c_m_s_ * (t_s - times_s.back()));
+    if (speed < 1.0) return;
+    fault(column,
+          fmt::format("vertex {} moves at {:.6g} c from the row before to row {}, expected less than light",
+                      vertex, speed, times_s.size() + 1));
+  }
+
+  std::string file_;
+  double c_m_s_;
+  std::string text_;
+  int line_ = 1;
+  std::size_t vertices_ = 0;
+  std::vector<Vec3> row_;
+  std::vector<InputError> faults_;
+};
+
+/// Returns the number of vertices of an .obj file; none for another kind of file.
+std::optional<std::size_t> objVertices(const std::filesystem::path& mesh) {
+  if (mesh.extension() != ".obj") return {};
+  const std::string text = readText(mesh, InputKind::mesh);
+  std::size_t count = text.starts_with("v ") ? 1 : 0;
+  for (std::size_t at = text.find("\nv "); at != std::string::npos; at = text.find("\nv ", at + 1)) ++count;
+  return count;
+}
+
 }  // namespace
 
 std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTable& table) {
@@ -89,7 +200,13 @@ std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTa
 }
 
 BodyText readBody(const TomlFile& file, const TomlTable& table) {
-  BodyText body{table, table.text("name"), readMesh(file, table), {}, {}, 0.0, {}};
+  BodyText body{table, table.text("name"), readMesh(file, table), {}, {}, {}, 0.0, {}};
+  if (table.has("history")) {
+    for (const char* key : {"at", "leg", "appears_s", "spin_rad_s"})
+      table.refuse(key, "stands beside history, expected one of them");
+    body.history = file.existingFile(table, "history", InputKind::trace, Reach::ownFolder);
+    return body;
+  }
   if (const auto at = table.requiredTable("at")) {
     body.at = {at->number("t_s"), toVec3(at->numbers<3>("r_m"))};
   }
@@ -97,6 +214,22 @@ BodyText readBody(const TomlFile& file, const TomlTable& table) {
   body.spin_rad_s = table.number("spin_rad_s");
   body.legs = readLegs(table);
   return body;
+}
+
+ToldBody toldBody(const BodyText& body, double c_m_s) {
+  HistoryText rows(*body.history, c_m_s);
+  rows.read();
+  const std::size_t vertices = rows.places_m.size() / rows.times_s.size();
+  if (body.mesh) {
+    if (const std::optional<std::size_t> count = objVertices(*body.mesh); count != vertices) {
+      body.table.fault(
+          "mesh",
+          count ? fmt::format("the mesh has {} vertices and the history of '{}' {}, expected as many", *count,
+                              body.name, vertices)
+                : "the mesh is no .obj file, expected one with the vertices of the history in their order");
+    }
+  }
+  return {body.name, SampledHistory(c_m_s, std::move(rows.times_s), std::move(rows.places_m))};
 }
 
 ScriptedBody scriptedBody(const BodyText& body, double c_m_s) {

@@ -10,10 +10,10 @@
 
 #include "app/file_keys/scenario_keys.h"
 #include "app/files/scenario_bodies.h"
-#include "app/files/scenario_captions.h"
 #include "app/files/scenario_checks.h"
 #include "app/files/scenario_lesson.h"
 #include "app/files/scenario_outline.h"
+#include "app/files/scenario_soft.h"
 #include "app/files/scenario_spin.h"
 #include "app/files/scenario_tour.h"
 #include "app/files/toml_values.h"
@@ -42,6 +42,7 @@ PhysicsRules readRules(const TomlTable& table) {
   rules.cushionFriction = table.number("cushion_friction");
   rules.tangentialRestitution = table.number("tangential_restitution");
   rules.spinDeceleration_m_s2 = table.number("spin_deceleration_m_s2");
+  rules.stiffSoundSpeed = table.number("stiff_sound_speed");
   rules.collisionEvent = static_cast<CollisionEvent>(table.choice("collision_event"));
   return rules;
 }
@@ -70,6 +71,7 @@ Puck readPuck(const TomlTable& table, double c_m_s, std::optional<PuckMesh>& mes
     puck.inertia = kLeastInertia;
   }
   puck.spin_kg_m2_s = readSpin(table, puck, c_m_s);
+  readSoft(table, puck);
   return puck;
 }
 
@@ -158,6 +160,8 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
   const std::vector<TomlTable> bodyTables = root.tables("body");
   std::vector<BodyText> bodies;
   for (const TomlTable& body : bodyTables) bodies.push_back(readBody(file, body));
+  holdSides(scenario.billiard, pucks, bodies);
+  checkSoft(scenario.billiard, pucks, physics ? &*physics : nullptr);
   std::vector<StrokeText> strokes;
   for (const TomlTable& stroke : root.tables("stroke")) strokes.push_back(readStroke(stroke));
   const std::vector<TomlTable> flashes = root.tables("flash");
@@ -197,9 +201,15 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
                       std::back_inserter(scenario.odd));
   }
 
+  std::ranges::move(oddSoft(scenario.billiard, pucks), std::back_inserter(scenario.odd));
   for (const BodyText& body : bodies) {
+    if (body.history) {
+      scenario.told.push_back(toldBody(body, scenario.billiard.lightSpeed_m_s));
+      continue;
+    }
     scenario.bodies.push_back(scriptedBody(body, scenario.billiard.lightSpeed_m_s));
   }
+  file.throwFaults();
   return scenario;
 }
 

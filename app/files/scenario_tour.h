@@ -1,5 +1,6 @@
 #pragma once
-// Reads the tour of a scenario file: the prescribed motion of the platform.
+// Reads of a scenario file whatever follows a clock: the tour, which is the prescribed motion of the platform, and the
+// captions, sentences that appear in the room at given times.
 
 #include <vector>
 
@@ -17,5 +18,8 @@ bool readTourAtOnce(const TomlTable& tour);
 /// Reports the leg that makes the platform too fast.
 void checkTourSpeed(const std::vector<ThrustLeg>& legs, const ObserverStart& start, const TomlTable& tour,
                     double c_m_s);
+
+/// Reads the tables [[caption]] of the file. A caption without `from_s` follows the previous one.
+std::vector<Caption> readCaptions(const TomlTable& root);
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exception>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <memory>
 #include <new>
 #include <span>
@@ -28,6 +29,7 @@
 #include "cave/overlay/band_layout.h"
 #include "cave/process/work_budget.h"
 #include "engine/base/log.h"
+#include "engine/billiard/soft_puck_mesh.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -212,6 +214,23 @@ void tellRest(std::size_t all, std::string_view what) {
   if (all > kMostTold) fmt::print("and {} more {}\n", all - kMostTold, what);
 }
 
+/// Says what a soft puck costs while it is awake: a step is 0.3 of the time in which light crosses the flattest triangle.
+void tellSoft(const Puck& puck, double c_m_s) {
+  constexpr double kNode_s = 230e-9;  // of a processor, for a step
+  const SoftMatter& matter = *puck.soft;
+  const SoftMesh mesh = softMeshOf(puck);
+  double across_m = std::numeric_limits<double>::infinity();
+  for (const SoftMesh::Triangle& triangle : mesh.triangles())
+    across_m = std::min(across_m, triangle.altitude);
+  const double steps_1_s = c_m_s / (0.3 * across_m);
+  fmt::print(
+      "puck {} is soft: sound at {:.4g} c, viscosity {:.4g}, {} nodes, {} triangles; while it is awake "
+      "{:.0f} "
+      "steps a second, about {:.2g} of a core\n",
+      puck.name, matter.soundSpeed, matter.viscosity, mesh.places().size(), mesh.triangles().size(),
+      steps_1_s, kNode_s * steps_1_s * static_cast<double>(mesh.places().size()));
+}
+
 void tellScenario(const std::filesystem::path& path, const FileOpeners& open) {
   const Scenario scenario = readScenario(path);
   if (open.meshes) open.meshes(scenario);
@@ -237,6 +256,9 @@ void tellScenario(const std::filesystem::path& path, const FileOpeners& open) {
         spinText(puck, setup.lightSpeed_m_s));
   }
   tellRest(setup.pucks.size(), "pucks");
+  for (const Puck& puck : std::span(setup.pucks).first(std::min(setup.pucks.size(), kMostTold))) {
+    if (puck.soft) tellSoft(puck, setup.lightSpeed_m_s);
+  }
   for (const ScriptedBody& body :
        std::span(scenario.bodies).first(std::min(scenario.bodies.size(), kMostTold))) {
     const std::size_t turns = body.worldLine.knots().size() - 1;
@@ -245,6 +267,12 @@ void tellScenario(const std::filesystem::path& path, const FileOpeners& open) {
                spin_rad_s == 0.0 ? std::string() : fmt::format(", spins at {:.6g} rad/s", spin_rad_s));
   }
   tellRest(scenario.bodies.size(), "bodies");
+  for (const ToldBody& body : scenario.told) {
+    const std::size_t vertices = body.history.vertexCount();
+    fmt::print("body {}: moves as its history says, {} in {}; rooms do not draw it yet\n", body.name,
+               vertices == 1 ? "1 vertex" : fmt::format("{} vertices", vertices),
+               counted(body.history.rowCount(), "row"));
+  }
   fmt::print("{}\n", counted(setup.strokes.size(), "scripted stroke"));
   if (!setup.flashes.empty()) fmt::print("flashes of light: {}\n", setup.flashes.size());
   if (!scenario.pulses.empty()) fmt::print("scripted light pulses: {}\n", scenario.pulses.size());

@@ -32,11 +32,18 @@ class UnknownPoint : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// A vertex of a told history, counted from 0.
+struct ToldVertex {
+  std::string body;
+  std::size_t vertex = 0;
+};
+
 struct ObserveOptions {
   std::filesystem::path scenario;
-  Event event;                    ///< of the eye, board frame
-  Vec3 beta{0.0};                 ///< of the observer, board frame; below 1
-  std::vector<BodyPoint> points;  ///< if empty, the centres of all bodies
+  Event event;                       ///< of the eye, board frame
+  Vec3 beta{0.0};                    ///< of the observer, board frame; below 1
+  std::vector<BodyPoint> points;     ///< if none and no vertices either, the centres of all bodies
+  std::vector<ToldVertex> vertices;  ///< of told histories
   std::optional<std::filesystem::path> json;
   std::optional<std::filesystem::path> vtp;  ///< output file for the whole seen scene
 };

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,13 +48,21 @@ PuckState stateAt(const Puck& puck, const WorldLine& line, double t_s) {
           angleAfter(knot.spin, own_s)};
 }
 
+/// A point that is in no puck.
+struct UnknownPuckPoint : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+bool isSoft(EventKind kind) { return kind == EventKind::softCushion || kind == EventKind::softSoft; }
+
 /// Returns the collisions whose contact or first turn is at or before `until_s`, in the order of their
 /// commitment, each with its turns in the order of the file's pucks. Collisions after `until_s` that turn a
 /// puck before the signal of a listed contact reaches it are not included.
 std::vector<GameEvent> collisionsUntil(const Billiard& billiard, double until_s) {
   std::vector<GameEvent> listed;
   for (GameEvent collision : billiard.events()) {
-    if (collision.kind == EventKind::stroke || collision.kind == EventKind::flash) continue;
+    if (collision.kind == EventKind::stroke || collision.kind == EventKind::flash || isSoft(collision.kind))
+      continue;
     const bool turned = std::any_of(collision.turns.begin(), collision.turns.end(),
                                     [&](const Turn& turn) { return turn.event.t_s <= until_s; });
     if (!turned && collision.at.t_s > until_s) continue;
@@ -122,6 +132,100 @@ std::vector<std::span<const GameEvent>> byCollision(std::span<const GameEvent> e
   return collisions;
 }
 
+/// The game at one board time.
+struct Moment {
+  double t_s = 0.0;
+  SoftMoment soft;
+  std::vector<SoftPointState> points;
+};
+
+/// Returns a place of a rigid puck: contracted along its motion, at one board time.
+SoftPointState pointOf(const WorldLine& line, const Vec2& offset_m, double t_s) {
+  const Motion motion = line.at(t_s);
+  const Vec2 beta(betaFromU(motion.u));
+  const double gamma = std::sqrt(1.0 + glm::dot(motion.u, motion.u));
+  const Vec2 contracted_m = offset_m - gamma / (gamma + 1.0) * glm::dot(beta, offset_m) * beta;
+  return {Vec2(motion.event.r_m) + contracted_m, beta, motion.properTime_s};
+}
+
+std::vector<SoftPoint> pointsOf(const SimulateOptions& options, const std::vector<Puck>& pucks) {
+  std::vector<SoftPoint> points;
+  for (const PuckPoint& point : options.points) {
+    const auto puck =
+        std::find_if(pucks.begin(), pucks.end(), [&](const Puck& one) { return one.name == point.puck; });
+    if (puck == pucks.end())
+      throw UnknownPuckPoint(
+          fmt::format("--point: there is no puck '{}', expected a name of the scenario", point.puck));
+    if (!(glm::length(point.offset_m) <= puck->radius_m * (1.0 + 1e-9)))
+      throw UnknownPuckPoint(
+          fmt::format("--point: ({}, {}) m is not in puck '{}', expected at most {} m from its centre",
+                      point.offset_m.x, point.offset_m.y, point.puck, puck->radius_m));
+    points.push_back({static_cast<std::size_t>(puck - pucks.begin()), point.offset_m});
+  }
+  return points;
+}
+
+Moment momentAt(const Billiard& billiard, const std::vector<SoftPoint>& points, double t_s) {
+  Moment moment{t_s, billiard.softAt(t_s, points), {}};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const bool isKnown = k < moment.soft.points.size() && moment.soft.points[k];
+    moment.points.push_back(isKnown
+                                ? *moment.soft.points[k]
+                                : pointOf(billiard.worldLines()[points[k].puck], points[k].offset_m, t_s));
+  }
+  return moment;
+}
+
+const SoftPuckState* softState(const Moment& moment, std::size_t puck) {
+  return puck < moment.soft.pucks.size() && moment.soft.pucks[puck] ? &*moment.soft.pucks[puck] : nullptr;
+}
+
+Json pointsJson(const Moment& moment, const SimulateOptions& options) {
+  Json points = Json::array();
+  for (std::size_t k = 0; k < moment.points.size(); ++k) {
+    const SoftPointState& state = moment.points[k];
+    points.push_back({{"puck", options.points[k].puck},
+                      {"offset_m", vectorJson(options.points[k].offset_m)},
+                      {"t_s", moment.t_s},
+                      {"r_m", vectorJson(state.position_m)},
+                      {"beta", vectorJson(state.beta)},
+                      {"proper_time_s", state.properTime_s}});
+  }
+  return points;
+}
+
+/// Returns a collision that lasts. The pucks are in the order of the file.
+Json toJson(const SoftContactState& contact, const std::vector<Puck>& pucks) {
+  const bool isTurned = contact.pucks[1] < contact.pucks[0];
+  Json names = Json::array({pucks[contact.pucks[isTurned ? 1 : 0]].name});
+  if (!contact.cushion) names.push_back(pucks[contact.pucks[isTurned ? 0 : 1]].name);
+  Json json{{"kind", nameOf(contact.cushion ? EventKind::softCushion : EventKind::softSoft)},
+            {"pucks", names}};
+  if (contact.cushion) json["cushion"] = nameOf(*contact.cushion);
+  json["contact"] = toJson(contact.contact);
+  json["parted"] = contact.parted_s ? Json{{"t_s", *contact.parted_s}} : Json();
+  json["impulse_kg_m_s"] = vectorJson(isTurned ? -contact.impulse_kg_m_s : contact.impulse_kg_m_s);
+  json["turns"] = Json::array();
+  json["heat_j"] = contact.heat_j;
+  return json;
+}
+
+Json toJson(const Puck& puck, const SoftPuckState& state, double t_s) {
+  Json json{{"name", puck.name},
+            {"mass_kg", puck.mass_kg},
+            {"t_s", t_s},
+            {"r_m", vectorJson(state.position_m)},
+            {"beta", vectorJson(state.beta)},
+            {"proper_time_s", state.properTime_s},
+            {"spin_kg_m2_s", state.spin_kg_m2_s},
+            {"rest_mass_kg", state.restMass_kg},
+            {"heat_j", state.heat_j},
+            {"elastic_j", state.elastic_j},
+            {"awake", state.isAwake}};
+  if (state.becameSoft_s) json["became_soft_s"] = *state.becameSoft_s;
+  return json;
+}
+
 Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
   const PuckState state = stateAt(puck, line, t_s);
   return {{"name", puck.name},
@@ -136,36 +240,74 @@ Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
           {"rest_mass_kg", restMass_kg(puck, state.spin_kg_m2_s, line.lightSpeed_m_s())}};
 }
 
-Json statesJson(const std::vector<Puck>& pucks, const Billiard& billiard, const SimulateOptions& options) {
+Json statesJson(const std::vector<Puck>& pucks, const Billiard& billiard, const SimulateOptions& options,
+                std::span<const Moment> moments) {
   Json states = Json::array();
-  for (const double t_s : stateTimes_s(options.until_s, *options.every_s)) {
-    Json places = Json::array(), speeds = Json::array(), spins = Json::array(), angles = Json::array();
+  for (const Moment& moment : moments) {
+    Json places = Json::array(), speeds = Json::array(), spins = Json::array(), angles = Json::array(),
+         masses = Json::array();
     for (std::size_t i = 0; i < pucks.size(); ++i) {
-      const PuckState state = stateAt(pucks[i], billiard.worldLines()[i], t_s);
+      PuckState state = stateAt(pucks[i], billiard.worldLines()[i], moment.t_s);
+      double mass_kg = restMass_kg(pucks[i], state.spin_kg_m2_s, billiard.worldLines()[i].lightSpeed_m_s());
+      if (const SoftPuckState* soft = softState(moment, i)) {
+        state.position_m = soft->position_m, state.beta = soft->beta, state.spin_kg_m2_s = soft->spin_kg_m2_s;
+        mass_kg = soft->restMass_kg;
+      }
       places.push_back(vectorJson(state.position_m));
       speeds.push_back(vectorJson(state.beta));
       spins.push_back(state.spin_kg_m2_s);
       angles.push_back(state.angle_rad);
+      masses.push_back(mass_kg);
     }
-    states.push_back(
-        {{"t_s", t_s}, {"r_m", places}, {"beta", speeds}, {"spin_kg_m2_s", spins}, {"angle_rad", angles}});
+    states.push_back({{"t_s", moment.t_s},
+                      {"r_m", places},
+                      {"beta", speeds},
+                      {"spin_kg_m2_s", spins},
+                      {"angle_rad", angles},
+                      {"rest_mass_kg", masses}});
+    if (!moment.points.empty()) states.back()["points"] = pointsJson(moment, options);
   }
   return states;
 }
 
-std::string jsonOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options) {
-  const std::vector<Puck>& pucks = scenario.billiard.pucks;
-  Json json{{"light_speed_m_s", scenario.billiard.lightSpeed_m_s}};
-  json["collisions"] = Json::array();
-  const std::vector<GameEvent> events = collisionsUntil(billiard, options.until_s);
+/// Returns all collisions up to the last of the moments: the rigid ones in the order of the events, and each that lasts
+/// before the first of those whose contact is later.
+Json collisionsJson(const std::vector<Puck>& pucks, const Billiard& billiard, const Moment& end) {
+  std::vector<SoftContactState> lasting = end.soft.contacts;
+  std::stable_sort(lasting.begin(), lasting.end(), [](const SoftContactState& a, const SoftContactState& b) {
+    return a.contact.t_s < b.contact.t_s;
+  });
+  Json collisions = Json::array();
+  auto next = lasting.begin();
+  const auto listUntil = [&](double t_s) {
+    for (; next != lasting.end() && next->contact.t_s <= t_s; ++next)
+      collisions.push_back(toJson(*next, pucks));
+  };
+  const std::vector<GameEvent> events = collisionsUntil(billiard, end.t_s);
   for (const std::span<const GameEvent> collision : byCollision(events)) {
-    json["collisions"].push_back(toJson(collision, pucks));
+    listUntil(collision.front().at.t_s);
+    collisions.push_back(toJson(collision, pucks));
   }
+  listUntil(std::numeric_limits<double>::infinity());
+  return collisions;
+}
+
+/// `moments` are those of the states, and the end.
+std::string jsonOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options,
+                   std::span<const Moment> moments) {
+  const std::vector<Puck>& pucks = scenario.billiard.pucks;
+  const Moment& end = moments.back();
+  Json json{{"light_speed_m_s", scenario.billiard.lightSpeed_m_s}};
+  json["collisions"] = collisionsJson(pucks, billiard, end);
   json["pucks"] = Json::array();
   for (std::size_t i = 0; i < pucks.size(); ++i) {
-    json["pucks"].push_back(toJson(pucks[i], billiard.worldLines()[i], options.until_s));
+    const SoftPuckState* soft = softState(end, i);
+    json["pucks"].push_back(soft ? toJson(pucks[i], *soft, end.t_s)
+                                 : toJson(pucks[i], billiard.worldLines()[i], end.t_s));
   }
-  if (options.every_s) json["states"] = statesJson(pucks, billiard, options);
+  if (!options.points.empty()) json["points"] = pointsJson(end, options);
+  if (options.every_s)
+    json["states"] = statesJson(pucks, billiard, options, moments.first(moments.size() - 1));
   return jsonText(json);
 }
 
@@ -319,9 +461,28 @@ void play(Billiard& billiard, double until_s) {
 int runSimulate(const SimulateOptions& options) {
   const Scenario scenario = readScenario(options.scenario);
   WholeFile out(options.json.value_or("-"));
+  const std::vector<SoftPoint> points = pointsOf(options, scenario.billiard.pucks);
   Billiard billiard(scenario.billiard);
   const Ledger start = billiard.ledger();
-  play(billiard, options.until_s);
+  std::vector<double> times_s;
+  if (options.every_s) times_s = stateTimes_s(options.until_s, *options.every_s);
+  times_s.push_back(options.until_s);
+  // The state of a soft puck is known while it is played.
+  const bool isSoftGame = std::any_of(scenario.billiard.pucks.begin(), scenario.billiard.pucks.end(),
+                                      [](const Puck& puck) { return puck.soft.has_value(); });
+  if (!isSoftGame) play(billiard, options.until_s);
+  std::vector<Moment> moments;
+  for (const double t_s : times_s) {
+    if (isSoftGame) play(billiard, t_s);
+    if (!moments.empty()) moments.back().soft.contacts.clear();
+    moments.push_back(momentAt(billiard, points, t_s));
+  }
+  for (const FrozenPuck& frozen : billiard.frozen()) {
+    log::warn(
+        fmt::format("{}: puck '{}' was crushed more than can be computed at t = {:.6g} s, and went on in its "
+                    "mean motion",
+                    options.scenario.string(), scenario.billiard.pucks[frozen.puck].name, frozen.t_s));
+  }
   if (!billiard.jams().empty()) {
     const JamNote& first = billiard.jams().front();
     double heat_j = 0.0;
@@ -333,7 +494,7 @@ int runSimulate(const SimulateOptions& options) {
                     billiard.jams().size(), heat_j, first.pucks, scenario.billiard.pucks[first.puck].name,
                     first.event.t_s));
   }
-  out.commit(options.json ? jsonOf(scenario, billiard, options)
+  out.commit(options.json ? jsonOf(scenario, billiard, options, moments)
                           : tableOf(scenario, billiard, options) +
                                 balanceOf(scenario, start, ledgerAt(scenario, billiard, options.until_s)));
   return 0;
@@ -353,13 +514,26 @@ void addSimulate(CLI::App& app, int& status) {
   command->add_option("--every", options->every_s, "Also give the states at 0, D, 2D, … seconds")
       ->type_name("D")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  auto points = std::make_shared<std::vector<std::tuple<std::string, double, double>>>();
+  command
+      ->add_option(
+          "--point", *points,
+          "Also give this place of a puck's matter, from the centre of the relaxed puck (m). May be given "
+          "several times")
+      ->type_name("NAME DX DY")
+      ->allow_extra_args(false);
   addJson(*command, options->json);
   command->footer("Example:\n  carom simulate three-pucks --until 10 --every 0.5 --json game.json");
-  command->callback([options, &status] {
+  command->callback([options, points, &status] {
     if (options->every_s && options->until_s / *options->every_s > kMostStates) {
       throw CLI::ValidationError("--every", "gives over a million states, expected a longer step");
     }
-    status = runSimulate(*options);
+    for (const auto& [name, dx, dy] : *points) options->points.push_back({name, {dx, dy}});
+    try {
+      status = runSimulate(*options);
+    } catch (const UnknownPuckPoint& error) {
+      throw CLI::ValidationError(error.what());
+    }
   });
 }
 

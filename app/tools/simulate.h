@@ -4,6 +4,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/spacetime/event.h"
 
 namespace CLI {
 class App;
@@ -11,10 +15,17 @@ class App;
 
 namespace carom {
 
+/// A place of a puck's matter, from the centre of the relaxed puck.
+struct PuckPoint {
+  std::string puck;
+  glm::dvec2 offset_m{0.0};
+};
+
 struct SimulateOptions {
   std::filesystem::path scenario;
   double until_s = 0.0;           ///< board time, not negative
   std::optional<double> every_s;  ///< interval of the states to list: at 0, every_s, 2 every_s, …
+  std::vector<PuckPoint> points;  ///< to be followed
   std::optional<std::filesystem::path> json;  ///< if empty, a readable table on standard output
 };
 

@@ -26,19 +26,32 @@ double changeOf(const Turns& turns) {
   return change;
 }
 
+/// Returns the speed at which soft pucks touch, or one and a cushion: they turn only later, over some time.
+double closingOf(const GameEvent& event) {
+  const Vec2 beta = event.turns[0].betaBefore;
+  if (event.turns.size() == 2) return glm::length(event.turns[1].betaBefore - beta);
+  const bool alongX = event.cushion == Cushion::plusX || event.cushion == Cushion::minusX;
+  return std::abs(alongX ? beta.x : beta.y);
+}
+
+EventKind soundOf(EventKind kind) {
+  if (kind == EventKind::jam || kind == EventKind::softSoft) return EventKind::puckPuck;
+  return kind == EventKind::softCushion ? EventKind::puckCushion : kind;
+}
+
 Heard heardOf(const GameEvent& event, const Event& eye, const Lorentz& headFromBoard,
               const Switches& switches) {
   const Vec3 way_m = event.at.r_m - eye.r_m;
   const double distance_m = glm::length(way_m);
   const ViewFrame frame(headFromBoard, switches);
   const Vec3 seen_m = kernel::rayThrough(frame.drawnFromBoard.matrix(), way_m);
-  const double change = changeOf(event.turns);
+  const bool isSoft = event.kind == EventKind::softSoft || event.kind == EventKind::softCushion;
+  const double change = isSoft ? closingOf(event) : changeOf(event.turns);
   const double nearness = kFull_m / std::max(glm::length(seen_m), kFull_m);
   // D = |seen|/ℓ: distance in the head's frame over that in the board's, for a ray (−ℓ, r).
   const Displacement ray{-distance_m / headFromBoard.lightSpeed_m_s(), way_m};
   const double doppler = distance_m > 0.0 ? glm::length((headFromBoard * ray).dr_m) / distance_m : 1.0;
-  const EventKind sound = event.kind == EventKind::jam ? EventKind::puckPuck : event.kind;
-  return {sound, seen_m, change / (1.0 + change) * nearness, doppler};
+  return {soundOf(event.kind), seen_m, change / (1.0 + change) * nearness, doppler};
 }
 
 }  // namespace

@@ -249,7 +249,7 @@ void visitSpin(ATurn& turn, Fields& fields) {
 template <PartOf<GameEvent> AnEvent, typename Fields>
 void visit(AnEvent& event, Fields& fields) {
   fields("number", event.number, kCount);
-  fields("kind", event.kind, upTo(EventKind::jam));
+  fields("kind", event.kind, upTo(kLastEventKind));
   fields("cushion", event.cushion, upTo(Cushion::minusY));
   fields("which", event.which, kCount);
   fields("", event.at, kNumber);

@@ -5,9 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/base/bisection.h"
 #include "engine/billiard/collision_scheduler.h"
 #include "engine/billiard/game_history.h"
 #include "engine/billiard/setup_check.h"
+#include "engine/billiard/soft_game.h"
 
 namespace carom {
 
@@ -35,13 +37,25 @@ struct Billiard::Snapshot {
   CollisionScheduler game;
   std::size_t events = 0;
   std::size_t strokes = 0;
+  std::shared_ptr<const SoftGame::Snapshot> soft{};
+  double time = 0.0;  ///< to which it is played
 };
+
+namespace {
+
+bool hasSoft(const BilliardSetup& setup) {
+  return std::any_of(setup.pucks.begin(), setup.pucks.end(),
+                     [](const Puck& puck) { return puck.soft.has_value(); });
+}
+
+}  // namespace
 
 Billiard::Billiard(const BilliardSetup& setup) {
   checkSetup(setup);
   setup_ = setup;
   history_ = std::make_unique<GameHistory>(setup_);
   game_ = std::make_unique<CollisionScheduler>(setup_);
+  if (hasSoft(setup_)) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
   reported_.assign(setup_.pucks.size(), 1);
   nextSnapshot_ = betweenSnapshots(setup_);
 }
@@ -60,7 +74,22 @@ void Billiard::advanceTo(double t_s) {
     truncatedFrom_s_ = changed_s;
 }
 
+// Slices are played as a whole, so that what is committed does not depend on the times advanced to.
+void Billiard::playSoft() {
+  constexpr double kBetween = 0.02;  // metres of light, between the points to which the game can return
+  const auto limit = [&] {
+    return advancedTo_s_ * setup_.lightSpeed_m_s + game_->rollbackWindow() + SoftPlay::kSlice;
+  };
+  while (soft_->time() < limit()) {
+    if (snapshots_.empty() ? soft_->time() > 0.0 : soft_->time() - snapshots_.back().time >= kBetween)
+      keepSnapshot();
+    soft_->playSlice(*game_, *history_);
+  }
+  soft_->forgetBefore(advancedTo_s_);
+}
+
 void Billiard::play() {
+  if (soft_) return playSoft();
   while (!game_->playUntil(advancedTo_s_ * setup_.lightSpeed_m_s + game_->rollbackWindow(), nextSnapshot_,
                            *history_)) {
     keepSnapshot();
@@ -71,15 +100,17 @@ void Billiard::play() {
 // When there are too many, the one goes whose absence leaves the smallest gap, compared with its age.
 void Billiard::keepSnapshot() {
   const std::size_t most = std::clamp<std::size_t>(kSnapshotPucks / setup_.pucks.size(), 2, kSnapshots);
-  snapshots_.push_back({*game_, history_->eventCount(), setup_.strokes.size()});
+  snapshots_.push_back({*game_, history_->eventCount(), setup_.strokes.size(),
+                        soft_ ? soft_->snapshot(*history_) : nullptr,
+                        soft_ ? soft_->time() : game_->clock()});
   if (snapshots_.size() <= most) return;
-  const double present = snapshots_.back().game.clock();
+  const double present = snapshots_.back().time;
   std::size_t spare = 0;
   double least = std::numeric_limits<double>::infinity();
   // A forgotten time cannot be played again: the first point after that stays.
   for (std::size_t i = forgottenBefore_s_ > 0.0 ? 1 : 0; i + 1 < snapshots_.size(); ++i) {
-    const double earlier = i == 0 ? 0.0 : snapshots_[i - 1].game.clock();
-    const double gap = (snapshots_[i + 1].game.clock() - earlier) / (present - earlier);
+    const double earlier = i == 0 ? 0.0 : snapshots_[i - 1].time;
+    const double gap = (snapshots_[i + 1].time - earlier) / (present - earlier);
     if (gap < least) least = gap, spare = i;
   }
   snapshots_.erase(snapshots_.begin() + static_cast<std::ptrdiff_t>(spare));
@@ -88,6 +119,7 @@ void Billiard::keepSnapshot() {
 // Where the stroke's light meets the world line as far as it is decided.
 double Billiard::arrivalOnKnownLegs_s(const Stroke& stroke) const {
   if (!stroke.from_m) return stroke.at_s;
+  if (soft_ && soft_->isSoft(stroke.puck)) return reachesSoft_s(stroke);
   const double c = setup_.lightSpeed_m_s;
   const Vec21 hand{stroke.at_s * c, stroke.from_m->x, stroke.from_m->y};
   const Knots knots = worldLines()[stroke.puck].knots();
@@ -104,7 +136,27 @@ double Billiard::arrivalOnKnownLegs_s(const Stroke& stroke) const {
   return t_s;
 }
 
-double Billiard::strike(const Stroke& stroke) {
+// Where the light of the hand is a diameter and a slice before the centre of a soft puck: its nodes are struck one by one,
+// from about then on. The light gains on the distance all the time, so there is one such moment.
+double Billiard::reachesSoft_s(const Stroke& stroke) const {
+  const double c = setup_.lightSpeed_m_s;
+  const Puck& puck = setup_.pucks[stroke.puck];
+  const double before_m = 2.0 * puck.radius_m + SoftPlay::kSlice;
+  const auto isShort = [&](double t_s) {
+    const Vec3 away_m = worldLines()[stroke.puck].at(t_s).event.r_m - *stroke.from_m;
+    const double apart_m = std::max(0.0, std::hypot(away_m.x, away_m.y) - before_m);
+    return c * (t_s - stroke.at_s) < std::hypot(apart_m, away_m.z);
+  };
+  double most_s = 1.0;
+  while (isShort(stroke.at_s + most_s) && most_s < 1e9) most_s *= 2.0;
+  constexpr int kHalvings = 60;
+  return bisect({stroke.at_s, stroke.at_s + most_s}, kHalvings, isShort).low;
+}
+
+// Nothing turns a puck in a game with soft ones, so there the offset of a stroke does not count.
+double Billiard::strike(const Stroke& given) {
+  Stroke stroke = given;
+  if (soft_) stroke.offset_m = 0.0;
   checkStroke(setup_, stroke, setup_.strokes.size());
   double arrival_s = arrivalOnKnownLegs_s(stroke);
   // On a last leg that flees the light the arrival may be far off, and a turn to come bring it near: so not
@@ -127,7 +179,7 @@ double Billiard::strike(const Stroke& stroke) {
 // time.
 void Billiard::rewind(double t_s) {
   const double t = t_s * setup_.lightSpeed_m_s;
-  while (!snapshots_.empty() && !(snapshots_.back().game.clock() < t)) snapshots_.pop_back();
+  while (!snapshots_.empty() && !(snapshots_.back().time < t)) snapshots_.pop_back();
   std::vector<std::vector<Knot>> before;
   for (const WorldLine& line : worldLines()) before.emplace_back(line.knots().begin(), line.knots().end());
 
@@ -135,14 +187,19 @@ void Billiard::rewind(double t_s) {
     game_ = std::make_unique<CollisionScheduler>(setup_);
     game_->restore(*history_);
     history_->keepEvents(0);
+    if (soft_) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
     nextSnapshot_ = betweenSnapshots(setup_);
   } else {
     const Snapshot& from = snapshots_.back();
     *game_ = from.game;
     history_->keepEvents(from.events);
     game_->restore(*history_);
+    if (soft_) soft_->restore(*from.soft, *history_);
     nextSnapshot_ = from.events + betweenSnapshots(setup_);
-    for (std::size_t i = from.strokes; i < setup_.strokes.size(); ++i) game_->addStroke(setup_.strokes[i]);
+    for (std::size_t i = from.strokes; i < setup_.strokes.size(); ++i) {
+      game_->addStroke(setup_.strokes[i]);
+      if (soft_) soft_->addStroke(i, setup_.strokes[i]);
+    }
   }
   play();
   history_->takeChangedFrom_s();  // seen by the comparison, too
@@ -188,17 +245,27 @@ Changes Billiard::takeChanges() {
 void Billiard::forgetBefore(double t_s) {
   const double c = setup_.lightSpeed_m_s;
   std::size_t last = snapshots_.size();
-  while (last > 0 && !(snapshots_[last - 1].game.clock() < t_s * c)) --last;
+  while (last > 0 && !(snapshots_[last - 1].time < t_s * c)) --last;
   if (last == 0) return;
   snapshots_.erase(snapshots_.begin(), snapshots_.begin() + static_cast<std::ptrdiff_t>(last - 1));
   forgottenBefore_s_ = std::max(forgottenBefore_s_, t_s);
-  const CollisionScheduler& from = snapshots_.front().game;
-  history_->forgetBefore((from.clock() - from.rollbackWindow()) / c);
+  const Snapshot& from = snapshots_.front();
+  history_->forgetBefore((from.time - from.game.rollbackWindow()) / c);
 }
 
 std::span<const WorldLine> Billiard::worldLines() const { return history_->worldLines(); }
 std::span<const GameEvent> Billiard::events() const { return history_->events(); }
-Ledger Billiard::ledger() const { return game_->ledger(); }
+Ledger Billiard::ledger() const {
+  Ledger ledger = game_->ledger();
+  if (soft_) soft_->addTo(ledger);
+  return ledger;
+}
+SoftMoment Billiard::softAt(double t_s, std::span<const SoftPoint> points) const {
+  return soft_ ? soft_->at(t_s, points) : SoftMoment{};
+}
+std::vector<FrozenPuck> Billiard::frozen() const {
+  return soft_ ? soft_->frozen() : std::vector<FrozenPuck>{};
+}
 std::span<const JamNote> Billiard::jams() const { return game_->jams(); }
 
 }  // namespace carom

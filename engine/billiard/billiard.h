@@ -11,11 +11,13 @@
 #include <vector>
 
 #include "engine/billiard/billiard_setup.h"
+#include "engine/billiard/soft_state.h"
 
 namespace carom {
 
 class CollisionScheduler;
 class GameHistory;
+class SoftGame;
 
 /// Plays the game ahead: finds every contact before it happens (puck_contact.h, cushion_contact.h), commits
 /// its outcome (kick.h) and delivers the new legs of the world lines.
@@ -117,6 +119,10 @@ class Billiard {
   Changes takeChanges();
 
   Ledger ledger() const;
+  /// Returns the soft pucks at a board time not before that of the last call of `advanceTo` but one, and not after the
+  /// last; with these points of theirs.
+  SoftMoment softAt(double t_s, std::span<const SoftPoint> points = {}) const;
+  std::vector<FrozenPuck> frozen() const;
   std::span<const JamNote> jams() const;
 
   /// Removes the legs that ended and the events that were over before board time `t_s`. Strokes can no longer
@@ -125,15 +131,18 @@ class Billiard {
 
  private:
   void play();
+  void playSoft();
   void rewind(double t_s);
   void keepSnapshot();
   void noteChanges(const std::vector<std::vector<Knot>>& before);
   double arrivalOnKnownLegs_s(const Stroke& stroke) const;
+  double reachesSoft_s(const Stroke& stroke) const;
 
   struct Snapshot;
   BilliardSetup setup_;
   std::unique_ptr<GameHistory> history_;
   std::unique_ptr<CollisionScheduler> game_;
+  std::unique_ptr<SoftGame> soft_;   // none without soft pucks
   std::vector<Snapshot> snapshots_;  // in the order of time
   std::size_t nextSnapshot_ = 64;    // the number of events at which the next one is kept
   double advancedTo_s_ = 0.0;

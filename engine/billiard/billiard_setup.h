@@ -19,6 +19,23 @@ struct Board {
   double width_m = 0.0;   ///< along y
 };
 
+/// Matter that gives way and conducts sound (engine/soft/soft_body.h).
+struct SoftMatter {
+  double soundSpeed = 0.5;  ///< of c, in the relaxed body
+  int cells = 10;           ///< edges of triangles along the longest half extent
+  double viscosity = 0.3;
+  /// A side of a rectangle whose nodes move as a told body's centre does.
+  struct HeldSide {
+    struct Turn {
+      double t_s = 0.0;
+      Vec2 beta{0.0};
+    };
+    bool isPlusX = false;     ///< the side +x, else −x
+    std::vector<Turn> turns;  ///< in the order of time; before the first it moves as the puck at board time 0
+  };
+  std::vector<HeldSide> held{};
+};
+
 struct Puck {
   std::string name;
   double radius_m = 0.0;  ///< of the disc, or of the farthest corner (`radiusOf_m`)
@@ -32,6 +49,7 @@ struct Puck {
   /// The corners, from the centre, anticlockwise in the rest frame at angle 0 (engine/collision/outline.h). None: a
   /// disc.
   std::vector<Vec2> outline_m{};
+  std::optional<SoftMatter> soft{};  ///< none: a rigid puck
 };
 
 /// The event at which a collision changes the motion of a puck's centre.
@@ -50,6 +68,8 @@ struct PhysicsRules {
   double puckFriction = 0.0, cushionFriction = 0.0;
   double tangentialRestitution = 0.0;
   double spinDeceleration_m_s2 = 0.0;  ///< of the rim, by the cloth
+  /// Of c, in a rigid puck that a soft one has come near: it has become soft itself.
+  double stiffSoundSpeed = 0.7;
 };
 
 /// A cue stroke, which kicks a puck's centre. It acts where the light of the stroke meets the centre's world

@@ -82,22 +82,43 @@ CollisionScheduler::CollisionScheduler(const BilliardSetup& setup)
 
 void CollisionScheduler::addStroke(const Stroke& stroke) { predict(storeStroke(stroke)); }
 
+int CollisionScheduler::numberOf(std::size_t puck) const {
+  const auto found =
+      std::find_if(pucks_.begin(), pucks_.end(), [&](const PuckState& p) { return p.file == puck; });
+  return static_cast<int>(found - pucks_.begin());
+}
+
+// It leaves a disc without mass, at rest where nothing comes.
+CollisionScheduler::Withdrawn CollisionScheduler::withdraw(std::size_t puck, double t, GameHistory& history) {
+  constexpr double kFarAway = 1e9;
+  const int i = numberOf(puck);
+  PuckState& left = pucks_[i];
+  Withdrawn gone{momentAt(legOf(i), t), lastLeg(i).u, {left.strokes.begin(), left.strokes.end()}};
+  history.keepLegs(left.file, legsBegun(i));
+  left.decided.clear();
+  left.strokes.clear();
+  left.mass = 0.0;
+  beginLeg(i, {{t, kFarAway, kFarAway}, {1.0, 0.0, 0.0}}, {});
+  predict(i);
+  predictDependents(i);
+  return gone;
+}
+
 int CollisionScheduler::storeStroke(const Stroke& stroke) {
-  const auto puck =
-      std::find_if(pucks_.begin(), pucks_.end(), [&](const PuckState& p) { return p.file == stroke.puck; });
+  const int number = numberOf(stroke.puck);
   PuckStroke own;
   own.hand.t = stroke.at_s * c_m_s_;
   own.fromHand = stroke.from_m.has_value();
   if (stroke.from_m) {
     own.hand.x = stroke.from_m->x, own.hand.y = stroke.from_m->y;
-    own.height = stroke.from_m->z - puck->height;
+    own.height = stroke.from_m->z - pucks_[number].height;
   }
   own.px = stroke.momentum_kg_m_s.x / c_m_s_, own.py = stroke.momentum_kg_m_s.y / c_m_s_;
   own.offset = stroke.offset_m;
   turns_ = turns_ || stroke.offset_m != 0.0;
-  puck->strokes.push_back(static_cast<int>(strokes_.size()));
+  if (!isWithdrawn(number)) pucks_[number].strokes.push_back(static_cast<int>(strokes_.size()));
   strokes_.push_back(own);
-  return static_cast<int>(puck - pucks_.begin());
+  return number;
 }
 
 bool CollisionScheduler::playUntil(double limit, std::size_t events, GameHistory& history) {
@@ -279,6 +300,7 @@ Ledger CollisionScheduler::ledger() const {
 void CollisionScheduler::restore(GameHistory& history) const {
   for (std::size_t i = 0; i < pucks_.size(); ++i) {
     const PuckState& puck = pucks_[i];
+    if (isWithdrawn(static_cast<int>(i))) continue;
     history.keepLegs(puck.file, legsBegun(static_cast<int>(i)));
     for (const CommittedLeg& decided : puck.decided) {
       history.addLeg(puck.file, decided.leg, decided.turning, decided.signal);

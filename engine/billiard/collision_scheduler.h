@@ -42,6 +42,14 @@ class CollisionScheduler {
   double clock() const { return clock_; }
 
   void addStroke(const Stroke& stroke);
+  /// A puck as it leaves the game.
+  struct Withdrawn {
+    LegState state;                    ///< on the leg that it follows
+    Vec21 u;                           ///< by the kicks that are decided
+    std::vector<std::size_t> strokes;  ///< those to come, by their places in the setup
+  };
+  /// Takes a puck out of the game at board time `t`, to which the game has been played.
+  Withdrawn withdraw(std::size_t puck, double t, GameHistory& history);
   /// Removes everything that was written since this copy of the game was made.
   void restore(GameHistory& history) const;
 
@@ -67,6 +75,8 @@ class CollisionScheduler {
 
   // collision_scheduler.cpp: what happens next
   int storeStroke(const Stroke& stroke);
+  int numberOf(std::size_t puck) const;
+  bool isWithdrawn(int i) const { return pucks_[i].mass == 0.0; }
   void flashUntil(double limit, GameHistory& history);
   void step(GameHistory& history);
   bool hasDeferredBefore(double limit);

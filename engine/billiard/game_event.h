@@ -19,12 +19,16 @@ using Vec2 = glm::dvec2;
 /// The kinds of events. `jam` is one puck of several that press on one another and move on without closing on
 /// each other (see `Billiard`). Each of them has an event of its own, all with the same contact; momentum
 /// balances over all of them.
-enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash, jam };
+/// The first touch of a soft puck and a cushion is a `softCushion`, that of two soft ones a `softSoft`; their turns
+/// name the pucks, and change nothing.
+enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash, jam, softCushion, softSoft };
+inline constexpr EventKind kLastEventKind = EventKind::softSoft;
 enum class Cushion : std::uint8_t { plusX, minusX, plusY, minusY };
 
 /// Returns the name that files and tables use.
 constexpr std::string_view nameOf(EventKind kind) {
-  constexpr std::array<std::string_view, 5> kNames{"puck-puck", "puck-cushion", "stroke", "flash", "jam"};
+  constexpr std::array<std::string_view, 7> kNames{"puck-puck", "puck-cushion", "stroke",   "flash",
+                                                   "jam",       "soft-cushion", "soft-soft"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 constexpr std::string_view nameOf(Cushion cushion) {
@@ -66,7 +70,8 @@ struct GameEvent {
   std::uint64_t number = 0;  ///< from 0, in the order of commitment
   EventKind kind = EventKind::flash;
   std::optional<Cushion> cushion;  ///< of a collision with a cushion
-  std::uint32_t which = 0;         ///< for a stroke or flash: its place in the setup's list
+  /// For a stroke or flash: its place in the setup's list; for a soft contact: among these.
+  std::uint32_t which = 0;
   /// The contact; the hand's stroke or, if the hand has no place, its arrival at the centre; the flash.
   Event at;
   /// For a collision: the discs, or the disc and the cushion, were in contact already when the leg began, and

@@ -10,6 +10,8 @@
 
 #include "engine/collision/moving_shape.h"
 #include "engine/collision/spinning_body.h"
+#include "engine/soft/soft_body.h"
+#include "engine/soft/soft_mesh.h"
 
 namespace carom {
 
@@ -94,6 +96,40 @@ void checkOutline(const PhysicsRules& rules, const Puck& puck) {
     refuse("puck \"", puck.name,
            "\" has corners, and the cloth slows pucks: expected no friction and no spin "
            "deceleration in a game with corners");
+}
+
+/// Soft pucks touch without friction, and only they may have corners or turn beside them.
+void checkSoft(const BilliardSetup& setup) {
+  if (std::none_of(setup.pucks.begin(), setup.pucks.end(), [](const Puck& puck) { return puck.soft; }))
+    return;
+  const PhysicsRules& rules = setup.rules;
+  if (rules.friction_m_s2 != 0.0 || rules.puckFriction != 0.0 || rules.cushionFriction != 0.0 ||
+      rules.spinDeceleration_m_s2 != 0.0)
+    refuse("friction in a game with soft pucks: expected none");
+  if (!(rules.stiffSoundSpeed > 0.0 && rules.stiffSoundSpeed <= kStiffestSound))
+    refuse("stiff sound speed ", rules.stiffSoundSpeed, ": expected a number above 0 up to ", kStiffestSound);
+  for (std::size_t i = 0; i < setup.strokes.size(); ++i) {
+    if (setup.strokes[i].offset_m != 0.0)
+      refuse("stroke ", i, " beside a centre, in a game with soft pucks: expected no offset");
+  }
+  for (const Puck& puck : setup.pucks) {
+    if (puck.spin_kg_m2_s != 0.0)
+      refuse("puck \"", puck.name, "\" spins beside soft pucks: expected no spin");
+    if (!puck.soft) {
+      if (!puck.outline_m.empty())
+        refuse("puck \"", puck.name, "\" has corners beside soft pucks: expected a disc");
+      continue;
+    }
+    const SoftMatter& matter = *puck.soft;
+    if (!(matter.soundSpeed > 0.0 && matter.soundSpeed <= kStiffestSound))
+      refuse("puck \"", puck.name, "\": sound speed ", matter.soundSpeed,
+             ": expected a number above 0 up to ", kStiffestSound);
+    if (matter.cells < kFewestSoftCells || matter.cells > kMostSoftCells)
+      refuse("puck \"", puck.name, "\": ", matter.cells, " cells: expected ", kFewestSoftCells, " to ",
+             kMostSoftCells);
+    if (!(matter.viscosity > 0.0 && matter.viscosity <= 1.0))
+      refuse("puck \"", puck.name, "\": viscosity ", matter.viscosity, ": expected a number above 0 up to 1");
+  }
 }
 
 void checkPuck(const BilliardSetup& setup, const Puck& puck) {
@@ -230,6 +266,7 @@ void checkFlash(const Flash& flash) {
 
 void checkSetup(const BilliardSetup& setup) {
   checkRules(setup);
+  checkSoft(setup);
   std::unordered_set<std::string> names;
   for (const Puck& puck : setup.pucks) {
     checkPuck(setup, puck);

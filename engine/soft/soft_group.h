@@ -115,7 +115,7 @@ class SoftGroup {
   Vec21 given_, givenBefore_;
   std::vector<SoftExchange> exchanges_;
   std::vector<SoftSurvey> surveys_, nextSurveys_;
-  std::size_t failed_ = 0;  // the body because of which the last step tried cannot be followed
+  std::size_t failed_ = 0;  // the body that spoilt the last step tried
 };
 
 }  // namespace carom

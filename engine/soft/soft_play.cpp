@@ -7,8 +7,29 @@
 
 namespace carom {
 
+namespace {
+
+std::vector<int> sideOf(const SoftMesh& mesh, bool isPlusX) {
+  double end = 0.0;
+  for (const glm::dvec2& place : mesh.places())
+    end = isPlusX ? std::max(end, place.x) : std::min(end, place.x);
+  std::vector<int> nodes;
+  for (std::size_t i = 0; i < mesh.places().size(); ++i) {
+    if (std::abs(mesh.places()[i].x - end) <= 1e-9 * mesh.reach_m()) nodes.push_back(static_cast<int>(i));
+  }
+  return nodes;
+}
+
+}  // namespace
+
 struct SoftPlay::Player {
-  SoftEntry entry;
+  explicit Player(std::shared_ptr<const SoftEntry> comes)
+      : entry(std::move(comes)), body(entry->mesh, entry->material, entry->mass, entry->centre, entry->u) {
+    body.setClocks(entry->clock);
+    for (const SoftHold& hold : entry->holds) heldNodes.push_back(sideOf(*entry->mesh, hold.isPlusX));
+  }
+
+  std::shared_ptr<const SoftEntry> entry;
   SoftBody body;
   std::vector<std::vector<int>> heldNodes;  // of each hold
   bool isAwake = false;
@@ -24,10 +45,12 @@ struct SoftPlay::Player {
   void measure() {
     body.refresh();
     centre = body.centre(), velocity = body.meanVelocity();
-    reach = isAwake ? body.reachFrom(centre) : entry.mesh->reach_m();
+    reach = isAwake ? body.reachFrom(centre) : entry->mesh->reach_m();
   }
-  double soundTime() const { return 2.0 * entry.mesh->reach_m() / entry.material.soundSpeed; }
-  double fadeAt(double time) const { return std::max(0.0, 1.0 - (time - fadesFrom) / entry.mesh->reach_m()); }
+  double soundTime() const { return 2.0 * entry->mesh->reach_m() / entry->material.soundSpeed; }
+  double fadeAt(double time) const {
+    return std::max(0.0, 1.0 - (time - fadesFrom) / entry->mesh->reach_m());
+  }
 };
 
 struct SoftPlay::Push {
@@ -52,6 +75,7 @@ struct SoftPlay::Present {
 
 struct SoftPlay::Snapshot {
   struct State {
+    std::shared_ptr<const SoftEntry> entry;
     SoftBody::State body;
     bool isAwake;
     double since, quietSince;
@@ -82,17 +106,6 @@ constexpr double kUnrest = 1e-5;  // of the mass: below it a body can fall aslee
 constexpr double kSpin = 1e-6;    // of M R, likewise
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-std::vector<int> sideOf(const SoftMesh& mesh, bool isPlusX) {
-  double end = 0.0;
-  for (const glm::dvec2& place : mesh.places())
-    end = isPlusX ? std::max(end, place.x) : std::min(end, place.x);
-  std::vector<int> nodes;
-  for (std::size_t i = 0; i < mesh.places().size(); ++i) {
-    if (std::abs(mesh.places()[i].x - end) <= 1e-9 * mesh.reach_m()) nodes.push_back(static_cast<int>(i));
-  }
-  return nodes;
-}
-
 glm::dvec2 holdVelocity(const SoftHold& hold, const glm::dvec2& atFirst, double time) {
   glm::dvec2 velocity = atFirst;
   for (const SoftHold::Turn& turn : hold.turns) {
@@ -117,10 +130,8 @@ SoftPlay::SoftPlay(SoftPlay&&) noexcept = default;
 SoftPlay& SoftPlay::operator=(SoftPlay&&) noexcept = default;
 
 std::size_t SoftPlay::add(const SoftEntry& entry) {
-  Player player{entry, SoftBody(entry.mesh, entry.material, entry.mass, entry.centre, entry.u), {}};
-  player.body.setClocks(entry.clock);
+  Player player(std::make_shared<const SoftEntry>(entry));
   player.since = player.quietSince = now_->time;
-  for (const SoftHold& hold : entry.holds) player.heldNodes.push_back(sideOf(*entry.mesh, hold.isPlusX));
   player.measure();
   now_->players.push_back(std::move(player));
   return now_->players.size() - 1;
@@ -130,7 +141,7 @@ void SoftPlay::addStroke(const SoftStroke& stroke) { now_->pushes.push_back({str
 
 double SoftPlay::time() const { return now_->time; }
 std::size_t SoftPlay::size() const { return now_->players.size(); }
-const std::string& SoftPlay::name(std::size_t body) const { return now_->players[body].entry.name; }
+const std::string& SoftPlay::name(std::size_t body) const { return now_->players[body].entry->name; }
 const SoftBody& SoftPlay::body(std::size_t body) const { return now_->players[body].body; }
 bool SoftPlay::isAwake(std::size_t body) const { return now_->players[body].isAwake; }
 std::span<const SoftCollision> SoftPlay::collisions() const { return now_->collisions; }
@@ -173,13 +184,15 @@ SoftAccounts SoftPlay::accounts() const {
   for (const Player& player : now_->players) {
     const SoftTotals totals = player.body.totals();
     accounts.motion = accounts.motion + totals.momentum;
-    accounts.heat += totals.restMass() - player.entry.mass;
+    accounts.heat += totals.restMass() - player.entry->mass;
     accounts.givenByStrokes = accounts.givenByStrokes + player.body.state().pushed;
   }
   accounts.taken = now_->taken;
   accounts.givenByHolders = now_->givenByHolders;
   return accounts;
 }
+
+glm::dvec2 SoftPlay::centre(std::size_t body) const { return centreOf(now_->players[body]); }
 
 glm::dvec2 SoftPlay::centreOf(const Player& player) const {
   return player.centre + (now_->time - player.since) * player.velocity;
@@ -228,7 +241,7 @@ bool SoftPlay::mustWake(const Player& player, double end) const {
     const double farthest = glm::dot(cushion.normal, centre) + player.reach + kSlice * speed;
     if (speed > 0.0 && farthest >= cushion.offset) return true;
   }
-  for (const SoftHold& hold : player.entry.holds) {
+  for (const SoftHold& hold : player.entry->holds) {
     if (!hold.turns.empty() && hold.turns.front().time < end) return true;
   }
   return isPushedBefore(player, end) || meetsAnother(player);
@@ -272,7 +285,7 @@ void SoftPlay::restTheQuiet() {
   std::vector<Player*> quiet;
   for (Player& player : now_->players) {
     if (!player.isAwake) continue;
-    const double most = kSpin * player.entry.mass * player.entry.mesh->reach_m();
+    const double most = kSpin * player.entry->mass * player.entry->mesh->reach_m();
     if (!(player.body.unrest() < kUnrest && std::abs(player.body.totals().spin) < most))
       player.quietSince = now_->time;
     if (now_->time - player.quietSince < player.soundTime()) continue;
@@ -300,7 +313,7 @@ std::vector<std::vector<std::size_t>> SoftPlay::clusters() const {
     if (players[k].isAwake) awake.push_back(k);
   }
   std::sort(awake.begin(), awake.end(),
-            [&](std::size_t a, std::size_t b) { return players[a].entry.name < players[b].entry.name; });
+            [&](std::size_t a, std::size_t b) { return players[a].entry->name < players[b].entry->name; });
   std::vector<std::vector<std::size_t>> found;
   std::vector<bool> isIn(players.size(), false);
   for (const std::size_t first : awake) {
@@ -317,7 +330,7 @@ std::vector<std::vector<std::size_t>> SoftPlay::clusters() const {
       }
     }
     std::sort(members.begin(), members.end(),
-              [&](std::size_t a, std::size_t b) { return players[a].entry.name < players[b].entry.name; });
+              [&](std::size_t a, std::size_t b) { return players[a].entry->name < players[b].entry->name; });
     found.push_back(std::move(members));
   }
   return found;
@@ -366,17 +379,17 @@ void SoftPlay::setHolds(Cluster& cluster) {
   held.clear();
   for (std::size_t k = 0; k < cluster.members.size(); ++k) {
     const Player& player = now_->players[cluster.members[k]];
-    const Vec21& u = player.entry.u;
+    const Vec21& u = player.entry->u;
     for (std::size_t h = 0; h < player.heldNodes.size(); ++h) {
       held.push_back({k, player.heldNodes[h],
-                      holdVelocity(player.entry.holds[h], glm::dvec2(u.x, u.y) / u.t, cluster.time)});
+                      holdVelocity(player.entry->holds[h], glm::dvec2(u.x, u.y) / u.t, cluster.time)});
     }
   }
 }
 
 void SoftPlay::begin(Push& push, double time) {
   const Player& player = now_->players[push.stroke.body];
-  const SoftMesh& mesh = *player.entry.mesh;
+  const SoftMesh& mesh = *player.entry->mesh;
   const glm::dvec2 axis = player.body.turned(), way = glm::normalize(push.stroke.momentum);
   push.began = time;
   double sum = 0.0;
@@ -427,7 +440,7 @@ double SoftPlay::nextCut(const Cluster& cluster, double end) const {
     if (time > cluster.time) cut = std::min(cut, time);
   };
   for (const std::size_t member : cluster.members) {
-    for (const SoftHold& hold : now_->players[member].entry.holds) {
+    for (const SoftHold& hold : now_->players[member].entry->holds) {
       for (const SoftHold::Turn& turn : hold.turns) consider(turn.time);
     }
   }
@@ -505,8 +518,8 @@ std::shared_ptr<const SoftPlay::Snapshot> SoftPlay::snapshot() const {
   kept->slice = now.slice;
   kept->time = now.time;
   for (const Player& player : now.players)
-    kept->players.push_back({player.body.state(), player.isAwake, player.since, player.quietSince,
-                             player.fade, player.fadesFrom});
+    kept->players.push_back({player.entry, player.body.state(), player.isAwake, player.since,
+                             player.quietSince, player.fade, player.fadesFrom});
   kept->pushes = now.pushes;
   kept->settled = now.settled;
   kept->unsettled.assign(now.collisions.begin() + static_cast<std::ptrdiff_t>(now.settled),
@@ -521,11 +534,12 @@ void SoftPlay::restore(const Snapshot& snapshot) {
   Present& now = *now_;
   now.slice = snapshot.slice;
   now.time = snapshot.time;
-  now.players.erase(now.players.begin() + static_cast<std::ptrdiff_t>(snapshot.players.size()),
-                    now.players.end());
+  while (now.players.size() > snapshot.players.size()) now.players.pop_back();
   for (std::size_t k = 0; k < snapshot.players.size(); ++k) {
     const Snapshot::State& state = snapshot.players[k];
+    if (k == now.players.size()) now.players.emplace_back(state.entry);
     Player& player = now.players[k];
+    if (player.entry != state.entry) player = Player(state.entry);
     player.body.restore(state.body);
     player.isAwake = state.isAwake;
     player.since = state.since, player.quietSince = state.quietSince;

@@ -122,6 +122,7 @@ class SoftPlay {
   bool isAwake(std::size_t body) const;
   /// The energy's centre with its mean velocity, momentum and heat.
   SoftTotals totals(std::size_t body) const;
+  glm::dvec2 centre(std::size_t body) const;  ///< of energy
   glm::dvec2 place(std::size_t body, const SoftMesh::Inside& inside) const;
   glm::dvec2 velocity(std::size_t body, const SoftMesh::Inside& inside) const;
   double clock(std::size_t body, const SoftMesh::Inside& inside) const;

@@ -8,6 +8,7 @@
 #include "engine/collision/rim_friction.h"
 #include "engine/gas.h"
 #include "engine/random_world.h"
+#include "engine/soft/soft_play.h"
 #include "resident_bytes.h"
 
 namespace carom {
@@ -31,6 +32,37 @@ double moveAll(const Billiard& billiard, double t_s) {
   double sum = 0.0;
   for (const WorldLine& line : billiard.worldLines()) sum += line.at(t_s).event.r_m.x;
   return sum;
+}
+
+SoftEntry softDiscAt(double beta, int cells) {
+  constexpr double kRadius = 0.0305;
+  return {"disc",     std::make_shared<SoftMesh>(softDisc(kRadius, cells)),   {0.5, 0.15}, 0.2,
+          {0.0, 0.0}, fourVelocity(beta / std::sqrt(1.0 - beta * beta), 0.0), 0.0,         {}};
+}
+
+// A step of a soft disc that rings after a bounce; `node_ns` is its share of a node.
+void softStep(benchmark::State& state) {
+  const SoftEntry entry = softDiscAt(0.6, static_cast<int>(state.range(0)));
+  SoftBody body(entry.mesh, entry.material, entry.mass, entry.centre, entry.u);
+  SoftGroup group({&body}, {{{1.0, 0.0}, 0.03}});
+  group.advance(0.2);
+  std::size_t nodes = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(group.step(1.0));
+    nodes += body.size();
+  }
+  state.counters["node_ns"] = benchmark::Counter(1e-9 * static_cast<double>(nodes),
+                                                 benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+// A soft disc at 0.6 c on a cushion, from the contact to 20 of its radii of light later.
+void softBounce(benchmark::State& state) {
+  for (auto _ : state) {
+    SoftPlay play({{{1.0, 0.0}, 0.0305}});
+    play.add(softDiscAt(0.6, static_cast<int>(state.range(0))));
+    while (play.time() < 20.0 * 0.0305) play.playSlice();
+    benchmark::DoNotOptimize(play.totals(0).heat);
+  }
 }
 
 // A frame in which nothing collides: play on, and every puck's place. The first contact is at 0.59 s.
@@ -174,6 +206,8 @@ void idleBars(benchmark::State& state) {
   }
 }
 
+BENCHMARK(softStep)->Name("soft_step/cells")->Arg(8)->Arg(12)->Arg(16);
+BENCHMARK(softBounce)->Name("soft_bounce/cells")->Arg(12)->Unit(benchmark::kMillisecond);
 BENCHMARK(idleBars)->Name("idle_frame/bars")->Arg(20);
 BENCHMARK(cornerContact)
     ->Name("corner_contact")

@@ -291,7 +291,30 @@ def aberration():
     return f
 
 
-FIGURES = (emission, bounce, sampled, celerity, platform, contact, kick, spin, friction, jams, polygons, aberration)
+def shock(push, sound):
+    """The speed of a shock in a relaxed rod whose end is set to the speed `push`, and the own length behind it, of the relaxed
+    one. With p = (a/2)(1/s² − 1): matter is kept, U = γV/(γ − s), and energy and momentum, U = p/(V(1 + p))."""
+    gamma = 1 / math.sqrt(1 - push * push)
+    pressure = lambda s: sound * sound / 2 * (1 / (s * s) - 1)
+    by_matter = lambda s: gamma * push / (gamma - s)
+    s = crossing(lambda s: pressure(s) / (push * (1 + pressure(s))) - by_matter(s), 1e-3, 1 - 1e-12)
+    return by_matter(s), s
+
+
+def soft():
+    f = Figure((0, 0.9), (0, 1))
+    f.axes("speed of the pushed end (of c)", "of c; of the relaxed length", (0, 0.3, 0.6, 0.9), (0, 0.25, 0.5, 0.75, 1))
+    for sound, colour in ((0.25, GREEN), (0.5, BLUE), (0.7, RED)):
+        rows = [(v, *shock(v, sound)) for v in steps(0.002, 0.9)]
+        f.line([(v, speed) for v, speed, _ in rows], colour, 2)
+        f.line([(v, length) for v, _, length in rows], colour, 1.4, "5 4")
+        f.text(0.31, shock(0.31, sound)[0], f"sound {sound:g} c", colour, "start", 6, 17)
+    f.text(0.25, 0.9, "speed of the shock", GREY, "start", 0, 0)
+    f.text(0.08, 0.1, "dashed: own length behind it", GREY, "start", 0, 0)
+    return f
+
+
+FIGURES = (emission, bounce, sampled, celerity, platform, contact, kick, spin, friction, jams, polygons, soft, aberration)
 
 if __name__ == "__main__":
     for figure in FIGURES:

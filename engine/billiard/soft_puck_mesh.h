@@ -1,0 +1,12 @@
+#pragma once
+// The mesh of a soft puck.
+
+#include "engine/billiard/billiard_setup.h"
+#include "engine/soft/soft_mesh.h"
+
+namespace carom {
+
+/// Returns the mesh of a puck that is soft from the beginning.
+SoftMesh softMeshOf(const Puck& puck);
+
+}  // namespace carom
