@@ -551,7 +551,15 @@ TEST_F(HeadsetSession, OthersWalkInARecordedGame) {
       play({}, {"replay", database(), "--observer", folder_.file("stands.csv", trace).string(), "--capture",
                 pictures});
   ASSERT_EQ(observed.status, 0) << observed.err;
-  for (const char* name : {"headset-left-000020.png", "headset-right-000020.png"})
+  // A busy machine leaves pictures of the live session out.
+  const auto isThere = [&](int frame) {
+    return std::filesystem::exists(folder_ / "live" / fmt::format("headset-right-{:06}.png", frame));
+  };
+  int frame = 29;
+  while (frame > 0 && !isThere(frame)) --frame;
+  ASSERT_GT(frame, 0) << "every picture was left out";
+  for (const std::string& name :
+       {fmt::format("headset-left-{:06}.png", frame), fmt::format("headset-right-{:06}.png", frame)})
     EXPECT_LT(meanDifference(folder_ / "observed" / name, folder_ / "live" / name), 1.0) << name;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "seen")) << "a headset was asked for";
 }

@@ -72,13 +72,18 @@ class Shown {
   std::optional<PointedWall> pointAt(const glm::dvec2& pixel) {
     GLFWwindow* const window = glfwGetCurrentContext();  // of the last that was shown
     glfwFocusWindow(window);
-    for (int i = 0; i < 200; ++i) {
+    std::optional<PointedWall> pointed;
+    int there = 0;  // a busy display tells of places on the way, or where the mouse was
+    for (int i = 0; i < 200 && there < 5; ++i) {
       glfwSetCursorPos(window, pixel.x, pixel.y);
       glfwWaitEventsTimeout(0.01);
       graphics_.poll();
-      if (auto pointed = walls_.pointedAt()) return pointed;
+      pointed = walls_.pointedAt();
+      glm::dvec2 at{0.0};
+      glfwGetCursorPos(window, &at.x, &at.y);
+      there = pointed && at == pixel ? there + 1 : 0;
     }
-    return std::nullopt;
+    return pointed;
   }
   DisplayWalls& walls() { return walls_; }
 
