@@ -230,28 +230,33 @@ std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try 
 }
 
 std::vector<GivenAnswer> SessionFile::answers() const try {
-  std::vector<GivenAnswer> answers;
-  const auto ends = frames();
-  if (!ends) return answers;
-  // The question stands from the frame after the newest one in another phase, or in the game's first frame.
-  SQLite::Statement row(tables_->database,
-                        "SELECT frame, lesson, question, answer, viewer, (SELECT display_s FROM frame WHERE "
-                        "number = frame) - (SELECT "
-                        "display_s FROM frame WHERE number > coalesce((SELECT number FROM frame WHERE number "
-                        "< answer.frame AND "
-                        "lesson_phase <> ?3 ORDER BY number DESC LIMIT 1), -1) ORDER BY number LIMIT 1), 1 + "
-                        "(SELECT count(*) FROM "
-                        "input WHERE what = 'visitor' AND input.frame <= answer.frame) FROM answer WHERE "
-                        "frame BETWEEN ?1 AND ?2 "
-                        "ORDER BY frame, rowid");
-  row.bind(1, static_cast<std::int64_t>(ends->first));
-  row.bind(2, static_cast<std::int64_t>(ends->second));
-  row.bind(3, static_cast<int>(LessonPhase::asks));
+  // The question stands from the frame after the newest one in another phase, or from the game's first frame.
+  SQLite::Statement row(tables_->database, R"(
+    WITH given AS (
+      SELECT rowid AS place, *, (SELECT max(first_frame) FROM game WHERE first_frame <= answer.frame) AS first
+      FROM answer),
+    asked AS (
+      SELECT *, coalesce((SELECT number + 1 FROM main.frame
+                          WHERE number >= first AND number < given.frame AND lesson_phase <> ?
+                          ORDER BY number DESC LIMIT 1), first) AS since
+      FROM given)
+    SELECT frame, first, lesson, question, answer, viewer,
+           (SELECT display_s FROM main.frame WHERE number = asked.frame) -
+             (SELECT display_s FROM main.frame WHERE number >= since ORDER BY number LIMIT 1),
+           1 + (SELECT count(*) FROM input WHERE what = 'visitor' AND input.frame <= asked.frame)
+    FROM asked ORDER BY frame, place)");
+  row.bind(1, static_cast<int>(LessonPhase::asks));
   const auto words = [&row](int column) { return printable(row.getColumn(column).getString()); };
+  std::vector<GivenAnswer> answers;
   while (row.executeStep()) {
-    answers.push_back({static_cast<std::uint64_t>(row.getColumn(0).getInt64()), words(1), words(2), words(3),
-                       words(4), row.getColumn(5).getDouble(),
-                       static_cast<std::size_t>(row.getColumn(6).getInt64())});
+    const std::int64_t first = row.getColumn(1).getInt64();
+    const auto game = std::find_if(games_.begin(), games_.end(),
+                                   [first](const SessionGame& one) { return one.firstFrame == first; });
+    if (game == games_.end() || row.getColumn(6).isNull()) continue;  // of a frame that the file lacks
+    answers.push_back({static_cast<std::uint64_t>(row.getColumn(0).getInt64()),
+                       static_cast<std::size_t>(game - games_.begin()), words(2), words(3), words(4),
+                       words(5), row.getColumn(6).getDouble(),
+                       static_cast<std::size_t>(row.getColumn(7).getInt64())});
   }
   return answers;
 } catch (const SQLite::Exception& error) {

@@ -20,6 +20,7 @@ namespace carom {
 /// A visitor's answer to a lesson's question.
 struct GivenAnswer {
   std::uint64_t frame = 0;  ///< in which it was given
+  std::size_t game = 0;     ///< in which, its place in SessionFile::games
   std::string lesson, question, answer, viewer;
   double seconds = 0.0;  ///< on the session clock, since the question was asked
   std::size_t group =
@@ -29,9 +30,10 @@ struct GivenAnswer {
 /// One game of a recorded session, frame by frame. May be opened while the session is still being written.
 class SessionFile {
  public:
-  /// Opens the file at a game, counted from 1, or at its newest. Throws std::runtime_error that gives the fault and
-  /// what was expected: missing, not a session file, damaged, of a newer version, locked, no such game. Logs a warning if the session was not closed and
-  /// FILE-wal, which has its end, is missing; with `quiet`, logs nothing.
+  /// Opens the file at a game, counted from 1, or at its newest. Throws std::runtime_error that gives the fault
+  /// and what was expected: missing, not a session file, damaged, of another version, locked, no such game. Logs
+  /// a warning if the session was not closed and FILE-wal, which has its end, is missing; with `quiet`, logs
+  /// nothing.
   explicit SessionFile(const std::filesystem::path& file, std::optional<std::size_t> game = {},
                        bool quiet = false);
   ~SessionFile();
@@ -59,7 +61,7 @@ class SessionFile {
   /// std::runtime_error with file and frame for a stroke that is impossible in this scenario.
   std::vector<Stroke> strokes(std::span<const Puck> pucks) const;
 
-  /// Returns the answers that were given in the game, in the order of the frames.
+  /// Returns the answers that were given in all games of the session, in the order of the frames.
   std::vector<GivenAnswer> answers() const;
 
   /// Reads the next frame in the order of their numbers, with its knots. Returns false after the last. Throws

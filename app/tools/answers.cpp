@@ -78,19 +78,17 @@ std::vector<AnswerRow> answersOf(const std::vector<std::filesystem::path>& files
   std::size_t groupsBefore = 0;
   for (const std::filesystem::path& file : files) {
     std::map<std::tuple<std::size_t, std::string, std::string, std::string>, std::size_t> attempts;
+    std::map<std::size_t, std::optional<Lesson>> lessons;  // by game
     std::size_t groups = 0;
-    const std::size_t games = SessionFile(file).games().size();
-    for (std::size_t game = 1; game <= games; ++game) {
-      const SessionFile session(file, game, true);
-      const std::vector<GivenAnswer> answers = session.answers();
-      if (answers.empty()) continue;
-      const std::optional<Lesson> lesson = session.scenario().lesson;
-      for (const GivenAnswer& given : answers) {
-        groups = std::max(groups, given.group);
-        rows.push_back({given.lesson, given.question, given.answer, isRight(lesson, given.answer),
-                        ++attempts[{given.group, given.viewer, given.lesson, given.question}], given.seconds,
-                        given.viewer, groupsBefore + given.group, given.frame});
-      }
+    const SessionFile session(file);
+    for (const GivenAnswer& given : session.answers()) {
+      const SessionGame& game = session.games()[given.game];
+      if (!lessons.contains(given.game))
+        lessons[given.game] = readScenario(game.scenario, game.scenarioText).lesson;
+      groups = std::max(groups, given.group);
+      rows.push_back({given.lesson, given.question, given.answer, isRight(lessons[given.game], given.answer),
+                      ++attempts[{given.group, given.viewer, given.lesson, given.question}], given.seconds,
+                      given.viewer, groupsBefore + given.group, given.frame});
     }
     groupsBefore += groups;
   }

@@ -210,34 +210,35 @@ Json toJson(const SoftContactState& contact, const std::vector<Puck>& pucks) {
   return json;
 }
 
-Json toJson(const Puck& puck, const SoftPuckState& state, double t_s) {
-  Json json{{"name", puck.name},
-            {"mass_kg", puck.mass_kg},
-            {"t_s", t_s},
-            {"r_m", vectorJson(state.position_m)},
-            {"beta", vectorJson(state.beta)},
-            {"proper_time_s", state.properTime_s},
-            {"spin_kg_m2_s", state.spin_kg_m2_s},
-            {"rest_mass_kg", state.restMass_kg},
-            {"heat_j", state.heat_j},
-            {"elastic_j", state.elastic_j},
-            {"awake", state.isAwake}};
-  if (state.becameSoft_s) json["became_soft_s"] = *state.becameSoft_s;
-  return json;
-}
-
-Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
-  const PuckState state = stateAt(puck, line, t_s);
+/// Returns what is told of a rigid puck and of a soft one alike.
+template <typename State>
+Json motionJson(const Puck& puck, const State& state, double t_s) {
   return {{"name", puck.name},
           {"mass_kg", puck.mass_kg},
           {"t_s", t_s},
           {"r_m", vectorJson(state.position_m)},
           {"beta", vectorJson(state.beta)},
           {"proper_time_s", state.properTime_s},
-          {"spin_kg_m2_s", state.spin_kg_m2_s},
-          {"spin_rad_s", state.spin_rad_s},
-          {"angle_rad", state.angle_rad},
-          {"rest_mass_kg", restMass_kg(puck, state.spin_kg_m2_s, line.lightSpeed_m_s())}};
+          {"spin_kg_m2_s", state.spin_kg_m2_s}};
+}
+
+Json toJson(const Puck& puck, const SoftPuckState& state, double t_s) {
+  Json json = motionJson(puck, state, t_s);
+  json["rest_mass_kg"] = state.restMass_kg;
+  json["heat_j"] = state.heat_j;
+  json["elastic_j"] = state.elastic_j;
+  json["awake"] = state.isAwake;
+  if (state.becameSoft_s) json["became_soft_s"] = *state.becameSoft_s;
+  return json;
+}
+
+Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
+  const PuckState state = stateAt(puck, line, t_s);
+  Json json = motionJson(puck, state, t_s);
+  json["spin_rad_s"] = state.spin_rad_s;
+  json["angle_rad"] = state.angle_rad;
+  json["rest_mass_kg"] = restMass_kg(puck, state.spin_kg_m2_s, line.lightSpeed_m_s());
+  return json;
 }
 
 Json statesJson(const std::vector<Puck>& pucks, const Billiard& billiard, const SimulateOptions& options,

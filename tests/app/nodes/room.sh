@@ -3,15 +3,9 @@
 # before anything starts, and waits for those that do not answer; a session that lost a node, also in its start, goes on by
 # itself with the same game; hosts can be left out with their walls; and the status file says so, whole at any moment and
 # every second, also while a node hangs.
-set -uo pipefail
-carom=$1
-config=$2
-out=$(mktemp -d)
-job=
+. "$(dirname "$0")/../../session.sh"
+needs sqlite3 python3
 trap '[ -z "$job" ] || kill -TERM "$job" 2>/dev/null; wait; rm -rf "$out"' EXIT
-for tool in sqlite3 python3; do
-  command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
-done
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 failures=0
 fail() {
