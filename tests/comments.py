@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """comments.py ROOT: checks that comments read as plain English. Of the comment lines of each top folder at most 0.3 % may have a
-turn of phrase that a field engineer would not write (ODD). Prints the share of each folder and its lines over 110 columns; with
---all each such line."""
+turn of phrase that a field engineer would not write (ODD), and none is longer than 110 columns. Prints the share of each folder
+and its lines over 110 columns; with --all each such line."""
 
 import pathlib
 import re
@@ -35,6 +35,9 @@ for top in TOPS:
             if "--all" in sys.argv and (is_odd or is_long):
                 print(f"{file.relative_to(root)}:{number}: {line.strip()}")
     print(f"{top}: {lines} comment lines, {100 * odd / lines:.2f} % odd, {long} over {MOST_COLUMNS} columns")
+    if long:
+        failed = True
+        print(f"FAILED: {top} has comment lines over {MOST_COLUMNS} columns: tests/comments.py . --all")
     if odd > MOST_ODD_SHARE * lines:
         failed = True
         print(f"FAILED: {top} has more odd comments than {100 * MOST_ODD_SHARE:g} %: tests/comments.py . --all")

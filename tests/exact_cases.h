@@ -1,6 +1,7 @@
 #pragma once
 // The exact cases of tests/data/cases: inputs and results that were computed with 50 digits from first
-// principles, each with the tolerance that the rounding of its inputs leaves. tests/data/README.md names the sources.
+// principles, each with the tolerance that the rounding of its inputs leaves. tests/data/README.md names the
+// sources.
 
 #include <fstream>
 #include <stdexcept>

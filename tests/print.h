@@ -1,6 +1,6 @@
 #pragma once
-// How values of the engine are printed where a test fails: GoogleTest finds PrintTo by the argument's namespace. Numbers
-// are whole, so that a case can be written down again from what is printed.
+// How values of the engine are printed where a test fails: GoogleTest finds PrintTo by the argument's
+// namespace. Numbers are whole, so that a case can be written down again from what is printed.
 
 #include <ostream>
 

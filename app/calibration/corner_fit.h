@@ -35,8 +35,8 @@ struct CornerFit {
   std::vector<std::string> remarks;  ///< what deserves a look
 };
 
-/// Fits and judges. Where the touches do not fit, every simple explanation is tried: another scale, a mirrored
-/// tracker, corners touched twice or in another order, one bad corner.
+/// Fits and judges. Where the touches do not fit, every simple explanation is tried: another scale, a
+/// mirrored tracker, corners touched twice or in another order, one bad corner.
 CornerFit fitCorners(std::span<const Touch> touches);
 
 }  // namespace carom

@@ -18,8 +18,8 @@ namespace carom {
 enum class Wish { take, skip, back, end };
 
 /// The trackers of a rig while points are taken. Keys come from standard input, which is a terminal or a
-/// pipe: Enter takes, s skips, b goes back, q ends, as do Ctrl-C, SIGTERM and the end of the input. So does any button
-/// of the hand: the first takes, the second goes back.
+/// pipe: Enter takes, s skips, b goes back, q ends, as do Ctrl-C, SIGTERM and the end of the input. So does
+/// any button of the hand: the first takes, the second goes back.
 class LivePoints {
  public:
   explicit LivePoints(const Rig& rig);

@@ -14,8 +14,8 @@ namespace carom {
 /// rig's rotation_deg means. Each is from -180 to 180, the second from -90 to 90.
 glm::dvec3 rotation_deg(const glm::dquat& rotation);
 
-/// Returns "key = { translation = [x, y, z], rotation_deg = [a, b, c] }", in the rig's unit, to a hundredth of
-/// a millimetre and 0.001 degrees.
+/// Returns "key = { translation = [x, y, z], rotation_deg = [a, b, c] }", in the rig's unit, to a hundredth
+/// of a millimetre and 0.001 degrees.
 std::string poseLine(std::string_view key, const Pose& pose, double unit_m);
 
 /// Returns a length in the rig's unit, to a hundredth of a millimetre.

@@ -50,7 +50,8 @@ struct CaveOptions {
 /// Adds the options to the command. They are complete once it has been parsed and `chooseRest` was called.
 std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command);
 
-/// Chooses the rig and the game where none is named: those for somebody who watches, or for pictures and numbers.
+/// Chooses the rig and the game where none is named: those for somebody who watches, or for pictures and
+/// numbers.
 void chooseRest(CaveOptions& options);
 
 /// Returns the options that these arguments of `carom cave` name. Throws CLI::ParseError.

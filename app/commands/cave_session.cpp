@@ -100,8 +100,8 @@ Before whatWas(const std::filesystem::path& file) {
   Before before{session.facts(), {}};
   const auto frames = session.frames();
   if (!frames) return before;
-  // A session may have been cut off while the best shot was shown again, from where it was seen. The observers go on
-  // from the latest events before that.
+  // A session may have been cut off while the best shot was shown again, from where it was seen. The
+  // observers go on from the latest events before that.
   constexpr std::uint64_t kLongestShot = 2 * ShotMemory::kMostViews;
   session.goTo(std::max(frames->first, frames->second - std::min(frames->second, kLongestShot)));
   FrameState state;
@@ -204,8 +204,8 @@ void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesy
   log::note(fmt::format("carom replay {} --at {:.3f}", session->string(), at_s));
 }
 
-/// Writes the next game to the session file, if there is one and if it is not a game that attracts people. If it
-/// cannot be written, logs this, and the game is played without. Returns whether it is written.
+/// Writes the next game to the session file, if there is one and if it is not a game that attracts people. If
+/// it cannot be written, logs this, and the game is played without. Returns whether it is written.
 bool writeNext(JournalListener& journal, CaveOptions& options, const NextGame& next,
                const SetupOptions& inputs, const SessionSetup& setup) try {
   journal.keep(nullptr);  // before the file is opened again
@@ -269,8 +269,8 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
   return isAskedToEnd;
 }
 
-/// Reads the playlist, of the options or of the rig, and begins with its first game if no other was asked for. A
-/// session that goes on begins with its own game.
+/// Reads the playlist, of the options or of the rig, and begins with its first game if no other was asked
+/// for. A session that goes on begins with its own game.
 void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
   const InputFile& rig = inputs.rig;
   if (options.playlist.empty())
@@ -286,7 +286,8 @@ void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
                                        options.scenario.string(), options.playlist.string()));
 }
 
-/// Settles which session file is written and, if it goes on, with which rig and scenario. Returns where it was.
+/// Settles which session file is written and, if it goes on, with which rig and scenario. Returns where it
+/// was.
 Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   if (!options.session) return {};
   const std::filesystem::path name = namedToday(*options.session);

@@ -263,8 +263,8 @@ struct EventsLine {
   std::vector<std::uint64_t> pair;
 };
 
-/// Returns the options. Throws CLI::ValidationError at a velocity that is not below that of light or a place that
-/// is too far away.
+/// Returns the options. Throws CLI::ValidationError at a velocity that is not below that of light or a place
+/// that is too far away.
 EventsOptions optionsOf(const EventsLine& line) {
   EventsOptions options = line.options;
   options.movingBeta = toVec3(line.velocity);

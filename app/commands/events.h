@@ -27,8 +27,8 @@ struct EventsOptions {
 
 // clang-format off
 /// The columns of the CSV, one row an event, in the order of board time:
-///   number, kind, who, cushion, heat_j,    as in the session file (app/journal/journal.h); who: pucks, or the flash
-///     without_delay
+///   number, kind, who, cushion, heat_j,    as in the session file (app/journal/journal.h);
+///     without_delay                        who: pucks, or the flash
 ///   t_s, x_m, y_m, z_m, order              on the board; order from 1, shared by events at the same time
 ///   moving_t_s … moving_z_m, moving_order  in the moving frame
 ///   next, interval                         number of the next row's event; timelike, lightlike or spacelike

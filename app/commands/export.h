@@ -27,12 +27,12 @@ struct ExportOptions {
 /// The columns of the CSV, one row for each frame and body, in the order of both:
 ///   frame, display_s                  as in the session file (app/journal/journal.h)
 ///   proper_time_s                     of the observer's clock
-///   t_s, x_m, y_m, z_m                the event at which the point between the eyes received the light, on the board
+///   t_s, x_m, y_m, z_m                on the board: where the point between the eyes received the light
 ///   beta_x, beta_y, beta_z            the head's v/c there
 ///   body, status                      seen; or unseen, with empty fields, until its light arrives
 ///   emission_t_s … emission_z_m       where and when the light left the body's centre, on the board
-///   seen_x_m, seen_y_m, seen_z_m      emission − observation in the head's rest frame, axes by a rotation-free
-///                                     boost of the board's
+///   seen_x_m, seen_y_m, seen_z_m      emission − observation in the head's rest frame, axes by a
+///                                     rotation-free boost of the board's
 ///   distance_m                        length of that vector
 ///   doppler                           seen ÷ emitted frequency
 ///   body_proper_time_s                of the body's centre at emission

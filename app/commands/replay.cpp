@@ -126,7 +126,8 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   cluster.leave();
 }
 
-/// Adds who sees the recorded game instead of the person who played it: where, how fast and which way they go.
+/// Adds who sees the recorded game instead of the person who played it: where, how fast and which way they
+/// go.
 void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options) {
   command
       .add_option(

@@ -63,7 +63,8 @@ std::unique_ptr<FramePacer> pacerFor(const SessionSetup& setup, Clock& clock, do
 
 namespace {
 
-/// Returns whether the windows of the walls have a tile for the console: on a desk, where it has no room beside them.
+/// Returns whether the windows of the walls have a tile for the console: on a desk, where it has no room
+/// beside them.
 bool hasConsoleTile(const SessionSetup& setup) {
   return setup.desk.consoleWaits && std::any_of(setup.rig.walls.begin(), setup.rig.walls.end(),
                                                 [](const Wall& wall) { return wall.window.border; });

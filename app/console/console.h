@@ -28,8 +28,8 @@ namespace carom {
 
 class Console {
  public:
-  /// Opens the window at `place`, out of sight until it is asked for if it `waits`. `rig` and `cluster` must outlive this object, `scenario` and
-  /// `scene` until `play` is called.
+  /// Opens the window at `place`, out of sight until it is asked for if it `waits`. `rig` and `cluster` must
+  /// outlive this object, `scenario` and `scene` until `play` is called.
   Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
           KeysOf keys, const Scenario& scenario, const Scene& scene, bool waits = false);
 

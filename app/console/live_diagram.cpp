@@ -22,8 +22,8 @@ ImU32 inkOf(const glm::vec3& colour) {
 /// A chart in a rectangle of a window: maps its axes' units to pixels.
 class Paper {
  public:
-  /// One metre in x and one metre of c t have the same length, so that light is at 45°; both ranges of the chart
-  /// are in sight.
+  /// One metre in x and one metre of c t have the same length, so that light is at 45°; both ranges of the
+  /// chart are in sight.
   Paper(const Chart& chart, ImDrawList& list, const ImVec2& origin, const ImVec2& size)
       : chart_(chart), list_(list), origin_(origin), size_(size) {
     const double wide_px = size.x - kLeft_px - kRight_px, high_px = size.y - kTop_px - kBottom_px;

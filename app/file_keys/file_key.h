@@ -1,6 +1,7 @@
 #pragma once
-// The keys of a kind of file, declared once. Its reader takes from the declaration which keys there are, their types,
-// ranges and defaults; the build makes of it the JSON Schema for editors and the list of keys for people.
+// The keys of a kind of file, declared once. Its reader takes from the declaration which keys there are,
+// their types, ranges and defaults; the build makes of it the JSON Schema for editors and the list of keys
+// for people.
 
 #include <cstddef>
 #include <initializer_list>
@@ -69,8 +70,8 @@ struct FileKey {
   std::size_t letters = kAnyNumber;         ///< of each text, at most
   std::string pattern{};                    ///< that each text fits, as a regular expression; empty: any text
   std::vector<std::string_view> choices{};  ///< the texts that there are, if not all
-  /// The value where the key is left out: its numbers, 0 or 1 for a flag, the index of a choice. Empty: none, and the
-  /// reader decides what to do.
+  /// The value where the key is left out: its numbers, 0 or 1 for a flag, the index of a choice. Empty: none,
+  /// and the reader decides what to do.
   std::vector<double> fallback{};
   std::vector<FileKey> keys{};  ///< of a table
   /// Of each of these, one combination holds at least.

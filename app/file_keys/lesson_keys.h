@@ -5,8 +5,8 @@
 
 namespace carom {
 
-/// Letters, at most, of the question and of the words that say what to do and to look for, of an answer, and of the
-/// explanation. They are shown in a band of a wall (cave/overlay/hud_panel.h).
+/// Letters, at most, of the question and of the words that say what to do and to look for, of an answer, and
+/// of the explanation. They are shown in a band of a wall (cave/overlay/hud_panel.h).
 inline constexpr std::size_t kLessonTextLetters = 160, kAnswerLetters = 70, kLessonNumberLetters = 230;
 
 /// Returns the key of the names of time views.

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the scenario that a playlist names: a shipped one by its bare name, or a file, beside the playlist if it
-/// is there.
+/// Returns the scenario that a playlist names: a shipped one by its bare name, or a file, beside the playlist
+/// if it is there.
 fs::path scenarioOf(const fs::path& playlist, const std::string& name) {
   std::error_code failed;
   const fs::path beside = playlist.parent_path() / name;

@@ -1,5 +1,6 @@
 #pragma once
-// A playlist file: the games that a visitor may play, in their order, for how long, and what the moderator says.
+// A playlist file: the games that a visitor may play, in their order, for how long, and what the moderator
+// says.
 
 #include <filesystem>
 #include <optional>
@@ -22,8 +23,9 @@ struct Playlist {
   std::vector<PlaylistGame> games;  ///< at least one; a session begins with the first
 };
 
-/// Reads and checks the whole file and every scenario that it names. Throws InputErrors (app/files/input_file.h) with
-/// the position of every fault: a scenario that is not there, one that cannot be played.
+/// Reads and checks the whole file and every scenario that it names. Throws InputErrors
+/// (app/files/input_file.h) with the position of every fault: a scenario that is not there, one that cannot
+/// be played.
 Playlist readPlaylist(const std::filesystem::path& file);
 
 /// Returns the number of the game with this scenario file, or how many there are if it has none.

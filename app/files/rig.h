@@ -101,8 +101,8 @@ struct Rig {
   std::vector<Wall> walls;             ///< at least one; rectangles to 2 mm
   /// If given, the only window of each node; a wall's `window` is then a position inside it.
   std::optional<WindowPlacement> oneWindow;
-  /// Of a headset: the board that is fixed in the room and carries what else stands on the front wall. The walls then
-  /// hang on the head, one before each eye.
+  /// Of a headset: the board that is fixed in the room and carries what else stands on the front wall. The
+  /// walls then hang on the head, one before each eye.
   std::optional<Wall> board;
   ComfortSetup comfort;
   std::filesystem::path playlist;          ///< of the room's visitors (app/files/playlist.h); empty: none
@@ -115,7 +115,8 @@ inline bool isHeadset(const Rig& rig) { return rig.board.has_value(); }
 /// Returns the walls that stand in the room.
 std::vector<Wall> standingWalls(const Rig& rig);
 
-/// Returns the rig's room for the overlays on the walls and the spectator view; in that of a headset stands the board.
+/// Returns the rig's room for the overlays on the walls and the spectator view; in that of a headset stands
+/// the board.
 RoomGeometry roomGeometryOf(const Rig& rig);
 
 /// Returns the number of nodes that a rig needs: for all of its walls and all of its [[node]] entries.

@@ -35,8 +35,8 @@ bool isOfAHead(std::size_t tracker, const Rig& rig) {
                      [&](const ViewerSetup& viewer) { return viewer.head.sensor.tracker == tracker; });
 }
 
-/// Returns the playlist that a rig names: beside the rig's file, or a shipped one by its bare name. Whether it is
-/// there matters only to a session that plays it.
+/// Returns the playlist that a rig names: beside the rig's file, or a shipped one by its bare name. Whether
+/// it is there matters only to a session that plays it.
 std::filesystem::path playlistOf(const std::filesystem::path& rig, const std::string& name) {
   if (name.empty()) return {};
   const std::filesystem::path known = shippedFile(name, "playlists");

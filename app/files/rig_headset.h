@@ -9,8 +9,8 @@ namespace carom {
 /// Reads the table and makes the rig's viewer and tracker: sensor 0 is the head, sensor 1 the hand that aims.
 void readHeadset(const TomlTable& root, const TomlTable& table, double unit_m, Rig& rig);
 
-/// Makes the walls before the eyes: as if somebody stood in the middle of the room and looked forward, until the
-/// headset tells where they are. Their windows are the halves of the one window.
+/// Makes the walls before the eyes: as if somebody stood in the middle of the room and looked forward, until
+/// the headset tells where they are. Their windows are the halves of the one window.
 void placeEyes(Rig& rig);
 
 /// Gives the pictures of both eyes this size. The mirror keeps its height.

@@ -1,6 +1,6 @@
 #pragma once
-// Reads the viewers of a rig file and the eyes that its walls show, and checks that everybody sees every screen
-// with both eyes.
+// Reads the viewers of a rig file and the eyes that its walls show, and checks that everybody sees every
+// screen with both eyes.
 
 #include <optional>
 #include <string>
@@ -25,16 +25,16 @@ std::vector<ViewerSetup> readViewers(const TomlTable& root, const std::vector<Tr
 /// Reads whose eyes a wall shows. The wall's stereo mode must have been read.
 void readEyes(const TomlTable& table, const std::vector<ViewerSetup>& viewers, Wall& wall);
 
-/// Returns the rig with the viewer of that name, "" for the first, in the first's place and the other way round, and
-/// with the walls alone that show this viewer's eyes; of a wall for several, the channel.
+/// Returns the rig with the viewer of that name, "" for the first, in the first's place and the other way
+/// round, and with the walls alone that show this viewer's eyes; of a wall for several, the channel.
 Rig rigFor(Rig rig, const std::string& viewer);
 
-/// Returns in words what a viewer sees of each screen of the room: in which walls of the rig with which eyes, or that
-/// nothing there is for them.
+/// Returns in words what a viewer sees of each screen of the room: in which walls of the rig with which eyes,
+/// or that nothing there is for them.
 std::vector<std::string> sightsOf(const Rig& rig, std::size_t viewer);
 
-/// Records faults of viewers and walls that do not fit: two viewers on one sensor, an eye twice on a screen, a
-/// viewer without a screen or with one eye on it only.
+/// Records faults of viewers and walls that do not fit: two viewers on one sensor, an eye twice on a screen,
+/// a viewer without a screen or with one eye on it only.
 void checkViewers(const TomlTable& root, const Rig& rig, const std::vector<WallText>& walls);
 
 }  // namespace carom

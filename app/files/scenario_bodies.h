@@ -34,8 +34,9 @@ std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTa
 
 BodyText readBody(const TomlFile& file, const TomlTable& table);
 
-/// Reads the history of a body that has one, a table of text: t_s,x0_m,y0_m,z0_m,x1_m,… with a row a board time. Throws InputErrors
-/// with the position of every fault; `file` may be that of a mesh with another number of vertices.
+/// Reads the history of a body that has one, a table of text: t_s,x0_m,y0_m,z0_m,x1_m,… with a row a board
+/// time. Throws InputErrors with the position of every fault; `file` may be that of a mesh with another
+/// number of vertices.
 ToldBody toldBody(const BodyText& body, double c_m_s);
 
 /// Computes the world line of a body that has no faults.

@@ -10,9 +10,9 @@
 
 namespace carom {
 
-/// Reads `radius_m`, `outline_m` or `outline = "mesh"` with the radius and, where the file gives none, the inertia that
-/// follow from an outline. A mesh whose footprint is the outline gets its place. Where a fault leaves the shape unknown,
-/// the radius stays 0.
+/// Reads `radius_m`, `outline_m` or `outline = "mesh"` with the radius and, where the file gives none, the
+/// inertia that follow from an outline. A mesh whose footprint is the outline gets its place. Where a fault
+/// leaves the shape unknown, the radius stays 0.
 void readShape(const TomlTable& table, Puck& puck, std::optional<PuckMesh>& mesh);
 
 /// Returns findings about an unusual outline of a puck.

@@ -1,6 +1,6 @@
 #pragma once
-// Reads of a scenario file whatever follows a clock: the tour, which is the prescribed motion of the platform, and the
-// captions, sentences that appear in the room at given times.
+// Reads of a scenario file whatever follows a clock: the tour, which is the prescribed motion of the
+// platform, and the captions, sentences that appear in the room at given times.
 
 #include <vector>
 

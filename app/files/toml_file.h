@@ -29,11 +29,11 @@ struct PlacedPoint {
   FilePlace place;
 };
 
-/// One table of a file, whose keys are declared (app/file_keys/file_key.h). Each reading function takes one key and
-/// throws std::logic_error if no such key of such a type is declared. If its value is wrong, a fault is recorded and
-/// a substitute returned (the declared value of a key that is left out, if there is one), so that reading continues.
-/// A key without such a value is required. Keys that were never read are faults. Values must not be used before
-/// TomlFile::throwFaults has returned. The TomlFile must outlive its tables.
+/// One table of a file, whose keys are declared (app/file_keys/file_key.h). Each reading function takes one
+/// key and throws std::logic_error if no such key of such a type is declared. If its value is wrong, a fault
+/// is recorded and a substitute returned (the declared value of a key that is left out, if there is one), so
+/// that reading continues. A key without such a value is required. Keys that were never read are faults.
+/// Values must not be used before TomlFile::throwFaults has returned. The TomlFile must outlive its tables.
 class TomlTable {
  public:
   /// Returns the declaration of a key.
@@ -70,8 +70,8 @@ class TomlTable {
   std::optional<std::vector<PlacedPoint>> points(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::optional<TomlTable> requiredTable(std::string_view key) const;
-  /// Returns an array of tables; empty if the key is absent. Throws InputErrors if there are more than `most`, by
-  /// default those declared, which are then not read.
+  /// Returns an array of tables; empty if the key is absent. Throws InputErrors if there are more than
+  /// `most`, by default those declared, which are then not read.
   std::vector<TomlTable> tables(std::string_view key, std::optional<std::size_t> most = {}) const;
 
   /// Records a fault if the key exists: a known key that is not allowed here.
@@ -101,9 +101,9 @@ enum class Reach { ownFolder, anywhere };
 
 class TomlFile {
  public:
-  /// Reads the file or, if given, `kept`, the content that the file once had. `keys`: those of its root; they must
-  /// outlive this. Files that it names are looked for below `root` first. Throws InputErrors if the file cannot be
-  /// read (at 1:1), is too large or nested too deep, or is not TOML.
+  /// Reads the file or, if given, `kept`, the content that the file once had. `keys`: those of its root; they
+  /// must outlive this. Files that it names are looked for below `root` first. Throws InputErrors if the file
+  /// cannot be read (at 1:1), is too large or nested too deep, or is not TOML.
   TomlFile(const std::filesystem::path& file, const FileKey& keys,
            const std::optional<std::string>& kept = {}, const std::filesystem::path& root = {});
   ~TomlFile();

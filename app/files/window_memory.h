@@ -18,8 +18,8 @@ struct RememberedWindow {
   bool operator==(const RememberedWindow&) const = default;
 };
 
-/// Returns the folder of the user's own settings: carom in $XDG_CONFIG_HOME or, without that, in ~/.config. Empty if
-/// the user has no home.
+/// Returns the folder of the user's own settings: carom in $XDG_CONFIG_HOME or, without that, in ~/.config.
+/// Empty if the user has no home.
 std::filesystem::path userFolder();
 
 /// Returns what the file holds: nothing if it is not there, or if it is wrong, which is logged.

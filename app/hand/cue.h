@@ -33,8 +33,8 @@ CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom);
 /// The widest side spin of a hand, and what counts as the centre, as shares of the puck's radius.
 inline constexpr double kMostSide = 0.5, kLeastSide = 0.125;
 
-/// Returns how far to the right of the centre a stroke of `u` strikes where the hand pointed `asideInRoom_m` beside
-/// the centre as it is seen: 0 near the centre, and at most kMostSide of the radius.
+/// Returns how far to the right of the centre a stroke of `u` strikes where the hand pointed `asideInRoom_m`
+/// beside the centre as it is seen: 0 near the centre, and at most kMostSide of the radius.
 double sideOf(const Vec3& asideInRoom_m, const Vec2& u, const Lorentz& boardFromRoom, double radius_m);
 
 class Cue {

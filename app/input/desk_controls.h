@@ -5,8 +5,8 @@
 //             Delete and End move the head (app/play/mouse_people.h)
 //   mouse     aims at what it points to; its left button holds the cue, its right button turns the view
 //   gamepad   left stick steers, A or the right trigger holds the cue, the right stick draws it back,
-//             B brakes, Y goes home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4; the cross
-//             goes through the buttons of the front wall, and A then presses the one it has come to
+//             B brakes, Y goes home, Start goes on; while a lesson asks, A B X Y are its answers 1 to 4; the
+//             cross goes through the buttons of the front wall, and A then presses the one it has come to
 //
 // A key or button that is pressed and let go between two frames counts as held in the next one.
 

@@ -209,8 +209,8 @@ std::optional<Command> answerOf(int key, KeysOf place, const OperatorSettings& n
 
 bool isArrow(int key) { return key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP; }
 
-/// Returns whether somebody who presses this key in a session expects something of it: letters, function keys and
-/// arrows; not those that steer, end, open the lock, or belong to the desktop.
+/// Returns whether somebody who presses this key in a session expects something of it: letters, function keys
+/// and arrows; not those that steer, end, open the lock, or belong to the desktop.
 bool isExpectedToDo(int key) {
   constexpr std::array kOthers{GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q};
   const bool isLetter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z &&

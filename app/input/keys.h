@@ -1,6 +1,6 @@
 #pragma once
-// The keyboard commands of a session. They work in all of rank 0's windows; ending (app/input/end_question.h) works in
-// any window of any node.
+// The keyboard commands of a session. They work in all of rank 0's windows; ending (app/input/end_question.h)
+// works in any window of any node.
 
 #include <string>
 #include <string_view>
@@ -11,8 +11,8 @@
 
 namespace carom {
 
-/// The kind of session in which keys are pressed; some keys work only in certain kinds. In a dry run, which is a
-/// session, keys move the head as well (app/play/mouse_people.h).
+/// The kind of session in which keys are pressed; some keys work only in certain kinds. In a dry run, which
+/// is a session, keys move the head as well (app/play/mouse_people.h).
 enum class KeysOf { session, replay, patterns, dryRun };
 
 /// Returns whether a game is played, and not shown again.

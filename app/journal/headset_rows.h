@@ -1,6 +1,6 @@
 #pragma once
-// The rows of the headset in a session file: its eyes in each frame, and the runtime's own account of the head's
-// velocity. The table is empty where none was worn, and is missing in older files.
+// The rows of the headset in a session file: its eyes in each frame, and the runtime's own account of the
+// head's velocity. The table is empty where none was worn, and is missing in older files.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 

@@ -22,40 +22,42 @@
 //       angle_rad …: how the body turns (engine/spacetime/world_line.h).
 //       Bodies are numbered as in the scenario: 0 the board, then the pucks, then the scripted bodies.
 //   frame_event(frame, number, kind, cushion, which, t_s, x_m, y_m, z_m, without_delay, heat_j, turns, …)
-//       Events that a frame added to the game's list (engine/billiard/game_event.h), each with its turns, whose
-//       number is `turns`. kind is the value of EventKind, cushion that of Cushion plus 1; 0 is none. Events
-//       that a later stroke invalidated stay here, because they were shown.
+//       Events that a frame added to the game's list (engine/billiard/game_event.h), each with its turns,
+//       whose number is `turns`. kind is the value of EventKind, cushion that of Cushion plus 1; 0 is none.
+//       Events that a later stroke invalidated stay here, because they were shown.
 //   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j, without_delay, side_on_side)
 //       The final events: rows that a stroke invalidated are deleted. Numbers are in the order in which the
-//       simulation found the events; a game's first one has the number first_event. kind: puck-puck, puck-cushion, stroke, flash, jam. pucks: names,
-//       separated by commas. t_s … z_m: the contact, the hand's stroke, the flash. without_delay: 1 if the
-//       contact existed already and the kick did not wait for its signal (engine/billiard/game_event.h),
-//       else 0. side_on_side: 1 if a side of a puck lay on a side of the other or on a cushion, and the contact
-//       is the middle of what touched, else 0. The game is known a little further than it was seen.
+//       simulation found the events; a game's first one has the number first_event. kind: puck-puck,
+//       puck-cushion, stroke, flash, jam. pucks: names, separated by commas. t_s … z_m: the contact, the
+//       hand's stroke, the flash. without_delay: 1 if the contact existed already and the kick did not wait
+//       for its signal (engine/billiard/game_event.h), else 0. side_on_side: 1 if a side of a puck lay on a
+//       side of the other or on a cushion, and the contact is the middle of what touched, else 0. The game is
+//       known a little further than it was seen.
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y,
 //   proper_time_s, spin_before_kg_m2_s, spin_after_kg_m2_s)
 //       The change of motion and spin of each puck of an event, with the puck's name and its proper time.
-//   viewer(frame, name, t_s, x_m, y_m, z_m, proper_time_s, room_x_m, room_y_m, room_z_m, lapse, celerity_x_m_s,
-//          celerity_y_m_s, celerity_z_m_s, known)
-//       One row per frame and viewer: the event between the eyes, the viewer's own time, the place in the room as
-//       the clock took it, the lapse there (engine/spacetime/observers.h), and how the head was known. With the
-//       steps dx of the places and dT of the room's time from one frame to the next, the own time advances by
-//       sqrt((lapse dT)² − dx²/c²).
+//   viewer(frame, name, t_s, x_m, y_m, z_m, proper_time_s, room_x_m, room_y_m, room_z_m, lapse,
+//          celerity_x_m_s, celerity_y_m_s, celerity_z_m_s, known)
+//       One row per frame and viewer: the event between the eyes, the viewer's own time, the place in the
+//       room as the clock took it, the lapse there (engine/spacetime/observers.h), and how the head was
+//       known. With the steps dx of the places and dT of the room's time from one frame to the next, the own
+//       time advances by sqrt((lapse dT)² − dx²/c²).
 //   platform(frame, room_s, u_x, u_y, u_z, qw, qx, qy, qz, thrust_x_m_s2, thrust_y_m_s2, thrust_z_m_s2)
-//       The room's own time, its u = γβ on the board after a rotation from its axes to the board's, and its mean
-//       thrust in the frame, felt by the one who steers, in the room's axes.
+//       The room's own time, its u = γβ on the board after a rotation from its axes to the board's, and its
+//       mean thrust in the frame, felt by the one who steers, in the room's axes.
 //   other_viewer(frame, viewer, proper_time_s, …)
 //       The record's part of the viewers after the first (app/journal/frame_columns.h).
 //   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m, viewer)
 //       Strokes by hand in a frame: the puck's name, the event of the hand, and the momentum that arrives at
-//       the puck; offset_m: how far to the right of its centre it strikes. Together with the scenario's strokes they are all strokes of the game, in its order.
+//       the puck; offset_m: how far to the right of its centre it strikes. Together with the scenario's
+//       strokes they are all strokes of the game, in its order.
 //   input(frame, what, value, viewer)
 //       Actions of the operator and the hands, in words; they take effect with this frame.
 //   answer(frame, lesson, question, answer, viewer)
 //       Answers of visitors.
 //   run(first_frame, started_utc, program)
-//       Each time that writing began: the first, and one for each continuation of the session and each further
-//       game.
+//       Each time that writing began: the first, and one for each continuation of the session and each
+//       further game.
 //   sample(time_s, sensor, x_m, y_m, z_m, qw, qx, qy, qz, tracker)
 //       Samples of the heads' trackers.
 //   latency(display_s, frame, node, part, frames, median_s, p99_s, most_s, jitter_s)

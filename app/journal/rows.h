@@ -1,6 +1,6 @@
 #pragma once
-// Rows of a session file whose columns are listed by a visit (app/journal/frame_columns.h): their names, and values
-// written to and read from them.
+// Rows of a session file whose columns are listed by a visit (app/journal/frame_columns.h): their names, and
+// values written to and read from them.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>

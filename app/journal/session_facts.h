@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// The SQLite application id of a journal ("Caro") and the version of its tables: another one whenever a column or a table
-/// is added. Files of other versions are refused.
+/// The SQLite application id of a journal ("Caro") and the version of its tables: another one whenever a
+/// column or a table is added. Files of other versions are refused.
 inline constexpr int kJournalId = 0x4361726f;
 inline constexpr int kJournalVersion = 8;
 

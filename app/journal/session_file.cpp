@@ -51,8 +51,8 @@ bool hasBeside(const std::filesystem::path& file) {
 
 constexpr int kBusy_ms = 1000;
 
-/// Takes back what a process was writing when it was killed, which it has noted in FILE-journal: a reader that may not
-/// write cannot, and would find the file damaged.
+/// Takes back what a process was writing when it was killed, which it has noted in FILE-journal: a reader
+/// that may not write cannot, and would find the file damaged.
 void takeBackUnfinished(const std::filesystem::path& file) {
   std::filesystem::path notes = file;
   if (!std::filesystem::exists(notes += "-journal")) return;

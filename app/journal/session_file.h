@@ -30,10 +30,10 @@ struct GivenAnswer {
 /// One game of a recorded session, frame by frame. May be opened while the session is still being written.
 class SessionFile {
  public:
-  /// Opens the file at a game, counted from 1, or at its newest. Throws std::runtime_error that gives the fault
-  /// and what was expected: missing, not a session file, damaged, of another version, locked, no such game. Logs
-  /// a warning if the session was not closed and FILE-wal, which has its end, is missing; with `quiet`, logs
-  /// nothing.
+  /// Opens the file at a game, counted from 1, or at its newest. Throws std::runtime_error that gives the
+  /// fault and what was expected: missing, not a session file, damaged, of another version, locked, no such
+  /// game. Logs a warning if the session was not closed and FILE-wal, which has its end, is missing; with
+  /// `quiet`, logs nothing.
   explicit SessionFile(const std::filesystem::path& file, std::optional<std::size_t> game = {},
                        bool quiet = false);
   ~SessionFile();

@@ -1,6 +1,6 @@
 #pragma once
-// The names of session files that have the date in their name, and of those of a series: visit.db, visit-2.db,
-// visit-3.db.
+// The names of session files that have the date in their name, and of those of a series: visit.db,
+// visit-2.db, visit-3.db.
 
 #include <filesystem>
 
@@ -13,8 +13,8 @@ std::filesystem::path fileAfter(const std::filesystem::path& first);
 /// std::runtime_error if the name is too long.
 std::filesystem::path namedToday(const std::filesystem::path& name);
 
-/// Returns the session file that a name with a date asks for ("monday-%F.db", as strftime has it), today and free;
-/// other names as they are. Throws std::runtime_error if the name is too long.
+/// Returns the session file that a name with a date asks for ("monday-%F.db", as strftime has it), today and
+/// free; other names as they are. Throws std::runtime_error if the name is too long.
 std::filesystem::path datedFile(const std::filesystem::path& name);
 
 /// Returns the newest file of the series.

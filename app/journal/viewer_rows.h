@@ -39,8 +39,8 @@ class ViewerReader {
  public:
   ViewerReader(SQLite::Database& database, double lightSpeed_m_s);
 
-  /// Adds the viewers after the first to a record that has been read otherwise, the place of the first in the room
-  /// and the room's time.
+  /// Adds the viewers after the first to a record that has been read otherwise, the place of the first in the
+  /// room and the room's time.
   void read(FrameRecord& record);
 
  private:

@@ -21,8 +21,8 @@ namespace carom {
 LessonState advance(const LessonState& state, std::size_t answers, int answer, bool onwards);
 
 /// Sets up the scenario's lesson, if there is one: adds its views to those that are on, and starts with its
-/// question if `asks`. Sessions of a fixed number of frames pass false: they have no one to answer, and they would
-/// show nothing but the question.
+/// question if `asks`. Sessions of a fixed number of frames pass false: they have no one to answer, and they
+/// would show nothing but the question.
 void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings);
 
 /// Returns whether the lesson offers choices by number: answers while it asks, then the velocities of the

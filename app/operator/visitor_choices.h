@@ -24,13 +24,13 @@ std::string fileOfGame(std::string_view name);
 /// Returns the number of the shipped lesson in this file, from 0, or how many there are if it is none.
 std::size_t numberOfLesson(const std::string& file);
 
-/// Returns the file of the lesson after the one in this file: the first one after the last, or if the file is no
-/// lesson.
+/// Returns the file of the lesson after the one in this file: the first one after the last, or if the file is
+/// no lesson.
 std::string lessonAfter(const std::string& file);
 
 /// Returns the command that carries out a visitor's choice. The lessons go on after the one seen last. With a
-/// playlist, only its games are played: its first one, and its lessons in their order; what it does not have is told
-/// to the person.
+/// playlist, only its games are played: its first one, and its lessons in their order; what it does not have
+/// is told to the person.
 Command commandOf(Choice choice, const OperatorSettings& settings);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #pragma once
-// Carom as a game: the puck that a person has struck is to touch two others. The point is counted when the second
-// touch is seen, not when it happens.
+// Carom as a game: the puck that a person has struck is to touch two others. The point is counted when the
+// second touch is seen, not when it happens.
 
 #include <cstddef>
 #include <optional>
@@ -20,8 +20,9 @@ class CaromScore {
   /// Begins a shot: this puck was struck by hand, and the stroke arrives at this board time.
   void struck(std::size_t puck, double arrives_s);
 
-  /// Looks at the collisions whose light has reached `eye`. If the shot has just been seen to be a carom, returns off
-  /// how many cushions the struck puck was seen to bounce before its second touch; each shot is one at most once.
+  /// Looks at the collisions whose light has reached `eye`. If the shot has just been seen to be a carom,
+  /// returns off how many cushions the struck puck was seen to bounce before its second touch; each shot is
+  /// one at most once.
   std::optional<std::size_t> look(std::span<const GameEvent> events, const Event& eye, double c_m_s);
 
   const Score& score() const { return score_; }

@@ -46,8 +46,8 @@ class Game {
   /// Simulates to board time `t_s` and adds to `state` the knots that no frame has carried yet.
   void advance(double t_s, FrameState& state);
 
-  /// Discards the history before `forgettableBefore_s` of all these observers, and tells every rank to do the same
-  /// with this frame. `histories` are those of all bodies of the scene.
+  /// Discards the history before `forgettableBefore_s` of all these observers, and tells every rank to do the
+  /// same with this frame. `histories` are those of all bodies of the scene.
   void forget(std::span<const WorldLine> histories, std::span<const ObserverView> observers,
               FrameState& state);
 

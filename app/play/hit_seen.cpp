@@ -21,8 +21,8 @@ void HitSeen::struck(std::size_t puck, double arrives_s) {
   count_ = 0;
 }
 
-// An eye at (t_o, r_o) has seen the event (t, r) when t + |r_o − r|/c ≤ t_o. Both sides run evenly within a frame, to
-// the second order of its length.
+// An eye at (t_o, r_o) has seen the event (t, r) when t + |r_o − r|/c ≤ t_o. Both sides run evenly within a
+// frame, to the second order of its length.
 std::optional<std::span<const HitSeen::Seen>> HitSeen::look(std::span<const GameEvent> events,
                                                             const FrameRecord& record) {
   if (!shot_) return {};

@@ -1,6 +1,6 @@
 #pragma once
-// When each person in the room sees one hit: the first touch of the puck that was struck last. Its light has a way of
-// its own to each of them, so that they see it at different moments of the room.
+// When each person in the room sees one hit: the first touch of the puck that was struck last. Its light has
+// a way of its own to each of them, so that they see it at different moments of the room.
 
 #include <array>
 #include <cstddef>
@@ -23,8 +23,8 @@ class HitSeen {
   /// Waits for the first touch of this puck at board time `arrives_s` or later.
   void struck(std::size_t puck, double arrives_s);
 
-  /// Looks at a frame in which time passes. Once everybody has seen the hit, returns all viewers in the order in which
-  /// they saw it, once.
+  /// Looks at a frame in which time passes. Once everybody has seen the hit, returns all viewers in the order
+  /// in which they saw it, once.
   std::optional<std::span<const Seen>> look(std::span<const GameEvent> events, const FrameRecord& record);
 
  private:

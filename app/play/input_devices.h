@@ -6,10 +6,10 @@
 //               press draws it back; button 1 brakes, 2 goes home, 3 goes on; the stick steers along the
 //               direction of the wand; while a lesson asks, buttons 0 to 3 are its answers 1 to 4
 //   mouse       aims from the eye whose picture it is over; the cue is drawn back by the displacement of the
-//               point on the cloth that the mouse points to; its right button takes hold of the scene and turns
-//               the room about the head
-//   gamepad     aims with the head: from between the eyes, forward; its right stick draws the cue back; its cross goes
-//               through the buttons of the front wall
+//               point on the cloth that the mouse points to; its right button takes hold of the scene and
+//               turns the room about the head
+//   gamepad     aims with the head: from between the eyes, forward; its right stick draws the cue back; its
+//               cross goes through the buttons of the front wall
 //   SpaceMouse  steers right, up and forward; its left button brakes, its right one goes home
 //
 // While no device holds the cue, the one used last aims: the mouse while it moves and for kPatience_s after,

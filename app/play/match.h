@@ -1,9 +1,9 @@
 #pragma once
 // Carom between the people in one room: each one's score, and whose turn it is.
 //
-// A stroke passes the turn to the next; one who then sees their own shot become a carom has the turn again, unless
-// somebody has struck meanwhile. Striking out of turn is allowed: a stroke is a turn taken, so that a visitor
-// who has left the room stops no game.
+// A stroke passes the turn to the next; one who then sees their own shot become a carom has the turn again,
+// unless somebody has struck meanwhile. Striking out of turn is allowed: a stroke is a turn taken, so that a
+// visitor who has left the room stops no game.
 
 #include <array>
 #include <cstddef>
@@ -21,8 +21,8 @@ class Match {
   /// Goes on from what a record holds of each viewer.
   explicit Match(const FrameRecord& before);
 
-  /// Begins a shot of a viewer, of `viewers` in the room: this puck was struck by their hand, and the stroke arrives at
-  /// this board time.
+  /// Begins a shot of a viewer, of `viewers` in the room: this puck was struck by their hand, and the stroke
+  /// arrives at this board time.
   void struck(std::size_t viewer, std::size_t viewers, std::size_t puck, double arrives_s);
 
   /// Looks at the collisions whose light has reached that viewer's `eye` (CaromScore::look).

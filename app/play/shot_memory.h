@@ -1,6 +1,6 @@
 #pragma once
-// How the visitor saw their shots: the views of the shot under way, and those of the best carom so far, to be shown
-// again from where it was seen.
+// How the visitor saw their shots: the views of the shot under way, and those of the best carom so far, to be
+// shown again from where it was seen.
 
 #include <cstddef>
 #include <optional>
@@ -37,7 +37,8 @@ class ShotMemory {
   }
   /// Keeps a frame of the shot under way, if there is one.
   void see(const ShotView& view);
-  /// Says that the shot was just seen to be a carom, off `cushions` cushions. It is the best if none had more.
+  /// Says that the shot was just seen to be a carom, off `cushions` cushions. It is the best if none had
+  /// more.
   void carom(std::size_t cushions, double now_s) {
     cushions_ = cushions;
     caromAt_s_ = now_s;
@@ -51,7 +52,8 @@ class ShotMemory {
   /// Returns the last view of the best shot, which there must be.
   const ShotView& last() const { return best_.back(); }
 
-  /// Returns the earliest view that may be shown again, or `now`; the best shot is dropped when it is too old.
+  /// Returns the earliest view that may be shown again, or `now`; the best shot is dropped when it is too
+  /// old.
   const ObserverView& earliest(const ObserverView& now, double now_s);
 
  private:
@@ -61,8 +63,8 @@ class ShotMemory {
   std::size_t cushions_ = 0, bestCushions_ = 0;
 };
 
-/// Shows the best shot again. Where it ends a game, its view stays while the walls go dark over it, so that the game is
-/// not seen behind it.
+/// Shows the best shot again. Where it ends a game, its view stays while the walls go dark over it, so that
+/// the game is not seen behind it.
 class ShotReplay {
  public:
   static constexpr double kHeld_s = 1.0;  ///< the walls are dark before

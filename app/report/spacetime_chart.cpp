@@ -170,7 +170,8 @@ void addMe(Chart& chart, const DiagramSubject& subject, const Plane& plane, doub
   chart.lines.push_back({"", {plane(subject.mine.back())}, glm::vec3(0.0F), 10.0F, ChartLine::Style::marks});
 }
 
-/// Adds the world lines of the others in the room, their present events, and the lines of simultaneity of each.
+/// Adds the world lines of the others in the room, their present events, and the lines of simultaneity of
+/// each.
 void addOthers(Chart& chart, const DiagramSubject& subject, const Plane& plane, double from_s) {
   using Style = ChartLine::Style;
   constexpr std::array<glm::vec3, kMostViewers - 1> kColours{

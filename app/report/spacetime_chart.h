@@ -43,11 +43,12 @@ struct DiagramSubject {
 /// Returns the diagram content of a scenario before the game.
 DiagramSubject subjectOf(const Scenario& scenario);
 
-/// Continues an observer's world line. It begins anew where an observer is put elsewhere, as a lesson does when it
-/// plays its game again: no observer goes back in time or overtakes light.
+/// Continues an observer's world line. It begins anew where an observer is put elsewhere, as a lesson does
+/// when it plays its game again: no observer goes back in time or overtakes light.
 void continueLine(std::vector<Event>& line, double c_m_s, const Event& here);
 
-/// Takes the observers of a frame: continues all world lines. The first viewer's is mine; `names` are those of all.
+/// Takes the observers of a frame: continues all world lines. The first viewer's is mine; `names` are those
+/// of all.
 void follow(DiagramSubject& subject, const FrameRecord& record, std::span<const std::string> names);
 
 struct DiagramFrame {

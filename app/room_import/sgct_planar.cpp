@@ -52,8 +52,8 @@ std::optional<Angles> readAngles(const JsonNode& fov, std::string_view whole, st
   return {};
 }
 
-/// Reads the orientation: turned by -yaw about y, then about its own x by pitch, then about its own z by -roll; or
-/// a quaternion.
+/// Reads the orientation: turned by -yaw about y, then about its own x by pitch, then about its own z by
+/// -roll; or a quaternion.
 std::optional<glm::dquat> readTurn(const JsonNode& projection, Room& room) {
   const JsonNode* turn = member(projection, "orientation", Kind::object, "an object", room);
   if (!turn) return projection.member("orientation") ? std::nullopt : std::optional(glm::dquat(1, 0, 0, 0));

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// Reads the opening angles, distance, orientation and offset of a PlanarProjection into the corners of the wall.
-/// Returns whether they are sound; otherwise errors are noted.
+/// Reads the opening angles, distance, orientation and offset of a PlanarProjection into the corners of the
+/// wall. Returns whether they are sound; otherwise errors are noted.
 bool readPlanar(const JsonNode& projection, RoomWall& wall, SgctReading& in);
 
 }  // namespace carom

@@ -61,8 +61,8 @@ bool anyPulls(const FrameRecord& record) {
 
 }  // namespace
 
-/// Lets another game follow by itself, unless somebody has just chosen one. `acted`: somebody gave a command or
-/// pressed a key.
+/// Lets another game follow by itself, unless somebody has just chosen one. `acted`: somebody gave a command
+/// or pressed a key.
 void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& decision) {
   const bool mouseMoved = desk.mouse && (!mouseWas_ || desk.mouse->onWall_m != mouseWas_->onWall_m);
   mouseWas_ = desk.mouse;
@@ -91,7 +91,8 @@ void FrameLeader::askWhetherStillThere(Decision& decision) const {
   for (ViewerState& viewer : record.present()) viewer.notice = asks;
 }
 
-/// Ends this game if another was chosen: the walls go dark, after the best shot if the other follows by itself.
+/// Ends this game if another was chosen: the walls go dark, after the best shot if the other follows by
+/// itself.
 void FrameLeader::endGame(Decision& decision) {
   const bool isShown = lastOf<ShowBestShot>(decision.commands) || decision.showsShot;
   if (nextGame_.file.empty() || (awaitsShot_ && isShown)) return;

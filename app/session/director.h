@@ -27,9 +27,9 @@ class Director {
 class FrameLeader : public Director {
  public:
   /// Leads the frames of `source`, beginning with `settings`; the next visitor begins with `firstGame` or, if
-  /// that is empty, with the game that they name. `patience_s`: the next visitor is welcomed after so long without a sign of life; empty: never.
-  /// `desk`: the devices of the desk; a run in simulated time has none, so that it does not depend on them. `source`
-  /// must outlive this object.
+  /// that is empty, with the game that they name. `patience_s`: the next visitor is welcomed after so long
+  /// without a sign of life; empty: never. `desk`: the devices of the desk; a run in simulated time has none,
+  /// so that it does not depend on them. `source` must outlive this object.
   FrameLeader(FrameSource& source, KeysOf keys, const OperatorSettings& settings, DeskDevices desk,
               std::optional<double> patience_s = {}, const std::string& firstGame = {});
 

@@ -30,9 +30,9 @@ OperatorSettings settingsOf(const Rig& rig, const Scenario& scenario, const std:
                             const Beginning& beginning);
 
 /// Returns the settings of the next game. A different game starts with the program's initial settings, except
-/// those of the room. The same game keeps all settings, unless it is to begin afresh; a lesson in its phase `shows`
-/// stays there, and one that was explained starts again with its question. For the next visitor, and for games that
-/// attract, everything is as the session began, except the operator's console.
+/// those of the room. The same game keeps all settings, unless it is to begin afresh; a lesson in its phase
+/// `shows` stays there, and one that was explained starts again with its question. For the next visitor, and
+/// for games that attract, everything is as the session began, except the operator's console.
 OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& next, const Rig& rig,
                                 const Scenario& scenario, const Beginning& beginning);
 

@@ -40,8 +40,8 @@ class IdleWatch {
     return (discusses_ ? kDiscusses : 1.0) * *patience_s_ - (now_s - *latest_s_);
   }
 
-  /// Says that something is shown to the person, such as a scripted flight: it is no sign of life, but a watcher need not
-  /// move meanwhile.
+  /// Says that something is shown to the person, such as a scripted flight: it is no sign of life, but a
+  /// watcher need not move meanwhile.
   void wait(double now_s) {
     if (latest_s_) latest_s_ = now_s;
   }

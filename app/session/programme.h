@@ -1,6 +1,6 @@
 #pragma once
-// Which game follows by itself: the playlist's next one after its time, the first one when a visitor has gone, and
-// one after the other to attract people while the room is empty.
+// Which game follows by itself: the playlist's next one after its time, the first one when a visitor has
+// gone, and one after the other to attract people while the room is empty.
 
 #include <memory>
 #include <optional>
@@ -37,14 +37,15 @@ class Programme {
   /// For so long before a visitor is taken to have gone they are asked; for half of the patience at most.
   static constexpr double kCountdown_s = 10.0;
 
-  /// `patience_s`: the next visitor is welcomed after so long without a sign of life; empty: never. Without a playlist
-  /// the show and the first game attract by turns.
+  /// `patience_s`: the next visitor is welcomed after so long without a sign of life; empty: never. Without a
+  /// playlist the show and the first game attract by turns.
   Programme(std::string firstGame, std::shared_ptr<const Playlist> playlist,
             std::optional<double> patience_s);
 
   /// Takes a frame of this game and returns the game that is to follow it now; its file is empty if none is.
   NextGame look(const SignsOfLife& signs, const std::string& playing);
-  /// Returns how many seconds are left to a visitor who is to be asked whether they are still there; empty: none is.
+  /// Returns how many seconds are left to a visitor who is to be asked whether they are still there; empty:
+  /// none is.
   std::optional<int> countdown(double now_s) const;
   /// Says that another game begins, which somebody has chosen.
   void begin() { began_s_.reset(); }

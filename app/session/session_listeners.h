@@ -52,7 +52,8 @@ class RecordingListener : public FrameListener {
   const SpectatorView* outside_;
 };
 
-/// Lets the controller of a headset be felt: it trembles as the cue is drawn back, and knocks with the stroke.
+/// Lets the controller of a headset be felt: it trembles as the cue is drawn back, and knocks with the
+/// stroke.
 class HapticListener : public FrameListener {
  public:
   explicit HapticListener(Headset& headset) : headset_(headset) {}

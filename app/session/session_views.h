@@ -17,8 +17,8 @@ namespace carom {
 /// frame record says so, and the console's tile.
 class WallsView : public View {
  public:
-  /// `forConsole`: a tile in the windows shows the operator's console while it waits, and gives its command here; null:
-  /// there is none.
+  /// `forConsole`: a tile in the windows shows the operator's console while it waits, and gives its command
+  /// here; null: there is none.
   WallsView(DisplayWalls& walls, FrameStatistics& statistics, const Director& director, KeysOf keys,
             Commands* forConsole = nullptr)
       : walls_(walls),

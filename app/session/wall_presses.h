@@ -25,8 +25,8 @@ class WallPresses {
   /// Takes the frame as the viewer sees it.
   void follow(const SeenFrame& shown);
 
-  /// Goes on by this number of buttons from the one that the gamepad has chosen, and points the gamepad's hand
-  /// there.
+  /// Goes on by this number of buttons from the one that the gamepad has chosen, and points the gamepad's
+  /// hand there.
   void aimPad(int steps, HandInput& hand);
 
   /// Returns the button to which the hand points, unless it holds the cue. A press takes the gamepad's choice

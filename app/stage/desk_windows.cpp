@@ -73,7 +73,8 @@ class Placing {
 
   std::size_t count() const { return windows_.size(); }
 
-  /// Returns whether the last of these windows leaves those before it, from the first to this one, their place.
+  /// Returns whether the last of these windows leaves those before it, from the first to this one, their
+  /// place.
   bool leavesRoom(std::size_t first, std::span<const ScreenPlace> taken,
                   std::span<const ScreenPlace> areas) const {
     const std::vector<std::optional<ScreenPlace>> found = arranged(windows_, taken, areas);

@@ -96,8 +96,8 @@ void openBlends(const InputFile& input, const Rig& rig) {
 
 void agreeOnVersion(const Cluster& cluster) { cluster.agree("version of the program", CAROM_VERSION); }
 
-/// A folder that goes with this object, or when the process is ended from outside. Its process holds a lock on it;
-/// the folder of a process that was killed has none, and the next one removes it.
+/// A folder that goes with this object, or when the process is ended from outside. Its process holds a lock
+/// on it; the folder of a process that was killed has none, and the next one removes it.
 class Handover::Folder {
  public:
   Folder() {

@@ -49,8 +49,8 @@ class Handover {
   Handover(const Handover&) = delete;
   Handover& operator=(const Handover&) = delete;
 
-  /// Returns the rig that `input` is on rank 0, and the files it names. Throws RankFailed on every rank, after
-  /// one has logged the reason, if it cannot be read.
+  /// Returns the rig that `input` is on rank 0, and the files it names. Throws RankFailed on every rank,
+  /// after one has logged the reason, if it cannot be read.
   Rig rig(const InputFile& input);
   /// Does the same for a scenario, whose meshes are opened.
   Scenario scenario(const InputFile& input);

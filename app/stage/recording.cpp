@@ -86,8 +86,8 @@ Recording::~Recording() {
   capture_.reset();
 }
 
-/// Runs `work`. If it fails, logs the error and discards that output; the session has then failed, unless it was the
-/// operator who asked for the output during it.
+/// Runs `work`. If it fails, logs the error and discards that output; the session has then failed, unless it
+/// was the operator who asked for the output during it.
 template <typename Part, typename Work>
 void Recording::attempt(std::unique_ptr<Part>& part, bool isForOperator, const char* outcome,
                         const Work& work) {

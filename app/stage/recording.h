@@ -50,8 +50,9 @@ class Recording {
   /// captured once. In simulated time, throws std::runtime_error if something cannot be written.
   void take(const DisplayWalls& walls, const SpectatorView* outside, const FrameRecord& record);
 
-  /// Starts a movie of this node's walls while the session runs, or pictures of all its walls and eyes in one frame, and
-  /// ends the movie; that takes a moment. A movie that is being made goes on. Logs a fault: the session goes on.
+  /// Starts a movie of this node's walls while the session runs, or pictures of all its walls and eyes in one
+  /// frame, and ends the movie; that takes a moment. A movie that is being made goes on. Logs a fault: the
+  /// session goes on.
   void startMovie(const std::filesystem::path& file);
   void endMovie();
   void takePictures(const std::filesystem::path& folder);

@@ -76,7 +76,8 @@ void limitDrive(SessionSetup& setup) {
   setup.scenario.most_u = std::min(setup.scenario.most_u, setup.rig.comfort.most_u);
 }
 
-/// Builds the scenario's scene on every rank. Rank 0 bakes its light and hands it to those with the same scene.
+/// Builds the scenario's scene on every rank. Rank 0 bakes its light and hands it to those with the same
+/// scene.
 void buildLitScene(const Cluster& cluster, SessionSetup& setup) {
   std::string light;
   onAllRanks(cluster, [&] {
@@ -91,8 +92,8 @@ void buildLitScene(const Cluster& cluster, SessionSetup& setup) {
   });
 }
 
-/// Gives the lesson and the choices to the walls; the lesson is empty if there is none. On rank 0, warns of texts that are too long
-/// for the front wall.
+/// Gives the lesson and the choices to the walls; the lesson is empty if there is none. On rank 0, warns of
+/// texts that are too long for the front wall.
 void setTexts(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
   const Lesson lesson = scenario.lesson.value_or(Lesson{});
   walls.overlays().setLesson(lesson.words, lesson.plan);

@@ -197,7 +197,8 @@ std::vector<std::string> oddities(const Scenario& scenario) {
   return odd;
 }
 
-/// Warns of walls of the shipped rigs whose band cannot show a lesson's texts in letters of their full height.
+/// Warns of walls of the shipped rigs whose band cannot show a lesson's texts in letters of their full
+/// height.
 void checkBand(const std::filesystem::path& path, const Lesson& lesson) {
   for (const auto& entry : std::filesystem::directory_iterator(configFolder() / "rigs")) {
     const std::optional<Wall> front = frontWall(roomGeometryOf(readRig(entry.path())));
@@ -214,7 +215,8 @@ void tellRest(std::size_t all, std::string_view what) {
   if (all > kMostTold) fmt::print("and {} more {}\n", all - kMostTold, what);
 }
 
-/// Says what a soft puck costs while it is awake: a step is 0.3 of the time in which light crosses the flattest triangle.
+/// Says what a soft puck costs while it is awake: a step is 0.3 of the time in which light crosses the
+/// flattest triangle.
 void tellSoft(const Puck& puck, double c_m_s) {
   constexpr double kNode_s = 230e-9;  // of a processor, for a step
   const SoftMatter& matter = *puck.soft;

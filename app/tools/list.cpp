@@ -51,8 +51,9 @@ void addPlaylist(const std::filesystem::path& file, const std::string& name, Lis
   listed.playlists.push_back(faulty(name, error));
 }
 
-/// Adds a file of a user's folder, if it is a scenario, a rig or a playlist: only a scenario has a light speed, only a
-/// rig has walls, only a playlist has games. Of others, which another program may have written, nothing is said.
+/// Adds a file of a user's folder, if it is a scenario, a rig or a playlist: only a scenario has a light
+/// speed, only a rig has walls, only a playlist has games. Of others, which another program may have written,
+/// nothing is said.
 void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
   ListedFiles as;
   addScenario(file, file.string(), as);

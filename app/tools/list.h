@@ -1,5 +1,6 @@
 #pragma once
-// `carom list`: the shipped games, lessons, rigs, playlists and traces, and those of a folder, with their titles.
+// `carom list`: the shipped games, lessons, rigs, playlists and traces, and those of a folder, with their
+// titles.
 
 #include <filesystem>
 #include <string>
@@ -23,8 +24,8 @@ struct ListedFiles {
   std::vector<ListedFile> games, rigs, playlists, traces;
 };
 
-/// Returns the shipped files and the scenarios, rigs and playlists of `folder`. A file that can be read as none of these
-/// is left out, unless it names a light speed, walls or games: then its first fault is listed.
+/// Returns the shipped files and the scenarios, rigs and playlists of `folder`. A file that can be read as
+/// none of these is left out, unless it names a light speed, walls or games: then its first fault is listed.
 ListedFiles listFiles(const std::filesystem::path& folder);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.

@@ -97,7 +97,8 @@ struct SeenPoint {
   std::optional<std::size_t> vertex{};  ///< of a told history, instead of the offset
 };
 
-/// The search for the light of places of soft pucks: their matter's states are known while the game is played.
+/// The search for the light of places of soft pucks: their matter's states are known while the game is
+/// played.
 class SoftSight {
  public:
   SoftSight(const Scenario& scenario, const std::vector<BodyPoint>& points, const Event& eye)
@@ -113,7 +114,8 @@ class SoftSight {
     found_.resize(points.size());
   }
 
-  /// Plays the game up to the eye's time. Finds nothing of pucks that were rigid, and of what left before board time 0.
+  /// Plays the game up to the eye's time. Finds nothing of pucks that were rigid, and of what left before
+  /// board time 0.
   const std::vector<std::optional<Emission>>& find(Billiard& billiard, const Lorentz& headFromBoard) {
     const bool hasSoft =
         std::any_of(setup_.pucks.begin(), setup_.pucks.end(), [](const Puck& puck) { return puck.soft; });

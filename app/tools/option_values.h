@@ -17,8 +17,8 @@ namespace carom {
 /// Returns a validator that accepts one number within the range.
 CLI::Validator numberIn(const Range& range, const std::string& expected);
 
-/// Returns a transformation that replaces a bare name by the path of the shipped file, and refuses one that is
-/// neither shipped nor a file here. `kinds` are the folders of such files.
+/// Returns a transformation that replaces a bare name by the path of the shipped file, and refuses one that
+/// is neither shipped nor a file here. `kinds` are the folders of such files.
 CLI::Validator shipped(const std::vector<std::string>& kinds);
 
 /// Returns a transformation that replaces one of these names by its number, and refuses others.

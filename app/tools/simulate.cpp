@@ -271,8 +271,8 @@ Json statesJson(const std::vector<Puck>& pucks, const Billiard& billiard, const 
   return states;
 }
 
-/// Returns all collisions up to the last of the moments: the rigid ones in the order of the events, and each that lasts
-/// before the first of those whose contact is later.
+/// Returns all collisions up to the last of the moments: the rigid ones in the order of the events, and each
+/// that lasts before the first of those whose contact is later.
 Json collisionsJson(const std::vector<Puck>& pucks, const Billiard& billiard, const Moment& end) {
   std::vector<SoftContactState> lasting = end.soft.contacts;
   std::stable_sort(lasting.begin(), lasting.end(), [](const SoftContactState& a, const SoftContactState& b) {

@@ -44,7 +44,8 @@ class HandTracking {
   };
 
   HandTracking(const Rig& rig, const ViewerSetup& viewer, Trackers trackers);
-  /// Follows the trackers of one of the rig's viewers. The first SpaceMouse among them steers, for the first viewer.
+  /// Follows the trackers of one of the rig's viewers. The first SpaceMouse among them steers, for the first
+  /// viewer.
   HandTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrackers& trackers);
 
   /// Takes everything received up to the start of a frame. `samples` and `inputs` are those of the head's

@@ -1,6 +1,6 @@
 #pragma once
-// A headset as a tracker: sensor 0 is the head, between the eyes; sensor 1 is the hand that aims, with its trigger,
-// buttons and stick. All are predictions for the moment of the frame's display.
+// A headset as a tracker: sensor 0 is the head, between the eyes; sensor 1 is the hand that aims, with its
+// trigger, buttons and stick. All are predictions for the moment of the frame's display.
 
 #include <optional>
 #include <vector>

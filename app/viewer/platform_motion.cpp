@@ -61,8 +61,8 @@ double PlatformMotion::Left::partThatLasts(double for_s, const Vec3& thrust_m_s2
   return bisect({0.0, share}, kHalvings, isShorter).high;
 }
 
-/// Returns the mean thrust over the rest of a frame. `gain_m_s`: what the room's rapidity, times c, gains in so
-/// much of its time.
+/// Returns the mean thrust over the rest of a frame. `gain_m_s`: what the room's rapidity, times c, gains in
+/// so much of its time.
 template <typename Gain>
 PlatformMotion::Manoeuvre PlatformMotion::meanOf(const Left& left, const Gain& gain_m_s) {
   constexpr double kEndless_s = std::numeric_limits<double>::infinity();
@@ -321,8 +321,8 @@ double PlatformMotion::shareOf(const Thrust& push) const {
   return planned_m_s2 > strongest_m_s2_ * (1.0 + 1e-9) ? strongest_m_s2_ / planned_m_s2 : 1.0;
 }
 
-/// Returns what the way adds to the platform's rapidity, times c, in so much of the room's time after `pushed_s` of
-/// the thrust `push`, and advances both.
+/// Returns what the way adds to the platform's rapidity, times c, in so much of the room's time after
+/// `pushed_s` of the thrust `push`, and advances both.
 Vec3 PlatformMotion::gainAlongWay_m_s(double for_s, std::size_t& push, double& pushed_s) const {
   Vec3 gain_m_s(0.0);
   while (push < way_.size()) {
@@ -341,8 +341,8 @@ Vec3 PlatformMotion::gainAlongWay_m_s(double for_s, std::size_t& push, double& p
 }
 
 // Several observers' clocks run differently with each thrust. Over a whole frame the room has the mean of its
-// thrusts, so that one lapse holds for each observer and the fastest lives exactly the display's time; rapidities
-// add up to the same.
+// thrusts, so that one lapse holds for each observer and the fastest lives exactly the display's time;
+// rapidities add up to the same.
 PlatformMotion::Manoeuvre PlatformMotion::alongWay(const Left& left) {
   if (left.observers.size() > 1) {
     const auto gain_m_s = [&](double for_s) {

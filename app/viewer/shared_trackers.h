@@ -21,8 +21,8 @@ class SharedTrackers {
       : setups_(rig.trackers), axes_(rig.axes), sessionStart_(sessionStart), opened_(rig.trackers.size()) {}
 
   /// Returns a follower of that tracker of the rig, which is opened for the first of them. Every follower
-  /// receives everything, if all of them poll at the same times, and each once at a time. Throws InputError if a
-  /// recorded trace is invalid.
+  /// receives everything, if all of them poll at the same times, and each once at a time. Throws InputError
+  /// if a recorded trace is invalid.
   std::unique_ptr<Tracker> follow(std::size_t tracker);
 
   /// Takes this tracker in the place of one of the rig's, which is not followed yet.

@@ -36,8 +36,8 @@ class Viewers {
           const std::optional<FrameRecord>& before = {});
 
   /// Puts the eyes of the first viewer where the headset has them, if one is worn, for the views from now on.
-  /// The first time, before time has passed for anybody, the head is put there as well. Returns what the frame's record
-  /// keeps of it.
+  /// The first time, before time has passed for anybody, the head is put there as well. Returns what the
+  /// frame's record keeps of it.
   const HeadsetState& putOn(const std::optional<HeadsetFrame>& headset);
 
   /// Restarts in the initial state of another scenario, with proper time zero. The trackers continue.

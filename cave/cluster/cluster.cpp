@@ -84,7 +84,8 @@ Place ownPlace() {
   return place;
 }
 
-/// Returns whether the process that started this one was told how to bind, on its command line: "--bind-to none",
+/// Returns whether the process that started this one was told how to bind, on its command line: "--bind-to
+/// none",
 /// "--bind-to=none", or with one dash, as Open MPI 4 takes it, too.
 bool starterWasTold() {
   std::ifstream line("/proc/" + std::to_string(getppid()) + "/cmdline", std::ios::binary);
@@ -92,8 +93,8 @@ bool starterWasTold() {
   return words.find("-bind-to") != std::string::npos;
 }
 
-/// Returns whether mpirun may have pinned this process to one core without having been told to. Open MPI 4 says
-/// so, and how it was told; of Open MPI 5 only the command line and a variable of its own tell.
+/// Returns whether mpirun may have pinned this process to one core without having been told to. Open MPI 4
+/// says so, and how it was told; of Open MPI 5 only the command line and a variable of its own tell.
 bool isPinnedUnasked() {
   if (std::getenv("OMPI_MCA_orte_bound_at_launch")) return !std::getenv("OMPI_MCA_hwloc_base_binding_policy");
   return std::getenv("PRTE_LAUNCHED") && !std::getenv("PRTE_MCA_hwloc_default_binding_policy") &&
@@ -110,8 +111,8 @@ void useEveryCore() {
   sched_setaffinity(0, sizeof all, &all);
 }
 
-/// Leaves TCP out where all ranks run on this machine, unless the user says otherwise: they talk through memory, and
-/// Open MPI 5 would complain on a machine without a network.
+/// Leaves TCP out where all ranks run on this machine, unless the user says otherwise: they talk through
+/// memory, and Open MPI 5 would complain on a machine without a network.
 void talkThroughMemory() {
   const char* here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
   const char* all = std::getenv("OMPI_COMM_WORLD_SIZE");

@@ -4,8 +4,8 @@
 //
 // Within the frames every wait is bounded, and a node that keeps the others waiting is named in the log after
 // 0.5 s, and again when it is back. After 10 s (60 s while nodes warm up, in their first frames) the session
-// ends. When a node dies, those of its machine see it after 0.1 s, and mpirun asks the others to end; one of them
-// says which is gone, after it has closed its files, and all end.
+// ends. When a node dies, those of its machine see it after 0.1 s, and mpirun asks the others to end; one of
+// them says which is gone, after it has closed its files, and all end.
 
 #include <atomic>
 #include <cstdint>
@@ -30,8 +30,8 @@ class NodesDiffer : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The exit status of a session that ends because a node is gone or hangs, and that can go on; of EX_TEMPFAIL in
-/// sysexits.h.
+/// The exit status of a session that ends because a node is gone or hangs, and that can go on; of EX_TEMPFAIL
+/// in sysexits.h.
 inline constexpr int kNodeLost = 75;
 
 class Cluster {

@@ -18,7 +18,8 @@ namespace {
 using Resources = std::unique_ptr<XRRScreenResources, decltype(&XRRFreeScreenResources)>;
 
 /// Returns the refresh rate of a mode: its pixel clock over the pixels of a whole picture with its blanking
-/// (VESA, Coordinated Video Timings). A doubly scanned line counts twice, an interlaced picture is half of one.
+/// (VESA, Coordinated Video Timings). A doubly scanned line counts twice, an interlaced picture is half of
+/// one.
 double rateOf_hz(const XRRModeInfo& mode) {
   double pixels = static_cast<double>(mode.hTotal) * mode.vTotal;
   if (mode.modeFlags & RR_DoubleScan) pixels *= 2.0;

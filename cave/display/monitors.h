@@ -1,6 +1,6 @@
 #pragma once
-// The monitors of the X display, by RandR 1.5: the outputs that show something, and what `xrandr --setmonitor`
-// has defined.
+// The monitors of the X display, by RandR 1.5: the outputs that show something, and what `xrandr
+// --setmonitor` has defined.
 
 #include <optional>
 #include <span>

@@ -5,8 +5,8 @@ struct GLFWwindow;
 
 namespace carom {
 
-/// Makes a window black from the moment it is shown, until something is drawn in it. Call it before the window
-/// is shown.
+/// Makes a window black from the moment it is shown, until something is drawn in it. Call it before the
+/// window is shown.
 void beginBlack(GLFWwindow* window);
 
 /// Asks the window manager to keep a window without border above panels (if it covers one monitor), and a

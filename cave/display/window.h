@@ -2,8 +2,8 @@
 // Visible windows, by GLFW. They share the textures of the drawing context (cave/gl/graphics.h) and only pack
 // them for the display.
 //
-// Use from the main thread only; makeCurrent, swap and makeNoneCurrent also from another, if no other thread uses
-// this window meanwhile.
+// Use from the main thread only; makeCurrent, swap and makeNoneCurrent also from another, if no other thread
+// uses this window meanwhile.
 
 #include <cstdint>
 #include <functional>
@@ -76,7 +76,8 @@ class Window {
   /// Returns where the pointer is, in pixels of the framebuffer to the right and down, or none if it is not
   /// over a visible part of the window. While a button is held that was pressed here, it may be anywhere.
   std::optional<glm::dvec2> pointer_px() const;
-  /// Returns whether the left button was pressed here and is down in this frame (cave/display/pointer_queue.h).
+  /// Returns whether the left button was pressed here and is down in this frame
+  /// (cave/display/pointer_queue.h).
   bool isHeld() const;
   bool isTurning() const;  ///< the same of the right button
   /// Returns the pointer's input since the last call; call it once per poll.

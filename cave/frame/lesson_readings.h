@@ -32,10 +32,10 @@ struct LessonSight {
 double reading_s(const Stopwatch& stopwatch, const LessonSight& sight);
 
 /// Returns the quantity of a body, whose seen motion is given on the board. It is seen to move with
-/// β/(1 + n·β), where n is the direction from the eye to it, all in the room: its light needs longer to arrive
-/// by n·β dt for every dt of the room's clocks. Points of it ℓ apart along β are seen s = ℓ/γ − s n·β apart, so
-/// s = ℓ/(γ (1 + n·β)): the light of the farther one left earlier. Without light delay n·β counts as 0, without
-/// contraction γ as 1, like the picture for a room at rest.
+/// β/(1 + n·β), where n is the direction from the eye to it, all in the room: its light needs longer to
+/// arrive by n·β dt for every dt of the room's clocks. Points of it ℓ apart along β are seen s = ℓ/γ − s n·β
+/// apart, so s = ℓ/(γ (1 + n·β)): the light of the farther one left earlier. Without light delay n·β counts
+/// as 0, without contraction γ as 1, like the picture for a room at rest.
 double gauged(GaugeQuantity quantity, const Motion& seen, const LessonSight& sight);
 
 /// Returns the number of the plan's velocity with which the room moves, if it is one of them.

@@ -1,7 +1,7 @@
 #pragma once
-// Owners of OpenGL objects. Each owner creates its object in the current context, can be moved but not copied,
-// converts to the object's name, and deletes the object when it is destroyed: with a context current that owns
-// or shares the object. A moved-from owner holds the name 0, which OpenGL never deletes.
+// Owners of OpenGL objects. Each owner creates its object in the current context, can be moved but not
+// copied, converts to the object's name, and deletes the object when it is destroyed: with a context current
+// that owns or shares the object. A moved-from owner holds the name 0, which OpenGL never deletes.
 
 #include <cstddef>
 #include <initializer_list>

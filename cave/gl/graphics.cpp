@@ -49,7 +49,8 @@ void hintContext() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  // Pictures are copied into windows, which need no depth; where one has it, llvmpipe copies six times slower.
+  // Pictures are copied into windows, which need no depth; where one has it, llvmpipe copies six times
+  // slower.
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
 }

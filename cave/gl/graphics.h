@@ -60,8 +60,8 @@ class Graphics {
   /// Forgets all input that has come so far, as after a long load.
   void discardInput();
 
-  /// Sets what every visible window shows over its pictures from now on, in a Gui that takes the pointer where
-  /// something lies (Gui::claim); an empty function: nothing.
+  /// Sets what every visible window shows over its pictures from now on, in a Gui that takes the pointer
+  /// where something lies (Gui::claim); an empty function: nothing.
   void setOverAll(const std::function<void()>& overAll) { overAll_ = overAll; }
 
   GLFWwindow* context() const { return context_; }

@@ -189,8 +189,8 @@ void Gui::begin(const glm::ivec2& window_px) {
 void Gui::end() {
   wantsKeys_ = ImGui::GetIO().WantCaptureKeyboard || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   ImGui::Render();
-  // Mesa 22.3's llvmpipe paints some rectangles with the places in their pictures as colours, on a fast path for windows
-  // without depth; it does not take that path while pixels are counted.
+  // Mesa 22.3's llvmpipe paints some rectangles with the places in their pictures as colours, on a fast path
+  // for windows without depth; it does not take that path while pixels are counted.
   glBeginQuery(GL_SAMPLES_PASSED, drawn_);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glEndQuery(GL_SAMPLES_PASSED);

@@ -38,8 +38,8 @@ class Gui {
   Gui& operator=(const Gui&) = delete;
 
   /// Adds input, in the order in which it came. Each frame takes one change of buttons or keys, so that even
-  /// the shortest click is seen; a button that goes down waits for the frame after the pointer has come, since some
-  /// widgets take no press before they have been pointed to.
+  /// the shortest click is seen; a button that goes down waits for the frame after the pointer has come,
+  /// since some widgets take no press before they have been pointed to.
   void hear(const GuiEvent& heard);
   /// Returns whether a field is being filled in or a list is open, so that keys belong to the Gui.
   bool wantsKeys() const { return wantsKeys_; }
@@ -50,8 +50,8 @@ class Gui {
   /// Returns the key, of GLFW, that was pressed for this frame.
   std::optional<unsigned> pressedKey() const { return pressedKey_; }
 
-  /// Keeps the pointer's presses within the window of the Gui that is drawn now from what lies below it. Call it in
-  /// each frame between ImGui::Begin and ImGui::End.
+  /// Keeps the pointer's presses within the window of the Gui that is drawn now from what lies below it. Call
+  /// it in each frame between ImGui::Begin and ImGui::End.
   static void claim();
   /// Returns whether a place was claimed in the latest frame. Pixels from the upper left.
   bool isClaimed(const glm::vec2& at_px) const;

@@ -8,8 +8,8 @@
 
 namespace carom {
 
-// For a sized internal format Mesa's llvmpipe keeps to the order red, green, blue, and then copies into windows
-// at six times the price.
+// For a sized internal format Mesa's llvmpipe keeps to the order red, green, blue, and then copies into
+// windows at six times the price.
 void allocatePicture(const glm::ivec2& size_px) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size_px.x, size_px.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
 }

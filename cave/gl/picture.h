@@ -10,12 +10,13 @@
 
 namespace carom {
 
-/// Gives the 2D texture that is bound room for a picture with 8 bits a colour, in the order of windows, which it is
-/// copied into: blue, green, red, alpha.
+/// Gives the 2D texture that is bound room for a picture with 8 bits a colour, in the order of windows, which
+/// it is copied into: blue, green, red, alpha.
 void allocatePicture(const glm::ivec2& size_px);
 
-/// A texture of 8 bits a colour and alpha, sRGB encoded, rows from the bottom up, with a framebuffer to draw into it. Create
-/// and destroy it with the drawing context current (Graphics::makeCurrent); every window shares the texture.
+/// A texture of 8 bits a colour and alpha, sRGB encoded, rows from the bottom up, with a framebuffer to draw
+/// into it. Create and destroy it with the drawing context current (Graphics::makeCurrent); every window
+/// shares the texture.
 class RenderTarget {
  public:
   explicit RenderTarget(const glm::ivec2& size_px);
@@ -24,8 +25,8 @@ class RenderTarget {
   /// framebuffer bound.
   void clear();
   void clear(int left_px, int width_px);
-  /// Sets the pixels of `width_px` columns from `left_px` on: numbers of four bytes, alpha in the highest, then
-  /// red, green, blue; rows from the bottom up.
+  /// Sets the pixels of `width_px` columns from `left_px` on: numbers of four bytes, alpha in the highest,
+  /// then red, green, blue; rows from the bottom up.
   void fill(std::span<const std::uint32_t> pixels, int left_px, int width_px);
   /// Sets its pixels: RGB, rows from the bottom up, as many as the picture has.
   void fill(std::span<const std::uint8_t> rgb);

@@ -1,6 +1,6 @@
 #pragma once
-// Hands without controllers, by the extension XR_EXT_hand_tracking: where they point, and whether thumb and index
-// finger are pinched together.
+// Hands without controllers, by the extension XR_EXT_hand_tracking: where they point, and whether thumb and
+// index finger are pinched together.
 
 #include <array>
 
@@ -11,13 +11,14 @@ namespace carom::openxr {
 
 struct BareHand {
   bool isSeen = false;
-  /// The palm, at the middle of the hand: -z along the hand to its fingers, which does not turn when they pinch.
+  /// The palm, at the middle of the hand: -z along the hand to its fingers, which does not turn when they
+  /// pinch.
   Pose roomFromPalm;
   double pinched = 0.0;  ///< 0 open, 1 the tips touch; as it was last seen
 };
 
-/// Returns how far thumb and index finger are pinched together whose tips' middles are this far apart: 0.7, at which a
-/// trigger is held, at 2 cm and 0.4, at which it is released, at 3.5 cm.
+/// Returns how far thumb and index finger are pinched together whose tips' middles are this far apart: 0.7,
+/// at which a trigger is held, at 2 cm and 0.4, at which it is released, at 3.5 cm.
 double pinchedAt(double apart_m);
 
 class BareHands {

@@ -17,12 +17,13 @@ class EyeImages {
   EyeImages(const EyeImages&) = delete;
   EyeImages& operator=(const EyeImages&) = delete;
 
-  /// Copies a picture of encoded bytes (RGBA8, the same size) into the next image, byte for byte. Returns false if
-  /// the runtime has none free.
+  /// Copies a picture of encoded bytes (RGBA8, the same size) into the next image, byte for byte. Returns
+  /// false if the runtime has none free.
   bool fill(const Graphics& graphics, unsigned picture);
 
   XrSwapchainSubImage subImage() const;
-  /// Returns whether the bytes are known to the runtime as sRGB; else it will show them as linear ones, too bright.
+  /// Returns whether the bytes are known to the runtime as sRGB; else it will show them as linear ones, too
+  /// bright.
   bool isEncoded() const { return isEncoded_; }
 
  private:
@@ -34,8 +35,9 @@ class EyeImages {
   GlFramebuffer from_, to_;
 };
 
-/// Makes the drawing context current after a call into the runtime, without asking whether it is: some runtimes
-/// change it behind GLFW's back. Forgets OpenGL errors that they leave, and sets what drawing expects.
+/// Makes the drawing context current after a call into the runtime, without asking whether it is: some
+/// runtimes change it behind GLFW's back. Forgets OpenGL errors that they leave, and sets what drawing
+/// expects.
 void takeBack(const Graphics& graphics);
 
 }  // namespace carom::openxr

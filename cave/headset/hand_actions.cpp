@@ -60,8 +60,8 @@ XrAction HandActions::action(XrActionType type, const char* name, const char* sh
   return made;
 }
 
-/// Suggests which input does what, for both hands; "left/…" and "right/…" are of one hand. A runtime that does not know
-/// the kind of controller refuses, which does no harm.
+/// Suggests which input does what, for both hands; "left/…" and "right/…" are of one hand. A runtime that
+/// does not know the kind of controller refuses, which does no harm.
 void HandActions::suggest(const char* profile, const std::vector<std::pair<XrAction, const char*>>& inputs) {
   std::vector<XrActionSuggestedBinding> bindings;
   for (const auto& [action, input] : inputs) {

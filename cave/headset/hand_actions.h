@@ -1,5 +1,6 @@
 #pragma once
-// What OpenXR calls actions: the aim, trigger, buttons and stick of both hands, whichever controllers there are, or of bare hands.
+// What OpenXR calls actions: the aim, trigger, buttons and stick of both hands, whichever controllers there
+// are, or of bare hands.
 
 #include <array>
 #include <optional>

@@ -194,7 +194,8 @@ void Headset::Session::take(const XrEventDataBuffer& event) {
         1, reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event).changeTime);
 }
 
-/// Gives the eyes of a headset that knows directions alone the places that they had, or those of somebody who stands.
+/// Gives the eyes of a headset that knows directions alone the places that they had, or those of somebody who
+/// stands.
 void Headset::Session::placeWithout(std::array<XrView, 2>& located) const {
   const glm::dvec3 middle_m = isKnown ? headBetween(eyes).position_m : glm::dvec3(0.0, kStandingEyes_m, 0.0);
   for (std::size_t eye = 0; eye < 2; ++eye) {

@@ -33,7 +33,8 @@ FrameTimes HeadsetPacer::idle() {
   return {number_++, display_s_, display_s_, 0.0, isLast};
 }
 
-/// Advances the session's clock to the next frame, and returns how long its wearer has lived since the one before.
+/// Advances the session's clock to the next frame, and returns how long its wearer has lived since the one
+/// before.
 double HeadsetPacer::stepTo(const HeadsetFrame& next) {
   const std::int64_t step_ns = isRunning_ ? next.display_ns - display_ns_ : next.untilNext_ns;
   const double step_s = 1e-9 * static_cast<double>(step_ns);

@@ -9,9 +9,10 @@
 
 namespace carom {
 
-/// The session's clock is the headset's: it advances by the difference of the display times that the runtime predicts,
-/// however long a frame takes. Proper time stops while the headset is off, while its room is centred anew, and in a gap
-/// longer than kLongestStep_s. Each frame that it begins must be submitted to the headset before the next.
+/// The session's clock is the headset's: it advances by the difference of the display times that the runtime
+/// predicts, however long a frame takes. Proper time stops while the headset is off, while its room is
+/// centred anew, and in a gap longer than kLongestStep_s. Each frame that it begins must be submitted to the
+/// headset before the next.
 class HeadsetPacer : public FramePacer {
  public:
   static constexpr double kLongestStep_s = 0.25;

@@ -17,8 +17,8 @@
 
 namespace carom::openxr {
 
-// The functions of OpenXR that are used. They are those of the loader, a library that is looked for when a headset is:
-// the program runs where there is none.
+// The functions of OpenXR that are used. They are those of the loader, a library that is looked for when a
+// headset is: the program runs where there is none.
 // clang-format off
 #define CAROM_XR_CALLS(X)                                                                            \
   X(AcquireSwapchainImage) X(ApplyHapticFeedback) X(AttachSessionActionSets) X(BeginFrame)           \
@@ -39,8 +39,8 @@ CAROM_XR_CALLS(CAROM_XR_CALL)
 /// Finds these functions. Throws std::runtime_error if there is no loader; call it before all others.
 void load();
 
-/// Throws std::runtime_error that says what could not be done ("the headset has no ...") and OpenXR's name of the
-/// fault, unless the result is a success.
+/// Throws std::runtime_error that says what could not be done ("the headset has no ...") and OpenXR's name of
+/// the fault, unless the result is a success.
 void check(XrInstance instance, XrResult result, const char* whatFailed);
 
 /// Returns a function of an extension, or null.

@@ -26,8 +26,8 @@ class MeshBuilder {
   /// Adds the patch at(u, v), u and v in [0, 1], in cellsU × cellsV cells. Its outer side faces ∂u × ∂v.
   void addPatch(int cellsU, int cellsV, const std::function<PatchPoint(double u, double v)>& at);
 
-  /// Adds a flat parallelogram from `corner` along `alongU` and `alongV`, in cells no larger than `cell_m` that part
-  /// into tiles (cave/mesh/surface_tiles.h), as those of addTurned.
+  /// Adds a flat parallelogram from `corner` along `alongU` and `alongV`, in cells no larger than `cell_m`
+  /// that part into tiles (cave/mesh/surface_tiles.h), as those of addTurned.
   void addFlat(const glm::dvec3& corner, const glm::dvec3& alongU, const glm::dvec3& alongV, double cell_m);
 
   /// Adds a surface of revolution about the vertical through `foot`, from each `profile[i]` = (radius, height
@@ -37,8 +37,8 @@ class MeshBuilder {
 
   std::size_t pointCount() const { return points_.size(); }
 
-  /// Returns points, normals, triangles and the point array "surface", in single precision. The field array "patches"
-  /// has three whole numbers for each patch: its first point, cellsU and cellsV.
+  /// Returns points, normals, triangles and the point array "surface", in single precision. The field array
+  /// "patches" has three whole numbers for each patch: its first point, cellsU and cellsV.
   vtkSmartPointer<vtkPolyData> build() const;
 
  private:

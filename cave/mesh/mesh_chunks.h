@@ -34,8 +34,8 @@ struct ChunkedMeshes {
   std::vector<TileEdge> edges;  ///< of the tiles
 };
 
-/// Returns a point of a mesh with its normal and its tuples of the arrays "surface" and "lit"; where the mesh lacks
-/// them, they are 0 and all light.
+/// Returns a point of a mesh with its normal and its tuples of the arrays "surface" and "lit"; where the mesh
+/// lacks them, they are 0 and all light.
 MeshVertex vertexOf(vtkPolyData& mesh, vtkIdType i);
 
 /// The most triangles of a chunk; chunks of larger meshes have at least half as many. Smaller ones leave out

@@ -114,8 +114,8 @@ struct Triangles {
   std::vector<std::int32_t> corners;  // three per triangle
 };
 
-/// Returns the triangles of a surface, without its other polygons; their corners are points. Throws, without the file's
-/// name, if a point is too far away.
+/// Returns the triangles of a surface, without its other polygons; their corners are points. Throws, without
+/// the file's name, if a point is too far away.
 Triangles trianglesOf(vtkPolyData& surface) {
   Triangles triangles;
   const vtkIdType points = surface.GetNumberOfPoints();

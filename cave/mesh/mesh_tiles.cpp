@@ -73,8 +73,8 @@ struct MeshTiles::EdgeOfTile {
 
 MeshTiles::MeshTiles(ChunkedMeshes& to, Light light) : to_(to), light_(std::move(light)) {}
 
-/// Returns the level beyond which this part of a patch would be drawn with other light or another shape: on each
-/// coarser one, points that it leaves out are held against the straight lines that it draws instead.
+/// Returns the level beyond which this part of a patch would be drawn with other light or another shape: on
+/// each coarser one, points that it leaves out are held against the straight lines that it draws instead.
 int MeshTiles::coarsestOf(const Patch& patch, const glm::ivec2& corner, const glm::ivec2& cells) const {
   const auto agrees = [&](const glm::ivec2& cell, const glm::ivec2& at) {
     const glm::ivec2 low = at / cell * cell;

@@ -20,12 +20,13 @@ bool hasPatches(vtkPolyData& mesh);
 class MeshTiles {
  public:
   using Light = std::function<double(const MeshVertex&)>;
-  /// Appends to `to`, which it keeps a reference to. `light` is what falls on a vertex, 1 being about as much as on the
-  /// cloth under a lamp.
+  /// Appends to `to`, which it keeps a reference to. `light` is what falls on a vertex, 1 being about as much
+  /// as on the cloth under a lamp.
   MeshTiles(ChunkedMeshes& to, Light light);
 
-  /// Appends the tiles of a mesh, each as one chunk, whose cells may be drawn as large as `largestCell_m`, in addition
-  /// to what shape and light allow. Edges that tiles have in common, of this mesh or an earlier one, get one number.
+  /// Appends the tiles of a mesh, each as one chunk, whose cells may be drawn as large as `largestCell_m`, in
+  /// addition to what shape and light allow. Edges that tiles have in common, of this mesh or an earlier one,
+  /// get one number.
   void append(vtkPolyData& mesh, double largestCell_m);
 
  private:

@@ -25,8 +25,8 @@ void forEachPolygon(vtkCellArray& polygons, const Polygon& polygon) {
   }
 }
 
-/// Returns the mesh of these points whose polygons have their `corners` one after the other; polygon i has those from
-/// ends[i] to ends[i + 1].
+/// Returns the mesh of these points whose polygons have their `corners` one after the other; polygon i has
+/// those from ends[i] to ends[i + 1].
 inline vtkSmartPointer<vtkPolyData> surfaceOf(vtkPoints* points, vtkIdTypeArray* ends,
                                               vtkIdTypeArray* corners) {
   vtkNew<vtkCellArray> polygons;

@@ -69,7 +69,8 @@ vtkSmartPointer<vtkPolyData> meshOf(const std::vector<glm::vec3>& places, const 
   return surfaceOf(points, ends, corners);
 }
 
-/// Returns a number that is mostly different for different places, by two rounds of a multiplication and a shift.
+/// Returns a number that is mostly different for different places, by two rounds of a multiplication and a
+/// shift.
 std::size_t hashOf(const glm::vec3& place) {
   constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15;  // 2⁶⁴ over the golden ratio
   std::uint64_t hash =
@@ -200,8 +201,8 @@ class Surface {
     }
   }
 
-  /// Gives the number to the point in all faces that hang together there, beginning with one, without an edge between
-  /// them at which they turn by more than 40°. Returns the sum of their normals.
+  /// Gives the number to the point in all faces that hang together there, beginning with one, without an edge
+  /// between them at which they turn by more than 40°. Returns the sum of their normals.
   glm::vec3 takeFan(std::uint32_t first, std::uint32_t point, std::uint32_t number,
                     std::vector<Face>& corners) {
     static const auto kLeastCosine = static_cast<float>(std::cos(40.0 / 180.0 * std::numbers::pi));

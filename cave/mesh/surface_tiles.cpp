@@ -7,7 +7,8 @@
 namespace carom {
 namespace {
 
-/// Points along a line of a grid: point i is the vertex first + i·stride, at the place from + i·step along the line.
+/// Points along a line of a grid: point i is the vertex first + i·stride, at the place from + i·step along
+/// the line.
 struct Row {
   std::uint32_t first;
   int stride;
@@ -19,8 +20,8 @@ struct Row {
   int place(int i) const { return from + i * step; }
 };
 
-/// Appends the triangles between two rows that run the same way, the first to the right of the second, or with
-/// `mirrored` to its left.
+/// Appends the triangles between two rows that run the same way, the first to the right of the second, or
+/// with `mirrored` to its left.
 void zip(const Row& right, const Row& left, bool mirrored, std::vector<std::uint32_t>& indices) {
   int i = 0, j = 0;
   while (i + 1 < right.points || j + 1 < left.points) {

@@ -54,8 +54,8 @@ double finestPixel_rad(std::span<const Wall> walls, const glm::dvec3& eyeInRoom_
 /// How finely the meshes of a scene are divided.
 struct Tessellation {
   double pixel_rad = 0.001;  ///< of the walls they are drawn on
-  /// The most vertices of all bodies that do not rest on the board together, shared out evenly. Edges that would need
-  /// more vertices stay longer than they should be.
+  /// The most vertices of all bodies that do not rest on the board together, shared out evenly. Edges that
+  /// would need more vertices stay longer than they should be.
   std::size_t mostVertices = 50000;
 
   /// Returns the longest edge that is off by at most half a pixel.

@@ -80,16 +80,16 @@ Cover coverOf(std::span<const Vec2> triangles, Grid& grid) {
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// How far to the right a way turns that came along `from` and goes on along `to`: from −2, back, by way of 0, straight
-/// on, to 2.
+/// How far to the right a way turns that came along `from` and goes on along `to`: from −2, back, by way of
+/// 0, straight on, to 2.
 double rightTurn(const Vec2& from, const Vec2& to) {
   const double sine = cross2(to, from) / (glm::length(from) * glm::length(to));
   const double cosine = glm::dot(to, from) / (glm::length(from) * glm::length(to));
   return sine > 0.0 ? 1.0 - cosine : cosine - 1.0;
 }
 
-/// Returns the outer edge of the area that triangles cover together, anticlockwise; of several pieces that of the one
-/// farthest to the left.
+/// Returns the outer edge of the area that triangles cover together, anticlockwise; of several pieces that of
+/// the one farthest to the left.
 std::vector<Vec2> edgeAround(const Cover& cover, const Grid& grid) {
   boost::polygon::polygon_set_data<int> covered;
   for (const Triangle& triangle : cover.onGrid) covered.insert(triangle);

@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// A footprint leaves what a mesh covers outwards by at most this share of its radius; it has more corners than these
-/// only where fewer would leave it by more.
+/// A footprint leaves what a mesh covers outwards by at most this share of its radius; it has more corners
+/// than these only where fewer would leave it by more.
 inline constexpr double kFootprintOutwards = 0.01;
 inline constexpr std::size_t kEnoughCorners = 16;
 
@@ -29,8 +29,8 @@ struct Footprint {
   bool isInOnePiece = true;  ///< otherwise the outline is around the convex hull of several pieces
 };
 
-/// Returns the footprint of triangles, given by three corners each. Holes are covered. Throws std::runtime_error if
-/// it has no area or needs too many corners.
+/// Returns the footprint of triangles, given by three corners each. Holes are covered. Throws
+/// std::runtime_error if it has no area or needs too many corners.
 Footprint footprintOf(std::span<const glm::dvec2> triangles);
 
 }  // namespace carom

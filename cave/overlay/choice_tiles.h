@@ -1,6 +1,7 @@
 #pragma once
-// Draws the tiles among the buttons of the front wall (cave/overlay/wall_buttons.h): the three choices stand beside the
-// panel of words, above the table, or at the wall's foot while a lesson explains; smaller ones below them.
+// Draws the tiles among the buttons of the front wall (cave/overlay/wall_buttons.h): the three choices stand
+// beside the panel of words, above the table, or at the wall's foot while a lesson explains; smaller ones
+// below them.
 
 #include <cstddef>
 #include <vector>

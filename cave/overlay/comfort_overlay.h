@@ -1,9 +1,10 @@
 #pragma once
-// What makes driving bearable: while the room moves, the edges of sight darken and a frame that rests in the room
-// stays visible; and a game that begins comes out of black.
+// What makes driving bearable: while the room moves, the edges of sight darken and a frame that rests in the
+// room stays visible; and a game that begins comes out of black.
 //
-// The clear cone around the direction of sight is the narrower the faster the room moves on the board. A person feels
-// no motion; what moves at the edge of their sight is what makes them ill (Fernandes, Feiner 2016).
+// The clear cone around the direction of sight is the narrower the faster the room moves on the board. A
+// person feels no motion; what moves at the edge of their sight is what makes them ill (Fernandes, Feiner
+// 2016).
 
 #include <vector>
 
@@ -18,12 +19,12 @@
 
 namespace carom {
 
-/// Returns how much of the edges of sight is darkened: 0 at rest, 1 from kFullBeta on. Nothing unless the record asks
-/// for it.
+/// Returns how much of the edges of sight is darkened: 0 at rest, 1 from kFullBeta on. Nothing unless the
+/// record asks for it.
 double shadeOf(const SeenFrame& seen);
 
-/// Returns the direction in which the person looks: that of the tracked head or, where none is known or there is a
-/// single wall, to the middle of the front wall.
+/// Returns the direction in which the person looks: that of the tracked head or, where none is known or there
+/// is a single wall, to the middle of the front wall.
 glm::dvec3 sightOf(const RoomGeometry& room, const SeenFrame& seen);
 
 class ComfortOverlay {
@@ -36,8 +37,8 @@ class ComfortOverlay {
   /// Create and destroy it with the drawing context current.
   ComfortOverlay();
 
-  /// Draws the dark edges and the resting frame over the picture of a wall for an eye in the room; costs nothing if
-  /// there is nothing to draw.
+  /// Draws the dark edges and the resting frame over the picture of a wall for an eye in the room; costs
+  /// nothing if there is nothing to draw.
   void draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m, const SeenFrame& seen,
             const RenderTarget& picture);
 

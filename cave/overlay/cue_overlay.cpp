@@ -176,8 +176,8 @@ void CueOverlay::addArrow(const HandView& hand, const FacingPlane& plane, const 
     addLine(head_m - 0.07 * hand.towards + side * aside, head_m, width_m, colour);
 }
 
-/// Adds an arc around the target that points the way in which the stroke would turn it: anticlockwise, seen from
-/// above, where it strikes to the right.
+/// Adds an arc around the target that points the way in which the stroke would turn it: anticlockwise, seen
+/// from above, where it strikes to the right.
 void CueOverlay::addTurning(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room) {
   constexpr int kSides = 16;
   constexpr double kArc_rad = 1.8, kHead_m = 0.02;

@@ -22,13 +22,13 @@ struct SeenTable {
   double distance_m = 0.0;
 };
 
-/// Returns where the point between the eyes sees the middle of the table, which rests on the board at its origin:
-/// its light left it at the board time t − |r|/c, and the room has its own directions.
+/// Returns where the point between the eyes sees the middle of the table, which rests on the board at its
+/// origin: its light left it at the board time t − |r|/c, and the room has its own directions.
 SeenTable seenTable(const SeenFrame& seen);
 
-/// Returns which way to turn to have the table in sight, in the front wall's plane: a unit vector to the right and
-/// up. None while one of the walls shows the table's middle, while a scripted flight or a lesson places the room, or
-/// if the room has no front wall.
+/// Returns which way to turn to have the table in sight, in the front wall's plane: a unit vector to the
+/// right and up. None while one of the walls shows the table's middle, while a scripted flight or a lesson
+/// places the room, or if the room has no front wall.
 std::optional<glm::dvec2> wayHome(const RoomGeometry& room, const SeenFrame& seen);
 
 class HomeArrow {

@@ -77,8 +77,8 @@ void HudPanel::writePanel(const glm::ivec2& picture_px, const Wall& wall) {
   if (share < 1.0) inkLines(std::max(1, static_cast<int>(share * height_px)));
 }
 
-/// Renders the letters of the band. Lines are as long as they should be; what is longer all the same gets smaller
-/// letters.
+/// Renders the letters of the band. Lines are as long as they should be; what is longer all the same gets
+/// smaller letters.
 void HudPanel::writeBand() {
   const int height_px = layout_.height_px, margin_px = static_cast<int>(kBandMargin * height_px);
   inkLines(height_px);

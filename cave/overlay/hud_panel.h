@@ -4,8 +4,8 @@
 // lies in the wall's plane, it is the same for both eyes and needs no effort to fuse.
 //
 // While a lesson speaks, the panel is a band across the whole wall with larger letters, for a group to read,
-// and has the lesson's texts alone, with buttons among them (cave/overlay/band_layout.h). It stands above the eyes, as
-// far as the wall reaches up there.
+// and has the lesson's texts alone, with buttons among them (cave/overlay/band_layout.h). It stands above the
+// eyes, as far as the wall reaches up there.
 
 #include <span>
 #include <vector>
@@ -40,7 +40,8 @@ class HudPanel {
   /// Updates the panel from the frame.
   void follow(const SeenFrame& seen);
 
-  /// Draws the panel over the picture of the front wall. The button that the hand of this record points to is bright.
+  /// Draws the panel over the picture of the front wall. The button that the hand of this record points to is
+  /// bright.
   void draw(const Wall& wall, const SeenFrame& seen, const RenderTarget& picture);
   /// Draws it without a hand.
   void draw(const Wall& wall, const RenderTarget& picture);

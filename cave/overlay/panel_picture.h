@@ -1,6 +1,6 @@
 #pragma once
-// A panel in the plane of a wall, drawn over the wall's picture: painted on the processor, kept as a texture, and
-// drawn pixel on pixel.
+// A panel in the plane of a wall, drawn over the wall's picture: painted on the processor, kept as a texture,
+// and drawn pixel on pixel.
 
 #include <array>
 #include <cstdint>

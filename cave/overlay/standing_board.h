@@ -1,6 +1,6 @@
 #pragma once
-// A board that stands in the room, for rooms without a front wall: what else is drawn over the front wall's picture is
-// written on it, and it is drawn over the pictures of both eyes, each from where that eye is.
+// A board that stands in the room, for rooms without a front wall: what else is drawn over the front wall's
+// picture is written on it, and it is drawn over the pictures of both eyes, each from where that eye is.
 
 #include <optional>
 

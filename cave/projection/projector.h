@@ -31,9 +31,9 @@ struct BlendPicture {
 BlendPicture readBlend(const std::filesystem::path& file);
 
 /// The light leaving a projector is black + (gain - black) × blend × picture for each colour, each as a
-/// fraction of the brightest; outside the mesh and the picture, the picture is 0. Pictures are sRGB encoded (IEC
-/// 61966-2-1). What leaves is encoded for the projector: for light = code^gamma if it has a gamma, otherwise as
-/// sRGB. Meshes and blend are given as the person sees them: mirroring is the last step.
+/// fraction of the brightest; outside the mesh and the picture, the picture is 0. Pictures are sRGB encoded
+/// (IEC 61966-2-1). What leaves is encoded for the projector: for light = code^gamma if it has a gamma,
+/// otherwise as sRGB. Meshes and blend are given as the person sees them: mirroring is the last step.
 struct Projection {
   Warp warp;
   BlendPicture blend{};

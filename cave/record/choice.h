@@ -11,8 +11,8 @@ namespace carom {
 enum class Choice : std::uint8_t { play, lessons, showMe };
 inline constexpr std::size_t kChoices = 3;
 
-/// Returns whether a game that offers the choices offers them in this frame: not in a lesson before it explains,
-/// and not while a stroke is drawn back or the platform is driven by hand.
+/// Returns whether a game that offers the choices offers them in this frame: not in a lesson before it
+/// explains, and not while a stroke is drawn back or the platform is driven by hand.
 inline bool offersChoicesNow(const SeenFrame& seen) {
   const FrameRecord& record = seen.record;
   const LessonPhase phase = record.lesson.phase;

@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// Digests of the data from which a node draws a frame, one for each section of the record and for each list. If they differ between nodes,
-/// something is wrong.
+/// Digests of the data from which a node draws a frame, one for each section of the record and for each list.
+/// If they differ between nodes, something is wrong.
 struct FrameDigest {
   static constexpr std::array<const char*, 9> kFields = {"frame number", "display time",   "observer",
                                                          "switches",     "tracked places", "new knots",

@@ -102,8 +102,8 @@ struct SeenFrame {
   std::size_t viewer;
   const ViewerState& self;  ///< of the viewer
 
-  /// Returns the state of a viewer in the order of RoomGeometry's seenBy (cave/room/room_geometry.h): the one who sees
-  /// comes first, and the first viewer in that one's place.
+  /// Returns the state of a viewer in the order of RoomGeometry's seenBy (cave/room/room_geometry.h): the one
+  /// who sees comes first, and the first viewer in that one's place.
   const ViewerState& inOrder(std::size_t index) const {
     return index == 0 ? self : record.viewers[index == viewer ? 0 : index];
   }

@@ -19,7 +19,8 @@ namespace carom {
 struct HeadsetHand {
   bool isTracked = false;
   Pose roomFromAim;
-  /// Whether the trigger is held: from 0.7 of its way until it is back at 0.4, so that it neither flickers nor sticks.
+  /// Whether the trigger is held: from 0.7 of its way until it is back at 0.4, so that it neither flickers
+  /// nor sticks.
   bool trigger = false;
   bool first = false, second = false, menu = false;  ///< its buttons: A or X, B or Y, menu
   glm::dvec2 stick{0.0};                             ///< to the right and forwards, -1 to 1
@@ -44,8 +45,8 @@ struct HeadsetFrame {
   std::size_t aiming = 1;            ///< the hand that holds or aims the cue
 };
 
-/// Returns which hand holds or aims the cue, if `aiming` did: the other one takes over with its trigger, or when that
-/// one is lost.
+/// Returns which hand holds or aims the cue, if `aiming` did: the other one takes over with its trigger, or
+/// when that one is lost.
 inline std::size_t aimingHand(std::size_t aiming, const std::array<HeadsetHand, 2>& hands) {
   const HeadsetHand &one = hands[aiming], &other = hands[1 - aiming];
   const bool takesOver = other.isTracked && (!one.isTracked || (other.trigger && !one.trigger));

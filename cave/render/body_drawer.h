@@ -43,14 +43,15 @@ class BodyDrawer {
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
             const Switches& switches, const Ghosts& ghosts);
 
-  /// Chooses what a wall may show; with `everything`, also what it cannot. Surfaces are divided so finely that
-  /// nothing is off by more than half of `pixel_rad`. Returns the choice, which holds until the next `look`.
+  /// Chooses what a wall may show; with `everything`, also what it cannot. Surfaces are divided so finely
+  /// that nothing is off by more than half of `pixel_rad`. Returns the choice, which holds until the next
+  /// `look`.
   struct Choice;
   const Choice& choose(const glm::dmat4& clipFromDrawn, double pixel_rad, bool everything);
   /// Hands the eye's legs and the surfaces of all walls that were chosen for to OpenGL.
   void upload();
-  /// What rests on the board and always looks the same from one place, its clocks are not part of it; and all else.
-  /// All is drawn by `still` and then `changing`.
+  /// What rests on the board and always looks the same from one place, its clocks are not part of it; and all
+  /// else. All is drawn by `still` and then `changing`.
   enum class What { still, changing };
   /// Draws the choice, after `upload`.
   void draw(const Choice& choice, What what);
@@ -130,7 +131,8 @@ struct BodyDrawer::Choice {
   std::vector<const void*> offsets;
   std::size_t levels = 0;     ///< TiledSurfaces::digest
   std::size_t triangles = 0;  ///< of all parts
-  /// Where the eye's buffer has the wall's indices of tiles, its fine vertices (counted in vertices) and their indices.
+  /// Where the eye's buffer has the wall's indices of tiles, its fine vertices (counted in vertices) and
+  /// their indices.
   std::size_t tileIndices = 0, fineVertices = 0, fineIndices = 0;
 };
 

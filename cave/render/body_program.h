@@ -1,6 +1,6 @@
 #pragma once
-// The programs that draw bodies, and their uniforms: those that all parts share for one eye and wall, and those
-// of each part.
+// The programs that draw bodies, and their uniforms: those that all parts share for one eye and wall, and
+// those of each part.
 
 #include <array>
 #include <cstdint>

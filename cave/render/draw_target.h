@@ -26,11 +26,12 @@ class DrawTarget {
   void begin(const glm::ivec2& size_px);
   /// Does the same, but begins with the colours and depths of another picture. Both have one sample a pixel.
   void beginWith(const DrawTarget& other);
-  /// Copies the picture, which was begun last, into columns of another, from `left_px` on. Afterwards the depth test
-  /// is off and no framebuffer is bound; the viewport is still that of this picture.
+  /// Copies the picture, which was begun last, into columns of another, from `left_px` on. Afterwards the
+  /// depth test is off and no framebuffer is bound; the viewport is still that of this picture.
   void copyTo(const RenderTarget& picture, int left_px) const;
 
-  /// Does the same, but copies into memory (cave/gl/picture.h: `RenderTarget::fill`). With one sample a pixel.
+  /// Does the same, but copies into memory (cave/gl/picture.h: `RenderTarget::fill`). With one sample a
+  /// pixel.
   void read(std::span<std::uint32_t> pixels) const;
 
   unsigned framebuffer() const { return framebuffer_; }

@@ -14,9 +14,9 @@ constexpr int kLeft_px = 32;      // columns of tones before a picture: more tha
 constexpr int kBelow_px = kFarthest_px + 1;
 constexpr std::uint32_t kWhole = 256;  // share of a pixel that is covered
 
-/// Returns the share of the pixel from j to j + 1 that lies beyond the edge, an even line that falls from half
-/// a pixel on this side of the border of two rows to half a pixel on the other within k pixels (A. Reshetov,
-/// Morphological antialiasing, High Performance Graphics 2009):
+/// Returns the share of the pixel from j to j + 1 that lies beyond the edge, an even line that falls from
+/// half a pixel on this side of the border of two rows to half a pixel on the other within k pixels (A.
+/// Reshetov, Morphological antialiasing, High Performance Graphics 2009):
 ///   ∫ max(0, 1/2 − x/k) dx from j to j + 1.
 constexpr double cutOff(double j, double k) {
   const double h = std::clamp(0.5 * k - j, 0.0, 1.0);
@@ -53,9 +53,9 @@ std::uint32_t mixed(std::uint32_t ours, std::uint32_t theirs, std::uint32_t shar
 }
 
 /// Returns which share of the neighbour's colour the pixel at `here` takes: `along` and `across` lead to the
-/// next along the edge and over it. The search is that of T. Lottes, FXAA 3.11 (NVIDIA, 2011): to both sides, up
-/// to where the edge goes on in another row. Only where the nearer of these turns is to the neighbour's tone does
-/// the edge come over to this pixel's row.
+/// next along the edge and over it. The search is that of T. Lottes, FXAA 3.11 (NVIDIA, 2011): to both sides,
+/// up to where the edge goes on in another row. Only where the nearer of these turns is to the neighbour's
+/// tone does the edge come over to this pixel's row.
 std::uint32_t shareOf(const std::uint8_t* here, std::ptrdiff_t along, std::ptrdiff_t across) {
   const int step = here[across] - here[0];
   if (step == 0) return 0;

@@ -14,8 +14,8 @@ class EdgeSmoother {
  public:
   explicit EdgeSmoother(EdgePixels::Tones tones = EdgePixels::Tones::inAlpha) : pixels_(tones) {}
 
-  /// Puts the drawn pixels into columns of a picture, from `left_px` on, with smooth edges. Afterwards the depth test is
-  /// off and no framebuffer is bound.
+  /// Puts the drawn pixels into columns of a picture, from `left_px` on, with smooth edges. Afterwards the
+  /// depth test is off and no framebuffer is bound.
   void copy(const DrawTarget& drawn, RenderTarget& picture, int left_px);
 
  private:

@@ -12,7 +12,8 @@
 namespace carom {
 namespace {
 
-/// Returns the largest sin χ/D² within the angle of sine `sine` and cosine `cosine` around `chi` from the motion.
+/// Returns the largest sin χ/D² within the angle of sine `sine` and cosine `cosine` around `chi` from the
+/// motion.
 double mostBend(double speed_u, double cosChi, double sine, double cosine) {
   const double gamma = std::sqrt(1.0 + speed_u * speed_u);
   const double peak = (gamma - std::sqrt(gamma * gamma + 8.0 * speed_u * speed_u)) / (2.0 * speed_u);
@@ -24,7 +25,8 @@ double mostBend(double speed_u, double cosChi, double sine, double cosine) {
   return std::sqrt(std::max(0.0, 1.0 - worst * worst)) / (doppler * doppler);
 }
 
-/// Returns the cosine of the angle between `way` and `u` when that is made larger by the angle of this sine, up to π.
+/// Returns the cosine of the angle between `way` and `u` when that is made larger by the angle of this sine,
+/// up to π.
 double farthestCosine(const glm::dvec3& way, const glm::dvec3& u, double sine) {
   const double cosine = std::sqrt(1.0 - sine * sine);
   const double cosChi = glm::dot(way, u) / (glm::length(way) * glm::length(u));

@@ -7,9 +7,9 @@
 
 namespace carom {
 
-/// The bodies at one moment, drawn as ghosts beside the seen picture. Each span has as many views as the scene
-/// has bodies, or none; they are viewed with ViewTime::boardNow and ViewTime::myNow. A body whose view has no
-/// legs has no ghost.
+/// The bodies at one moment, drawn as ghosts beside the seen picture. Each span has as many views as the
+/// scene has bodies, or none; they are viewed with ViewTime::boardNow and ViewTime::myNow. A body whose view
+/// has no legs has no ghost.
 struct Ghosts {
   std::span<const BodyView> boardNow, myNow;
 };

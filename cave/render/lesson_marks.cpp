@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
-/// Computes where the events of a line of simultaneity are drawn: where ghosts show the observer's now, at their
-/// places in that frame, and otherwise at the places of the board as it is seen.
+/// Computes where the events of a line of simultaneity are drawn: where ghosts show the observer's now, at
+/// their places in that frame, and otherwise at the places of the board as it is seen.
 class OnSimultaneity {
  public:
   OnSimultaneity(const MarkContext& sight, const Event& with, const Vec3& beta)

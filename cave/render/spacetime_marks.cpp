@@ -157,9 +157,9 @@ void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) 
 
 namespace {
 
-/// Adds clocks around the rim, `radius_m` from the centre, of a large disc that turns evenly and has met nothing: each
-/// runs slow by its γ, and was set to 0 with the centre's, in the centre's rest frame. While a lesson asks, they would
-/// tell the answer.
+/// Adds clocks around the rim, `radius_m` from the centre, of a large disc that turns evenly and has met
+/// nothing: each runs slow by its γ, and was set to 0 with the centre's, in the centre's rest frame. While a
+/// lesson asks, they would tell the answer.
 void addRimClocks(const MarkContext& sight, std::size_t body, double radius_m, double centre_s,
                   const Vec3& middle_m, const glm::vec4& colour, MarkBuffer& batch) {
   constexpr int kClocks = 6;

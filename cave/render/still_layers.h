@@ -14,9 +14,9 @@ namespace carom {
 
 class StillLayers {
  public:
-  /// Draws what `drawer` has chosen, and uploaded, into `target`, on which `begin` was not yet called. `place`
-  /// says which picture this is: of each place the last still view is kept, from the second time that it is the
-  /// same. The pixels are those of drawing everything.
+  /// Draws what `drawer` has chosen, and uploaded, into `target`, on which `begin` was not yet called.
+  /// `place` says which picture this is: of each place the last still view is kept, from the second time that
+  /// it is the same. The pixels are those of drawing everything.
   void draw(BodyDrawer& drawer, const BodyDrawer::Choice& choice, const glm::ivec2& size_px,
             DrawTarget& target, const glm::ivec2& place);
 

@@ -70,8 +70,8 @@ int TiledSurfaces::levelOfCell(const Extent& extent, double cell_m) const {
   return levelWithin({extent, cell_m, kBuiltLevel}, longestFlat_m(extent, eye_m_, u_));
 }
 
-/// Sets the levels of edges and tiles. Tiles that need finer cells than they were built with end at vertices of all
-/// their cells; every tile is as fine as the finest of its edges.
+/// Sets the levels of edges and tiles. Tiles that need finer cells than they were built with end at vertices
+/// of all their cells; every tile is as fine as the finest of its edges.
 void TiledSurfaces::chooseLevels() {
   const ChunkedMeshes& meshes = scene_->meshes;
   const std::size_t edges = meshes.edges.size();

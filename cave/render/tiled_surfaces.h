@@ -1,7 +1,7 @@
 #pragma once
-// Chooses how finely the tiles of what rests are drawn for one eye on one wall: as coarsely as they may be without
-// anything lying farther than half a pixel from where light shows it.
-// Theory: app/doc/physics.md, Aberration and cells.
+// Chooses how finely the tiles of what rests are drawn for one eye on one wall: as coarsely as they may be
+// without anything lying farther than half a pixel from where light shows it. Theory: app/doc/physics.md,
+// Aberration and cells.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace carom {
 
-/// Chosen anew for each eye and wall. Allocates only when it is made, or for a wall that needs more triangles than any
-/// before.
+/// Chosen anew for each eye and wall. Allocates only when it is made, or for a wall that needs more triangles
+/// than any before.
 class TiledSurfaces {
  public:
   /// Keeps a reference to `scene`.
@@ -24,12 +24,12 @@ class TiledSurfaces {
   /// Sets the eye's place on the board and its head's γβ there.
   void look(const glm::dvec3& eye_m, const glm::dvec3& u);
 
-  /// Chooses all levels for a wall on which angles up to `tolerance_rad` may be off, and collects the triangles of the
-  /// tiles that are chosen.
+  /// Chooses all levels for a wall on which angles up to `tolerance_rad` may be off, and collects the
+  /// triangles of the tiles that are chosen.
   void choose(const VisibleChunks& visible, double tolerance_rad);
 
-  /// Triangles of tiles as they were built, between the scene's `tileVertices`, and those of tiles that needed finer
-  /// ones, between `fineVertices`; part by part.
+  /// Triangles of tiles as they were built, between the scene's `tileVertices`, and those of tiles that
+  /// needed finer ones, between `fineVertices`; part by part.
   std::span<const std::uint32_t> indices() const { return tiles_.indices; }
   std::span<const std::uint32_t> fineIndices() const { return cells_.indices; }
   std::span<const MeshVertex> fineVertices() const { return fineVertices_; }

@@ -16,8 +16,8 @@
 namespace carom {
 namespace {
 
-/// Returns how far a shadow's vertices are from the puck's centre, and how far they are moved at most, `longest`
-/// heights of the puck. The third number for painting is the puck's height.
+/// Returns how far a shadow's vertices are from the puck's centre, and how far they are moved at most,
+/// `longest` heights of the puck. The third number for painting is the puck's height.
 double shadowReachOf(const ChunkedMeshes& meshes, const PartChunks& part, double longest) {
   double reach_m = 0.0, height_m = 0.0;
   for (const MeshChunk& chunk : std::span(meshes.chunks).subspan(part.first, part.count)) {
@@ -33,7 +33,8 @@ double shadowReachOf(const ChunkedMeshes& meshes, const PartChunks& part, double
 constexpr float kGlossy = 0.2F;
 constexpr double kGlossyCell_m = 0.15;
 
-/// Returns the light that falls on a vertex of what rests for an eye at rest, as shaders/body_vert.glsl computes it.
+/// Returns the light that falls on a vertex of what rests for an eye at rest, as shaders/body_vert.glsl
+/// computes it.
 double lightAtRest(const Scene& scene, const MeshVertex& vertex) {
   const auto lit = [&](std::size_t i) { return vertex.lit[i] / 255.0; };
   double light = lit(3) * glm::mix(0.32, 0.66, 0.5 + 0.5 * static_cast<double>(vertex.normal.z));

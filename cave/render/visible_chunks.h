@@ -23,8 +23,8 @@
 
 namespace carom {
 
-/// Chunks of one mesh. Parts with the same mesh share them, but each sees its own in another place: it counts them from
-/// `firstPlace`.
+/// Chunks of one mesh. Parts with the same mesh share them, but each sees its own in another place: it counts
+/// them from `firstPlace`.
 struct ChunkRange {
   std::uint32_t first = 0;
   std::uint32_t count = 0;

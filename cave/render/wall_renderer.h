@@ -64,9 +64,9 @@ class WallRenderer {
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
             const Switches& switches = {}, const Ghosts& ghosts = {});
 
-  /// Draws what the eye last given to `look` sees on walls from `eyeInRoom_m` (the tracked eye at the time when
-  /// the photons leave the walls), each into as many columns of its picture as the wall has. The picture of a
-  /// wall on or behind which the eye is stays black. Returns how many others there are.
+  /// Draws what the eye last given to `look` sees on walls from `eyeInRoom_m` (the tracked eye at the time
+  /// when the photons leave the walls), each into as many columns of its picture as the wall has. The picture
+  /// of a wall on or behind which the eye is stays black. Returns how many others there are.
   std::size_t draw(std::span<const WallPicture> walls, const glm::dvec3& eyeInRoom_m);
   /// Does the same for one wall; returns whether the eye is before it.
   bool draw(const Wall& wall, const glm::dvec3& eyeInRoom_m, RenderTarget& picture,

@@ -10,14 +10,14 @@
 
 namespace carom {
 
-/// What an eye's display fills, as the tangents of angles from the eye's forward axis (-z): to the left and down they
-/// are negative, and no two need be equal.
+/// What an eye's display fills, as the tangents of angles from the eye's forward axis (-z): to the left and
+/// down they are negative, and no two need be equal.
 struct EyeFrustum {
   double left = -1.0, right = 1.0, down = -1.0, up = 1.0;
 };
 
-/// Where an eye is, and how its display is turned (canted displays are turned outwards). Room frame; eye axes x right,
-/// y up, z backwards.
+/// Where an eye is, and how its display is turned (canted displays are turned outwards). Room frame; eye axes
+/// x right, y up, z backwards.
 struct HeadsetEye {
   Pose roomFromEye;
   EyeFrustum frustum;
@@ -32,8 +32,8 @@ Wall wallBefore(const HeadsetEye& eye, const char* name, glm::ivec2 pixels);
 /// Hangs a wall there.
 void hang(Wall& wall, const HeadsetEye& eye);
 
-/// Returns the head of a pair of eyes: the point between them, turned as the mean of the eyes, x from the left to the
-/// right eye. Both eyes are simultaneous for the head.
+/// Returns the head of a pair of eyes: the point between them, turned as the mean of the eyes, x from the
+/// left to the right eye. Both eyes are simultaneous for the head.
 Pose headBetween(const std::array<HeadsetEye, 2>& eyes);
 
 }  // namespace carom

@@ -18,7 +18,8 @@ class RoomBoundary {
   /// Keeps a reference to the walls.
   explicit RoomBoundary(std::span<const Wall> walls) : walls_(walls) {}
 
-  /// Returns the wall that a head at this place is behind: once each time that it leaves the room, otherwise null.
+  /// Returns the wall that a head at this place is behind: once each time that it leaves the room, otherwise
+  /// null.
   const Wall* look(const glm::dvec3& headInRoom_m) {
     const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) {
       return glm::dot(normalOf(w), headInRoom_m - w.lowerLeft_m) < -kBehind_m;

@@ -30,8 +30,8 @@ struct RoomGeometry {
   bool isHeadset = false;
 };
 
-/// Returns the room with another viewer in the first's place, and the other way round, as the frame's record that
-/// this viewer sees (cave/record/frame_state.h).
+/// Returns the room with another viewer in the first's place, and the other way round, as the frame's record
+/// that this viewer sees (cave/record/frame_state.h).
 inline RoomGeometry seenBy(RoomGeometry room, std::size_t viewer) {
   std::swap(room.viewers.front(), room.viewers.at(viewer));
   return room;

@@ -75,8 +75,8 @@ struct ViewerEye {
   bool operator==(const ViewerEye&) const = default;
 };
 
-/// A rectangle given by three of its corners, as seen from inside the room. Of a screen that is no rectangle, it
-/// is the one around it.
+/// A rectangle given by three of its corners, as seen from inside the room. Of a screen that is no rectangle,
+/// it is the one around it.
 struct Wall {
   std::string name;
   glm::dvec3 lowerLeft_m{0.0};
@@ -97,8 +97,8 @@ struct Wall {
   /// The screen's own corners; none: they are those of the rectangle.
   std::optional<SkewedScreen> skewed;
   std::filesystem::path warp;  ///< mesh that warps the picture to the screen (.pfm, .obj); empty: none
-  /// Meshes of its own for red, green and blue, for projectors whose colours do not lie upon each other; empty:
-  /// all colours as `warp`.
+  /// Meshes of its own for red, green and blue, for projectors whose colours do not lie upon each other;
+  /// empty: all colours as `warp`.
   std::array<std::filesystem::path, 3> colourWarps;
   std::filesystem::path blend;  ///< picture that dims where projectors overlap; empty: none
   double blackLevel = 0.0;  ///< what black is lifted to, as a fraction of the brightest: evens out overlaps

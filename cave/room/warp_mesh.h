@@ -18,13 +18,13 @@ namespace carom {
 struct WarpPoint {
   glm::vec2 inWindow{0.0F};
   glm::vec2 inPicture{0.0F};
-  /// Places in the picture are interpolated as inPicture · weight and weight, each linearly, and then divided:
-  /// with equal weights the place is linear, with those of a homography it is this homography.
+  /// Places in the picture are interpolated as inPicture · weight and weight, each linearly, and then
+  /// divided: with equal weights the place is linear, with those of a homography it is this homography.
   float weight = 1.0F;
 };
 
-/// Triangles in the window; places in the picture are interpolated within them, as WarpPoint says. Where triangles overlap, the
-/// later one is visible.
+/// Triangles in the window; places in the picture are interpolated within them, as WarpPoint says. Where
+/// triangles overlap, the later one is visible.
 struct WarpMesh {
   std::vector<WarpPoint> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of points

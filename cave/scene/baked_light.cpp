@@ -29,20 +29,21 @@ constexpr double kBounced =
     0.25;  // share of the hall's light that reaches even hidden places, from other surfaces
 constexpr double kLampRadius_m = 0.15;
 constexpr double kOffSurface_m =
-    2e-3;  // where rays begin, above the surface, and how far from a lamp they end
-constexpr double kNearest_m =
-    1e-3;  // of what can hide: a place where parts meet lies in the other's surface, which hides nothing of its front
+    2e-3;                            // where rays begin, above the surface, and how far from a lamp they end
+constexpr double kNearest_m = 1e-3;  // of what can hide: a place where parts meet lies in the other's
+                                     // surface, which hides nothing of its front
 constexpr int kLampRays = 12, kFewestRays = 8, kMostRays = 64;
 constexpr std::size_t kRaysInAll = 8'000'000;  // of the hall's light, so that no scene takes long
 
-/// Returns point i of `count` points that are spread evenly over the unit disc: a spiral with the golden angle.
+/// Returns point i of `count` points that are spread evenly over the unit disc: a spiral with the golden
+/// angle.
 glm::dvec2 onDisc(int i, int count) {
   const double turned = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
   return std::sqrt((i + 0.5) / count) * glm::dvec2(std::cos(turned), std::sin(turned));
 }
 
-/// The casters as Embree knows them. One instruction set and robust intersections, so that every machine finds the
-/// same.
+/// The casters as Embree knows them. One instruction set and robust intersections, so that every machine
+/// finds the same.
 class Obstacles {
  public:
   explicit Obstacles(std::span<const ScenePart> casters)
@@ -122,9 +123,9 @@ double seenOfLamp(const Obstacles& obstacles, const glm::dvec3& place_m, const g
   return static_cast<double>(seen) / kLampRays;
 }
 
-/// Returns the share of the hall's light that reaches a place: rays are spread as the light of an even sky falls on
-/// a matt surface, by the cosine (Malley's method: evenly over the disc below the hemisphere). Each has a reach of
-/// its own, so that an obstacle counts the less the farther it is.
+/// Returns the share of the hall's light that reaches a place: rays are spread as the light of an even sky
+/// falls on a matt surface, by the cosine (Malley's method: evenly over the disc below the hemisphere). Each
+/// has a reach of its own, so that an obstacle counts the less the farther it is.
 double seenOfHall(const Obstacles& obstacles, const glm::dvec3& place_m, const glm::dvec3& normal, int rays) {
   const glm::dvec3 aside = std::abs(normal.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
   const glm::dvec3 u = glm::normalize(glm::cross(aside, normal)), v = glm::cross(normal, u);

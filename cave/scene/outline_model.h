@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// Returns a prism of that height over an outline, a simple polygon that runs anticlockwise around its centre;
-/// its middle height is at the centre.
+/// Returns a prism of that height over an outline, a simple polygon that runs anticlockwise around its
+/// centre; its middle height is at the centre.
 vtkSmartPointer<vtkPolyData> prismOver(std::span<const glm::dvec2> corners_m, double height_m);
 
 }  // namespace carom

@@ -25,7 +25,8 @@ namespace {
 
 constexpr int kSectors = 72;
 
-/// How finely a puck is divided: the finest mesh as its roundness and slow light need, coarser ones ever less.
+/// How finely a puck is divided: the finest mesh as its roundness and slow light need, coarser ones ever
+/// less.
 struct Fineness {
   double cell_m = 0.0;
   int halvings = 0;  ///< how often its sectors, rings and the steps of its round edges were halved
@@ -34,8 +35,8 @@ struct Fineness {
 };
 
 /// Returns the number of sectors around a puck of this radius. The rim lies outside its chords by
-/// r (1 − cos(π/n)) = π² r/2n²: 29 µm with 72 sectors for a carom ball's radius, and hardly more up to three times
-/// that radius; even larger pucks leave vertices for finer cells.
+/// r (1 − cos(π/n)) = π² r/2n²: 29 µm with 72 sectors for a carom ball's radius, and hardly more up to three
+/// times that radius; even larger pucks leave vertices for finer cells.
 int sectorsOf(double radius_m, const Fineness& fineness) {
   constexpr double kFarthestOut_m = 30e-6;
   constexpr int kMostForRoundness = 128, kFewest = 12;
@@ -73,8 +74,8 @@ void addRoundRing(MeshBuilder& mesh, const glm::dvec2& from, const glm::dvec2& t
                 });
 }
 
-/// Returns the transform that moves the middle of the mesh's box to the origin and scales it to the radius, or does to
-/// x and y as `place` says.
+/// Returns the transform that moves the middle of the mesh's box to the origin and scales it to the radius,
+/// or does to x and y as `place` says.
 vtkSmartPointer<vtkTransform> fitTo(vtkPolyData& mesh, double radius_m,
                                     const std::optional<MeshPlace>& place) {
   std::array<double, 6> box{};

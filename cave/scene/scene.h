@@ -34,8 +34,8 @@ struct Ruler {
   glm::dvec3 along{1.0, 0.0, 0.0}, aside{0.0, 1.0, 0.0};
 };
 
-/// Light that falls as flat as it can, 0.05 in cave/render/shaders/body_vert.glsl, makes a shadow 20 times as long as
-/// the puck is high; its motion may double that.
+/// Light that falls as flat as it can, 0.05 in cave/render/shaders/body_vert.glsl, makes a shadow 20 times as
+/// long as the puck is high; its motion may double that.
 inline constexpr double kLongestShadow = 40.0;
 
 /// Its bodies are numbered as cave/frame/bodies.h says.
@@ -59,8 +59,8 @@ struct Scene {
 std::vector<double> rimsOf(const Scene& scene);
 
 /// Returns a session's message about the division, one line for each kind of objects and one for all. "Exact
-/// to half a pixel" holds for eyes at least kNearestEye_m away, of what rests at least as far as it says, and for heads
-/// up to the speed named (cave/mesh/tessellation.h).
+/// to half a pixel" holds for eyes at least kNearestEye_m away, of what rests at least as far as it says, and
+/// for heads up to the speed named (cave/mesh/tessellation.h).
 std::string tessellationReport(const Scene& scene, const Tessellation& tessellation);
 
 /// Returns the same world lines, each with its body's radius widened to `reach_m[body]` if the mesh reaches

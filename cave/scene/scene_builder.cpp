@@ -59,8 +59,8 @@ double longestEdgeOf(std::span<const ScenePart> parts) {
   return longest_m;
 }
 
-/// Notes how long the cells of coarser meshes are: a triangle lies within a circle of 1/√3 of its longest edge, as cells
-/// 2/√3 times as long do.
+/// Notes how long the cells of coarser meshes are: a triangle lies within a circle of 1/√3 of its longest
+/// edge, as cells 2/√3 times as long do.
 void measureCoarser(std::span<ScenePart> parts) {
   for (ScenePart& part : parts)
     for (CoarserMesh& coarser : part.coarser)
@@ -190,9 +190,9 @@ class BuiltBodies {
       built_;
 };
 
-/// Returns how long the shadows of pucks on a table can be, in heights of the puck. Light from a lamp that is H above
-/// and ρ beside the puck's upper rim reaches the cloth ρ/H heights beside the rim; while it falls, for √(1 + ρ²/H²)
-/// heights, the puck goes no further than that.
+/// Returns how long the shadows of pucks on a table can be, in heights of the puck. Light from a lamp that is
+/// H above and ρ beside the puck's upper rim reaches the cloth ρ/H heights beside the rim; while it falls,
+/// for √(1 + ρ²/H²) heights, the puck goes no further than that.
 double longestShadowOn(const glm::dvec2& table_m, std::span<const glm::dvec3> lamps_m,
                        std::span<const BodyLooks> pucks) {
   constexpr double kBeyond_m = 1.0;  // no point of a puck is drawn so far from its table, stretched or not

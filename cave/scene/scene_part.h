@@ -31,8 +31,8 @@ enum class Paint {
   lamp,    ///< shines
 };
 
-/// A mesh for the same part that may stand for it where its cells, up to `cell_m` long and drawn flat, and its shape, off
-/// by up to `off_m`, are seen as small as need be.
+/// A mesh for the same part that may stand for it where its cells, up to `cell_m` long and drawn flat, and
+/// its shape, off by up to `off_m`, are seen as small as need be.
 struct CoarserMesh {
   vtkSmartPointer<vtkPolyData> mesh;
   double cell_m = 0.0;
@@ -54,10 +54,9 @@ struct ScenePart {
 
 /// How a puck or a scripted body looks.
 struct BodyLooks {
-  std::string name;  ///< "white", "yellow", "red" … give the colour; others take one of a palette
-  std::string
-      meshPath;  ///< as readMeshFile takes it; empty: the built-in puck, or for scripted bodies a rod of
-                 ///< 1 m along x
+  std::string name;      ///< "white", "yellow", "red" … give the colour; others take one of a palette
+  std::string meshPath;  ///< as readMeshFile takes it; empty: the built-in puck, or for scripted bodies a rod
+                         ///< of 1 m along x
   double radius_m = 0.0;                 ///< a puck's mesh is scaled to it; 0: as it is
   double height_m = 0.0;                 ///< of the built-in puck
   std::vector<glm::dvec2> outline_m{};   ///< corners of the built-in puck; none: a disc

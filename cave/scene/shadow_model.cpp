@@ -26,8 +26,8 @@ double hallReachOf_m(double height_m) { return 0.9 * height_m; }
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Returns corners of a simple polygon that runs anticlockwise, three for each of its triangles: its ears are cut off
-/// one after the other.
+/// Returns corners of a simple polygon that runs anticlockwise, three for each of its triangles: its ears are
+/// cut off one after the other.
 std::vector<std::size_t> trianglesOf(const std::vector<Vec2>& polygon) {
   std::vector<std::size_t> left, triangles;
   for (std::size_t k = 0; k < polygon.size(); ++k) left.push_back(k);
@@ -52,7 +52,8 @@ std::vector<std::size_t> trianglesOf(const std::vector<Vec2>& polygon) {
   return triangles;
 }
 
-/// A side of the outline in the shadow: from its begin to its end where all light is hidden, and where none is.
+/// A side of the outline in the shadow: from its begin to its end where all light is hidden, and where none
+/// is.
 struct ShadowSide {
   Vec2 normal{0.0}, dark[2], lit[2];
 };

@@ -16,14 +16,14 @@
 
 namespace carom {
 
-/// Returns the shadow of a disc, in cells no larger than `cell_m`: the fraction that it takes from the cloth's light of
-/// each lamp (0 to 2) and of the hall (3), in this order in surface.y. surface.x is 0 where all of that light is
-/// hidden and 1 where none is; surface.z is the puck's height. Normals point out of the puck: where they point away
-/// from the light, the shader places the far side of the shadow.
+/// Returns the shadow of a disc, in cells no larger than `cell_m`: the fraction that it takes from the
+/// cloth's light of each lamp (0 to 2) and of the hall (3), in this order in surface.y. surface.x is 0 where
+/// all of that light is hidden and 1 where none is; surface.z is the puck's height. Normals point out of the
+/// puck: where they point away from the light, the shader places the far side of the shadow.
 ScenePart discShadow(double radius_m, double height_m, std::size_t body, double cell_m);
 
-/// Returns the shadow of a prism over an outline (engine/collision/outline.h). Where the shadow of one side falls into a
-/// dent and on that of another, it is drawn twice.
+/// Returns the shadow of a prism over an outline (engine/collision/outline.h). Where the shadow of one side
+/// falls into a dent and on that of another, it is drawn twice.
 ScenePart outlineShadow(std::span<const glm::dvec2> corners_m, double height_m, std::size_t body,
                         double cell_m);
 

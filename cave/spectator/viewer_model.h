@@ -24,7 +24,8 @@ struct ModelPart {
 /// Meshes in metres; x right, y forward, z up.
 struct ViewerModel {
   std::vector<ModelPart> head;  ///< relative to the point between the eyes
-  /// Relative to the floor below the neck; the eyes are 1 m high. One for each viewer, in a colour of their own.
+  /// Relative to the floor below the neck; the eyes are 1 m high. One for each viewer, in a colour of their
+  /// own.
   std::array<ModelPart, kMostViewers> coats;
   ModelPart wand;  ///< relative to the point where it is held
 };

@@ -1,13 +1,13 @@
 #pragma once
-// The catalogue of texts: every text of the program that a visitor, student, teacher or operator reads on walls, in
-// the console and in the other windows. A translation is another file with the same names; the compiler finds
-// names that are missing, and values that a text has no place for ("{}", in the notation of the library fmt).
+// The catalogue of texts: every text of the program that a visitor, student, teacher or operator reads on
+// walls, in the console and in the other windows. A translation is another file with the same names; the
+// compiler finds names that are missing, and values that a text has no place for ("{}", in the notation of
+// the library fmt).
 //
-// Not here: the texts of games and lessons, which stand in their files (config/scenarios), one file a game; the
-// messages of the command line, of the log and of trackers, which name facts of the code that writes them and stand
-// beside it; names that files contain (keys of a scenario, words of a session file), which no translation may
-// change.
-// tests/app/texts.py finds texts that are elsewhere.
+// Not here: the texts of games and lessons, which stand in their files (config/scenarios), one file a game;
+// the messages of the command line, of the log and of trackers, which name facts of the code that writes them
+// and stand beside it; names that files contain (keys of a scenario, words of a session file), which no
+// translation may change. tests/app/texts.py finds texts that are elsewhere.
 
 #include <array>
 
@@ -138,8 +138,8 @@ inline constexpr Text kAgain = "Press Escape again to end.";
 inline constexpr Text kEnd = "End   Escape", kGoOn = "Go on";
 }  // namespace ending
 
-// The scale beside a drawn cue: marks of speed, and the stroke's speed and energy. The wall draws digits, '.',
-// ' ', 'c', 'm' and '^', which is a raised 2.
+// The scale beside a drawn cue: marks of speed, and the stroke's speed and energy. The wall draws digits,
+// '.', ' ', 'c', 'm' and '^', which is a raised 2.
 namespace cue {
 inline constexpr std::array<Text, 4> kMarks{"0.5 c", "0.8 c", "0.9 c", "0.95 c"};
 inline constexpr Text kSpeed = "{:.2f} c", kEnergy = "{:.2f} mc^";

@@ -76,8 +76,8 @@ glm::dvec4 afterCelerity(const Decay& after) {
   return {after.stopTau_s * after.celerity, 1.0 - after.celerity, 0.0, 0.0};
 }
 
-// The same after a unit acceleration that decays with τ, d being its decayed share: (τ(t − τd), τd, 1 − d, 0); where
-// celerity dies out, with D = 1 − exp(−t/T) and k = Tτ/(T − τ): (k(TD − τd), k(d − D), 1 − d, 0).
+// The same after a unit acceleration that decays with τ, d being its decayed share: (τ(t − τd), τd, 1 − d,
+// 0); where celerity dies out, with D = 1 − exp(−t/T) and k = Tτ/(T − τ): (k(TD − τd), k(d − D), 1 − d, 0).
 glm::dvec4 afterDecaying(double tau_s, double d, const Decay& after) {
   if (after.stopTau_s == kNever) return {tau_s * (after.time_s - tau_s * d), tau_s * d, 1.0 - d, 0.0};
   const double k_s = after.stopTau_s * tau_s / (after.stopTau_s - tau_s);

@@ -55,8 +55,8 @@ class CelerityFilter {
     glm::dvec3 position_m{0.0};
     glm::dvec3 celerity_m_s{0.0};
   };
-  /// Returns the expected course `ahead_s` after the last position: the mean of the models, which all go on by
-  /// themselves.
+  /// Returns the expected course `ahead_s` after the last position: the mean of the models, which all go on
+  /// by themselves.
   Course predicted(double ahead_s) const;
   glm::dvec3 predictedPosition_m(double ahead_s) const { return predicted(ahead_s).position_m; }
 

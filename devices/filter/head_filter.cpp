@@ -10,12 +10,11 @@
 namespace carom {
 namespace {
 
-constexpr double kSlew_m_s = 1.0;  // how fast the pose comes over to where samples came back
-constexpr double kFadeIn_s = 0.5;  // in which celerity grows where fadeInFrom asks for it
-constexpr double kRounding_m_s =
-    1e-12;  // what remains of the celerity of a head at rest; it would move, and with it
-            // every pixel be drawn anew
-constexpr double kFadesBack_s = 0.2;  // in which celerity grows after it has faded
+constexpr double kSlew_m_s = 1.0;        // how fast the pose comes over to where samples came back
+constexpr double kFadeIn_s = 0.5;        // in which celerity grows where fadeInFrom asks for it
+constexpr double kRounding_m_s = 1e-12;  // what remains of the celerity of a head at rest; it would move, and
+                                         // with it every pixel be drawn anew
+constexpr double kFadesBack_s = 0.2;     // in which celerity grows after it has faded
 constexpr double kSlew_rad_s = 3.0;
 constexpr double kTurnMemory_s = 0.03;  // of the orientation filter
 constexpr double kUnknown_m_s = 1.0;    // standard deviation of a celerity nothing is known of

@@ -38,8 +38,8 @@ void OrientationFilter::update(double interval_s, const glm::dvec3& rate_rad_s,
   const double felt = glm::length(acceleration_m_s2) / kGravity_m_s2;
   const double weight = std::max(0.0, 1.0 - std::abs(felt - 1.0) / kOtherwise);
 
-  // q̇ = ½ q ⊗ (ω − b + kP ω_mes),   ḃ = −kI ω_mes: the gyroscope's turn first, as the acceleration is that of
-  // its end.
+  // q̇ = ½ q ⊗ (ω − b + kP ω_mes),   ḃ = −kI ω_mes: the gyroscope's turn first, as the acceleration is
+  // that of its end.
   levelFromSensor_ = glm::normalize(levelFromSensor_ * turn(step_s * (rate_rad_s - bias_rad_s_)));
   if (weight == 0.0) return;
   const glm::dvec3 upFelt = acceleration_m_s2 / glm::length(acceleration_m_s2);

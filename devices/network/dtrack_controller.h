@@ -22,8 +22,8 @@ class DtrackController {
   DtrackController& operator=(const DtrackController&) = delete;
   ~DtrackController() { stop(); }
 
-  /// Starts the measurement, if it does not run already. Throws std::runtime_error, which says why it does not
-  /// start and what can be done, or "stopped".
+  /// Starts the measurement, if it does not run already. Throws std::runtime_error, which says why it does
+  /// not start and what can be done, or "stopped".
   void start(const std::stop_token& stop);
   /// Stops the measurement, if `start` began it. Waits at most 0.2 s for the answer, and throws nothing: the
   /// session ends in any case.

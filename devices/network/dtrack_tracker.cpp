@@ -24,8 +24,8 @@ constexpr std::chrono::milliseconds kPause{1000};
 constexpr std::chrono::seconds kStartEvery{5};
 constexpr std::uint16_t kCommandPort = 50105;
 
-/// Starts the measurement, again and again while it fails and nothing comes, and stops it when this object goes. In a
-/// thread of its own: a controller that wakes its cameras up, or does not answer, takes its time.
+/// Starts the measurement, again and again while it fails and nothing comes, and stops it when this object
+/// goes. In a thread of its own: a controller that wakes its cameras up, or does not answer, takes its time.
 class Starter {
  public:
   Starter(const DtrackSource& source, DeviceSink& sink) {

@@ -23,9 +23,10 @@ struct DtrackSource {
 /// std::invalid_argument.
 DtrackSource readDtrackSource(std::string_view text);
 
-/// Returns the transport of that source. dtrack_decoder.h says how sensors are numbered. With `start`, it starts
-/// the measurement and stops it at the end, if it did not run before. While the controller cannot be reached or
-/// refuses, the transport says why, listens all the same, and tries again every 5 s as long as nothing comes.
+/// Returns the transport of that source. dtrack_decoder.h says how sensors are numbered. With `start`, it
+/// starts the measurement and stops it at the end, if it did not run before. While the controller cannot be
+/// reached or refuses, the transport says why, listens all the same, and tries again every 5 s as long as
+/// nothing comes.
 Transport dtrackTransport(const DtrackSource& source);
 
 }  // namespace carom

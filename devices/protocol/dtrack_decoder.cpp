@@ -82,8 +82,8 @@ class DtrackDecoder::Line {
     return value;
   }
 
-  /// Reads a bracketed list of finite numbers; those beyond `numbers` are passed over. Returns the number kept;
-  /// none where there is no such list.
+  /// Reads a bracketed list of finite numbers; those beyond `numbers` are passed over. Returns the number
+  /// kept; none where there is no such list.
   std::optional<std::size_t> block(std::span<double> numbers) {
     if (!take('[')) return {};
     std::size_t count = 0;

@@ -37,7 +37,8 @@ struct TrueMotion {
 /// The person stands for five seconds, then shifts from foot to foot, then walks about, looks around, and
 /// rests in between. Acceleration while moving is smooth noise of 0.2 to 0.5 m/s² a component with a
 /// correlation time of about 0.15 s, as recorded heads show; while standing, the head sways by some
-/// millimetres. If the person is `still`, none of this happens; one who `walks` begins with walking. The same seed gives the same bits.
+/// millimetres. If the person is `still`, none of this happens; one who `walks` begins with walking. The same
+/// seed gives the same bits.
 class SimulatedTracker : public Tracker {
  public:
   explicit SimulatedTracker(const SimulatedPerson& person = {});

@@ -17,7 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::uint16_t kOculus = 0x2833;
-// Feature report 8: the headset sends for this number of milliseconds (10 000) and then sleeps until told again.
+// Feature report 8: the headset sends for this number of milliseconds (10 000) and then sleeps until told
+// again.
 constexpr std::array<std::uint8_t, 5> kKeepAlive{8, 0, 0, 0x10, 0x27};
 constexpr auto kBetweenKeepAlives = 3s;  // two may be lost
 constexpr double kUsualStep_s = 1e-3;

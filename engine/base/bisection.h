@@ -9,8 +9,8 @@ struct Bracket {
   double high = 0.0;
 };
 
-/// Returns the interval after `halvings` halvings, or after fewer when no number lies between its ends. `holds(x)` is true below
-/// some place in the interval, and false from there on.
+/// Returns the interval after `halvings` halvings, or after fewer when no number lies between its ends.
+/// `holds(x)` is true below some place in the interval, and false from there on.
 template <typename Condition>
 Bracket bisect(Bracket bracket, int halvings, const Condition& holds) {
   for (int i = 0; i < halvings; ++i) {

@@ -15,11 +15,12 @@
 
 namespace carom {
 
-/// Small blocks lie side by side, in large pages where there are many. A block that is given back is kept for the next one
-/// of its size.
+/// Small blocks lie side by side, in large pages where there are many. A block that is given back is kept for
+/// the next one of its size.
 class BlockPool : public std::pmr::memory_resource {
  public:
-  /// Takes memory from the system for the next `bytes` bytes of blocks. Memory that is used for the first time costs time.
+  /// Takes memory from the system for the next `bytes` bytes of blocks. Memory that is used for the first
+  /// time costs time.
   void buy(std::size_t bytes) {
     newRegion(bytes);
     std::memset(next_, 0, bytes);

@@ -16,8 +16,8 @@ namespace carom {
 
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// Returns the widest set that this machine has. (The first processors with AVX-512 slow down for it; those since have
-/// VBMI2.)
+/// Returns the widest set that this machine has. (The first processors with AVX-512 slow down for it; those
+/// since have VBMI2.)
 inline InstructionSet bestInstructionSet() {
 #if defined(__x86_64__)
   static const InstructionSet best = __builtin_cpu_supports("avx512vbmi2") ? InstructionSet::avx512

@@ -12,8 +12,8 @@
 
 namespace carom {
 
-/// Allocates `bytes` at an alignment that is a power of two, 2 MiB at most and a cache line at least; of 2 MiB and more
-/// in pages of that size where the system has some. To be given back by std::free.
+/// Allocates `bytes` at an alignment that is a power of two, 2 MiB at most and a cache line at least; of 2
+/// MiB and more in pages of that size where the system has some. To be given back by std::free.
 inline void* allocateInLargePages(std::size_t bytes, std::size_t alignment) {
   constexpr std::size_t kLine = 64, kPage = std::size_t{1} << 21;
   const std::size_t page = bytes < kPage ? std::max(alignment, kLine) : kPage;

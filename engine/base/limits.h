@@ -15,9 +15,9 @@ inline constexpr double kLeastLightSpeed_m_s = 0.3, kMostLightSpeed_m_s = 30.0;
 inline constexpr double kStrongestU = 3.0;
 
 /// Returns the strongest proper acceleration of the platform. Light from a distance c²/a behind never catches
-/// up with an observer who accelerates at a. The limit keeps that distance at two metres, or at twice the distance
-/// of the farthest of several observers, so that time goes forward in the whole room; where light is fast, the
-/// limit is c in one second.
+/// up with an observer who accelerates at a. The limit keeps that distance at two metres, or at twice the
+/// distance of the farthest of several observers, so that time goes forward in the whole room; where light is
+/// fast, the limit is c in one second.
 inline double strongestThrust_m_s2(double c_m_s, double farthestObserver_m = 0.0) {
   constexpr double kBehind_m = 2.0, kLeast_s = 1.0;
   return std::min(c_m_s * c_m_s / std::max(kBehind_m, 2.0 * farthestObserver_m), c_m_s / kLeast_s);

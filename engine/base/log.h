@@ -11,7 +11,8 @@ enum class Level { note, warning, error };
 /// Receives each line, without its end. May be called from any thread, from one at a time. Must not log.
 using Sink = std::function<void(Level, std::string_view)>;
 
-/// Puts another sink in the place of the present one, which it returns. The first one writes to standard error.
+/// Puts another sink in the place of the present one, which it returns. The first one writes to standard
+/// error.
 Sink replaceSink(Sink sink);
 
 /// A line as it is for people: a warning begins with "warning: ", an error with "error: ".

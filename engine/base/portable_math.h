@@ -15,8 +15,8 @@ struct SinCos {
   double sin, cos;
 };
 
-/// Returns sin x and cos x of an angle up to 10⁶ rad, each within 1 unit in the last place. Of larger angles it
-/// first takes whole turns of the double that is nearest to 2π, an error below half a unit in the last
+/// Returns sin x and cos x of an angle up to 10⁶ rad, each within 1 unit in the last place. Of larger angles
+/// it first takes whole turns of the double that is nearest to 2π, an error below half a unit in the last
 /// place of x.
 SinCos portableSinCos(double x);
 

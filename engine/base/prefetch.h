@@ -6,8 +6,9 @@
 
 namespace carom {
 
-/// Prefetches the cache line of `data` into the second cache, where data prefetched far ahead does not drive out data
-/// in use. The empty statement keeps the compiler from leaving out calls of functions that do nothing but this.
+/// Prefetches the cache line of `data` into the second cache, where data prefetched far ahead does not drive
+/// out data in use. The empty statement keeps the compiler from leaving out calls of functions that do
+/// nothing but this.
 inline void prefetch(const void* data) {
   __builtin_prefetch(data, 0, 2);
   asm volatile("");

@@ -10,8 +10,8 @@ namespace carom {
 /// Returns the place where f changes from not above 0 to above 0. Searches outwards from `guess` in steps
 /// that double from `step`, then narrows the interval until no number lies between its ends: by Oliveira and
 /// Takahashi's steps (2020, "An enhancement of the bisection method average performance preserving minmax
-/// optimality"), which go to where the chord between the ends is 0 and a little beyond, and no further from the
-/// middle than that halving alone would hardly be faster.
+/// optimality"), which go to where the chord between the ends is 0 and a little beyond, and no further from
+/// the middle than that halving alone would hardly be faster.
 template <typename Function>
 double rootOfIncreasing(const Function& f, double guess, double step = 1e-3) {
   double low = guess - step, atLow = f(low);

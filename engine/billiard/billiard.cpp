@@ -136,8 +136,9 @@ double Billiard::arrivalOnKnownLegs_s(const Stroke& stroke) const {
   return t_s;
 }
 
-// Where the light of the hand is a diameter and a slice before the centre of a soft puck: its nodes are struck one by one,
-// from about then on. The light gains on the distance all the time, so there is one such moment.
+// Where the light of the hand is a diameter and a slice before the centre of a soft puck: its nodes are
+// struck one by one, from about then on. The light gains on the distance all the time, so there is one such
+// moment.
 double Billiard::reachesSoft_s(const Stroke& stroke) const {
   const double c = setup_.lightSpeed_m_s;
   const Puck& puck = setup_.pucks[stroke.puck];

@@ -38,8 +38,8 @@ class SoftGame;
 /// * A pair that has collided does not collide again until one of the two has had another event.
 /// * A pair or cushion already in contact when a leg begins, and approaching, is kicked at that moment
 ///   without delay: the pair at the later of the two starts in the equal-speed frame, and its signal starts
-///   at each centre. Such a kick does not wait for light, so a row of touching pucks passes an impact on faster
-///   than light; `GameEvent::withoutDelay` marks it.
+///   at each centre. Such a kick does not wait for light, so a row of touching pucks passes an impact on
+///   faster than light; `GameEvent::withoutDelay` marks it.
 /// * Pucks that touch can collide without end in a finite time where they or the cushions are inelastic. A
 ///   puck that others have kicked 64 times within the time that light needs to cross its radius is pressed,
 ///   until it has been left in peace for as long; the kick of a pressed puck counts as 16. Where two pressed
@@ -52,34 +52,39 @@ class SoftGame;
 ///   every fourth such turn that one of the meeting pair has had since it was last in peace, up to c or the
 ///   hardest impact: so pucks that are pressed again and again become one body.
 ///   Momentum is that of all; the rest of the energy is heat. Up to this 64th kick, and between pucks if
-///   one is not pressed, every impact is one as ever. What closes slower than the bound is left alone where it
-///   closes at less than a thousandth of its relative speed, so that the straight flights pass at most a
+///   one is not pressed, every impact is one as ever. What closes slower than the bound is left alone where
+///   it closes at less than a thousandth of its relative speed, so that the straight flights pass at most a
 ///   millionth of R1 + R2 (half of the square of that share) inside each other, or where the whole relative
 ///   speed is below a millionth of the bound: at first 1e-12 c, rounding, 5 nm in an hour at 1.42 m/s; at
 ///   most 1e-6 c, a millionth of R in the time after which a puck in peace is no more pressed. Elastic pucks
 ///   between elastic cushions are never pressed. `jams` tells where.
 /// * A pressed puck keeps its spin: rims in a jam neither slip nor roll on each other.
-/// * Bodies with corners lie on each other, and on cushions, at several places. Elastic ones can be pressed as
+/// * Bodies with corners lie on each other, and on cushions, at several places. Elastic ones can be pressed
+/// as
 ///   well, and elastic discs beside them; a kick without delay counts as 16. Where such a body meets another
-///   without delay, both pressed, or a cushion, all kicks between it and all pressed pucks that touch it, in a
-///   chain, happen at once, without friction, each time at the place at which two close fastest, until none closes
-///   faster than 1e-10 c: elastic ones where the rules are elastic, else with the restitution 1/4, so that it comes
-///   to an end after few. These kicks change spins. Bodies that are so wedged that 300 rounds do not settle it, or
-///   that have been in 64 jams without peace, move on as one, without spins, and what energy is over is heat. A
-///   pair that recedes where it is in contact, by the momenta that are decided, is kicked where else it touches and
-///   approaches; a pair of bodies that turn can meet again on the same legs where nothing came of a contact.
-/// * A body with corners and another that have come together remember that contact until they have parted. Thin ones
-///   can be deep in each other, or behind each other, when light has told their centres: until they are back, only
-///   those sides kick from which they came (persistent_contact.h). Where a third one turns one of them while they are
-///   behind each other, they stay there. While a contact's signal is on its way, other corners of the pair still meet
-///   on the old legs: such a contact is one with a signal of its own, by the momenta that are decided, and its kick
-///   takes in all places at which the two are in or through each other by then, until they recede at all of them. One
-///   that is heard of before the first waits for it. Corners that are through the other body as a leg begins, and go
-///   on, are kicked at once, without delay. At a bounce a body keeps its angle in the board's axes.
+///   without delay, both pressed, or a cushion, all kicks between it and all pressed pucks that touch it, in
+///   a chain, happen at once, without friction, each time at the place at which two close fastest, until none
+///   closes faster than 1e-10 c: elastic ones where the rules are elastic, else with the restitution 1/4, so
+///   that it comes to an end after few. These kicks change spins. Bodies that are so wedged that 300 rounds
+///   do not settle it, or that have been in 64 jams without peace, move on as one, without spins, and what
+///   energy is over is heat. A pair that recedes where it is in contact, by the momenta that are decided, is
+///   kicked where else it touches and approaches; a pair of bodies that turn can meet again on the same legs
+///   where nothing came of a contact.
+/// * A body with corners and another that have come together remember that contact until they have parted.
+/// Thin ones
+///   can be deep in each other, or behind each other, when light has told their centres: until they are back,
+///   only those sides kick from which they came (persistent_contact.h). Where a third one turns one of them
+///   while they are behind each other, they stay there. While a contact's signal is on its way, other corners
+///   of the pair still meet on the old legs: such a contact is one with a signal of its own, by the momenta
+///   that are decided, and its kick takes in all places at which the two are in or through each other by
+///   then, until they recede at all of them. One that is heard of before the first waits for it. Corners that
+///   are through the other body as a leg begins, and go on, are kicked at once, without delay. At a bounce a
+///   body keeps its angle in the board's axes.
 /// * No contact of a pair can be played backwards, in either convention.
 /// * Of a puck whose last 64 kicks, cushions' among them, fell within a millionth of that time, kicks are
 ///   perfectly plastic until it has been left in peace for as long: so between two cushions.
-///   A disc that comes to a cushion slower than 1e-18 c stops: rough ones would turn it in their corner without end.
+///   A disc that comes to a cushion slower than 1e-18 c stops: rough ones would turn it in their corner
+///   without end.
 ///
 /// With friction, the contact of two pucks is at the first board time t at which Dpar = dmin for the flights
 /// that touch the two world lines at t, or, of a pair already in contact, where the later leg begins in its
@@ -119,8 +124,8 @@ class Billiard {
   Changes takeChanges();
 
   Ledger ledger() const;
-  /// Returns the soft pucks at a board time not before that of the last call of `advanceTo` but one, and not after the
-  /// last; with these points of theirs.
+  /// Returns the soft pucks at a board time not before that of the last call of `advanceTo` but one, and not
+  /// after the last; with these points of theirs.
   SoftMoment softAt(double t_s, std::span<const SoftPoint> points = {}) const;
   std::vector<FrozenPuck> frozen() const;
   std::span<const JamNote> jams() const;

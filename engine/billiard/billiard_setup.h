@@ -46,8 +46,8 @@ struct Puck {
   double inertia = 0.5;  ///< share of the mass that is in the rim (engine/collision/spinning_body.h)
   /// At board time 0, where its angle is 0: in the centre's rest frame, anticlockwise seen from above.
   double spin_kg_m2_s = 0.0;
-  /// The corners, from the centre, anticlockwise in the rest frame at angle 0 (engine/collision/outline.h). None: a
-  /// disc.
+  /// The corners, from the centre, anticlockwise in the rest frame at angle 0 (engine/collision/outline.h).
+  /// None: a disc.
   std::vector<Vec2> outline_m{};
   std::optional<SoftMatter> soft{};  ///< none: a rigid puck
 };
@@ -63,8 +63,8 @@ struct PhysicsRules {
   double cushionRestitution = 1.0;
   double friction_m_s2 = 0.0;
   CollisionEvent collisionEvent = CollisionEvent::centre;
-  // Coulomb's coefficients between rims and at cushions, and the share that is left of the speed at which rims slip
-  // (engine/collision/rim_friction.h). Infinite: rims never slide.
+  // Coulomb's coefficients between rims and at cushions, and the share that is left of the speed at which
+  // rims slip (engine/collision/rim_friction.h). Infinite: rims never slide.
   double puckFriction = 0.0, cushionFriction = 0.0;
   double tangentialRestitution = 0.0;
   double spinDeceleration_m_s2 = 0.0;  ///< of the rim, by the cloth
@@ -85,8 +85,8 @@ struct Stroke {
   std::optional<Vec3> from_m;  ///< the hand's place; none: the centre itself
   Vec2 momentum_kg_m_s{0.0};
   /// How far beside the centre it strikes, to the right of its momentum, in the puck's rest frame: it then
-  /// turns the puck, J' = J + offset · |p| for a puck at rest. It grips no farther out than 0.99 R/u of a puck
-  /// with the celerity u along the stroke: beyond, no spin is in balance with its energy.
+  /// turns the puck, J' = J + offset · |p| for a puck at rest. It grips no farther out than 0.99 R/u of a
+  /// puck with the celerity u along the stroke: beyond, no spin is in balance with its energy.
   double offset_m = 0.0;
 };
 

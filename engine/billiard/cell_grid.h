@@ -143,8 +143,8 @@ class CellGrid {
   static int indexIn(double index, int count) {
     return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
   }
-  // The margin is the first row, the last, and what follows the columns of every row, which is the one before those of the
-  // next row, too.
+  // The margin is the first row, the last, and what follows the columns of every row, which is the one before
+  // those of the next row, too.
   int cellIn(int column, int row) const { return ((row + 1) << rowShift_) + column; }
   int indexOf(int cell, int axis) const {
     return axis == 0 ? cell & ((1 << rowShift_) - 1) : (cell >> rowShift_) - 1;

@@ -141,8 +141,9 @@ void CollisionScheduler::flashUntil(double limit, GameHistory& history) {
   }
 }
 
-// A puck put off behind a later one may still have something to do before `limit`. Those that have not are set aside
-// until the limit changes: what changes the event of one of them gives it another place in the queue, too.
+// A puck put off behind a later one may still have something to do before `limit`. Those that have not are
+// set aside until the limit changes: what changes the event of one of them gives it another place in the
+// queue, too.
 bool CollisionScheduler::hasDeferredBefore(double limit) {
   while (deferred_.size() > deferredLater_) {
     const int i = deferred_.back();
@@ -159,7 +160,8 @@ bool CollisionScheduler::hasDeferredBefore(double limit) {
 }
 
 // Memory takes as long as some hundred operations. Of many pucks the data are asked for some events before
-// they are needed: a puck's own, then what these lead to. Of two that meet, which are due at once, the first does it.
+// they are needed: a puck's own, then what these lead to. Of two that meet, which are due at once, the first
+// does it.
 void CollisionScheduler::prefetchUpcoming() {
   constexpr int kOwn = DueQueue::kSoon, kOthers = 11;  // events ahead
   const auto fetch = [&](int i) {

@@ -242,7 +242,8 @@ class CollisionScheduler {
   std::optional<SpinningPairKick> cornerKick(const std::array<int, 2>& who, const PairContact& contact,
                                              const std::array<Vec21, 2>& u, const std::array<double, 2>& j,
                                              double restitution) const;
-  // Whether discs that are pressed, as they can be by bodies with corners, bounce off each other without loss.
+  // Whether discs that are pressed, as they can be by bodies with corners, bounce off each other without
+  // loss.
   bool discsStayElastic() const { return outlines_ != nullptr && puckRestitution_ == 1.0; }
 
   // collision_scheduler_jam.cpp: what happens to pucks that press on one another

@@ -29,8 +29,9 @@ RimRules withRestitution(RimRules rims, double restitution) {
 
 }  // namespace
 
-// By the momenta that are decided. Whether discs recede does not depend on their masses, and so not on what the cloth
-// has left of their spins: by P = m1 u1 + m2 u2,   p1·k = m1 m2 ((n·u1) (U·u2) − (n·u2) (U·u1))/(U·P).
+// By the momenta that are decided. Whether discs recede does not depend on their masses, and so not on what
+// the cloth has left of their spins: by P = m1 u1 + m2 u2,   p1·k = m1 m2 ((n·u1) (U·u2) − (n·u2)
+// (U·u1))/(U·P).
 bool CollisionScheduler::receding(const std::array<int, 2>& who, const PairContact& contact,
                                   const PredictedEvent& a, const std::array<double, 2>& touchAt) const {
   const bool braked = brake_ != 0.0;
@@ -84,8 +85,8 @@ std::optional<SpinningCushionKick> CollisionScheduler::cushionKick(int i, int cu
   return SpinningCushionKick{*kick, j};
 }
 
-// Returns until when this pair's contacts on the legs that they follow have been dealt with: for good, but where
-// nothing comes of a contact of bodies that turn, up to this one.
+// Returns until when this pair's contacts on the legs that they follow have been dealt with: for good, but
+// where nothing comes of a contact of bodies that turn, up to this one.
 double CollisionScheduler::collide(int first, int second, const PredictedEvent& a, GameHistory& history) {
   const std::array<int, 2> who{first, second};
   const bool braked = brake_ != 0.0;

@@ -1,4 +1,5 @@
-// How bodies with corners enter the game: their flights, contacts and kicks. A game of discs never comes here.
+// How bodies with corners enter the game: their flights, contacts and kicks. A game of discs never comes
+// here.
 
 #include <algorithm>
 #include <cmath>
@@ -114,8 +115,8 @@ std::vector<CollisionScheduler::PersistentPair> CollisionScheduler::persistentPa
   return pairs;
 }
 
-// Bodies that lie on each other at several places and recede at that of the contact: takes the one at which they
-// approach fastest. Returns whether there is one.
+// Bodies that lie on each other at several places and recede at that of the contact: takes the one at which
+// they approach fastest. Returns whether there is one.
 bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const PredictedEvent& a,
                                            PairContact& contact) const {
   if (!a.withoutDelay) return false;
@@ -135,8 +136,8 @@ bool CollisionScheduler::approachElsewhere(const std::array<int, 2>& who, const 
   return fastest > kResting;
 }
 
-// Bodies that have not parted lie in each other at other places as well: until they recede at all of them by the
-// momenta that are decided, the impact goes on there.
+// Bodies that have not parted lie in each other at other places as well: until they recede at all of them by
+// the momenta that are decided, the impact goes on there.
 void CollisionScheduler::kickOtherPlaces(const std::array<int, 2>& who, const PairContact& contact,
                                          PairOutcome& outcome) const {
   const PersistentContact* const earlier = persistentContact(who[0], who[1]);
@@ -221,8 +222,8 @@ std::vector<TouchedPlace> CollisionScheduler::placesOf(const JamBody& one, const
                        persistentContact(one.puck, other.puck));
 }
 
-// Bodies with corners that lie on each other or on a cushion would be kicked at one place after the other, each
-// kick sending others together. All such kicks are taken at once. Returns whether there are any.
+// Bodies with corners that lie on each other or on a cushion would be kicked at one place after the other,
+// each kick sending others together. All such kicks are taken at once. Returns whether there are any.
 bool CollisionScheduler::settleCorners(std::span<const int> who, std::span<const LegState> turn,
                                        const Vec21& touch, const Vec21& U, GameHistory& history) {
   jamBodies_.clear();

@@ -153,8 +153,8 @@ bool CollisionScheduler::isEarlier(double ownTime, int with, const PredictedEven
          (ownTime == than.ownTime && than.kind == PredictedKind::pair && with < than.with);
 }
 
-// Writes those of found_ to near_ from `begin` on that the coarse flights do not exclude, without a branch, and
-// asks for their data. Returns their end.
+// Writes those of found_ to near_ from `begin` on that the coarse flights do not exclude, without a branch,
+// and asks for their data. Returns their end.
 int CollisionScheduler::sortOut(int i, int begin) {
   int* const near = near_.data();
   const int* const items = found_.items.data();

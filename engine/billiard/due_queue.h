@@ -2,12 +2,13 @@
 // A priority queue of numbered items. Each item has a time at which it is due; that time can be changed.
 // Items with equal times come out in the order of their numbers.
 //
-// The soonest are a short sorted list, so that one can look ahead. Further items due today are in a four-way heap.
-// Four siblings fill one cache line, and the least of them is found without a branch. Where there are many items,
-// those due later are only listed under their day: a calendar (R. Brown, 1988, Calendar queues). When the soonest become
-// few, the next day's items are sorted and follow them; only an item that is due that day and is given its time afterwards goes
-// through the heap. An item that is given another time stays on the list of its old day, and is left out there when that
-// day comes. When the calendar ends, a new one begins, for which all items are looked through once.
+// The soonest are a short sorted list, so that one can look ahead. Further items due today are in a four-way
+// heap. Four siblings fill one cache line, and the least of them is found without a branch. Where there are
+// many items, those due later are only listed under their day: a calendar (R. Brown, 1988, Calendar queues).
+// When the soonest become few, the next day's items are sorted and follow them; only an item that is due that
+// day and is given its time afterwards goes through the heap. An item that is given another time stays on the
+// list of its old day, and is left out there when that day comes. When the calendar ends, a new one begins,
+// for which all items are looked through once.
 
 #include <algorithm>
 #include <array>
@@ -141,14 +142,14 @@ class DueQueue {
     }
   }
 
-  // The heap holds items due up to this day. An item due after the calendar's end has the day after the last, what is
-  // never due a day after that.
+  // The heap holds items due up to this day. An item due after the calendar's end has the day after the last,
+  // what is never due a day after that.
   int dayOf(double time) const {
     if (time == kNever) return lastDay_ + 2;
     return static_cast<int>(std::clamp((time - begins_) * perDay_, 0.0, lastDay_ + 1.0));
   }
-  // Adds the items of the next day to the soonest, behind which nothing is in the heap. Returns whether there is such a
-  // day: not after the last of a calendar while something is due before, nor where nothing is due.
+  // Adds the items of the next day to the soonest, behind which nothing is in the heap. Returns whether there
+  // is such a day: not after the last of a calendar while something is due before, nor where nothing is due.
   bool openDay() {
     if (days_.empty() || (today_ == lastDay_ && (begin_ < end_ || !beginCalendar()))) return false;
     constexpr std::size_t kAhead = 16;
@@ -174,8 +175,8 @@ class DueQueue {
     makeRoom();
     soon_[end_++] = entry;
   }
-  // Begins a calendar with the first item due. A sample of the items tells how long a day is. Returns whether there
-  // is such an item.
+  // Begins a calendar with the first item due. A sample of the items tells how long a day is. Returns whether
+  // there is such an item.
   bool beginCalendar() {
     constexpr std::size_t kSample = 512, kShare = 4;
     std::array<double, kSample> sample;

@@ -19,8 +19,8 @@ using Vec2 = glm::dvec2;
 /// The kinds of events. `jam` is one puck of several that press on one another and move on without closing on
 /// each other (see `Billiard`). Each of them has an event of its own, all with the same contact; momentum
 /// balances over all of them.
-/// The first touch of a soft puck and a cushion is a `softCushion`, that of two soft ones a `softSoft`; their turns
-/// name the pucks, and change nothing.
+/// The first touch of a soft puck and a cushion is a `softCushion`, that of two soft ones a `softSoft`; their
+/// turns name the pucks, and change nothing.
 enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash, jam, softCushion, softSoft };
 inline constexpr EventKind kLastEventKind = EventKind::softSoft;
 enum class Cushion : std::uint8_t { plusX, minusX, plusY, minusY };

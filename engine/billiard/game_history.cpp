@@ -8,9 +8,9 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kFewPucks = 256;  // whose world lines' ends lie in the caches
-// Memory that is used for the first time costs time. Of many pucks it is taken in advance for about four collisions a
-// puck: so many events, and bytes of knots. The list of events has addresses for what a session keeps that forgets what is
-// past, so that it need not be moved.
+// Memory that is used for the first time costs time. Of many pucks it is taken in advance for about four
+// collisions a puck: so many events, and bytes of knots. The list of events has addresses for what a session
+// keeps that forgets what is past, so that it need not be moved.
 constexpr std::size_t kBoughtEvents = 4, kBoughtBytes = 1100;
 constexpr std::size_t kAddressesPerPuck = 32, kMostAddresses = std::size_t{1} << 24;
 // Of more pucks, at most this number of legs wait.
@@ -64,8 +64,8 @@ void GameHistory::addLeg(std::size_t puck, const Leg& leg, const Turning& turnin
   if (newLegs_.size() >= std::max(kNewLegs, kNewLegsPerPuck * lines_.size())) complete();
 }
 
-// The world lines of many pucks are scattered over the memory. Many legs are therefore appended at once, line after line,
-// and the data of those to come are asked for while one is added.
+// The world lines of many pucks are scattered over the memory. Many legs are therefore appended at once, line
+// after line, and the data of those to come are asked for while one is added.
 void GameHistory::complete() {
   if (newLegs_.empty()) return;
   ends_.assign(lines_.size() + 1, 0);

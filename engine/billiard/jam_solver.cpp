@@ -52,7 +52,8 @@ MovingShape JamBody::shape() const {
   return {turn.x, u, radius, outline, turning.angle, rimBeta(masses, j) / radius};
 }
 
-// Each sweep goes through the contacts the other way round; those whose bodies the last two sweeps left alone are left out.
+// Each sweep goes through the contacts the other way round; those whose bodies the last two sweeps left alone
+// are left out.
 bool JamSolver::relax(double slow) {
   const int sweeps = rules_.withCorners ? kSweepsWithCorners : kSweeps;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -94,8 +95,8 @@ bool JamSolver::partDiscs(JamBody& one, JamBody& two, double slow) const {
   return true;
 }
 
-// A kick without friction at that of the places where two bodies touch at which they close fastest. Returns whether
-// they close.
+// A kick without friction at that of the places where two bodies touch at which they close fastest. Returns
+// whether they close.
 bool JamSolver::partCorners(JamBody& one, JamBody& two, std::span<const TouchedPlace> places) const {
   const RimRules rules{rules_.puckRestitution < 1.0 ? kJamRebound : 1.0};
   const Vec21 U = equalSpeedFrame(one.u, two.u);
@@ -143,8 +144,8 @@ void JamSolver::partFromCushions(JamBody& body) const {
   }
 }
 
-// Of body i heat m_i (γ_i − 1) in the frame of the common velocity: Σ (m_i + heat_i) u = Σ m_i u_i. Bodies with
-// corners lose their spins, whose energy becomes heat as well.
+// Of body i heat m_i (γ_i − 1) in the frame of the common velocity: Σ (m_i + heat_i) u = Σ m_i u_i. Bodies
+// with corners lose their spins, whose energy becomes heat as well.
 void JamSolver::moveOnTogether(double slow) {
   const bool all = slow == kNever;
   for (bool changed = true; changed;) {

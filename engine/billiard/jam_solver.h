@@ -1,10 +1,9 @@
 #pragma once
 // Bodies that press on one another: bodies and their contacts in, velocities and spins out. c = 1.
 //
-// The contacts are kicked one after the other, discs without rebound, until none closes. What then moves together
-// goes on with one velocity. Four-momentum is conserved; the energy that is lost is heat, which each body radiates in its
-// own rest frame.
-// Theory: app/doc/physics.md, Jams.
+// The contacts are kicked one after the other, discs without rebound, until none closes. What then moves
+// together goes on with one velocity. Four-momentum is conserved; the energy that is lost is heat, which each
+// body radiates in its own rest frame. Theory: app/doc/physics.md, Jams.
 
 #include <optional>
 #include <span>
@@ -72,11 +71,11 @@ class JamSolver {
             std::span<const JamContact> contacts)
       : rules_(rules), cushions_(cushions), bodies_(bodies), contacts_(contacts) {}
 
-  /// Kicks one contact after the other until none closes faster than `slow`; of bodies with corners, which rebound a
-  /// little, until none closes. Returns whether it came to that.
+  /// Kicks one contact after the other until none closes faster than `slow`; of bodies with corners, which
+  /// rebound a little, until none closes. Returns whether it came to that.
   bool relax(double slow);
-  /// Gives bodies that touch and move relative to each other slower than `slow` the velocity of their total momentum;
-  /// bodies with corners only where `slow` is infinite.
+  /// Gives bodies that touch and move relative to each other slower than `slow` the velocity of their total
+  /// momentum; bodies with corners only where `slow` is infinite.
   void moveOnTogether(double slow);
 
  private:
@@ -93,8 +92,8 @@ class JamSolver {
   std::span<const JamContact> contacts_;
 };
 
-/// Returns the way from the first of two centres to the second when the later of both has turned, in the frame in which
-/// they move with equal speeds.
+/// Returns the way from the first of two centres to the second when the later of both has turned, in the
+/// frame in which they move with equal speeds.
 Vec21 wayBetween(const JamBody& one, const JamBody& two);
 /// Returns 2(γrel − 1), which is the square of a small relative celerity, without cancellation.
 double relative2(const Vec21& u1, const Vec21& u2);

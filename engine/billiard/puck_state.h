@@ -1,6 +1,6 @@
 #pragma once
-// What the scheduler of a game keeps of each puck: its predicted event, the legs that are decided, the contacts that
-// are dealt with, its runs of impacts. Times in metres of light.
+// What the scheduler of a game keeps of each puck: its predicted event, the legs that are decided, the
+// contacts that are dealt with, its runs of impacts. Times in metres of light.
 
 #include <array>
 #include <cstdint>

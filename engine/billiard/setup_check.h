@@ -5,7 +5,8 @@
 
 namespace carom {
 
-/// The least share of a puck's mass in its rim: with much less, rounding decides how fast a rough kick turns it.
+/// The least share of a puck's mass in its rim: with much less, rounding decides how fast a rough kick turns
+/// it.
 inline constexpr double kLeastInertia = 1e-6;
 
 /// Throws std::invalid_argument, which names the pucks and the values, for a setup that cannot be played (see

@@ -142,7 +142,8 @@ LegState SoftGame::centreAt(std::size_t puck, double t, GameHistory& history) co
           motion.properTime_s * c_m_s_};
 }
 
-// A leg goes on as long as the centre of energy is on it at the end of a slice; else another begins with the slice.
+// A leg goes on as long as the centre of energy is on it at the end of a slice; else another begins with the
+// slice.
 void SoftGame::writeLegs(double from, GameHistory& history) {
   for (std::size_t number = 0; number < puckOf_.size(); ++number) {
     const std::size_t puck = puckOf_[number];

@@ -92,8 +92,9 @@ double closeStep(const BrakedDisc& first, const BrakedDisc& second, double t, co
   return root > away ? std::min(most, 2.0 * std::abs(s.value) / (root - away)) : 0.0;
 }
 
-// How far back from any moment of the search a contact can lie whose signal reaches both centres after it, and
-// how far apart in time two events are at most that are simultaneous for the pair when they are near: R γ (γ
+// How far back from any moment of the search a contact can lie whose signal reaches both centres after it,
+// and how far apart in time two events are at most that are simultaneous for the pair when they are near: R γ
+// (γ
 // + u) of each, with room to spare.
 double spanOf(const Disc& first, const Disc& second) {
   const double gamma = first.u.t + second.u.t;
@@ -110,8 +111,9 @@ Disc flightSince(const BrakedDisc& disc, double t, double span) {
   return {{begin, m.x.x + m.u.x * s, m.x.y + m.u.y * s}, m.u, disc.radius, 0.0};
 }
 
-// A pair in contact is kicked at the later of the two starts in its equal-speed frame, U ∝ u1 + u2. The flights are
-// those that touch the legs at that moment: there, and where the other leg is simultaneous with it.
+// A pair in contact is kicked at the later of the two starts in its equal-speed frame, U ∝ u1 + u2. The
+// flights are those that touch the legs at that moment: there, and where the other leg is simultaneous with
+// it.
 std::array<double, 2> touchOfPairInContact(const BrakedDisc& first, const BrakedDisc& second) {
   const Leg* const legs[2] = {&first.leg, &second.leg};
   const double lead = dot(first.leg.u + second.leg.u, second.leg.start - first.leg.start);
@@ -128,8 +130,8 @@ std::array<double, 2> touchOfPairInContact(const BrakedDisc& first, const Braked
   return touch;
 }
 
-// The meeting of the flights that touch the legs at t; of a pair that is in contact as the later leg begins, of
-// those at that moment: only they say whether it approaches.
+// The meeting of the flights that touch the legs at t; of a pair that is in contact as the later leg begins,
+// of those at that moment: only they say whether it approaches.
 std::optional<BrakedMeeting> meetingAt(const BrakedDisc& first, const BrakedDisc& second, double t,
                                        double span, bool inContact, TurnConvention convention) {
   std::array<double, 2> touch{t, t};

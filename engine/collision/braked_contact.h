@@ -1,8 +1,8 @@
 #pragma once
 // The contact of two pucks that friction slows: the first board time t at which Dpar = dmin (puck_contact.h)
-// for the straight flights that touch both world lines at t. A pair that is in contact as the later of the two
-// legs begins, in its equal-speed frame, meets then: its flights touch the world lines at that moment of the frame.
-// Theory: app/doc/physics.md, Friction.
+// for the straight flights that touch both world lines at t. A pair that is in contact as the later of the
+// two legs begins, in its equal-speed frame, meets then: its flights touch the world lines at that moment of
+// the frame. Theory: app/doc/physics.md, Friction.
 
 #include <array>
 #include <optional>

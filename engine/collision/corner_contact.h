@@ -6,20 +6,20 @@
 // discs (puck_contact.h), in the frame in which both move with equal and opposite speeds, U ∝ u1 + u2. In the
 // axes of b, a boost of the board's, and back by the angle of b, corner d of a at its own time s is at
 //     z(s) = Rot(−φ_b − Ω_b τ_b) [X_a − X_b + E_a Rot(φ_a + Ω_a s) d + u_a s]   in the components along E_b,
-// τ_b being b's own time of that event. Without spin z is linear and the piercing closed; with spin it is found
-// by conservative advancement: per metre of s the distance between a corner and an outline falls by at most
+// τ_b being b's own time of that event. Without spin z is linear and the piercing closed; with spin it is
+// found by conservative advancement: per metre of s the distance between a corner and an outline falls by at
+// most
 //     γrel (1 + βrel f_a) (min(1, βrel + f_a) + f_b),    f the speed of the farthest corner.
 // Contacts of two curved sides between corners, which are rarer than their sagitta is large, do not count.
 //
-// A disc and a body with corners: in the frame of U the disc is an ellipse. A stretch along its velocity makes
-// it a circle; the sides join the corners' simultaneous events and stay straight, but for those of a body that
-// turns. They touch where the circle's centre is R from the stretched outline.
+// A disc and a body with corners: in the frame of U the disc is an ellipse. A stretch along its velocity
+// makes it a circle; the sides join the corners' simultaneous events and stay straight, but for those of a
+// body that turns. They touch where the circle's centre is R from the stretched outline.
 //
-// A flight holds from its start on: a contact counts from the moment on at which both have begun, in the frame
-// of U, or, of two that begin at board time 0, after board time 0. Bodies that overlap by then and approach
-// are in contact at that moment, without delay.
-// Bodies that have not parted since an earlier contact: see persistent_contact.h.
-// Theory: app/doc/physics.md, Polygons.
+// A flight holds from its start on: a contact counts from the moment on at which both have begun, in the
+// frame of U, or, of two that begin at board time 0, after board time 0. Bodies that overlap by then and
+// approach are in contact at that moment, without delay. Bodies that have not parted since an earlier
+// contact: see persistent_contact.h. Theory: app/doc/physics.md, Polygons.
 
 #include <limits>
 #include <optional>
@@ -43,7 +43,8 @@ struct CornerContact {
 };
 
 /// Returns the first contact of two flights, at least one with an outline; none if they do not meet. With
-/// `after`, the time of a contact of these flights, the next one: of a corner that comes in, or goes deeper, later.
+/// `after`, the time of a contact of these flights, the next one: of a corner that comes in, or goes deeper,
+/// later.
 std::optional<CornerContact> findCornerContact(const MovingShape& first, const MovingShape& second,
                                                double after = -std::numeric_limits<double>::infinity(),
                                                const PersistentContact* earlier = nullptr,
@@ -53,8 +54,8 @@ std::optional<CornerContact> findCornerContact(const MovingShape& first, const M
                                                const Vec21& order,
                                                const PersistentContact* earlier = nullptr);
 
-/// Returns how two bodies have come from an earlier contact by the moment at which the later flight begins, in the
-/// frame of equal speeds; or by a time of this frame, from the first one's start on.
+/// Returns how two bodies have come from an earlier contact by the moment at which the later flight begins,
+/// in the frame of equal speeds; or by a time of this frame, from the first one's start on.
 PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,
                                   const MovingShape& second);
 PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,
@@ -64,13 +65,13 @@ PenetrationState penetrationSince(const PersistentContact& earlier, const Moving
 struct TouchedPlace {
   Vec21 event, n;
 };
-/// Returns all places at which two bodies touch or overlap as the later flight begins, in the frame of equal speeds.
-/// Places nearer than `within` touch.
+/// Returns all places at which two bodies touch or overlap as the later flight begins, in the frame of equal
+/// speeds. Places nearer than `within` touch.
 std::vector<TouchedPlace> touchedPlaces(const MovingShape& first, const MovingShape& second, double within,
                                         const PersistentContact* earlier = nullptr);
 
-/// Returns the places at which two bodies with corners that have not parted since an earlier contact are in or through
-/// each other at a time of the frame of equal speeds, from the first one's start on.
+/// Returns the places at which two bodies with corners that have not parted since an earlier contact are in
+/// or through each other at a time of the frame of equal speeds, from the first one's start on.
 std::vector<TouchedPlace> placesKeptOut(const MovingShape& first, const MovingShape& second, double time,
                                         const PersistentContact& earlier);
 

@@ -68,8 +68,8 @@ class Approach {
     }
     return farthest;
   }
-  /// The point of the outline straight ahead of the centre, as it comes to the cushion before the centre does. None
-  /// if the centre does not move towards it.
+  /// The point of the outline straight ahead of the centre, as it comes to the cushion before the centre
+  /// does. None if the centre does not move towards it.
   struct Foot {
     double s;
     Vec21 event;

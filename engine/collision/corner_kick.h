@@ -1,9 +1,10 @@
 #pragma once
-// Computes how a contact changes momenta and spins where it lies beside a centre: the kick with levers. c = 1.
+// Computes how a contact changes momenta and spins where it lies beside a centre: the kick with levers. c
+// = 1.
 //
-// In the frame of the total momentum P, with k along the normal, from the first to the second, and t along the
-// sides, the impulse q = α k + β t changes the momentum of the first by q, that of the second by −q, and through
-// their levers the spins
+// In the frame of the total momentum P, with k along the normal, from the first to the second, and t along
+// the sides, the impulse q = α k + β t changes the momentum of the first by q, that of the second by −q, and
+// through their levers the spins
 //     j1' = j1 + (α Λ1 + β λ1)/R1     j2' = j2 − (α Λ2 + β λ2)/R2     Λ = det(u, r, k)   λ = det(u, r, t)
 // with r from the centre to the contact. The energy H(α, β) = Σ sqrt(M(j')² + p'²) is convex. The bodies
 // approach where −k lowers it; H is again what it was at α_e, and
@@ -28,8 +29,8 @@ struct LeveredBody {
   Vec21 lever;          ///< from an event of the centre to the contact
 };
 
-/// Returns the kick that two bodies give each other; none if they recede from each other. U and n are those of
-/// `PairContact`.
+/// Returns the kick that two bodies give each other; none if they recede from each other. U and n are those
+/// of `PairContact`.
 std::optional<SpinningPairKick> kickCorners(const Vec21& U, const Vec21& n,
                                             const std::array<LeveredBody, 2>& bodies, const RimRules& rules);
 

@@ -51,8 +51,8 @@ constexpr double kSlideStep = 1e-3;
 /// A search ends after this number of steps, to be continued from there.
 constexpr int kMostSteps = 4096;
 
-/// The steps of a search, of a length in which a body outside cannot come nearer than it is, or the least one. This
-/// grows where it is taken again and again.
+/// The steps of a search, of a length in which a body outside cannot come nearer than it is, or the least
+/// one. This grows where it is taken again and again.
 class AdvancingSteps {
  public:
   AdvancingSteps(double size, double fastest)
@@ -77,7 +77,8 @@ constexpr double kCornerTouches = 1e-11;
 /// Of two bodies with corners.
 std::optional<FoundContact> findPiercing(const MovingShape& first, const MovingShape& second, const Vec21& U,
                                          const ContactWindow& window, const PersistentContact* earlier);
-/// Moves a piercing at which sides come to lie on each other to the middle of what touches at this time, and marks it.
+/// Moves a piercing at which sides come to lie on each other to the middle of what touches at this time, and
+/// marks it.
 void settleSimultaneous(const MovingShape& first, const MovingShape& second, const Vec21& U,
                         FoundContact& best);
 /// Of a disc and a body with corners, in either order.
@@ -87,8 +88,9 @@ std::optional<FoundContact> findRimContact(const MovingShape& first, const Movin
 /// Where the corners of each body are to the other, or the centre of a disc, at the time `window.from`.
 PenetrationState penetrationOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
                                       const ContactWindow& window, const PersistentContact& earlier);
-/// Returns from when on bodies with corners that have not parted since an earlier contact will have done so on these
-/// flights, found in steps that grow, until about a time; infinity if they do not, or had done so already.
+/// Returns from when on bodies with corners that have not parted since an earlier contact will have done so
+/// on these flights, found in steps that grow, until about a time; infinity if they do not, or had done so
+/// already.
 double partingOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
                         const ContactWindow& window, const PersistentContact& earlier, double until);
 PenetrationState penetrationOfDisc(const MovingShape& first, const MovingShape& second, const Vec21& U,

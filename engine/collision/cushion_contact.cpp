@@ -9,8 +9,9 @@ namespace carom {
 
 namespace {
 
-// Of the radius. A signal that has less than this to go is there already: where rounding decided, a game and its image
-// by an exchange of x and y would differ by a kick's delay. Turns so close to each other are one turn elsewhere, too.
+// Of the radius. A signal that has less than this to go is there already: where rounding decided, a game and
+// its image by an exchange of x and y would differ by a kick's delay. Turns so close to each other are one
+// turn elsewhere, too.
 constexpr double kThere = 1e-9;
 
 // Distance of the centre from the cushion at its own moment of the contact.

@@ -46,7 +46,8 @@ Vec2 pointOn(std::span<const Vec2> corners, std::size_t side, double share) {
 
 using Places = std::array<Vec2, kMostCorners>;
 
-/// The disc and the body in the frame of U, around the disc's centre and stretched so that the disc is a circle.
+/// The disc and the body in the frame of U, around the disc's centre and stretched so that the disc is a
+/// circle.
 class StretchedFrame {
  public:
   StretchedFrame(const MovingShape& disc, const MovingShape& body, const Vec21& origin, const Vec21& U)
@@ -93,9 +94,9 @@ class StretchedFrame {
   }
   /// Where the body starts, from the disc's centre at a time of the frame.
   Vec2 startAt(double time) const { return stretched(axes_.place(body_.start - centreAt(time))); }
-  /// A point of a side at a time of the frame: its place from the disc's centre, whose `start` is known, and the
-  /// first two derivatives by its share. With w the offset from the body's centre in its axes, e half the side
-  /// there, s the point's own time, and t = b + a·w + γ s for all points,
+  /// A point of a side at a time of the frame: its place from the disc's centre, whose `start` is known, and
+  /// the first two derivatives by its share. With w the offset from the body's centre in its axes, e half the
+  /// side there, s the point's own time, and t = b + a·w + γ s for all points,
   ///     w' = e + Ω s' w⟂     w'' = 2 Ω s' e⟂ − (Ω s')² w + Ω s'' w⟂     s' = −a·e/t_s     s'' = −a·(…)/t_s
   OnSide onSide(std::size_t k, double share, double time, const Vec2& start) const {
     const Vec2 point = pointOn(body_.outline->corners(), k, share);
@@ -166,7 +167,8 @@ class StretchedFrame {
     SinCos turn;
     double slope;
   };
-  /// Newton's steps. From the last one on, which is short, the turn is continued: with its square, below rounding.
+  /// Newton's steps. From the last one on, which is short, the turn is continued: with its square, below
+  /// rounding.
   AtTime pointAt(const Vec2& point, double time) const {
     constexpr double kShort = 1e-8;
     AtTime at{(time - bodyTime_) / gammaOfBody_, {}, gammaOfBody_};
@@ -272,7 +274,8 @@ Nearest nearestOnEntrance(std::span<const Vec2> corners, std::size_t side) {
   return {0.0, Vec2{-way.y, way.x} / glm::length(way), side, share};
 }
 
-// At a time, of a body that turns: its sides are not straight then, as their points are seen at different angles.
+// At a time, of a body that turns: its sides are not straight then, as their points are seen at different
+// angles.
 Nearest nearestOfTurning(const StretchedFrame& frame, double time, std::span<const Vec2> corners) {
   if (const auto entrance = frame.entrance(time); entrance && frame.isInside(time))
     return nearestOnEntrance(corners, *entrance);

@@ -24,7 +24,8 @@ OutlineFault fault(std::size_t corner, const Parts&... parts) {
   return {corner, text.str()};
 }
 
-/// Twice the area, with the sign of the direction of turning. Measured from a corner, so that nothing cancels.
+/// Twice the area, with the sign of the direction of turning. Measured from a corner, so that nothing
+/// cancels.
 double twiceArea(std::span<const Vec2> corners) {
   double sum = 0.0;
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
@@ -32,7 +33,8 @@ double twiceArea(std::span<const Vec2> corners) {
   return sum;
 }
 
-/// Whether no corner is farther than `beside` from the line through the first one and the one farthest from it.
+/// Whether no corner is farther than `beside` from the line through the first one and the one farthest from
+/// it.
 bool onOneLine(std::span<const Vec2> corners, double beside) {
   Vec2 line{0.0};
   for (const Vec2& corner : corners)
@@ -111,8 +113,8 @@ bool isNearer(double distance2, double front, double least2, double frontOfLeast
   return inFront != leastInFront ? inFront : std::abs(front) > std::abs(frontOfLeast);
 }
 
-// Sums over the triangles from the origin to each side a b, with z = a × b: area z/2, first moment z (a + b)/6,
-// second moment z (a·a + a·b + b·b)/12.
+// Sums over the triangles from the origin to each side a b, with z = a × b: area z/2, first moment z (a +
+// b)/6, second moment z (a·a + a·b + b·b)/12.
 OutlineMoments momentsOf(std::span<const Vec2> corners) {
   double area2 = 0.0, second = 0.0, farthest2 = 0.0;
   Vec2 first{0.0};
@@ -145,8 +147,8 @@ Outline::Outline(std::span<const Vec2> corners) : corners_(corners.begin(), corn
     convex_ = convex_ && cross2(sides_[k].along, sides_[(k + 1) % count].along) >= -1e-12;
 }
 
-// Of a convex outline the side of which the point is farthest outside. Of another the nearest side: inside lies the part
-// behind it, or nearest to a dent.
+// Of a convex outline the side of which the point is farthest outside. Of another the nearest side: inside
+// lies the part behind it, or nearest to a dent.
 Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
   Clearance found;
   if (convex_) {

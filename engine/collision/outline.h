@@ -29,12 +29,13 @@ std::optional<OutlineFault> faultOf(std::span<const glm::dvec2> corners);
 /// Returns whether the line from a to b and the one from c to d, which have no end in common, cross or touch.
 bool sidesMeet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
 
-/// Returns whether an outline is convex at a corner: a point nearest to it is outside. At a dent it is inside.
+/// Returns whether an outline is convex at a corner: a point nearest to it is outside. At a dent it is
+/// inside.
 bool turnsLeft(std::span<const glm::dvec2> corners, std::size_t corner);
 
-/// Returns whether a side is nearer to a point than another, by the squares of the distances and by how far the point is in
-/// front of their lines. Two sides are equally near at their corner: that is the nearer one which the point lies on the
-/// outside of, or else more in front of.
+/// Returns whether a side is nearer to a point than another, by the squares of the distances and by how far
+/// the point is in front of their lines. Two sides are equally near at their corner: that is the nearer one
+/// which the point lies on the outside of, or else more in front of.
 bool isNearer(double distance2, double front, double least2, double frontOfLeast);
 
 /// What a plate of even density with such an outline is. The corners are measured from the puck's centre.
@@ -68,7 +69,8 @@ class Outline {
     std::size_t side = 0;  ///< the nearest one inside and at the outline
   };
   Clearance clearanceOf(const glm::dvec2& point) const;
-  /// Returns the side by which a way, straight and from outside, comes in, of several the last; none if it does not.
+  /// Returns the side by which a way, straight and from outside, comes in, of several the last; none if it
+  /// does not.
   std::optional<std::size_t> entranceOf(const glm::dvec2& from, const glm::dvec2& to) const;
 
  private:

@@ -92,8 +92,8 @@ class Shrinking {
     return true;
   }
 
-  /// A bound for the distance from the ring along a straight line, with the distances of its ends: the middle is
-  /// farther than an end by half of the way at most.
+  /// A bound for the distance from the ring along a straight line, with the distances of its ends: the middle
+  /// is farther than an end by half of the way at most.
   double farthestOn(const Vec2& a, double fromA, const Vec2& b, double fromB) const {
     const double known = std::max(fromA, fromB), bound = 0.5 * (fromA + fromB + glm::length(b - a));
     if (known > most_) return kNever;

@@ -71,9 +71,9 @@ double restsAt(const Leg& leg) {
   return leg.start.t + std::sqrt(leg.u.x * leg.u.x + leg.u.y * leg.u.y) / leg.brake;
 }
 
-// Inertial: with w = signal − X0, τ = u·w and ρ = sqrt(τ² − w·w + h²), the distance in the rest frame, the cone is
-// met s = τ + ρ after the start. τ² − w·w cancels on a leg that is old: it is −q·q, q = w − τu. Where τ < 0 the
-// sum τ + ρ and −q·q cancel, at high γ by far: there s = (h² − w·w)/(ρ − τ), and ρ² is a sum. With
+// Inertial: with w = signal − X0, τ = u·w and ρ = sqrt(τ² − w·w + h²), the distance in the rest frame, the
+// cone is met s = τ + ρ after the start. τ² − w·w cancels on a leg that is old: it is −q·q, q = w − τu. Where
+// τ < 0 the sum τ + ρ and −q·q cancel, at high γ by far: there s = (h² − w·w)/(ρ − τ), and ρ² is a sum. With
 // friction f(t) = (t − t_signal) − |x(t) − x_signal| rises strictly.
 LegState signalArrives(const Leg& leg, const Vec21& signal, double height) {
   const Vec21 w = signal - leg.start;

@@ -78,8 +78,8 @@ class Pressed {
         widest_(portableAsin(std::min(1.0, std::sqrt(rest_ + along_ * along_) / energy_))),
         fine_(0x1p-30 * (std::abs(angle_) + std::abs(j) / energy_)) {}
 
-  /// The angle δ by which that impulse turns it: sin δ = sin χ' cos χ − cos χ' sin χ. It is below a right angle: as
-  /// E |δ| = |j' − j| ≤ M(j') + M(j) ≤ E (cos χ' + cos χ) ≤ 2 E cos(δ/2), |δ| < 1.48.
+  /// The angle δ by which that impulse turns it: sin δ = sin χ' cos χ − cos χ' sin χ. It is below a right
+  /// angle: as E |δ| = |j' − j| ≤ M(j') + M(j) ≤ E (cos χ' + cos χ) ≤ 2 E cos(δ/2), |δ| < 1.48.
   double turnedBy(double impulse) const {
     const double risen = impulse / energy_, to = sin_ + risen;
     const double toCos = std::sqrt(std::max(cos_ * cos_ - risen * (2.0 * sin_ + risen), 0.0));
@@ -90,8 +90,8 @@ class Pressed {
     return std::sqrt(std::max(rest_ - impulse * (2.0 * along_ + impulse), 0.0));
   }
   double spinAfter(double delta) const { return j_ + energy_ * delta; }
-  /// The heat m' − M(j'): that of the normal impulse, sqrt(M² + (1−e²) p_n²) − M, and what sliding adds to it. As a
-  /// difference of masses it would be rounding where light is fast; below 0 by rounding alone.
+  /// The heat m' − M(j'): that of the normal impulse, sqrt(M² + (1−e²) p_n²) − M, and what sliding adds to
+  /// it. As a difference of masses it would be rounding where light is fast; below 0 by rounding alone.
   double heatAfter(double delta) const {
     return std::max(lost_ / (std::sqrt(rest_) + mass_) - energy_ * delta * gainAt(delta).value, 0.0);
   }

@@ -6,13 +6,16 @@
 // that frame, with n from the puck into the wall and t the direction n turned anticlockwise by 90°, a puck
 // of spin j (spinning_body.h) has the energy E and the momentum p_n > 0, p_t = E sin χ:
 //   normal      p_n' = −e p_n
-//   tangential  each part of the impulse at the rim turns the puck by dj = γ_t dp_t, γ_t = 1/cos χ, and E stays
+//   tangential  each part of the impulse at the rim turns the puck by dj = γ_t dp_t, γ_t = 1/cos χ, and E
+//   stays
 //               (heat included):  j(χ) = j + E (χ' − χ)
 //   heat        h(χ') = m' − M(j(χ')),  m'² = E² − p_n'² − E² sin² χ':  concave in χ'
-//   no slip     where h is greatest: E sin χ' cos χ'/m' + f = 0, with f the speed of the rim; the point of the
+//   no slip     where h is greatest: E sin χ' cos χ'/m' + f = 0, with f the speed of the rim; the point of
+//   the
 //               rim that touches then rests
 //   elastic     where h is what it was at χ' = χ
-//   result      χ' = χ_no slip + e_t (χ_elastic − χ_no slip), unless |E (sin χ' − sin χ)| would exceed Coulomb's
+//   result      χ' = χ_no slip + e_t (χ_elastic − χ_no slip), unless |E (sin χ' − sin χ)| would exceed
+//   Coulomb's
 //               limit μ (1 + e) p_n; then the impulse is that limit
 // after which the puck keeps its velocity p'/E and has the mass M(j'): the rest of m' is heat.
 // A cushion is such a wall at rest on the board. Two pucks press on one wall from both sides: in their

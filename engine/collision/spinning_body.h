@@ -29,7 +29,8 @@ inline double restMass(const SpinningBody& body, double j) {
   return body.mass + j * j / (rimEnergy(body, j) + body.rim);
 }
 
-/// Returns the speed f of the rim, over c, with the sign of the spin: below 1 also where its digits would say 1.
+/// Returns the speed f of the rim, over c, with the sign of the spin: below 1 also where its digits would
+/// say 1.
 inline double rimBeta(const SpinningBody& body, double j) {
   constexpr double kFastest = 1.0 - 0x1p-50;
   return std::clamp(j / rimEnergy(body, j), -kFastest, kFastest);

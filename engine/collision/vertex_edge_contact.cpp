@@ -20,7 +20,8 @@ using Vec2 = glm::dvec2;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kDeeper = 1e-2;  // of the radii: so much deeper goes a corner that slides in the other body
 constexpr double kFront = 0.1;    // the cosine of the angle between sides that look the same way
-// Steps of the search for the parting: the first one, of the radii, over the speeds; how they grow; and how many.
+// Steps of the search for the parting: the first one, of the radii, over the speeds; how they grow; and how
+// many.
 constexpr double kPartingStep = 0.02, kPartingGrowth = 1.2;
 constexpr int kPartingSteps = 30;
 constexpr double kEnd = 1e-12;  // of a side's length: by so much it reaches beyond its corners
@@ -67,8 +68,8 @@ class Corners {
   /// Finds how the corners have come from there by `window.from`.
   void lookBack();
   PenetrationState penetration() const { return penetration_; }
-  /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to where the
-  /// other was at the earlier contact, or only such as look away.
+  /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to
+  /// where the other was at the earlier contact, or only such as look away.
   PenetrationState penetrationOfConvex() const;
   void setPenetration(PenetrationState of, bool behind) { penetration_ = of, behind_ = behind; }
 
@@ -140,7 +141,8 @@ class Corners {
   Vec2 place_, perX_, perY_, perS_;
   Linear ownTimeOfB_, time_, windowTime_;
   double size_;
-  // Of each corner at the earlier contact its place in the axes that turn with b; none without such a contact.
+  // Of each corner at the earlier contact its place in the axes that turn with b; none without such a
+  // contact.
   std::vector<Vec2> cameFrom_;
   std::vector<Spot> spots_;  // and at `window.from`
   std::vector<char> hasEntered_;
@@ -153,7 +155,8 @@ void keepEarlier(std::optional<FoundContact>& best, const FoundContact& found) {
   if (!best || found.time < best->time) best = found;
 }
 
-// With b's angle turned into its axes, each side towards which the corners move is pierced at most once by each.
+// With b's angle turned into its axes, each side towards which the corners move is pierced at most once by
+// each.
 void Corners::pierceStraight(std::optional<FoundContact>& best) const {
   const Vec2 w = turnedBack(perS_, ofB_);
   struct Entry {
@@ -314,8 +317,8 @@ FoundContact Corners::contactAt(const Vec2& corner, double s, std::size_t side) 
   return contact(offset, s, turned(b_.outline->sides()[side].normal, portableSinCos(angle)));
 }
 
-/// The own time at which a corner is outside no more, or goes deeper, from s on and no later than `end` and, in the
-/// frame of U, `before`.
+/// The own time at which a corner is outside no more, or goes deeper, from s on and no later than `end` and,
+/// in the frame of U, `before`.
 std::optional<Corners::SearchResult> Corners::advance(std::size_t corner, double s, double end,
                                                       double before) const {
   const double gamma = ownTimeOfB_.perS, beta = glm::length(perS_) / gamma;

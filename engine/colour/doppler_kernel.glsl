@@ -1,10 +1,10 @@
 // Colours of shifted light, once: this text is compiled as GLSL in the vertex shader and as C++ (over GLM) in
-// engine/colour/doppler_colour.h, where the equations stand. The including source provides the types real, vec2,
-// vec3, vec4, mat3, KERNEL (the beginning of a function definition), the type COLOUR_TABLE by which the texels
-// of a ColourTable are reached and, afterwards, the function colourTexel.
+// engine/colour/doppler_colour.h, where the equations stand. The including source provides the types real,
+// vec2, vec3, vec4, mat3, KERNEL (the beginning of a function definition), the type COLOUR_TABLE by which the
+// texels of a ColourTable are reached and, afterwards, the function colourTexel.
 
-/// ν_B/ν_A of light that travels along the unit vector `ray` of frame A, where B moves with (γ, u): the light's
-/// wave vector against B's four-velocity. Frame A is the board for all lamps, bodies and heads.
+/// ν_B/ν_A of light that travels along the unit vector `ray` of frame A, where B moves with (γ, u): the
+/// light's wave vector against B's four-velocity. Frame A is the board for all lamps, bodies and heads.
 KERNEL real dopplerInto(real gamma, vec3 u, vec3 ray) { return gamma - dot(u, ray); }
 
 /// The direction in B of the same light: a rotation-free boost of (1, ray).

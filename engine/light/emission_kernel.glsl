@@ -1,19 +1,21 @@
 // The emission solve, once: this text and the four before it (leg_kernel, spin_kernel, glide_kernel and
-// turning_kernel.glsl, in this order) are compiled as GLSL in the vertex shader and as C++ (over GLM) in engine/light/emission_kernel.h.
-// The including source provides the types real, vec2, vec3, vec4, mat4, the type LEGS by which legs are reached,
-// KERNEL (the beginning of a function definition), INOUT(type) (a parameter that is changed), UNROLLED (what a
-// loop begins with that is to be written out), the numbers MAX_PIECES and CATCH_UP_SPEED and, afterwards, the
-// function legAt.
+// turning_kernel.glsl, in this order) are compiled as GLSL in the vertex shader and as C++ (over GLM) in
+// engine/light/emission_kernel.h. The including source provides the types real, vec2, vec3, vec4, mat4, the
+// type LEGS by which legs are reached, KERNEL (the beginning of a function definition), INOUT(type) (a
+// parameter that is changed), UNROLLED (what a loop begins with that is to be written out), the numbers
+// MAX_PIECES and CATCH_UP_SPEED and, afterwards, the function legAt.
 //
 // Where: in the rest frame of a leg, its origin at the event at which the body's centre emitted the light
 // that the eye receives. Times are lengths (c t, metres) and come first in a vec4: (c t, x, y, z).
 //
 // Two effects can be switched off (engine/light/switches.h), for whole views:
 //   retarded false:   events are taken where a plane of simultaneity through the observation cuts the world
-//                     lines, and so is the origin: the board's plane, or the head's. With m the row that takes
-//                     an event of this frame to its time in the plane's, the event is where m·(c t, x) = 0;
+//                     lines, and so is the origin: the board's plane, or the head's. With m the row that
+//                     takes an event of this frame to its time in the plane's, the event is where m·(c t, x)
+//                     = 0;
 //   contracted false: at each board time a vertex is at the centre's place + d: it turns with the centre;
-//   both false:       the plane is the board's; then no frame is needed: the leg's is the board's, moved to the
+//   both false:       the plane is the board's; then no frame is needed: the leg's is the board's, moved to
+//   the
 //                     centre.
 // Theory: app/doc/physics.md, Emission; Bounce and catching up.
 
@@ -77,9 +79,9 @@ struct Joining {
 /// The velocity, over c, of what takes this step in time and space.
 KERNEL vec3 velocityOf(vec4 step) { return vec3(step.y, step.z, step.w) / step.x; }
 
-/// Makes the latest piece end at event `a` of a leg that is not straight: the chord, or where there is no earlier
-/// piece the tangent at `a`. What lies behind `a` counts as its chord from now on: only a signal that comes out
-/// of turn could tell.
+/// Makes the latest piece end at event `a` of a leg that is not straight: the chord, or where there is no
+/// earlier piece the tangent at `a`. What lies behind `a` counts as its chord from now on: only a signal that
+/// comes out of turn could tell.
 KERNEL void endCurvedPiece(INOUT(VertexPath) path, vec4 a, vec3 velocity) {
   int latest = path.count - 1;
   vec4 chord = a - path.pieces[latest].start;
@@ -141,7 +143,8 @@ KERNEL Joining joinLeg(LegView leg, vec3 d, vec4 a) {
   return joining;
 }
 
-/// Adds the two pieces of a joining. Without room for them, forgets the two oldest: no signal reaches that far back.
+/// Adds the two pieces of a joining. Without room for them, forgets the two oldest: no signal reaches that
+/// far back.
 KERNEL void addJoining(INOUT(VertexPath) path, Joining joining) {
   if (path.count > MAX_PIECES - 2) {
     for (int k = 2; k < path.count; ++k) path.pieces[k - 2] = path.pieces[k];
@@ -155,8 +158,8 @@ KERNEL void addJoining(INOUT(VertexPath) path, Joining joining) {
 /// The emission event of the vertex at intrinsic offset d of a body that has these legs.
 ///
 /// A vertex keeps to its leg until the signal that ends it, spreading at c, arrives (A), then catches up with
-/// its place on the next leg, at catchUpSpeed there (B). A signal that arrives earlier than B cuts that short.
-/// So every vertex has a continuous world line slower than light, and exactly one emission event.
+/// its place on the next leg, at catchUpSpeed there (B). A signal that arrives earlier than B cuts that
+/// short. So every vertex has a continuous world line slower than light, and exactly one emission event.
 KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retarded, bool contracted) {
   if (!contracted) return uncontractedEmission(legs, legCount, d, retarded);
   LegView leg = legAt(legs, 0);

@@ -1,6 +1,7 @@
 #pragma once
-// The kernel (engine/light/emission_kernel.glsl and the texts it needs) compiled as C++: in double, for chains of bounces,
-// and in float, as the GPU computes it. Single answers (`carom observe`) come from vertex_history.h.
+// The kernel (engine/light/emission_kernel.glsl and the texts it needs) compiled as C++: in double, for
+// chains of bounces, and in float, as the GPU computes it. Single answers (`carom observe`) come from
+// vertex_history.h.
 
 #include <cmath>
 

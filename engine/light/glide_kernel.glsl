@@ -59,7 +59,8 @@ KERNEL real glideEmission(LegView leg, vec3 d, bool contracted) {
   return s;
 }
 
-/// Where it crosses the plane of the moment that is shown: m·a(s) = 0. From where it would if it went straight.
+/// Where it crosses the plane of the moment that is shown: m·a(s) = 0. From where it would if it went
+/// straight.
 KERNEL real glideMoment(LegView leg, vec3 d, bool contracted) {
   Piece straight;
   straight.start = vec4(real(0), d);

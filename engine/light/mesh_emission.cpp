@@ -165,7 +165,8 @@ bool glides(const LegView& leg) { return leg.glide.w > 0.0; }
 bool spins(const LegView& leg) { return leg.spin.w > 0.0; }
 bool spinsUniformly(const LegView& leg) { return spins(leg) && !glides(leg) && !kernel::isSlowed(leg); }
 
-/// The least 1/γ² of a point: floats may put one of a rim at all but the speed of light a little beyond the rim.
+/// The least 1/γ² of a point: floats may put one of a rim at all but the speed of light a little beyond the
+/// rim.
 constexpr double kLeastByGamma = 1e-14;
 
 /// (γ, γβ) in the frame of the leg of a vertex that keeps to it: at rest, but for friction and spin.

@@ -34,8 +34,9 @@ Vec3 SampledHistory::shiningU(std::size_t row, std::size_t vertex, double share,
                    part * velocities_[(row + 1) * count + vertex]);
 }
 
-// With the way (T, X) from the observation to the row, and (dT, dX) on to the next, light connects at the share s with
-// (T + s dT)² = (X + s dX)²:   s = C/(B + sqrt(B² − A C)),   A = dT² − dX²,   B = X·dX − T dT,   C = T² − X².
+// With the way (T, X) from the observation to the row, and (dT, dX) on to the next, light connects at the
+// share s with (T + s dT)² = (X + s dX)²:   s = C/(B + sqrt(B² − A C)),   A = dT² − dX²,   B = X·dX − T dT,
+// C = T² − X².
 std::optional<Emission> SampledHistory::seenAt(std::size_t vertex, const Event& observation,
                                                const Lorentz& headFromBoard) const {
   if (insideBy_m(0, vertex, observation) < 0.0) return std::nullopt;

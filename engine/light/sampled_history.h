@@ -1,8 +1,7 @@
 #pragma once
-// Histories of a few points in double, as rows of places at board times: straight and even between two rows, and after the last
-// row as in the last interval. A point is unseen before its first row's light has come. (A vertex_ring.h keeps those of whole
-// meshes, in float.)
-// Theory: app/doc/physics.md, Sampled histories.
+// Histories of a few points in double, as rows of places at board times: straight and even between two rows,
+// and after the last row as in the last interval. A point is unseen before its first row's light has come. (A
+// vertex_ring.h keeps those of whole meshes, in float.) Theory: app/doc/physics.md, Sampled histories.
 
 #include <cstddef>
 #include <optional>
@@ -15,8 +14,9 @@ namespace carom {
 
 class SampledHistory {
  public:
-  /// Takes at least two ascending times and for each of them, one after the other, the places of all vertices. Every vertex is
-  /// slower than light; `velocities`, over c, are those with which it shines at the rows, if they are not those of the intervals.
+  /// Takes at least two ascending times and for each of them, one after the other, the places of all
+  /// vertices. Every vertex is slower than light; `velocities`, over c, are those with which it shines at the
+  /// rows, if they are not those of the intervals.
   SampledHistory(double c_m_s, std::vector<double> times_s, std::vector<Vec3> places_m,
                  std::vector<Vec3> velocities = {});
 

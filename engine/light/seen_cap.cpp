@@ -75,8 +75,9 @@ SphericalCap SeenCaps::of(const Vec3& middle_m, double radius_m) const {
   return carried(capOfSphere(stretched_m - leg_.eye, leg_.toBoardTime.x * radius_m), drawnFromSphere_);
 }
 
-// A displacement (c t, x) of the leg's frame has the time γ c t − u·x in the head's. At a moment, drawn places are a
-// linear map of the body's in which nothing is longer: the drawn distance is the distance, and nothing bends.
+// A displacement (c t, x) of the leg's frame has the time γ c t − u·x in the head's. At a moment, drawn
+// places are a linear map of the body's in which nothing is longer: the drawn distance is the distance, and
+// nothing bends.
 std::optional<SeenCaps::RestView> SeenCaps::restView() const {
   if (!contracted_ || leg_.spin.w > 0.0) return std::nullopt;
   if (kind_ == Kind::moment)

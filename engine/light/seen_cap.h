@@ -33,8 +33,8 @@ class SeenCaps {
   struct RestView {
     Vec3 eye_m{0.0}, u{0.0};
   };
-  /// Returns how the whole body is seen in its rest frame. Nothing of a body that keeps to no straight leg, that spins or
-  /// that is drawn uncontracted.
+  /// Returns how the whole body is seen in its rest frame. Nothing of a body that keeps to no straight leg,
+  /// that spins or that is drawn uncontracted.
   std::optional<RestView> restView() const;
 
   /// Returns where everything is drawn that is at rest to the body's centre on the board within `radius_m` of

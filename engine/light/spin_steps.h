@@ -1,5 +1,6 @@
 #pragma once
-// The numbers of Halley's steps that find the emission of a point of a spinning body within the rounding of floats.
+// The numbers of Halley's steps that find the emission of a point of a spinning body within the rounding of
+// floats.
 
 namespace carom {
 

@@ -1,7 +1,8 @@
-// A vertex of a body that spins, on any leg: straight or gliding, its spin uniform or slowed by the cloth. It is
-// found by the centre's time σ, own time on a straight leg, board time on a glide, both from the origin:
+// A vertex of a body that spins, on any leg: straight or gliding, its spin uniform or slowed by the cloth. It
+// is found by the centre's time σ, own time on a straight leg, board time on a glide, both from the origin:
 //   straight   its event is (σ, d'),  d' = Rot(angle at σ) d0
-//   glide      d' as the centre's own clock says at σ; simultaneous with the centre in the centre's momentary rest
+//   glide      d' as the centre's own clock says at σ; simultaneous with the centre in the centre's momentary
+//   rest
 //              frame, it is at board time s = σ + u(σ) (d'·n) where glideEvent has it
 // On a straight leg that a glide's formulas describe both are the same.
 
@@ -56,11 +57,12 @@ KERNEL vec4 turningFlow(LegView leg, vec3 d, real sigma) {
   return glideFlow(leg, x, s, true) * flow + vec4(-uO * place, w + n * (gammaOf(uO) * place - along_w));
 }
 
-/// The number of steps of the searches below: Newton's; one that would leave the known bounds of the root goes
-/// half of the way instead.
+/// The number of steps of the searches below: Newton's; one that would leave the known bounds of the root
+/// goes half of the way instead.
 KERNEL int turningSteps() { return 14; }
 
-/// The bounds of σ − s for whatever is simultaneous with the centre at s in any frame, or reaches it by light.
+/// The bounds of σ − s for whatever is simultaneous with the centre at s in any frame, or reaches it by
+/// light.
 KERNEL real turningSpread(LegView leg, vec3 d) {
   real u = max(leg.glideTimes.x, leg.glideTimes.y);
   real stretch = leg.glide.w > real(0) ? real(2) * (gammaOf(u) + u) : real(1);
@@ -118,8 +120,8 @@ KERNEL vec4 inTurnFrame(LegView leg, vec4 way) {
   return vec4(gamma * way.x - u * dot(x, n), x + n * ((gamma - real(1)) * dot(x, n) - u * way.x));
 }
 
-/// When the vertex is as far from an earlier event as what left there at `speed` has come, in the frame of the turn:
-/// speed (t − t_from) = |x − x_from|. That rises where no point of the body is as fast. Returns σ.
+/// When the vertex is as far from an earlier event as what left there at `speed` has come, in the frame of
+/// the turn: speed (t − t_from) = |x − x_from|. That rises where no point of the body is as fast. Returns σ.
 KERNEL real turningReached(LegView leg, vec3 d, vec4 from, real speed) {
   bool glides = leg.glide.w > real(0);
   // Counted from the earlier event, which may lie far back.

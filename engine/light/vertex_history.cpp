@@ -66,10 +66,12 @@ double tauMeeting(const VertexPiece::OnLeg& helix, const Displacement& from, dou
       from.dt_s);
 }
 
-// A point of a body that glides and spins. At the centre's board time σ it is simultaneous with the centre, in the
-// centre's momentary rest frame, at board time t, turned as the centre's clock says and contracted as ever:
+// A point of a body that glides and spins. At the centre's board time σ it is simultaneous with the centre,
+// in the centre's momentary rest frame, at board time t, turned as the centre's clock says and contracted as
+// ever:
 //     t = σ + u(σ)·d'/c      x = centre(t) + L(v(t)) d'      d' = Rot(φ(τ(σ))) d
-// On a straight leg this is its helix, and without spin its glide. t rises with σ while (R a/c²)² + (β f)² < 1.
+// On a straight leg this is its helix, and without spin its glide. t rises with σ while (R a/c²)² + (β f)²
+// < 1.
 struct SpinningGlide {
   const VertexPiece::OnLeg& leg;
   double c_m_s;
@@ -225,8 +227,8 @@ Vec3 uBetween(const Event& from, const Event& to, const Knot& knot, double c_m_s
   return properTime_m2 > 0.0 ? way.dr_m / std::sqrt(properTime_m2) : knot.u;
 }
 
-/// Cuts the history where the signal of `knot` arrives and leads it to the leg that begins there. The clocks of its
-/// pieces are not set.
+/// Cuts the history where the signal of `knot` arrives and leads it to the leg that begins there. The clocks
+/// of its pieces are not set.
 void turn(std::vector<VertexPiece>& history, const Knot& knot, const Vec3& offset_m, double c_m_s) {
   Event left = crossing(history.back(), knot.signal, c_m_s);
   while (history.size() > 1 && left.t_s < history.back().start.t_s) {
@@ -402,9 +404,11 @@ double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
 // four-velocity of leg q: U_q·(A_m − N_m) ≥ 0 is how far the light of N_m has come by then, in the frame of
 // q. Bounds b_m(q) of that follow from each other. A point found by N_m on leg j < m, or on its way there,
 // has not heard of N_i, i = j + 1, before. If it
-//   rests on leg j, A_m is not later than where N_i would have found it: U_q·(A_m − N_m) ≤ the furthest that N_i
+//   rests on leg j, A_m is not later than where N_i would have found it: U_q·(A_m − N_m) ≤ the furthest that
+//   N_i
 //     reaches in the body + U_q·(N_i − N_m);
-//   or is on its way from A_j to its place d there, at w = catchUpSpeed: in the frame of j its distance from x_i
+//   or is on its way from A_j to its place d there, at w = catchUpSpeed: in the frame of j its distance from
+//   x_i
 //     is at most the larger of those at both ends of its way, |x_A − x_i| and |d − x_i| ≤ R + |x_i|. Is it
 //     the second, N_i finds it within that: ≤ (γ + u)(R + |x_i|) + U_q·(N_i − N_m). Else N_i finds it at most
 //     τ = t_i − t_j + |x_i − x_j| after A_j, as |x_A − x_j| = t_A − t_j: ≤ b_j(q) + U_q·(N_j − N_m) + τ (γ +

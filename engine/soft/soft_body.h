@@ -6,8 +6,8 @@
 // and Schmidt 2003). With the principal stretches λ1, λ2 of a triangle, in its own frame, and a = (sound
 // speed of relaxed matter)²,
 //     W = (a/2)(λ1 + 1/λ1 − 2) + (a/2)(λ2 + 1/λ2 − 2) = (a/2)(I (1 + 1/D) − 4)      per rest mass
-//     F' = L⁻¹ F,  F = Σ x_i ⊗ B_i,  D = det F',  I = λ1 + λ2 = sqrt(|F'|² + 2D),  L⁻¹ d = d + γ²/(γ+1) (v·d) v
-//     P = dW/dF' = s F' + q cof F',   s = a (1 + 1/D)/(2I),   q = s − a I/(2D²)
+//     F' = L⁻¹ F,  F = Σ x_i ⊗ B_i,  D = det F',  I = λ1 + λ2 = sqrt(|F'|² + 2D),  L⁻¹ d = d + γ²/(γ+1) (v·d)
+//     v P = dW/dF' = s F' + q cof F',   s = a (1 + 1/D)/(2I),   q = s − a I/(2D²)
 // with B_i the gradients of the corners' shares and v the triangle's mean velocity. A viscous stress in the
 // same frame settles ringing and makes shocks: with l = γ L⁻¹ (Σ v_i ⊗ B_i) F'⁻¹, d = sym l, h the triangle's
 // altitude and λ the lesser stretch,

@@ -3,8 +3,8 @@
 // metres, board frame.
 //
 // A step is the midpoint rule, with contacts in both of its stages:
-//     x += ½dt v;   π* = π + dt f(x, v), contacts;   v̄ = ½(v + v*);   π += dt f(x, v̄), contacts;   v̄ = ½(v + v')
-//     E += dt (power at v̄);   v = v(π, E);   x += ½dt v
+//     x += ½dt v;   π* = π + dt f(x, v), contacts;   v̄ = ½(v + v*);   π += dt f(x, v̄), contacts;
+//     v̄ = ½(v + v');   E += dt (power at v̄);   v = v(π, E);   x += ½dt v
 // A contact lets no node go farther in (restitution 0 of the single node); the body's own waves throw it
 // back. A cushion takes momentum and no energy. Node i of one hull, inside the other's hull beside its edge
 // (j, k) with the weights w of the nearest point and the edge's outward normal n, takes λ n while they

@@ -10,7 +10,8 @@
 // other take common steps; others do not know of each other.
 //
 // A stroke p pushes the half of a body that faces it for T = 2R/c_s: node i takes the force w_i p/T, with
-//     w_i = m_i max(0, −X_i·p̂) / Σ m_j max(0, −X_j·p̂)        X_i its relaxed place from the centre, as the body is turned
+//     w_i = m_i max(0, −X_i·p̂) / Σ m_j max(0, −X_j·p̂)        X_i its relaxed place from the centre, as the
+//     body is turned
 // from the moment at which the light of the hand has reached the node; without a place of the hand all nodes
 // at once.
 // Theory: app/doc/physics.md, Soft bodies.

@@ -7,8 +7,9 @@ namespace carom {
 
 /// How a body turns about its own z, in the rest frame of its centre; anticlockwise seen from above.
 ///
-/// Where the cloth slows it, its rim's celerity u (γβ) falls linearly in the centre's own time, |u| = |u0| − ν τ
-/// until it is 0, and so do the angular momentum and u's share of c/R in the angle: with Γ = sqrt(1 + u²),
+/// Where the cloth slows it, its rim's celerity u (γβ) falls linearly in the centre's own time, |u| = |u0| −
+/// ν τ until it is 0, and so do the angular momentum and u's share of c/R in the angle: with Γ = sqrt(1 +
+/// u²),
 ///     φ = φ0 + (c/R) (Γ0 − Γ)/ν = φ0 + ω0 (Γ0/u0) τ (u0 + u)/(Γ0 + Γ),      ω = (c/R) u/Γ
 struct Spin {
   double angle_rad = 0.0;    ///< at the turn with which the leg begins, in that leg's axes

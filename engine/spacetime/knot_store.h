@@ -1,9 +1,10 @@
 #pragma once
 // The memory of a world line: its knots, and when the points of the body join their legs.
 //
-// The knots lie in pages of four, so that none is moved when more are added and a line has room for three more at most.
-// Heights, friction and spin mostly are those of the line's first knot throughout; they are kept for every knot only
-// once one of them differs. A knot of a disc that does not spin takes 96 bytes instead of 136 and 32 for its settling.
+// The knots lie in pages of four, so that none is moved when more are added and a line has room for three
+// more at most. Heights, friction and spin mostly are those of the line's first knot throughout; they are
+// kept for every knot only once one of them differs. A knot of a disc that does not spin takes 96 bytes
+// instead of 136 and 32 for its settling.
 
 #include <array>
 #include <cstddef>
@@ -107,7 +108,8 @@ class KnotStore {
   Plane origin_;
 };
 
-/// The knots of a line, or those from one of them on, as values: a container for reading. Holds until the line changes.
+/// The knots of a line, or those from one of them on, as values: a container for reading. Holds until the
+/// line changes.
 class Knots {
  public:
   class Iterator {

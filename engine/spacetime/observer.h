@@ -1,7 +1,7 @@
 #pragma once
-// What an observer is at one moment: a tracked head, the events at which its eyes receive light, and where the
-// room that carries it starts. Their world lines are in observers.h.
-// Theory: app/doc/physics.md, The celerity clock.
+// What an observer is at one moment: a tracked head, the events at which its eyes receive light, and where
+// the room that carries it starts. Their world lines are in observers.h. Theory: app/doc/physics.md, The
+// celerity clock.
 
 #include <array>
 #include <numbers>

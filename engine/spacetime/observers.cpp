@@ -70,8 +70,8 @@ double Observers::farthestFrom_m(std::size_t steering) const {
 
 // The rigid room accelerates with g at the one who steers. At the place r from there a clock at rest runs by
 //   N = 1 + g·r/c²
-// times the room's time (Rindler 2006, §3.8; Misner, Thorne, Wheeler 1973, eq. 6.18). r is the mean over the step:
-// then the chord of a world line agrees with its proper time to the third order of the step.
+// times the room's time (Rindler 2006, §3.8; Misner, Thorne, Wheeler 1973, eq. 6.18). r is the mean over the
+// step: then the chord of a world line agrees with its proper time to the third order of the step.
 Observers::Steps Observers::stepsTo(double dt_s, std::span<const Head> heads, const Vec3& thrust_m_s2,
                                     std::size_t steering, const RoomTurn& turn) const {
   const double c_m_s = boardFromRoom_.lightSpeed_m_s();
@@ -98,8 +98,8 @@ Observers::Steps Observers::stepsTo(double dt_s, std::span<const Head> heads, co
 /// Returns the own time that somebody who is ahead must at least live in a step of so much of the fastest's.
 static double leastOwnTime_s(double elapsed_s, double ahead_s) { return std::max(0.0, elapsed_s - ahead_s); }
 
-// dT = max over the observers of hypot(dt, |dx|/c)/N. Where the thrust changes within a frame, an observer who has lived
-// more than dt so far lives less in the rest of it: over a whole frame the fastest lives dt.
+// dT = max over the observers of hypot(dt, |dx|/c)/N. Where the thrust changes within a frame, an observer
+// who has lived more than dt so far lives less in the rest of it: over a whole frame the fastest lives dt.
 double Observers::roomTimeOf_s(const Steps& steps, double elapsed_s) const {
   double most_s = 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
@@ -116,8 +116,8 @@ double Observers::roomTimeOf_s(double dt_s, std::span<const Head> heads, double 
   return roomTimeOf_s(stepsTo(dt_s, heads, thrust_m_s2, steering, {}), pace * dt_s);
 }
 
-// dτ = sqrt((N dT)² − |dx|²/c²), which is dt for the observer who determines dT, and longer for the others. Celerity is
-// motion per own time; of this the frame so far has had dt and the observer's lead.
+// dτ = sqrt((N dT)² − |dx|²/c²), which is dt for the observer who determines dT, and longer for the others.
+// Celerity is motion per own time; of this the frame so far has had dt and the observer's lead.
 void Observers::advance(const Steps& steps, double roomTime_s, double elapsed_s) {
   livedOfFrame_s_ += elapsed_s;
   for (std::size_t i = 0; i < size_; ++i) {

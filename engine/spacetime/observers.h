@@ -4,9 +4,9 @@
 //
 // A single observer's clock is their proper time τ. A tracked step dx made in dτ is a celerity, which has no
 // upper limit: room time advances by dT = sqrt(dτ² + |dx|²/c²), so the world line is timelike whatever the
-// observer does. Several observers share the room's time: the one who moves fastest needs most of it, and the clocks
-// of the others run ahead. All their presents are simultaneous in the room, so none is ever in another's past.
-// Theory: app/doc/physics.md, The celerity clock; The platform.
+// observer does. Several observers share the room's time: the one who moves fastest needs most of it, and the
+// clocks of the others run ahead. All their presents are simultaneous in the room, so none is ever in
+// another's past. Theory: app/doc/physics.md, The celerity clock; The platform.
 
 #include <array>
 #include <cstddef>
@@ -27,7 +27,8 @@ struct OneObserver {
   Vec3 placeInRoom_m{0.0};    ///< of the head, as the clocks took it: without what a tracker's glitches added
   Head head;                  ///< as tracked; its celerity is per second of the observer's own clock
   double properTime_s = 0.0;  ///< the observer's own clock
-  /// The rate of proper time at rest at this place of the room, relative to the room's time, in the last frame.
+  /// The rate of proper time at rest at this place of the room, relative to the room's time, in the last
+  /// frame.
   double lapse = 1.0;
 };
 
@@ -39,8 +40,9 @@ struct RoomTurn {
 
 class Observers {
  public:
-  /// The heads' first places are `heads` (1 to kMostViewers); `boardFromRoom` is the room's attitude and motion,
-  /// and `roomOrigin` the board event of the room's origin at the moment (in the room's frame) of the start.
+  /// The heads' first places are `heads` (1 to kMostViewers); `boardFromRoom` is the room's attitude and
+  /// motion, and `roomOrigin` the board event of the room's origin at the moment (in the room's frame) of the
+  /// start.
   Observers(const Lorentz& boardFromRoom, const Event& roomOrigin, std::span<const Head> heads);
   Observers(const Lorentz& boardFromRoom, const Event& roomOrigin, const Head& head)
       : Observers(boardFromRoom, roomOrigin, {&head, 1}) {}
@@ -53,18 +55,18 @@ class Observers {
   static Observers at(const Event& headEvent, double properTime_s, const Lorentz& boardFromRoom,
                       const Head& head);
 
-  /// Begins a drawn frame: its lapses are those reported, and over its steps together the fastest lives the sum of
-  /// their dt. Where there are several observers, every frame begins so.
+  /// Begins a drawn frame: its lapses are those reported, and over its steps together the fastest lives the
+  /// sum of their dt. Where there are several observers, every frame begins so.
   void beginFrame();
 
-  /// Lives on for `dt_s` of the fastest observer's proper time while the tracked heads move to `heads`. A step
-  /// beyond the glitch's celerity (kGlitchCelerity_m_s, or kGlitchOfSeveral_m_s where there are several) moves a
-  /// head, as re-anchoring, but not along its world line. `pace`: board seconds per second of the fastest
-  /// observer, which is the light speed that is shown divided by the game's.
-  /// `thrust_m_s2`: the proper acceleration that the room has meanwhile, felt at the head of observer `steering`,
-  /// in the room's axes and the board's seconds; it must not exceed
-  /// strongestThrust_m_s2 with the farthest observer's distance. Exact for a head at rest in the room: then its world line is a
-  /// hyperbola, and the chord of a step is along its middle's velocity. `turn`: of the room, afterwards.
+  /// Lives on for `dt_s` of the fastest observer's proper time while the tracked heads move to `heads`. A
+  /// step beyond the glitch's celerity (kGlitchCelerity_m_s, or kGlitchOfSeveral_m_s where there are several)
+  /// moves a head, as re-anchoring, but not along its world line. `pace`: board seconds per second of the
+  /// fastest observer, which is the light speed that is shown divided by the game's. `thrust_m_s2`: the
+  /// proper acceleration that the room has meanwhile, felt at the head of observer `steering`, in the room's
+  /// axes and the board's seconds; it must not exceed strongestThrust_m_s2 with the farthest observer's
+  /// distance. Exact for a head at rest in the room: then its world line is a hyperbola, and the chord of a
+  /// step is along its middle's velocity. `turn`: of the room, afterwards.
   void step(double dt_s, std::span<const Head> heads, double pace = 1.0, const Vec3& thrust_m_s2 = Vec3(0.0),
             std::size_t steering = 0, const RoomTurn& turn = {});
   void step(double dt_s, const Head& head, double pace = 1.0, const Vec3& thrust_m_s2 = Vec3(0.0)) {
@@ -81,8 +83,8 @@ class Observers {
   void moveUnseen(double roomTime_s, std::span<const Head> heads);
   void moveUnseen(double roomTime_s, const Head& head) { moveUnseen(roomTime_s, {&head, 1}); }
 
-  /// Turns the room about the head of observer `steering`, which stays at its event. The others are carried round
-  /// in the next step.
+  /// Turns the room about the head of observer `steering`, which stays at its event. The others are carried
+  /// round in the next step.
   void turn(const RoomTurn& turn, std::size_t steering = 0);
 
   /// Returns the eyes of an observer, `eyeSeparation_m` apart, at events that are simultaneous for the head.

@@ -39,8 +39,8 @@ struct Motion {
 Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s);
 
 /// The knots in the order of time. The first leg reaches back without end; before `appears_s` the body does
-/// not exist. `radius_m` bounds the distance of the body's points from its centre, in its rest frame. The knots lie in
-/// `memory`, those of a copy in the default one.
+/// not exist. `radius_m` bounds the distance of the body's points from its centre, in its rest frame. The
+/// knots lie in `memory`, those of a copy in the default one.
 class WorldLine {
  public:
   WorldLine(const Knot& first, double c_m_s, double radius_m = 0.0,
@@ -88,8 +88,8 @@ class WorldLine {
 
  private:
   Settling settlingOf(const Knot& next, const Motion& before, double radiusThen_m) const;
-  // Notes whether all points have joined the last leg when the signal of the next is made. Returns how far from the
-  // centre a point can be then, in the leg's rest frame.
+  // Notes whether all points have joined the last leg when the signal of the next is made. Returns how far
+  // from the centre a point can be then, in the leg's rest frame.
   double noteNext(const Knot& last, const Knot& next);
   std::size_t legAt(double t_s) const;
 

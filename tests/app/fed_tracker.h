@@ -53,7 +53,8 @@ inline TrackerSample at(int sensor, const glm::dvec3& place_m, const glm::dquat&
   return sample;
 }
 
-/// Returns a rig with a wand of `kind` as sensor 3 of its own tracker, and a SpaceMouse; x right, y up, z back.
+/// Returns a rig with a wand of `kind` as sensor 3 of its own tracker, and a SpaceMouse; x right, y up, z
+/// back.
 inline Rig rigWith(TrackerKind kind) {
   Rig rig;
   rig.trackers.resize(3);

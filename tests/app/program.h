@@ -39,8 +39,8 @@ inline std::string exact(double value) {
   return text;
 }
 
-/// Returns what a command that takes a scenario, given as text, answers as JSON; null, with the test failed, where it
-/// ends with an error.
+/// Returns what a command that takes a scenario, given as text, answers as JSON; null, with the test failed,
+/// where it ends with an error.
 inline nlohmann::json answerOf(const TemporaryFolder& folder, const std::string& command,
                                const std::string& scenario, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{command, folder.file("scenario.toml", scenario), "--json", "-"};

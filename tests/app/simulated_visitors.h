@@ -1,7 +1,7 @@
 #pragma once
-// Visitors who come, play and leave, in simulated time: keys, mouse and drive at random, from a seed; some press Escape,
-// and some discuss a question for minutes without touching anything. Everything is as in `carom cave --unattended`,
-// without its pictures: settings, programme, games, session files, the lock of the keys.
+// Visitors who come, play and leave, in simulated time: keys, mouse and drive at random, from a seed; some
+// press Escape, and some discuss a question for minutes without touching anything. Everything is as in `carom
+// cave --unattended`, without its pictures: settings, programme, games, session files, the lock of the keys.
 
 #include <GLFW/glfw3.h>
 #include <dirent.h>
@@ -62,8 +62,8 @@ class SimulatedVisitors {
     write(false);
   }
 
-  /// Plays until so many visitors have come and gone, or for at most so long. Returns what each found, and what
-  /// one more would find.
+  /// Plays until so many visitors have come and gone, or for at most so long. Returns what each found, and
+  /// what one more would find.
   std::vector<Found> run(std::size_t visitors, double most_s) {
     std::vector<Found> found;
     comes_s_ = random_.in(1.0, 10.0);
@@ -159,7 +159,8 @@ class SimulatedVisitors {
 
   double pucks() const { return static_cast<double>(scenario_.billiard.pucks.size()); }
 
-  /// Returns the desk's input: the mouse over a puck as it was just seen, or drawn back along the cloth; keys held.
+  /// Returns the desk's input: the mouse over a puck as it was just seen, or drawn back along the cloth; keys
+  /// held.
   DeskInput desk(const WindowInput&, bool) {
     DeskInput desk;
     if (isFirstFrame_) return desk;
@@ -240,8 +241,8 @@ class SimulatedVisitors {
   std::optional<int> pressed_;
 };
 
-/// Expects that a visitor finds what the first one found: nothing of those who were there before. The room, its
-/// eyes and its tracker are where they are.
+/// Expects that a visitor finds what the first one found: nothing of those who were there before. The room,
+/// its eyes and its tracker are where they are.
 inline void expectNothingOfOthers(const Found& found, const Found& first) {
   EXPECT_EQ(found.settings, first.settings);
   const FrameRecord &here = found.record, &there = first.record;

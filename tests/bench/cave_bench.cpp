@@ -236,8 +236,8 @@ struct Drawn {
 };
 
 /// Frames in turn with each state of the switches, so that whatever else the machine does strikes all alike.
-/// Counters: median milliseconds a frame, by the wall's clock, of processors and of the graphics card, and the first
-/// two over those of the first state. If the head moves, its speed changes from frame to frame.
+/// Counters: median milliseconds a frame, by the wall's clock, of processors and of the graphics card, and
+/// the first two over those of the first state. If the head moves, its speed changes from frame to frame.
 void measureInTurn(benchmark::State& state, Room& room, bool moves = false) {
   std::array<Drawn, 4> states{{{"euclid", kNoSwitches, {}, {}, {}, {}},
                                {"relativity", {}, {}, {}, {}, {}},
@@ -294,7 +294,8 @@ void movingFrame(benchmark::State& state) {
   measureInTurn(state, room, true);
 }
 
-// The same 10 cm before a wall of the hall, at 0.95 c along it: surfaces are divided as finely as they ever are.
+// The same 10 cm before a wall of the hall, at 0.95 c along it: surfaces are divided as finely as they ever
+// are.
 void nearWall(benchmark::State& state) {
   graphics().makeCurrent();
   const Game game;
@@ -303,7 +304,8 @@ void nearWall(benchmark::State& state) {
   measureInTurn(state, room, true);
 }
 
-// `movingFrame` at a size at which pixels cost nothing: what is left is the price of vertices and of commands.
+// `movingFrame` at a size at which pixels cost nothing: what is left is the price of vertices and of
+// commands.
 void frameWithoutPixels(benchmark::State& state) {
   graphics().makeCurrent();
   const Game game;
@@ -374,7 +376,8 @@ void twentySpinning(benchmark::State& state) {
   state.counters["ratio"] = medianOf(spinning_s) / medianOf(still_s);
 }
 
-// A pixel of one paint, light included: what 32 sheets that fill a wall take more than one, over their pixels.
+// A pixel of one paint, light included: what 32 sheets that fill a wall take more than one, over their
+// pixels.
 void pixel(benchmark::State& state, Paint paint, float gloss) {
   graphics().makeCurrent();
   const Wall floor = walls(kSide_px)[3];

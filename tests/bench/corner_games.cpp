@@ -1,4 +1,5 @@
-// Random games of discs and bodies with corners until there have been so many collisions: what must be true of them.
+// Random games of discs and bodies with corners until there have been so many collisions: what must be true
+// of them.
 
 #include <algorithm>
 #include <cstdio>

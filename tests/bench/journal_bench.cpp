@@ -1,5 +1,5 @@
-// What a session's journal costs: time on the frame's thread, bytes, and time to read it again. A minute of a game of three pucks at
-// 60 Hz, four times as fast, with a walking head tracked at 120 Hz.
+// What a session's journal costs: time on the frame's thread, bytes, and time to read it again. A minute of a
+// game of three pucks at 60 Hz, four times as fast, with a walking head tracked at 120 Hz.
 #include <fmt/format.h>
 
 #include <algorithm>

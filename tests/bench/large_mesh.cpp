@@ -1,5 +1,5 @@
-// large_mesh RINGS FILE: writes a mesh of 4 RINGS² triangles as .ply or, if FILE ends so, as .glb; 1120 make five
-// million.
+// large_mesh RINGS FILE: writes a mesh of 4 RINGS² triangles as .ply or, if FILE ends so, as .glb; 1120 make
+// five million.
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>

@@ -96,7 +96,8 @@ void collisionFrame(benchmark::State& state) {
       static_cast<double>(collisions) / static_cast<double>(state.iterations());
 }
 
-// Counts the memory that a gas holds at its start and when 4 N collisions were played, which is not in the time.
+// Counts the memory that a gas holds at its start and when 4 N collisions were played, which is not in the
+// time.
 void gas(benchmark::State& state) {
   const int count = static_cast<int>(state.range(0));
   const double coverage = static_cast<double>(state.range(1)) * 1e-4;
@@ -165,8 +166,8 @@ std::vector<glm::dvec2> regular(int corners, double radius) {
   return outline;
 }
 
-// The first contact of two bodies with so many corners that come from 0.5 m to either side at up to 0.9 c, most of
-// them to meet; with the second argument their corners go round at up to 0.5 c.
+// The first contact of two bodies with so many corners that come from 0.5 m to either side at up to 0.9 c,
+// most of them to meet; with the second argument their corners go round at up to 0.5 c.
 void cornerContact(benchmark::State& state) {
   const Outline outline(regular(static_cast<int>(state.range(0)), 0.05));
   test::Random random(1);

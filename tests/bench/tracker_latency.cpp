@@ -3,9 +3,9 @@
 // work. (Times are kept on one clock, since sender and reader are one program.)
 //   tracker_latency [SECONDS]     each of the two parts takes so long; 10 if not given
 //
-// The device's thread asks the system to be prompt (devices/tracker/realtime_thread.h); what it was granted is
-// printed. Sender and reader ask for a little more, so that their own waiting for a processor is not counted;
-// where that is refused, it is.
+// The device's thread asks the system to be prompt (devices/tracker/realtime_thread.h); what it was granted
+// is printed. Sender and reader ask for a little more, so that their own waiting for a processor is not
+// counted; where that is refused, it is.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

@@ -1,5 +1,5 @@
-// Thirty visitors in one or two hours of simulated time: visitors_bench [SEED [VISITORS]]. Not a test; it prints what each finds
-// and fails if one finds another's state, or if memory, open files or lists grow.
+// Thirty visitors in one or two hours of simulated time: visitors_bench [SEED [VISITORS]]. Not a test; it
+// prints what each finds and fails if one finds another's state, or if memory, open files or lists grow.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -18,8 +18,8 @@ inline constexpr double kC_m_s = 1.42;
 inline constexpr int kWall_px = 1920;
 inline constexpr double kWall_m = 3.0, kWallDistance_m = 1.5;  // a wall of a CAVE from its middle
 inline constexpr double kSilhouette_px = 1.0;
-// In the middle of a bounce the front of the signal runs across the facets of a puck, and what is bent within a
-// facet is drawn straight: off by less than half its largest edge, an eighth of the puck's width.
+// In the middle of a bounce the front of the signal runs across the facets of a puck, and what is bent within
+// a facet is drawn straight: off by less than half its largest edge, an eighth of the puck's width.
 inline constexpr double kFacetShare = 0.0625;
 
 /// A body of a picture, for the reference.
@@ -122,8 +122,8 @@ class ReferenceView {
 };
 
 /// Would a picture that shows body `number` (0: none) at a place of the screen be right? Pucks in contact lie
-/// within each other by fractions of a millimetre until the signal has arrived; which of two is nearer by less
-/// than a hundredth of the distance is left to the facets of their rims.
+/// within each other by fractions of a millimetre until the signal has arrived; which of two is nearer by
+/// less than a hundredth of the distance is left to the facets of their rims.
 inline bool isRight(const std::vector<ReferenceView>& views, int number, double x, double y) {
   constexpr double kTouching = 1.01;
   double nearest = std::numeric_limits<double>::infinity(), shown = nearest;

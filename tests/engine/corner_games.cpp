@@ -66,8 +66,8 @@ MovingShape flightOn(const PlayedLeg& leg, const std::optional<Outline>& outline
   return {body.start, leg.u, body.radius, outline ? &*outline : nullptr, body.angle, body.turning};
 }
 
-/// Returns how fast two bodies that touch as the later leg begins close by the law of the kick, where they do so
-/// fastest; 0 if nowhere. By the sides that count since an earlier contact.
+/// Returns how fast two bodies that touch as the later leg begins close by the law of the kick, where they do
+/// so fastest; 0 if nowhere. By the sides that count since an earlier contact.
 double closingByLaw(const PlayedLeg& one, const PlayedLeg& other, const std::array<MovingShape, 2>& flights,
                     const PersistentContact* earlier) {
   const std::array<const PlayedLeg*, 2> legs{&one, &other};
@@ -182,8 +182,8 @@ class ApproachCheck {
     const double later = std::max(one.body.start.t, other.body.start.t),
                  size = one.body.radius + other.body.radius;
     if (later > until_ || later == 0.0) return 0.0;
-    // What was decided before turns one of them yet: until then no contact counts that comes before it, and when it has
-    // turned they are looked at again.
+    // What was decided before turns one of them yet: until then no contact counts that comes before it, and
+    // when it has turned they are looked at again.
     const Instant* const instant = bothOn(one, other, who);
     if (instant == nullptr || instant->followed[who[0]].awaitsTurn || instant->followed[who[1]].awaitsTurn)
       return 0.0;

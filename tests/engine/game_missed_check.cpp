@@ -35,8 +35,8 @@ class MissedCheck {
     }
   }
 
-  // Reports what is missed. A puck also waits at contacts of which nothing came: by its own moments it has each before
-  // its next turn, which begins the leg after only when the contact's other puck has come as far.
+  // Reports what is missed. A puck also waits at contacts of which nothing came: by its own moments it has
+  // each before its next turn, which begins the leg after only when the contact's other puck has come as far.
   void report() {
     for (const Candidate& c : dropped_) {
       for (int i = 0; i < 2; ++i) {

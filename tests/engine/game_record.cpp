@@ -110,8 +110,8 @@ Reading readContact(const GameRecord& game, std::array<std::size_t, 2> who, cons
 
 }  // namespace
 
-// A signal can chase a fast centre for long, which can turn often meanwhile. The leg of a contact is the latest before
-// the turn that fits.
+// A signal can chase a fast centre for long, which can turn often meanwhile. The leg of a contact is the
+// latest before the turn that fits.
 void GameRecord::findLegsOfCollision(const GameEvent& event, Part& first, Part& second) {
   const std::array<std::size_t, 2> who = pair(event);
   const auto& a = legs[who[0]];
@@ -250,8 +250,8 @@ void GameRecord::findLegs(std::size_t e) {
   }
 }
 
-// A leg is followed once its turn has come and everything has been decided that the puck had before, by its own
-// moments.
+// A leg is followed once its turn has come and everything has been decided that the puck had before, by its
+// own moments.
 void GameRecord::findFollowed() {
   std::vector<Real> decidedBy(events.size(), 0);
   Real latest = 0;

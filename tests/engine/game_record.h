@@ -49,13 +49,14 @@ Encounter encounterOf(const CheckedLeg& first, const CheckedLeg& second, Real t)
 /// Of flights that touch their legs at different times.
 Encounter encounterOf(const CheckedLeg::LegState& first, const CheckedLeg::LegState& second);
 
-/// As the later of the two legs begins, in their frame: the flights touch the legs there, one of them at its start.
+/// As the later of the two legs begins, in their frame: the flights touch the legs there, one of them at its
+/// start.
 Encounter encounterAtLaterStart(const CheckedLeg& first, const CheckedLeg& second);
 
 /// What roundings of the engine come to in the gap of an encounter, in metres.
 Real roundingOf(const Encounter& encounter);
-/// And in the direction in which they approach, in radians: it is that of the small difference of two velocities, which
-/// under friction are known as exactly as the time.
+/// And in the direction in which they approach, in radians: it is that of the small difference of two
+/// velocities, which under friction are known as exactly as the time.
 Real roundingOfWay(const Encounter& encounter, Real brake);
 
 /// A contact, as the flights of two legs have it: those at the first's moment of it.

@@ -1,5 +1,6 @@
 #pragma once
-// Seeded random world lines, offsets and eyes for tests. print.h prints them, CASE says how to make them again.
+// Seeded random world lines, offsets and eyes for tests. print.h prints them, CASE says how to make them
+// again.
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,8 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : seed_(seed), engine_(seed) {}
 
-  /// Begins a case: what is drawn from here on depends on the seed and the case alone. False where the environment
-  /// variable CAROM_CASE names another case.
+  /// Begins a case: what is drawn from here on depends on the seed and the case alone. False where the
+  /// environment variable CAROM_CASE names another case.
   bool begin(std::uint64_t number) {
     static const char* const wanted = std::getenv("CAROM_CASE");
     if (wanted && std::to_string(number) != wanted) return false;
@@ -66,8 +67,8 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// The first statement of a loop over cases: draws case `i` of `random`, and a failure in it says which it was and the
-/// command that runs it alone. What the test expects of all cases together does not hold then.
+/// The first statement of a loop over cases: draws case `i` of `random`, and a failure in it says which it
+/// was and the command that runs it alone. What the test expects of all cases together does not hold then.
 #define CASE(random, i)                                         \
   if (!(random).begin(static_cast<std::uint64_t>(i))) continue; \
   SCOPED_TRACE((random).words())

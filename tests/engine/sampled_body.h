@@ -1,6 +1,6 @@
 #pragma once
-// Bodies with corners, and discs, by a slow way that shares nothing with the engine's: explicit Lorentz matrices,
-// chords and halving for times, and inside by the number of crossings of a ray. c = 1.
+// Bodies with corners, and discs, by a slow way that shares nothing with the engine's: explicit Lorentz
+// matrices, chords and halving for times, and inside by the number of crossings of a ray. c = 1.
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,8 @@ struct SampledBody {
     return start +
            back * Vec21{s, d.x * std::cos(a) - d.y * std::sin(a), d.x * std::sin(a) + d.y * std::cos(a)};
   }
-  /// Returns the event of a point of the body at a time of a frame: by chords, and by halving where they fail.
+  /// Returns the event of a point of the body at a time of a frame: by chords, and by halving where they
+  /// fail.
   Vec21 eventAt(const glm::dvec2& d, const Matrix& frame, double time) const {
     const auto late = [&](double s) { return (frame * eventOf(d, s)).t - time; };
     const double gamma = (frame * (back * Vec21{1.0, 0.0, 0.0})).t;
@@ -117,9 +118,9 @@ inline double depthAt(const SampledBody& one, const SampledBody& other, const Ma
   return most;
 }
 
-/// Returns how far the rim of a disc would have to be drawn in for it to touch a body with corners no more, at a time of
-/// a frame: its radius less the distance of the nearest point of the outline, by halving around the nearest of many;
-/// more than the radius where the centre is inside the body.
+/// Returns how far the rim of a disc would have to be drawn in for it to touch a body with corners no more,
+/// at a time of a frame: its radius less the distance of the nearest point of the outline, by halving around
+/// the nearest of many; more than the radius where the centre is inside the body.
 inline double overlapOfDisc(const SampledBody& disc, const SampledBody& body, const Matrix& frame,
                             double time) {
   constexpr int kParts = 32;

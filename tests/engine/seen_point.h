@@ -16,8 +16,8 @@ struct SeenPoint {
   Lorentz headFromBoard;
 };
 
-/// Returns a line with bounces up to 0.9 c, `spacing_s` apart on average, and a head up to 0.95 c whose axes are
-/// turned. The eye's event is amid the bounces, or up to `after_s` after the last.
+/// Returns a line with bounces up to 0.9 c, `spacing_s` apart on average, and a head up to 0.95 c whose axes
+/// are turned. The eye's event is amid the bounces, or up to `after_s` after the last.
 inline SeenPoint randomSeenPoint(Random& random, double c_m_s, int bounces, double spacing_s,
                                  double friction_m_s2, double after_s) {
   const double radius_m = random.in(0.02, 0.2);

@@ -17,8 +17,8 @@
 
 #include "mutate.h"
 
-// The sanitizers read these when they begin. They report every fault, signals among them, and then abort, which
-// leaves SIGABRT to keepInputOnCrash().
+// The sanitizers read these when they begin. They report every fault, signals among them, and then abort,
+// which leaves SIGABRT to keepInputOnCrash().
 extern "C" const char* __asan_default_options() { return "abort_on_error=1:handle_segv=2:handle_sigfpe=2"; }
 extern "C" const char* __tsan_default_options() { return __asan_default_options(); }
 extern "C" const char* __ubsan_default_options() { return __asan_default_options(); }
@@ -93,8 +93,8 @@ void writeAll(int file, const void* bytes, std::size_t size) {
   }
 }
 
-/// Writes the current input and prints the command that runs it again. Calls only what a signal handler may call
-/// (signal-safety(7)).
+/// Writes the current input and prints the command that runs it again. Calls only what a signal handler may
+/// call (signal-safety(7)).
 void keepInput() {
   const Bytes* input = current.input;
   if (!input) return;

@@ -1,5 +1,5 @@
-// Triangles of any mesh: their footprint is refused, or it is an outline around them. Each corner is two bytes, which
-// often lie on each other and on one line; the first byte says in which size.
+// Triangles of any mesh: their footprint is refused, or it is an outline around them. Each corner is two
+// bytes, which often lie on each other and on one line; the first byte says in which size.
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,5 @@
-// A target that crashes on inputs of more than eight bytes, in the way that the first byte says: planted_crash.sh.
+// A target that crashes on inputs of more than eight bytes, in the way that the first byte says:
+// planted_crash.sh.
 
 #include <cstddef>
 #include <cstdint>

@@ -68,8 +68,8 @@ struct Leg {
   Vec v{0.0};  ///< at the turn
   Event signal;
   double brake = 0.0;  ///< constant proper deceleration until rest, 1/m
-  // The angle at the turn, the body's rate then (rad/m of own time, anticlockwise), its rim's γβ then, and by how
-  // much that falls in a metre of own time.
+  // The angle at the turn, the body's rate then (rad/m of own time, anticlockwise), its rim's γβ then, and by
+  // how much that falls in a metre of own time.
   double angle = 0.0, rate = 0.0, rim = 0.0, slowing = 0.0;
 
   bool spins() const { return angle != 0.0 || rate != 0.0; }
@@ -83,8 +83,8 @@ struct Leg {
   /// The body's point d, own time s after the turn, in the leg's rest frame.
   Vec turned(const Vec& d, double s) const { return spins() ? turnedBy(angleAt(s), d) : d; }
 
-  /// The centre of a body that brakes: its celerity w = γβ falls as w₀ − brake t, the way is (γ₀ − γ)/brake, its own
-  /// time (asinh w₀ − asinh w)/brake.
+  /// The centre of a body that brakes: its celerity w = γβ falls as w₀ − brake t, the way is (γ₀ − γ)/brake,
+  /// its own time (asinh w₀ − asinh w)/brake.
   struct State {
     Vec r{0.0};
     double celerity = 0.0, own = 0.0;
@@ -97,9 +97,10 @@ struct Leg {
             (std::asinh(w0) - std::asinh(w)) / brake + (since - gliding)};
   }
   /// The body's point d when its leg's time is s. That is the centre's own time since the turn; the point is
-  /// simultaneous with the centre in the centre's rest frame. Of a body that brakes it is the centre's board time
-  /// since the turn: the point has turned as the centre has; simultaneous with it in its momentary rest frame, it is
-  /// later on the board by the centre's celerity times its place ahead, and contracted as the centre is by then.
+  /// simultaneous with the centre in the centre's rest frame. Of a body that brakes it is the centre's board
+  /// time since the turn: the point has turned as the centre has; simultaneous with it in its momentary rest
+  /// frame, it is later on the board by the centre's celerity times its place ahead, and contracted as the
+  /// centre is by then.
   Event event(const Vec& d, double s) const {
     if (!glides()) return turn + boosted(Event{s, turned(d, s)}, -v);
     const Vec n = glm::normalize(v);
@@ -114,13 +115,14 @@ struct Leg {
   double timeNear(const Event& a) const { return glides() ? a.t - turn.t : boosted(a - turn, v).t; }
 };
 
-/// In the outgoing body's rest frame, on the way from one leg to the next; faster than the point goes round there.
+/// In the outgoing body's rest frame, on the way from one leg to the next; faster than the point goes round
+/// there.
 inline double catchUpSpeed(const Leg& leg, const Vec& d) {
   return std::max(0.9, 0.5 * (1.0 + std::abs(leg.rate) * std::hypot(d.x, d.y)));
 }
 
-/// The world line of one body-fixed point, as the rules lay it: it leaves where the signal reaches it, wherever
-/// it then is, and goes straight to its place on the next leg.
+/// The world line of one body-fixed point, as the rules lay it: it leaves where the signal reaches it,
+/// wherever it then is, and goes straight to its place on the next leg.
 class PointLine {
  public:
   PointLine(std::span<const Leg> legs, const Vec& d) : legs_(legs), d_(d) {
@@ -153,7 +155,8 @@ class PointLine {
     return crossing([&](const Event& a) { return glm::length(eye.r - a.r) - (eye.t - a.t); }).event;
   }
 
-  /// Did the signal that ends a leg overtake the one before, and reach the point while it still followed the leg before?
+  /// Did the signal that ends a leg overtake the one before, and reach the point while it still followed the
+  /// leg before?
   bool newsOutOfTurn() const { return outOfTurn_; }
 
   std::size_t legAt(double t) const { return pieceAt(t).leg; }
@@ -285,8 +288,8 @@ inline Shape meshShape(Mesh mesh) {
   };
 }
 
-/// Places (ρ, z) of the built-in puck's surface, from the middle of its bottom to that of its top: each face, bevel and
-/// the side in so many cells.
+/// Places (ρ, z) of the built-in puck's surface, from the middle of its bottom to that of its top: each face,
+/// bevel and the side in so many cells.
 inline std::vector<std::array<double, 2>> puckProfile(double radius, double height,
                                                       const std::array<int, 5>& cells) {
   const double h = 0.5 * height, bevel = puckBevel(radius, height);
@@ -307,8 +310,8 @@ inline std::vector<std::array<double, 2>> puckProfile(double radius, double heig
   return profile;
 }
 
-/// A surface of revolution. Each place of the profile has so many points around; of two neighbours one number is a
-/// multiple of the other.
+/// A surface of revolution. Each place of the profile has so many points around; of two neighbours one number
+/// is a multiple of the other.
 inline Mesh turnedMesh(const std::vector<std::array<double, 2>>& profile,
                        const std::vector<std::size_t>& around) {
   Mesh mesh;
@@ -439,8 +442,9 @@ struct Hit {
   Vec point{0.0};
 };
 
-/// What a straight ray that comes along `direction` was sent by, if by the body. For bodies whose light left on one
-/// leg (commonLeg), and legs without brake. Of a body that turns, a round shape, that leg alone is given.
+/// What a straight ray that comes along `direction` was sent by, if by the body. For bodies whose light left
+/// on one leg (commonLeg), and legs without brake. Of a body that turns, a round shape, that leg alone is
+/// given.
 inline std::optional<Hit> trace(std::span<const Leg> legs, const Shape& shape, const Eye& eye,
                                 const Vec& direction) {
   const Event back = boosted({-1.0, direction}, -eye.v);  // on the board

@@ -1,5 +1,5 @@
-// One triangle that covers the wall's picture, and all that its shade needs: what rests for the whole wall goes to the
-// pixels as varyings, since llvmpipe reads a uniform for each pixel anew.
+// One triangle that covers the wall's picture, and all that its shade needs: what rests for the whole wall
+// goes to the pixels as varyings, since llvmpipe reads a uniform for each pixel anew.
 #version 150
 uniform vec3 corner_m;   // the wall's lower left corner from the eye, in the room
 uniform vec3 across_m;   // its lower edge

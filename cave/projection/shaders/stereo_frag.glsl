@@ -1,4 +1,5 @@
-// Packs the two pictures of a wall where the eyes share its pixels. Pictures are sRGB encoded and are passed on as they are.
+// Packs the two pictures of a wall where the eyes share its pixels. Pictures are sRGB encoded and are passed
+// on as they are.
 #version 150
 uniform sampler2D leftPicture;
 uniform sampler2D rightPicture;

@@ -1,11 +1,11 @@
-// Transforms a vertex of a body from its place in the body's rest frame to the place where the eye sees it, and
-// computes the light that falls on it there.
+// Transforms a vertex of a body from its place in the body's rest frame to the place where the eye sees it,
+// and computes the light that falls on it there.
 //
 // The program is compiled with these macros. True or false are the switches RETARDED, CONTRACTED, ABERRATED,
-// COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined or not
-// are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it has no varnish;
-// SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; GHOST, the body is shown at one
-// moment and is not lit.
+// COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined
+// or not are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it
+// has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; GHOST,
+// the body is shown at one moment and is not lit.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
@@ -16,7 +16,8 @@ uniform int firstLeg;          // of this body, in legTexels
 uniform int legCount;          // reached as LEG_COUNT: 1 for what rests
 uniform mat4 drawnFromBody;    // EUCLID: the body's place, without a solve
 uniform float appears_m;       // c (t − t_o) before which the body did not exist
-uniform mat4 clipFromDrawn;    // the frame in which walls draw: the head's, or as the switches say; from the eye
+// The frame in which walls draw: the head's, or as the switches say; from the eye.
+uniform mat4 clipFromDrawn;
 uniform mat4 drawnFromSeen;    // displacements (c t, x, y, z), here and in the next line
 uniform mat4 boardFromDrawn;
 uniform vec4 headOnBoard;      // γ, γβ
@@ -40,7 +41,8 @@ out LIGHT glow;       // the same for light of its own
 #ifndef MATT
 out SHINE shine;      // mirrored to the eye by its varnish
 #endif
-out float tone;       // 0 to 1: how bright it is as if it were painted evenly, and set off from parts of another tint
+// 0 to 1: how bright it is as if it were painted evenly, and set off from parts of another tint.
+out float tone;
 #endif
 out float boardTime_m;  // c (t − t_o) of the emission
 // Uniforms, handed on: llvmpipe reads those of pixels one by one, with a check for each.
@@ -64,7 +66,8 @@ const float kLampPower = 1.88;  // in units of its own white at rest: then kLamp
 
 vec3 normalInLeg;  // normalMC as the body has turned it by the emission
 
-/// Where the vertex is drawn, from the eye, and how fast its leg and, in the rest frame of that, it itself was: γ, γβ.
+/// Where the vertex is drawn, from the eye, and how fast its leg and, in the rest frame of that, it itself
+/// was: γ, γβ.
 struct Sight {
   vec3 drawn;
   float gamma;
@@ -162,8 +165,8 @@ void lightUp(Sight sight) {
   vec3 toEye = inVertexFrame(sight, towardsEye);
   vec3 normal = normalInVertexFrame(sight);
 
-  // The hall's light as if all of it came from where light on a matt surface does on average, 2/3 being the mean
-  // cosine: from direction n of the body's sky D = 1/(γ − u·n).
+  // The hall's light as if all of it came from where light on a matt surface does on average, 2/3 being the
+  // mean cosine: from direction n of the body's sky D = 1/(γ − u·n).
   float hallToBody = 1.0 / (dopplerInto(sight.gamma, sight.u, normal * (2.0 / 3.0)) *
                             dopplerInto(sight.turning.x, sight.turning.yzw, normal * (2.0 / 3.0)));
   float hall = litMC.w * hallLight(normal) * headPower * radiancePower(hallToBody, COLOURED, SEARCHLIGHT);
@@ -213,9 +216,9 @@ void lightUp(Sight sight) {
 #endif
 
 #if defined(SHADOW) && defined(SPINS)
-/// The share of the way from the axis at which a place of the shadow lies in its body. Places farther out, by the reach of
-/// its light's shadow (cave/scene/shadow_model.cpp), are not of the body: if it turned with it, it could outrun light, or
-/// come late after a bounce.
+/// The share of the way from the axis at which a place of the shadow lies in its body. Places farther out, by
+/// the reach of its light's shadow (cave/scene/shadow_model.cpp), are not of the body: if it turned with it,
+/// it could outrun light, or come late after a bounce.
 float shareInBody(vec3 d) {
   float radius = max(length(d.xy), 1e-6);
   float beside = surfaceMC.x * surfaceMC.z * (surfaceMC.y > 2.5 ? 0.9 : 0.3);
@@ -224,14 +227,15 @@ float shareInBody(vec3 d) {
 #endif
 
 #ifdef SHADOW
-/// The shadow of one light (surfaceMC.y: a lamp, or 3, the hall, whose light comes from above on average) is what the
-/// puck hides from its lower rim to its upper, surfaceMC.z higher: the shape under it, the same shape where the upper
-/// rim's shadow lies, and all between. So those vertices are moved whose normal, out of the puck, points away from the
-/// light. Light that passed the upper rim goes on for l to the cloth, while the rim goes on, too: at one board time the
-/// shadow is from its rim
+/// The shadow of one light (surfaceMC.y: a lamp, or 3, the hall, whose light comes from above on average) is
+/// what the puck hides from its lower rim to its upper, surfaceMC.z higher: the shape under it, the same
+/// shape where the upper rim's shadow lies, and all between. So those vertices are moved whose normal, out of
+/// the puck, points away from the light. Light that passed the upper rim goes on for l to the cloth, while
+/// the rim goes on, too: at one board time the shadow is from its rim
 ///   Δ = l (n − β)   (n: the ray's direction)
-/// and goes with it, as the puck's centre goes: while the signal of a blow runs through the puck its rim moves in many
-/// ways, and the shadow is to stay one. The eye sees it at s = c (t − t_rim) with T − s = |D − β s|, D from there to the eye, T from the rim.
+/// and goes with it, as the puck's centre goes: while the signal of a blow runs through the puck its rim
+/// moves in many ways, and the shadow is to stay one. The eye sees it at s = c (t − t_rim) with T − s = |D −
+/// β s|, D from there to the eye, T from the rim.
 Sight shadowed(Sight sight, Sight centre, out float share) {
   vec3 fromEye_m = onBoardFromEye(sight);
   vec3 at = eyeOnBoard_m + fromEye_m;

@@ -1,7 +1,7 @@
 // Seven-segment digits, and rows of them.
 
-/// Segments of a digit, bit 0 to 6: top, upper right, lower right, bottom, lower left, upper left, middle; 7: a leg
-/// below the middle.
+/// Segments of a digit, bit 0 to 6: top, upper right, lower right, bottom, lower left, upper left, middle; 7:
+/// a leg below the middle.
 int segmentsOf(int digit) {
   // Then a minus sign, a blank, a degree sign, an m.
   int[14] table = int[14](63, 6, 91, 79, 102, 109, 125, 7, 127, 111, 64, 0, 99, 212);
@@ -34,9 +34,9 @@ float toDigit(vec2 p, int lit) {
 const vec2 kPlace = vec2(1.1, 1.8);  // of a row of digits, in the measure of toDigit
 const float kPointWide = 0.35;       // in places
 
-/// How much of this pixel a row of up to twelve digits and its point cover. p.x: in places from the first; p.y: in the
-/// measure of toDigit. `behind` of them stand behind the point (0: there is none). `digits`: four bits a place, the
-/// last six places in .y, those before in .x, the last lowest.
+/// How much of this pixel a row of up to twelve digits and its point cover. p.x: in places from the first;
+/// p.y: in the measure of toDigit. `behind` of them stand behind the point (0: there is none). `digits`: four
+/// bits a place, the last six places in .y, those before in .x, the last lowest.
 float written(vec2 p, int places, int behind, ivec2 digits, float footprint) {
   float pointAt = float(places - behind);
   float x = p.x;

@@ -1,6 +1,6 @@
-// Returns the legs of a body. A single leg comes from uniforms and is straight, and a spin on it even and solved in few
-// steps; the leg of a body at rest on the board also has a known velocity. The compiler then leaves out what friction,
-// spin and motion need.
+// Returns the legs of a body. A single leg comes from uniforms and is straight, and a spin on it even and
+// solved in few steps; the leg of a body at rest on the board also has a known velocity. The compiler then
+// leaves out what friction, spin and motion need.
 
 #ifdef ONE_LEG
 uniform vec4 onlyLeg[17];

@@ -1,5 +1,5 @@
-// The GLSL definitions that the kernels need. A texture buffer holds the legs, seventeen texels each, in the order of the
-// members of LegView; another holds the table of shifted colours.
+// The GLSL definitions that the kernels need. A texture buffer holds the legs, seventeen texels each, in the
+// order of the members of LegView; another holds the table of shifted colours.
 #define real float
 #define KERNEL
 #define INOUT(type) inout type

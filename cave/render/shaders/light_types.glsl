@@ -1,5 +1,6 @@
-// The types in which light is interpolated from the vertices to the points of a surface. With shifted colours, the
-// light that a surface returns is not the product of its colour and the light's colour; a matrix takes its place.
+// The types in which light is interpolated from the vertices to the points of a surface. With shifted
+// colours, the light that a surface returns is not the product of its colour and the light's colour; a matrix
+// takes its place.
 #ifdef COLOUR
 #define LIGHT mat3
 #define SHINE vec3

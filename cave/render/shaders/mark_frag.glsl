@@ -1,6 +1,7 @@
-// Colours a mark: a flat colour, a soft light (style.x = −1), or a plate with digits. For a plate, style.x is the sum of
-// its number of places, 16 times the number of places behind the point (0: there is no point) and 256 times its shape
-// (cave/render/mark_buffer.h: box, clock, flag). The digits are in style.yz, packed as in digits.glsl.
+// Colours a mark: a flat colour, a soft light (style.x = −1), or a plate with digits. For a plate, style.x is
+// the sum of its number of places, 16 times the number of places behind the point (0: there is no point) and
+// 256 times its shape (cave/render/mark_buffer.h: box, clock, flag). The digits are in style.yz, packed as in
+// digits.glsl.
 in vec4 colourHere;
 in vec2 place;  // on a plate places from its left border, 0 … 1 over its height; on a light −1 … 1
 flat in vec3 style;

@@ -1,6 +1,6 @@
-// A clock's face: the board time at which light left its middle, in seconds and the tenths that have gone by, in
-// seven-segment digits. The longer the number, the smaller they are. surface.xy: 0 … 4 over the face from the left,
-// 0 … 1 over its height.
+// A clock's face: the board time at which light left its middle, in seconds and the tenths that have gone by,
+// in seven-segment digits. The longer the number, the smaller they are. surface.xy: 0 … 4 over the face from
+// the left, 0 … 1 over its height.
 uniform int observedWhole_s;      // the observation's board time: whole seconds
 uniform float observedPart_s;     // and the rest
 uniform float lightSpeed_m_s;
@@ -25,7 +25,8 @@ Painted paint() {
 
   float across = float(places) + kPointWide;
   float scale = min(1.0, kWritten / (across * kPlace.x));
-  vec2 p = (surface.xy * vec2(0.25, 1.0) - vec2(1.0, 0.5)) * kFace / scale;  // from the middle of the right border
+  // From the middle of the right border.
+  vec2 p = (surface.xy * vec2(0.25, 1.0) - vec2(1.0, 0.5)) * kFace / scale;
   float footprint = max(length(fwidth(p)) * 0.7, 1e-4);
   p.x = across + (p.x + 0.5 * (kFace.x - kWritten) / scale) / kPlace.x;
   float lit = written(p, places, 1, digits, footprint);

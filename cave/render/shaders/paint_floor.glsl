@@ -4,7 +4,8 @@ Painted paint() {
   vec2 footprint = footprintOf(at);
   vec2 perTile_px = 1.0 / footprint;
   vec2 grouts = lines(at, 0.016, footprint, perTile_px);
-  // Light and dark in turn: the product of two waves of +1 and -1, each filtered by the box of a pixel from its integral.
+  // Light and dark in turn: the product of two waves of +1 and -1, each filtered by the box of a pixel from
+  // its integral.
   vec2 from = 0.5 * (at - 0.5 * footprint), to = from + 0.5 * footprint;
   vec2 wave = 2.0 * (abs(fract(from) - 0.5) - abs(fract(to) - 0.5)) * perTile_px;
   float shade = 0.775 + 0.225 * wave.x * wave.y;

@@ -1,6 +1,6 @@
-// Paints a ghost, a body at one moment: an unlit cage of stripes that one can look through. The stripes run one way for
-// the board's now and both ways (CROSSED) for the head's now, so that the two can be told apart without colours.
-// Between the stripes a trace of the body's own colour remains.
+// Paints a ghost, a body at one moment: an unlit cage of stripes that one can look through. The stripes run
+// one way for the board's now and both ways (CROSSED) for the head's now, so that the two can be told apart
+// without colours. Between the stripes a trace of the body's own colour remains.
 in vec3 fromEye_m;
 uniform vec3 ghostColour;  // linear
 uniform float hatch_m;     // from stripe to stripe

@@ -1,5 +1,5 @@
-// Panels of one metre with joints, and a dark dado below. surface.xy: metres along the wall and above the floor;
-// surface.z: height of the dado; of a ceiling, less what the lamps beside it add to its light.
+// Panels of one metre with joints, and a dark dado below. surface.xy: metres along the wall and above the
+// floor; surface.z: height of the dado; of a ceiling, less what the lamps beside it add to its light.
 Painted paint() {
   vec2 footprint = footprintOf(surface.xy);
   vec2 perMetre_px = 1.0 / footprint;

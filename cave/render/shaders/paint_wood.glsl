@@ -1,5 +1,5 @@
-// Varnished wood with mother-of-pearl diamonds. surface: metres along the rail from its middle, metres outwards
-// from the diamonds' line, spacing of the diamonds (0: none).
+// Varnished wood with mother-of-pearl diamonds. surface: metres along the rail from its middle, metres
+// outwards from the diamonds' line, spacing of the diamonds (0: none).
 Painted paint() {
   float along = surface.x;
   // Years, wavy along the plank, and fine dark pores.

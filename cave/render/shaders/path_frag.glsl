@@ -1,5 +1,5 @@
-// A puck's way: a line with a dot every tenth of a second and a larger one every second. Full as far as the puck is
-// seen to have come, fading behind; then dashed as far as the way is known.
+// A puck's way: a line with a dot every tenth of a second and a larger one every second. Full as far as the
+// puck is seen to have come, fading behind; then dashed as far as the way is known.
 #version 150
 in vec3 wayHere;
 uniform vec3 colour;    // sRGB

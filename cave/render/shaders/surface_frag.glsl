@@ -25,16 +25,16 @@ struct Painted {
   float cover;    // 1: opaque
 };
 
-/// The size of this pixel in x's unit: edges are drawn about that wide. Divisions by it, as all of them, cost llvmpipe
-/// as much as eight multiplications: where there are several, it is divided by once.
+/// The size of this pixel in x's unit: edges are drawn about that wide. Divisions by it, as all of them, cost
+/// llvmpipe as much as eight multiplications: where there are several, it is divided by once.
 float footprintOf(float x) { return max(fwidth(x), 1e-6); }
 vec2 footprintOf(vec2 x) { return max(fwidth(x), 1e-6); }
 
 /// 0 to the left of x = 0, 1 to the right, soft over a pixel; x in pixels.
 float edge(float x_px) { return clamp(x_px + 0.5, 0.0, 1.0); }
 
-/// How much of this pixel lies in lines of width `width` at whole numbers of x, and of y: the box-filtered pulse
-/// train, from its integral. `perUnit_px`: 1/footprint.
+/// How much of this pixel lies in lines of width `width` at whole numbers of x, and of y: the box-filtered
+/// pulse train, from its integral. `perUnit_px`: 1/footprint.
 vec2 lines(vec2 x, float width, vec2 footprint, vec2 perUnit_px) {
   vec2 a = x + (0.5 * width - 0.5 * footprint);
   vec2 b = a + footprint;
@@ -59,7 +59,8 @@ vec3 toScreen(vec3 linear) {
 /// Linear light as the picture is exposed, for the screen.
 vec3 shown(vec3 linear) {
   if (!COLOURED && !SEARCHLIGHT) {
-    // The exposure is then always the same, and both curves together are within 1.5 steps of 255 a cubic of the root.
+    // The exposure is then always the same, and both curves together are within 1.5 steps of 255 a cubic of
+    // the root.
     vec3 root = sqrt(clamp(linear, 0.0, 1.57));
     return ((0.05259 * root - 0.44084) * root + 1.28424) * root - 0.02573;
   }

@@ -1,4 +1,5 @@
-// Soft light from above and a lamp beside the camera, so that bodies look round. A model's light, not the game's.
+// Soft light from above and a lamp beside the camera, so that bodies look round. A model's light, not the
+// game's.
 #version 150
 uniform vec4 material;  // linear light reflected; how much it covers
 uniform vec3 camera_m;

@@ -91,8 +91,8 @@ TEST(Calibration, FindsTheTrackerToAMillimetre) {
   }
 }
 
-// A hand that misses each corner by 1 mm in each direction is worse than noise, which a second averages away: it
-// is the middle of the corners that is then known to a millimetre or so, as the calibration says itself.
+// A hand that misses each corner by 1 mm in each direction is worse than noise, which a second averages away:
+// it is the middle of the corners that is then known to a millimetre or so, as the calibration says itself.
 TEST(Calibration, KnowsWhatMissedTouchesCost) {
   const auto places_m = corners_m();
   double off_m2 = 0.0, stated_m2 = 0.0;

@@ -1,5 +1,6 @@
-// The readers against the declarations of keys: a file that has every declared table, and in each a key that is not
-// declared. Of such a key the reader says which keys it would have read there; of others, that they are missing.
+// The readers against the declarations of keys: a file that has every declared table, and in each a key that
+// is not declared. Of such a key the reader says which keys it would have read there; of others, that they
+// are missing.
 #include "app/file_keys/file_key.h"
 
 #include <gtest/gtest.h>

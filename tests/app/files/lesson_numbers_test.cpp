@@ -489,8 +489,8 @@ TEST(LessonNumbers, PairsOfFour) {
   EXPECT_EQ(scenario.lesson->words.right, 1u);
 }
 
-/// How long a puck is seen to be along x between these points of it, `half_m` before and behind its centre, in lengths at
-/// rest.
+/// How long a puck is seen to be along x between these points of it, `half_m` before and behind its centre,
+/// in lengths at rest.
 double seenLength(const WorldLine& line, double half_m, const Event& eye) {
   const auto seen = [&](double offset_m) {
     return emission(line, {offset_m, 0.0, 0.0}, eye, Lorentz(line.lightSpeed_m_s())).value().event.r_m.x;

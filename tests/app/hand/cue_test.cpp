@@ -103,7 +103,8 @@ TEST(Cue, APullOfFifteenCentimetresIsTheRestMomentum) {
   for (const double u : {0.001, 0.2, 1.0, 3.0}) EXPECT_NEAR(costOf(u), std::hypot(1.0, u) - 1.0, 1e-15);
 }
 
-// Where the hand points beside the centre, across the stroke, seen from above; the room's axes here are the board's.
+// Where the hand points beside the centre, across the stroke, seen from above; the room's axes here are the
+// board's.
 TEST(Cue, StrikesWhereTheHandPointsBesideTheCentre) {
   const Lorentz still(1.42);
   const double radius_m = 0.03;

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
-/// When an eye that rests here sees the struck puck to have touched two others: for each other puck the earliest touch
-/// that is seen, and of these times the second.
+/// When an eye that rests here sees the struck puck to have touched two others: for each other puck the
+/// earliest touch that is seen, and of these times the second.
 double caromSeen_s(const Billiard& game, std::size_t puck, double arrives_s, const Vec3& eye_m,
                    double c_m_s) {
   std::map<std::size_t, double> touched_s;

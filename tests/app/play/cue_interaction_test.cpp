@@ -148,8 +148,8 @@ class Lived {
   std::vector<FrameState> states;
 };
 
-/// A wand that at seeded times aims at a puck where it is seen, or so far beside it, is drawn back for some frames and let
-/// go.
+/// A wand that at seeded times aims at a puck where it is seen, or so far beside it, is drawn back for some
+/// frames and let go.
 class Player {
  public:
   Player(std::uint64_t seed, std::uint64_t every, const Vec3& aside_m = Vec3(0.0))

@@ -65,7 +65,8 @@ void expectNear(const glm::dvec3& a, const glm::dvec3& b, double within = 1e-12)
   EXPECT_NEAR(a.z, b.z, within);
 }
 
-// In a dry run the mouse moves the wand and is no device of its own; its right button turns the room all the same.
+// In a dry run the mouse moves the wand and is no device of its own; its right button turns the room all the
+// same.
 TEST_F(HandsTest, AMouseThatMovesTheWandDoesNotAim) {
   pointTo(-0.6, -2.0);
   frame();

@@ -1,4 +1,5 @@
-// What a spacetime diagram holds: flashes with their names and light, and an observer who never goes back in time.
+// What a spacetime diagram holds: flashes with their names and light, and an observer who never goes back in
+// time.
 #include "app/report/spacetime_chart.h"
 
 #include <gtest/gtest.h>

@@ -113,8 +113,9 @@ TEST_F(DirectorTest, TheNextVisitorBeginsWithTheFirstGame) {
   EXPECT_TRUE(game.isForNextVisitor);
 }
 
-// A frame a second. After 60 s without anybody, games attract people: the key at 100 s is that of somebody new. The
-// patience counts from the latest sign of life, and a room that nobody has entered since is not welcomed again.
+// A frame a second. After 60 s without anybody, games attract people: the key at 100 s is that of somebody
+// new. The patience counts from the latest sign of life, and a room that nobody has entered since is not
+// welcomed again.
 TEST_F(DirectorTest, AnAbandonedSessionWelcomesTheNextVisitorOnce) {
   OperatorSettings settings;
   settings.playing = "first.toml";
@@ -161,7 +162,8 @@ TEST_F(DirectorTest, TheWallsGoDarkBeforeAnotherGame) {
   EXPECT_EQ(decision_.frame.record.fade, 0.0);
 }
 
-// The first game of the playlist lasts 5 s. Its best shot takes 3 s more, which somebody who chooses a game cuts short.
+// The first game of the playlist lasts 5 s. Its best shot takes 3 s more, which somebody who chooses a game
+// cuts short.
 TEST_F(DirectorTest, TheBestShotEndsAGameOfThePlaylist) {
   Playlist playlist;
   playlist.games.resize(2);

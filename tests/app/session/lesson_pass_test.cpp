@@ -117,8 +117,9 @@ TEST_F(LessonPass, ObserversOfAllVelocitiesMeetAtTheMoment) {
   }
 }
 
-// Aberration moves what is seen ahead; the room of a moving observer is turned as far, unless the lesson is about what
-// is now. Light from straight ahead on the table, transformed as a displacement, comes from straight ahead in the room.
+// Aberration moves what is seen ahead; the room of a moving observer is turned as far, unless the lesson is
+// about what is now. Light from straight ahead on the table, transformed as a displacement, comes from
+// straight ahead in the room.
 TEST_F(LessonPass, WhatIsSeenAheadAtRestIsSeenAheadInMotion) {
   Scenario seen = scenario_;
   seen.lesson->views = {};

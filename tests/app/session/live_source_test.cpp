@@ -278,8 +278,8 @@ TEST_F(LiveSession, AnotherGameHasNothingOfTheFirst) {
   testing::internal::GetCapturedStderr();
 }
 
-/// The mouse presses a choice on the wall: that is a command, and no stroke. A stroke that is let go over a choice is
-/// a stroke, and no command.
+/// The mouse presses a choice on the wall: that is a command, and no stroke. A stroke that is let go over a
+/// choice is a stroke, and no command.
 TEST_F(LiveSession, APressOnAChoiceIsACommandAndNoStroke) {
   Scenario scenario = scenario_;
   scenario.choices = true;

@@ -9,8 +9,9 @@
 namespace carom {
 namespace {
 
-/// Runs a programme for so many seconds, ten frames each; `acts` are the seconds at which somebody does something.
-/// Returns what follows, as "SECOND FILE", with "visitor" for the next visitor and "attract" where nobody is there.
+/// Runs a programme for so many seconds, ten frames each; `acts` are the seconds at which somebody does
+/// something. Returns what follows, as "SECOND FILE", with "visitor" for the next visitor and "attract" where
+/// nobody is there.
 std::vector<std::string> played(Programme& programme, std::string playing, int seconds,
                                 const std::vector<int>& acts) {
   std::vector<std::string> followed;
@@ -29,8 +30,8 @@ std::vector<std::string> played(Programme& programme, std::string playing, int s
 
 using Lines = std::vector<std::string>;
 
-/// Returns "SECOND COUNT" where the countdown changes, and "SECOND gone", for a visitor who acts at 0 s alone;
-/// `discussedUntil_s`: a question stands until then, from the beginning.
+/// Returns "SECOND COUNT" where the countdown changes, and "SECOND gone", for a visitor who acts at 0 s
+/// alone; `discussedUntil_s`: a question stands until then, from the beginning.
 Lines countedDown(double patience_s, double discussedUntil_s) {
   Programme programme("first.toml", nullptr, patience_s);
   Lines lines;

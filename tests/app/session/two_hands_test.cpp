@@ -213,7 +213,8 @@ class TwoAtRest : public GameForTwo {
   }
 };
 
-// The thrust to the right is felt by whoever steers; the other's clock goes at the rate 1 + g·r/c² (r: to the right).
+// The thrust to the right is felt by whoever steers; the other's clock goes at the rate 1 + g·r/c² (r: to the
+// right).
 TEST(TwoHands, TheThrustIsThatOfWhoeverSteers) {
   for (const std::size_t steers : {0U, 1U}) {
     TwoAtRest two(CAROM_CONFIG_DIR "/scenarios/table.toml");

@@ -1,6 +1,6 @@
-// A whole session with a headset, which a runtime of OpenXR of the test's own stands in for (tests/cave/xr_double.h): a
-// head that walks and turns, strokes by hand, frames that are late, not shown, untracked, a headset taken off, centred
-// anew, and at last ended by its system.
+// A whole session with a headset, which a runtime of OpenXR of the test's own stands in for
+// (tests/cave/xr_double.h): a head that walks and turns, strokes by hand, frames that are late, not shown,
+// untracked, a headset taken off, centred anew, and at last ended by its system.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -52,8 +52,8 @@ struct Scripted {
 
 bool is(const Scripted& frame, const char* event) { return std::strcmp(frame.event, event) == 0; }
 
-/// The hand points 45° down to the yellow puck at (0.49, 0.29) and draws the cue back from frame 30 to 60. From frame 80
-/// on the head walks to and fro beside the table, nods and turns.
+/// The hand points 45° down to the yellow puck at (0.49, 0.29) and draws the cue back from frame 30 to 60.
+/// From frame 80 on the head walks to and fro beside the table, nods and turns.
 std::vector<Scripted> walk(std::size_t frames) {
   std::vector<Scripted> script(frames);
   for (std::size_t i = 0; i < frames; ++i) {
@@ -168,8 +168,8 @@ class ReferenceRig {
 
   void take(const FrameState& state) { applyFrame(state, world_); }
 
-  /// Returns the pictures of both eyes. Walls that stand there, of a room, are made anew for each frame, which takes its
-  /// time; else the same two walls are moved there.
+  /// Returns the pictures of both eyes. Walls that stand there, of a room, are made anew for each frame,
+  /// which takes its time; else the same two walls are moved there.
   std::array<std::vector<std::uint8_t>, 2> draw(FrameRecord record, const Submitted& submitted, bool stand) {
     std::vector<Wall> walls = rig_.walls;
     for (std::size_t eye = 0; eye < 2; ++eye) {
@@ -251,8 +251,8 @@ constexpr const char* kStill =
     "[[puck]]\nname = 'white'\nradius_m = 0.0305\nheight_m = 0.02\nmass_kg = 0.2\nposition_m = [0.3, "
     "0.0]\nbeta = [0.0, 0.0]\n";
 
-/// A walk with everything that a headset goes through: frames that are late, not shown, or without the head's place or
-/// direction; taken off; centred anew; without the focus; and at last lost.
+/// A walk with everything that a headset goes through: frames that are late, not shown, or without the head's
+/// place or direction; taken off; centred anew; without the focus; and at last lost.
 std::vector<Scripted> eventfulWalk() {
   std::vector<Scripted> script = walk(600);
   script[100].step_ns = 2 * kUsual_ns;  // dropped
@@ -270,8 +270,8 @@ std::vector<Scripted> eventfulWalk() {
   return script;
 }
 
-/// Returns how long the wearer has lived since the frame before, for each frame of the session, by the script alone.
-/// While nobody wears it there are three frames; the last one ends the session.
+/// Returns how long the wearer has lived since the frame before, for each frame of the session, by the script
+/// alone. While nobody wears it there are three frames; the last one ends the session.
 std::vector<double> livedIn(const std::vector<Scripted>& script) {
   std::vector<double> steps_s{0.0};
   for (std::size_t i = 1; i < script.size(); ++i) {
@@ -312,7 +312,8 @@ void expectSameAsRig(const std::vector<Scripted>& script, const std::vector<Fram
   EXPECT_EQ(compared, 589U) << "all but those that are not shown, and the lost one";
 }
 
-/// A session leaves out pictures that come faster than a busy machine writes them; a replay waits for its disk.
+/// A session leaves out pictures that come faster than a busy machine writes them; a replay waits for its
+/// disk.
 void expectSamePictures(const std::filesystem::path& live, const std::filesystem::path& again) {
   std::ptrdiff_t pictures = 0;
   for (const auto& picture : std::filesystem::directory_iterator(live)) {
@@ -407,7 +408,8 @@ TEST_F(HeadsetSession, BareHandsStrikeAsControllersDo) {
   EXPECT_EQ(strokes[0].momentum_kg_m_s, strokes[1].momentum_kg_m_s);
 }
 
-/// Returns the pixel of an eye's picture, as a fraction of its size from below, that shows a place of the room.
+/// Returns the pixel of an eye's picture, as a fraction of its size from below, that shows a place of the
+/// room.
 glm::dvec2 shownAt(const Submitted& frame, std::size_t eye, const glm::dvec3& place_m) {
   const XrPosef& pose = frame.eyes[eye];
   const glm::dquat q(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);

@@ -1,6 +1,7 @@
 // What a wall leaves out is nothing that it would show: every shipped rig and scenario, seen by random heads.
 //
-// More heads by hand: CAROM_HEADS=10000 CAROM_PICTURES=200 tests/with_display build/release/bin/app_stage_drawn_test
+// More heads by hand: CAROM_HEADS=10000 CAROM_PICTURES=200 tests/with_display
+// build/release/bin/app_stage_drawn_test
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -123,7 +124,8 @@ struct Share {
   std::size_t drawn = 0, all = 0;
 };
 
-/// Holds every vertex of every chunk that is left out, of meshes as coarse as the tolerance allows, against the walls.
+/// Holds every vertex of every chunk that is left out, of meshes as coarse as the tolerance allows, against
+/// the walls.
 void expectNothingLeftOut(const RandomEye& random, const Vec3& seenFromEye_m, const Scene& scene,
                           const SceneChunks& chunks, VisibleChunks& visible, std::span<const Wall> walls,
                           double tolerance_rad, Share& share) {

@@ -25,7 +25,8 @@ Wall wallAt(const char* name, int node, glm::ivec2 position_px, bool border) {
   return wall;
 }
 
-/// Returns whether two windows, with the titles and edges of those that have a border, have a point in common.
+/// Returns whether two windows, with the titles and edges of those that have a border, have a point in
+/// common.
 bool meet(const WindowPlacement& a, const WindowPlacement& b) {
   const auto from = [](const WindowPlacement& w) {
     return w.position_px - (w.border ? glm::ivec2(kEdge_px, kTitle_px) : glm::ivec2(0));

@@ -14,8 +14,8 @@ using namespace test;
 
 class Answers : public testing::Test {
  protected:
-  /// Writes a game of `count` frames from frame `first` on, ten a second, that asks in its frames from `asks` to
-  /// `given` and has the answer then.
+  /// Writes a game of `count` frames from frame `first` on, ten a second, that asks in its frames from `asks`
+  /// to `given` and has the answer then.
   struct Asked {
     std::uint64_t asks, given;
     std::string answer, viewer;

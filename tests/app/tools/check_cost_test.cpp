@@ -1,5 +1,5 @@
-// No file, however it is made, costs `carom check` more than 2 s of processor and 300 MB of memory, or prints more than a
-// hundred findings.
+// No file, however it is made, costs `carom check` more than 2 s of processor and 300 MB of memory, or prints
+// more than a hundred findings.
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,4 +1,5 @@
-// `carom observe --vertex`: what an eye sees of told histories, against cases of 50 digits; and histories that are refused.
+// `carom observe --vertex`: what an eye sees of told histories, against cases of 50 digits; and histories
+// that are refused.
 
 #include <gtest/gtest.h>
 
@@ -61,8 +62,8 @@ TEST(ObserveHistory, VerticesAreSeenAsTheExactCasesSay) {
   EXPECT_GT(unseen, 0);
 }
 
-// A soft puck that flies freely is seen as a rigid one, a bouncing one where its matter is: the event lies on the matter and on
-// the past cone.
+// A soft puck that flies freely is seen as a rigid one, a bouncing one where its matter is: the event lies on
+// the matter and on the past cone.
 TEST(ObserveHistory, PlacesOfSoftPucksAreSeenWhereTheirMatterIs) {
   const auto puck = [](const std::string& soft) {
     return "light_speed_m_s = 1.42\n[board]\nlength_m = 0.4\nwidth_m = 0.4\n[[puck]]\nname = "

@@ -68,8 +68,8 @@ void checkKick(const json& collision, const json& kick, const json& tolerance, d
   }
 }
 
-// A game takes the contact that is the first in the frame of equal speeds. Where the case asks for that of another
-// frame, the game's is the same or earlier in its own.
+// A game takes the contact that is the first in the frame of equal speeds. Where the case asks for that of
+// another frame, the game's is the same or earlier in its own.
 TEST(SimulateCorners, BodiesMeetAsExactCasesSay) {
   const json cases = exactCases("polygon_contacts.json");
   const TemporaryFolder folder;
@@ -210,7 +210,8 @@ TEST(SimulateCorners, CheckSaysWhereAnOutlineIsWrong) {
   for (const Wrong& wrong : wrongs) expectOneError(folder, kBarHead + wrong.keys, wrong.place, wrong.words);
 }
 
-// In outlines of 5 to 40 corners, a line each, one at a time is doubled, changed with the next one or no number.
+// In outlines of 5 to 40 corners, a line each, one at a time is doubled, changed with the next one or no
+// number.
 TEST(SimulateCorners, CheckSaysWhichCornerIsWrong) {
   const TemporaryFolder folder;
   for (const std::size_t count : {5, 12, 40}) {
@@ -257,8 +258,8 @@ std::string prismText(const std::vector<std::array<double, 2>>& corners) {
   return text + low + "\n" + high + "\n";
 }
 
-// A mesh that lies elsewhere and is of another size than the puck: its footprint against the same corners by hand, a bar
-// of 12 by 4 and an angle.
+// A mesh that lies elsewhere and is of another size than the puck: its footprint against the same corners by
+// hand, a bar of 12 by 4 and an angle.
 TEST(SimulateCorners, MeshesCollideByTheirFootprints) {
   const TemporaryFolder folder;
   folder.file("bar.obj", prismText({{5, 1}, {17, 1}, {17, 5}, {5, 5}}));

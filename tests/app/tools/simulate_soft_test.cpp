@@ -1,4 +1,5 @@
-// `carom simulate` and `carom check` with soft pucks: closed forms of waves, references of bounces, and what is refused.
+// `carom simulate` and `carom check` with soft pucks: closed forms of waves, references of bounces, and what
+// is refused.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// `carom simulate` and `carom observe` with pucks that spin, against exact collisions and other ways to say the
-// same.
+// `carom simulate` and `carom observe` with pucks that spin, against exact collisions and other ways to say
+// the same.
 
 #include <gtest/gtest.h>
 
@@ -158,8 +158,8 @@ struct SeenPoint {
   double r_m[3], beta[3], clock_s;
 };
 
-// Before, in and after bounces, with friction on the cloth, and of a spin that it takes: the point is on the past
-// cone, its own clock counts what its velocity says, and its place changes by its velocity.
+// Before, in and after bounces, with friction on the cloth, and of a spin that it takes: the point is on the
+// past cone, its own clock counts what its velocity says, and its place changes by its velocity.
 TEST(SimulateSpin, PointsGoOnThroughBouncesAndGlides) {
   const TemporaryFolder folder;
   const double c = 1.42;

@@ -63,8 +63,8 @@ class SharedTracker : public testing::Test {
 
 constexpr double kRounding_s = 1e-12;
 
-// Anna walks at 0.6 m/s, Ben stands. While Ben's sensor is lost his head is held where it was, and his clock goes
-// on as that of somebody who stands: ahead of hers by γ.
+// Anna walks at 0.6 m/s, Ben stands. While Ben's sensor is lost his head is held where it was, and his clock
+// goes on as that of somebody who stands: ahead of hers by γ.
 TEST_F(SharedTracker, WhoStandsIsHeldWhenLostAndHisClockGoesOn) {
   constexpr double kWalk_m_s = 0.6;
   for (int frame = 0; frame < 240; ++frame) {
@@ -110,8 +110,8 @@ TEST_F(SharedTracker, AGlitchDrivesNobodysClock) {
   }
 }
 
-// A tracker that is set up anew puts a head 2 m away at once. The shown head slides there at 1 m/s, which is the
-// most that it drives the other's clock by; the step itself, at 120 m/s, is no motion.
+// A tracker that is set up anew puts a head 2 m away at once. The shown head slides there at 1 m/s, which is
+// the most that it drives the other's clock by; the step itself, at 120 m/s, is no motion.
 TEST_F(SharedTracker, AStepIsNoFasterForTheClocksThanItsSlide) {
   constexpr double kStepped_m = 2.0, kSlide_m_s = 1.0;
   const double most = std::hypot(1.0, kSlide_m_s / scenario_.billiard.lightSpeed_m_s);

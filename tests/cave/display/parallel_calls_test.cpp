@@ -40,7 +40,8 @@ TEST(ParallelCalls, EndWithoutARun) {
   EXPECT_EQ(made, 0);
 }
 
-/// Ends with status 0 if ParallelCalls throws where memory for the stacks of a few threads is left, not of all.
+/// Ends with status 0 if ParallelCalls throws where memory for the stacks of a few threads is left, not of
+/// all.
 [[noreturn]] void makeTooMany() {
   std::ifstream sizes("/proc/self/statm");
   rlim_t pages = 0;

@@ -1,6 +1,6 @@
 // What a frame says to OpenGL: every call that asks, sets or uploads passes through this program first. The
-// functions of OpenGL 1.1 are defined here and call the library's, those of later versions are pointers that are
-// replaced.
+// functions of OpenGL 1.1 are defined here and call the library's, those of later versions are pointers that
+// are replaced.
 #include <gtest/gtest.h>
 
 #include <dlfcn.h>

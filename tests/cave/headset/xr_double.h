@@ -1,8 +1,8 @@
 #pragma once
-// A runtime of OpenXR that is a test's own: Debian's loader loads it where XR_RUNTIME_JSON names its manifest. It has
-// no headset and no time of its own: a script says what each frame is, and what was submitted is kept. It is as strict
-// as real runtimes are about the order of calls, and as rude as the rudest: it can leave errors of OpenGL, and another
-// context current.
+// A runtime of OpenXR that is a test's own: Debian's loader loads it where XR_RUNTIME_JSON names its
+// manifest. It has no headset and no time of its own: a script says what each frame is, and what was
+// submitted is kept. It is as strict as real runtimes are about the order of calls, and as rude as the
+// rudest: it can leave errors of OpenGL, and another context current.
 
 #include <array>
 #include <cstdint>
@@ -81,19 +81,21 @@ struct XrDouble {
 //
 //   step_ns shown flags  x y z qw qx qy qz of the head  trigger x y z stick of the right hand [event]
 //
-// where the stick is pushed forwards so far, `shown` is 1 for frames that are, `flags` are those of XrViewState, and the
-// event is off (the headset is taken off before the next frame, and put on after three polls), recentre, unfocused, focused
-// or lost. After the last line the system ends the session. What was submitted is appended to the file that CAROM_XR_SEEN
-// names: of each frame, as 64-bit numbers, the display time, the number of layers, a thousand times the strongest vibration
-// of a hand since the frame before, how many nanoseconds passed between the places of the eyes and the finished pictures,
-// how often `new` was asked for since the frame before (0 unless counted_new_before is loaded before all others) and
-// whether there are pictures; and then the poses, the angles and the pictures of both eyes. CAROM_XR_HABITS lists what else
-// is peculiar to the runtime, in words:
+// where the stick is pushed forwards so far, `shown` is 1 for frames that are, `flags` are those of
+// XrViewState, and the event is off (the headset is taken off before the next frame, and put on after three
+// polls), recentre, unfocused, focused or lost. After the last line the system ends the session. What was
+// submitted is appended to the file that CAROM_XR_SEEN names: of each frame, as 64-bit numbers, the display
+// time, the number of layers, a thousand times the strongest vibration of a hand since the frame before, how
+// many nanoseconds passed between the places of the eyes and the finished pictures, how often `new` was asked
+// for since the frame before (0 unless counted_new_before is loaded before all others) and whether there are
+// pictures; and then the poses, the angles and the pictures of both eyes. CAROM_XR_HABITS lists what else is
+// peculiar to the runtime, in words:
 //
-//   no-headset  no-opengl  no-srgb  no-8-bits  no-velocity  no-hands  bare-hands (a pinch is the trigger)  rude
-//   silent (keeps no pictures)  large (pictures of 1024 × 1024)
+//   no-headset  no-opengl  no-srgb  no-8-bits  no-velocity  no-hands  bare-hands (a pinch is the trigger)
+//   rude silent (keeps no pictures)  large (pictures of 1024 × 1024)
 
-/// Returns the runtime that the loader will load from the same library. Forgets all that was before if asked to.
+/// Returns the runtime that the loader will load from the same library. Forgets all that was before if asked
+/// to.
 XrDouble& xrDouble(const std::string& library, bool anew);
 
 }  // namespace carom::test

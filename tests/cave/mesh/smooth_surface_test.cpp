@@ -64,7 +64,8 @@ std::vector<std::array<Corner, 3>> cornersOf(vtkPolyData& mesh) {
   return triangles;
 }
 
-/// The sphere of radius 1 in two triangles for each of rings × sectors cells, those at the poles with two equal corners.
+/// The sphere of radius 1 in two triangles for each of rings × sectors cells, those at the poles with two
+/// equal corners.
 std::vector<Corners> sphere(int rings, int sectors) {
   const auto at = [&](int i, int j) {
     const double polar = M_PI * i / rings, azimuth = 2.0 * M_PI * (j % sectors) / sectors;

@@ -1,4 +1,5 @@
-// The buttons on the front wall: every ray to one finds it, and none of them covers another or the panel of words.
+// The buttons on the front wall: every ray to one finds it, and none of them covers another or the panel of
+// words.
 #include "cave/overlay/wall_buttons.h"
 
 #include <gtest/gtest.h>

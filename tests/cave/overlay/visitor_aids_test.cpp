@@ -30,8 +30,8 @@ RoomGeometry oneWall() {
   return room;
 }
 
-/// Returns the record of a person whose eyes are 1.6 m above the floor of a room that moves with β and is at this place
-/// of the board; the room's axes are the board's x, z and −y.
+/// Returns the record of a person whose eyes are 1.6 m above the floor of a room that moves with β and is at
+/// this place of the board; the room's axes are the board's x, z and −y.
 FrameRecord recordAt(const Vec3& eye_m, const Vec3& beta) {
   const ObserverStart start{eye_m - Vec3(0.0, 0.0, 1.6), 0.5 * std::numbers::pi, beta};
   FrameRecord record;

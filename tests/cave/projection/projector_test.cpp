@@ -246,8 +246,9 @@ TEST_F(ProjectorPixels, AKeystoneIsTheHomographyItSamples) {
   EXPECT_GT(compared, kSize_px * kSize_px / 2);
 }
 
-// A pixel of the window shows what the homography of the screen's corners has there, to an eighth of a picture's pixel,
-// which is the rounding of its colour to 8 bits, and as much for the interpolation between its pixels.
+// A pixel of the window shows what the homography of the screen's corners has there, to an eighth of a
+// picture's pixel, which is the rounding of its colour to 8 bits, and as much for the interpolation between
+// its pixels.
 TEST_F(ProjectorPixels, ASkewedScreenIsSeenThroughItsHomography) {
   SkewedScreen screen;
   screen.inPicture = {{{0.06, 0.1}, {1.0, 0.0}, {0.0, 0.9}, {0.9, 1.0}}};

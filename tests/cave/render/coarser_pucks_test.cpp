@@ -1,5 +1,5 @@
-// The coarser meshes of pucks, chosen for random eyes, against where the light of a round puck comes from, by the
-// engine's own world lines.
+// The coarser meshes of pucks, chosen for random eyes, against where the light of a round puck comes from, by
+// the engine's own world lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,8 +44,8 @@ Seen seenBy(Random& random, double radius_m) {
   return seen;
 }
 
-/// Returns the point of the round puck for which a point of one of its flat cells stands: as far from the axis as the
-/// corners are.
+/// Returns the point of the round puck for which a point of one of its flat cells stands: as far from the
+/// axis as the corners are.
 Vec3 roundOf(const std::array<Vec3, 3>& corners, const std::array<double, 3>& shares) {
   Vec3 flat(0.0);
   double radius_m = 0.0;

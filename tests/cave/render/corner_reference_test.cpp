@@ -158,7 +158,8 @@ TEST_F(CornerReference, SpinsWhoseCornersGoAtUpTo99HundredthsOfLight) {
   EXPECT_EQ(turning.turningBodies, 3);
 }
 
-/// The world line of the first of two pucks with corners that meet, as the game plays it, until its second turn.
+/// The world line of the first of two pucks with corners that meet, as the game plays it, until its second
+/// turn.
 WorldLine kicked(Random& random, double radius_m, const Corners& outline_m) {
   BilliardSetup setup;
   setup.lightSpeed_m_s = kC_m_s;

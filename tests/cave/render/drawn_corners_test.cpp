@@ -1,5 +1,5 @@
-// Bodies with corners as they are drawn: their shadows turn with them, and of bodies that go into each other the later
-// one is seen.
+// Bodies with corners as they are drawn: their shadows turn with them, and of bodies that go into each other
+// the later one is seen.
 
 #include <gtest/gtest.h>
 
@@ -138,7 +138,8 @@ TEST_F(DrawnCorners, TheShadowOfABarThatTurnsStaysWithIt) {
   }
 }
 
-// From random places at random speeds: wherever the later body's top is seen, it has the colour that it has alone.
+// From random places at random speeds: wherever the later body's top is seen, it has the colour that it has
+// alone.
 TEST_F(DrawnCorners, OfOverlappingBodiesTheLaterIsSeen) {
   test::Random random(77);
   const double side_m = 0.1;

@@ -117,7 +117,8 @@ TEST(EdgeSmoother, EveryRowIsReached) {
 }
 
 TEST(EdgeSmoother, AnEdgeAlongABorderHasNothingBeyond) {
-  // Whatever the size and wherever the edge runs, a pixel is its own or between its neighbours within the picture.
+  // Whatever the size and wherever the edge runs, a pixel is its own or between its neighbours within the
+  // picture.
   test::Random random(7);
   EdgePixels edges(EdgePixels::Tones::inAlpha);
   for (int i = 0; i < 200; ++i) {

@@ -129,8 +129,8 @@ WorldLine later(const WorldLine& line, double late_s) {
 }
 
 /// Bodies of the sizes of a puck and of a hall, at rest and up to `maxBeta`, seen by eyes that move up to
-/// 0.99 c. Rims move at up to `maxRim` c; the cloth slows the bodies and their spins. All this at board times up to
-/// `latest_s`, and of bodies that have met nothing as long after they began to turn.
+/// 0.99 c. Rims move at up to `maxRim` c; the cloth slows the bodies and their spins. All this at board times
+/// up to `latest_s`, and of bodies that have met nothing as long after they began to turn.
 Cases makeCases(std::uint64_t seed, int count, double maxBeta, int maxBounces, const Switches& switches = {},
                 double maxRim = 0.0, double friction_m_s2 = 0.0, double slowing_1_s = 0.0,
                 double latest_s = 0.0) {

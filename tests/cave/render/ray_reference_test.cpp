@@ -91,8 +91,8 @@ Game play(const std::filesystem::path& file) {
   return game;
 }
 
-/// Whether the game has so many corners that to trace them all takes minutes: games of bodies with corners are traced
-/// in CornerReference.
+/// Whether the game has so many corners that to trace them all takes minutes: games of bodies with corners
+/// are traced in CornerReference.
 bool hasManyCorners(const Scenario& scenario) {
   constexpr std::size_t kMost = 16;
   std::size_t corners = 0;
@@ -231,9 +231,9 @@ double fastestRim(const WorldLine& line) {
   return rim;
 }
 
-/// The number of chords, twelve times a power of two, that show a circle that turns at f to 0.3 pixels. From the side,
-/// what is seen at E has turned by M = E − f sin E (Kepler): where the rim approaches, a chord of 2M there goes over 2E,
-/// and leaves the circle by 1 − cos E of the radius.
+/// The number of chords, twelve times a power of two, that show a circle that turns at f to 0.3 pixels. From
+/// the side, what is seen at E has turned by M = E − f sin E (Kepler): where the rim approaches, a chord of
+/// 2M there goes over 2E, and leaves the circle by 1 − cos E of the radius.
 std::size_t chordsFor(double f) {
   const double E = std::sqrt(2.0 * 0.3 / (0.5 * kWidestSpinning_px));
   std::size_t chords = 12;
@@ -241,7 +241,8 @@ std::size_t chordsFor(double f) {
   return chords;
 }
 
-/// The built-in puck in as many chords around as a rim at f needs at each radius, and in rings that follow bent spokes.
+/// The built-in puck in as many chords around as a rim at f needs at each radius, and in rings that follow
+/// bent spokes.
 reference::Mesh spinningPuckMesh(double radius_m, double height_m, double f) {
   const auto profile = reference::puckProfile(radius_m, height_m, {32, 1, 4, 1, 32});
   std::vector<std::size_t> around;

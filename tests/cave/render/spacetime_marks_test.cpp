@@ -258,8 +258,8 @@ TEST(PuckClocks, ShowThePucksOwnTimeAsItIsSeen) {
   }
 }
 
-// A rim clock stands on the rim, not on the shadow's, and shows that point's own time where its light left: by the point's
-// own world line.
+// A rim clock stands on the rim, not on the shadow's, and shows that point's own time where its light left:
+// by the point's own world line.
 TEST(PuckClocks, ThoseOnARimShowTheRimsOwnTimes) {
   test::Random random(75);
   for (int i = 0; i < 60; ++i) {
@@ -305,8 +305,8 @@ TEST(PuckClocks, ThoseOnARimShowTheRimsOwnTimes) {
   }
 }
 
-// The plates of a line of simultaneity show the board times of events with one time in the head's frame, and stand where
-// these events are there: x' = γ (x − β c t) along the motion.
+// The plates of a line of simultaneity show the board times of events with one time in the head's frame, and
+// stand where these events are there: x' = γ (x − β c t) along the motion.
 TEST(LessonMarks, ALineOfSimultaneityIsDrawnWhereItsEventsAreForTheObserver) {
   test::Random random(76);
   for (int i = 0; i < 100; ++i) {

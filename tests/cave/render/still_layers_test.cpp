@@ -1,5 +1,5 @@
-// The pictures of what rests, kept while an eye sees the same of it: every pixel must be that of a renderer that
-// keeps nothing, since it looks elsewhere before every frame.
+// The pictures of what rests, kept while an eye sees the same of it: every pixel must be that of a renderer
+// that keeps nothing, since it looks elsewhere before every frame.
 #include "cave/render/still_layers.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Tiles at the levels that a head chooses, against where light shows each point, by the engine's own boosts: nothing
-// is off by more than half a pixel, and nothing gapes.
+// Tiles at the levels that a head chooses, against where light shows each point, by the engine's own boosts:
+// nothing is off by more than half a pixel, and nothing gapes.
 
 #include "cave/render/tiled_surfaces.h"
 

@@ -1,5 +1,5 @@
-// Skewed screens: the homography against projectors of our own, which stand askew before a wall, and against a
-// solution of its eight equations.
+// Skewed screens: the homography against projectors of our own, which stand askew before a wall, and against
+// a solution of its eight equations.
 
 #include "cave/room/skewed_screen.h"
 
@@ -26,8 +26,8 @@ double uniform(Random& random, double least, double most) {
   return std::uniform_real_distribution<double>(least, most)(random);
 }
 
-/// A projector: light goes straight from its lens to a plane, so that a straight line of its picture is one on the
-/// wall.
+/// A projector: light goes straight from its lens to a plane, so that a straight line of its picture is one
+/// on the wall.
 struct Lens {
   glm::dvec3 at_m;
   glm::dvec3 right, up, ahead;  ///< of its picture, ahead at the distance at which it is one unit high

@@ -48,8 +48,8 @@ Scene slabOver(double height_m) {
   return scene;
 }
 
-// A ray at the cosine μ meets a slab at height h after h/μ. Rays are spread by the cosine, their reaches evenly up to R:
-// the share that is hidden is ∫ 2μ (1 − h/(R μ)) dμ from h/R to 1, which is (1 − h/R)².
+// A ray at the cosine μ meets a slab at height h after h/μ. Rays are spread by the cosine, their reaches
+// evenly up to R: the share that is hidden is ∫ 2μ (1 − h/(R μ)) dμ from h/R to 1, which is (1 − h/R)².
 TEST(BakedLight, BelowASlabTheHallIsHiddenAsTheIntegralSays) {
   for (const double height_m : {0.1, 0.75, 1.5, 2.9, 3.5}) {
     Scene scene = slabOver(height_m);
@@ -160,8 +160,8 @@ std::uint64_t digestOf(const std::string& bytes) {
   return digest;
 }
 
-// Nodes of one room may have different processors and Debians, and their walls meet: the light must be the same to the
-// byte, with Embree 3 as with Embree 4.
+// Nodes of one room may have different processors and Debians, and their walls meet: the light must be the
+// same to the byte, with Embree 3 as with Embree 4.
 TEST(BakedLight, IsTheSameOnEveryMachine) {
   Scene scene = plateOver(0.75);
   bakeLight(scene);

@@ -25,7 +25,8 @@ vtkSmartPointer<vtkPolyData> trianglesOf(const vtkSmartPointer<vtkPolyData>& pri
   return triangles->GetOutput();
 }
 
-/// By the Gauss theorem from the surface, which therefore has to look outwards, against the area of the outline.
+/// By the Gauss theorem from the surface, which therefore has to look outwards, against the area of the
+/// outline.
 TEST(OutlineModel, PrismsHaveTheVolumeOfTheirOutlines) {
   constexpr double kHeight_m = 0.03;
   const std::vector<Corners> outlines{{{-0.06, -0.01}, {0.06, -0.01}, {0.06, 0.01}, {-0.06, 0.01}},

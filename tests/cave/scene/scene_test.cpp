@@ -287,8 +287,8 @@ TEST(Scene, PucksThatLookAlikeShareTheirMeshesButNotTheirColours) {
   EXPECT_LT(scene.reach_m[1], scene.reach_m[3]);
 }
 
-// What rests is divided for each eye, by 128 at most: for tiny pixels that holds only from farther on. A puck is divided
-// once, up to its share of the vertices.
+// What rests is divided for each eye, by 128 at most: for tiny pixels that holds only from farther on. A puck
+// is divided once, up to its share of the vertices.
 TEST(Scene, TheReportNamesTheLimit) {
   const Tessellation tessellation{1e-6, 3000};
   const std::vector<BodyLooks> looks{{"white", "", 0.03, 0.02}};

@@ -189,7 +189,8 @@ TEST(HeadGap, TheErrorIsStated) {
   }
 }
 
-// Each sample of a tracker of 5 Hz is overdue when it comes: after a loss the walk is seen again all the same.
+// Each sample of a tracker of 5 Hz is overdue when it comes: after a loss the walk is seen again all the
+// same.
 TEST(HeadGap, ASlowTrackerReturnsToo) {
   HeadFilter filter;
   for (int i = 0; i < 60; ++i) {
@@ -198,7 +199,8 @@ TEST(HeadGap, ASlowTrackerReturnsToo) {
   EXPECT_NEAR(filter.at(0.2 * 59).celerity_m_s.x, 1.0, 0.03);
 }
 
-// Gathering way when samples stop: the celerity is that of the place 0.1 s before, by the difference of places.
+// Gathering way when samples stop: the celerity is that of the place 0.1 s before, by the difference of
+// places.
 TEST(HeadGap, TheCelerityGoesOnAsThePlaceDoes) {
   std::mt19937_64 random(10);
   HeadFilter filter;

@@ -40,7 +40,8 @@ TEST(PortableMath, sineAndCosineAreAsGoodAsTheCLibrarys) {
     if (i % 4 == 2) x *= 1e6;
     if (i % 4 == 3) x = std::round(6e5 * uniform()) * 1.5707963267948966 + (i % 8 == 3 ? 0.0 : 1e-9 * x);
     const auto [sine, cosine] = portableSinCos(x);
-    // Half a unit is the rounding of the result. With a term less, or without the tail of the reduced angle, it is more.
+    // Half a unit is the rounding of the result. With a term less, or without the tail of the reduced angle,
+    // it is more.
     EXPECT_TRUE(ulps(sine, std::sin(static_cast<long double>(x))) <= 0.8) << x;
     EXPECT_TRUE(ulps(cosine, std::cos(static_cast<long double>(x))) <= 0.8) << x;
     EXPECT_EQ(portableSinCos(-x).sin, -sine);

@@ -40,8 +40,8 @@ Vec2 impulseOf(const GameEvent& kick) {
   return Vec2{0.0};
 }
 
-/// Whether bars recede against their last impulse after they have gone through each other: the shapes on the board have
-/// come out of each other on another side, and have not come back.
+/// Whether bars recede against their last impulse after they have gone through each other: the shapes on the
+/// board have come out of each other on another side, and have not come back.
 void addEnd(const BilliardSetup& setup, Ends& ends) {
   constexpr double kForever_s = 2000.0, kStep_m = 0.0004, kClear_m = 0.5;
   Billiard game(setup);
@@ -64,8 +64,9 @@ void addEnd(const BilliardSetup& setup, Ends& ends) {
   ends.elsewhere += through && glm::dot(apart, impulseOf(game.events().back())) < 0.0;
 }
 
-// Where turns wait for light ("centre"), bars of which only the ends meet are past each other before their centres are
-// told: see app/doc/physics.md, Polygons. So it is a share of them, of fast ones, that ends on another side.
+// Where turns wait for light ("centre"), bars of which only the ends meet are past each other before their
+// centres are told: see app/doc/physics.md, Polygons. So it is a share of them, of fast ones, that ends on
+// another side.
 TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
   const char* const asked = std::getenv("CAROM_PAIRS");
   const int pairs = asked != nullptr ? std::atoi(asked) : 3;

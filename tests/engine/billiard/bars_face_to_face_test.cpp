@@ -1,5 +1,6 @@
-// Bars of 12 cm that meet face to face, or anyhow: they part on the side on which they touched, and slow ones end as
-// Newton's rigid bodies do. More pairs, up to 0.99 c, as a table: CAROM_PAIRS=200 build/release/bin/engine_billiard_test
+// Bars of 12 cm that meet face to face, or anyhow: they part on the side on which they touched, and slow ones
+// end as Newton's rigid bodies do. More pairs, up to 0.99 c, as a table: CAROM_PAIRS=200
+// build/release/bin/engine_billiard_test
 // --gtest_filter=BarsFaceToFace.*
 
 #include <gtest/gtest.h>
@@ -70,8 +71,8 @@ Vec2 lastBeta(const Billiard& game, int i) {
   return u / std::sqrt(1.0 + glm::dot(u, u));
 }
 
-// Anyhow tilted, at 0.02 c: on the side on which Newton's bars end, to 60°. Where turns do not wait for light, with their
-// velocities, to three tenths of the speed: the shapes at each blow differ by v²/c².
+// Anyhow tilted, at 0.02 c: on the side on which Newton's bars end, to 60°. Where turns do not wait for
+// light, with their velocities, to three tenths of the speed: the shapes at each blow differ by v²/c².
 TEST(BarsFaceToFace, SlowOnesEndAsNewtonsDo) {
   constexpr double kBeta = 0.02, kUntil_m = 40.0;
   const char* const asked = std::getenv("CAROM_PAIRS");

@@ -34,7 +34,8 @@ std::vector<double> digitsOf(const WorldLine& line, double until_s) {
   return digits;
 }
 
-// Of pairs that touch once both have turned, none goes on, nor do those that are still in each other since they met.
+// Of pairs that touch once both have turned, none goes on, nor do those that are still in each other since
+// they met.
 TEST(BilliardCorners, RandomGamesKeepFourMomentumAndTheTableAndPart) {
   test::CornerTally tally;
   for (unsigned seed = 1; seed <= 60; ++seed)
@@ -46,8 +47,8 @@ TEST(BilliardCorners, RandomGamesKeepFourMomentumAndTheTableAndPart) {
   EXPECT_EQ(tally.approaching, 0u) << tally.fastestApproach;
 }
 
-// Forty bodies and more are looked for in cells. A game without cushions of which the cells are full of bodies at rest
-// far away has the bits of the one without them.
+// Forty bodies and more are looked for in cells. A game without cushions of which the cells are full of
+// bodies at rest far away has the bits of the one without them.
 TEST(BilliardCorners, CellsChangeNoBit) {
   for (unsigned seed = 12; seed <= 38; seed += 13) {
     SCOPED_TRACE(seed);
@@ -105,7 +106,8 @@ TEST(BilliardCorners, AStrokeReplaysTheRest) {
     EXPECT_EQ(digitsOf(game.worldLines()[i], 3.0), digitsOf(known.worldLines()[i], 3.0)) << i;
 }
 
-// Blocks side by side in a corner of the table, into which a bar drives: they come to rest within a few kicks.
+// Blocks side by side in a corner of the table, into which a bar drives: they come to rest within a few
+// kicks.
 TEST(BilliardCorners, APileInACornerComesToRest) {
   for (const double restitution : {0.0, 0.3, 0.9, 1.0}) {
     SCOPED_TRACE(restitution);
@@ -178,7 +180,8 @@ TEST(BilliardCorners, MirrorImagesAreMirrored) {
   EXPECT_GT(events, 1000u);
 }
 
-// The corners of a bar pass another body in each turn, a little nearer each time: hundreds of turns later one touches.
+// The corners of a bar pass another body in each turn, a little nearer each time: hundreds of turns later one
+// touches.
 TEST(BilliardCorners, ABarThatTurnsBesideABodyMeetsItInTheEnd) {
   constexpr double kGap_m = 2e-6, kDrift = 1e-8,
                    kTurning = 8.0;  // metres, over c, radians in a metre of light

@@ -203,8 +203,8 @@ void expectSameGame(const Billiard& a, const Billiard& b, double until_s) {
   }
 }
 
-// A stroke, and sometimes a second, in the window before a bounce: while its signal is on its way, and a little
-// before that. Of every third game a corner is near.
+// A stroke, and sometimes a second, in the window before a bounce: while its signal is on its way, and a
+// little before that. Of every third game a corner is near.
 TEST(StrokesNearCushions, keepThePuckOnTheTable) {
   Random random(61);
   for (int game = 0; game < 600; ++game) {
@@ -288,8 +288,9 @@ TEST(StrokesNearCushions, inAGame) {
   }
 }
 
-// Friction stops a puck between its contact with a cushion and the signal of it, which then kicks nobody: the game goes on.
-// The puck is shot softly, by a stroke that comes while the signal of another puck's blow is on its way.
+// Friction stops a puck between its contact with a cushion and the signal of it, which then kicks nobody: the
+// game goes on. The puck is shot softly, by a stroke that comes while the signal of another puck's blow is on
+// its way.
 TEST(StrokesNearCushions, aSoftOneThatFrictionStopsIsNotKicked) {
   for (int softness = 0; softness < 40; ++softness) {
     BilliardSetup setup = table(CollisionEvent::centre);

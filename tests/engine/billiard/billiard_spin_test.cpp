@@ -1,4 +1,5 @@
-// Pucks that spin: the books of rough games, their symmetries, what the cloth takes, strokes beside the centre.
+// Pucks that spin: the books of rough games, their symmetries, what the cloth takes, strokes beside the
+// centre.
 
 #include <gtest/gtest.h>
 
@@ -81,8 +82,8 @@ TEST(BilliardSpin, RoughGamesBalanceOverManyCollisions) {
   }
 }
 
-// With next to no mass in their rims a kick turns pucks at all but the speed of light: rims stay below it in all digits,
-// and nothing that is seen of them is no number.
+// With next to no mass in their rims a kick turns pucks at all but the speed of light: rims stay below it in
+// all digits, and nothing that is seen of them is no number.
 TEST(BilliardSpin, RimsOfNextToNoMassStaySlowerThanLight) {
   test::Random random(1804);
   double fastest_u = 0.0;

@@ -137,9 +137,9 @@ TEST(Billiard, cellsChangeNoBitOfTheFastest) {
   }
 }
 
-// Where light and heavy, slow and fast pucks meet, the next event of a puck that others have waited for lies in the past
-// of the present by more than it takes to cross a cell: the others that it can meet have gone on. In the game of the last
-// seed that decides who meets.
+// Where light and heavy, slow and fast pucks meet, the next event of a puck that others have waited for lies
+// in the past of the present by more than it takes to cross a cell: the others that it can meet have gone on.
+// In the game of the last seed that decides who meets.
 TEST(Billiard, cellsChangeNoBitOfPucksThatOthersWaitFor) {
   for (const std::uint64_t seed : {3U, 9U, 27U}) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -11,8 +11,8 @@ namespace {
 constexpr double kC_m_s = 1.42, kRadius_m = 0.05, kHalf_m = 0.8, kBeta = 0.6, kUntil_s = 8.0;
 constexpr std::size_t kMany = 1000;
 
-/// Two pucks that run against each other along x, mirror images at all times, so that the board is the frame of
-/// equal speeds of each of their collisions.
+/// Two pucks that run against each other along x, mirror images at all times, so that the board is the frame
+/// of equal speeds of each of their collisions.
 BilliardSetup mirrored() {
   BilliardSetup setup;
   setup.lightSpeed_m_s = kC_m_s;
@@ -23,7 +23,8 @@ BilliardSetup mirrored() {
   return setup;
 }
 
-/// The same game by small steps of time: rims are contracted to R sqrt(1 − β²) and throw back when they touch.
+/// The same game by small steps of time: rims are contracted to R sqrt(1 − β²) and throw back when they
+/// touch.
 struct Stepped {
   double x_m = 0.5, direction = -1.0;
   int collisions = 0, bounces = 0;

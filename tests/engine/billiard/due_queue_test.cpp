@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// Beside a sorted set of (time, number), which is what the queue stands for. Times are coarse, so that many are
-// equal, and move on as a game's do; the larger number is beyond the heap.
+// Beside a sorted set of (time, number), which is what the queue stands for. Times are coarse, so that many
+// are equal, and move on as a game's do; the larger number is beyond the heap.
 class DueQueueOf : public testing::TestWithParam<int> {};
 
 TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
@@ -76,8 +76,8 @@ TEST_P(DueQueueOf, ComesOutAsASortedSetDoes) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, DueQueueOf, testing::Values(1, 5, 300, 9000, 20000));
 
-// Each item in its turn gets a later time, of which some lie beyond the calendar, until several calendars are over and
-// nothing is due any more.
+// Each item in its turn gets a later time, of which some lie beyond the calendar, until several calendars are
+// over and nothing is due any more.
 TEST(DueQueue, GoesOnForManyCalendars) {
   constexpr int kItems = 1000, kTurns = 60000;
   test::Random random(7);

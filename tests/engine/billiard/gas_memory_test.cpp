@@ -9,7 +9,8 @@
 namespace carom {
 namespace {
 
-// Four collisions a puck are eight turns: eight knots and four events, and what was bought in advance is among it.
+// Four collisions a puck are eight turns: eight knots and four events, and what was bought in advance is
+// among it.
 TEST(GasMemory, APuckTakesLessThanFourKilobytes) {
   constexpr int kPucks = 10000;
   constexpr double kMost_bytes = 4000.0;

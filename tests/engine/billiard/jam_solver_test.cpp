@@ -1,5 +1,5 @@
-// Jams out of a game: heaps of bodies that press on one another, judged by Newton's mechanics, as all is slow, and by
-// exact sums of four-momenta.
+// Jams out of a game: heaps of bodies that press on one another, judged by Newton's mechanics, as all is
+// slow, and by exact sums of four-momenta.
 
 #include "engine/billiard/jam_solver.h"
 
@@ -129,7 +129,8 @@ TEST(JamSolver, CushionsTakeMomentum) {
   expectSame(total(bodies), before);
 }
 
-// Two squares face to face, which touch at both ends of the face: neither end closes, one velocity and no spin in the end.
+// Two squares face to face, which touch at both ends of the face: neither end closes, one velocity and no
+// spin in the end.
 TEST(JamSolver, SquaresRecedeAtEachPlaceOrComeToRestTogether) {
   const std::vector<Vec2> corners{{-0.05, -0.05}, {0.05, -0.05}, {0.05, 0.05}, {-0.05, 0.05}};
   const Outline square(corners);

@@ -1,6 +1,6 @@
 #pragma once
-// Two rigid convex polygons by Newton's mechanics, by a way that shares nothing with the engine's: steps no longer than
-// the gap allows, and the widest gap among all lines along sides.
+// Two rigid convex polygons by Newton's mechanics, by a way that shares nothing with the engine's: steps no
+// longer than the gap allows, and the widest gap among all lines along sides.
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
-// How two bodies with corners pass through each other on the board, by the shapes that their world lines give there:
-// an independent judge of who ends on which side.
+// How two bodies with corners pass through each other on the board, by the shapes that their world lines give
+// there: an independent judge of who ends on which side.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,8 @@
 
 namespace carom::test {
 
-/// The widest gap between two convex bodies along a side of either, below 0 if they overlap, and its direction.
+/// The widest gap between two convex bodies along a side of either, below 0 if they overlap, and its
+/// direction.
 struct BoardGap {
   double width = -1e9;
   Vec2 normal{0.0};              ///< from the first body to the second
@@ -28,7 +29,8 @@ struct BoardOverlap {
   double begin = 0.0, end = 0.0, deepest = 0.0;  ///< metres
   BoardGap before, after;
 
-  /// Whether they part on another side than that on which they came together: seen from the board and from either.
+  /// Whether they part on another side than that on which they came together: seen from the board and from
+  /// either.
   bool isPassage() const {
     const auto along = [&](double turned) {
       const double c = std::cos(turned), s = std::sin(turned);
@@ -55,7 +57,8 @@ inline BoardGap gapOnBoard(const std::array<std::vector<Vec2>, 2>& corners) {
   return gap;
 }
 
-/// Returns when the first two pucks of a game overlap between two board times in metres of light, looked at in steps.
+/// Returns when the first two pucks of a game overlap between two board times in metres of light, looked at
+/// in steps.
 inline std::vector<BoardOverlap> overlapsOnBoard(const Billiard& game, const BilliardSetup& setup,
                                                  double from, double until, double step) {
   std::array<std::optional<Outline>, 2> outlines;

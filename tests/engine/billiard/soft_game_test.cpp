@@ -1,4 +1,5 @@
-// Soft pucks in a game beside rigid ones: who becomes soft, what is kept, and that nothing depends on how one advances.
+// Soft pucks in a game beside rigid ones: who becomes soft, what is kept, and that nothing depends on how one
+// advances.
 
 #include <gtest/gtest.h>
 

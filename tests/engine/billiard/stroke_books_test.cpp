@@ -1,6 +1,6 @@
-// Strokes at bad moments, on pucks that spin, are rough and are slowed by the cloth: while signals are on their way to them.
-// The ledger is what the events and the legs between them say; kicks keep what they give; and whoever has forgotten the
-// past plays the same game.
+// Strokes at bad moments, on pucks that spin, are rough and are slowed by the cloth: while signals are on
+// their way to them. The ledger is what the events and the legs between them say; kicks keep what they give;
+// and whoever has forgotten the past plays the same game.
 
 #include <gtest/gtest.h>
 
@@ -178,8 +178,8 @@ TEST(StrokeBooks, TheLedgerIsWhatTheEventsAndTheLegsSay) {
   EXPECT_GT(strokes, 150);
 }
 
-// Of a kick on its way a stroke, here beside the centre, changes where it arrives. The momentum and the angular momentum
-// that it gives are the same.
+// Of a kick on its way a stroke, here beside the centre, changes where it arrives. The momentum and the
+// angular momentum that it gives are the same.
 TEST(StrokeBooks, AKickOnItsWayGivesWhatItWouldHaveGiven) {
   Random random(42);
   int kicks = 0;
@@ -222,8 +222,8 @@ TEST(StrokeBooks, AKickOnItsWayGivesWhatItWouldHaveGiven) {
   EXPECT_GT(kicks, 50);
 }
 
-// One that forgets what is past, as a session does, and is struck just after what it has forgotten: its game is that of one
-// that forgets nothing.
+// One that forgets what is past, as a session does, and is struck just after what it has forgotten: its game
+// is that of one that forgets nothing.
 TEST(StrokeBooks, AStrokeJustAfterWhatIsForgottenPlaysTheSameGame) {
   Random random(43);
   int strokes = 0;

@@ -1,5 +1,5 @@
-// Two thin bodies that meet fast: by the time at which light has told their centres, they are deep in each other or
-// behind each other. They part on the side on which they met.
+// Two thin bodies that meet fast: by the time at which light has told their centres, they are deep in each
+// other or behind each other. They part on the side on which they met.
 
 #include <gtest/gtest.h>
 
@@ -45,8 +45,8 @@ class PlayedBody {
   std::vector<SampledBody> legs_;
 };
 
-/// The way of a point as it lies to a body: by which side it has come in, and whether it has gone out by one that looks
-/// the other way, and not come back.
+/// The way of a point as it lies to a body: by which side it has come in, and whether it has gone out by one
+/// that looks the other way, and not come back.
 class SampledWay {
  public:
   void moveTo(const glm::dvec2& place, const std::vector<glm::dvec2>& corners) {
@@ -123,8 +123,9 @@ struct Tally {
   std::size_t mostEvents = 0;
 };
 
-// Bodies of which the first contact drives the centres apart stay on their sides. Long after that the second is where
-// it was pushed, or it has got there round the first one: bars that turn roll over each other's ends.
+// Bodies of which the first contact drives the centres apart stay on their sides. Long after that the second
+// is where it was pushed, or it has got there round the first one: bars that turn roll over each other's
+// ends.
 void play(const BilliardSetup& setup, Tally& tally) {
   Billiard game(setup);
   game.advanceTo(kUntil_s);

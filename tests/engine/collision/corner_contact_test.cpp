@@ -159,8 +159,9 @@ double distanceOfCentres(const Pair& pair, const Matrix& frame, double time) {
   return std::sqrt(std::max(0.0, -dot(apart, apart)));
 }
 
-// The contact found lies on both outlines and they go into each other after it. No sample before it, or at all where
-// none is found, has a corner inside: a sample a millimetre of light, wherever the bodies can touch.
+// The contact found lies on both outlines and they go into each other after it. No sample before it, or at
+// all where none is found, has a corner inside: a sample a millimetre of light, wherever the bodies can
+// touch.
 void expectAgreement(const Pair& pair, const std::optional<CornerContact>& found, Tally& tally) {
   const Matrix frame = boost(pair.frame);
   const double start = std::max((frame * pair.first.start).t, (frame * pair.second.start).t);
@@ -237,7 +238,8 @@ TEST(CornerContact, RandomPairsAsSampled) { expectRandomPairs(1, 6700, false, 0.
 TEST(CornerContact, RandomSpinningPairsAsSampled) { expectRandomPairs(2, 3300, false, 1.0); }
 TEST(CornerContact, RandomPairsWithDiscsAsSampled) { expectRandomPairs(3, 1000, true, 0.33); }
 
-// A side of a spinning body is straight in its own frame, and between its corners in the frame of equal speeds.
+// A side of a spinning body is straight in its own frame, and between its corners in the frame of equal
+// speeds.
 TEST(CornerContact, ManyCornersTouchAsADiscDoes) {
   constexpr double kRadius = 0.03;
   RandomPairs random(4);
@@ -297,8 +299,8 @@ TEST(CornerContact, SquaresFaceToFaceTieInTheMiddle) {
   EXPECT_WITHIN(std::abs(there->contact.event.y), 0.03, 1e-15);
 }
 
-// The face of a square comes to a face half as long and, with its upper corner, to a slope above that. The slope is
-// later by less than what counts as one time, so that the face is the first.
+// The face of a square comes to a face half as long and, with its upper corner, to a slope above that. The
+// slope is later by less than what counts as one time, so that the face is the first.
 TEST(CornerContact, WhatTouchesAnotherSideAtThatTimeDoesNotMoveTheMiddle) {
   constexpr double kLater = 2e-11;
   const Outline square(rectangle(0.08, 0.08));
@@ -366,7 +368,8 @@ TEST(CornerContact, CushionsAsSampled) {
     EXPECT_GT(signal.t, 0.0);
     EXPECT_GE(plane.inside(found->contact.turn.x), 0.0);
     const double own = sampled.restPlace(found->contact.event).t;
-    // Where a corner's news would come too late, the contact is straight ahead of the centre, after the corner's.
+    // Where a corner's news would come too late, the contact is straight ahead of the centre, after the
+    // corner's.
     bool atCorner = found->sideOnSide;
     for (const Vec2& d : corners)
       atCorner = atCorner || std::abs(glm::length(d) - (found->contact.turn.properTime - own)) < 1e-9;
@@ -398,8 +401,8 @@ TEST(CornerContact, ManyCornersMeetACushionAsADiscDoes) {
   }
 }
 
-// What touches at board time 0 has been there before, and is no contact; a moment later it is one. In numbers without
-// rounding: at u = 3/4, γ = 5/4 a corner 5/32 ahead of its centre is 1/8 ahead on the board.
+// What touches at board time 0 has been there before, and is no contact; a moment later it is one. In numbers
+// without rounding: at u = 3/4, γ = 5/4 a corner 5/32 ahead of its centre is 1/8 ahead on the board.
 TEST(CornerContact, NothingTouchesAtBoardTimeZero) {
   constexpr double kAhead = 0.15625, kOnBoard = 0.125;
   const Vec21 u{1.25, -0.75, 0.0};
@@ -444,8 +447,8 @@ TEST(CornerContact, CornersThatMeetExactlyDoNotPassBetweenTheSides) {
   }
 }
 
-// Corner on corner, in numbers without rounding: of all that happens at once the first body's corner counts, on the side
-// of the second that comes first in its outline.
+// Corner on corner, in numbers without rounding: of all that happens at once the first body's corner counts,
+// on the side of the second that comes first in its outline.
 TEST(CornerContact, OfEqualPiercingsTheFirstCounts) {
   const Vec2 east{0.125, 0.0}, north{0.0, 0.125}, west{-0.125, 0.0}, south{0.0, -0.125};
   const Outline diamond(std::vector<Vec2>{east, north, west, south}),

@@ -176,8 +176,8 @@ TEST(CornerKick, RoughSidesStickAtLowSpeedAsNewtonHasIt) {
   EXPECT_WITHIN(vt - slides->centre.u.x, 0.01 * (slides->centre.u.y + vn), 1e-9 * vt);
 }
 
-// In one frame with light faster and faster: the heat over c² is what Newton's bodies lose, to (v/c)² and rounding. A
-// difference of masses would have only rounding left.
+// In one frame with light faster and faster: the heat over c² is what Newton's bodies lose, to (v/c)² and
+// rounding. A difference of masses would have only rounding left.
 TEST(CornerKick, HeatKeepsItsDigitsWhereLightIsFast) {
   for (const double c : {1e4, 1e6, 1e7, 1e8}) {
     const double beta = 1.0 / c, mass = 0.2, radius = 0.06, lever = 0.05, e = 0.5;
@@ -198,8 +198,9 @@ TEST(CornerKick, HeatKeepsItsDigitsWhereLightIsFast) {
   }
 }
 
-// What slides gets the tangential impulse μ times the normal one, whatever the restitution; less only where less makes the
-// sides stick or, with tangential restitution, turn back as they should: as much as without a limit.
+// What slides gets the tangential impulse μ times the normal one, whatever the restitution; less only where
+// less makes the sides stick or, with tangential restitution, turn back as they should: as much as without a
+// limit.
 TEST(CornerKick, SlidingImpulseIsCoulombsShareOfTheNormalOne) {
   constexpr double kSlow = 1e-5;
   std::mt19937_64 random(4);

@@ -151,8 +151,8 @@ TEST(CushionContact, ThereIsNoneForWhoGoesAway) {
   }
 }
 
-// A disc that begins a leg where it would turn, as one does that a cushion and a heavy disc squeeze: on which side of that
-// place rounding puts it decides nothing, along x as along y.
+// A disc that begins a leg where it would turn, as one does that a cushion and a heavy disc squeeze: on which
+// side of that place rounding puts it decides nothing, along x as along y.
 TEST(CushionContact, RoundingDoesNotDecideWhetherTheSignalIsThere) {
   constexpr double kRadius = 0.03, kTowards = 0.75;
   const double atTurn = kRadius / (std::sqrt(1.0 + kTowards * kTowards) + kTowards);

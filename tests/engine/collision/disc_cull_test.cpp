@@ -50,9 +50,9 @@ Share shareOfPairs(TurnConvention convention, double slowest) {
   return share;
 }
 
-// The coarse test never excludes a pair that meets, and excludes most of what the exact one does: besides what
-// rounding leaves open, the pairs that have passed one another since the first's flight began, and those that
-// the largest radius would let touch.
+// The coarse test never excludes a pair that meets, and excludes most of what the exact one does: besides
+// what rounding leaves open, the pairs that have passed one another since the first's flight began, and those
+// that the largest radius would let touch.
 TEST(DiscCull, ExcludesNoPairThatMeets) {
   for (const TurnConvention convention :
        {TurnConvention::simultaneousWithContact, TurnConvention::signalAtCentre}) {

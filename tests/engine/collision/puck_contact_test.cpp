@@ -110,8 +110,8 @@ TEST(PuckContact, agreesWithSlowReference) {
   EXPECT_GT(hits, kPairs / 4);
 }
 
-// Of flights that both begin at board time 0, contacts after it count and contacts before it do not, even where the signal
-// is still on its way to both centres. On the board the discs are apart at 0.
+// Of flights that both begin at board time 0, contacts after it count and contacts before it do not, even
+// where the signal is still on its way to both centres. On the board the discs are apart at 0.
 TEST(PuckContact, NothingIsKickedByAContactBeforeBoardTimeZero) {
   Random random(7);
   int before = 0, after = 0;
@@ -154,8 +154,9 @@ TEST(PuckContact, NothingIsKickedByAContactBeforeBoardTimeZero) {
   EXPECT_GT(after, 5);
 }
 
-// Discs that overlap and approach as the later flight begins are kicked at that moment of the frame of equal speeds: here
-// found by boosts of that frame. Where turns wait for light, a moment counts as R before the turn on the puck's own clock.
+// Discs that overlap and approach as the later flight begins are kicked at that moment of the frame of equal
+// speeds: here found by boosts of that frame. Where turns wait for light, a moment counts as R before the
+// turn on the puck's own clock.
 TEST(PuckContact, WithoutDelayEachHasItsOwnMomentInTheFrameOfEqualSpeeds) {
   Random random(8);
   int met = 0;

@@ -45,7 +45,8 @@ TEST(PuckLeg, movesAsTheWorldLineDoes) {
 }
 
 // Each solver's answer, put back into what it was to solve.
-// γβ falls by the friction in a unit of board time: a moment before it rests a puck creeps, and it does not move after.
+// γβ falls by the friction in a unit of board time: a moment before it rests a puck creeps, and it does not
+// move after.
 TEST(PuckLeg, restsWhenFrictionHasTakenAllOfItsCelerity) {
   for (const double u : {1e-3, 0.75, 10.0}) {
     const Leg leg{{3.0, 0.1, 0.2}, fourVelocity(0.6 * u, 0.8 * u), 0.0, 0.25};

@@ -28,9 +28,9 @@ Seen solved(const Leg& leg, const Solve& solve, const Vector& offset) {
           Vec3(leg.seenCentre) + Vec3(row(leg.toSeenX), row(leg.toSeenY), row(leg.toSeenZ))};
 }
 
-// A body that has always moved evenly: its points' world lines are straight on the board, and the emission is found
-// there by bisection of c (t_o − t) = |r_o − r(t)|, which falls strictly. The kernel solves in the body's frame. The
-// head is at rest on the board.
+// A body that has always moved evenly: its points' world lines are straight on the board, and the emission is
+// found there by bisection of c (t_o − t) = |r_o − r(t)|, which falls strictly. The kernel solves in the
+// body's frame. The head is at rest on the board.
 TEST(EmissionKernel, AnEvenlyMovingPointIsSeenWhereBisectionFindsIt) {
   test::Random random(1);
   for (int i = 0; i < 2000; ++i) {

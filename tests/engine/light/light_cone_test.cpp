@@ -85,8 +85,8 @@ TEST(LightCone, KernelMatchesTheWholeHistory) {
   }
 }
 
-// The line knows to the last digit when the last of some points joins its leg. An eye looks just after the centre has shown
-// this moment: of the points behind the centre it still sees the earlier leg.
+// The line knows to the last digit when the last of some points joins its leg. An eye looks just after the
+// centre has shown this moment: of the points behind the centre it still sees the earlier leg.
 TEST(LightCone, AnEarlierLegIsLookedAtUntilTheLightOfAllItsPointsIsThere) {
   test::Random random(14);
   int early = 0;

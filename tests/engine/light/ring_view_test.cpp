@@ -40,8 +40,8 @@ struct Wanderers {
   }
 };
 
-// By bisection of f(t) = c (t_o − t) − |r_o − r(t)| along the whole history, which falls strictly; the view searches
-// from where it was and solves on one straight piece. The eye jumps to and fro in time.
+// By bisection of f(t) = c (t_o − t) − |r_o − r(t)| along the whole history, which falls strictly; the view
+// searches from where it was and solves on one straight piece. The eye jumps to and fro in time.
 TEST(RingView, SeesWhereBisectionOfTheWholeHistoryFindsIt) {
   test::Random random(1);
   const Wanderers wanderers(random);

@@ -137,8 +137,8 @@ TEST(SeenCap, NoPointOfAGlidingBodyIsSeenOutside) {
   EXPECT_GT(gliding, 10000);
 }
 
-// A part of it is somewhere on its way around the centre. Eyes that all but touch that way, or are within it, are left
-// out: there a few points in thirty thousand bodies were outside, by up to 0.4 rad.
+// A part of it is somewhere on its way around the centre. Eyes that all but touch that way, or are within it,
+// are left out: there a few points in thirty thousand bodies were outside, by up to 0.4 rad.
 TEST(SeenCap, NoPointOfATurningBodyIsSeenOutside) {
   test::Random random(67);
   int seen = 0;

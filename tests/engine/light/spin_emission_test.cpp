@@ -184,8 +184,9 @@ TEST(SpinEmission, TheKernelFindsWhatBisectionFinds) {
   RecordProperty("worst_of_distance_float", testing::PrintToString(worstFloat));
 }
 
-// Points of the rim of the fastest bodies. Some one in 400 of these is not found by six steps, nor by twice as many, where
-// the rim comes at the eye; by the few steps that are enough up to 0.99 c three times as many would be missed.
+// Points of the rim of the fastest bodies. Some one in 400 of these is not found by six steps, nor by twice
+// as many, where the rim comes at the eye; by the few steps that are enough up to 0.99 c three times as many
+// would be missed.
 TEST(SpinEmission, SixStepsFindAllButFewPointsOfTheFastestRims) {
   test::Random random(16);
   int missed = 0;
@@ -300,8 +301,8 @@ TEST(SpinEmission, TheKernelFollowsPointsThroughBounces) {
   RecordProperty("worst_of_distance_float", testing::PrintToString(worst));
 }
 
-// Where the cloth slows a body, or its spin, or both: continuous and slower than light, and the kernel in double is
-// where bisection is, seen by light and at moments.
+// Where the cloth slows a body, or its spin, or both: continuous and slower than light, and the kernel in
+// double is where bisection is, seen by light and at moments.
 TEST(SpinEmission, TheKernelFollowsPointsThatTheClothSlows) {
   test::Random random(6);
   for (int i = 0; i < 1500; ++i) {

@@ -68,8 +68,8 @@ TEST(VertexHistory, GlidingPointsMoveAsTheirPlacesDo) {
   }
 }
 
-// The same where the cloth slows the spin, at times the body as well. The Doppler factor for an eye at rest on the board is
-// how fast it sees the point's clock go.
+// The same where the cloth slows the spin, at times the body as well. The Doppler factor for an eye at rest
+// on the board is how fast it sees the point's clock go.
 TEST(VertexHistory, PointsWhoseSpinTheClothSlowsMoveAsTheirPlacesDo) {
   test::Random random(13);
   const double h_s = 1e-4;

@@ -1,5 +1,5 @@
-// Soft bodies against closed forms of shock waves, references of bounces that were extrapolated in the cell size, other frames,
-// and the conservation laws.
+// Soft bodies against closed forms of shock waves, references of bounces that were extrapolated in the cell
+// size, other frames, and the conservation laws.
 
 #include <gtest/gtest.h>
 
@@ -91,8 +91,8 @@ Bounce bounced(int cells, const SoftMaterial& material, double normal, double al
   return {after.momentum.x / before.x, after.restMass() / kMass, seenFrom({0.0, along}, after.momentum)};
 }
 
-// Momentum back, extrapolated in the cell size with another program: 0.675, 0.651, 0.653 at 0.3, 0.6, 0.8 c. With N cells it
-// lacks about 0.33/N of the momentum.
+// Momentum back, extrapolated in the cell size with another program: 0.675, 0.651, 0.653 at 0.3, 0.6, 0.8 c.
+// With N cells it lacks about 0.33/N of the momentum.
 TEST(SoftBody, BouncesOffACushionAsTheReferences) {
   struct Case {
     double speed, sound, ratio;
@@ -138,8 +138,8 @@ TEST(SoftBody, ConservesMomentumBetweenTwo) {
   }
 }
 
-// A rod pushed at one end to 0.6 c, sound 0.5: behind the shock own length 0.33743 of the relaxed one, the shock at 0.82186 c
-// (closed form of the jump conditions). The far end rests until it comes, 1.2167 ℓ0 later.
+// A rod pushed at one end to 0.6 c, sound 0.5: behind the shock own length 0.33743 of the relaxed one, the
+// shock at 0.82186 c (closed form of the jump conditions). The far end rests until it comes, 1.2167 ℓ0 later.
 TEST(SoftBody, TheFarEndOfAPushedRodWaitsForTheShock) {
   constexpr double kHalf = 0.04;
   auto mesh = std::make_shared<SoftMesh>(softRectangle({kHalf, 0.125 * kHalf}, 40));

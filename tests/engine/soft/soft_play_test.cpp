@@ -1,4 +1,5 @@
-// Soft bodies beside each other, cushions, strokes and told bodies: what wakes them, what they exchange, how they sleep again.
+// Soft bodies beside each other, cushions, strokes and told bodies: what wakes them, what they exchange, how
+// they sleep again.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,8 @@ double speedOf(const SoftTotals& totals) {
   return std::hypot(totals.momentum.x, totals.momentum.y) / totals.momentum.t;
 }
 
-// From rest, p = 0.3, 1, 2 m c leave at 0.286, 0.695, 0.875 c with 1.007, 1.035, 1.104 of the mass, by another program.
+// From rest, p = 0.3, 1, 2 m c leave at 0.286, 0.695, 0.875 c with 1.007, 1.035, 1.104 of the mass, by
+// another program.
 TEST(SoftPlay, AStrokeGivesItsMomentumExactly) {
   struct Case {
     double p, speed, mass;
@@ -68,8 +70,8 @@ TEST(SoftPlay, AStrokeGivesItsMomentumExactly) {
   }
 }
 
-// The force of a hand begins, node by node, where its light arrives: outside of its future nothing moves but for the numerical
-// precursor.
+// The force of a hand begins, node by node, where its light arrives: outside of its future nothing moves but
+// for the numerical precursor.
 TEST(SoftPlay, AStrokeIsNotFeltOutsideTheFutureOfTheHand) {
   SoftPlay play({});
   play.add(disc("disc", 16, {0.0, 0.0}, {0.0, 0.0}));
@@ -172,7 +174,8 @@ TEST(SoftPlay, SleepsAgainWithTheMassThatItHasGot) {
   EXPECT_FALSE(play.isAwake(0));
 }
 
-// Two that lie beside each other at rest, hardly apart, do not keep each other awake; one that comes near wakes them.
+// Two that lie beside each other at rest, hardly apart, do not keep each other awake; one that comes near
+// wakes them.
 TEST(SoftPlay, NeighboursAtRestSleep) {
   SoftPlay play({});
   play.add(disc("a", 4, {0.0, 0.0}, {0.0, 0.0}));
@@ -296,7 +299,8 @@ TEST(SoftPlay, HasTheSameBitsInAnyOrderAndAfterAReturn) {
   }
 }
 
-// Bell's string: both ends set off at once and keep their distance on the board; the middle rests until the news comes.
+// Bell's string: both ends set off at once and keep their distance on the board; the middle rests until the
+// news comes.
 TEST(SoftPlay, HoldsTheSidesOfABellString) {
   constexpr double kHalf = 0.04, kSpeed = 0.3, kAt = 0.011;
   SoftPlay play({});

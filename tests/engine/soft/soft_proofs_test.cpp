@@ -1,5 +1,6 @@
-// What must be true of any collision of soft bodies: the same in every frame, conserved, slower than light, convergent, and
-// Newton's where it is slow. In short; CAROM_SOFT=N tries N random collisions of each kind, with more cells, which takes hours.
+// What must be true of any collision of soft bodies: the same in every frame, conserved, slower than light,
+// convergent, and Newton's where it is slow. In short; CAROM_SOFT=N tries N random collisions of each kind,
+// with more cells, which takes hours.
 
 #include <gtest/gtest.h>
 
@@ -221,8 +222,8 @@ TEST(SoftProofs, ABounceConvergesToTheReferences) {
   }
 }
 
-// Slow waves are Newton's: the far side of a block has turned half after 1.968 of its length (sound 0.5), and nearly all of the
-// momentum comes back; what lacks is smeared by the viscosity.
+// Slow waves are Newton's: the far side of a block has turned half after 1.968 of its length (sound 0.5), and
+// nearly all of the momentum comes back; what lacks is smeared by the viscosity.
 TEST(SoftProofs, SlowBouncesAreNewtons) {
   constexpr double kHalf = 0.04, kSpeed = 0.01;
   struct Size {

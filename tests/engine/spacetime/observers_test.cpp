@@ -47,7 +47,8 @@ TEST(Observers, AGlitchOfTheTrackerIsNotTravel) {
   EXPECT_FALSE(std::isnan(observer.headEvent().t_s));
 }
 
-// Two share the room's clock: what one head seems to move above 3 m/s drives neither clock, what it moves below does.
+// Two share the room's clock: what one head seems to move above 3 m/s drives neither clock, what it moves
+// below does.
 TEST(Observers, AStepAbove3mPerSecondDrivesNobodysClock) {
   constexpr double kStep_s = 1.0 / 60.0;
   for (const double speed_m_s : {2.9, 3.1, 60.0}) {
@@ -242,8 +243,8 @@ TEST(Observers, OverAFrameOfSeveralThrustsTheFastestLivesTheDisplaysTime) {
     for (std::size_t i = 0; i < 2; ++i) {
       const double own_s = observers.properTime_s(i) - before_s[i];
       least_s = std::min(least_s, own_s);
-      // The head's celerity is its motion per display time, in the own time of the whole frame; and the lapse that is told
-      // is the one with which this own time follows from the room's time.
+      // The head's celerity is its motion per display time, in the own time of the whole frame; and the lapse
+      // that is told is the one with which this own time follows from the room's time.
       EXPECT_NEAR(observers[i].head.celerity_m_s.z, heads[i].celerity_m_s.z * kFrame_s / own_s, 1e-12);
       const double way_m = (i == 0 ? 0.4 : 1.2) * kFrame_s, room_s = observers.room_s() - before.room_s();
       EXPECT_NEAR(observers[i].lapse * room_s, std::hypot(own_s, way_m / kC_m_s), 1e-14);

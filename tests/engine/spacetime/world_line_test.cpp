@@ -80,7 +80,8 @@ TEST(WorldLine, KnotsLieInTheMemoryThatWasGiven) {
   EXPECT_EQ(other.bytes, 0U);
 }
 
-// A knot takes 100 bytes while heights, friction and spin are the same throughout, and its value is what was given.
+// A knot takes 100 bytes while heights, friction and spin are the same throughout, and its value is what was
+// given.
 TEST(WorldLine, KnotsAreKeptWithoutLossAndSmall) {
   test::Random random(11);
   for (const bool spins : {false, true}) {
@@ -199,8 +200,8 @@ TEST(WorldLine, EveryPointHasJoinedItsLegWhenItIsSettled) {
   }
 }
 
-// A body that is slowed by a blow from behind, and then by friction that all but tears it apart: its points chase what
-// brakes away from them, longer than without friction, and have joined when both bounds say so.
+// A body that is slowed by a blow from behind, and then by friction that all but tears it apart: its points
+// chase what brakes away from them, longer than without friction, and have joined when both bounds say so.
 TEST(WorldLine, GlidingPointsHaveJoinedTheirLegWhenItIsSettled) {
   const double radius_m = 0.05;
   for (const double pull : {0.25, 0.4, 0.499}) {  // R a, over c²
